@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# One function per kind of target, so that every module is declared the same way.
+
+function(stickslip_set_warnings target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
+  if(STICKSLIP_WERROR)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+endfunction()
+
+# stickslip_library(core SOURCES a.cpp ... DEPENDS other PUBLIC_LIBS lib ... PRIVATE_LIBS lib ...)
+# makes stickslip_core (alias stickslip::core) with public headers in <module>/include.
+function(stickslip_library module)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC_LIBS;PRIVATE_LIBS" ${ARGN})
+  add_library(stickslip_${module} STATIC ${ARG_SOURCES})
+  add_library(stickslip::${module} ALIAS stickslip_${module})
+  set_target_properties(stickslip_${module} PROPERTIES EXPORT_NAME ${module})
+  target_include_directories(stickslip_${module}
+    PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+           $<INSTALL_INTERFACE:include>)
+  target_link_libraries(stickslip_${module}
+    PUBLIC ${ARG_PUBLIC_LIBS} PRIVATE ${ARG_PRIVATE_LIBS})
+  target_compile_features(stickslip_${module} PUBLIC cxx_std_17)
+  if(STICKSLIP_VALIDATE)
+    target_compile_definitions(stickslip_${module} PUBLIC STICKSLIP_VALIDATE)
+  endif()
+  stickslip_set_warnings(stickslip_${module})
+endfunction()
+
+# stickslip_program(name SOURCES ... LIBS ...): an executable in build/bin.
+function(stickslip_program name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_LIBS})
+  stickslip_set_warnings(${name})
+endfunction()
+
+# stickslip_test(name SOURCES ... LIBS ... [TIMEOUT s] [ARGS ...]): a GoogleTest
+# executable, registered with ctest as one test of that name.
+function(stickslip_test name)
+  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBS;ARGS" ${ARGN})
+  stickslip_program(${name} SOURCES ${ARG_SOURCES} LIBS ${ARG_LIBS} GTest::gtest_main GTest::gmock)
+  set_target_properties(${name} PROPERTIES
+    RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/bin)
+  add_test(NAME ${name} COMMAND ${name} ${ARG_ARGS})
+  if(ARG_TIMEOUT)
+    set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT})
+  else()
+    set_tests_properties(${name} PROPERTIES TIMEOUT 600)
+  endif()
+endfunction()

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The two ways to be wrong: bad input from a user (InputError, with place and
+/// remedy) and a broken contract inside a program (ContractError). Both are checked
+/// in every build type.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace stickslip {
+
+/// Bad input. `file` may be empty when the data did not come from a file; `place` is a
+/// JSON path such as "contacts[2].normal", a "line:column", or an option name.
+class InputError : public std::runtime_error {
+ public:
+  InputError(std::string file, std::string place, std::string problem, std::string remedy);
+
+  const std::string& file() const { return file_; }
+  const std::string& place() const { return place_; }
+  const std::string& problem() const { return problem_; }
+  const std::string& remedy() const { return remedy_; }
+
+  /// The same error, naming the file it came from.
+  InputError in_file(const std::string& file) const;
+
+ private:
+  std::string file_;
+  std::string place_;
+  std::string problem_;
+  std::string remedy_;
+};
+
+/// `text` as it may stand in a message: in double quotes, control characters escaped, and
+/// cut after some forty characters.
+std::string quote(std::string_view text);
+
+/// A caller broke a documented requirement, or an internal check failed.
+class ContractError : public std::logic_error {
+ public:
+  using std::logic_error::logic_error;
+};
+
+/// Throws ContractError when `condition` is false, in every build type.
+void require(bool condition, const char* message);
+
+}  // namespace stickslip

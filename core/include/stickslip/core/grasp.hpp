@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// A planar body held by frictional point contacts, and the load on it.
+///
+/// Frame: the object frame. Normals point into the object. The tangent of a contact is
+/// its normal turned by +90 degrees, t = (-n_y, n_x). Source: Haas-Heger et al., RSS
+/// 2018, Section III and Fig. 2.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "stickslip/core/ids.hpp"
+#include "stickslip/core/twist.hpp"
+
+namespace stickslip {
+
+struct Vector2 {
+  Rational x{0};
+  Rational y{0};
+
+  friend bool operator==(const Vector2& a, const Vector2& b) { return a.x == b.x && a.y == b.y; }
+};
+
+/// One frictional point contact. The normal need not have length 1: only its direction
+/// has meaning. `preload` is the normal force before any load is applied.
+struct Contact {
+  Vector2 position;
+  Vector2 normal;           ///< nonzero, points into the object
+  Rational friction{0};     ///< coefficient mu >= 0
+  Rational stiffness{1};    ///< of the normal spring, k > 0, force per length
+  Rational preload{0};      ///< P >= 0, force
+};
+
+/// How normal forces answer the motion d, with v = P - k N.d (N of a unit normal):
+/// unilateral: c_n = max(0, v), a contact may open; bilateral, the literal Eq. 4 of the
+/// paper with preload: c_n = v, and c_n >= 0 is required.
+enum class NormalLaw { kUnilateral, kBilateral };
+
+const char* to_string(NormalLaw law);
+
+/// Contacts that satisfy the requirements stated at Contact. Immutable.
+class Grasp {
+ public:
+  Grasp() = default;
+  /// Throws InputError naming "contacts[i].<member>" when a requirement fails.
+  explicit Grasp(std::vector<Contact> contacts, std::string name = {});
+
+  const std::string& name() const { return name_; }
+  const std::vector<Contact>& contacts() const { return contacts_; }
+  std::size_t size() const { return contacts_.size(); }
+  const Contact& operator[](ContactId id) const { return contacts_.at(id.index()); }
+
+  /// The same grasp with every preload replaced. Throws InputError if negative.
+  Grasp with_preload(const Rational& preload) const;
+
+ private:
+  std::vector<Contact> contacts_;
+  std::string name_;
+};
+
+/// A grasp and the wrench applied to the object: the content of a grasp file.
+/// Equilibrium is `wrench` + (sum of the contact wrenches) = 0.
+struct LoadedGrasp {
+  Grasp grasp;
+  Wrench wrench;
+};
+
+}  // namespace stickslip

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Reading and writing grasp files (format "stickslip-grasp/1", docs/grasp_file.md).
+///
+/// Numbers are exact: a JSON number is the decimal it spells, taken from its own
+/// characters, never through a double; a string may be "3/5", "-0.25" or "1e-3".
+#pragma once
+
+#include <istream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "stickslip/core/grasp.hpp"
+
+namespace stickslip {
+
+/// Limits on what is read, so that hostile input ends in an error and not in an hour.
+inline constexpr std::size_t kMaxGraspFileBytes = std::size_t{1} << 28;
+inline constexpr std::size_t kMaxJsonDepth = 32;
+
+/// What a grasp file says. `snap_tolerance` is set by "normals": "snap" (kDefaultSnapTolerance)
+/// or "normals": {"snap": EPS}; the contacts are as written, not yet snapped.
+struct GraspFile {
+  LoadedGrasp content;
+  std::optional<Rational> snap_tolerance;
+};
+
+/// Reads one grasp. `file` is the name used in errors. Throws InputError with file, JSON
+/// path or line:column, what is wrong, and what would be right.
+GraspFile parse_grasp(std::string_view text, const std::string& file);
+
+/// Reads a file; "-" is standard input.
+GraspFile read_grasp_file(const std::string& path);
+
+/// The grasp as a file's text, one contact a line, ending in a newline. Reading it gives the
+/// same grasp, and the same grasp gives the same bytes. Integers below 2^53 are written as JSON
+/// numbers, all others as strings "3/5", so that no JSON reader rounds them. Throws InputError
+/// for what a file cannot hold: a name that is not UTF-8, a number longer than
+/// kMaxNumberLength.
+std::string write_grasp(const LoadedGrasp& content);
+
+}  // namespace stickslip

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Indices that cannot be mixed up. All count from 0.
+#pragma once
+
+#include <cstddef>
+
+namespace stickslip {
+
+template <class Tag>
+class Id {
+ public:
+  constexpr explicit Id(std::size_t index) : index_(index) {}
+  constexpr std::size_t index() const { return index_; }
+
+  friend constexpr bool operator==(Id a, Id b) { return a.index_ == b.index_; }
+  friend constexpr bool operator!=(Id a, Id b) { return a.index_ != b.index_; }
+  friend constexpr bool operator<(Id a, Id b) { return a.index_ < b.index_; }
+
+ private:
+  std::size_t index_;
+};
+
+/// A contact of a grasp, by its place in the grasp file.
+using ContactId = Id<struct ContactTag>;
+/// One of the distinct great circles of an arrangement.
+using CircleId = Id<struct CircleTag>;
+
+}  // namespace stickslip

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Vectors of integers: directions and planes, where only the ratios matter.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "stickslip/core/number.hpp"
+
+namespace stickslip {
+
+template <std::size_t n>
+using IntegerVector = std::array<Integer, n>;
+
+template <std::size_t n>
+Integer dot(const IntegerVector<n>& a, const IntegerVector<n>& b) {
+  Integer sum = 0;
+  for (std::size_t j = 0; j < n; ++j) sum += a[j] * b[j];
+  return sum;
+}
+
+template <std::size_t n>
+bool is_zero(const IntegerVector<n>& a) {
+  for (const Integer& entry : a) {
+    if (!entry.is_zero()) return false;
+  }
+  return true;
+}
+
+template <std::size_t n>
+IntegerVector<n> negated(IntegerVector<n> a) {
+  for (Integer& entry : a) entry = -entry;
+  return a;
+}
+
+/// a divided by the greatest common divisor of its entries; 0 stays 0.
+template <std::size_t n>
+IntegerVector<n> primitive(IntegerVector<n> a) {
+  Integer divisor = 0;
+  for (const Integer& entry : a) {
+    divisor = gcd(divisor, entry);
+    if (divisor == 1) return a;
+  }
+  if (divisor.is_zero()) return a;
+  for (Integer& entry : a) entry /= divisor;
+  return a;
+}
+
+/// The primitive integer vector that is a positive multiple of `a`; 0 stays 0.
+template <std::size_t n>
+IntegerVector<n> primitive_multiple(const std::array<Rational, n>& a) {
+  Integer common = 1;
+  for (const Rational& entry : a) common = lcm(common, denominator(entry));
+  IntegerVector<n> scaled;
+  for (std::size_t j = 0; j < n; ++j) {
+    scaled[j] = numerator(a[j]) * (common / denominator(a[j]));
+  }
+  return primitive(std::move(scaled));
+}
+
+}  // namespace stickslip

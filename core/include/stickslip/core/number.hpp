@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Exact numbers: arbitrary-precision integers and rationals (GMP), read exactly
+/// as they are spelled and written so that reading gives the same number back.
+///
+/// Expression templates are off (et_off): `auto x = a + b` is a value and cannot
+/// dangle. Division by zero throws std::overflow_error.
+#pragma once
+
+#include <boost/multiprecision/gmp.hpp>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace stickslip {
+
+using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int,
+                                              boost::multiprecision::et_off>;
+using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,
+                                               boost::multiprecision::et_off>;
+
+/// A text that does not spell a number; what() says why, without the place.
+class NumberError : public std::invalid_argument {
+ public:
+  using std::invalid_argument::invalid_argument;
+};
+
+/// Largest |exponent| accepted in "1e-3", and largest length of a number's text:
+/// enough for every double written out exactly, and small enough that no short
+/// input costs more than a moment.
+inline constexpr long kMaxExponent = 4096;
+inline constexpr std::size_t kMaxNumberLength = 16384;
+
+/// The exact value of a decimal ("-0.25", "1e-3", "12") or a fraction of two
+/// integers ("3/5"). Grammar: [+-] digits [. digits] [(e|E) [+-] digits], or
+/// [+-] digits / digits. No blanks. Throws NumberError.
+Rational parse_rational(std::string_view text);
+
+/// "3/5", "-2": lowest terms, denominator omitted when 1. Inverse of parse_rational.
+std::string to_string(const Rational& value);
+
+/// The dyadic rational that a finite double is. Throws NumberError for NaN and infinities.
+Rational rational_from_double(double value);
+
+/// A double near `value` (within one unit in the last place; ±infinity or 0 beyond
+/// the range). For display and for proposals that exact arithmetic then judges.
+double to_double(const Rational& value);
+
+/// sqrt(value) if it is rational, nothing otherwise. Requires value >= 0.
+std::optional<Rational> exact_sqrt(const Rational& value);
+
+/// A closed decimal interval with `digits` significant digits around an irrational
+/// number, rounded outward (MPFR).
+struct DecimalEnclosure {
+  std::string lower;
+  std::string upper;
+};
+
+/// Encloses factor * sqrt(radicand). Requires radicand >= 0.
+DecimalEnclosure enclose_sqrt(const Rational& factor, const Rational& radicand, int digits = 17);
+
+}  // namespace stickslip

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Small planar motions and forces in the object frame, and their pairing.
+///
+/// A Twist d = (x, y, r) moves the point p to p + (x - r p_y, y + r p_x). A Wrench
+/// w = (x, y, torque) is a force and its torque about the origin of the object frame.
+/// The two are dual and meet only in `power`. Units are the user's; r is in radians
+/// (small-angle), so torque has units of force times length.
+#pragma once
+
+#include <array>
+
+#include "stickslip/core/number.hpp"
+
+namespace stickslip {
+
+/// A vector in Q^3 without physical meaning: a plane normal, a ray's coordinates.
+using Vector3 = std::array<Rational, 3>;
+
+struct Twist {
+  Rational x{0};
+  Rational y{0};
+  Rational r{0};
+
+  friend bool operator==(const Twist& a, const Twist& b) {
+    return a.x == b.x && a.y == b.y && a.r == b.r;
+  }
+};
+
+struct Wrench {
+  Rational x{0};
+  Rational y{0};
+  Rational torque{0};
+
+  friend bool operator==(const Wrench& a, const Wrench& b) {
+    return a.x == b.x && a.y == b.y && a.torque == b.torque;
+  }
+  Wrench& operator+=(const Wrench& other) {
+    x += other.x;
+    y += other.y;
+    torque += other.torque;
+    return *this;
+  }
+  friend Wrench operator+(Wrench a, const Wrench& b) { return a += b; }
+  friend Wrench operator*(const Rational& factor, const Wrench& w) {
+    return {factor * w.x, factor * w.y, factor * w.torque};
+  }
+};
+
+/// The virtual work of `wrench` on `twist`: w_x x + w_y y + w_torque r.
+inline Rational power(const Wrench& wrench, const Twist& twist) {
+  return wrench.x * twist.x + wrench.y * twist.y + wrench.torque * twist.r;
+}
+
+inline Vector3 coordinates(const Twist& d) { return {d.x, d.y, d.r}; }
+inline Vector3 coordinates(const Wrench& w) { return {w.x, w.y, w.torque}; }
+
+}  // namespace stickslip

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/core/grasp.hpp"
+
+#include <utility>
+
+#include "stickslip/core/error.hpp"
+
+namespace stickslip {
+namespace {
+
+void check(bool good, std::size_t contact, const char* member, const Rational& value,
+           const char* remedy) {
+  if (good) return;
+  throw InputError("", "contacts[" + std::to_string(contact) + "]." + member,
+                   "the value is " + to_string(value), remedy);
+}
+
+}  // namespace
+
+const char* to_string(NormalLaw law) {
+  return law == NormalLaw::kUnilateral ? "unilateral" : "bilateral";
+}
+
+Grasp::Grasp(std::vector<Contact> contacts, std::string name)
+    : contacts_(std::move(contacts)), name_(std::move(name)) {
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const Contact& c = contacts_[i];
+    if (c.normal.x.is_zero() && c.normal.y.is_zero()) {
+      throw InputError("", "contacts[" + std::to_string(i) + "].normal",
+                       "the normal is (0, 0)",
+                       "give a nonzero vector that points into the object");
+    }
+    check(c.friction.sign() >= 0, i, "friction", c.friction, "friction must be 0 or more");
+    check(c.stiffness.sign() > 0, i, "stiffness", c.stiffness, "stiffness must be above 0");
+    check(c.preload.sign() >= 0, i, "preload", c.preload,
+          "a preload is a normal force and must be 0 or more");
+  }
+}
+
+Grasp Grasp::with_preload(const Rational& preload) const {
+  std::vector<Contact> contacts = contacts_;
+  for (Contact& c : contacts) c.preload = preload;
+  return Grasp(std::move(contacts), name_);
+}
+
+}  // namespace stickslip

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/core/number.hpp"
+
+#include <mpfr.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "stickslip/core/error.hpp"
+
+namespace stickslip {
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+[[noreturn]] void not_a_number(std::string_view text) {
+  throw NumberError(quote(text) + " is not a number such as 2, -0.25, 1e-3 or 3/5");
+}
+
+/// Takes digits from the front of `rest` and appends them to `digits`.
+std::size_t take_digits(std::string_view& rest, std::string& digits) {
+  std::size_t count = 0;
+  while (count < rest.size() && is_digit(rest[count])) ++count;
+  digits.append(rest.substr(0, count));
+  rest.remove_prefix(count);
+  return count;
+}
+
+/// True and removed from `rest` if it starts with '-'; a '+' is removed as well.
+bool take_sign(std::string_view& rest) {
+  if (rest.empty() || (rest.front() != '-' && rest.front() != '+')) return false;
+  const bool negative = rest.front() == '-';
+  rest.remove_prefix(1);
+  return negative;
+}
+
+Integer integer_from_digits(const std::string& digits) {
+  // GMP would read a leading zero as octal.
+  const std::size_t first = digits.find_first_not_of('0');
+  return first == std::string::npos ? Integer(0) : Integer(digits.substr(first));
+}
+
+Integer power_of_ten(long exponent) {
+  return boost::multiprecision::pow(Integer(10), static_cast<unsigned>(exponent));
+}
+
+struct Mpfr {
+  explicit Mpfr(mpfr_prec_t precision) { mpfr_init2(value, precision); }
+  ~Mpfr() { mpfr_clear(value); }
+  Mpfr(const Mpfr&) = delete;
+  Mpfr& operator=(const Mpfr&) = delete;
+  mpfr_t value;
+};
+
+std::string print(const Mpfr& number, int digits, mpfr_rnd_t rounding) {
+  char* text = nullptr;
+  const int length = rounding == MPFR_RNDD
+                         ? mpfr_asprintf(&text, "%.*RDg", digits, number.value)
+                         : mpfr_asprintf(&text, "%.*RUg", digits, number.value);
+  require(length >= 0, "mpfr_asprintf failed");
+  std::string result(text);
+  mpfr_free_str(text);
+  // MPFR writes the decimal point of the C locale in force.
+  for (char& c : result) {
+    if (!is_digit(c) && c != '-' && c != '+' && c != 'e') c = '.';
+  }
+  return result;
+}
+
+}  // namespace
+
+Rational parse_rational(std::string_view text) {
+  if (text.size() > kMaxNumberLength) {
+    throw NumberError("a number of " + std::to_string(text.size()) + " characters; at most " +
+                      std::to_string(kMaxNumberLength) + " are read");
+  }
+  std::string_view rest = text;
+  const bool negative = take_sign(rest);
+  std::string digits;
+  if (take_digits(rest, digits) == 0) not_a_number(text);
+  Rational value;
+  if (!rest.empty() && rest.front() == '/') {
+    rest.remove_prefix(1);
+    std::string denominator_digits;
+    if (take_digits(rest, denominator_digits) == 0 || !rest.empty()) not_a_number(text);
+    const Integer denominator = integer_from_digits(denominator_digits);
+    if (denominator.is_zero()) throw NumberError(quote(text) + " divides by zero");
+    value = Rational(integer_from_digits(digits), denominator);
+  } else {
+    long exponent = 0;
+    if (!rest.empty() && rest.front() == '.') {
+      rest.remove_prefix(1);
+      const std::size_t decimals = take_digits(rest, digits);
+      if (decimals == 0) not_a_number(text);
+      exponent -= static_cast<long>(decimals);
+    }
+    if (!rest.empty() && (rest.front() == 'e' || rest.front() == 'E')) {
+      rest.remove_prefix(1);
+      const bool negative_exponent = take_sign(rest);
+      std::string exponent_digits;
+      if (take_digits(rest, exponent_digits) == 0 || !rest.empty()) not_a_number(text);
+      const Integer magnitude = integer_from_digits(exponent_digits);
+      if (magnitude > kMaxExponent) {
+        throw NumberError("the exponent of " + quote(text) + " exceeds " +
+                          std::to_string(kMaxExponent));
+      }
+      const long spelled = magnitude.convert_to<long>();
+      exponent += negative_exponent ? -spelled : spelled;
+    }
+    if (!rest.empty()) not_a_number(text);
+    const Integer mantissa = integer_from_digits(digits);
+    value = exponent >= 0 ? Rational(mantissa * power_of_ten(exponent))
+                          : Rational(mantissa, power_of_ten(-exponent));
+  }
+  return negative ? Rational(-value) : value;
+}
+
+std::string to_string(const Rational& value) { return value.str(); }
+
+Rational rational_from_double(double value) {
+  if (!std::isfinite(value)) throw NumberError("not a finite number");
+  Rational result;
+  mpq_set_d(result.backend().data(), value);
+  return result;
+}
+
+double to_double(const Rational& value) {
+  Mpfr rounded(std::numeric_limits<double>::digits);
+  mpfr_set_q(rounded.value, value.backend().data(), MPFR_RNDN);
+  return mpfr_get_d(rounded.value, MPFR_RNDN);
+}
+
+std::optional<Rational> exact_sqrt(const Rational& value) {
+  require(value.sign() >= 0, "exact_sqrt of a negative number");
+  const Integer num = boost::multiprecision::numerator(value);
+  const Integer den = boost::multiprecision::denominator(value);
+  // Lowest terms: the root is rational iff both parts are squares.
+  if (mpz_perfect_square_p(num.backend().data()) == 0 ||
+      mpz_perfect_square_p(den.backend().data()) == 0) {
+    return std::nullopt;
+  }
+  return Rational(boost::multiprecision::sqrt(num), boost::multiprecision::sqrt(den));
+}
+
+DecimalEnclosure enclose_sqrt(const Rational& factor, const Rational& radicand, int digits) {
+  require(radicand.sign() >= 0, "enclose_sqrt of a negative number");
+  // factor * sqrt(radicand) = +-sqrt(factor^2 radicand): one rounding at each step, outward.
+  const Rational square = factor * factor * radicand;
+  const mpfr_prec_t precision = 64 + 4 * static_cast<mpfr_prec_t>(digits);
+  Mpfr low(precision);
+  Mpfr high(precision);
+  mpfr_set_q(low.value, square.backend().data(), MPFR_RNDD);
+  mpfr_set_q(high.value, square.backend().data(), MPFR_RNDU);
+  mpfr_sqrt(low.value, low.value, MPFR_RNDD);
+  mpfr_sqrt(high.value, high.value, MPFR_RNDU);
+  if (factor.sign() < 0) {
+    mpfr_swap(low.value, high.value);
+    mpfr_neg(low.value, low.value, MPFR_RNDD);
+    mpfr_neg(high.value, high.value, MPFR_RNDU);
+  }
+  return {print(low, digits, MPFR_RNDD), print(high, digits, MPFR_RNDU)};
+}
+
+}  // namespace stickslip

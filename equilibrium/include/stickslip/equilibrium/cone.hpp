@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Polyhedral cones of homogenised motions x = (d_x, d_y, d_r, h), kept by generators and cut by
+/// one plane at a time: the double description method (Motzkin, Raiffa, Thompson, Thrall,
+/// 1953; Fukuda and Prodon, "Double description method revisited", 1996), in integers.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "stickslip/core/sign.hpp"
+#include "stickslip/equilibrium/problem.hpp"
+
+namespace stickslip {
+
+/// The constraints of a cone count from 0 in the order in which they were cut.
+using ConstraintIndex = std::uint32_t;
+
+struct Ray {
+  IntegerVector4 x;                    ///< primitive
+  std::vector<ConstraintIndex> tight;  ///< the constraints that are 0 at x, increasing
+};
+
+/// The part of a plane's space to keep.
+enum class Side { kPositive, kZero, kNegative };
+
+/// { sum of nonnegative multiples of rays and any multiples of lines }. The lines are a basis of
+/// the lineality space, and the rays one for each extreme ray modulo it. All constraints
+/// are 0 on the lines.
+class Cone {
+ public:
+  /// {h >= 0}; this is constraint 0.
+  Cone();
+
+  const std::vector<IntegerVector4>& lines() const { return lines_; }
+  const std::vector<Ray>& rays() const { return rays_; }
+  ConstraintIndex constraint_count() const { return constraint_count_; }
+
+  /// The rays' directions, and each line both ways.
+  std::vector<IntegerVector4> directions() const;
+
+  /// Keeps the part with plane.x >= 0, = 0 or <= 0; this is the next constraint.
+  /// O(R^3) for R rays in the worst case (the adjacency test), O(R) when no ray changes side.
+  void cut(const IntegerVector4& plane, Side side);
+
+ private:
+  bool cut_along_a_line(const IntegerVector4& plane, Side side);
+  bool adjacent(std::size_t a, std::size_t b) const;
+
+  std::vector<IntegerVector4> lines_;
+  std::vector<Ray> rays_;
+  ConstraintIndex constraint_count_ = 1;
+};
+
+/// The signs that a linear function takes on a cone.
+struct SignRange {
+  bool negative = false;
+  bool zero = false;  ///< on some ray or on all of the cone
+  bool positive = false;
+
+  bool is_nonnegative() const { return !negative; }
+  bool is_nonpositive() const { return !positive; }
+  bool is_zero() const { return !negative && !positive; }
+  bool is_mixed() const { return negative && positive; }
+};
+
+SignRange signs_on(const Cone& cone, const IntegerVector4& plane);
+
+}  // namespace stickslip

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The question: is this grasp stable under this wrench and this normal law?
+///
+/// An equilibrium is a motion d and force coefficients (a_i, b_i), standing for the contact
+/// wrenches a_i N_i + b_i T_i, with (Haas-Heger et al., RSS 2018, Eqs. 1-7, preload in Eq. 4)
+///     balance      w + sum (a_i N_i + b_i T_i) = 0
+///     normal law   a_i = max(0, v_i) unilateral, a_i = v_i >= 0 bilateral, v_i = P_i - k_i N_i.d
+///     cone         |b_i| <= mu_i a_i
+///     dissipation  T_i.d > 0 => b_i = -mu_i a_i,  T_i.d < 0 => b_i = mu_i a_i.
+/// The grasp is stable iff an equilibrium exists.
+///
+/// Motions are homogenised: x = (d, h) in Q^4 with h >= 0, so that v_i and the slip
+/// tau_i = T_i.d are linear in x, and d/h is the motion when h > 0.
+#pragma once
+
+#include <vector>
+
+#include "stickslip/core/contact_row.hpp"
+#include "stickslip/core/integer_vector.hpp"
+
+namespace stickslip {
+
+/// Coefficients of a linear function of x = (d_x, d_y, d_r, h), or a point x itself.
+using IntegerVector4 = IntegerVector<4>;
+using Vector4 = std::array<Rational, 4>;
+
+class Problem {
+ public:
+  Problem() = default;
+  /// Throws InputError when a preloaded contact has a normal of irrational length.
+  Problem(const LoadedGrasp& loaded, NormalLaw law);
+
+  const std::vector<ContactRow>& rows() const { return rows_; }
+  std::size_t size() const { return rows_.size(); }
+  const ContactRow& row(ContactId contact) const { return rows_[contact.index()]; }
+  const Wrench& wrench() const { return wrench_; }
+  NormalLaw law() const { return law_; }
+
+  /// A positive multiple of tau_i, primitive: for signs and for cutting.
+  const IntegerVector4& slip_plane(ContactId contact) const {
+    return slip_planes_[contact.index()];
+  }
+  /// v_i itself.
+  const Vector4& separation(ContactId contact) const { return separations_[contact.index()]; }
+  /// A positive multiple of v_i, primitive.
+  const IntegerVector4& separation_plane(ContactId contact) const {
+    return separation_planes_[contact.index()];
+  }
+
+  /// N + sigma mu T, for sigma = -1, 0 or 1: the wrench of a unit normal coefficient with friction
+  /// on that edge of the cone.
+  Wrench edge_wrench(ContactId contact, int sigma) const;
+
+ private:
+  std::vector<ContactRow> rows_;
+  Wrench wrench_;
+  NormalLaw law_ = NormalLaw::kUnilateral;
+  std::vector<IntegerVector4> slip_planes_;
+  std::vector<Vector4> separations_;
+  std::vector<IntegerVector4> separation_planes_;
+};
+
+}  // namespace stickslip

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Verdicts that own their evidence.
+///
+/// Both kinds of evidence are judged by substitution: a Witness by `find_violation`, a
+/// Refutation by the checkers in certificate/, whose format (certificate/FORMAT.md) says
+/// what each node means and why a tree of them proves that no equilibrium exists.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "stickslip/equilibrium/problem.hpp"
+
+namespace stickslip {
+
+/// The coefficients of one contact's force a n + b t. For a unit normal these are (c_n, c_t).
+struct ContactForce {
+  Rational normal;      ///< a
+  Rational tangential;  ///< b
+};
+
+/// An equilibrium.
+struct Witness {
+  Twist twist;
+  std::vector<ContactForce> forces;  ///< by ContactId
+};
+
+/// Which condition of problem.hpp fails first, and where; nothing for an equilibrium.
+/// O(m) rational operations.
+std::optional<std::string> find_violation(const Problem& problem, const Witness& witness);
+
+/// Three children: slip +, 0, - at a contact.
+struct SlipSplit {
+  ContactId contact;
+};
+/// Two children: closed, open.
+struct SeparationSplit {
+  ContactId contact;
+};
+/// Two children: plane.x >= 0, plane.x <= 0.
+struct PlaneSplit {
+  IntegerVector4 plane;
+};
+/// A virtual twist on which no force of the region makes up for the load, and, where a contact
+/// may be open or closed and its force does negative work, the share theta in [0, 1] of that
+/// work that is counted (0 where absent). Contacts strictly increase.
+struct VirtualWorkLeaf {
+  IntegerVector<3> twist;
+  std::vector<std::pair<ContactId, Rational>> theta;
+};
+/// No solution can lie here, or another child covers it.
+struct VoidLeaf {};
+
+using RefutationNode =
+    std::variant<SlipSplit, SeparationSplit, PlaneSplit, VirtualWorkLeaf, VoidLeaf>;
+
+/// A tree in preorder, as in certificate/FORMAT.md, section 4.
+using Refutation = std::vector<RefutationNode>;
+
+struct Stable {
+  Witness witness;
+};
+struct Unstable {
+  Refutation refutation;
+};
+/// Neither was proved within the limit that `limit` describes.
+struct Undecided {
+  std::string limit;
+};
+
+using Verdict = std::variant<Stable, Unstable, Undecided>;
+
+/// "stable", "unstable", "undecided".
+const char* name_of(const Verdict& verdict);
+
+}  // namespace stickslip

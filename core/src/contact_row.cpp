@@ -38,8 +38,8 @@ std::vector<ContactRow> contact_rows(const Grasp& grasp) {
       }
       preload = c.preload / *length;
     }
-    rows.push_back({normal_row(c), tangent_row(c), c.friction, preload,
-                    c.stiffness / length_squared});
+    rows.push_back(
+        {normal_row(c), tangent_row(c), c.friction, preload, c.stiffness / length_squared});
   }
   return rows;
 }

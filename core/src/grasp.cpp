@@ -26,8 +26,7 @@ Grasp::Grasp(std::vector<Contact> contacts, std::string name)
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     const Contact& c = contacts_[i];
     if (c.normal.x.is_zero() && c.normal.y.is_zero()) {
-      throw InputError("", "contacts[" + std::to_string(i) + "].normal",
-                       "the normal is (0, 0)",
+      throw InputError("", "contacts[" + std::to_string(i) + "].normal", "the normal is (0, 0)",
                        "give a nonzero vector that points into the object");
     }
     check(c.friction.sign() >= 0, i, "friction", c.friction, "friction must be 0 or more");

@@ -12,7 +12,9 @@
 namespace stickslip {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
 
 [[noreturn]] void not_a_number(std::string_view text) {
   throw NumberError(quote(text) + " is not a number such as 2, -0.25, 1e-3 or 3/5");
@@ -116,7 +118,9 @@ Rational parse_rational(std::string_view text) {
   return negative ? Rational(-value) : value;
 }
 
-std::string to_string(const Rational& value) { return value.str(); }
+std::string to_string(const Rational& value) {
+  return value.str();
+}
 
 Rational rational_from_double(double value) {
   if (!std::isfinite(value)) throw NumberError("not a finite number");

@@ -16,7 +16,8 @@
 namespace stickslip {
 
 struct ContactRow {
-  Wrench normal;       ///< N = (n_x, n_y, p_x n_y - p_y n_x); power(N, d) = normal displacement times L
+  Wrench
+      normal;  ///< N = (n_x, n_y, p_x n_y - p_y n_x); power(N, d) = normal displacement times L
   Wrench tangent;      ///< T = (t_x, t_y, p_x t_y - p_y t_x); power(T, d) = slip times L
   Rational friction;   ///< mu
   Rational preload;    ///< P / L

@@ -19,17 +19,19 @@ struct Vector2 {
   Rational x{0};
   Rational y{0};
 
-  friend bool operator==(const Vector2& a, const Vector2& b) { return a.x == b.x && a.y == b.y; }
+  friend bool operator==(const Vector2& a, const Vector2& b) {
+    return a.x == b.x && a.y == b.y;
+  }
 };
 
 /// One frictional point contact. The normal need not have length 1: only its direction
 /// has meaning. `preload` is the normal force before any load is applied.
 struct Contact {
   Vector2 position;
-  Vector2 normal;           ///< nonzero, points into the object
-  Rational friction{0};     ///< coefficient mu >= 0
-  Rational stiffness{1};    ///< of the normal spring, k > 0, force per length
-  Rational preload{0};      ///< P >= 0, force
+  Vector2 normal;         ///< nonzero, points into the object
+  Rational friction{0};   ///< coefficient mu >= 0
+  Rational stiffness{1};  ///< of the normal spring, k > 0, force per length
+  Rational preload{0};    ///< P >= 0, force
 };
 
 /// How normal forces answer the motion d, with v = P - k N.d (N of a unit normal):

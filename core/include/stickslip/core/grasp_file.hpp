@@ -20,8 +20,9 @@ namespace stickslip {
 inline constexpr std::size_t kMaxGraspFileBytes = std::size_t{1} << 28;
 inline constexpr std::size_t kMaxJsonDepth = 32;
 
-/// What a grasp file says. `snap_tolerance` is set by "normals": "snap" (kDefaultSnapTolerance)
-/// or "normals": {"snap": EPS}; the contacts are as written, not yet snapped.
+/// What a grasp file says. `snap_tolerance` is set by "normals": "snap"
+/// (default_snap_tolerance()) or "normals": {"snap": EPS}; the contacts are as written, not yet
+/// snapped.
 struct GraspFile {
   LoadedGrasp content;
   std::optional<Rational> snap_tolerance;

@@ -58,6 +58,7 @@ struct DecimalEnclosure {
 };
 
 /// Encloses factor * sqrt(radicand). Requires radicand >= 0.
-DecimalEnclosure enclose_sqrt(const Rational& factor, const Rational& radicand, int digits = 17);
+DecimalEnclosure enclose_sqrt(const Rational& factor, const Rational& radicand,
+                              int digits = 17);
 
 }  // namespace stickslip

@@ -15,12 +15,22 @@ enum class Sign : std::int8_t { kNegative = -1, kZero = 0, kPositive = 1 };
 constexpr Sign sign_of_int(int value) {
   return value > 0 ? Sign::kPositive : value < 0 ? Sign::kNegative : Sign::kZero;
 }
-inline Sign sign_of(const Rational& value) { return sign_of_int(value.sign()); }
-inline Sign sign_of(const Integer& value) { return sign_of_int(value.sign()); }
+inline Sign sign_of(const Rational& value) {
+  return sign_of_int(value.sign());
+}
+inline Sign sign_of(const Integer& value) {
+  return sign_of_int(value.sign());
+}
 
-constexpr int to_int(Sign sign) { return static_cast<int>(sign); }
-constexpr Sign operator-(Sign sign) { return sign_of_int(-to_int(sign)); }
-constexpr Sign operator*(Sign a, Sign b) { return sign_of_int(to_int(a) * to_int(b)); }
+constexpr int to_int(Sign sign) {
+  return static_cast<int>(sign);
+}
+constexpr Sign operator-(Sign sign) {
+  return sign_of_int(-to_int(sign));
+}
+constexpr Sign operator*(Sign a, Sign b) {
+  return sign_of_int(to_int(a) * to_int(b));
+}
 
 /// '+', '-' or '0', as in the slip states that the programs print.
 constexpr char to_char(Sign sign) {

@@ -17,8 +17,8 @@ Rational default_snap_tolerance();
 struct SnappedNormal {
   ContactId contact;
   Vector2 before;
-  Vector2 after;           ///< rational, of length exactly 1
-  std::string moved;       ///< upper bound of |after - before/|before||, a decimal
+  Vector2 after;      ///< rational, of length exactly 1
+  std::string moved;  ///< upper bound of |after - before/|before||, a decimal
 };
 
 struct SnapResult {

@@ -52,7 +52,11 @@ inline Rational power(const Wrench& wrench, const Twist& twist) {
   return wrench.x * twist.x + wrench.y * twist.y + wrench.torque * twist.r;
 }
 
-inline Vector3 coordinates(const Twist& d) { return {d.x, d.y, d.r}; }
-inline Vector3 coordinates(const Wrench& w) { return {w.x, w.y, w.torque}; }
+inline Vector3 coordinates(const Twist& d) {
+  return {d.x, d.y, d.r};
+}
+inline Vector3 coordinates(const Wrench& w) {
+  return {w.x, w.y, w.torque};
+}
 
 }  // namespace stickslip

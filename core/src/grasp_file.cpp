@@ -1,0 +1,332 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/core/grasp_file.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "json_tree.hpp"
+#include "stickslip/core/error.hpp"
+#include "stickslip/core/snap.hpp"
+
+namespace stickslip {
+namespace {
+
+using Kind = JsonNode::Kind;
+
+constexpr const char* kFormat = "stickslip-grasp/1";
+
+/// The properties of a contact that "defaults" may give.
+struct Properties {
+  std::optional<Rational> friction;
+  std::optional<Rational> stiffness;
+  std::optional<Rational> preload;
+};
+
+struct WrittenContact {
+  Vector2 position;
+  Vector2 normal;
+  Properties own;
+};
+
+[[noreturn]] void fail(const std::string& path, std::string problem, std::string remedy) {
+  throw InputError("", place_name(path), std::move(problem), std::move(remedy));
+}
+
+void expect(const JsonNode& node, Kind kind, const std::string& path, const char* expected) {
+  if (node.kind != kind)
+    fail(path, "found " + describe(node), std::string("expected ") + expected);
+}
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row[b.size()];
+}
+
+using Keys = std::vector<std::string>;
+
+/// "did you mean" for a near miss: at most half of the key is wrong.
+std::string suggestion(const std::string& key, const Keys& allowed) {
+  constexpr std::size_t kLongest = 40;
+  if (key.size() > kLongest) return {};
+  const auto distance = [&](const std::string& other) { return edit_distance(key, other); };
+  const std::string nearest = *std::min_element(
+      allowed.begin(), allowed.end(),
+      [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+  if (2 * distance(nearest) > nearest.size()) return {};
+  return "did you mean \"" + nearest + "\"? ";
+}
+
+void expect_object(const JsonNode& node, const std::string& path, const Keys& allowed) {
+  expect(node, Kind::kObject, path, "an object {...}");
+  for (const std::string& key : node.keys) {
+    if (std::find(allowed.begin(), allowed.end(), key) != allowed.end()) continue;
+    std::string remedy = suggestion(key, allowed) + "the keys allowed here are";
+    for (const std::string& name : allowed) {
+      remedy += (name == allowed.front() ? " " : ", ") + name;
+    }
+    fail(path, "unknown key " + quote(key), remedy);
+  }
+}
+
+const JsonNode& member(const JsonNode& object, const std::string& path, const char* key,
+                       const char* remedy) {
+  const JsonNode* node = object.find(key);
+  if (node == nullptr) fail(path, std::string("the key \"") + key + "\" is missing", remedy);
+  return *node;
+}
+
+Rational read_number(const JsonNode& node, const std::string& path) {
+  if (node.kind != Kind::kNumber && node.kind != Kind::kString) {
+    fail(path, "found " + describe(node),
+         "expected a number such as 0.25, or a string as \"3/5\"");
+  }
+  try {
+    return parse_rational(node.text);
+  } catch (const NumberError& error) {
+    fail(path, error.what(), "write a decimal such as 0.25, or a string such as \"3/5\"");
+  }
+}
+
+std::vector<Rational> read_vector(const JsonNode& node, const std::string& path,
+                                  std::size_t length, const char* form) {
+  expect(node, Kind::kArray, path, form);
+  if (node.children.size() != length) {
+    fail(path, "found " + describe(node), std::string("expected ") + form);
+  }
+  std::vector<Rational> values;
+  for (const JsonNode& child : node.children) {
+    values.push_back(read_number(child, element_path(path, values.size())));
+  }
+  return values;
+}
+
+Vector2 read_vector2(const JsonNode& contact, const std::string& path, const char* key,
+                     const char* remedy) {
+  const JsonNode& node = member(contact, path, key, remedy);
+  const std::vector<Rational> v =
+      read_vector(node, member_path(path, key), 2, "an array of two numbers [x, y]");
+  return {v[0], v[1]};
+}
+
+Properties read_properties(const JsonNode& object, const std::string& path) {
+  const auto number = [&](const char* key) -> std::optional<Rational> {
+    const JsonNode* node = object.find(key);
+    if (node == nullptr) return std::nullopt;
+    return read_number(*node, member_path(path, key));
+  };
+  return {number("friction"), number("stiffness"), number("preload")};
+}
+
+WrittenContact read_contact(const JsonNode& node, const std::string& path) {
+  expect_object(node, path, {"position", "normal", "friction", "stiffness", "preload"});
+  return {
+      read_vector2(node, path, "position", "add \"position\": [x, y]"),
+      read_vector2(node, path, "normal", "add \"normal\": [x, y], pointing into the object"),
+      read_properties(node, path)};
+}
+
+Properties read_defaults(const JsonNode& root) {
+  const JsonNode* node = root.find("defaults");
+  if (node == nullptr) return {};
+  expect_object(*node, "defaults", {"friction", "stiffness", "preload"});
+  Properties read = read_properties(*node, "defaults");
+  // The requirements on values are Grasp's own, even where no contact uses the default.
+  try {
+    const Grasp probe({{{},
+                        {1, 0},
+                        read.friction.value_or(0),
+                        read.stiffness.value_or(1),
+                        read.preload.value_or(0)}});
+  } catch (const InputError& error) {
+    fail("defaults" + error.place().substr(error.place().find('.')), error.problem(),
+         error.remedy());
+  }
+  return read;
+}
+
+Wrench read_wrench(const JsonNode& root) {
+  constexpr const char* kForm = "an array of three numbers [force x, force y, torque]";
+  const JsonNode& node =
+      member(root, "", "wrench", "add \"wrench\": [x, y, torque]; no load is [0, 0, 0]");
+  const std::vector<Rational> v = read_vector(node, "wrench", 3, kForm);
+  return {v[0], v[1], v[2]};
+}
+
+std::optional<Rational> read_snap_tolerance(const JsonNode& root) {
+  constexpr const char* kRemedy = R"(expected "exact", "snap" or {"snap": EPS})";
+  const JsonNode* node = root.find("normals");
+  if (node == nullptr) return std::nullopt;
+  if (node->kind == Kind::kObject) {
+    expect_object(*node, "normals", {"snap"});
+    const Rational tolerance =
+        read_number(member(*node, "normals", "snap", kRemedy), "normals.snap");
+    if (tolerance.sign() <= 0 || tolerance >= 1) {
+      fail("normals.snap", "the value is " + to_string(tolerance),
+           "it must lie between 0 and 1, such as 1e-9");
+    }
+    return tolerance;
+  }
+  if (node->kind == Kind::kString && node->text == "exact") return std::nullopt;
+  if (node->kind == Kind::kString && node->text == "snap") return default_snap_tolerance();
+  fail("normals", "found " + describe(*node), kRemedy);
+}
+
+std::string read_name(const JsonNode& root) {
+  const JsonNode* node = root.find("name");
+  if (node == nullptr) return {};
+  expect(*node, Kind::kString, "name", "a string");
+  return node->text;
+}
+
+void check_format(const JsonNode& root) {
+  const std::string remedy = std::string("write \"format\": \"") + kFormat + "\"";
+  const JsonNode& node = member(root, "", "format", remedy.c_str());
+  if (node.kind != Kind::kString || node.text != kFormat) {
+    fail("format", "found " + describe(node), remedy);
+  }
+}
+
+std::vector<Contact> with_defaults(std::vector<WrittenContact> written,
+                                   const Properties& defaults) {
+  std::vector<Contact> contacts;
+  contacts.reserve(written.size());
+  for (WrittenContact& w : written) {
+    std::optional<Rational>& friction = w.own.friction;
+    if (!friction) friction = defaults.friction;
+    if (!friction) {
+      fail(element_path("contacts", contacts.size()), "the key \"friction\" is missing",
+           "add it here, or for all contacts in \"defaults\"");
+    }
+    contacts.push_back({std::move(w.position), std::move(w.normal), std::move(*friction),
+                        w.own.stiffness.value_or(defaults.stiffness.value_or(1)),
+                        w.own.preload.value_or(defaults.preload.value_or(0))});
+  }
+  return contacts;
+}
+
+GraspFile parse_unnamed(std::string_view text) {
+  if (text.size() > kMaxGraspFileBytes) {
+    fail("", "more than " + std::to_string(kMaxGraspFileBytes) + " bytes",
+         "split the grasp file; larger ones are not read");
+  }
+  std::vector<WrittenContact> written;
+  const JsonNode root =
+      parse_json(text, "contacts", [&](std::size_t index, const JsonNode& contact) {
+        written.push_back(read_contact(contact, element_path("contacts", index)));
+      });
+  expect(root, Kind::kObject, "", "an object {\"format\": ..., \"contacts\": [...], ...}");
+  check_format(root);
+  expect_object(root, "", {"format", "name", "defaults", "contacts", "wrench", "normals"});
+  expect(member(root, "", "contacts", "add \"contacts\": [...], which may be empty"),
+         Kind::kArray, "contacts", "an array of contacts [{...}, ...]");
+  const Properties defaults = read_defaults(root);
+  Wrench wrench = read_wrench(root);
+  std::optional<Rational> snap_tolerance = read_snap_tolerance(root);
+  Grasp grasp(with_defaults(std::move(written), defaults), read_name(root));
+  return {{std::move(grasp), std::move(wrench)}, std::move(snap_tolerance)};
+}
+
+std::string read_all(std::istream& in, const std::string& file) {
+  std::string text;
+  std::vector<char> chunk(std::size_t{1} << 16);
+  while (in) {
+    in.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
+    text.append(chunk.data(), static_cast<std::size_t>(in.gcount()));
+    // parse_unnamed has the message; what matters here is to stop.
+    if (text.size() > kMaxGraspFileBytes) break;
+  }
+  if (in.bad()) throw InputError(file, "", "reading failed", "is it a readable file?");
+  return text;
+}
+
+/// Exact: an integer that every JSON reader keeps, else a string. Throws InputError for a
+/// number that parse_rational would not read back.
+std::string write_number(const Rational& value) {
+  constexpr std::int64_t kExactInDouble = std::int64_t{1} << 53;
+  std::string text = to_string(value);
+  if (text.size() > kMaxNumberLength) {
+    throw InputError("", "", "a number of " + std::to_string(text.size()) + " characters",
+                     "grasp files hold numbers of at most " + std::to_string(kMaxNumberLength));
+  }
+  const bool plain =
+      boost::multiprecision::denominator(value) == 1 && abs(value) < kExactInDouble;
+  return plain ? text : "\"" + text + "\"";
+}
+
+std::string write_numbers(std::initializer_list<const Rational*> values) {
+  std::string text;
+  for (const Rational* value : values)
+    text += (text.empty() ? "[" : ", ") + write_number(*value);
+  return text + "]";
+}
+
+std::string write_string(const std::string& text) {
+  try {
+    return nlohmann::json(text).dump();
+  } catch (const nlohmann::json::exception&) {
+    throw InputError("", "name", quote(text) + " is not valid UTF-8", "give the name in UTF-8");
+  }
+}
+
+}  // namespace
+
+GraspFile parse_grasp(std::string_view text, const std::string& file) {
+  try {
+    return parse_unnamed(text);
+  } catch (const InputError& error) {
+    throw error.in_file(file);
+  }
+}
+
+GraspFile read_grasp_file(const std::string& path) {
+  if (path == "-") return parse_grasp(read_all(std::cin, "<stdin>"), "<stdin>");
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) {
+    throw InputError(path, "", "this is a directory", "name a grasp file");
+  }
+  errno = 0;
+  std::ifstream in(path, std::ios::binary);
+  if (!in) {
+    const std::string reason = errno != 0 ? std::strerror(errno) : "unknown reason";
+    throw InputError(path, "", "cannot open the file: " + reason,
+                     "name a grasp file, or - for standard input");
+  }
+  return parse_grasp(read_all(in, path), path);
+}
+
+std::string write_grasp(const LoadedGrasp& content) {
+  const Grasp& grasp = content.grasp;
+  std::string text = std::string("{\"format\": \"") + kFormat + "\",\n";
+  if (!grasp.name().empty()) text += " \"name\": " + write_string(grasp.name()) + ",\n";
+  text += " \"contacts\": [";
+  const char* separator = "\n";
+  for (const Contact& c : grasp.contacts()) {
+    text += separator;
+    text += "  {\"position\": " + write_numbers({&c.position.x, &c.position.y}) +
+            ", \"normal\": " + write_numbers({&c.normal.x, &c.normal.y}) +
+            ", \"friction\": " + write_number(c.friction) +
+            ", \"stiffness\": " + write_number(c.stiffness) +
+            ", \"preload\": " + write_number(c.preload) + "}";
+    separator = ",\n";
+  }
+  const Wrench& w = content.wrench;
+  return text + "],\n \"wrench\": " + write_numbers({&w.x, &w.y, &w.torque}) + "}\n";
+}
+
+}  // namespace stickslip

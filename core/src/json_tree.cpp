@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "json_tree.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "stickslip/core/error.hpp"
+#include "stickslip/core/grasp_file.hpp"
+
+namespace stickslip {
+namespace {
+
+// The floating-point type is only a by-product of the parser, which rejects what overflows
+// it. long double on x86 reaches 1e4932, so it does not get in the way of kMaxExponent.
+using Json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t,
+                                  std::uint64_t, long double>;
+
+struct Position {
+  std::size_t line = 1;
+  std::size_t column = 1;  ///< in characters, not bytes
+};
+
+Position position_of(std::string_view text, std::size_t offset) {
+  Position result;
+  for (const char c : text.substr(0, offset)) {
+    if (c == '\n') {
+      ++result.line;
+      result.column = 1;
+    } else if ((static_cast<unsigned char>(c) & 0xC0U) != 0x80U) {
+      ++result.column;
+    }
+  }
+  return result;
+}
+
+bool in_word(char c) {
+  return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+         c == '+' || c == '-' || c == '.' || c == '_';
+}
+
+bool is_ascii(char c) {
+  return static_cast<unsigned char>(c) < 0x80;
+}
+
+bool is_not_finite(std::string word) {
+  for (char& c : word) c = (c >= 'A' && c <= 'Z') ? static_cast<char>(c - 'A' + 'a') : c;
+  if (!word.empty() && (word.front() == '-' || word.front() == '+')) word.erase(0, 1);
+  return word == "nan" || word == "inf" || word == "infinity";
+}
+
+bool contains(const std::string& text, const char* part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// The parser's own words, without its name, its position and the bytes it choked on.
+std::string essence(std::string message) {
+  const std::size_t start = message.find(" - ");
+  if (start != std::string::npos) message.erase(0, start + 3);
+  const std::size_t end = message.find("; last read: ");
+  if (end != std::string::npos) message.erase(end);
+  return message;
+}
+
+/// `read`: how many bytes the parser had read, the offending one included.
+[[noreturn]] void fail_syntax(std::string_view text, std::size_t read, bool out_of_range,
+                              const std::string& parser_message) {
+  const std::size_t at = std::min(read == 0 ? 0 : read - 1, text.size());
+  std::size_t begin = at;
+  // A number is found wanting only at the character behind it.
+  if ((begin == text.size() || !in_word(text[begin])) && begin > 0 &&
+      in_word(text[begin - 1])) {
+    --begin;
+  }
+  std::size_t end = begin;
+  while (end < text.size() && in_word(text[end])) ++end;
+  while (end > begin && begin > 0 && in_word(text[begin - 1])) --begin;
+  const std::string word(text.substr(begin, end - begin));
+
+  std::string problem = out_of_range ? "the number is out of range" : essence(parser_message);
+  std::string remedy =
+      "JSON strings take double quotes, numbers look like 2, -0.25 or 1e-3, and no comma "
+      "follows the last element";
+  if (out_of_range) {
+    remedy = "exponents reach " + std::to_string(kMaxExponent) +
+             "; write a number with more digits than that as a string";
+  } else if (is_not_finite(word)) {
+    problem = "a number must be finite";
+    remedy = "write a decimal such as 0.25 or a string such as \"3/5\"";
+  } else if (end < text.size() && text[end] == '/' && !word.empty()) {
+    remedy = "a fraction is a string: write it in double quotes, as \"3/5\"";
+  } else if (at == text.size()) {
+    remedy = "the text ends too early; is the file complete?";
+  } else if (contains(problem, "UTF-8") || (at == 0 && !is_ascii(text[0]))) {
+    remedy = "save the file as UTF-8";
+  } else if (contains(problem, "expected end of input")) {
+    remedy = "a grasp file is a single JSON object";
+  }
+  // Where the parser names an unexpected token there is no need to repeat it.
+  const bool bare =
+      word.empty() && problem == "invalid literal" && at < text.size() && is_ascii(text[at]);
+  const std::string_view shown = bare ? text.substr(at, 1) : std::string_view(word);
+  if (!shown.empty()) problem += ", at " + quote(shown);
+  const Position place = position_of(text, word.empty() ? at : begin);
+  throw InputError("", std::to_string(place.line) + ":" + std::to_string(place.column), problem,
+                   remedy);
+}
+
+/// Builds the tree. Every container that is still open is an entry of `open_`; the parser
+/// itself is iterative, so nesting costs no stack.
+class Builder : public nlohmann::json_sax<Json> {
+ public:
+  Builder(std::string_view text, const std::string& streamed_key, const JsonElementSink& sink)
+      : text_(text), streamed_key_(streamed_key), sink_(sink) {}
+
+  JsonNode take_root() { return std::move(root_); }
+
+  bool null() override { return leaf(JsonNode::Kind::kNull, "null"); }
+  bool boolean(bool value) override {
+    return leaf(JsonNode::Kind::kBoolean, value ? "true" : "false");
+  }
+  bool number_integer(number_integer_t value) override {
+    return leaf(JsonNode::Kind::kNumber, std::to_string(value));
+  }
+  bool number_unsigned(number_unsigned_t value) override {
+    return leaf(JsonNode::Kind::kNumber, std::to_string(value));
+  }
+  bool number_float(number_float_t /*rounded*/, const std::string& characters) override {
+    std::string exact = characters;
+    // The parser replaces the decimal point by that of the C locale in force.
+    for (char& c : exact) {
+      if ((c < '0' || c > '9') && c != '-' && c != '+' && c != 'e' && c != 'E') c = '.';
+    }
+    return leaf(JsonNode::Kind::kNumber, std::move(exact));
+  }
+  bool string(std::string& value) override {
+    return leaf(JsonNode::Kind::kString, std::move(value));
+  }
+  bool binary(binary_t& /*value*/) override { return false; }  // never in JSON text
+
+  bool start_object(std::size_t /*unknown*/) override { return open(JsonNode::Kind::kObject); }
+  bool start_array(std::size_t /*unknown*/) override { return open(JsonNode::Kind::kArray); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+
+  bool key(std::string& name) override {
+    std::vector<std::string>& keys = open_.back().node.keys;
+    if (std::find(keys.begin(), keys.end(), name) != keys.end()) {
+      throw InputError("", place_name(path(open_.size() - 1)),
+                       "the key " + quote(name) + " appears twice", "keep one of them");
+    }
+    keys.push_back(std::move(name));
+    return true;
+  }
+
+  bool parse_error(std::size_t position, const std::string& /*token*/,
+                   const nlohmann::detail::exception& error) override {
+    constexpr int kNumberOverflow = 406;
+    fail_syntax(text_, position, error.id == kNumberOverflow, error.what());
+  }
+
+ private:
+  struct Open {
+    JsonNode node;
+    std::size_t count;  ///< of children so far, streamed ones included
+    std::size_t nodes_before;
+  };
+
+  /// The path of the value at hand when the first `depth` open containers are around it.
+  std::string path(std::size_t depth) const {
+    std::string result;
+    for (std::size_t i = 0; i < depth; ++i) {
+      const Open& o = open_[i];
+      result = o.node.kind == JsonNode::Kind::kObject ? member_path(result, o.node.keys.back())
+                                                      : element_path(result, o.count);
+    }
+    return result;
+  }
+
+  bool streams_into_sink() const {
+    return open_.size() == 2 && open_[1].node.kind == JsonNode::Kind::kArray &&
+           open_[0].node.kind == JsonNode::Kind::kObject &&
+           open_[0].node.keys.back() == streamed_key_;
+  }
+
+  void count_node() {
+    if (++nodes_ > kMaxJsonNodes) {
+      throw InputError("", place_name(path(open_.size())),
+                       "more than " + std::to_string(kMaxJsonNodes) + " values in one place",
+                       "only the list of contacts may be long");
+    }
+  }
+
+  bool leaf(JsonNode::Kind kind, std::string text) {
+    const std::size_t nodes_before = nodes_;
+    count_node();
+    return finish({kind, std::move(text), {}, {}}, nodes_before);
+  }
+
+  bool open(JsonNode::Kind kind) {
+    if (open_.size() == kMaxJsonDepth) {
+      throw InputError("", place_name(path(open_.size())),
+                       "nested more than " + std::to_string(kMaxJsonDepth) + " levels deep",
+                       "a grasp file needs no more than four");
+    }
+    const std::size_t nodes_before = nodes_;
+    count_node();
+    open_.push_back({{kind, {}, {}, {}}, 0, nodes_before});
+    return true;
+  }
+
+  bool close() {
+    Open closed = std::move(open_.back());
+    open_.pop_back();
+    return finish(std::move(closed.node), closed.nodes_before);
+  }
+
+  bool finish(JsonNode node, std::size_t nodes_before) {
+    if (open_.empty()) {
+      root_ = std::move(node);
+      return true;
+    }
+    Open& parent = open_.back();
+    if (streams_into_sink()) {
+      sink_(parent.count, node);
+      nodes_ = nodes_before;
+    } else {
+      parent.node.children.push_back(std::move(node));
+    }
+    ++parent.count;
+    return true;
+  }
+
+  std::string_view text_;
+  const std::string& streamed_key_;
+  const JsonElementSink& sink_;
+  std::vector<Open> open_;
+  std::size_t nodes_ = 0;  ///< kept in the tree
+  JsonNode root_;
+};
+
+}  // namespace
+
+const JsonNode* JsonNode::find(std::string_view key) const {
+  const auto it = std::find(keys.begin(), keys.end(), key);
+  return it == keys.end() ? nullptr : &children[static_cast<std::size_t>(it - keys.begin())];
+}
+
+std::string describe(const JsonNode& node) {
+  const auto counted = [](const char* what, std::size_t n) {
+    return std::string(what) + " of " + std::to_string(n) + (n == 1 ? " value" : " values");
+  };
+  switch (node.kind) {
+    case JsonNode::Kind::kNull:
+    case JsonNode::Kind::kBoolean:
+      return node.text;
+    case JsonNode::Kind::kNumber: {
+      const std::string text = quote(node.text);
+      return "the number " + text.substr(1, text.size() - 2);
+    }
+    case JsonNode::Kind::kString:
+      return "the string " + quote(node.text);
+    case JsonNode::Kind::kArray:
+      return counted("an array", node.children.size());
+    case JsonNode::Kind::kObject:
+      return counted("an object", node.children.size());
+  }
+  return "a value";
+}
+
+std::string member_path(const std::string& path, const std::string& key) {
+  // A key is the user's: it may be long or hold anything.
+  const std::string safe = quote(key);
+  return (path.empty() ? path : path + ".") + safe.substr(1, safe.size() - 2);
+}
+
+std::string element_path(const std::string& path, std::size_t index) {
+  return path + "[" + std::to_string(index) + "]";
+}
+
+std::string place_name(const std::string& path) {
+  return path.empty() ? "top level" : path;
+}
+
+JsonNode parse_json(std::string_view text, const std::string& streamed_key,
+                    const JsonElementSink& sink) {
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
+    throw InputError("", "1:1", "the text is empty", "write a grasp, see docs/grasp_file.md");
+  }
+  Builder builder(text, streamed_key, sink);
+  const bool complete = Json::sax_parse(text.begin(), text.end(), &builder);
+  require(complete, "the JSON parser stopped without a reason");
+  return builder.take_root();
+}
+
+}  // namespace stickslip

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Grasp (grasp.hpp) and the rows of its contacts (contact_row.hpp); the paper's Figs. 1 and 4.
+#include "stickslip/core/contact_row.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "random_numbers.hpp"
+#include "stickslip/core/error.hpp"
+
+namespace stickslip {
+namespace {
+
+using ::testing::HasSubstr;
+using testing::Random;
+
+const Rational kHalf(1, 2);
+
+std::vector<Contact> fig1() {
+  return {{{-1, 0}, {1, 0}, kHalf, 1, 1},
+          {{0, -1}, {0, 1}, kHalf, 1, 1},
+          {{1, 0}, {-1, 0}, kHalf, 1, 1}};
+}
+
+std::vector<Contact> fig4() {
+  return {{{-1, 1}, {1, 0}, kHalf, 1, 1},
+          {{-1, -1}, {1, 0}, kHalf, 1, 1},
+          {{1, -1}, {-1, 0}, kHalf, 1, 1},
+          {{1, 1}, {-1, 0}, kHalf, 1, 1}};
+}
+
+/// p + (x - r p_y, y + r p_x) - p: the motion of a contact point, from the definition.
+Vector2 motion(const Vector2& p, const Twist& d) {
+  return {d.x - d.r * p.y, d.y + d.r * p.x};
+}
+
+TEST(Grasp, AcceptsNoContactAndKeepsItsName) {
+  EXPECT_EQ(Grasp().size(), 0U);
+  const Grasp grasp({}, "nothing");
+  EXPECT_EQ(grasp.name(), "nothing");
+  EXPECT_TRUE(contact_rows(grasp).empty());
+}
+
+TEST(Grasp, FindsContactsById) {
+  const Grasp grasp(fig1());
+  EXPECT_EQ(grasp[ContactId(1)].position, (Vector2{0, -1}));
+  EXPECT_THROW(grasp[ContactId(3)], std::out_of_range);
+}
+
+TEST(Grasp, NamesTheMemberThatIsWrong) {
+  const auto place_of_error = [](void (*spoil)(Contact&)) {
+    std::vector<Contact> contacts = fig1();
+    spoil(contacts[2]);
+    try {
+      const Grasp grasp(contacts);
+    } catch (const InputError& error) {
+      return error.place();
+    }
+    return std::string("no error");
+  };
+  EXPECT_EQ(place_of_error([](Contact& c) { c.normal = {0, 0}; }), "contacts[2].normal");
+  EXPECT_EQ(place_of_error([](Contact& c) { c.friction = -kHalf; }), "contacts[2].friction");
+  EXPECT_EQ(place_of_error([](Contact& c) { c.stiffness = 0; }), "contacts[2].stiffness");
+  EXPECT_EQ(place_of_error([](Contact& c) { c.stiffness = -1; }), "contacts[2].stiffness");
+  EXPECT_EQ(place_of_error([](Contact& c) { c.preload = -1; }), "contacts[2].preload");
+  EXPECT_EQ(place_of_error([](Contact& c) { c.friction = 0; }), "no error");
+  EXPECT_EQ(place_of_error([](Contact& c) { c.preload = 0; }), "no error");
+}
+
+TEST(Grasp, WithPreloadReplacesAllOfThem) {
+  const Grasp grasp = Grasp(fig1(), "f").with_preload(7);
+  for (const Contact& c : grasp.contacts()) EXPECT_EQ(c.preload, 7);
+  EXPECT_EQ(grasp.name(), "f");
+  EXPECT_THROW(grasp.with_preload(-1), InputError);
+}
+
+TEST(NormalLaw, HasNames) {
+  EXPECT_STREQ(to_string(NormalLaw::kUnilateral), "unilateral");
+  EXPECT_STREQ(to_string(NormalLaw::kBilateral), "bilateral");
+}
+
+TEST(TwistAndWrench, PairInPower) {
+  EXPECT_EQ(power({1, 2, 3}, {5, 7, 11}), 52);
+  EXPECT_EQ((Wrench{1, 2, 3} + Wrench{1, 1, 1}), (Wrench{2, 3, 4}));
+  EXPECT_EQ(kHalf * (Wrench{2, 4, 6}), (Wrench{1, 2, 3}));
+  EXPECT_EQ(coordinates(Twist{1, 2, 3}), coordinates(Wrench{1, 2, 3}));
+}
+
+TEST(ContactRows, OfFig1) {
+  const std::vector<ContactRow> rows = contact_rows(Grasp(fig1()));
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0].normal, (Wrench{1, 0, 0}));
+  EXPECT_EQ(rows[0].tangent, (Wrench{0, 1, -1}));
+  EXPECT_EQ(rows[1].normal, (Wrench{0, 1, 0}));
+  EXPECT_EQ(rows[1].tangent, (Wrench{-1, 0, -1}));
+  EXPECT_EQ(rows[2].normal, (Wrench{-1, 0, 0}));
+  EXPECT_EQ(rows[2].tangent, (Wrench{0, -1, -1}));
+  for (const ContactRow& row : rows) {
+    EXPECT_EQ(row.friction, kHalf);
+    EXPECT_EQ(row.preload, 1);
+    EXPECT_EQ(row.stiffness, 1);
+  }
+}
+
+TEST(ContactRows, OfFig4AreTwoCirclesOnly) {
+  const std::vector<ContactRow> rows = contact_rows(Grasp(fig4()));
+  ASSERT_EQ(rows.size(), 4U);
+  EXPECT_EQ(rows[0].normal, (Wrench{1, 0, -1}));
+  EXPECT_EQ(rows[1].normal, (Wrench{1, 0, 1}));
+  EXPECT_EQ(rows[2].normal, (Wrench{-1, 0, -1}));
+  EXPECT_EQ(rows[3].normal, (Wrench{-1, 0, 1}));
+  EXPECT_EQ(rows[0].tangent, (Wrench{0, 1, -1}));
+  EXPECT_EQ(rows[1].tangent, (Wrench{0, 1, -1}));
+  EXPECT_EQ(rows[2].tangent, (Wrench{0, -1, -1}));
+  EXPECT_EQ(rows[3].tangent, (Wrench{0, -1, -1}));
+}
+
+TEST(ContactRows, MeasureTheMotionOfTheContactPoint) {
+  Random random(11);
+  for (int i = 0; i < 500; ++i) {
+    const Contact c = random.contact();
+    const Twist d = random.twist();
+    const Vector2 moved = motion(c.position, d);
+    EXPECT_EQ(power(normal_row(c), d), moved.x * c.normal.x + moved.y * c.normal.y);
+    EXPECT_EQ(power(tangent_row(c), d), moved.y * c.normal.x - moved.x * c.normal.y);
+  }
+}
+
+/// The object turned by a rational rotation and shifted: p' = R p + s, n' = R n. A motion d of
+/// the body is seen from the new frame as (R (x,y) - r J s, r), J the quarter turn; N'.d' =
+/// N.d.
+TEST(ContactRows, AreCovariantUnderRigidMotion) {
+  Random random(12);
+  for (int i = 0; i < 500; ++i) {
+    const Rational t = random.small();
+    const Rational c = (1 - t * t) / (1 + t * t);
+    const Rational s = 2 * t / (1 + t * t);
+    const auto turn = [&](const Vector2& v) {
+      return Vector2{c * v.x - s * v.y, s * v.x + c * v.y};
+    };
+    const Vector2 shift{random.small(), random.small()};
+    const Contact before = random.contact();
+    Contact after = before;
+    after.position = turn(before.position);
+    after.position.x += shift.x;
+    after.position.y += shift.y;
+    after.normal = turn(before.normal);
+    const Twist d = random.twist();
+    const Vector2 turned = turn({d.x, d.y});
+    const Twist seen{turned.x + d.r * shift.y, turned.y - d.r * shift.x, d.r};
+    EXPECT_EQ(power(normal_row(after), seen), power(normal_row(before), d));
+    EXPECT_EQ(power(tangent_row(after), seen), power(tangent_row(before), d));
+  }
+}
+
+TEST(ContactRows, ScaleWithTheLengthOfTheNormal) {
+  Contact c{{1, 2}, {Rational(3, 5), Rational(4, 5)}, kHalf, 3, 7};
+  const ContactRow unit = contact_rows(Grasp({c}))[0];
+  c.normal = {6, 8};
+  const ContactRow scaled = contact_rows(Grasp({c}))[0];
+  EXPECT_EQ(scaled.normal, 10 * unit.normal);
+  EXPECT_EQ(scaled.tangent, 10 * unit.tangent);
+  EXPECT_EQ(scaled.friction, unit.friction);
+  EXPECT_EQ(scaled.preload, unit.preload / 10);
+  EXPECT_EQ(scaled.stiffness, unit.stiffness / 100);
+  // The force a N is the same for every motion.
+  Random random(13);
+  for (int i = 0; i < 100; ++i) {
+    const Twist d = random.twist();
+    EXPECT_EQ(scaled.normal_coefficient(d) * scaled.normal,
+              unit.normal_coefficient(d) * unit.normal);
+  }
+}
+
+TEST(ContactRows, WithoutPreloadTakeAnIrrationalLength) {
+  const ContactRow row = contact_rows(Grasp({{{0, 0}, {1, 1}, kHalf, 3, 0}}))[0];
+  EXPECT_EQ(row.preload, 0);
+  EXPECT_EQ(row.stiffness, Rational(3, 2));
+}
+
+TEST(ContactRows, WithPreloadRefuseAnIrrationalLength) {
+  std::vector<Contact> contacts = fig1();
+  contacts[1].normal = {1, Rational(1, 2)};
+  try {
+    contact_rows(Grasp(contacts));
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.place(), "contacts[1].normal");
+    EXPECT_THAT(error.problem(), HasSubstr("(1, 1/2)"));
+    EXPECT_THAT(error.problem(), HasSubstr("irrational length sqrt(5/4)"));
+    EXPECT_THAT(error.remedy(), HasSubstr("--snap-normals"));
+    EXPECT_THAT(error.remedy(), HasSubstr("\"normals\": \"snap\""));
+  }
+}
+
+}  // namespace
+}  // namespace stickslip

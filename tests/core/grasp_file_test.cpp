@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the reader accepts, what the writer writes. Refusals: grasp_file_errors_test.cpp.
+#include "stickslip/core/grasp_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <clocale>
+#include <filesystem>
+#include <iostream>
+#include <sstream>
+
+#include "random_numbers.hpp"
+#include "stickslip/core/error.hpp"
+#include "stickslip/core/snap.hpp"
+
+namespace stickslip {
+namespace {
+
+using testing::Random;
+using testing::same;
+
+GraspFile read_good(const std::string& name) {
+  return read_grasp_file(STICKSLIP_GRASP_CORPUS "/good/" + name + ".json");
+}
+
+void expect_same(const LoadedGrasp& a, const LoadedGrasp& b) {
+  EXPECT_EQ(a.grasp.name(), b.grasp.name());
+  EXPECT_EQ(a.wrench, b.wrench);
+  ASSERT_EQ(a.grasp.size(), b.grasp.size());
+  for (std::size_t i = 0; i < a.grasp.size(); ++i) {
+    EXPECT_TRUE(same(a.grasp.contacts()[i], b.grasp.contacts()[i])) << i;
+  }
+}
+
+TEST(ReadGrasp, Fig1) {
+  const GraspFile file = read_good("fig1");
+  EXPECT_EQ(file.content.grasp.name(), "fig1");
+  EXPECT_EQ(file.content.wrench, (Wrench{0, Rational(-11, 10), 0}));
+  EXPECT_FALSE(file.snap_tolerance.has_value());
+  const std::vector<Contact>& c = file.content.grasp.contacts();
+  ASSERT_EQ(c.size(), 3U);
+  EXPECT_TRUE(same(c[0], {{-1, 0}, {1, 0}, Rational(1, 2), 1, 1}));
+  EXPECT_TRUE(same(c[1], {{0, -1}, {0, 1}, Rational(1, 2), 1, 1}));
+  EXPECT_TRUE(same(c[2], {{1, 0}, {-1, 0}, Rational(1, 2), 1, 1}));
+}
+
+TEST(ReadGrasp, NumbersAreTheDecimalsTheySpell) {
+  const GraspFile file = read_good("exact_numbers");
+  const std::vector<Contact>& c = file.content.grasp.contacts();
+  ASSERT_EQ(c.size(), 3U);
+  EXPECT_TRUE(same(c[0], {{Rational(1, 10), Rational(-1, 1000)},
+                          {Rational(3, 5), Rational(-4, 5)},
+                          100,
+                          10,
+                          Rational(1, 10)}));
+  EXPECT_EQ(c[1].position.x, Rational(Integer("123456789012345678901234567890")));
+  EXPECT_EQ(c[1].position.y, Rational(Integer("-9223372036854775808")));
+  EXPECT_EQ(c[1].normal.x, Rational(Integer("18446744073709551615")));
+  EXPECT_EQ(c[1].normal.y, 0);
+  EXPECT_EQ(c[1].friction, 0);
+  EXPECT_EQ(c[2].position.x, parse_rational("1e-4096"));
+  EXPECT_EQ(c[2].position.y, parse_rational("1e4096"));
+  EXPECT_EQ(c[2].normal.x, 0);
+  EXPECT_EQ(c[2].normal.y, parse_rational("5e-324"));
+  EXPECT_EQ(file.content.wrench.x, Rational(3, 2));
+  EXPECT_EQ(file.content.wrench.y, parse_rational("0.3333333333333333333333333333333333"));
+  EXPECT_EQ(file.content.wrench.torque, Rational(-5, 2));
+}
+
+TEST(ReadGrasp, DefaultsYieldToTheContactAndMayComeLast) {
+  const Contact c = read_good("late_defaults").content.grasp.contacts()[0];
+  EXPECT_EQ(c.friction, 0);
+  EXPECT_EQ(c.stiffness, 1);
+  EXPECT_EQ(c.preload, 0);
+  const GraspFile file = parse_grasp(
+      R"({"format": "stickslip-grasp/1", "wrench": [0, 0, 0],
+          "defaults": {"friction": 1, "stiffness": 2, "preload": 3},
+          "contacts": [{"position": [0, 0], "normal": [1, 0], "friction": 4},
+                       {"position": [0, 0], "normal": [1, 0], "stiffness": 5, "preload": 0}]})",
+      "");
+  EXPECT_TRUE(same(file.content.grasp.contacts()[0], {{0, 0}, {1, 0}, 4, 2, 3}));
+  EXPECT_TRUE(same(file.content.grasp.contacts()[1], {{0, 0}, {1, 0}, 1, 5, 0}));
+}
+
+TEST(ReadGrasp, SnapTolerance) {
+  EXPECT_EQ(read_good("snap").snap_tolerance, default_snap_tolerance());
+  EXPECT_EQ(read_good("snap_tolerance").snap_tolerance, parse_rational("1e-12"));
+  EXPECT_EQ(read_good("normals_exact").snap_tolerance, std::nullopt);
+  // As written, not yet snapped.
+  EXPECT_EQ(read_good("snap").content.grasp.contacts()[0].normal, (Vector2{1, 1}));
+}
+
+TEST(ReadGrasp, NoContactAtAll) {
+  EXPECT_EQ(read_good("no_contact").content.grasp.size(), 0U);
+}
+
+TEST(ReadGrasp, NamesInAnyScript) {
+  EXPECT_EQ(read_good("unicode_name").content.grasp.name(),
+            "Gr\u00fc\u00dfe \"\\\n\U0001f916 \u00e9");
+}
+
+/// A program around the library may have set a locale with a decimal comma.
+TEST(ReadGrasp, IgnoresTheLocale) {
+  const std::string before = std::setlocale(LC_NUMERIC, nullptr);
+  if (std::setlocale(LC_NUMERIC, "de_DE.UTF-8") == nullptr) GTEST_SKIP() << "no de_DE locale";
+  const Rational x = read_good("exact_numbers").content.grasp.contacts()[0].position.x;
+  std::setlocale(LC_NUMERIC, before.c_str());
+  EXPECT_EQ(x, Rational(1, 10));
+}
+
+TEST(ReadGrasp, StandardInput) {
+  std::istringstream text(write_grasp(read_good("fig4").content));
+  std::streambuf* const before = std::cin.rdbuf(text.rdbuf());
+  const GraspFile file = read_grasp_file("-");
+  std::cin.rdbuf(before);
+  expect_same(file.content, read_good("fig4").content);
+}
+
+TEST(ReadGrasp, ManyContacts) {
+  std::string text = R"({"format": "stickslip-grasp/1", "wrench": [0, 0, 0], "contacts": [)";
+  constexpr int kCount = 20000;
+  for (int i = 0; i < kCount; ++i) {
+    text += (i == 0 ? "" : ",") + std::string(R"({"position": [)") + std::to_string(i) +
+            R"(, 0.5], "normal": [1, 0], "friction": 1})";
+  }
+  const GraspFile file = parse_grasp(text + "]}", "");
+  ASSERT_EQ(file.content.grasp.size(), static_cast<std::size_t>(kCount));
+  EXPECT_EQ(file.content.grasp.contacts().back().position,
+            (Vector2{kCount - 1, Rational(1, 2)}));
+}
+
+TEST(WriteGrasp, Bytes) {
+  EXPECT_EQ(write_grasp(read_good("fig1").content),
+            R"({"format": "stickslip-grasp/1",
+ "name": "fig1",
+ "contacts": [
+  {"position": [-1, 0], "normal": [1, 0], "friction": "1/2", "stiffness": 1, "preload": 1},
+  {"position": [0, -1], "normal": [0, 1], "friction": "1/2", "stiffness": 1, "preload": 1},
+  {"position": [1, 0], "normal": [-1, 0], "friction": "1/2", "stiffness": 1, "preload": 1}],
+ "wrench": [0, "-11/10", 0]}
+)");
+  EXPECT_EQ(write_grasp({}),
+            "{\"format\": \"stickslip-grasp/1\",\n \"contacts\": [],\n"
+            " \"wrench\": [0, 0, 0]}\n");
+}
+
+TEST(WriteGrasp, IntegersThatADoubleWouldRoundAreStrings) {
+  const Integer limit = Integer(1) << 53;
+  const std::string text = write_grasp({Grasp(), {limit - 1, -limit, Rational(1 - limit)}});
+  EXPECT_THAT(text, ::testing::HasSubstr(
+                        R"([9007199254740991, "-9007199254740992", -9007199254740991])"));
+}
+
+TEST(WriteGrasp, RoundTripsTheCorpus) {
+  int files = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(STICKSLIP_GRASP_CORPUS "/good")) {
+    SCOPED_TRACE(entry.path());
+    const LoadedGrasp content = read_grasp_file(entry.path().string()).content;
+    const std::string text = write_grasp(content);
+    const LoadedGrasp again = parse_grasp(text, "again").content;
+    expect_same(again, content);
+    EXPECT_EQ(write_grasp(again), text);
+    ++files;
+  }
+  EXPECT_GE(files, 14);
+}
+
+TEST(WriteGrasp, RoundTripsRandomGrasps) {
+  Random random(41);
+  for (int i = 0; i < 300; ++i) {
+    std::vector<Contact> contacts = random.contacts(random.integer(0, 6));
+    for (Contact& c : contacts) {
+      c.position = {random.big(50), random.big(50)};
+      c.preload = rational_from_double(1.0 / (1 + random.integer(0, 1000)));
+    }
+    std::string name;
+    for (int k = random.integer(0, 8); k > 0; --k) {
+      name += static_cast<char>(random.integer(0, 127));  // control characters, quotes, ...
+    }
+    const LoadedGrasp content{Grasp(contacts, name), random.wrench()};
+    expect_same(parse_grasp(write_grasp(content), "random").content, content);
+  }
+}
+
+TEST(WriteGrasp, RefusesWhatAFileCannotHold) {
+  EXPECT_THROW(write_grasp({Grasp({}, "\xff"), {}}), InputError);
+  const Rational huge(boost::multiprecision::pow(Integer(10), kMaxNumberLength));
+  EXPECT_THROW(write_grasp({Grasp(), {huge, 0, 0}}), InputError);
+}
+
+}  // namespace
+}  // namespace stickslip

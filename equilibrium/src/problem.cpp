@@ -9,8 +9,8 @@ Problem::Problem(const LoadedGrasp& loaded, NormalLaw law)
     const Wrench& n = row.normal;
     const Wrench& t = row.tangent;
     slip_planes_.push_back(primitive_multiple<4>({t.x, t.y, t.torque, 0}));
-    separations_.push_back({-row.stiffness * n.x, -row.stiffness * n.y,
-                            -row.stiffness * n.torque, row.preload});
+    separations_.push_back(
+        {-row.stiffness * n.x, -row.stiffness * n.y, -row.stiffness * n.torque, row.preload});
     separation_planes_.push_back(primitive_multiple<4>(separations_.back()));
   }
 }

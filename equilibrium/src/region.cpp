@@ -154,6 +154,7 @@ std::vector<Rational> virtual_work_bounds(const Problem& problem, const Region& 
 }
 
 bool refutes(const Problem& problem, const Region& region, const VirtualWorkLeaf& leaf) {
+  if (region.is_void()) return true;
   const std::vector<Rational> bounds = virtual_work_bounds(problem, region, leaf);
   const std::size_t first_ray = 2 * region.cone().lines().size();
   std::vector<const Ray*> zero;

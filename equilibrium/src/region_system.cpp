@@ -19,7 +19,7 @@ Rational value(const Vector4& function, const IntegerVector4& x) {
 struct ContactColumns {
   Separation separation;
   std::optional<Sign> slip;
-  std::size_t first = 0;   ///< of its force variables
+  std::size_t first = 0;     ///< of its force variables
   std::size_t at_least = 0;  ///< row a_i >= v_i of a mixed contact
 };
 
@@ -49,7 +49,7 @@ class Builder {
       for (std::size_t j = 0; j < 4; ++j) x[j] += solution[r] * Rational(directions_[r][j]);
     }
     result.witness.twist = {x[0], x[1], x[2]};
-    Rational widest_gap = 0;
+    Rational widest = 0;
     for (std::size_t i = 0; i < columns_.size(); ++i) {
       const ContactColumns& c = columns_[i];
       const ContactRow& row = problem_.rows()[i];
@@ -66,10 +66,20 @@ class Builder {
         }
       }
       if (c.separation == Separation::kMixed) {
-        const Rational gap = force.normal - std::max(Rational(0), v);
-        if (gap > widest_gap) {
-          widest_gap = gap;
-          result.widest = ContactId(i);
+        const Rational& a = force.normal;
+        // Complementarity of a_i >= 0 and a_i >= v_i, as the energy of the spring.
+        const Rational gap = a * (a - v) / row.stiffness;
+        if (gap > widest) {
+          widest = gap;
+          result.broken = SeparationSplit{ContactId(i)};
+        }
+      }
+      if (!c.slip) {
+        const Rational slip = power(row.tangent, result.witness.twist);
+        const Rational gap = row.friction * force.normal * abs(slip) + force.tangential * slip;
+        if (gap > widest) {
+          widest = gap;
+          result.broken = SlipSplit{ContactId(i)};
         }
       }
       result.witness.forces.push_back(std::move(force));
@@ -88,8 +98,8 @@ class Builder {
       if (c.separation != Separation::kMixed) continue;
       const ContactRow& row = problem_.rows()[i];
       const Rational friction = row.friction * power(row.tangent, twist);
-      const Rational alpha = power(row.normal, twist) + (c.slip ? Rational(-to_int(*c.slip)) * friction
-                                                                : abs(friction));
+      const Rational alpha = power(row.normal, twist) +
+                             (c.slip ? Rational(-to_int(*c.slip)) * friction : abs(friction));
       const Rational& multiplier = farkas[c.at_least];
       if (alpha.sign() >= 0 || multiplier.is_zero()) continue;
       leaf.theta.emplace_back(ContactId(i), std::min(Rational(1), multiplier / -alpha));
@@ -172,8 +182,8 @@ class Builder {
   std::size_t first_balance_ = 0;
 };
 
-/// A leaf near the given one whose twist has small entries and whose theta are multiples of a small
-/// fraction, if one refutes.
+/// A leaf near the given one whose twist has small entries and whose theta are multiples of a
+/// small fraction, if one refutes.
 VirtualWorkLeaf with_small_integers(const Problem& problem, const Region& region,
                                     const VirtualWorkLeaf& leaf) {
   Integer largest = 0;
@@ -186,7 +196,8 @@ VirtualWorkLeaf with_small_integers(const Problem& problem, const Region& region
       Integer quotient;
       const Integer dividend = 2 * scale * leaf.twist[j] + largest;
       const Integer divisor = 2 * largest;
-      mpz_fdiv_q(quotient.backend().data(), dividend.backend().data(), divisor.backend().data());
+      mpz_fdiv_q(quotient.backend().data(), dividend.backend().data(),
+                 divisor.backend().data());
       small.twist[j] = quotient;
     }
     for (const auto& [contact, theta] : leaf.theta) {

@@ -48,30 +48,33 @@ class StatesEngine {
     work_.double_pivots += static_cast<std::size_t>(lp.double_pivots);
     work_.exact_pivots += static_cast<std::size_t>(lp.exact_pivots);
     work_.bases_confirmed += lp.basis_confirmed ? 1 : 0;
-    work_.largest_bits = std::max(work_.largest_bits, static_cast<std::size_t>(lp.largest_bits));
+    work_.largest_bits =
+        std::max(work_.largest_bits, static_cast<std::size_t>(lp.largest_bits));
     if (auto* leaf = std::get_if<VirtualWorkLeaf>(&outcome)) {
       ++work_.patterns;
       refutation.emplace_back(std::move(*leaf));
       return false;
     }
     auto& point = std::get<RelaxedPoint>(outcome);
-    if (!point.widest) {
+    if (!point.broken) {
       witness_ = std::move(point.witness);
       const std::optional<std::string> violation = find_violation(problem_, witness_);
       require(!violation, "a witness of a slip state is not an equilibrium");
       return true;
     }
-    refutation.emplace_back(SeparationSplit{*point.widest});
-    return solve_separations(
-               region.separation_child(problem_, *point.widest, Separation::kClosed),
-               refutation) ||
-           solve_separations(region.separation_child(problem_, *point.widest, Separation::kOpen),
+    // Slip is labelled throughout the state, so only a separation can be broken.
+    const ContactId contact = std::get<SeparationSplit>(*point.broken).contact;
+    refutation.emplace_back(SeparationSplit{contact});
+    return solve_separations(region.separation_child(problem_, contact, Separation::kClosed),
+                             refutation) ||
+           solve_separations(region.separation_child(problem_, contact, Separation::kOpen),
                              refutation);
   }
 
   /// Splits by slip until every contact's friction is known as in a slip state, then appends
   /// that state's refutation. Only contacts whose plane cuts the region need a split, or
-  /// touches it where no strict function excludes touching; so the tree follows the arrangement.
+  /// touches it where no strict function excludes touching; so the tree follows the
+  /// arrangement.
   void assemble(const Region& region, Refutation& tree) const {
     if (region.is_void()) {
       tree.emplace_back(VoidLeaf{});
@@ -91,7 +94,8 @@ class StatesEngine {
       state.push_back(sign.value_or(Sign::kZero));
     }
     const auto found = refutations_.find(state);
-    require(found != refutations_.end(), "a region's slip state is missing from the enumeration");
+    require(found != refutations_.end(),
+            "a region's slip state is missing from the enumeration");
     tree.insert(tree.end(), found->second.begin(), found->second.end());
   }
 

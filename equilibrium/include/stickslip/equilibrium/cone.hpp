@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Polyhedral cones of homogenised motions x = (d_x, d_y, d_r, h), kept by generators and cut by
-/// one plane at a time: the double description method (Motzkin, Raiffa, Thompson, Thrall,
+/// Polyhedral cones of homogenised motions x = (d_x, d_y, d_r, h), kept by generators and cut
+/// by one plane at a time: the double description method (Motzkin, Raiffa, Thompson, Thrall,
 /// 1953; Fukuda and Prodon, "Double description method revisited", 1996), in integers.
 #pragma once
 
@@ -24,9 +24,9 @@ struct Ray {
 /// The part of a plane's space to keep.
 enum class Side { kPositive, kZero, kNegative };
 
-/// { sum of nonnegative multiples of rays and any multiples of lines }. The lines are a basis of
-/// the lineality space, and the rays one for each extreme ray modulo it. All constraints
-/// are 0 on the lines.
+/// { sum of nonnegative multiples of rays and any multiples of lines }. The lines are a basis
+/// of the lineality space, and the rays one for each extreme ray modulo it. All constraints are
+/// 0 on the lines.
 class Cone {
  public:
   /// {h >= 0}; this is constraint 0.

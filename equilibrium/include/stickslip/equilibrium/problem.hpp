@@ -5,9 +5,9 @@
 /// An equilibrium is a motion d and force coefficients (a_i, b_i), standing for the contact
 /// wrenches a_i N_i + b_i T_i, with (Haas-Heger et al., RSS 2018, Eqs. 1-7, preload in Eq. 4)
 ///     balance      w + sum (a_i N_i + b_i T_i) = 0
-///     normal law   a_i = max(0, v_i) unilateral, a_i = v_i >= 0 bilateral, v_i = P_i - k_i N_i.d
-///     cone         |b_i| <= mu_i a_i
-///     dissipation  T_i.d > 0 => b_i = -mu_i a_i,  T_i.d < 0 => b_i = mu_i a_i.
+///     normal law   a_i = max(0, v_i) unilateral, a_i = v_i >= 0 bilateral, v_i = P_i - k_i
+///     N_i.d cone         |b_i| <= mu_i a_i dissipation  T_i.d > 0 => b_i = -mu_i a_i,  T_i.d <
+///     0 => b_i = mu_i a_i.
 /// The grasp is stable iff an equilibrium exists.
 ///
 /// Motions are homogenised: x = (d, h) in Q^4 with h >= 0, so that v_i and the slip
@@ -48,8 +48,8 @@ class Problem {
     return separation_planes_[contact.index()];
   }
 
-  /// N + sigma mu T, for sigma = -1, 0 or 1: the wrench of a unit normal coefficient with friction
-  /// on that edge of the cone.
+  /// N + sigma mu T, for sigma = -1, 0 or 1: the wrench of a unit normal coefficient with
+  /// friction on that edge of the cone.
   Wrench edge_wrench(ContactId contact, int sigma) const;
 
  private:

@@ -26,7 +26,8 @@ class Region {
 
   /// The child of a slip, separation or plane split.
   Region slip_child(const Problem& problem, ContactId contact, Sign slip) const;
-  Region separation_child(const Problem& problem, ContactId contact, Separation closed_or_open) const;
+  Region separation_child(const Problem& problem, ContactId contact,
+                          Separation closed_or_open) const;
   Region plane_child(const IntegerVector4& plane, Side side) const;
 
   /// The intersection with all of a slip state at once: contact i has label state[i].
@@ -34,8 +35,8 @@ class Region {
 
   Separation separation(const Problem& problem, ContactId contact) const;
 
-  /// The sign of slip that every solution in the region has, so that friction is on one edge of its
-  /// cone; nothing when friction may lie anywhere in it ("has the sign", FORMAT.md).
+  /// The sign of slip that every solution in the region has, so that friction is on one edge of
+  /// its cone; nothing when friction may lie anywhere in it ("has the sign", FORMAT.md).
   std::optional<Sign> slip_sign(const Problem& problem, ContactId contact) const;
 
   /// True if some strict function is 0 on all rays: no solution lies here.

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The system of one region as a linear program: Haas-Heger et al. 2018, Eqs. 1, 2, 4 and 12-14,
-/// with detaching contacts.
+/// The system of one region as a linear program: Haas-Heger et al. 2018, Eqs. 1, 2, 4 and
+/// 12-14, with detaching contacts.
 ///
-/// A point of the region is x = sum lambda_r r over its rays, lambda >= 0, h = 1. A contact that
-/// is closed has a_i = v_i(x), linear in lambda; an open one has a_i = 0. A mixed one is relaxed to
-/// max(0, v_i(x)) <= a_i <= sum lambda_r max(0, v_i(r)). Friction is on an edge where slip has
-/// a sign, else anywhere in the cone. With nothing mixed the program is exact; its Farkas
-/// vector's part on the three balance rows is a virtual twist that satisfies leaf-bound
-/// (certificate/FORMAT.md), whose theta are the multipliers of a_i >= v_i over |alpha_i|.
+/// A point of the region is x = sum lambda_r r over its rays, lambda >= 0, h = 1. A contact
+/// that is closed has a_i = v_i(x), linear in lambda; an open one has a_i = 0. A mixed one is
+/// relaxed to max(0, v_i(x)) <= a_i <= sum lambda_r max(0, v_i(r)). Friction is on an edge
+/// where slip has a sign, else anywhere in the cone. With nothing mixed the program is exact;
+/// its Farkas vector's part on the three balance rows is a virtual twist that satisfies
+/// leaf-bound (certificate/FORMAT.md), whose theta are the multipliers of a_i >= v_i over
+/// |alpha_i|.
 #pragma once
 
 #include <variant>
@@ -18,11 +19,15 @@
 
 namespace stickslip {
 
-/// A point of the relaxation; an equilibrium iff `widest` is empty.
+/// A split that a region's relaxation asks for.
+using ContactSplit = std::variant<SlipSplit, SeparationSplit>;
+
+/// A point of the relaxation; an equilibrium iff nothing is broken.
 struct RelaxedPoint {
   Witness witness;
-  /// The mixed contact whose a_i exceeds max(0, v_i) the most, if any does.
-  std::optional<ContactId> widest;
+  /// The split at the contact that breaks its normal law (a_i > max(0, v_i)) or maximum
+  /// dissipation with the most energy, if any does.
+  std::optional<ContactSplit> broken;
 };
 
 /// Either a point of the relaxed system or a leaf that refutes the region (verified).

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "double_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+Double3 to_doubles(const Wrench& w) {
+  return {to_double(w.x), to_double(w.y), to_double(w.torque)};
+}
+
+}  // namespace
+
+DoubleModel::DoubleModel(const Problem& problem) {
+  double arms = 0;
+  double preloads = 0;
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    const ContactRow& row = problem.rows()[i];
+    ContactDoubles c{};
+    c.normal = to_doubles(row.normal);
+    c.friction = to_doubles(row.friction * row.tangent);
+    const Double3 tangent = to_doubles(row.tangent);
+    c.slip = {tangent[0], tangent[1], tangent[2], 0};
+    const Vector4& v = problem.separation(ContactId(i));
+    for (std::size_t j = 0; j < 4; ++j) c.separation[j] = to_double(v[j]);
+    c.stiffness = to_double(row.stiffness);
+    c.frictionless = row.friction.is_zero();
+    arms += std::hypot(c.normal[2], tangent[2]) / std::hypot(c.normal[0], c.normal[1]);
+    preloads += c.separation[3] * std::hypot(c.normal[0], c.normal[1]);
+    contacts.push_back(c);
+  }
+  load = to_doubles(problem.wrench());
+  const double count = std::max<double>(1, static_cast<double>(problem.size()));
+  length = arms > 0 ? arms / count : 1;
+  force = std::hypot(load[0], load[1]) + std::fabs(load[2]) / length + preloads / count;
+  if (!(force > 0) || !std::isfinite(force)) force = 1;
+  if (!std::isfinite(length)) length = 1;
+}
+
+Double4 to_doubles(const IntegerVector4& x) {
+  std::array<double, 4> mantissa{};
+  std::array<long, 4> exponent{};
+  long largest = 0;
+  bool any = false;
+  for (std::size_t j = 0; j < 4; ++j) {
+    if (x[j].is_zero()) continue;
+    mantissa[j] = mpz_get_d_2exp(&exponent[j], x[j].backend().data());
+    largest = any ? std::max(largest, exponent[j]) : exponent[j];
+    any = true;
+  }
+  Double4 result{};
+  for (std::size_t j = 0; j < 4; ++j) {
+    // Entries smaller by 2^-1000 underflow to 0 or lose bits; certain_sign's kUnderflow covers
+    // it.
+    const long shift = std::max<long>(exponent[j] - largest, -2000);
+    result[j] = std::ldexp(mantissa[j], static_cast<int>(shift));
+  }
+  return result;
+}
+
+}  // namespace stickslip

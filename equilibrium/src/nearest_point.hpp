@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The point of least norm in the convex hull of points of R^3, kept as a combination of at
+/// most four of them: Wolfe's algorithm (Math. Programming 11, 1976), in double precision. It
+/// only proposes; what it finds is judged elsewhere.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace stickslip {
+
+using Double3 = std::array<double, 3>;
+
+inline double dot(const Double3& a, const Double3& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+class NearestPoint {
+ public:
+  /// Adds a point and moves to the nearest point of the hull of the points now in use. Returns
+  /// false if rounding left no progress.
+  bool add(const Double3& point);
+
+  const Double3& nearest() const { return nearest_; }
+  std::size_t size() const { return size_; }
+  /// The points in use, by the order number of their addition (from 0), and their weights.
+  std::size_t order(std::size_t k) const { return order_[k]; }
+  double weight(std::size_t k) const { return weight_[k]; }
+
+ private:
+  /// Weights of sum 1, of any sign, of the point of least norm in the affine hull.
+  bool affine_minimum(std::array<double, 4>& weights) const;
+  void remove(std::size_t k);
+  void update_nearest();
+
+  std::array<Double3, 4> points_{};
+  std::array<double, 4> weight_{};
+  std::array<std::size_t, 4> order_{};
+  std::size_t size_ = 0;
+  std::size_t added_ = 0;
+  Double3 nearest_{};
+};
+
+}  // namespace stickslip

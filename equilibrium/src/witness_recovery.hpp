@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// From an approximate equilibrium in double precision to an exact one, or none. Proposals
+/// only: what is returned has passed find_violation.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "double_model.hpp"
+#include "stickslip/equilibrium/verdict.hpp"
+
+namespace stickslip {
+
+/// What an approximate equilibrium says of one contact.
+struct ContactMode {
+  bool closed;
+  /// Friction over its limit, in [-1, 1]; on an end, with `sticks` false, for a slipping
+  /// contact.
+  double friction_ratio;
+  bool sticks;
+};
+
+/// Solves balance and no slip at the sticking contacts exactly, with the modes given; O(m)
+/// rational operations. Nothing if the system is singular or its solution is not an
+/// equilibrium.
+std::optional<Witness> complete_exactly(const Problem& problem,
+                                        const std::vector<ContactMode>& modes);
+
+/// Newton's method in the three unknowns of d for balance with friction made smooth,
+/// -mu c_n clamp(T.d / epsilon), epsilon decreasing; then complete_exactly. Starts from d =
+/// `start`.
+std::optional<Witness> find_witness_near(const Problem& problem, const DoubleModel& model,
+                                         Double3 start);
+
+}  // namespace stickslip

@@ -57,6 +57,3 @@ target_link_libraries(stickslip_cgal INTERFACE stickslip_mpfr stickslip_gmp Boos
 if(STICKSLIP_BUILD_TESTS)
   stickslip_require_package(GTest libgtest-dev)
 endif()
-if(STICKSLIP_BUILD_BENCH)
-  stickslip_require_package(benchmark libbenchmark-dev)
-endif()

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/certificate/certificate.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "stickslip/core/error.hpp"
+
+namespace stickslip {
+namespace {
+
+/// NUMBER of FORMAT.md: a JSON integer where every JSON reader keeps it exact, else a string.
+std::string number(const Rational& value) {
+  static const Integer kExactInDoubles = Integer(1) << 53;
+  const std::string text = to_string(value);
+  if (denominator(value) == 1 && abs(numerator(value)) < kExactInDoubles) return text;
+  return '"' + text + '"';
+}
+
+template <class Numbers>
+std::string list(const Numbers& numbers) {
+  std::string text;
+  for (const auto& value : numbers) text += (text.empty() ? "" : ",") + number(Rational(value));
+  return text;
+}
+
+std::string indexed(const char* kind, ContactId contact) {
+  return std::string("[\"") + kind + "\"," + std::to_string(contact.index()) + "]";
+}
+
+struct NodeText {
+  std::string operator()(const SlipSplit& node) const { return indexed("slip", node.contact); }
+  std::string operator()(const SeparationSplit& node) const {
+    return indexed("separation", node.contact);
+  }
+  std::string operator()(const PlaneSplit& node) const {
+    return "[\"plane\"," + list(node.plane) + "]";
+  }
+  std::string operator()(const VirtualWorkLeaf& node) const {
+    std::string text = "[\"leaf\"," + list(node.twist);
+    if (!node.theta.empty()) {
+      text += ",[";
+      for (const auto& [contact, theta] : node.theta) {
+        if (text.back() == ']') text += ',';
+        text += "[" + std::to_string(contact.index()) + "," + number(theta) + "]";
+      }
+      text += "]";
+    }
+    return text + "]";
+  }
+  std::string operator()(const VoidLeaf&) const { return "[\"void\"]"; }
+};
+
+std::string question_text(const Question& question) {
+  std::string text = "{\"contacts\": " + std::to_string(question.loaded.grasp.size()) +
+                     ", \"wrench\": [" + list(coordinates(question.loaded.wrench)) + "]";
+  if (question.preload) text += ", \"preload\": " + number(*question.preload);
+  text += std::string(", \"normal_law\": \"") + to_string(question.law) + "\"";
+  if (!question.snapped.empty()) {
+    text += ", \"normals\": [";
+    for (const SnappedNormal& normal : question.snapped) {
+      if (text.back() == ']') text += ", ";
+      text += "[" + std::to_string(normal.contact.index()) + "," + number(normal.after.x) +
+              "," + number(normal.after.y) + "]";
+    }
+    text += "]";
+  }
+  return text + "}";
+}
+
+}  // namespace
+
+std::string certificate_text(const Question& question, const Verdict& verdict,
+                             const std::string& producer) {
+  require(!std::holds_alternative<Undecided>(verdict),
+          "an undecided question has no certificate");
+  std::string text = "{\"format\": \"stickslip-certificate/1\",\n \"producer\": " +
+                     nlohmann::json(producer).dump() +
+                     ",\n \"question\": " + question_text(question) + ",\n \"verdict\": \"" +
+                     name_of(verdict) + "\",\n";
+  std::string separator = "\n  ";
+  if (const auto* stable = std::get_if<Stable>(&verdict)) {
+    text += " \"twist\": [" + list(coordinates(stable->witness.twist)) + "],\n \"forces\": [";
+    for (const ContactForce& force : stable->witness.forces) {
+      text += separator + "[" + number(force.normal) + "," + number(force.tangential) + "]";
+      separator = ",\n  ";
+    }
+  } else {
+    text += " \"tree\": [";
+    for (const RefutationNode& node : std::get<Unstable>(verdict).refutation) {
+      text += separator + std::visit(NodeText{}, node);
+      separator = ",\n  ";
+    }
+  }
+  return text + "]}\n";
+}
+
+}  // namespace stickslip

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The subcommands of `stickslip`. Each adds itself to the command line and returns nothing;
+/// its work runs when its name was given, and sets `exit_code`.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace stickslip {
+
+enum ExitCode : int {
+  kDone = 0,
+  kBadInput = 2,
+  kUndecidedWithinLimit = 3,
+  kAnswerStable = 10,  ///< decide --exit-code, as SAT solvers answer
+  kAnswerUnstable = 20
+};
+
+void add_decide_command(CLI::App& app, int& exit_code);
+void add_states_command(CLI::App& app, int& exit_code);
+void add_export_command(CLI::App& app, int& exit_code);
+
+}  // namespace stickslip

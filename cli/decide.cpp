@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "question_options.hpp"
+#include "stickslip/certificate/certificate.hpp"
+#include "stickslip/core/file.hpp"
+#include "stickslip/core/sign.hpp"
+#include "stickslip/equilibrium/states_engine.hpp"
+#include "table.hpp"
+
+namespace stickslip {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// One contact of a stable verdict, as both outputs show it.
+struct ContactReport {
+  Rational length_squared;         ///< of the contact's normal
+  std::optional<Rational> length;  ///< if rational
+  ContactForce force;
+  Vector2 vector;  ///< the force in the object frame
+  Sign slip;
+  bool closed;
+
+  /// A coefficient's magnitude, exact, or nothing if irrational.
+  std::optional<Rational> magnitude(const Rational& coefficient) const {
+    if (coefficient.is_zero()) return Rational(0);
+    if (length) return Rational(coefficient * *length);
+    return std::nullopt;
+  }
+};
+
+std::vector<ContactReport> report_contacts(const Question& question, const Problem& problem,
+                                           const Witness& witness) {
+  std::vector<ContactReport> reports;
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    const Vector2& n = question.loaded.grasp.contacts()[i].normal;
+    const ContactRow& row = problem.rows()[i];
+    const ContactForce& f = witness.forces[i];
+    const Rational length_squared = n.x * n.x + n.y * n.y;
+    reports.push_back(
+        {length_squared,
+         exact_sqrt(length_squared),
+         f,
+         {f.normal * n.x - f.tangential * n.y, f.normal * n.y + f.tangential * n.x},
+         sign_of(power(row.tangent, witness.twist)),
+         row.normal_coefficient(witness.twist).sign() >= 0});
+  }
+  return reports;
+}
+
+Json magnitude_json(const ContactReport& contact, const Rational& coefficient) {
+  if (const auto exact = contact.magnitude(coefficient)) return to_string(*exact);
+  const DecimalEnclosure e = enclose_sqrt(coefficient, contact.length_squared);
+  return Json::array({e.lower, e.upper});
+}
+
+std::string magnitude_text(const ContactReport& contact, const Rational& coefficient) {
+  if (const auto exact = contact.magnitude(coefficient)) return to_string(*exact);
+  const DecimalEnclosure e = enclose_sqrt(coefficient, contact.length_squared, 6);
+  return e.lower + ".." + e.upper;
+}
+
+std::string tuple(std::initializer_list<Rational> numbers) {
+  std::string text;
+  for (const Rational& value : numbers) text += (text.empty() ? "(" : ", ") + to_string(value);
+  return text + ")";
+}
+
+struct TreeSize {
+  std::size_t nodes = 0;
+  std::size_t leaves = 0;
+};
+
+TreeSize size_of(const Refutation& refutation) {
+  TreeSize size{refutation.size(), 0};
+  for (const RefutationNode& node : refutation) {
+    size.leaves += std::holds_alternative<VirtualWorkLeaf>(node) ? 1 : 0;
+  }
+  return size;
+}
+
+Json stats_json(const StatesWork& work) {
+  return {{"states", work.states},
+          {"states_solved", work.states_solved},
+          {"separation_patterns_refuted", work.patterns},
+          {"linear_programs", work.programs},
+          {"double_pivots", work.double_pivots},
+          {"exact_pivots", work.exact_pivots},
+          {"bases_confirmed", work.bases_confirmed},
+          {"largest_bits", work.largest_bits}};
+}
+
+void print_json(const Question& question, const Problem& problem, const Verdict& verdict,
+                const StatesWork& work) {
+  Json json;
+  json["verdict"] = name_of(verdict);
+  json["name"] = question.loaded.grasp.name();
+  json["engine"] = "states";
+  json["normal_law"] = to_string(question.law);
+  Json& wrench = json["wrench"] = Json::array();
+  for (const Rational& value : coordinates(problem.wrench()))
+    wrench.push_back(to_string(value));
+  for (const SnappedNormal& normal : question.snapped) {
+    json["snapped_normals"].push_back(
+        {{"contact", normal.contact.index()},
+         {"normal", {to_string(normal.after.x), to_string(normal.after.y)}},
+         {"moved_at_most", normal.moved}});
+  }
+  if (const auto* stable = std::get_if<Stable>(&verdict)) {
+    Json& twist = json["twist"] = Json::array();
+    for (const Rational& value : coordinates(stable->witness.twist)) {
+      twist.push_back(to_string(value));
+    }
+    Json& contacts = json["contacts"] = Json::array();
+    for (const ContactReport& c : report_contacts(question, problem, stable->witness)) {
+      contacts.push_back({{"normal", magnitude_json(c, c.force.normal)},
+                          {"tangential", magnitude_json(c, c.force.tangential)},
+                          {"force", {to_string(c.vector.x), to_string(c.vector.y)}},
+                          {"slip", std::string(1, to_char(c.slip))},
+                          {"closed", c.closed}});
+    }
+  } else if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
+    const TreeSize size = size_of(unstable->refutation);
+    json["refutation"] = {{"nodes", size.nodes}, {"leaves", size.leaves}};
+  }
+  json["stats"] = stats_json(work);
+  std::cout << json.dump(1) << '\n';
+}
+
+void print_text(const Question& question, const Problem& problem, const Verdict& verdict,
+                const StatesWork& work) {
+  const std::string& name = question.loaded.grasp.name();
+  const Wrench& w = problem.wrench();
+  std::cout << (name.empty() ? "" : name + ": ") << name_of(verdict) << "\n\n"
+            << "  load w    " << tuple({w.x, w.y, w.torque}) << '\n';
+  for (const SnappedNormal& normal : question.snapped) {
+    std::cout << "  contact " << normal.contact.index() << ": normal snapped to "
+              << tuple({normal.after.x, normal.after.y}) << ", moved by at most "
+              << normal.moved << '\n';
+  }
+  if (const auto* stable = std::get_if<Stable>(&verdict)) {
+    const Twist& d = stable->witness.twist;
+    std::cout << "  motion d  " << tuple({d.x, d.y, d.r}) << "\n\n";
+    std::vector<std::vector<std::string>> rows{
+        {"contact", "normal", "tangential", "force", "slip", ""}};
+    std::size_t index = 0;
+    for (const ContactReport& c : report_contacts(question, problem, stable->witness)) {
+      rows.push_back({std::to_string(index++), magnitude_text(c, c.force.normal),
+                      magnitude_text(c, c.force.tangential), tuple({c.vector.x, c.vector.y}),
+                      std::string(1, to_char(c.slip)), c.closed ? "closed" : "open"});
+    }
+    std::cout << format_table(rows) << '\n'
+              << "These forces balance the load, lie in their friction cones and oppose slip; "
+                 "checked exactly.\n";
+  } else {
+    std::cout << "\nNo motion and forces satisfy all conditions: each of the " << work.states
+              << " slip states is refuted,\n"
+              << work.patterns << (work.patterns == 1 ? " case" : " cases")
+              << " in all, each by an exact virtual twist.\n";
+  }
+  std::cout << "Engine: states; normal law: " << to_string(question.law) << ".\n";
+}
+
+struct DecideArguments {
+  QuestionArguments question;
+  std::string engine = "auto";
+  std::string certificate;
+  bool json = false;
+  bool answer_by_exit_code = false;
+};
+
+int decide(const DecideArguments& arguments) {
+  const Question question = arguments.question.question();
+  const Problem problem(question.loaded, question.law);
+  StatesWork work;
+  const Verdict verdict = decide_by_states(problem, &work);
+  if (!arguments.certificate.empty()) {
+    write_whole_file(
+        arguments.certificate,
+        certificate_text(question, verdict, "stickslip " STICKSLIP_VERSION ", engine states"));
+  }
+  (arguments.json ? print_json : print_text)(question, problem, verdict, work);
+  if (std::holds_alternative<Undecided>(verdict)) return kUndecidedWithinLimit;
+  if (!arguments.answer_by_exit_code) return kDone;
+  return std::holds_alternative<Stable>(verdict) ? kAnswerStable : kAnswerUnstable;
+}
+
+}  // namespace
+
+void add_decide_command(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<DecideArguments>();
+  CLI::App* command = app.add_subcommand(
+      "decide", "Will the grasp hold its load passively? An exact verdict, with evidence");
+  arguments->question.add_to(*command);
+  command->add_option("--engine", arguments->engine, "How to decide; every engine is exact")
+      ->check(CLI::IsMember({"auto", "states"}))
+      ->capture_default_str();
+  command
+      ->add_option("--certificate", arguments->certificate,
+                   "Write a proof of the verdict for stickslip-check (certificate/FORMAT.md)")
+      ->type_name("FILE");
+  command->add_flag("--json", arguments->json, "Print one JSON object; rationals are strings");
+  command->add_flag("--exit-code", arguments->answer_by_exit_code,
+                    "Exit with 10 if stable, 20 if unstable");
+  command->footer(
+      "Example: stickslip decide fig1.json --wrench 0,-11/10,0 --preload 0\n"
+      "Exit codes: 0 done, 2 bad input or usage, 3 undecided within a limit.");
+  command->callback([arguments, &exit_code] { exit_code = decide(*arguments); });
+}
+
+}  // namespace stickslip

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include "commands.hpp"
+#include "question_options.hpp"
+#include "stickslip/certificate/smtlib.hpp"
+#include "stickslip/core/file.hpp"
+
+namespace stickslip {
+namespace {
+
+struct ExportArguments {
+  QuestionArguments question;
+  bool smt2 = false;
+  std::string output = "-";
+};
+
+}  // namespace
+
+void add_export_command(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<ExportArguments>();
+  CLI::App* command =
+      app.add_subcommand("export", "Write the question for other solvers, such as Z3 and cvc5");
+  arguments->question.add_to(*command);
+  command
+      ->add_flag("--smt2", arguments->smt2,
+                 "SMT-LIB 2, logic QF_LRA: sat means stable, unsat unstable")
+      ->required();
+  command->add_option("--output,-o", arguments->output, "File to write; - is standard output")
+      ->capture_default_str();
+  command->callback([arguments, &exit_code] {
+    write_whole_file(arguments->output, smtlib_text(arguments->question.question()));
+    exit_code = kDone;
+  });
+}
+
+}  // namespace stickslip

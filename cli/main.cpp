@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <iostream>
+
+#include "commands.hpp"
+#include "stickslip/core/error.hpp"
+
+int main(int argc, char** argv) {
+  CLI::App app("Exact passive stability of planar frictional grasps, with proofs.",
+               "stickslip");
+  app.set_version_flag("--version", "stickslip " STICKSLIP_VERSION);
+  app.require_subcommand(1);
+  app.get_formatter()->column_width(34);
+  app.footer(
+      "A grasp file is JSON: contacts (position, normal into the object, friction, stiffness,\n"
+      "preload) and the wrench applied to the object. Numbers are read exactly.\n"
+      "  stickslip decide grasp.json --certificate proof.json\n"
+      "  stickslip-check grasp.json proof.json\n"
+      "Exit codes: 0 done, 2 bad input or usage, 3 undecided within a limit.");
+  int exit_code = stickslip::kDone;
+  stickslip::add_decide_command(app, exit_code);
+  stickslip::add_states_command(app, exit_code);
+  stickslip::add_export_command(app, exit_code);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? stickslip::kDone : stickslip::kBadInput;
+  } catch (const stickslip::InputError& error) {
+    std::cerr << "stickslip: " << error.what() << '\n';
+    return stickslip::kBadInput;
+  }
+  std::cout.flush();
+  if (!std::cout) {
+    std::cerr << "stickslip: standard output could not be written\n";
+    return stickslip::kBadInput;
+  }
+  return exit_code;
+}

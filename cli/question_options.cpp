@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "question_options.hpp"
+
+#include <vector>
+
+#include "stickslip/core/error.hpp"
+
+namespace stickslip {
+namespace {
+
+Wrench wrench_option(const std::string& value) {
+  std::vector<Rational> numbers;
+  std::size_t start = 0;
+  while (start <= value.size()) {
+    const std::size_t comma = std::min(value.find(',', start), value.size());
+    numbers.push_back(number_option("--wrench", value.substr(start, comma - start)));
+    start = comma + 1;
+  }
+  if (numbers.size() != 3) {
+    throw InputError("", "--wrench",
+                     "\"" + value + "\" has " + std::to_string(numbers.size()) + " numbers",
+                     "give force x, force y and torque as in --wrench 0,-11/10,0");
+  }
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+}  // namespace
+
+Rational number_option(const std::string& option, const std::string& value) {
+  try {
+    return parse_rational(value);
+  } catch (const NumberError& error) {
+    throw InputError("", option, error.what(), "write it as 2, -0.25, 1e-3 or 3/5");
+  }
+}
+
+void add_grasp_argument(CLI::App& command, std::string& file) {
+  command.add_option("GRASP", file, "Grasp file (docs/grasp_file.md); - is standard input")
+      ->required();
+}
+
+void QuestionArguments::add_to(CLI::App& command) {
+  add_grasp_argument(command, file_);
+  command
+      .add_option("--wrench", wrench_,
+                  "Wrench applied to the object, force x, force y and torque about the origin "
+                  "(replaces the file's)")
+      ->type_name("WX,WY,T");
+  command.add_option("--preload", preload_, "Preload of every contact (replaces the file's)")
+      ->type_name("P");
+  command
+      .add_option("--normal-law", law_,
+                  "unilateral: contacts may open, c_n = max(0, P - k N.d). bilateral: the "
+                  "paper's Eq. 4 literally, c_n = P - k N.d >= 0")
+      ->check(CLI::IsMember({"unilateral", "bilateral"}))
+      ->capture_default_str();
+  command
+      .add_option(
+          "--snap-normals", snap_tolerance_,
+          "Replace each normal of irrational length by a rational unit vector within EPS "
+          "of its direction")
+      ->type_name("EPS");
+}
+
+Question QuestionArguments::question() const {
+  QuestionOptions options;
+  if (!wrench_.empty()) options.wrench = wrench_option(wrench_);
+  if (!preload_.empty()) options.preload = number_option("--preload", preload_);
+  if (!snap_tolerance_.empty()) {
+    options.snap_tolerance = number_option("--snap-normals", snap_tolerance_);
+  }
+  options.law = law_ == "bilateral" ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
+  return ask(read_grasp_file(file_), options);
+}
+
+}  // namespace stickslip

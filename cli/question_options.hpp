@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The grasp file and the options that say what is asked about it, shared by several
+/// subcommands.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "stickslip/equilibrium/question.hpp"
+
+namespace stickslip {
+
+class QuestionArguments {
+ public:
+  /// Adds GRASP, --wrench, --preload, --normal-law and --snap-normals.
+  void add_to(CLI::App& command);
+
+  const std::string& file() const { return file_; }
+  /// Reads the file and replaces what was asked. Throws InputError naming the file or option.
+  Question question() const;
+
+ private:
+  std::string file_;
+  std::string wrench_;
+  std::string preload_;
+  std::string snap_tolerance_;
+  std::string law_ = "unilateral";
+};
+
+/// The GRASP argument alone.
+void add_grasp_argument(CLI::App& command, std::string& file);
+
+/// The number in an option's value. Throws InputError naming the option.
+Rational number_option(const std::string& option, const std::string& value);
+
+}  // namespace stickslip

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Small tables of text for people.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace stickslip {
+
+/// Lines of right-aligned columns, two blanks apart; the first row is the heading.
+std::string format_table(const std::vector<std::vector<std::string>>& rows);
+
+}  // namespace stickslip

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Shared by the scripts: packages, quiet steps, messages.
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build=${STICKSLIP_BUILD_DIR:-$root/build}
+
+# Debian packages: what the programs need, and what only their tests need.
+build_packages=(g++ cmake ninja-build libcgal-dev libgmp-dev libmpfr-dev libboost-dev
+  libboost-graph-dev libeigen3-dev nlohmann-json3-dev libcli11-dev libtbb-dev)
+test_packages=(libgtest-dev libgmock-dev z3 cvc5 python3 ccache)
+
+fail() {
+  printf '\n%s: %s\n' "$(basename "$0")" "$1" >&2
+  exit 1
+}
+
+# step MESSAGE LOGNAME COMMAND...: runs quietly; on failure shows the end of the log.
+step() {
+  local message=$1 log=$build/log/$2.log
+  shift 2
+  mkdir -p "$build/log"
+  printf '%s ... ' "$message"
+  local start=$SECONDS
+  if "$@" >"$log" 2>&1 </dev/null; then
+    printf 'done (%d s)\n' $((SECONDS - start))
+  else
+    printf 'failed\n\n' >&2
+    grep -nE 'error|Error|FAILED' "$log" | head -n 20 >&2 || true
+    printf '%s\n' '-- the end of the log:' >&2
+    tail -n 15 "$log" >&2
+    fail "this step failed: $message. The whole log: $log"
+  fi
+}
+
+# install_packages PACKAGE...: those that are missing, by apt-get, as root or with sudo.
+install_packages() {
+  local missing=() package
+  for package in "$@"; do
+    dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
+  done
+  [ ${#missing[@]} -eq 0 ] && return
+  command -v apt-get >/dev/null || fail "missing packages: ${missing[*]} (Debian names). Install them and run again."
+  local as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || fail "missing packages: ${missing[*]}. As root: apt-get install ${missing[*]}"
+    as_root=(sudo)
+  fi
+  step "Updating the list of Debian packages" apt-update "${as_root[@]}" apt-get update
+  step "Installing ${missing[*]}" apt-install "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends "${missing[@]}"
+}
+
+jobs_for_build() { nproc 2>/dev/null || echo 2; }

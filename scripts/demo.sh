@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Builds stickslip in release and prints the paper's tables beside what exact arithmetic says.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+install_packages "${build_packages[@]}"
+step "Configuring" configure cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+  -DSTICKSLIP_BUILD_TESTS=OFF -DSTICKSLIP_BUILD_BENCH=OFF
+step "Building (a few minutes the first time)" build cmake --build "$build" -j "$(jobs_for_build)" \
+  --target stickslip stickslip-check paper_tables
+echo
+"$build/bin/paper_tables" "$root/paper_examples/grasps"
+cat <<MESSAGE
+
+Try it yourself:
+  $build/bin/stickslip decide $root/paper_examples/grasps/fig1.json
+  $build/bin/stickslip states $root/paper_examples/grasps/fig4.json --list
+MESSAGE

@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Builds everything with warnings as errors and runs every test. CI runs this script.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+install_packages "${build_packages[@]}" "${test_packages[@]}"
+step "Configuring" configure cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+  -DSTICKSLIP_BUILD_TESTS=ON -DSTICKSLIP_BUILD_BENCH=ON -DSTICKSLIP_WERROR=ON
+step "Building (several minutes the first time)" build cmake --build "$build" -j "$(jobs_for_build)"
+ctest --test-dir "$build" --output-on-failure -j "$(jobs_for_build)" "$@"

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The reference enumerator. CGAL builds the arrangement of the circles on the sphere; this
+// file, the only one that includes CGAL, reads its cells and their signs.
+//
+// What CGAL 5.5 needs to be right, found by measurement:
+//   - all circles at once: inserting them one by one gives wrong arrangements that its own
+//     is_valid() accepts;
+//   - circles that are distinct, and in generic position with respect to the poles and the
+//     meridian where it cuts the sphere (generic_position.hpp). Otherwise preconditions of its
+//     geometry traits fail, on two thirds of the grasps with axis-aligned normals; a release
+//     build does not look at them and is right by luck at most.
+// CGAL cuts every circle in two, at points of the plane y = 0. These artificial vertices are
+// not vertices of the arrangement of circles and are skipped: in generic position they are
+// exactly the vertices where all halfedges are of one circle.
+//
+// Signs need no arithmetic. Left of an arc that runs counterclockwise about the normal of its
+// circle that circle's sign is +, and crossing an edge changes one sign.
+#include <CGAL/Arr_curve_data_traits_2.h>
+#include <CGAL/Arr_extended_dcel.h>
+#include <CGAL/Arr_geodesic_arc_on_sphere_traits_2.h>
+#include <CGAL/Arr_spherical_topology_traits_2.h>
+#include <CGAL/Arrangement_on_surface_2.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "assemble_states.hpp"
+#include "generic_position.hpp"
+#include "sign_rows.hpp"
+#include "stickslip/arrangement/slip_states.hpp"
+#include "stickslip/core/error.hpp"
+
+#ifdef STICKSLIP_CHECKED
+#if defined(NDEBUG) || defined(CGAL_NDEBUG) || !defined(CGAL_CHECK_EXPENSIVE) || \
+    !defined(CGAL_CHECK_EXACTNESS)
+#error "the checked build must not switch off the assertions of CGAL"
+#endif
+static_assert(CGAL_ASSERTIONS_ENABLED, "the checked build needs the assertions of CGAL");
+#endif
+
+namespace stickslip {
+namespace {
+
+constexpr std::size_t kUnset = static_cast<std::size_t>(-1);
+
+/// What every arc carries: the circle that it is a part of.
+struct ArcLabel {
+  std::size_t circle = kUnset;
+};
+
+/// Two arcs overlap only if they are of one circle.
+struct MergeLabels {
+  ArcLabel operator()(const ArcLabel& a, const ArcLabel& b) const {
+    require(a.circle == b.circle, "cgal enumerator: arcs of two circles overlap");
+    return a;
+  }
+};
+
+/// What every face carries: its row of signs.
+struct FaceRow {
+  std::size_t row = kUnset;
+};
+
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Geometry =
+    CGAL::Arr_curve_data_traits_2<CGAL::Arr_geodesic_arc_on_sphere_traits_2<Kernel>, ArcLabel,
+                                  MergeLabels>;
+using Topology =
+    CGAL::Arr_spherical_topology_traits_2<Geometry,
+                                          CGAL::Arr_face_extended_dcel<Geometry, FaceRow>>;
+using Sphere = CGAL::Arrangement_on_surface_2<Geometry, Topology>;
+using Face = Sphere::Face_handle;
+using Halfedge = Sphere::Halfedge_const_handle;
+using Vertex = Sphere::Vertex_const_handle;
+
+/// Exact for any size. Through the exact type, so that the kernel's lazy number is a leaf and
+/// not a history of additions.
+Kernel::FT to_kernel(const Integer& value) {
+  using Exact = Kernel::FT::ET;
+  constexpr unsigned kDigitBits = 24;
+  std::vector<int> digits;
+  for (Integer rest = abs(value); !rest.is_zero(); rest >>= kDigitBits) {
+    digits.push_back(static_cast<int>(rest & ((1u << kDigitBits) - 1)));
+  }
+  Exact result(0);
+  for (auto digit = digits.rbegin(); digit != digits.rend(); ++digit) {
+    result = result * Exact(1 << kDigitBits) + Exact(*digit);
+  }
+  return Kernel::FT(value.sign() < 0 ? Exact(-result) : result);
+}
+
+std::vector<Kernel::Direction_3> to_kernel(const std::vector<IntegerVector3>& normals) {
+  std::vector<Kernel::Direction_3> directions;
+  directions.reserve(normals.size());
+  for (const IntegerVector3& n : normals) {
+    directions.emplace_back(to_kernel(n[0]), to_kernel(n[1]), to_kernel(n[2]));
+  }
+  return directions;
+}
+
+std::size_t circle_of(Halfedge edge) {
+  return edge->curve().data().circle;
+}
+
+/// Whether the halfedge runs as its arc does, hence counterclockwise about the arc's normal.
+bool is_counterclockwise(Halfedge edge) {
+  return (edge->direction() == CGAL::ARR_LEFT_TO_RIGHT) == edge->curve().is_directed_right();
+}
+
+/// The sign that the circle of the halfedge has on the face to its left.
+Sign sign_to_the_left(Halfedge edge) {
+  return is_counterclockwise(edge) ? Sign::kPositive : Sign::kNegative;
+}
+
+/// A vertex where circles cross, not a point where one circle was cut.
+bool is_crossing(Vertex vertex) {
+  const auto first = vertex->incident_halfedges();
+  auto edge = first;
+  do {
+    if (circle_of(edge) != circle_of(first)) return true;
+  } while (++edge != first);
+  return false;
+}
+
+/// Calls visit(halfedge) for every halfedge that has the face to its left. On a sphere CGAL
+/// may call any boundary of a face outer or inner.
+template <class Visit>
+void for_each_boundary_halfedge(Face face, Visit visit) {
+  const auto walk = [&visit](Sphere::Ccb_halfedge_circulator first) {
+    auto edge = first;
+    do visit(Sphere::Halfedge_handle(edge));
+    while (++edge != first);
+  };
+  for (auto ccb = face->outer_ccbs_begin(); ccb != face->outer_ccbs_end(); ++ccb) walk(*ccb);
+  for (auto ccb = face->inner_ccbs_begin(); ccb != face->inner_ccbs_end(); ++ccb) walk(*ccb);
+}
+
+/// Reads the cells of one arrangement. Faces are the first rows of `signs`.
+class CellReader {
+ public:
+  CellReader(Sphere& sphere, const std::vector<Kernel::Direction_3>& normals)
+      : sphere_(sphere), normals_(normals), signs_(normals.size()) {}
+
+  SignRows read(ArrangementCounts& counts) {
+    counts.faces = read_faces();
+    check_edges();
+    counts.edges = read_edges();
+    counts.vertices = read_vertices();
+    return std::move(signs_);
+  }
+
+ private:
+  std::size_t read_faces() {
+    walk_faces();
+    require(signs_.size() == sphere_.number_of_faces(),
+            "cgal enumerator: the faces are not connected");
+    orient_walk();
+    return signs_.size();
+  }
+
+  /// Gives each face its signs relative to those of the first face.
+  void walk_faces() {
+    std::vector<Face> reached;
+    const auto reach = [&](Face face, std::size_t row) {
+      face->set_data({row});
+      reached.push_back(face);
+    };
+    reach(sphere_.faces_begin(), signs_.add());
+    for (std::size_t next = 0; next < reached.size(); ++next) {
+      const std::size_t row = reached[next]->data().row;
+      for_each_boundary_halfedge(reached[next], [&](Sphere::Halfedge_handle edge) {
+        const Face neighbour = edge->twin()->face();
+        if (neighbour->data().row != kUnset) return;
+        const std::size_t new_row = signs_.add_copy(row);
+        signs_.flip(new_row, circle_of(edge));
+        reach(neighbour, new_row);
+      });
+    }
+  }
+
+  /// Turns relative signs into signs: one edge of each circle says which is which.
+  void orient_walk() {
+    std::vector<bool> seen(signs_.circles(), false);
+    std::vector<bool> reversed(signs_.circles(), false);
+    for (auto edge = sphere_.edges_begin(); edge != sphere_.edges_end(); ++edge) {
+      const std::size_t c = circle_of(edge);
+      if (seen[c]) continue;
+      seen[c] = true;
+      reversed[c] = signs_.get(edge->face()->data().row, c) != sign_to_the_left(edge);
+    }
+    signs_.flip_all(reversed);
+  }
+
+  /// Every edge, the artificial ones included, against the two faces beside it.
+  void check_edges() const {
+    for (auto edge = sphere_.edges_begin(); edge != sphere_.edges_end(); ++edge) {
+      const std::size_t c = circle_of(edge);
+      const std::size_t left = edge->face()->data().row;
+      const std::size_t right = edge->twin()->face()->data().row;
+      require(edge->curve().normal() == normals_[c],
+              "cgal enumerator: an edge does not lie on its circle");
+      require(signs_.get(left, c) == sign_to_the_left(edge) &&
+                  signs_.get(right, c) == sign_to_the_left(edge->twin()),
+              "cgal enumerator: an edge contradicts the sign of its circle beside it");
+      require(signs_.differ_exactly_at(left, right, c),
+              "cgal enumerator: the faces beside an edge differ in more than its circle");
+    }
+  }
+
+  /// An edge of the arrangement is a chain of CGAL's edges; it is counted where it starts, in
+  /// the counterclockwise direction. A circle that crosses no other is one closed edge.
+  std::size_t read_edges() {
+    std::size_t count = 0;
+    for (auto edge = sphere_.edges_begin(); edge != sphere_.edges_end(); ++edge) {
+      const Halfedge forward = is_counterclockwise(edge) ? Halfedge(edge) : edge->twin();
+      if (!is_crossing(forward->source())) continue;
+      add_edge(forward);
+      ++count;
+    }
+    if (count == 0) {
+      add_edge(sphere_.edges_begin());
+      ++count;
+    }
+    return count;
+  }
+
+  void add_edge(Halfedge edge) {
+    signs_.set(signs_.add_copy(edge->face()->data().row), circle_of(edge), Sign::kZero);
+  }
+
+  std::size_t read_vertices() {
+    std::size_t count = 0;
+    std::size_t crossings = 0;
+    for (auto vertex = sphere_.vertices_begin(); vertex != sphere_.vertices_end(); ++vertex) {
+      require(!vertex->is_isolated(), "cgal enumerator: isolated vertex");
+      if (!is_crossing(vertex)) continue;
+      const std::size_t circles = add_vertex(vertex);
+      crossings += circles * (circles - 1) / 2;
+      ++count;
+    }
+    const std::size_t k = normals_.size();
+    require(crossings == k * (k - 1),
+            "cgal enumerator: two circles do not cross in exactly two points");
+    return count;
+  }
+
+  /// Adds the vertex's signs; gives the number of circles through it.
+  std::size_t add_vertex(Vertex vertex) {
+    const auto first = vertex->incident_halfedges();
+    const std::size_t row = signs_.add_copy(first->face()->data().row);
+    std::size_t circles = 0;
+    auto edge = first;
+    do {
+      const std::size_t c = circle_of(edge);
+      if (signs_.get(row, c) == Sign::kZero) continue;
+      signs_.set(row, c, Sign::kZero);
+      ++circles;
+    } while (++edge != first);
+    require(vertex->degree() == 2 * circles,
+            "cgal enumerator: a circle does not pass straight through a vertex");
+    return circles;
+  }
+
+  Sphere& sphere_;
+  const std::vector<Kernel::Direction_3>& normals_;
+  SignRows signs_;
+};
+
+SignRows enumerate_cells(const std::vector<IntegerVector3>& circle_normals,
+                         ArrangementCounts& counts) {
+  const std::vector<Kernel::Direction_3> normals =
+      to_kernel(in_generic_position(circle_normals));
+  const Geometry geometry;
+  const auto great_circle = geometry.construct_curve_2_object();
+  std::vector<Geometry::Curve_2> curves;
+  curves.reserve(normals.size());
+  for (std::size_t c = 0; c < normals.size(); ++c) {
+    curves.emplace_back(great_circle(normals[c]), ArcLabel{c});
+  }
+  Sphere sphere(&geometry);
+  CGAL::insert(sphere, curves.begin(), curves.end());
+  return CellReader(sphere, normals).read(counts);
+}
+
+SignRows one_face(ArrangementCounts& counts) {
+  counts.faces = 1;
+  SignRows rows(0);
+  rows.add();
+  return rows;
+}
+
+}  // namespace
+
+SlipStates enumerate_slip_states_cgal(const std::vector<Vector3>& plane_normals) {
+  const GreatCircles circles = merge_planes(plane_normals);
+  ArrangementCounts counts;
+  try {
+    SignRows cells =
+        circles.normals.empty() ? one_face(counts) : enumerate_cells(circles.normals, counts);
+    return assemble_states(circles, std::move(cells), counts);
+  } catch (const CGAL::Failure_exception& failure) {
+    throw ContractError(std::string("cgal enumerator: ") + failure.what());
+  }
+}
+
+}  // namespace stickslip

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/arrangement/great_circles.hpp"
+
+#include <map>
+#include <utility>
+
+#include "integer_vector.hpp"
+#include "stickslip/core/contact_row.hpp"
+#include "stickslip/core/error.hpp"
+
+namespace stickslip {
+namespace {
+
+/// The primitive integer vector on the line of `v` whose first nonzero entry is positive,
+/// and the side of it on which `v` lies. Requires v != 0.
+std::pair<IntegerVector3, Sign> primitive_representative(const Vector3& v) {
+  Integer scale = 1;
+  for (const Rational& entry : v) scale = lcm(scale, Integer(denominator(entry)));
+  IntegerVector3 result;
+  Integer content = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    result[i] = Integer(numerator(v[i])) * (scale / Integer(denominator(v[i])));
+    content = gcd(content, result[i]);
+  }
+  Sign side = Sign::kZero;
+  for (const Integer& entry : result) {
+    if (side == Sign::kZero) side = sign_of(entry);
+  }
+  require(side != Sign::kZero, "merge_planes: the normal of a plane is zero");
+  if (side == Sign::kNegative) content = -content;
+  for (Integer& entry : result) entry /= content;
+  return {std::move(result), side};
+}
+
+/// Grows the rank one normal at a time: the first direction, then the first independent
+/// pair's cross product, are all that later normals have to be compared with.
+int rank_of_distinct(const std::vector<IntegerVector3>& normals) {
+  if (normals.size() < 2) return static_cast<int>(normals.size());
+  const IntegerVector3 axis = cross(normals[0], normals[1]);
+  for (const IntegerVector3& n : normals) {
+    if (!dot(axis, n).is_zero()) return 3;
+  }
+  return 2;
+}
+
+}  // namespace
+
+GreatCircles merge_planes(const std::vector<Vector3>& plane_normals) {
+  GreatCircles result;
+  std::map<IntegerVector3, CircleId> known;
+  for (const Vector3& plane : plane_normals) {
+    auto [normal, side] = primitive_representative(plane);
+    const auto [entry, is_new] = known.emplace(normal, CircleId(result.normals.size()));
+    if (is_new) result.normals.push_back(std::move(normal));
+    result.circle.push_back(entry->second);
+    result.orientation.push_back(side);
+  }
+  result.rank = rank_of_distinct(result.normals);
+  return result;
+}
+
+std::vector<Vector3> stick_planes(const Grasp& grasp) {
+  std::vector<Vector3> planes;
+  planes.reserve(grasp.size());
+  for (const Contact& contact : grasp.contacts()) {
+    planes.push_back(coordinates(tangent_row(contact)));
+  }
+  return planes;
+}
+
+}  // namespace stickslip

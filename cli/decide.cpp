@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/equilibrium/decide.hpp"
+
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -8,7 +10,6 @@
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/sign.hpp"
-#include "stickslip/equilibrium/states_engine.hpp"
 #include "table.hpp"
 
 namespace stickslip {
@@ -70,36 +71,19 @@ std::string tuple(std::initializer_list<Rational> numbers) {
   return text + ")";
 }
 
-struct TreeSize {
-  std::size_t nodes = 0;
-  std::size_t leaves = 0;
-};
-
-TreeSize size_of(const Refutation& refutation) {
-  TreeSize size{refutation.size(), 0};
-  for (const RefutationNode& node : refutation) {
-    size.leaves += std::holds_alternative<VirtualWorkLeaf>(node) ? 1 : 0;
-  }
-  return size;
+Json stats_json(const Decision& decision) {
+  Json json = Json::object();
+  const auto all = std::visit([](const auto& work) { return counters(work); }, decision.work);
+  for (const auto& [name, value] : all) json[name] = value;
+  return json;
 }
 
-Json stats_json(const StatesWork& work) {
-  return {{"states", work.states},
-          {"states_solved", work.states_solved},
-          {"separation_patterns_refuted", work.patterns},
-          {"linear_programs", work.programs},
-          {"double_pivots", work.double_pivots},
-          {"exact_pivots", work.exact_pivots},
-          {"bases_confirmed", work.bases_confirmed},
-          {"largest_bits", work.largest_bits}};
-}
-
-void print_json(const Question& question, const Problem& problem, const Verdict& verdict,
-                const StatesWork& work) {
+void print_json(const Question& question, const Problem& problem, const Decision& decision) {
   Json json;
+  const Verdict& verdict = decision.verdict;
   json["verdict"] = name_of(verdict);
   json["name"] = question.loaded.grasp.name();
-  json["engine"] = "states";
+  json["engine"] = decision.engine();
   json["normal_law"] = to_string(question.law);
   Json& wrench = json["wrench"] = Json::array();
   for (const Rational& value : coordinates(problem.wrench()))
@@ -124,15 +108,38 @@ void print_json(const Question& question, const Problem& problem, const Verdict&
                           {"closed", c.closed}});
     }
   } else if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
-    const TreeSize size = size_of(unstable->refutation);
-    json["refutation"] = {{"nodes", size.nodes}, {"leaves", size.leaves}};
+    const RefutationSummary summary = summarize(unstable->refutation);
+    json["refutation"] = {{"nodes", summary.nodes}, {"leaves", summary.leaves}};
+  } else {
+    json["limit"] = std::get<Undecided>(verdict).limit;
   }
-  json["stats"] = stats_json(work);
+  json["stats"] = stats_json(decision);
   std::cout << json.dump(1) << '\n';
 }
 
-void print_text(const Question& question, const Problem& problem, const Verdict& verdict,
-                const StatesWork& work) {
+void explain(const RefutationSummary& summary) {
+  const IntegerVector<3>& y = summary.largest_case_twist;
+  const std::string twist = tuple({Rational(y[0]), Rational(y[1]), Rational(y[2])});
+  if (summary.leaves == 0) {
+    std::cout << "\nThe normal law allows no motion at all.\n";
+    return;
+  }
+  if (summary.largest_case.empty()) {
+    std::cout << "\nWhatever the contacts do, moving the object along the twist " << twist
+              << "\nthey lose against the load: it does more work than they can take up.\n";
+    return;
+  }
+  std::cout
+      << "\nNo motion and forces satisfy all conditions. Proved in " << summary.leaves
+      << " cases, each by a virtual\ntwist along which the contacts lose against the load. The "
+         "largest case:\n";
+  for (const std::string& condition : summary.largest_case)
+    std::cout << "  " << condition << '\n';
+  std::cout << "  twist " << twist << "\n\n";
+}
+
+void print_text(const Question& question, const Problem& problem, const Decision& decision) {
+  const Verdict& verdict = decision.verdict;
   const std::string& name = question.loaded.grasp.name();
   const Wrench& w = problem.wrench();
   std::cout << (name.empty() ? "" : name + ": ") << name_of(verdict) << "\n\n"
@@ -156,19 +163,21 @@ void print_text(const Question& question, const Problem& problem, const Verdict&
     std::cout << format_table(rows) << '\n'
               << "These forces balance the load, lie in their friction cones and oppose slip; "
                  "checked exactly.\n";
+  } else if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
+    explain(summarize(unstable->refutation));
   } else {
-    std::cout << "\nNo motion and forces satisfy all conditions: each of the " << work.states
-              << " slip states is refuted,\n"
-              << work.patterns << (work.patterns == 1 ? " case" : " cases")
-              << " in all, each by an exact virtual twist.\n";
+    std::cout << "\nGiven up at " << std::get<Undecided>(verdict).limit
+              << "; nothing is known about the verdict.\n";
   }
-  std::cout << "Engine: states; normal law: " << to_string(question.law) << ".\n";
+  std::cout << "Engine: " << decision.engine() << "; normal law: " << to_string(question.law)
+            << ".\n";
 }
 
 struct DecideArguments {
   QuestionArguments question;
   std::string engine = "auto";
   std::string certificate;
+  std::size_t node_limit = 0;
   bool json = false;
   bool answer_by_exit_code = false;
 };
@@ -176,14 +185,18 @@ struct DecideArguments {
 int decide(const DecideArguments& arguments) {
   const Question question = arguments.question.question();
   const Problem problem(question.loaded, question.law);
-  StatesWork work;
-  const Verdict verdict = decide_by_states(problem, &work);
-  if (!arguments.certificate.empty()) {
-    write_whole_file(
-        arguments.certificate,
-        certificate_text(question, verdict, "stickslip " STICKSLIP_VERSION ", engine states"));
+  const Engine engine = arguments.engine == "states" ? Engine::kStates
+                        : arguments.engine == "cone" ? Engine::kCone
+                                                     : Engine::kAuto;
+  const Decision decision = stickslip::decide(problem, engine, arguments.node_limit);
+  const Verdict& verdict = decision.verdict;
+  if (!arguments.certificate.empty() && !std::holds_alternative<Undecided>(verdict)) {
+    write_whole_file(arguments.certificate,
+                     certificate_text(question, verdict,
+                                      std::string("stickslip " STICKSLIP_VERSION ", engine ") +
+                                          decision.engine()));
   }
-  (arguments.json ? print_json : print_text)(question, problem, verdict, work);
+  (arguments.json ? print_json : print_text)(question, problem, decision);
   if (std::holds_alternative<Undecided>(verdict)) return kUndecidedWithinLimit;
   if (!arguments.answer_by_exit_code) return kDone;
   return std::holds_alternative<Stable>(verdict) ? kAnswerStable : kAnswerUnstable;
@@ -196,13 +209,22 @@ void add_decide_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "decide", "Will the grasp hold its load passively? An exact verdict, with evidence");
   arguments->question.add_to(*command);
-  command->add_option("--engine", arguments->engine, "How to decide; every engine is exact")
-      ->check(CLI::IsMember({"auto", "states"}))
+  command
+      ->add_option(
+          "--engine", arguments->engine,
+          "How to decide; every engine is exact. states: the system of every slip state. cone: "
+          "branch and bound, for many contacts. auto: states for few contacts, else cone")
+      ->check(CLI::IsMember({"auto", "states", "cone"}))
       ->capture_default_str();
   command
       ->add_option("--certificate", arguments->certificate,
                    "Write a proof of the verdict for stickslip-check (certificate/FORMAT.md)")
       ->type_name("FILE");
+  command
+      ->add_option("--node-limit", arguments->node_limit,
+                   "Let the cone engine give up, undecided, after N nodes; 0 is no limit")
+      ->type_name("N")
+      ->capture_default_str();
   command->add_flag("--json", arguments->json, "Print one JSON object; rationals are strings");
   command->add_flag("--exit-code", arguments->answer_by_exit_code,
                     "Exit with 10 if stable, 20 if unstable");

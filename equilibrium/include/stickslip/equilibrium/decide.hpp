@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// One call for a verdict, by either engine.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "stickslip/equilibrium/cone_engine.hpp"
+#include "stickslip/equilibrium/states_engine.hpp"
+
+namespace stickslip {
+
+/// kAuto is kStates up to kMostContactsForStates contacts, kCone beyond.
+enum class Engine { kAuto, kStates, kCone };
+
+/// Up to here the reference engine takes a few milliseconds (bench/README.md).
+inline constexpr std::size_t kMostContactsForStates = 4;
+
+struct Decision {
+  Verdict verdict;
+  std::variant<StatesWork, ConeWork> work;  ///< of the engine that ran
+
+  /// "states" or "cone".
+  const char* engine() const {
+    return std::holds_alternative<StatesWork>(work) ? "states" : "cone";
+  }
+};
+
+/// `node_limit` applies to the cone engine; 0 is none.
+Decision decide(const Problem& problem, Engine engine = Engine::kAuto,
+                std::size_t node_limit = 0);
+
+/// The counters by name, in a fixed order.
+std::vector<std::pair<std::string, std::size_t>> counters(const StatesWork& work);
+std::vector<std::pair<std::string, std::size_t>> counters(const ConeWork& work);
+
+/// What a refutation says, for people.
+struct RefutationSummary {
+  std::size_t nodes = 0;
+  std::size_t leaves = 0;  ///< cases: virtual-work leaves
+  /// The conditions of the case with the fewest, in words ("contact 3 slips +"), and its twist.
+  std::vector<std::string> largest_case;
+  IntegerVector<3> largest_case_twist{};
+};
+
+RefutationSummary summarize(const Refutation& refutation);
+
+}  // namespace stickslip

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/equilibrium/decide.hpp"
+
+namespace stickslip {
+namespace {
+
+/// The conditions that lead to the children of a node, in order; none for a leaf.
+std::vector<std::string> child_conditions(const RefutationNode& node) {
+  if (const auto* slip = std::get_if<SlipSplit>(&node)) {
+    const std::string contact = "contact " + std::to_string(slip->contact.index());
+    return {contact + " slips +", contact + " sticks", contact + " slips -"};
+  }
+  if (const auto* separation = std::get_if<SeparationSplit>(&node)) {
+    const std::string contact = "contact " + std::to_string(separation->contact.index());
+    return {contact + " is closed", contact + " is open"};
+  }
+  if (const auto* plane = std::get_if<PlaneSplit>(&node)) {
+    std::string text;
+    for (const Integer& entry : plane->plane) text += (text.empty() ? "" : ", ") + entry.str();
+    return {"(" + text + ").x >= 0", "(" + text + ").x <= 0"};
+  }
+  return {};
+}
+
+}  // namespace
+
+Decision decide(const Problem& problem, Engine engine, std::size_t node_limit) {
+  if (engine == Engine::kAuto) {
+    engine = problem.size() <= kMostContactsForStates ? Engine::kStates : Engine::kCone;
+  }
+  if (engine == Engine::kStates) {
+    StatesWork work;
+    Verdict verdict = decide_by_states(problem, &work);
+    return {std::move(verdict), work};
+  }
+  ConeWork work;
+  ConeOptions options;
+  options.node_limit = node_limit;
+  Verdict verdict = decide_by_cones(problem, options, &work);
+  return {std::move(verdict), work};
+}
+
+std::vector<std::pair<std::string, std::size_t>> counters(const StatesWork& work) {
+  return {{"states", work.states},
+          {"states_solved", work.states_solved},
+          {"separation_patterns_refuted", work.patterns},
+          {"linear_programs", work.programs},
+          {"double_pivots", work.double_pivots},
+          {"exact_pivots", work.exact_pivots},
+          {"bases_confirmed", work.bases_confirmed},
+          {"largest_bits", work.largest_bits}};
+}
+
+std::vector<std::pair<std::string, std::size_t>> counters(const ConeWork& work) {
+  return {{"nodes", work.nodes},
+          {"leaves", work.leaves},
+          {"void_leaves", work.voids},
+          {"slip_splits", work.slip_splits},
+          {"separation_splits", work.separation_splits},
+          {"depth", work.depth},
+          {"searches", work.searches},
+          {"support_points", work.support_points},
+          {"filter_hits", work.filter_hits},
+          {"filter_misses", work.filter_misses},
+          {"exact_programs", work.exact_programs},
+          {"witness_attempts", work.witness_attempts},
+          {"largest_twist_bits", work.largest_twist_bits}};
+}
+
+RefutationSummary summarize(const Refutation& refutation) {
+  RefutationSummary summary;
+  summary.nodes = refutation.size();
+  // The path to the current node: the conditions of the children still to come, last first.
+  struct Level {
+    std::vector<std::string> conditions;
+    std::size_t current = 0;
+  };
+  std::vector<Level> path;
+  bool found = false;
+  for (const RefutationNode& node : refutation) {
+    if (const auto* leaf = std::get_if<VirtualWorkLeaf>(&node)) {
+      ++summary.leaves;
+      if (!found || path.size() < summary.largest_case.size()) {
+        found = true;
+        summary.largest_case.clear();
+        for (const Level& level : path) {
+          summary.largest_case.push_back(level.conditions[level.current]);
+        }
+        summary.largest_case_twist = leaf->twist;
+      }
+    }
+    std::vector<std::string> conditions = child_conditions(node);
+    if (!conditions.empty()) {
+      path.push_back({std::move(conditions), 0});
+      continue;
+    }
+    while (!path.empty() && ++path.back().current == path.back().conditions.size()) {
+      path.pop_back();
+    }
+  }
+  return summary;
+}
+
+}  // namespace stickslip

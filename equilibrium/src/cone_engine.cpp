@@ -177,19 +177,17 @@ class ConeEngine {
     }
     node.questions.resize(kept);
     heights_.resize(kept * ray_count);
-    pushes_.assign(ray_count, false);
+    loaded_.assign(ray_count, false);
     const Double4 push = to_doubles(node.settled.push);
     for (std::size_t r = 0; r < ray_count; ++r) {
       double value = 0;
-      pushes_[r] = rays_[r][3] != 0 ||
+      loaded_[r] = rays_[r][3] != 0 ||
                    exact_or_certain(push, node.settled.push, r, value) == Sign::kPositive;
-      for (std::size_t q = 0; q < kept; ++q) {
-        pushes_[r] = pushes_[r] || heights_[q * ray_count + r] > 0;
-      }
     }
   }
 
-  void find_slip_sign(const Node& node, OpenQuestion& q) const {
+  /// The rule "has the sign" of FORMAT.md, on the rays at hand.
+  void find_slip_sign(const Node& node, OpenQuestion& q) {
     const ContactId contact(q.contact);
     if (node.region.label(contact)) {
       q.slip_cuts = false;
@@ -197,20 +195,23 @@ class ConeEngine {
     }
     bool positive = false;
     bool negative = false;
+    zero_rays_.clear();
+    const std::size_t first_ray = 2 * node.region.cone().lines().size();
     for (std::size_t r = 0; r < rays_.size() && !(positive && negative); ++r) {
       double value = 0;
       const Sign sign = exact_or_certain(model_.contacts[q.contact].slip,
                                          problem_.slip_plane(contact), r, value);
       positive = positive || sign == Sign::kPositive;
       negative = negative || sign == Sign::kNegative;
+      if (sign == Sign::kZero && r >= first_ray) {
+        zero_rays_.push_back(&node.region.cone().rays()[r - first_ray]);
+      }
     }
     if (positive && negative) return;
     if (!positive && !negative) {
       q.slip_cuts = false;  // sticks everywhere: friction is free, and a split would not help
-      return;
-    }
-    if (const std::optional<Sign> sign = node.region.slip_sign(problem_, contact)) {
-      q.slip = static_cast<std::int8_t>(to_int(*sign));
+    } else if (node.region.is_barred(zero_rays_)) {
+      q.slip = positive ? 1 : -1;
     }
   }
 
@@ -260,7 +261,6 @@ class ConeEngine {
     // Rays are scaled to comparable wrenches; a ray on which no contact pushes has none.
     omegas_.assign(ray_count, 0.0);
     for (std::size_t r = 0; r < ray_count; ++r) {
-      if (!pushes_[r]) continue;
       double push = std::fabs(rays_[r][3]) * model_.force;
       for (std::size_t q = 0; q < questions.size(); ++q) {
         push += std::max(0.0, heights_[q * ray_count + r]);
@@ -293,12 +293,15 @@ class ConeEngine {
       double worst = -HUGE_VAL;
       std::size_t worst_ray = ray_count;
       for (std::size_t r = 0; r < ray_count; ++r) {
-        if (!(omegas_[r] > 0)) continue;
         double g = dot(form, rays_[r]);
+        bool acts = loaded_[r];
         for (std::size_t q = 0; q < questions.size(); ++q) {
           const double height = heights_[q * ray_count + r];
-          g += alphas[q] * share(questions[q], height, alphas[q]);
+          const double a = share(questions[q], height, alphas[q]);
+          g += alphas[q] * a;
+          acts = acts || a > 0;
         }
+        if (!acts) continue;  // g is 0 there, and h is 0, so the ray is barred
         const double scaled = g / omegas_[r];
         if (scaled > worst) {
           worst = scaled;
@@ -381,7 +384,9 @@ class ConeEngine {
         }
       }
       if (question.separation == Separation::kMixed) {
-        const double gap = a * (a - v) / c.stiffness;
+        // The search lets a be anything from 0 up; a = max(0, v) is the law.
+        const double closed = std::max(0.0, v);
+        const double gap = std::fabs(a - closed) * std::max(a, closed) / c.stiffness;
         if (gap > widest) {
           widest = gap;
           split = SeparationSplit{contact};
@@ -440,7 +445,7 @@ class ConeEngine {
       const Double4& x = rays_[r];
       double g = x[3] * work;
       double magnitude = std::fabs(x[3]) * work_magnitude;
-      if (!pushes_[r]) continue;  // g is 0 exactly, and so is h: the ray is barred
+      bool acts = loaded_[r];
       for (std::size_t k = 0; k < 4; ++k) {
         for (std::size_t j = 0; j < 3; ++j) {
           g += y[j] * node.settled.value[j][k] * x[k];
@@ -457,13 +462,15 @@ class ConeEngine {
         const double height_magnitude = magnitude_of(c.separation, x);
         if (question.separation == Separation::kMixed) {
           // alpha max(0, v) if alpha > 0, else 0; the signs of heights are exact.
-          if (height <= 0) continue;
+          if (height <= 0 || a < -alpha_error(alpha_magnitude)) continue;
           g += std::max(0.0, a) * height;
         } else {
           g += a * height;
         }
+        acts = acts || height > 0;
         magnitude += alpha_magnitude * height_magnitude;
       }
+      if (!acts) continue;  // g is 0 exactly, and so is h: the ray is barred
       // Each term has fewer than 16 roundings and each is summed at most `terms` times.
       const double bound = 1.2e-16 * (terms + 32) * magnitude + 1e-280;
       if (g > bound) return -1;
@@ -471,6 +478,9 @@ class ConeEngine {
     }
     return answer;
   }
+
+  /// alpha has 6 products of two factors each rounded once: below 16 roundings.
+  static double alpha_error(double magnitude) { return 2e-15 * magnitude + 1e-290; }
 
   static double magnitude_of(const ContactDoubles& c, const Double3& y) {
     double sum = 0;
@@ -526,8 +536,9 @@ class ConeEngine {
   std::vector<IntegerVector4> directions_;
   std::vector<Double4> rays_;
   std::vector<double> heights_;  ///< v_i(r), questions by rays
-  std::vector<bool> pushes_;     ///< whether any wrench acts at the ray
+  std::vector<bool> loaded_;     ///< whether the load or a settled contact acts at the ray
   std::vector<double> omegas_;
+  std::vector<const Ray*> zero_rays_;
 };
 
 }  // namespace

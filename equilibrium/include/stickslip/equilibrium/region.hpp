@@ -39,13 +39,14 @@ class Region {
   /// its cone; nothing when friction may lie anywhere in it ("has the sign", FORMAT.md).
   std::optional<Sign> slip_sign(const Problem& problem, ContactId contact) const;
 
-  /// True if some strict function is 0 on all rays: no solution lies here.
+  /// True if some strict function is 0 on all of these rays of cone(): no solution is a
+  /// combination of them and lines alone.
+  bool is_barred(const std::vector<const Ray*>& rays) const;
+
+  /// True if all rays are barred: no solution lies here.
   bool is_void() const;
 
  private:
-  bool is_barred(const std::vector<const Ray*>& rays) const;
-  friend bool refutes(const Problem&, const Region&, const VirtualWorkLeaf&);
-
   Cone cone_;
   std::vector<std::optional<Sign>> labels_;
   std::vector<ConstraintIndex> strict_{0};  ///< increasing; h is constraint 0

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// Deep, long and large input: bounded stack and memory, and an answer.
+#include <gtest/gtest.h>
+
+#include <streambuf>
+
+#include "support.hpp"
+
+namespace stickslip_check {
+namespace {
+
+/// A text that is a beginning, a piece repeated, and an end, without being in memory.
+class Repeated : public std::streambuf {
+ public:
+  Repeated(std::string begin, std::string piece, std::uint64_t times, std::string end)
+      : begin_(std::move(begin)),
+        piece_(std::move(piece)),
+        times_(times),
+        end_(std::move(end)) {
+    setg(begin_.data(), begin_.data(), begin_.data() + begin_.size());
+  }
+
+ protected:
+  int_type underflow() override {
+    if (times_ > 0) {
+      --times_;
+      setg(piece_.data(), piece_.data(), piece_.data() + piece_.size());
+    } else if (!ended_) {
+      ended_ = true;
+      setg(end_.data(), end_.data(), end_.data() + end_.size());
+    } else {
+      return traits_type::eof();
+    }
+    return traits_type::to_int_type(*gptr());
+  }
+
+ private:
+  std::string begin_;
+  std::string piece_;
+  std::uint64_t times_;
+  std::string end_;
+  bool ended_ = false;
+};
+
+Answer ask_stream(const std::string& grasp, Repeated certificate) {
+  std::istringstream grasp_in(grasp);
+  std::istream certificate_in(&certificate);
+  return check(grasp_in, certificate_in, {});
+}
+
+std::string row_of_contacts(int m) {
+  std::string text =
+      R"({"format": "stickslip-grasp/1", "defaults": {"friction": 1}, "contacts": [)";
+  for (int i = 0; i < m; ++i) {
+    text += (i == 0 ? "" : ",") + std::string(R"({"position": [0, )") + std::to_string(i) +
+            R"(], "normal": [1, 0]})";
+  }
+  return text + R"(], "wrench": [1, 0, 0]})";
+}
+
+TEST(Hostile, DeepTree) {
+  // A path of 2m + 64 nodes: all slips, all separations, all planes, then a leaf each.
+  constexpr int kContacts = 300;
+  std::vector<std::string> nodes;
+  std::vector<std::string> tail;
+  const std::string leaf = "[\"leaf\", -1, 0, 0]";
+  for (int i = 0; i < kContacts; ++i) {
+    nodes.push_back("[\"slip\", " + std::to_string(i) + "]");
+    nodes.push_back("[\"separation\", " + std::to_string(i) + "]");
+    tail.insert(tail.end(), 3, leaf);
+  }
+  for (int i = 0; i < 64; ++i) {
+    nodes.push_back("[\"plane\", 0, 0, 1, " + std::to_string(1000 + i) + "]");
+    tail.push_back(leaf);
+  }
+  nodes.push_back(leaf);
+  nodes.insert(nodes.end(), tail.begin(), tail.end());
+  const std::string grasp = row_of_contacts(kContacts);
+  const Answer answer = ask(grasp, refutation(header(kContacts, "1, 0, 0"), nodes));
+  ASSERT_EQ(outcome(answer), "accepted") << explain(answer);
+  EXPECT_EQ(std::get<Accepted>(answer).leaves, tail.size() + 1);
+}
+
+TEST(Hostile, DeepNesting) {
+  const std::string open(100000, '[');
+  EXPECT_EQ(outcome(ask(fig1("0", "0, 1, 0"), "{\"format\": " + open)), "malformed");
+  EXPECT_EQ(outcome(ask("{\"format\": " + open, "{}")), "malformed");
+  EXPECT_EQ(outcome(ask(fig1("0", "0, 1, 0"),
+                        refutation(header(3, "0, 1, 0"), {"[\"leaf\", 0, 0, 0, " + open}))),
+            "malformed");
+}
+
+TEST(Hostile, TooManyNodes) {
+  const Answer answer =
+      ask_stream(fig1("0", "0, 1, 0"),
+                 {header(3, "0, 1, 0") + "\"verdict\": \"unstable\", \"tree\": [[\"void\"]",
+                  ", [\"void\"]", 200000, "]}"});
+  EXPECT_EQ(outcome(answer), "void-region");
+}
+
+TEST(Hostile, TooManyForces) {
+  const Answer answer =
+      ask_stream(fig1("0", "0, 1, 0"),
+                 {header(3, "0, 1, 0") + "\"verdict\": \"stable\", \"twist\": [0, 0, 0], "
+                                         "\"forces\": [[0, 0]",
+                  ", [0, 0]", 200000, "]}"});
+  EXPECT_EQ(outcome(answer), "witness-count");
+}
+
+TEST(Hostile, LongTokensAndBlanks) {
+  const std::string grasp = fig1("0", "0, 1, 0");
+  const std::string million(1000000, ' ');
+  EXPECT_EQ(
+      outcome(ask_stream(grasp, {"{\"format\": \"", std::string(1000, 'a'), 100000, "\"}"})),
+      "malformed");
+  EXPECT_EQ(outcome(ask_stream(grasp, {"{\"format\": ", std::string(1000, '1'), 100000, "}"})),
+            "malformed");
+  EXPECT_EQ(outcome(ask_stream(grasp, {"{\"format\": [", "[],", 100000, "0]}"})), "malformed");
+  // Blanks are not kept, so they are only counted.
+  const std::string certificate = refutation(header(3, "0, 1, 0"), {"[\"void\"]"});
+  const Answer answer = ask_stream(grasp, {certificate, million, 10, "\n"});
+  EXPECT_EQ(outcome(answer), "void-region") << explain(answer);
+}
+
+TEST(Hostile, ValuesInOnePlace) {
+  const Answer answer =
+      ask_stream(fig1("0", "0, 1, 0"),
+                 {header(3, "0, 1, 0") + "\"verdict\": \"unstable\", \"tree\": [[\"leaf\", 0",
+                  ", 0", 5000000, "]]}"});
+  EXPECT_EQ(outcome(answer), "malformed");
+}
+
+TEST(Hostile, ManyMembers) {
+  std::string text = "{";
+  for (int i = 0; i < 100; ++i) text += "\"k" + std::to_string(i) + "\": 0, ";
+  EXPECT_EQ(outcome(ask("{\"format\": \"stickslip-grasp/1\", \"defaults\": " + text, "{}")),
+            "malformed");
+}
+
+TEST(Hostile, LargeNumbers) {
+  const std::string digits =
+      "\"1" + std::string(20000, '3') + "/" + std::string(20000, '7') + "\"";
+  std::vector<std::string> nodes;
+  for (int i = 0; i < 8; ++i) {
+    nodes.push_back("[\"plane\", " + digits + ", " + std::to_string(i) + ", 1, " + digits +
+                    "]");
+  }
+  nodes.push_back("[\"leaf\", " + digits + ", 0, 0]");
+  EXPECT_EQ(outcome(ask(fig1("0", "0, 1, 0"), refutation(header(3, "0, 1, 0"), nodes))),
+            "leaf-bound");
+  const std::string grasp =
+      replaced(fig1("0", "0, 1, 0"), "[-1, 0]", "[\"1e4096\", \"1e-4096\"]");
+  EXPECT_EQ(outcome(ask(grasp, refutation(header(3, "0, 1, 0"), {"[\"leaf\", 0, 1, 0]"}))),
+            "leaf-bound");
+}
+
+TEST(Hostile, ManyContactsAreStillLinear) {
+  constexpr int kContacts = 3000;
+  const std::string head = header(kContacts, "1, 0, 0");
+  EXPECT_EQ(
+      outcome(ask(row_of_contacts(kContacts), refutation(head, {"[\"leaf\", -1, 0, 0]"}))),
+      "accepted");
+}
+
+TEST(Hostile, StreamsThatFail) {
+  std::istringstream grasp(fig1("0", "0, 1, 0"));
+  std::istream broken(nullptr);
+  EXPECT_EQ(outcome(check(grasp, broken, {})), "malformed");
+}
+
+}  // namespace
+}  // namespace stickslip_check

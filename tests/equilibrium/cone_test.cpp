@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The double description of a cone against brute force over all sets of planes.
+#include "stickslip/equilibrium/cone.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "naive_region.hpp"
+#include "random_grasps.hpp"
+
+namespace stickslip {
+namespace {
+
+using test::Constraint;
+using test::Generators;
+using test::RandomSource;
+using test::Rays;
+using test::to_rational;
+using test::value_at;
+
+struct Cut {
+  IntegerVector4 plane;
+  Side side;
+};
+
+Cone cone_of(const std::vector<Cut>& cuts) {
+  Cone cone;
+  for (const Cut& cut : cuts) cone.cut(cut.plane, cut.side);
+  return cone;
+}
+
+std::vector<Constraint> constraints_of(const std::vector<Cut>& cuts) {
+  std::vector<Constraint> result = {{{0, 0, 0, 1}, 1}};
+  for (const Cut& cut : cuts) {
+    const int sign = cut.side == Side::kPositive ? 1 : cut.side == Side::kZero ? 0 : -1;
+    result.push_back({to_rational(cut.plane), sign});
+  }
+  return result;
+}
+
+/// The values of all constraints at x, scaled: the same for x and x' iff they differ by a
+/// positive factor and a line.
+std::vector<Rational> profile(const std::vector<Constraint>& constraints, const Vector4& x) {
+  std::vector<Rational> values;
+  Rational largest = 0;
+  for (const Constraint& c : constraints) {
+    values.push_back(value_at(c.function, x));
+    largest = std::max(largest, Rational(abs(values.back())));
+  }
+  if (!largest.is_zero()) {
+    for (Rational& entry : values) entry /= largest;
+  }
+  return values;
+}
+
+std::string text(const std::vector<Cut>& cuts) {
+  std::string result;
+  for (const Cut& cut : cuts) {
+    for (const Integer& entry : cut.plane) result += entry.str() + " ";
+    result += cut.side == Side::kPositive ? ">= 0\n"
+              : cut.side == Side::kZero   ? "= 0\n"
+                                          : "<= 0\n";
+  }
+  return result;
+}
+
+/// Everything that Cone promises, against brute force.
+void expect_right(const std::vector<Cut>& cuts) {
+  SCOPED_TRACE(text(cuts));
+  const Cone cone = cone_of(cuts);
+  const std::vector<Constraint> constraints = constraints_of(cuts);
+  const Generators expected = test::brute_force_generators(constraints);
+  ASSERT_EQ(cone.constraint_count(), constraints.size());
+
+  Rays lines;
+  for (const IntegerVector4& line : cone.lines()) {
+    lines.push_back(to_rational(line));
+    EXPECT_EQ(primitive(line), line);
+    for (const Constraint& c : constraints) {
+      EXPECT_TRUE(value_at(c.function, lines.back()).is_zero());
+    }
+  }
+  EXPECT_EQ(lines.size(), expected.lines.size());
+  EXPECT_EQ(test::rank_of(lines), lines.size());
+
+  std::set<std::vector<Rational>> wanted;
+  for (const Vector4& ray : expected.rays) wanted.insert(profile(constraints, ray));
+  std::set<std::vector<Rational>> found;
+  for (const Ray& ray : cone.rays()) {
+    const Vector4 x = to_rational(ray.x);
+    EXPECT_EQ(primitive(ray.x), ray.x);
+    EXPECT_TRUE(found.insert(profile(constraints, x)).second) << "a ray twice";
+    std::vector<ConstraintIndex> tight;
+    for (std::size_t c = 0; c < constraints.size(); ++c) {
+      EXPECT_TRUE(constraints[c].holds_at(x));
+      if (value_at(constraints[c].function, x).is_zero()) {
+        tight.push_back(static_cast<ConstraintIndex>(c));
+      }
+    }
+    EXPECT_EQ(ray.tight, tight);
+  }
+  EXPECT_EQ(found, wanted);
+  EXPECT_EQ(cone.directions().size(), 2 * cone.lines().size() + cone.rays().size());
+}
+
+/// After every cut, so that the first wrong one is named.
+void expect_right_throughout(const std::vector<Cut>& cuts) {
+  for (std::size_t n = 0; n <= cuts.size() && !::testing::Test::HasFailure(); ++n) {
+    expect_right({cuts.begin(), cuts.begin() + static_cast<std::ptrdiff_t>(n)});
+  }
+}
+
+Side random_side(RandomSource& random) {
+  const int die = random.between(1, 5);
+  return die <= 2 ? Side::kPositive : die <= 4 ? Side::kNegative : Side::kZero;
+}
+
+IntegerVector4 random_plane(RandomSource& random, int bound) {
+  IntegerVector4 plane;
+  for (Integer& entry : plane) entry = random.between(-bound, bound);
+  return plane;
+}
+
+TEST(Cone, StartsAsTheHalfSpaceOfAllMotions) {
+  const Cone cone;
+  EXPECT_EQ(cone.constraint_count(), 1u);
+  EXPECT_EQ(cone.lines().size(), 3u);
+  ASSERT_EQ(cone.rays().size(), 1u);
+  EXPECT_TRUE(cone.rays()[0].tight.empty());
+  expect_right({});
+}
+
+TEST(Cone, OrthantsHaveFourRays) {
+  for (int signs = 0; signs < 8; ++signs) {
+    std::vector<Cut> cuts;
+    for (std::size_t j = 0; j < 3; ++j) {
+      IntegerVector4 plane{};
+      plane[j] = 1;
+      cuts.push_back({plane, (signs >> j & 1) != 0 ? Side::kPositive : Side::kNegative});
+    }
+    expect_right_throughout(cuts);
+    const Cone cone = cone_of(cuts);
+    EXPECT_TRUE(cone.lines().empty());
+    EXPECT_EQ(cone.rays().size(), 4u);
+  }
+}
+
+TEST(Cone, HalfSpacesAgainstEachOtherLeaveAPlane) {
+  const IntegerVector4 plane = {1, 2, -3, 0};
+  expect_right_throughout({{plane, Side::kPositive}, {plane, Side::kNegative}});
+  expect_right_throughout({{plane, Side::kPositive}, {negated(plane), Side::kPositive}});
+  const Cone cone = cone_of({{plane, Side::kPositive}, {plane, Side::kNegative}});
+  EXPECT_EQ(cone.lines().size(), 2u);
+  EXPECT_EQ(cone.rays().size(), 1u);
+}
+
+TEST(Cone, CanBecomeEmpty) {
+  // Down to the ray (0, 0, 0, 1), then to the origin.
+  const std::vector<Cut> cuts = {{{1, 0, 0, 0}, Side::kZero},
+                                 {{0, 1, 0, 0}, Side::kZero},
+                                 {{0, 0, 1, 0}, Side::kZero},
+                                 {{0, 0, 0, 1}, Side::kNegative},
+                                 {{1, 1, 1, 1}, Side::kPositive}};
+  expect_right_throughout(cuts);
+  const Cone cone = cone_of(cuts);
+  EXPECT_TRUE(cone.rays().empty());
+  EXPECT_TRUE(cone.directions().empty());
+  const SignRange range = signs_on(cone, {1, 2, 3, 4});
+  EXPECT_TRUE(range.is_zero() && range.is_nonnegative() && range.is_nonpositive());
+}
+
+TEST(Cone, ZeroPlaneChangesNothingButCounts) {
+  for (const Side side : {Side::kPositive, Side::kZero, Side::kNegative}) {
+    expect_right_throughout({{{1, 0, 0, 1}, Side::kPositive},
+                             {{0, 0, 0, 0}, side},
+                             {{0, 1, 0, -1}, Side::kNegative},
+                             {{0, 0, 1, 0}, Side::kPositive},
+                             {{0, 0, 0, 0}, side}});
+  }
+}
+
+TEST(Cone, ManyPlanesThroughOneRay) {
+  // All touch the ray (1, 1, 1, 1): a cone over a polygon, with the ray as its apex.
+  RandomSource random(7);
+  for (int round = 0; round < 20; ++round) {
+    std::vector<Cut> cuts;
+    for (int n = 0; n < 8; ++n) {
+      IntegerVector4 plane = random_plane(random, 2);
+      plane[3] = -(plane[0] + plane[1] + plane[2]);
+      cuts.push_back({plane, random.one_in(6) ? Side::kZero : random_side(random)});
+    }
+    expect_right_throughout(cuts);
+  }
+}
+
+TEST(Cone, ManyPlanesThroughOneLine) {
+  RandomSource random(8);
+  for (int round = 0; round < 20; ++round) {
+    std::vector<Cut> cuts;
+    for (int n = 0; n < 7; ++n) {
+      const int a = random.between(-2, 2);
+      const int b = random.between(-2, 2);
+      cuts.push_back({{a, b, a - b, 0}, random.one_in(5) ? Side::kZero : random_side(random)});
+    }
+    expect_right_throughout(cuts);
+  }
+}
+
+TEST(Cone, CubesAndTheirDegenerateCorners) {
+  // |x|, |y|, |r| <= h, then planes that run through edges and corners.
+  std::vector<Cut> cuts;
+  for (std::size_t j = 0; j < 3; ++j) {
+    IntegerVector4 plane{0, 0, 0, 1};
+    plane[j] = 1;
+    cuts.push_back({plane, Side::kPositive});
+    plane[j] = -1;
+    cuts.push_back({plane, Side::kPositive});
+  }
+  EXPECT_EQ(cone_of(cuts).rays().size(), 8u);
+  cuts.push_back({{1, 1, 0, 0}, Side::kPositive});   // two edges
+  cuts.push_back({{1, 1, 1, -1}, Side::kNegative});  // three corners
+  cuts.push_back({{0, 1, 1, 0}, Side::kZero});
+  expect_right_throughout(cuts);
+}
+
+TEST(Cone, SmallRandomSystems) {
+  RandomSource random(1);
+  for (int round = 0; round < 400; ++round) {
+    std::vector<Cut> cuts;
+    const int bound = random.between(1, 3);
+    const int count = random.between(1, 8);
+    for (int n = 0; n < count; ++n) {
+      // Repetitions and opposites are frequent in grasps.
+      if (!cuts.empty() && random.one_in(5)) {
+        cuts.push_back({random.pick(cuts).plane, random_side(random)});
+      } else {
+        cuts.push_back({random_plane(random, bound), random_side(random)});
+      }
+    }
+    expect_right(cuts);
+  }
+}
+
+TEST(Cone, OrderOfCutsDoesNotMatter) {
+  RandomSource random(2);
+  for (int round = 0; round < 100; ++round) {
+    std::vector<Cut> cuts;
+    for (int n = 0; n < 6; ++n) cuts.push_back({random_plane(random, 1), random_side(random)});
+    const auto rays_by_value = [](const Cone& cone,
+                                  const std::vector<Constraint>& constraints) {
+      std::set<std::vector<Rational>> result;
+      for (const Ray& ray : cone.rays())
+        result.insert(profile(constraints, to_rational(ray.x)));
+      return result;
+    };
+    const std::vector<Constraint> constraints = constraints_of(cuts);
+    const Cone forward = cone_of(cuts);
+    std::reverse(cuts.begin(), cuts.end());
+    const Cone backward = cone_of(cuts);
+    EXPECT_EQ(forward.lines().size(), backward.lines().size());
+    EXPECT_EQ(rays_by_value(forward, constraints), rays_by_value(backward, constraints));
+  }
+}
+
+TEST(SignsOn, AgreesWithSubstitution) {
+  RandomSource random(3);
+  for (int round = 0; round < 300; ++round) {
+    Cone cone;
+    for (int n = random.between(0, 6); n > 0; --n) {
+      cone.cut(random_plane(random, 1), random_side(random));
+    }
+    const IntegerVector4 plane = random_plane(random, 1);
+    bool negative = false;
+    bool positive = false;
+    for (const IntegerVector4& x : cone.directions()) {
+      negative = negative || dot(plane, x) < 0;
+      positive = positive || dot(plane, x) > 0;
+    }
+    const SignRange range = signs_on(cone, plane);
+    EXPECT_EQ(range.negative, negative);
+    EXPECT_EQ(range.positive, positive);
+    EXPECT_EQ(range.is_nonnegative(), !negative);
+    EXPECT_EQ(range.is_nonpositive(), !positive);
+    EXPECT_EQ(range.is_zero(), !negative && !positive);
+    EXPECT_EQ(range.is_mixed(), negative && positive);
+  }
+}
+
+}  // namespace
+}  // namespace stickslip

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Regions, labels, strict functions and leaves (certificate/FORMAT.md, section 4).
+#include "stickslip/equilibrium/region.hpp"
+
+#include <gtest/gtest.h>
+
+#include "naive_region.hpp"
+#include "paper_grasps.hpp"
+#include "random_grasps.hpp"
+#include "stickslip/core/error.hpp"
+
+namespace stickslip {
+namespace {
+
+using test::fig1_grasp;
+using test::fig4_grasp;
+using test::NaiveRegion;
+using test::RandomSource;
+using test::Rays;
+using test::to_rational;
+
+constexpr ContactId kFirst(0);
+constexpr ContactId kSecond(1);
+constexpr ContactId kThird(2);
+
+Problem fig4(const Rational& preload, NormalLaw law = NormalLaw::kUnilateral) {
+  return Problem({fig4_grasp(preload), {0, 2, 0}}, law);
+}
+
+Rays rays_of(const Region& region) {
+  Rays rays;
+  for (const IntegerVector4& x : region.cone().directions()) rays.push_back(to_rational(x));
+  return rays;
+}
+
+TEST(Problem, LinearFunctionsOfTheHomogenisedMotion) {
+  // p = (2, 1), n = (3, 4), L = 5: N = (3, 4, 5), T = (-4, 3, 10), P/L = 2, k/L^2 = 1/5.
+  const Grasp grasp({{{2, 1}, {3, 4}, {1, 2}, 5, 10}});
+  const Problem problem({grasp, {1, 2, 3}}, NormalLaw::kUnilateral);
+  EXPECT_EQ(problem.slip_plane(kFirst), (IntegerVector4{-4, 3, 10, 0}));
+  EXPECT_EQ(problem.separation(kFirst),
+            (Vector4{Rational(-3, 5), Rational(-4, 5), Rational(-1), Rational(2)}));
+  EXPECT_EQ(problem.separation_plane(kFirst), (IntegerVector4{-3, -4, -5, 10}));
+  const Wrench n{3, 4, 5};
+  const Wrench t{-4, 3, 10};
+  for (const int sigma : {-1, 0, 1}) {
+    EXPECT_EQ(problem.edge_wrench(kFirst, sigma), n + Rational(sigma, 2) * t);
+  }
+}
+
+TEST(Problem, PreloadNeedsANormalOfRationalLength) {
+  const std::vector<Contact> contacts = {{{0, 0}, {1, 0}, 0, 1, 1}, {{0, 1}, {1, 1}, 0, 1, 1}};
+  try {
+    const Problem problem({Grasp(contacts), {}}, NormalLaw::kUnilateral);
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.place(), "contacts[1].normal");
+  }
+}
+
+TEST(Region, UnilateralRootIsAHalfSpace) {
+  const Problem problem = fig4(1);
+  const Region root = Region::root(problem);
+  EXPECT_EQ(root.cone().lines().size(), 3u);
+  EXPECT_FALSE(root.is_void());
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    EXPECT_EQ(root.label(ContactId(i)), std::nullopt);
+    EXPECT_EQ(root.slip_sign(problem, ContactId(i)), std::nullopt);
+    EXPECT_EQ(root.separation(problem, ContactId(i)), Separation::kMixed);
+  }
+}
+
+TEST(Region, BilateralRootOpensNoContact) {
+  for (const int preload : {0, 1}) {
+    const Problem problem = fig4(preload, NormalLaw::kBilateral);
+    const Region root = Region::root(problem);
+    EXPECT_FALSE(root.is_void());
+    for (std::size_t i = 0; i < problem.size(); ++i) {
+      EXPECT_EQ(root.separation(problem, ContactId(i)), Separation::kClosed);
+    }
+  }
+}
+
+TEST(Region, SlipChildrenCarryLabels) {
+  const Problem problem = fig4(0);
+  const Region root = Region::root(problem);
+  for (const Sign slip : {Sign::kPositive, Sign::kZero, Sign::kNegative}) {
+    const Region child = root.slip_child(problem, kFirst, slip);
+    EXPECT_EQ(child.label(kFirst), slip);
+    EXPECT_EQ(child.label(kThird), std::nullopt);
+    EXPECT_FALSE(child.is_void());
+    // The label 0 leaves friction anywhere in its cone.
+    EXPECT_EQ(child.slip_sign(problem, kFirst),
+              slip == Sign::kZero ? std::nullopt : std::optional<Sign>(slip));
+  }
+}
+
+// Contacts 1 and 2 of Fig. 4 have the plane y - r = 0; contacts 3 and 4 its negative, -y - r.
+TEST(Region, StrictSlipImpliesTheSlipOfCoincidentContacts) {
+  const Problem problem = fig4(0);
+  const Region root = Region::root(problem);
+  const Region plus = root.slip_child(problem, kFirst, Sign::kPositive);
+  EXPECT_EQ(plus.label(kSecond), std::nullopt);
+  EXPECT_EQ(plus.slip_sign(problem, kSecond), Sign::kPositive);
+  EXPECT_EQ(plus.slip_sign(problem, kThird), std::nullopt);
+  const Region minus = root.slip_child(problem, kFirst, Sign::kNegative);
+  EXPECT_EQ(minus.slip_sign(problem, kSecond), Sign::kNegative);
+  const Region stick = root.slip_child(problem, kFirst, Sign::kZero);
+  EXPECT_EQ(stick.slip_sign(problem, kSecond), std::nullopt);
+}
+
+TEST(Region, APlaneGivesASignOnlyOnItsStrictSide) {
+  const Problem problem = fig4(0);
+  const Region root = Region::root(problem);
+  const IntegerVector4 tau = problem.slip_plane(kFirst);
+  // First child: tau >= 0, where the motions with tau = 0 belong; friction is not known there.
+  EXPECT_EQ(root.plane_child(tau, Side::kPositive).slip_sign(problem, kFirst), std::nullopt);
+  EXPECT_EQ(root.plane_child(tau, Side::kNegative).slip_sign(problem, kFirst), Sign::kNegative);
+  EXPECT_EQ(root.plane_child(negated(tau), Side::kNegative).slip_sign(problem, kFirst),
+            Sign::kPositive);
+}
+
+TEST(Region, SeparationChildren) {
+  const Problem problem = fig4(1);
+  const Region root = Region::root(problem);
+  const Region closed = root.separation_child(problem, kFirst, Separation::kClosed);
+  EXPECT_EQ(closed.separation(problem, kFirst), Separation::kClosed);
+  EXPECT_EQ(closed.separation(problem, kSecond), Separation::kMixed);
+  const Region open = root.separation_child(problem, kFirst, Separation::kOpen);
+  EXPECT_EQ(open.separation(problem, kFirst), Separation::kOpen);
+  // Points with v = 0 are closed; among the open ones they are nobody's.
+  EXPECT_FALSE(closed.separation_child(problem, kFirst, Separation::kClosed).is_void());
+  EXPECT_TRUE(closed.separation_child(problem, kFirst, Separation::kOpen).is_void());
+  EXPECT_TRUE(open.separation_child(problem, kFirst, Separation::kClosed).is_void());
+  EXPECT_THROW(root.separation_child(problem, kFirst, Separation::kMixed), ContractError);
+  EXPECT_THROW(root.plane_child({1, 0, 0, 0}, Side::kZero), ContractError);
+}
+
+TEST(Region, VoidWhereNoMotionIsLeft) {
+  const Problem problem = fig4(0);
+  const Region root = Region::root(problem);
+  const IntegerVector4 h = {0, 0, 0, 1};
+  EXPECT_FALSE(root.plane_child(h, Side::kPositive).is_void());
+  EXPECT_TRUE(root.plane_child(h, Side::kNegative).is_void());
+  const Region plus = root.slip_child(problem, kFirst, Sign::kPositive);
+  EXPECT_TRUE(plus.slip_child(problem, kSecond, Sign::kZero).is_void());
+  EXPECT_TRUE(plus.slip_child(problem, kSecond, Sign::kNegative).is_void());
+  EXPECT_FALSE(plus.slip_child(problem, kSecond, Sign::kPositive).is_void());
+  const Region stick = root.slip_child(problem, kFirst, Sign::kZero);
+  EXPECT_FALSE(stick.slip_child(problem, kSecond, Sign::kZero).is_void());
+  EXPECT_TRUE(stick.slip_child(problem, kSecond, Sign::kPositive).is_void());
+  // No ray at all.
+  EXPECT_TRUE(root.plane_child({1, 0, 0, 0}, Side::kPositive)
+                  .plane_child({-1, 0, 0, -1}, Side::kPositive)
+                  .is_void());
+}
+
+TEST(Region, WithSlipStateIsTheClosedCell) {
+  const Problem problem = fig4(1);
+  const Region root = Region::root(problem);
+  const std::vector<Sign> state = {Sign::kPositive, Sign::kPositive, Sign::kZero, Sign::kZero};
+  const Region cell = root.with_slip_state(problem, state);
+  EXPECT_FALSE(cell.is_void());
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    EXPECT_EQ(cell.label(ContactId(i)), state[i]);
+    const SignRange range = signs_on(cell.cone(), problem.slip_plane(ContactId(i)));
+    EXPECT_EQ(range.is_zero(), state[i] == Sign::kZero);
+    EXPECT_TRUE(range.is_nonnegative());
+  }
+  EXPECT_THROW(root.with_slip_state(problem, {Sign::kZero}), ContractError);
+}
+
+// Fig. 4, P = 1, nothing slips: then d = (x, 0, 0), and while nothing opens the normal forces
+// are 1 - x and 1 + x, so that friction resists |w_y| <= 4 mu = 2.
+TEST(Leaf, BoundIsExactAtTheThreshold) {
+  const Rational tiny(1, Integer("1000000000000000000"));
+  for (const Rational& excess : {Rational(-tiny), Rational(0), tiny}) {
+    const Problem problem({fig4_grasp(1), {0, 2 + excess, 0}}, NormalLaw::kUnilateral);
+    const Region stuck = Region::root(problem)
+                             .slip_child(problem, kFirst, Sign::kZero)
+                             .slip_child(problem, kThird, Sign::kZero)
+                             .plane_child({1, 0, 0, 1}, Side::kPositive)
+                             .plane_child({-1, 0, 0, 1}, Side::kPositive);
+    const VirtualWorkLeaf down{{0, -1, 0}, {}};
+    for (const Rational& bound : virtual_work_bounds(problem, stuck, down)) {
+      EXPECT_EQ(bound, -excess);
+    }
+    EXPECT_EQ(refutes(problem, stuck, down), excess > 0);
+    EXPECT_FALSE(refutes(problem, stuck, {{0, 1, 0}, {}}));
+    EXPECT_FALSE(refutes(problem, stuck, {{0, 0, 0}, {}}));
+  }
+}
+
+// A contact may have both signs in a void region, so the rule holds there whatever y is.
+TEST(Leaf, AnythingRefutesAVoidRegion) {
+  const Problem problem = fig4(1);
+  const Region empty = Region::root(problem).plane_child({0, 0, 0, 1}, Side::kNegative);
+  ASSERT_TRUE(empty.is_void());
+  for (const IntegerVector<3>& y :
+       {IntegerVector<3>{0, 0, 0}, IntegerVector<3>{0, 1, 0}, IntegerVector<3>{1, -2, 3}}) {
+    EXPECT_TRUE(refutes(problem, empty, {y, {}}));
+  }
+}
+
+TEST(Leaf, ZeroTwistRefutesNothingElse) {
+  const Problem problem = fig4(1);
+  EXPECT_FALSE(refutes(problem, Region::root(problem), {{0, 0, 0}, {}}));
+}
+
+// One frictionless contact at the origin, n = (0, 1), below a body that is lifted: v = -y.
+TEST(Leaf, ThetaCountsNegativeWorkOfMixedContacts) {
+  const Problem problem({Grasp({{{0, 0}, {0, 1}, 0, 1, 0}}), {0, 1, 0}},
+                        NormalLaw::kUnilateral);
+  const Region root = Region::root(problem);
+  const std::vector<IntegerVector4> directions = root.cone().directions();
+  for (const Rational& theta : {Rational(0), Rational(1, 3), Rational(1)}) {
+    // alpha = y.N = -1, y.w = -1.
+    const VirtualWorkLeaf leaf{{0, -1, 0}, {{kFirst, theta}}};
+    const std::vector<Rational> g = virtual_work_bounds(problem, root, leaf);
+    for (std::size_t r = 0; r < directions.size(); ++r) {
+      EXPECT_EQ(g[r], theta * Rational(directions[r][1]) - Rational(directions[r][3]));
+    }
+    // No force pulls down. But theta > 0 lets g be positive on one half of the line (0, 1, 0,
+    // 0).
+    EXPECT_EQ(refutes(problem, root, leaf), theta.is_zero());
+  }
+  // alpha = +1: theta has no effect.
+  EXPECT_EQ(virtual_work_bounds(problem, root, {{0, 1, 0}, {{kFirst, Rational(1, 3)}}}),
+            virtual_work_bounds(problem, root, {{0, 1, 0}, {}}));
+}
+
+/// Any split that a tree may make, and some that it would not.
+void split_at_random(RandomSource& random, const Problem& problem, Region& region,
+                     NaiveRegion& naive) {
+  const std::size_t contact =
+      static_cast<std::size_t>(random.between(0, static_cast<int>(problem.size()) - 1));
+  const int kind = random.between(0, problem.law() == NormalLaw::kUnilateral ? 4 : 3);
+  if (kind <= 2 && !naive.labels[contact]) {
+    const int slip = random.between(-1, 1);
+    region = region.slip_child(problem, ContactId(contact), sign_of_int(slip));
+    naive = naive.slip_child(problem, contact, slip);
+  } else if (kind == 3) {
+    IntegerVector4 plane;
+    for (Integer& entry : plane) entry = random.between(-1, 1);
+    const bool first = random.one_in(2);
+    region = region.plane_child(plane, first ? Side::kPositive : Side::kNegative);
+    naive = naive.plane_child(to_rational(plane), first);
+  } else if (kind == 4) {
+    const bool closed = random.one_in(2);
+    region = region.separation_child(problem, ContactId(contact),
+                                     closed ? Separation::kClosed : Separation::kOpen);
+    naive = naive.separation_child(problem, contact, closed);
+  }
+}
+
+VirtualWorkLeaf random_leaf(RandomSource& random, const Problem& problem) {
+  VirtualWorkLeaf leaf;
+  for (Integer& entry : leaf.twist) entry = random.between(-2, 2);
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    if (random.one_in(2))
+      leaf.theta.emplace_back(ContactId(i), Rational(random.between(0, 4), 4));
+  }
+  return leaf;
+}
+
+// Refuting leaves are rare among random ones; planted ones come from the engine, and every test
+// that decides compares them in the same way (check_refutation).
+TEST(Region, AgreesWithTheLetterOfTheFormat) {
+  RandomSource random(11);
+  int voids = 0;
+  int refuted = 0;
+  for (int round = 0; round < 1500; ++round) {
+    const auto m = static_cast<std::size_t>(random.between(1, 3));
+    const Grasp grasp =
+        random.one_in(4) ? test::generic_grasp(random, m) : test::degenerate_grasp(random, m);
+    const Wrench wrench = test::small_wrench(random);
+    const NormalLaw law = random.one_in(3) ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
+    SCOPED_TRACE(test::describe({{grasp, wrench}, law}));
+    const Problem problem({grasp, wrench}, law);
+    Region region = Region::root(problem);
+    NaiveRegion naive = NaiveRegion::root(problem);
+    for (int splits = random.between(0, 6); splits > 0; --splits) {
+      split_at_random(random, problem, region, naive);
+    }
+    const Rays rays = rays_of(region);
+    const Rays brute = test::brute_force_generators(naive.constraints).directions();
+    const bool is_void = naive_is_barred(naive, rays);
+    EXPECT_EQ(naive_is_barred(naive, brute), is_void) << "the rays should not matter";
+    EXPECT_EQ(region.is_void(), is_void);
+    voids += is_void ? 1 : 0;
+    for (std::size_t i = 0; i < m; ++i) {
+      const std::optional<Sign> sign = region.slip_sign(problem, ContactId(i));
+      const std::optional<int> expected = naive_sign(problem, naive, rays, i);
+      ASSERT_EQ(sign.has_value(), expected.has_value());
+      if (sign) {
+        EXPECT_EQ(to_int(*sign), *expected);
+      }
+    }
+    for (int leaves = 0; leaves < 4; ++leaves) {
+      const VirtualWorkLeaf leaf = random_leaf(random, problem);
+      EXPECT_EQ(virtual_work_bounds(problem, region, leaf),
+                naive_bounds(problem, naive, rays, leaf));
+      const bool holds = naive_refutes(problem, naive, rays, leaf);
+      EXPECT_EQ(refutes(problem, region, leaf), holds);
+      EXPECT_EQ(naive_refutes(problem, naive, brute, leaf), holds);
+      refuted += holds && !is_void ? 1 : 0;
+    }
+  }
+  EXPECT_GT(voids, 100);
+  EXPECT_GT(refuted, 100);
+}
+
+}  // namespace
+}  // namespace stickslip

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "smt_oracle.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <fstream>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+namespace stickslip::test {
+namespace {
+
+std::string literal(const Rational& value) {
+  std::ostringstream out;
+  const Rational magnitude = abs(value);
+  out << "(/ " << numerator(magnitude) << ".0 " << denominator(magnitude) << ".0)";
+  return value < 0 ? "(- " + out.str() + ")" : out.str();
+}
+
+/// The length of v if it is rational.
+std::optional<Rational> rational_length(const Vector2& v) {
+  const Rational square = v.x * v.x + v.y * v.y;
+  const Rational root(Integer(sqrt(numerator(square))), Integer(sqrt(denominator(square))));
+  return root * root == square ? std::optional<Rational>(root) : std::nullopt;
+}
+
+/// Contact i: forces cn, ct along n and t; the motion (mx, my) of the contact point.
+void write_contact(std::ostream& out, const Contact& contact, std::size_t i, NormalLaw law) {
+  const std::string id = std::to_string(i);
+  Vector2 n = contact.normal;
+  // cn = P - k n.m for a unit normal. Along a normal of irrational length L, without preload,
+  // cn is the force over L, and n.m is L times the normal motion.
+  Rational spring = contact.stiffness;
+  if (const std::optional<Rational> length = rational_length(n)) {
+    n = {n.x / *length, n.y / *length};
+  } else {
+    if (contact.preload != 0) throw std::invalid_argument("preload along an irrational normal");
+    spring /= n.x * n.x + n.y * n.y;
+  }
+  const std::string nx = literal(n.x);
+  const std::string ny = literal(n.y);
+  const std::string tx = literal(-n.y);
+  const std::string ty = literal(n.x);
+  const std::string px = literal(contact.position.x);
+  const std::string py = literal(contact.position.y);
+  const std::string mu = literal(contact.friction);
+  const auto define = [&](const char* name, const std::string& term) {
+    out << "(define-fun " << name << id << " () Real " << term << ")\n";
+  };
+  const auto var = [&](const char* name) { return name + id; };
+  const auto dot = [](const std::string& ax, const std::string& bx, const std::string& ay,
+                      const std::string& by) {
+    return "(+ (* " + ax + " " + bx + ") (* " + ay + " " + by + "))";
+  };
+
+  out << "(declare-fun " << var("cn") << " () Real)\n(declare-fun " << var("ct")
+      << " () Real)\n";
+  define("mx", "(- x (* r " + py + "))");
+  define("my", "(+ y (* r " + px + "))");
+  define("v", "(- " + literal(contact.preload) + " (* " + literal(spring) + " " +
+                  dot(nx, var("mx"), ny, var("my")) + "))");
+  define("slip", dot(tx, var("mx"), ty, var("my")));
+  define("fx", dot(nx, var("cn"), tx, var("ct")));
+  define("fy", dot(ny, var("cn"), ty, var("ct")));
+  define("torque", "(- (* " + px + " " + var("fy") + ") (* " + py + " " + var("fx") + "))");
+
+  if (law == NormalLaw::kUnilateral) {
+    out << "(assert (or (and (= cn" << id << " v" << id << ") (>= v" << id
+        << " 0.0)) (and (= cn" << id << " 0.0) (<= v" << id << " 0.0))))\n";
+  } else {
+    out << "(assert (and (= cn" << id << " v" << id << ") (>= cn" << id << " 0.0)))\n";
+  }
+  define("limit", "(* " + mu + " cn" + id + ")");
+  out << "(assert (and (<= ct" << id << " limit" << id << ") (>= ct" << id << " (- limit" << id
+      << "))))\n"
+      << "(assert (or (= slip" << id << " 0.0) (and (> slip" << id << " 0.0) (= ct" << id
+      << " (- limit" << id << "))) (and (< slip" << id << " 0.0) (= ct" << id << " limit" << id
+      << "))))\n";
+}
+
+void write_balance(std::ostream& out, const Rational& load, const char* part,
+                   std::size_t count) {
+  out << "(assert (= 0.0 (+ 0.0 " << literal(load);
+  for (std::size_t i = 0; i < count; ++i) out << ' ' << part << i;
+  out << ")))\n";
+}
+
+std::string run(const std::string& command) {
+  FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) throw std::runtime_error("cannot run " + command);
+  std::string output;
+  char buffer[4096];
+  while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, pipe)) {
+    output.append(buffer, count);
+  }
+  pclose(pipe);
+  return output;
+}
+
+}  // namespace
+
+std::string smt_assertions(const LoadCase& load_case) {
+  std::ostringstream out;
+  out << "(declare-fun x () Real)\n(declare-fun y () Real)\n(declare-fun r () Real)\n";
+  const std::vector<Contact>& contacts = load_case.loaded.grasp.contacts();
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    write_contact(out, contacts[i], i, load_case.law);
+  }
+  write_balance(out, load_case.loaded.wrench.x, "fx", contacts.size());
+  write_balance(out, load_case.loaded.wrench.y, "fy", contacts.size());
+  write_balance(out, load_case.loaded.wrench.torque, "torque", contacts.size());
+  return out.str();
+}
+
+std::vector<std::string> ask_z3(const std::vector<LoadCase>& load_cases) {
+  const std::string program = STICKSLIP_Z3;
+  if (program.find("NOTFOUND") != std::string::npos) {
+    throw std::runtime_error("this test needs the program z3. On Debian: apt-get install z3");
+  }
+  const std::string path =
+      ::testing::TempDir() + "stickslip_" + std::to_string(getpid()) + ".smt2";
+  {
+    std::ofstream file(path);
+    for (const LoadCase& load_case : load_cases) {
+      file << "(reset)\n(set-logic QF_LRA)\n" << smt_assertions(load_case) << "(check-sat)\n";
+    }
+    if (!file.flush()) throw std::runtime_error("cannot write " + path);
+  }
+  const std::string output = run("'" + program + "' -smt2 '" + path + "' 2>&1");
+  std::remove(path.c_str());
+  std::vector<std::string> answers;
+  std::istringstream lines(output);
+  for (std::string line; std::getline(lines, line);) {
+    answers.push_back(line == "sat" ? "stable" : line == "unsat" ? "unstable" : line);
+  }
+  if (answers.size() != load_cases.size()) {
+    throw std::runtime_error("z3 gave " + std::to_string(answers.size()) + " lines for " +
+                             std::to_string(load_cases.size()) + " questions:\n" +
+                             output.substr(0, 1000));
+  }
+  return answers;
+}
+
+}  // namespace stickslip::test

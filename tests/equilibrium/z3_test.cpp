@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The states engine against Z3 on small grasps of all families, half of them and more
+// degenerate.
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "judged.hpp"
+#include "paper_grasps.hpp"
+#include "smt_oracle.hpp"
+
+namespace stickslip {
+namespace {
+
+using test::LoadCase;
+using test::RandomSource;
+
+struct Tally {
+  std::size_t stable = 0;
+  std::size_t all = 0;
+
+  std::size_t unstable() const { return all - stable; }
+};
+
+Tally expect_agreement(const char* family, const std::vector<LoadCase>& load_cases) {
+  const std::vector<std::string> expected = test::ask_z3(load_cases);
+  Tally tally;
+  for (std::size_t i = 0; i < load_cases.size(); ++i) {
+    const std::string verdict = test::judged_verdict(load_cases[i]);
+    EXPECT_EQ(verdict, expected[i]) << describe(load_cases[i]);
+    ++tally.all;
+    tally.stable += verdict == "stable" ? 1 : 0;
+  }
+  std::cout << family << ": " << tally.all << " grasps, " << tally.stable << " stable, "
+            << tally.unstable() << " unstable\n";
+  // Each verdict must have its share, or the family tests little.
+  EXPECT_GE(5 * tally.stable, tally.all);
+  EXPECT_GE(5 * tally.unstable(), tally.all);
+  return tally;
+}
+
+NormalLaw random_law(RandomSource& random) {
+  return random.one_in(2) ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
+}
+
+std::size_t few_contacts(RandomSource& random) {
+  return static_cast<std::size_t>(random.pick<int>({0, 1, 2, 2, 3, 3, 3, 4, 4, 4}));
+}
+
+Rational tie(RandomSource& random) {
+  const char* size = random.pick<const char*>({"0", "1e-9", "1e-12", "1e-18"});
+  return random.one_in(2) ? parse_rational(size) : Rational(-parse_rational(size));
+}
+
+Wrench any_wrench(RandomSource& random, const Grasp& grasp, NormalLaw law) {
+  switch (random.between(0, 3)) {
+    case 0:
+      return test::planted_wrench(random, grasp, law);
+    case 1:
+      return test::threshold_wrench(random, grasp, tie(random));
+    case 2:
+      return test::planted_wrench(random, grasp, law) +
+             tie(random) * test::small_wrench(random);
+    default:
+      return test::small_wrench(random);
+  }
+}
+
+TEST(AgainstZ3, DegenerateGrasps) {
+  RandomSource random(2018);
+  std::vector<LoadCase> load_cases;
+  for (int round = 0; round < 160; ++round) {
+    const Grasp grasp = test::degenerate_grasp(random, few_contacts(random));
+    const NormalLaw law = random_law(random);
+    const Wrench w =
+        round % 4 == 0 ? test::planted_wrench(random, grasp, law) : test::small_wrench(random);
+    load_cases.push_back({{grasp, w}, law});
+  }
+  expect_agreement("degenerate", load_cases);
+}
+
+TEST(AgainstZ3, DegenerateGraspsAtTheirThresholds) {
+  RandomSource random(2019);
+  std::vector<LoadCase> load_cases;
+  while (load_cases.size() < 120) {
+    const Grasp grasp = test::degenerate_grasp(random, few_contacts(random));
+    const NormalLaw law = random_law(random);
+    const Wrench w = random.one_in(2) ? test::threshold_wrench(random, grasp, tie(random))
+                                      : test::planted_wrench(random, grasp, law) +
+                                            tie(random) * test::small_wrench(random);
+    load_cases.push_back({{grasp, w}, law});
+  }
+  expect_agreement("degenerate, loads at and near thresholds", load_cases);
+}
+
+TEST(AgainstZ3, NearlyDegenerateGrasps) {
+  RandomSource random(2020);
+  std::vector<LoadCase> load_cases;
+  while (load_cases.size() < 100) {
+    const Rational epsilon =
+        parse_rational(random.pick<const char*>({"1e-9", "1e-12", "1e-18"}));
+    const Grasp grasp = test::near_degenerate_grasp(random, few_contacts(random), epsilon);
+    const NormalLaw law = random_law(random);
+    load_cases.push_back({{grasp, any_wrench(random, grasp, law)}, law});
+  }
+  expect_agreement("nearly degenerate", load_cases);
+}
+
+TEST(AgainstZ3, GenericGrasps) {
+  RandomSource random(2021);
+  std::vector<LoadCase> load_cases;
+  while (load_cases.size() < 120) {
+    const Grasp grasp = test::generic_grasp(random, few_contacts(random));
+    const NormalLaw law = random_law(random);
+    load_cases.push_back({{grasp, any_wrench(random, grasp, law)}, law});
+  }
+  expect_agreement("generic", load_cases);
+}
+
+TEST(AgainstZ3, GraspsOfThePaper) {
+  std::vector<LoadCase> load_cases;
+  for (const char* tie : {"-1e-12", "0", "1e-12"}) {
+    for (const NormalLaw law : {NormalLaw::kUnilateral, NormalLaw::kBilateral}) {
+      for (const int preload : {0, 1}) {
+        for (const Wrench& w :
+             {Wrench{0, 1, 0}, Wrench{0, -1, 0}, Wrench{1, Rational(1, 2), 0}}) {
+          load_cases.push_back(
+              {{test::fig1_grasp(preload), w + Wrench{0, parse_rational(tie), 0}}, law});
+        }
+        for (const Wrench& w : {Wrench{0, 2, 0}, Wrench{0, -2, 0}, Wrench{0, 0, 3}}) {
+          load_cases.push_back(
+              {{test::fig4_grasp(preload), w + Wrench{0, parse_rational(tie), 0}}, law});
+        }
+      }
+    }
+  }
+  expect_agreement("Figs. 1 and 4", load_cases);
+}
+
+}  // namespace
+}  // namespace stickslip

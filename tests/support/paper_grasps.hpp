@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The grasps of Haas-Heger et al., RSS 2018. mu = 1/2 and k = 1 throughout.
+#pragma once
+
+#include "stickslip/core/grasp.hpp"
+
+namespace stickslip::test {
+
+/// Contacts at (-1, 0), (0, -1), (1, 0) with normals towards the origin.
+Grasp fig1_grasp(const Rational& preload);
+
+/// Contacts at (-1, 1), (-1, -1), (1, -1), (1, 1); normals (1, 0), (1, 0), (-1, 0), (-1, 0).
+Grasp fig4_grasp(const Rational& preload);
+
+}  // namespace stickslip::test

@@ -5,22 +5,36 @@
 
 namespace stickslip::test {
 
-std::string judged_verdict(const LoadCase& load_case, RaysFrom rays_from) {
-  const Problem problem(load_case.loaded, load_case.law);
-  StatesWork work;
-  const Verdict verdict = decide_by_states(problem, &work);
-  EXPECT_LE(work.states_solved, work.states);
-  EXPECT_GE(work.states_solved, 1u);
+namespace {
+
+void judge(const LoadCase& load_case, const Problem& problem, const Verdict& verdict,
+           RaysFrom rays_from) {
   if (const auto* stable = std::get_if<Stable>(&verdict)) {
     EXPECT_EQ(find_violation(problem, stable->witness), std::nullopt) << describe(load_case);
   } else if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
     EXPECT_EQ(check_refutation(problem, unstable->refutation, rays_from), std::nullopt)
         << describe(load_case) << to_text(unstable->refutation);
-    EXPECT_EQ(work.states_solved, work.states);
   } else {
     ADD_FAILURE() << "undecided: " << describe(load_case);
   }
-  return name_of(verdict);
+}
+
+}  // namespace
+
+std::string judged_verdict(const LoadCase& load_case, RaysFrom rays_from) {
+  const Problem problem(load_case.loaded, load_case.law);
+  StatesWork work;
+  const Verdict by_states = decide_by_states(problem, &work);
+  judge(load_case, problem, by_states, rays_from);
+  EXPECT_LE(work.states_solved, work.states);
+  EXPECT_GE(work.states_solved, 1u);
+  if (std::holds_alternative<Unstable>(by_states)) {
+    EXPECT_EQ(work.states_solved, work.states);
+  }
+  const Verdict by_cones = decide_by_cones(problem);
+  judge(load_case, problem, by_cones, rays_from);
+  EXPECT_STREQ(name_of(by_states), name_of(by_cones)) << describe(load_case);
+  return name_of(by_states);
 }
 
 std::string judged_verdicts(const LoadedGrasp& loaded) {

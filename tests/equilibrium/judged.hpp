@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The engine's verdicts, with the evidence judged each time.
+/// The engines' verdicts, with the evidence judged each time.
 #pragma once
 
 #include <string>
 
 #include "check_refutation.hpp"
 #include "random_grasps.hpp"
+#include "stickslip/equilibrium/cone_engine.hpp"
 #include "stickslip/equilibrium/states_engine.hpp"
 
 namespace stickslip::test {
 
-/// "stable" or "unstable" by decide_by_states. Fails the running test if the witness is not an
-/// equilibrium, or the refutation does not hold (check_refutation), or the work does not add
-/// up.
+/// "stable" or "unstable" by decide_by_states and decide_by_cones. Fails the running test if
+/// they differ, a witness is not an equilibrium, a refutation does not hold (check_refutation),
+/// or the work does not add up.
 std::string judged_verdict(const LoadCase& load_case, RaysFrom rays_from = RaysFrom::kRegion);
 
 /// The same for both normal laws: "stable", "unstable", or "unilateral stable, bilateral

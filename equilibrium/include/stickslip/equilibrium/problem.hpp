@@ -4,10 +4,13 @@
 ///
 /// An equilibrium is a motion d and force coefficients (a_i, b_i), standing for the contact
 /// wrenches a_i N_i + b_i T_i, with (Haas-Heger et al., RSS 2018, Eqs. 1-7, preload in Eq. 4)
-///     balance      w + sum (a_i N_i + b_i T_i) = 0
-///     normal law   a_i = max(0, v_i) unilateral, a_i = v_i >= 0 bilateral, v_i = P_i - k_i
-///     N_i.d cone         |b_i| <= mu_i a_i dissipation  T_i.d > 0 => b_i = -mu_i a_i,  T_i.d <
-///     0 => b_i = mu_i a_i.
+///
+/// - balance: w + sum (a_i N_i + b_i T_i) = 0;
+/// - normal law, with v_i = P_i - k_i N_i.d: a_i = max(0, v_i) unilateral, a_i = v_i >= 0
+/// bilateral;
+/// - cone: |b_i| <= mu_i a_i;
+/// - dissipation: T_i.d > 0 implies b_i = -mu_i a_i, and T_i.d < 0 implies b_i = mu_i a_i.
+///
 /// The grasp is stable iff an equilibrium exists.
 ///
 /// Motions are homogenised: x = (d, h) in Q^4 with h >= 0, so that v_i and the slip

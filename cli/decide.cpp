@@ -178,6 +178,7 @@ struct DecideArguments {
   std::string engine = "auto";
   std::string certificate;
   std::size_t node_limit = 0;
+  std::size_t threads = 0;
   bool json = false;
   bool answer_by_exit_code = false;
 };
@@ -188,7 +189,10 @@ int decide(const DecideArguments& arguments) {
   const Engine engine = arguments.engine == "states" ? Engine::kStates
                         : arguments.engine == "cone" ? Engine::kCone
                                                      : Engine::kAuto;
-  const Decision decision = stickslip::decide(problem, engine, arguments.node_limit);
+  ConeOptions options;
+  options.node_limit = arguments.node_limit;
+  options.threads = arguments.threads;
+  const Decision decision = stickslip::decide(problem, engine, options);
   const Verdict& verdict = decision.verdict;
   if (!arguments.certificate.empty() && !std::holds_alternative<Undecided>(verdict)) {
     write_whole_file(arguments.certificate,
@@ -223,6 +227,12 @@ void add_decide_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--node-limit", arguments->node_limit,
                    "Let the cone engine give up, undecided, after N nodes; 0 is no limit")
+      ->type_name("N")
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--threads", arguments->threads,
+          "Threads of the cone engine; 0 is one a core. The answer does not depend on it")
       ->type_name("N")
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "Print one JSON object; rationals are strings");

@@ -41,6 +41,7 @@ stickslip_require_package(Boost libboost-dev 1.74)
 stickslip_require_package(Eigen3 libeigen3-dev 3.4)
 stickslip_require_package(nlohmann_json nlohmann-json3-dev 3.10)
 stickslip_require_package(CLI11 libcli11-dev)
+stickslip_require_package(TBB libtbb-dev)
 stickslip_require_package(Threads libc6-dev)
 # CGAL's own configuration is verbose and adds flags; only arrangement/ and the
 # test oracles use it, header-only.

@@ -24,7 +24,7 @@ std::vector<std::string> child_conditions(const RefutationNode& node) {
 
 }  // namespace
 
-Decision decide(const Problem& problem, Engine engine, std::size_t node_limit) {
+Decision decide(const Problem& problem, Engine engine, const ConeOptions& options) {
   if (engine == Engine::kAuto) {
     engine = problem.size() <= kMostContactsForStates ? Engine::kStates : Engine::kCone;
   }
@@ -34,8 +34,6 @@ Decision decide(const Problem& problem, Engine engine, std::size_t node_limit) {
     return {std::move(verdict), work};
   }
   ConeWork work;
-  ConeOptions options;
-  options.node_limit = node_limit;
   Verdict verdict = decide_by_cones(problem, options, &work);
   return {std::move(verdict), work};
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "stickslip/core/error.hpp"
+#include "scaled_twist.hpp"
 
 namespace stickslip {
 namespace {
@@ -31,19 +31,6 @@ bool solve3(Matrix3 a, Double3 b, Double3& x) {
   }
   for (std::size_t c = 0; c < 3; ++c) x[c] = b[c] / a[c][c];
   return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
-}
-
-/// The sum of rationals in pairs, so that long numbers meet only at the end.
-Rational sum_in_pairs(std::vector<Rational> terms) {
-  if (terms.empty()) return 0;
-  while (terms.size() > 1) {
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k + 1 < terms.size(); k += 2)
-      terms[kept++] = terms[k] + terms[k + 1];
-    if (terms.size() % 2 == 1) terms[kept++] = std::move(terms.back());
-    terms.resize(kept);
-  }
-  return std::move(terms.front());
 }
 
 /// Gauss-Jordan on [a | b]; nothing if singular.
@@ -100,8 +87,9 @@ std::vector<std::size_t> choose_basic(const Problem& problem,
   return basic;
 }
 
+/// Fine enough that the errors of many contacts together leave room at the basic ones.
 Rational rounded_ratio(double ratio) {
-  constexpr double kSteps = 4096;
+  constexpr double kSteps = 4294967296.0;
   const double clamped = std::clamp(ratio, -1.0, 1.0);
   return Rational(std::lround(clamped * kSteps), static_cast<long>(kSteps));
 }
@@ -143,11 +131,12 @@ std::optional<Witness> complete_exactly(const Problem& problem,
   if (!solution) return std::nullopt;
   Witness witness;
   witness.twist = {(*solution)[0], (*solution)[1], (*solution)[2]};
+  const ScaledTwist scaled(witness.twist);
   for (std::size_t i = 0; i < modes.size(); ++i) {
     const ContactRow& row = problem.rows()[i];
     ContactForce force{0, 0};
     if (modes[i].closed) {
-      force.normal = row.normal_coefficient(witness.twist);
+      force.normal = scaled.normal_coefficient(row) / scaled.scale;
       force.tangential = ratio[i] * row.friction * force.normal;
     }
     witness.forces.push_back(std::move(force));
@@ -159,83 +148,130 @@ std::optional<Witness> complete_exactly(const Problem& problem,
   return witness;
 }
 
-std::optional<Witness> find_witness_near(const Problem& problem, const DoubleModel& model,
-                                         Double3 start) {
-  const std::size_t m = model.contacts.size();
-  Double3 d = start;
-  double epsilon = 0;
-  // Balance and its derivative, lengths scaled so that all entries are comparable.
-  const auto residual = [&](const Double3& at, Matrix3* derivative) {
-    Double3 f = model.load;
+namespace {
+
+/// Balance with friction made smooth, -mu c_n clamp(T.d / epsilon), as three equations in d.
+class SmoothBalance {
+ public:
+  explicit SmoothBalance(const DoubleModel& model) : model_(model) {}
+
+  void set_epsilon(double epsilon) { epsilon_ = epsilon; }
+
+  /// The sum of all wrenches, and its derivative where asked.
+  Double3 residual(const Double3& d, Matrix3* derivative) const {
+    Double3 sum = model_.load;
     if (derivative != nullptr) *derivative = {};
-    for (const ContactDoubles& c : model.contacts) {
-      const Double4 x{at[0], at[1], at[2], 1};
+    const Double4 x{d[0], d[1], d[2], 1};
+    for (const ContactDoubles& c : model_.contacts) {
       const double v = dot(c.separation, x);
       if (v <= 0) continue;
       const double slip = dot(c.slip, x);
-      const double ratio = std::clamp(-slip / epsilon, -1.0, 1.0);
+      const double ratio = friction_ratio(slip);
       for (std::size_t r = 0; r < 3; ++r) {
         const double edge = c.normal[r] + ratio * c.friction[r];
-        f[r] += v * edge;
+        sum[r] += v * edge;
         if (derivative == nullptr) continue;
+        const double give = std::fabs(ratio) < 1 ? v * c.friction[r] / epsilon_ : 0;
         for (std::size_t k = 0; k < 3; ++k) {
-          (*derivative)[r][k] += edge * c.separation[k];
-          if (std::fabs(ratio) < 1) {
-            (*derivative)[r][k] -= v * c.friction[r] * c.slip[k] / epsilon;
-          }
+          (*derivative)[r][k] += edge * c.separation[k] - give * c.slip[k];
         }
       }
     }
-    return f;
-  };
-  const auto norm = [&](const Double3& f) {
-    return std::fabs(f[0]) + std::fabs(f[1]) + std::fabs(f[2]) / model.length;
-  };
-  double stiffness = 0;
-  for (const ContactDoubles& c : model.contacts) stiffness += c.stiffness;
-  if (m == 0 || !(stiffness > 0)) return complete_exactly(problem, {});
-  const double travel = model.force / stiffness * static_cast<double>(m);
-  constexpr int kStages = 14;
-  constexpr int kSteps = 12;
-  constexpr double kShrink = 0.1;
-  epsilon = travel;
-  for (int stage = 0; stage < kStages; ++stage, epsilon *= kShrink) {
-    for (int step = 0; step < kSteps; ++step) {
-      Matrix3 derivative;
-      const Double3 f = residual(d, &derivative);
-      const double size = norm(f);
-      if (size <= 1e-13 * model.force) break;
-      Double3 change{};
-      const Double3 minus{-f[0], -f[1], -f[2]};
+    return sum;
+  }
+
+  double norm(const Double3& wrench) const {
+    return std::fabs(wrench[0]) + std::fabs(wrench[1]) + std::fabs(wrench[2]) / model_.length;
+  }
+
+  /// Newton's method with step halving. Returns the norm of the residual reached.
+  double solve(Double3& d, int steps) const {
+    Matrix3 derivative;
+    Double3 sum = residual(d, &derivative);
+    double size = norm(sum);
+    for (int step = 0; step < steps && size > kConverged * model_.force; ++step) {
       double trace = 0;
       for (std::size_t k = 0; k < 3; ++k) trace += std::fabs(derivative[k][k]);
       // The derivative is negative definite without friction; this keeps it regular.
       for (std::size_t k = 0; k < 3; ++k) derivative[k][k] -= 1e-12 * trace + 1e-300;
-      if (!solve3(derivative, minus, change)) return std::nullopt;
-      double factor = 1;
-      bool better = false;
-      for (int halving = 0; halving < 8 && !better; ++halving, factor *= 0.5) {
+      Double3 change{};
+      if (!solve3(derivative, {-sum[0], -sum[1], -sum[2]}, change)) return size;
+      const double before = size;
+      for (double factor = 1; factor > 1e-3 && !(size < before); factor *= 0.5) {
         const Double3 next{d[0] + factor * change[0], d[1] + factor * change[1],
                            d[2] + factor * change[2]};
-        if (norm(residual(next, nullptr)) < size) {
+        const Double3 next_sum = residual(next, &derivative);
+        const double next_size = norm(next_sum);
+        if (next_size < before) {
           d = next;
-          better = true;
+          sum = next_sum;
+          size = next_size;
         }
       }
-      if (!better) break;
+      if (!(size < before)) return size;
     }
+    return size;
   }
-  epsilon /= kShrink;
-  if (norm(residual(d, nullptr)) > 1e-6 * model.force) return std::nullopt;
-  std::vector<ContactMode> modes;
-  modes.reserve(m);
-  for (const ContactDoubles& c : model.contacts) {
+
+  std::vector<ContactMode> modes(const Double3& d) const {
+    std::vector<ContactMode> result;
+    result.reserve(model_.contacts.size());
     const Double4 x{d[0], d[1], d[2], 1};
-    const double slip = dot(c.slip, x);
-    const double ratio = std::clamp(-slip / epsilon, -1.0, 1.0);
-    modes.push_back({dot(c.separation, x) > 0, ratio, std::fabs(slip) < epsilon});
+    for (const ContactDoubles& c : model_.contacts) {
+      const double slip = dot(c.slip, x);
+      result.push_back(
+          {dot(c.separation, x) > 0, friction_ratio(slip), std::fabs(slip) < epsilon_});
+    }
+    return result;
   }
-  return complete_exactly(problem, modes);
+
+  static constexpr double kConverged = 1e-13;
+
+ private:
+  double friction_ratio(double slip) const { return std::clamp(-slip / epsilon_, -1.0, 1.0); }
+
+  const DoubleModel& model_;
+  double epsilon_ = 1;
+};
+
+}  // namespace
+
+std::optional<Witness> find_witness_from_rest(const Problem& problem,
+                                              const DoubleModel& model) {
+  double stiffness = 0;
+  for (const ContactDoubles& c : model.contacts) stiffness += c.stiffness;
+  if (!(stiffness > 0)) return complete_exactly(problem, {});
+  SmoothBalance balance(model);
+  Double3 d{};
+  double size = HUGE_VAL;
+  constexpr int kStages = 14;
+  constexpr int kSteps = 12;
+  double epsilon = model.force / stiffness * static_cast<double>(model.contacts.size());
+  for (int stage = 0; stage < kStages; ++stage, epsilon *= 0.1) {
+    balance.set_epsilon(epsilon);
+    size = balance.solve(d, kSteps);
+  }
+  if (!(size <= 1e-6 * model.force)) return std::nullopt;
+  return complete_exactly(problem, balance.modes(d));
+}
+
+std::optional<Witness> find_witness_near(const Problem& problem, const DoubleModel& model,
+                                         Double3 start) {
+  double travel = 0;
+  for (const ContactDoubles& c : model.contacts) {
+    travel = std::max(travel, std::fabs(dot(c.slip, {start[0], start[1], start[2], 1})));
+  }
+  if (!(travel > 0)) return std::nullopt;
+  SmoothBalance balance(model);
+  Double3 d = start;
+  constexpr int kSteps = 8;
+  // A start that is near converges at once; one that is not is left to the search.
+  for (const double shrink : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
+    balance.set_epsilon(shrink * travel);
+    if (!(balance.solve(d, kSteps) <= 1e-3 * model.force)) return std::nullopt;
+  }
+  if (!(balance.solve(d, kSteps) <= 1e-6 * model.force)) return std::nullopt;
+  return complete_exactly(problem, balance.modes(d));
 }
 
 }  // namespace stickslip

@@ -28,8 +28,11 @@ std::optional<Witness> complete_exactly(const Problem& problem,
                                         const std::vector<ContactMode>& modes);
 
 /// Newton's method in the three unknowns of d for balance with friction made smooth,
-/// -mu c_n clamp(T.d / epsilon), epsilon decreasing; then complete_exactly. Starts from d =
-/// `start`.
+/// -mu c_n clamp(T.d / epsilon); then complete_exactly. From rest: epsilon falls from the size
+/// of all motion to nothing. O(m) for each of at most a few hundred steps.
+std::optional<Witness> find_witness_from_rest(const Problem& problem, const DoubleModel& model);
+
+/// The same from d = `start` with a small epsilon; gives up early unless `start` is near.
 std::optional<Witness> find_witness_near(const Problem& problem, const DoubleModel& model,
                                          Double3 start);
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "both_checkers.hpp"
+
 namespace stickslip::test {
 
 namespace {
@@ -16,7 +18,9 @@ void judge(const LoadCase& load_case, const Problem& problem, const Verdict& ver
         << describe(load_case) << to_text(unstable->refutation);
   } else {
     ADD_FAILURE() << "undecided: " << describe(load_case);
+    return;
   }
+  expect_accepted_by_both(load_case.loaded, load_case.law, verdict);
 }
 
 }  // namespace

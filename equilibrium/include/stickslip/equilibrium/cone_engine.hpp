@@ -45,11 +45,13 @@ struct ConeWork {
 
 struct ConeOptions {
   std::size_t node_limit = 0;  ///< 0: none; otherwise Undecided when it is reached
+  std::size_t threads = 1;  ///< 0: as many as there are cores. Any number gives the same answer
   bool verify =
       true;  ///< false only in benchmarks: what the doubles propose is taken unverified
 };
 
-/// Deterministic. Undecided only when the node limit is reached.
+/// Deterministic, whatever the number of threads: verdict, evidence and work. Undecided only
+/// when the node limit is reached.
 Verdict decide_by_cones(const Problem& problem, const ConeOptions& options = {},
                         ConeWork* work = nullptr);
 

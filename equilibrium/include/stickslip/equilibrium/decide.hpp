@@ -29,9 +29,9 @@ struct Decision {
   }
 };
 
-/// `node_limit` applies to the cone engine; 0 is none.
+/// `options` are those of the cone engine.
 Decision decide(const Problem& problem, Engine engine = Engine::kAuto,
-                std::size_t node_limit = 0);
+                const ConeOptions& options = {});
 
 /// The counters by name, in a fixed order.
 std::vector<std::pair<std::string, std::size_t>> counters(const StatesWork& work);

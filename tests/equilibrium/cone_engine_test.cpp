@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What judged_verdict does not cover: determinism, limits, counters, and grasps whose numbers
+// leave double precision behind. Verdicts are judged in every other test of this folder.
+#include <gtest/gtest.h>
+
+#include "judged.hpp"
+#include "paper_grasps.hpp"
+#include "stickslip/equilibrium/decide.hpp"
+
+namespace stickslip::test {
+namespace {
+
+/// `count` contacts on part of a circle, and a load that pulls the object off them or presses
+/// it on.
+LoadedGrasp arc(std::size_t count, std::uint64_t seed, bool pulled_off) {
+  RandomSource random(seed);
+  std::vector<Contact> contacts;
+  Vector2 sum;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Rational t(random.between(-48, 48), 64);
+    const Rational scale = 1 + t * t;
+    Contact c;
+    c.normal = {(t * t - 1) / scale, -2 * t / scale};
+    c.position = {-c.normal.x + Rational(random.between(-10, 10), 100),
+                  -c.normal.y + Rational(random.between(-10, 10), 100)};
+    c.friction = Rational(random.between(0, 8), 10);
+    c.stiffness = random.between(1, 5);
+    c.preload = Rational(random.between(1, 4), 4);
+    sum.x += c.normal.x * c.preload;
+    sum.y += c.normal.y * c.preload;
+    contacts.push_back(std::move(c));
+  }
+  const Rational pull = pulled_off ? Rational(1, 2) : Rational(-9, 10);
+  return {Grasp(std::move(contacts)),
+          {pull * sum.x, pull * sum.y, Rational(static_cast<long>(count), 50)}};
+}
+
+TEST(ConeEngine, SameAnswerForAnyNumberOfThreads) {
+  for (const bool pulled_off : {false, true}) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      const Problem problem(arc(600, seed, pulled_off), NormalLaw::kUnilateral);
+      std::vector<std::string> texts;
+      std::vector<std::vector<std::pair<std::string, std::size_t>>> works;
+      for (const std::size_t threads : {1, 2, 5}) {
+        ConeOptions options;
+        options.threads = threads;
+        ConeWork work;
+        const Verdict verdict = decide_by_cones(problem, options, &work);
+        if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
+          texts.push_back(to_text(unstable->refutation));
+        } else {
+          const Witness& witness = std::get<Stable>(verdict).witness;
+          EXPECT_EQ(find_violation(problem, witness), std::nullopt);
+          texts.push_back(to_string(witness.twist.x) + to_string(witness.twist.y) +
+                          to_string(witness.twist.r));
+        }
+        works.push_back(counters(work));
+      }
+      EXPECT_EQ(texts[0], texts[1]);
+      EXPECT_EQ(texts[0], texts[2]);
+      EXPECT_EQ(works[0], works[1]);
+      EXPECT_EQ(works[0], works[2]);
+    }
+  }
+}
+
+TEST(ConeEngine, ManyContactsWithBothVerdictsJudged) {
+  int stable = 0;
+  int unstable = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    for (const bool pulled_off : {false, true}) {
+      const Problem problem(arc(60, seed, pulled_off), NormalLaw::kUnilateral);
+      const Verdict verdict = decide_by_cones(problem);
+      if (const auto* found = std::get_if<Unstable>(&verdict)) {
+        ++unstable;
+        EXPECT_EQ(check_refutation(problem, found->refutation), std::nullopt);
+      } else {
+        ++stable;
+        EXPECT_EQ(find_violation(problem, std::get<Stable>(verdict).witness), std::nullopt);
+      }
+    }
+  }
+  EXPECT_GE(stable, 1);
+  EXPECT_GE(unstable, 1);
+}
+
+TEST(ConeEngine, GivesUpOnlyAtItsLimit) {
+  const Problem problem({fig1_grasp(1), {0, Rational(11, 10), 0}}, NormalLaw::kUnilateral);
+  ConeWork whole;
+  ASSERT_TRUE(std::holds_alternative<Unstable>(decide_by_cones(problem, {}, &whole)));
+  ConeOptions options;
+  for (std::size_t limit = 1; limit <= whole.nodes; ++limit) {
+    options.node_limit = limit;
+    const Verdict verdict = decide_by_cones(problem, options);
+    if (limit < whole.nodes) {
+      ASSERT_TRUE(std::holds_alternative<Undecided>(verdict)) << limit;
+      EXPECT_EQ(std::get<Undecided>(verdict).limit,
+                "the limit of " + std::to_string(limit) + " nodes");
+    } else {
+      EXPECT_TRUE(std::holds_alternative<Unstable>(verdict));
+    }
+  }
+}
+
+TEST(ConeEngine, CountersAddUp) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    ConeWork work;
+    const Verdict verdict =
+        decide_by_cones(Problem(arc(40, seed, true), NormalLaw::kUnilateral), {}, &work);
+    const auto* unstable = std::get_if<Unstable>(&verdict);
+    ASSERT_NE(unstable, nullptr);
+    EXPECT_EQ(work.nodes, unstable->refutation.size());
+    EXPECT_EQ(work.nodes, work.leaves + work.voids + work.slip_splits + work.separation_splits);
+    EXPECT_EQ(work.nodes, 1 + 3 * work.slip_splits + 2 * work.separation_splits);
+    EXPECT_EQ(work.leaves, work.filter_hits + work.filter_misses);
+  }
+}
+
+/// Fig. 1 with its parts scaled apart, so that doubles cannot see the answer; the threshold
+/// stays 1.
+LoadedGrasp spread_fig1(const Rational& stiffness_ratio, const Rational& load) {
+  const Grasp plain = fig1_grasp(1);
+  std::vector<Contact> contacts = plain.contacts();
+  contacts[0].stiffness = stiffness_ratio;
+  contacts[2].stiffness = stiffness_ratio;
+  return {Grasp(std::move(contacts)), {0, load, 0}};
+}
+
+TEST(ConeEngine, ExactWhereDoublesGiveOut) {
+  const Rational tiny(1, Integer(boost::multiprecision::pow(Integer(10), 40)));
+  for (const char* ratio : {"1e-9", "1", "1e9", "1e30"}) {
+    const Rational k = parse_rational(ratio);
+    EXPECT_EQ(judged_verdict({spread_fig1(k, 1), NormalLaw::kUnilateral}), "stable") << ratio;
+    EXPECT_EQ(judged_verdict({spread_fig1(k, 1 + tiny), NormalLaw::kUnilateral}), "unstable")
+        << ratio;
+  }
+}
+
+TEST(ConeEngine, MixedMagnitudes) {
+  // Each contact's numbers differ from the next one's by eighteen orders of magnitude.
+  RandomSource random(5);
+  for (int round = 0; round < 40; ++round) {
+    std::vector<Contact> contacts;
+    for (int i = 0; i < 4; ++i) {
+      const auto spread = [&] {
+        return parse_rational(random.pick<const char*>({"1e-9", "1", "1e9"}));
+      };
+      Contact c;
+      c.position = {Rational(random.between(-3, 3)), Rational(random.between(-3, 3))};
+      static const int kAxes[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+      const int* axis = kAxes[random.between(0, 3)];
+      c.normal = {axis[0], axis[1]};
+      c.friction = Rational(random.between(0, 2), 2);
+      c.stiffness = spread();
+      c.preload = random.one_in(2) ? Rational(0) : spread();
+      contacts.push_back(std::move(c));
+    }
+    const Wrench load{Rational(random.between(-2, 2)), Rational(random.between(-2, 2)),
+                      Rational(random.between(-2, 2))};
+    judged_verdicts({Grasp(std::move(contacts)), load});
+  }
+}
+
+TEST(Decide, PicksTheEngineByTheNumberOfContacts) {
+  const LoadedGrasp small{fig1_grasp(1), {0, 1, 0}};
+  EXPECT_STREQ(decide(Problem(small, NormalLaw::kUnilateral)).engine(), "states");
+  const Problem large(arc(kMostContactsForStates + 1, 1, true), NormalLaw::kUnilateral);
+  EXPECT_STREQ(decide(large).engine(), "cone");
+  EXPECT_STREQ(decide(large, Engine::kStates).engine(), "states");
+}
+
+TEST(Decide, SummaryNamesTheLargestCase) {
+  const Refutation tree{SlipSplit{ContactId(2)},
+                        SeparationSplit{ContactId(0)},
+                        VirtualWorkLeaf{{1, 0, 0}, {}},
+                        VirtualWorkLeaf{{2, 0, 0}, {}},
+                        VoidLeaf{},
+                        VirtualWorkLeaf{{3, 0, 0}, {}}};
+  const RefutationSummary summary = summarize(tree);
+  EXPECT_EQ(summary.nodes, 6u);
+  EXPECT_EQ(summary.leaves, 3u);
+  EXPECT_EQ(summary.largest_case, std::vector<std::string>{"contact 2 slips -"});
+  EXPECT_EQ(summary.largest_case_twist[0], 3);
+}
+
+}  // namespace
+}  // namespace stickslip::test

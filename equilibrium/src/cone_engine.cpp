@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "stickslip/core/error.hpp"
+#include "stickslip/equilibrium/validate.hpp"
 #include "twist_search.hpp"
 #include "witness_recovery.hpp"
 
@@ -336,10 +337,13 @@ Verdict decide_by_cones(const Problem& problem, const ConeOptions& options, Cone
   const DoubleModel model(problem);
   // Sharing out pays when nodes are dear. A limit counts nodes in order.
   constexpr std::size_t kContactsWorthSharing = 500;
-  if (problem.size() < kContactsWorthSharing || options.node_limit != 0) {
-    return decide_in_order(problem, model, options, counters);
-  }
-  return decide_in_parallel(problem, model, options, counters);
+  const bool in_order = problem.size() < kContactsWorthSharing || options.node_limit != 0;
+  Verdict verdict = in_order ? decide_in_order(problem, model, options, counters)
+                             : decide_in_parallel(problem, model, options, counters);
+#ifdef STICKSLIP_VALIDATE
+  if (options.verify) validate(problem, verdict);
+#endif
+  return verdict;
 }
 
 }  // namespace stickslip

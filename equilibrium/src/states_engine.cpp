@@ -7,6 +7,7 @@
 #include "stickslip/arrangement/slip_states.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/equilibrium/region_system.hpp"
+#include "stickslip/equilibrium/validate.hpp"
 
 namespace stickslip {
 namespace {
@@ -111,7 +112,11 @@ Verdict decide_by_states(const Problem& problem, StatesWork* work) {
   StatesWork unused;
   StatesWork& counters = work != nullptr ? *work : unused;
   counters = {};
-  return StatesEngine(problem, counters).decide();
+  Verdict verdict = StatesEngine(problem, counters).decide();
+#ifdef STICKSLIP_VALIDATE
+  validate(problem, verdict);
+#endif
+  return verdict;
 }
 
 }  // namespace stickslip

@@ -6,6 +6,8 @@
 
 #include "judged.hpp"
 #include "paper_grasps.hpp"
+#include "stickslip/core/error.hpp"
+#include "stickslip/equilibrium/validate.hpp"
 
 namespace stickslip {
 namespace {
@@ -160,25 +162,35 @@ TEST(Determinism, SameProblemSameEvidenceSameWork) {
   }
 }
 
-// The walker that judges all refutations must itself reject: every node dropped, and the
+// The walkers that judge all refutations must themselves reject: every node dropped, and the
 // load turned round.
 TEST(CheckRefutation, RejectsMutations) {
   const Problem problem({test::fig1_grasp(0), {0, 1, 0}}, NormalLaw::kUnilateral);
   const Refutation refutation = std::get<Unstable>(decide_by_states(problem)).refutation;
-  ASSERT_EQ(test::check_refutation(problem, refutation), std::nullopt);
+  const auto holds = [](const Problem& of, const Refutation& tree) {
+    const bool by_twin = !test::check_refutation(of, tree);
+    EXPECT_EQ(by_twin, !find_flaw(of, tree));
+    return by_twin;
+  };
+  ASSERT_TRUE(holds(problem, refutation));
   for (std::size_t drop = 0; drop < refutation.size(); ++drop) {
     Refutation shorter = refutation;
     shorter.erase(shorter.begin() + static_cast<std::ptrdiff_t>(drop));
-    EXPECT_NE(test::check_refutation(problem, shorter), std::nullopt) << drop;
+    EXPECT_FALSE(holds(problem, shorter)) << drop;
   }
   Refutation longer = refutation;
   longer.emplace_back(VoidLeaf{});
+  EXPECT_FALSE(holds(problem, longer));
   EXPECT_EQ(test::check_refutation(problem, longer),
             "node " + std::to_string(refutation.size() - 1) + ": tree-long");
   const Problem held({test::fig1_grasp(0), {0, -1, 0}}, NormalLaw::kUnilateral);
-  EXPECT_NE(test::check_refutation(held, refutation), std::nullopt);
-  EXPECT_NE(test::check_refutation(problem, {}), std::nullopt);
-  EXPECT_NE(test::check_refutation(problem, {VoidLeaf{}}), std::nullopt);
+  EXPECT_FALSE(holds(held, refutation));
+  EXPECT_FALSE(holds(problem, {}));
+  EXPECT_FALSE(holds(problem, {VoidLeaf{}}));
+  EXPECT_FALSE(holds(problem, {SlipSplit{ContactId(3)}}));
+  EXPECT_THROW(validate(problem, Unstable{longer}), ContractError);
+  EXPECT_THROW(validate(problem, Stable{Witness{}}), ContractError);
+  EXPECT_NO_THROW(validate(problem, Unstable{refutation}));
 }
 
 TEST(Planted, LoadsAreStable) {

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The evidence of a verdict, checked exactly inside the library. The checkers in certificate/
+/// are the judges for everybody else; this one is for callers who hold a verdict in memory, and
+/// runs on every verdict of the engines in the `dev` preset (STICKSLIP_VALIDATE).
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "stickslip/equilibrium/verdict.hpp"
+
+namespace stickslip {
+
+/// The first node at which a rule of certificate/FORMAT.md, section 4, fails; nothing for a
+/// refutation that holds. O(nodes * m * rays) rational operations.
+std::optional<std::string> find_flaw(const Problem& problem, const Refutation& refutation);
+
+/// Throws ContractError if the verdict's evidence does not hold.
+void validate(const Problem& problem, const Verdict& verdict);
+
+}  // namespace stickslip

@@ -2,6 +2,7 @@
 #include "sign_rows.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <utility>
 
@@ -10,6 +11,19 @@ namespace {
 
 constexpr std::uint64_t digit_of(Sign sign) {
   return sign == Sign::kPositive ? 0 : sign == Sign::kNegative ? 1 : 2;
+}
+
+using FourSigns = std::array<Sign, 4>;
+
+/// The signs that each byte of digits spells. Some bytes have a digit 3, and are never met.
+std::array<FourSigns, 256> signs_of_bytes() {
+  constexpr Sign kSignOfDigit[] = {Sign::kPositive, Sign::kNegative, Sign::kZero, Sign::kZero};
+  std::array<FourSigns, 256> result{};
+  for (std::size_t byte = 0; byte < 256; ++byte) {
+    for (std::size_t i = 0; i < 4; ++i)
+      result[byte][i] = kSignOfDigit[(byte >> (6 - 2 * i)) & 3];
+  }
+  return result;
 }
 
 }  // namespace
@@ -30,9 +44,30 @@ std::size_t SignRows::add_copy(std::size_t row) {
   return result;
 }
 
+std::size_t SignRows::add_copy_of(const std::uint64_t* words) {
+  words_.insert(words_.end(), words, words + width_);
+  return size_++;
+}
+
 void SignRows::set(std::size_t row, std::size_t circle, Sign sign) {
   Word& w = word(row, circle);
   w = (w & ~(kDigitMask << shift(circle))) | (digit_of(sign) << shift(circle));
+}
+
+void SignRows::unpack(std::size_t row, std::vector<Sign>& signs) const {
+  static const std::array<FourSigns, 256> kSignsOfByte = signs_of_bytes();
+  constexpr unsigned kFirstByte = 2 * kSignsPerWord - 8;
+  signs.resize(circles_);
+  std::size_t c = 0;
+  for (const Word* word = begin(row); c < circles_; ++word) {
+    Word rest = *word;
+    const std::size_t end = std::min(circles_, c + kSignsPerWord);
+    for (; c + 4 <= end; c += 4, rest <<= 8) {
+      std::copy_n(kSignsOfByte[rest >> kFirstByte].begin(), 4, signs.data() + c);
+    }
+    std::copy_n(kSignsOfByte[rest >> kFirstByte].begin(), end - c, signs.data() + c);
+    c = end;
+  }
 }
 
 void SignRows::flip(std::size_t row, std::size_t circle) {

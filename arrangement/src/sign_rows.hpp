@@ -25,12 +25,16 @@ class SignRows {
   /// Appends a row of '+', or a copy of a row; gives its number.
   std::size_t add();
   std::size_t add_copy(std::size_t row);
+  /// Appends a copy of packed signs (PackedSigns has the same encoding) over as many circles.
+  std::size_t add_copy_of(const std::uint64_t* words);
 
   Sign get(std::size_t row, std::size_t circle) const {
     constexpr Sign kSignOfDigit[] = {Sign::kPositive, Sign::kNegative, Sign::kZero};
     return kSignOfDigit[(begin(row)[circle / kSignsPerWord] >> shift(circle)) & kDigitMask];
   }
   void set(std::size_t row, std::size_t circle, Sign sign);
+  /// Writes the signs of a whole row, faster than by get().
+  void unpack(std::size_t row, std::vector<Sign>& signs) const;
 
   /// Replaces '+' by '-' and '-' by '+' in one place. Requires a sign that is not '0'.
   void flip(std::size_t row, std::size_t circle);

@@ -73,10 +73,17 @@ SlipStates assemble_states(const GreatCircles& circles, SignRows cell_signs,
   SlipStates result;
   result.counts = counts;
   result.states.reserve(cell_signs.size());
+  std::vector<Sign> of_circles;
   for (std::size_t row = 0; row < cell_signs.size(); ++row) {
+    cell_signs.unpack(row, of_circles);
+    if (plane_count == circle_count) {
+      // Each plane is the first of its circle, and has its number.
+      result.states.push_back(of_circles);
+      continue;
+    }
     SlipState& state = result.states.emplace_back(plane_count, Sign::kZero);
     for (std::size_t p = 0; p < plane_count; ++p) {
-      state[p] = relative[p] * cell_signs.get(row, circles.circle[p].index());
+      state[p] = relative[p] * of_circles[circles.circle[p].index()];
     }
   }
   return result;

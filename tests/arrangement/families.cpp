@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "oracle.hpp"
+#include "sweep_checks.hpp"
 
 namespace stickslip::test {
 namespace {
@@ -169,6 +170,8 @@ void expect_equals_oracle(const std::vector<Vector3>& planes) {
   EXPECT_EQ(actual.counts.faces, expected.faces);
   EXPECT_EQ(actual.counts.distinct_states, expected.states.size());
   EXPECT_EQ(texts(actual.states), expected.states);
+
+  expect_sweep_equals(planes, expected);
 }
 
 }  // namespace stickslip::test

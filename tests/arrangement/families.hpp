@@ -59,7 +59,8 @@ std::vector<std::string> texts(const std::vector<SlipState>& states);
 /// all-stick. Reports failures to GoogleTest.
 void expect_well_formed(const SlipStates& result);
 
-/// The enumerator under test against the oracle: states one by one, counts, rank.
+/// The enumerators under test against the oracle: states one by one, counts, rank; of the
+/// sweep also its stream of cells and its structure (sweep_checks.hpp).
 void expect_equals_oracle(const std::vector<Vector3>& planes);
 
 /// "{(1, 0, 0), (0, 1/2, 1)}", for failure messages.

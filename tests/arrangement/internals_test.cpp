@@ -41,6 +41,9 @@ TEST_P(SignRowsOfWidth, SetGetFlipAgreeWithText) {
       expected[c] = to_char(sign);
     }
     ASSERT_EQ(row_text(rows, 0), expected);
+    std::vector<Sign> unpacked;
+    rows.unpack(0, unpacked);
+    ASSERT_EQ(to_string(unpacked), expected);
   }
   EXPECT_EQ(row_text(rows, rows.add_copy(0)), expected);
 }

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The fast enumerator: exact, streaming, for thousands of planes.
+///
+/// The planes n_i.d = 0 are any central planes of R^3; their cells on the unit sphere are the
+/// regions (faces), facets (edges) and lines (vertices) of Haas-Heger et al., RSS 2018,
+/// Section IV. The circles are walked one by one. On a circle the crossings with the others
+/// are sorted by angle, each adjacent pair is confirmed by the exact sign of
+/// det(n_i, n_j, n_k), and every crossing changes the signs of the circles that cross there.
+/// Where three or more circles pass through one point that point is one vertex: ties are
+/// found exactly, and nothing is perturbed.
+///
+/// Every face is met exactly once without being traced: see src/sweep.cpp.
+///
+/// Cost, for m planes on k distinct circles: O(m + k^2 log k) operations and O(m + k) memory
+/// to count; to visit, O(1) sign changes more a cell (O(1 + p) for p planes on one circle).
+/// Almost all operations are in double precision; what the error bound leaves open goes to
+/// 128-bit integers, and to GMP when those are too short (filtered_normals.hpp).
+///
+/// Everything here is deterministic: results, the order of visits, and the work counters
+/// depend on the planes alone, not on the number of threads. `threads` = 0 stands for all that
+/// the machine has. Functions throw ContractError if a normal is zero or if an internal check
+/// fails, in every build type.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "stickslip/arrangement/packed_signs.hpp"
+#include "stickslip/arrangement/slip_states.hpp"
+
+namespace stickslip {
+
+enum class CellKind : std::uint8_t { kVertex, kEdge, kFace };
+
+/// How many exact signs were asked for, by what decided them.
+struct SweepWork {
+  std::uint64_t by_double = 0;  ///< the error bound sufficed
+  std::uint64_t by_int128 = 0;
+  std::uint64_t by_gmp = 0;
+  /// Circles whose order in double precision was so wrong that they were sorted again by
+  /// exact comparisons only: bounds the work at O(k log k) exact signs a circle.
+  std::uint64_t exact_sorts = 0;
+
+  SweepWork& operator+=(const SweepWork& other) {
+    by_double += other.by_double;
+    by_int128 += other.by_int128;
+    by_gmp += other.by_gmp;
+    exact_sorts += other.exact_sorts;
+    return *this;
+  }
+};
+
+/// Counts without visiting, in O(m) memory a thread. No face is traced, so V - E + F = 2 is
+/// no check here: it is how F follows from V and E. What is checked: a vertex on t circles is
+/// found independently from each of them, so for every t the number of (circle, vertex) pairs
+/// must be t times the number of vertices counted at their lowest circle.
+ArrangementCounts count_cells(const std::vector<Vector3>& plane_normals, unsigned threads = 1,
+                              SweepWork* work = nullptr);
+
+/// Receives cells. Circles are handled in strips, numbered from 0 in the order of a serial
+/// visit. Calls with different strips may come from different threads at one time; those with
+/// the same strip come one after the other. Base of the templates below.
+class CellReceiver {
+ public:
+  virtual ~CellReceiver() = default;
+  /// Called once, first.
+  virtual void begin(std::size_t /*strips*/) {}
+  /// `signs` is valid during the call.
+  virtual void receive(std::size_t strip, CellKind kind, const PackedSigns& signs) = 0;
+};
+
+/// Gives every cell of the sphere to `receiver` exactly once, with the signs of all planes on
+/// it. All-stick is given only where it is a cell: at rank 2 by both vertices, at rank 1 by
+/// the edge, at rank 0 by the face. At rank 3 no cell has it, yet it is a slip state.
+ArrangementCounts sweep_cells(const std::vector<Vector3>& plane_normals, unsigned threads,
+                              CellReceiver& receiver, SweepWork* work = nullptr);
+
+/// Calls visitor(CellKind, const PackedSigns&) for every cell, in a fixed order, on this
+/// thread.
+template <class Visitor>
+ArrangementCounts visit_cells(const std::vector<Vector3>& plane_normals, Visitor&& visitor,
+                              SweepWork* work = nullptr) {
+  class Receiver final : public CellReceiver {
+   public:
+    explicit Receiver(Visitor& callee) : visitor_(callee) {}
+    void receive(std::size_t, CellKind kind, const PackedSigns& signs) override {
+      visitor_(kind, signs);
+    }
+
+   private:
+    Visitor& visitor_;
+  };
+  Receiver receiver(visitor);
+  return sweep_cells(plane_normals, 1, receiver, work);
+}
+
+/// Visits in parallel: visit(partial, CellKind, const PackedSigns&) for every cell, where each
+/// strip has its own partial result, a copy of `identity`; then merge(result, partial&&) in
+/// the order of the strips, on this thread. The same result for any number of threads, also
+/// when merging does not commute.
+template <class Partial, class Visit, class Merge>
+Partial fold_cells(const std::vector<Vector3>& plane_normals, unsigned threads,
+                   const Partial& identity, Visit visit, Merge merge) {
+  class Receiver final : public CellReceiver {
+   public:
+    Receiver(const Partial& initial, Visit& callee) : initial_(initial), visit_(callee) {}
+    void begin(std::size_t strips) override { partials.assign(strips, {initial_}); }
+    void receive(std::size_t strip, CellKind kind, const PackedSigns& signs) override {
+      visit_(partials[strip].value, kind, signs);
+    }
+    /// On its own cache lines, so that threads do not slow one another.
+    struct alignas(64) Slot {
+      Partial value;
+    };
+    std::vector<Slot> partials;
+
+   private:
+    const Partial& initial_;
+    Visit& visit_;
+  };
+  Receiver receiver(identity, visit);
+  sweep_cells(plane_normals, threads, receiver);
+  Partial result = identity;
+  for (auto& partial : receiver.partials) merge(result, std::move(partial.value));
+  return result;
+}
+
+/// The same result as enumerate_slip_states_cgal, in the same order. The states take O(m^3)
+/// memory; to count or to stream them, use the functions above.
+SlipStates enumerate_slip_states_sweep(const std::vector<Vector3>& plane_normals,
+                                       SweepWork* work = nullptr);
+
+}  // namespace stickslip

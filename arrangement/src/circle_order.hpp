@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The points where one great circle crosses the others, in the order in which they are
+/// passed, exactly.
+///
+/// Circle i is passed counterclockwise about n_i. It meets circle j in the two antipodal
+/// points +-(n_i x n_j); at +n_i x n_j the sign of n_j changes from + to -, because the
+/// direction of travel n_i x (n_i x n_j) has the negative product
+/// (n_i.n_j)^2 - |n_i|^2 |n_j|^2 with n_j.
+///
+/// So half of the circle is sorted and the other half is its mirror image. The half starts in
+/// the point n_i x n_r, where r is the lowest circle other than i. On it circle j is crossed
+/// once, at side(j) * (n_i x n_j), where its sign changes from side(j) to -side(j). At the
+/// start every circle j that does not pass through it has the sign side(j) = sign
+/// det(n_i, n_r, n_j), and the point of j comes before that of k iff
+/// side(j) side(k) det(n_i, n_j, n_k) > 0. Points are equal iff that is 0.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "filtered_normals.hpp"
+
+namespace stickslip {
+
+/// One for each thread; everything is allocated once.
+class CircleOrder {
+ public:
+  /// Requires at least two circles, at most kMaxCircles.
+  explicit CircleOrder(const FilteredNormals& normals);
+
+  static constexpr std::size_t kMaxCircles = std::size_t{1} << 20;
+
+  /// Computes the order on circle i. O(k log k) exact signs, whatever the doubles say.
+  void sort(std::size_t i);
+
+  /// What follows is about the circle sorted last.
+
+  /// The number h of points on half the circle; after them come their antipodes.
+  std::size_t half_points() const { return point_begin_.size() - 1; }
+
+  /// The other circles through point q < h.
+  const std::uint32_t* begin(std::size_t q) const { return order_.data() + point_begin_[q]; }
+  const std::uint32_t* end(std::size_t q) const { return order_.data() + point_begin_[q + 1]; }
+  /// How many circles pass through point q, this one included.
+  std::size_t multiplicity(std::size_t q) const {
+    return point_begin_[q + 1] - point_begin_[q] + 1;
+  }
+
+  /// +1 or -1: the sign of circle j before it is crossed on the first half.
+  int side(std::size_t j) const { return side_[j]; }
+
+  /// All circles through point q < h, this one included, by the slope of their counterclockwise
+  /// directions there: a before b iff n_a x n_b is a positive multiple of the point. At the
+  /// antipode the order is the reverse. Valid until the next call.
+  const std::vector<std::uint32_t>& by_slope(std::size_t q);
+
+  SweepWork& work() { return signs_.work(); }
+
+ private:
+  void set_sides();
+  void set_side_at_start(std::size_t j);
+  void sort_by_key();
+  bool cut_into_points();
+  void repair();
+  Sign compare(std::uint32_t a, std::uint32_t b);
+
+  const FilteredNormals* normals_;
+  ExactSigns signs_;
+  std::size_t circle_ = 0;
+  std::size_t reference_ = 0;           ///< r
+  std::size_t start_axis_ = 0;          ///< a coordinate of n_i x n_r that is not 0,
+  Sign start_axis_sign_ = Sign::kZero;  ///< and its sign
+  std::vector<double> x_, y_;           ///< of the point of j, in a frame of the circle's plane
+  std::vector<std::int8_t> side_;
+  std::vector<std::uint64_t> keys_;
+  std::vector<std::uint32_t> order_;
+  std::vector<std::uint32_t> point_begin_;
+  std::vector<std::uint32_t> slopes_;
+};
+
+}  // namespace stickslip

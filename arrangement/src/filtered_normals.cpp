@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filtered_normals.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "integer_vector.hpp"
+#include "stickslip/core/error.hpp"
+
+namespace stickslip {
+namespace {
+
+__extension__ typedef __int128 Int128;
+
+// Any first value is right. Small ones would often lie on circles of hand-made grasps, and
+// then the next is tried.
+constexpr int kFirstS = 7;
+
+constexpr unsigned kInt128ProductBits = 124;
+
+/// The two coordinates other than c, in cyclic order.
+constexpr std::size_t after(std::size_t c) {
+  return c == 2 ? 0 : c + 1;
+}
+
+/// value = mantissa * 2^exponent, 1/2 <= |mantissa| < 1, truncated to 53 bits: within 2^-53.
+struct Floating {
+  double mantissa = 0;
+  long exponent = 0;
+};
+
+Floating to_floating(const Integer& value) {
+  Floating result;
+  if (!value.is_zero()) {
+    result.mantissa = mpz_get_d_2exp(&result.exponent, value.backend().data());
+  }
+  return result;
+}
+
+Floating to_floating(Int128 value) {
+  // One rounding, within 2^-54 of the mantissa.
+  int exponent = 0;
+  const double mantissa = std::frexp(static_cast<double>(value), &exponent);
+  return {mantissa, exponent};
+}
+
+/// Scales so that the largest entry has the exponent 0. Smaller entries have smaller errors;
+/// those that underflow are off by less than 2^-1073.
+std::array<double, 3> scaled(const std::array<Floating, 3>& v) {
+  long largest = 0;
+  bool found = false;
+  for (const Floating& entry : v) {
+    if (entry.mantissa == 0) continue;
+    largest = found ? std::max(largest, entry.exponent) : entry.exponent;
+    found = true;
+  }
+  std::array<double, 3> result{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const long shift = std::max(v[c].exponent - largest, -2000L);
+    if (v[c].mantissa != 0) result[c] = std::ldexp(v[c].mantissa, static_cast<int>(shift));
+  }
+  return result;
+}
+
+std::size_t bit_length(const Integer& value) {
+  return value.is_zero() ? 0 : mpz_sizeinbase(value.backend().data(), 2);
+}
+
+Sign sign_of_int128(Int128 value) {
+  return value > 0 ? Sign::kPositive : value < 0 ? Sign::kNegative : Sign::kZero;
+}
+
+Int128 minor_of(const FilteredNormals::Small& a, const FilteredNormals::Small& b,
+                std::size_t coordinate) {
+  const std::size_t p = after(coordinate);
+  const std::size_t q = after(p);
+  return Int128{a[p]} * b[q] - Int128{a[q]} * b[p];
+}
+
+}  // namespace
+
+FilteredNormals::FilteredNormals(std::vector<IntegerVector3> normals)
+    : exact_(std::move(normals)) {
+  orient_to_pole();
+  small_.resize(size());
+  bits_.assign(size(), 0);
+  for (auto& coordinate : approximate_) coordinate.resize(size());
+  for (std::size_t i = 0; i < size(); ++i) {
+    std::array<Floating, 3> floating;
+    std::size_t longest = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      floating[c] = to_floating(exact_[i][c]);
+      longest = std::max(longest, bit_length(exact_[i][c]));
+    }
+    const std::array<double, 3> n = scaled(floating);
+    for (std::size_t c = 0; c < 3; ++c) approximate_[c][i] = n[c];
+    bits_[i] = longest <= 63 ? static_cast<unsigned>(longest) : kTooLong;
+    if (bits_[i] == kTooLong) continue;
+    for (std::size_t c = 0; c < 3; ++c) small_[i][c] = static_cast<std::int64_t>(exact_[i][c]);
+  }
+}
+
+void FilteredNormals::orient_to_pole() {
+  Integer s = kFirstS;
+  IntegerVector3 pole;
+  const auto is_on_pole = [&pole](const IntegerVector3& n) { return dot(pole, n).is_zero(); };
+  do {
+    require(s <= kFirstS + 2 * size(), "sweep: a normal is zero");
+    pole = {1, s, s * s};
+    ++s;
+  } while (std::any_of(exact_.begin(), exact_.end(), is_on_pole));
+
+  reversed_.resize(size());
+  for (std::size_t i = 0; i < size(); ++i) {
+    reversed_[i] = dot(pole, exact_[i]).sign() < 0;
+    if (reversed_[i]) exact_[i] = negated(std::move(exact_[i]));
+  }
+}
+
+Sign ExactSigns::determinant(std::size_t i, std::size_t j, std::size_t k) {
+  const FilteredNormals& n = *normals_;
+  if (n.bits(i) + n.bits(j) + n.bits(k) <= kInt128ProductBits) {
+    ++work_.by_int128;
+    Int128 sum = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      sum += minor_of(n.small(i), n.small(j), c) * n.small(k)[c];
+    }
+    return sign_of_int128(sum);
+  }
+  ++work_.by_gmp;
+  sum_ = 0;
+  for (std::size_t c = 0; c < 3; ++c) {
+    set_minor(minor_, i, j, c);
+    mpz_addmul(sum_.backend().data(), minor_.backend().data(), n.exact(k)[c].backend().data());
+  }
+  return sign_of(sum_);
+}
+
+Sign ExactSigns::cross_coordinate(std::size_t i, std::size_t j, std::size_t coordinate) {
+  const FilteredNormals& n = *normals_;
+  if (n.bits(i) != FilteredNormals::kTooLong && n.bits(j) != FilteredNormals::kTooLong) {
+    ++work_.by_int128;
+    return sign_of_int128(minor_of(n.small(i), n.small(j), coordinate));
+  }
+  ++work_.by_gmp;
+  set_minor(minor_, i, j, coordinate);
+  return sign_of(minor_);
+}
+
+std::array<double, 3> ExactSigns::cross(std::size_t i, std::size_t j) {
+  const FilteredNormals& n = *normals_;
+  const bool is_small =
+      n.bits(i) != FilteredNormals::kTooLong && n.bits(j) != FilteredNormals::kTooLong;
+  std::array<Floating, 3> result;
+  for (std::size_t c = 0; c < 3; ++c) {
+    if (is_small) {
+      result[c] = to_floating(minor_of(n.small(i), n.small(j), c));
+    } else {
+      set_minor(minor_, i, j, c);
+      result[c] = to_floating(minor_);
+    }
+  }
+  return scaled(result);
+}
+
+void ExactSigns::set_minor(Integer& result, std::size_t i, std::size_t j,
+                           std::size_t coordinate) {
+  const IntegerVector3& a = normals_->exact(i);
+  const IntegerVector3& b = normals_->exact(j);
+  const std::size_t p = after(coordinate);
+  const std::size_t q = after(p);
+  mpz_mul(product_.backend().data(), a[q].backend().data(), b[p].backend().data());
+  mpz_mul(result.backend().data(), a[p].backend().data(), b[q].backend().data());
+  mpz_sub(result.backend().data(), result.backend().data(), product_.backend().data());
+}
+
+}  // namespace stickslip

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How each cell is met exactly once.
+//
+// All normals are oriented to the pole z (FilteredNormals): n.z > 0. Counterclockwise about n
+// is then eastward about z on every circle. Edges belong to their circle, and a vertex to the
+// lowest circle through it. For faces, sweep the sphere by the half great circle from z to -z
+// that turns eastward. A face is convex and does not contain z or -z, except for the one where
+// all signs are + and its antipode; so it lies within a range of longitudes, and there is one
+// vertex where the sweep meets it first (no two points of an edge have the same longitude,
+// since no circle passes through z). At a vertex with t circles, t directions lead east, and
+// the faces that start there are the t - 1 sectors between them: with the circles in the order
+// of slope, north last, the sector above the first f of them has + on those and - on the
+// others. All its other signs are those of the vertex.
+//
+// Hence F = 2 + the sum of t - 1 over the vertices.
+#include "stickslip/arrangement/sweep.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "assemble_states.hpp"
+#include "circle_order.hpp"
+#include "complete_counts.hpp"
+#include "over_circles.hpp"
+#include "sign_layout.hpp"
+#include "sign_rows.hpp"
+#include "stickslip/core/error.hpp"
+
+namespace stickslip {
+namespace {
+
+/// Vertices by their number of circles, on half of each circle.
+class Census {
+ public:
+  explicit Census(std::size_t circles) : met_(circles + 1, 0), owned_(circles + 1, 0) {}
+
+  /// Counts the points of circle i.
+  void add(const CircleOrder& order, std::size_t i) {
+    for (std::size_t q = 0; q < order.half_points(); ++q) {
+      ++met_[order.multiplicity(q)];
+      if (is_lowest(order, q, i)) ++owned_[order.multiplicity(q)];
+    }
+  }
+
+  Census& operator+=(const Census& other) {
+    for (std::size_t t = 0; t < met_.size(); ++t) {
+      met_[t] += other.met_[t];
+      owned_[t] += other.owned_[t];
+    }
+    return *this;
+  }
+
+  void fill(ArrangementCounts& counts) const {
+    counts.faces = 2;
+    for (std::size_t t = 2; t < met_.size(); ++t) {
+      require(met_[t] == t * owned_[t], "sweep: the circles disagree about their vertices");
+      counts.edges += 2 * met_[t];
+      counts.vertices += 2 * owned_[t];
+      counts.faces += 2 * owned_[t] * (t - 1);
+    }
+  }
+
+  static bool is_lowest(const CircleOrder& order, std::size_t q, std::size_t i) {
+    for (const std::uint32_t* j = order.begin(q); j != order.end(q); ++j) {
+      if (*j < i) return false;
+    }
+    return true;
+  }
+
+ private:
+  std::vector<std::size_t> met_;    ///< (circle, vertex) pairs
+  std::vector<std::size_t> owned_;  ///< vertices, at their lowest circle
+};
+
+/// Gives out the cells that belong to one circle. One for each thread.
+class StripVisitor {
+ public:
+  StripVisitor(std::size_t circles, const SignLayout& layout, CellReceiver& receiver)
+      : circles_(circles),
+        layout_(layout),
+        receiver_(receiver),
+        words_(PackedSigns::words_for(layout.planes()), 0) {}
+
+  /// The face of the pole and its antipode, or whatever there is without a crossing.
+  void visit_poles() {
+    give(0, CellKind::kFace);
+    if (circles_ == 0) return;
+    set_all(-1);
+    give(0, CellKind::kFace);
+    if (circles_ > 1) return;
+    set(0, 0);
+    give(0, CellKind::kEdge);
+  }
+  void start_at_pole() { set_all(1); }
+
+  void visit(CircleOrder& order, std::size_t i) {
+    for (std::size_t j = 0; j < circles_; ++j) set(j, j == i ? 0 : order.side(j));
+    for (const int half : {1, -1}) {
+      for (std::size_t q = 0; q < order.half_points(); ++q) {
+        if (Census::is_lowest(order, q, i)) {
+          stop_at_vertex(order, i, q, half);
+        } else {
+          for (const std::uint32_t* j = order.begin(q); j != order.end(q); ++j) {
+            layout_.flip(words_.data(), *j);
+          }
+        }
+        give(i, CellKind::kEdge);
+      }
+    }
+  }
+
+ private:
+  void stop_at_vertex(CircleOrder& order, std::size_t i, std::size_t q, int half) {
+    const std::vector<std::uint32_t>& slopes = order.by_slope(q);
+    const std::size_t t = slopes.size();
+    for (const std::uint32_t c : slopes) set(c, 0);
+    give(i, CellKind::kVertex);
+    for (const std::uint32_t c : slopes) set(c, -1);
+    for (std::size_t f = 0; f + 1 < t; ++f) {
+      set(slopes[half > 0 ? f : t - 1 - f], 1);
+      give(i, CellKind::kFace);
+    }
+    for (const std::uint32_t c : slopes) set(c, c == i ? 0 : -half * order.side(c));
+  }
+
+  void set(std::size_t circle, int sign) { layout_.set(words_.data(), circle, sign); }
+  void set_all(int sign) {
+    for (std::size_t j = 0; j < circles_; ++j) set(j, sign);
+  }
+  void give(std::size_t strip, CellKind kind) {
+    receiver_.receive(strip, kind, PackedSigns(words_.data(), layout_.planes()));
+  }
+
+  std::size_t circles_;
+  const SignLayout& layout_;
+  CellReceiver& receiver_;
+  std::vector<PackedSigns::Word> words_;
+};
+
+ArrangementCounts without_crossings(const GreatCircles& circles) {
+  ArrangementCounts counts;
+  counts.edges = circles.normals.size();
+  counts.faces = circles.normals.size() + 1;
+  return counts;
+}
+
+/// What one thread needs.
+struct Scratch {
+  CircleOrder order;
+  Census census;
+  std::optional<StripVisitor> visitor;
+};
+
+/// Counts, and visits if there is a receiver.
+ArrangementCounts sweep(const GreatCircles& circles, const FilteredNormals& normals,
+                        const SignLayout* layout, CellReceiver* receiver, unsigned threads,
+                        SweepWork* work) {
+  const std::size_t k = normals.size();
+  const auto new_visitor = [&] {
+    std::optional<StripVisitor> visitor;
+    if (receiver != nullptr) visitor.emplace(k, *layout, *receiver);
+    return visitor;
+  };
+  ArrangementCounts counts;
+  if (receiver != nullptr) {
+    receiver->begin(std::max<std::size_t>(1, k));
+    std::optional<StripVisitor> poles = new_visitor();
+    poles->start_at_pole();
+    poles->visit_poles();
+  }
+  if (k < 2) {
+    counts = without_crossings(circles);
+  } else {
+    Census census(k);
+    over_circles(
+        k, threads,
+        [&] {
+          return Scratch{CircleOrder(normals), Census(k), new_visitor()};
+        },
+        [](Scratch& scratch, std::size_t i) {
+          scratch.order.sort(i);
+          scratch.census.add(scratch.order, i);
+          if (scratch.visitor) scratch.visitor->visit(scratch.order, i);
+        },
+        [&](Scratch& scratch) {
+          census += scratch.census;
+          if (work != nullptr) *work += scratch.order.work();
+        });
+    census.fill(counts);
+  }
+  complete_counts(counts, circles);
+  return counts;
+}
+
+class RowCollector final : public CellReceiver {
+ public:
+  explicit RowCollector(std::size_t circles) : rows(circles) {}
+  void receive(std::size_t, CellKind, const PackedSigns& signs) override {
+    rows.add_copy_of(signs.words());
+  }
+  SignRows rows;
+};
+
+}  // namespace
+
+ArrangementCounts count_cells(const std::vector<Vector3>& plane_normals, unsigned threads,
+                              SweepWork* work) {
+  const GreatCircles circles = merge_planes(plane_normals);
+  const FilteredNormals normals(circles.normals);
+  return sweep(circles, normals, nullptr, nullptr, threads, work);
+}
+
+ArrangementCounts sweep_cells(const std::vector<Vector3>& plane_normals, unsigned threads,
+                              CellReceiver& receiver, SweepWork* work) {
+  const GreatCircles circles = merge_planes(plane_normals);
+  const FilteredNormals normals(circles.normals);
+  const SignLayout layout(circles, normals);
+  return sweep(circles, normals, &layout, &receiver, threads, work);
+}
+
+SlipStates enumerate_slip_states_sweep(const std::vector<Vector3>& plane_normals,
+                                       SweepWork* work) {
+  const GreatCircles circles = merge_planes(plane_normals);
+  const FilteredNormals normals(circles.normals);
+  const SignLayout layout = SignLayout::of_circles(circles, normals);
+  RowCollector collector(normals.size());
+  const ArrangementCounts counts = sweep(circles, normals, &layout, &collector, 1, work);
+  return assemble_states(circles, std::move(collector.rows), counts);
+}
+
+}  // namespace stickslip

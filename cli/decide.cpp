@@ -228,12 +228,14 @@ void add_decide_command(CLI::App& app, int& exit_code) {
       ->add_option("--node-limit", arguments->node_limit,
                    "Let the cone engine give up, undecided, after N nodes; 0 is no limit")
       ->type_name("N")
+      ->check(CLI::NonNegativeNumber)  // -1 would be a very large number
       ->capture_default_str();
   command
       ->add_option(
           "--threads", arguments->threads,
           "Threads of the cone engine; 0 is one a core. The answer does not depend on it")
       ->type_name("N")
+      ->check(CLI::NonNegativeNumber)  // -1 would be a very large number
       ->capture_default_str();
   command->add_flag("--json", arguments->json, "Print one JSON object; rationals are strings");
   command->add_flag("--exit-code", arguments->answer_by_exit_code,

@@ -17,6 +17,7 @@ std::string format_table(const std::vector<std::vector<std::string>>& rows) {
       if (c > 0) text += "  ";
       text += std::string(widths[c] - row[c].size(), ' ') + row[c];
     }
+    text.erase(text.find_last_not_of(' ') + 1);
     text += '\n';
   }
   return text;

@@ -65,16 +65,19 @@ class Members(NamedTuple):
 
 class FileKind(NamedTuple):
     format: str
+    byte_order_mark: bool  # may the file begin with one?
     max_bytes: int
     max_depth: int
-    max_number: int
+    max_string: int   # bytes between the quotation marks
+    max_numeral: int  # characters of a JSON number
+    max_number: int   # characters of a number in a string
     number: "re.Pattern[str]"  # [0-9], because \d and int() take other scripts' digits too
 
 
-GRASP = FileKind("stickslip-grasp/1", 1 << 28, 32, 16_384, re.compile(
+GRASP = FileKind("stickslip-grasp/1", True, 1 << 28, 32, 1 << 28, 16_384, 16_384, re.compile(
     r"([+-]?[0-9]+)(?:/([0-9]+)|(?:\.([0-9]+))?(?:[eE]([+-]?[0-9]+))?)"))
-CERTIFICATE = FileKind("stickslip-certificate/1", 1 << 30, 8, 65_536, re.compile(
-    r"(-?[0-9]+)(?:/([0-9]+))?()()"))
+CERTIFICATE = FileKind("stickslip-certificate/1", False, 1 << 30, 8, 65_536, 4_000, 65_536,
+                       re.compile(r"(-?[0-9]+)(?:/([0-9]+))?()()"))
 MAX_EXPONENT = 4096
 
 # A string (also one that never ends) or a bracket; search passes over everything else.
@@ -117,13 +120,20 @@ class Source:
         except UnicodeDecodeError as error:
             self.fail(f"byte {error.start}", "not UTF-8")
         if text.startswith("\ufeff"):
-            self.fail("byte 0", "a byte order mark; use UTF-8 without one")
+            if not kind.byte_order_mark:
+                self.fail("byte 0", "a byte order mark; use UTF-8 without one")
+            text = text[1:]
         depth = 0
         for match in STRING_OR_BRACKET.finditer(text):
             depth += {"[": 1, "{": 1, "]": -1, "}": -1}.get(text[match.start()], 0)
+            problem = None
             if depth > kind.max_depth:
-                line = text.count("\n", 0, match.start()) + 1
-                self.fail(f"line {line}", f"nesting deeper than {kind.max_depth}")
+                problem = f"nesting deeper than {kind.max_depth}"
+            elif match.end() - match.start() > kind.max_string // 4:  # UTF-8: at most 4 bytes each
+                if len(match.group().encode("utf-8")) > kind.max_string + 2:
+                    problem = f"a string of more than {kind.max_string} bytes"
+            if problem:
+                self.fail(f"line {text.count(chr(10), 0, match.start()) + 1}", problem)
         try:
             self.root = json.loads(text, parse_int=Numeral, parse_float=Numeral,
                                    parse_constant=lambda name: self.fail("", f"not JSON: {name}"),
@@ -132,6 +142,11 @@ class Source:
             self.fail(f"line {error.lineno}, column {error.colno}", f"not JSON: {error.msg}")
         except RecursionError:
             self.fail("", "nested too deeply")
+        if "\\u" in text:
+            try:
+                json.dumps(self.root, ensure_ascii=False).encode("utf-8")
+            except UnicodeEncodeError:
+                self.fail("", "a \\u escape that is half of a surrogate pair")
 
     def fail(self, place: str, problem: str) -> NoReturn:
         raise Malformed(self.name, place, problem)
@@ -173,6 +188,9 @@ class Source:
     def number(self, value: Any, place: str) -> Fraction:
         if type(value) is Numeral:
             value = value.text
+            if len(value) > self.kind.max_numeral:
+                self.fail(place, f"a JSON number of more than {self.kind.max_numeral} characters; "
+                                 "write it as a string")
         elif type(value) is not str:
             self.fail(place, "must be a number or a string that spells one")
         try:

@@ -13,7 +13,7 @@
 namespace stickslip_check {
 namespace {
 
-constexpr JsonLimits kLimits{std::uint64_t{1} << 30U, 8, false};
+constexpr JsonLimits kLimits{std::uint64_t{1} << 30U, 8, false, 65536};
 constexpr std::size_t kMaxJsonInteger = 4000;
 
 /// Reads a certificate and checks it as it comes. A rule that fails is remembered, and the rest

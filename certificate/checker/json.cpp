@@ -68,8 +68,8 @@ class Source {
     const bool ends_token = !in_string_ && (after_blank_ || c == ',' || c == ':' || c == '[' ||
                                             c == ']' || c == '{' || c == '}');
     token_ = ends_token ? 0 : token_ + 1;
-    if (token_ > kMaxToken + 2) {
-      fail("a number or string of more than " + std::to_string(kMaxToken) + " characters");
+    if (token_ > limits_.token + 2) {
+      fail("a number or string of more than " + std::to_string(limits_.token) + " bytes");
     }
     if (escaped_) {
       escaped_ = false;
@@ -86,7 +86,7 @@ class Source {
   std::uint64_t bytes_ = 0;
   std::size_t line_ = 1;
   std::size_t column_ = 0;
-  std::size_t token_ = 0;
+  std::uint64_t token_ = 0;
   char current_ = ' ';
   bool done_ = false;
   bool after_blank_ = false;

@@ -34,8 +34,8 @@ struct JsonLimits {
   std::uint64_t bytes;
   std::size_t depth;     ///< of nested arrays and objects
   bool byte_order_mark;  ///< whether the text may begin with one
+  std::uint64_t token;   ///< bytes of a number, or of a string between its quotation marks
 };
-inline constexpr std::size_t kMaxToken = 65536;       ///< characters of a number or string
 inline constexpr std::size_t kMaxMembers = 16;        ///< of an object
 inline constexpr std::size_t kMaxValues = 1U << 22U;  ///< held at a time
 

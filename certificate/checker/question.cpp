@@ -10,7 +10,7 @@
 namespace stickslip_check {
 namespace {
 
-constexpr JsonLimits kLimits{std::uint64_t{1} << 28U, 32, true};
+constexpr JsonLimits kLimits{std::uint64_t{1} << 28U, 32, true, std::uint64_t{1} << 28U};
 constexpr std::size_t kMaxContacts = 1'000'000;
 
 /// The properties that "defaults" may give.

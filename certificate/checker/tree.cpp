@@ -191,10 +191,10 @@ void TreeWalk::push(const Node& node, Cone region, Aggregate decided) {
   unsigned children = 2;
   if (node.kind == NodeKind::kPlane) {
     cut = make_vector({node.numbers[0], node.numbers[1], node.numbers[2], node.numbers[3]});
-    if (cut.x == std::array<Integer, 4>{0, 0, 0, 0}) throw rejection("node-plane", "a = 0");
     if (planes_on_path_ == kMaxPlanes) {
       throw rejection("node-repeated", "more than 64 plane nodes on the path");
     }
+    if (cut.x == std::array<Integer, 4>{0, 0, 0, 0}) throw rejection("node-plane", "a = 0");
     ++planes_on_path_;
   } else {
     const bool slip = node.kind == NodeKind::kSlip;

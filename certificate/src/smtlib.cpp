@@ -52,7 +52,10 @@ std::string line(const std::string& condition) {
 std::string smtlib_text(const Question& question) {
   const Problem problem(question.loaded, question.law);
   std::string name = question.loaded.grasp.name();
-  std::replace(name.begin(), name.end(), '\n', ' ');
+  // What ends a line ends a comment, for some solvers also a carriage return.
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; },
+      ' ');
   std::string text =
       "; Passive stability of a planar grasp: sat means stable, unsat unstable.\n; " + name +
       "; normal law: " + to_string(question.law) +

@@ -478,6 +478,7 @@ class MalformedTest(Case):
         for constant in ("NaN", "Infinity", "-Infinity"):
             self.bad("not JSON", text.replace("[0, -1, 0]", constant, 1).replace("0, -1, 0", constant))
         self.bad("byte order mark", "\ufeff" + text)
+        self.bad("half of a surrogate pair", text.replace("{", '{"producer": "\\udead", ', 1))
         self.bad("not UTF-8", text.encode().replace(b"11/10", b"11/\xff10"))
         self.bad("not UTF-8", text.encode("utf-16"))
         self.bad("not JSON", text + "\x00")
@@ -491,7 +492,8 @@ class MalformedTest(Case):
         texts = json.dumps({"format": up()["format"], "producer": "\\\"[[[[[[[[[[{{\"[[[[\\",
                             **{k: v for k, v in up().items() if k != "format"}})
         self.accepts(FIG1, texts, *UP)
-        self.bad("not JSON", '"' + '\\"' * 200_000)
+        self.bad("not JSON", '"' + '\\"' * 30_000)
+        self.bad("a string of more than", '"' + '\\"' * 200_000)
 
     def test_members(self):
         def without(object_, key):
@@ -575,11 +577,15 @@ class MalformedTest(Case):
             self.bad("tree[2]", number(text))
 
     def test_long_numbers(self):
-        for make in (str, json.dumps):
-            for length, code in ((65_536, 0), (65_537, 2)):
+        for make, longest in ((str, 4_000), (json.dumps, 65_536)):
+            for length, code in ((longest, 0), (longest + 1, 2)):
                 text = make("-" + "9" * (length - 1))
                 file = json.dumps(up(UP_TREE[:2] + [["leaf", 0, "HERE", 0]] + UP_TREE[3:]))
                 self.assertEqual(run(FIG1, file.replace('"HERE"', text), *UP)[0], code, length)
+        for text, code in (("\u00fc" * 32_768, 0), ("\u00fc" * 32_768 + "x", 2)):  # bytes count
+            file = json.dumps({"format": up()["format"], "producer": "HERE",
+                               **{k: v for k, v in up().items() if k != "format"}})
+            self.assertEqual(run(FIG1, file.replace("HERE", text), *UP)[0], code)
         half = "1" + "0" * 30_000
         self.accepts(FIG1, up(UP_TREE[:2] + [["leaf", 0, f"-{half}/{half}", 0]] + UP_TREE[3:]), *UP)
         code, out, _ = run(FIG1, up(UP_TREE[:2] + [["leaf", half, -1, 0]] + UP_TREE[3:]), *UP)
@@ -599,6 +605,13 @@ class GraspFileTest(Case):
     def bad(self, needle, content):
         self.malformed("g.json: ", content, certificate(1, [0, 1, 0], tree=[["leaf", 0, -1, 0]]))
         self.malformed(needle, content, certificate(1, [0, 1, 0], tree=[["leaf", 0, -1, 0]]))
+
+    def test_byte_order_mark_and_name(self):
+        proof = certificate(1, [0, 1, 0], tree=[["leaf", 0, -1, 0]])
+        self.accepts("\ufeff" + json.dumps(self.file()), proof)
+        self.accepts(self.file(name="\U0001f916" + "x" * 100_000), proof)
+        self.bad("not JSON", "\ufeff\ufeff" + json.dumps(self.file()))
+        self.bad("surrogate", json.dumps(self.file(name="\udc80")))
 
     def wrench(self, text):
         """What the checker takes a number of the file for, or None if it is malformed."""

@@ -3,6 +3,7 @@
 // leave double precision behind. Verdicts are judged in every other test of this folder.
 #include <gtest/gtest.h>
 
+#include "both_checkers.hpp"
 #include "judged.hpp"
 #include "paper_grasps.hpp"
 #include "stickslip/equilibrium/decide.hpp"
@@ -69,8 +70,10 @@ TEST(ConeEngine, ManyContactsWithBothVerdictsJudged) {
   int unstable = 0;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     for (const bool pulled_off : {false, true}) {
-      const Problem problem(arc(60, seed, pulled_off), NormalLaw::kUnilateral);
+      const LoadedGrasp loaded = arc(60, seed, pulled_off);
+      const Problem problem(loaded, NormalLaw::kUnilateral);
       const Verdict verdict = decide_by_cones(problem);
+      expect_accepted_by_both(loaded, NormalLaw::kUnilateral, verdict);
       if (const auto* found = std::get_if<Unstable>(&verdict)) {
         ++unstable;
         EXPECT_EQ(check_refutation(problem, found->refutation), std::nullopt);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "both_checkers.hpp"
+#include "stickslip/equilibrium/validate.hpp"
 
 namespace stickslip::test {
 
@@ -16,6 +17,7 @@ void judge(const LoadCase& load_case, const Problem& problem, const Verdict& ver
   } else if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
     EXPECT_EQ(check_refutation(problem, unstable->refutation, rays_from), std::nullopt)
         << describe(load_case) << to_text(unstable->refutation);
+    EXPECT_EQ(find_flaw(problem, unstable->refutation), std::nullopt) << describe(load_case);
   } else {
     ADD_FAILURE() << "undecided: " << describe(load_case);
     return;

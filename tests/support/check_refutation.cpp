@@ -75,8 +75,8 @@ class Walker {
   }
 
   void visit(const Place& place, const PlaneSplit& node) {
-    demand(!is_zero(node.plane), "node-plane");
     demand(place.planes < kMaxPlanes, "node-repeated");
+    demand(!is_zero(node.plane), "node-plane");
     for (const bool first : {true, false}) {
       Place child = place;
       child.region =

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What both engines certify, both checkers accept; so do they the committed certificates.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+
+#include "cases.hpp"
+#include "judge.hpp"
+
+namespace stickslip {
+namespace {
+
+using test::CheckerAnswer;
+using test::CheckerInput;
+
+std::string read_file(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void expect_accepted(const std::vector<CheckerInput>& inputs,
+                     const std::vector<std::string>& names) {
+  const std::vector<CheckerAnswer> python = test::ask_python_checker(inputs);
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const CheckerAnswer cpp = ask_cpp_checker(inputs[i]);
+    EXPECT_EQ(cpp.result, "accepted") << names[i] << ": " << describe(cpp);
+    EXPECT_EQ(python[i].result, "accepted") << names[i] << ": " << describe(python[i]);
+  }
+}
+
+TEST(Accepted, CertificatesOfBothEngines) {
+  const std::vector<test::Certified> all = test::all_certificates();
+  std::map<std::string, std::size_t> tally;
+  std::vector<CheckerInput> inputs;
+  std::vector<std::string> names;
+  std::size_t largest = 0;
+  for (const test::Certified& one : all) {
+    inputs.push_back(one.input());
+    names.push_back(one.name());
+    const std::string engine = one.engine == Engine::kCone ? "cone, " : "states, ";
+    ++tally[engine + to_string(one.about.options.law) + ", " + one.verdict];
+    largest = std::max(largest, one.size());
+  }
+  expect_accepted(inputs, names);
+  std::cout << all.size() << " certificates, the largest of " << largest << " lines\n";
+  EXPECT_GE(all.size(), 40u);
+  EXPECT_EQ(tally.size(), 8u);  // engines, laws, verdicts
+  for (const auto& [sort, count] : tally) {
+    std::cout << "  " << sort << ": " << count << "\n";
+    EXPECT_GE(count, 10u) << sort;
+  }
+}
+
+TEST(Accepted, TheThirdOpinionIsTheSame) {
+  for (const test::Certified& one : test::all_certificates()) {
+    if (one.size() > 200) continue;  // it is slow
+    const auto opinion = test::third_opinion(one.input());
+    ASSERT_TRUE(opinion) << one.name();
+    EXPECT_EQ(opinion->result, "accepted") << one.name() << ": " << describe(*opinion);
+  }
+}
+
+TEST(Accepted, CommittedCertificates) {
+  std::vector<CheckerInput> inputs;
+  std::vector<std::string> names;
+  const std::string ending = ".grasp.json";
+  for (const auto& entry :
+       std::filesystem::directory_iterator(STICKSLIP_CORPUS "/certificates")) {
+    const std::string name = entry.path().filename();
+    if (name.size() <= ending.size() ||
+        name.compare(name.size() - ending.size(), ending.size(), ending) != 0) {
+      continue;
+    }
+    const std::string stem = name.substr(0, name.size() - ending.size());
+    QuestionOptions options;
+    if (stem.rfind("bilateral_", 0) == 0) options.law = NormalLaw::kBilateral;
+    inputs.push_back({read_file(entry.path()),
+                      read_file(entry.path().parent_path() / (stem + ".certificate.json")),
+                      options});
+    names.push_back(stem);
+  }
+  EXPECT_GE(inputs.size(), 40u);
+  expect_accepted(inputs, names);
+}
+
+// certificate_text: integers from 2^53 on are strings, so JSON readers that take doubles for
+// numbers lose nothing, and the format's limit on JSON integers is far.
+TEST(Accepted, LargeNumbersAreStrings) {
+  const Integer limit = Integer(1) << 53;
+  for (const Integer& load : {Integer(limit - 1), limit, Integer(limit * limit)}) {
+    const LoadedGrasp loaded{Grasp({{{0, 0}, {0, 1}, 0, 1, 0}}), {0, -Rational(load), 0}};
+    const Question question{loaded, NormalLaw::kUnilateral, std::nullopt, {}};
+    const CheckerInput input =
+        test::input_of(question, decide(Problem(loaded, question.law)).verdict);
+    const std::string digits = load.str();
+    const std::string expected = load < limit ? "[" + digits + ",0]" : "[\"" + digits + "\",0]";
+    EXPECT_NE(input.certificate.find(expected), std::string::npos) << input.certificate;
+    expect_accepted({input}, {digits});
+  }
+}
+
+}  // namespace
+}  // namespace stickslip

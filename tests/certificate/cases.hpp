@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Questions of every sort, as a user asks them: a grasp file and options; and the certificates
+/// of both engines about them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "both_checkers.hpp"
+#include "stickslip/equilibrium/decide.hpp"
+
+namespace stickslip::test {
+
+struct Case {
+  std::string name;
+  std::string grasp;  ///< the text of the file
+  QuestionOptions options;
+
+  Question question() const;
+};
+
+/// The grasps of Figs. 1 and 4 with and without preload, at and beyond their thresholds, under
+/// both laws; no contact; mu = 0; normals of length 5 and of irrational length; snapped
+/// normals, asked for in the file and by options; random grasps of 1 to 4 contacts of all
+/// families.
+std::vector<Case> all_cases();
+
+struct Certified {
+  Case about;
+  Engine engine;
+  std::string verdict;
+  std::string text;
+
+  CheckerInput input() const { return {about.grasp, text, about.options}; }
+  std::string name() const;
+  /// Nodes of the tree, or forces.
+  std::size_t size() const;
+};
+
+/// By kStates and kCone for each case; they must agree, or this throws.
+std::vector<Certified> all_certificates();
+
+}  // namespace stickslip::test

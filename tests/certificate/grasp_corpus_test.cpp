@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Three readers of grasp files (core, the C++ checker, check.py) take and refuse the same.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "both_checkers.hpp"
+#include "stickslip/core/error.hpp"
+#include "stickslip/core/grasp_file.hpp"
+
+namespace stickslip {
+namespace {
+
+using test::CheckerAnswer;
+using test::CheckerInput;
+
+/// A certificate about another number of contacts than any file of the corpus has: rejected by
+/// question-contacts if the grasp file can be read.
+const char* const kCertificate =
+    R"({"format": "stickslip-certificate/1",
+ "question": {"contacts": 123456, "wrench": [0, 0, 0], "normal_law": "unilateral"},
+ "verdict": "unstable", "tree": []})";
+
+std::string in_core(const std::string& text) {
+  try {
+    parse_grasp(text, "grasp");
+    return "read";
+  } catch (const InputError&) {
+    return "malformed";
+  }
+}
+
+std::string in_checker(const CheckerAnswer& answer) {
+  return answer.rule == "question-contacts" ? "read" : answer.result;
+}
+
+TEST(GraspCorpus, ReadAlike) {
+  std::vector<std::string> names;
+  std::vector<CheckerInput> inputs;
+  for (const char* folder : {"good", "bad"}) {
+    for (const auto& entry : std::filesystem::directory_iterator(
+             std::string(STICKSLIP_CORPUS "/grasps/") + folder)) {
+      std::ifstream in(entry.path(), std::ios::binary);
+      inputs.push_back({{std::istreambuf_iterator<char>(in), {}}, kCertificate, {}});
+      names.push_back(std::string(folder) + "/" + entry.path().filename().string());
+    }
+  }
+  EXPECT_GE(names.size(), 90u);
+  const std::vector<CheckerAnswer> python = test::ask_python_checker(inputs);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string expected = names[i].rfind("good", 0) == 0 ? "read" : "malformed";
+    EXPECT_EQ(in_core(inputs[i].grasp), expected) << names[i];
+    const CheckerAnswer cpp = ask_cpp_checker(inputs[i]);
+    EXPECT_EQ(in_checker(cpp), expected) << names[i] << ": " << describe(cpp);
+    EXPECT_EQ(in_checker(python[i]), expected) << names[i] << ": " << describe(python[i]);
+  }
+}
+
+// The numbers of the files mean the same to each: the wrench is what the checkers compare.
+TEST(GraspCorpus, NumbersMeanTheSame) {
+  std::vector<CheckerInput> inputs;
+  for (const char* spelling : {"0.1", "-0", "1e-3", "12.5E+1", "123456789012345678901234567890",
+                               "\"-6/4\"", "\"+010\"", "\"2.50E+01\"", "\"1e-4096\"", "1e4096",
+                               "0.000000000000000000001", "18446744073709551616"}) {
+    const std::string text =
+        std::string(R"({"format": "stickslip-grasp/1", "contacts": [], "wrench": [0, )") +
+        spelling + ", 0]}";
+    const Rational value = parse_grasp(text, "grasp").content.wrench.y;
+    std::string certificate = kCertificate;
+    certificate.replace(certificate.find("123456"), 6, "0");
+    certificate.replace(certificate.find("0, 0, 0"), 7, "0, \"" + to_string(value) + "\", 0");
+    inputs.push_back({text, certificate, {}});
+  }
+  const std::vector<CheckerAnswer> python = test::ask_python_checker(inputs);
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    EXPECT_EQ(ask_cpp_checker(inputs[i]).rule, "tree-short") << inputs[i].grasp;
+    EXPECT_EQ(python[i].rule, "tree-short") << inputs[i].grasp;
+  }
+}
+
+}  // namespace
+}  // namespace stickslip

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "judge.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "check_refutation.hpp"
+#include "stickslip/core/error.hpp"
+
+namespace stickslip::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct NoOpinion {};
+
+Rational number(const Json& value) {
+  if (value.is_number_integer()) return Rational(value.dump());
+  if (!value.is_string()) throw NoOpinion{};
+  return parse_rational(value.get<std::string>());
+}
+
+Rational number_at(const Json& list, std::size_t i) {
+  return number(list.at(i));
+}
+
+ContactId contact(const Json& value, std::size_t contacts) {
+  const Rational index = number(value);
+  // What lies beyond is as good as `contacts`.
+  return ContactId(index < contacts ? index.convert_to<std::size_t>() : contacts);
+}
+
+CheckerAnswer rejected(const std::string& rule, std::optional<std::uint64_t> node = {}) {
+  return {"rejected", rule, node, "", ""};
+}
+
+std::optional<CheckerAnswer> judge_question(const Question& question, const Json& stated) {
+  if (number(stated.at("contacts")) != question.loaded.grasp.size()) {
+    return rejected("question-contacts");
+  }
+  const Json& w = stated.at("wrench");
+  const Wrench wrench{number_at(w, 0), number_at(w, 1), number_at(w, 2)};
+  if (!(wrench == question.loaded.wrench)) return rejected("question-wrench");
+  std::optional<Rational> preload;
+  if (stated.contains("preload")) preload = number(stated["preload"]);
+  if (preload != question.preload) return rejected("question-preload");
+  if (stated.at("normal_law") != to_string(question.law)) return rejected("question-law");
+  const std::size_t normals = stated.contains("normals") ? stated["normals"].size() : 0;
+  if (normals != question.snapped.size()) throw NoOpinion{};
+  if (stated.contains("normals") && normals == 0) throw NoOpinion{};  // was it asked for?
+  for (std::size_t k = 0; k < normals; ++k) {
+    const SnappedNormal& snapped = question.snapped[k];
+    const Json& entry = stated["normals"][k];
+    if (number_at(entry, 0) != snapped.contact.index() ||
+        number_at(entry, 1) != snapped.after.x || number_at(entry, 2) != snapped.after.y) {
+      throw NoOpinion{};
+    }
+  }
+  return std::nullopt;
+}
+
+CheckerAnswer judge_witness(const Problem& problem, const Json& certificate) {
+  const Json& d = certificate.at("twist");
+  const Twist twist{number_at(d, 0), number_at(d, 1), number_at(d, 2)};
+  std::vector<ContactForce> forces;
+  for (const Json& pair : certificate.at("forces")) {
+    forces.push_back({number_at(pair, 0), number_at(pair, 1)});
+  }
+  if (forces.size() != problem.size()) return rejected("witness-count");
+  Wrench sum = problem.wrench();
+  bool normal = true;
+  bool cone = true;
+  bool dissipation = true;
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    const ContactRow& row = problem.rows()[i];
+    const auto& [a, b] = forces[i];
+    sum += a * row.normal + b * row.tangent;
+    const Rational v = row.preload - row.stiffness * power(row.normal, twist);
+    const bool open = problem.law() == NormalLaw::kUnilateral && v <= 0;
+    normal = normal && (open ? a == 0 : a == v && a >= 0);
+    const Rational edge = row.friction * a;
+    cone = cone && b <= edge && -b <= edge;
+    const Rational slip = power(row.tangent, twist);
+    dissipation = dissipation && (slip <= 0 || b == -edge) && (slip >= 0 || b == edge);
+  }
+  if (!(sum == Wrench{})) return rejected("witness-balance");
+  if (!normal) return rejected("witness-normal");
+  if (!cone) return rejected("witness-cone");
+  if (!dissipation) return rejected("witness-dissipation");
+  return {"accepted", "", {}, "", ""};
+}
+
+RefutationNode node_of(const Json& node, std::size_t contacts) {
+  const std::string kind = node.at(0).get<std::string>();
+  if (kind == "slip") return SlipSplit{contact(node.at(1), contacts)};
+  if (kind == "separation") return SeparationSplit{contact(node.at(1), contacts)};
+  if (kind == "plane") {
+    return PlaneSplit{primitive_multiple<4>(
+        {number_at(node, 1), number_at(node, 2), number_at(node, 3), number_at(node, 4)})};
+  }
+  if (kind == "void") return VoidLeaf{};
+  // A positive multiple of y proves the same.
+  VirtualWorkLeaf leaf{
+      primitive_multiple<3>({number_at(node, 1), number_at(node, 2), number_at(node, 3)}), {}};
+  if (node.size() == 5) {
+    for (const Json& entry : node[4]) {
+      leaf.theta.emplace_back(contact(entry.at(0), contacts), number_at(entry, 1));
+    }
+  }
+  return leaf;
+}
+
+CheckerAnswer judge_tree(const Problem& problem, const Json& certificate) {
+  Refutation refutation;
+  for (const Json& node : certificate.at("tree")) {
+    refutation.push_back(node_of(node, problem.size()));
+  }
+  const std::optional<std::string> broken = check_refutation(problem, refutation);
+  if (!broken) return {"accepted", "", {}, "", ""};
+  // "node K: RULE"
+  const std::size_t colon = broken->find(": ");
+  const std::string rule = broken->substr(colon + 2);
+  std::uint64_t node = std::stoull(broken->substr(5, colon - 5));
+  // There K is the last node that was visited.
+  if (rule == "tree-short") node = refutation.size();
+  if (rule == "tree-long") ++node;
+  return rejected(rule, node);
+}
+
+}  // namespace
+
+std::optional<CheckerAnswer> third_opinion(const CheckerInput& input) {
+  try {
+    const Json certificate = Json::parse(input.certificate);
+    const Question question = ask(parse_grasp(input.grasp, "grasp"), input.options);
+    if (const auto answer = judge_question(question, certificate.at("question"))) return answer;
+    const Problem problem(question.loaded, question.law);
+    return certificate.at("verdict") == "stable" ? judge_witness(problem, certificate)
+                                                 : judge_tree(problem, certificate);
+  } catch (const NoOpinion&) {
+  } catch (const InputError&) {
+  } catch (const NumberError&) {
+  } catch (const Json::exception&) {
+  }
+  return std::nullopt;
+}
+
+}  // namespace stickslip::test

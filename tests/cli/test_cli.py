@@ -1,0 +1,343 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The programs themselves: options, output, exit codes, files; and all three on one question.
+
+The programs are named by the environment variables STICKSLIP, STICKSLIP_CHECK and Z3.
+"""
+
+import json
+import os
+import stat
+import subprocess
+import sys
+import tempfile
+import unittest
+from fractions import Fraction
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+CORPUS = os.path.join(HERE, "..", "corpus", "grasps")
+FIG1 = os.path.join(CORPUS, "good", "fig1.json")  # P = 1, wrench (0, -11/10, 0): stable
+FIG4 = os.path.join(CORPUS, "good", "fig4.json")
+SNAP = os.path.join(CORPUS, "good", "snap.json")  # "normals": "snap", preload along [1, 1]
+STICKSLIP = os.environ.get("STICKSLIP", "stickslip")
+CHECK = os.environ.get("STICKSLIP_CHECK", "stickslip-check")
+CHECK_PY = os.path.join(HERE, "..", "..", "certificate", "check.py")
+UP = ("--wrench", "0,11/10,0")  # unstable
+
+DONE, BAD_INPUT, UNDECIDED, STABLE, UNSTABLE = 0, 2, 3, 10, 20
+
+
+def run(*words, stdin=None):
+    """Exit code, standard output, standard error."""
+    result = subprocess.run([str(word) for word in words], input=stdin, capture_output=True,
+                            text=True, check=False, timeout=300)
+    return result.returncode, result.stdout, result.stderr
+
+
+def stickslip(*words, stdin=None):
+    return run(STICKSLIP, *words, stdin=stdin)
+
+
+def read(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def write(self, name, content):
+        with open(self.path(name), "w", encoding="utf-8") as file:
+            file.write(content if isinstance(content, str) else json.dumps(content))
+        return self.path(name)
+
+    def json(self, *words, stdin=None, code=DONE):
+        found, out, err = stickslip(*words, "--json", stdin=stdin)
+        self.assertEqual((found, err), (code, ""))
+        return json.loads(out)
+
+    def fails(self, *words, naming=(), stdin=None):
+        code, out, err = stickslip(*words, stdin=stdin)
+        self.assertEqual((code, out), (BAD_INPUT, ""), err)
+        for part in naming:
+            self.assertIn(part, err)
+        return err
+
+
+class Decide(Case):
+    def test_stable_in_json(self):
+        answer = self.json("decide", FIG1)
+        self.assertEqual([answer[key] for key in ("verdict", "engine", "normal_law", "wrench")],
+                         ["stable", "states", "unilateral", ["0", "-11/10", "0"]])
+        self.assertEqual(len(answer["twist"]), 3)
+        self.assertEqual(len(answer["contacts"]), 3)
+        total = [Fraction(w) for w in answer["wrench"]]
+        for contact, position in zip(answer["contacts"], ([-1, 0], [0, -1], [1, 0])):
+            self.assertEqual(set(contact), {"normal", "tangential", "force", "slip", "closed"})
+            self.assertIn(contact["slip"], ("+", "0", "-"))
+            self.assertIs(contact["closed"], True)
+            normal, tangential = Fraction(contact["normal"]), Fraction(contact["tangential"])
+            self.assertLessEqual(abs(tangential), normal / 2)
+            x, y = map(Fraction, contact["force"])
+            for j, part in enumerate((x, y, position[0] * y - position[1] * x)):
+                total[j] += part
+        self.assertEqual(total, [0, 0, 0])
+        self.assertTrue(all(type(value) is int for value in answer["stats"].values()))
+
+    def test_unstable_in_json(self):
+        for engine in ("states", "cone", "auto"):
+            answer = self.json("decide", FIG1, *UP, "--engine", engine)
+            self.assertEqual(answer["verdict"], "unstable")
+            self.assertEqual(answer["engine"], "states" if engine == "auto" else engine)
+            self.assertGreaterEqual(answer["refutation"]["leaves"], 1)
+            self.assertNotIn("twist", answer)
+
+    def test_irrational_magnitudes_are_enclosed(self):
+        grasp = self.write("g.json", {
+            "format": "stickslip-grasp/1", "wrench": [-1, -1, 0],
+            "contacts": [{"position": [0, 0], "normal": [1, 1], "friction": 0}]})
+        normal = self.json("decide", grasp)["contacts"][0]["normal"]
+        low, high = map(Fraction, normal)
+        self.assertLess(low * low, 2)
+        self.assertGreater(high * high, 2)
+        self.assertLess(high - low, Fraction(1, 10**15))
+
+    def test_text_says_what_the_json_says(self):
+        for options, word in (((), "stable"), (UP, "unstable")):
+            code, out, err = stickslip("decide", FIG1, *options)
+            self.assertEqual((code, err), (DONE, ""))
+            self.assertEqual(out.split("\n")[0], f"fig1: {word}")
+
+    def test_exit_codes(self):
+        self.assertEqual(stickslip("decide", FIG1, "--exit-code")[0], STABLE)
+        self.assertEqual(stickslip("decide", FIG1, *UP, "--exit-code")[0], UNSTABLE)
+        self.assertEqual(stickslip("decide", FIG1, *UP)[0], DONE)
+
+    def test_undecided(self):
+        certificate = self.path("c.json")
+        words = ("decide", FIG1, "--wrench", "0,11/10,0", "--engine", "cone", "--node-limit", "1",
+                 "--certificate", certificate)
+        answer = self.json(*words, code=UNDECIDED)
+        self.assertEqual(answer["verdict"], "undecided")
+        self.assertIn("1 node", answer["limit"])
+        self.assertEqual(stickslip(*words, "--exit-code")[0], UNDECIDED)
+        self.assertEqual(os.listdir(self.folder), [])  # it proves nothing
+
+    def test_negative_wrench_needs_no_equals_sign(self):
+        self.assertEqual(self.json("decide", FIG1, "--wrench", "-1,0,0"),
+                         self.json("decide", FIG1, "--wrench=-1,0,0"))
+        self.assertEqual(self.json("decide", FIG1, "--wrench", "-1,0,0")["wrench"],
+                         ["-1", "0", "0"])
+
+    def test_standard_input(self):
+        self.assertEqual(self.json("decide", "-", stdin=read(FIG1)), self.json("decide", FIG1))
+        err = self.fails("decide", "-", stdin="{", naming=["<stdin>"])
+        self.assertNotIn(FIG1, err)
+
+    def test_same_question_same_bytes(self):
+        for engine in ("states", "cone"):
+            outputs = set()
+            for name in ("a", "b"):
+                code, out, _ = stickslip("decide", FIG4, "--wrench", "0,21/10,0", "--json", "--engine",
+                                         engine, "--certificate", self.path(name))
+                self.assertEqual(code, DONE)
+                outputs.add((out, read(self.path(name))))
+            self.assertEqual(len(outputs), 1)
+
+
+class Certificates(Case):
+    """decide --certificate, then both checkers."""
+
+    def asked(self, grasp, *options, verdict):
+        for engine in ("states", "cone"):
+            proof = self.path(engine)
+            answer = self.json("decide", grasp, *options, "--engine", engine, "--certificate", proof)
+            self.assertEqual(answer["verdict"], verdict)
+            for checker in ([CHECK], [sys.executable, "-B", CHECK_PY]):
+                code, out, err = run(*checker, grasp, proof, *options, "--json")
+                self.assertEqual((code, err), (0, ""), out)
+                report = json.loads(out)
+                self.assertEqual((report["result"], report["verdict"]), ("accepted", verdict))
+        return proof
+
+    def checked(self, code, *words):
+        for checker in ([CHECK], [sys.executable, "-B", CHECK_PY]):
+            found, out, err = run(*checker, *words)
+            self.assertEqual(found, code, (checker, out, err))
+            self.assertEqual(err == "", code != BAD_INPUT)
+
+    def test_round_trips(self):
+        self.asked(FIG1, verdict="stable")
+        self.asked(FIG1, *UP, verdict="unstable")
+        self.asked(FIG1, "--preload", "0", "--wrench", "0,1,0", verdict="unstable")
+        self.asked(FIG1, "--preload", "2", "--wrench", "0,2,0", verdict="stable")
+        self.asked(FIG4, "--wrench", "0,0,3", "--preload", "0", verdict="stable")
+        self.asked(FIG4, "--wrench", "0,0,3", "--preload", "0", "--normal-law", "bilateral",
+                   verdict="unstable")
+
+    def test_another_question_is_rejected(self):
+        proof = self.asked(FIG1, *UP, verdict="unstable")
+        self.checked(1, FIG1, proof)
+        self.checked(1, FIG1, proof, "--wrench", "0,-11/10,0")
+        self.checked(1, FIG1, proof, *UP, "--preload", "1")
+        self.checked(1, FIG1, proof, *UP, "--normal-law", "bilateral")
+        self.checked(1, FIG4, proof, *UP)
+        self.checked(BAD_INPUT, proof, FIG1, *UP)
+        self.checked(BAD_INPUT, FIG1, os.devnull, *UP)
+
+    def test_snapped_normals(self):
+        # Asked for in the file, and by option.
+        self.asked(SNAP, verdict=self.json("decide", SNAP)["verdict"])
+        grasp = self.write("g.json", {
+            "format": "stickslip-grasp/1", "wrench": [0, "1/10", 0],
+            "defaults": {"friction": 1, "preload": 1},
+            "contacts": [{"position": [-1, -1], "normal": [1, 1]},
+                         {"position": [1, -1], "normal": [-1, 1]},
+                         {"position": [0, 1], "normal": [0, -1]}]})
+        self.fails("decide", grasp, naming=["contacts[0].normal", "--snap-normals"])
+        for eps in ("1/1000", "1e-12"):
+            answer = self.json("decide", grasp, "--snap-normals", eps)
+            moved = answer["snapped_normals"]
+            self.assertEqual([entry["contact"] for entry in moved], [0, 1])
+            for entry in moved:
+                self.assertLessEqual(Fraction(entry["moved_at_most"]), Fraction(eps))
+                x, y = map(Fraction, entry["normal"])
+                self.assertEqual(x * x + y * y, 1)
+            proof = self.asked(grasp, "--snap-normals", eps, verdict=answer["verdict"])
+            self.checked(1, grasp, proof)
+            self.checked(1, grasp, proof, "--snap-normals", "1e-30")
+        with open(grasp, encoding="utf-8") as file:
+            content = json.load(file)
+        for normals in ("snap", {"snap": "1/100"}):
+            content["normals"] = normals
+            self.asked(self.write("snapped.json", content), verdict=answer["verdict"])
+
+    def test_written_whole_or_not_at_all(self):
+        missing = self.path("no/such/folder.json")
+        self.fails("decide", FIG1, "--certificate", missing, naming=[missing])
+        self.fails("decide", FIG1, "--certificate", self.folder, naming=[self.folder])
+        proof = self.write("proof.json", "the old one\n")
+        self.fails("decide", self.path("no_grasp.json"), "--certificate", proof)
+        self.assertEqual(read(proof), "the old one\n")
+        os.chmod(proof, 0o640)
+        self.json("decide", FIG1, "--certificate", proof)
+        self.assertIn("stickslip-certificate/1", read(proof))
+        self.assertEqual(os.listdir(self.folder), ["proof.json"])  # nothing temporary
+
+    @unittest.skipIf(os.geteuid() == 0, "root may write anywhere")
+    def test_folder_that_must_not_be_written(self):
+        os.chmod(self.folder, stat.S_IRUSR | stat.S_IXUSR)
+        self.addCleanup(os.chmod, self.folder, stat.S_IRWXU)
+        self.fails("decide", FIG1, "--certificate", self.path("c.json"), naming=["c.json"])
+        self.assertEqual(os.listdir(self.folder), [])
+
+
+class States(Case):
+    COUNTS = {"contacts": 4, "circles": 2, "rank": 2, "vertices": 2, "edges": 4, "faces": 4,
+              "cells": 10, "distinct_states": 9}
+
+    def test_counts(self):
+        for options in ((), ("--engine", "cgal")):
+            answer = self.json("states", FIG4, *options)
+            engine = answer.pop("engine")
+            self.assertIn(engine, options[1:] or (engine,))
+            self.assertEqual({key: answer[key] for key in self.COUNTS}, self.COUNTS)
+
+    def test_list_is_sorted_and_complete(self):
+        states = self.json("states", FIG4, "--list")["states"]
+        self.assertEqual(len(states), self.COUNTS["distinct_states"])
+        self.assertEqual(states, sorted(set(states)))
+        self.assertIn("0000", states)
+        code, out, _ = stickslip("states", FIG4, "--list")
+        self.assertEqual(code, DONE)
+        for state in states:
+            self.assertIn(state, out.split("\n"))
+
+    def test_no_contact(self):
+        grasp = os.path.join(CORPUS, "good", "no_contact.json")
+        self.assertEqual(self.json("states", grasp, "--list")["distinct_states"], 1)
+
+    def test_same_bytes(self):
+        self.assertEqual(stickslip("states", FIG1, "--list", "--json"),
+                         stickslip("states", FIG1, "--list", "--json"))
+
+
+class Export(Case):
+    def test_z3_confirms(self):
+        for options, expected in (((), "sat"), (UP, "unsat"),
+                                  (("--preload", "0", "--wrench", "0,1,0"), "unsat")):
+            path = self.path("problem.smt2")
+            self.assertEqual(stickslip("export", FIG1, "--smt2", *options, "-o", path), (DONE, "", ""))
+            self.assertEqual(stickslip("export", FIG1, "--smt2", *options), (DONE, read(path), ""))
+            z3 = os.environ.get("Z3", "z3")
+            self.assertNotIn("NOTFOUND", z3, "install z3 (Debian: apt-get install z3)")
+            self.assertEqual(run(z3, "-smt2", path), (0, expected + "\n", ""))
+
+    def test_usage(self):
+        self.fails("export", FIG1)
+        self.fails("export", FIG1, "--smt2", "-o", self.path("no/folder"),
+                   naming=[self.path("no/folder")])
+
+
+class BadInput(Case):
+    def test_usage(self):
+        for words in ((), ("decides", FIG1), ("decide",), ("decide", FIG1, "--what"),
+                      ("decide", FIG1, FIG4), ("decide", FIG1, "--engine", "guess"),
+                      ("decide", FIG1, "--normal-law", "both"),
+                      ("decide", FIG1, "--node-limit", "-1"), ("decide", FIG1, "--threads", "-1"),
+                      ("states", FIG1, "--engine", "guess")):
+            self.fails(*words)
+
+    def test_option_values(self):
+        for option, values in (("--wrench", ("1,2", "1,2,3,4", "1,2,x", "1,,3", "1 2 3", "nan,0,0")),
+                               ("--preload", ("-1", "x", "1/0", "0x1")),
+                               ("--snap-normals", ("0", "1", "-1", "2", "x"))):
+            for value in values:
+                self.fails("decide", FIG1, f"{option}={value}", naming=[option])
+
+    def test_files(self):
+        missing = self.path("missing.json")
+        for command in ("decide", "states"):
+            self.fails(command, missing, naming=["stickslip: ", missing, "No such file"])
+            self.fails(command, self.folder, naming=[self.folder])
+        self.fails("export", missing, "--smt2", naming=[missing])
+
+    def test_every_bad_file_is_refused_by_name(self):
+        folder = os.path.join(CORPUS, "bad")
+        for name in sorted(os.listdir(folder)):
+            self.fails("decide", os.path.join(folder, name), naming=["stickslip: ", name + ": "])
+
+    def test_place_and_remedy(self):
+        grasp = self.write("g.json", {"format": "stickslip-grasp/1", "wrench": [0, 0, 0],
+                                      "contacts": [{"position": [0, 0], "normal": [0, 1],
+                                                    "frictoin": 1}]})
+        self.fails("decide", grasp, naming=[grasp, "contacts[0]", "frictoin", "friction"])
+        self.fails("decide", self.write("h.json", '{"format": "stickslip-grasp/1",\n  "x" 1}'),
+                   naming=["h.json: 2:"])
+
+    def test_output_that_cannot_be_written(self):
+        if not os.path.exists("/dev/full"):
+            self.skipTest("no /dev/full")
+        with open("/dev/full", "w", encoding="ascii") as full:
+            for words in (("decide", FIG1), ("states", FIG1), ("export", FIG1, "--smt2")):
+                result = subprocess.run([STICKSLIP, *words], stdout=full, stderr=subprocess.PIPE,
+                                        check=False)
+                self.assertEqual(result.returncode, BAD_INPUT, words)
+                self.assertTrue(result.stderr)
+
+    def test_help(self):
+        for words, expected in ((("--help",), "decide"), (("decide", "--help"), "--certificate"),
+                                (("states", "--help"), "--list"), (("export", "--help"), "--smt2"),
+                                (("--version",), "stickslip ")):
+            code, out, err = stickslip(*words)
+            self.assertEqual((code, err), (DONE, ""))
+            self.assertIn(expected, out)
+
+
+if __name__ == "__main__":
+    unittest.main()

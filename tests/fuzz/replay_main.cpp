@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs a fuzz target without libFuzzer, with any compiler:
+//   replay CORPUS ROUNDS [FILE ...]   every seed and file, then ROUNDS mutated seeds, the same
+//                                     ones each time
+//   replay CORPUS --seeds FOLDER      writes the seeds for libFuzzer
+// When the program dies, the input at hand is left in the file replay_crash.
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <random>
+
+#include "fuzz_target.hpp"
+
+namespace {
+
+using stickslip::fuzz::Seed;
+
+const std::string* current_input = nullptr;
+
+extern "C" void keep_input(int signal_number) {
+  const int file = open("replay_crash", O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  if (file >= 0 && current_input != nullptr) {
+    if (write(file, current_input->data(), current_input->size()) < 0) _exit(1);
+  }
+  std::signal(signal_number, SIG_DFL);
+  std::raise(signal_number);
+}
+
+void run(const std::string& input) {
+  current_input = &input;
+  LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(input.data()), input.size());
+}
+
+class Mutator {
+ public:
+  explicit Mutator(std::vector<Seed> seeds) : seeds_(std::move(seeds)) {}
+
+  std::string next() {
+    std::string text = any_seed();
+    for (std::size_t edits = 1 + below(4); edits > 0; --edits) edit(text);
+    return text;
+  }
+
+ private:
+  std::size_t below(std::size_t bound) { return bound == 0 ? 0 : random_() % bound; }
+  const std::string& any_seed() { return seeds_[below(seeds_.size())].bytes; }
+
+  /// A piece of a text: a few bytes, a token, or a longer stretch.
+  std::pair<std::size_t, std::size_t> piece(const std::string& text) {
+    const std::size_t begin = below(text.size());
+    if (below(2) == 0) {
+      const std::size_t end = text.find_first_of(",:]}\n", begin);
+      return {begin, std::min(end, text.size()) - begin};
+    }
+    return {begin, std::min(text.size() - begin, 1 + below(below(4) == 0 ? 200 : 4))};
+  }
+
+  void edit(std::string& text) {
+    static const std::vector<std::string> kTokens{"0",
+                                                  "-1",
+                                                  "9",
+                                                  "\"1/3\"",
+                                                  "\"-7/2\"",
+                                                  "1e-3",
+                                                  "NaN",
+                                                  "\"",
+                                                  "[",
+                                                  "]",
+                                                  "{",
+                                                  "}",
+                                                  ",",
+                                                  ":",
+                                                  "null",
+                                                  "true",
+                                                  "\\u0000",
+                                                  "\\ud800",
+                                                  "\xFF",
+                                                  "\xEF\xBB\xBF",
+                                                  "\n",
+                                                  " ",
+                                                  "1e4096",
+                                                  "18446744073709551616",
+                                                  "[[0,1]]",
+                                                  "\"slip\"",
+                                                  "\"separation\"",
+                                                  "\"plane\"",
+                                                  "\"leaf\"",
+                                                  "\"void\"",
+                                                  std::string(1, '\0'),
+                                                  std::string(20, '9'),
+                                                  "\"1/0\"",
+                                                  "-0",
+                                                  "/"};
+    const auto [begin, length] = piece(text);
+    switch (below(6)) {
+      case 0:
+        text.insert(begin, kTokens[below(kTokens.size())]);
+        break;
+      case 1:
+        text.replace(begin, length, kTokens[below(kTokens.size())]);
+        break;
+      case 2:
+        text.erase(begin, length);
+        break;
+      case 3:
+        text.insert(below(text.size()), text.substr(begin, length));
+        break;
+      case 4: {
+        const std::string& other = any_seed();
+        const auto [from, count] = piece(other);
+        text.replace(begin, length, other.substr(from, count));
+        break;
+      }
+      default:
+        if (!text.empty()) text[begin] = static_cast<char>(random_() & 0xFFU);
+    }
+  }
+
+  std::vector<Seed> seeds_;
+  std::mt19937_64 random_{20181};
+};
+
+std::string read(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in) {
+    std::cerr << "cannot read " << path << "\n";
+    std::exit(2);
+  }
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  if (words.size() < 2) {
+    std::cerr << "usage: replay CORPUS ROUNDS [FILE ...] | replay CORPUS --seeds FOLDER\n";
+    return 2;
+  }
+  const std::vector<Seed> seeds = stickslip::fuzz::seeds(words[0]);
+  if (seeds.empty()) {
+    std::cerr << "no seeds in " << words[0] << "\n";
+    return 2;
+  }
+  if (words[1] == "--seeds" && words.size() == 3) {
+    for (const Seed& seed : seeds) {
+      std::string name = seed.name;
+      std::replace(name.begin(), name.end(), '/', '_');
+      std::ofstream(words[2] + "/" + name, std::ios::binary) << seed.bytes;
+    }
+    return 0;
+  }
+  for (const int signal_number : {SIGABRT, SIGSEGV, SIGFPE, SIGILL}) {
+    std::signal(signal_number, keep_input);
+  }
+  for (const Seed& seed : seeds) run(seed.bytes);
+  for (std::size_t i = 2; i < words.size(); ++i) run(read(words[i]));
+  Mutator mutator(seeds);
+  const unsigned long rounds = std::stoul(words[1]);
+  for (unsigned long round = 0; round < rounds; ++round) run(mutator.next());
+  std::cout << seeds.size() << " seeds and " << rounds << " mutants of them: no crash\n";
+  return 0;
+}

@@ -1,0 +1,111 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Asks certificate/check.py many questions in one process.
+
+  batch.py QUESTIONS REPLIES   answers a JSON Lines file, line by line
+  batch.py --clear FOLDER      makes the folder, and empties it of *.jsonl
+  batch.py --spool FOLDER      answers all *.jsonl in it; fails unless each answer is as expected
+
+A question is {"grasp": TEXT, "certificate": TEXT, "options": [WORD, ...]}, in a spool with
+"expected": RESULT. Each character of a TEXT stands for the byte of its number, as files under test
+need not be UTF-8. An answer is what `check.py --json` prints.
+"""
+
+import contextlib
+import io
+import json
+import os
+import sys
+import tempfile
+import traceback
+
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+sys.path.insert(0, os.path.join(ROOT, "certificate"))
+
+import check  # noqa: E402
+
+
+class Asker:
+    """Writes the texts of a question to files of a folder and has check.py read them."""
+
+    def __init__(self, folder):
+        self.paths = [os.path.join(folder, name) for name in ("grasp.json", "certificate.json")]
+        self.parsed = {}
+
+    def options(self, words):
+        if words not in self.parsed:
+            self.parsed[words] = check.parse_arguments([*self.paths, *words, "--json"])
+        return self.parsed[words]
+
+    def answer(self, question):
+        for path, key in zip(self.paths, ("grasp", "certificate")):
+            # Overwritten, not made anew: some file systems flush files that were cut to nothing.
+            with open(path, "r+b" if os.path.exists(path) else "wb") as file:
+                file.write(question[key].encode("latin-1"))
+                file.truncate()
+        out = io.StringIO()
+        try:
+            with contextlib.redirect_stdout(out), contextlib.redirect_stderr(io.StringIO()):
+                check.answer(self.options(tuple(question["options"])))
+            return json.loads(out.getvalue())
+        except (Exception, SystemExit):  # pylint: disable=broad-except
+            # What check.py would report as an internal error, or wrong usage, is no answer.
+            return {"result": "failed", "rule": None, "node": None, "path": None,
+                    "found": traceback.format_exc()}
+
+
+def spool_files(folder):
+    return sorted(os.path.join(folder, name) for name in os.listdir(folder)
+                  if name.endswith(".jsonl"))
+
+
+def clear(folder):
+    os.makedirs(folder, exist_ok=True)
+    for path in spool_files(folder):
+        os.remove(path)
+    return 0
+
+
+def check_spool(folder, asker):
+    count = failures = 0
+    seen = set()
+    for path in spool_files(folder):
+        with open(path, encoding="ascii") as file:
+            for line in file:
+                count += 1
+                if line in seen:
+                    continue
+                seen.add(line)
+                question = json.loads(line)
+                answer = asker.answer(question)
+                if answer["result"] != question["expected"]:
+                    failures += 1
+                    print(f"expected {question['expected']}, answered {json.dumps(answer)}\n"
+                          f"{question['options']}\n{question['grasp']}\n{question['certificate']}")
+    print(f"{count} certificates ({len(seen)} different), {failures} not answered as expected")
+    if count == 0:
+        print("Nothing to check: run the tests that fill the folder (all of ctest) first.")
+    return 1 if failures or not count else 0
+
+
+def main(arguments):
+    if len(arguments) != 2:
+        print(__doc__, file=sys.stderr)
+        return 2
+    if arguments[0] == "--clear":
+        return clear(arguments[1])
+    if hasattr(sys, "set_int_max_str_digits"):  # as check.main does
+        sys.set_int_max_str_digits(0)
+    with tempfile.TemporaryDirectory() as folder:
+        asker = Asker(folder)
+        if arguments[0] == "--spool":
+            return check_spool(arguments[1], asker)
+        with open(arguments[0], encoding="ascii") as questions, \
+                open(arguments[1], "w", encoding="ascii") as replies:
+            for line in questions:
+                replies.write(json.dumps(asker.answer(json.loads(line))) + "\n")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

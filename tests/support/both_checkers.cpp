@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "both_checkers.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+
+#include "check.hpp"
+#include "stickslip/certificate/certificate.hpp"
+
+namespace stickslip::test {
+namespace {
+
+using Json = nlohmann::json;
+
+stickslip_check::Rational checker_number(const Rational& value) {
+  return stickslip_check::Rational(to_string(value));
+}
+
+/// Bytes as the characters U+0000 to U+00FF, since files under test need not be UTF-8.
+std::string as_characters(const std::string& bytes) {
+  std::string text;
+  for (const char c : bytes) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80) {
+      text += c;
+    } else {
+      text += static_cast<char>(0xC0U | (byte >> 6U));
+      text += static_cast<char>(0x80U | (byte & 0x3FU));
+    }
+  }
+  return text;
+}
+
+std::string json_line(const CheckerInput& input, const std::string& expected) {
+  Json json{{"grasp", as_characters(input.grasp)},
+            {"certificate", as_characters(input.certificate)},
+            {"options", command_line(input.options)}};
+  if (!expected.empty()) json["expected"] = expected;
+  return json.dump(-1, ' ', true) + "\n";
+}
+
+std::string text_or_empty(const Json& value) {
+  return value.is_string() ? value.get<std::string>() : std::string();
+}
+
+/// A file that is gone at the end of the scope.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const char* suffix)
+      : path_(::testing::TempDir() + "stickslip_" + std::to_string(getpid()) + suffix) {}
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile() { std::remove(path_.c_str()); }
+
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+void append_to_spool(const CheckerInput& input, const std::string& expected) {
+  const char* folder = std::getenv("STICKSLIP_SPOOL");
+  if (folder == nullptr) return;  // started by hand: the C++ checker alone
+  static std::ofstream file(std::string(folder) + "/" + std::to_string(getpid()) + ".jsonl",
+                            std::ios::app | std::ios::binary);
+  file << json_line(input, expected) << std::flush;
+  EXPECT_TRUE(file.good()) << "cannot write to the folder " << folder;
+}
+
+}  // namespace
+
+bool CheckerAnswer::agrees_with(const CheckerAnswer& other) const {
+  return result == other.result && rule == other.rule && node == other.node &&
+         path == other.path;
+}
+
+std::string describe(const CheckerAnswer& answer) {
+  std::string text = answer.result;
+  if (!answer.rule.empty()) text += " " + answer.rule;
+  if (answer.node) text += " at node " + std::to_string(*answer.node);
+  if (!answer.path.empty()) text += " (" + answer.path + ")";
+  return text + (answer.found.empty() ? "" : ": " + answer.found);
+}
+
+std::string describe(const CheckerInput& input) {
+  constexpr std::size_t kMost = 4000;
+  std::string text;
+  for (const std::string& word : command_line(input.options)) text += word + " ";
+  return text + "\n" + input.grasp.substr(0, kMost) + "\n" + input.certificate.substr(0, kMost);
+}
+
+CheckerAnswer ask_cpp_checker(const CheckerInput& input) {
+  stickslip_check::QuestionOptions options;
+  if (input.options.wrench) {
+    const Wrench& w = *input.options.wrench;
+    options.wrench = {checker_number(w.x), checker_number(w.y), checker_number(w.torque)};
+  }
+  if (input.options.preload) options.preload = checker_number(*input.options.preload);
+  if (input.options.snap_tolerance) {
+    options.snap_tolerance = checker_number(*input.options.snap_tolerance);
+  }
+  options.bilateral = input.options.law == NormalLaw::kBilateral;
+  std::istringstream grasp(input.grasp);
+  std::istringstream certificate(input.certificate);
+  const stickslip_check::Answer answer = stickslip_check::check(grasp, certificate, options);
+  if (const auto* rejected = std::get_if<stickslip_check::Rejected>(&answer)) {
+    return {"rejected", rejected->rule, rejected->node, rejected->path, rejected->found};
+  }
+  if (const auto* malformed = std::get_if<stickslip_check::Malformed>(&answer)) {
+    return {"malformed",
+            "",
+            {},
+            "",
+            malformed->file + ": " + malformed->place + ": " + malformed->problem};
+  }
+  return {"accepted", "", {}, "", ""};
+}
+
+std::vector<CheckerAnswer> ask_python_checker(const std::vector<CheckerInput>& inputs) {
+  const TemporaryFile questions("_questions.jsonl");
+  const TemporaryFile replies("_replies.jsonl");
+  {
+    std::ofstream file(questions.path(), std::ios::binary);
+    for (const CheckerInput& input : inputs) file << json_line(input, "");
+    if (!file.flush()) throw std::runtime_error("cannot write " + questions.path());
+  }
+  const std::string command = std::string("'" STICKSLIP_PYTHON "' -B '" STICKSLIP_BATCH "' '") +
+                              questions.path() + "' '" + replies.path() + "'";
+  if (std::system(command.c_str()) != 0) throw std::runtime_error("failed: " + command);
+  std::vector<CheckerAnswer> answers;
+  std::ifstream file(replies.path());
+  for (std::string line; std::getline(file, line);) {
+    const Json json = Json::parse(line);
+    CheckerAnswer answer{json["result"].get<std::string>(),
+                         text_or_empty(json["rule"]),
+                         {},
+                         "",
+                         text_or_empty(json["found"])};
+    if (answer.result == "rejected") answer.path = text_or_empty(json["path"]);
+    if (json["node"].is_number()) answer.node = json["node"].get<std::uint64_t>();
+    answers.push_back(std::move(answer));
+  }
+  if (answers.size() != inputs.size()) {
+    throw std::runtime_error("check.py gave " + std::to_string(answers.size()) +
+                             " answers to " + std::to_string(inputs.size()) + " questions");
+  }
+  return answers;
+}
+
+std::vector<std::string> command_line(const QuestionOptions& options) {
+  std::vector<std::string> words;
+  if (options.wrench) {
+    const Wrench& w = *options.wrench;
+    words.insert(words.end(), {"--wrench", to_string(w.x) + "," + to_string(w.y) + "," +
+                                               to_string(w.torque)});
+  }
+  if (options.preload) words.insert(words.end(), {"--preload", to_string(*options.preload)});
+  if (options.snap_tolerance) {
+    words.insert(words.end(), {"--snap-normals", to_string(*options.snap_tolerance)});
+  }
+  words.insert(words.end(), {"--normal-law", to_string(options.law)});
+  return words;
+}
+
+CheckerInput input_of(const Question& question, const Verdict& verdict) {
+  CheckerInput input;
+  input.options.law = question.law;
+  input.options.preload = question.preload;
+  // The checkers read the grasp file, so put back the normals it had.
+  std::vector<Contact> contacts = question.loaded.grasp.contacts();
+  for (const SnappedNormal& snapped : question.snapped) {
+    contacts[snapped.contact.index()].normal = snapped.before;
+    const Rational moved = parse_rational(snapped.moved);
+    if (moved > input.options.snap_tolerance.value_or(0)) input.options.snap_tolerance = moved;
+  }
+  const Grasp grasp(std::move(contacts), question.loaded.grasp.name());
+  input.grasp = write_grasp({grasp, question.loaded.wrench});
+  input.certificate = certificate_text(question, verdict, "tests");
+  return input;
+}
+
+void expect_accepted_by_both(const Question& question, const Verdict& verdict) {
+  const CheckerInput input = input_of(question, verdict);
+  const CheckerAnswer answer = ask_cpp_checker(input);
+  EXPECT_EQ(answer.result, "accepted") << describe(answer) << "\n" << describe(input);
+  append_to_spool(input, "accepted");
+}
+
+void expect_accepted_by_both(const LoadedGrasp& loaded, NormalLaw law, const Verdict& verdict) {
+  expect_accepted_by_both(Question{loaded, law, std::nullopt, {}}, verdict);
+}
+
+}  // namespace stickslip::test

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The two checkers of certificate/FORMAT.md, asked the same: the C++ checker through its
+/// library, check.py in batches, many files to one Python process (tests/support/batch.py).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "stickslip/equilibrium/question.hpp"
+#include "stickslip/equilibrium/verdict.hpp"
+
+namespace stickslip::test {
+
+/// What a checker is given: the content of both files, any bytes, and the options.
+struct CheckerInput {
+  std::string grasp;
+  std::string certificate;
+  QuestionOptions options;
+};
+
+struct CheckerAnswer {
+  std::string result;  ///< "accepted", "rejected", "malformed", or what else went wrong
+  std::string rule;    ///< if rejected
+  std::optional<std::uint64_t> node;
+  std::string path;  ///< of the node
+  std::string found;
+
+  /// Result, rule, node and path; a message's wording is each checker's own.
+  bool agrees_with(const CheckerAnswer& other) const;
+};
+
+/// For failure messages.
+std::string describe(const CheckerAnswer& answer);
+std::string describe(const CheckerInput& input);
+
+CheckerAnswer ask_cpp_checker(const CheckerInput& input);
+
+/// Throws std::runtime_error when Python does not run or does not answer each.
+std::vector<CheckerAnswer> ask_python_checker(const std::vector<CheckerInput>& inputs);
+
+/// The options as both programs and `stickslip decide` take them on the command line.
+std::vector<std::string> command_line(const QuestionOptions& options);
+
+/// The grasp file, certificate and options that state and prove a verdict.
+CheckerInput input_of(const Question& question, const Verdict& verdict);
+
+/// Fails the running test unless the C++ checker accepts, and leaves the files for check.py in
+/// the folder named by the environment variable STICKSLIP_SPOOL, which the ctest
+/// `check_py_spool` goes through when all tests that fill it are done
+/// (stickslip_fills_spool in CMakeLists.txt).
+void expect_accepted_by_both(const Question& question, const Verdict& verdict);
+
+/// The same for a grasp and a normal law, with nothing replaced.
+void expect_accepted_by_both(const LoadedGrasp& loaded, NormalLaw law, const Verdict& verdict);
+
+}  // namespace stickslip::test

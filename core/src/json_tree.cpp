@@ -293,6 +293,13 @@ JsonNode parse_json(std::string_view text, const std::string& streamed_key,
   Builder builder(text, streamed_key, sink);
   const bool complete = Json::sax_parse(text.begin(), text.end(), &builder);
   require(complete, "the JSON parser stopped without a reason");
+  // The parser takes a NUL byte for the end of the text and would not see what follows it.
+  const std::size_t nul = text.find('\0');
+  if (nul != std::string_view::npos) {
+    const Position at = position_of(text, nul);
+    throw InputError("", std::to_string(at.line) + ":" + std::to_string(at.column),
+                     "a NUL byte", "nothing but blanks may follow the object");
+  }
   return builder.take_root();
 }
 

@@ -17,6 +17,11 @@ Question ask(const GraspFile& file, const QuestionOptions& options) {
     }
     question.loaded.grasp = question.loaded.grasp.with_preload(*options.preload);
   }
+  if (options.snap_tolerance &&
+      (options.snap_tolerance->sign() <= 0 || *options.snap_tolerance >= 1)) {
+    throw InputError("", "--snap-normals", "the value is " + to_string(*options.snap_tolerance),
+                     "it must lie between 0 and 1, such as 1e-9");
+  }
   const std::optional<Rational>& tolerance =
       options.snap_tolerance ? options.snap_tolerance : file.snap_tolerance;
   if (tolerance) {

@@ -53,6 +53,7 @@ const BadFile kBadFiles[] = {
     {"blank", "1:1", "empty", "docs/grasp_file.md"},
     {"truncated", "1:81", "unexpected end of input", "too early"},
     {"trailing_garbage", "2:1", "\"x\"", ""},
+    {"nul_after_the_end", "2:1", "NUL byte", "nothing but blanks"},
     {"two_objects", "2:1", "expected end of input", "single JSON object"},
     {"single_quotes", "1:2", "\"'\"", "double quotes"},
     {"comment", "1:1", "\"/\"", ""},
@@ -311,7 +312,7 @@ TEST(BadGraspFile, RandomChangesParseOrThrowInputError) {
       EXPECT_FALSE(error.remedy().empty());
     }
   }
-  EXPECT_GT(parsed, 100);
+  EXPECT_GT(parsed, 50);
 }
 
 }  // namespace

@@ -68,12 +68,12 @@
 /// (an example is in the tests). It takes the antipodal symmetry of the dual.
 ///
 /// **Cost** for m planes, V, E = O(m^2) regions and facets. Step 1: two LPs for each region and
-/// plane, O(m^3) LPs of 4 variables and at most m rows, O(m^3) being the paper's bound for its
-/// two loops. Step 2: V (V - 1) / 2 comparisons, O(m^4) of them; they stop at the second
+/// plane, O(m^3) LPs of 4 variables and at most m + 1 rows: the paper's bound for its two
+/// loops. Step 2: V (V - 1) / 2 comparisons, O(m^4) of them; they stop at the second
 /// difference. Step 3: de Pina's algorithm as Mehlhorn and Michail state it (the paper's
 /// reference [11]), with breadth-first search where unit weights make Dijkstra's superfluous:
 /// O(E^3 / 64 + V E^2) in place of the paper's O(E^3 + V E^2 log V), O(m^6) either way. No
-/// heuristics: of the steps' structure nothing is saved, so that times may be compared.
+/// step is shortened by a heuristic, so that times may be compared.
 #pragma once
 
 #include <cstddef>

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The cone engine's times and work against the project's targets, side by side with other ways
+// to ask the same question, and on families meant to be hard. Prints Markdown tables, as in
+// bench/README.md. Exit code 1 if a verdict, a certificate or a counter is wrong; never for a
+// time.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <fstream>
+#include <string>
+
+#include "report.hpp"
+
+int main(int argc, char** argv) {
+  stickslip::bench::Report report;
+  std::string json_file;
+  std::string part = "all";
+  CLI::App app("Times and work of verdicts", "verdict_bench");
+  app.add_flag("--quick", report.quick, "Small sizes, no other solvers: for tests");
+  app.add_flag("--verbose", report.verbose, "A line for each instance of the first table");
+  app.add_option("--max-m", report.max_contacts, "The most contacts");
+  app.add_option("--json", json_file, "Write every instance to a file");
+  app.add_option("--part", part, "targets, side-by-side, growth or all")
+      ->check(CLI::IsMember({"targets", "side-by-side", "growth", "all"}));
+  CLI11_PARSE(app, argc, argv);
+  const bool all = part == "all";
+  try {
+    if (all || part == "targets") report_targets(report);
+    if (!report.quick && (all || part == "side-by-side")) report_side_by_side(report);
+    if (!report.quick && (all || part == "growth")) report_growth(report);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "verdict_bench: %s\n", error.what());
+    return 1;
+  }
+  if (!json_file.empty()) {
+    std::ofstream out(json_file);
+    out << report.json.dump(1) << '\n';
+    if (!out) {
+      std::fprintf(stderr, "verdict_bench: cannot write %s\n", json_file.c_str());
+      return 2;
+    }
+  }
+  if (report.failures > 0) std::printf("%d failures\n", report.failures);
+  return report.failures > 0 ? 1 : 0;
+}

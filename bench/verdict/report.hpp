@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The parts of the report. Each prints its table, adds to `json`, and counts in `failures`
+/// what must never happen: a wrong verdict, a refused certificate, work that is not
+/// reproducible.
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+
+namespace stickslip::bench {
+
+struct Report {
+  bool quick = false;
+  bool verbose = false;  ///< a line for each instance
+  std::size_t max_contacts = 10000;
+  nlohmann::json json = nlohmann::json::object();
+  int failures = 0;
+};
+
+/// Medians over generated grasps of 10 to 10,000 contacts, with work counters.
+void report_targets(Report& report);
+
+/// The same grasps put to the cone engine, the reference engine, Z3, cvc5 and GLPK.
+void report_side_by_side(Report& report);
+
+/// Hard families: how the tree grows next to a threshold.
+void report_growth(Report& report);
+
+}  // namespace stickslip::bench

@@ -120,6 +120,7 @@ void add_states_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--threads", arguments->threads,
                    "Threads of the sweep's counts; 0 is one a core")
+      ->check(CLI::NonNegativeNumber)
       ->type_name("N")
       ->capture_default_str();
   command->add_flag("--list", arguments->list,

@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember({"targets", "side-by-side", "growth", "all"}));
   CLI11_PARSE(app, argc, argv);
   const bool all = part == "all";
+  report.large_growth = !all;
   try {
     if (all || part == "targets") report_targets(report);
     if (!report.quick && (all || part == "side-by-side")) report_side_by_side(report);

@@ -12,7 +12,8 @@ namespace stickslip::bench {
 
 struct Report {
   bool quick = false;
-  bool verbose = false;  ///< a line for each instance
+  bool verbose = false;       ///< a line for each instance
+  bool large_growth = false;  ///< one size more in report_growth
   std::size_t max_contacts = 10000;
   nlohmann::json json = nlohmann::json::object();
   int failures = 0;

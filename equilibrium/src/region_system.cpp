@@ -15,175 +15,190 @@ Rational value(const Vector4& function, const IntegerVector4& x) {
   return sum;
 }
 
-/// How one contact stands in the program.
-struct ContactColumns {
-  Separation separation;
+/// A contact whose force the region leaves open.
+struct OpenContact {
+  ContactId contact;
+  bool mixed = false;
   std::optional<Sign> slip;
-  std::size_t first = 0;     ///< of its force variables
-  std::size_t at_least = 0;  ///< row a_i >= v_i of a mixed contact
+  std::vector<Rational> most;  ///< by ray: the largest a_i there, v_i or max(0, v_i)
+  int edge = 0;                ///< of the current extreme point; 0: a_i = 0
 };
 
-/// Dense rows that grow with the variables.
-class Builder {
+/// An extreme point of the relaxation on one ray: the edges that the contacts push along.
+struct Column {
+  std::size_t ray = 0;
+  std::vector<std::int8_t> edges;  ///< by open contact
+  Vector3 wrench;                  ///< of the load and all contacts
+};
+
+void add(LpWork& sum, const LpWork& part) {
+  sum.double_pivots += part.double_pivots;
+  sum.exact_pivots += part.exact_pivots;
+  sum.basis_confirmed = sum.basis_confirmed && part.basis_confirmed;
+  sum.tier = std::max(sum.tier, part.tier);
+  sum.largest_bits = std::max(sum.largest_bits, part.largest_bits);
+}
+
+class ColumnGeneration {
  public:
-  Builder(const Problem& problem, const Region& region)
-      : problem_(problem), directions_(region.cone().directions()) {
-    program_.add_variables(directions_.size(), VariableKind::kNonNegative);
-    variable_count_ = directions_.size();
-    for (std::size_t i = 0; i < problem.size(); ++i) {
-      columns_.push_back(
-          {region.separation(problem, ContactId(i)), slip_for(region, ContactId(i))});
+  ColumnGeneration(const Problem& problem, const Region& region)
+      : problem_(problem), rays_(region.cone().directions()) {
+    const Vector3 load = coordinates(problem.wrench());
+    for (const IntegerVector4& x : rays_) {
+      wrenches_.push_back({load[0] * x[3], load[1] * x[3], load[2] * x[3]});
     }
-    for (std::vector<Rational>& row : balance_) row.resize(directions_.size());
-    for (std::size_t i = 0; i < problem.size(); ++i) add_contact(ContactId(i));
-    add_frame();
+    for (std::size_t i = 0; i < problem.size(); ++i) add_contact(region, ContactId(i));
   }
 
-  const LinearProgram& program() const { return program_; }
-
-  RelaxedPoint point(const std::vector<Rational>& solution) const {
-    RelaxedPoint result;
-    Vector4 x{};
-    for (std::size_t r = 0; r < directions_.size(); ++r) {
-      if (solution[r].is_zero()) continue;
-      for (std::size_t j = 0; j < 4; ++j) x[j] += solution[r] * Rational(directions_[r][j]);
+  std::variant<RelaxedPoint, VirtualWorkLeaf> solve(LpWork* work) {
+    if (work != nullptr) *work = LpWork{0, 0, true, LpTier::kInt64, 0};
+    while (true) {
+      LpWork master_work;
+      const LpResult master = stickslip::solve(master_program(), &master_work);
+      if (work != nullptr) add(*work, master_work);
+      // Without an objective the program is infeasible or optimal.
+      if (const auto* optimal = std::get_if<Optimal>(&master)) return point(optimal->point);
+      const std::vector<Rational>& farkas = std::get<Infeasible>(master).farkas;
+      const Vector3 twist{farkas[0], farkas[1], farkas[2]};
+      if (!add_columns(twist, farkas[3])) return VirtualWorkLeaf{primitive_multiple(twist), {}};
     }
-    result.witness.twist = {x[0], x[1], x[2]};
-    Rational widest = 0;
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      const ContactColumns& c = columns_[i];
-      const ContactRow& row = problem_.rows()[i];
-      const Rational v = row.normal_coefficient(result.witness.twist);
-      ContactForce force{0, 0};
-      if (c.separation != Separation::kOpen) {
-        if (c.slip) {
-          force.normal = c.separation == Separation::kClosed ? v : solution[c.first];
-          force.tangential = Rational(-to_int(*c.slip)) * row.friction * force.normal;
-        } else {
-          const Rational& plus = solution[c.first];
-          const Rational& minus = solution[c.first + 1];
-          force = {plus + minus, row.friction * (plus - minus)};
-        }
-      }
-      if (c.separation == Separation::kMixed) {
-        const Rational& a = force.normal;
-        // Complementarity of a_i >= 0 and a_i >= v_i, as the energy of the spring.
-        const Rational gap = a * (a - v) / row.stiffness;
-        if (gap > widest) {
-          widest = gap;
-          result.broken = SeparationSplit{ContactId(i)};
-        }
-      }
-      if (!c.slip) {
-        const Rational slip = power(row.tangent, result.witness.twist);
-        const Rational gap = row.friction * force.normal * abs(slip) + force.tangential * slip;
-        if (gap > widest) {
-          widest = gap;
-          result.broken = SlipSplit{ContactId(i)};
-        }
-      }
-      result.witness.forces.push_back(std::move(force));
-    }
-    return result;
-  }
-
-  VirtualWorkLeaf leaf(const std::vector<Rational>& farkas) const {
-    VirtualWorkLeaf leaf;
-    const Vector3 y{farkas[first_balance_], farkas[first_balance_ + 1],
-                    farkas[first_balance_ + 2]};
-    leaf.twist = primitive_multiple(y);
-    const Twist twist{y[0], y[1], y[2]};
-    for (std::size_t i = 0; i < columns_.size(); ++i) {
-      const ContactColumns& c = columns_[i];
-      if (c.separation != Separation::kMixed) continue;
-      const ContactRow& row = problem_.rows()[i];
-      const Rational friction = row.friction * power(row.tangent, twist);
-      const Rational alpha = power(row.normal, twist) +
-                             (c.slip ? Rational(-to_int(*c.slip)) * friction : abs(friction));
-      const Rational& multiplier = farkas[c.at_least];
-      if (alpha.sign() >= 0 || multiplier.is_zero()) continue;
-      leaf.theta.emplace_back(ContactId(i), std::min(Rational(1), multiplier / -alpha));
-    }
-    return leaf;
   }
 
  private:
+  void add_contact(const Region& region, ContactId contact) {
+    const Separation separation = region.separation(problem_, contact);
+    if (separation == Separation::kOpen) return;
+    OpenContact open{
+        contact, separation == Separation::kMixed, slip_for(region, contact), {}, 0};
+    for (const IntegerVector4& x : rays_) {
+      open.most.push_back(std::max(Rational(0), value(problem_.separation(contact), x)));
+    }
+    if (!open.mixed) push_along(open, open.slip ? -to_int(*open.slip) : 1);
+    if (open.slip && !open.mixed) {
+      settled_.emplace_back(contact, open.edge);
+    } else {
+      open_.push_back(std::move(open));
+    }
+  }
+
   /// Without friction both edges of the cone are one: any sign serves.
   std::optional<Sign> slip_for(const Region& region, ContactId contact) const {
     if (problem_.row(contact).friction.is_zero()) return Sign::kPositive;
     return region.slip_sign(problem_, contact);
   }
 
-  std::size_t add_force_variable(ContactId contact, int sigma) {
-    program_.add_variable(VariableKind::kNonNegative);
-    const Vector3 wrench = coordinates(problem_.edge_wrench(contact, sigma));
-    for (std::size_t j = 0; j < 3; ++j) {
-      balance_[j].resize(variable_count_ + 1);
-      balance_[j][variable_count_] = wrench[j];
+  void push_along(OpenContact& open, int edge) {
+    Wrench change;
+    if (edge != 0) change = change + problem_.edge_wrench(open.contact, edge);
+    if (open.edge != 0) change = change + Rational(-1) * problem_.edge_wrench(open.contact, open.edge);
+    open.edge = edge;
+    const Vector3 c = coordinates(change);
+    for (std::size_t r = 0; r < rays_.size(); ++r) {
+      if (open.most[r].is_zero()) continue;
+      for (std::size_t j = 0; j < 3; ++j) wrenches_[r][j] += open.most[r] * c[j];
     }
-    return variable_count_++;
   }
 
-  void add_contact(ContactId contact) {
-    ContactColumns& c = columns_[contact.index()];
-    if (c.separation == Separation::kOpen) return;
-    std::vector<Rational> v(directions_.size());
-    for (std::size_t r = 0; r < directions_.size(); ++r) {
-      v[r] = value(problem_.separation(contact), directions_[r]);
-    }
-    if (c.separation == Separation::kClosed && c.slip) {
-      const Vector3 wrench = coordinates(problem_.edge_wrench(contact, -to_int(*c.slip)));
-      for (std::size_t j = 0; j < 3; ++j) {
-        for (std::size_t r = 0; r < directions_.size(); ++r) balance_[j][r] += wrench[j] * v[r];
+  /// sum lambda_c (wrench_c, h_c) = (0, 0, 0, 1), lambda >= 0.
+  LinearProgram master_program() const {
+    LinearProgram program;
+    program.add_variables(columns_.size(), VariableKind::kNonNegative);
+    for (std::size_t j = 0; j < 4; ++j) {
+      std::vector<Rational> row;
+      for (const Column& c : columns_) {
+        row.push_back(j < 3 ? c.wrench[j] : Rational(rays_[c.ray][3]));
       }
-      return;
+      program.add_row(std::move(row), Relation::kEqual, j < 3 ? 0 : 1);
     }
-    if (c.slip) {
-      c.first = add_force_variable(contact, -to_int(*c.slip));
-    } else {
-      c.first = add_force_variable(contact, 1);
-      add_force_variable(contact, -1);
+    return program;
+  }
+
+  /// The extreme points that do the most work on the twist, one of each ray where that is
+  /// more than -z h. False if there are none: then g(r) <= -z h_r on every ray r, and z > 0.
+  bool add_columns(const Vector3& twist, const Rational& z) {
+    const Twist y{twist[0], twist[1], twist[2]};
+    for (OpenContact& open : open_) {
+      const ContactRow& row = problem_.row(open.contact);
+      int edge = open.slip ? -to_int(*open.slip) : 1;
+      if (!open.slip && power(row.tangent, y).sign() < 0) edge = -1;
+      if (open.mixed && power(problem_.edge_wrench(open.contact, edge), y).sign() <= 0)
+        edge = 0;
+      if (edge != open.edge) push_along(open, edge);
     }
-    // a_i - (a form in lambda), with a_i the sum of the contact's force variables.
-    auto less_form = [&](bool positive_part) {
-      std::vector<Rational> row(variable_count_);
-      for (std::size_t r = 0; r < directions_.size(); ++r) {
-        if (!positive_part || v[r].sign() > 0) row[r] = -v[r];
+    bool added = false;
+    for (std::size_t r = 0; r < rays_.size(); ++r) {
+      Rational excess = z * Rational(rays_[r][3]);
+      for (std::size_t j = 0; j < 3; ++j) excess += twist[j] * wrenches_[r][j];
+      if (excess.sign() <= 0) continue;
+      added = true;
+      Column column{r, {}, wrenches_[r]};
+      for (const OpenContact& open : open_) {
+        column.edges.push_back(static_cast<std::int8_t>(open.edge));
       }
-      for (std::size_t f = c.first; f < variable_count_; ++f) row[f] = 1;
-      return row;
+      columns_.push_back(std::move(column));
+    }
+    return added;
+  }
+
+  RelaxedPoint point(const std::vector<Rational>& solution) const {
+    RelaxedPoint result;
+    Vector4 x{};
+    std::vector<ContactForce> open_forces(open_.size(), ContactForce{0, 0});
+    for (std::size_t c = 0; c < columns_.size(); ++c) {
+      if (solution[c].is_zero()) continue;
+      const Column& column = columns_[c];
+      for (std::size_t j = 0; j < 4; ++j) x[j] += solution[c] * Rational(rays_[column.ray][j]);
+      for (std::size_t q = 0; q < open_.size(); ++q) {
+        if (column.edges[q] == 0) continue;
+        const Rational a = solution[c] * open_[q].most[column.ray];
+        open_forces[q].normal += a;
+        open_forces[q].tangential +=
+            Rational(column.edges[q]) * problem_.row(open_[q].contact).friction * a;
+      }
+    }
+    result.witness.twist = {x[0], x[1], x[2]};
+    result.witness.forces.assign(problem_.size(), ContactForce{0, 0});
+    for (const auto& [contact, edge] : settled_) {
+      const ContactRow& row = problem_.row(contact);
+      const Rational a = row.normal_coefficient(result.witness.twist);
+      result.witness.forces[contact.index()] = {a, Rational(edge) * row.friction * a};
+    }
+    Rational widest = 0;
+    const auto consider = [&](Rational gap, ContactSplit split) {
+      if (gap <= widest) return;
+      widest = std::move(gap);
+      result.broken = split;
     };
-    if (c.separation == Separation::kClosed) {
-      program_.add_row(less_form(false), Relation::kEqual, 0);
-    } else {
-      c.at_least = program_.add_row(less_form(false), Relation::kGreaterEqual, 0);
-      program_.add_row(less_form(true), Relation::kLessEqual, 0);
+    for (std::size_t q = 0; q < open_.size(); ++q) {
+      const ContactId contact = open_[q].contact;
+      const ContactRow& row = problem_.row(contact);
+      const Rational& a = open_forces[q].normal;
+      const Rational& b = open_forces[q].tangential;
+      if (open_[q].mixed) {
+        const Rational lawful =
+            std::max(Rational(0), row.normal_coefficient(result.witness.twist));
+        // An energy of the spring, as the slip's gap is one of friction.
+        consider(abs(Rational(a - lawful)) * std::max(a, lawful) / row.stiffness,
+                 SeparationSplit{contact});
+      }
+      if (!open_[q].slip) {
+        const Rational slip = power(row.tangent, result.witness.twist);
+        consider(row.friction * a * abs(slip) + b * slip, SlipSplit{contact});
+      }
+      result.witness.forces[contact.index()] = std::move(open_forces[q]);
     }
-  }
-
-  void add_frame() {
-    const Vector3 load = coordinates(problem_.wrench());
-    for (std::size_t j = 0; j < 3; ++j) {
-      const std::size_t row =
-          program_.add_row(std::move(balance_[j]), Relation::kEqual, -load[j]);
-      if (j == 0) first_balance_ = row;
-    }
-    std::vector<Rational> h;
-    for (const IntegerVector4& x : directions_) h.emplace_back(x[3]);
-    program_.add_row(std::move(h), Relation::kEqual, 1);
+    return result;
   }
 
   const Problem& problem_;
-  std::vector<IntegerVector4> directions_;
-  LinearProgram program_;
-  std::size_t variable_count_ = 0;
-  std::vector<ContactColumns> columns_;
-  std::array<std::vector<Rational>, 3> balance_;
-  std::size_t first_balance_ = 0;
+  std::vector<IntegerVector4> rays_;                ///< lines both ways
+  std::vector<std::pair<ContactId, int>> settled_;  ///< closed, with the edge of their force
+  std::vector<OpenContact> open_;
+  std::vector<Vector3> wrenches_;  ///< by ray, with all contacts on their current edges
+  std::vector<Column> columns_;
 };
 
-/// A leaf near the given one whose twist has small entries and whose theta are multiples of a
-/// small fraction, if one refutes.
+/// A leaf near the given one whose twist has small entries, if one refutes.
 VirtualWorkLeaf with_small_integers(const Problem& problem, const Region& region,
                                     const VirtualWorkLeaf& leaf) {
   Integer largest = 0;
@@ -200,11 +215,6 @@ VirtualWorkLeaf with_small_integers(const Problem& problem, const Region& region
                  divisor.backend().data());
       small.twist[j] = quotient;
     }
-    for (const auto& [contact, theta] : leaf.theta) {
-      const Rational scaled = theta * Rational(scale) + Rational(1, 2);
-      const Rational rounded(Integer(numerator(scaled) / denominator(scaled)), Integer(scale));
-      if (!rounded.is_zero()) small.theta.emplace_back(contact, rounded);
-    }
     small.twist = primitive(std::move(small.twist));
     if (refutes(problem, region, small)) return small;
   }
@@ -215,15 +225,12 @@ VirtualWorkLeaf with_small_integers(const Problem& problem, const Region& region
 
 std::variant<RelaxedPoint, VirtualWorkLeaf> solve_region(const Problem& problem,
                                                          const Region& region, LpWork* work) {
-  const Builder builder(problem, region);
-  const LpResult result = solve(builder.program(), work);
-  if (const auto* infeasible = std::get_if<Infeasible>(&result)) {
-    const VirtualWorkLeaf leaf = builder.leaf(infeasible->farkas);
-    require(refutes(problem, region, leaf), "a Farkas vector does not refute its region");
-    return with_small_integers(problem, region, leaf);
+  auto outcome = ColumnGeneration(problem, region).solve(work);
+  if (const auto* leaf = std::get_if<VirtualWorkLeaf>(&outcome)) {
+    require(refutes(problem, region, *leaf), "a Farkas vector does not refute its region");
+    return with_small_integers(problem, region, *leaf);
   }
-  // Without an objective the program is infeasible or optimal.
-  return builder.point(std::get<Optimal>(result).point);
+  return outcome;
 }
 
 }  // namespace stickslip

@@ -12,13 +12,9 @@ Integer sum_of_sizes(const Integer* begin, std::size_t count) {
   return sum;
 }
 
-Work make_work(const Row& row, int side, const Rational& v_scale) {
-  std::array<Rational, 4> x;
-  for (std::size_t j = 0; j < 3; ++j) {
-    x[j] = row.normal[j] + side * row.friction * row.tangent[j];
-  }
+Work make_work(const std::array<Rational, 4>& wrench, const Rational& v_scale) {
   Rational scale;
-  const Vector primitive = make_vector(x, &scale);
+  const Vector primitive = make_vector(wrench, &scale);
   return {{primitive.x[0], primitive.x[1], primitive.x[2]}, Rational(scale * v_scale), {}};
 }
 
@@ -35,6 +31,7 @@ std::size_t shift_for(const Rational& weight) {
 Problem make_problem(const std::vector<Row>& rows, const Vector3& wrench) {
   Problem problem;
   problem.wrench = wrench;
+  problem.contacts.reserve(rows.size());
   for (const Row& row : rows) {
     WalkContact contact;
     const Rational k = -row.stiffness;
@@ -46,8 +43,15 @@ Problem make_problem(const std::vector<Row>& rows, const Vector3& wrench) {
     for (const Integer& coordinate : contact.v.x) {
       if (abs(coordinate) > contact.v_max) contact.v_max = abs(coordinate);
     }
-    contact.plus = make_work(row, -1, v_scale);
-    contact.minus = make_work(row, 1, v_scale);
+    std::array<Rational, 4> plus;
+    std::array<Rational, 4> minus;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Rational friction = row.friction * row.tangent[j];
+      plus[j] = row.normal[j] - friction;
+      minus[j] = row.normal[j] + friction;
+    }
+    contact.plus = make_work(plus, v_scale);
+    contact.minus = make_work(minus, v_scale);
     problem.shift = std::max(
         {problem.shift, shift_for(contact.plus.weight), shift_for(contact.minus.weight)});
     problem.contacts.push_back(std::move(contact));
@@ -55,7 +59,7 @@ Problem make_problem(const std::vector<Row>& rows, const Vector3& wrench) {
   for (WalkContact& contact : problem.contacts) {
     for (Work* work : {&contact.plus, &contact.minus}) {
       for (std::size_t j = 0; j < 3; ++j) {
-        work->shifted[j] = floor_shifted(Rational(work->weight * work->row[j]), problem.shift);
+        work->shifted[j] = floor_shifted(work->weight, work->row[j], problem.shift);
       }
     }
   }

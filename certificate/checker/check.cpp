@@ -257,6 +257,7 @@ class Certificate : public JsonHandler {
   static std::string show(const Rational& x) { return stickslip_check::show(x); }
 
   void make_rows() {
+    rows_.reserve(question_.contacts.size());
     for (std::size_t i = 0; i < question_.contacts.size(); ++i) {
       std::optional<Row> row = make_row(question_.contacts[i]);
       if (!row) {

@@ -28,7 +28,10 @@ std::vector<std::uint32_t> intersection(const std::vector<std::uint32_t>& a,
 
 Vector make_vector(std::array<Integer, 4> x) {
   Integer divisor;
-  for (const Integer& coordinate : x) divisor = gcd(divisor, coordinate);
+  for (const Integer& coordinate : x) {
+    divisor = gcd(divisor, coordinate);
+    if (divisor == 1) break;
+  }
   std::size_t bits = 0;
   for (Integer& coordinate : x) {
     if (divisor > 1)
@@ -38,10 +41,12 @@ Vector make_vector(std::array<Integer, 4> x) {
   Vector result;
   result.is_short = bits <= kLeadBits;
   for (std::size_t i = 0; i < 4; ++i) {
-    Integer lead = x[i];
-    if (!result.is_short) {
-      mpz_tdiv_q_2exp(lead.get_mpz_t(), lead.get_mpz_t(), bits - kLeadBits);
+    if (result.is_short) {
+      result.lead[i] = x[i].get_si();
+      continue;
     }
+    Integer lead;
+    mpz_tdiv_q_2exp(lead.get_mpz_t(), x[i].get_mpz_t(), bits - kLeadBits);
     result.lead[i] = lead.get_si();
   }
   result.x = std::move(x);

@@ -137,6 +137,13 @@ Integer ceil_shifted(const Rational& x, std::size_t shift) {
   return result;
 }
 
+Integer floor_shifted(const Rational& x, const Integer& n, std::size_t shift) {
+  Integer result = x.get_num() * n;
+  mpz_mul_2exp(result.get_mpz_t(), result.get_mpz_t(), shift);
+  mpz_fdiv_q(result.get_mpz_t(), result.get_mpz_t(), x.get_den_mpz_t());
+  return result;
+}
+
 Rational dot(const Vector3& a, const Vector3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }

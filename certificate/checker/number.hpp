@@ -36,6 +36,8 @@ std::string decimal_above_sqrt(const Rational& x);
 /// floor(2^shift x) and ceil(2^shift x).
 Integer floor_shifted(const Rational& x, std::size_t shift);
 Integer ceil_shifted(const Rational& x, std::size_t shift);
+/// floor(2^shift x n)
+Integer floor_shifted(const Rational& x, const Integer& n, std::size_t shift);
 
 Rational dot(const Vector3& a, const Vector3& b);
 Integer dot(const std::array<Integer, 3>& a, const std::array<Integer, 3>& b);

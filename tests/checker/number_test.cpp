@@ -84,6 +84,9 @@ TEST(Number, ShiftsRoundToTheirSide) {
       EXPECT_LT(4 * x - 1, down);
       EXPECT_GE(up, 4 * x);
       EXPECT_LT(up, 4 * x + 1);
+      for (const int n : {-3, 0, 5}) {
+        EXPECT_EQ(floor_shifted(x, Integer(n), 2), floor_shifted(Rational(x * n), 2));
+      }
     }
   }
 }

@@ -60,14 +60,16 @@ Json magnitude_json(const ContactReport& contact, const Rational& coefficient) {
 }
 
 std::string magnitude_text(const ContactReport& contact, const Rational& coefficient) {
-  if (const auto exact = contact.magnitude(coefficient)) return to_string(*exact);
+  if (const auto exact = contact.magnitude(coefficient)) return to_readable_string(*exact);
   const DecimalEnclosure e = enclose_sqrt(coefficient, contact.length_squared, 6);
   return e.lower + ".." + e.upper;
 }
 
 std::string tuple(std::initializer_list<Rational> numbers) {
   std::string text;
-  for (const Rational& value : numbers) text += (text.empty() ? "(" : ", ") + to_string(value);
+  for (const Rational& value : numbers) {
+    text += (text.empty() ? "(" : ", ") + to_readable_string(value);
+  }
   return text + ")";
 }
 
@@ -151,7 +153,7 @@ void print_text(const Question& question, const Problem& problem, const Decision
   }
   if (const auto* stable = std::get_if<Stable>(&verdict)) {
     const Twist& d = stable->witness.twist;
-    std::cout << "  motion d  " << tuple({d.x, d.y, d.r}) << "\n\n";
+    const std::string motion = tuple({d.x, d.y, d.r});
     std::vector<std::vector<std::string>> rows{
         {"contact", "normal", "tangential", "force", "slip", ""}};
     std::size_t index = 0;
@@ -160,9 +162,16 @@ void print_text(const Question& question, const Problem& problem, const Decision
                       magnitude_text(c, c.force.tangential), tuple({c.vector.x, c.vector.y}),
                       std::string(1, to_char(c.slip)), c.closed ? "closed" : "open"});
     }
-    std::cout << format_table(rows) << '\n'
+    const std::string table = format_table(rows);
+    std::cout << "  motion d  " << motion << "\n\n"
+              << table << '\n'
               << "These forces balance the load, lie in their friction cones and oppose slip; "
                  "checked exactly.\n";
+    if ((motion + table).find("..") != std::string::npos) {
+      std::cout
+          << "a..b encloses a number that is irrational, or long: --json has every rational "
+             "in full.\n";
+    }
   } else if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
     explain(summarize(unstable->refutation));
   } else {

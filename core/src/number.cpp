@@ -166,4 +166,12 @@ DecimalEnclosure enclose_sqrt(const Rational& factor, const Rational& radicand, 
   return {print(low, digits, MPFR_RNDD), print(high, digits, MPFR_RNDU)};
 }
 
+std::string to_readable_string(const Rational& value) {
+  constexpr std::size_t kReadable = 40;
+  std::string exact = to_string(value);
+  if (exact.size() <= kReadable) return exact;
+  const DecimalEnclosure enclosure = enclose_sqrt(value, 1, 9);
+  return enclosure.lower + ".." + enclosure.upper;
+}
+
 }  // namespace stickslip

@@ -107,6 +107,19 @@ class Decide(Case):
         self.assertGreater(high * high, 2)
         self.assertLess(high - low, Fraction(1, 10**15))
 
+    def test_long_rationals_are_enclosed_in_text_and_whole_in_json(self):
+        primes = [101, 103, 107, 109, 113, 127, 131, 137, 139, 149, 151, 157]
+        contacts = [{"position": [x, f"1/{p}"], "normal": [-x, f"1/{p + 1}"], "friction": "1/2"}
+                    for p in primes for x in (-1, 1)]
+        grasp = self.write("g.json", {"format": "stickslip-grasp/1", "contacts": contacts,
+                                      "wrench": ["1/7", "-1/11", "1/13"]})
+        text = stickslip("decide", grasp, "--engine", "cone")[1]
+        self.assertLess(max(map(len, text.splitlines())), 160)
+        self.assertIn("--json has every rational in full", text)
+        answer = self.json("decide", grasp, "--engine", "cone")
+        self.assertGreater(len(answer["twist"][0]), 60)
+        self.assertNotIn("--json", stickslip("decide", FIG1)[1])
+
     def test_text_says_what_the_json_says(self):
         for options, word in (((), "stable"), (UP, "unstable")):
             code, out, err = stickslip("decide", FIG1, *options)

@@ -232,5 +232,15 @@ TEST(Division, ByZeroThrows) {
   EXPECT_THROW(Rational(1) / Rational(0), std::overflow_error);
 }
 
+TEST(ReadableString, IsExactUnlessLong) {
+  EXPECT_EQ(to_readable_string(Rational(-3, 7)), "-3/7");
+  const Integer twenty_digits("12345678901234567890");
+  const Rational short_enough(twenty_digits, Integer("1234567890123456789"));
+  EXPECT_EQ(to_readable_string(short_enough), to_string(short_enough));
+  const Rational beyond(twenty_digits, Integer("12345678901234567891"));
+  EXPECT_EQ(to_readable_string(beyond), "0.999999999..1");
+  EXPECT_EQ(to_readable_string(-beyond), "-1..-0.999999999");
+}
+
 }  // namespace
 }  // namespace stickslip

@@ -61,4 +61,8 @@ struct DecimalEnclosure {
 DecimalEnclosure enclose_sqrt(const Rational& factor, const Rational& radicand,
                               int digits = 17);
 
+/// For people: to_string(value) if that has at most 40 characters, else an enclosure of nine
+/// significant digits, "lower..upper".
+std::string to_readable_string(const Rational& value);
+
 }  // namespace stickslip

@@ -25,22 +25,6 @@ struct Step {
   std::vector<Node> children;
 };
 
-void add(ConeWork& sum, const ConeWork& part) {
-  sum.nodes += part.nodes;
-  sum.leaves += part.leaves;
-  sum.voids += part.voids;
-  sum.slip_splits += part.slip_splits;
-  sum.separation_splits += part.separation_splits;
-  sum.depth = std::max(sum.depth, part.depth);
-  sum.searches += part.searches;
-  sum.support_points += part.support_points;
-  sum.filter_hits += part.filter_hits;
-  sum.filter_misses += part.filter_misses;
-  sum.exact_programs += part.exact_programs;
-  sum.witness_attempts += part.witness_attempts;
-  sum.largest_twist_bits = std::max(sum.largest_twist_bits, part.largest_twist_bits);
-}
-
 /// Explores one subtree. What it does depends on its root alone, so that subtrees may be
 /// explored in any order, or at once.
 class Explorer {
@@ -50,6 +34,8 @@ class Explorer {
 
   const ConeWork& work() const { return work_; }
   std::optional<Witness>& witness() { return witness_; }
+  /// The multiple of the load that the witness is of.
+  const Rational& multiple() const { return multiple_; }
 
   /// Depth first, in preorder. Nothing if it ended early: at a witness, at the limit, or
   /// because `stop` said so.
@@ -92,11 +78,12 @@ class Explorer {
     } else {
       // A relaxed equilibrium may be near a real one. Trying costs as much as many nodes, so it
       // is done where nodes are few: at counts 1, 2, 4, 8, ...
-      const bool milestone = (work_.nodes & (work_.nodes - 1)) == 0;
+      const bool milestone =
+          problem_.load().is_single() && (work_.nodes & (work_.nodes - 1)) == 0;
       const std::optional<ContactSplit> split = search_.widest_gap(node, found);
       if (milestone && try_witness_near(found.motion)) return std::nullopt;
       if (split) return split_at(node, *split);
-      if (try_witness_of(node, found)) return std::nullopt;
+      if (problem_.load().is_single() && try_witness_of(node, found)) return std::nullopt;
     }
     return solve_exactly(node);
   }
@@ -188,7 +175,9 @@ class Explorer {
     auto& point = std::get<RelaxedPoint>(outcome);
     if (point.broken) return split_at(node, *point.broken);
     witness_ = std::move(point.witness);
-    require(!find_violation(problem_, *witness_), "an unbroken point is not an equilibrium");
+    multiple_ = std::move(point.multiple);
+    require(!find_violation(problem_.at(multiple_), *witness_),
+            "an unbroken point is not an equilibrium");
     return std::nullopt;
   }
 
@@ -199,6 +188,7 @@ class Explorer {
   TwistSearch search_;
   ConeWork work_;
   std::optional<Witness> witness_;
+  Rational multiple_ = 0;
 };
 
 /// The top of the tree, explored breadth first until there are subtrees enough to share out.
@@ -263,6 +253,10 @@ class Top {
   std::vector<Subtree> subtrees_;
 };
 
+Undecided limit_reached(const ConeOptions& options) {
+  return {"the limit of " + std::to_string(options.node_limit) + " nodes"};
+}
+
 Verdict decide_in_order(const Problem& problem, const DoubleModel& model,
                         const ConeOptions& options, ConeWork& work) {
   Explorer explorer(problem, model, options);
@@ -272,7 +266,7 @@ Verdict decide_in_order(const Problem& problem, const DoubleModel& model,
   }
   work = explorer.work();
   if (explorer.witness()) return Stable{std::move(*explorer.witness())};
-  if (!tree) return Undecided{"the limit of " + std::to_string(options.node_limit) + " nodes"};
+  if (!tree) return limit_reached(options);
   return Unstable{std::move(*tree)};
 }
 
@@ -322,7 +316,7 @@ Verdict decide_in_parallel(const Problem& problem, const DoubleModel& model,
   }
   std::vector<Refutation> trees;
   for (Outcome& outcome : outcomes) {
-    add(work, outcome.work);
+    work += outcome.work;
     if (outcome.witness) return Stable{std::move(*outcome.witness)};
     trees.push_back(std::move(*outcome.tree));
   }
@@ -330,6 +324,23 @@ Verdict decide_in_parallel(const Problem& problem, const DoubleModel& model,
 }
 
 }  // namespace
+
+ConeWork& ConeWork::operator+=(const ConeWork& part) {
+  nodes += part.nodes;
+  leaves += part.leaves;
+  voids += part.voids;
+  slip_splits += part.slip_splits;
+  separation_splits += part.separation_splits;
+  depth = std::max(depth, part.depth);
+  searches += part.searches;
+  support_points += part.support_points;
+  filter_hits += part.filter_hits;
+  filter_misses += part.filter_misses;
+  exact_programs += part.exact_programs;
+  witness_attempts += part.witness_attempts;
+  largest_twist_bits = std::max(largest_twist_bits, part.largest_twist_bits);
+  return *this;
+}
 
 Verdict decide_by_cones(const Problem& problem, const ConeOptions& options, ConeWork* work) {
   ConeWork unused;
@@ -344,6 +355,20 @@ Verdict decide_by_cones(const Problem& problem, const ConeOptions& options, Cone
   if (options.verify) validate(problem, verdict);
 #endif
   return verdict;
+}
+
+std::variant<LoadPoint, Unstable, Undecided> search_loads(const Problem& problem,
+                                                          const ConeOptions& options,
+                                                          ConeWork* work) {
+  const DoubleModel model(problem);
+  Explorer explorer(problem, model, options);
+  auto tree = explorer.explore(Node::root(problem), 0, [] { return false; });
+  if (work != nullptr) *work = explorer.work();
+  if (auto& witness = explorer.witness()) {
+    return LoadPoint{explorer.multiple(), std::move(*witness)};
+  }
+  if (!tree) return limit_reached(options);
+  return Unstable{std::move(*tree)};
 }
 
 }  // namespace stickslip

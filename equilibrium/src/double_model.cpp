@@ -31,12 +31,25 @@ DoubleModel::DoubleModel(const Problem& problem) {
     preloads += c.separation[3] * std::hypot(c.normal[0], c.normal[1]);
     contacts.push_back(c);
   }
-  load = to_doubles(problem.wrench());
+  for (const LoadRange::End& end : problem.load().ends()) {
+    loads.push_back(to_doubles(end.wrench));
+    multiples.push_back(to_double(end.multiple));
+  }
+  if (const auto& direction = problem.load().recession()) recession = to_doubles(*direction);
   const double count = std::max<double>(1, static_cast<double>(problem.size()));
   length = arms > 0 ? arms / count : 1;
-  force = std::hypot(load[0], load[1]) + std::fabs(load[2]) / length + preloads / count;
+  force = preloads / count;
+  const auto add = [&](const Double3& load) {
+    force += std::hypot(load[0], load[1]) + std::fabs(load[2]) / length;
+  };
+  std::for_each(loads.begin(), loads.end(), add);
+  if (recession) add(*recession);
   if (!(force > 0) || !std::isfinite(force)) force = 1;
   if (!std::isfinite(length)) length = 1;
+}
+
+std::size_t DoubleModel::hardest_load(const Double3& twist) const {
+  return loads.size() > 1 && dot(loads[1], twist) > dot(loads[0], twist) ? 1 : 0;
 }
 
 Double4 to_doubles(const IntegerVector4& x) {

@@ -33,8 +33,14 @@ struct ContactDoubles {
 struct DoubleModel {
   explicit DoubleModel(const Problem& problem);
 
+  /// The end whose load does the most work on the twist. Every h >= 0, so it is the same for
+  /// all rays.
+  std::size_t hardest_load(const Double3& twist) const;
+
   std::vector<ContactDoubles> contacts;
-  Double3 load;
+  std::vector<Double3> loads;        ///< at the ends of the range
+  std::vector<double> multiples;     ///< there
+  std::optional<Double3> recession;  ///< of the loads
   double length;  ///< a typical distance, to make torques and forces comparable
   double force;   ///< a typical force
 };

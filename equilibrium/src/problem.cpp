@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/equilibrium/problem.hpp"
 
+#include <utility>
+
+#include "stickslip/core/error.hpp"
+
 namespace stickslip {
 
 Problem::Problem(const LoadedGrasp& loaded, NormalLaw law)
-    : rows_(contact_rows(loaded.grasp)), wrench_(loaded.wrench), law_(law) {
+    : rows_(contact_rows(loaded.grasp)), load_(loaded.wrench), law_(law) {
   for (const ContactRow& row : rows_) {
     const Wrench& n = row.normal;
     const Wrench& t = row.tangent;
@@ -13,6 +17,21 @@ Problem::Problem(const LoadedGrasp& loaded, NormalLaw law)
         {-row.stiffness * n.x, -row.stiffness * n.y, -row.stiffness * n.torque, row.preload});
     separation_planes_.push_back(primitive_multiple<4>(separations_.back()));
   }
+}
+
+const Wrench& Problem::wrench() const {
+  require(load_.is_single(), "a range of loads has no one wrench");
+  return load_.ends().front().wrench;
+}
+
+Problem Problem::with_load(LoadRange load) const {
+  Problem other = *this;
+  other.load_ = std::move(load);
+  return other;
+}
+
+Problem Problem::at(const Rational& multiple) const {
+  return with_load(LoadRange(load_.wrench_at(multiple)));
 }
 
 Wrench Problem::edge_wrench(ContactId contact, int sigma) const {

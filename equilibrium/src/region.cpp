@@ -112,10 +112,17 @@ bool Region::is_void() const {
   return is_barred(all);
 }
 
-std::vector<Rational> virtual_work_bounds(const Problem& problem, const Region& region,
+namespace {
+
+Twist twist_of(const VirtualWorkLeaf& leaf) {
+  return {Rational(leaf.twist[0]), Rational(leaf.twist[1]), Rational(leaf.twist[2])};
+}
+
+/// The contacts' part of g on each of the region's directions.
+std::vector<Rational> contact_work_bounds(const Problem& problem, const Region& region,
                                           const VirtualWorkLeaf& leaf) {
-  const Twist y{Rational(leaf.twist[0]), Rational(leaf.twist[1]), Rational(leaf.twist[2])};
-  Vector4 linear{0, 0, 0, power(problem.wrench(), y)};
+  const Twist y = twist_of(leaf);
+  Vector4 linear{0, 0, 0, 0};
   struct Kink {  // alpha max(0, v)
     Rational alpha;
     const Vector4* v;
@@ -153,18 +160,50 @@ std::vector<Rational> virtual_work_bounds(const Problem& problem, const Region& 
   return bounds;
 }
 
+}  // namespace
+
+std::vector<Rational> virtual_work_bounds(const Problem& problem, const Region& region,
+                                          const VirtualWorkLeaf& leaf) {
+  std::vector<Rational> bounds = contact_work_bounds(problem, region, leaf);
+  const std::vector<IntegerVector4> directions = region.cone().directions();
+  const Rational load = power(problem.wrench(), twist_of(leaf));
+  for (std::size_t r = 0; r < bounds.size(); ++r)
+    bounds[r] += Rational(directions[r][3]) * load;
+  return bounds;
+}
+
 bool refutes(const Problem& problem, const Region& region, const VirtualWorkLeaf& leaf) {
   if (region.is_void()) return true;
-  const std::vector<Rational> bounds = virtual_work_bounds(problem, region, leaf);
-  const std::size_t first_ray = 2 * region.cone().lines().size();
+  const LoadRange& load = problem.load();
+  const Twist y = twist_of(leaf);
+  // The generators where g is 0: of motions, and which ends of the loads they go with.
   std::vector<const Ray*> zero;
-  for (std::size_t r = 0; r < bounds.size(); ++r) {
-    if (bounds[r].sign() > 0) return false;
-    if (bounds[r].is_zero() && r >= first_ray) {
-      zero.push_back(&region.cone().rays()[r - first_ray]);
-    }
+  bool zero_at_low = false;
+  bool zero_at_high = false;
+  if (load.recession()) {
+    const Rational bound = power(*load.recession(), y);
+    if (bound.sign() > 0) return false;
+    zero_at_high = bound.is_zero();
   }
-  return region.is_barred(zero);
+  std::vector<Rational> powers;
+  for (const LoadRange::End& end : load.ends()) powers.push_back(power(end.wrench, y));
+  const std::vector<Rational> contacts = contact_work_bounds(problem, region, leaf);
+  const std::size_t first_ray = 2 * region.cone().lines().size();
+  for (std::size_t r = 0; r < contacts.size(); ++r) {
+    const Rational h =
+        r < first_ray ? Rational(0) : Rational(region.cone().rays()[r - first_ray].x[3]);
+    bool is_zero = false;
+    for (std::size_t e = 0; e < powers.size(); ++e) {
+      const int sign = Rational(contacts[r] + h * powers[e]).sign();
+      if (sign > 0) return false;
+      if (sign < 0) continue;
+      is_zero = true;
+      if (!h.is_zero()) (e == 0 ? zero_at_low : zero_at_high) = true;
+    }
+    if (is_zero && r >= first_ray) zero.push_back(&region.cone().rays()[r - first_ray]);
+  }
+  return region.is_barred(zero) || (load.low_is_strict() && !zero_at_high) ||
+         (load.high_is_strict() && !zero_at_low);
 }
 
 }  // namespace stickslip

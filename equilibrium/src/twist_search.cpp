@@ -70,11 +70,12 @@ void TwistSearch::add_question_bounds(const Node& node, const RayTable& table,
 }
 
 /// The wrench whose work on the twist of the last add_question_bounds is the bound at the ray.
-Double3 TwistSearch::wrench_at(const Node& node, const RayTable& table, std::size_t ray) const {
+Double3 TwistSearch::wrench_at(const Node& node, const RayTable& table, std::size_t ray,
+                               const Double3& load) const {
   const Double4& x = table.rays()[ray];
   Double3 wrench{};
   for (std::size_t j = 0; j < 3; ++j) {
-    wrench[j] = x[3] * model_.load[j];
+    wrench[j] = x[3] * load[j];
     for (std::size_t k = 0; k < 4; ++k) wrench[j] += node.settled.value[j][k] * x[k];
   }
   for (std::size_t q = 0; q < node.questions.size(); ++q) {
@@ -111,17 +112,25 @@ SearchResult TwistSearch::search(const Node& node, const RayTable& table, ConeWo
     scale = std::max(scale, std::numeric_limits<double>::min()) / model_.force;
   }
 
+  if (model_.recession) {
+    const Double3& u = *model_.recession;
+    const double size = std::fabs(u[0]) + std::fabs(u[1]) + std::fabs(u[2]) / model_.length;
+    scales_.push_back(size / model_.force);
+  }
+
   std::vector<SupportPoint> supports;
   NearestPoint hull;
   double largest_point = 0;
   const double length = model_.length;
-  Double3 y{-model_.load[0], -model_.load[1], -model_.load[2] / (length * length)};
+  const Double3& first_load = model_.loads.back();
+  Double3 y{-first_load[0], -first_load[1], -first_load[2] / (length * length)};
   if (dot(y, y) == 0) y = {1, 0, 0};
   constexpr std::size_t kMostSteps = 60;
   constexpr double kVanishing = 1e-24;  // of squared lengths; a proposal, not a decision
   for (std::size_t step = 0; step < kMostSteps; ++step) {
     ++work.support_points;
-    Double4 form{0, 0, 0, dot(model_.load, y)};
+    const Double3& load = model_.loads[model_.hardest_load(y)];
+    Double4 form{0, 0, 0, dot(load, y)};
     for (std::size_t k = 0; k < 4; ++k) {
       for (std::size_t j = 0; j < 3; ++j) form[k] += y[j] * node.settled.value[j][k];
     }
@@ -140,12 +149,21 @@ SearchResult TwistSearch::search(const Node& node, const RayTable& table, ConeWo
         worst_ray = r;
       }
     }
+    // The recession counts as a ray after the others, without motion.
+    if (model_.recession) {
+      const double scaled = dot(*model_.recession, y) / scales_[ray_count];
+      if (scaled > worst) {
+        worst = scaled;
+        worst_ray = ray_count;
+      }
+    }
     if (worst < 0) {
       result.separated = true;
       result.twist = y;
       return result;
     }
-    Double3 point = wrench_at(node, table, worst_ray);
+    Double3 point =
+        worst_ray < ray_count ? wrench_at(node, table, worst_ray, load) : *model_.recession;
     for (double& entry : point) entry /= scales_[worst_ray];
     point[2] /= length;
     supports.push_back({worst_ray, y});
@@ -160,6 +178,7 @@ SearchResult TwistSearch::search(const Node& node, const RayTable& table, ConeWo
   result.tangential.assign(node.questions.size(), 0.0);
   for (std::size_t k = 0; k < hull.size(); ++k) {
     const SupportPoint& support = supports[hull.order(k)];
+    if (support.ray == ray_count) continue;
     const double weight = hull.weight(k) / scales_[support.ray];
     for (std::size_t j = 0; j < 4; ++j) {
       result.motion[j] += weight * table.rays()[support.ray][j];
@@ -220,9 +239,14 @@ std::optional<ContactSplit> TwistSearch::widest_gap(const Node& node,
 std::optional<bool> TwistSearch::certain_refutation(const Node& node, const RayTable& table,
                                                     const Double3& twist) {
   const std::size_t ray_count = table.ray_count();
-  const double load = dot(model_.load, twist);
+  const Double3& hardest = model_.loads[model_.hardest_load(twist)];
+  const double load = dot(hardest, twist);
   double load_magnitude = 0;
-  for (std::size_t j = 0; j < 3; ++j) load_magnitude += std::fabs(model_.load[j] * twist[j]);
+  for (const Double3& end : model_.loads) {
+    double magnitude = 0;
+    for (std::size_t j = 0; j < 3; ++j) magnitude += std::fabs(end[j] * twist[j]);
+    load_magnitude = std::max(load_magnitude, magnitude);
+  }
   bounds_.assign(ray_count, 0.0);
   forces_.assign(ray_count, 0.0);
   errors_.assign(ray_count, 0.0);
@@ -261,6 +285,14 @@ std::optional<bool> TwistSearch::certain_refutation(const Node& node, const RayT
   constexpr double kUnitRoundoff = 1.2e-16;
   constexpr double kUnderflow = 1e-280;
   bool certain = true;
+  if (model_.recession) {
+    const Double3& u = *model_.recession;
+    double magnitude = 0;
+    for (std::size_t j = 0; j < 3; ++j) magnitude += std::fabs(u[j] * twist[j]);
+    const double bound = kUnitRoundoff * roundings * magnitude + kUnderflow;
+    if (dot(u, twist) > bound) return false;
+    certain = dot(u, twist) < -bound;
+  }
   for (std::size_t r = 0; r < ray_count; ++r) {
     if (!table.loaded(r) && !(forces_[r] > 0)) continue;  // g and h are exactly 0: barred
     const double bound = kUnitRoundoff * roundings * errors_[r] + kUnderflow;

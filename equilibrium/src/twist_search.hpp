@@ -48,7 +48,8 @@ class TwistSearch {
   };
   Edge edge(const OpenQuestion& question, const Double3& twist) const;
   void add_question_bounds(const Node& node, const RayTable& table, const Double3& twist);
-  Double3 wrench_at(const Node& node, const RayTable& table, std::size_t ray) const;
+  Double3 wrench_at(const Node& node, const RayTable& table, std::size_t ray,
+                    const Double3& load) const;
   /// Whether g <= 0 with zeros only where nothing acts, if error bounds decide.
   std::optional<bool> certain_refutation(const Node& node, const RayTable& table,
                                          const Double3& twist);

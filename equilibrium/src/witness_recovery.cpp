@@ -159,7 +159,7 @@ class SmoothBalance {
 
   /// The sum of all wrenches, and its derivative where asked.
   Double3 residual(const Double3& d, Matrix3* derivative) const {
-    Double3 sum = model_.load;
+    Double3 sum = model_.loads.front();
     if (derivative != nullptr) *derivative = {};
     const Double4 x{d[0], d[1], d[2], 1};
     for (const ContactDoubles& c : model_.contacts) {

@@ -21,6 +21,7 @@
 #pragma once
 
 #include <cstddef>
+#include <variant>
 
 #include "stickslip/equilibrium/verdict.hpp"
 
@@ -41,6 +42,9 @@ struct ConeWork {
   std::size_t exact_programs = 0;  ///< exact linear programs
   std::size_t witness_attempts = 0;    ///< candidates for an equilibrium completed exactly
   std::size_t largest_twist_bits = 0;  ///< of an integer in a leaf
+
+  /// Sums; maxima of depth and bits.
+  ConeWork& operator+=(const ConeWork& part);
 };
 
 struct ConeOptions {
@@ -54,5 +58,18 @@ struct ConeOptions {
 /// when the node limit is reached.
 Verdict decide_by_cones(const Problem& problem, const ConeOptions& options = {},
                         ConeWork* work = nullptr);
+
+/// An equilibrium under one load of a range.
+struct LoadPoint {
+  Rational multiple;
+  Witness witness;
+};
+
+/// A load of the problem's range under which the grasp is stable, or a proof that there is
+/// none, by the same search with the multiple as one more unknown. One thread; Undecided only
+/// when the node limit is reached.
+std::variant<LoadPoint, Unstable, Undecided> search_loads(const Problem& problem,
+                                                          const ConeOptions& options = {},
+                                                          ConeWork* work = nullptr);
 
 }  // namespace stickslip

@@ -21,6 +21,7 @@
 
 #include "stickslip/core/contact_row.hpp"
 #include "stickslip/core/integer_vector.hpp"
+#include "stickslip/equilibrium/load_range.hpp"
 
 namespace stickslip {
 
@@ -37,7 +38,9 @@ class Problem {
   const std::vector<ContactRow>& rows() const { return rows_; }
   std::size_t size() const { return rows_.size(); }
   const ContactRow& row(ContactId contact) const { return rows_[contact.index()]; }
-  const Wrench& wrench() const { return wrench_; }
+  const LoadRange& load() const { return load_; }
+  /// The load, which must be a single one.
+  const Wrench& wrench() const;
   NormalLaw law() const { return law_; }
 
   /// A positive multiple of tau_i, primitive: for signs and for cutting.
@@ -51,13 +54,18 @@ class Problem {
     return separation_planes_[contact.index()];
   }
 
+  /// The same grasp and law under other loads. O(m).
+  Problem with_load(LoadRange load) const;
+  /// Under the one load of the problem's range with this multiple. O(m).
+  Problem at(const Rational& multiple) const;
+
   /// N + sigma mu T, for sigma = -1, 0 or 1: the wrench of a unit normal coefficient with
   /// friction on that edge of the cone.
   Wrench edge_wrench(ContactId contact, int sigma) const;
 
  private:
   std::vector<ContactRow> rows_;
-  Wrench wrench_;
+  LoadRange load_;
   NormalLaw law_ = NormalLaw::kUnilateral;
   std::vector<IntegerVector4> slip_planes_;
   std::vector<Vector4> separations_;

@@ -52,11 +52,11 @@ class Region {
   std::vector<ConstraintIndex> strict_{0};  ///< increasing; h is constraint 0
 };
 
-/// The rule leaf-bound: whether the virtual twist proves that the region has no equilibrium.
-/// O(m * rays) rational operations.
+/// The rule leaf-bound: whether the virtual twist proves that the region has no equilibrium
+/// under any of the problem's loads. O(m * rays) rational operations.
 bool refutes(const Problem& problem, const Region& region, const VirtualWorkLeaf& leaf);
 
-/// The exact bound g(r) of leaf-bound on each of cone().directions().
+/// The exact bound g(r) of leaf-bound on each of cone().directions(), for a single load.
 std::vector<Rational> virtual_work_bounds(const Problem& problem, const Region& region,
                                           const VirtualWorkLeaf& leaf);
 

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Load margins: the exact set of multiples l >= 0 for which a grasp is stable under w + l u.
+///
+/// In one *mode* (which contacts are closed, and the sign of slip or sticking at each of them)
+/// the conditions of problem.hpp are linear in motion, forces and l together, so the multiples
+/// that a mode resists are a closed interval. There are finitely many modes: the set is a
+/// finite union of closed intervals with rational ends, the last of which may have no upper
+/// end.
+///
+/// **Method.** Branch and bound with l as one more unknown (`search_loads`) finds an
+/// equilibrium in a range not yet settled, or proves that there is none. An equilibrium is
+/// extended to all of its mode's interval by two exact linear programs, and from the ends of
+/// that into the modes next to it, where a contact begins to slip, to stick, to open or to
+/// close; what is left of the range is searched again. Nothing is bisected: every end is a
+/// vertex of some linear program. Every search settles a range or adds a mode's interval, of
+/// which there are finitely many.
+#pragma once
+
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "stickslip/equilibrium/cone_engine.hpp"
+
+namespace stickslip {
+
+/// The multiples from low to high, both included; all from low on if there is no high.
+struct LoadInterval {
+  Rational low;
+  std::optional<Rational> high;
+};
+
+/// Two equilibria of one mode: between them every multiple is resisted, by a combination of the
+/// two. Without `high`, `end` is what may be added to the first without end, for the
+/// direction's sake alone (FORMAT.md, section 10: a ray).
+struct LoadSegment {
+  LoadPoint start;
+  std::optional<Rational> high;
+  Witness end;
+};
+
+/// With the evidence of certificate/FORMAT.md, section 10.
+struct Margin {
+  Wrench direction;
+  std::vector<LoadInterval> resisted;  ///< increasing, disjoint
+  std::vector<LoadSegment>
+      segments;  ///< increasing; each begins where one ends or an interval begins
+  std::vector<Refutation> gaps;  ///< one tree for each gap between the intervals, increasing
+};
+
+struct MarginWork {
+  std::size_t searches = 0;  ///< of ranges
+  std::size_t modes = 0;     ///< linear programs over one mode
+  ConeWork cone;             ///< of all searches
+};
+
+/// `problem` has a single load w. Throws ContractError if the direction is zero. Undecided only
+/// when the node limit, of all searches together, is reached.
+std::variant<Margin, Undecided> find_margin(const Problem& problem, const Wrench& direction,
+                                            const ConeOptions& options = {},
+                                            MarginWork* work = nullptr);
+
+}  // namespace stickslip

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/equilibrium/margin.hpp"
+
+#include <algorithm>
+#include <list>
+#include <utility>
+
+#include "load_mode.hpp"
+#include "stickslip/core/error.hpp"
+
+namespace stickslip {
+namespace {
+
+/// An open range of multiples; also its low end if `has_low`.
+struct Gap {
+  Rational low;
+  std::optional<Rational> high;
+  bool has_low;
+};
+
+class MarginSearch {
+ public:
+  MarginSearch(const Problem& problem, const Wrench& direction, const ConeOptions& options,
+               MarginWork& work)
+      : problem_(problem),
+        direction_(direction),
+        options_(options),
+        work_(work),
+        modes_(problem.with_load({problem.wrench(), direction, 0, std::nullopt, true})) {}
+
+  std::variant<Margin, Undecided> run() {
+    std::list<Gap> open{{0, std::nullopt, true}};
+    std::vector<std::pair<Rational, Refutation>> refuted;
+    while (!open.empty()) {
+      const Gap gap = std::move(open.front());
+      open.pop_front();
+      auto found = search(gap);
+      if (auto* undecided = std::get_if<Undecided>(&found)) return std::move(*undecided);
+      if (auto* refutation = std::get_if<Unstable>(&found)) {
+        refuted.emplace_back(gap.low, std::move(refutation->refutation));
+        continue;
+      }
+      const std::vector<LoadSegment> chain =
+          modes_.chain_through(std::get<LoadPoint>(found), gap.low, gap.high);
+      const Rational& first = chain.front().start.multiple;
+      if (first > gap.low) open.push_back({gap.low, first, gap.has_low});
+      const std::optional<Rational>& last = chain.back().high;
+      if (last && (!gap.high || *last < *gap.high)) open.push_back({*last, gap.high, false});
+      segments_.insert(segments_.end(), chain.begin(), chain.end());
+    }
+    work_.modes = modes_.programs();
+    return assemble(std::move(refuted));
+  }
+
+ private:
+  std::variant<LoadPoint, Unstable, Undecided> search(const Gap& gap) {
+    ConeOptions options = options_;
+    if (options.node_limit != 0) {
+      if (work_.cone.nodes >= options.node_limit) {
+        return Undecided{"the limit of " + std::to_string(options.node_limit) + " nodes"};
+      }
+      options.node_limit -= work_.cone.nodes;
+    }
+    ++work_.searches;
+    ConeWork cone;
+    // The load itself is where the engine for single loads is quick, and most often stable.
+    if (gap.has_low && segments_.empty() && !tried_rest_) {
+      tried_rest_ = true;
+      Verdict verdict = decide_by_cones(problem_, options, &cone);
+      work_.cone += cone;
+      if (auto* stable = std::get_if<Stable>(&verdict)) {
+        return LoadPoint{0, std::move(stable->witness)};
+      }
+      return search(gap);
+    }
+    auto found = search_loads(
+        problem_.with_load({problem_.wrench(), direction_, gap.low, gap.high, gap.has_low}),
+        options, &cone);
+    work_.cone += cone;
+    return found;
+  }
+
+  Margin assemble(std::vector<std::pair<Rational, Refutation>> refuted) {
+    Margin margin;
+    margin.direction = direction_;
+    std::sort(segments_.begin(), segments_.end(), [](const auto& a, const auto& b) {
+      // A point that is alone comes before what may begin at it.
+      if (a.start.multiple != b.start.multiple) return a.start.multiple < b.start.multiple;
+      return a.high && (!b.high || *a.high < *b.high);
+    });
+    for (const LoadSegment& segment : segments_) {
+      const bool continues =
+          !margin.resisted.empty() && margin.resisted.back().high == segment.start.multiple;
+      if (!continues) margin.resisted.push_back({segment.start.multiple, std::nullopt});
+      margin.resisted.back().high = segment.high;
+    }
+    margin.segments = std::move(segments_);
+    std::sort(refuted.begin(), refuted.end(),
+              [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (auto& [low, refutation] : refuted) margin.gaps.push_back(std::move(refutation));
+    return margin;
+  }
+
+  const Problem& problem_;
+  const Wrench& direction_;
+  const ConeOptions& options_;
+  MarginWork& work_;
+  LoadModes modes_;
+  bool tried_rest_ = false;
+  std::vector<LoadSegment> segments_;
+};
+
+}  // namespace
+
+std::variant<Margin, Undecided> find_margin(const Problem& problem, const Wrench& direction,
+                                            const ConeOptions& options, MarginWork* work) {
+  require(!(direction == Wrench{}), "a margin needs a direction");
+  MarginWork unused;
+  MarginWork& counters = work != nullptr ? *work : unused;
+  counters = {};
+  return MarginSearch(problem, direction, options, counters).run();
+}
+
+}  // namespace stickslip

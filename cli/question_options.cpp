@@ -6,25 +6,21 @@
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
-namespace {
-
-Wrench wrench_option(const std::string& value) {
+Wrench wrench_option(const std::string& option, const std::string& value) {
   std::vector<Rational> numbers;
   std::size_t start = 0;
   while (start <= value.size()) {
     const std::size_t comma = std::min(value.find(',', start), value.size());
-    numbers.push_back(number_option("--wrench", value.substr(start, comma - start)));
+    numbers.push_back(number_option(option, value.substr(start, comma - start)));
     start = comma + 1;
   }
   if (numbers.size() != 3) {
-    throw InputError("", "--wrench",
+    throw InputError("", option,
                      "\"" + value + "\" has " + std::to_string(numbers.size()) + " numbers",
-                     "give force x, force y and torque as in --wrench 0,-11/10,0");
+                     "give force x, force y and torque as in " + option + " 0,-11/10,0");
   }
   return {numbers[0], numbers[1], numbers[2]};
 }
-
-}  // namespace
 
 Rational number_option(const std::string& option, const std::string& value) {
   try {
@@ -62,9 +58,19 @@ void QuestionArguments::add_to(CLI::App& command) {
       ->type_name("EPS");
 }
 
+void QuestionArguments::add_with_base_wrench_to(CLI::App& command) {
+  add_to(command);
+  starts_at_zero_ = true;
+  command.get_option("--wrench")
+      ->description(
+          "Wrench to start from, force x, force y and torque about the origin; 0,0,0 if not "
+          "given, whatever the file's wrench");
+}
+
 Question QuestionArguments::question() const {
   QuestionOptions options;
-  if (!wrench_.empty()) options.wrench = wrench_option(wrench_);
+  if (starts_at_zero_) options.wrench = Wrench{};
+  if (!wrench_.empty()) options.wrench = wrench_option("--wrench", wrench_);
   if (!preload_.empty()) options.preload = number_option("--preload", preload_);
   if (!snap_tolerance_.empty()) {
     options.snap_tolerance = number_option("--snap-normals", snap_tolerance_);

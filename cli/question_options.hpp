@@ -15,6 +15,9 @@ class QuestionArguments {
  public:
   /// Adds GRASP, --wrench, --preload, --normal-law and --snap-normals.
   void add_to(CLI::App& command);
+  /// The same, for a command that asks about loads of its own: the wrench that they start from
+  /// is 0 unless --wrench gives another, whatever the file's.
+  void add_with_base_wrench_to(CLI::App& command);
 
   const std::string& file() const { return file_; }
   /// Reads the file and replaces what was asked. Throws InputError naming the file or option.
@@ -26,6 +29,7 @@ class QuestionArguments {
   std::string preload_;
   std::string snap_tolerance_;
   std::string law_ = "unilateral";
+  bool starts_at_zero_ = false;
 };
 
 /// The GRASP argument alone.
@@ -33,5 +37,8 @@ void add_grasp_argument(CLI::App& command, std::string& file);
 
 /// The number in an option's value. Throws InputError naming the option.
 Rational number_option(const std::string& option, const std::string& value);
+
+/// The wrench "WX,WY,T" in an option's value. Throws InputError naming the option.
+Wrench wrench_option(const std::string& option, const std::string& value);
 
 }  // namespace stickslip

@@ -67,30 +67,74 @@ std::string question_text(const Question& question) {
   return text + "}";
 }
 
+std::string head(const char* format, const Question& question, const std::string& producer) {
+  return std::string("{\"format\": \"") + format +
+         "\",\n \"producer\": " + nlohmann::json(producer).dump() +
+         ",\n \"question\": " + question_text(question) + ",\n";
+}
+
+std::string forces_text(const Witness& witness, const char* indent) {
+  std::string text = "[";
+  std::string separator = indent;
+  for (const ContactForce& force : witness.forces) {
+    text += separator + "[" + number(force.normal) + "," + number(force.tangential) + "]";
+    separator = std::string(",") + indent;
+  }
+  return text + "]";
+}
+
+void append_nodes(std::string& text, const Refutation& refutation, std::string& separator) {
+  for (const RefutationNode& node : refutation) {
+    text += separator + std::visit(NodeText{}, node);
+    separator = ",\n  ";
+  }
+}
+
+std::string point_text(const std::optional<Rational>& multiple, const Witness& witness) {
+  return "[" + (multiple ? number(*multiple) : "null") + ",[" +
+         list(coordinates(witness.twist)) + "]," + forces_text(witness, "") + "]";
+}
+
 }  // namespace
 
 std::string certificate_text(const Question& question, const Verdict& verdict,
                              const std::string& producer) {
   require(!std::holds_alternative<Undecided>(verdict),
           "an undecided question has no certificate");
-  std::string text = "{\"format\": \"stickslip-certificate/1\",\n \"producer\": " +
-                     nlohmann::json(producer).dump() +
-                     ",\n \"question\": " + question_text(question) + ",\n \"verdict\": \"" +
+  std::string text = head("stickslip-certificate/1", question, producer) + " \"verdict\": \"" +
                      name_of(verdict) + "\",\n";
-  std::string separator = "\n  ";
   if (const auto* stable = std::get_if<Stable>(&verdict)) {
-    text += " \"twist\": [" + list(coordinates(stable->witness.twist)) + "],\n \"forces\": [";
-    for (const ContactForce& force : stable->witness.forces) {
-      text += separator + "[" + number(force.normal) + "," + number(force.tangential) + "]";
-      separator = ",\n  ";
-    }
+    text += " \"twist\": [" + list(coordinates(stable->witness.twist)) +
+            "],\n \"forces\": " + forces_text(stable->witness, "\n  ");
   } else {
+    std::string separator = "\n  ";
     text += " \"tree\": [";
-    for (const RefutationNode& node : std::get<Unstable>(verdict).refutation) {
-      text += separator + std::visit(NodeText{}, node);
-      separator = ",\n  ";
-    }
+    append_nodes(text, std::get<Unstable>(verdict).refutation, separator);
+    text += "]";
   }
+  return text + "}\n";
+}
+
+std::string margin_certificate_text(const Question& question, const Margin& margin,
+                                    const std::string& producer) {
+  std::string text = head("stickslip-margin/1", question, producer) + " \"direction\": [" +
+                     list(coordinates(margin.direction)) + "],\n \"resisted\": [";
+  std::string separator;
+  for (const LoadInterval& interval : margin.resisted) {
+    text += separator + "[" + number(interval.low) + "," +
+            (interval.high ? number(*interval.high) : "null") + "]";
+    separator = ",";
+  }
+  text += "],\n \"segments\": [";
+  separator = "\n  ";
+  for (const LoadSegment& segment : margin.segments) {
+    text += separator + "[" + point_text(segment.start.multiple, segment.start.witness) +
+            ",\n   " + point_text(segment.high, segment.end) + "]";
+    separator = ",\n  ";
+  }
+  text += "],\n \"tree\": [";
+  separator = "\n  ";
+  for (const Refutation& gap : margin.gaps) append_nodes(text, gap, separator);
   return text + "]}\n";
 }
 

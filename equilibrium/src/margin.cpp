@@ -61,7 +61,7 @@ class MarginSearch {
       }
       options.node_limit -= work_.cone.nodes;
     }
-    ++work_.searches;
+    ++work_.ranges;
     ConeWork cone;
     // The load itself is where the engine for single loads is quick, and most often stable.
     if (gap.has_low && segments_.empty() && !tried_rest_) {

@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "stickslip/equilibrium/margin.hpp"
 #include "stickslip/equilibrium/question.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 
@@ -15,5 +16,9 @@ namespace stickslip {
 /// a remark without meaning. Throws ContractError for Undecided, which proves nothing.
 std::string certificate_text(const Question& question, const Verdict& verdict,
                              const std::string& producer);
+
+/// The certificate of a load margin (FORMAT.md, section 10). `question` has the base wrench.
+std::string margin_certificate_text(const Question& question, const Margin& margin,
+                                    const std::string& producer);
 
 }  // namespace stickslip

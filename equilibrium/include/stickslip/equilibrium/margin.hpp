@@ -50,7 +50,7 @@ struct Margin {
 };
 
 struct MarginWork {
-  std::size_t searches = 0;  ///< of ranges
+  std::size_t ranges = 0;  ///< searched
   std::size_t modes = 0;     ///< linear programs over one mode
   ConeWork cone;             ///< of all searches
 };

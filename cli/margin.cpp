@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/equilibrium/margin.hpp"
+
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "question_options.hpp"
+#include "stickslip/certificate/certificate.hpp"
+#include "stickslip/core/error.hpp"
+#include "stickslip/core/file.hpp"
+#include "stickslip/equilibrium/decide.hpp"
+
+namespace stickslip {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct MarginArguments {
+  QuestionArguments question;
+  std::string direction;
+  std::string certificate;
+  std::size_t node_limit = 0;
+  bool json = false;
+};
+
+Json to_json(const Wrench& wrench) {
+  Json list = Json::array();
+  for (const Rational& value : coordinates(wrench)) list.push_back(to_string(value));
+  return list;
+}
+
+void print_json(const Question& question, const Margin& margin, const MarginWork& work) {
+  Json json;
+  json["name"] = question.loaded.grasp.name();
+  json["normal_law"] = to_string(question.law);
+  json["wrench"] = to_json(question.loaded.wrench);
+  json["direction"] = to_json(margin.direction);
+  json["resisted"] = Json::array();
+  for (const LoadInterval& interval : margin.resisted) {
+    Json high;  // null
+    if (interval.high) high = to_string(*interval.high);
+    json["resisted"].push_back({to_string(interval.low), high});
+  }
+  json["unbounded"] = !margin.resisted.empty() && !margin.resisted.back().high;
+  Json& stats = json["stats"] = Json::object();
+  stats["ranges"] = work.ranges;
+  stats["mode_programs"] = work.modes;
+  for (const auto& [name, value] : counters(work.cone)) stats[name] = value;
+  std::cout << json.dump(1) << '\n';
+}
+
+std::string tuple(const Wrench& wrench) {
+  std::string text;
+  for (const Rational& value : coordinates(wrench)) {
+    text += (text.empty() ? "(" : ", ") + to_readable_string(value);
+  }
+  return text + ")";
+}
+
+std::string interval_text(const LoadInterval& interval) {
+  return "[" + to_readable_string(interval.low) + ", " +
+         (interval.high ? to_readable_string(*interval.high) + "]" : "oo)");
+}
+
+void print_text(const Question& question, const Margin& margin) {
+  const std::string& name = question.loaded.grasp.name();
+  std::cout << (name.empty() ? "" : name + ": ") << "loads w + l u with l >= 0\n\n"
+            << "  wrench w     " << tuple(question.loaded.wrench) << '\n'
+            << "  direction u  " << tuple(margin.direction) << "\n\n";
+  if (margin.resisted.empty()) std::cout << "No l is resisted.\n";
+  for (const LoadInterval& interval : margin.resisted) {
+    std::cout << "Resisted: l in " << interval_text(interval) << '\n';
+  }
+  std::size_t nodes = 0;
+  for (const Refutation& gap : margin.gaps) nodes += gap.size();
+  std::cout << "\nEquilibria of " << margin.segments.size() << " modes prove what is resisted, "
+            << (margin.gaps.empty()
+                    ? std::string("and nothing is left")
+                    : "trees of " + std::to_string(nodes) + " nodes that nothing else is")
+            << ". Normal law: " << to_string(question.law) << ".\n";
+}
+
+int margin(const MarginArguments& arguments) {
+  const Question question = arguments.question.question();
+  const Wrench direction = wrench_option("--direction", arguments.direction);
+  if (direction == Wrench{}) {
+    throw InputError("", "--direction", "the direction is 0",
+                     "give the wrench whose multiples are asked for, as in --direction 0,1,0");
+  }
+  const Problem problem(question.loaded, question.law);
+  ConeOptions options;
+  options.node_limit = arguments.node_limit;
+  MarginWork work;
+  const auto result = find_margin(problem, direction, options, &work);
+  if (const auto* undecided = std::get_if<Undecided>(&result)) {
+    std::cerr << "stickslip: given up at " << undecided->limit << "; the margin is not known\n";
+    return kUndecidedWithinLimit;
+  }
+  const auto& found = std::get<Margin>(result);
+  if (!arguments.certificate.empty()) {
+    write_whole_file(arguments.certificate,
+                     margin_certificate_text(question, found, "stickslip " STICKSLIP_VERSION));
+  }
+  if (arguments.json) {
+    print_json(question, found, work);
+  } else {
+    print_text(question, found);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_margin_command(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<MarginArguments>();
+  CLI::App* command = app.add_subcommand(
+      "margin", "How much of a load is resisted? The exact set of its multiples, with a proof");
+  arguments->question.add_with_base_wrench_to(*command);
+  command
+      ->add_option("--direction", arguments->direction,
+                   "Wrench u: which multiples l >= 0 are resisted under the load w + l u?")
+      ->type_name("WX,WY,T")
+      ->required();
+  command
+      ->add_option("--certificate", arguments->certificate,
+                   "Write a proof for stickslip-check --direction (certificate/FORMAT.md)")
+      ->type_name("FILE");
+  command
+      ->add_option("--node-limit", arguments->node_limit,
+                   "Give up after N nodes of the search; 0 is no limit")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command->add_flag("--json", arguments->json, "Print one JSON object; rationals are strings");
+  command->footer(
+      "Example: stickslip margin fig1.json --preload 1 --direction 0,1,0\n"
+      "The answer is a list of closed intervals; one without an upper end is printed as\n"
+      "[a, oo), and ends in null in JSON.\n"
+      "Exit codes: 0 done, 2 bad input or usage, 3 undecided within a limit.");
+  command->callback([arguments, &exit_code] { exit_code = margin(*arguments); });
+}
+
+}  // namespace stickslip

@@ -280,6 +280,62 @@ class States(Case):
                          stickslip("states", FIG1, "--list", "--json"))
 
 
+class Margin(Case):
+    def resisted(self, grasp, direction, *words):
+        return self.json("margin", grasp, "--direction", direction, *words)["resisted"]
+
+    def test_papers_thresholds(self):
+        preload = ("--preload", 1)
+        self.assertEqual(self.resisted(FIG1, "0,1,0", *preload), [["0", "1"]])
+        self.assertEqual(self.resisted(FIG1, "0,-1,0", *preload), [["0", None]])
+        self.assertEqual(self.resisted(FIG1, "0,-1,0", "--preload", 0), [["0", None]])
+
+    def test_base_wrench_is_zero_unless_given(self):
+        self.assertEqual(self.resisted(FIG1, "0,1,0", "--preload", 1, "--wrench", "0,1/2,0"),
+                         [["0", "1/2"]])
+        answer = self.json("margin", FIG1, "--preload", 1, "--direction", "0,2,0")
+        self.assertEqual(answer["wrench"], ["0", "0", "0"])  # the file's is not
+        self.assertEqual(answer["resisted"], [["0", "1/2"]])
+        self.assertIs(answer["unbounded"], False)
+
+    def test_nothing_is_resisted(self):
+        grasp = self.write("none.json", {"format": "stickslip-grasp/1", "contacts": [],
+                                         "wrench": [0, 0, 0]})
+        self.assertEqual(self.resisted(grasp, "1,0,0", "--wrench", "0,1,0"), [])
+        self.assertEqual(self.resisted(grasp, "1,0,0", "--wrench=-3,0,0"), [["3", "3"]])
+        self.assertIn("No l is resisted", stickslip("margin", grasp, "--direction", "1,0,0",
+                                                    "--wrench", "0,1,0")[1])
+
+    def test_text_says_what_the_json_says(self):
+        out = stickslip("margin", FIG1, "--direction", "0,1,0", "--preload", 1)[1]
+        self.assertIn("l in [0, 1]", out)
+        self.assertIn("[0, oo)", stickslip("margin", FIG1, "--direction", "0,-1,0")[1])
+
+    def test_errors(self):
+        self.fails("margin", FIG1, naming=["--direction"])
+        self.fails("margin", FIG1, "--direction", "0,0,0", naming=["--direction", "is 0"])
+        self.fails("margin", FIG1, "--direction", "0,1", naming=["--direction", "2 numbers"])
+
+    def test_undecided(self):
+        code, out, err = stickslip("margin", FIG1, "--direction", "0,1,0", "--node-limit", 1)
+        self.assertEqual((code, out), (UNDECIDED, ""))
+        self.assertIn("limit of 1 nodes", err)
+
+    def test_certificate_is_accepted(self):
+        for direction in ("0,1,0", "0,-1,0", "-1,1/3,1/7"):
+            proof = self.path("proof.json")
+            self.json("margin", FIG1, "--preload", 1, "--direction", direction,
+                      "--certificate", proof)
+            question = (FIG1, proof, "--preload", 1, "--direction", direction)
+            for checker in ((CHECK,), (sys.executable, CHECK_PY)):
+                code, out, err = run(*checker, *question)
+                self.assertEqual(code, DONE, out + err)
+                self.assertIn("accepted", out)
+                code, out, err = run(*checker, FIG1, proof, "--preload", 1, "--direction", "0,2,0")
+                self.assertEqual(code, 1, out + err)
+                self.assertIn("question-direction", out)
+
+
 class Export(Case):
     def test_z3_confirms(self):
         for options, expected in (((), "sat"), (UP, "unsat"),

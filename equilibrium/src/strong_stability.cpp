@@ -4,6 +4,7 @@
 #include "contact_forces.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/equilibrium/load_classes.hpp"
+#include "stickslip/equilibrium/region.hpp"
 #include "stickslip/lp/linear_program.hpp"
 
 namespace stickslip {
@@ -20,21 +21,62 @@ Wrench times_mass(const Inertia& inertia, const Twist& a) {
   return {fx, fy, c.x * fy - c.y * fx + inertia.gyration_squared * a.r};
 }
 
+IntegerVector4 plane_of(const Wrench& row) {
+  return primitive_multiple<4>({row.x, row.y, row.torque, 0});
+}
+
+/// The sign that the plane has on all accelerations of the region, if it has one.
+std::optional<Sign> sign_on(const Region& region, const IntegerVector4& plane) {
+  const SignRange range = signs_on(region.cone(), plane);
+  if (range.is_zero()) return Sign::kZero;
+  if (range.is_mixed()) return std::nullopt;
+  std::vector<const Ray*> on_plane;
+  for (const Ray& ray : region.cone().rays()) {
+    if (dot(plane, ray.x).is_zero()) on_plane.push_back(&ray);
+  }
+  if (!region.is_barred(on_plane)) return std::nullopt;
+  return range.negative ? Sign::kNegative : Sign::kPositive;
+}
+
+Region with_sign(const Region& region, const IntegerVector4& plane, Sign sign) {
+  if (sign == Sign::kNegative) return region.plane_child(plane, Side::kNegative);
+  if (sign == Sign::kPositive) return region.plane_child(negated(plane), Side::kNegative);
+  return region.plane_child(plane, Side::kPositive)
+      .plane_child(negated(plane), Side::kPositive);
+}
+
+/// Branch and bound over regions of accelerations. Every split parts a region into disjoint
+/// ones by a plane N_i or T_i that does not have one sign on it, so there are at most as many
+/// leaves as the arrangement of these planes has cells.
 class Search {
  public:
   Search(const Problem& problem, const Inertia& inertia, std::size_t most_programs)
       : problem_(problem),
         inertia_(inertia),
         most_programs_(most_programs),
-        labels_(problem.size(), Label::kAny) {}
+        labels_(problem.size(), Label::kAny) {
+    for (const ContactRow& row : problem.rows()) normals_.push_back(plane_of(row.normal));
+  }
 
   enum class Outcome { kNone, kFound, kLimit };
 
-  /// Looks for an acceleration under the labels so far. Each call below labels one contact more
-  /// narrowly, at most twice per contact, so the depth is at most twice their number.
   Outcome run() {
+    Region all;
+    for (const IntegerVector4& normal : normals_) {
+      all = all.plane_child(normal, Side::kPositive);
+    }
+    return run(all);
+  }
+
+  std::size_t cases() const { return cases_; }
+  const Acceleration& found() const { return found_; }
+
+ private:
+  Outcome run(const Region& region) {
+    if (region.is_void()) return Outcome::kNone;
     if (programs_ == most_programs_) return Outcome::kLimit;
     ++programs_;
+    for (std::size_t i = 0; i < problem_.size(); ++i) labels_[i] = label_on(region, i);
     const std::optional<Acceleration> relaxed = fastest();
     if (!relaxed) {
       ++cases_;
@@ -48,28 +90,34 @@ class Search {
       const bool drives =
           !(row.friction * f.normal * abs(slip) + f.tangential * slip).is_zero();
       if (!parts && !drives) continue;
-      return labels_[i] == Label::kAny
-                 ? split(i, {Label::kTouching, Label::kApart})
-                 : split(i, {Label::kSlipPlus, Label::kSlipMinus, Label::kStick});
+      if (labels_[i] == Label::kAny) {
+        return split(region, normals_[i], {Sign::kZero, Sign::kPositive});
+      }
+      return split(region, problem_.slip_plane(ContactId(i)),
+                   {Sign::kPositive, Sign::kNegative, Sign::kZero});
     }
     found_ = *relaxed;
     return Outcome::kFound;
   }
 
-  std::size_t cases() const { return cases_; }
-  const Acceleration& found() const { return found_; }
-
- private:
-  Outcome split(std::size_t contact, std::initializer_list<Label> labels) {
-    const Label before = labels_[contact];
-    Outcome outcome = Outcome::kNone;
-    for (const Label label : labels) {
-      labels_[contact] = label;
-      outcome = run();
-      if (outcome != Outcome::kNone) break;
+  Outcome split(const Region& region, const IntegerVector4& plane,
+                std::initializer_list<Sign> signs) {
+    for (const Sign sign : signs) {
+      const Outcome outcome = run(with_sign(region, plane, sign));
+      if (outcome != Outcome::kNone) return outcome;
     }
-    labels_[contact] = before;
-    return outcome;
+    return Outcome::kNone;
+  }
+
+  Label label_on(const Region& region, std::size_t contact) const {
+    const std::optional<Sign> apart = sign_on(region, normals_[contact]);
+    if (!apart) return Label::kAny;
+    if (*apart == Sign::kPositive) return Label::kApart;
+    const auto slip = sign_on(region, problem_.slip_plane(ContactId(contact)));
+    if (!slip) return Label::kTouching;
+    return *slip == Sign::kZero       ? Label::kStick
+           : *slip == Sign::kPositive ? Label::kSlipPlus
+                                      : Label::kSlipMinus;
   }
 
   /// A point of the relaxed program with w.a > 0, if there is one.
@@ -153,7 +201,8 @@ class Search {
   std::size_t most_programs_;
   std::size_t programs_ = 0;
   std::size_t cases_ = 0;
-  std::vector<Label> labels_;
+  std::vector<Label> labels_;  ///< of the region at hand
+  std::vector<IntegerVector4> normals_;
   Acceleration found_;
 };
 

@@ -20,11 +20,13 @@
 ///
 ///     0 < a.Ma = w.a - sum mu_i c_n,i |T_i.a| <= w.a.                                    (4)
 ///
-/// **How strong stability is decided.** By (4) a solution is an acceleration iff w.a > 0. Each
-/// contact is apart (c = 0, N.a >= 0), slips + or - (N.a = 0, force on an edge of the cone) or
-/// sticks (N.a = T.a = 0). With these labels (1)-(3) are linear, and one exact program
-/// maximises w.a. A contact without label is relaxed to N.a >= 0 and force in the cone, and
-/// labelled only when the maximiser breaks (2) or (3) there.
+/// **How strong stability is decided.** By (4) a solution is an acceleration iff w.a > 0. Where
+/// the signs of N_i.a and T_i.a are known, each contact is apart (c = 0, N.a > 0), slips
+/// (N.a = 0, force on an edge of the cone) or sticks (N.a = T.a = 0); then (1)-(3) are linear,
+/// and one exact program maximises w.a. Where they are not known a contact is relaxed to
+/// N.a >= 0 and force in the cone, and the region of accelerations is split by its planes only
+/// when the maximiser breaks (2) or (3) there. There are at most as many regions as cells in
+/// the arrangement of the planes N_i.a = 0 and T_i.a = 0, O(m^2).
 ///
 /// **Why a mass matrix is needed.** Some positive definite M maps a to f iff a.f > 0. So the
 /// load is strongly stable *for every M* iff no a with N_i.a >= 0 and forces as in (2), (3) has
@@ -72,7 +74,7 @@ struct Inertia {
 struct StronglyStable {
   BalancingForces equilibrium;
   std::size_t cases =
-      0;  ///< labellings refuted, each by verified multipliers: w.a <= 0 or void
+      0;  ///< regions refuted, each by verified multipliers
 };
 /// A solution of (1)-(3) with a != 0.
 struct Acceleration {

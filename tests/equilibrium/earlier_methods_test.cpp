@@ -272,6 +272,17 @@ TEST(Degenerate, ManyContactsInOnePlaceStayCheap) {
   EXPECT_FALSE(std::holds_alternative<Undecided>(verdict));
 }
 
+// A row of contacts on the floor: all slip planes are one.
+TEST(Degenerate, ManyContactsOnOneFloorStayCheap) {
+  std::vector<Contact> contacts;
+  for (int i = 0; i < 40; ++i) contacts.push_back({{i - 20, -1}, {0, 1}, kHalf, 1, 0});
+  const auto held =
+      strongly_stable_load(problem(Grasp(contacts), {Rational(1, 4), -1, 0}), {}, 50);
+  EXPECT_TRUE(std::holds_alternative<StronglyStable>(held));
+  const auto slides = strongly_stable_load(problem(Grasp(contacts), {1, -1, 0}), {}, 50);
+  EXPECT_TRUE(std::holds_alternative<Acceleration>(slides));
+}
+
 TEST(Limits, AreReported) {
   std::vector<Contact> contacts(12, {{1, 0}, {-1, 0}, kHalf, 1, 0});
   const auto states = three_state_compliance(problem(Grasp(contacts), {1, 0, 0}));

@@ -103,7 +103,7 @@ class Comparison {
     }
     const Twist& d = std::get<UnopposedMotion>(result).twist;
     add(method, kPangTrinkle, false,
-        "without friction the load moves the object along " + brief(d) +
+        "without friction no contact opposes the load along " + brief(d) +
             (passive_stable_ ? friction_that_holds() : ""),
         motion_json(d));
   }
@@ -146,9 +146,7 @@ class Comparison {
       return;
     }
     const Twist& d = std::get<UnopposedMotion>(result).twist;
-    add(method, kPangTrinkle, false,
-        "the load moves the object along " + brief(d) +
-            ", and no force in the cones opposes it",
+    add(method, kPangTrinkle, false, "no force in the cones opposes the load along " + brief(d),
         motion_json(d));
   }
 
@@ -199,7 +197,10 @@ class Comparison {
   std::string however(const Witness& witness) const {
     if (passive_stable_ || passive_undecided_) return "";
     const std::string breach = dissipation_breach(problem_, witness);
-    return breach.empty() ? "" : ", but this " + breach;
+    if (!breach.empty()) return ", but this " + breach;
+    // A released spring under the bilateral law.
+    const std::optional<std::string> violation = find_violation(problem_, witness);
+    return violation ? ", but " + *violation : "";
   }
 
   void three_states() {

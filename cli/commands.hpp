@@ -19,6 +19,7 @@ enum ExitCode : int {
 void add_decide_command(CLI::App& app, int& exit_code);
 void add_states_command(CLI::App& app, int& exit_code);
 void add_margin_command(CLI::App& app, int& exit_code);
+void add_compare_command(CLI::App& app, int& exit_code);
 void add_export_command(CLI::App& app, int& exit_code);
 
 }  // namespace stickslip

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "exact_text.hpp"
 #include "question_options.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/file.hpp"
@@ -14,8 +15,6 @@
 
 namespace stickslip {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// One contact of a stable verdict, as both outputs show it.
 struct ContactReport {
@@ -65,14 +64,6 @@ std::string magnitude_text(const ContactReport& contact, const Rational& coeffic
   return e.lower + ".." + e.upper;
 }
 
-std::string tuple(std::initializer_list<Rational> numbers) {
-  std::string text;
-  for (const Rational& value : numbers) {
-    text += (text.empty() ? "(" : ", ") + to_readable_string(value);
-  }
-  return text + ")";
-}
-
 Json stats_json(const Decision& decision) {
   Json json = Json::object();
   const auto all = std::visit([](const auto& work) { return counters(work); }, decision.work);
@@ -87,20 +78,10 @@ void print_json(const Question& question, const Problem& problem, const Decision
   json["name"] = question.loaded.grasp.name();
   json["engine"] = decision.engine();
   json["normal_law"] = to_string(question.law);
-  Json& wrench = json["wrench"] = Json::array();
-  for (const Rational& value : coordinates(problem.wrench()))
-    wrench.push_back(to_string(value));
-  for (const SnappedNormal& normal : question.snapped) {
-    json["snapped_normals"].push_back(
-        {{"contact", normal.contact.index()},
-         {"normal", {to_string(normal.after.x), to_string(normal.after.y)}},
-         {"moved_at_most", normal.moved}});
-  }
+  json["wrench"] = strings_json(coordinates(problem.wrench()));
+  if (!question.snapped.empty()) json["snapped_normals"] = snapped_json(question);
   if (const auto* stable = std::get_if<Stable>(&verdict)) {
-    Json& twist = json["twist"] = Json::array();
-    for (const Rational& value : coordinates(stable->witness.twist)) {
-      twist.push_back(to_string(value));
-    }
+    json["twist"] = strings_json(coordinates(stable->witness.twist));
     Json& contacts = json["contacts"] = Json::array();
     for (const ContactReport& c : report_contacts(question, problem, stable->witness)) {
       contacts.push_back({{"normal", magnitude_json(c, c.force.normal)},
@@ -121,7 +102,7 @@ void print_json(const Question& question, const Problem& problem, const Decision
 
 void explain(const RefutationSummary& summary) {
   const IntegerVector<3>& y = summary.largest_case_twist;
-  const std::string twist = tuple({Rational(y[0]), Rational(y[1]), Rational(y[2])});
+  const std::string twist = tuple(Vector3{Rational(y[0]), Rational(y[1]), Rational(y[2])});
   if (summary.leaves == 0) {
     std::cout << "\nThe normal law allows no motion at all.\n";
     return;
@@ -145,21 +126,17 @@ void print_text(const Question& question, const Problem& problem, const Decision
   const std::string& name = question.loaded.grasp.name();
   const Wrench& w = problem.wrench();
   std::cout << (name.empty() ? "" : name + ": ") << name_of(verdict) << "\n\n"
-            << "  load w    " << tuple({w.x, w.y, w.torque}) << '\n';
-  for (const SnappedNormal& normal : question.snapped) {
-    std::cout << "  contact " << normal.contact.index() << ": normal snapped to "
-              << tuple({normal.after.x, normal.after.y}) << ", moved by at most "
-              << normal.moved << '\n';
-  }
+            << "  load w    " << tuple(coordinates(w)) << '\n';
+  std::cout << snapped_text(question);
   if (const auto* stable = std::get_if<Stable>(&verdict)) {
     const Twist& d = stable->witness.twist;
-    const std::string motion = tuple({d.x, d.y, d.r});
+    const std::string motion = tuple(d);
     std::vector<std::vector<std::string>> rows{
         {"contact", "normal", "tangential", "force", "slip", ""}};
     std::size_t index = 0;
     for (const ContactReport& c : report_contacts(question, problem, stable->witness)) {
       rows.push_back({std::to_string(index++), magnitude_text(c, c.force.normal),
-                      magnitude_text(c, c.force.tangential), tuple({c.vector.x, c.vector.y}),
+                      magnitude_text(c, c.force.tangential), tuple(c.vector),
                       std::string(1, to_char(c.slip)), c.closed ? "closed" : "open"});
     }
     const std::string table = format_table(rows);

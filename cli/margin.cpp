@@ -3,9 +3,9 @@
 
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "exact_text.hpp"
 #include "question_options.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
@@ -15,8 +15,6 @@
 namespace stickslip {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct MarginArguments {
   QuestionArguments question;
   std::string direction;
@@ -25,18 +23,12 @@ struct MarginArguments {
   bool json = false;
 };
 
-Json to_json(const Wrench& wrench) {
-  Json list = Json::array();
-  for (const Rational& value : coordinates(wrench)) list.push_back(to_string(value));
-  return list;
-}
-
 void print_json(const Question& question, const Margin& margin, const MarginWork& work) {
   Json json;
   json["name"] = question.loaded.grasp.name();
   json["normal_law"] = to_string(question.law);
-  json["wrench"] = to_json(question.loaded.wrench);
-  json["direction"] = to_json(margin.direction);
+  json["wrench"] = strings_json(coordinates(question.loaded.wrench));
+  json["direction"] = strings_json(coordinates(margin.direction));
   json["resisted"] = Json::array();
   for (const LoadInterval& interval : margin.resisted) {
     Json high;  // null
@@ -51,14 +43,6 @@ void print_json(const Question& question, const Margin& margin, const MarginWork
   std::cout << json.dump(1) << '\n';
 }
 
-std::string tuple(const Wrench& wrench) {
-  std::string text;
-  for (const Rational& value : coordinates(wrench)) {
-    text += (text.empty() ? "(" : ", ") + to_readable_string(value);
-  }
-  return text + ")";
-}
-
 std::string interval_text(const LoadInterval& interval) {
   return "[" + to_readable_string(interval.low) + ", " +
          (interval.high ? to_readable_string(*interval.high) + "]" : "oo)");
@@ -67,8 +51,9 @@ std::string interval_text(const LoadInterval& interval) {
 void print_text(const Question& question, const Margin& margin) {
   const std::string& name = question.loaded.grasp.name();
   std::cout << (name.empty() ? "" : name + ": ") << "loads w + l u with l >= 0\n\n"
-            << "  wrench w     " << tuple(question.loaded.wrench) << '\n'
-            << "  direction u  " << tuple(margin.direction) << "\n\n";
+            << "  wrench w     " << tuple(coordinates(question.loaded.wrench)) << '\n'
+            << "  direction u  " << tuple(coordinates(margin.direction)) << '\n'
+            << snapped_text(question) << '\n';
   if (margin.resisted.empty()) std::cout << "No l is resisted.\n";
   for (const LoadInterval& interval : margin.resisted) {
     std::cout << "Resisted: l in " << interval_text(interval) << '\n';

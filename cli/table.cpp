@@ -5,7 +5,7 @@
 
 namespace stickslip {
 
-std::string format_table(const std::vector<std::vector<std::string>>& rows) {
+std::string format_table(const std::vector<std::vector<std::string>>& rows, Align align) {
   std::vector<std::size_t> widths;
   for (const std::vector<std::string>& row : rows) {
     widths.resize(std::max(widths.size(), row.size()));
@@ -15,7 +15,8 @@ std::string format_table(const std::vector<std::vector<std::string>>& rows) {
   for (const std::vector<std::string>& row : rows) {
     for (std::size_t c = 0; c < row.size(); ++c) {
       if (c > 0) text += "  ";
-      text += std::string(widths[c] - row[c].size(), ' ') + row[c];
+      const std::string blanks(widths[c] - row[c].size(), ' ');
+      text += align == Align::kRight ? blanks + row[c] : row[c] + blanks;
     }
     text.erase(text.find_last_not_of(' ') + 1);
     text += '\n';

@@ -8,7 +8,11 @@
 
 namespace stickslip {
 
-/// Lines of right-aligned columns, two blanks apart; the first row is the heading.
-std::string format_table(const std::vector<std::vector<std::string>>& rows);
+/// Numbers go to the right, words to the left.
+enum class Align { kLeft, kRight };
+
+/// Lines of aligned columns, two blanks apart; the first row is the heading.
+std::string format_table(const std::vector<std::vector<std::string>>& rows,
+                         Align align = Align::kRight);
 
 }  // namespace stickslip

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "integer_vector.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/integer_vector.hpp"
 
 namespace stickslip {
 namespace {

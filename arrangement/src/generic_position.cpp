@@ -13,8 +13,8 @@
 //     c orthogonal to both basis vectors would be parallel to a, and a.n = 0.
 #include "generic_position.hpp"
 
-#include "integer_vector.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/integer_vector.hpp"
 
 namespace stickslip {
 namespace {

@@ -4,9 +4,9 @@
 #include <map>
 #include <utility>
 
-#include "integer_vector.hpp"
 #include "stickslip/core/contact_row.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/integer_vector.hpp"
 
 namespace stickslip {
 namespace {

@@ -8,9 +8,9 @@
 #include "assemble_states.hpp"
 #include "families.hpp"
 #include "generic_position.hpp"
-#include "integer_vector.hpp"
 #include "sign_rows.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/integer_vector.hpp"
 
 namespace stickslip {
 namespace {

@@ -334,6 +334,108 @@ class Margin(Case):
                 code, out, err = run(*checker, FIG1, proof, "--preload", 1, "--direction", "0,2,0")
                 self.assertEqual(code, 1, out + err)
                 self.assertIn("question-direction", out)
+class Compare(Case):
+    METHODS = ["passive equilibrium", "form closure", "frictionless stable load",
+               "strongly stable load", "weakly stable load", "grasp wrench space, L1",
+               "grasp wrench space, Linf", "linear compliance", "three-state compliance",
+               "friction cones alone"]
+
+    def rows(self, *words):
+        answer = self.json("compare", *words)
+        self.assertEqual([row["method"] for row in answer["methods"]], self.METHODS)
+        for row in answer["methods"]:
+            self.assertEqual(set(row), {"method", "source", "about", "verdict", "agrees", "why",
+                                        "evidence"})
+            self.assertTrue(row["why"] and "\n" not in row["why"])
+            self.assertTrue(row["evidence"])
+        return {row["method"]: row for row in answer["methods"]}
+
+    def assert_verdicts(self, rows, *verdicts):
+        """Of the passive model and the methods about loads, S or U; and who agrees."""
+        load = [row for row in rows.values() if row["about"] == "load"]
+        self.assertEqual("".join(row["verdict"][0].upper() for row in load), "".join(verdicts))
+        for row in load[1:]:
+            self.assertIs(row["agrees"], row["verdict"] == load[0]["verdict"])
+        for row in rows.values():
+            if row["about"] == "grasp":
+                self.assertIsNone(row["agrees"])
+
+    def test_what_the_paper_says_of_fig1(self):
+        # passive, frictionless, strong, weak, linear, three states, cones
+        up = self.rows(FIG1, "--wrench", "0,1,0")
+        self.assert_verdicts(up, "SUUSUUS")
+        self.assertIn("friction of 2/3 of the normal force on contact 0, beyond mu = 1/2",
+                      up["linear compliance"]["why"])
+        self.assertEqual(up["three-state compliance"]["evidence"], {"combinations": 27})
+        self.assert_verdicts(self.rows(FIG1, "--wrench", "0,1,0", "--preload", "0"), "UUUSUUU")
+        fig3 = self.rows(FIG1, "--wrench", "0,-1,0", "--preload", "0")
+        self.assert_verdicts(fig3, "SSSSUSS")
+        self.assertEqual(fig3["linear compliance"]["evidence"]["outside"], 0)
+
+    def test_cones_alone_on_fig4(self):
+        self.assert_verdicts(self.rows(FIG4, "--wrench", "0,1,0", "--preload", "0"), "UUUSUUU")
+        with open(FIG4, encoding="utf-8") as file:
+            content = json.load(file)
+        content["defaults"]["friction"] = 2
+        for contact in content["contacts"]:
+            contact.pop("friction", None)
+        rows = self.rows(self.write("g.json", content), "--wrench", "0,1,0", "--preload", "0")
+        # Three states hold too: d = (0, 3/2, 1/2) with contact 2 slipping freely, 1 and 3 released.
+        self.assert_verdicts(rows, "UUUSUSS")
+        self.assertIn("friction pushing along", rows["friction cones alone"]["why"])
+        self.assertIn("slip without friction", rows["three-state compliance"]["why"])
+
+    def test_wrench_spaces(self):
+        rows = self.rows(FIG1)
+        l1 = rows["grasp wrench space, L1"]["evidence"]
+        self.assertEqual((l1["radius_squared"], l1["radius"]), ("1/9", "1/3"))
+        self.assertEqual(l1["zero_torque_slice"],
+                         [["-1", "0"], ["0", "-1/2"], ["1", "0"], ["3/4", "3/4"], ["0", "1"],
+                          ["-3/4", "3/4"]])
+        linf = rows["grasp wrench space, Linf"]["evidence"]
+        self.assertEqual(linf["radius_squared"], "1/3")
+        low, high = (Fraction(bound) ** 2 for bound in linf["radius"])
+        self.assertTrue(low < Fraction(1, 3) < high)
+        longer = self.rows(FIG1, "--length", "2")["grasp wrench space, L1"]["evidence"]
+        self.assertNotEqual(longer["facet"], l1["facet"])
+
+    def test_irrational_normals(self):
+        grasp = self.write("g.json", {
+            "format": "stickslip-grasp/1", "wrench": [0, -1, 0], "defaults": {"friction": 1},
+            "contacts": [{"position": [-1, -1], "normal": [1, 1]},
+                         {"position": [1, -1], "normal": [-1, 1]}]})
+        row = self.rows(grasp)["grasp wrench space, L1"]
+        self.assertEqual(row["verdict"], "not computed")
+        self.assertIn("contacts[0].normal", row["why"])
+        self.assertIn("--snap-normals", row["why"])
+        snapped = self.rows(grasp, "--snap-normals", "1/10")["grasp wrench space, L1"]
+        self.assertNotEqual(snapped["verdict"], "not computed")
+
+    def test_limits_are_said(self):
+        grasp = self.write("g.json", {
+            "format": "stickslip-grasp/1", "wrench": [0, -1, 0], "defaults": {"friction": 1},
+            "contacts": [{"position": [f"{i}/65", 0], "normal": [0, 1]} for i in range(65)]})
+        rows = self.rows(grasp)
+        for method in ("three-state compliance", "grasp wrench space, L1",
+                       "grasp wrench space, Linf"):
+            self.assertEqual(rows[method]["verdict"], "not computed")
+            self.assertIsNone(rows[method]["agrees"])
+            self.assertIn("beyond", rows[method]["why"])
+
+    def test_text_says_what_the_json_says(self):
+        code, out, err = stickslip("compare", FIG1, "--wrench", "0,1,0")
+        self.assertEqual((code, err), (DONE, ""))
+        for row in self.rows(FIG1, "--wrench", "0,1,0").values():
+            line = next(line for line in out.split("\n") if line.startswith(row["method"] + " "))
+            self.assertIn(row["verdict"], line)
+            self.assertTrue(line.endswith(row["why"]))
+            self.assertEqual("answers another question" in line, row["about"] == "grasp")
+        self.assertEqual(stickslip("compare", FIG1, "--wrench", "0,1,0")[1], out)
+
+    def test_usage(self):
+        for value in ("0", "-1", "x"):
+            self.fails("compare", FIG1, f"--length={value}", naming=["--length"])
+        self.fails("compare", self.path("missing.json"), naming=["missing.json"])
 
 
 class Export(Case):
@@ -401,7 +503,8 @@ class BadInput(Case):
 
     def test_help(self):
         for words, expected in ((("--help",), "decide"), (("decide", "--help"), "--certificate"),
-                                (("states", "--help"), "--list"), (("export", "--help"), "--smt2"),
+                                (("states", "--help"), "--list"),
+                                (("compare", "--help"), "--length"), (("export", "--help"), "--smt2"),
                                 (("--version",), "stickslip ")):
             code, out, err = stickslip(*words)
             self.assertEqual((code, err), (DONE, ""))

@@ -28,7 +28,8 @@ std::optional<Rational> rational_length(const Vector2& v) {
 }
 
 /// Contact i: forces cn, ct along n and t; the motion (mx, my) of the contact point.
-void write_contact(std::ostream& out, const Contact& contact, std::size_t i, NormalLaw law) {
+void write_contact(std::ostream& out, const Contact& contact, std::size_t i, NormalLaw law,
+                   Model model) {
   const std::string id = std::to_string(i);
   Vector2 n = contact.normal;
   // cn = P - k n.m for a unit normal. Along a normal of irrational length L, without preload,
@@ -67,23 +68,60 @@ void write_contact(std::ostream& out, const Contact& contact, std::size_t i, Nor
   define("fy", dot(ny, var("cn"), ty, var("ct")));
   define("torque", "(- (* " + px + " " + var("fy") + ") (* " + py + " " + var("fx") + "))");
 
-  if (law == NormalLaw::kUnilateral) {
-    out << "(assert (or (and (= cn" << id << " v" << id << ") (>= v" << id
-        << " 0.0)) (and (= cn" << id << " 0.0) (<= v" << id << " 0.0))))\n";
-  } else {
-    out << "(assert (and (= cn" << id << " v" << id << ") (>= cn" << id << " 0.0)))\n";
+  const auto assert_that = [&](const std::string& condition) {
+    out << "(assert " << condition << ")\n";
+  };
+  const std::string cn = var("cn");
+  const std::string ct = var("ct");
+  const std::string v = var("v");
+  const std::string slip = var("slip");
+  const std::string closed = "(and (= " + cn + " " + v + ") (>= " + v + " 0.0))";
+  const std::string open = "(and (= " + cn + " 0.0) (<= " + v + " 0.0))";
+  define("limit", "(* " + mu + " " + cn + ")");
+  const std::string limit = var("limit");
+  const std::string in_cone = "(and (>= " + cn + " 0.0) (<= " + ct + " " + limit +
+                              ") (>= " + ct + " (- " + limit + ")))";
+  const std::string dissipates = "(or (= " + slip + " 0.0) (and (> " + slip + " 0.0) (= " + ct +
+                                 " (- " + limit + "))) (and (< " + slip + " 0.0) (= " + ct +
+                                 " " + limit + ")))";
+  const std::string tangential_spring =
+      "(= " + ct + " (- (* " + literal(spring) + " " + slip + ")))";
+  const std::string unloaded = "(= " + ct + " 0.0)";
+  assert_that(in_cone);
+  switch (model) {
+    case Model::kPassive:
+      assert_that(dissipates);
+      [[fallthrough]];
+    case Model::kConesAlone:
+      assert_that(law == NormalLaw::kUnilateral ? "(or " + closed + " " + open + ")" : closed);
+      break;
+    case Model::kWeak:
+      break;
+    case Model::kFrictionless:
+      assert_that(unloaded);
+      break;
+    case Model::kAccelerates: {
+      const std::string apart = dot(nx, var("mx"), ny, var("my"));
+      assert_that("(>= " + apart + " 0.0)");
+      assert_that("(or (= " + cn + " 0.0) (= " + apart + " 0.0))");
+      assert_that(dissipates);
+      break;
+    }
+    case Model::kLinearSprings:
+      assert_that(closed);
+      assert_that(tangential_spring);
+      break;
+    case Model::kThreeStates:
+      assert_that("(or (and " + closed + " " + tangential_spring + ") (and " + closed + " " +
+                  unloaded + ") (and " + open + " " + unloaded + "))");
+      break;
   }
-  define("limit", "(* " + mu + " cn" + id + ")");
-  out << "(assert (and (<= ct" << id << " limit" << id << ") (>= ct" << id << " (- limit" << id
-      << "))))\n"
-      << "(assert (or (= slip" << id << " 0.0) (and (> slip" << id << " 0.0) (= ct" << id
-      << " (- limit" << id << "))) (and (< slip" << id << " 0.0) (= ct" << id << " limit" << id
-      << "))))\n";
 }
 
-void write_balance(std::ostream& out, const Rational& load, const char* part,
+/// The load and the contacts' parts sum to `total`.
+void write_balance(std::ostream& out, const char* total, const Rational& load, const char* part,
                    std::size_t count) {
-  out << "(assert (= 0.0 (+ 0.0 " << literal(load);
+  out << "(assert (= " << total << " (+ 0.0 " << literal(load);
   for (std::size_t i = 0; i < count; ++i) out << ' ' << part << i;
   out << ")))\n";
 }
@@ -102,20 +140,23 @@ std::string run(const std::string& command) {
 
 }  // namespace
 
-std::string smt_assertions(const LoadCase& load_case) {
+std::string smt_assertions(const LoadCase& load_case, Model model) {
   std::ostringstream out;
   out << "(declare-fun x () Real)\n(declare-fun y () Real)\n(declare-fun r () Real)\n";
   const std::vector<Contact>& contacts = load_case.loaded.grasp.contacts();
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    write_contact(out, contacts[i], i, load_case.law);
+    write_contact(out, contacts[i], i, load_case.law, model);
   }
-  write_balance(out, load_case.loaded.wrench.x, "fx", contacts.size());
-  write_balance(out, load_case.loaded.wrench.y, "fy", contacts.size());
-  write_balance(out, load_case.loaded.wrench.torque, "torque", contacts.size());
+  const bool moves = model == Model::kAccelerates;
+  const Wrench& w = load_case.loaded.wrench;
+  write_balance(out, moves ? "x" : "0.0", w.x, "fx", contacts.size());
+  write_balance(out, moves ? "y" : "0.0", w.y, "fy", contacts.size());
+  write_balance(out, moves ? "r" : "0.0", w.torque, "torque", contacts.size());
+  if (moves) out << "(assert (not (and (= x 0.0) (= y 0.0) (= r 0.0))))\n";
   return out.str();
 }
 
-std::vector<std::string> ask_z3(const std::vector<LoadCase>& load_cases) {
+std::vector<std::string> ask_z3(const std::vector<LoadCase>& load_cases, Model model) {
   const std::string program = STICKSLIP_Z3;
   if (program.find("NOTFOUND") != std::string::npos) {
     throw std::runtime_error("this test needs the program z3. On Debian: apt-get install z3");
@@ -125,7 +166,8 @@ std::vector<std::string> ask_z3(const std::vector<LoadCase>& load_cases) {
   {
     std::ofstream file(path);
     for (const LoadCase& load_case : load_cases) {
-      file << "(reset)\n(set-logic QF_LRA)\n" << smt_assertions(load_case) << "(check-sat)\n";
+      file << "(reset)\n(set-logic QF_LRA)\n"
+           << smt_assertions(load_case, model) << "(check-sat)\n";
     }
     if (!file.flush()) throw std::runtime_error("cannot write " + path);
   }

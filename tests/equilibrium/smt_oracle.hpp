@@ -12,12 +12,26 @@
 
 namespace stickslip::test {
 
-/// The question as SMT-LIB 2 (QF_LRA), satisfiable iff the grasp is stable: declarations and
-/// assertions, without check-sat.
-std::string smt_assertions(const LoadCase& load_case);
+/// Whose conditions: the passive model's, or an earlier method's.
+enum class Model {
+  kPassive,
+  kConesAlone,     ///< without maximum dissipation
+  kWeak,           ///< any forces in the cones
+  kFrictionless,   ///< any normal forces
+  kAccelerates,    ///< rigid contacts, unit mass and inertia about the origin, nonzero
+                   ///< acceleration (x, y, r)
+  kLinearSprings,  ///< along normals and tangents
+  kThreeStates     ///< such springs, or a normal spring alone, or released
+};
 
-/// "stable", "unstable", or what else z3 says, for each. Throws std::runtime_error when the
-/// program is missing or does not give an answer to each.
-std::vector<std::string> ask_z3(const std::vector<LoadCase>& load_cases);
+/// The question as SMT-LIB 2 (QF_LRA), satisfiable iff the model has a solution: declarations
+/// and assertions, without check-sat.
+std::string smt_assertions(const LoadCase& load_case, Model model = Model::kPassive);
+
+/// "stable" if the model has a solution, "unstable" if it has none, or what else z3 says, for
+/// each. Throws std::runtime_error when the program is missing or does not give an answer to
+/// each.
+std::vector<std::string> ask_z3(const std::vector<LoadCase>& load_cases,
+                                Model model = Model::kPassive);
 
 }  // namespace stickslip::test

@@ -21,6 +21,10 @@ Integer dot(const IntegerVector<n>& a, const IntegerVector<n>& b) {
   return sum;
 }
 
+inline IntegerVector<3> cross(const IntegerVector<3>& a, const IntegerVector<3>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
 template <std::size_t n>
 bool is_zero(const IntegerVector<n>& a) {
   for (const Integer& entry : a) {

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <iostream>
+#include <memory>
+
+#include "commands.hpp"
+#include "comparison.hpp"
+#include "question_options.hpp"
+#include "stickslip/core/error.hpp"
+#include "table.hpp"
+
+namespace stickslip {
+namespace {
+
+struct CompareArguments {
+  QuestionArguments question;
+  std::string length = "1";
+  bool json = false;
+};
+
+Rational positive_length(const std::string& text) {
+  Rational length = number_option("--length", text);
+  if (length.sign() <= 0) {
+    throw InputError("", "--length", "the value is " + to_string(length),
+                     "a characteristic length must be above 0");
+  }
+  return length;
+}
+
+void print_json(const Question& question, const Rational& length,
+                const std::vector<MethodRow>& rows) {
+  Json json{{"name", question.loaded.grasp.name()},
+            {"normal_law", to_string(question.law)},
+            {"wrench", strings_json(coordinates(question.loaded.wrench))},
+            {"length", to_string(length)}};
+  if (!question.snapped.empty()) json["snapped_normals"] = snapped_json(question);
+  Json& methods = json["methods"] = Json::array();
+  for (const MethodRow& row : rows) {
+    methods.push_back({{"method", row.method},
+                       {"source", row.source},
+                       {"about", row.about_the_load ? "load" : "grasp"},
+                       {"verdict", row.verdict},
+                       {"agrees", row.agrees ? Json(*row.agrees) : Json(nullptr)},
+                       {"why", row.why},
+                       {"evidence", row.evidence}});
+  }
+  std::cout << json.dump(1) << '\n';
+}
+
+void print_text(const Question& question, const std::vector<MethodRow>& rows) {
+  const std::string& name = question.loaded.grasp.name();
+  if (!name.empty()) std::cout << name << '\n';
+  std::cout << "  load w    " << tuple(coordinates(question.loaded.wrench)) << '\n'
+            << snapped_text(question) << '\n';
+  std::vector<std::vector<std::string>> table{{"method", "verdict", "agrees", "why"}};
+  for (const MethodRow& row : rows) {
+    table.push_back({row.method, row.verdict,
+                     row.agrees           ? (*row.agrees ? "yes" : "no")
+                     : row.about_the_load ? ""
+                                          : "answers another question",
+                     row.why});
+  }
+  std::cout << format_table(table, Align::kLeft)
+            << "\nAll exact; sentences round long numbers (~), --json does not. Normal law of "
+               "the passive model: "
+            << to_string(question.law) << ".\n";
+}
+
+int compare(const CompareArguments& arguments) {
+  const Rational length = positive_length(arguments.length);
+  const Question question = arguments.question.question();
+  const std::vector<MethodRow> rows = compare_methods(question, length);
+  if (arguments.json) {
+    print_json(question, length, rows);
+  } else {
+    print_text(question, rows);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_compare_command(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<CompareArguments>();
+  CLI::App* command = app.add_subcommand(
+      "compare", "What earlier methods say of the same question, and why they differ");
+  arguments->question.add_to(*command);
+  command
+      ->add_option("--length", arguments->length,
+                   "Characteristic length of the object, by which grasp wrench spaces divide "
+                   "torques; also its radius of gyration about the origin of the object frame, "
+                   "which strong stability needs")
+      ->type_name("L")
+      ->capture_default_str();
+  command->add_flag("--json", arguments->json,
+                    "Print one JSON object with all evidence; rationals are strings");
+  command->footer(
+      "The methods, all exact: form closure, which asks for no load; loads that are stable\n"
+      "without friction, strongly or weakly (rigid contacts, no preload); the grasp wrench\n"
+      "space with normal forces bounded in sum (L1) or each (Linf), closed if it holds a ball\n"
+      "about 0; linear springs along normals and tangents; the same with each contact stuck,\n"
+      "slipping without friction or detached; and the passive model without maximum\n"
+      "dissipation. A method that would take too long is not computed.\n"
+      "Example: stickslip compare fig1.json --wrench 0,1,0 --preload 1");
+  command->callback([arguments, &exit_code] { exit_code = compare(*arguments); });
+}
+
+}  // namespace stickslip

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The methods that ask about a grasp, whatever its load.
+#include "comparison.hpp"
+#include "comparison_text.hpp"
+#include "stickslip/core/error.hpp"
+#include "stickslip/equilibrium/form_closure.hpp"
+
+namespace stickslip {
+namespace {
+
+MethodRow about_grasp(std::string method, const char* source, const char* verdict,
+                      std::string why, Json evidence) {
+  return {std::move(method),  source, verdict, std::nullopt, false, std::move(why),
+          std::move(evidence)};
+}
+
+}  // namespace
+
+MethodRow form_closure_row(const Problem& problem) {
+  const char* const source = "Liu 1999";
+  const auto result = form_closure(problem);
+  if (const auto* found = std::get_if<FormClosure>(&result)) {
+    Json multipliers = Json::array();
+    for (const Rational& m : found->multipliers) multipliers.push_back(to_string(m));
+    return about_grasp("form closure", source, "closed",
+                       "the contacts leave no motion, even without friction",
+                       {{"multipliers", multipliers},
+                        {"spanning",
+                         {found->spanning[0].index(), found->spanning[1].index(),
+                          found->spanning[2].index()}}});
+  }
+  const Twist& d = std::get<FreeMotion>(result).twist;
+  return about_grasp("form closure", source, "not closed",
+                     "the contacts allow the motion " + brief(d), motion_json(d));
+}
+
+MethodRow wrench_space_row(const Problem& problem, ForceBound bound, const Rational& length) {
+  const std::string method =
+      std::string("grasp wrench space, ") + (bound == ForceBound::kL1 ? "L1" : "Linf");
+  const char* const source = "Ferrari and Canny 1992";
+  if (problem.size() > kMostContactsForWrenchSpace) {
+    const std::string limit = std::to_string(kMostContactsForWrenchSpace) + " contacts";
+    return about_grasp(method, source, kNotComputed, "beyond " + limit, {{"limit", limit}});
+  }
+  std::vector<HalfSpace> facets;
+  try {
+    facets = wrench_space_facets(problem, bound, length);
+  } catch (const InputError& error) {
+    return about_grasp(method, source, kNotComputed,
+                       error.place() + ": " + error.problem() + "; use --snap-normals EPS",
+                       {{"error", error.what()}});
+  }
+  const GraspQuality quality = ferrari_canny_quality(facets);
+  const HalfSpace& nearest = quality.nearest;
+  const Twist normal{Rational(nearest.normal[0]), Rational(nearest.normal[1]),
+                     Rational(nearest.normal[2])};
+  const std::optional<Rational> exact = exact_sqrt(quality.radius_squared);
+  const auto enclosure = [&](int digits) {
+    return enclose_sqrt(1, quality.radius_squared, digits);
+  };
+  Json evidence{{"radius_squared", to_string(quality.radius_squared)}};
+  if (exact) {
+    evidence["radius"] = to_string(*exact);
+  } else {
+    evidence["radius"] = {enclosure(17).lower, enclosure(17).upper};
+  }
+  evidence["facet"] = {{"normal", strings_json(coordinates(normal))},
+                       {"offset", to_string(nearest.offset)}};
+  evidence["facets"] = facets.size();
+  if (bound == ForceBound::kL1) {
+    Json& slice = evidence["zero_torque_slice"] = Json::array();
+    for (const Vector2& vertex : zero_torque_slice(problem))
+      slice.push_back(strings_json(vertex));
+  }
+  const bool closure = quality.radius_squared.sign() > 0;
+  const std::string radius =
+      exact ? brief(*exact) : enclosure(6).lower + ".." + enclosure(6).upper;
+  return about_grasp(
+      method, source, closure ? "closed" : "not closed",
+      closure ? "the largest ball has radius " + radius + ", at the facet " + brief(normal) +
+                    ".x <= " + brief(nearest.offset)
+              : "quality 0: no wrench x with " + brief(normal) + ".x > 0 can be applied",
+      std::move(evidence));
+}
+
+}  // namespace stickslip

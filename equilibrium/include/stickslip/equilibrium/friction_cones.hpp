@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Friction cones alone: the passive model without maximum dissipation.
+///
+/// Some motion d and forces satisfy balance, the normal law and the friction cones (Haas-Heger
+/// et al., RSS 2018, Eqs. 1-4; Section III and Fig. 4): every condition of problem.hpp but the
+/// last. Friction need not oppose slip, so a solver may rotate the object to load its contacts
+/// and let friction push along.
+///
+/// Passively stable implies accepted here, which implies weakly stable.
+///
+/// **Method.** Branch and bound over separations. A contact whose v_i = P_i - k_i N_i.d has one
+/// sign on the region of motions is closed, a_i = v_i, or open, a_i = 0; others are relaxed to
+/// a_i >= max(0, v_i). The contact whose a_i exceeds max(0, v_i) most is split by v_i = 0, a
+/// plane that cuts the region, so there are at most as many regions as cells in the arrangement
+/// of these planes, O(m^3). Under the bilateral law all are closed: one linear program.
+#pragma once
+
+#include <variant>
+
+#include "stickslip/equilibrium/verdict.hpp"
+
+namespace stickslip {
+
+/// The motion and forces found, or a tree of separation splits and virtual twists that refutes
+/// all motions. The tree's twists bound the work of *all* forces in the friction cones (the
+/// multipliers that prove it were verified); so, read as a refutation of the passive model, it
+/// holds as well, and certificate/ can check it.
+using ConesVerdict = std::variant<Witness, Refutation, Undecided>;
+
+/// Undecided only at `most_programs` linear programs. A witness is checked by substitution.
+ConesVerdict friction_cones_alone(const Problem& problem, std::size_t most_programs = 20000);
+
+}  // namespace stickslip

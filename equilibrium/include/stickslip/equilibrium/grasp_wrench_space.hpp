@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The grasp wrench space: the wrenches that the contacts can apply with bounded normal forces
+/// and friction in its cones; and the radius of the largest ball about 0 in it.
+///
+/// For unit normals and c_i = (c_n,i, c_t,i) in its friction cone, the space is
+/// { sum c_n,i N_i + c_t,i T_i } under
+///
+/// - L1: sum c_n,i <= 1, the convex hull of 0 and the edge wrenches N_i +- mu_i T_i;
+/// - Linf: c_n,i <= 1 for each i, the Minkowski sum of the triangles 0, N_i +- mu_i T_i.
+///
+/// Both contain 0. A load w is resisted by forces within the bound iff -w is in the space.
+///
+/// Forces and torques do not compare: a point here is (f_x, f_y, torque / length), with a
+/// characteristic length that the caller chooses. The Ferrari-Canny quality is the radius of
+/// the largest ball about 0 inside the space in these coordinates; with facets u.x <= h it is
+/// the least h/|u|, an algebraic number whose square is rational.
+///
+/// Unit normals are needed, so a normal of irrational length throws InputError
+/// ("contacts[i].normal"); the remedy is snapping. Preload, stiffness and load play no part.
+///
+/// Source: Ferrari and Canny, "Planning optimal grasps", ICRA 1992, pp. 2290-2295; Haas-Heger
+/// et al., RSS 2018, Sections II, VI and Fig. 7(a).
+#pragma once
+
+#include <vector>
+
+#include "stickslip/equilibrium/problem.hpp"
+
+namespace stickslip {
+
+/// Of the normal forces.
+enum class ForceBound { kL1, kLinf };
+
+/// normal.x <= offset.
+struct HalfSpace {
+  IntegerVector<3> normal;  ///< primitive, outward
+  Rational offset;          ///< >= 0
+};
+
+/// The facets of the space, sorted by normal. If the space is flat (no interior), the two
+/// half-spaces u.x <= 0, -u.x <= 0 of one plane that contains it.
+///
+/// L1: double description in integers, cubic in the number of facets. Linf: the normal of a
+/// facet is orthogonal to two independent edges of the triangles, so O(m^2) normals are tried
+/// and O(m) operations spent on each. Throws ContractError unless length > 0.
+std::vector<HalfSpace> wrench_space_facets(const Problem& problem, ForceBound bound,
+                                           const Rational& length = 1);
+
+struct GraspQuality {
+  Rational radius_squared;  ///< 0 iff 0 is on the border, as for every flat space
+  HalfSpace nearest;        ///< a facet where the ball touches: offset^2 = radius^2 |normal|^2
+};
+
+/// Throws ContractError if `facets` is empty.
+GraspQuality ferrari_canny_quality(const std::vector<HalfSpace>& facets);
+
+/// The forces of the L1 space with torque 0, a convex polygon: its vertices counterclockwise
+/// from the lexicographically least; one or two points when it is degenerate. O(m^2 log m).
+std::vector<Vector2> zero_torque_slice(const Problem& problem);
+
+}  // namespace stickslip

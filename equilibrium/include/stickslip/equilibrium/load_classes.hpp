@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The classes of loads of Pang and Trinkle, for rigid contacts: no springs, no preload.
+///
+/// - *Weakly stable*: some forces in the friction cones balance the load.
+/// - *Frictionless stable*: some normal forces alone do.
+/// - *Strongly stable*: whatever accelerations the rigid-body model allows, there is none.
+///
+/// **The model.** The object is at rest, its contacts touch, M is its mass matrix. An
+/// acceleration a and contact forces (c_n, c_t) satisfy
+///
+///     M a = w + sum (c_n,i N_i + c_t,i T_i),                                             (1)
+///     0 <= c_n,i,   0 <= N_i.a,   c_n,i (N_i.a) = 0,                                     (2)
+///     |c_t,i| <= mu_i c_n,i,   T_i.a > 0 => c_t,i = -mu_i c_n,i,   T_i.a < 0 => = +.     (3)
+///
+/// A load is weakly stable iff a solution with a = 0 exists, strongly stable iff every solution
+/// has a = 0. A solution always exists (Pang and Trinkle), so strong implies weak. Frictionless
+/// implies strong: -w = sum lambda_i N_i, lambda >= 0, gives w.a <= 0 for every a that
+/// satisfies (2); and a solution with a != 0 has, by (1) times a,
+///
+///     0 < a.Ma = w.a - sum mu_i c_n,i |T_i.a| <= w.a.                                    (4)
+///
+/// **How strong stability is decided.** By (4) a solution is an acceleration iff w.a > 0. Where
+/// the signs of N_i.a and T_i.a are known, each contact is apart (c = 0, N.a > 0), slips
+/// (N.a = 0, force on an edge of the cone) or sticks (N.a = T.a = 0); then (1)-(3) are linear,
+/// and one exact program maximises w.a. Where they are not known a contact is relaxed to
+/// N.a >= 0 and force in the cone, and the region of accelerations is split by its planes only
+/// when the maximiser breaks (2) or (3) there. There are at most as many regions as cells in
+/// the arrangement of the planes N_i.a = 0 and T_i.a = 0, O(m^2).
+///
+/// **Why a mass matrix is needed.** Some positive definite M maps a to f iff a.f > 0. So the
+/// load is strongly stable *for every M* iff no a with N_i.a >= 0 and forces as in (2), (3) has
+/// w.a > sum mu_i c_n,i |T_i.a|. With c = 0 this asks that w.a <= 0 for every virtual motion a
+/// that the contacts allow, which by Farkas' lemma is frictionless stability again. The class
+/// between the two, which friction enlarges, depends on M.
+///
+/// Source: Pang and Trinkle, "Stability characterizations of rigid body contact problems with
+/// Coulomb friction", ZAMM 80(10), 2000; Haas-Heger et al., RSS 2018, Section II.
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "stickslip/equilibrium/verdict.hpp"
+
+namespace stickslip {
+
+/// Forces in the friction cones that balance the load.
+struct BalancingForces {
+  std::vector<ContactForce> forces;  ///< by ContactId
+};
+
+/// A motion along which the load does positive work, power(w, d) > 0, and no admissible contact
+/// force does negative work; so none balances the load.
+struct UnopposedMotion {
+  Twist twist;  ///< coprime integers
+};
+
+using LoadClass = std::variant<BalancingForces, UnopposedMotion>;
+
+/// One linear program with 3 rows and two variables per contact. Evidence checked by
+/// substitution.
+LoadClass weakly_stable_load(const Problem& problem);
+/// The same with mu = 0.
+LoadClass frictionless_stable_load(const Problem& problem);
+
+/// Mass distribution, with mass 1: only the ratio of inertia to mass matters, since a factor on
+/// M scales accelerations alone.
+struct Inertia {
+  Vector2 centre{0, 0};           ///< of mass, in the object frame
+  Rational gyration_squared = 1;  ///< radius of gyration about `centre`, squared; > 0
+};
+
+struct StronglyStable {
+  BalancingForces equilibrium;
+  std::size_t cases =
+      0;  ///< regions refuted, each by verified multipliers
+};
+/// A solution of (1)-(3) with a != 0.
+struct Acceleration {
+  Twist acceleration;  ///< of the object frame's origin, and angular
+  std::vector<ContactForce> forces;
+};
+
+/// Undecided only at `most_programs` linear programs. Evidence checked by substitution. Throws
+/// ContractError unless gyration_squared > 0.
+std::variant<StronglyStable, Acceleration, Undecided> strongly_stable_load(
+    const Problem& problem, const Inertia& inertia = {}, std::size_t most_programs = 20000);
+
+}  // namespace stickslip

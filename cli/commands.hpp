@@ -19,5 +19,6 @@ enum ExitCode : int {
 void add_decide_command(CLI::App& app, int& exit_code);
 void add_states_command(CLI::App& app, int& exit_code);
 void add_export_command(CLI::App& app, int& exit_code);
+void add_plot_command(CLI::App& app, int& exit_code);
 
 }  // namespace stickslip

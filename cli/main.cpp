@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
   stickslip::add_decide_command(app, exit_code);
   stickslip::add_states_command(app, exit_code);
   stickslip::add_export_command(app, exit_code);
+  stickslip::add_plot_command(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/plot/states_plot.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "grasp_scene.hpp"
+#include "marks.hpp"
+#include "sphere_labels.hpp"
+#include "stickslip/core/error.hpp"
+#include "stylesheet.hpp"
+#include "upper_half.hpp"
+
+namespace stickslip {
+namespace {
+
+constexpr double kWidth = 920;
+constexpr double kHeight = 510;
+constexpr double kMargin = 24;
+constexpr double kMiddle = 238;  ///< of the discs and of the grasp
+constexpr double kRadius = 148;
+constexpr double kLine = 19;
+constexpr double kCharacter = 0.61;  ///< of the monospaced font's size
+
+/// Counterclockwise and clockwise motions: r > 0 and r < 0.
+constexpr std::array<View, 2> kDiscs{View{{412, kMiddle}, kRadius},
+                                     View{{750, kMiddle}, kRadius}};
+constexpr View kGraspView{{122, kMiddle}, 66};
+constexpr double kHalfPanel = 98;
+
+std::string file_state(const SlipState& state) {
+  return to_string(state);
+}
+
+/// A label for a face: the whole state if contacts are few.
+constexpr std::size_t kMostLabelledContacts = 12;
+
+class StatesPlot {
+ public:
+  explicit StatesPlot(const Grasp& grasp)
+      : frame_(picture_frame(grasp)),
+        grasp_(frame_.in_scene(grasp)),
+        cells_(stick_planes(grasp_)),
+        upper_half_(cells_),
+        has_hues_(cells_.faces() <= 2 * kHues) {}
+
+  std::string draw() {
+    const std::string name = grasp_.name().empty() ? "Grasp" : grasp_.name();
+    Svg svg(kWidth, kHeight, name + ": slip states", stylesheet());
+    define_hatching(svg);
+    svg.text({kMargin, 34}, "title", shorten(name, 70) + ": slip states");
+    draw_grasp(svg);
+    svg.open("g", {{"class", has_hues_ ? "cells" : "cells thin"}});
+    draw_faces(svg);
+    draw_rings(svg);
+    draw_edges(svg);
+    draw_vertices(svg);
+    svg.close();
+    draw_rims(svg);
+    label_circles(svg);
+    label_faces(svg);
+    draw_caption(svg);
+    return svg.finish();
+  }
+
+ private:
+  using Pieces = std::array<std::vector<InkPoint>, 2>;  ///< of a cell, by disc, on the page
+
+  static std::vector<InkPoint> on_disc(std::size_t disc,
+                                       const std::vector<SpherePoint>& points) {
+    std::vector<InkPoint> page;
+    for (const SpherePoint& p : points) page.push_back(kDiscs[disc](project(p)));
+    return page;
+  }
+
+  Pieces pieces(FaceId face) const {
+    return {on_disc(0, upper_half_.face(face)),
+            on_disc(1, upper_half_.face(cells_.antipode(face)))};
+  }
+  Pieces pieces(EdgeId edge) const {
+    return {on_disc(0, upper_half_.edge(edge)),
+            on_disc(1, upper_half_.edge(cells_.antipode(edge)))};
+  }
+
+  /// Few faces: a colour for each antipodal pair, hatched where contact 0 slips -. Many: darker
+  /// the more contacts slip +.
+  std::vector<std::string> face_fills(const std::vector<SlipState>& states) const {
+    std::vector<std::string> fills;
+    std::map<SlipState, int> hues;
+    for (const SlipState& state : states) {
+      if (has_hues_) {
+        const bool is_hatched = !state.empty() && state[0] == Sign::kNegative;
+        SlipState key = state;
+        if (is_hatched) {
+          for (Sign& sign : key) sign = -sign;
+        }
+        const int hue = hues.emplace(key, static_cast<int>(hues.size())).first->second;
+        fills.push_back((is_hatched ? "hatch" : "hue") + std::to_string(hue));
+      } else {
+        const auto plus = std::count(state.begin(), state.end(), Sign::kPositive);
+        const auto contacts = static_cast<std::ptrdiff_t>(state.size());
+        fills.push_back("shade" + std::to_string(plus * (kShades - 1) / contacts));
+      }
+    }
+    return fills;
+  }
+
+  void draw_faces(Svg& svg) {
+    for (std::size_t i = 0; i < cells_.faces(); ++i) {
+      face_states_.push_back(cells_.signs(FaceId(i)));
+      face_pieces_.push_back(pieces(FaceId(i)));
+    }
+    const std::vector<std::string> fills = face_fills(face_states_);
+    for (std::size_t i = 0; i < cells_.faces(); ++i) {
+      SvgPath path;
+      for (const auto& piece : face_pieces_[i]) path.polygon(piece);
+      const std::string state = file_state(face_states_[i]);
+      svg.path(path, "face " + fills[i], {{"data-state", state}}, typeset(state));
+    }
+  }
+
+  void draw_edges(Svg& svg) const {
+    for (std::size_t i = 0; i < cells_.edges(); ++i) {
+      SvgPath path;
+      for (const auto& piece : pieces(EdgeId(i))) path.polyline(piece);
+      const std::string state = file_state(cells_.signs(EdgeId(i)));
+      svg.path(path, "edge", {{"data-state", state}}, typeset(state));
+    }
+  }
+
+  void draw_vertices(Svg& svg) const {
+    const double radius = has_hues_ ? 3.2 : 1.3;
+    for (std::size_t i = 0; i < cells_.vertices(); ++i) {
+      const VertexId vertex(i);
+      SvgPath path;
+      if (upper_half_.height(vertex) != Sign::kNegative) {
+        path.circle(kDiscs[0](project(upper_half_.place(vertex))), radius);
+      }
+      if (upper_half_.height(vertex) != Sign::kPositive) {
+        path.circle(kDiscs[1](project(upper_half_.place(cells_.antipode(vertex)))), radius);
+      }
+      const std::string state = file_state(cells_.signs(vertex));
+      svg.path(path, "vertex", {{"data-state", state}}, typeset(state));
+    }
+  }
+
+  /// Motions that turn about points at distance `radius` of the frame.
+  static void draw_rings(Svg& svg) {
+    const double ring = length(project({std::sqrt(0.5), 0, std::sqrt(0.5)}));
+    for (const View& disc : kDiscs) svg.circle(disc.origin, kRadius * ring, "ring");
+  }
+
+  static void draw_rims(Svg& svg) {
+    constexpr std::array<const char*, 2> kTitles{"counterclockwise, r > 0", "clockwise, r < 0"};
+    for (std::size_t disc = 0; disc < 2; ++disc) {
+      const View& view = kDiscs[disc];
+      svg.circle(view.origin, kRadius, "rim");
+      svg.text(view.origin - InkPoint{0, kRadius + 28}, "middle", kTitles[disc]);
+      for (int i = 0; i < 8; ++i) {
+        // d = (x, y, 0) is at (-y, x) on the left disc, and at (y, -x) on the right one.
+        const double angle = M_PI * i / 4;
+        const InkPoint outwards{std::cos(angle), std::sin(angle)};
+        const InkPoint along =
+            (disc == 0 ? -11.0 : 11.0) * on_page_direction(quarter_turn(outwards));
+        const InkPoint at = view.origin + (kRadius + 11) * on_page_direction(outwards);
+        draw_arrow(svg, at - along, at + along, "normal");
+      }
+    }
+  }
+
+  /// A number stands on the side where its contact slips +.
+  void label_circles(Svg& svg) {
+    constexpr double kOff = 10;
+    const std::vector<CircleSpot> spots = circle_spots(cells_, upper_half_);
+    for (std::size_t c = 0; c < spots.size(); ++c) {
+      for (const Sign side : {Sign::kPositive, Sign::kNegative}) {
+        std::vector<std::size_t> contacts;
+        for (std::size_t i = 0; i < grasp_.size(); ++i) {
+          if (cells_.circles().circle[i] == CircleId(c) &&
+              cells_.circles().orientation[i] == side) {
+            contacts.push_back(i);
+          }
+        }
+        if (contacts.empty()) continue;
+        const std::string text = list_numbers(contacts);
+        const double half_width = 3.7 * static_cast<double>(text.size());
+        for (std::size_t disc = 0; disc < 2; ++disc) {
+          // At the same place of the other disc is the opposite motion.
+          const double sign = (disc == 0 ? 1 : -1) * to_int(side);
+          const InkPoint off = sign * on_page_direction(spots[c].to_positive);
+          const double push = kOff + std::abs(off.x) * (half_width - 3.7);
+          const InkPoint at = kDiscs[disc](spots[c].at) + push * off;
+          taken_.push_back({at, {half_width + 2, 8}});
+          svg.text(at + InkPoint{0, 4.5}, "number middle halo", text);
+        }
+      }
+    }
+  }
+
+  void label_faces(Svg& svg) {
+    if (grasp_.size() == 0 || grasp_.size() > kMostLabelledContacts) return;
+    for (std::size_t i = 0; i < face_pieces_.size(); ++i) {
+      const Pieces& pieces = face_pieces_[i];
+      const std::size_t larger = area(pieces[0]) >= area(pieces[1]) ? 0 : 1;
+      const auto characters = static_cast<double>(grasp_.size());
+      for (const int size : {14, 12, 10, 8}) {
+        const InkPoint half{characters * kCharacter * size / 2 + 2, 0.4 * size + 1};
+        const auto place = room_for(half, pieces[larger], taken_);
+        if (!place) continue;
+        taken_.push_back({*place, half});
+        svg.text(*place + InkPoint{0, 0.35 * size}, "state middle",
+                 typeset(file_state(face_states_[i])),
+                 {{"style", "font-size: " + std::to_string(size) + "px"}});
+        ++labelled_;
+        break;
+      }
+    }
+  }
+
+  /// The contacts and the lines along their normals.
+  void draw_grasp(Svg& svg) const {
+    const std::vector<ContactInk> contacts = contact_ink(grasp_, {});
+    const InkPoint corner = kGraspView.origin - InkPoint{kHalfPanel, kHalfPanel};
+    svg.open("clipPath", {{"id", "stickslip-grasp"}});
+    svg.element("rect", {{"x", svg_number(corner.x)},
+                         {"y", svg_number(corner.y)},
+                         {"width", svg_number(2 * kHalfPanel)},
+                         {"height", svg_number(2 * kHalfPanel)}});
+    svg.close();
+    svg.text(kGraspView.origin - InkPoint{0, kRadius + 28}, "middle", "grasp");
+    svg.open("g", {{"class", "grasp"}, {"clip-path", "url(#stickslip-grasp)"}});
+    svg.path(SvgPath().polygon(on_page(kGraspView, body_outline(contacts))), "body");
+    for (const ContactInk& c : contacts) {
+      svg.line(kGraspView(c.at - 6.0 * c.normal), kGraspView(c.at + 6.0 * c.normal), "axis");
+    }
+    draw_fingers(svg, kGraspView, contacts);
+    for (const ContactInk& c : contacts) {
+      draw_contact(svg, kGraspView(c.at), on_page_direction(c.tangent), ContactState::kUnknown);
+    }
+    svg.close();
+  }
+
+  void draw_caption(Svg& svg) const {
+    double y = kMiddle + kRadius + 42;
+    const auto line = [&](const std::string& text) {
+      svg.text({kMargin, y}, "caption", text);
+      y += kLine;
+    };
+    const ArrangementCounts& c = cells_.counts();
+    const auto count = [](std::size_t n, const std::string& one, const std::string& many) {
+      return std::to_string(n) + " " + (n == 1 ? one : many);
+    };
+    line(count(c.planes, "contact", "contacts") + " on " +
+         count(c.circles, "circle", "circles") + ", rank " + std::to_string(c.rank) + ": " +
+         count(c.faces, "face", "faces") + " + " + count(c.edges, "edge", "edges") + " + " +
+         count(c.vertices, "vertex", "vertices") + " = " + count(c.cells(), "cell", "cells") +
+         "; " + count(c.distinct_states, "distinct state", "distinct states") +
+         ", all-stick (d = 0) included.");
+    line(
+        "A point is the motion that turns the object about it; one place in both discs is d "
+        "and "
+        "\u2212d. On the rim: translations (arrows).");
+    line("Dotted ring: centres of rotation at distance " + short_text(frame_.radius) +
+         " from " + short_tuple({frame_.centre.x, frame_.centre.y}) +
+         ", the middle of the discs. Equal areas are equal shares of the sphere.");
+    if (c.planes == 0) return;
+    line(
+        "On a circle, the contacts it is numbered with stick. A number stands on the side "
+        "where "
+        "its contact slips +.");
+    if (has_hues_) {
+      line("One colour: opposite states. Hatched: contact 0 slips \u2212. " +
+           (labelled_ == c.faces
+                ? std::string("Labels: the signs of contacts 0, 1, \u2026")
+                : std::to_string(labelled_) + " of " + std::to_string(c.faces) +
+                      " faces have room for their state."));
+    } else {
+      double x = kMargin;
+      for (int i = 0; i < kShades; ++i, x += 22) {
+        svg.path(
+            SvgPath().polygon({{x, y - 11}, {x + 22, y - 11}, {x + 22, y + 2}, {x, y + 2}}),
+            "swatch shade" + std::to_string(i));
+      }
+      svg.text({x + 10, y}, "caption",
+               "0 to " + std::to_string(c.planes) + " contacts slip +, the others \u2212");
+    }
+  }
+
+  PictureFrame frame_;
+  Grasp grasp_;  ///< in the scene
+  ArrangementStructure cells_;
+  UpperHalf upper_half_;
+  bool has_hues_;
+  std::vector<SlipState> face_states_;
+  std::vector<Pieces> face_pieces_;
+  std::vector<Box> taken_;  ///< by labels
+  std::size_t labelled_ = 0;
+};
+
+}  // namespace
+
+std::string plot_states(const Grasp& grasp) {
+  const std::size_t circles = merge_planes(stick_planes(grasp)).normals.size();
+  if (circles > kMostCirclesToDraw) {
+    throw InputError("", "contacts",
+                     "their " + std::to_string(circles) + " circles are too many to draw",
+                     "draw a grasp with at most " + std::to_string(kMostCirclesToDraw) +
+                         " circles; `stickslip states` counts the cells of any number");
+  }
+  return StatesPlot(grasp).draw();
+}
+
+}  // namespace stickslip

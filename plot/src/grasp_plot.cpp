@@ -15,8 +15,8 @@ namespace stickslip {
 namespace {
 
 // In scene units: the radius of the grasp is 1.
-constexpr double kConeLength = 0.55;
-constexpr double kLongestForce = 0.75;
+constexpr double kConeLength = 0.7;
+constexpr double kLongestForce = 0.6;
 constexpr double kLongestMotion = 0.3;
 
 // In pixels.
@@ -30,6 +30,7 @@ constexpr double kLegendText = kLegendLeft + 62;
 constexpr double kRow = 25;
 constexpr double kLine = 19;
 constexpr double kWidth = 800;
+constexpr double kLongestBar = 150;
 constexpr double kTorqueRadius = 26;
 
 struct Arrow {
@@ -190,16 +191,18 @@ class GraspPlot {
     lines_.push_back("the load does more work than the contacts can take up.");
   }
 
-  /// Half the angle of the friction cone.
-  double half_angle(std::size_t i) const {
-    return std::atan(to_double(grasp_.contacts()[i].friction));
-  }
-
+  /// A sector, so that wide cones look wide.
   std::vector<InkPoint> cone(std::size_t i) const {
+    constexpr int kSteps = 12;
     const ContactInk& c = contacts_[i];
-    const InkPoint along = kConeLength * std::cos(half_angle(i)) * c.normal;
-    const InkPoint across = kConeLength * std::sin(half_angle(i)) * c.tangent;
-    return {c.at, c.at + along + across, c.at + along - across};
+    const double half_angle = std::atan(to_double(grasp_.contacts()[i].friction));
+    std::vector<InkPoint> sector{c.at};
+    for (int step = -kSteps; step <= kSteps; ++step) {
+      const double angle = half_angle * step / kSteps;
+      sector.push_back(c.at + kConeLength * std::cos(angle) * c.normal +
+                       kConeLength * std::sin(angle) * c.tangent);
+    }
+    return sector;
   }
 
   /// Chooses the view so that all ink is in the panel, and returns the panel's height.
@@ -256,6 +259,7 @@ class GraspPlot {
                  {{"data-contact", std::to_string(i)}, {"data-value", to_string(preload)}});
       }
     }
+    draw_numbers(svg, view_, contacts_);
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       draw_contact(svg, view_(contacts_[i].at), on_page_direction(contacts_[i].tangent),
                    states_[i], {{"data-contact", std::to_string(i)}});
@@ -323,8 +327,11 @@ class GraspPlot {
       row("torque " + short_text(torque_));
     }
     if (has_forces_) {
-      const Rational force = round_down(force_unit_);
-      const double bar = view_.scale * kLongestForce * to_double(force / force_unit_);
+      const double longest = view_.scale * kLongestForce;
+      const Rational force = round_down(
+          longest <= kLongestBar ? force_unit_
+                                 : force_unit_ * rational_from_double(kLongestBar / longest));
+      const double bar = longest * to_double(force / force_unit_);
       y += 4;
       svg.path(SvgPath()
                    .move(at(0) - InkPoint{0, 4})
@@ -353,7 +360,7 @@ class GraspPlot {
       svg.path(SvgPath().polygon({at(4) + InkPoint{0, 7}, at(48) + InkPoint{0, 7},
                                   at(44) - InkPoint{0, 7}, at(8) - InkPoint{0, 7}}),
                "body");
-      row("hull; body not given");
+      row("hull of contacts; body not given");
     }
     svg.close();
     return y;

@@ -8,9 +8,8 @@
 namespace stickslip {
 namespace {
 
-constexpr double kInside = 0.4;        ///< how far inside of a contact the body surely extends
-constexpr double kBehindFinger = 22;   ///< pixels from a contact to its number
-constexpr double kLabelDistance = 12;  ///< pixels; nearer numbers share a label
+constexpr double kBehindFinger = 25;     ///< pixels from a contact to its number
+constexpr double kLabelDistance = 12;    ///< pixels; nearer numbers share a label
 constexpr std::size_t kMostNumbers = 4;  ///< of one label
 
 double cross(InkPoint a, InkPoint b) {
@@ -58,11 +57,13 @@ std::vector<InkPoint> body_outline(const std::vector<ContactInk>& contacts) {
     return dot(p - c.at, c.normal) < 0;
   };
   for (const ContactInk& c : contacts) {
-    for (const double side : {-kInside, kInside}) {
-      const InkPoint p = c.at + kInside * c.normal + side * c.tangent;
-      if (std::none_of(contacts.begin(), contacts.end(),
-                       [&](const ContactInk& other) { return is_behind(p, other); })) {
-        points.push_back(p);
+    for (const InkPoint inside : {InkPoint{0.12, 0.3}, {0.5, 0.4}}) {
+      for (const double side : {-1.0, 1.0}) {
+        const InkPoint p = c.at + inside.x * c.normal + side * inside.y * c.tangent;
+        if (std::none_of(contacts.begin(), contacts.end(),
+                         [&](const ContactInk& other) { return is_behind(p, other); })) {
+          points.push_back(p);
+        }
       }
     }
   }
@@ -88,16 +89,20 @@ std::string list_numbers(const std::vector<std::size_t>& numbers) {
 }
 
 void draw_fingers(Svg& svg, const View& view, const std::vector<ContactInk>& contacts) {
+  for (const ContactInk& c : contacts) {
+    draw_finger(svg, view(c.at), on_page_direction(c.normal));
+  }
+}
+
+void draw_numbers(Svg& svg, const View& view, const std::vector<ContactInk>& contacts) {
   struct Label {
     InkPoint at;
     std::vector<std::size_t> contacts;
   };
   std::vector<Label> labels;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const InkPoint inwards = on_page_direction(contacts[i].normal);
-    const InkPoint at = view(contacts[i].at);
-    draw_finger(svg, at, inwards);
-    const InkPoint behind = at - kBehindFinger * inwards;
+    const InkPoint behind =
+        view(contacts[i].at) - kBehindFinger * on_page_direction(contacts[i].normal);
     const auto near = std::find_if(labels.begin(), labels.end(), [&](const Label& label) {
       return length(label.at - behind) < kLabelDistance;
     });

@@ -27,8 +27,10 @@ std::vector<InkPoint> on_page(const View& view, std::vector<InkPoint> scene);
 /// A direction of the scene on the page.
 InkPoint on_page_direction(InkPoint scene);
 
-/// Fingers, and numbers behind them. Contacts whose numbers would meet share a label.
 void draw_fingers(Svg& svg, const View& view, const std::vector<ContactInk>& contacts);
+
+/// Behind the fingers. Contacts whose numbers would meet share a label.
+void draw_numbers(Svg& svg, const View& view, const std::vector<ContactInk>& contacts);
 
 /// "0, 3": at most four numbers, then an ellipsis.
 std::string list_numbers(const std::vector<std::size_t>& numbers);

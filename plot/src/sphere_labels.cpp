@@ -39,7 +39,7 @@ bool contains(const std::vector<InkPoint>& polygon, InkPoint p) {
 
 bool contains(const std::vector<InkPoint>& polygon, const Box& box) {
   for (const double x : {-1.0, 0.0, 1.0}) {
-    for (const double y : {-1.0, 1.0}) {
+    for (const double y : {-1.0, 0.0, 1.0}) {
       if (!contains(polygon, box.centre + InkPoint{x * box.half.x, y * box.half.y})) {
         return false;
       }
@@ -102,7 +102,7 @@ double area(const std::vector<InkPoint>& polygon) {
 
 std::optional<InkPoint> room_for(InkPoint half_size, const std::vector<InkPoint>& polygon,
                                  const std::vector<Box>& taken) {
-  if (area(polygon) < 4 * half_size.x * half_size.y) return std::nullopt;
+  if (polygon.empty() || area(polygon) < 4 * half_size.x * half_size.y) return std::nullopt;
   InkPoint low = polygon.front();
   InkPoint high = low;
   InkPoint middle;

@@ -17,22 +17,18 @@ namespace stickslip {
 namespace {
 
 constexpr double kWidth = 920;
-constexpr double kHeight = 510;
+constexpr double kHeight = 528;
 constexpr double kMargin = 24;
 constexpr double kMiddle = 238;  ///< of the discs and of the grasp
 constexpr double kRadius = 148;
 constexpr double kLine = 19;
-constexpr double kCharacter = 0.61;  ///< of the monospaced font's size
+constexpr double kCharacter = 0.73;  ///< of the size of the font of states
 
 /// Counterclockwise and clockwise motions: r > 0 and r < 0.
 constexpr std::array<View, 2> kDiscs{View{{412, kMiddle}, kRadius},
                                      View{{750, kMiddle}, kRadius}};
 constexpr View kGraspView{{122, kMiddle}, 66};
 constexpr double kHalfPanel = 98;
-
-std::string file_state(const SlipState& state) {
-  return to_string(state);
-}
 
 /// A label for a face: the whole state if contacts are few.
 constexpr std::size_t kMostLabelledContacts = 12;
@@ -116,7 +112,7 @@ class StatesPlot {
     for (std::size_t i = 0; i < cells_.faces(); ++i) {
       SvgPath path;
       for (const auto& piece : face_pieces_[i]) path.polygon(piece);
-      const std::string state = file_state(face_states_[i]);
+      const std::string state = to_string(face_states_[i]);
       svg.path(path, "face " + fills[i], {{"data-state", state}}, typeset(state));
     }
   }
@@ -125,7 +121,7 @@ class StatesPlot {
     for (std::size_t i = 0; i < cells_.edges(); ++i) {
       SvgPath path;
       for (const auto& piece : pieces(EdgeId(i))) path.polyline(piece);
-      const std::string state = file_state(cells_.signs(EdgeId(i)));
+      const std::string state = to_string(cells_.signs(EdgeId(i)));
       svg.path(path, "edge", {{"data-state", state}}, typeset(state));
     }
   }
@@ -141,7 +137,7 @@ class StatesPlot {
       if (upper_half_.height(vertex) != Sign::kPositive) {
         path.circle(kDiscs[1](project(upper_half_.place(cells_.antipode(vertex)))), radius);
       }
-      const std::string state = file_state(cells_.signs(vertex));
+      const std::string state = to_string(cells_.signs(vertex));
       svg.path(path, "vertex", {{"data-state", state}}, typeset(state));
     }
   }
@@ -199,27 +195,31 @@ class StatesPlot {
     }
   }
 
+  /// Each visible part of a face, where there is room.
   void label_faces(Svg& svg) {
     if (grasp_.size() == 0 || grasp_.size() > kMostLabelledContacts) return;
+    const auto characters = static_cast<double>(grasp_.size());
     for (std::size_t i = 0; i < face_pieces_.size(); ++i) {
-      const Pieces& pieces = face_pieces_[i];
-      const std::size_t larger = area(pieces[0]) >= area(pieces[1]) ? 0 : 1;
-      const auto characters = static_cast<double>(grasp_.size());
-      for (const int size : {14, 12, 10, 8}) {
-        const InkPoint half{characters * kCharacter * size / 2 + 2, 0.4 * size + 1};
-        const auto place = room_for(half, pieces[larger], taken_);
-        if (!place) continue;
-        taken_.push_back({*place, half});
-        svg.text(*place + InkPoint{0, 0.35 * size}, "state middle",
-                 typeset(file_state(face_states_[i])),
-                 {{"style", "font-size: " + std::to_string(size) + "px"}});
-        ++labelled_;
-        break;
+      const std::string state = typeset(to_string(face_states_[i]));
+      bool is_labelled = false;
+      for (const std::vector<InkPoint>& piece : face_pieces_[i]) {
+        for (const int size : {15, 13, 11, 9}) {
+          const InkPoint half{characters * kCharacter * size / 2 + 2, 0.4 * size + 1};
+          const auto place = room_for(half, piece, taken_);
+          if (!place) continue;
+          taken_.push_back({*place, half});
+          svg.text(*place + InkPoint{0, 0.35 * size}, "state middle halo", state,
+                   {{"style", "font-size: " + std::to_string(size) + "px"}});
+          is_labelled = true;
+          break;
+        }
       }
+      if (is_labelled) ++labelled_;
     }
   }
 
-  /// The contacts and the lines along their normals.
+  /// The contacts and the lines along their tangents: the centres of rotation about which they
+  /// stick.
   void draw_grasp(Svg& svg) const {
     const std::vector<ContactInk> contacts = contact_ink(grasp_, {});
     const InkPoint corner = kGraspView.origin - InkPoint{kHalfPanel, kHalfPanel};
@@ -230,15 +230,18 @@ class StatesPlot {
                          {"height", svg_number(2 * kHalfPanel)}});
     svg.close();
     svg.text(kGraspView.origin - InkPoint{0, kRadius + 28}, "middle", "grasp");
-    svg.open("g", {{"class", "grasp"}, {"clip-path", "url(#stickslip-grasp)"}});
+    svg.open("g", {{"class", "grasp"}});
     svg.path(SvgPath().polygon(on_page(kGraspView, body_outline(contacts))), "body");
+    svg.open("g", {{"clip-path", "url(#stickslip-grasp)"}});
     for (const ContactInk& c : contacts) {
-      svg.line(kGraspView(c.at - 6.0 * c.normal), kGraspView(c.at + 6.0 * c.normal), "axis");
+      svg.line(kGraspView(c.at - 6.0 * c.tangent), kGraspView(c.at + 6.0 * c.tangent), "axis");
     }
+    svg.close();
     draw_fingers(svg, kGraspView, contacts);
     for (const ContactInk& c : contacts) {
       draw_contact(svg, kGraspView(c.at), on_page_direction(c.tangent), ContactState::kUnknown);
     }
+    draw_numbers(svg, kGraspView, contacts);
     svg.close();
   }
 
@@ -264,7 +267,8 @@ class StatesPlot {
         "\u2212d. On the rim: translations (arrows).");
     line("Dotted ring: centres of rotation at distance " + short_text(frame_.radius) +
          " from " + short_tuple({frame_.centre.x, frame_.centre.y}) +
-         ", the middle of the discs. Equal areas are equal shares of the sphere.");
+         ", the middle of the discs.");
+    line("Equal areas of the discs are equal shares of the sphere.");
     if (c.planes == 0) return;
     line(
         "On a circle, the contacts it is numbered with stick. A number stands on the side "

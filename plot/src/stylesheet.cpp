@@ -10,7 +10,7 @@ std::string_view stylesheet() {
 .stickslip .title { font-size: 18px; font-weight: bold }
 .stickslip .small { font-size: 11px }
 .stickslip .muted { fill: #555555 }
-.stickslip .state { font-family: "DejaVu Sans Mono", Menlo, Consolas, monospace }
+.stickslip .state { font-family: "DejaVu Sans Mono", Menlo, Consolas, monospace; letter-spacing: .12em }
 .stickslip .middle { text-anchor: middle }
 .stickslip .end { text-anchor: end }
 .stickslip .halo { paint-order: stroke; stroke: #ffffff; stroke-width: 3px; stroke-linejoin: round }
@@ -26,8 +26,8 @@ std::string_view stylesheet() {
 .stickslip .force { stroke: #0072b2; fill: #0072b2; stroke-width: 2.8 }
 .stickslip .load { stroke: #c24a00; fill: #ffffff; stroke-width: 2.2 }
 .stickslip .torque { stroke: #c24a00; stroke-width: 2.2 }
-.stickslip .motion { stroke: #007a5a; fill: #007a5a; stroke-width: 1.5; stroke-dasharray: 4 2.5 }
-.stickslip .virtual { stroke: #9c3f76; fill: #9c3f76; stroke-width: 1.8; stroke-dasharray: 1.5 3 }
+.stickslip .motion { stroke: #007a5a; fill: #007a5a; stroke-width: 1.3 }
+.stickslip .virtual { stroke: #9c3f76; fill: #9c3f76; stroke-width: 1.3 }
 .stickslip .full { fill: #1a1a1a; stroke: #1a1a1a; stroke-width: 1.4 }
 .stickslip .hollow { fill: #ffffff; stroke: #1a1a1a; stroke-width: 1.4 }
 .stickslip .rule { stroke: #1a1a1a; stroke-width: 1.4; stroke-linecap: butt }

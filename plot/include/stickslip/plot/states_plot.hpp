@@ -7,7 +7,7 @@
 /// counterclockwise rotations (r > 0) and the clockwise ones. A motion with r != 0 turns the
 /// object about a point; it is drawn in the direction of that point from the centre of the
 /// disc, further out the further the point is away. So a great circle is the line along its
-/// contact's normal, and one place in both discs means opposite motions d and -d. Translations
+/// contact's tangent, and one place in both discs means opposite motions d and -d. Translations
 /// are on the rim.
 ///
 /// Lengths are measured from the object frame's origin, or the middle of the contacts if it is

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "grasp_scene.hpp"
 #include "marks.hpp"
@@ -15,7 +14,7 @@ namespace stickslip {
 namespace {
 
 // In scene units: the radius of the grasp is 1.
-constexpr double kConeLength = 0.7;
+constexpr double kLongestCone = 0.7;
 constexpr double kLongestForce = 0.6;
 constexpr double kLongestMotion = 0.3;
 
@@ -42,6 +41,10 @@ struct Arrow {
 
 Vector2 displacement(const Vector2& point, const Twist& d) {
   return {d.x - d.r * point.y, d.y + d.r * point.x};
+}
+
+double head_of(const std::string& css_class) {
+  return css_class == "force" || css_class == "load" ? kHead : kSmallHead;
 }
 
 std::string pair_text(const Vector2& v) {
@@ -116,8 +119,7 @@ class GraspPlot {
   }
 
   /// Adds an arrow for the motion of each contact; returns the factor of enlargement.
-  Rational add_motion(const Twist& d, const std::string& css_class,
-                      const std::function<bool(std::size_t)>& is_drawn) {
+  Rational add_motion(const Twist& d, const std::string& css_class) {
     Rational largest = 0;
     for (const Contact& c : grasp_.contacts()) {
       largest = std::max(largest, largest_entry(displacement(c.position, d)));
@@ -126,7 +128,6 @@ class GraspPlot {
     const Rational factor = round_down(Rational(static_cast<int>(1000 * kLongestMotion), 1000) *
                                        frame_.radius / largest);
     for (std::size_t i = 0; i < grasp_.size(); ++i) {
-      if (!is_drawn(i)) continue;
       const Vector2 move = displacement(grasp_.contacts()[i].position, d);
       arrows_.push_back(
           {contacts_[i].at,
@@ -139,7 +140,7 @@ class GraspPlot {
 
   void add_witness(const Witness& witness) {
     const Twist& d = witness.twist;
-    motion_factor_ = add_motion(d, "motion", [](std::size_t) { return true; });
+    motion_factor_ = add_motion(d, "motion");
     for (std::size_t i = 0; i < grasp_.size(); ++i) {
       const Sign slip = sign_of(power(rows_[i].tangent, d));
       states_[i] = rows_[i].normal_coefficient(d).sign() < 0 ? ContactState::kOpen
@@ -185,10 +186,15 @@ class GraspPlot {
       return;
     }
     const Twist y{Rational(leaf->twist[0]), Rational(leaf->twist[1]), Rational(leaf->twist[2])};
-    virtual_factor_ = add_motion(y, "virtual", [](std::size_t) { return true; });
+    virtual_factor_ = add_motion(y, "virtual");
     lines_.push_back("Whatever the contacts do, along the virtual twist y = " +
                      short_tuple({y.x, y.y, y.r}));
     lines_.push_back("the load does more work than the contacts can take up.");
+  }
+
+  /// Shorter when there are many, so that they leave room for the rest.
+  double cone_length() const {
+    return kLongestCone * std::min(1.0, 2.2 / std::sqrt(static_cast<double>(grasp_.size())));
   }
 
   /// A sector, so that wide cones look wide.
@@ -199,8 +205,8 @@ class GraspPlot {
     std::vector<InkPoint> sector{c.at};
     for (int step = -kSteps; step <= kSteps; ++step) {
       const double angle = half_angle * step / kSteps;
-      sector.push_back(c.at + kConeLength * std::cos(angle) * c.normal +
-                       kConeLength * std::sin(angle) * c.tangent);
+      sector.push_back(c.at + cone_length() * std::cos(angle) * c.normal +
+                       cone_length() * std::sin(angle) * c.tangent);
     }
     return sector;
   }
@@ -235,16 +241,17 @@ class GraspPlot {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       svg.path(SvgPath().polygon(on_page(view_, cone(i))), "cone",
                {{"data-contact", std::to_string(i)}});
-      const InkPoint end = contacts_[i].at + 0.9 * kConeLength * contacts_[i].normal;
+      const InkPoint end = contacts_[i].at + 0.9 * cone_length() * contacts_[i].normal;
       svg.line(view_(contacts_[i].at), view_(end), "axis");
-      draw_arrow(svg, view_(end), view_(contacts_[i].at + kConeLength * contacts_[i].normal),
-                 "normal");
+      draw_arrow(svg, view_(end), view_(contacts_[i].at + cone_length() * contacts_[i].normal),
+                 "normal", {}, kSmallHead);
     }
     if (!ghost_.empty()) svg.path(SvgPath().polygon(on_page(view_, ghost_)), "ghost");
     draw_fingers(svg, view_, contacts_);
     draw_frame(svg);
     for (const Arrow& arrow : arrows_) {
-      draw_arrow(svg, view_(arrow.tail), view_(arrow.tip), arrow.css_class, arrow.attributes);
+      draw_arrow(svg, view_(arrow.tail), view_(arrow.tip), arrow.css_class, arrow.attributes,
+                 head_of(arrow.css_class));
     }
     if (!torque_.is_zero()) {
       draw_torque(svg, view_({0, 0}), kTorqueRadius, torque_.sign() > 0,
@@ -299,7 +306,7 @@ class GraspPlot {
     const auto at = [&](double x) { return left + InkPoint{x, y}; };
     const auto arrow_row = [&](const std::string& css_class, const std::string& text) {
       if (!has_arrow(css_class)) return;
-      draw_arrow(svg, at(2), at(48), css_class);
+      draw_arrow(svg, at(2), at(48), css_class, {}, head_of(css_class));
       row(text);
     };
     const auto state_row = [&](ContactState state, const std::string& text) {
@@ -312,7 +319,7 @@ class GraspPlot {
       svg.path(SvgPath().polygon({at(4), at(48) + InkPoint{0, 8}, at(48) - InkPoint{0, 8}}),
                "cone");
       svg.line(at(4), at(40), "axis");
-      draw_arrow(svg, at(40), at(48), "normal");
+      draw_arrow(svg, at(40), at(48), "normal", {}, kSmallHead);
       row("normal, friction cone");
     }
     if (std::any_of(grasp_.contacts().begin(), grasp_.contacts().end(),

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kBehindFinger = 25;     ///< pixels from a contact to its number
 constexpr double kLabelDistance = 12;    ///< pixels; nearer numbers share a label
-constexpr std::size_t kMostNumbers = 4;  ///< of one label
+constexpr std::size_t kMostNumbers = 3;  ///< of one label
 
 double cross(InkPoint a, InkPoint b) {
   return a.x * b.y - a.y * b.x;

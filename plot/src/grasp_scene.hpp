@@ -32,7 +32,7 @@ void draw_fingers(Svg& svg, const View& view, const std::vector<ContactInk>& con
 /// Behind the fingers. Contacts whose numbers would meet share a label.
 void draw_numbers(Svg& svg, const View& view, const std::vector<ContactInk>& contacts);
 
-/// "0, 3": at most four numbers, then an ellipsis.
+/// "0, 3": at most three numbers, then an ellipsis.
 std::string list_numbers(const std::vector<std::size_t>& numbers);
 
 }  // namespace stickslip

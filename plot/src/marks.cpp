@@ -8,11 +8,11 @@
 namespace stickslip {
 
 void draw_arrow(Svg& svg, InkPoint tail, InkPoint tip, const std::string& css_class,
-                Svg::Attributes attributes) {
+                Svg::Attributes attributes, double head) {
   const double size = length(tip - tail);
   if (size < 0.01) return;
   const InkPoint along = unit(tip - tail);
-  const double head = std::min(11.0, 0.6 * size);
+  head = std::min(head, 0.6 * size);
   const InkPoint neck = tip - head * along;
   const InkPoint side = 0.42 * head * quarter_turn(along);
   SvgPath path;
@@ -35,7 +35,7 @@ void draw_torque(Svg& svg, InkPoint centre, double radius, bool counterclockwise
   const InkPoint tip = at(kTo + 6.0 / radius);
   const InkPoint along = unit(tip - arc.back());
   const InkPoint side = 4.6 * quarter_turn(along);
-  const InkPoint neck = tip - 11.0 * along;
+  const InkPoint neck = tip - kHead * along;
   attributes.emplace_back("data-sense", counterclockwise ? "+" : "-");
   svg.path(path, "torque", std::move(attributes));
   svg.path(SvgPath().polygon({tip, neck + side, neck - side}), "load");

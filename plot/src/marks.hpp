@@ -9,10 +9,14 @@
 
 namespace stickslip {
 
-/// A path of five points: tail, neck, tip and the two corners of the head. The head shrinks
-/// with short arrows. Nothing is drawn when tail and tip are the same.
+/// Lengths of arrow heads, in pixels: of forces, and of what accompanies them.
+inline constexpr double kHead = 11;
+inline constexpr double kSmallHead = 8;
+
+/// A path of five points: tail, neck, tip and the two corners of the head, which shrinks with
+/// short arrows. Nothing is drawn when tail and tip are the same.
 void draw_arrow(Svg& svg, InkPoint tail, InkPoint tip, const std::string& css_class,
-                Svg::Attributes attributes = {});
+                Svg::Attributes attributes = {}, double head = kHead);
 
 /// An arc about `centre` with an arrow head. The angle is no measure of anything.
 void draw_torque(Svg& svg, InkPoint centre, double radius, bool counterclockwise,

@@ -7,9 +7,11 @@
 namespace stickslip {
 namespace {
 
-constexpr int kSpots = 24;          ///< tried on each circle
-constexpr double kFarEnough = 0.3;  ///< more distance makes no better spot
-constexpr int kPlaces = 16;         ///< tried in each direction of a polygon
+constexpr int kSpots = 48;           ///< tried on each circle
+constexpr int kFirstSpot = 5;        ///< from the rim
+constexpr double kFarEnough = 0.3;   ///< more distance makes no better spot
+constexpr double kLabelSize = 0.14;  ///< nearer labels would meet
+constexpr int kPlaces = 16;          ///< tried in each direction of a polygon
 
 double dot(const SpherePoint& a, const SpherePoint& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -67,20 +69,21 @@ std::vector<CircleSpot> circle_spots(const ArrangementStructure& cells,
   for (std::size_t c = 0; c < normals.size(); ++c) {
     SpherePoint best{};
     double best_distance = -1;
-    for (int i = 2; i <= kSpots - 2; ++i) {
-      // From both ends towards the middle.
-      const int step = i % 2 == 0 ? (i + 2) / 2 : kSpots - (i + 1) / 2;
-      const SpherePoint p = upper_half.on_circle(CircleId(c), M_PI * step / kSpots);
-      double distance = kFarEnough;
-      for (std::size_t j = 0; j < normals.size(); ++j) {
-        if (j != c) distance = std::min(distance, std::asin(std::abs(dot(normals[j], p))));
-      }
-      for (const CircleSpot& spot : spots) {
-        distance = std::min(distance, length(spot.at - project(p)));
-      }
-      if (distance > best_distance) {
-        best_distance = distance;
-        best = p;
+    for (int i = kFirstSpot; i <= kSpots / 2; ++i) {
+      for (const int step : {i, kSpots - i}) {
+        const SpherePoint p = upper_half.on_circle(CircleId(c), M_PI * step / kSpots);
+        double distance = kFarEnough;
+        for (std::size_t j = 0; j < normals.size(); ++j) {
+          if (j != c) distance = std::min(distance, std::abs(dot(normals[j], p)));
+        }
+        for (const CircleSpot& spot : spots) {
+          const double between = length(spot.at - project(p));
+          if (between < kLabelSize) distance = std::min(distance, 0.1 * between);
+        }
+        if (distance > best_distance) {
+          best_distance = distance;
+          best = p;
+        }
       }
     }
     SpherePoint beside = best;

@@ -30,7 +30,7 @@ constexpr std::array<View, 2> kDiscs{View{{412, kMiddle}, kRadius},
 constexpr View kGraspView{{122, kMiddle}, 66};
 constexpr double kHalfPanel = 98;
 
-/// A label for a face: the whole state if contacts are few.
+/// The states of more are too long for labels.
 constexpr std::size_t kMostLabelledContacts = 12;
 
 class StatesPlot {
@@ -161,7 +161,7 @@ class StatesPlot {
         const InkPoint along =
             (disc == 0 ? -11.0 : 11.0) * on_page_direction(quarter_turn(outwards));
         const InkPoint at = view.origin + (kRadius + 11) * on_page_direction(outwards);
-        draw_arrow(svg, at - along, at + along, "normal");
+        draw_arrow(svg, at - along, at + along, "normal", {}, kSmallHead);
       }
     }
   }
@@ -275,11 +275,9 @@ class StatesPlot {
         "where "
         "its contact slips +.");
     if (has_hues_) {
-      line("One colour: opposite states. Hatched: contact 0 slips \u2212. " +
-           (labelled_ == c.faces
-                ? std::string("Labels: the signs of contacts 0, 1, \u2026")
-                : std::to_string(labelled_) + " of " + std::to_string(c.faces) +
-                      " faces have room for their state."));
+      line(std::string("One colour: opposite states. Hatched: contact 0 slips \u2212. ") +
+           (labelled_ == c.faces ? "Labels: the signs of contacts 0, 1, \u2026"
+                                 : "Tooltips have the states without a label."));
     } else {
       double x = kMargin;
       for (int i = 0; i < kShades; ++i, x += 22) {

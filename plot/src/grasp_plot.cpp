@@ -185,10 +185,13 @@ class GraspPlot {
                                         std::to_string(cases) + " cases.");
       return;
     }
-    const Twist y{Rational(leaf->twist[0]), Rational(leaf->twist[1]), Rational(leaf->twist[2])};
-    virtual_factor_ = add_motion(y, "virtual");
-    lines_.push_back("Whatever the contacts do, along the virtual twist y = " +
-                     short_tuple({y.x, y.y, y.r}));
+    // Along the leaf's twist the wrenches of load and contacts together do negative work
+    // whatever the contacts do; so against it, the load drives the object.
+    const Twist drift{Rational(-leaf->twist[0]), Rational(-leaf->twist[1]),
+                      Rational(-leaf->twist[2])};
+    virtual_factor_ = add_motion(drift, "virtual");
+    lines_.push_back("Whatever the contacts do, along the virtual twist " +
+                     short_tuple({drift.x, drift.y, drift.r}));
     lines_.push_back("the load does more work than the contacts can take up.");
   }
 

@@ -48,7 +48,10 @@ class StatesPlot {
     define_hatching(svg);
     svg.text({kMargin, 34}, "title", shorten(name, 70) + ": slip states");
     draw_grasp(svg);
-    svg.open("g", {{"class", has_hues_ ? "cells" : "cells thin"}});
+    svg.open("g",
+             {{"class", has_hues_ ? "cells" : "cells thin"},
+              {"data-centre", to_string(frame_.centre.x) + "," + to_string(frame_.centre.y)},
+              {"data-radius", to_string(frame_.radius)}});
     draw_faces(svg);
     draw_rings(svg);
     draw_edges(svg);

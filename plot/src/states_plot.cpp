@@ -7,8 +7,8 @@
 #include <map>
 
 #include "grasp_scene.hpp"
-#include "marks.hpp"
 #include "sphere_labels.hpp"
+#include "states_page.hpp"
 #include "stickslip/core/error.hpp"
 #include "stylesheet.hpp"
 #include "upper_half.hpp"
@@ -19,16 +19,8 @@ namespace {
 constexpr double kWidth = 920;
 constexpr double kHeight = 528;
 constexpr double kMargin = 24;
-constexpr double kMiddle = 238;  ///< of the discs and of the grasp
-constexpr double kRadius = 148;
 constexpr double kLine = 19;
 constexpr double kCharacter = 0.73;  ///< of the size of the font of states
-
-/// Counterclockwise and clockwise motions: r > 0 and r < 0.
-constexpr std::array<View, 2> kDiscs{View{{412, kMiddle}, kRadius},
-                                     View{{750, kMiddle}, kRadius}};
-constexpr View kGraspView{{122, kMiddle}, 66};
-constexpr double kHalfPanel = 98;
 
 /// The states of more are too long for labels.
 constexpr std::size_t kMostLabelledContacts = 12;
@@ -47,7 +39,7 @@ class StatesPlot {
     Svg svg(kWidth, kHeight, name + ": slip states", stylesheet());
     define_hatching(svg);
     svg.text({kMargin, 34}, "title", shorten(name, 70) + ": slip states");
-    draw_grasp(svg);
+    draw_grasp_panel(svg, grasp_);
     svg.open("g",
              {{"class", has_hues_ ? "cells" : "cells thin"},
               {"data-centre", to_string(frame_.centre.x) + "," + to_string(frame_.centre.y)},
@@ -145,30 +137,6 @@ class StatesPlot {
     }
   }
 
-  /// Motions that turn about points at distance `radius` of the frame.
-  static void draw_rings(Svg& svg) {
-    const double ring = length(project({std::sqrt(0.5), 0, std::sqrt(0.5)}));
-    for (const View& disc : kDiscs) svg.circle(disc.origin, kRadius * ring, "ring");
-  }
-
-  static void draw_rims(Svg& svg) {
-    constexpr std::array<const char*, 2> kTitles{"counterclockwise, r > 0", "clockwise, r < 0"};
-    for (std::size_t disc = 0; disc < 2; ++disc) {
-      const View& view = kDiscs[disc];
-      svg.circle(view.origin, kRadius, "rim");
-      svg.text(view.origin - InkPoint{0, kRadius + 28}, "middle", kTitles[disc]);
-      for (int i = 0; i < 8; ++i) {
-        // d = (x, y, 0) is at (-y, x) on the left disc, and at (y, -x) on the right one.
-        const double angle = M_PI * i / 4;
-        const InkPoint outwards{std::cos(angle), std::sin(angle)};
-        const InkPoint along =
-            (disc == 0 ? -11.0 : 11.0) * on_page_direction(quarter_turn(outwards));
-        const InkPoint at = view.origin + (kRadius + 11) * on_page_direction(outwards);
-        draw_arrow(svg, at - along, at + along, "normal", {}, kSmallHead);
-      }
-    }
-  }
-
   /// A number stands on the side where its contact slips +.
   void label_circles(Svg& svg) {
     constexpr double kOff = 10;
@@ -221,53 +189,17 @@ class StatesPlot {
     }
   }
 
-  /// The contacts and the lines along their tangents: the centres of rotation about which they
-  /// stick.
-  void draw_grasp(Svg& svg) const {
-    const std::vector<ContactInk> contacts = contact_ink(grasp_, {});
-    const InkPoint corner = kGraspView.origin - InkPoint{kHalfPanel, kHalfPanel};
-    svg.open("clipPath", {{"id", "stickslip-grasp"}});
-    svg.element("rect", {{"x", svg_number(corner.x)},
-                         {"y", svg_number(corner.y)},
-                         {"width", svg_number(2 * kHalfPanel)},
-                         {"height", svg_number(2 * kHalfPanel)}});
-    svg.close();
-    svg.text(kGraspView.origin - InkPoint{0, kRadius + 28}, "middle", "grasp");
-    svg.open("g", {{"class", "grasp"}});
-    svg.path(SvgPath().polygon(on_page(kGraspView, body_outline(contacts))), "body");
-    svg.open("g", {{"clip-path", "url(#stickslip-grasp)"}});
-    for (const ContactInk& c : contacts) {
-      svg.line(kGraspView(c.at - 6.0 * c.tangent), kGraspView(c.at + 6.0 * c.tangent), "axis");
-    }
-    svg.close();
-    draw_fingers(svg, kGraspView, contacts);
-    for (const ContactInk& c : contacts) {
-      draw_contact(svg, kGraspView(c.at), on_page_direction(c.tangent), ContactState::kUnknown);
-    }
-    draw_numbers(svg, kGraspView, contacts);
-    svg.close();
-  }
-
   void draw_caption(Svg& svg) const {
-    double y = kMiddle + kRadius + 42;
+    double y = kDiscMiddle + kDiscRadius + 42;
     const auto line = [&](const std::string& text) {
       svg.text({kMargin, y}, "caption", text);
       y += kLine;
     };
     const ArrangementCounts& c = cells_.counts();
-    const auto count = [](std::size_t n, const std::string& one, const std::string& many) {
-      return std::to_string(n) + " " + (n == 1 ? one : many);
-    };
-    line(count(c.planes, "contact", "contacts") + " on " +
-         count(c.circles, "circle", "circles") + ", rank " + std::to_string(c.rank) + ": " +
-         count(c.faces, "face", "faces") + " + " + count(c.edges, "edge", "edges") + " + " +
-         count(c.vertices, "vertex", "vertices") + " = " + count(c.cells(), "cell", "cells") +
-         "; " + count(c.distinct_states, "distinct state", "distinct states") +
-         ", all-stick (d = 0) included.");
+    line(counts_text(c));
     line(
         "A point is the motion that turns the object about it; one place in both discs is d "
-        "and "
-        "\u2212d. On the rim: translations (arrows).");
+        "and \u2212d. On the rim: translations (arrows).");
     line("Dotted ring: centres of rotation at distance " + short_text(frame_.radius) +
          " from " + short_tuple({frame_.centre.x, frame_.centre.y}) +
          ", the middle of the discs.");
@@ -275,8 +207,7 @@ class StatesPlot {
     if (c.planes == 0) return;
     line(
         "On a circle, the contacts it is numbered with stick. A number stands on the side "
-        "where "
-        "its contact slips +.");
+        "where its contact slips +.");
     if (has_hues_) {
       line(std::string("One colour: opposite states. Hatched: contact 0 slips \u2212. ") +
            (labelled_ == c.faces ? "Labels: the signs of contacts 0, 1, \u2026"

@@ -19,6 +19,18 @@ TEST(PlotGrasp, AWitnessOfAnotherGraspIsRefused) {
   EXPECT_THROW(plot_grasp(pushed_from_below(), Stable{{{0, -1, 0}, {}}}), ContractError);
 }
 
+TEST(PlotGrasp, AMotionThatTurnsAboutTheOnlyContact) {
+  Question question;
+  question.loaded.grasp = Grasp(std::vector<Contact>{{{0, 0}, {0, 1}}});
+  for (const char* turn : {"1", "-1e-400", "1e400"}) {
+    const Witness witness{{0, 0, parse_rational(turn)}, {{0, 0}}};
+    ASSERT_FALSE(find_violation(Problem(question.loaded, question.law), witness));
+    const std::string svg = plot_grasp(question, Stable{witness});
+    EXPECT_NE(svg.find("class=\"ghost\""), std::string::npos);
+    EXPECT_EQ(svg.find("class=\"motion\""), std::string::npos);
+  }
+}
+
 TEST(PlotGrasp, Undecided) {
   const std::string svg = plot_grasp(pushed_from_below(), Undecided{"1 node"});
   EXPECT_NE(svg.find("one: undecided"), std::string::npos);

@@ -108,7 +108,7 @@ class GraspPlot(unittest.TestCase):
         self.assertLess(abs(total), PIXEL * (len(forces) + 1))
         motions = picture.all("motion")
         self.assert_scaled(motions)
-        self.assertEqual(len(picture.all("ghost")), 1 if motions else 0)
+        self.assertEqual(len(picture.all("ghost")), 1 if any((x, y, r)) and marks else 0)
         for e in motions:
             position = self.positions[int(e.get("data-contact"))]
             self.assertEqual(value(e), [x - r * position[1], y + r * position[0]])

@@ -51,7 +51,8 @@ struct Track {
     const auto dot = [&](const SpherePoint& a) {
       return a[0] * p[0] + a[1] * p[1] + a[2] * p[2];
     };
-    return std::clamp(std::atan2(dot(e2), dot(e1)), 0.0, M_PI);
+    // Visible points are not below the rim, whatever rounding says.
+    return std::atan2(std::max(0.0, dot(e2)), dot(e1));
   }
 };
 

@@ -75,8 +75,8 @@ class StatesPlot {
             on_disc(1, upper_half_.edge(cells_.antipode(edge)))};
   }
 
-  /// Few faces: a colour for each antipodal pair, hatched where contact 0 slips -. Many: darker
-  /// the more contacts slip +.
+  /// Few faces: a colour for each antipodal pair, hatched where contact 0 slips -. Many: shaded
+  /// by how many contacts slip +.
   std::vector<std::string> face_fills(const std::vector<SlipState>& states) const {
     std::vector<std::string> fills;
     std::map<SlipState, int> hues;

@@ -27,9 +27,9 @@ inline constexpr std::size_t kMostCirclesToDraw = 100;
 
 /// An SVG document. Each face, edge and vertex is one element of class "face", "edge" or
 /// "vertex" whose data-state is its sign vector; data-centre and data-radius of their group say
-/// where lengths are measured from and in what unit, exactly. Faces have one colour for each antipodal pair
-/// when there are few, and otherwise darken with the number of contacts that slip +. Throws
-/// InputError when there are more than kMostCirclesToDraw distinct circles.
+/// where lengths are measured from and in what unit, exactly. Faces have one colour for each
+/// antipodal pair when there are few, and otherwise change shade with the number of contacts
+/// that slip +. Throws InputError when there are more than kMostCirclesToDraw distinct circles.
 std::string plot_states(const Grasp& grasp);
 
 }  // namespace stickslip

@@ -16,4 +16,5 @@ cat <<MESSAGE
 Try it yourself:
   $build/bin/stickslip decide $root/paper_examples/grasps/fig1.json
   $build/bin/stickslip states $root/paper_examples/grasps/fig4.json --list
+  $build/bin/stickslip plot grasp $root/paper_examples/grasps/fig1.json -o fig1.svg
 MESSAGE

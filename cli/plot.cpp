@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include "commands.hpp"
+#include "question_options.hpp"
+#include "stickslip/core/file.hpp"
+#include "stickslip/core/grasp_file.hpp"
+#include "stickslip/equilibrium/decide.hpp"
+#include "stickslip/plot/grasp_plot.hpp"
+#include "stickslip/plot/states_plot.hpp"
+
+namespace stickslip {
+namespace {
+
+void add_output_option(CLI::App& command, std::string& output) {
+  command.add_option("--output,-o", output, "SVG file to write; - is standard output")
+      ->type_name("FILE")
+      ->capture_default_str();
+}
+
+void add_grasp_plot(CLI::App& plot, int& exit_code) {
+  struct Arguments {
+    QuestionArguments question;
+    std::string output = "-";
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = plot.add_subcommand(
+      "grasp", "The verdict: contacts, cones, load, and the forces and motion that hold it");
+  arguments->question.add_to(*command);
+  add_output_option(*command, arguments->output);
+  command->footer("Example: stickslip plot grasp fig1.json --wrench 0,1,0 -o fig1.svg");
+  command->callback([arguments, &exit_code] {
+    const Question question = arguments->question.question();
+    const Decision decision = decide(Problem(question.loaded, question.law));
+    write_whole_file(arguments->output, plot_grasp(question, decision.verdict));
+    exit_code = kDone;
+  });
+}
+
+void add_states_plot(CLI::App& plot, int& exit_code) {
+  struct Arguments {
+    std::string file;
+    std::string output = "-";
+  };
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* command = plot.add_subcommand(
+      "states", "The slip states: the sphere of motions, cut by one great circle a contact");
+  add_grasp_argument(*command, arguments->file);
+  add_output_option(*command, arguments->output);
+  command->footer("Example: stickslip plot states fig1.json -o states.svg");
+  command->callback([arguments, &exit_code] {
+    const GraspFile file = read_grasp_file(arguments->file);
+    write_whole_file(arguments->output, plot_states(file.content.grasp));
+    exit_code = kDone;
+  });
+}
+
+}  // namespace
+
+void add_plot_command(CLI::App& app, int& exit_code) {
+  CLI::App* command =
+      app.add_subcommand("plot", "Draw a grasp or its slip states: SVG for print and screen");
+  command->require_subcommand(1);
+  add_grasp_plot(*command, exit_code);
+  add_states_plot(*command, exit_code);
+}
+
+}  // namespace stickslip

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// A picture of a verdict: the grasp, its load, and the evidence.
+#pragma once
+
+#include <string>
+
+#include "stickslip/equilibrium/question.hpp"
+#include "stickslip/equilibrium/verdict.hpp"
+
+namespace stickslip {
+
+/// An SVG document: contacts (from 0), normals, friction cones and preloads; the applied wrench
+/// as a force and a torque arc; and the verdict. The body is not given, so the hull of the
+/// contacts and of points a little inside of them stands for it.
+///
+/// - Stable: the witness. Contact forces to scale, whether each contact sticks, slips + or -
+///   (forwards or backwards along its tangent), or is open, and the motion, enlarged by a
+///   stated factor.
+/// - Unstable: if one virtual twist proves it, the motions that it gives the contacts.
+///
+/// All arrows of forces have one scale, shown by a bar. For readers that are programs, each
+/// arrow is a path of class "force", "load", "motion" or "virtual" whose first point is its
+/// tail and whose third is its tip; data-contact says where, data-value what it stands for,
+/// exactly.
+///
+/// `verdict` is the answer to `question`. Throws InputError as Problem does; ContractError if
+/// the verdict does not fit the question.
+std::string plot_grasp(const Question& question, const Verdict& verdict);
+
+}  // namespace stickslip

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// A picture of the slip states: the sphere of motions, cut by the great circles T_i.d = 0
+/// (Haas-Heger et al., RSS 2018, Section IV and Fig. 5).
+///
+/// The sphere is drawn as two discs, by Lambert's azimuthal equal-area projection: the
+/// counterclockwise rotations (r > 0) and the clockwise ones. A motion with r != 0 turns the
+/// object about a point; it is drawn in the direction of that point from the centre of the
+/// disc, further out the further the point is away. So a great circle is the line along its
+/// contact's tangent, and one place in both discs means opposite motions d and -d. Translations
+/// are on the rim.
+///
+/// Lengths are measured from the object frame's origin, or the middle of the contacts if it is
+/// far from them, in units of the grasp's size. This is a linear change of coordinates of d and
+/// changes no sign.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "stickslip/core/grasp.hpp"
+
+namespace stickslip {
+
+/// More cells than these circles cut are too small to see.
+inline constexpr std::size_t kMostCirclesToDraw = 100;
+
+/// An SVG document. Each face, edge and vertex is one element of class "face", "edge" or
+/// "vertex" whose data-state is its sign vector; data-centre and data-radius of their group say
+/// where lengths are measured from and in what unit, exactly. Faces have one colour for each
+/// antipodal pair when there are few, and otherwise change shade with the number of contacts
+/// that slip +. Throws InputError when there are more than kMostCirclesToDraw distinct circles.
+std::string plot_states(const Grasp& grasp);
+
+}  // namespace stickslip

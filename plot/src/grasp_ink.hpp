@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// What a picture of a verdict says, in scene coordinates (picture_frame.hpp), before it is
+/// laid out on a page.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "grasp_scene.hpp"
+#include "marks.hpp"
+#include "stickslip/equilibrium/question.hpp"
+#include "stickslip/equilibrium/verdict.hpp"
+
+namespace stickslip {
+
+struct Arrow {
+  InkPoint tail;
+  InkPoint tip;
+  std::string css_class;  ///< "load", "force", "motion" or "virtual"
+  Svg::Attributes attributes;
+};
+
+struct GraspInk {
+  PictureFrame frame;
+  std::vector<ContactInk> contacts;
+  std::vector<ContactState> states;          ///< by contact
+  std::vector<std::vector<InkPoint>> cones;  ///< by contact: a sector, apex first
+  std::vector<InkPoint> outline;             ///< of what stands for the body
+  std::vector<InkPoint> ghost;               ///< the outline after the motion, if it moves
+  std::vector<Arrow> arrows;                 ///< some may have no length
+  Rational force_unit{0};  ///< the largest force, 0 if there is none; drawn this long:
+  static constexpr double kLongestForce = 0.6;
+  Rational torque;             ///< of the load, about the centre of the frame
+  Rational motion_factor{0};   ///< of enlargement; 0 without such arrows
+  Rational virtual_factor{0};  ///< likewise
+  std::vector<std::string> caption;
+
+  /// A force of this size along a direction, or this force.
+  double force_length(const Rational& size) const;
+  InkPoint force(const Vector2& exact) const;
+};
+
+/// Throws as plot_grasp does.
+GraspInk grasp_ink(const Question& question, const Verdict& verdict);
+
+}  // namespace stickslip

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "grasp_scene.hpp"
+
+#include <algorithm>
+
+#include "marks.hpp"
+
+namespace stickslip {
+namespace {
+
+constexpr double kBehindFinger = 25;     ///< pixels from a contact to its number
+constexpr double kLabelDistance = 12;    ///< pixels; nearer numbers share a label
+constexpr std::size_t kMostNumbers = 3;  ///< of one label
+
+double cross(InkPoint a, InkPoint b) {
+  return a.x * b.y - a.y * b.x;
+}
+double dot(InkPoint a, InkPoint b) {
+  return a.x * b.x + a.y * b.y;
+}
+
+/// Andrew's monotone chain, counterclockwise.
+std::vector<InkPoint> convex_hull(std::vector<InkPoint> points) {
+  std::sort(points.begin(), points.end(),
+            [](InkPoint a, InkPoint b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  std::vector<InkPoint> hull;
+  for (int half = 0; half < 2; ++half) {
+    const std::size_t start = hull.size();
+    for (const InkPoint& p : points) {
+      while (hull.size() >= start + 2 &&
+             cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0) {
+        hull.pop_back();
+      }
+      hull.push_back(p);
+    }
+    hull.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+
+}  // namespace
+
+std::vector<ContactInk> contact_ink(const Grasp& grasp, const PictureFrame& frame) {
+  std::vector<ContactInk> contacts;
+  for (const Contact& c : grasp.contacts()) {
+    const InkPoint normal = direction(c.normal);
+    contacts.push_back({frame.place(c.position), normal, quarter_turn(normal)});
+  }
+  return contacts;
+}
+
+std::vector<InkPoint> body_outline(const std::vector<ContactInk>& contacts) {
+  std::vector<InkPoint> points;
+  for (const ContactInk& c : contacts) points.push_back(c.at);
+  const auto is_behind = [](InkPoint p, const ContactInk& c) {
+    return dot(p - c.at, c.normal) < 0;
+  };
+  for (const ContactInk& c : contacts) {
+    for (const InkPoint inside : {InkPoint{0.12, 0.3}, {0.5, 0.4}}) {
+      for (const double side : {-1.0, 1.0}) {
+        const InkPoint p = c.at + inside.x * c.normal + side * inside.y * c.tangent;
+        if (std::none_of(contacts.begin(), contacts.end(),
+                         [&](const ContactInk& other) { return is_behind(p, other); })) {
+          points.push_back(p);
+        }
+      }
+    }
+  }
+  return points.empty() ? points : convex_hull(std::move(points));
+}
+
+std::vector<InkPoint> on_page(const View& view, std::vector<InkPoint> scene) {
+  for (InkPoint& p : scene) p = view(p);
+  return scene;
+}
+
+InkPoint on_page_direction(InkPoint scene) {
+  return {scene.x, -scene.y};
+}
+
+std::string list_numbers(const std::vector<std::size_t>& numbers) {
+  std::string text;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (i == kMostNumbers) return text + ", \u2026";
+    text += (i == 0 ? "" : ", ") + std::to_string(numbers[i]);
+  }
+  return text;
+}
+
+void draw_fingers(Svg& svg, const View& view, const std::vector<ContactInk>& contacts) {
+  for (const ContactInk& c : contacts) {
+    draw_finger(svg, view(c.at), on_page_direction(c.normal));
+  }
+}
+
+void draw_numbers(Svg& svg, const View& view, const std::vector<ContactInk>& contacts) {
+  struct Label {
+    InkPoint at;
+    std::vector<std::size_t> contacts;
+  };
+  std::vector<Label> labels;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const InkPoint behind =
+        view(contacts[i].at) - kBehindFinger * on_page_direction(contacts[i].normal);
+    const auto near = std::find_if(labels.begin(), labels.end(), [&](const Label& label) {
+      return length(label.at - behind) < kLabelDistance;
+    });
+    if (near != labels.end()) {
+      near->contacts.push_back(i);
+    } else {
+      labels.push_back({behind, {i}});
+    }
+  }
+  for (const Label& label : labels) {
+    svg.text(label.at + InkPoint{0, 4.5}, "number middle halo", list_numbers(label.contacts));
+  }
+}
+
+}  // namespace stickslip

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The grasp itself, as far as all pictures show it the same way.
+#pragma once
+
+#include <vector>
+
+#include "picture_frame.hpp"
+
+namespace stickslip {
+
+/// A contact in scene coordinates (picture_frame.hpp); directions have length 1.
+struct ContactInk {
+  InkPoint at;
+  InkPoint normal;
+  InkPoint tangent;
+};
+
+std::vector<ContactInk> contact_ink(const Grasp& grasp, const PictureFrame& frame);
+
+/// Stands for the body, which nobody gave: the convex hull of the contacts and of points a
+/// little inside of them that are behind no contact. Counterclockwise; empty without contacts.
+std::vector<InkPoint> body_outline(const std::vector<ContactInk>& contacts);
+
+std::vector<InkPoint> on_page(const View& view, std::vector<InkPoint> scene);
+
+/// A direction of the scene on the page.
+InkPoint on_page_direction(InkPoint scene);
+
+void draw_fingers(Svg& svg, const View& view, const std::vector<ContactInk>& contacts);
+
+/// Behind the fingers. Contacts whose numbers would meet share a label.
+void draw_numbers(Svg& svg, const View& view, const std::vector<ContactInk>& contacts);
+
+/// "0, 3": at most three numbers, then an ellipsis.
+std::string list_numbers(const std::vector<std::size_t>& numbers);
+
+}  // namespace stickslip

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "marks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace stickslip {
+
+void draw_arrow(Svg& svg, InkPoint tail, InkPoint tip, const std::string& css_class,
+                Svg::Attributes attributes, double head) {
+  const double size = length(tip - tail);
+  if (size < 0.01) return;
+  const InkPoint along = unit(tip - tail);
+  head = std::min(head, 0.6 * size);
+  const InkPoint neck = tip - head * along;
+  const InkPoint side = 0.42 * head * quarter_turn(along);
+  SvgPath path;
+  path.move(tail).line(neck).move(tip).line(neck + side).line(neck - side).close();
+  svg.path(path, css_class, std::move(attributes));
+}
+
+void draw_torque(Svg& svg, InkPoint centre, double radius, bool counterclockwise,
+                 Svg::Attributes attributes) {
+  constexpr double kFrom = -0.6;
+  constexpr double kTo = 4.0;  // radians, counterclockwise as seen
+  const auto at = [&](double angle) {
+    const double seen = counterclockwise ? angle : M_PI - angle;
+    return centre + radius * InkPoint{std::cos(seen), -std::sin(seen)};
+  };
+  std::vector<InkPoint> arc;
+  for (int i = 0; i <= 24; ++i) arc.push_back(at(kFrom + (kTo - kFrom) * i / 24));
+  SvgPath path;
+  path.polyline(arc);
+  const InkPoint tip = at(kTo + 6.0 / radius);
+  const InkPoint along = unit(tip - arc.back());
+  const InkPoint side = 4.6 * quarter_turn(along);
+  const InkPoint neck = tip - kHead * along;
+  attributes.emplace_back("data-sense", counterclockwise ? "+" : "-");
+  svg.path(path, "torque", std::move(attributes));
+  svg.path(SvgPath().polygon({tip, neck + side, neck - side}), "load");
+}
+
+void draw_finger(Svg& svg, InkPoint at, InkPoint inwards) {
+  constexpr double kHalfLength = 13;
+  const InkPoint along = quarter_turn(inwards);
+  const InkPoint base = at - 5.0 * inwards;
+  SvgPath path;
+  path.move(base - kHalfLength * along).line(base + kHalfLength * along);
+  for (int i = -2; i <= 2; ++i) {
+    const InkPoint from = base + (5.0 * i + 2) * along;
+    path.move(from).line(from - 6.0 * inwards - 4.0 * along);
+  }
+  svg.path(path, "finger");
+}
+
+const char* name_of(ContactState state) {
+  constexpr const char* kNames[] = {"", "0", "+", "-", "open"};
+  return kNames[static_cast<int>(state)];
+}
+
+void draw_contact(Svg& svg, InkPoint at, InkPoint tangent, ContactState state,
+                  Svg::Attributes attributes) {
+  attributes.emplace_back("data-contact-state", name_of(state));
+  const auto triangle = [&](InkPoint forwards) {
+    const InkPoint side = 6.0 * quarter_turn(forwards);
+    const InkPoint back = at - 4.5 * forwards;
+    return SvgPath().polygon({at + 8.0 * forwards, back + side, back - side});
+  };
+  switch (state) {
+    case ContactState::kUnknown:
+      return svg.circle(at, 3.2, "full", std::move(attributes));
+    case ContactState::kStick:
+      return svg.circle(at, 5, "full", std::move(attributes));
+    case ContactState::kSlipPlus:
+      return svg.path(triangle(tangent), "full", std::move(attributes));
+    case ContactState::kSlipMinus:
+      return svg.path(triangle(-1 * tangent), "hollow", std::move(attributes));
+    case ContactState::kOpen:
+      return svg.circle(at, 4.6, "hollow", std::move(attributes));
+  }
+}
+
+void draw_bar(Svg& svg, InkPoint at, InkPoint along, double half_length,
+              const std::string& css_class, Svg::Attributes attributes) {
+  const InkPoint across = half_length * quarter_turn(along);
+  svg.line(at - across, at + across, css_class, std::move(attributes));
+}
+
+}  // namespace stickslip

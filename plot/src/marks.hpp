@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Signs of the pictures' language, in page coordinates.
+#pragma once
+
+#include <string>
+
+#include "stickslip/plot/svg.hpp"
+
+namespace stickslip {
+
+/// Lengths of arrow heads, in pixels: of forces, and of what accompanies them.
+inline constexpr double kHead = 11;
+inline constexpr double kSmallHead = 8;
+
+/// A path of five points: tail, neck, tip and the two corners of the head, which shrinks with
+/// short arrows. Nothing is drawn when tail and tip are the same.
+void draw_arrow(Svg& svg, InkPoint tail, InkPoint tip, const std::string& css_class,
+                Svg::Attributes attributes = {}, double head = kHead);
+
+/// An arc about `centre` with an arrow head. The angle is no measure of anything.
+void draw_torque(Svg& svg, InkPoint centre, double radius, bool counterclockwise,
+                 Svg::Attributes attributes = {});
+
+/// What holds a contact: a short hatched line behind it. `inwards` has length 1.
+void draw_finger(Svg& svg, InkPoint at, InkPoint inwards);
+
+/// What a contact does.
+enum class ContactState { kUnknown, kStick, kSlipPlus, kSlipMinus, kOpen };
+
+/// "0", "+", "-", "open", or "".
+const char* name_of(ContactState state);
+
+/// A disc, a triangle that points where the object slips, or a ring. `tangent` is the
+/// contact's, on the page, of length 1.
+void draw_contact(Svg& svg, InkPoint at, InkPoint tangent, ContactState state,
+                  Svg::Attributes attributes = {});
+
+/// A bar across `along` (of length 1).
+void draw_bar(Svg& svg, InkPoint at, InkPoint along, double half_length,
+              const std::string& css_class, Svg::Attributes attributes = {});
+
+}  // namespace stickslip

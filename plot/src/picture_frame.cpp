@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "picture_frame.hpp"
+
+#include <algorithm>
+
+namespace stickslip {
+namespace {
+
+/// A few, so that captions stay on the page.
+constexpr std::size_t kLongestExactText = 12;
+constexpr std::size_t kFarAway = 2;  ///< sizes of the grasp
+
+Vector2 difference(const Vector2& a, const Vector2& b) {
+  return {a.x - b.x, a.y - b.y};
+}
+
+}  // namespace
+
+Rational largest_entry(const Vector2& vector) {
+  return std::max(Rational(abs(vector.x)), Rational(abs(vector.y)));
+}
+
+InkPoint ratio(const Vector2& vector, const Rational& size) {
+  return {to_double(vector.x / size), to_double(vector.y / size)};
+}
+
+InkPoint direction(const Vector2& vector) {
+  return unit(ratio(vector, largest_entry(vector)));
+}
+
+InkPoint PictureFrame::place(const Vector2& point) const {
+  return ratio(difference(point, centre), radius);
+}
+
+Grasp PictureFrame::in_scene(const Grasp& grasp) const {
+  std::vector<Contact> contacts = grasp.contacts();
+  for (Contact& c : contacts) {
+    c.position = difference(c.position, centre);
+    c.position.x /= radius;
+    c.position.y /= radius;
+  }
+  return Grasp(std::move(contacts), grasp.name());
+}
+
+PictureFrame picture_frame(const Grasp& grasp) {
+  PictureFrame frame;
+  if (grasp.size() == 0) return frame;
+  Vector2 low = grasp.contacts().front().position;
+  Vector2 high = low;
+  for (const Contact& c : grasp.contacts()) {
+    low = {std::min(low.x, c.position.x), std::min(low.y, c.position.y)};
+    high = {std::max(high.x, c.position.x), std::max(high.y, c.position.y)};
+  }
+  const Vector2 middle{(low.x + high.x) / 2, (low.y + high.y) / 2};
+  const Rational size = largest_entry(difference(high, middle));
+  const bool in_one_place = size.is_zero();
+  if (!in_one_place && largest_entry(middle) > kFarAway * size) frame.centre = middle;
+  Rational radius = 0;
+  for (const Contact& c : grasp.contacts()) {
+    radius = std::max(radius, largest_entry(difference(c.position, frame.centre)));
+  }
+  if (!radius.is_zero()) frame.radius = radius;
+  return frame;
+}
+
+Rational round_down(const Rational& value) {
+  // The number of digits gives the power of ten to within one.
+  const auto digits = [](const Integer& n) { return static_cast<long>(n.str().size()); };
+  const long exponent = digits(numerator(value)) - digits(denominator(value)) + 1;
+  const Integer power = pow(Integer(10), static_cast<unsigned>(std::abs(exponent)));
+  Rational ten = exponent >= 0 ? Rational(power) : Rational(Integer(1), power);
+  while (ten > value) ten /= 10;
+  for (const int factor : {5, 2}) {
+    if (factor * ten <= value) return factor * ten;
+  }
+  return ten;
+}
+
+std::string typeset(std::string text) {
+  for (std::size_t at = 0; (at = text.find('-', at)) != std::string::npos;) {
+    text.replace(at, 1, "\u2212");
+  }
+  return text;
+}
+
+std::string short_text(const Rational& value) {
+  const std::string exact = to_string(value);
+  if (exact.size() <= kLongestExactText) return typeset(exact);
+  return typeset("\u2248\u202F" + enclose_sqrt(value, 1, 6).lower);
+}
+
+std::string short_tuple(const std::vector<Rational>& values) {
+  std::string text;
+  for (const Rational& value : values) {
+    text += (text.empty() ? "(" : ", ") + short_text(value);
+  }
+  return text + ")";
+}
+
+std::string shorten(const std::string& text, std::size_t characters) {
+  std::size_t end = 0;
+  for (std::size_t count = 0; end < text.size(); ++count) {
+    if (count == characters) return text.substr(0, end) + "\u2026";
+    do {
+      ++end;
+    } while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80);
+  }
+  return text;
+}
+
+}  // namespace stickslip

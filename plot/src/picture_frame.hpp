@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// From exact numbers to ink. Everything is divided by the size of the picture exactly, so that
+/// no double is ever out of range.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "stickslip/core/grasp.hpp"
+#include "stickslip/plot/svg.hpp"
+
+namespace stickslip {
+
+/// Where a grasp lies. The scene has its origin in `centre`, the unit `radius`, and the axes of
+/// the object frame (y up): contacts lie in [-1, 1]^2.
+struct PictureFrame {
+  Vector2 centre;
+  Rational radius{1};
+
+  InkPoint place(const Vector2& point) const;
+  /// The grasp in scene coordinates, exactly.
+  Grasp in_scene(const Grasp& grasp) const;
+};
+
+/// Centred in the origin of the object frame, unless that is far away compared with the size of
+/// the grasp; then in the middle of the contacts.
+PictureFrame picture_frame(const Grasp& grasp);
+
+/// (x, y) / size, for |x|, |y| up to about size > 0.
+InkPoint ratio(const Vector2& vector, const Rational& size);
+/// Of length 1. Requires a nonzero vector.
+InkPoint direction(const Vector2& vector);
+/// max(|x|, |y|)
+Rational largest_entry(const Vector2& vector);
+
+/// The largest of 1, 2, 5 times a power of ten that is not above `value` > 0.
+Rational round_down(const Rational& value);
+
+/// The value itself if that is short, otherwise rounded: "3/5", "\u2248 0.333333". Minus signs
+/// are U+2212.
+std::string short_text(const Rational& value);
+/// "(0, 1, \u22121/2)"
+std::string short_tuple(const std::vector<Rational>& values);
+/// The same with '-' as U+2212.
+std::string typeset(std::string text);
+/// At most `characters` characters of UTF-8; an ellipsis stands for the rest.
+std::string shorten(const std::string& text, std::size_t characters);
+
+/// How the scene lies on the page.
+struct View {
+  InkPoint origin;   ///< of the scene
+  double scale = 1;  ///< pixels per scene unit
+
+  InkPoint operator()(InkPoint scene) const {
+    return {origin.x + scale * scene.x, origin.y - scale * scene.y};
+  }
+};
+
+}  // namespace stickslip

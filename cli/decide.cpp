@@ -101,7 +101,8 @@ void print_json(const Question& question, const Problem& problem, const Decision
 }
 
 void explain(const RefutationSummary& summary) {
-  const IntegerVector<3>& y = summary.largest_case_twist;
+  // On a leaf's own twist the load does negative work: the way that the contacts lose is back.
+  const IntegerVector<3> y = negated(summary.largest_case_twist);
   const std::string twist = tuple(Vector3{Rational(y[0]), Rational(y[1]), Rational(y[2])});
   if (summary.leaves == 0) {
     std::cout << "\nThe normal law allows no motion at all.\n";

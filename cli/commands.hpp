@@ -18,6 +18,7 @@ enum ExitCode : int {
 
 void add_decide_command(CLI::App& app, int& exit_code);
 void add_states_command(CLI::App& app, int& exit_code);
+void add_region_command(CLI::App& app, int& exit_code);
 void add_export_command(CLI::App& app, int& exit_code);
 
 }  // namespace stickslip

@@ -88,12 +88,7 @@ void print_json(const Question& question, const Problem& problem, const Decision
   Json& wrench = json["wrench"] = Json::array();
   for (const Rational& value : coordinates(problem.wrench()))
     wrench.push_back(to_string(value));
-  for (const SnappedNormal& normal : question.snapped) {
-    json["snapped_normals"].push_back(
-        {{"contact", normal.contact.index()},
-         {"normal", {to_string(normal.after.x), to_string(normal.after.y)}},
-         {"moved_at_most", normal.moved}});
-  }
+  add_snapped_normals(json, question);
   if (const auto* stable = std::get_if<Stable>(&verdict)) {
     Json& twist = json["twist"] = Json::array();
     for (const Rational& value : coordinates(stable->witness.twist)) {
@@ -143,12 +138,8 @@ void print_text(const Question& question, const Problem& problem, const Decision
   const std::string& name = question.loaded.grasp.name();
   const Wrench& w = problem.wrench();
   std::cout << (name.empty() ? "" : name + ": ") << name_of(verdict) << "\n\n"
-            << "  load w    " << tuple({w.x, w.y, w.torque}) << '\n';
-  for (const SnappedNormal& normal : question.snapped) {
-    std::cout << "  contact " << normal.contact.index() << ": normal snapped to "
-              << tuple({normal.after.x, normal.after.y}) << ", moved by at most "
-              << normal.moved << '\n';
-  }
+            << "  load w    " << tuple({w.x, w.y, w.torque}) << '\n'
+            << snapped_normals_text(question);
   if (const auto* stable = std::get_if<Stable>(&verdict)) {
     const Twist& d = stable->witness.twist;
     std::cout << "  motion d  " << tuple({d.x, d.y, d.r}) << "\n\n";

@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
   int exit_code = stickslip::kDone;
   stickslip::add_decide_command(app, exit_code);
   stickslip::add_states_command(app, exit_code);
+  stickslip::add_region_command(app, exit_code);
   stickslip::add_export_command(app, exit_code);
   try {
     app.parse(argc, argv);

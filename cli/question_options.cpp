@@ -1,30 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "question_options.hpp"
 
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
-namespace {
 
-Wrench wrench_option(const std::string& value) {
+Wrench wrench_option(const std::string& option, const std::string& value) {
   std::vector<Rational> numbers;
   std::size_t start = 0;
   while (start <= value.size()) {
     const std::size_t comma = std::min(value.find(',', start), value.size());
-    numbers.push_back(number_option("--wrench", value.substr(start, comma - start)));
+    numbers.push_back(number_option(option, value.substr(start, comma - start)));
     start = comma + 1;
   }
   if (numbers.size() != 3) {
-    throw InputError("", "--wrench",
+    throw InputError("", option,
                      "\"" + value + "\" has " + std::to_string(numbers.size()) + " numbers",
-                     "give force x, force y and torque as in --wrench 0,-11/10,0");
+                     "give force x, force y and torque as in " + option + " 0,-11/10,0");
   }
   return {numbers[0], numbers[1], numbers[2]};
 }
-
-}  // namespace
 
 Rational number_option(const std::string& option, const std::string& value) {
   try {
@@ -46,6 +44,15 @@ void QuestionArguments::add_to(CLI::App& command) {
                   "Wrench applied to the object, force x, force y and torque about the origin "
                   "(replaces the file's)")
       ->type_name("WX,WY,T");
+  add_model_options_to(command);
+}
+
+void QuestionArguments::add_without_wrench_to(CLI::App& command) {
+  add_grasp_argument(command, file_);
+  add_model_options_to(command);
+}
+
+void QuestionArguments::add_model_options_to(CLI::App& command) {
   command.add_option("--preload", preload_, "Preload of every contact (replaces the file's)")
       ->type_name("P");
   command
@@ -64,13 +71,32 @@ void QuestionArguments::add_to(CLI::App& command) {
 
 Question QuestionArguments::question() const {
   QuestionOptions options;
-  if (!wrench_.empty()) options.wrench = wrench_option(wrench_);
+  if (!wrench_.empty()) options.wrench = wrench_option("--wrench", wrench_);
   if (!preload_.empty()) options.preload = number_option("--preload", preload_);
   if (!snap_tolerance_.empty()) {
     options.snap_tolerance = number_option("--snap-normals", snap_tolerance_);
   }
   options.law = law_ == "bilateral" ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
   return ask(read_grasp_file(file_), options);
+}
+
+void add_snapped_normals(nlohmann::ordered_json& json, const Question& question) {
+  for (const SnappedNormal& normal : question.snapped) {
+    json["snapped_normals"].push_back(
+        {{"contact", normal.contact.index()},
+         {"normal", {to_string(normal.after.x), to_string(normal.after.y)}},
+         {"moved_at_most", normal.moved}});
+  }
+}
+
+std::string snapped_normals_text(const Question& question) {
+  std::string text;
+  for (const SnappedNormal& normal : question.snapped) {
+    text += "  contact " + std::to_string(normal.contact.index()) + ": normal snapped to (" +
+            to_string(normal.after.x) + ", " + to_string(normal.after.y) +
+            "), moved by at most " + normal.moved + '\n';
+  }
+  return text;
 }
 
 }  // namespace stickslip

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "stickslip/equilibrium/question.hpp"
@@ -15,12 +16,16 @@ class QuestionArguments {
  public:
   /// Adds GRASP, --wrench, --preload, --normal-law and --snap-normals.
   void add_to(CLI::App& command);
+  /// The same but --wrench, for what does not depend on a load.
+  void add_without_wrench_to(CLI::App& command);
 
   const std::string& file() const { return file_; }
   /// Reads the file and replaces what was asked. Throws InputError naming the file or option.
   Question question() const;
 
  private:
+  void add_model_options_to(CLI::App& command);
+
   std::string file_;
   std::string wrench_;
   std::string preload_;
@@ -33,5 +38,13 @@ void add_grasp_argument(CLI::App& command, std::string& file);
 
 /// The number in an option's value. Throws InputError naming the option.
 Rational number_option(const std::string& option, const std::string& value);
+
+/// The same for three numbers with commas: force x, force y and torque.
+Wrench wrench_option(const std::string& option, const std::string& value);
+
+/// How far snapping moved which normals: as "snapped_normals" in JSON, absent if none was, and
+/// as lines for people.
+void add_snapped_normals(nlohmann::ordered_json& json, const Question& question);
+std::string snapped_normals_text(const Question& question);
 
 }  // namespace stickslip

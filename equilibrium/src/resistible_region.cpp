@@ -18,14 +18,21 @@ Vector3 cross(const Vector3& a, const Vector3& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-Rational dot(const Vector3& a, const Vector3& b) {
+Rational scalar_product(const Vector3& a, const Vector3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-Rational value(const Vector4& function, const IntegerVector4& x) {
-  Rational sum = 0;
-  for (std::size_t j = 0; j < 4; ++j) sum += function[j] * Rational(x[j]);
-  return sum;
+/// x -> the plane's coordinates of a wrench, times a common factor: rows.
+using Map = std::array<IntegerVector4, 4>;
+
+IntegerVector4 image(const Map& map, const IntegerVector4& x) {
+  return primitive<4>({dot(map[0], x), dot(map[1], x), dot(map[2], x), dot(map[3], x)});
+}
+
+void add(Map& sum, const Map& map) {
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) sum[i][j] += map[i][j];
+  }
 }
 
 bool has_stick(const SlipState& state) {
@@ -46,17 +53,52 @@ bool has_motion(const Region& region) {
   return std::any_of(rays.begin(), rays.end(), [](const Ray& ray) { return ray.x[3] > 0; });
 }
 
+using RationalMap = std::array<Vector4, 4>;
+
+RationalMap outer(const Vector4& column, const Vector4& row) {
+  RationalMap map;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) map[i][j] = column[i] * row[j];
+  }
+  return map;
+}
+
+/// `factor` is a multiple of all denominators.
+Map scaled(const RationalMap& map, const Integer& factor) {
+  Map result;
+  for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t j = 0; j < 4; ++j) {
+      result[i][j] = numerator(map[i][j]) * (factor / denominator(map[i][j]));
+    }
+  }
+  return result;
+}
+
 class PieceFinder {
  public:
   PieceFinder(const Problem& problem, const WrenchPlane& plane, const RegionOptions& options,
               RegionWork& work)
       : problem_(problem), plane_(plane), options_(options), work_(work) {
+    // A contact's wrench is v(x) times one of two constant wrenches, on either edge.
+    RationalMap at_rest = outer(plane.coordinates({0, 0, 0}, 1), {0, 0, 0, 1});
+    std::vector<RationalMap> edges;
     for (std::size_t i = 0; i < problem.size(); ++i) {
       for (const int sigma : {-1, 1}) {
-        edge_wrenches_[sigma > 0].push_back(
-            coordinates(problem.edge_wrench(ContactId(i), sigma)));
+        const Vector3 edge =
+            coordinates(Rational(-1) * problem.edge_wrench(ContactId(i), sigma));
+        edges.push_back(outer(plane.coordinates(edge, 0), problem.separation(ContactId(i))));
       }
     }
+    Integer factor = 1;
+    const auto include_in_factor = [&](const RationalMap& map) {
+      for (const Vector4& row : map) {
+        for (const Rational& entry : row) factor = lcm(factor, denominator(entry));
+      }
+    };
+    include_in_factor(at_rest);
+    for (const RationalMap& map : edges) include_in_factor(map);
+    at_rest_ = scaled(at_rest, factor);
+    for (const RationalMap& map : edges) edges_.push_back(scaled(map, factor));
   }
 
   /// False if the limit on modes was exceeded.
@@ -111,7 +153,13 @@ class PieceFinder {
   /// What the mode resists in the plane.
   std::optional<PlaneCell> cell_of(const Region& region) const {
     std::set<IntegerVector4> images;
-    for (const Ray& ray : region.cone().rays()) add_images(ray.x, images);
+    for (const SlipState* face : neighbours_) {
+      Map map = at_rest_;
+      for (std::size_t i = 0; i < problem_.size(); ++i) {
+        if (closed_[i]) add(map, edges_[2 * i + ((*face)[i] == Sign::kNegative ? 1 : 0)]);
+      }
+      for (const Ray& ray : region.cone().rays()) images.insert(image(map, ray.x));
+    }
     const std::vector<IntegerVector4> in_plane =
         cut<4>({images.begin(), images.end()}, {0, 0, 1, 0}, Keep::kPlane);
     std::vector<HomogeneousPoint> generators;
@@ -125,29 +173,12 @@ class PieceFinder {
     return PlaneCell::hull(std::move(generators));
   }
 
-  /// The generators from one ray: with the friction of each neighbour.
-  void add_images(const IntegerVector4& ray, std::set<IntegerVector4>& images) const {
-    std::vector<std::pair<std::size_t, Rational>> loaded;
-    for (std::size_t i = 0; i < problem_.size(); ++i) {
-      if (!closed_[i]) continue;
-      Rational v = value(problem_.separation(ContactId(i)), ray);
-      if (!v.is_zero()) loaded.emplace_back(i, std::move(v));
-    }
-    for (const SlipState* face : neighbours_) {
-      Vector3 w{0, 0, 0};
-      for (const auto& [i, v] : loaded) {
-        const Vector3& edge = edge_wrenches_[(*face)[i] == Sign::kNegative][i];
-        for (std::size_t j = 0; j < 3; ++j) w[j] -= v * edge[j];
-      }
-      images.insert(plane_.coordinates(w, Rational(ray[3])));
-    }
-  }
-
   const Problem& problem_;
   const WrenchPlane& plane_;
   const RegionOptions& options_;
   RegionWork& work_;
-  std::array<std::vector<Vector3>, 2> edge_wrenches_;  ///< of sigma = -1 and 1
+  Map at_rest_;             ///< no contact wrench
+  std::vector<Map> edges_;  ///< what contact i adds while it slips +: 2i, and -: 2i + 1
   const SlipState* state_ = nullptr;
   std::vector<const SlipState*> neighbours_;
   std::vector<bool> closed_;
@@ -160,7 +191,7 @@ WrenchPlane::WrenchPlane(const Wrench& origin, const Wrench& u, const Wrench& v)
   const Vector3 a = stickslip::coordinates(u);
   const Vector3 b = stickslip::coordinates(v);
   const Vector3 normal = cross(a, b);
-  const Rational area = dot(normal, normal);
+  const Rational area = scalar_product(normal, normal);
   if (area.is_zero()) {
     throw InputError("", "plane", "its two directions are multiples of one another",
                      "give two independent directions, such as 1,0,0 and 0,1,0");
@@ -179,11 +210,11 @@ Wrench WrenchPlane::at(const PlanePoint& point) const {
   return origin_ + (point[0] * u_ + point[1] * v_);
 }
 
-IntegerVector4 WrenchPlane::coordinates(const Vector3& w, const Rational& h) const {
+Vector4 WrenchPlane::coordinates(const Vector3& w, const Rational& h) const {
   const Vector3 o = stickslip::coordinates(origin_);
   const Vector3 from_origin{w[0] - h * o[0], w[1] - h * o[1], w[2] - h * o[2]};
-  return primitive_multiple<4>(
-      {dot(dual_[0], from_origin), dot(dual_[1], from_origin), dot(dual_[2], from_origin), h});
+  return {scalar_product(dual_[0], from_origin), scalar_product(dual_[1], from_origin),
+          scalar_product(dual_[2], from_origin), h};
 }
 
 std::variant<std::vector<ResistiblePiece>, Undecided> resistible_pieces(

@@ -49,8 +49,9 @@ class WrenchPlane {
   const Wrench& v() const { return v_; }
 
   Wrench at(const PlanePoint& point) const;
-  /// (s, t, n, h): the wrench w/h is origin + (s u + t v + n (u x v))/h. A positive multiple.
-  IntegerVector4 coordinates(const Vector3& w, const Rational& h) const;
+  /// (s, t, n, h) with w = h origin + s u + t v + n (u x v): linear in w and h, and for h > 0
+  /// the wrench w/h is in the plane iff n = 0, at the point (s/h, t/h).
+  Vector4 coordinates(const Vector3& w, const Rational& h) const;
 
  private:
   Wrench origin_;

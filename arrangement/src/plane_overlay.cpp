@@ -2,7 +2,9 @@
 //
 // CGAL builds the arrangement of the cells' edges; this file reads it. All edges are segments:
 // the aggregate insertion of rays is not reliable in CGAL 5.5 (CGAL issue 7311), so unbounded
-// cells come cut off by a frame (plane_union.cpp).
+// cells come cut off by a frame (plane_union.cpp). Coordinates are plain rationals: where the
+// doubles of the filtered kernel (Epeck) overflow, as those of lines to the frame do, it finds
+// no intersection of lines that have one.
 //
 // Insides need no point location. Each edge knows by how much the number of cells to its left
 // exceeds that to its right; no cell is in the unbounded face; the numbers of all other faces
@@ -13,7 +15,8 @@
 #include <CGAL/Arr_extended_dcel.h>
 #include <CGAL/Arr_segment_traits_2.h>
 #include <CGAL/Arrangement_2.h>
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Cartesian.h>
+#include <CGAL/Exact_rational.h>
 
 #include "stickslip/core/error.hpp"
 
@@ -45,7 +48,7 @@ struct FaceLabel {
   std::size_t area = kUnset;
 };
 
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Kernel = CGAL::Cartesian<CGAL::Exact_rational>;
 using Geometry =
     CGAL::Arr_curve_data_traits_2<CGAL::Arr_segment_traits_2<Kernel>, Step, std::plus<Step>>;
 using Dcel = CGAL::Arr_extended_dcel<Geometry, VertexLabel, bool, FaceLabel>;
@@ -64,17 +67,17 @@ auto raw(Exact& value) -> decltype(value.mpq()) {
 }
 
 Kernel::Point_2 to_kernel(const PlanePoint& point) {
-  Kernel::FT::ET x;
-  Kernel::FT::ET y;
+  Kernel::FT x;
+  Kernel::FT y;
   mpq_set(raw(x), point[0].backend().data());
   mpq_set(raw(y), point[1].backend().data());
-  return {Kernel::FT(x), Kernel::FT(y)};
+  return {x, y};
 }
 
 PlanePoint from_kernel(const Kernel::Point_2& point) {
   PlanePoint result;
-  mpq_set(result[0].backend().data(), raw(point.x().exact()));
-  mpq_set(result[1].backend().data(), raw(point.y().exact()));
+  mpq_set(result[0].backend().data(), raw(point.x()));
+  mpq_set(result[1].backend().data(), raw(point.y()));
   return result;
 }
 

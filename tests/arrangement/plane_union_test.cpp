@@ -204,5 +204,39 @@ TEST(PlaneUnion, RandomCells) {
   }
 }
 
+/// Coordinates far beyond the range of doubles, where CGAL's filtered kernel lost intersections
+/// (found by near-degenerate grasps, whose frame had 10^160): an affine image of small cells.
+TEST(PlaneUnion, HugeAndTinyNumbers) {
+  const Rational huge(pow(Integer(10), 200));
+  const auto image = [&](const PlanePoint& p) -> PlanePoint {
+    return {huge * p[0] + p[1] / 3, p[1] / huge - p[0]};
+  };
+  const std::vector<PlaneCell> world = small_world(3, 2);
+  std::mt19937_64 random(9);
+  for (int round = 0; round < 50; ++round) {
+    std::vector<PlaneCell> cells;
+    std::vector<PlaneCell> images;
+    while (cells.size() < 4) {
+      const PlaneCell& cell = world[random() % world.size()];
+      if (cell.is_bounded() == (cells.size() % 2 == 0)) continue;
+      cells.push_back(cell);
+      Generators moved;
+      for (const PlanePoint& p : cell.vertices()) moved.push_back(homogeneous(image(p)));
+      for (const PlaneDirection& d : cell.rays()) {
+        const PlanePoint tip = image({Rational(d[0]), Rational(d[1])});
+        moved.push_back(homogeneous(primitive_multiple(tip)));
+      }
+      images.push_back(PlaneCell::hull(std::move(moved)));
+    }
+    const PlaneUnion plain = checked(cells);
+    const PlaneUnion far = unite(images);
+    ASSERT_EQ(far.areas.size(), plain.areas.size()) << test::describe(cells);
+    ASSERT_EQ(far.curves.size(), plain.curves.size()) << test::describe(cells);
+    for (const PlanePoint& p : test::probes()) {
+      ASSERT_EQ(far.contains(image(p)), plain.contains(p)) << test::describe(cells);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace stickslip

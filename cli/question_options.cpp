@@ -42,6 +42,15 @@ void QuestionArguments::add_to(CLI::App& command) {
                   "Wrench applied to the object, force x, force y and torque about the origin "
                   "(replaces the file's)")
       ->type_name("WX,WY,T");
+  add_model_options_to(command);
+}
+
+void QuestionArguments::add_without_wrench_to(CLI::App& command) {
+  add_grasp_argument(command, file_);
+  add_model_options_to(command);
+}
+
+void QuestionArguments::add_model_options_to(CLI::App& command) {
   command.add_option("--preload", preload_, "Preload of every contact (replaces the file's)")
       ->type_name("P");
   command

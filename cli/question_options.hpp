@@ -18,12 +18,16 @@ class QuestionArguments {
   /// The same, for a command that asks about loads of its own: the wrench that they start from
   /// is 0 unless --wrench gives another, whatever the file's.
   void add_with_base_wrench_to(CLI::App& command);
+  /// The same but --wrench, for what does not depend on a load.
+  void add_without_wrench_to(CLI::App& command);
 
   const std::string& file() const { return file_; }
   /// Reads the file and replaces what was asked. Throws InputError naming the file or option.
   Question question() const;
 
  private:
+  void add_model_options_to(CLI::App& command);
+
   std::string file_;
   std::string wrench_;
   std::string preload_;

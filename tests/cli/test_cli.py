@@ -436,6 +436,64 @@ class Compare(Case):
         for value in ("0", "-1", "x"):
             self.fails("compare", FIG1, f"--length={value}", naming=["--length"])
         self.fails("compare", self.path("missing.json"), naming=["missing.json"])
+class Region(Case):
+    def outlines(self, *words):
+        answer = self.json("region", *words)
+        self.assertEqual((answer["curves"], answer["points"]), ([], []))
+        return [area["outlines"] for area in answer["areas"]]
+
+    def test_figure_7(self):
+        self.assertEqual(self.outlines(FIG1, "--preload", "0"),
+                         [[{"closed": False, "from": ["1", "0"], "vertices": [["0", "0"]],
+                            "to": ["-1", "0"]}]])
+        self.assertEqual(self.outlines(FIG1, "--preload", "1"),
+                         [[{"closed": False, "from": ["1", "0"],
+                            "vertices": [["2", "0"], ["0", "1"], ["-2", "0"]],
+                            "to": ["-1", "0"]}]])
+
+    def test_planes(self):
+        self.assertEqual(self.json("region", FIG1, "--torque", "1/2"),
+                         self.json("region", FIG1, "--origin", "0,0,1/2"))
+        answer = self.json("region", FIG1, "--u", "0,0,1", "--v", "0,-1,0")
+        self.assertEqual(answer["plane"], {"origin": ["0", "0", "0"], "u": ["0", "0", "1"],
+                                           "v": ["0", "-1", "0"]})
+
+    def test_thin_and_empty(self):
+        grasp = self.write("g.json", {
+            "format": "stickslip-grasp/1", "wrench": [0, 0, 0],
+            "contacts": [{"position": [0, 0], "normal": [0, 1], "friction": 0}]})
+        answer = self.json("region", grasp)
+        self.assertEqual(answer["curves"], [{"vertices": [["0", "0"]], "rays": [["0", "-1"]]}])
+        self.assertIn("ray (0, 0) towards (0, -1)", stickslip("region", grasp)[1])
+        self.assertIs(self.json("region", grasp, "--torque", "1")["empty"], True)
+        self.assertIn("No wrench", stickslip("region", grasp, "--torque", "1")[1])
+
+    def test_list(self):
+        answer = self.json("region", FIG1, "--preload", "1", "--list")
+        self.assertEqual(len(answer["pieces"]), answer["stats"]["pieces"])
+        sticking = [p for p in answer["pieces"] if p["slip"] == "000"]
+        self.assertEqual(len(sticking), 1)
+        self.assertEqual(sticking[0]["closed"], [True, True, True])
+        self.assertEqual(len(sticking[0]["vertices"]), 6)
+        self.assertIn("\n  000  ", stickslip("region", FIG1, "--list")[1])
+
+    def test_limit(self):
+        answer = self.json("region", FIG1, "--mode-limit", "3", code=UNDECIDED)
+        self.assertIn("3 modes", answer["limit"])
+        self.assertNotIn("areas", answer)
+        self.assertIn("Given up", stickslip("region", FIG1, "--mode-limit", "3")[1])
+
+    def test_usage(self):
+        self.fails("region", FIG1, "--u", "1,0,0", "--v", "2,0,0", naming=["--u, --v"])
+        self.fails("region", FIG1, "--u", "1,0", naming=["--u"])
+        self.fails("region", FIG1, "--torque", "x", naming=["--torque"])
+        self.fails("region", FIG1, "--torque", "1", "--origin", "0,0,1")
+        self.fails("region", FIG1, "--wrench", "0,0,0")
+        self.fails("region", FIG1, "--mode-limit", "-1")
+
+    def test_same_bytes(self):
+        words = ("region", FIG4, "--preload", "1", "--list", "--json")
+        self.assertEqual(stickslip(*words), stickslip(*words))
 
 
 class Export(Case):
@@ -504,6 +562,8 @@ class BadInput(Case):
     def test_help(self):
         for words, expected in ((("--help",), "decide"), (("decide", "--help"), "--certificate"),
                                 (("states", "--help"), "--list"),
+                                (("margin", "--help"), "--direction"),
+                                (("region", "--help"), "--torque"),
                                 (("compare", "--help"), "--length"), (("export", "--help"), "--smt2"),
                                 (("--version",), "stickslip ")):
             code, out, err = stickslip(*words)

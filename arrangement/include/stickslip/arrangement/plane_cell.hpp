@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Closed convex polyhedra in a plane, bounded or not, by exact generators:
+/// conv(points) + cone(directions).
+///
+/// Points and directions have homogeneous coordinates g = (x, y, h), h >= 0: the point
+/// (x/h, y/h) if h > 0, the direction (x, y) if h = 0. A polyhedron is then what the cone of
+/// its generators cuts from the plane h = 1. Turning is counterclockwise from x to y.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "stickslip/core/integer_vector.hpp"
+
+namespace stickslip {
+
+using PlanePoint = std::array<Rational, 2>;
+using PlaneDirection = IntegerVector<2>;  ///< primitive
+using HomogeneousPoint = IntegerVector<3>;
+
+/// Primitive.
+HomogeneousPoint homogeneous(const PlanePoint& point);
+HomogeneousPoint homogeneous(const PlaneDirection& direction);
+/// Requires h > 0.
+PlanePoint point_of(const HomogeneousPoint& g);
+PlaneDirection direction_of(const HomogeneousPoint& g);
+inline bool is_at_infinity(const HomogeneousPoint& g) {
+  return g[2].is_zero();
+}
+
+/// Positive iff a, b, c turn left.
+Integer determinant(const HomogeneousPoint& a, const HomogeneousPoint& b,
+                    const HomogeneousPoint& c);
+
+/// A segment or, with one end at infinity, a ray; directed.
+struct PlaneEdge {
+  HomogeneousPoint from;
+  HomogeneousPoint to;
+
+  /// A positive multiple of the direction.
+  PlaneDirection direction() const;
+  /// As a closed set.
+  bool contains(const HomogeneousPoint& point) const;
+};
+
+/// Never empty. In one form only, so that equal sets compare equal:
+/// - without a line in it: the extreme points, and at most two extreme directions;
+/// - with one: a point on each of its at most two borders (or of the line), the one nearest to
+///   the origin; the line's direction both ways, and for a half-plane the inward normal;
+/// - the whole plane: the origin and the four axis directions.
+class PlaneCell {
+ public:
+  /// Requires a point among the generators, h >= 0 throughout and no (0, 0, 0). O(n log n).
+  static PlaneCell hull(std::vector<HomogeneousPoint> generators);
+
+  /// In counterclockwise order; of an unbounded cell without a line, from the border that comes
+  /// from infinity to the one that goes there.
+  const std::vector<PlanePoint>& vertices() const { return vertices_; }
+  /// For two extreme directions a, b, which span a wedge: a is the one to the right.
+  const std::vector<PlaneDirection>& rays() const { return rays_; }
+  /// 0, 1 or 2.
+  int dimension() const { return dimension_; }
+  bool is_bounded() const { return rays_.empty(); }
+
+  std::vector<HomogeneousPoint> generators() const;
+  /// The border with the cell to its left; of a cell of dimension 1 the cell itself. Each line
+  /// is two rays. None for a point and for the plane.
+  const std::vector<PlaneEdge>& edges() const { return edges_; }
+
+  bool contains(const PlanePoint& point) const;
+
+  friend bool operator==(const PlaneCell& a, const PlaneCell& b) {
+    return a.vertices_ == b.vertices_ && a.rays_ == b.rays_;
+  }
+  /// Some total order.
+  friend bool operator<(const PlaneCell& a, const PlaneCell& b) {
+    return a.vertices_ != b.vertices_ ? a.vertices_ < b.vertices_ : a.rays_ < b.rays_;
+  }
+
+ private:
+  PlaneCell() = default;
+  void set_with_line(const std::vector<HomogeneousPoint>& points, PlaneDirection line,
+                     bool half_plane);
+  void set_without_line(std::vector<HomogeneousPoint> points, std::vector<PlaneDirection> rays);
+
+  std::vector<PlanePoint> vertices_;
+  std::vector<PlaneDirection> rays_;
+  std::vector<PlaneEdge> edges_;
+  int dimension_ = 0;
+};
+
+/// The part of the cell with f.g >= 0, f.g = f_x x + f_y y + f_h; nothing if it is empty.
+std::optional<PlaneCell> clip(const PlaneCell& cell, const HomogeneousPoint& f);
+
+/// The part of the cell in [low_x, high_x] x [low_y, high_y], for drawing; always bounded.
+std::optional<PlaneCell> clip_to_box(const PlaneCell& cell, const PlanePoint& low,
+                                     const PlanePoint& high);
+
+}  // namespace stickslip

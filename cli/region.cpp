@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+#include "exact_text.hpp"
+#include "progress.hpp"
+#include "question_options.hpp"
+#include "stickslip/core/error.hpp"
+#include "stickslip/equilibrium/resistible_region.hpp"
+
+namespace stickslip {
+namespace {
+
+struct RegionArguments {
+  QuestionArguments question;
+  std::string origin;
+  std::string torque;
+  std::string u = "1,0,0";
+  std::string v = "0,1,0";
+  std::size_t mode_limit = 0;
+  bool list = false;
+  bool json = false;
+
+  WrenchPlane plane() const {
+    Wrench from{0, 0, 0};
+    if (!origin.empty()) from = wrench_option("--origin", origin);
+    if (!torque.empty()) from.torque = number_option("--torque", torque);
+    try {
+      return {from, wrench_option("--u", u), wrench_option("--v", v)};
+    } catch (const InputError& error) {
+      if (!error.place().empty() && error.place().front() == '-') throw;
+      throw InputError("", "--u, --v", error.problem(), error.remedy());
+    }
+  }
+};
+
+struct RegionReport {
+  std::vector<ResistiblePiece> pieces;
+  PlaneUnion region;
+  RegionWork work;
+  std::optional<Undecided> undecided;
+};
+
+template <class Vector>
+Json json_of(const Vector& vector) {
+  Json json = Json::array();
+  for (const auto& entry : vector) json.push_back(to_string(Rational(entry)));
+  return json;
+}
+
+template <class Vector>
+std::string text_of(const Vector& vector) {
+  std::string text;
+  for (const auto& entry : vector) {
+    text += (text.empty() ? "(" : ", ") + to_string(Rational(entry));
+  }
+  return text + ")";
+}
+
+Json json_of(const PlaneCell& cell) {
+  Json json{{"vertices", Json::array()}, {"rays", Json::array()}};
+  for (const PlanePoint& point : cell.vertices()) json["vertices"].push_back(json_of(point));
+  for (const PlaneDirection& ray : cell.rays()) json["rays"].push_back(json_of(ray));
+  return json;
+}
+
+Json json_of(const Outline& outline) {
+  Json json{{"closed", outline.is_closed()}};
+  if (outline.from) json["from"] = json_of(*outline.from);
+  json["vertices"] = Json::array();
+  for (const PlanePoint& point : outline.vertices) json["vertices"].push_back(json_of(point));
+  if (outline.to) json["to"] = json_of(*outline.to);
+  return json;
+}
+
+std::string mode_text(const ResistiblePiece& piece) {
+  std::string text;
+  for (std::size_t i = 0; i < piece.slip.size(); ++i) {
+    text += piece.closed[i] ? to_char(piece.slip[i]) : '.';
+  }
+  return text;
+}
+
+std::string text_of(const PlaneCell& cell) {
+  std::string text;
+  for (const PlanePoint& point : cell.vertices()) {
+    text += (text.empty() ? "" : " ") + text_of(point);
+  }
+  for (const PlaneDirection& ray : cell.rays()) text += " towards " + text_of(ray);
+  return text;
+}
+
+void print_json(const Question& question, const WrenchPlane& plane,
+                const RegionReport& report) {
+  Json json{{"name", question.loaded.grasp.name()},
+            {"normal_law", to_string(question.law)},
+            {"plane",
+             {{"origin", json_of(coordinates(plane.origin()))},
+              {"u", json_of(coordinates(plane.u()))},
+              {"v", json_of(coordinates(plane.v()))}}}};
+  if (!question.snapped.empty()) json["snapped_normals"] = snapped_json(question);
+  if (report.undecided) {
+    json["limit"] = report.undecided->limit;
+  } else {
+    json["empty"] = report.region.is_empty();
+    json["whole_plane"] = report.region.is_whole_plane();
+    Json& areas = json["areas"] = Json::array();
+    for (const PlaneArea& area : report.region.areas) {
+      Json outlines = Json::array();
+      for (const Outline& outline : area.outlines) outlines.push_back(json_of(outline));
+      areas.push_back({{"outlines", std::move(outlines)}});
+    }
+    Json& curves = json["curves"] = Json::array();
+    for (const PlaneCell& curve : report.region.curves) curves.push_back(json_of(curve));
+    Json& points = json["points"] = Json::array();
+    for (const PlanePoint& point : report.region.points) points.push_back(json_of(point));
+    for (const ResistiblePiece& piece : report.pieces) {
+      Json entry{{"slip", to_string(piece.slip)}, {"closed", piece.closed}};
+      entry.update(json_of(piece.cell));
+      json["pieces"].push_back(std::move(entry));
+    }
+  }
+  json["stats"] = {{"slip_states", report.work.slip_states},
+                   {"modes", report.work.modes},
+                   {"pieces", report.work.pieces}};
+  std::cout << json.dump(1) << '\n';
+}
+
+void print_outline(const Outline& outline) {
+  std::cout << "  " << (outline.is_closed() ? "closed:" : "open:  ");
+  if (outline.from) std::cout << " from infinity along " << text_of(*outline.from) << " to";
+  for (const PlanePoint& point : outline.vertices) std::cout << ' ' << text_of(point);
+  if (outline.to) std::cout << " to infinity along " << text_of(*outline.to);
+  std::cout << '\n';
+}
+
+void print_text(const Question& question, const WrenchPlane& plane,
+                const RegionReport& report) {
+  const std::string& name = question.loaded.grasp.name();
+  std::cout << (name.empty() ? "" : name + ": ") << "resistible wrenches\n\n"
+            << "  plane  " << text_of(coordinates(plane.origin())) << " + s "
+            << text_of(coordinates(plane.u())) << " + t " << text_of(coordinates(plane.v()))
+            << '\n'
+            << snapped_text(question) << '\n';
+  const PlaneUnion& region = report.region;
+  if (report.undecided) {
+    std::cout << "Given up at " << report.undecided->limit << "; no region is known.\n";
+  } else if (region.is_empty()) {
+    std::cout << "No wrench of the plane is resisted.\n";
+  } else if (region.is_whole_plane()) {
+    std::cout << "Every wrench of the plane is resisted.\n";
+  } else {
+    std::cout << "Exactly these (s, t) are resisted, borders included";
+    std::cout << (region.areas.empty() ? ":\n" : "; areas lie to the left of outlines:\n");
+    for (const PlaneArea& area : region.areas) {
+      std::cout << "area\n";
+      for (const Outline& outline : area.outlines) print_outline(outline);
+    }
+    for (const PlaneCell& curve : region.curves) {
+      std::cout << (curve.is_bounded()         ? "segment "
+                    : curve.rays().size() == 1 ? "ray "
+                                               : "line ")
+                << text_of(curve) << '\n';
+    }
+    for (const PlanePoint& point : region.points) {
+      std::cout << "point " << text_of(point) << '\n';
+    }
+  }
+  if (!report.pieces.empty()) std::cout << "\nPieces, by mode (. is open):\n";
+  for (const ResistiblePiece& piece : report.pieces) {
+    std::cout << "  " << mode_text(piece) << "  " << text_of(piece.cell) << '\n';
+  }
+  std::cout << "\n"
+            << report.work.slip_states << " slip states, " << report.work.modes << " modes, "
+            << report.work.pieces
+            << " of them in the plane; normal law: " << to_string(question.law) << ".\n";
+}
+
+int region(const RegionArguments& arguments) {
+  const WrenchPlane plane = arguments.plane();
+  const Question question = arguments.question.question();
+  const Problem problem(question.loaded, question.law);
+  RegionReport report;
+  {
+    Progress progress("slip states");
+    RegionOptions options;
+    options.mode_limit = arguments.mode_limit;
+    options.progress = [&](std::size_t done, std::size_t all) { progress.show(done, all); };
+    auto found = resistible_pieces(problem, plane, options, &report.work);
+    if (auto* undecided = std::get_if<Undecided>(&found)) {
+      report.undecided = std::move(*undecided);
+    } else {
+      report.pieces = std::move(std::get<std::vector<ResistiblePiece>>(found));
+      report.region = unite(report.pieces);
+    }
+  }
+  if (!arguments.list) report.pieces.clear();
+  (arguments.json ? print_json : print_text)(question, plane, report);
+  return report.undecided ? kUndecidedWithinLimit : kDone;
+}
+
+}  // namespace
+
+void add_region_command(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<RegionArguments>();
+  CLI::App* command = app.add_subcommand(
+      "region", "Which wrenches of a plane does the grasp resist? The exact set");
+  arguments->question.add_without_wrench_to(*command);
+  CLI::Option* origin =
+      command
+          ->add_option("--origin", arguments->origin,
+                       "The plane is ORIGIN + s U + t V; the origin is 0,0,0 by default")
+          ->type_name("WX,WY,T");
+  command->add_option("--torque", arguments->torque, "Short for --origin 0,0,T")
+      ->type_name("T")
+      ->excludes(origin);
+  command->add_option("--u", arguments->u, "First direction of the plane")
+      ->type_name("WX,WY,T")
+      ->capture_default_str();
+  command->add_option("--v", arguments->v, "Second direction of the plane")
+      ->type_name("WX,WY,T")
+      ->capture_default_str();
+  command
+      ->add_option("--mode-limit", arguments->mode_limit,
+                   "Give up, undecided, at more than N modes; 0 is no limit")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber)  // -1 would be a very large number
+      ->capture_default_str();
+  command->add_flag("--list", arguments->list,
+                    "List the piece of each mode: slip state, closed contacts, polygon");
+  command->add_flag("--json", arguments->json, "Print one JSON object; rationals are strings");
+  command->footer(
+      "By default the plane is that of forces at zero torque. The wrench in the file plays no "
+      "part.\n"
+      "Example: stickslip region fig1.json --preload 1\n"
+      "Exit codes: 0 done, 2 bad input or usage, 3 undecided within a limit.");
+  command->callback([arguments, &exit_code] { exit_code = region(*arguments); });
+}
+
+}  // namespace stickslip

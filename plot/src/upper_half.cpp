@@ -15,10 +15,6 @@ namespace {
 
 constexpr double kStep = M_PI / 90;  ///< largest angle between neighbouring points of a curve
 
-IntegerVector3 cross(const IntegerVector3& a, const IntegerVector3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
 IntegerVector3 rising_point(const IntegerVector3& normal) {
   return {-normal[1], normal[0], 0};
 }

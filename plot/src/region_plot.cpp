@@ -15,7 +15,7 @@ constexpr double kWidth = 640;
 constexpr double kPanel = 520;  ///< side of the window
 constexpr double kLeft = 72;
 constexpr double kTop = 64;
-constexpr double kHeight = kTop + kPanel + 92;
+constexpr double kHeight = kTop + kPanel + 100;
 constexpr std::size_t kMostLabels = 12;
 
 std::string text_of(const PlanePoint& point) {
@@ -119,8 +119,8 @@ class RegionPlot {
         const char* css_class = is_axis ? "axis-line" : "grid-line";
         svg.line(place({value, -half_}), place({value, half_}), css_class);
         svg.line(place({-half_, value}), place({half_, value}), css_class);
-        svg.text(place({value, -half_}) + InkPoint{0, 18}, "small middle", short_text(value));
-        svg.text(place({-half_, value}) + InkPoint{-8, 4}, "small end", short_text(value));
+        svg.text(place({value, -half_}) + InkPoint{0, 22}, "small middle", short_text(value));
+        svg.text(place({-half_, value}) + InkPoint{-15, 4}, "small end", short_text(value));
         if (is_axis) break;
       }
     }
@@ -130,7 +130,7 @@ class RegionPlot {
                                 {kLeft + kPanel, kTop + kPanel},
                                 {kLeft, kTop + kPanel}}),
              "frame");
-    svg.text({kLeft + kPanel / 2, kTop + kPanel + 40}, "middle", axis_name(plane_.u(), "s"));
+    svg.text({kLeft + kPanel / 2, kTop + kPanel + 44}, "middle", axis_name(plane_.u(), "s"));
     svg.open("g", {{"transform",
                     "translate(20 " + svg_number(kTop + kPanel / 2) + ") rotate(-90)"}});
     svg.text({0, 0}, "middle", axis_name(plane_.v(), "t"));
@@ -138,9 +138,9 @@ class RegionPlot {
   }
 
   static std::string axis_name(const Wrench& direction, const std::string& coordinate) {
-    if (direction == Wrench{1, 0, 0}) return "force w_x on the object";
-    if (direction == Wrench{0, 1, 0}) return "force w_y on the object";
-    if (direction == Wrench{0, 0, 1}) return "torque on the object";
+    if (direction == Wrench{1, 0, 0}) return "applied force along x";
+    if (direction == Wrench{0, 1, 0}) return "applied force along y";
+    if (direction == Wrench{0, 0, 1}) return "applied torque";
     return coordinate + ", multiples of the wrench " + tuple(direction);
   }
 
@@ -175,16 +175,64 @@ class RegionPlot {
 
   void draw_labels(Svg& svg) const {
     if (corners_.size() > kMostLabels) return;
+    std::vector<LabelBox> placed;
     for (const PlanePoint& corner : corners_) {
       const InkPoint at = place(corner);
       svg.circle(at, 3, "full", {{"data-corner", text_of(corner)}});
-      // Away from the middle, where there is room.
-      const bool to_the_left = corner[0].sign() < 0;
-      const bool above = corner[1].sign() >= 0;
-      svg.text(at + InkPoint{to_the_left ? -8.0 : 8.0, above ? -8.0 : 16.0},
-               to_the_left ? "halo end" : "halo",
-               "(" + short_text(corner[0]) + ", " + short_text(corner[1]) + ")");
+      const std::string text = "(" + short_text(corner[0]) + ", " + short_text(corner[1]) + ")";
+      placed.push_back(free_place(at, text, placed));
+      svg.text(placed.back().text_at, placed.back().css_class, text);
     }
+  }
+
+  struct LabelBox {
+    InkPoint text_at;
+    const char* css_class;
+    InkPoint low;
+    InkPoint high;
+
+    bool overlaps(const LabelBox& other) const {
+      return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y &&
+             other.low.y < high.y;
+    }
+  };
+
+  /// Where the label covers the least of the other labels, and of the region and its border.
+  LabelBox free_place(InkPoint corner, const std::string& text,
+                      const std::vector<LabelBox>& placed) const {
+    const double width = 6.5 * static_cast<double>(text.size());
+    const auto box = [&](InkPoint offset, const char* css_class, double left) {
+      const InkPoint at = corner + offset;
+      return LabelBox{at, css_class, at + InkPoint{left, -13}, at + InkPoint{left + width, 3}};
+    };
+    const LabelBox candidates[] = {box({0, -10}, "halo middle", -width / 2),
+                                   box({0, 20}, "halo middle", -width / 2),
+                                   box({10, -6}, "halo", 0),
+                                   box({-10, -6}, "halo end", -width),
+                                   box({10, 16}, "halo", 0),
+                                   box({-10, 16}, "halo end", -width)};
+    constexpr int kSamples = 8;
+    const auto covered = [&](const LabelBox& candidate) {
+      int count = 0;
+      for (int k = 0; k <= kSamples; ++k) {
+        const double x = candidate.low.x + width * k / kSamples;
+        for (const double y : {candidate.low.y, candidate.high.y}) {
+          count += visible_.contains(point_at({x, y})) ? 1 : 0;
+        }
+      }
+      for (const LabelBox& other : placed) {
+        count += candidate.overlaps(other) ? 2 * kSamples : 0;
+      }
+      return count;
+    };
+    return *std::min_element(
+        std::begin(candidates), std::end(candidates),
+        [&](const LabelBox& a, const LabelBox& b) { return covered(a) < covered(b); });
+  }
+
+  PlanePoint point_at(InkPoint ink) const {
+    return {half_ * rational_from_double((ink.x - kLeft) / (kPanel / 2) - 1),
+            half_ * rational_from_double(1 - (ink.y - kTop) / (kPanel / 2))};
   }
 
   void draw_caption(Svg& svg) const {
@@ -194,7 +242,7 @@ class RegionPlot {
                                                   : "Shaded: resisted, borders included";
     if (reaches_frame() && !region_.is_whole_plane())
       text += "; at the frame it goes on without end";
-    const double y = kTop + kPanel + 64;
+    const double y = kTop + kPanel + 70;
     svg.text({kLeft, y}, "caption", text + ".");
     svg.text({kLeft, y + 18}, "small muted",
              std::string(at_zero ? "Other wrench coordinates 0"

@@ -729,14 +729,14 @@ class CommandLineTest(Case):
             self.assertEqual(stop.exception.code, 2, arguments)
 
     def test_json_reports(self):
-        keys = ["result", "rule", "node", "path", "found", "verdict", "nodes", "leaves"]
+        keys = ["result", "rule", "node", "path", "found", "verdict", "nodes", "leaves", "resisted"]
         code, out, err = run(FIG1, up(), *UP, "--json")
         self.assertEqual((code, err, list(json.loads(out).items())), (0, "", list(zip(
-            keys, ["accepted", None, None, None, None, "unstable", 5, 3]))))
+            keys, ["accepted", None, None, None, None, "unstable", 5, 3, None]))))
         code, out, err = run(FIG1, up(UP_TREE[:-1]), *UP, "--json")
         self.assertEqual((code, err, list(json.loads(out).items())), (1, "", list(zip(
             keys, ["rejected", "tree-short", 4, "separation 0 open", "1 children are missing",
-                   "unstable", 4, 2]))))
+                   "unstable", 4, 2, None]))))
         code, out, err = run(FIG1, up([["slip", "0"]]), *UP, "--json")
         report = json.loads(out)
         self.assertEqual((code, report["result"], report["path"], report["verdict"]),

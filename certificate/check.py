@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Checks a stickslip certificate against a grasp file: FORMAT.md as a program.
+"""Checks a stickslip certificate, of a verdict or a margin, against a grasp file: FORMAT.md as a
+program.
 
 Written from FORMAT.md and in its order, with nothing but the standard library of Python 3.9 or
 newer; shares nothing with any solver or other checker. "§4" and the like are sections of

@@ -52,6 +52,7 @@ Mutants all_mutants(std::size_t& certificates) {
     test::swap_grasps(one, random.pick(originals), mutants);
   }
   test::mutate_margins(random, mutants);
+  test::attack_margins(mutants);
   return mutants;
 }
 

@@ -19,13 +19,14 @@ struct CheckerInput {
   std::string grasp;
   std::string certificate;
   QuestionOptions options;
+  std::optional<Wrench> direction = std::nullopt;  ///< if the margin along it is asked for
 };
 
 struct CheckerAnswer {
   std::string result;  ///< "accepted", "rejected", "malformed", or what else went wrong
   std::string rule;    ///< if rejected
   std::optional<std::uint64_t> node;
-  std::string path;  ///< of the node
+  std::string path;  ///< of the node, or another place
   std::string found;
 
   /// Result, rule, node and path; a message's wording is each checker's own.
@@ -43,6 +44,8 @@ std::vector<CheckerAnswer> ask_python_checker(const std::vector<CheckerInput>& i
 
 /// The options as both programs and `stickslip decide` take them on the command line.
 std::vector<std::string> command_line(const QuestionOptions& options);
+/// The same with the direction.
+std::vector<std::string> command_line(const CheckerInput& input);
 
 /// The grasp file, certificate and options that state and prove a verdict.
 CheckerInput input_of(const Question& question, const Verdict& verdict);

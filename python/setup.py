@@ -5,6 +5,7 @@ STICKSLIP_BUILD_DIR names a build folder to use, or to reuse, instead of a new o
 """
 
 import os
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -19,8 +20,9 @@ class CMakeBuild(build_ext):
     def build_extension(self, ext):
         build = Path(os.environ.get("STICKSLIP_BUILD_DIR") or self.build_temp).resolve()
         if not (build / "CMakeCache.txt").exists():
+            generator = ["-G", "Ninja"] if shutil.which("ninja") else []
             subprocess.run(
-                ["cmake", "-S", SOURCE, "-B", build, "-DCMAKE_BUILD_TYPE=Release",
+                ["cmake", "-S", SOURCE, "-B", build, *generator, "-DCMAKE_BUILD_TYPE=Release",
                  "-DSTICKSLIP_BUILD_PYTHON=ON", "-DSTICKSLIP_BUILD_TESTS=OFF",
                  "-DSTICKSLIP_BUILD_BENCH=OFF", f"-DPython3_EXECUTABLE={sys.executable}"],
                 check=True)

@@ -4,6 +4,7 @@
 STICKSLIP_BUILD_DIR names the build folder whose objects are reused.
 """
 
+import ast
 import os
 import shutil
 import subprocess
@@ -12,6 +13,7 @@ import sys
 import pytest
 import stickslip
 from conftest import ROOT
+from stickslip import _core
 
 PROGRAM = """
 import importlib.metadata, os, stickslip
@@ -42,3 +44,17 @@ def test_pip_install(tmp_path):
     assert (result.returncode, result.stderr) == (0, "")
     assert result.stdout.split() == [str(target / "stickslip"), "unstable", "True"]
     assert stickslip.__file__ != str(target / "stickslip" / "__init__.py")
+
+
+def test_the_stub_names_what_is_compiled():
+    def names(body):
+        return {node.target.id if isinstance(node, ast.AnnAssign) else node.name
+                for node in body if isinstance(node, (ast.AnnAssign, ast.FunctionDef, ast.ClassDef))}
+
+    def public(thing):
+        return {name for name in vars(thing) if not name.startswith("_")}
+
+    stub = ast.parse((ROOT / "python" / "stickslip" / "_core.pyi").read_text())
+    assert names(stub.body) == public(_core)
+    (grasp_data,) = [node for node in stub.body if isinstance(node, ast.ClassDef)]
+    assert names(grasp_data.body) - {"__init__"} == public(_core.GraspData)

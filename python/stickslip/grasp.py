@@ -17,13 +17,17 @@ Pair = Tuple[Fraction, Fraction]
 Triple = Tuple[Fraction, Fraction, Fraction]
 
 
-def as_list(values: Any, name: str, shape: Tuple[int, ...], meaning: str) -> List[Any]:
-    """The entries as nested lists, unchanged, if they have the shape."""
-    # dtype=object keeps every entry what it is; otherwise NumPy turns mixed ones into strings.
+def as_array(values: Any, name: str) -> np.ndarray[Any, np.dtype[np.object_]]:
+    """The entries unchanged: without dtype=object NumPy turns mixed ones into strings."""
     try:
-        array = np.asarray(values, dtype=object)
-    except ValueError as error:  # rows of different lengths
-        raise InputError("", name, str(error), f"expected the shape {shape}: {meaning}") from None
+        return np.asarray(values, dtype=object)
+    except ValueError as error:  # rows that do not fit together
+        raise InputError("", name, str(error), "give an array, or lists of equal length") from None
+
+
+def as_list(values: Any, name: str, shape: Tuple[int, ...], meaning: str) -> List[Any]:
+    """The entries as nested lists, if they have the shape."""
+    array = as_array(values, name)
     if array.shape == (0,) and shape[0] == 0:
         return []
     if array.shape != shape:
@@ -33,16 +37,21 @@ def as_list(values: Any, name: str, shape: Tuple[int, ...], meaning: str) -> Lis
 
 
 def as_rows(positions: Any) -> List[Any]:
-    m = len(positions) if np.iterable(positions) else 1
-    return as_list(positions, "positions", (m, 2), "one row x, y for each contact")
+    array = as_array(positions, "positions")
+    m = len(array) if array.ndim > 0 else 1
+    return as_list(array, "positions", (m, 2), "one row x, y for each contact")
 
 
 def as_numbers(values: Any, name: str, count: int) -> List[Any]:
     """One entry for each of ``count`` contacts; a scalar stands for all of them."""
-    array = np.asarray(values, dtype=object)
+    array = as_array(values, name)
     if array.ndim == 0:
         return [array.item()] * count
-    return as_list(values, name, (count,), "one number, or one for each row of positions")
+    return as_list(array, name, (count,), "one number, or one for each row of positions")
+
+
+def as_wrench(values: Any, name: str) -> List[Any]:
+    return as_list(values, name, (3,), "force x, force y and torque")
 
 
 class Grasp:
@@ -181,7 +190,3 @@ class Grasp:
     def __repr__(self) -> str:
         name = f"{self.name!r}, " if self.name else ""
         return f"<stickslip.Grasp {name}{len(self)} contacts>"
-
-
-def as_wrench(values: Any, name: str) -> List[Any]:
-    return as_list(values, name, (3,), "force x, force y and torque")

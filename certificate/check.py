@@ -943,7 +943,8 @@ def parse_arguments(arguments: Sequence[str]) -> argparse.Namespace:
     parser.add_argument("--wrench", type=three, metavar="WX,WY,T", help="replaces the file's")
     parser.add_argument("--direction", type=three, metavar="WX,WY,T",
                         help="ask for the margin: all factors f >= 0 such that the grasp is stable "
-                             "under wrench + f direction; needs a stickslip-margin/1 certificate")
+                             "under wrench + f direction, with wrench 0 unless given; needs a "
+                             "stickslip-margin/1 certificate")
     parser.add_argument("--preload", type=number, metavar="P", help="at all contacts")
     parser.add_argument("--normal-law", choices=LAWS, default=LAWS[0], help="unilateral if absent")
     parser.add_argument("--snap-normals", type=number, metavar="EPS",
@@ -996,6 +997,8 @@ def answer(options: argparse.Namespace) -> int:
     try:
         question = read_grasp(options.grasp)._replace(law=options.normal_law)
         question = question._replace(direction=options.direction)
+        if options.direction is not None:
+            question = question._replace(wrench=NOWHERE)  # §10
         if options.wrench is not None:
             question = question._replace(wrench=options.wrench)
         if options.preload is not None:

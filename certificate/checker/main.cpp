@@ -33,8 +33,9 @@ The question is that of the grasp file unless replaced here. Give the same optio
 the program that produced the certificate:
   --wrench WX,WY,T         wrench applied to the object: force x, force y, torque
   --direction WX,WY,T      ask for the margin: all factors f >= 0 for which the grasp is
-                           stable under wrench + f direction; the certificate must be of
-                           format stickslip-margin/1
+                           stable under wrench + f direction, where the wrench is 0 unless
+                           given by --wrench; the certificate must be of format
+                           stickslip-margin/1
   --preload P              one preload for all contacts
   --normal-law LAW         unilateral (contacts may open; the default) or bilateral
   --snap-normals EPS       let the certificate replace normals of irrational length by

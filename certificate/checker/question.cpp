@@ -195,6 +195,7 @@ Question read_question(std::istream& in, const std::string& file,
   GraspReader reader(file);
   read_json(in, file, kLimits, reader);
   Question question = reader.finish();
+  if (options.direction) question.wrench = Vector3{};  // FORMAT.md §10
   if (options.wrench) question.wrench = *options.wrench;
   question.direction = options.direction;
   if (question.direction == Vector3{}) {

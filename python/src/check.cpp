@@ -35,6 +35,16 @@ struct ToDict {
     result["wrench"] =
         py::make_tuple(number(a.wrench[0]), number(a.wrench[1]), number(a.wrench[2]));
     if (a.preload) result["preload"] = number(*a.preload);
+    if (a.margin) {
+      const auto& u = a.margin->direction;
+      result["direction"] = py::make_tuple(number(u[0]), number(u[1]), number(u[2]));
+      py::list resisted;
+      for (const stickslip_check::ResistedInterval& interval : a.margin->intervals) {
+        const py::object high = interval.high ? number(*interval.high) : py::object(py::none());
+        resisted.append(py::make_tuple(number(interval.low), high));
+      }
+      result["resisted"] = py::tuple(resisted);
+    }
     return result;
   }
   py::dict operator()(const stickslip_check::Rejected& r) const {
@@ -50,21 +60,25 @@ struct ToDict {
 
 py::dict check(const std::string& grasp, const std::string& certificate,
                const py::object& wrench, const py::object& preload, bool bilateral,
-               const py::object& snap_normals, const std::string& grasp_name,
-               const std::string& certificate_name) {
+               const py::object& snap_normals, const py::object& direction,
+               const std::string& grasp_name, const std::string& certificate_name) {
   const QuestionOptions asked = question_options(wrench, preload, bilateral);
   stickslip_check::QuestionOptions options;
   options.bilateral = bilateral;
-  if (asked.wrench) {
-    const Wrench& w = *asked.wrench;
-    options.wrench = {for_checker(w.x, "wrench[0]"), for_checker(w.y, "wrench[1]"),
-                      for_checker(w.torque, "wrench[2]")};
+  const auto wrench_for_checker = [](const Wrench& w, const std::string& place) {
+    return stickslip_check::Vector3{for_checker(w.x, place + "[0]"),
+                                    for_checker(w.y, place + "[1]"),
+                                    for_checker(w.torque, place + "[2]")};
+  };
+  if (asked.wrench) options.wrench = wrench_for_checker(*asked.wrench, "wrench");
+  if (!direction.is_none()) {
+    options.direction =
+        wrench_for_checker(*question_options(direction, py::none(), false).wrench, "direction");
   }
   if (asked.preload) options.preload = for_checker(*asked.preload, "preload");
   if (!snap_normals.is_none()) {
     options.snap_tolerance = for_checker(exact(snap_normals, "snap_normals"), "snap_normals");
   }
-  // The place of margins: options.direction, once the checker takes it (FORMAT.md, section 10).
   const stickslip_check::Answer answer = without_gil([&] {
     std::istringstream grasp_stream(grasp);
     std::istringstream certificate_stream(certificate);

@@ -57,6 +57,7 @@ def check(
     preload: Any,
     bilateral: bool,
     snap_normals: Any,
+    direction: Optional[List[Any]],
     grasp_name: str,
     certificate_name: str,
 ) -> Dict[str, Any]: ...

@@ -113,6 +113,7 @@ def check(
     preload: Any = None,
     normal_law: str = "unilateral",
     snap_normals: Any = None,
+    direction: Any = None,
 ) -> CheckResult:
     """Does the certificate prove its verdict about this question?
 
@@ -122,6 +123,7 @@ def check(
     Args:
         grasp: a grasp, or the path of its file, which the checker then reads itself.
         certificate: its text, or the path of a file, as a ``pathlib.Path``.
+        direction: of a margin, whose certificate this then is; the wrench is then 0 unless given.
 
     Raises:
         InputError: the grasp or the certificate cannot be read, or the question not be asked.
@@ -141,6 +143,7 @@ def check(
         preload,
         _is_bilateral(normal_law),
         snap_normals,
+        None if direction is None else as_wrench(direction, "direction"),
         grasp_name,
         name,
     ))

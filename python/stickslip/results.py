@@ -99,6 +99,9 @@ class CheckResult:
     nodes: Optional[int] = None
     leaves: Optional[int] = None
     voids: Optional[int] = None
+    # Of a margin: exactly these multiples of the direction are resisted.
+    direction: Optional[Triple] = None
+    resisted: Optional[Tuple[Tuple[Fraction, Optional[Fraction]], ...]] = None
     # If rejected: the rule of certificate/FORMAT.md that does not hold, and where.
     rule: Optional[str] = None
     node: Optional[int] = None

@@ -187,6 +187,19 @@ def test_same_margin_as_the_program(law, direction):
         assert found.wrench == (0, 0, 0)  # whatever the file's
 
 
+def test_margin_certificates_are_accepted(fig1):
+    for direction, wrench in ((UP, None), (DOWN, None), (UP, DOWN), ((-1, 0, 1), UP)):
+        found = margin(fig1, direction, **({} if wrench is None else {"wrench": wrench}))
+        answer = check(fig1, found.certificate, direction=direction, wrench=wrench)
+        assert answer and answer.verdict == "margin"
+        assert answer.resisted == found.resisted
+        assert answer.direction == direction
+        other = check(fig1, found.certificate, direction=(0, 7, 0), wrench=wrench)
+        assert not other and other.rule == "question-direction"
+    with pytest.raises(InputError):
+        check(fig1, margin(fig1, UP).certificate)
+
+
 def test_margins_end_where_verdicts_change(fig1):
     tiny = Fraction(1, 10**40)
     for direction in ((1, 1, 1), (-1, 2, 0), ("1/3", 1, "1/7")):

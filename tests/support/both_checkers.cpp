@@ -181,7 +181,9 @@ std::vector<std::string> command_line(const CheckerInput& input) {
   return words;
 }
 
-CheckerInput input_of(const Question& question, const Verdict& verdict) {
+namespace {
+
+CheckerInput input_of(const Question& question) {
   CheckerInput input;
   input.options.law = question.law;
   input.options.preload = question.preload;
@@ -194,15 +196,37 @@ CheckerInput input_of(const Question& question, const Verdict& verdict) {
   }
   const Grasp grasp(std::move(contacts), question.loaded.grasp.name());
   input.grasp = write_grasp({grasp, question.loaded.wrench});
+  return input;
+}
+
+void expect_accepted_by_both(const CheckerInput& input) {
+  const CheckerAnswer answer = ask_cpp_checker(input);
+  EXPECT_EQ(answer.result, "accepted") << describe(answer) << "\n" << describe(input);
+  append_to_spool(input, "accepted");
+}
+
+}  // namespace
+
+CheckerInput input_of(const Question& question, const Verdict& verdict) {
+  CheckerInput input = input_of(question);
   input.certificate = certificate_text(question, verdict, "tests");
   return input;
 }
 
+CheckerInput input_of(const Question& question, const Margin& margin) {
+  CheckerInput input = input_of(question);
+  input.options.wrench = question.loaded.wrench;
+  input.direction = margin.direction;
+  input.certificate = margin_certificate_text(question, margin, "tests");
+  return input;
+}
+
+void expect_accepted_by_both(const Question& question, const Margin& margin) {
+  expect_accepted_by_both(input_of(question, margin));
+}
+
 void expect_accepted_by_both(const Question& question, const Verdict& verdict) {
-  const CheckerInput input = input_of(question, verdict);
-  const CheckerAnswer answer = ask_cpp_checker(input);
-  EXPECT_EQ(answer.result, "accepted") << describe(answer) << "\n" << describe(input);
-  append_to_spool(input, "accepted");
+  expect_accepted_by_both(input_of(question, verdict));
 }
 
 void expect_accepted_by_both(const LoadedGrasp& loaded, NormalLaw law, const Verdict& verdict) {

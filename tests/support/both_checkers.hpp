@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "stickslip/equilibrium/margin.hpp"
 #include "stickslip/equilibrium/question.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 
@@ -49,12 +50,15 @@ std::vector<std::string> command_line(const CheckerInput& input);
 
 /// The grasp file, certificate and options that state and prove a verdict.
 CheckerInput input_of(const Question& question, const Verdict& verdict);
+/// The same of a load margin.
+CheckerInput input_of(const Question& question, const Margin& margin);
 
 /// Fails the running test unless the C++ checker accepts, and leaves the files for check.py in
 /// the folder named by the environment variable STICKSLIP_SPOOL, which the ctest
 /// `check_py_spool` goes through when all tests that fill it are done
 /// (stickslip_fills_spool in CMakeLists.txt).
 void expect_accepted_by_both(const Question& question, const Verdict& verdict);
+void expect_accepted_by_both(const Question& question, const Margin& margin);
 
 /// The same for a grasp and a normal law, with nothing replaced.
 void expect_accepted_by_both(const LoadedGrasp& loaded, NormalLaw law, const Verdict& verdict);

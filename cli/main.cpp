@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
   stickslip::add_decide_command(app, exit_code);
   stickslip::add_states_command(app, exit_code);
   stickslip::add_margin_command(app, exit_code);
+  stickslip::add_crosscheck_command(app, exit_code);
   stickslip::add_export_command(app, exit_code);
   try {
     app.parse(argc, argv);

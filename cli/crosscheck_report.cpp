@@ -81,6 +81,11 @@ std::string slip_text(const std::vector<Sign>& signs) {
   return text;
 }
 
+/// On one line; names of files may be any bytes.
+std::string line_of(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 const char* claimed_verdict(const Claim& claim) {
   return claim.stable ? "stable" : "unstable";
 }
@@ -194,14 +199,16 @@ std::string to_json_line(const JudgedLine& judged) {
   json["nearby"] = report.nearby ? to_json(*report.nearby, question.loaded.grasp) : Json();
   json["distance"] = report.distance ? to_json(*report.distance) : Json();
   if (!judged.saved.empty()) json["saved"] = judged.saved;
-  return json.dump();
+  return line_of(json);
 }
 
 std::string to_json_line(std::size_t number, const InputError& error) {
-  return Json{
-      {"line", number},         {"class", "unreadable"},      {"file", error.file()},
-      {"place", error.place()}, {"problem", error.problem()}, {"remedy", error.remedy()}}
-      .dump(-1, ' ', false, Json::error_handler_t::replace);
+  return line_of({{"line", number},
+                  {"class", "unreadable"},
+                  {"file", error.file()},
+                  {"place", error.place()},
+                  {"problem", error.problem()},
+                  {"remedy", error.remedy()}});
 }
 
 std::string to_json_line(const ClaimCounts& counts) {
@@ -210,7 +217,7 @@ std::string to_json_line(const ClaimCounts& counts) {
                      {"inaccurate", counts.inaccurate}, {"tie", counts.ties},
                      {"wrong", counts.wrong},           {"undecided", counts.undecided},
                      {"unreadable", counts.unreadable}};
-  return json.dump();
+  return line_of(json);
 }
 
 std::string to_text(const JudgedLine& judged, const ClaimOptions& options) {

@@ -34,12 +34,30 @@ class Estimate {
       c.normal =
           to_double(has_forces_ ? force.normal : row.normal_coefficient(near_.twist)) * length;
       force_ = std::max(force_, std::fabs(c.normal));
-      travel_ = std::max(travel_, std::fabs(c.slip));
+      const double spring = to_double(row.stiffness) * length * length;
+      travel_ = std::max({travel_, std::fabs(c.slip), std::fabs(c.normal) / spring});
       contacts_.push_back(c);
     }
   }
 
   const Witness& near() const { return near_; }
+
+  /// Of the forces or, if they are not known, of the twist.
+  double distance_to(const Witness& witness) const {
+    if (!has_forces_) {
+      const Twist& a = witness.twist;
+      const Twist& b = near_.twist;
+      return to_double(std::max<Rational>({abs(a.x - b.x), abs(a.y - b.y), abs(a.r - b.r)}));
+    }
+    Rational largest = 0;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+      const ContactForce& a = witness.forces[i];
+      const ContactForce& b = near_.forces[i];
+      largest = std::max<Rational>(
+          {largest, abs(a.normal - b.normal), abs(a.tangential - b.tangential)});
+    }
+    return to_double(largest);
+  }
 
   /// What is below `small` times the largest is 0. A contact whose friction is at its limit
   /// slips; or, with `edges_stick`, sticks if the twist says so.
@@ -93,17 +111,26 @@ std::optional<Witness> find_witness_like(const Problem& problem,
   if (approximate.twist && approximate.forces && !find_violation(problem, estimate.near())) {
     return estimate.near();
   }
+  std::optional<Witness> nearest;
+  double distance = 0;
+  const auto propose = [&](std::optional<Witness> witness) {
+    if (!witness) return;
+    const double d = estimate.distance_to(*witness);
+    if (nearest && d >= distance) return;
+    nearest = std::move(witness);
+    distance = d;
+  };
   for (const double small : {1e-12, 1e-9, 1e-6, 1e-3}) {
     for (const bool edges_stick : {false, true}) {
-      auto witness =
-          complete_exactly(problem, estimate.modes(small, edges_stick), &estimate.near());
-      if (witness) return witness;
+      propose(complete_exactly(problem, estimate.modes(small, edges_stick), &estimate.near()));
     }
   }
-  if (!approximate.twist) return std::nullopt;
-  const Twist& d = *approximate.twist;
-  return find_witness_near(problem, DoubleModel(problem),
-                           {to_double(d.x), to_double(d.y), to_double(d.r)});
+  if (!nearest && approximate.twist) {
+    const Twist& d = *approximate.twist;
+    propose(find_witness_near(problem, DoubleModel(problem),
+                              {to_double(d.x), to_double(d.y), to_double(d.r)}));
+  }
+  return nearest;
 }
 
 }  // namespace stickslip

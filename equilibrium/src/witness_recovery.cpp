@@ -37,26 +37,26 @@ bool solve3(Matrix3 a, Double3 b, Double3& x) {
 /// than one. Unknowns that are left open are 0.
 std::optional<std::vector<Rational>> solve_exactly(std::vector<std::vector<Rational>> rows,
                                                    bool may_be_singular) {
-  const std::size_t n = rows.size();
+  const std::size_t n = rows.front().size() - 1;
   std::vector<Rational> solution(n);
   std::vector<std::size_t> pivot_columns;  // of the rows, from the first
   for (std::size_t c = 0; c < n; ++c) {
     const std::size_t top = pivot_columns.size();
     std::size_t pivot = top;
-    while (pivot < n && rows[pivot][c].is_zero()) ++pivot;
-    if (pivot == n) {
+    while (pivot < rows.size() && rows[pivot][c].is_zero()) ++pivot;
+    if (pivot == rows.size()) {
       if (!may_be_singular) return std::nullopt;
       continue;
     }
     std::swap(rows[pivot], rows[top]);
-    for (std::size_t r = 0; r < n; ++r) {
+    for (std::size_t r = 0; r < rows.size(); ++r) {
       if (r == top || rows[r][c].is_zero()) continue;
       const Rational factor = rows[r][c] / rows[top][c];
       for (std::size_t k = c; k <= n; ++k) rows[r][k] -= factor * rows[top][k];
     }
     pivot_columns.push_back(c);
   }
-  for (std::size_t r = 0; r < n; ++r) {
+  for (std::size_t r = 0; r < rows.size(); ++r) {
     if (r < pivot_columns.size()) {
       solution[pivot_columns[r]] = rows[r][n] / rows[r][pivot_columns[r]];
     } else if (!rows[r][n].is_zero()) {
@@ -66,6 +66,11 @@ std::optional<std::vector<Rational>> solve_exactly(std::vector<std::vector<Ratio
   return solution;
 }
 
+/// Sticks with all the friction there can be: known, and so is its slip.
+bool rests_on_edge(const ContactMode& mode) {
+  return mode.sticks && mode.closed && mode.exact_ratio && abs(*mode.exact_ratio) == 1;
+}
+
 /// At most three sticking contacts with linearly independent T, those with the most room in the
 /// friction cone first.
 std::vector<std::size_t> choose_basic(const Problem& problem,
@@ -73,7 +78,8 @@ std::vector<std::size_t> choose_basic(const Problem& problem,
   std::vector<std::size_t> candidates;
   for (std::size_t i = 0; i < modes.size(); ++i) {
     // Friction at an open or frictionless contact is 0 and cannot be an unknown.
-    if (modes[i].sticks && modes[i].closed && !problem.rows()[i].friction.is_zero()) {
+    if (modes[i].sticks && modes[i].closed && !rests_on_edge(modes[i]) &&
+        !problem.rows()[i].friction.is_zero()) {
       candidates.push_back(i);
     }
   }
@@ -144,6 +150,12 @@ std::optional<Witness> complete_exactly(const Problem& problem,
       system[r][3 + k] = t[r];
       system[3 + k][r] = t[r];
     }
+  }
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    if (!rests_on_edge(modes[i])) continue;
+    const Vector3 t = coordinates(problem.rows()[i].tangent);
+    system.emplace_back(n + 1);
+    std::copy(t.begin(), t.end(), system.back().begin());
   }
   // With `near` the unknowns are the changes from there.
   std::vector<Rational> start(n);

@@ -19,7 +19,8 @@ struct ContactMode {
   /// contact.
   double friction_ratio;
   bool sticks;
-  std::optional<Rational> exact_ratio = {};  ///< takes the place of friction_ratio
+  /// Takes the place of friction_ratio; a sticking contact with 1 or -1 keeps it.
+  std::optional<Rational> exact_ratio = {};
 };
 
 /// Solves balance and no slip at the sticking contacts exactly, with the modes given; O(m)

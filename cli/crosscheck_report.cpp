@@ -251,7 +251,12 @@ std::string to_text(const JudgedLine& judged, const ClaimOptions& options) {
 }
 
 std::string to_text(std::size_t number, const InputError& error) {
-  return "line " + std::to_string(number) + ": unreadable: " + error.what() + "\n";
+  std::string message = error.what();
+  // The name of a grasp file may hold anything, and a report is to be one line.
+  for (char& c : message) {
+    if (static_cast<unsigned char>(c) < 0x20) c = '?';
+  }
+  return "line " + std::to_string(number) + ": unreadable: " + message + "\n";
 }
 
 std::string to_text(const ClaimCounts& counts) {

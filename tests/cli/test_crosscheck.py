@@ -73,6 +73,7 @@ class Crosscheck(Case):
                json.dumps(claim([0, 1], 1, "stable")),
                json.dumps(claim([0, 1, 0], 1, "stabel")),
                json.dumps(claim([0, 1, 0], 1, "stable", grasp="nowhere.json")),
+               json.dumps(claim([0, 1, 0], 1, "stable", grasp="no\nwhere.json")),
                json.dumps(claim([0, 1, 0], 1, "stable", forces=[[1, 0]])),
                json.dumps(claim([0, 1, 0], 0, "stable", grasp=DIAGONAL, forces=[[1, 0]])),
                json.dumps(claim([0, 1, 0], 1, "stable", grasp=DIAGONAL)),
@@ -90,6 +91,7 @@ class Crosscheck(Case):
         self.assertEqual((summary["right"], summary["unreadable"]), (len(bad) + 1, len(bad)))
         _, text, _ = stickslip("crosscheck", self.path("claims.jsonl"))
         self.assertIn("force_vectors", text)  # the remedy
+        self.assertEqual(len(text.splitlines()), len(bad) + 1)
 
     def test_exact_values(self):
         reports, _ = self.judge(RIGHT, OFF, TIE, WRONG_STABLE, WRONG_UNSTABLE, code=WRONG)
@@ -163,6 +165,13 @@ class Crosscheck(Case):
             code, out, err = run(CHECK, grasp, certificate, *law)
             self.assertEqual(code, DONE, out + err)
             self.assertEqual(re.search(r"^verdict +(\w+)", out, re.M).group(1), verdicts[number])
+
+    def test_saved_whole_or_not_at_all(self):
+        os.makedirs(os.path.join(self.path("saved"), "line-1.grasp.json"))  # in the way
+        code, _, err = stickslip("crosscheck", self.claims(TIE), "--save", self.path("saved"))
+        self.assertEqual(code, BAD_INPUT)
+        self.assertIn("line-1.grasp.json", err)
+        self.assertEqual(os.listdir(self.path("saved")), ["line-1.grasp.json"])
 
     def test_help_teaches(self):
         code, out, _ = stickslip("crosscheck", "--help")

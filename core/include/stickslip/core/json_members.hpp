@@ -21,8 +21,8 @@ struct JsonMember {
 
 /// The members of the object that `text`, one line, consists of. Only what separates them is
 /// checked here; the values are left to their readers. Throws InputError with a line:column for
-/// bad syntax, and at "top level" for a repeated key and more than kMaxJsonNodes keys. O(length)
-/// for each member.
+/// bad syntax, and at "top level" for a repeated key and more than kMaxJsonNodes keys.
+/// O(length) for each member.
 std::vector<JsonMember> split_json_object(std::string_view text);
 
 }  // namespace stickslip

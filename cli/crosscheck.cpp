@@ -11,6 +11,7 @@
 
 #include "commands.hpp"
 #include "crosscheck_report.hpp"
+#include "progress.hpp"
 #include "question_options.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
@@ -27,28 +28,6 @@ struct CrosscheckArguments {
   std::size_t node_limit = 0;
   bool distances = false;
   bool json = false;
-};
-
-/// A line of standard error that is written over; nothing unless that is a terminal.
-class Progress {
- public:
-  ~Progress() {
-    if (shown_) std::cerr << "\r\x1b[K" << std::flush;
-  }
-
-  void show(const ClaimCounts& counts) {
-    const auto now = std::chrono::steady_clock::now();
-    if (!is_terminal_ || now - last_ < std::chrono::milliseconds(250)) return;
-    last_ = now;
-    shown_ = true;
-    std::cerr << "\r\x1b[K" << counts.claims() << " claims, " << counts.wrong << " wrong"
-              << std::flush;
-  }
-
- private:
-  bool is_terminal_ = ::isatty(STDERR_FILENO) != 0;
-  bool shown_ = false;
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
 Rational nonnegative_option(const std::string& option, const std::string& value) {
@@ -98,7 +77,11 @@ ClaimCounts judge_all(std::istream& in, const std::string& folder,
   Progress progress;
   ClaimLines lines(in);
   std::string text;
-  for (bool more = true; more; progress.show(counts)) {
+  const auto show = [&] {
+    progress.show(std::to_string(counts.claims()) + " claims, " + std::to_string(counts.wrong) +
+                  " wrong");
+  };
+  for (bool more = true; more; show()) {
     std::string output;
     std::optional<JudgedLine> judged;
     try {

@@ -13,6 +13,7 @@ namespace {
 /// One contact of the approximation in double precision, in units of force and length.
 struct ContactEstimate {
   double normal = 0;  ///< force, or without forces the normal law's
+  double law = 0;     ///< v, the normal law's, as a force
   double ratio = 0;   ///< friction over its limit; 0 where there is no limit
   double slip = 0;
 };
@@ -23,6 +24,8 @@ class Estimate {
       : problem_(problem), has_forces_(approximate.forces), has_twist_(approximate.twist) {
     near_.twist = approximate.twist.value_or(Twist{});
     near_.forces = approximate.forces.value_or(std::vector<ContactForce>(problem.size()));
+    const Wrench& load = problem.wrench();
+    force_ = to_double(std::max<Rational>(abs(load.x), abs(load.y)));
     for (std::size_t i = 0; i < problem.size(); ++i) {
       const ContactRow& row = problem.rows()[i];
       const double length = std::hypot(to_double(row.normal.x), to_double(row.normal.y));
@@ -31,9 +34,9 @@ class Estimate {
       c.slip = to_double(power(row.tangent, near_.twist)) / length;
       const Rational limit = row.friction * force.normal;
       if (limit.sign() > 0) c.ratio = to_double(force.tangential / limit);
-      c.normal =
-          to_double(has_forces_ ? force.normal : row.normal_coefficient(near_.twist)) * length;
-      force_ = std::max(force_, std::fabs(c.normal));
+      c.law = to_double(row.normal_coefficient(near_.twist)) * length;
+      c.normal = has_forces_ ? to_double(force.normal) * length : c.law;
+      force_ = std::max({force_, std::fabs(c.normal), to_double(row.preload) * length});
       const double spring = to_double(row.stiffness) * length * length;
       travel_ = std::max({travel_, std::fabs(c.slip), std::fabs(c.normal) / spring});
       contacts_.push_back(c);
@@ -59,9 +62,10 @@ class Estimate {
     return to_double(largest);
   }
 
-  /// What is below `small` times the largest is 0. A contact whose friction is at its limit
-  /// slips; or, with `edges_stick`, sticks if the twist says so.
-  std::vector<ContactMode> modes(double small, bool edges_stick) const {
+  /// What is below `small` times the largest is 0. A contact without force is open, and one
+  /// whose friction is at its limit slips; or, `on_borders`, they touch and stick where the
+  /// twist says so.
+  std::vector<ContactMode> modes(double small, bool on_borders) const {
     std::vector<ContactMode> result;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const ContactEstimate& c = contacts_[i];
@@ -70,13 +74,14 @@ class Estimate {
       ContactMode mode{closed, 0, true, Rational(0)};
       if (has_forces_) {
         const bool at_limit = std::fabs(c.ratio) >= 1 - small;
-        mode.sticks = !at_limit || (edges_stick && rests);
+        mode.sticks = !at_limit || (on_borders && rests);
         mode.exact_ratio = ratio_of(i);
         if (at_limit) mode.exact_ratio = Rational(c.ratio > 0 ? 1 : -1);
       } else if (!rests) {
         mode.sticks = false;
         mode.exact_ratio = Rational(c.slip > 0 ? -1 : 1);
       }
+      mode.touches = !closed && on_borders && has_twist_ && std::fabs(c.law) <= small * force_;
       mode.friction_ratio = to_double(*mode.exact_ratio);
       result.push_back(std::move(mode));
     }
@@ -121,8 +126,8 @@ std::optional<Witness> find_witness_like(const Problem& problem,
     distance = d;
   };
   for (const double small : {1e-12, 1e-9, 1e-6, 1e-3}) {
-    for (const bool edges_stick : {false, true}) {
-      propose(complete_exactly(problem, estimate.modes(small, edges_stick), &estimate.near()));
+    for (const bool on_borders : {false, true}) {
+      propose(complete_exactly(problem, estimate.modes(small, on_borders), &estimate.near()));
     }
   }
   if (!nearest && approximate.twist) {

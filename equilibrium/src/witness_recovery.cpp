@@ -151,11 +151,14 @@ std::optional<Witness> complete_exactly(const Problem& problem,
       system[3 + k][r] = t[r];
     }
   }
+  // What is on a border of its mode stays there.
   for (std::size_t i = 0; i < modes.size(); ++i) {
-    if (!rests_on_edge(modes[i])) continue;
+    if (!rests_on_edge(modes[i]) && !modes[i].touches) continue;
     const Vector3 t = coordinates(problem.rows()[i].tangent);
+    const Vector4& v = problem.separation(ContactId(i));
     system.emplace_back(n + 1);
-    std::copy(t.begin(), t.end(), system.back().begin());
+    for (std::size_t c = 0; c < 3; ++c) system.back()[c] = modes[i].touches ? v[c] : t[c];
+    if (modes[i].touches) system.back()[n] = -v[3];
   }
   // With `near` the unknowns are the changes from there.
   std::vector<Rational> start(n);

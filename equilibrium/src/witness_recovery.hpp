@@ -21,6 +21,7 @@ struct ContactMode {
   bool sticks;
   /// Takes the place of friction_ratio; a sticking contact with 1 or -1 keeps it.
   std::optional<Rational> exact_ratio = {};
+  bool touches = false;  ///< not closed, but v = 0
 };
 
 /// Solves balance and no slip at the sticking contacts exactly, with the modes given; O(m)

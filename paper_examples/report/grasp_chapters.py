@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Figs. 1, 3 and 4: grasps, loads, and what other methods say of them."""
+
+import json
+
+from model import read_contacts, within_cones
+
+FIG1, FIG3, FIG4 = (f"grasps/fig{n}.json" for n in (1, 3, 4))
+CONES = "friction cones alone"
+
+
+def ask(chapter, grasp, wrench, preload, paper, expected, because=None):
+    verdict, shown = chapter.programs.verdict(grasp, wrench, preload)
+    chapter.claim(f"w = ({wrench}), P = {preload}: does it hold?", paper, verdict, expected, because, shown)
+
+
+def ask_margin(chapter, grasp, direction, preload, paper, expected):
+    found = chapter.programs.margin(grasp, direction, preload)
+    chapter.claim(f"λ ({direction}), P = {preload}: resisted for which λ ≥ 0?", paper, found, expected,
+                  shown=f"λ ∈ {found.replace('oo', '∞')}")
+
+
+def ask_method(chapter, method, grasp, wrench, preload, paper, expected):
+    entry = chapter.programs.method(method, grasp, wrench, preload)
+    chapter.claim(f"{method}: w = ({wrench}), P = {preload}", paper, entry["verdict"], expected,
+                  shown=f"{entry['verdict']}: {entry['why']}")
+
+
+def draw_grasp(chapter, name, caption, grasp, wrench, preload):
+    chapter.programs.run("stickslip", "plot", "grasp", grasp, "--wrench", wrench, "--preload", preload, "-o", name)
+    chapter.picture(name, caption)
+
+
+def figure_1(report):
+    chapter = report.chapter("Fig. 1: what a preload is for")
+    chapter.say("""Three contacts hold an object from the left, from below and from the right. The paper asks for two
+        loads. **w₁** pushes the object up: only friction at contacts 1 and 3 can hold it, and friction needs a normal
+        force, so it needs a preload. **w₂** pushes it down onto contact 2, which answers whatever the magnitude.""")
+    ask(chapter, FIG1, "0,1,0", "0", "not resisted", "unstable")
+    ask(chapter, FIG1, "0,1,0", "1", "resisted", "stable")
+    ask_margin(chapter, FIG1, "0,1,0", "0", "none", "[0, 0]")
+    ask_margin(chapter, FIG1, "0,1,0", "1", "1 holds, 1.1 does not", "[0, 1]")
+    ask_margin(chapter, FIG1, "0,-1,0", "0", "all", "[0, oo)")
+    ask_margin(chapter, FIG1, "0,-1,0", "1", "all", "[0, oo)")
+    ask_method(chapter, "weakly stable load", FIG1, "0,1,0", "0", "lawful forces exist", "stable")
+    ask_method(chapter, "weakly stable load", FIG1, "0,-1,0", "0", "lawful forces exist", "stable")
+    ask_method(chapter, "frictionless stable load", FIG1, "0,1,0", "0", "unstable without friction", "unstable")
+    chapter.show_claims()
+    chapter.say("""Each verdict carries a proof, which `stickslip-check`, a program that shares no code with the solver,
+        accepted. The limit with preload 1 is exactly 1: each of contacts 1 and 3 gives at most μ·P = 1/2.""")
+    draw_grasp(chapter, "fig1_up.svg", "Fig. 1, left: w₁ = (0, 1, 0) with preload 1 is at its limit, both forces on "
+               "the edge of their cones.", FIG1, "0,1,0", "1")
+    draw_grasp(chapter, "fig1_up_no_preload.svg", "The same load without preload: no motion makes forces that hold.",
+               FIG1, "0,1,0", "0")
+    draw_grasp(chapter, "fig1_down.svg", "Fig. 1, right: w₂ = (0, −1, 0) without preload is carried by the contact "
+               "below.", FIG1, "0,-1,0", "0")
+    chapter.commands()
+    chapter.say("Fig. 2 of the paper explains notation; there is nothing to compute.")
+
+
+def figure_3(report):
+    chapter = report.chapter("Fig. 3: linear friction rejects too much")
+    chapter.say("""The grasp of Fig. 1 under w₂, without preload. Springs along the tangents, as in linear compliance,
+        put friction on contacts 1 and 3, which have no normal force to allow it. So a linear model calls the grasp
+        unstable. Yet it clearly holds.""")
+    ask(chapter, FIG3, "0,-1,0", "0", "holds", "stable")
+    ask_method(chapter, "linear compliance", FIG3, "0,-1,0", "0", "wrongly unstable", "unstable")
+    chapter.show_claims()
+    draw_grasp(chapter, "fig3.svg", "Fig. 3: contact 2 alone carries the load; nothing rubs at 1 and 3.",
+               FIG3, "0,-1,0", "0")
+    chapter.commands()
+
+
+def with_friction(chapter, friction):
+    """The grasp of Fig. 4 with another coefficient, written beside the others."""
+    name = f"grasps/fig4_mu_{friction.replace('/', '_')}.json"
+    with open(chapter.programs.path(FIG4), encoding="utf-8") as file:
+        grasp = json.load(file)
+    grasp["defaults"]["friction"] = friction
+    grasp["name"] = f"Fig. 4, mu = {friction}"
+    with open(chapter.programs.path(name), "w", encoding="utf-8") as file:
+        file.write(json.dumps(grasp) + "\n")
+    return name
+
+
+def ask_cones(chapter, grasp, friction, wrench, preload, expected, because=None, law="unilateral"):
+    entry = chapter.programs.method(CONES, grasp, wrench, preload, "--normal-law", law)
+    verdict, evidence = entry["verdict"], entry["evidence"]
+    if verdict == "stable" and not within_cones(read_contacts(chapter.programs.path(grasp)), int(preload), wrench.split(","),
+                                                evidence["twist"], evidence["forces"]):
+        verdict = "stable, by forces that break a condition"
+    chapter.claim(f"μ = {friction}, w = ({wrench}), P = {preload}" + (", Eqs. 2 and 4 literally" if law == "bilateral" else ""),
+                  "cones alone accept", verdict, expected, because)
+
+
+def figure_4(report):
+    chapter = report.chapter("Fig. 4: friction cones alone accept too much, but not at μ = 1/2")
+    chapter.say("""Four contacts, two from the left and two from the right, and a load along y. Without preload nothing
+        holds it. With preload 1 friction holds up to 4 μ P = 2.""")
+    ask(chapter, FIG4, "0,2,0", "0", "unstable", "unstable")
+    ask(chapter, FIG4, "0,2,0", "1", "stable", "stable")
+    ask_margin(chapter, FIG4, "0,1,0", "0", "none", "[0, 0]")
+    for direction in ("0,1,0", "0,-1,0"):
+        ask_margin(chapter, FIG4, direction, "1", "up to 4 μ = 2", "[0, 2]")
+    chapter.show_claims()
+    draw_grasp(chapter, "fig4.svg", "Fig. 4: w = (0, 2, 0) without preload. The object slides out.", FIG4, "0,2,0", "0")
+    draw_grasp(chapter, "fig4_preload.svg", "With preload 1 the same load is at its limit: all four contacts are on "
+               "the edge of their cones.", FIG4, "0,2,0", "1")
+    chapter.say("""**The paper's claim.** Friction cones without maximum dissipation (Eqs. 1-4) would accept the load,
+        *irrespective of its magnitude or of the preload*: a rotation loads the contacts and so makes the friction
+        that is needed.""",
+        """**What exact arithmetic says.** That is so for μ > 1, and not for the μ = 1/2 of the paper's tables.""")
+    small = "the friction that the rotation makes possible is spent on its own torque while μ ≤ 1"
+    for friction, preload in (("1/2", "0"), ("1/2", "1"), ("1", "0")):
+        grasp = FIG4 if friction == "1/2" else with_friction(chapter, friction)
+        for wrench in ("0,3,0", "0,1000000,0"):
+            ask_cones(chapter, grasp, friction, wrench, preload, "unstable", small)
+    for friction in ("1.000000000000000001", "3/2"):
+        for preload in ("0", "1"):
+            ask_cones(chapter, with_friction(chapter, friction), friction, "0,1000000,0", preload, "stable")
+    rough = with_friction(chapter, "3/2")
+    ask_cones(chapter, rough, "3/2", "0,3,0", "0", "unstable", law="bilateral",
+              because="a contact that may not open lets this object move along y only, and no motion along y loads a contact")
+    ask(chapter, rough, "0,3,0", "0", "unstable", "unstable")
+    chapter.show_claims()
+    chapter.say("""*Why, without preload.* Let d = (x, y, r) with r > 0; r < 0 is its mirror image. The springs push with (r − x)⁺,
+        (−x − r)⁺, (x + r)⁺ and (x − r)⁺ at contacts 1 to 4. Whatever the signs, their sum along x is −2x, so balance
+        needs x = 0. Then contacts 1 and 3 push with r each, the others are open. Both normal forces turn the object
+        clockwise, with torque 2 r in all, and only friction at these two contacts can turn it back: with torque
+        at most 2 μ r. For μ < 1 that is too little. For μ = 1 it takes all their friction, and that adds up to no force along y.
+        For μ > 1 friction up to 2 (μ − 1) r is left to carry the load, and r may be as large as it takes.""",
+        """So the lesson of Fig. 4 stands, at larger friction: with μ = 3/2 the cones accept any load, while the
+        passive model still says unstable (last row), because contacts that slip would have to push along. Forces that
+        the cones accept were substituted into Eqs. 1-4 by this report's own arithmetic; that they reject
+        the load at μ = 1/2 is also what Z3 finds (`tests/equilibrium/earlier_methods_z3_test.cpp` compares the method with it).""")
+    chapter.commands()
+
+
+def three_states(report):
+    chapter = report.chapter("Section VI: three-state compliance rejects too much")
+    chapter.say("""Prattichizzo et al. let each contact stick with a linear spring, slip without any friction, or be
+        detached, and try all 3^m combinations. The paper says what this repairs, and what not.""")
+    method = "three-state compliance"
+    for wrench in ("0,-1,0", "5,-1,0", "-3,-2,0"):
+        ask_method(chapter, method, FIG1, wrench, "0", "now resisted, w_y ≤ 0", "stable")
+    ask_method(chapter, method, FIG1, "0,1,0", "1", "wrongly unstable", "unstable")
+    ask(chapter, FIG1, "0,1,0", "1", "stable", "stable")
+    chapter.show_claims()
+    half = chapter.programs.method(method, FIG1, "0,1/2,0", "1")["verdict"]
+    beyond = chapter.programs.method(method, FIG1, "0,0.500000000000000001,0", "1")["verdict"]
+    chapter.claim("where does the rejection begin? w_y = 1/2 and 10⁻¹⁸ more, P = 1", "w_y ≥ 0", f"{half}, {beyond}",
+                  "stable, unstable", because="up to w_y = 1/2 the linear springs stay in their cones, and the method is right")
+    chapter.show_claims()
+    chapter.say("""The paper places the failure at w_y ≥ 0 in general; its example, w_y = 1, is right.
+        The method misses the loads between 1/2 and 1.""")
+    chapter.commands()

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tables I-III, from the output of paper_tables, which compares them number by number."""
+
+import re
+
+MISPRINTED = "no solution: misprinted"
+
+def read_sections(output):
+    """The paragraphs of the output by the words before their first colon."""
+    paragraphs = output.strip().split("\n\n")
+    return {paragraph.split(":")[0]: paragraph.splitlines() for paragraph in paragraphs}
+
+
+def tuples(line):
+    return re.findall(r"\([^)]*\)", line)
+
+
+def force_rows(lines):
+    """Table I or III. Each row: w, P, the paper's Stable, the verdict, the printed d and f, and what is said of them."""
+    rows = []
+    for line in lines:
+        head = re.fullmatch(r"w = (\(.*?\)), P = (\S+): verdict (.*?)(?:; printed d and f solve it: (.*))?", line)
+        if head:
+            wrench, preload, verdict, solved = head.groups()
+            rows.append([wrench, preload, "", "", verdict, [], {"agrees": "a solution", None: ""}.get(solved, solved)])
+        elif line.startswith("  exact "):
+            rows[-1][3] = line.split()[1]
+        elif line.startswith("  paper "):
+            rows[-1][2], rows[-1][5] = line.split()[1], tuples(line)
+        elif line.startswith("        printed d and f do not solve it: agrees"):
+            rows[-1][6] = MISPRINTED
+    return rows
+
+
+def show_force_table(chapter, lines, contacts, size):
+    rows = force_rows(lines)
+    headings = ["w", "P", "paper: stable", "exact", "printed d",
+                *(f"f<sub>{i}</sub>" for i in range(1, contacts + 1)), "printed d and f are"]
+    cells = []
+    for wrench, preload, stable, exact, verdict, printed, solved in rows:
+        if verdict != "agrees":
+            exact += f": {verdict}"
+        chapter.claims.outcome(exact, {"Yes": "stable", "No": "unstable"}[stable])
+        if solved == MISPRINTED:
+            chapter.claims.outcome(solved, MISPRINTED, because=f"w = {wrench}, P = {preload} is misprinted")
+        elif printed:
+            chapter.claims.outcome(solved, "a solution")
+        cells.append([wrench, preload, stable, exact, *(printed or ["-"] * (contacts + 1)), solved])
+    chapter.table(headings, cells)
+    chapter.claim("rows", str(size), str(len(rows)), str(size))
+    chapter.show_claims()
+
+
+def show_counts(chapter, lines):
+    rows = [line.split() for line in lines if re.match(r"\s+\d+(\s+\d+){6}\s", line)]
+    cells = []
+    for m, v, e, f, count, printed, states, *_ in rows:
+        cells.append((m, v, e, f, count, printed, states, chapter.claims.outcome(count, printed)))
+    chapter.table(("m", "V", "E", "F", "cells V + E + F", "paper: #(S)", "distinct states", ""), cells)
+    chapter.claim("columns", "8", str(len(rows)), "8")
+    chapter.show_claims()

@@ -41,10 +41,10 @@ def write_report(programs):
     grasp_chapters.figure_4(report)
     other_chapters.figures_5_and_6(report)
     other_chapters.table_2(report, sections["Table II"])
-    other_chapters.table_1(report, sections["Table I"])
+    other_chapters.table_1(report, sections["Table I"], output.splitlines()[-1])
     other_chapters.figure_7(report)
     grasp_chapters.three_states(report)
-    other_chapters.table_3(report, sections["Table III"], sections["Remark on Table III"])
+    other_chapters.table_3(report, sections["Table III"])
     report.write(PREFACE)
     return report
 

@@ -6,23 +6,26 @@ import json
 from model import read_contacts, within_cones
 
 FIG1, FIG3, FIG4 = (f"grasps/fig{n}.json" for n in (1, 3, 4))
-CONES = "friction cones alone"
+
+
+def vector(words):
+    return f"({words.replace(',', ', ').replace('-', '−')})"
 
 
 def ask(chapter, grasp, wrench, preload, paper, expected, because=None):
     verdict, shown = chapter.programs.verdict(grasp, wrench, preload)
-    chapter.claim(f"w = ({wrench}), P = {preload}: does it hold?", paper, verdict, expected, because, shown)
+    chapter.claim(f"w = {vector(wrench)}, P = {preload}: does it hold?", paper, verdict, expected, because, shown)
 
 
 def ask_margin(chapter, grasp, direction, preload, paper, expected):
     found = chapter.programs.margin(grasp, direction, preload)
-    chapter.claim(f"λ ({direction}), P = {preload}: resisted for which λ ≥ 0?", paper, found, expected,
+    chapter.claim(f"λ {vector(direction)}, P = {preload}: for which λ ≥ 0?", paper, found, expected,
                   shown=f"λ ∈ {found.replace('oo', '∞')}")
 
 
 def ask_method(chapter, method, grasp, wrench, preload, paper, expected):
     entry = chapter.programs.method(method, grasp, wrench, preload)
-    chapter.claim(f"{method}: w = ({wrench}), P = {preload}", paper, entry["verdict"], expected,
+    chapter.claim(f"{method}: w = {vector(wrench)}, P = {preload}", paper, entry["verdict"], expected,
                   shown=f"{entry['verdict']}: {entry['why']}")
 
 
@@ -84,13 +87,16 @@ def with_friction(chapter, friction):
 
 
 def ask_cones(chapter, grasp, friction, wrench, preload, expected, because=None, law="unilateral"):
-    entry = chapter.programs.method(CONES, grasp, wrench, preload, "--normal-law", law)
-    verdict, evidence = entry["verdict"], entry["evidence"]
-    if verdict == "stable" and not within_cones(read_contacts(chapter.programs.path(grasp)), int(preload), wrench.split(","),
-                                                evidence["twist"], evidence["forces"]):
-        verdict = "stable, by forces that break a condition"
-    chapter.claim(f"μ = {friction}, w = ({wrench}), P = {preload}" + (", Eqs. 2 and 4 literally" if law == "bilateral" else ""),
-                  "cones alone accept", verdict, expected, because)
+    options = () if law == "unilateral" else ("--normal-law", law)
+    entry = chapter.programs.method("friction cones alone", grasp, wrench, preload, *options)
+    verdict = entry["verdict"]
+    if verdict == "stable":
+        contacts, evidence = read_contacts(chapter.programs.path(grasp)), entry["evidence"]
+        if not within_cones(contacts, int(preload), wrench.split(","), evidence["twist"], evidence["forces"]):
+            verdict = "stable, by forces that break a condition"
+    chapter.claim(f"cones alone: μ = {friction}, w = {vector(wrench)}, P = {preload}"
+                  + (", Eqs. 2 and 4 literally" if law == "bilateral" else ""),
+                  "accept", verdict.replace("unstable", "reject").replace("stable", "accept"), expected, because)
 
 
 def figure_4(report):
@@ -110,29 +116,30 @@ def figure_4(report):
         *irrespective of its magnitude or of the preload*: a rotation loads the contacts and so makes the friction
         that is needed.""",
         """**What exact arithmetic says.** That is so for μ > 1, and not for the μ = 1/2 of the paper's tables.""")
-    small = "the friction that the rotation makes possible is spent on its own torque while μ ≤ 1"
+    spent = "while μ ≤ 1, the friction that a rotation makes possible is spent on the torque of that rotation"
     for friction, preload in (("1/2", "0"), ("1/2", "1"), ("1", "0")):
         grasp = FIG4 if friction == "1/2" else with_friction(chapter, friction)
-        for wrench in ("0,3,0", "0,1000000,0"):
-            ask_cones(chapter, grasp, friction, wrench, preload, "unstable", small)
-    for friction in ("1.000000000000000001", "3/2"):
-        for preload in ("0", "1"):
-            ask_cones(chapter, with_friction(chapter, friction), friction, "0,1000000,0", preload, "stable")
+        ask_cones(chapter, grasp, friction, "0,3,0", preload, "reject", spent)
+    for friction, preload in (("1.000000000000000001", "0"), ("3/2", "0"), ("3/2", "1")):
+        ask_cones(chapter, with_friction(chapter, friction), friction, "0,1000000,0", preload, "accept")
     rough = with_friction(chapter, "3/2")
-    ask_cones(chapter, rough, "3/2", "0,3,0", "0", "unstable", law="bilateral",
-              because="a contact that may not open lets this object move along y only, and no motion along y loads a contact")
-    ask(chapter, rough, "0,3,0", "0", "unstable", "unstable")
+    ask_cones(chapter, rough, "3/2", "0,3,0", "0", "reject", law="bilateral",
+              because="contacts that may not open let this object move along y only, which loads none of them")
     chapter.show_claims()
-    chapter.say("""*Why, without preload.* Let d = (x, y, r) with r > 0; r < 0 is its mirror image. The springs push with (r − x)⁺,
+    chapter.say("""*Why, without preload.* Let d = (x, y, r) with r ≥ 0; r < 0 is its mirror image. The springs push with (r − x)⁺,
         (−x − r)⁺, (x + r)⁺ and (x − r)⁺ at contacts 1 to 4. Whatever the signs, their sum along x is −2x, so balance
-        needs x = 0. Then contacts 1 and 3 push with r each, the others are open. Both normal forces turn the object
+        needs x = 0. Then contacts 1 and 3 push with r each, and the others not at all. Both normal forces turn the object
         clockwise, with torque 2 r in all, and only friction at these two contacts can turn it back: with torque
         at most 2 μ r. For μ < 1 that is too little. For μ = 1 it takes all their friction, and that adds up to no force along y.
         For μ > 1 friction up to 2 (μ − 1) r is left to carry the load, and r may be as large as it takes.""",
-        """So the lesson of Fig. 4 stands, at larger friction: with μ = 3/2 the cones accept any load, while the
-        passive model still says unstable (last row), because contacts that slip would have to push along. Forces that
-        the cones accept were substituted into Eqs. 1-4 by this report's own arithmetic; that they reject
-        the load at μ = 1/2 is also what Z3 finds (`tests/equilibrium/earlier_methods_z3_test.cpp` compares the method with it).""")
+        """Forces that the cones accept were substituted into Eqs. 1-4 by this report's own arithmetic. A test compares the
+        method with Z3 (`tests/equilibrium/earlier_methods_z3_test.cpp`).""",
+        """So the lesson of Fig. 4 stands, at larger friction: with μ = 3/2 the cones alone accept any load, while the
+        passive model rejects all of them, because contacts that slip would have to push along.""")
+    ask(chapter, rough, "0,1000000,0", "0", "unstable", "unstable")
+    ask_margin(chapter, rough, "0,1,0", "0", "none", "[0, 0]")
+    chapter.show_claims()
+    draw_grasp(chapter, "fig4_rough.svg", "μ = 3/2, no preload: wide cones, and still no passive equilibrium.", rough, "0,3,0", "0")
     chapter.commands()
 
 
@@ -145,12 +152,11 @@ def three_states(report):
         ask_method(chapter, method, FIG1, wrench, "0", "now resisted, w_y ≤ 0", "stable")
     ask_method(chapter, method, FIG1, "0,1,0", "1", "wrongly unstable", "unstable")
     ask(chapter, FIG1, "0,1,0", "1", "stable", "stable")
-    chapter.show_claims()
     half = chapter.programs.method(method, FIG1, "0,1/2,0", "1")["verdict"]
     beyond = chapter.programs.method(method, FIG1, "0,0.500000000000000001,0", "1")["verdict"]
-    chapter.claim("where does the rejection begin? w_y = 1/2 and 10⁻¹⁸ more, P = 1", "w_y ≥ 0", f"{half}, {beyond}",
-                  "stable, unstable", because="up to w_y = 1/2 the linear springs stay in their cones, and the method is right")
+    chapter.claim("three-state compliance: w_y = 1/2, and 10⁻¹⁸ more, P = 1", "wrong where w_y ≥ 0", f"{half}, {beyond}",
+                  "stable, unstable", because="with P = 1 the springs stay in their cones up to w_y = 1/2, and so far the method is right")
     chapter.show_claims()
-    chapter.say("""The paper places the failure at w_y ≥ 0 in general; its example, w_y = 1, is right.
-        The method misses the loads between 1/2 and 1.""")
+    chapter.say("""So the paper's example is right: at w_y = 1 the method rejects a load that holds. It fails for 1/2 < w_y ≤ 1,
+        rather than wherever w_y ≥ 0.""")
     chapter.commands()

@@ -42,8 +42,8 @@ class Chapter:
 
     def claim(self, question, paper, computed, expected, because=None, shown=None):
         """A row of the next claims(): what the paper says, what was computed, and whether they agree."""
-        self._rows.append((question, paper, shown or computed,
-                           self.claims.outcome(computed, expected, because)))
+        outcome = self.claims.outcome(computed, expected, because)
+        self._rows.append((question, paper, shown if shown and computed == expected else computed, outcome))
 
     def show_claims(self):
         self.table(("question", "the paper", "exact arithmetic", ""), self._rows)
@@ -89,6 +89,10 @@ class Report:
             claims = chapter.claims
             lines.append(f"| [{chapter.title}]({chapter.anchor()}) | {claims.agree} | {len(claims.differ)} "
                          f"| {claims.failed} |")
+        if any(chapter.claims.differ for chapter in self.chapters):
+            lines += ["", "Where exact arithmetic differs:", ""]
+            lines += [f"- [{chapter.title.split(':')[0]}]({chapter.anchor()}): {reason}." for chapter in self.chapters
+                      for reason in dict.fromkeys(chapter.claims.differ)]
         text = "\n".join([*lines, "", *(chapter.text() for chapter in self.chapters)])
         with open(os.path.join(self.programs.folder, "report.md"), "w", encoding="utf-8") as file:
             file.write(text.rstrip() + "\n")

@@ -3,12 +3,20 @@
 
 import re
 
+from programs import ProgramError
+
 MISPRINTED = "no solution: misprinted"
 
 def read_sections(output):
     """The paragraphs of the output by the words before their first colon."""
     paragraphs = output.strip().split("\n\n")
     return {paragraph.split(":")[0]: paragraph.splitlines() for paragraph in paragraphs}
+
+
+def expect(size, rows):
+    if len(rows) != size:
+        raise ProgramError(f"paper_tables: {len(rows)} rows of a table were read, not {size}")
+    return rows
 
 
 def tuples(line):
@@ -33,7 +41,7 @@ def force_rows(lines):
 
 
 def show_force_table(chapter, lines, contacts, size):
-    rows = force_rows(lines)
+    rows = expect(size, force_rows(lines))
     headings = ["w", "P", "paper: stable", "exact", "printed d",
                 *(f"f<sub>{i}</sub>" for i in range(1, contacts + 1)), "printed d and f are"]
     cells = []
@@ -47,15 +55,11 @@ def show_force_table(chapter, lines, contacts, size):
             chapter.claims.outcome(solved, "a solution")
         cells.append([wrench, preload, stable, exact, *(printed or ["-"] * (contacts + 1)), solved])
     chapter.table(headings, cells)
-    chapter.claim("rows", str(size), str(len(rows)), str(size))
-    chapter.show_claims()
 
 
 def show_counts(chapter, lines):
-    rows = [line.split() for line in lines if re.match(r"\s+\d+(\s+\d+){6}\s", line)]
+    rows = expect(8, [line.split() for line in lines if re.match(r"\s+\d+(\s+\d+){6}\s", line)])
     cells = []
     for m, v, e, f, count, printed, states, *_ in rows:
         cells.append((m, v, e, f, count, printed, states, chapter.claims.outcome(count, printed)))
     chapter.table(("m", "V", "E", "F", "cells V + E + F", "paper: #(S)", "distinct states", ""), cells)
-    chapter.claim("columns", "8", str(len(rows)), "8")
-    chapter.show_claims()

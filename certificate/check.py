@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Checks a stickslip certificate against a grasp file: FORMAT.md as a program.
+"""Checks a stickslip certificate, of a verdict or a margin, against a grasp file: FORMAT.md as a
+program.
 
 Written from FORMAT.md and in its order, with nothing but the standard library of Python 3.9 or
 newer; shares nothing with any solver or other checker. "§4" and the like are sections of
@@ -78,6 +79,7 @@ GRASP = FileKind("stickslip-grasp/1", True, 1 << 28, 32, 1 << 28, 16_384, 16_384
     r"([+-]?[0-9]+)(?:/([0-9]+)|(?:\.([0-9]+))?(?:[eE]([+-]?[0-9]+))?)"))
 CERTIFICATE = FileKind("stickslip-certificate/1", False, 1 << 30, 8, 65_536, 4_000, 65_536,
                        re.compile(r"(-?[0-9]+)(?:/([0-9]+))?()()"))
+MARGIN = CERTIFICATE._replace(format="stickslip-margin/1")
 MAX_EXPONENT = 4096
 
 # A string (also one that never ends) or a bracket; search passes over everything else.
@@ -171,9 +173,12 @@ class Source:
         return found
 
     def check_format(self, value: Any) -> None:
-        """§9: a version that is not known is malformed."""
+        """§9: a version that is not known is malformed; §10: so is the kind not asked for."""
         if type(value) is not str or value != self.kind.format:
-            self.fail("format", f"must be \"{self.kind.format}\"")
+            hint = {(CERTIFICATE, MARGIN.format): "; a margin is asked for with --direction",
+                    (MARGIN, CERTIFICATE.format): "; one verdict is asked for without --direction"}
+            found = value if type(value) is str else ""
+            self.fail("format", f"must be \"{self.kind.format}\"" + hint.get((self.kind, found), ""))
 
     def choice(self, value: Any, place: str, words: Tuple[str, ...]) -> str:
         if type(value) is not str or value not in words:
@@ -231,6 +236,7 @@ class Question(NamedTuple):
     preload: Optional[Fraction]
     law: str
     snap: Optional[Fraction]
+    direction: Optional[Vector] = None  # §10, if the margin is asked for
 
 
 class Row(NamedTuple):
@@ -329,33 +335,74 @@ class Node(NamedTuple):
     thetas: Sequence[Tuple[int, Fraction]] = ()
 
 
+class Point(NamedTuple):
+    """A motion and its forces: of "stable", or with λ a POINT of §10, which is a ray if that is
+    null."""
+    twist: Vector
+    forces: List[Vector]
+    load: Optional[Fraction] = Fraction(0)  # λ
+
+
+Interval = Tuple[Fraction, Optional[Fraction]]  # None for ∞
+
+
 class Certificate(NamedTuple):
     question: Claim
-    verdict: str
-    twist: Vector         # of "stable"
-    forces: List[Vector]  # of "stable"
-    tree: List[Node]      # of "unstable"
+    verdict: str                # "stable", "unstable" or, of §10, "margin"
+    tree: List[Node] = []       # of "unstable" and "margin"
+    witness: Optional[Point] = None         # of "stable"
+    direction: Vector = ()                  # of "margin", as are those below
+    resisted: List[Interval] = []
+    segments: List[Tuple[Point, Point]] = []
 
 
-def read_certificate(name: str) -> Certificate:
-    """§2. All of the syntax comes before any rule."""
-    source = Source(name, CERTIFICATE)
+def read_certificate(name: str, kind: FileKind) -> Certificate:
+    """§2 and §10. All of the syntax comes before any rule."""
+    source = Source(name, kind)
     claimed = dict(source.root.pairs) if type(source.root) is Members else {}
     if "format" in claimed:
         source.check_format(claimed["format"])
-    evidence = "twist forces" if claimed.get("verdict") == "stable" else "tree"
-    top = source.members(source.root, "", "format producer? question verdict " + evidence, True)
+    evidence = ("direction resisted segments tree" if kind is MARGIN else
+                "verdict twist forces" if claimed.get("verdict") == "stable" else "verdict tree")
+    top = source.members(source.root, "", "format producer? question " + evidence, True)
     if type(top.get("producer", "")) is not str:
         source.fail("producer", "must be a string")
     claim = read_claim(source, top["question"])
-    if source.choice(top["verdict"], "verdict", ("stable", "unstable")) == "stable":
-        twist = source.vector(top["twist"], "twist", 3)
-        forces = [source.vector(pair, f"forces[{i}]", 2)
-                  for i, pair in enumerate(source.array(top["forces"], "forces"))]
-        return Certificate(claim, "stable", twist, forces, [])
+    verdict = "margin" if kind is MARGIN else source.choice(top["verdict"], "verdict",
+                                                            ("stable", "unstable"))
+    if verdict == "stable":
+        return Certificate(claim, verdict, witness=read_witness(source, top["twist"], "twist",
+                                                                top["forces"], "forces"))
     tree = [read_node(source, node, f"tree[{k}]")
             for k, node in enumerate(source.array(top["tree"], "tree"))]
-    return Certificate(claim, "unstable", (), [], tree)
+    if verdict == "unstable":
+        return Certificate(claim, verdict, tree)
+
+    def number_or_null(value: Any, place: str) -> Optional[Fraction]:
+        return None if value is None else source.number(value, place)
+
+    def read_point(value: Any, place: str, load: Any) -> Point:
+        first, twist, forces = source.array(value, place, 3)
+        return read_witness(source, twist, place, forces, place)._replace(load=load(first, place))
+
+    resisted, segments = [], []
+    for k, entry in enumerate(source.array(top["resisted"], "resisted")):
+        low, high = source.array(entry, f"resisted[{k}]", 2)
+        resisted.append((source.number(low, f"resisted[{k}]"),
+                         number_or_null(high, f"resisted[{k}]")))
+    for k, entry in enumerate(source.array(top["segments"], "segments")):
+        first, second = source.array(entry, f"segments[{k}]", 2)
+        segments.append((read_point(first, f"segments[{k}]", source.number),
+                         read_point(second, f"segments[{k}]", number_or_null)))
+    direction = source.vector(top["direction"], "direction", 3)
+    return Certificate(claim, verdict, tree, None, direction, resisted, segments)
+
+
+def read_witness(source: Source, twist: Any, twist_place: str, forces: Any,
+                 forces_place: str) -> Point:
+    return Point(source.vector(twist, twist_place, 3),
+                 [source.vector(pair, f"{forces_place}[{i}]", 2)
+                  for i, pair in enumerate(source.array(forces, forces_place))])
 
 
 def read_claim(source: Source, value: Any) -> Claim:
@@ -427,24 +474,35 @@ def check_question(question: Question, claim: Claim) -> Question:
     return question._replace(contacts=contacts)
 
 
-def check_witness(d: Vector, forces: List[Vector], question: Question, table: List[Row]) -> None:
-    """`witness-...`: the laws of §1 by substitution."""
-    if len(forces) != len(table):
-        raise Rejected("witness-count", f"{len(forces)} pairs for {len(table)} contacts")
-    total = list(question.wrench)
-    for row, (a, b) in zip(table, forces):
+def plus(a: Vector, factor: Fraction, b: Vector) -> Vector:
+    return tuple(x + factor * y for x, y in zip(a, b))
+
+
+def compression(row: Row, point: Point) -> Fraction:
+    """v; a ray has no preload."""
+    preload = 0 if point.load is None else row.preload
+    return preload - row.stiffness * dot(row.N, point.twist)
+
+
+def check_witness(point: Point, question: Question, table: List[Row]) -> None:
+    """`witness-...`: the laws of §1 by substitution, under w + λu, or for a ray under u."""
+    if len(point.forces) != len(table):
+        raise Rejected("witness-count", f"{len(point.forces)} pairs for {len(table)} contacts")
+    u = question.direction or NOWHERE
+    total = list(u if point.load is None else plus(question.wrench, point.load, u))
+    for row, (a, b) in zip(table, point.forces):
         total = [c + a * n + b * t for c, n, t in zip(total, row.N, row.T)]
     if any(total):
         raise Rejected("witness-balance", f"wrench and forces add up to {show(tuple(total))}")
-    for i, (row, (a, b)) in enumerate(zip(table, forces)):
-        v = row.preload - row.stiffness * dot(row.N, d)
+    for i, (row, (a, b)) in enumerate(zip(table, point.forces)):
+        v = compression(row, point)
         if not (a == v >= 0 if question.law == "bilateral" else a == max(0, v)):
             raise Rejected("witness-normal", f"contact {i}: a = {show(a)} where v = {show(v)}")
-    for i, (row, (a, b)) in enumerate(zip(table, forces)):
+    for i, (row, (a, b)) in enumerate(zip(table, point.forces)):
         if abs(b) > row.friction * a:
             raise Rejected("witness-cone", f"contact {i}: a = {show(a)}, b = {show(b)}")
-    for i, (row, (a, b)) in enumerate(zip(table, forces)):
-        slip = dot(row.T, d)
+    for i, (row, (a, b)) in enumerate(zip(table, point.forces)):
+        slip = dot(row.T, point.twist)
         if (slip > 0 and b != -row.friction * a) or (slip < 0 and b != row.friction * a):
             raise Rejected("witness-dissipation", f"contact {i}: T.d = {show(slip)}, "
                                                   f"a = {show(a)}, b = {show(b)}")
@@ -453,6 +511,30 @@ def check_witness(d: Vector, forces: List[Vector], question: Question, table: Li
 # ---- §4 The unstable verdict: a tree ----------------------------------------------------------
 
 MAX_PLANES = 64
+NOWHERE = (Fraction(0),) * 3
+
+
+class Loads(NamedTuple):
+    """The λ that a tree is about (§10): a gap, or the one load of an "unstable", λ = 0.
+
+    The generators (r, ℓ) are those of §10; for one load each r comes with one ℓ.
+    """
+    ends: Tuple[Fraction, ...] = (Fraction(0),)            # α, and β if it is finite
+    strict: Tuple[Tuple[Fraction, Fraction], ...] = ()     # (p, q) for pℓ + qh
+    unbounded: bool = False
+
+    def lift(self, rays: Sequence[Tuple[Integers, int]]) -> List[Tuple[Integers, int, Any]]:
+        lifted = [(r, zero, end * r[3]) for r, zero in rays
+                  for end in (self.ends if r[3] else self.ends[:1])]
+        return lifted + [((0, 0, 0, 0), -1, 1)] * self.unbounded
+
+    def name(self, r: Integers, l: Any) -> str:
+        return show(r if self == Loads() else (*r, l))
+
+    def bars(self, region: Region, lifted: Sequence[Tuple[Integers, int, Any]]) -> bool:
+        """§4, barred: is some strict function zero on all of these generators?"""
+        return (region.bars([(r, zero) for r, zero, _ in lifted])
+                or any(all(p * l + q * r[3] == 0 for r, _, l in lifted) for p, q in self.strict))
 
 
 def integers(vector: Sequence[Fraction]) -> Tuple[Integers, int]:
@@ -517,11 +599,11 @@ class Terms:
     """§4: the rows of the contacts in integers, by positive factors.
 
     `slip` is a multiple of τ_i and `gap` one of v_i; `plus` and `minus` are multiples of
-    N_i − μ_i T_i and N_i + μ_i T_i, and `load` one of w. The factors are such that, for one D > 0,
-    D·α_i v_i(r) = (y·plus or y·minus)(gap·r) and D·(y·w) = y·load.
+    N_i − μ_i T_i and N_i + μ_i T_i, `load` one of w and `rise` one of u. The factors are such that,
+    for one D > 0, D·α_i v_i(r) = (y·plus or y·minus)(gap·r), D·(y·w) = y·load, D·(y·u) = y·rise.
     """
 
-    def __init__(self, table: List[Row], wrench: Vector) -> None:
+    def __init__(self, table: List[Row], wrench: Vector, direction: Vector = NOWHERE) -> None:
         self.slip, self.plus, self.minus, gaps = [], [], [], []
         for row in table:
             self.slip.append(integers(row.T + (Fraction(0),))[0])
@@ -530,9 +612,10 @@ class Terms:
             self.plus.append(forces[:3])
             self.minus.append(forces[3:])
             gaps.append([-row.stiffness * n / factor for n in row.N] + [row.preload / factor])
-        self.D = math.lcm(*(c.denominator for v in (*gaps, wrench) for c in v))
+        self.D = math.lcm(*(c.denominator for v in (*gaps, wrench, direction) for c in v))
         self.gap = [tuple(int(self.D * c) for c in v) for v in gaps]
         self.load = tuple(int(self.D * c) for c in wrench)
+        self.rise = tuple(int(self.D * c) for c in direction)
 
 
 class Region:
@@ -629,18 +712,20 @@ class Region:
         return ", ".join(region.step for region in reversed(self.line_of_descent())) or "root"
 
 
-def check_leaf(region: Region, node: Node, m: int, terms: Terms) -> None:
+def check_leaf(region: Region, node: Node, m: int, terms: Terms, loads: Loads = Loads()) -> None:
     """§4, Leaf."""
     last = -1
     for i, theta in node.thetas:
         if not last < i < m or not 0 <= theta <= 1:
             raise Rejected("leaf-theta", f"contact {show(i)}, theta {show(theta)}")
         last = i
-    if region.bars(region.cone.generators):
+    generators = loads.lift(region.cone.generators)
+    if loads.bars(region, generators):
         return
     thetas = dict(node.thetas)
     (y1, y2, y3), factor = integers(node.numbers)
-    form = [0, 0, 0, dot((y1, y2, y3), terms.load)]  # D·g(r), but for the terms in `bends`
+    form = [0, 0, 0, dot((y1, y2, y3), terms.load)]  # D·g(r, ℓ), but for ℓ·rise and `bends`
+    rise = dot((y1, y2, y3), terms.rise)
     bends = []
     for sign, side, p, q, gap, i in zip(region.sign, region.side, terms.plus, terms.minus,
                                         terms.gap, range(m)):
@@ -652,28 +737,28 @@ def check_leaf(region: Region, node: Node, m: int, terms: Terms) -> None:
             form = [f + alpha * c for f, c in zip(form, gap)]
         else:
             bends.append((alpha, thetas.get(i, 0), gap))
-    flat = []  # the rays with g(r) = 0
-    for r, zero in region.cone.generators:
-        g = dot(form, r)
+    flat = []  # the generators with g(r, ℓ) = 0
+    for r, zero, l in generators:
+        g = dot(form, r) + (rise and l * rise)
         for alpha, theta, gap in bends:
             v = dot(gap, r)
             g += alpha * max(0, v) if alpha >= 0 else alpha * theta * v
         if g > 0:
             g = Fraction(g) / (terms.D * factor)
-            raise Rejected("leaf-bound", f"ray {show(r)}: g = {show(g)}, must be <= 0")
+            raise Rejected("leaf-bound", f"ray {loads.name(r, l)}: g = {show(g)}, must be <= 0")
         if g == 0:
-            flat.append((r, zero))
-    if not region.bars(flat):
+            flat.append((r, zero, l))
+    if not loads.bars(region, flat):
         raise Rejected("leaf-bound", "g = 0 on rays that are not barred: "
-                                     + show(tuple(r for r, _ in flat[:4])))
+                                     + ", ".join(loads.name(r, l) for r, _, l in flat[:4]))
 
 
-def check_void(region: Region) -> None:
+def check_void(region: Region, loads: Loads = Loads()) -> None:
     """§4, Void."""
-    rays = region.cone.generators
-    if not region.bars(rays):
+    rays = loads.lift(region.cone.generators)
+    if not loads.bars(region, rays):
         raise Rejected("void-region", "the region's rays are not barred: "
-                                      + show(tuple(r for r, _ in rays[:4])))
+                                      + ", ".join(loads.name(r, l) for r, _, l in rays[:4]))
 
 
 def children(region: Region, node: Node, m: int, terms: Terms, law: str) -> List[Region]:
@@ -703,31 +788,135 @@ def children(region: Region, node: Node, m: int, terms: Terms, law: str) -> List
             Region(region, split, steps[1], negated(row), strict=True)]
 
 
-def check_tree(tree: List[Node], question: Question, table: List[Row]) -> None:
-    """§4. `waiting` holds the regions whose nodes are still to come, the next one last."""
-    m, terms = len(table), Terms(table, question.wrench)
-    waiting = [Region(None, ("root", -1), "", ())]
+def check_tree(tree: List[Node], question: Question, table: List[Row],
+               ranges: Sequence[Loads] = (Loads(),)) -> None:
+    """§4; and §10, one tree for each of the ranges. `waiting` holds the regions whose nodes are
+    still to come, the next one last."""
+    m, terms = len(table), Terms(table, question.wrench, question.direction or NOWHERE)
+    waiting: List[Region] = []
+    loads, begun = Loads(), 0
     for number, node in enumerate(tree):
         if not waiting:
-            raise Rejected("tree-long", f"{len(tree) - number} nodes after the tree's end", number)
+            if begun == len(ranges):
+                raise Rejected("tree-long", f"{len(tree) - number} nodes after the end", number)
+            loads, waiting = ranges[begun], [Region(None, ("root", -1), "", ())]
+            begun += 1
         region = waiting.pop()
         try:
             region.open(terms, m, question.law)
             if node.kind == "void":
-                check_void(region)
+                check_void(region, loads)
                 continue
             region.look(terms)
             if node.kind == "leaf":
-                check_leaf(region, node, m, terms)
+                check_leaf(region, node, m, terms, loads)
             else:
                 waiting += reversed(children(region, node, m, terms, question.law))
         except Rejected as failure:
             failure.node, failure.path = number, region.path()
             raise
-    if waiting:
-        failure = Rejected("tree-short", f"{len(waiting)} children are missing", len(tree))
-        failure.path = waiting[-1].path()
+    if waiting or begun < len(ranges):
+        missing = f"{len(waiting)} children" if waiting else f"{len(ranges) - begun} trees"
+        failure = Rejected("tree-short", f"{missing} are missing", len(tree))
+        failure.path = waiting[-1].path() if waiting else "root"
         raise failure
+
+
+# ---- §10 Margin certificates ------------------------------------------------------------------
+
+
+def check_direction(claimed: Vector, question: Question) -> None:
+    if claimed != question.direction:
+        raise Rejected("question-direction", f"the certificate says {show(claimed)}, asked was "
+                                             f"{show(question.direction)}")
+
+
+def check_resisted(resisted: List[Interval]) -> None:
+    """`resisted-order`."""
+    for k, (low, high) in enumerate(resisted):
+        before = resisted[k - 1][1] if k else None
+        in_order = low >= 0 if k == 0 else before is not None and before < low
+        if not in_order or (high is not None and high < low):
+            failure = Rejected("resisted-order", f"({show(low)}, {show(high)})"
+                                                 + (f" after {show(before)}" if k else ""))
+            failure.path = f"interval {k}"
+            raise failure
+
+
+def check_chain(segments: List[Tuple[Point, Point]], resisted: List[Interval], question: Question,
+                table: List[Row]) -> None:
+    """Segments: each goes from where it must, in one mode, until all intervals are covered."""
+    at = 0        # the interval at hand
+    done = None   # how far it is covered, if at all
+    for k, (first, second) in enumerate([*segments, (None, None)]):
+        place = f"segment {k}"
+        try:
+            if first is None:
+                if at < len(resisted):
+                    raise Rejected("segment-chain", "missing: the intervals are not covered yet")
+                return
+            if at == len(resisted):
+                raise Rejected("segment-chain", "left over: the intervals are covered already")
+            low, high = resisted[at]
+            end = second.load
+            if first.load != (low if done is None else done):
+                raise Rejected("segment-chain", f"begins at {show(first.load)}, must begin at "
+                                                f"{show(low if done is None else done)}")
+            if high is not None and (end is None or end > high):
+                raise Rejected("segment-chain", f"goes to {show(end)}, beyond {show(high)}")
+            if end is not None and end < first.load:
+                raise Rejected("segment-chain", f"goes down, to {show(end)}")
+            for point, name in ((first, "first"), (second, "second")):
+                place = f"segment {k}, {name} point"
+                check_witness(point, question, table)
+            place = f"segment {k}"
+            check_mode(first, second, table)
+        except Rejected as failure:
+            failure.path = place
+            raise
+        if end == high:
+            at, done = at + 1, None
+        else:
+            done = end
+
+
+def check_mode(first: Point, second: Point, table: List[Row]) -> None:
+    """`segment-mode`."""
+    for i, (row, (a1, b1), (a2, b2)) in enumerate(zip(table, first.forces, second.forces)):
+        v1, v2 = compression(row, first), compression(row, second)
+        if v1 < 0 < v2 or v2 < 0 < v1:
+            raise Rejected("segment-mode", f"contact {i}: v = {show(v1)} and v = {show(v2)}")
+        if row.friction == 0 or a1 + a2 == 0:
+            continue
+        slip1, slip2 = dot(row.T, first.twist), dot(row.T, second.twist)
+        if slip1 < 0 < slip2 or slip2 < 0 < slip1:
+            raise Rejected("segment-mode", f"contact {i}: T.d = {show(slip1)} and {show(slip2)}")
+        for edge, slips in ((-row.friction, slip1 + slip2 > 0), (row.friction, slip1 + slip2 < 0)):
+            if slips and (b1 != edge * a1 or b2 != edge * a2):
+                raise Rejected("segment-mode", f"contact {i} slips, but b = {show(b1)} or b = "
+                                               f"{show(b2)} is not {show(edge)} a")
+
+
+def gaps(resisted: List[Interval]) -> List[Loads]:
+    """What the intervals leave of [0, ∞)."""
+    found = []
+    starts: List[Tuple[Fraction, bool]] = [(Fraction(0), True)]  # with: does the gap contain it?
+    starts += [(high, False) for _, high in resisted if high is not None]
+    ends: List[Optional[Fraction]] = [low for low, _ in resisted]
+    if all(high is not None for _, high in resisted):
+        ends.append(None)
+    for (low, contained), high in zip(starts, ends):
+        if low == high:  # of the first only: the intervals begin at 0
+            continue
+        above = () if contained else ((Fraction(1), -low),)
+        below = () if high is None else ((Fraction(-1), high),)
+        found.append(Loads((low,) if high is None else (low, high), above + below, high is None))
+    return found
+
+
+def in_words(resisted: List[Interval]) -> str:
+    return ", ".join(f"[{low}, oo)" if high is None else f"[{low}, {high}]"
+                     for low, high in resisted) or "no multiple"
 
 
 # ---- §6 What a checker answers ----------------------------------------------------------------
@@ -752,6 +941,10 @@ def parse_arguments(arguments: Sequence[str]) -> argparse.Namespace:
     parser.add_argument("grasp", metavar="GRASP", help="grasp file; - is standard input")
     parser.add_argument("certificate", metavar="CERTIFICATE", help="certificate; likewise")
     parser.add_argument("--wrench", type=three, metavar="WX,WY,T", help="replaces the file's")
+    parser.add_argument("--direction", type=three, metavar="WX,WY,T",
+                        help="ask for the margin: all factors f >= 0 such that the grasp is stable "
+                             "under wrench + f direction, with wrench 0 unless given; needs a "
+                             "stickslip-margin/1 certificate")
     parser.add_argument("--preload", type=number, metavar="P", help="at all contacts")
     parser.add_argument("--normal-law", choices=LAWS, default=LAWS[0], help="unilateral if absent")
     parser.add_argument("--snap-normals", type=number, metavar="EPS",
@@ -759,13 +952,15 @@ def parse_arguments(arguments: Sequence[str]) -> argparse.Namespace:
     parser.add_argument("--json", action="store_true", help="answer as one JSON object")
     joined: List[str] = []  # "--wrench=-1,0,0", as argparse takes -1,0,0 alone for an option
     for word in arguments:
-        if joined and joined[-1] in ("--wrench", "--preload", "--snap-normals"):
+        if joined and joined[-1] in ("--wrench", "--direction", "--preload", "--snap-normals"):
             joined[-1] += "=" + word
         else:
             joined.append(word)
     options = parser.parse_args(joined)
     if options.grasp == options.certificate == "-":
         parser.error("standard input cannot be both files")
+    if options.direction is not None and not any(options.direction):
+        parser.error("--direction must not be 0,0,0")
     if options.preload is not None and options.preload < 0:
         parser.error("--preload must be >= 0")
     if options.snap_normals is not None and not 0 < options.snap_normals < 1:
@@ -776,14 +971,20 @@ def parse_arguments(arguments: Sequence[str]) -> argparse.Namespace:
 def accepted(certificate: Certificate, question: Question, leaves: int) -> str:
     claim = certificate.question
     preload = "the grasp file's" if claim.preload is None else f"{claim.preload} at all contacts"
-    lines = ["accepted", f"verdict: {certificate.verdict}", f"contacts: {claim.contacts}",
-             f"wrench: {', '.join(map(str, claim.wrench))}", f"preload: {preload}",
-             f"normal law: {claim.law}"]
+    margin = certificate.verdict == "margin"
+    lines = ["accepted", f"resisted: {in_words(certificate.resisted)}" if margin
+             else f"verdict: {certificate.verdict}", f"contacts: {claim.contacts}",
+             f"wrench: {', '.join(map(str, claim.wrench))}"]
+    if margin:
+        lines.append(f"direction: {', '.join(map(str, certificate.direction))}")
+    lines += [f"preload: {preload}", f"normal law: {claim.law}"]
     lines += [f"normal of contact {i}: ({x}, {y}), within {question.snap} of the grasp file's"
               for i, (x, y) in claim.normals or []]
-    lines.append(f"twist: {', '.join(map(str, certificate.twist))}"
-                 if certificate.verdict == "stable"
-                 else f"tree: {len(certificate.tree)} nodes, {leaves} leaves")
+    if certificate.witness:
+        lines.append(f"twist: {', '.join(map(str, certificate.witness.twist))}")
+    else:
+        lines += [f"segments: {len(certificate.segments)}"] * margin
+        lines.append(f"tree{'s' * margin}: {len(certificate.tree)} nodes, {leaves} leaves")
     return "\n".join(lines)
 
 
@@ -791,10 +992,13 @@ def answer(options: argparse.Namespace) -> int:
     """One answer on standard output, malformed on standard error. In --json every key is there;
     `leaves` counts leaf nodes, and `path` is the place if malformed."""
     report: Dict[str, Any] = dict.fromkeys(
-        ("result", "rule", "node", "path", "found", "verdict", "nodes", "leaves"))
+        ("result", "rule", "node", "path", "found", "verdict", "nodes", "leaves", "resisted"))
     text = None
     try:
         question = read_grasp(options.grasp)._replace(law=options.normal_law)
+        question = question._replace(direction=options.direction)
+        if options.direction is not None:
+            question = question._replace(wrench=NOWHERE)  # §10
         if options.wrench is not None:
             question = question._replace(wrench=options.wrench)
         if options.preload is not None:
@@ -802,17 +1006,25 @@ def answer(options: argparse.Namespace) -> int:
             question = question._replace(preload=options.preload, contacts=contacts)
         if options.snap_normals is not None:
             question = question._replace(snap=options.snap_normals)
-        certificate = read_certificate(options.certificate)
+        certificate = read_certificate(options.certificate,
+                                       CERTIFICATE if options.direction is None else MARGIN)
         leaves = sum(node.kind == "leaf" for node in certificate.tree)
         report["verdict"] = certificate.verdict
-        if certificate.verdict == "unstable":
+        if certificate.verdict != "stable":
             report.update(nodes=len(certificate.tree), leaves=leaves)
         question = check_question(question, certificate.question)
         table = rows(question, options.grasp)
-        if certificate.verdict == "stable":
-            check_witness(certificate.twist, certificate.forces, question, table)
-        else:
+        if certificate.witness:
+            check_witness(certificate.witness, question, table)
+        elif certificate.verdict == "unstable":
             check_tree(certificate.tree, question, table)
+        else:
+            check_direction(certificate.direction, question)
+            check_resisted(certificate.resisted)
+            check_chain(certificate.segments, certificate.resisted, question, table)
+            check_tree(certificate.tree, question, table, gaps(certificate.resisted))
+            report["resisted"] = [[str(low), high if high is None else str(high)]
+                                  for low, high in certificate.resisted]
         report["result"], code = "accepted", 0
         text = accepted(certificate, question, leaves)
     except Rejected as failure:
@@ -823,7 +1035,7 @@ def answer(options: argparse.Namespace) -> int:
         text, code = f"rejected: {failure.rule}{where}: {failure.found}", 1
     except Malformed as failure:
         report.update(result="malformed", path=failure.place or None, found=str(failure),
-                      verdict=None, nodes=None, leaves=None)
+                      verdict=None, nodes=None, leaves=None, resisted=None)
         print(failure, file=sys.stderr)
         code = 2
     if options.json or text is not None:

@@ -23,5 +23,9 @@ void add_compare_command(CLI::App& app, int& exit_code);
 void add_region_command(CLI::App& app, int& exit_code);
 void add_export_command(CLI::App& app, int& exit_code);
 void add_plot_command(CLI::App& app, int& exit_code);
+/// `plot region`, beside `region`.
+void add_region_plot(CLI::App& plot, int& exit_code);
+/// -o of the pictures.
+void add_output_option(CLI::App& command, std::string& output);
 
 }  // namespace stickslip

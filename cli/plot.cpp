@@ -12,12 +12,6 @@
 namespace stickslip {
 namespace {
 
-void add_output_option(CLI::App& command, std::string& output) {
-  command.add_option("--output,-o", output, "SVG file to write; - is standard output")
-      ->type_name("FILE")
-      ->capture_default_str();
-}
-
 void add_grasp_plot(CLI::App& plot, int& exit_code) {
   struct Arguments {
     QuestionArguments question;
@@ -57,12 +51,20 @@ void add_states_plot(CLI::App& plot, int& exit_code) {
 
 }  // namespace
 
+void add_output_option(CLI::App& command, std::string& output) {
+  command.add_option("--output,-o", output, "SVG file to write; - is standard output")
+      ->type_name("FILE")
+      ->capture_default_str();
+}
+
 void add_plot_command(CLI::App& app, int& exit_code) {
-  CLI::App* command =
-      app.add_subcommand("plot", "Draw a grasp or its slip states: SVG for print and screen");
+  CLI::App* command = app.add_subcommand(
+      "plot",
+      "Draw a grasp, its slip states or its resistible wrenches: SVG for print and screen");
   command->require_subcommand(1);
   add_grasp_plot(*command, exit_code);
   add_states_plot(*command, exit_code);
+  add_region_plot(*command, exit_code);
 }
 
 }  // namespace stickslip

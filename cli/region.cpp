@@ -8,7 +8,9 @@
 #include "progress.hpp"
 #include "question_options.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/file.hpp"
 #include "stickslip/equilibrium/resistible_region.hpp"
+#include "stickslip/plot/region_plot.hpp"
 
 namespace stickslip {
 namespace {
@@ -22,6 +24,8 @@ struct RegionArguments {
   std::size_t mode_limit = 0;
   bool list = false;
   bool json = false;
+  bool svg = false;
+  std::string output = "-";
 
   WrenchPlane plane() const {
     Wrench from{0, 0, 0};
@@ -178,27 +182,71 @@ void print_text(const Question& question, const WrenchPlane& plane,
             << " of them in the plane; normal law: " << to_string(question.law) << ".\n";
 }
 
+RegionReport find_region(const RegionArguments& arguments, const Question& question,
+                         const WrenchPlane& plane) {
+  const Problem problem(question.loaded, question.law);
+  RegionReport report;
+  Progress progress("slip states");
+  RegionOptions options;
+  options.mode_limit = arguments.mode_limit;
+  options.progress = [&](std::size_t done, std::size_t all) { progress.show(done, all); };
+  auto found = resistible_pieces(problem, plane, options, &report.work);
+  if (auto* undecided = std::get_if<Undecided>(&found)) {
+    report.undecided = std::move(*undecided);
+  } else {
+    report.pieces = std::move(std::get<std::vector<ResistiblePiece>>(found));
+    report.region = unite(report.pieces);
+  }
+  return report;
+}
+
 int region(const RegionArguments& arguments) {
   const WrenchPlane plane = arguments.plane();
   const Question question = arguments.question.question();
-  const Problem problem(question.loaded, question.law);
-  RegionReport report;
-  {
-    Progress progress("slip states");
-    RegionOptions options;
-    options.mode_limit = arguments.mode_limit;
-    options.progress = [&](std::size_t done, std::size_t all) { progress.show(done, all); };
-    auto found = resistible_pieces(problem, plane, options, &report.work);
-    if (auto* undecided = std::get_if<Undecided>(&found)) {
-      report.undecided = std::move(*undecided);
-    } else {
-      report.pieces = std::move(std::get<std::vector<ResistiblePiece>>(found));
-      report.region = unite(report.pieces);
-    }
-  }
+  RegionReport report = find_region(arguments, question, plane);
   if (!arguments.list) report.pieces.clear();
   (arguments.json ? print_json : print_text)(question, plane, report);
   return report.undecided ? kUndecidedWithinLimit : kDone;
+}
+
+int draw_region(const RegionArguments& arguments) {
+  const WrenchPlane plane = arguments.plane();
+  const Question question = arguments.question.question();
+  const RegionReport report = find_region(arguments, question, plane);
+  if (report.undecided) {
+    std::cerr << "stickslip: given up at " << report.undecided->limit
+              << "; no region is known\n";
+    return kUndecidedWithinLimit;
+  }
+  std::vector<PlaneCell> cells;
+  for (const ResistiblePiece& piece : report.pieces) cells.push_back(piece.cell);
+  write_whole_file(arguments.output, plot_region(question, plane, cells));
+  return kDone;
+}
+
+/// GRASP, the plane and the limit.
+void add_region_options(CLI::App& command, RegionArguments& arguments) {
+  arguments.question.add_without_wrench_to(command);
+  CLI::Option* origin =
+      command
+          .add_option("--origin", arguments.origin,
+                      "The plane is ORIGIN + s U + t V; the origin is 0,0,0 by default")
+          ->type_name("WX,WY,T");
+  command.add_option("--torque", arguments.torque, "Short for --origin 0,0,T")
+      ->type_name("T")
+      ->excludes(origin);
+  command.add_option("--u", arguments.u, "First direction of the plane")
+      ->type_name("WX,WY,T")
+      ->capture_default_str();
+  command.add_option("--v", arguments.v, "Second direction of the plane")
+      ->type_name("WX,WY,T")
+      ->capture_default_str();
+  command
+      .add_option("--mode-limit", arguments.mode_limit,
+                  "Give up, undecided, at more than N modes; 0 is no limit")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber)  // -1 would be a very large number
+      ->capture_default_str();
 }
 
 }  // namespace
@@ -207,36 +255,33 @@ void add_region_command(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<RegionArguments>();
   CLI::App* command = app.add_subcommand(
       "region", "Which wrenches of a plane does the grasp resist? The exact set");
-  arguments->question.add_without_wrench_to(*command);
-  CLI::Option* origin =
-      command
-          ->add_option("--origin", arguments->origin,
-                       "The plane is ORIGIN + s U + t V; the origin is 0,0,0 by default")
-          ->type_name("WX,WY,T");
-  command->add_option("--torque", arguments->torque, "Short for --origin 0,0,T")
-      ->type_name("T")
-      ->excludes(origin);
-  command->add_option("--u", arguments->u, "First direction of the plane")
-      ->type_name("WX,WY,T")
-      ->capture_default_str();
-  command->add_option("--v", arguments->v, "Second direction of the plane")
-      ->type_name("WX,WY,T")
-      ->capture_default_str();
-  command
-      ->add_option("--mode-limit", arguments->mode_limit,
-                   "Give up, undecided, at more than N modes; 0 is no limit")
-      ->type_name("N")
-      ->check(CLI::NonNegativeNumber)  // -1 would be a very large number
-      ->capture_default_str();
-  command->add_flag("--list", arguments->list,
-                    "List the piece of each mode: slip state, closed contacts, polygon");
-  command->add_flag("--json", arguments->json, "Print one JSON object; rationals are strings");
+  add_region_options(*command, *arguments);
+  CLI::Option* list =
+      command->add_flag("--list", arguments->list,
+                        "List the piece of each mode: slip state, closed contacts, polygon");
+  CLI::Option* json = command->add_flag("--json", arguments->json,
+                                        "Print one JSON object; rationals are strings");
+  command->add_flag("--svg", arguments->svg, "Print a picture, as stickslip plot region does")
+      ->excludes(json)
+      ->excludes(list);
   command->footer(
       "By default the plane is that of forces at zero torque. The wrench in the file plays no "
       "part.\n"
       "Example: stickslip region fig1.json --preload 1\n"
       "Exit codes: 0 done, 2 bad input or usage, 3 undecided within a limit.");
-  command->callback([arguments, &exit_code] { exit_code = region(*arguments); });
+  command->callback([arguments, &exit_code] {
+    exit_code = arguments->svg ? draw_region(*arguments) : region(*arguments);
+  });
+}
+
+void add_region_plot(CLI::App& plot, int& exit_code) {
+  auto arguments = std::make_shared<RegionArguments>();
+  CLI::App* command = plot.add_subcommand(
+      "region", "The resistible wrenches of a plane, by default forces at zero torque");
+  add_region_options(*command, *arguments);
+  add_output_option(*command, arguments->output);
+  command->footer("Example: stickslip plot region fig1.json --preload 1 -o region.svg");
+  command->callback([arguments, &exit_code] { exit_code = draw_region(*arguments); });
 }
 
 }  // namespace stickslip

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "commands.hpp"
 #include "question_options.hpp"
-#include "stickslip/arrangement/paper_enumerator.hpp"
-#include "stickslip/arrangement/sweep.hpp"
+#include "stickslip/arrangement/enumerate.hpp"
 #include "stickslip/core/grasp_file.hpp"
 #include "table.hpp"
 
@@ -23,40 +20,14 @@ struct StatesArguments {
   bool json = false;
 };
 
-/// CGAL, the reference, takes some ten milliseconds up to here (bench/README.md); the sweep
-/// takes over beyond.
-constexpr std::size_t kMostContactsForCgal = 40;
-
-struct StatesReport {
-  std::string engine;  ///< the one that ran
-  SlipStates found;    ///< states only if they are to be listed
-};
-
-/// The paper's three steps, reported as what they find: lines as vertices, facets as edges,
-/// regions as faces. All-stick is not among its states unless a step gives it.
-SlipStates by_the_paper(const std::vector<Vector3>& planes) {
-  const GreatCircles circles = merge_planes(planes);
-  PaperEnumeration paper = enumerate_slip_states_paper(planes);
-  SlipStates result;
-  result.counts = {planes.size(),      circles.normals.size(), circles.rank,
-                   paper.lines.size(), paper.facets.size(),    paper.regions.size(),
-                   paper.states.size()};
-  result.states = std::move(paper.states);
-  return result;
+Enumerator enumerator(const std::string& engine) {
+  return engine == "cgal"    ? Enumerator::kCgal
+         : engine == "sweep" ? Enumerator::kSweep
+         : engine == "paper" ? Enumerator::kPaper
+                             : Enumerator::kAuto;
 }
 
-StatesReport enumerate(const StatesArguments& arguments, const std::vector<Vector3>& planes) {
-  std::string engine = arguments.engine;
-  if (engine == "auto") engine = planes.size() <= kMostContactsForCgal ? "cgal" : "sweep";
-  if (engine == "cgal") return {engine, enumerate_slip_states_cgal(planes)};
-  if (engine == "paper") return {engine, by_the_paper(planes)};
-  if (arguments.list) return {engine, enumerate_slip_states_sweep(planes)};
-  const unsigned threads =
-      arguments.threads != 0 ? arguments.threads : std::thread::hardware_concurrency();
-  return {engine, {count_cells(planes, std::max(1U, threads)), {}}};
-}
-
-void print_json(const StatesArguments& arguments, const StatesReport& report) {
+void print_json(const StatesArguments& arguments, const Enumeration& report) {
   const ArrangementCounts& c = report.found.counts;
   nlohmann::ordered_json json{{"contacts", c.planes},   {"circles", c.circles},
                               {"rank", c.rank},         {"vertices", c.vertices},
@@ -71,7 +42,7 @@ void print_json(const StatesArguments& arguments, const StatesReport& report) {
 }
 
 void print_text(const StatesArguments& arguments, const std::string& name,
-                const StatesReport& report) {
+                const Enumeration& report) {
   const ArrangementCounts& c = report.found.counts;
   if (!name.empty()) std::cout << name << '\n';
   std::cout << format_table(
@@ -85,7 +56,7 @@ void print_text(const StatesArguments& arguments, const std::string& name,
   }
   std::cout
       << "Engine: " << report.engine
-      << (report.engine == "paper"
+      << (enumerator(report.engine) == Enumerator::kPaper
               ? ". What the paper's three steps find; all-stick is not one of their cells.\n"
               : ". Cells are on the sphere of motions; distinct states include all-stick.\n");
 }
@@ -93,7 +64,8 @@ void print_text(const StatesArguments& arguments, const std::string& name,
 int states(const StatesArguments& arguments) {
   const GraspFile file = read_grasp_file(arguments.file);
   const Grasp& grasp = file.content.grasp;
-  const StatesReport report = enumerate(arguments, stick_planes(grasp));
+  const Enumeration report = enumerate_slip_states(
+      stick_planes(grasp), enumerator(arguments.engine), arguments.list, arguments.threads);
   if (arguments.json) {
     print_json(arguments, report);
   } else {

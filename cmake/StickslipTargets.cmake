@@ -21,6 +21,9 @@ function(stickslip_library module)
   target_link_libraries(stickslip_${module}
     PUBLIC ${ARG_PUBLIC_LIBS} PRIVATE ${ARG_PRIVATE_LIBS})
   target_compile_features(stickslip_${module} PUBLIC cxx_std_17)
+  if(STICKSLIP_BUILD_PYTHON)  # the Python module is a shared library that takes it in
+    set_target_properties(stickslip_${module} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  endif()
   if(STICKSLIP_VALIDATE)
     target_compile_definitions(stickslip_${module} PUBLIC STICKSLIP_VALIDATE)
   endif()

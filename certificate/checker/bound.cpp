@@ -28,9 +28,8 @@ std::size_t shift_for(const Rational& weight) {
 
 }  // namespace
 
-Problem make_problem(const std::vector<Row>& rows, const Vector3& wrench) {
+Problem make_problem(const std::vector<Row>& rows) {
   Problem problem;
-  problem.wrench = wrench;
   problem.contacts.reserve(rows.size());
   for (const Row& row : rows) {
     WalkContact contact;
@@ -74,13 +73,14 @@ void add(Aggregate& sum, const WalkContact& contact, SlipSign sign) {
   sum.slack += contact.v_max;
 }
 
-LeafBound::LeafBound(const Problem& problem, const std::vector<Status>& status,
+LeafBound::LeafBound(const Problem& problem, const Vector3& load,
+                     const std::vector<Status>& status,
                      const std::vector<std::size_t>& undecided, const Aggregate& decided,
                      const Vector3& y, const std::map<std::size_t, Rational>& thetas)
     : problem_(problem), status_(status), thetas_(thetas) {
   scale_ = lcm(lcm(y[0].get_den(), y[1].get_den()), y[2].get_den());
   for (std::size_t j = 0; j < 3; ++j) y_[j] = y[j].get_num() * (scale_ / y[j].get_den());
-  power_ = dot(y, problem.wrench) * scale_;
+  power_ = dot(y, load) * scale_;
 
   // For a decided contact, sum over j of y_j (2^shift weight row_j - shifted_j) (v.x) is at
   // most (sum of |y_j|) |v.x|.

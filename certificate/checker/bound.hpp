@@ -59,18 +59,17 @@ struct Aggregate {
 
 struct Problem {
   std::vector<WalkContact> contacts;
-  Vector3 wrench;
   std::size_t shift = 0;
 };
-Problem make_problem(const std::vector<Row>& rows, const Vector3& wrench);
+Problem make_problem(const std::vector<Row>& rows);
 
 void add(Aggregate& sum, const WalkContact& contact, SlipSign sign);
 
-/// The bound at one leaf. `status` must outlive it and be that of the leaf's region;
-/// `undecided` must list every contact that is neither open nor in `decided`.
+/// The bound at one leaf under a load w. `status` must outlive it and be that of the leaf's
+/// region; `undecided` must list every contact that is neither open nor in `decided`.
 class LeafBound {
  public:
-  LeafBound(const Problem& problem, const std::vector<Status>& status,
+  LeafBound(const Problem& problem, const Vector3& load, const std::vector<Status>& status,
             const std::vector<std::size_t>& undecided, const Aggregate& decided,
             const Vector3& y, const std::map<std::size_t, Rational>& thetas);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The checker as a function: does this certificate prove its verdict about this question?
+/// The checker as a function: does this certificate prove its verdict about this question, or
+/// its margin where the question has a direction?
 /// Only FORMAT.md, beside this folder, is trusted to define what that means; nothing of the
 /// certificate is, and no solver takes part.
 #pragma once

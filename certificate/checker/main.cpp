@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "check.hpp"
+#include "print.hpp"
 
 namespace {
 
@@ -22,7 +23,8 @@ constexpr int kExitMalformed = 2;
 const char* const kHelp =
     R"(stickslip-check GRASP CERTIFICATE [options]
 
-Checks a proof that a planar frictional grasp is stable, or unstable, under a wrench.
+Checks a proof that a planar frictional grasp is stable, or unstable, under a wrench; or, with
+--direction, a proof of which multiples of a direction it resists.
 GRASP is the grasp file, CERTIFICATE the proof; one of them may be - for standard input.
 The grasp file is read afresh and nothing in the certificate is believed: this program
 rebuilds every contact row and recomputes every bound in exact arithmetic.
@@ -30,6 +32,10 @@ rebuilds every contact row and recomputes every bound in exact arithmetic.
 The question is that of the grasp file unless replaced here. Give the same options as to
 the program that produced the certificate:
   --wrench WX,WY,T         wrench applied to the object: force x, force y, torque
+  --direction WX,WY,T      ask for the margin: all factors f >= 0 for which the grasp is
+                           stable under wrench + f direction, where the wrench is 0 unless
+                           given by --wrench; the certificate must be of format
+                           stickslip-margin/1
   --preload P              one preload for all contacts
   --normal-law LAW         unilateral (contacts may open; the default) or bilateral
   --snap-normals EPS       let the certificate replace normals of irrational length by
@@ -41,13 +47,15 @@ the program that produced the certificate:
 Numbers are exact: 1, -0.25, 1e-3, 3/5.
 
 Answers and exit codes:
-  accepted   0   the certificate proves the verdict about the question that is printed
+  accepted   0   the certificate proves the verdict about the question that is printed;
+                 of a margin, that exactly the factors printed as "resisted" are
   rejected   1   it does not; the rule (named as in certificate/FORMAT.md) and the place
   (error)    2   a file or the command line cannot be understood, on standard error
 
 Example:
   stickslip decide grasp.json --certificate proof.json
   stickslip-check grasp.json proof.json
+  stickslip-check grasp.json margin.json --direction 0,1,0
 )";
 
 struct UsageError {
@@ -70,7 +78,7 @@ Rational parse_number(const std::string& option, const std::string& text) {
   return *value;
 }
 
-Vector3 parse_wrench(const std::string& text) {
+Vector3 parse_wrench(const std::string& option, const std::string& text) {
   std::vector<std::string> parts(1);
   for (const char c : text) {
     if (c == ',') {
@@ -80,10 +88,10 @@ Vector3 parse_wrench(const std::string& text) {
     }
   }
   if (parts.size() != 3) {
-    throw UsageError{"--wrench: " + quote(text) + " is not WX,WY,T, such as 0,-11/10,0"};
+    throw UsageError{option + ": " + quote(text) + " is not WX,WY,T, such as 0,-11/10,0"};
   }
-  return {parse_number("--wrench", parts[0]), parse_number("--wrench", parts[1]),
-          parse_number("--wrench", parts[2])};
+  return {parse_number(option, parts[0]), parse_number(option, parts[1]),
+          parse_number(option, parts[2])};
 }
 
 Arguments parse_arguments(const std::vector<std::string>& words) {
@@ -102,7 +110,12 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
       return words[++i];
     };
     if (word == "--wrench") {
-      arguments.options.wrench = parse_wrench(value());
+      arguments.options.wrench = parse_wrench(word, value());
+    } else if (word == "--direction") {
+      arguments.options.direction = parse_wrench(word, value());
+      if (arguments.options.direction == Vector3{}) {
+        throw UsageError{"--direction must not be 0,0,0"};
+      }
     } else if (word == "--preload") {
       arguments.options.preload = parse_number(word, value());
       if (*arguments.options.preload < 0) throw UsageError{"--preload must be 0 or more"};
@@ -137,82 +150,6 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
     throw UsageError{"only one of GRASP and CERTIFICATE can be standard input"};
   }
   return arguments;
-}
-
-std::string json_string(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += (c >= 0 && c < ' ') ? ' ' : c;
-  }
-  return result + '"';
-}
-
-/// One JSON object on a line, with the same keys whatever the answer; absent ones are null.
-void print_json(const Answer& answer) {
-  const auto* a = std::get_if<Accepted>(&answer);
-  const auto* r = std::get_if<Rejected>(&answer);
-  const auto* m = std::get_if<Malformed>(&answer);
-  const bool in_tree = r != nullptr && r->node.has_value();
-  const bool tree = a != nullptr && a->verdict == "unstable";
-  const auto text = [](bool present, const std::string& content) {
-    return present ? json_string(content) : "null";
-  };
-  const auto number = [](bool present, std::uint64_t value) {
-    return present ? std::to_string(value) : "null";
-  };
-  std::cout << R"({"result": )"
-            << json_string(a != nullptr ? "accepted"
-                                        : (r != nullptr ? "rejected" : "malformed"))
-            << R"(, "rule": )" << text(r != nullptr, r != nullptr ? r->rule : "")
-            << R"(, "node": )" << number(in_tree, in_tree ? *r->node : 0) << R"(, "path": )"
-            << text(in_tree || m != nullptr, in_tree ? r->path : (m != nullptr ? m->place : ""))
-            << R"(, "found": )"
-            << text(a == nullptr, r != nullptr ? r->found : (m != nullptr ? m->problem : ""))
-            << R"(, "verdict": )" << text(a != nullptr, a != nullptr ? a->verdict : "")
-            << R"(, "nodes": )" << number(tree, tree ? a->nodes : 0) << R"(, "leaves": )"
-            << number(tree, tree ? a->leaves : 0) << R"(, "voids": )"
-            << number(tree, tree ? a->voids : 0) << R"(, "question": )";
-  if (a == nullptr) {
-    std::cout << "null}\n";
-    return;
-  }
-  std::cout << R"({"contacts": )" << a->contacts << R"(, "wrench": [)"
-            << json_string(a->wrench[0]) << ", " << json_string(a->wrench[1]) << ", "
-            << json_string(a->wrench[2]) << R"(], "preload": )"
-            << text(a->preload.has_value(), a->preload.value_or("")) << R"(, "normal_law": )"
-            << json_string(a->normal_law) << R"(, "snapped_normals": )" << a->snapped
-            << R"(, "snapped_by_at_most": )" << json_string(a->snapped_by) << "}}\n";
-}
-
-void print(const Accepted& a) {
-  std::cout << "accepted\n"
-            << "verdict     " << a.verdict << '\n'
-            << "contacts    " << a.contacts << '\n'
-            << "wrench      (" << a.wrench[0] << ", " << a.wrench[1] << ", " << a.wrench[2]
-            << ")\n"
-            << "preload     "
-            << (a.preload ? *a.preload + " at all contacts" : "as in the grasp file") << '\n'
-            << "normal law  " << a.normal_law << '\n'
-            << "normals     ";
-  if (a.snapped == 0) {
-    std::cout << "as in the grasp file\n";
-  } else {
-    std::cout << a.snapped << " replaced, none moved by more than " << a.snapped_by << '\n';
-  }
-  if (a.verdict == "stable") {
-    std::cout << "proof       an equilibrium\n";
-  } else {
-    std::cout << "proof       a tree of " << a.nodes << " nodes: " << a.leaves << " leaves, "
-              << a.voids << " voids\n";
-  }
-}
-
-void print(const Rejected& r) {
-  std::cout << "rejected\nrule   " << r.rule << '\n';
-  if (r.node) std::cout << "node   " << *r.node << '\n';
-  if (!r.path.empty()) std::cout << "path   " << r.path << '\n';
-  std::cout << "found  " << r.found << '\n';
 }
 
 /// The stream of a file name; `file` is what it lives in unless it is standard input.

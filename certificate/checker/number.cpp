@@ -152,11 +152,19 @@ Integer dot(const std::array<Integer, 3>& a, const std::array<Integer, 3>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+Vector3 sum(const Vector3& a, const Rational& s, const Vector3& b) {
+  return {Rational(a[0] + s * b[0]), Rational(a[1] + s * b[1]), Rational(a[2] + s * b[2])};
+}
+
 std::string show(const Rational& x) {
   constexpr std::size_t kMaxShown = 60;
   const std::string text = x.get_str();
   if (text.size() <= kMaxShown) return text;
   return text.substr(0, kMaxShown / 2) + "... (" + std::to_string(text.size()) + " characters)";
+}
+
+std::string show(const Vector3& v) {
+  return "(" + show(v[0]) + ", " + show(v[1]) + ", " + show(v[2]) + ")";
 }
 
 std::string quote(const std::string& text) {

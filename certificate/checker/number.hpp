@@ -42,8 +42,12 @@ Integer floor_shifted(const Rational& x, const Integer& n, std::size_t shift);
 Rational dot(const Vector3& a, const Vector3& b);
 Integer dot(const std::array<Integer, 3>& a, const std::array<Integer, 3>& b);
 
+/// a + s b
+Vector3 sum(const Vector3& a, const Rational& s, const Vector3& b);
+
 /// For messages: the number, or its beginning if it is very long.
 std::string show(const Rational& x);
+std::string show(const Vector3& v);
 
 /// For messages: text from a file in quotation marks, without what a terminal would obey.
 std::string quote(const std::string& text);

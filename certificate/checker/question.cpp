@@ -81,7 +81,7 @@ class GraspReader : public JsonHandler {
       contacts_[i].stiffness = own_[i].stiffness.value_or(defaults_.stiffness.value_or(1));
       contacts_[i].preload = own_[i].preload.value_or(defaults_.preload.value_or(0));
     }
-    return {std::move(contacts_), wrench_, std::nullopt, false, snap_tolerance_};
+    return {std::move(contacts_), wrench_, std::nullopt, std::nullopt, false, snap_tolerance_};
   }
 
  private:
@@ -195,7 +195,12 @@ Question read_question(std::istream& in, const std::string& file,
   GraspReader reader(file);
   read_json(in, file, kLimits, reader);
   Question question = reader.finish();
+  if (options.direction) question.wrench = Vector3{};  // FORMAT.md §10
   if (options.wrench) question.wrench = *options.wrench;
+  question.direction = options.direction;
+  if (question.direction == Vector3{}) {
+    throw Malformed{"the question", "direction", "found (0, 0, 0), expected another"};
+  }
   if (options.preload) {
     if (*options.preload < 0) {
       throw Malformed{"the question", "preload",

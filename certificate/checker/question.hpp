@@ -17,6 +17,8 @@ namespace stickslip_check {
 /// What whoever asks may choose. Unset members leave the grasp file's own values.
 struct QuestionOptions {
   std::optional<Vector3> wrench;
+  /// Asks for the margin along it; not 0. The wrench is then 0 unless given above.
+  std::optional<Vector3> direction;
   std::optional<Rational> preload;         ///< for all contacts, >= 0
   bool bilateral = false;                  ///< the normal law
   std::optional<Rational> snap_tolerance;  ///< allows snapped normals; 0 < tolerance < 1
@@ -35,7 +37,8 @@ struct GraspContact {
 struct Question {
   std::vector<GraspContact> contacts;
   Vector3 wrench;
-  std::optional<Rational> preload;  ///< if it replaced the file's
+  std::optional<Vector3> direction;  ///< if the margin is asked for (FORMAT.md §10)
+  std::optional<Rational> preload;   ///< if it replaced the file's
   bool bilateral = false;
   std::optional<Rational> snap_tolerance;
 };

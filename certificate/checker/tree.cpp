@@ -74,8 +74,9 @@ SlipSign sign_on(const Cone& region, const Vector& tau, const std::vector<Vector
 
 }  // namespace
 
-TreeWalk::TreeWalk(const std::vector<Row>& rows, const Vector3& wrench, bool bilateral)
-    : problem_(make_problem(rows, wrench)),
+TreeWalk::TreeWalk(const std::vector<Row>& rows, Loads loads, bool bilateral)
+    : problem_(make_problem(rows)),
+      loads_(std::move(loads)),
       bilateral_(bilateral),
       status_(rows.size()),
       undecided_(rows.size()),
@@ -87,18 +88,13 @@ TreeWalk::TreeWalk(const std::vector<Row>& rows, const Vector3& wrench, bool bil
 }
 
 void TreeWalk::visit(const Node& node) {
-  if (stack_.empty() && nodes_ > 0) {
-    throw Rejected{"tree-long", nodes_, "", "the tree was complete before this node"};
+  if (stack_.empty() && trees_ == loads_.ranges.size()) {
+    throw Rejected{"tree-long", nodes_, "", "everything was complete before this node"};
   }
   Cone region;
   Aggregate decided;
   if (stack_.empty()) {
-    region = Cone::half_space();
-    if (bilateral_) {
-      for (const WalkContact& contact : problem_.contacts) {
-        region = region.cut(contact.v, Side::kAtLeastZero);
-      }
-    }
+    begin_tree(region);
   } else {
     enter_child(region, decided);
   }
@@ -127,20 +123,36 @@ void TreeWalk::visit(const Node& node) {
 }
 
 void TreeWalk::finish() const {
-  if (nodes_ == 0 || !stack_.empty()) {
+  if (trees_ < loads_.ranges.size() || !stack_.empty()) {
     throw Rejected{"tree-short", nodes_, path(1), "the list ends before this node"};
   }
+}
+
+/// The root of the next tree: its region, and what is known there without looking, nothing.
+void TreeWalk::begin_tree(Cone& region) {
+  ++trees_;
+  go_back(0, undecided_.size(), 1);
+  region = Cone::half_space();
+  if (!bilateral_) return;
+  for (const WalkContact& contact : problem_.contacts) {
+    region = region.cut(contact.v, Side::kAtLeastZero);
+  }
+}
+
+/// Forgets what came to be known since the trail had that size.
+void TreeWalk::go_back(std::size_t trail, std::size_t undecided, std::size_t strict) {
+  while (trail_.size() > trail) {
+    status_[trail_.back().first] = trail_.back().second;
+    trail_.pop_back();
+  }
+  undecided_count_ = undecided;
+  strict_.resize(strict);
 }
 
 /// Goes to the next child of the innermost frame: its region, its label, and the statuses.
 void TreeWalk::enter_child(Cone& region, Aggregate& decided) {
   Frame& parent = stack_.back();
-  while (trail_.size() > parent.trail) {
-    status_[trail_.back().first] = trail_.back().second;
-    trail_.pop_back();
-  }
-  undecided_count_ = parent.undecided;
-  strict_.resize(parent.strict);
+  go_back(parent.trail, parent.undecided, parent.strict);
   const Side side = side_of(parent.kind, parent.next);
   region = parent.region.cut(parent.cut, side);
   decided = parent.decided;
@@ -250,8 +262,14 @@ std::optional<std::string> TreeWalk::leaf_refusal(const Node& node, const Cone& 
   for (const auto& [contact, theta] : node.thetas) thetas.emplace(contact.get_ui(), theta);
   const std::vector<std::size_t> undecided(
       undecided_.begin(), undecided_.begin() + static_cast<std::ptrdiff_t>(undecided_count_));
-  const LeafBound bound(problem_, status_, undecided, decided,
-                        {node.numbers[0], node.numbers[1], node.numbers[2]}, thetas);
+  const Vector3 y{node.numbers[0], node.numbers[1], node.numbers[2]};
+  const LoadRange& range = loads_.ranges[trees_ - 1];
+  const int rise = sgn(dot(y, loads_.direction));
+  if (rise > 0 && !range.high) return "y.u is above 0, and the multiples of u have no end";
+  const Rational& worst = rise > 0 ? *range.high : range.low;
+  const bool worst_is_a_load = rise == 0 || (rise < 0 && range.contains_low);
+  const LeafBound bound(problem_, sum(loads_.wrench, worst, loads_.direction), status_,
+                        undecided, decided, y, thetas);
   std::vector<const Vector*> flat;  // rays with g(r) = 0
   std::optional<std::string> refusal;
   const auto holds_on = [&](const Vector& r) {
@@ -271,7 +289,7 @@ std::optional<std::string> TreeWalk::leaf_refusal(const Node& node, const Cone& 
     if (!holds_on(ray->v)) flat.push_back(&ray->v);
     if (refusal) return refusal;
   }
-  if (barred(flat, strict_)) return std::nullopt;
+  if (!worst_is_a_load || barred(flat, strict_)) return std::nullopt;
   return "g = 0 on rays that are not barred, of which one is " + show_vector(*flat.front());
 }
 

@@ -29,12 +29,14 @@ std::vector<ContactRow> contact_rows(const Grasp& grasp) {
     if (!c.preload.is_zero()) {
       const std::optional<Rational> length = exact_sqrt(length_squared);
       if (!length) {
-        throw InputError("", "contacts[" + std::to_string(rows.size()) + "].normal",
-                         "the normal (" + to_string(c.normal.x) + ", " + to_string(c.normal.y) +
-                             ") of a preloaded contact has the irrational length sqrt(" +
-                             to_string(length_squared) + ")",
-                         "give a normal of rational length, or replace it by a rational unit "
-                         "vector nearby with --snap-normals EPS or \"normals\": \"snap\"");
+        throw InputError(
+            "", "contacts[" + std::to_string(rows.size()) + "].normal",
+            "the normal (" + to_string(c.normal.x) + ", " + to_string(c.normal.y) +
+                ") of a preloaded contact has the irrational length sqrt(" +
+                to_string(length_squared) + ")",
+            "give a normal of rational length, or replace it by a rational unit "
+            "vector nearby: --snap-normals EPS, \"normals\": \"snap\" in the file, "
+            "or snap_normals=EPS in Python");
       }
       preload = c.preload / *length;
     }

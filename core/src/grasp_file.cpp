@@ -311,9 +311,16 @@ GraspFile read_grasp_file(const std::string& path) {
 }
 
 std::string write_grasp(const LoadedGrasp& content) {
-  const Grasp& grasp = content.grasp;
+  return write_grasp_file({content, std::nullopt});
+}
+
+std::string write_grasp_file(const GraspFile& file) {
+  const Grasp& grasp = file.content.grasp;
   std::string text = std::string("{\"format\": \"") + kFormat + "\",\n";
   if (!grasp.name().empty()) text += " \"name\": " + write_string(grasp.name()) + ",\n";
+  if (file.snap_tolerance) {
+    text += " \"normals\": {\"snap\": " + write_number(*file.snap_tolerance) + "},\n";
+  }
   text += " \"contacts\": [";
   const char* separator = "\n";
   for (const Contact& c : grasp.contacts()) {
@@ -325,7 +332,7 @@ std::string write_grasp(const LoadedGrasp& content) {
             ", \"preload\": " + write_number(c.preload) + "}";
     separator = ",\n";
   }
-  const Wrench& w = content.wrench;
+  const Wrench& w = file.content.wrench;
   return text + "],\n \"wrench\": " + write_numbers({&w.x, &w.y, &w.torque}) + "}\n";
 }
 

@@ -80,6 +80,12 @@ class MarginSearch {
     return found;
   }
 
+  void require_equilibrium(const Rational& multiple, const Witness& witness) const {
+    const Wrench load = problem_.wrench() + multiple * direction_;
+    require(!find_violation(problem_.with_load(LoadRange(load)), witness),
+            "the end of a segment is not an equilibrium");
+  }
+
   Margin assemble(std::vector<std::pair<Rational, Refutation>> refuted) {
     Margin margin;
     margin.direction = direction_;
@@ -89,6 +95,8 @@ class MarginSearch {
       return a.high && (!b.high || *a.high < *b.high);
     });
     for (const LoadSegment& segment : segments_) {
+      require_equilibrium(segment.start.multiple, segment.start.witness);
+      if (segment.high) require_equilibrium(*segment.high, segment.end);
       const bool continues =
           !margin.resisted.empty() && margin.resisted.back().high == segment.start.multiple;
       if (!continues) margin.resisted.push_back({segment.start.multiple, std::nullopt});

@@ -36,6 +36,9 @@ std::string_view stylesheet() {
 .stickslip .edge { stroke: #1a1a1a; stroke-width: 1.5 }
 .stickslip .thin .edge { stroke-width: .7 }
 .stickslip .vertex { fill: #1a1a1a }
+.stickslip .border { stroke: #1a1a1a; fill: #1a1a1a; stroke-width: 1.8 }
+.stickslip .grid-line { stroke: #1a1a1a; stroke-width: .6; stroke-opacity: .16 }
+.stickslip .axis-line { stroke: #1a1a1a; stroke-width: 1; stroke-opacity: .55 }
 .stickslip .hue0 { fill: #77aadd } .stickslip .hue1 { fill: #eedd88 }
 .stickslip .hue2 { fill: #ffaabb } .stickslip .hue3 { fill: #44bb99 }
 .stickslip .hue4 { fill: #dddddd } .stickslip .hue5 { fill: #ee8866 }
@@ -69,6 +72,8 @@ std::string_view stylesheet() {
 .stickslip .hollow { fill: #15181d; stroke: #e8e8e8 }
 .stickslip .edge { stroke: #e8e8e8 }
 .stickslip .vertex { fill: #e8e8e8 }
+.stickslip .border { stroke: #e8e8e8; fill: #e8e8e8 }
+.stickslip .grid-line, .stickslip .axis-line { stroke: #e8e8e8 }
 .stickslip .hue0 { fill: #2c5a88 } .stickslip .hue1 { fill: #756515 }
 .stickslip .hue2 { fill: #8a3f52 } .stickslip .hue3 { fill: #1b6b54 }
 .stickslip .hue4 { fill: #55595f } .stickslip .hue5 { fill: #8f4426 }

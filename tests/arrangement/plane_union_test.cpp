@@ -35,8 +35,8 @@ PlaneUnion checked(const std::vector<PlaneCell>& cells) {
 
 using Points = std::vector<PlanePoint>;
 
-// With CGAL's assertions, which take long, a part of what is done without.
-#ifdef STICKSLIP_FEWER_UNIONS
+// With assertions, which take long, a part of what is done without.
+#if defined(STICKSLIP_FEWER_UNIONS) || !defined(NDEBUG)
 constexpr std::size_t kShare = 8;
 constexpr int kRounds = 100;
 #else

@@ -2,6 +2,10 @@
 #include "cases.hpp"
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "paper_grasps.hpp"
@@ -144,6 +148,31 @@ std::vector<Certified> all_certificates() {
       throw std::runtime_error("the engines disagree about " + one.name);
     }
   }
+  return result;
+}
+
+std::vector<MarginCertificate> all_margins() {
+  const auto read = [](const std::filesystem::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(in), {});
+  };
+  const std::filesystem::path folder = STICKSLIP_CORPUS "/certificates";
+  std::vector<MarginCertificate> result;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string file = entry.path().filename().string();
+    const std::string name = file.substr(0, file.find('.'));
+    if (file != name + ".certificate.json") continue;
+    CheckerInput input{read(folder / (name + ".grasp.json")), read(entry.path()), {}};
+    const auto json = nlohmann::json::parse(input.certificate);
+    if (json["format"] != "stickslip-margin/1") continue;
+    if (json["question"]["normal_law"] == "bilateral")
+      input.options.law = NormalLaw::kBilateral;
+    const auto& u = json["direction"];
+    input.direction = Wrench{u[0].get<int>(), u[1].get<int>(), u[2].get<int>()};
+    result.push_back({name, std::move(input)});
+  }
+  std::sort(result.begin(), result.end(),
+            [](const auto& a, const auto& b) { return a.name < b.name; });
   return result;
 }
 

@@ -38,6 +38,13 @@ struct Certified {
   std::size_t size() const;
 };
 
+/// A margin certificate, written by hand (tests/corpus/certificates).
+struct MarginCertificate {
+  std::string name;
+  CheckerInput input;
+};
+std::vector<MarginCertificate> all_margins();
+
 /// By kStates and kCone for each case; they must agree, or this throws.
 std::vector<Certified> all_certificates();
 

@@ -189,6 +189,46 @@ def leaf_holds(model, place, y, thetas=()):
             and place.barred([r for r, value in zip(place.rays, g) if value == 0]))
 
 
+# ---- Ranges of loads (§10) -----------------------------------------------------------------------
+
+
+class Lifted:
+    """A place with ℓ, as what it is: a cone of (d, h, ℓ) with αh ≤ ℓ ≤ βh, by brute force."""
+
+    def __init__(self, place, low, high, contains_low):
+        above, below = (0, 0, 0, -low, 1), None if high is None else (0, 0, 0, high, -1)
+        conditions = [(tuple(a) + (0,), equality) for a, equality in place.conditions]
+        conditions += [(a, False) for a in (above, below) if a]
+        self.strict = [tuple(s) + (0,) for s in place.strict]
+        self.strict += [a for a in (None if contains_low else above, below) if a]
+        lines, rays = generators(conditions, 5)
+        self.rays = list(rays.values()) + lines + [tuple(-c for c in x) for x in lines]
+
+    def barred(self, rays):
+        return any(all(dot(s, r) == 0 for r in rays) for s in self.strict)
+
+
+def lifted_leaf_holds(model, direction, place, lifted, y, thetas):
+    """`leaf-bound` of §10; signs and closed, open or mixed are those of §4."""
+    if lifted.barred(lifted.rays):
+        return True
+    flat = []
+    for r in lifted.rays:
+        g = r[3] * dot(y, model.wrench) + r[4] * dot(y, direction)
+        for i in range(model.m):
+            s, which, v = sign(model, place, i), side(model, place, i), dot(model.v[i], r[:4])
+            alpha = max(dot(y, model.force(i, sigma)) for sigma in ([-s] if s else [-1, 1]))
+            if which == "closed":
+                g += alpha * v
+            elif which == "mixed":
+                g += alpha * max(v, 0) if alpha >= 0 else alpha * dict(thetas).get(i, 0) * v
+        if g > 0:
+            return False
+        if g == 0:
+            flat.append(r)
+    return lifted.barred(flat)
+
+
 # ---- A producer ---------------------------------------------------------------------------------
 
 

@@ -458,6 +458,46 @@ class TreeTest(Case):
         self.assertLess(time.perf_counter() - start, 20)
 
 
+class MarginTest(Case):
+    """§10. The rules are made to fail in tests/certificate; here are the program's own words."""
+
+    REST = [0, [0, 0, 0], [[1, "-1/2"], [1, 0], [1, "1/2"]]]
+    LIMIT = [1, [0, 1, 0], [[1, "-1/2"], [0, 0], [1, "1/2"]]]
+    ASKED = ("--direction", "0,1,0", "--preload", "1")
+
+    def margin(self, **changes):
+        return {"format": "stickslip-margin/1",
+                "question": {"contacts": 3, "wrench": [0, 0, 0], "preload": 1,
+                             "normal_law": "unilateral"},
+                "direction": [0, 1, 0], "resisted": [[0, 1]], "segments": [[self.REST, self.LIMIT]],
+                "tree": UP_TREE, **changes}
+
+    def test_accepted(self):
+        out = self.accepts(FIG1, self.margin(), *self.ASKED)
+        self.assertEqual(out.split("\n")[1:-1], [
+            "resisted: [0, 1]", "contacts: 3", "wrench: 0, 0, 0", "direction: 0, 1, 0",
+            "preload: 1 at all contacts", "normal law: unilateral", "segments: 1",
+            "trees: 5 nodes, 3 leaves"])
+        code, out, _ = run(FIG1, self.margin(), *self.ASKED, "--json")
+        report = json.loads(out)
+        self.assertEqual((code, report["verdict"], report["resisted"]), (0, "margin", [["0", "1"]]))
+
+    def test_places(self):
+        for changes, rule, path in (({"resisted": [[0, 1], [1, 2]]}, "resisted-order", "interval 1"),
+                                    ({"resisted": [[0, 2]]}, "segment-chain", "segment 1"),
+                                    ({"segments": [[self.REST, [*self.LIMIT[:2], []]]]},
+                                     "witness-count", "segment 0, second point"),
+                                    ({"tree": UP_TREE[:-1]}, "tree-short", "separation 0 open"),
+                                    ({"direction": [0, 2, 0]}, "question-direction", None)):
+            code, out, _ = run(FIG1, self.margin(**changes), *self.ASKED, "--json")
+            report = json.loads(out)
+            self.assertEqual((code, report["rule"], report["path"]), (1, rule, path))
+
+    def test_with_and_without_a_direction(self):
+        self.malformed("asked for with --direction", FIG1, self.margin(), "--preload", "1")
+        self.malformed("asked for without --direction", FIG1, up(), *UP, "--direction", "0,1,0")
+
+
 class MalformedTest(Case):
     """§2 and §6, exit 2: the file, the place and the problem, on standard error."""
 
@@ -719,7 +759,8 @@ class CommandLineTest(Case):
     def test_usage(self):
         for arguments in ([], ["g"], ["g", "c", "d"], ["-", "-"], ["g", "c", "--bogus"],
                           ["g", "c", "--wrench"], ["g", "c", "--wrench", "1,2"],
-                          ["g", "c", "--wrench", "1,2,x"], ["g", "c", "--preload", "-1"],
+                          ["g", "c", "--wrench", "1,2,x"], ["g", "c", "--direction", "0,0,0"],
+                          ["g", "c", "--direction", "1"], ["g", "c", "--preload", "-1"],
                           ["g", "c", "--preload", "nan"], ["g", "c", "--normal-law", "none"],
                           ["g", "c", "--snap-normals", "0"], ["g", "c", "--snap-normals", "1"],
                           ["g", "c", "--js"], ["g", "c", "--json=1"]):
@@ -729,14 +770,14 @@ class CommandLineTest(Case):
             self.assertEqual(stop.exception.code, 2, arguments)
 
     def test_json_reports(self):
-        keys = ["result", "rule", "node", "path", "found", "verdict", "nodes", "leaves"]
+        keys = ["result", "rule", "node", "path", "found", "verdict", "nodes", "leaves", "resisted"]
         code, out, err = run(FIG1, up(), *UP, "--json")
         self.assertEqual((code, err, list(json.loads(out).items())), (0, "", list(zip(
-            keys, ["accepted", None, None, None, None, "unstable", 5, 3]))))
+            keys, ["accepted", None, None, None, None, "unstable", 5, 3, None]))))
         code, out, err = run(FIG1, up(UP_TREE[:-1]), *UP, "--json")
         self.assertEqual((code, err, list(json.loads(out).items())), (1, "", list(zip(
             keys, ["rejected", "tree-short", 4, "separation 0 open", "1 children are missing",
-                   "unstable", 4, 2]))))
+                   "unstable", 4, 2, None]))))
         code, out, err = run(FIG1, up([["slip", "0"]]), *UP, "--json")
         report = json.loads(out)
         self.assertEqual((code, report["result"], report["path"], report["verdict"]),

@@ -101,6 +101,62 @@ class RegionTest(unittest.TestCase):
                 region, place = ours[k], theirs[k]
         self.assertGreater(min(tally.values()), 60, tally)
 
+    def test_ranges_of_loads(self):
+        rng = random.Random(8)
+        tally = {True: 0, False: 0}
+        for _ in range(90):
+            model = random_model(rng, rng.randint(0, 2))
+            question, table = pose(model)
+            direction = tuple(Fraction(rng.randint(-2, 2), 2) for _ in range(3))
+            terms = check.Terms(table, question.wrench, direction)
+            region, place = check.Region(None, ("root", -1), "", ()), naive.root(model)
+            splits = [["slip", i] for i in range(model.m)]
+            splits += [["plane", *(rng.randint(-1, 1) for _ in range(3)), 1]]
+            rng.shuffle(splits)
+            while True:
+                region.open(terms, model.m, model.law)
+                region.look(terms)
+                self.compare_range(rng, model, direction, terms, region, place, tally)
+                if not splits:
+                    break
+                node = splits.pop()
+                k = rng.randrange(2)
+                region = check.children(region, parse(node), model.m, terms, model.law)[k]
+                place = place.children(model, node)[k]
+        self.assertGreater(min(tally.values()), 200, tally)
+
+    def compare_range(self, rng, model, direction, terms, region, place, tally):
+        """The gaps of random intervals: the lifted generators, void and leaves."""
+        ends = sorted(rng.sample([Fraction(k, 2) for k in range(6)], 4))
+        intervals = [(ends[0], ends[1]), (ends[2], rng.choice([ends[3], None]))][:rng.randint(0, 2)]
+        expected = [(high, low, False) for (_, high), (low, _) in zip(intervals, intervals[1:])]
+        if not intervals or intervals[0][0] > 0:
+            expected.insert(0, (Fraction(0), intervals[0][0] if intervals else None, True))
+        if intervals and intervals[-1][1] is not None:
+            expected.append((intervals[-1][1], None, False))
+        gaps = check.gaps(intervals)
+        self.assertEqual(len(gaps), len(expected))
+        for loads, gap in zip(gaps, expected):
+            lifted = naive.Lifted(place, *gap)
+            held = self.holds(check.check_void, region, loads)
+            self.assertEqual(held, lifted.barred(lifted.rays))
+            for _ in range(6):
+                y = tuple(Fraction(rng.randint(-1, 1)) for _ in range(3))
+                thetas = [(i, Fraction(1)) for i in range(model.m) if rng.random() < 0.3]
+                held = self.holds(check.check_leaf, region, check.Node("leaf", -1, y, thetas),
+                                  model.m, terms, loads)
+                self.assertEqual(held, naive.lifted_leaf_holds(model, direction, place, lifted, y,
+                                                               thetas), (gap, y))
+                tally[held] += 1
+
+    def holds(self, rule, *arguments):
+        try:
+            rule(*arguments)
+            return True
+        except check.Rejected as failure:
+            self.assertIn(failure.rule, ("leaf-bound", "void-region"))
+            return False
+
     def compare(self, rng, model, terms, region, place, tally):
         void = place.barred(place.rays)
         self.assertEqual(region.bars(region.cone.generators), void)

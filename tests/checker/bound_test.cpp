@@ -25,7 +25,7 @@ TEST(Bound, RoundedIsAboveExactAndClose) {
       rows.push_back(make_row(contact).value());
     }
     const Vector3 w{Rational(between(random, -9, 9)), Rational(1, 3), Rational(-2, 7)};
-    const Problem problem = make_problem(rows, w);
+    const Problem problem = make_problem(rows);
     std::vector<Status> status(rows.size());
     std::vector<std::size_t> undecided;
     Aggregate decided;
@@ -44,7 +44,7 @@ TEST(Bound, RoundedIsAboveExactAndClose) {
     Vector3 y{Rational(between(random, -9, 9), between(random, 1, 9)), Rational(-3, 4),
               Rational(between(random, -9, 9))};
     y[0].canonicalize();
-    const LeafBound bound(problem, status, undecided, decided, y, thetas);
+    const LeafBound bound(problem, w, status, undecided, decided, y, thetas);
     for (int k = 0; k < 5; ++k) {
       std::array<Integer, 4> x;
       for (std::size_t j = 0; j < 3; ++j) x[j] = between(random, -999, 999);
@@ -67,7 +67,7 @@ TEST(Bound, ShiftFollowsTheSmallestWeight) {
   contact.position = {0, 0};
   contact.normal = {1, 0};
   contact.stiffness = parse_decimal("1e-100").value();
-  const Problem problem = make_problem({make_row(contact).value()}, {0, 0, 0});
+  const Problem problem = make_problem({make_row(contact).value()});
   EXPECT_GE(problem.shift, 64U + 330U);
   EXPECT_GE(problem.contacts[0].plus.shifted[0], Integer(1) << 62U);
 }

@@ -17,6 +17,31 @@ struct Case {
   QuestionOptions options;
 };
 
+/// What the margin certificates of the corpus are asked about.
+std::optional<Vector3> direction_of(const std::string& certificate) {
+  const std::string member = "\"direction\": [";
+  const std::size_t at = certificate.find(member);
+  if (at == std::string::npos) return std::nullopt;
+  std::istringstream in(certificate.substr(at + member.size()));
+  Vector3 direction;
+  for (Rational& c : direction) {
+    int number = 0;
+    char separator = ' ';
+    in >> number >> separator;
+    c = number;
+  }
+  return direction;
+}
+
+std::string intervals(const Accepted& accepted) {
+  std::string text;
+  if (!accepted.margin) return text;
+  for (const auto& [low, high] : accepted.margin->intervals) {
+    text += low + " " + high.value_or("oo") + ";";
+  }
+  return text;
+}
+
 std::vector<Case> corpus() {
   std::vector<Case> cases;
   const std::string ending = ".grasp.json";
@@ -30,6 +55,7 @@ std::vector<Case> corpus() {
            read_file(stem + ".certificate.json"),
            {}};
     c.options.bilateral = c.name.rfind("bilateral_", 0) == 0;
+    c.options.direction = direction_of(c.certificate);
     cases.push_back(std::move(c));
   }
   std::sort(cases.begin(), cases.end(), [](auto& a, auto& b) { return a.name < b.name; });
@@ -44,9 +70,11 @@ TEST(Corpus, EverythingIsAccepted) {
       const Answer answer = ask(c.grasp, c.certificate, c.options, exact_only);
       ASSERT_EQ(outcome(answer), "accepted") << c.name << ": " << explain(answer);
       const auto& accepted = std::get<Accepted>(answer);
+      const bool margin = c.options.direction.has_value();
       const bool unstable = c.name.find("unstable") != std::string::npos;
-      EXPECT_EQ(accepted.verdict, unstable ? "unstable" : "stable") << c.name;
-      EXPECT_EQ(accepted.nodes > 0, unstable) << c.name;
+      EXPECT_EQ(accepted.verdict, margin ? "margin" : (unstable ? "unstable" : "stable"))
+          << c.name;
+      EXPECT_EQ(accepted.nodes > 0, margin ? accepted.margin->trees > 0 : unstable) << c.name;
       EXPECT_EQ(accepted.snapped, c.name.rfind("snapped", 0) == 0 ? 1U : 0U) << c.name;
     }
   }
@@ -81,6 +109,7 @@ TEST(Corpus, SwappedGraspsAreRejected) {
       const auto& accepted = std::get<Accepted>(answer);
       const Accepted own = std::get<Accepted>(ask(a.grasp, a.certificate, a.options));
       EXPECT_EQ(accepted.verdict, own.verdict) << a.name << " with the proof of " << b.name;
+      EXPECT_EQ(intervals(accepted), intervals(own)) << a.name << ", proof of " << b.name;
     }
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The rules of FORMAT.md §4 word by word, in rationals, without inheritance, rounding or
-/// shortcuts: the twin that TreeWalk is compared with. And a prover that finds small
+/// The rules of FORMAT.md §4 and §10 word by word, in rationals, without inheritance, rounding
+/// or shortcuts: the twin that TreeWalk is compared with. And a prover that finds small
 /// refutations.
 #pragma once
 
@@ -23,10 +23,19 @@ inline Rational dot4(const Point& a, const Point& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
 }
 
+/// A generator (r, l) of FORMAT.md §10.
+struct Lifted {
+  Point r;
+  Rational l;
+};
+
+/// About the loads wrench + lambda direction of a range; by default the one load `wrench`.
 struct NaiveQuestion {
   std::vector<Row> rows;
   Vector3 wrench;
   bool bilateral = false;
+  Vector3 direction{};
+  LoadRange range{0, 0, true};
 
   Point v(std::size_t i) const {
     const Row& r = rows[i];
@@ -97,7 +106,32 @@ struct NaiveRegion {
     });
   }
 
-  bool void_holds() const { return barred(rays()); }
+  std::vector<Lifted> lifted() const {
+    const auto& [low, high, contains_low] = question->range;
+    std::vector<Lifted> result;
+    for (const Point& r : rays()) {
+      result.push_back({r, Rational(low * r[3])});
+      if (high && r[3] > 0) result.push_back({r, Rational(*high * r[3])});
+    }
+    if (!high) result.push_back({{0, 0, 0, 0}, 1});
+    return result;
+  }
+
+  bool barred(const std::vector<Lifted>& some) const {
+    std::vector<Point> points;
+    for (const Lifted& x : some) points.push_back(x.r);
+    if (barred(points)) return true;
+    // p l + q h
+    const auto zero_on_all = [&](int p, const Rational& q) {
+      return std::all_of(some.begin(), some.end(),
+                         [&](const Lifted& x) { return p * x.l + q * x.r[3] == 0; });
+    };
+    const auto& [low, high, contains_low] = question->range;
+    if (!contains_low && zero_on_all(1, Rational(-low))) return true;
+    return high && *high > low && zero_on_all(-1, *high);
+  }
+
+  bool void_holds() const { return barred(lifted()); }
 
   char sign(std::size_t i) const {
     if (label[i] != ' ') return label[i];
@@ -116,10 +150,12 @@ struct NaiveRegion {
   }
 
   bool leaf_holds(const Vector3& y, const std::vector<Rational>& theta) const {
-    const std::vector<Point> all = rays();
+    const std::vector<Lifted> all = lifted();
     if (barred(all)) return true;
     std::vector<Rational> g;
-    for (const Point& r : all) g.emplace_back(r[3] * dot(y, question->wrench));
+    for (const auto& [r, l] : all) {
+      g.emplace_back(r[3] * dot(y, question->wrench) + l * dot(y, question->direction));
+    }
     for (std::size_t i = 0; i < question->rows.size(); ++i) {
       const Row& row = question->rows[i];
       const Rational plus = dot(y, row.normal) - row.friction * dot(y, row.tangent);
@@ -127,12 +163,12 @@ struct NaiveRegion {
       const char s = sign(i);
       const Rational alpha = s == '+' ? plus : (s == '-' ? minus : std::max(plus, minus));
       const Point v = question->v(i);
-      const bool closed =
-          std::all_of(all.begin(), all.end(), [&](const Point& r) { return dot4(v, r) >= 0; });
-      const bool open =
-          std::all_of(all.begin(), all.end(), [&](const Point& r) { return dot4(v, r) <= 0; });
+      const bool closed = std::all_of(all.begin(), all.end(),
+                                      [&](const Lifted& x) { return dot4(v, x.r) >= 0; });
+      const bool open = std::all_of(all.begin(), all.end(),
+                                    [&](const Lifted& x) { return dot4(v, x.r) <= 0; });
       for (std::size_t k = 0; k < all.size(); ++k) {
-        const Rational at = dot4(v, all[k]);
+        const Rational at = dot4(v, all[k].r);
         if (closed) {
           g[k] += alpha * at;
         } else if (open) {
@@ -144,7 +180,7 @@ struct NaiveRegion {
         }
       }
     }
-    std::vector<Point> flat;
+    std::vector<Lifted> flat;
     for (std::size_t k = 0; k < all.size(); ++k) {
       if (g[k] > 0) return false;
       if (g[k] == 0) flat.push_back(all[k]);
@@ -227,6 +263,11 @@ class Prover {
   std::size_t max_nodes_;
   int reach_;
 };
+
+/// The walk over the tree of a question.
+inline TreeWalk walk_of(const NaiveQuestion& q) {
+  return TreeWalk(q.rows, {q.wrench, q.direction, {q.range}}, q.bilateral);
+}
 
 /// The question that a grasp text asks.
 inline NaiveQuestion naive_question(const std::string& grasp,

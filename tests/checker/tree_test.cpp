@@ -15,6 +15,13 @@ NaiveQuestion random_question(Random& random, int max_contacts) {
   for (int i = 0; i < m; ++i) q.rows.push_back(make_row(random_contact(random)).value());
   for (Rational& c : q.wrench) c = between(random, -3, 3);
   q.bilateral = between(random, 0, 3) == 0;
+  if (between(random, 0, 1) == 0) return q;
+  // A gap, with ends where a bound is often exactly 0.
+  for (Rational& c : q.direction) c = between(random, -2, 2);
+  q.range = {Rational(between(random, 0, 3)) / 2, std::nullopt, false};
+  if (between(random, 0, 2) > 0)
+    q.range.high = q.range.low + Rational(between(random, 1, 4)) / 2;
+  q.range.contains_low = q.range.low == 0 && between(random, 0, 1) == 0;
   return q;
 }
 
@@ -65,10 +72,7 @@ std::string rule_of(TreeWalk& walk, const Node& node) {
 class RandomTree {
  public:
   RandomTree(Random& random, const NaiveQuestion& q)
-      : random_(random),
-        q_(q),
-        walk_(q.rows, q.wrench, q.bilateral),
-        exact_(q.rows, q.wrench, q.bilateral) {
+      : random_(random), q_(q), walk_(walk_of(q)), exact_(walk_of(q)) {
     exact_.use_exact_bounds_only();
     grow(NaiveRegion::root(q), std::vector<bool>(2 * q.rows.size()), 0);
     EXPECT_NO_THROW(walk_.finish());
@@ -114,7 +118,7 @@ TEST(Tree, AgreesWithTheNaiveTwin) {
   Random random(4711);
   std::size_t accepted = 0;
   std::size_t rejected = 0;
-  for (int trial = 0; trial < 400; ++trial) {
+  for (int trial = 0; trial < 800; ++trial) {
     const NaiveQuestion q = random_question(random, 4);
     const RandomTree tree(random, q);
     accepted += tree.accepted;
@@ -129,7 +133,12 @@ NaiveQuestion stable_question(Random& random, Vector3& d) {
   for (;;) {
     NaiveQuestion q = random_question(random, 4);
     for (Rational& c : d) c = Rational(between(random, -2, 2)) / 2;
-    q.wrench = {0, 0, 0};
+    // Balanced under wrench + lambda direction, lambda among the loads.
+    const auto& [low, high, contains_low] = q.range;
+    Rational lambda =
+        low + (high ? Rational((*high - low) / 3) : Rational(between(random, 1, 9)));
+    if (contains_low && between(random, 0, 1) == 0) lambda = low;
+    q.wrench = sum({0, 0, 0}, Rational(-lambda), q.direction);
     bool possible = true;
     for (const Row& row : q.rows) {
       Rational a = row.preload - row.stiffness * dot(row.normal, d);
@@ -154,7 +163,7 @@ TEST(Tree, NothingRefutesTheHomeOfAnEquilibrium) {
     Vector3 d;
     const NaiveQuestion q = stable_question(random, d);
     const Point x{d[0], d[1], d[2], Rational(1)};
-    TreeWalk walk(q.rows, q.wrench, q.bilateral);
+    TreeWalk walk = walk_of(q);
     std::vector<bool> used(2 * q.rows.size());
     const int depth = between(random, 0, 8);
     for (int k = 0; k < depth; ++k) {
@@ -195,7 +204,7 @@ TEST(Tree, RefutationsOfRandomGraspsAreAccepted) {
     std::string w;
     for (const Rational& c : q.wrench) w += (w.empty() ? "" : ", ") + c.get_str();
     // The walk itself, since the grasp has no file: by way of a certificate's nodes.
-    TreeWalk walk(q.rows, q.wrench, q.bilateral);
+    TreeWalk walk = walk_of(q);
     for (const std::string& text : prover.nodes) {
       Node node;
       const auto number = [&](std::size_t from) { return std::stoi(text.substr(from)); };
@@ -226,6 +235,38 @@ TEST(Tree, RefutationsOfRandomGraspsAreAccepted) {
   EXPECT_GT(proved, 60U);
 }
 
+TEST(Tree, EachRangeHasItsTree) {
+  // Without contacts nothing resists but the load 0, at lambda = 1.
+  Node leaf;
+  leaf.kind = NodeKind::kLeaf;
+  const auto with = [&](int y) {
+    leaf.numbers = {y, 0, 0};
+    return leaf;
+  };
+  const LoadRange below{0, 1, true};
+  const LoadRange above{1, std::nullopt, false};
+  const Loads loads{{-1, 0, 0}, {1, 0, 0}, {below, above}};
+  {
+    TreeWalk walk({}, loads, false);
+    EXPECT_EQ(rule_of(walk, with(1)), "");
+    EXPECT_THROW(walk.finish(), Rejected);
+    EXPECT_EQ(rule_of(walk, with(-1)), "");
+    EXPECT_NO_THROW(walk.finish());
+    EXPECT_EQ(walk.trees(), 2U);
+    EXPECT_EQ(walk.nodes(), 2U);
+    EXPECT_EQ(rule_of(walk, with(-1)), "tree-long");
+  }
+  for (const int y : {-1, 0}) {
+    TreeWalk walk({}, loads, false);
+    EXPECT_EQ(rule_of(walk, with(y)), "leaf-bound");
+  }
+  for (const int y : {1, 0}) {
+    TreeWalk walk({}, loads, false);
+    EXPECT_EQ(rule_of(walk, with(1)), "");
+    EXPECT_EQ(rule_of(walk, with(y)), "leaf-bound");
+  }
+}
+
 TEST(Tree, FewRaysNeedTheExactSum) {
   // Unit normals of long denominators, all contacts pushed apart by the wrench.
   std::vector<Row> rows;
@@ -239,7 +280,7 @@ TEST(Tree, FewRaysNeedTheExactSum) {
     contact.stiffness = Rational(k + 1) / 7;
     rows.push_back(make_row(contact).value());
   }
-  TreeWalk walk(rows, {1, 0, 0}, false);
+  TreeWalk walk(rows, {{1, 0, 0}}, false);
   Node node;
   node.kind = NodeKind::kLeaf;
   node.numbers = {-1, 0, 0};

@@ -145,6 +145,16 @@ TEST(WriteGrasp, Bytes) {
             " \"wrench\": [0, 0, 0]}\n");
 }
 
+TEST(WriteGrasp, KeepsTheToleranceOfAFile) {
+  const GraspFile snapped = read_good("snap_tolerance");
+  const GraspFile again = parse_grasp(write_grasp_file(snapped), "");
+  ASSERT_TRUE(snapped.snap_tolerance);
+  EXPECT_EQ(again.snap_tolerance, snapped.snap_tolerance);
+  expect_same(again.content, snapped.content);
+  const GraspFile exact = read_good("fig1");
+  EXPECT_EQ(write_grasp_file(exact), write_grasp(exact.content));
+}
+
 TEST(WriteGrasp, IntegersThatADoubleWouldRoundAreStrings) {
   const Integer limit = Integer(1) << 53;
   const std::string text = write_grasp({Grasp(), {limit - 1, -limit, Rational(1 - limit)}});

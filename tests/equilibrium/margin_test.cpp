@@ -7,10 +7,10 @@
 #include <iostream>
 #include <set>
 
+#include "both_checkers.hpp"
 #include "judged.hpp"
 #include "paper_grasps.hpp"
 #include "stickslip/core/error.hpp"
-#include "stickslip/equilibrium/validate.hpp"
 
 namespace stickslip {
 namespace {
@@ -93,39 +93,6 @@ std::set<Rational> interesting_multiples(const std::vector<LoadInterval>& resist
   return multiples;
 }
 
-/// The evidence of certificate/FORMAT.md, section 10, by the library's own rules.
-void expect_evidence(const LoadCase& load_case, const Margin& margin) {
-  const Problem problem(load_case.loaded, load_case.law);
-  const Problem ranged =
-      problem.with_load({problem.wrench(), margin.direction, 0, std::nullopt, true});
-  for (const LoadSegment& segment : margin.segments) {
-    EXPECT_EQ(find_violation(ranged.at(segment.start.multiple), segment.start.witness),
-              std::nullopt);
-    if (segment.high) {
-      EXPECT_EQ(find_violation(ranged.at(*segment.high), segment.end), std::nullopt);
-    }
-  }
-  std::size_t gap = 0;
-  Rational low = 0;
-  bool has_low = true;
-  const auto expect_gap = [&](const std::optional<Rational>& high) {
-    ASSERT_LT(gap, margin.gaps.size());
-    EXPECT_EQ(
-        find_flaw(problem.with_load({problem.wrench(), margin.direction, low, high, has_low}),
-                  margin.gaps[gap++]),
-        std::nullopt);
-  };
-  bool unbounded = false;
-  for (const LoadInterval& interval : margin.resisted) {
-    if (interval.low > low) expect_gap(interval.low);
-    unbounded = !interval.high;
-    if (!unbounded) low = *interval.high;
-    has_low = false;
-  }
-  if (!unbounded) expect_gap(std::nullopt);
-  EXPECT_EQ(gap, margin.gaps.size());
-}
-
 struct Tally {
   std::size_t intervals[4] = {};  ///< margins with 0, 1, 2, more intervals
   std::size_t unbounded = 0;
@@ -138,7 +105,8 @@ void expect_exact(const LoadCase& load_case, const Wrench& direction, Tally& tal
   SCOPED_TRACE(describe(load_case) + " direction " + to_string(direction.x) + " " +
                to_string(direction.y) + " " + to_string(direction.torque) + ": " +
                describe(margin.resisted));
-  expect_evidence(load_case, margin);
+  test::expect_accepted_by_both(Question{load_case.loaded, load_case.law, std::nullopt, {}},
+                                margin);
   for (const Rational& multiple : interesting_multiples(margin.resisted)) {
     LoadCase there = load_case;
     there.loaded.wrench += multiple * direction;

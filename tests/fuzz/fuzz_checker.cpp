@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The C++ checker. An input is the letter b or u for the normal law, a grasp file, a NUL byte
-// and a certificate. The checker answers, whatever it is given; leaves judged with rounded
-// bounds and without get the same answer; and a refusal says why.
+// The C++ checker. An input is the letter b or u for the normal law, or B or U where the margin
+// along (0, 1, 0) is asked for, a grasp file, a NUL byte and a certificate. The checker
+// answers, whatever it is given; leaves judged with rounded bounds and without get the same
+// answer; and a refusal says why.
 #include <algorithm>
 #include <sstream>
 
@@ -29,7 +30,8 @@ std::string summary(const Answer& answer) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
   QuestionOptions options;
-  options.bilateral = data[0] == 'b';
+  options.bilateral = data[0] == 'b' || data[0] == 'B';
+  if (data[0] == 'B' || data[0] == 'U') options.direction = Vector3{0, 1, 0};
   const std::uint8_t* const end = data + size;
   const std::uint8_t* const separator = std::find(data + 1, end, 0);
   const std::string grasp(data + 1, separator);
@@ -58,7 +60,9 @@ std::vector<stickslip::fuzz::Seed> stickslip::fuzz::seeds(const std::filesystem:
     const std::string stem = grasp.name.substr(0, grasp.name.size() - ending.size());
     for (const Seed& certificate : files) {
       if (certificate.name != stem + ".certificate.json") continue;
-      const char law = stem.rfind("bilateral_", 0) == 0 ? 'b' : 'u';
+      const bool margin = certificate.bytes.find("stickslip-margin/1") != std::string::npos;
+      const char* laws = margin ? "UB" : "ub";
+      const char law = laws[stem.rfind("bilateral_", 0) == 0 ? 1 : 0];
       result.push_back({stem, law + grasp.bytes + '\0' + certificate.bytes});
     }
   }

@@ -23,6 +23,14 @@ stickslip_check::Rational checker_number(const Rational& value) {
   return stickslip_check::Rational(to_string(value));
 }
 
+stickslip_check::Vector3 checker_vector(const Wrench& w) {
+  return {checker_number(w.x), checker_number(w.y), checker_number(w.torque)};
+}
+
+std::string with_commas(const Wrench& w) {
+  return to_string(w.x) + "," + to_string(w.y) + "," + to_string(w.torque);
+}
+
 /// Bytes as the characters U+0000 to U+00FF, since files under test need not be UTF-8.
 std::string as_characters(const std::string& bytes) {
   std::string text;
@@ -41,7 +49,7 @@ std::string as_characters(const std::string& bytes) {
 std::string json_line(const CheckerInput& input, const std::string& expected) {
   Json json{{"grasp", as_characters(input.grasp)},
             {"certificate", as_characters(input.certificate)},
-            {"options", command_line(input.options)}};
+            {"options", command_line(input)}};
   if (!expected.empty()) json["expected"] = expected;
   return json.dump(-1, ' ', true) + "\n";
 }
@@ -92,16 +100,14 @@ std::string describe(const CheckerAnswer& answer) {
 std::string describe(const CheckerInput& input) {
   constexpr std::size_t kMost = 4000;
   std::string text;
-  for (const std::string& word : command_line(input.options)) text += word + " ";
+  for (const std::string& word : command_line(input)) text += word + " ";
   return text + "\n" + input.grasp.substr(0, kMost) + "\n" + input.certificate.substr(0, kMost);
 }
 
 CheckerAnswer ask_cpp_checker(const CheckerInput& input) {
   stickslip_check::QuestionOptions options;
-  if (input.options.wrench) {
-    const Wrench& w = *input.options.wrench;
-    options.wrench = {checker_number(w.x), checker_number(w.y), checker_number(w.torque)};
-  }
+  if (input.options.wrench) options.wrench = checker_vector(*input.options.wrench);
+  if (input.direction) options.direction = checker_vector(*input.direction);
   if (input.options.preload) options.preload = checker_number(*input.options.preload);
   if (input.options.snap_tolerance) {
     options.snap_tolerance = checker_number(*input.options.snap_tolerance);
@@ -157,9 +163,7 @@ std::vector<CheckerAnswer> ask_python_checker(const std::vector<CheckerInput>& i
 std::vector<std::string> command_line(const QuestionOptions& options) {
   std::vector<std::string> words;
   if (options.wrench) {
-    const Wrench& w = *options.wrench;
-    words.insert(words.end(), {"--wrench", to_string(w.x) + "," + to_string(w.y) + "," +
-                                               to_string(w.torque)});
+    words.insert(words.end(), {"--wrench", with_commas(*options.wrench)});
   }
   if (options.preload) words.insert(words.end(), {"--preload", to_string(*options.preload)});
   if (options.snap_tolerance) {
@@ -169,7 +173,17 @@ std::vector<std::string> command_line(const QuestionOptions& options) {
   return words;
 }
 
-CheckerInput input_of(const Question& question, const Verdict& verdict) {
+std::vector<std::string> command_line(const CheckerInput& input) {
+  std::vector<std::string> words = command_line(input.options);
+  if (input.direction) {
+    words.insert(words.end(), {"--direction", with_commas(*input.direction)});
+  }
+  return words;
+}
+
+namespace {
+
+CheckerInput input_of(const Question& question) {
   CheckerInput input;
   input.options.law = question.law;
   input.options.preload = question.preload;
@@ -182,15 +196,37 @@ CheckerInput input_of(const Question& question, const Verdict& verdict) {
   }
   const Grasp grasp(std::move(contacts), question.loaded.grasp.name());
   input.grasp = write_grasp({grasp, question.loaded.wrench});
+  return input;
+}
+
+void expect_accepted_by_both(const CheckerInput& input) {
+  const CheckerAnswer answer = ask_cpp_checker(input);
+  EXPECT_EQ(answer.result, "accepted") << describe(answer) << "\n" << describe(input);
+  append_to_spool(input, "accepted");
+}
+
+}  // namespace
+
+CheckerInput input_of(const Question& question, const Verdict& verdict) {
+  CheckerInput input = input_of(question);
   input.certificate = certificate_text(question, verdict, "tests");
   return input;
 }
 
+CheckerInput input_of(const Question& question, const Margin& margin) {
+  CheckerInput input = input_of(question);
+  input.options.wrench = question.loaded.wrench;
+  input.direction = margin.direction;
+  input.certificate = margin_certificate_text(question, margin, "tests");
+  return input;
+}
+
+void expect_accepted_by_both(const Question& question, const Margin& margin) {
+  expect_accepted_by_both(input_of(question, margin));
+}
+
 void expect_accepted_by_both(const Question& question, const Verdict& verdict) {
-  const CheckerInput input = input_of(question, verdict);
-  const CheckerAnswer answer = ask_cpp_checker(input);
-  EXPECT_EQ(answer.result, "accepted") << describe(answer) << "\n" << describe(input);
-  append_to_spool(input, "accepted");
+  expect_accepted_by_both(input_of(question, verdict));
 }
 
 void expect_accepted_by_both(const LoadedGrasp& loaded, NormalLaw law, const Verdict& verdict) {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "stickslip/equilibrium/margin.hpp"
 #include "stickslip/equilibrium/question.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 
@@ -19,13 +20,14 @@ struct CheckerInput {
   std::string grasp;
   std::string certificate;
   QuestionOptions options;
+  std::optional<Wrench> direction = std::nullopt;  ///< if the margin along it is asked for
 };
 
 struct CheckerAnswer {
   std::string result;  ///< "accepted", "rejected", "malformed", or what else went wrong
   std::string rule;    ///< if rejected
   std::optional<std::uint64_t> node;
-  std::string path;  ///< of the node
+  std::string path;  ///< of the node, or another place
   std::string found;
 
   /// Result, rule, node and path; a message's wording is each checker's own.
@@ -43,15 +45,20 @@ std::vector<CheckerAnswer> ask_python_checker(const std::vector<CheckerInput>& i
 
 /// The options as both programs and `stickslip decide` take them on the command line.
 std::vector<std::string> command_line(const QuestionOptions& options);
+/// The same with the direction.
+std::vector<std::string> command_line(const CheckerInput& input);
 
 /// The grasp file, certificate and options that state and prove a verdict.
 CheckerInput input_of(const Question& question, const Verdict& verdict);
+/// The same of a load margin.
+CheckerInput input_of(const Question& question, const Margin& margin);
 
 /// Fails the running test unless the C++ checker accepts, and leaves the files for check.py in
 /// the folder named by the environment variable STICKSLIP_SPOOL, which the ctest
 /// `check_py_spool` goes through when all tests that fill it are done
 /// (stickslip_fills_spool in CMakeLists.txt).
 void expect_accepted_by_both(const Question& question, const Verdict& verdict);
+void expect_accepted_by_both(const Question& question, const Margin& margin);
 
 /// The same for a grasp and a normal law, with nothing replaced.
 void expect_accepted_by_both(const LoadedGrasp& loaded, NormalLaw law, const Verdict& verdict);

@@ -41,5 +41,7 @@ GraspFile read_grasp_file(const std::string& path);
 /// for what a file cannot hold: a name that is not UTF-8, a number longer than
 /// kMaxNumberLength.
 std::string write_grasp(const LoadedGrasp& content);
+/// The same with "normals": {"snap": EPS} if there is a tolerance.
+std::string write_grasp_file(const GraspFile& file);
 
 }  // namespace stickslip

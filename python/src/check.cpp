@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The independent checker (certificate/checker). It is given text and nothing else of ours.
+#include "check.hpp"
+
+#include <sstream>
+
+#include "bindings.hpp"
+#include "exact.hpp"
+#include "stickslip/core/error.hpp"
+
+namespace stickslip::python {
+namespace {
+
+namespace py = pybind11;
+using py::literals::operator""_a;
+
+/// Through the text, which is all that the two sides have in common.
+stickslip_check::Rational for_checker(const Rational& value, const std::string& place) {
+  const std::optional<stickslip_check::Rational> same =
+      stickslip_check::parse_decimal(to_string(value));
+  if (same) return *same;
+  throw InputError("", place, "the number is too long for the checker",
+                   "numbers have at most 16384 characters");
+}
+
+struct ToDict {
+  py::dict operator()(const stickslip_check::Accepted& a) const {
+    py::dict result("accepted"_a = true, "verdict"_a = text(a.verdict),
+                    "contacts"_a = a.contacts, "normal_law"_a = text(a.normal_law),
+                    "snapped"_a = a.snapped, "snapped_by_at_most"_a = text(a.snapped_by),
+                    "nodes"_a = a.nodes, "leaves"_a = a.leaves, "voids"_a = a.voids);
+    const auto number = [](const std::string& spelled) {
+      return fraction(parse_rational(spelled));
+    };
+    result["wrench"] =
+        py::make_tuple(number(a.wrench[0]), number(a.wrench[1]), number(a.wrench[2]));
+    if (a.preload) result["preload"] = number(*a.preload);
+    if (a.margin) {
+      const auto& u = a.margin->direction;
+      result["direction"] = py::make_tuple(number(u[0]), number(u[1]), number(u[2]));
+      py::list resisted;
+      for (const stickslip_check::ResistedInterval& interval : a.margin->intervals) {
+        const py::object high = interval.high ? number(*interval.high) : py::object(py::none());
+        resisted.append(py::make_tuple(number(interval.low), high));
+      }
+      result["resisted"] = py::tuple(resisted);
+    }
+    return result;
+  }
+  py::dict operator()(const stickslip_check::Rejected& r) const {
+    py::dict result("accepted"_a = false, "rule"_a = text(r.rule), "path"_a = text(r.path),
+                    "found"_a = text(r.found));
+    if (r.node) result["node"] = *r.node;
+    return result;
+  }
+  py::dict operator()(const stickslip_check::Malformed& m) const {
+    throw InputError(m.file == "the question" ? "" : m.file, m.place, m.problem, "");
+  }
+};
+
+py::dict check(const std::string& grasp, const std::string& certificate,
+               const py::object& wrench, const py::object& preload, bool bilateral,
+               const py::object& snap_normals, const py::object& direction,
+               const std::string& grasp_name, const std::string& certificate_name) {
+  const QuestionOptions asked = question_options(wrench, preload, bilateral);
+  stickslip_check::QuestionOptions options;
+  options.bilateral = bilateral;
+  const auto wrench_for_checker = [](const Wrench& w, const std::string& place) {
+    return stickslip_check::Vector3{for_checker(w.x, place + "[0]"),
+                                    for_checker(w.y, place + "[1]"),
+                                    for_checker(w.torque, place + "[2]")};
+  };
+  if (asked.wrench) options.wrench = wrench_for_checker(*asked.wrench, "wrench");
+  if (!direction.is_none()) {
+    options.direction =
+        wrench_for_checker(*question_options(direction, py::none(), false).wrench, "direction");
+  }
+  if (asked.preload) options.preload = for_checker(*asked.preload, "preload");
+  if (!snap_normals.is_none()) {
+    options.snap_tolerance = for_checker(exact(snap_normals, "snap_normals"), "snap_normals");
+  }
+  const stickslip_check::Answer answer = without_gil([&] {
+    std::istringstream grasp_stream(grasp);
+    std::istringstream certificate_stream(certificate);
+    return stickslip_check::check(grasp_stream, certificate_stream, options, grasp_name,
+                                  certificate_name);
+  });
+  return std::visit(ToDict{}, answer);
+}
+
+}  // namespace
+
+void bind_check(py::module_& module) {
+  module.def("check", &check);
+}
+
+}  // namespace stickslip::python

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Exact numbers from and to Python.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <string>
+
+#include "stickslip/core/twist.hpp"
+
+namespace stickslip::python {
+
+/// The number that a Python object is, exactly: an int, a float (the dyadic rational that it
+/// is), a Fraction, a Decimal, a NumPy scalar, or a string as in a grasp file ("3/5", "-0.25",
+/// "1e-3"). Throws InputError naming `place` for anything else, NaN and infinities included.
+Rational exact(pybind11::handle value, const std::string& place);
+
+/// A list of three numbers. The place of an error is "name[i]".
+Wrench exact_wrench(const pybind11::list& values, const std::string& name);
+
+/// A fractions.Fraction.
+pybind11::object fraction(const Rational& value);
+pybind11::tuple fractions(const Twist& twist);
+pybind11::tuple fractions(const Wrench& wrench);
+pybind11::tuple fractions(const Rational& x, const Rational& y);
+
+/// A str; what is not UTF-8 becomes U+FFFD.
+pybind11::str text(const std::string& bytes);
+
+}  // namespace stickslip::python

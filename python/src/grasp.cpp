@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <utility>
+
+#include "bindings.hpp"
+#include "exact.hpp"
+
+namespace stickslip::python {
+namespace {
+
+namespace py = pybind11;
+
+std::string entry(const char* name, std::size_t i) {
+  return std::string(name) + "[" + std::to_string(i) + "]";
+}
+
+Vector2 vector2(const py::list& rows, std::size_t i, const char* name) {
+  const auto row = rows[i].cast<py::list>();
+  const std::string place = name + ("[" + std::to_string(i) + ", ");
+  return {exact(row[0], place + "0]"), exact(row[1], place + "1]")};
+}
+
+/// The package has checked the lengths.
+GraspFile make_grasp(const py::list& positions, const py::list& normals,
+                     const py::list& friction, const py::list& stiffness,
+                     const py::list& preload, const py::list& wrench, const std::string& name,
+                     const py::object& snap_normals) {
+  std::vector<Contact> contacts;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    contacts.push_back({vector2(positions, i, "positions"), vector2(normals, i, "normals"),
+                        exact(friction[i], entry("friction", i)),
+                        exact(stiffness[i], entry("stiffness", i)),
+                        exact(preload[i], entry("preload", i))});
+  }
+  GraspFile file{{Grasp(std::move(contacts), name), exact_wrench(wrench, "wrench")}, {}};
+  if (!snap_normals.is_none()) {
+    QuestionOptions options;
+    options.snap_tolerance = file.snap_tolerance = exact(snap_normals, "snap_normals");
+    ask(file, options);  // refuses a tolerance that is out of range
+  }
+  return file;
+}
+
+/// One value a contact.
+template <class Value>
+py::tuple by_contact(const GraspFile& file, Value value) {
+  const std::vector<Contact>& contacts = file.content.grasp.contacts();
+  py::tuple result(contacts.size());
+  for (std::size_t i = 0; i < contacts.size(); ++i) result[i] = value(contacts[i]);
+  return result;
+}
+
+py::tuple scalars(const GraspFile& file, Rational Contact::*member) {
+  return by_contact(file, [member](const Contact& c) { return fraction(c.*member); });
+}
+
+py::tuple vectors(const GraspFile& file, Vector2 Contact::*member) {
+  return by_contact(file, [member](const Contact& c) {
+    const Vector2& v = c.*member;
+    return fractions(v.x, v.y);
+  });
+}
+
+}  // namespace
+
+void bind_grasp(py::module_& module) {
+  py::class_<GraspFile>(module, "GraspData")
+      .def(py::init(&make_grasp))
+      .def_static("read",
+                  [](const std::string& path) {
+                    return without_gil([&] { return read_grasp_file(path); });
+                  })
+      .def_static("parse",
+                  [](const std::string& content, const std::string& name) {
+                    return without_gil([&] { return parse_grasp(content, name); });
+                  })
+      .def("text", [](const GraspFile& f) { return write_grasp_file(f); })
+      .def("size", [](const GraspFile& f) { return f.content.grasp.size(); })
+      .def("name", [](const GraspFile& f) { return text(f.content.grasp.name()); })
+      .def("positions", [](const GraspFile& f) { return vectors(f, &Contact::position); })
+      .def("normals", [](const GraspFile& f) { return vectors(f, &Contact::normal); })
+      .def("friction", [](const GraspFile& f) { return scalars(f, &Contact::friction); })
+      .def("stiffness", [](const GraspFile& f) { return scalars(f, &Contact::stiffness); })
+      .def("preload", [](const GraspFile& f) { return scalars(f, &Contact::preload); })
+      .def("wrench", [](const GraspFile& f) { return fractions(f.content.wrench); })
+      .def("snap_normals", [](const GraspFile& f) -> py::object {
+        if (!f.snap_tolerance) return py::none();
+        return fraction(*f.snap_tolerance);
+      });
+}
+
+}  // namespace stickslip::python

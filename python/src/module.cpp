@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bindings.hpp"
+#include "exact.hpp"
+#include "stickslip/core/error.hpp"
+
+namespace stickslip::python {
+namespace {
+
+namespace py = pybind11;
+
+py::object error_class(const char* name) {
+  return py::module_::import("stickslip.errors").attr(name);
+}
+
+/// An option of the programs as the argument that it is here.
+std::string argument_name(const std::string& place) {
+  if (place == "--preload") return "preload";
+  if (place == "--snap-normals") return "snap_normals";
+  return place;
+}
+
+void translate(std::exception_ptr thrown) {
+  try {
+    if (thrown) std::rethrow_exception(thrown);
+  } catch (const InputError& error) {
+    const py::tuple arguments =
+        py::make_tuple(text(error.file()), text(argument_name(error.place())),
+                       text(error.problem()), text(error.remedy()));
+    PyErr_SetObject(error_class("InputError").ptr(), arguments.ptr());
+  } catch (const ContractError& error) {
+    PyErr_SetObject(error_class("ContractError").ptr(), text(error.what()).ptr());
+  }
+}
+
+}  // namespace
+}  // namespace stickslip::python
+
+PYBIND11_MODULE(_core, module) {
+  module.doc() = "The compiled part of stickslip; import stickslip instead.";
+  module.attr("version") = STICKSLIP_VERSION;
+  pybind11::register_exception_translator(stickslip::python::translate);
+  stickslip::python::bind_grasp(module);
+  stickslip::python::bind_questions(module);
+  stickslip::python::bind_check(module);
+}

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bindings.hpp"
+#include "exact.hpp"
+#include "stickslip/arrangement/enumerate.hpp"
+#include "stickslip/certificate/certificate.hpp"
+#include "stickslip/core/error.hpp"
+#include "stickslip/core/sign.hpp"
+#include "stickslip/equilibrium/decide.hpp"
+#include "stickslip/equilibrium/margin.hpp"
+
+namespace stickslip::python {
+namespace {
+
+namespace py = pybind11;
+using py::literals::operator""_a;
+
+template <class Work>
+py::dict stats(const Work& work) {
+  py::dict result;
+  for (const auto& [name, value] : counters(work)) result[name.c_str()] = value;
+  return result;
+}
+
+py::tuple snapped_normals(const Question& question) {
+  py::tuple result(question.snapped.size());
+  for (std::size_t i = 0; i < question.snapped.size(); ++i) {
+    const SnappedNormal& s = question.snapped[i];
+    result[i] = py::make_tuple(s.contact.index(), fractions(s.after.x, s.after.y), s.moved);
+  }
+  return result;
+}
+
+/// The evidence of a stable verdict, contact by contact.
+void add_witness(py::dict& result, const Question& question, const Problem& problem,
+                 const Witness& witness) {
+  py::tuple forces(problem.size());
+  py::tuple coefficients(problem.size());
+  py::tuple closed(problem.size());
+  std::string slip;
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    const Vector2& n = question.loaded.grasp.contacts()[i].normal;
+    const ContactRow& row = problem.rows()[i];
+    const auto& [a, b] = witness.forces[i];
+    forces[i] = fractions(a * n.x - b * n.y, a * n.y + b * n.x);
+    coefficients[i] = fractions(a, b);
+    closed[i] = row.normal_coefficient(witness.twist).sign() >= 0;
+    slip += to_char(sign_of(power(row.tangent, witness.twist)));
+  }
+  result["twist"] = fractions(witness.twist);
+  result["forces"] = forces;
+  result["coefficients"] = coefficients;
+  result["slip"] = slip;
+  result["closed"] = closed;
+}
+
+Engine engine_named(const std::string& name) {
+  return name == "states" ? Engine::kStates : name == "cone" ? Engine::kCone : Engine::kAuto;
+}
+
+py::dict decide_grasp(const GraspFile& grasp, const py::object& wrench,
+                      const py::object& preload, bool bilateral, const std::string& engine,
+                      std::size_t node_limit, std::size_t threads) {
+  struct Answer {
+    Question question;
+    Problem problem;
+    Decision decision;
+    std::string certificate;  ///< empty if undecided
+  };
+  const QuestionOptions asked = question_options(wrench, preload, bilateral);
+  const Answer answer = without_gil([&] {
+    Question question = ask(grasp, asked);
+    Problem problem(question.loaded, question.law);
+    ConeOptions options;
+    options.node_limit = node_limit;
+    options.threads = threads;
+    Decision decision = decide(problem, engine_named(engine), options);
+    std::string certificate;
+    if (!std::holds_alternative<Undecided>(decision.verdict)) {
+      certificate = certificate_text(
+          question, decision.verdict,
+          std::string("stickslip " STICKSLIP_VERSION ", engine ") + decision.engine());
+    }
+    return Answer{std::move(question), std::move(problem), std::move(decision),
+                  std::move(certificate)};
+  });
+
+  const Verdict& verdict = answer.decision.verdict;
+  py::dict result("verdict"_a = name_of(verdict), "engine"_a = answer.decision.engine(),
+                  "normal_law"_a = to_string(answer.question.law),
+                  "wrench"_a = fractions(answer.problem.wrench()),
+                  "snapped_normals"_a = snapped_normals(answer.question));
+  if (!answer.certificate.empty()) result["certificate"] = answer.certificate;
+  result["stats"] =
+      std::visit([](const auto& work) { return stats(work); }, answer.decision.work);
+  if (const auto* stable = std::get_if<Stable>(&verdict)) {
+    add_witness(result, answer.question, answer.problem, stable->witness);
+  } else if (const auto* undecided = std::get_if<Undecided>(&verdict)) {
+    result["limit"] = undecided->limit;
+  }
+  return result;
+}
+
+py::dict slip_states(const GraspFile& grasp, const std::string& engine, bool list,
+                     unsigned threads) {
+  const Enumerator enumerator = engine == "cgal"    ? Enumerator::kCgal
+                                : engine == "sweep" ? Enumerator::kSweep
+                                : engine == "paper" ? Enumerator::kPaper
+                                                    : Enumerator::kAuto;
+  const Enumeration answer = without_gil([&] {
+    return enumerate_slip_states(stick_planes(grasp.content.grasp), enumerator, list, threads);
+  });
+  const ArrangementCounts& c = answer.found.counts;
+  py::dict result("contacts"_a = c.planes, "circles"_a = c.circles, "rank"_a = c.rank,
+                  "vertices"_a = c.vertices, "edges"_a = c.edges, "faces"_a = c.faces,
+                  "cells"_a = c.cells(), "distinct_states"_a = c.distinct_states,
+                  "engine"_a = answer.engine);
+  if (list) {
+    py::tuple states(answer.found.states.size());
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      states[i] = to_string(answer.found.states[i]);
+    }
+    result["states"] = states;
+  }
+  return result;
+}
+
+py::dict find_grasp_margin(const GraspFile& grasp, const py::list& direction,
+                           const py::object& wrench, const py::object& preload, bool bilateral,
+                           std::size_t node_limit) {
+  struct Answer {
+    Question question;
+    std::variant<Margin, Undecided> result;
+    MarginWork work;
+    std::string certificate;  ///< empty if undecided
+  };
+  const QuestionOptions asked = question_options(wrench, preload, bilateral);
+  const Wrench along = exact_wrench(direction, "direction");
+  if (along == Wrench{}) {
+    throw InputError("", "direction", "the direction is 0",
+                     "give the wrench whose multiples are asked for, such as (0, 1, 0)");
+  }
+  const Answer answer = without_gil([&] {
+    Question question = ask(grasp, asked);
+    ConeOptions options;
+    options.node_limit = node_limit;
+    MarginWork work;
+    auto found = find_margin(Problem(question.loaded, question.law), along, options, &work);
+    std::string certificate;
+    if (const auto* margin = std::get_if<Margin>(&found)) {
+      certificate = margin_certificate_text(question, *margin, "stickslip " STICKSLIP_VERSION);
+    }
+    return Answer{std::move(question), std::move(found), work, std::move(certificate)};
+  });
+
+  if (const auto* undecided = std::get_if<Undecided>(&answer.result)) {
+    return py::dict("limit"_a = undecided->limit);
+  }
+  const auto& margin = std::get<Margin>(answer.result);
+  py::tuple resisted(margin.resisted.size());
+  for (std::size_t i = 0; i < resisted.size(); ++i) {
+    const LoadInterval& interval = margin.resisted[i];
+    resisted[i] =
+        py::make_tuple(fraction(interval.low),
+                       interval.high ? fraction(*interval.high) : py::object(py::none()));
+  }
+  py::dict work("ranges"_a = answer.work.ranges, "mode_programs"_a = answer.work.modes);
+  work.attr("update")(stats(answer.work.cone));
+  return py::dict("resisted"_a = resisted, "direction"_a = fractions(margin.direction),
+                  "wrench"_a = fractions(answer.question.loaded.wrench),
+                  "normal_law"_a = to_string(answer.question.law),
+                  "snapped_normals"_a = snapped_normals(answer.question),
+                  "certificate"_a = answer.certificate, "stats"_a = work);
+}
+
+}  // namespace
+
+QuestionOptions question_options(const py::object& wrench, const py::object& preload,
+                                 bool bilateral) {
+  QuestionOptions options;
+  if (!wrench.is_none()) options.wrench = exact_wrench(wrench.cast<py::list>(), "wrench");
+  if (!preload.is_none()) options.preload = exact(preload, "preload");
+  options.law = bilateral ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
+  return options;
+}
+
+void bind_questions(py::module_& module) {
+  module.def("decide", &decide_grasp);
+  module.def("slip_states", &slip_states);
+  module.def("margin", &find_grasp_margin);
+}
+
+}  // namespace stickslip::python

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Exact passive stability of planar frictional grasps, with proofs.
+
+>>> import stickslip
+>>> grasp = stickslip.Grasp([[-1, 0], [0, -1], [1, 0]], [[1, 0], [0, 1], [-1, 0]], "1/2", preload=1)
+>>> stickslip.decide(grasp, (0, 1, 0)).verdict
+'stable'
+>>> stickslip.margin(grasp, (0, 1, 0)).resisted
+((Fraction(0, 1), Fraction(1, 1)),)
+
+Arrays and numbers go in, ``fractions.Fraction`` comes out; no floating-point tolerance decides
+anything. Normals point into the body, the tangent is the normal turned by +90 degrees, and the
+wrench is the one applied to the body. See docs/python.md.
+"""
+
+from . import _core
+from .errors import ContractError, InputError, LimitReached
+from .grasp import Grasp
+from .questions import check, decide, margin, slip_states
+from .results import CheckResult, Decision, Margin, SlipStates, SnappedNormal
+
+# The place of crosscheck: from .crosscheck import crosscheck
+
+__version__: str = _core.version
+
+__all__ = [
+    "CheckResult",
+    "ContractError",
+    "Decision",
+    "Grasp",
+    "InputError",
+    "LimitReached",
+    "Margin",
+    "SlipStates",
+    "SnappedNormal",
+    "check",
+    "decide",
+    "margin",
+    "slip_states",
+]

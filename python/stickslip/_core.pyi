@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The compiled part. Its functions take checked arguments and return the fields of results.py.
+from fractions import Fraction
+from typing import Any, Dict, List, Optional, Tuple
+
+version: str
+
+class GraspData:
+    def __init__(
+        self,
+        positions: List[List[Any]],
+        normals: List[List[Any]],
+        friction: List[Any],
+        stiffness: List[Any],
+        preload: List[Any],
+        wrench: List[Any],
+        name: str,
+        snap_normals: Any,
+    ) -> None: ...
+    @staticmethod
+    def read(path: bytes) -> GraspData: ...
+    @staticmethod
+    def parse(text: str, name: str) -> GraspData: ...
+    def text(self) -> str: ...
+    def size(self) -> int: ...
+    def name(self) -> str: ...
+    def positions(self) -> Tuple[Tuple[Fraction, Fraction], ...]: ...
+    def normals(self) -> Tuple[Tuple[Fraction, Fraction], ...]: ...
+    def friction(self) -> Tuple[Fraction, ...]: ...
+    def stiffness(self) -> Tuple[Fraction, ...]: ...
+    def preload(self) -> Tuple[Fraction, ...]: ...
+    def wrench(self) -> Tuple[Fraction, Fraction, Fraction]: ...
+    def snap_normals(self) -> Optional[Fraction]: ...
+
+def decide(
+    grasp: GraspData,
+    wrench: Optional[List[Any]],
+    preload: Any,
+    bilateral: bool,
+    engine: str,
+    node_limit: int,
+    threads: int,
+) -> Dict[str, Any]: ...
+def slip_states(grasp: GraspData, engine: str, list_states: bool, threads: int) -> Dict[str, Any]: ...
+def margin(
+    grasp: GraspData,
+    direction: List[Any],
+    wrench: Optional[List[Any]],
+    preload: Any,
+    bilateral: bool,
+    node_limit: int,
+) -> Dict[str, Any]: ...
+def check(
+    grasp: bytes,
+    certificate: bytes,
+    wrench: Optional[List[Any]],
+    preload: Any,
+    bilateral: bool,
+    snap_normals: Any,
+    direction: Optional[List[Any]],
+    grasp_name: str,
+    certificate_name: str,
+) -> Dict[str, Any]: ...

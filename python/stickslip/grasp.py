@@ -1,0 +1,192 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Grasps from arrays and files."""
+
+from __future__ import annotations
+
+import os
+from fractions import Fraction
+from typing import Any, List, Optional, Tuple, Union
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _core
+from .errors import InputError
+
+Pair = Tuple[Fraction, Fraction]
+Triple = Tuple[Fraction, Fraction, Fraction]
+
+
+def as_array(values: Any, name: str) -> np.ndarray[Any, np.dtype[np.object_]]:
+    """The entries unchanged: without dtype=object NumPy turns mixed ones into strings."""
+    try:
+        return np.asarray(values, dtype=object)
+    except ValueError as error:  # rows that do not fit together
+        raise InputError("", name, str(error), "give an array, or lists of equal length") from None
+
+
+def as_list(values: Any, name: str, shape: Tuple[int, ...], meaning: str) -> List[Any]:
+    """The entries as nested lists, if they have the shape."""
+    array = as_array(values, name)
+    if array.shape == (0,) and shape[0] == 0:
+        return []
+    if array.shape != shape:
+        raise InputError("", name, f"the shape is {array.shape}", f"expected {shape}: {meaning}")
+    entries: List[Any] = array.tolist()
+    return entries
+
+
+def as_rows(positions: Any) -> List[Any]:
+    array = as_array(positions, "positions")
+    m = len(array) if array.ndim > 0 else 1
+    return as_list(array, "positions", (m, 2), "one row x, y for each contact")
+
+
+def as_numbers(values: Any, name: str, count: int) -> List[Any]:
+    """One entry for each of ``count`` contacts; a scalar stands for all of them."""
+    array = as_array(values, name)
+    if array.ndim == 0:
+        return [array.item()] * count
+    return as_list(array, name, (count,), "one number, or one for each row of positions")
+
+
+def as_wrench(values: Any, name: str) -> List[Any]:
+    return as_list(values, name, (3,), "force x, force y and torque")
+
+
+class Grasp:
+    """A planar body held by frictional point contacts, and the wrench applied to it. Immutable.
+
+    Args:
+        positions: (m, 2), the contacts in the frame of the body.
+        normals: (m, 2), not zero, pointing *into* the body, of any length.
+        friction: coefficient of friction, >= 0; one number or (m,), as are the next two.
+        stiffness: of the normal springs, force per length, > 0.
+        preload: normal force before the wrench is applied, >= 0.
+        wrench: (3,), force x, force y and torque about the origin, applied *to* the body.
+        name: for people.
+        snap_normals: a tolerance between 0 and 1, such as "1e-9": every normal of irrational
+            length is replaced by a rational unit vector within it when a question is asked. A
+            preloaded contact needs it unless the length of its normal is rational; the length
+            of a unit vector in floating point seldom is.
+
+    Numbers are taken exactly: a float as the dyadic rational that it is (0.1 is not 1/10), an
+    int, a Fraction, a Decimal, and a string as it spells ("1/10", "0.1", "1e-3"). Arrays may mix
+    them with dtype=object.
+
+    Raises:
+        InputError: a wrong shape, an entry that is no finite number, or a value out of range.
+
+    >>> grasp = Grasp([[-1, 0], [0, -1], [1, 0]], [[1, 0], [0, 1], [-1, 0]], "1/2", preload=1)
+    >>> grasp.friction[0]
+    Fraction(1, 2)
+    """
+
+    __slots__ = ("_data",)
+    _data: _core.GraspData
+
+    def __init__(
+        self,
+        positions: ArrayLike,
+        normals: ArrayLike,
+        friction: Any,
+        stiffness: Any = 1,
+        preload: Any = 0,
+        *,
+        wrench: Any = (0, 0, 0),
+        name: str = "",
+        snap_normals: Any = None,
+    ) -> None:
+        rows = as_rows(positions)
+        m = len(rows)
+        data = _core.GraspData(
+            rows,
+            as_list(normals, "normals", (m, 2), "one row x, y for each row of positions"),
+            as_numbers(friction, "friction", m),
+            as_numbers(stiffness, "stiffness", m),
+            as_numbers(preload, "preload", m),
+            as_wrench(wrench, "wrench"),
+            name,
+            snap_normals,
+        )
+        object.__setattr__(self, "_data", data)
+
+    @classmethod
+    def from_file(cls, path: Union[str, os.PathLike[str]]) -> Grasp:
+        """Reads a grasp file (docs/grasp_file.md)."""
+        return cls._of(_core.GraspData.read(os.fsencode(path)))
+
+    @classmethod
+    def from_text(cls, text: str, name: str = "") -> Grasp:
+        """Reads the text of a grasp file. ``name`` stands for its name in errors."""
+        return cls._of(_core.GraspData.parse(text, name))
+
+    @classmethod
+    def _of(cls, data: _core.GraspData) -> Grasp:
+        grasp = cls.__new__(cls)
+        object.__setattr__(grasp, "_data", data)
+        return grasp
+
+    def to_text(self) -> str:
+        """The text of a grasp file. Equal grasps give equal texts, and reading gives the grasp."""
+        return self._data.text()
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        raise AttributeError(f"a Grasp is immutable; make another one to change {name}")
+
+    @property
+    def positions(self) -> Tuple[Pair, ...]:
+        """m pairs; ``np.array(grasp.positions, float)`` is an array again."""
+        return self._data.positions()
+
+    @property
+    def normals(self) -> Tuple[Pair, ...]:
+        """As given, not snapped."""
+        return self._data.normals()
+
+    @property
+    def friction(self) -> Tuple[Fraction, ...]:
+        return self._data.friction()
+
+    @property
+    def stiffness(self) -> Tuple[Fraction, ...]:
+        return self._data.stiffness()
+
+    @property
+    def preload(self) -> Tuple[Fraction, ...]:
+        return self._data.preload()
+
+    @property
+    def wrench(self) -> Triple:
+        return self._data.wrench()
+
+    @property
+    def name(self) -> str:
+        return self._data.name()
+
+    @property
+    def snap_normals(self) -> Optional[Fraction]:
+        """The tolerance, or None if normals are used as they are."""
+        return self._data.snap_normals()
+
+    def __len__(self) -> int:
+        """The number of contacts."""
+        return self._data.size()
+
+    def __bool__(self) -> bool:
+        return True  # also without contacts
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Grasp):
+            return NotImplemented
+        return self.to_text() == other.to_text()
+
+    def __hash__(self) -> int:
+        return hash(self.to_text())
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return Grasp.from_text, (self.to_text(),)
+
+    def __repr__(self) -> str:
+        name = f"{self.name!r}, " if self.name else ""
+        return f"<stickslip.Grasp {name}{len(self)} contacts>"

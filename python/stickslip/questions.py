@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What can be asked about a grasp. Every answer is exact.
+
+Long work runs without Python's global lock, so that other threads go on. Ctrl-C takes effect
+when the call returns; ``node_limit`` bounds it.
+"""
+
+from __future__ import annotations
+
+import operator
+import os
+from typing import Any, List, Optional, Sequence, Union
+
+from . import _core
+from .errors import InputError, LimitReached
+from .grasp import Grasp, as_wrench
+from .results import CheckResult, Decision, Margin, SlipStates, SnappedNormal
+
+
+def decide(
+    grasp: Grasp,
+    wrench: Any = None,
+    *,
+    preload: Any = None,
+    normal_law: str = "unilateral",
+    engine: str = "auto",
+    node_limit: int = 0,
+    threads: int = 0,
+) -> Decision:
+    """Will the grasp hold its load passively? A verdict, with evidence.
+
+    Args:
+        grasp: what is asked about.
+        wrench: (3,), force x, force y and torque about the origin, applied to the body; the
+            grasp's own if None.
+        preload: of every contact; the grasp's own if None.
+        normal_law: "unilateral", contacts may open, c_n = max(0, P - k N.d); or "bilateral", the
+            paper's Eq. 4 literally, c_n = P - k N.d >= 0.
+        engine: "states" solves the system of every slip state, "cone" is a branch and bound for
+            many contacts, "auto" takes the one that suits. All are exact.
+        node_limit: let the engine "cone" give up, undecided, after so many nodes; 0 is no limit.
+        threads: of the engine "cone"; 0 is one a core. The answer does not depend on it.
+
+    Raises:
+        InputError: an argument is wrong, or a preloaded contact has a normal of irrational
+            length and the grasp no ``snap_normals``.
+    """
+    return Decision(**_snapped(_core.decide(
+        _data(grasp),
+        _wrench_or_none(wrench),
+        preload,
+        _is_bilateral(normal_law),
+        _one_of("engine", engine, ("auto", "states", "cone")),
+        _count("node_limit", node_limit),
+        _count("threads", threads),
+    )))
+
+
+def slip_states(
+    grasp: Grasp, *, engine: str = "auto", list_states: bool = True, threads: int = 0
+) -> SlipStates:
+    """The slip states consistent with rigid motion, and counts of cells.
+
+    Args:
+        grasp: its positions and normals matter, nothing else.
+        engine: "cgal", CGAL's arrangement on the sphere, the reference; "sweep", for many
+            contacts; "paper", the paper's own three steps, a baseline; "auto".
+        list_states: list the states. There are O(m^2) of m characters each: beyond a few hundred
+            contacts ask for counts alone.
+        threads: of the counts of "sweep"; 0 is one a core.
+    """
+    engine = _one_of("engine", engine, ("auto", "cgal", "sweep", "paper"))
+    return SlipStates(
+        **_core.slip_states(_data(grasp), engine, bool(list_states), _count("threads", threads)))
+
+
+def margin(
+    grasp: Grasp,
+    direction: Any,
+    wrench: Any = (0, 0, 0),
+    *,
+    preload: Any = None,
+    normal_law: str = "unilateral",
+    node_limit: int = 0,
+) -> Margin:
+    """Which multiples l >= 0 of a load are resisted, under wrench + l direction?
+
+    The set is a finite union of closed intervals with rational ends; the last may have no end.
+    ``wrench`` is what is there besides: 0 by default, whatever the grasp's own.
+
+    Raises:
+        InputError: an argument is wrong; a direction of 0.
+        LimitReached: ``node_limit`` (0 is none).
+    """
+    result = _core.margin(
+        _data(grasp),
+        as_wrench(direction, "direction"),
+        _wrench_or_none(wrench),
+        preload,
+        _is_bilateral(normal_law),
+        _count("node_limit", node_limit),
+    )
+    if "limit" in result:
+        raise LimitReached(result["limit"])
+    return Margin(**_snapped(result))
+
+
+def check(
+    grasp: Union[Grasp, os.PathLike[str]],
+    certificate: Union[str, os.PathLike[str]],
+    *,
+    wrench: Any = None,
+    preload: Any = None,
+    normal_law: str = "unilateral",
+    snap_normals: Any = None,
+    direction: Any = None,
+) -> CheckResult:
+    """Does the certificate prove its verdict about this question?
+
+    The checker shares no code with the engines; it believes nothing in the certificate
+    (docs/proofs.md). Give the same question as to ``decide``.
+
+    Args:
+        grasp: a grasp, or the path of its file, which the checker then reads itself.
+        certificate: its text, or the path of a file, as a ``pathlib.Path``.
+        direction: of a margin, whose certificate this then is; the wrench is then 0 unless given.
+
+    Raises:
+        InputError: the grasp or the certificate cannot be read, or the question not be asked.
+    """
+    if isinstance(grasp, Grasp):
+        grasp_bytes, grasp_name = grasp.to_text().encode(), "<grasp>"
+    else:
+        grasp_bytes, grasp_name = _read("grasp", grasp)
+    if isinstance(certificate, str):
+        certificate_bytes, name = certificate.encode("utf-8", "surrogatepass"), "<certificate>"
+    else:
+        certificate_bytes, name = _read("certificate", certificate)
+    return CheckResult(**_core.check(
+        grasp_bytes,
+        certificate_bytes,
+        _wrench_or_none(wrench),
+        preload,
+        _is_bilateral(normal_law),
+        snap_normals,
+        None if direction is None else as_wrench(direction, "direction"),
+        grasp_name,
+        name,
+    ))
+
+
+def _data(grasp: Grasp) -> _core.GraspData:
+    if not isinstance(grasp, Grasp):
+        raise InputError("", "grasp", f"this is a {type(grasp).__name__}",
+                         "give a stickslip.Grasp; Grasp.from_file reads one")
+    return grasp._data
+
+
+def _wrench_or_none(wrench: Any) -> Optional[List[Any]]:
+    return None if wrench is None else as_wrench(wrench, "wrench")
+
+
+def _one_of(name: str, value: str, allowed: Sequence[str]) -> str:
+    if value not in allowed:
+        raise InputError("", name, f"the value is {value!r}", "give one of " + ", ".join(allowed))
+    return value
+
+
+def _is_bilateral(normal_law: str) -> bool:
+    return _one_of("normal_law", normal_law, ("unilateral", "bilateral")) == "bilateral"
+
+
+def _count(name: str, value: int) -> int:
+    try:
+        count = operator.index(value)
+    except TypeError:
+        count = -1
+    if not 0 <= count < 2**32:
+        raise InputError("", name, f"the value is {value!r}", "give an int, 0 or more")
+    return count
+
+
+def _snapped(result: Any) -> Any:
+    result["snapped_normals"] = tuple(SnappedNormal(*s) for s in result["snapped_normals"])
+    return result
+
+
+def _read(argument: str, path: Any) -> Any:
+    """The content of a file, and its name for messages."""
+    try:
+        name = os.fsdecode(path)
+    except TypeError:
+        raise InputError("", argument, f"this is a {type(path).__name__}",
+                         "give the path of a file") from None
+    try:
+        with open(path, "rb") as file:
+            return file.read(), name
+    except OSError as error:
+        raise InputError(name, "", f"cannot open the file: {error.strerror}",
+                         "name a file that can be read") from error

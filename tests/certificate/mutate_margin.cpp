@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <functional>
+
+#include "json_edit.hpp"
+
+namespace stickslip::test {
+namespace {
+
+const Rational kTiny = parse_rational("1e-12");
+
+/// s x + t y, for numbers and for arrays of them, item by item.
+Json sum(const Rational& s, const Json& x, const Rational& t, const Json& y) {
+  if (!x.is_array()) return json_of(s * number_of(x) + t * number_of(y));
+  Json result = Json::array();
+  for (std::size_t i = 0; i < x.size(); ++i) result.push_back(sum(s, x[i], t, y[i]));
+  return result;
+}
+
+bool is_ray(const Json& segment) {
+  return segment[1][0].is_null();
+}
+
+/// The point of a segment at t in [0, 1].
+Json inside(const Json& segment, const Rational& t) {
+  if (!is_ray(segment)) return sum(1 - t, segment[0], t, segment[1]);
+  Json ray = segment[1];
+  ray[0] = 1;  // what it adds to lambda
+  return sum(1, segment[0], t, ray);
+}
+
+class MarginMutations {
+ public:
+  MarginMutations(RandomSource& random, const MarginCertificate& original, Mutants& mutants)
+      : random_(random),
+        original_(original),
+        json_(Json::parse(original.input.certificate)),
+        mutants_(mutants) {}
+
+  void run() {
+    add("margin as it is", json_, Expectation::accepted());
+    question();
+    syntax();
+    resisted();
+    segments();
+    shrunk_and_split();
+    trees();
+    for (int k = 0; k < 60; ++k) numbers();
+  }
+
+ private:
+  void add(const std::string& kind, const Json& edited, Expectation expected = {}) {
+    CheckerInput input = original_.input;
+    input.certificate = edited.dump();
+    add_input(kind, std::move(input), std::move(expected));
+  }
+
+  void add_input(const std::string& kind, CheckerInput input, Expectation expected) {
+    mutants_.push_back({kind, original_.name, std::move(input), std::move(expected)});
+  }
+
+  static Expectation rule(const char* name) { return Expectation::of_rule(name); }
+
+  void question() {
+    Json edited = json_;
+    edited["direction"][1] = json_of(number_of(json_["direction"][1]) + kTiny);
+    add("another direction", edited, rule("question-direction"));
+    edited = json_;
+    for (Json& c : edited["direction"]) c = json_of(2 * number_of(c));
+    add("another direction", edited, rule("question-direction"));
+    edited["direction"] = {0, 0, 0};
+    add("another direction", edited, rule("question-direction"));
+    edited = json_;
+    edited["question"]["wrench"][0] = json_of(number_of(json_["question"]["wrench"][0]) + 1);
+    add("another wrench of a margin", edited, rule("question-wrench"));
+    CheckerInput input = original_.input;
+    input.direction->torque += 1;
+    add_input("another direction asked", input, rule("question-direction"));
+    input.direction.reset();
+    add_input("margin, but no direction asked", input, Expectation::malformed());
+  }
+
+  void syntax() {
+    const Expectation bad = Expectation::malformed();
+    Json edited = json_;
+    for (const char* member : {"direction", "resisted", "segments", "tree", "question"}) {
+      edited = json_;
+      edited.erase(member);
+      add("margin without a member", edited, bad);
+      edited = json_;
+      const Json moved = edited[member];
+      edited.erase(member);
+      edited[member] = moved;
+      if (member != std::string("tree")) add("members of a margin out of order", edited, bad);
+      edited = json_;
+      edited[member] = nullptr;
+      add("null for a member", edited, bad);
+    }
+    edited = json_;
+    edited["verdict"] = "stable";
+    add("margin with an extra member", edited, bad);
+    edited = json_;
+    edited["format"] = "stickslip-margin/2";
+    add("another version of margins", edited, bad);
+    for (const char* interval : {"[null, 1]", "[0]", "[0, 1, 2]", "0", "[0, 1.5]", "null"}) {
+      edited = json_;
+      edited["resisted"].push_back(Json::parse(interval));
+      add("no interval", edited, bad);
+    }
+    for (const char* segment :
+         {"[]", "[[0, [0, 0, 0], []]]", "0", "[[0, [0, 0, 0], []], [0, [0, 0, 0]]]",
+          "[[null, [0, 0, 0], []], [null, [0, 0, 0], []]]",
+          "[[0, [0, 0, 0], [[0]]], [0, [0, 0, 0], []]]",
+          "[[0, [0, 0], []], [0, [0, 0, 0], []]]", "[[0, [0, 0, 0], 0], [0, [0, 0, 0], []]]",
+          "[[0, [0, 0, 0], []], [0, [0, 0, 0], [], 0]]",
+          "[[0, [0, 0, 0], []], [true, [0, 0, 0], []]]"}) {
+      edited = json_;
+      edited["segments"].push_back(Json::parse(segment));
+      add("no segment", edited, bad);
+    }
+  }
+
+  void resisted() {
+    const Json& claimed = json_["resisted"];
+    for (std::size_t k = 0; k < claimed.size(); ++k) {
+      const bool last = k + 1 == claimed.size();
+      const auto with = [&](std::size_t end, const Json& value, Expectation expected) {
+        Json edited = json_;
+        edited["resisted"][k][end] = value;
+        add("another end of an interval", edited, std::move(expected));
+      };
+      const Rational low = number_of(claimed[k][0]);
+      with(0, json_of(low + kTiny), Expectation::rejected());
+      with(0, json_of(low - kTiny), low == 0 ? rule("resisted-order") : rule("segment-chain"));
+      with(0, -1, rule("resisted-order"));
+      if (claimed[k][1].is_null()) {
+        with(1, json_of(low + 1000), rule("segment-chain"));
+      } else {
+        const Rational high = number_of(claimed[k][1]);
+        with(1, json_of(high + kTiny), rule("segment-chain"));
+        with(1, json_of(high - kTiny),
+             low == high ? rule("resisted-order") : rule("segment-chain"));
+        with(1, nullptr, last ? rule("segment-chain") : rule("resisted-order"));
+      }
+      Json edited = json_;
+      edited["resisted"].erase(k);
+      add("an interval less", edited, Expectation::rejected());
+      edited["resisted"].insert(edited["resisted"].begin(), {claimed[k], claimed[k]});
+      add("an interval twice", edited, rule("resisted-order"));
+    }
+    Json edited = json_;
+    edited["resisted"].push_back({1000000000, 1000000000});
+    const bool unbounded = !claimed.empty() && claimed.back()[1].is_null();
+    add("an interval more", edited, rule(unbounded ? "resisted-order" : "segment-chain"));
+    edited = json_;
+    edited["resisted"] = Json::array();
+    if (!claimed.empty()) add("no intervals", edited, rule("segment-chain"));
+    edited["segments"] = Json::array();
+    // Nothing is said to be resisted: the trees have to refute what is.
+    if (!claimed.empty()) add("no intervals, no segments", edited, Expectation::rejected());
+    edited["resisted"] = {{0, nullptr}};
+    add("all is resisted", edited, rule("segment-chain"));
+  }
+
+  void segments() {
+    const Json& list = json_["segments"];
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      const auto edit = [&](const char* kind, Expectation expected,
+                            const std::function<void(Json&)>& change) {
+        Json edited = json_;
+        change(edited["segments"][k]);
+        add(kind, edited, std::move(expected));
+      };
+      // In an interval without end no load is too large for the chain.
+      const Json& last = json_["resisted"].back();
+      const bool endless = last[1].is_null() && number_of(list[k][0][0]) >= number_of(last[0]);
+      const char* too_far = endless ? "witness-balance" : "segment-chain";
+      Json edited = json_;
+      edited["segments"].erase(k);
+      add("a segment less", edited, rule("segment-chain"));
+      edited["segments"].insert(edited["segments"].begin() + static_cast<std::ptrdiff_t>(k),
+                                {list[k], list[k]});
+      add("a segment twice", edited, rule("segment-chain"));
+      for (const std::size_t end : {0u, 1u}) {
+        edit("null in a point",
+             is_ray(list[k]) && end == 1 ? Expectation::accepted()
+             : end == 0                  ? Expectation::malformed()
+                                         : rule(too_far),
+             [&](Json& segment) { segment[end][0] = nullptr; });
+        edit("a force more", rule("witness-count"), [&](Json& segment) {
+          segment[end][2].push_back({0, 0});
+        });
+        for (std::size_t i = 0; i < list[k][end][2].size(); ++i) {
+          for (const std::size_t part : {0u, 1u}) {
+            edit("another force of a point", rule("witness-balance"), [&](Json& segment) {
+              Json& force = segment[end][2][i][part];
+              force = json_of(number_of(force) + kTiny);
+            });
+          }
+        }
+        for (std::size_t j = 0; j < 3; ++j) {
+          edit("another motion of a point", {}, [&](Json& segment) {
+            Json& c = segment[end][1][j];
+            c = json_of(number_of(c) + random_.between(-1, 1) * kTiny);
+          });
+        }
+      }
+      edit("a later begin", rule("segment-chain"),
+           [](Json& segment) { segment[0][0] = json_of(number_of(segment[0][0]) + kTiny); });
+      if (!is_ray(list[k])) {
+        edit("a later end", rule(too_far), [](Json& segment) {
+          segment[1][0] = json_of(number_of(segment[1][0]) + 1000000);
+        });
+        edit("a segment that goes down", rule("segment-chain"),
+             [](Json& segment) { segment[1][0] = json_of(number_of(segment[0][0]) - kTiny); });
+      } else {
+        edit("a ray of nothing", rule("witness-balance"), [](Json& segment) {
+          for (Json& force : segment[1][2]) force = {0, 0};
+        });
+        edit("a ray of twice the speed", rule("witness-balance"), [](Json& segment) {
+          for (Json& force : segment[1][2]) {
+            for (Json& c : force) c = json_of(2 * number_of(c));
+          }
+        });
+      }
+    }
+  }
+
+  /// Segments cut in two prove the same; cut off, they leave a gap that is too wide.
+  void shrunk_and_split() {
+    const Json& list = json_["segments"];
+    for (std::size_t k = 0; k < list.size(); ++k) {
+      for (const char* t : {"1/2", "1/1000000000001", "999999999999/1000000000000"}) {
+        const Json middle = inside(list[k], parse_rational(t));
+        Json edited = json_;
+        edited["segments"][k] = {list[k][0], middle};
+        edited["segments"].insert(
+            edited["segments"].begin() + static_cast<std::ptrdiff_t>(k) + 1,
+            Json::array({middle, list[k][1]}));
+        const bool point = middle[0] == list[k][0][0];
+        add("a segment in two", edited,
+            point ? rule("segment-chain") : Expectation::accepted());
+        if (point) continue;
+        // The intervals end where a segment does that is the last one of its interval.
+        for (Json& interval : edited["resisted"]) {
+          if (interval[1] != list[k][1][0]) continue;
+          edited["segments"].erase(k + 1);
+          interval[1] = middle[0];
+          // There is a tree already, or one more is needed.
+          add("an interval cut off", edited,
+              is_ray(list[k]) ? rule("tree-short") : rule("leaf-bound"));
+          break;
+        }
+      }
+    }
+  }
+
+  void trees() {
+    const Json& nodes = json_["tree"];
+    Json edited = json_;
+    edited["tree"].push_back({"void"});
+    add("a node after the trees", edited, Expectation::of_rule("tree-long", nodes.size()));
+    if (nodes.empty()) return;
+    edited = json_;
+    edited["tree"].erase(nodes.size() - 1);
+    add("a node less at the end", edited, Expectation::of_rule("tree-short", nodes.size() - 1));
+    edited["tree"] = Json::array();
+    add("no trees", edited, Expectation::of_rule("tree-short", 0));
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      edited = json_;
+      edited["tree"].erase(k);
+      add("a node less", edited, Expectation::rejected());
+      if (nodes[k][0] != "leaf") continue;
+      for (std::size_t j = 1; j < 4; ++j) {
+        for (const Rational& by : {kTiny, Rational(-kTiny)}) {
+          edited = json_;
+          edited["tree"][k][j] = json_of(number_of(nodes[k][j]) + by);
+          add("a leaf of a margin shifted", edited);
+        }
+      }
+      edited = json_;
+      for (std::size_t j = 1; j < 4; ++j) {
+        edited["tree"][k][j] = json_of(-number_of(nodes[k][j]));
+      }
+      add("a leaf of a margin turned", edited, Expectation::of_rule("leaf-bound", k));
+      edited["tree"][k] = {"leaf", 0, 0, 0};
+      add("a leaf of nothing in a margin", edited, Expectation::of_rule("leaf-bound", k));
+      edited["tree"][k] = {"void"};
+      add("a leaf of a margin made void", edited, Expectation::of_rule("void-region", k));
+    }
+  }
+
+  /// Some numbers anywhere replaced: it may be another proof.
+  void numbers() {
+    Json edited = json_;
+    std::vector<Json*> found;
+    const std::function<void(Json&)> collect = [&](Json& value) {
+      if (value.is_number() || value.is_null()) found.push_back(&value);
+      if (!value.is_array()) return;
+      for (Json& item : value) collect(item);
+    };
+    for (const char* member : {"resisted", "segments", "tree"}) collect(edited[member]);
+    if (found.empty()) return;
+    for (int k = random_.between(1, 3); k > 0; --k) {
+      Json& one = *random_.pick(found);
+      one = random_.between(0, 9) == 0 ? Json(nullptr) : Json(random_.between(-2, 3));
+    }
+    add("numbers of a margin", edited);
+  }
+
+  RandomSource& random_;
+  const MarginCertificate& original_;
+  const Json json_;
+  Mutants& mutants_;
+};
+
+}  // namespace
+
+void mutate_margins(RandomSource& random, Mutants& mutants) {
+  const std::vector<MarginCertificate> margins = all_margins();
+  for (const MarginCertificate& margin : margins) {
+    MarginMutations(random, margin, mutants).run();
+  }
+}
+
+}  // namespace stickslip::test

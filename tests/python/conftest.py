@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Shared by the tests of the Python module.
+
+STICKSLIP names the program, and PYTHONPATH has the module.
+"""
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+import stickslip
+
+ROOT = Path(__file__).resolve().parents[2]
+GOOD = ROOT / "tests" / "corpus" / "grasps" / "good"
+BAD = ROOT / "tests" / "corpus" / "grasps" / "bad"
+CHECK_PY = ROOT / "certificate" / "check.py"
+
+
+@pytest.fixture
+def fig1():
+    """Fig. 1 of the paper, P = 1."""
+    return stickslip.Grasp([[-1, 0], [0, -1], [1, 0]], [[1, 0], [0, 1], [-1, 0]], "1/2",
+                           preload=1, name="fig1")
+
+
+def program(*words):
+    """What the program prints with --json."""
+    result = subprocess.run([os.environ["STICKSLIP"], *map(str, words), "--json"],
+                            capture_output=True, text=True, check=False, timeout=300)
+    assert result.stderr == ""
+    return json.loads(result.stdout)
+
+
+def check_py(tmp_path, grasp, certificate, *options):
+    """Whether the checker in Python accepts."""
+    (tmp_path / "grasp.json").write_text(grasp.to_text())
+    (tmp_path / "certificate.json").write_text(certificate)
+    result = subprocess.run(
+        [sys.executable, "-B", CHECK_PY, tmp_path / "grasp.json", tmp_path / "certificate.json",
+         *options], capture_output=True, text=True, check=False, timeout=300)
+    assert result.returncode in (0, 1), result.stderr
+    return result.returncode == 0

@@ -1,0 +1,334 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Answers: against the paper, against the program on the same grasps, and against both checkers."""
+
+import pickle
+import sys
+import threading
+import time
+from fractions import Fraction
+
+import numpy as np
+import pytest
+import stickslip
+from conftest import GOOD, ROOT, check_py, program
+from stickslip import Grasp, InputError, check, decide, margin, slip_states
+
+UP, DOWN = (0, 1, 0), (0, -1, 0)
+PAPER = ROOT / "paper_examples" / "grasps"
+LAWS = ("unilateral", "bilateral")
+
+
+def numbers(texts):
+    return tuple(map(Fraction, texts))
+
+
+def balance(grasp, decision):
+    """The applied wrench and the contact forces, summed."""
+    total = list(decision.wrench)
+    for (x, y), (fx, fy) in zip(grasp.positions, decision.forces):
+        for j, part in enumerate((fx, fy, x * fy - y * fx)):
+            total[j] += part
+    return total
+
+
+# --- decide
+
+
+@pytest.mark.parametrize("engine", ["states", "cone", "auto"])
+@pytest.mark.parametrize("wrench, preload, verdict", [  # Table I
+    (DOWN, 0, "stable"), ((0, -2, 0), 0, "stable"), (UP, 0, "unstable"), (UP, 1, "stable"),
+    ((0, "11/10", 0), 1, "unstable"), ((0, Fraction(1) + Fraction(1, 10**30), 0), 1, "unstable"),
+])
+def test_the_paper(fig1, engine, wrench, preload, verdict):
+    decision = decide(fig1, wrench, preload=preload, engine=engine)
+    assert decision.verdict == verdict
+    assert decision.engine == ("states" if engine == "auto" else engine)
+    if verdict == "stable":
+        assert balance(fig1, decision) == [0, 0, 0]
+        for (a, b), mu in zip(decision.coefficients, fig1.friction):
+            assert abs(b) <= mu * a
+    else:
+        assert decision.twist is decision.forces is decision.slip is None
+        assert decision.closed is decision.coefficients is None
+
+
+@pytest.mark.parametrize("path", sorted(GOOD.iterdir()), ids=lambda path: path.stem)
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("engine", ["states", "cone"])
+def test_same_answer_as_the_program(path, law, engine):
+    grasp = Grasp.from_file(path)
+    words = ("decide", path, "--normal-law", law, "--engine", engine)
+    expected = program(*words)
+    decision = decide(grasp, normal_law=law, engine=engine)
+    assert decision.verdict == expected["verdict"]
+    assert decision.engine == engine and decision.normal_law == law
+    assert decision.wrench == numbers(expected["wrench"]) == grasp.wrench
+    assert decision.stats == expected["stats"]
+    snapped = [{"contact": s.contact, "normal": list(map(str, s.normal)),
+                "moved_at_most": s.moved_at_most} for s in decision.snapped_normals]
+    assert snapped == expected.get("snapped_normals", [])
+    if decision.verdict == "stable":
+        contacts = expected["contacts"]
+        assert decision.twist == numbers(expected["twist"])
+        assert decision.forces == tuple(numbers(c["force"]) for c in contacts)
+        assert decision.slip == "".join(c["slip"] for c in contacts)
+        assert decision.closed == tuple(c["closed"] for c in contacts)
+        assert balance(grasp, decision) == [0, 0, 0]
+
+
+def test_same_certificate_as_the_program(fig1, tmp_path):
+    path = tmp_path / "grasp.json"
+    path.write_text(fig1.to_text())
+    for load in ("0,1,0", "0,11/10,0"):
+        program("decide", path, "--wrench", load, "--certificate", tmp_path / "c.json")
+        assert (tmp_path / "c.json").read_text() == decide(fig1, load.split(",")).certificate
+    program("margin", path, "--direction", "0,1,0", "--certificate", tmp_path / "m.json")
+    assert (tmp_path / "m.json").read_text() == margin(fig1, UP).certificate
+
+
+def test_forces_are_coefficients_of_the_snapped_normal():
+    grasp = Grasp.from_file(GOOD / "snap.json")
+    decision = decide(grasp, (-1, -1, 1))
+    assert decision.verdict == "stable"
+    ((contact, (nx, ny), _),) = decision.snapped_normals
+    assert contact == 0 and nx * nx + ny * ny == 1
+    ((a, b),) = decision.coefficients
+    assert decision.forces == ((a * nx - b * ny, a * ny + b * nx),)
+
+
+def test_wrench_of_the_grasp_or_another(fig1):
+    grasp = Grasp(fig1.positions, fig1.normals, fig1.friction, preload=1, wrench=(0, 2, 0))
+    assert decide(grasp).verdict == "unstable"
+    assert decide(grasp, UP).verdict == "stable"
+    assert decide(grasp, np.array([0.0, 1.0, 0.0])).wrench == (0, 1, 0)
+    assert decide(fig1).wrench == (0, 0, 0)
+
+
+def test_floats_on_a_threshold_are_what_they_are(fig1):
+    # Ten times the double 0.1 is above 1, the threshold; ten times the decimal is 1.
+    friction = Fraction(1, 2)
+    tenth = Grasp(fig1.positions, fig1.normals, friction, preload="0.1")
+    assert decide(tenth, (0, "0.1", 0)).verdict == "stable"
+    assert decide(tenth, (0, 0.1, 0)).verdict == "unstable"  # 0.1 as a double is above 1/10
+    assert decide(tenth, (0, np.nextafter(0.1, 0), 0)).verdict == "stable"
+
+
+def test_undecided(fig1):
+    decision = decide(fig1, (0, "11/10", 0), engine="cone", node_limit=1)
+    assert (decision.verdict, decision.certificate) == ("undecided", None)
+    assert "1 node" in decision.limit
+    with pytest.raises(stickslip.LimitReached, match="1 node"):
+        margin(fig1, UP, node_limit=1)
+
+
+def test_threads_change_nothing(fig1):
+    answers = {decide(fig1, (0, 2, 1), engine="cone", threads=n).certificate for n in (0, 1, 3)}
+    assert len(answers) == 1
+
+
+def test_no_contact():
+    nothing = Grasp([], [], 1)
+    assert decide(nothing).verdict == "stable"
+    assert decide(nothing).forces == ()
+    assert decide(nothing, (0, 0, 1)).verdict == "unstable"
+    assert slip_states(nothing).states == ("",)
+    assert margin(nothing, UP).resisted == ((0, 0),)
+
+
+# --- slip_states
+
+
+@pytest.mark.parametrize("path", sorted(GOOD.iterdir()), ids=lambda path: path.stem)
+@pytest.mark.parametrize("engine", ["auto", "cgal", "sweep", "paper"])
+def test_same_states_as_the_program(path, engine):
+    expected = program("states", path, "--list", "--engine", engine)
+    found = slip_states(Grasp.from_file(path), engine=engine)
+    assert found.states == tuple(expected.pop("states"))
+    assert {key: getattr(found, key) for key in expected} == expected
+    counts = slip_states(Grasp.from_file(path), engine=engine, list_states=False)
+    assert counts.states is None
+    assert (counts.cells, counts.distinct_states) == (found.cells, found.distinct_states)
+
+
+def test_counts_of_table_2(fig1):
+    assert (slip_states(fig1).cells, slip_states(fig1).distinct_states) == (26, 27)
+    fig4 = Grasp([[-1, 1], [-1, -1], [1, -1], [1, 1]], [[1, 0], [1, 0], [-1, 0], [-1, 0]], 1)
+    assert (slip_states(fig4).cells, slip_states(fig4).distinct_states) == (10, 9)
+
+
+def test_the_verdict_s_slip_is_a_slip_state(fig1):
+    assert decide(fig1, UP).slip in slip_states(fig1).states
+
+
+# --- margin
+
+
+def test_margins_of_the_paper(fig1):
+    assert margin(fig1, UP).resisted == ((0, 1),)
+    assert margin(fig1, DOWN).resisted == ((0, None),)
+    assert margin(fig1, UP, preload=0).resisted == ((0, 0),)
+    assert margin(fig1, UP, wrench=DOWN).resisted == ((0, 2),)
+    fig4 = Grasp.from_file(PAPER / "fig4.json")
+    assert margin(fig4, UP, preload=1).resisted == ((0, 2),)
+    assert all(type(end) is Fraction for end in margin(fig1, UP).resisted[0])
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("direction", [(1, 0, 0), (0, 0, "-1/3"), (2, 1, -1)])
+def test_same_margin_as_the_program(law, direction):
+    for path in sorted(PAPER.iterdir()):
+        text = ",".join(map(str, direction))
+        expected = program("margin", path, "--direction", text, "--normal-law", law, "--preload",
+                           1)
+        found = margin(Grasp.from_file(path), direction, preload=1, normal_law=law)
+        assert [[str(low), None if high is None else str(high)]
+                for low, high in found.resisted] == expected["resisted"]
+        assert found.stats == expected["stats"]
+        assert found.wrench == (0, 0, 0)  # whatever the file's
+
+
+def test_margin_certificates_are_accepted(fig1):
+    for direction, wrench in ((UP, None), (DOWN, None), (UP, DOWN), ((-1, 0, 1), UP)):
+        found = margin(fig1, direction, **({} if wrench is None else {"wrench": wrench}))
+        answer = check(fig1, found.certificate, direction=direction, wrench=wrench)
+        assert answer and answer.verdict == "margin"
+        assert answer.resisted == found.resisted
+        assert answer.direction == direction
+        other = check(fig1, found.certificate, direction=(0, 7, 0), wrench=wrench)
+        assert not other and other.rule == "question-direction"
+    with pytest.raises(InputError):
+        check(fig1, margin(fig1, UP).certificate)
+
+
+def test_margins_end_where_verdicts_change(fig1):
+    tiny = Fraction(1, 10**40)
+    for direction in ((1, 1, 1), (-1, 2, 0), ("1/3", 1, "1/7")):
+        ((low, high),) = margin(fig1, direction).resisted
+        u = tuple(map(Fraction, direction))
+        assert low == 0 and high is not None
+        assert decide(fig1, tuple(high * c for c in u)).verdict == "stable"
+        assert decide(fig1, tuple((high + tiny) * c for c in u)).verdict == "unstable"
+
+
+# --- check
+
+
+@pytest.mark.parametrize("wrench", [UP, (0, "11/10", 0)])
+@pytest.mark.parametrize("law", LAWS)
+def test_certificates(fig1, tmp_path, wrench, law):
+    for engine in ("states", "cone"):
+        decision = decide(fig1, wrench, normal_law=law, engine=engine)
+        result = check(fig1, decision.certificate, wrench=wrench, normal_law=law)
+        assert result and result.verdict == decision.verdict and result.rule is None
+        assert (result.contacts, result.wrench) == (3, decision.wrench)
+        assert result.normal_law == law
+        options = ("--wrench", ",".join(map(str, wrench)), "--normal-law", law)
+        assert check_py(tmp_path, fig1, decision.certificate, *options)
+        assert not check_py(tmp_path, fig1, decision.certificate)
+
+
+def test_another_question_is_rejected(fig1):
+    proof = decide(fig1, (0, "11/10", 0)).certificate
+    assert check(fig1, proof, wrench=(0, "11/10", 0))
+    result = check(fig1, proof)
+    assert not result and result.rule == "question-wrench" and result.verdict is None
+    assert not check(fig1, proof, wrench=(0, "11/10", 0), normal_law="bilateral")
+    assert not check(fig1, proof, wrench=(0, "11/10", 0), preload=1)
+    weaker = Grasp(fig1.positions, fig1.normals, 3, preload=1)
+    assert check(weaker, proof, wrench=(0, "11/10", 0)).rule is not None
+
+
+def test_files_are_read_by_the_checker(fig1, tmp_path):
+    grasp, proof = tmp_path / "g.json", tmp_path / "p.json"
+    grasp.write_text(fig1.to_text())
+    proof.write_text(decide(fig1, DOWN, preload=2).certificate)
+    result = check(grasp, proof, wrench=DOWN, preload=2)
+    assert result and result.preload == 2
+    with pytest.raises(InputError) as error:
+        check(grasp, grasp)
+    assert error.value.file == str(grasp)
+
+
+def test_snapped_normals_are_checked():
+    grasp = Grasp([[-1, -1], [1, -1], [0, 1]], [[1, 1], [-1, 1], [0, -1]], 1, preload=1,
+                  wrench=(0, "1/10", 0), snap_normals="1/1000")
+    decision = decide(grasp)
+    result = check(grasp, decision.certificate)
+    assert result and result.snapped == 2 == len(decision.snapped_normals)
+    exact = Grasp(grasp.positions, grasp.normals, 1, preload=1, wrench=grasp.wrench)
+    assert check(exact, decision.certificate, snap_normals="1/1000")
+    assert not check(exact, decision.certificate)
+    with pytest.raises(InputError) as error:
+        decide(exact)
+    assert error.value.place == "contacts[0].normal" and "snap_normals" in error.value.remedy
+
+
+# --- arguments and values
+
+
+@pytest.mark.parametrize("place, ask", [
+    ("engine", lambda g: decide(g, engine="guess")),
+    ("engine", lambda g: slip_states(g, engine="states")),
+    ("normal_law", lambda g: decide(g, normal_law="both")),
+    ("normal_law", lambda g: check(g, "{}", normal_law=None)),
+    ("node_limit", lambda g: decide(g, node_limit=-1)),
+    ("threads", lambda g: decide(g, threads=1.5)),
+    ("threads", lambda g: slip_states(g, threads=2**40)),
+    ("preload", lambda g: decide(g, preload=-1)),
+    ("preload", lambda g: check(g, "{}", preload=-1)),
+    ("wrench", lambda g: decide(g, (1, 2))),
+    ("wrench[1]", lambda g: decide(g, (1, float("nan"), 2))),
+    ("direction", lambda g: margin(g, (0, 0, 0))),
+    ("direction", lambda g: margin(g, [[0, 1, 0]])),
+    ("grasp", lambda g: decide("fig1.json")),
+    ("grasp", lambda g: check(3, "{}")),
+    ("certificate", lambda g: check(g, None)),
+    ("line 1, column 2", lambda g: check(g, "proof.json")),
+])
+def test_arguments(fig1, place, ask):
+    with pytest.raises(InputError) as error:
+        ask(fig1)
+    assert error.value.place == place
+    assert error.value.problem
+
+
+def test_answers_are_values(fig1):
+    for ask in (lambda: decide(fig1, UP), lambda: slip_states(fig1), lambda: margin(fig1, UP),
+                lambda: check(fig1, decide(fig1).certificate)):
+        answer = ask()
+        assert ask() == answer and hash(ask()) == hash(answer)
+        assert pickle.loads(pickle.dumps(answer)) == answer
+        with pytest.raises(AttributeError):
+            answer.verdict = "stable"
+    assert decide(fig1, UP) != decide(fig1, DOWN)
+
+
+def test_other_threads_run_during_a_call():
+    random = np.random.default_rng(2)
+    m = 60
+    grasp = Grasp(random.integers(-99, 100, (m, 2)), random.integers(1, 99, (m, 2)), "1/2")
+    ticks = 0
+    stop = threading.Event()
+
+    def tick():
+        nonlocal ticks
+        while not stop.is_set():
+            ticks += 1
+            time.sleep(0)  # lets go of the lock
+
+    interval = sys.getswitchinterval()
+    sys.setswitchinterval(1000)  # no thread loses the lock, it can only let go of it
+    ticker = threading.Thread(target=tick)
+    try:
+        ticker.start()
+        for _ in range(1000):  # until the ticker happens to be scheduled within a call
+            before = ticks
+            slip_states(grasp)
+            if ticks > before:
+                break
+        else:
+            pytest.fail("no other thread ran during a thousand calls")
+    finally:
+        sys.setswitchinterval(interval)
+        stop.set()
+        ticker.join()

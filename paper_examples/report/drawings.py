@@ -50,7 +50,7 @@ def draw_dual(path, styled_like, corners):
     polyhedron: a sign is 0 where the corners of the face differ.
     """
     drawing = Drawing(640, 560, "Fig. 6: the dual polyhedron", styled_like)
-    turn, tilt = math.radians(21), math.radians(24)
+    turn, tilt = math.radians(-75), math.radians(60)
     right = (math.cos(turn), math.sin(turn), 0)
     back = (-math.sin(turn), math.cos(turn), 0)
     up = (*(math.sin(tilt) * b for b in back[:2]), math.cos(tilt))

@@ -13,14 +13,15 @@ def vector(words):
 
 
 def ask(chapter, grasp, wrench, preload, paper, expected, because=None):
-    verdict, shown = chapter.programs.verdict(grasp, wrench, preload)
-    chapter.claim(f"w = {vector(wrench)}, P = {preload}: does it hold?", paper, verdict, expected, because, shown)
+    verdict, proof = chapter.programs.verdict(grasp, wrench, preload)
+    chapter.claim(f"w = {vector(wrench)}, P = {preload}: does it hold?", paper, verdict, expected, because,
+                  f"{verdict} ([proof]({proof}))")
 
 
 def ask_margin(chapter, grasp, direction, preload, paper, expected):
-    found = chapter.programs.margin(grasp, direction, preload)
+    found, proof = chapter.programs.proved_margin(grasp, direction, preload)
     chapter.claim(f"λ {vector(direction)}, P = {preload}: for which λ ≥ 0?", paper, found, expected,
-                  shown=f"λ ∈ {found.replace('oo', '∞')}")
+                  shown=f"λ ∈ {found.replace('oo', '∞')} ([proof]({proof}))")
 
 
 def ask_method(chapter, method, grasp, wrench, preload, paper, expected):
@@ -36,9 +37,10 @@ def draw_grasp(chapter, name, caption, grasp, wrench, preload):
 
 def figure_1(report):
     chapter = report.chapter("Fig. 1: what a preload is for")
-    chapter.say("""Three contacts hold an object from the left, from below and from the right. The paper asks for two
-        loads. **w₁** pushes the object up: only friction at contacts 1 and 3 can hold it, and friction needs a normal
-        force, so it needs a preload. **w₂** pushes it down onto contact 2, which answers whatever the magnitude.""")
+    chapter.say("""Three contacts hold an object from the left, from below and from the right. The paper asks
+        for two loads. **w₁** pushes the object up: only friction at contacts 1 and 3 can hold it, and friction
+        needs a normal force, so it needs a preload. **w₂** pushes it down onto contact 2, which answers
+        whatever the magnitude.""")
     ask(chapter, FIG1, "0,1,0", "0", "not resisted", "unstable")
     ask(chapter, FIG1, "0,1,0", "1", "resisted", "stable")
     ask_margin(chapter, FIG1, "0,1,0", "0", "none", "[0, 0]")
@@ -49,8 +51,9 @@ def figure_1(report):
     ask_method(chapter, "weakly stable load", FIG1, "0,-1,0", "0", "lawful forces exist", "stable")
     ask_method(chapter, "frictionless stable load", FIG1, "0,1,0", "0", "unstable without friction", "unstable")
     chapter.show_claims()
-    chapter.say("""Each verdict carries a proof, which `stickslip-check`, a program that shares no code with the solver,
-        accepted. The limit with preload 1 is exactly 1: each of contacts 1 and 3 gives at most μ·P = 1/2.""")
+    chapter.say("""Each verdict and each range carries a proof, which `stickslip-check`, a program that shares
+        no code with the solver, accepted. The limit with preload 1 is exactly 1: each of contacts 1 and 3 gives
+        at most μ·P = 1/2.""")
     draw_grasp(chapter, "fig1_up.svg", "Fig. 1, left: w₁ = (0, 1, 0) with preload 1 is at its limit, both forces on "
                "the edge of their cones.", FIG1, "0,1,0", "1")
     draw_grasp(chapter, "fig1_up_no_preload.svg", "The same load without preload: no motion makes forces that hold.",
@@ -63,9 +66,9 @@ def figure_1(report):
 
 def figure_3(report):
     chapter = report.chapter("Fig. 3: linear friction rejects too much")
-    chapter.say("""The grasp of Fig. 1 under w₂, without preload. Springs along the tangents, as in linear compliance,
-        put friction on contacts 1 and 3, which have no normal force to allow it. So a linear model calls the grasp
-        unstable. Yet it clearly holds.""")
+    chapter.say("""The grasp of Fig. 1 under w₂, without preload. Springs along the tangents, as in linear
+        compliance, put friction on contacts 1 and 3, which have no normal force to allow it. So a linear model
+        calls the grasp unstable. Yet it clearly holds.""")
     ask(chapter, FIG3, "0,-1,0", "0", "holds", "stable")
     ask_method(chapter, "linear compliance", FIG3, "0,-1,0", "0", "wrongly unstable", "unstable")
     chapter.show_claims()
@@ -101,20 +104,21 @@ def ask_cones(chapter, grasp, friction, wrench, preload, expected, because=None,
 
 def figure_4(report):
     chapter = report.chapter("Fig. 4: friction cones alone accept too much, but not at μ = 1/2")
-    chapter.say("""Four contacts, two from the left and two from the right, and a load along y. Without preload nothing
-        holds it. With preload 1 friction holds up to 4 μ P = 2.""")
+    chapter.say("""Four contacts, two from the left and two from the right, and a load along y. Without preload
+        nothing holds it. With preload 1 friction holds up to 4 μ P = 2.""")
     ask(chapter, FIG4, "0,2,0", "0", "unstable", "unstable")
     ask(chapter, FIG4, "0,2,0", "1", "stable", "stable")
     ask_margin(chapter, FIG4, "0,1,0", "0", "none", "[0, 0]")
     for direction in ("0,1,0", "0,-1,0"):
         ask_margin(chapter, FIG4, direction, "1", "up to 4 μ = 2", "[0, 2]")
     chapter.show_claims()
-    draw_grasp(chapter, "fig4.svg", "Fig. 4: w = (0, 2, 0) without preload. The object slides out.", FIG4, "0,2,0", "0")
+    draw_grasp(chapter, "fig4.svg", "Fig. 4: w = (0, 2, 0) without preload. The object slides out.",
+               FIG4, "0,2,0", "0")
     draw_grasp(chapter, "fig4_preload.svg", "With preload 1 the same load is at its limit: all four contacts are on "
                "the edge of their cones.", FIG4, "0,2,0", "1")
-    chapter.say("""**The paper's claim.** Friction cones without maximum dissipation (Eqs. 1-4) would accept the load,
-        *irrespective of its magnitude or of the preload*: a rotation loads the contacts and so makes the friction
-        that is needed.""",
+    chapter.say("""**The paper's claim.** Friction cones without maximum dissipation (Eqs. 1-4) would accept the
+        load, *irrespective of its magnitude or of the preload*: a rotation loads the contacts and so makes the
+        friction that is needed.""",
         """**What exact arithmetic says.** That is so for μ > 1, and not for the μ = 1/2 of the paper's tables.""")
     spent = "while μ ≤ 1, the friction that a rotation makes possible is spent on the torque of that rotation"
     for friction, preload in (("1/2", "0"), ("1/2", "1"), ("1", "0")):
@@ -126,37 +130,40 @@ def figure_4(report):
     ask_cones(chapter, rough, "3/2", "0,3,0", "0", "reject", law="bilateral",
               because="contacts that may not open let this object move along y only, which loads none of them")
     chapter.show_claims()
-    chapter.say("""*Why, without preload.* Let d = (x, y, r) with r ≥ 0; r < 0 is its mirror image. The springs push with (r − x)⁺,
-        (−x − r)⁺, (x + r)⁺ and (x − r)⁺ at contacts 1 to 4. Whatever the signs, their sum along x is −2x, so balance
-        needs x = 0. Then contacts 1 and 3 push with r each, and the others not at all. Both normal forces turn the object
-        clockwise, with torque 2 r in all, and only friction at these two contacts can turn it back: with torque
-        at most 2 μ r. For μ < 1 that is too little. For μ = 1 it takes all their friction, and that adds up to no force along y.
-        For μ > 1 friction up to 2 (μ − 1) r is left to carry the load, and r may be as large as it takes.""",
-        """Forces that the cones accept were substituted into Eqs. 1-4 by this report's own arithmetic. A test compares the
-        method with Z3 (`tests/equilibrium/earlier_methods_z3_test.cpp`).""",
-        """So the lesson of Fig. 4 stands, at larger friction: with μ = 3/2 the cones alone accept any load, while the
-        passive model rejects all of them, because contacts that slip would have to push along.""")
+    chapter.say("""*Why, without preload.* Let d = (x, y, r) with r ≥ 0; r < 0 is its mirror image. The springs
+        push with (r − x)⁺, (−x − r)⁺, (x + r)⁺ and (x − r)⁺ at contacts 1 to 4. Whatever the signs, their sum
+        along x is −2x, so balance needs x = 0. Then contacts 1 and 3 push with r each, and the others not at
+        all. Both normal forces turn the object clockwise, with torque 2 r in all, and only friction at these
+        two contacts can turn it back: with torque at most 2 μ r. For μ < 1 that is too little. For μ = 1 it
+        takes all their friction, and that adds up to no force along y. For μ > 1 friction up to 2 (μ − 1) r is
+        left to carry the load, and r may be as large as it takes.""",
+        """Forces that the cones accept were substituted into Eqs. 1-4 by this report's own arithmetic. A test
+        compares the method with Z3 (`tests/equilibrium/earlier_methods_z3_test.cpp`).""",
+        """So the lesson of Fig. 4 stands, at larger friction: with μ = 3/2 the cones alone accept any load,
+        while the passive model rejects all of them, because contacts that slip would have to push along.""")
     ask(chapter, rough, "0,1000000,0", "0", "unstable", "unstable")
     ask_margin(chapter, rough, "0,1,0", "0", "none", "[0, 0]")
     chapter.show_claims()
-    draw_grasp(chapter, "fig4_rough.svg", "μ = 3/2, no preload: wide cones, and still no passive equilibrium.", rough, "0,3,0", "0")
+    draw_grasp(chapter, "fig4_rough.svg", "μ = 3/2, no preload: wide cones, and still no passive equilibrium.",
+               rough, "0,3,0", "0")
     chapter.commands()
 
 
 def three_states(report):
     chapter = report.chapter("Section VI: three-state compliance rejects too much")
-    chapter.say("""Prattichizzo et al. let each contact stick with a linear spring, slip without any friction, or be
-        detached, and try all 3^m combinations. The paper says what this repairs, and what not.""")
+    chapter.say("""Prattichizzo et al. let each contact stick with a linear spring, slip without any friction,
+        or be detached, and try all 3^m combinations. The paper says what this repairs, and what not.""")
     method = "three-state compliance"
     for wrench in ("0,-1,0", "5,-1,0", "-3,-2,0"):
         ask_method(chapter, method, FIG1, wrench, "0", "now resisted, w_y ≤ 0", "stable")
     ask_method(chapter, method, FIG1, "0,1,0", "1", "wrongly unstable", "unstable")
     ask(chapter, FIG1, "0,1,0", "1", "stable", "stable")
-    half = chapter.programs.method(method, FIG1, "0,1/2,0", "1")["verdict"]
-    beyond = chapter.programs.method(method, FIG1, "0,0.500000000000000001,0", "1")["verdict"]
-    chapter.claim("three-state compliance: w_y = 1/2, and 10⁻¹⁸ more, P = 1", "wrong where w_y ≥ 0", f"{half}, {beyond}",
-                  "stable, unstable", because="with P = 1 the springs stay in their cones up to w_y = 1/2, and so far the method is right")
+    verdicts = [chapter.programs.method(method, FIG1, f"0,{load},0", "1")["verdict"]
+                for load in ("1/2", "0.500000000000000001")]
+    chapter.check(f"{method}: P = 1 and w_y = 1/2, or 10⁻¹⁸ more", "wrong where w_y ≥ 0",
+                  verdicts == ["stable", "unstable"], "stable, unstable",
+                  because="with P = 1 the springs stay in their cones up to w_y = 1/2, and so far the method is right")
     chapter.show_claims()
-    chapter.say("""So the paper's example is right: at w_y = 1 the method rejects a load that holds. It fails for 1/2 < w_y ≤ 1,
-        rather than wherever w_y ≥ 0.""")
+    chapter.say("""So the paper's example is right: at w_y = 1 the method rejects a load that holds. It fails
+        for 1/2 < w_y ≤ 1, rather than wherever w_y ≥ 0.""")
     chapter.commands()

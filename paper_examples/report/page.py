@@ -45,6 +45,10 @@ class Chapter:
         outcome = self.claims.outcome(computed, expected, because)
         self._rows.append((question, paper, shown if shown and computed == expected else computed, outcome))
 
+    def check(self, question, paper, holds, shown, because=None):
+        """A claim that is true or false: `shown` is what holds."""
+        self.claim(question, paper, shown if holds else "not so", shown, because)
+
     def show_claims(self):
         self.table(("question", "the paper", "exact arithmetic", ""), self._rows)
         self._rows = []
@@ -84,15 +88,16 @@ class Report:
                 + (f"**{self.failed()} failed**" if self.failed() else "none failed"))
 
     def write(self, preface):
-        lines = [preface, f"**{self.result()}.**", "", "| chapter | agree | differ | failed |", "|---|--:|--:|--:|"]
+        lines = [preface, f"**{self.result()}.**", "",
+                 "| chapter | agree | differ | failed |", "|---|--:|--:|--:|"]
         for chapter in self.chapters:
             claims = chapter.claims
-            lines.append(f"| [{chapter.title}]({chapter.anchor()}) | {claims.agree} | {len(claims.differ)} "
-                         f"| {claims.failed} |")
+            lines.append(f"| [{chapter.title}]({chapter.anchor()}) | {claims.agree} "
+                         f"| {len(claims.differ)} | {claims.failed} |")
         if any(chapter.claims.differ for chapter in self.chapters):
             lines += ["", "Where exact arithmetic differs:", ""]
-            lines += [f"- [{chapter.title.split(':')[0]}]({chapter.anchor()}): {reason}." for chapter in self.chapters
-                      for reason in dict.fromkeys(chapter.claims.differ)]
+            lines += [f"- [{chapter.title.split(':')[0]}]({chapter.anchor()}): {reason}."
+                      for chapter in self.chapters for reason in dict.fromkeys(chapter.claims.differ)]
         text = "\n".join([*lines, "", *(chapter.text() for chapter in self.chapters)])
         with open(os.path.join(self.programs.folder, "report.md"), "w", encoding="utf-8") as file:
             file.write(text.rstrip() + "\n")

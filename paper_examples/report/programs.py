@@ -11,6 +11,12 @@ class ProgramError(Exception):
     pass
 
 
+def interval_text(intervals):
+    """[["0", "1"], ["3", None]] as "[0, 1], [3, oo)"."""
+    return ", ".join(f"[{low}, oo)" if high is None else f"[{low}, {high}]"
+                     for low, high in intervals)
+
+
 class Programs:
     def __init__(self, binaries, folder):
         self._binaries, self.folder = os.path.abspath(binaries), folder
@@ -42,17 +48,27 @@ class Programs:
     def path(self, name):
         return os.path.join(self.folder, name)
 
-    def verdict(self, grasp, wrench, preload):
-        """The verdict, and the same with a link to its proof, which stickslip-check must accept."""
+    def _proved(self, command, grasp, option, value, preload):
+        """The answer, its proof, and what stickslip-check says of it: a dictionary, empty if rejected."""
         name = os.path.basename(grasp).removesuffix(".json")
-        proof = f"proofs/{name}_w_{wrench.replace('/', ':')}_P_{preload}.json"
-        question = ("--wrench", wrench, "--preload", preload)
-        verdict = json.loads(self.run("stickslip", "decide", grasp, *question,
-                                      "--certificate", proof, "--json"))["verdict"]
-        checked = self.run("stickslip-check", grasp, proof, *question, codes=(0, 1)).split()
-        if checked[:3] != ["accepted", "verdict", verdict]:
-            return "proof rejected", None
-        return verdict, f"{verdict} ([proof]({proof}))"
+        proof = f"proofs/{name}_{command}_{value}_P_{preload}.json"
+        question = (option, value, "--preload", preload)
+        answer = self.json(command, grasp, *question, "--certificate", proof)
+        text = self.run("stickslip-check", grasp, proof, *question, "--json", codes=(0, 1))
+        checked = json.loads(text)
+        return answer, proof, checked if checked["result"] == "accepted" else {}
+
+    def verdict(self, grasp, wrench, preload):
+        """The verdict that is proved, and its proof."""
+        answer, proof, checked = self._proved("decide", grasp, "--wrench", wrench, preload)
+        proved = checked.get("verdict") == answer["verdict"]
+        return answer["verdict"] if proved else "proof rejected", proof
+
+    def proved_margin(self, grasp, direction, preload):
+        """The resisted multiples that are proved, and their proof."""
+        answer, proof, checked = self._proved("margin", grasp, "--direction", direction, preload)
+        proved = checked.get("resisted") == answer["resisted"]
+        return interval_text(answer["resisted"]) if proved else "proof rejected", proof
 
     def method(self, name, grasp, wrench, preload, *options):
         """What `stickslip compare` says of one method: its entry."""
@@ -61,7 +77,6 @@ class Programs:
         return entry
 
     def margin(self, grasp, direction, preload):
-        """The resisted multiples of a direction, "[0, 1]" or "[0, oo)"."""
+        """The resisted multiples of a direction."""
         found = self.json("margin", grasp, "--direction", direction, "--preload", preload)
-        return ", ".join(f"[{low}, oo)" if high is None else f"[{low}, {high}]"
-                         for low, high in found["resisted"])
+        return interval_text(found["resisted"])

@@ -24,13 +24,16 @@ def tuples(line):
 
 
 def force_rows(lines):
-    """Table I or III. Each row: w, P, the paper's Stable, the verdict, the printed d and f, and what is said of them."""
+    """Table I or III. Of each row: w, P, the paper's Stable, our verdict, whether it agrees, the printed
+    d and f, and what is said of them."""
     rows = []
     for line in lines:
-        head = re.fullmatch(r"w = (\(.*?\)), P = (\S+): verdict (.*?)(?:; printed d and f solve it: (.*))?", line)
+        head = re.fullmatch(r"w = (\(.*?\)), P = (\S+): verdict (.*?)(?:; printed d and f solve it: (.*))?",
+                            line)
         if head:
             wrench, preload, verdict, solved = head.groups()
-            rows.append([wrench, preload, "", "", verdict, [], {"agrees": "a solution", None: ""}.get(solved, solved)])
+            solved = {"agrees": "a solution", None: ""}.get(solved, solved)
+            rows.append([wrench, preload, "", "", verdict, [], solved])
         elif line.startswith("  exact "):
             rows[-1][3] = line.split()[1]
         elif line.startswith("  paper "):
@@ -50,7 +53,7 @@ def show_force_table(chapter, lines, contacts, size):
             exact += f": {verdict}"
         chapter.claims.outcome(exact, {"Yes": "stable", "No": "unstable"}[stable])
         if solved == MISPRINTED:
-            chapter.claims.outcome(solved, MISPRINTED, because=f"w = {wrench}, P = {preload} is misprinted")
+            chapter.claims.outcome(solved, MISPRINTED, f"row w = {wrench}, P = {preload} is misprinted")
         elif printed:
             chapter.claims.outcome(solved, "a solution")
         cells.append([wrench, preload, stable, exact, *(printed or ["-"] * (contacts + 1)), solved])
@@ -58,7 +61,8 @@ def show_force_table(chapter, lines, contacts, size):
 
 
 def show_counts(chapter, lines):
-    rows = expect(8, [line.split() for line in lines if re.match(r"\s+\d+(\s+\d+){6}\s", line)])
+    rows = expect(8, [line.split() for line in lines
+                      if re.match(r"\s+\d+(\s+\d+){6}\s", line)])
     cells = []
     for m, v, e, f, count, printed, states, *_ in rows:
         cells.append((m, v, e, f, count, printed, states, chapter.claims.outcome(count, printed)))

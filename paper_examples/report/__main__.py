@@ -64,7 +64,7 @@ def main():
     except (OSError, ProgramError) as error:
         print(f"report: {error}", file=sys.stderr)
         return 2
-    print(f"{os.path.join(arguments.output, 'report.md')}: {report.result().replace('*', '')}")
+    print(f"{os.path.join(arguments.output, 'report.md')}: {report.result()}")
     return 1 if report.failed() else 0
 
 

@@ -86,8 +86,7 @@ def draw_dual(path, styled_like, corners):
     for corner, (x, y) in ink.items():
         away = (x - 320, y - 262)
         size = math.hypot(*away)
-        if any(corner in of(face) for face in seen):
-            drawing.text((x + 26 * away[0] / size, y + 18 * away[1] / size + 4), corner, "state middle halo")
+        drawing.text((x + 26 * away[0] / size, y + 18 * away[1] / size + 4), corner, "state middle halo")
     for line, text in enumerate((
             "Corner: a region, all contacts slip. Edge: a facet, one contact sticks (0). Face: a line, two stick.",
             "Labels: the signs of contacts 0, 1, 2. Dotted: edges behind.")):

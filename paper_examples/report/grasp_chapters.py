@@ -162,8 +162,8 @@ def three_states(report):
                 for load in ("1/2", "0.500000000000000001")]
     chapter.check(f"{method}: P = 1 and w_y = 1/2, or 10⁻¹⁸ more", "wrong where w_y ≥ 0",
                   verdicts == ["stable", "unstable"], "stable, unstable",
-                  because="with P = 1 the springs stay in their cones up to w_y = 1/2, and so far the method is right")
+                  because="with P = 1 the springs stay in their cones up to w_y = 1/2")
     chapter.show_claims()
-    chapter.say("""So the paper's example is right: at w_y = 1 the method rejects a load that holds. It fails
-        for 1/2 < w_y ≤ 1, rather than wherever w_y ≥ 0.""")
+    chapter.say("""So the paper's example is right: at w_y = 1 the method rejects a load that holds. The failure
+        begins just beyond w_y = 1/2, not at 0.""")
     chapter.commands()

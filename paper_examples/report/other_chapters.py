@@ -28,7 +28,7 @@ def figures_5_and_6(report):
     slips = [contact.row(contact.tangent) for contact in read_contacts(programs.path(FIG1))]
     motions = {"".join(signs): solve3(slips, [drawings.SIGNS[sign] for sign in signs])
                for signs in itertools.product("+-0", repeat=3)}
-    regions, facets, lines = ([s for s in states - {"000"} if s.count("0") == k] for k in range(3))
+    regions, facets, lines = ([s for s in sorted(states - {"000"}) if s.count("0") == k] for k in range(3))
     around = {line: [f for f in facets if all(s in ("0", t) for s, t in zip(line, f))] for line in lines}
 
     chapter.check("when does contact 1 stick?", "y counteracts an equal r", slips[0] == (0, 1, -1), "y = r")

@@ -84,8 +84,7 @@ class Report:
         claims = [chapter.claims for chapter in self.chapters]
         text = f"{sum(c.agree for c in claims)} comparisons agree with the paper"
         differ = sum(len(c.differ) for c in claims)
-        return (text + f", {differ} differ from it for a stated reason, "
-                + (f"**{self.failed()} failed**" if self.failed() else "none failed"))
+        return f"{text}, {differ} differ from it for a stated reason, {self.failed() or 'none'} failed"
 
     def write(self, preface):
         lines = [preface, f"**{self.result()}.**", "",

@@ -49,14 +49,15 @@ def show_force_table(chapter, lines, contacts, size):
                 *(f"f<sub>{i}</sub>" for i in range(1, contacts + 1)), "printed d and f are"]
     cells = []
     for wrench, preload, stable, exact, verdict, printed, solved in rows:
-        if verdict != "agrees":
-            exact += f": {verdict}"
-        chapter.claims.outcome(exact, {"Yes": "stable", "No": "unstable"}[stable])
+        outcomes = [chapter.claims.outcome(verdict, "agrees")]
         if solved == MISPRINTED:
-            chapter.claims.outcome(solved, MISPRINTED, f"row w = {wrench}, P = {preload} is misprinted")
+            outcomes.append(chapter.claims.outcome(solved, MISPRINTED,
+                                                   f"row w = {wrench}, P = {preload} is misprinted"))
         elif printed:
-            chapter.claims.outcome(solved, "a solution")
-        cells.append([wrench, preload, stable, exact, *(printed or ["-"] * (contacts + 1)), solved])
+            outcomes.append(chapter.claims.outcome(solved, "a solution"))
+        failed = [outcome for outcome in outcomes if "FAILED" in outcome]
+        cells.append([wrench, preload, stable, exact, *(printed or ["-"] * (contacts + 1)),
+                      " ".join([solved, *failed])])
     chapter.table(headings, cells)
 
 

@@ -27,7 +27,7 @@ class Drawing:
         data = "M" + "L".join(f"{x:.2f} {y:.2f}" for x, y in points) + ("Z" if closed else "")
         self._elements.append(f'<path class="{css}" d="{data}"{more}/>')
 
-    def dot(self, point, css="vertex", more=""):
+    def mark(self, point, css="vertex", more=""):
         self._elements.append(f'<circle class="{css}" cx="{point[0]:.2f}" cy="{point[1]:.2f}" r="4"{more}/>')
 
     def text(self, point, text, css):
@@ -79,7 +79,7 @@ def draw_dual(path, styled_like, corners):
         drawing.path([ink[corner] for corner in of(edge)], "edge" if edge in shown else "edge ring",
                      more=f' data-state="{edge}"')
     for corner, point in ink.items():
-        drawing.dot(point, more=f' data-state="{corner}"')
+        drawing.mark(point, more=f' data-state="{corner}"')
     for cell in sorted(seen | shown):
         x, y = middle([ink[corner] for corner in of(cell)])
         drawing.text((x, y + 4), cell, "state middle halo")
@@ -111,7 +111,7 @@ def draw_slice(path, styled_like, polygon):
     drawing.path([place(*vertex) for vertex in polygon], "edge", True)
     for x, y in polygon:
         at = place(x, y)
-        drawing.dot(at, more=f' data-value="{x},{y}"')
+        drawing.mark(at, more=f' data-value="{x},{y}"')
         drawing.text((at[0], at[1] + (-10 if y > 0 or y == 0 else 20)), f"({x}, {y})", "small middle halo")
     drawing.text((330, 610), "applied force (w_x, w_y)", "middle")
     drawing.write(path)

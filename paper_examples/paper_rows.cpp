@@ -106,8 +106,7 @@ const std::vector<ClaimGroup>& claims() {
        "fig3.json",
        kUnilateral,
        {{{}, {}, true}}},
-      {"Fig. 4 without preload: no (0, w_y, 0) is resisted; friction cones alone would allow "
-       "it",
+      {"Fig. 4 without preload: no (0, w_y, 0) is resisted",
        "fig4.json",
        kUnilateral,
        {{"0", "(0, 2, 0)", false},

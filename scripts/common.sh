@@ -53,3 +53,11 @@ install_packages() {
 }
 
 jobs_for_build() { nproc 2>/dev/null || echo 2; }
+
+# build_programs TARGET...: a release build without tests and benchmarks.
+build_programs() {
+  step "Configuring" configure cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+    -DSTICKSLIP_BUILD_TESTS=OFF -DSTICKSLIP_BUILD_BENCH=OFF
+  step "Building (a few minutes the first time)" build cmake --build "$build" -j "$(jobs_for_build)" \
+    --target "$@"
+}

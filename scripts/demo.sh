@@ -5,10 +5,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 install_packages "${build_packages[@]}"
-step "Configuring" configure cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
-  -DSTICKSLIP_BUILD_TESTS=OFF -DSTICKSLIP_BUILD_BENCH=OFF
-step "Building (a few minutes the first time)" build cmake --build "$build" -j "$(jobs_for_build)" \
-  --target stickslip stickslip-check paper_tables
+build_programs stickslip stickslip-check paper_tables
 echo
 "$build/bin/paper_tables" "$root/paper_examples/grasps"
 cat <<MESSAGE

@@ -13,6 +13,7 @@
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
+#include "stickslip/core/text_lines.hpp"
 
 namespace stickslip {
 namespace {
@@ -72,7 +73,7 @@ ClaimCounts judge_all(std::istream& in, const std::string& folder,
                       const CrosscheckArguments& arguments, const ClaimOptions& options) {
   ClaimCounts counts;
   Progress progress;
-  ClaimLines lines(in);
+  TextLines lines(in);
   std::string text;
   const auto show = [&] {
     progress.show(std::to_string(counts.claims()) + " claims, " + std::to_string(counts.wrong) +

@@ -37,6 +37,10 @@ void add_grasp_argument(CLI::App& command, std::string& file) {
 
 void QuestionArguments::add_to(CLI::App& command) {
   add_grasp_argument(command, file_);
+  add_options_to(command);
+}
+
+void QuestionArguments::add_options_to(CLI::App& command) {
   command
       .add_option("--wrench", wrench_,
                   "Wrench applied to the object, force x, force y and torque about the origin "
@@ -76,7 +80,7 @@ void QuestionArguments::add_with_base_wrench_to(CLI::App& command) {
           "given, whatever the file's wrench");
 }
 
-Question QuestionArguments::question() const {
+QuestionOptions QuestionArguments::options() const {
   QuestionOptions options;
   if (starts_at_zero_) options.wrench = Wrench{};
   if (!wrench_.empty()) options.wrench = wrench_option("--wrench", wrench_);
@@ -85,7 +89,11 @@ Question QuestionArguments::question() const {
     options.snap_tolerance = number_option("--snap-normals", snap_tolerance_);
   }
   options.law = law_ == "bilateral" ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
-  return ask(read_grasp_file(file_), options);
+  return options;
+}
+
+Question QuestionArguments::question() const {
+  return ask(read_grasp_file(file_), options());
 }
 
 }  // namespace stickslip

@@ -18,10 +18,14 @@ class QuestionArguments {
   /// The same, for a command that asks about loads of its own: the wrench that they start from
   /// is 0 unless --wrench gives another, whatever the file's.
   void add_with_base_wrench_to(CLI::App& command);
+  /// The same but GRASP, for commands that read many.
+  void add_options_to(CLI::App& command);
   /// The same but --wrench, for what does not depend on a load.
   void add_without_wrench_to(CLI::App& command);
 
   const std::string& file() const { return file_; }
+  /// What to replace. Throws InputError naming the option.
+  QuestionOptions options() const;
   /// Reads the file and replaces what was asked. Throws InputError naming the file or option.
   Question question() const;
 

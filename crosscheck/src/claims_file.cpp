@@ -204,27 +204,4 @@ ClaimLine parse_claim_line(std::string_view line, const std::string& folder) {
   return result;
 }
 
-bool ClaimLines::next(std::string& line) {
-  std::streambuf& in = *in_.rdbuf();
-  constexpr int kEnd = std::streambuf::traits_type::eof();
-  for (int c = in.sbumpc(); c != kEnd;) {
-    line.clear();
-    ++number_;
-    bool blank = true;
-    bool too_long = false;
-    for (; c != kEnd && c != '\n'; c = in.sbumpc()) {
-      if (c != ' ' && c != '\t' && c != '\r') blank = false;
-      too_long = too_long || line.size() == kMaxGraspFileBytes;
-      if (!too_long) line.push_back(static_cast<char>(c));
-    }
-    if (too_long) {
-      throw InputError("", "", "more than " + std::to_string(kMaxGraspFileBytes) + " bytes",
-                       "longer lines are not read");
-    }
-    if (!blank) return true;
-    if (c != kEnd) c = in.sbumpc();
-  }
-  return false;
-}
-
 }  // namespace stickslip

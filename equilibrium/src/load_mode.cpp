@@ -134,14 +134,6 @@ std::vector<LoadSegment> LoadModes::chain_through(const LoadPoint& point, const 
     mode = piece->mode;
     chain.insert(chain.begin(), piece->part(low, bottom.multiple));
   }
-  // A mode that resists one multiple alone adds nothing to those next to it.
-  if (chain.size() > 1) {
-    chain.erase(std::remove_if(chain.begin(), chain.end(),
-                               [](const LoadSegment& segment) {
-                                 return segment.high == segment.start.multiple;
-                               }),
-                chain.end());
-  }
   return chain;
 }
 

@@ -80,6 +80,22 @@ class MarginSearch {
     return found;
   }
 
+  /// A mode that resists one multiple alone adds nothing to a segment that begins or ends
+  /// there.
+  void drop_idle_points() {
+    std::vector<LoadSegment> kept;
+    for (std::size_t k = 0; k < segments_.size(); ++k) {
+      const Rational& start = segments_[k].start.multiple;
+      const bool is_point = segments_[k].high == start;
+      const bool after_another = !kept.empty() && kept.back().high == start;
+      const bool before_another =
+          k + 1 < segments_.size() && segments_[k + 1].start.multiple == start;
+      if (is_point && (after_another || before_another)) continue;
+      kept.push_back(std::move(segments_[k]));
+    }
+    segments_ = std::move(kept);
+  }
+
   void require_equilibrium(const Rational& multiple, const Witness& witness) const {
     const Wrench load = problem_.wrench() + multiple * direction_;
     require(!find_violation(problem_.with_load(LoadRange(load)), witness),
@@ -94,6 +110,7 @@ class MarginSearch {
       if (a.start.multiple != b.start.multiple) return a.start.multiple < b.start.multiple;
       return a.high && (!b.high || *a.high < *b.high);
     });
+    drop_idle_points();
     for (const LoadSegment& segment : segments_) {
       require_equilibrium(segment.start.multiple, segment.start.witness);
       if (segment.high) require_equilibrium(*segment.high, segment.end);

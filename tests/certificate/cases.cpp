@@ -166,8 +166,11 @@ std::vector<CommittedCertificate> committed_certificates() {
     if (name.rfind("bilateral_", 0) == 0) input.options.law = NormalLaw::kBilateral;
     const auto json = nlohmann::json::parse(input.certificate);
     if (json.contains("direction")) {
-      const auto& u = json["direction"];
-      input.direction = Wrench{u[0].get<int>(), u[1].get<int>(), u[2].get<int>()};
+      const auto wrench_in = [](const nlohmann::json& numbers) {
+        return Wrench{numbers[0].get<int>(), numbers[1].get<int>(), numbers[2].get<int>()};
+      };
+      input.direction = wrench_in(json["direction"]);
+      input.options.wrench = wrench_in(json["question"]["wrench"]);
     }
     result.push_back({name, std::move(input)});
   }

@@ -112,7 +112,8 @@ TEST(Cli, Json) {
 }
 
 const std::string kMargin =
-    "margin_fig4_two_intervals.grasp.json margin_fig4_two_intervals.certificate.json";
+    "margin_fig4_two_intervals.grasp.json margin_fig4_two_intervals.certificate.json "
+    "--wrench -3,1,0";
 
 TEST(Cli, Margin) {
   const Result r = run(kMargin + " --direction 1,0,0");
@@ -129,10 +130,15 @@ TEST(Cli, Margin) {
             "proof       segments: 2; trees: 1, of 7 nodes: 4 leaves, 0 voids\n");
   const Result never =
       run("margin_no_contact_never.grasp.json margin_no_contact_never.certificate.json "
-          "--direction=1,0,0");
+          "--wrench 0,0,1 --direction=1,0,0");
   EXPECT_EQ(never.out.rfind("accepted\nresisted    no multiple\n", 0), 0U) << never.out;
   EXPECT_EQ(run(kMargin + " --direction 2,0,0").out.rfind("rejected\nrule   question-dir", 0),
             0U);
+  // Without --wrench the margin starts from 0, whatever the wrench in the file.
+  EXPECT_NE(run("margin_fig4_two_intervals.grasp.json "
+                "margin_fig4_two_intervals.certificate.json --direction 1,0,0")
+                .out.find("question-wrench"),
+            std::string::npos);
 }
 
 TEST(Cli, MarginSaysWhere) {

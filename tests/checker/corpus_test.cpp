@@ -17,20 +17,20 @@ struct Case {
   QuestionOptions options;
 };
 
-/// What the margin certificates of the corpus are asked about.
-std::optional<Vector3> direction_of(const std::string& certificate) {
-  const std::string member = "\"direction\": [";
-  const std::size_t at = certificate.find(member);
+/// The three numbers of a member, if the text has it.
+std::optional<Vector3> vector_in(const std::string& text, const std::string& name) {
+  const std::string member = '"' + name + "\": [";
+  const std::size_t at = text.find(member);
   if (at == std::string::npos) return std::nullopt;
-  std::istringstream in(certificate.substr(at + member.size()));
-  Vector3 direction;
-  for (Rational& c : direction) {
+  std::istringstream in(text.substr(at + member.size()));
+  Vector3 vector;
+  for (Rational& c : vector) {
     int number = 0;
     char separator = ' ';
     in >> number >> separator;
     c = number;
   }
-  return direction;
+  return vector;
 }
 
 std::string intervals(const Accepted& accepted) {
@@ -55,7 +55,8 @@ std::vector<Case> corpus() {
            read_file(stem + ".certificate.json"),
            {}};
     c.options.bilateral = c.name.rfind("bilateral_", 0) == 0;
-    c.options.direction = direction_of(c.certificate);
+    c.options.direction = vector_in(c.certificate, "direction");
+    if (c.options.direction) c.options.wrench = vector_in(c.grasp, "wrench");
     cases.push_back(std::move(c));
   }
   std::sort(cases.begin(), cases.end(), [](auto& a, auto& b) { return a.name < b.name; });

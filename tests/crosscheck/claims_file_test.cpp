@@ -9,6 +9,7 @@
 
 #include "paper_grasps.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/text_lines.hpp"
 #include "stickslip/core/json_members.hpp"
 
 namespace stickslip {
@@ -219,9 +220,9 @@ TEST(ParseClaimLine, EveryPrefixIsRejected) {
   }
 }
 
-TEST(ClaimLines, NumbersLinesAndSkipsBlankOnes) {
+TEST(TextLines, NumbersLinesAndSkipsBlankOnes) {
   std::istringstream in("\n  \r\none\n\n\ttwo\r\n\nthree");
-  ClaimLines lines(in);
+  TextLines lines(in);
   std::string line;
   std::vector<std::pair<std::size_t, std::string>> found;
   while (lines.next(line)) found.emplace_back(lines.number(), line);

@@ -4,9 +4,6 @@
 /// numbers are exact, as in grasp files.
 #pragma once
 
-#include <cstddef>
-#include <istream>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -23,23 +20,5 @@ struct ClaimLine {
 /// InputError with a line:column (the line being 1) or a JSON path such as "claim.twist[1]", or
 /// naming the grasp file that the line refers to.
 ClaimLine parse_claim_line(std::string_view line, const std::string& folder);
-
-/// Lines one at a time; memory holds one, of at most kMaxGraspFileBytes.
-class ClaimLines {
- public:
-  explicit ClaimLines(std::istream& in) : in_(in) {}
-
-  /// The next line that is not blank, false at the end. Throws InputError for a line that is
-  /// too long, which has been skipped, so that next() may be called again; number() is its
-  /// number.
-  bool next(std::string& line);
-
-  /// Of the last line read, from 1, blank ones counted.
-  std::size_t number() const { return number_; }
-
- private:
-  std::istream& in_;
-  std::size_t number_ = 0;
-};
 
 }  // namespace stickslip

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <oneapi/tbb/parallel_pipeline.h>
+#include <oneapi/tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands.hpp"
+#include "progress.hpp"
+#include "question_options.hpp"
+#include "stickslip/certificate/certificate.hpp"
+#include "stickslip/core/error.hpp"
+#include "stickslip/core/file.hpp"
+#include "stickslip/core/grasp_file.hpp"
+#include "stickslip/core/text_lines.hpp"
+#include "stickslip/equilibrium/cone_engine.hpp"
+
+namespace stickslip {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct BatchArguments {
+  QuestionArguments question;
+  std::string file;
+  std::string output = "-";
+  std::string certificates;
+  bool resume = false;
+  std::size_t node_limit = 0;
+  int threads = 0;
+};
+
+/// FNV-1a, 64 bits: tells whether a result is that of this line and these options. Nothing is
+/// proved by it.
+std::string key_of(const std::string& options, const std::string& line) {
+  std::uint64_t hash = 14695981039346656037ULL;
+  const auto add = [&](const std::string& text) {
+    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+  };
+  add(options);
+  add(line);
+  constexpr const char* kDigits = "0123456789abcdef";
+  std::string text;
+  for (int shift = 60; shift >= 0; shift -= 4) text += kDigits[(hash >> shift) & 15U];
+  return text;
+}
+
+struct Item {
+  std::size_t number = 0;
+  std::string text;
+  std::string result;  ///< a line of output
+  enum class Outcome { kDecided, kUndecided, kUnreadable } outcome = Outcome::kDecided;
+};
+
+class Batch {
+ public:
+  explicit Batch(const BatchArguments& arguments)
+      : arguments_(arguments), options_(arguments.question.options()) {
+    const auto spell = [&](const std::optional<Rational>& value) {
+      options_text_ += (value ? to_string(*value) : "") + ";";
+    };
+    const std::optional<Wrench>& w = options_.wrench;
+    spell(w ? std::optional(w->x) : std::nullopt);
+    spell(w ? std::optional(w->y) : std::nullopt);
+    spell(w ? std::optional(w->torque) : std::nullopt);
+    spell(options_.preload);
+    spell(options_.snap_tolerance);
+    options_text_ += std::string(to_string(options_.law)) + ";" +
+                     std::to_string(arguments.node_limit) + "\n";
+    if (arguments_.file != "-") open_input();
+    lines_.emplace(*in_);
+    if (arguments_.output != "-") open_output();
+    if (!arguments_.certificates.empty()) {
+      std::error_code error;
+      std::filesystem::create_directories(arguments_.certificates, error);
+      if (error) {
+        throw InputError(arguments_.certificates, "--certificates",
+                         "the folder cannot be made: " + error.message(),
+                         "name a folder that you may write to");
+      }
+    }
+  }
+
+  int run() {
+    skip_finished();
+    oneapi::tbb::task_arena arena(arguments_.threads == 0 ? oneapi::tbb::task_arena::automatic
+                                                          : arguments_.threads);
+    // So many lines are held at a time, whatever the length of the file.
+    const auto lines_held = static_cast<std::size_t>(4 * arena.max_concurrency());
+    using oneapi::tbb::filter_mode;
+    using oneapi::tbb::make_filter;
+    arena.execute([&] {
+      oneapi::tbb::parallel_pipeline(
+          lines_held,
+          make_filter<void, Item>(filter_mode::serial_in_order,
+                                  [&](oneapi::tbb::flow_control& flow) { return read(flow); }) &
+              make_filter<Item, Item>(filter_mode::parallel,
+                                      [&](Item item) { return decide(std::move(item)); }) &
+              make_filter<Item, void>(filter_mode::serial_in_order,
+                                      [&](const Item& item) { write(item); }));
+    });
+    if (unreadable_ > 0) return kBadInput;
+    return undecided_ > 0 ? kUndecidedWithinLimit : kDone;
+  }
+
+ private:
+  void open_input() {
+    errno = 0;
+    input_file_.open(arguments_.file, std::ios::binary);
+    if (!input_file_ || std::filesystem::is_directory(arguments_.file, ignored_)) {
+      throw InputError(arguments_.file, "",
+                       std::string("cannot open the file: ") +
+                           (errno != 0 ? std::strerror(errno) : "it is a folder"),
+                       "name a file of grasps, one a line, or - for standard input");
+    }
+    const auto size = std::filesystem::file_size(arguments_.file, ignored_);
+    if (!ignored_) bytes_ = size;
+    in_ = &input_file_;
+  }
+
+  /// Reads the results that are there, and cuts off a line that an interruption left
+  /// unfinished.
+  void open_output() {
+    const std::string& path = arguments_.output;
+    std::uintmax_t whole = 0;
+    {
+      std::ifstream before(path, std::ios::binary);
+      for (std::string line; std::getline(before, line) && !before.eof();) {
+        whole += line.size() + 1;
+        finished_.push_back(key_in(line, finished_.size() + 1));
+      }
+    }
+    if (std::filesystem::exists(path, ignored_)) {
+      if (!arguments_.resume && std::filesystem::file_size(path, ignored_) > 0) {
+        throw InputError(path, "--output", "the file exists",
+                         "go on with --resume, or name another file");
+      }
+      std::filesystem::resize_file(path, whole, ignored_);
+    }
+    output_file_.open(path, std::ios::binary | std::ios::app);
+    if (!output_file_) throw cannot_write();
+    out_ = &output_file_;
+  }
+
+  std::string key_in(const std::string& line, std::size_t number) const {
+    const Json result = Json::parse(line, nullptr, false);
+    if (!result.is_object() || !result.contains("key") || !result["key"].is_string()) {
+      throw InputError(arguments_.output, "line " + std::to_string(number),
+                       "this is not a result of a batch", "name another file");
+    }
+    return result["key"].get<std::string>();
+  }
+
+  InputError cannot_write() const {
+    return InputError(arguments_.output, "--output", "cannot be written",
+                      "is there room, and may you write there?");
+  }
+
+  /// What has a result need not be decided again, if it was the same question.
+  void skip_finished() {
+    for (const std::string& key : finished_) {
+      Item item;
+      const bool more = read_line(item);
+      if (!more || key != key_of(options_text_, item.text)) {
+        throw InputError(
+            arguments_.output, "result of line " + std::to_string(lines_->number()),
+            "it is not that of this line of " + arguments_.file + " under these options",
+            "resume with the same grasps and options, or name another file");
+      }
+    }
+    finished_.clear();
+    finished_.shrink_to_fit();
+    bytes_skipped_ = bytes_read_;
+  }
+
+  /// False at the end. A line that is too long has its error as its result.
+  bool read_line(Item& item) {
+    try {
+      if (!lines_->next(item.text)) return false;
+    } catch (const InputError& error) {
+      item.text.clear();
+      item.number = lines_->number();
+      fail(item, error);
+      return true;
+    }
+    item.number = lines_->number();
+    bytes_read_ += item.text.size() + 1;
+    return true;
+  }
+
+  Item read(oneapi::tbb::flow_control& flow) {
+    Item item;
+    if (!read_line(item)) flow.stop();
+    return item;
+  }
+
+  Json head(const Item& item) const {
+    return {{"line", item.number}, {"key", key_of(options_text_, item.text)}};
+  }
+
+  void fail(Item& item, const InputError& error) const {
+    Json json = head(item);
+    json["error"] = {
+        {"place", error.place()}, {"problem", error.problem()}, {"remedy", error.remedy()}};
+    item.result = json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    item.outcome = Item::Outcome::kUnreadable;
+  }
+
+  Item decide(Item item) const {
+    if (!item.result.empty()) return item;
+    try {
+      const Question question = ask(parse_grasp(item.text, ""), options_);
+      ConeOptions options;
+      options.node_limit = arguments_.node_limit;
+      const Problem problem(question.loaded, question.law);
+      const Verdict verdict = decide_by_cones(problem, options);
+      Json json = head(item);
+      json["name"] = question.loaded.grasp.name();
+      json["verdict"] = name_of(verdict);
+      if (const auto* undecided = std::get_if<Undecided>(&verdict)) {
+        json["limit"] = undecided->limit;
+        item.outcome = Item::Outcome::kUndecided;
+      } else if (!arguments_.certificates.empty()) {
+        const std::string path =
+            arguments_.certificates + "/line-" + std::to_string(item.number) + ".json";
+        write_whole_file(path, certificate_text(question, verdict,
+                                                "stickslip " STICKSLIP_VERSION ", batch"));
+        json["certificate"] = path;
+      }
+      item.result = json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+    } catch (const InputError& error) {
+      fail(item, error);
+    }
+    item.text.clear();
+    return item;
+  }
+
+  void write(const Item& item) {
+    *out_ << item.result << std::flush;
+    if (!*out_) throw cannot_write();
+    ++written_;
+    unreadable_ += item.outcome == Item::Outcome::kUnreadable ? 1 : 0;
+    undecided_ += item.outcome == Item::Outcome::kUndecided ? 1 : 0;
+    progress_.show(progress_text());
+  }
+
+  std::string progress_text() const {
+    const double seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    const double rate = static_cast<double>(written_) / std::max(seconds, 1e-3);
+    std::string text =
+        std::to_string(written_) + " grasps, " + std::to_string(std::lround(rate)) + "/s";
+    if (unreadable_ > 0) text += ", " + std::to_string(unreadable_) + " unreadable";
+    const std::uintmax_t read_now = bytes_read_;
+    if (read_now > bytes_skipped_ && read_now <= bytes_) {
+      const double share = static_cast<double>(bytes_ - read_now) /
+                           static_cast<double>(read_now - bytes_skipped_);
+      text += ", about " + std::to_string(std::lround(seconds * share)) + " s left";
+    }
+    return text;
+  }
+
+  const BatchArguments& arguments_;
+  QuestionOptions options_;
+  std::string options_text_;
+  std::error_code ignored_;
+  std::ifstream input_file_;
+  std::istream* in_ = &std::cin;
+  std::ofstream output_file_;
+  std::ostream* out_ = &std::cout;
+  std::vector<std::string> finished_;  ///< keys of the results that were there
+  std::optional<TextLines> lines_;
+  std::uintmax_t bytes_ = 0;  ///< of the input, if known
+  std::atomic<std::uintmax_t> bytes_read_{0};
+  std::uintmax_t bytes_skipped_ = 0;  ///< that had results already
+  std::size_t written_ = 0;
+  std::size_t unreadable_ = 0;
+  std::size_t undecided_ = 0;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Progress progress_;
+};
+
+}  // namespace
+
+void add_batch_command(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<BatchArguments>();
+  CLI::App* command = app.add_subcommand(
+      "batch", "Decide many grasps in parallel, one a line; results in the same order");
+  command
+      ->add_option("GRASPS", arguments->file,
+                   "JSON Lines: a grasp object a line; - is standard input")
+      ->required();
+  arguments->question.add_options_to(*command);
+  CLI::Option* output =
+      command
+          ->add_option("--output,-o", arguments->output,
+                       "File for the results, which is added to as they come; - is standard "
+                       "output")
+          ->type_name("FILE")
+          ->capture_default_str();
+  command
+      ->add_flag("--resume", arguments->resume,
+                 "Go on after an interruption: results in the output file are kept")
+      ->needs(output);
+  command
+      ->add_option("--certificates", arguments->certificates,
+                   "Folder for a proof of each verdict, line-N.json")
+      ->type_name("DIR");
+  command
+      ->add_option("--node-limit", arguments->node_limit,
+                   "Give a grasp up, undecided, after N nodes; 0 is no limit")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command
+      ->add_option("--threads", arguments->threads,
+                   "Grasps decided at a time; 0 is one a core. The results do not depend on it")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command->footer(
+      "Each line gives one line of JSON: line, key (of the question), name and verdict, or "
+      "the\n"
+      "error that it has; the rest goes on. Certificates are checked with the line as grasp\n"
+      "file. Memory does not grow with the file.\n"
+      "Example: stickslip batch grasps.jsonl -o verdicts.jsonl --resume\n"
+      "Exit codes: 0 done, 2 some lines were unreadable (or bad usage), 3 some undecided.");
+  command->callback([arguments, &exit_code] { exit_code = Batch(*arguments).run(); });
+}
+
+}  // namespace stickslip

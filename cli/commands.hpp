@@ -10,6 +10,7 @@ namespace stickslip {
 
 enum ExitCode : int {
   kDone = 0,
+  kClaimsWrong = 1,  ///< crosscheck: some claim is wrong
   kBadInput = 2,
   kUndecidedWithinLimit = 3,
   kAnswerStable = 10,  ///< decide --exit-code, as SAT solvers answer
@@ -21,6 +22,7 @@ void add_states_command(CLI::App& app, int& exit_code);
 void add_margin_command(CLI::App& app, int& exit_code);
 void add_compare_command(CLI::App& app, int& exit_code);
 void add_region_command(CLI::App& app, int& exit_code);
+void add_crosscheck_command(CLI::App& app, int& exit_code);
 void add_export_command(CLI::App& app, int& exit_code);
 void add_plot_command(CLI::App& app, int& exit_code);
 /// `plot region`, beside `region`.

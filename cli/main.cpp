@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
   stickslip::add_margin_command(app, exit_code);
   stickslip::add_compare_command(app, exit_code);
   stickslip::add_region_command(app, exit_code);
+  stickslip::add_crosscheck_command(app, exit_code);
   stickslip::add_export_command(app, exit_code);
   stickslip::add_plot_command(app, exit_code);
   try {

@@ -4,26 +4,24 @@
 #include <unistd.h>
 
 #include <iostream>
-#include <utility>
 
 namespace stickslip {
 
-Progress::Progress(std::string what)
-    : what_(std::move(what)),
-      on_terminal_(isatty(STDERR_FILENO) == 1),
+Progress::Progress()
+    : on_terminal_(isatty(STDERR_FILENO) == 1),
       next_(std::chrono::steady_clock::now() + std::chrono::seconds(1)) {}
 
 Progress::~Progress() {
   if (shown_) std::cerr << "\r\033[K" << std::flush;
 }
 
-void Progress::show(std::size_t done, std::size_t all) {
+void Progress::show(const std::string& text) {
   if (!on_terminal_) return;
   const auto now = std::chrono::steady_clock::now();
   if (now < next_) return;
   next_ = now + std::chrono::milliseconds(200);
   shown_ = true;
-  std::cerr << "\r\033[K" << what_ << ": " << done << " of " << all << std::flush;
+  std::cerr << "\r\033[K" << text << std::flush;
 }
 
 }  // namespace stickslip

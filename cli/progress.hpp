@@ -4,7 +4,6 @@
 #pragma once
 
 #include <chrono>
-#include <cstddef>
 #include <string>
 
 namespace stickslip {
@@ -13,15 +12,14 @@ namespace stickslip {
 /// few times a second, over its own line. The destructor clears it.
 class Progress {
  public:
-  explicit Progress(std::string what);
+  Progress();
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void show(std::size_t done, std::size_t all);
+  void show(const std::string& text);
 
  private:
-  std::string what_;
   bool on_terminal_;
   bool shown_ = false;
   std::chrono::steady_clock::time_point next_;

@@ -186,10 +186,12 @@ RegionReport find_region(const RegionArguments& arguments, const Question& quest
                          const WrenchPlane& plane) {
   const Problem problem(question.loaded, question.law);
   RegionReport report;
-  Progress progress("slip states");
+  Progress progress;
   RegionOptions options;
   options.mode_limit = arguments.mode_limit;
-  options.progress = [&](std::size_t done, std::size_t all) { progress.show(done, all); };
+  options.progress = [&](std::size_t done, std::size_t all) {
+    progress.show("slip states: " + std::to_string(done) + " of " + std::to_string(all));
+  };
   auto found = resistible_pieces(problem, plane, options, &report.work);
   if (auto* undecided = std::get_if<Undecided>(&found)) {
     report.undecided = std::move(*undecided);

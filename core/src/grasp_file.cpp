@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "json_tree.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/json_read.hpp"
 #include "stickslip/core/snap.hpp"
 
 namespace stickslip {
@@ -33,88 +33,6 @@ struct WrittenContact {
   Vector2 normal;
   Properties own;
 };
-
-[[noreturn]] void fail(const std::string& path, std::string problem, std::string remedy) {
-  throw InputError("", place_name(path), std::move(problem), std::move(remedy));
-}
-
-void expect(const JsonNode& node, Kind kind, const std::string& path, const char* expected) {
-  if (node.kind != kind)
-    fail(path, "found " + describe(node), std::string("expected ") + expected);
-}
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row[b.size()];
-}
-
-using Keys = std::vector<std::string>;
-
-/// "did you mean" for a near miss: at most half of the key is wrong.
-std::string suggestion(const std::string& key, const Keys& allowed) {
-  constexpr std::size_t kLongest = 40;
-  if (key.size() > kLongest) return {};
-  const auto distance = [&](const std::string& other) { return edit_distance(key, other); };
-  const std::string nearest = *std::min_element(
-      allowed.begin(), allowed.end(),
-      [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
-  if (2 * distance(nearest) > nearest.size()) return {};
-  return "did you mean \"" + nearest + "\"? ";
-}
-
-void expect_object(const JsonNode& node, const std::string& path, const Keys& allowed) {
-  expect(node, Kind::kObject, path, "an object {...}");
-  for (const std::string& key : node.keys) {
-    if (std::find(allowed.begin(), allowed.end(), key) != allowed.end()) continue;
-    std::string remedy = suggestion(key, allowed) + "the keys allowed here are";
-    for (const std::string& name : allowed) {
-      remedy += (name == allowed.front() ? " " : ", ") + name;
-    }
-    fail(path, "unknown key " + quote(key), remedy);
-  }
-}
-
-const JsonNode& member(const JsonNode& object, const std::string& path, const char* key,
-                       const char* remedy) {
-  const JsonNode* node = object.find(key);
-  if (node == nullptr) fail(path, std::string("the key \"") + key + "\" is missing", remedy);
-  return *node;
-}
-
-Rational read_number(const JsonNode& node, const std::string& path) {
-  if (node.kind != Kind::kNumber && node.kind != Kind::kString) {
-    fail(path, "found " + describe(node),
-         "expected a number such as 0.25, or a string as \"3/5\"");
-  }
-  try {
-    return parse_rational(node.text);
-  } catch (const NumberError& error) {
-    fail(path, error.what(), "write a decimal such as 0.25, or a string such as \"3/5\"");
-  }
-}
-
-std::vector<Rational> read_vector(const JsonNode& node, const std::string& path,
-                                  std::size_t length, const char* form) {
-  expect(node, Kind::kArray, path, form);
-  if (node.children.size() != length) {
-    fail(path, "found " + describe(node), std::string("expected ") + form);
-  }
-  std::vector<Rational> values;
-  for (const JsonNode& child : node.children) {
-    values.push_back(read_number(child, element_path(path, values.size())));
-  }
-  return values;
-}
 
 Vector2 read_vector2(const JsonNode& contact, const std::string& path, const char* key,
                      const char* remedy) {
@@ -154,8 +72,8 @@ Properties read_defaults(const JsonNode& root) {
                         read.stiffness.value_or(1),
                         read.preload.value_or(0)}});
   } catch (const InputError& error) {
-    fail("defaults" + error.place().substr(error.place().find('.')), error.problem(),
-         error.remedy());
+    fail_at("defaults" + error.place().substr(error.place().find('.')), error.problem(),
+            error.remedy());
   }
   return read;
 }
@@ -177,14 +95,14 @@ std::optional<Rational> read_snap_tolerance(const JsonNode& root) {
     const Rational tolerance =
         read_number(member(*node, "normals", "snap", kRemedy), "normals.snap");
     if (tolerance.sign() <= 0 || tolerance >= 1) {
-      fail("normals.snap", "the value is " + to_string(tolerance),
-           "it must lie between 0 and 1, such as 1e-9");
+      fail_at("normals.snap", "the value is " + to_string(tolerance),
+              "it must lie between 0 and 1, such as 1e-9");
     }
     return tolerance;
   }
   if (node->kind == Kind::kString && node->text == "exact") return std::nullopt;
   if (node->kind == Kind::kString && node->text == "snap") return default_snap_tolerance();
-  fail("normals", "found " + describe(*node), kRemedy);
+  fail_at("normals", "found " + describe(*node), kRemedy);
 }
 
 std::string read_name(const JsonNode& root) {
@@ -198,7 +116,7 @@ void check_format(const JsonNode& root) {
   const std::string remedy = std::string("write \"format\": \"") + kFormat + "\"";
   const JsonNode& node = member(root, "", "format", remedy.c_str());
   if (node.kind != Kind::kString || node.text != kFormat) {
-    fail("format", "found " + describe(node), remedy);
+    fail_at("format", "found " + describe(node), remedy);
   }
 }
 
@@ -210,8 +128,8 @@ std::vector<Contact> with_defaults(std::vector<WrittenContact> written,
     std::optional<Rational>& friction = w.own.friction;
     if (!friction) friction = defaults.friction;
     if (!friction) {
-      fail(element_path("contacts", contacts.size()), "the key \"friction\" is missing",
-           "add it here, or for all contacts in \"defaults\"");
+      fail_at(element_path("contacts", contacts.size()), "the key \"friction\" is missing",
+              "add it here, or for all contacts in \"defaults\"");
     }
     contacts.push_back({std::move(w.position), std::move(w.normal), std::move(*friction),
                         w.own.stiffness.value_or(defaults.stiffness.value_or(1)),
@@ -222,8 +140,8 @@ std::vector<Contact> with_defaults(std::vector<WrittenContact> written,
 
 GraspFile parse_unnamed(std::string_view text) {
   if (text.size() > kMaxGraspFileBytes) {
-    fail("", "more than " + std::to_string(kMaxGraspFileBytes) + " bytes",
-         "split the grasp file; larger ones are not read");
+    fail_at("", "more than " + std::to_string(kMaxGraspFileBytes) + " bytes",
+            "split the grasp file; larger ones are not read");
   }
   std::vector<WrittenContact> written;
   const JsonNode root =

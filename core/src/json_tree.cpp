@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "json_tree.hpp"
+#include "stickslip/core/json_tree.hpp"
 
 #include <algorithm>
 #include <array>

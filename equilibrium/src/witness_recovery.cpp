@@ -33,23 +33,42 @@ bool solve3(Matrix3 a, Double3 b, Double3& x) {
   return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
 }
 
-/// Gauss-Jordan on [a | b]; nothing if singular.
-std::optional<std::vector<Rational>> solve_exactly(std::vector<std::vector<Rational>> rows) {
-  const std::size_t n = rows.size();
+/// Gauss-Jordan on [a | b]; nothing if there is no solution or, unless `may_be_singular`, more
+/// than one. Unknowns that are left open are 0.
+std::optional<std::vector<Rational>> solve_exactly(std::vector<std::vector<Rational>> rows,
+                                                   bool may_be_singular) {
+  const std::size_t n = rows.front().size() - 1;
+  std::vector<Rational> solution(n);
+  std::vector<std::size_t> pivot_columns;  // of the rows, from the first
   for (std::size_t c = 0; c < n; ++c) {
-    std::size_t pivot = c;
-    while (pivot < n && rows[pivot][c].is_zero()) ++pivot;
-    if (pivot == n) return std::nullopt;
-    std::swap(rows[pivot], rows[c]);
-    for (std::size_t r = 0; r < n; ++r) {
-      if (r == c || rows[r][c].is_zero()) continue;
-      const Rational factor = rows[r][c] / rows[c][c];
-      for (std::size_t k = c; k <= n; ++k) rows[r][k] -= factor * rows[c][k];
+    const std::size_t top = pivot_columns.size();
+    std::size_t pivot = top;
+    while (pivot < rows.size() && rows[pivot][c].is_zero()) ++pivot;
+    if (pivot == rows.size()) {
+      if (!may_be_singular) return std::nullopt;
+      continue;
+    }
+    std::swap(rows[pivot], rows[top]);
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+      if (r == top || rows[r][c].is_zero()) continue;
+      const Rational factor = rows[r][c] / rows[top][c];
+      for (std::size_t k = c; k <= n; ++k) rows[r][k] -= factor * rows[top][k];
+    }
+    pivot_columns.push_back(c);
+  }
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    if (r < pivot_columns.size()) {
+      solution[pivot_columns[r]] = rows[r][n] / rows[r][pivot_columns[r]];
+    } else if (!rows[r][n].is_zero()) {
+      return std::nullopt;
     }
   }
-  std::vector<Rational> solution;
-  for (std::size_t c = 0; c < n; ++c) solution.push_back(rows[c][n] / rows[c][c]);
   return solution;
+}
+
+/// Sticks with all the friction there can be: known, and so is its slip.
+bool rests_on_edge(const ContactMode& mode) {
+  return mode.sticks && mode.closed && mode.exact_ratio && abs(*mode.exact_ratio) == 1;
 }
 
 /// At most three sticking contacts with linearly independent T, those with the most room in the
@@ -59,7 +78,8 @@ std::vector<std::size_t> choose_basic(const Problem& problem,
   std::vector<std::size_t> candidates;
   for (std::size_t i = 0; i < modes.size(); ++i) {
     // Friction at an open or frictionless contact is 0 and cannot be an unknown.
-    if (modes[i].sticks && modes[i].closed && !problem.rows()[i].friction.is_zero()) {
+    if (modes[i].sticks && modes[i].closed && !rests_on_edge(modes[i]) &&
+        !problem.rows()[i].friction.is_zero()) {
       candidates.push_back(i);
     }
   }
@@ -97,7 +117,8 @@ Rational rounded_ratio(double ratio) {
 }  // namespace
 
 std::optional<Witness> complete_exactly(const Problem& problem,
-                                        const std::vector<ContactMode>& modes) {
+                                        const std::vector<ContactMode>& modes,
+                                        const Witness* near) {
   const std::vector<std::size_t> basic = choose_basic(problem, modes);
   const std::size_t n = 3 + basic.size();
   // Unknowns: d, then friction at the basic contacts. Rows: balance, then no slip at these.
@@ -107,7 +128,10 @@ std::optional<Witness> complete_exactly(const Problem& problem,
     if (!modes[i].closed) continue;
     const ContactRow& row = problem.rows()[i];
     const bool is_basic = std::find(basic.begin(), basic.end(), i) != basic.end();
-    if (!is_basic) ratio[i] = rounded_ratio(modes[i].friction_ratio);
+    if (!is_basic) {
+      ratio[i] =
+          modes[i].exact_ratio ? *modes[i].exact_ratio : rounded_ratio(modes[i].friction_ratio);
+    }
     const Vector3 wrench = coordinates(row.normal + (ratio[i] * row.friction) * row.tangent);
     const Vector4& v = problem.separation(ContactId(i));
     for (std::size_t r = 0; r < 3; ++r) {
@@ -127,8 +151,30 @@ std::optional<Witness> complete_exactly(const Problem& problem,
       system[3 + k][r] = t[r];
     }
   }
-  const auto solution = solve_exactly(std::move(system));
+  // What is on a border of its mode stays there.
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    if (!rests_on_edge(modes[i]) && !modes[i].touches) continue;
+    const Vector3 t = coordinates(problem.rows()[i].tangent);
+    const Vector4& v = problem.separation(ContactId(i));
+    system.emplace_back(n + 1);
+    for (std::size_t c = 0; c < 3; ++c) system.back()[c] = modes[i].touches ? v[c] : t[c];
+    if (modes[i].touches) system.back()[n] = -v[3];
+  }
+  // With `near` the unknowns are the changes from there.
+  std::vector<Rational> start(n);
+  if (near != nullptr) {
+    const Vector3 twist = coordinates(near->twist);
+    std::copy(twist.begin(), twist.end(), start.begin());
+    for (std::size_t k = 0; k < basic.size(); ++k) {
+      start[3 + k] = near->forces[basic[k]].tangential;
+    }
+    for (std::vector<Rational>& row : system) {
+      for (std::size_t c = 0; c < n; ++c) row[n] -= row[c] * start[c];
+    }
+  }
+  auto solution = solve_exactly(std::move(system), near != nullptr);
   if (!solution) return std::nullopt;
+  for (std::size_t c = 0; c < n; ++c) (*solution)[c] += start[c];
   Witness witness;
   witness.twist = {(*solution)[0], (*solution)[1], (*solution)[2]};
   const ScaledTwist scaled(witness.twist);

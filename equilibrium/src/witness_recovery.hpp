@@ -19,13 +19,18 @@ struct ContactMode {
   /// contact.
   double friction_ratio;
   bool sticks;
+  /// Takes the place of friction_ratio; a sticking contact with 1 or -1 keeps it.
+  std::optional<Rational> exact_ratio = {};
+  bool touches = false;  ///< not closed, but v = 0
 };
 
 /// Solves balance and no slip at the sticking contacts exactly, with the modes given; O(m)
 /// rational operations. Nothing if the system is singular or its solution is not an
-/// equilibrium.
+/// equilibrium. With `near` a singular system will do: what it leaves open stays as it is
+/// there.
 std::optional<Witness> complete_exactly(const Problem& problem,
-                                        const std::vector<ContactMode>& modes);
+                                        const std::vector<ContactMode>& modes,
+                                        const Witness* near = nullptr);
 
 /// Newton's method in the three unknowns of d for balance with friction made smooth,
 /// -mu c_n clamp(T.d / epsilon); then complete_exactly. From rest: epsilon falls from the size

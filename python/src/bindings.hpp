@@ -9,20 +9,32 @@
 #include <pybind11/pybind11.h>
 
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "stickslip/equilibrium/decide.hpp"
 #include "stickslip/equilibrium/question.hpp"
 
 namespace stickslip::python {
 
-void bind_grasp(pybind11::module_& module);      ///< grasp.cpp
-void bind_questions(pybind11::module_& module);  ///< questions.cpp
-void bind_check(pybind11::module_& module);      ///< check.cpp
-// The place of crosscheck: bind_crosscheck, in a file of its own beside these, over the
-// library's judge_claim; then python/stickslip/crosscheck.py, _core.pyi and docs/python.md.
+void bind_grasp(pybind11::module_& module);       ///< grasp.cpp
+void bind_questions(pybind11::module_& module);   ///< questions.cpp
+void bind_check(pybind11::module_& module);       ///< check.cpp
+void bind_crosscheck(pybind11::module_& module);  ///< crosscheck.cpp
 
 /// What is asked about a grasp; None leaves the grasp's own value.
 QuestionOptions question_options(const pybind11::object& wrench,
                                  const pybind11::object& preload, bool bilateral);
+
+/// The certificate of a verdict; empty if undecided.
+std::string certificate_of(const Question& question, const Decision& decision);
+
+/// The fields of results.Decision.
+pybind11::dict decision_fields(const Question& question, const Problem& problem,
+                               const Decision& decision, const std::string& certificate);
+
+/// Force vectors in the frame of the body.
+pybind11::tuple force_vectors(const Grasp& grasp, const std::vector<ContactForce>& forces);
 
 /// Runs `work`, which must not touch Python, while other Python threads run.
 template <class Work>

@@ -42,4 +42,5 @@ PYBIND11_MODULE(_core, module) {
   stickslip::python::bind_grasp(module);
   stickslip::python::bind_questions(module);
   stickslip::python::bind_check(module);
+  stickslip::python::bind_crosscheck(module);
 }

@@ -33,21 +33,17 @@ py::tuple snapped_normals(const Question& question) {
 /// The evidence of a stable verdict, contact by contact.
 void add_witness(py::dict& result, const Question& question, const Problem& problem,
                  const Witness& witness) {
-  py::tuple forces(problem.size());
   py::tuple coefficients(problem.size());
   py::tuple closed(problem.size());
   std::string slip;
   for (std::size_t i = 0; i < problem.size(); ++i) {
-    const Vector2& n = question.loaded.grasp.contacts()[i].normal;
     const ContactRow& row = problem.rows()[i];
-    const auto& [a, b] = witness.forces[i];
-    forces[i] = fractions(a * n.x - b * n.y, a * n.y + b * n.x);
-    coefficients[i] = fractions(a, b);
+    coefficients[i] = fractions(witness.forces[i].normal, witness.forces[i].tangential);
     closed[i] = row.normal_coefficient(witness.twist).sign() >= 0;
     slip += to_char(sign_of(power(row.tangent, witness.twist)));
   }
   result["twist"] = fractions(witness.twist);
-  result["forces"] = forces;
+  result["forces"] = force_vectors(question.loaded.grasp, witness.forces);
   result["coefficients"] = coefficients;
   result["slip"] = slip;
   result["closed"] = closed;
@@ -74,30 +70,12 @@ py::dict decide_grasp(const GraspFile& grasp, const py::object& wrench,
     options.node_limit = node_limit;
     options.threads = threads;
     Decision decision = decide(problem, engine_named(engine), options);
-    std::string certificate;
-    if (!std::holds_alternative<Undecided>(decision.verdict)) {
-      certificate = certificate_text(
-          question, decision.verdict,
-          std::string("stickslip " STICKSLIP_VERSION ", engine ") + decision.engine());
-    }
+    std::string certificate = certificate_of(question, decision);
     return Answer{std::move(question), std::move(problem), std::move(decision),
                   std::move(certificate)};
   });
 
-  const Verdict& verdict = answer.decision.verdict;
-  py::dict result("verdict"_a = name_of(verdict), "engine"_a = answer.decision.engine(),
-                  "normal_law"_a = to_string(answer.question.law),
-                  "wrench"_a = fractions(answer.problem.wrench()),
-                  "snapped_normals"_a = snapped_normals(answer.question));
-  if (!answer.certificate.empty()) result["certificate"] = answer.certificate;
-  result["stats"] =
-      std::visit([](const auto& work) { return stats(work); }, answer.decision.work);
-  if (const auto* stable = std::get_if<Stable>(&verdict)) {
-    add_witness(result, answer.question, answer.problem, stable->witness);
-  } else if (const auto* undecided = std::get_if<Undecided>(&verdict)) {
-    result["limit"] = undecided->limit;
-  }
-  return result;
+  return decision_fields(answer.question, answer.problem, answer.decision, answer.certificate);
 }
 
 py::dict slip_states(const GraspFile& grasp, const std::string& engine, bool list,
@@ -173,6 +151,40 @@ py::dict find_grasp_margin(const GraspFile& grasp, const py::list& direction,
 }
 
 }  // namespace
+
+std::string certificate_of(const Question& question, const Decision& decision) {
+  if (std::holds_alternative<Undecided>(decision.verdict)) return {};
+  return certificate_text(
+      question, decision.verdict,
+      std::string("stickslip " STICKSLIP_VERSION ", engine ") + decision.engine());
+}
+
+py::dict decision_fields(const Question& question, const Problem& problem,
+                         const Decision& decision, const std::string& certificate) {
+  const Verdict& verdict = decision.verdict;
+  py::dict result("verdict"_a = name_of(verdict), "engine"_a = decision.engine(),
+                  "normal_law"_a = to_string(question.law),
+                  "wrench"_a = fractions(problem.wrench()),
+                  "snapped_normals"_a = snapped_normals(question));
+  if (!certificate.empty()) result["certificate"] = certificate;
+  result["stats"] = std::visit([](const auto& work) { return stats(work); }, decision.work);
+  if (const auto* stable = std::get_if<Stable>(&verdict)) {
+    add_witness(result, question, problem, stable->witness);
+  } else if (const auto* undecided = std::get_if<Undecided>(&verdict)) {
+    result["limit"] = undecided->limit;
+  }
+  return result;
+}
+
+py::tuple force_vectors(const Grasp& grasp, const std::vector<ContactForce>& forces) {
+  py::tuple vectors(forces.size());
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    const Vector2& n = grasp.contacts()[i].normal;
+    const auto& [a, b] = forces[i];
+    vectors[i] = fractions(a * n.x - b * n.y, a * n.y + b * n.x);
+  }
+  return vectors;
+}
 
 QuestionOptions question_options(const py::object& wrench, const py::object& preload,
                                  bool bilateral) {

@@ -16,24 +16,35 @@ wrench is the one applied to the body. See docs/python.md.
 from . import _core
 from .errors import ContractError, InputError, LimitReached
 from .grasp import Grasp
-from .questions import check, decide, margin, slip_states
-from .results import CheckResult, Decision, Margin, SlipStates, SnappedNormal
-
-# The place of crosscheck: from .crosscheck import crosscheck
+from .questions import check, crosscheck, decide, margin, slip_states
+from .results import (
+    CheckResult,
+    CrossCheck,
+    Decision,
+    Margin,
+    NearbyEquilibrium,
+    Residual,
+    SlipStates,
+    SnappedNormal,
+)
 
 __version__: str = _core.version
 
 __all__ = [
     "CheckResult",
     "ContractError",
+    "CrossCheck",
     "Decision",
     "Grasp",
     "InputError",
     "LimitReached",
     "Margin",
+    "NearbyEquilibrium",
+    "Residual",
     "SlipStates",
     "SnappedNormal",
     "check",
+    "crosscheck",
     "decide",
     "margin",
     "slip_states",

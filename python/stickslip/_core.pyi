@@ -50,6 +50,19 @@ def margin(
     bilateral: bool,
     node_limit: int,
 ) -> Dict[str, Any]: ...
+def crosscheck(
+    grasp: GraspData,
+    stable: bool,
+    twist: Optional[List[Any]],
+    forces: Optional[List[List[Any]]],
+    wrench: Optional[List[Any]],
+    preload: Any,
+    bilateral: bool,
+    tie: Any,
+    tolerance: Any,
+    node_limit: int,
+    distances: bool,
+) -> Dict[str, Any]: ...
 def check(
     grasp: bytes,
     certificate: bytes,

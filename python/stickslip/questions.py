@@ -13,8 +13,17 @@ from typing import Any, List, Optional, Sequence, Union
 
 from . import _core
 from .errors import InputError, LimitReached
-from .grasp import Grasp, as_wrench
-from .results import CheckResult, Decision, Margin, SlipStates, SnappedNormal
+from .grasp import Grasp, as_list, as_wrench
+from .results import (
+    CheckResult,
+    CrossCheck,
+    Decision,
+    Margin,
+    NearbyEquilibrium,
+    Residual,
+    SlipStates,
+    SnappedNormal,
+)
 
 
 def decide(
@@ -103,6 +112,56 @@ def margin(
     if "limit" in result:
         raise LimitReached(result["limit"])
     return Margin(**_snapped(result))
+
+
+def crosscheck(
+    grasp: Grasp,
+    verdict: str,
+    *,
+    twist: Any = None,
+    forces: Any = None,
+    wrench: Any = None,
+    preload: Any = None,
+    normal_law: str = "unilateral",
+    tie: Any = "1e-9",
+    tolerance: Any = "1e-6",
+    node_limit: int = 0,
+    distances: bool = False,
+) -> CrossCheck:
+    """Is another program's answer right, wrong, or a tie that only exact arithmetic can see?
+
+    Args:
+        grasp: what was asked about, as are ``wrench``, ``preload`` and ``normal_law``.
+        verdict: the claim, "stable" or "unstable".
+        twist: (3,), the claimed motion (x, y, r), if there is one.
+        forces: (m, 2), the claimed forces of the contacts on the body, in its frame.
+        tie: a wrong verdict is a tie if a relative change of the load by this much mends it.
+        tolerance: residuals up to this count as none.
+        node_limit: for the verdict and for each margin; 0 is no limit.
+        distances: find the distance to the threshold for right claims as well.
+    """
+    data = _data(grasp)
+    fields = _core.crosscheck(
+        data,
+        _one_of("verdict", verdict, ("stable", "unstable")) == "stable",
+        None if twist is None else as_list(twist, "twist", (3,), "motion x, y and rotation r"),
+        None if forces is None
+        else as_list(forces, "forces", (data.size(), 2), "one vector for each contact"),
+        _wrench_or_none(wrench),
+        preload,
+        _is_bilateral(normal_law),
+        tie,
+        tolerance,
+        _count("node_limit", node_limit),
+        distances,
+    )
+    fields["decision"] = Decision(**_snapped(fields["decision"]))
+    for name in ("cone", "normal_law", "dissipation"):
+        if fields[name] is not None:
+            fields[name] = Residual(*fields[name])
+    if "nearby" in fields:
+        fields["nearby"] = NearbyEquilibrium(**fields["nearby"])
+    return CrossCheck(**fields)
 
 
 def check(

@@ -81,6 +81,64 @@ class Margin:
     stats: Dict[str, int] = field(default_factory=dict, repr=False, compare=False)
 
 
+class Residual(NamedTuple):
+    """The largest by which a claimed solution misses a condition; 0 if it misses none."""
+
+    squared: Fraction
+    """Its square: forces along a normal of irrational length are irrational themselves."""
+    contact: Optional[int]
+    """Where it occurs first; None if it is 0 everywhere."""
+
+    @property
+    def value(self) -> float:
+        """The root, as a float."""
+        return float(self.squared) ** 0.5
+
+
+@dataclass(frozen=True)
+class NearbyEquilibrium:
+    """An exact equilibrium, for a claim "stable" with a solution."""
+
+    twist: Triple
+    forces: Tuple[Pair, ...] = field(repr=False)
+    """On the body, in its frame."""
+    from_claim: bool
+    """Of the kind that the claim suggests; else it is the engine's own."""
+    force_distance: Optional[Fraction]
+    """Largest difference of a component from the claim; None where the claim has none."""
+    twist_distance: Optional[Fraction]
+    same_slip: Optional[bool]
+    same_contacts: bool
+    """Whether the same contacts bear force."""
+
+
+@dataclass(frozen=True)
+class CrossCheck:
+    """Another program's answer, judged exactly. What the claim does not allow to say is None."""
+
+    outcome: str
+    """"right"; "tie", another verdict but within ``tie`` of a threshold; "wrong"; "undecided"."""
+    decision: Decision
+    """The exact verdict, with its evidence."""
+    inaccurate: bool = False
+    """Of a right "stable": the claimed solution misses a condition by more than ``tolerance``."""
+    balance: Optional[Triple] = None
+    """The wrench plus all claimed forces."""
+    cone: Optional[Residual] = None
+    """Friction beyond its cone, or a pull."""
+    normal_law: Optional[Residual] = None
+    """Normal forces that are not those of the springs at the claimed motion."""
+    dissipation: Optional[Residual] = None
+    """What friction falls short of the most it could take out, as a power."""
+    claimed_slip: Optional[str] = None
+    """The signs of slip of the claimed motion."""
+    nearby: Optional[NearbyEquilibrium] = None
+    distance: Optional[Fraction] = None
+    """The smallest relative change of the load, along itself or one of six axes, that changes the
+    verdict; found for disagreements, and for all with ``distances``. None also if none does."""
+    distance_along_load: Optional[Fraction] = None
+
+
 @dataclass(frozen=True)
 class CheckResult:
     """What the independent checker says of a certificate. True in a condition iff accepted."""

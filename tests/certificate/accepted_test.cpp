@@ -2,8 +2,6 @@
 // What both engines certify, both checkers accept; so do they the committed certificates.
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <map>
 
@@ -15,11 +13,6 @@ namespace {
 
 using test::CheckerAnswer;
 using test::CheckerInput;
-
-std::string read_file(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 void expect_accepted(const std::vector<CheckerInput>& inputs,
                      const std::vector<std::string>& names) {
@@ -66,21 +59,9 @@ TEST(Accepted, TheThirdOpinionIsTheSame) {
 TEST(Accepted, CommittedCertificates) {
   std::vector<CheckerInput> inputs;
   std::vector<std::string> names;
-  const std::string ending = ".grasp.json";
-  for (const auto& entry :
-       std::filesystem::directory_iterator(STICKSLIP_CORPUS "/certificates")) {
-    const std::string name = entry.path().filename();
-    if (name.size() <= ending.size() ||
-        name.compare(name.size() - ending.size(), ending.size(), ending) != 0) {
-      continue;
-    }
-    const std::string stem = name.substr(0, name.size() - ending.size());
-    QuestionOptions options;
-    if (stem.rfind("bilateral_", 0) == 0) options.law = NormalLaw::kBilateral;
-    inputs.push_back({read_file(entry.path()),
-                      read_file(entry.path().parent_path() / (stem + ".certificate.json")),
-                      options});
-    names.push_back(stem);
+  for (const test::CommittedCertificate& one : test::committed_certificates()) {
+    inputs.push_back(one.input);
+    names.push_back(one.name);
   }
   EXPECT_GE(inputs.size(), 40u);
   expect_accepted(inputs, names);

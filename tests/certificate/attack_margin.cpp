@@ -10,7 +10,7 @@ namespace {
 /// Changes one certificate by hand.
 class Attacks {
  public:
-  Attacks(std::vector<MarginCertificate> margins, Mutants& mutants)
+  Attacks(std::vector<CommittedCertificate> margins, Mutants& mutants)
       : margins_(std::move(margins)), mutants_(mutants) {}
 
   void attack(const std::string& kind, const std::string& name, Expectation expected,
@@ -25,7 +25,7 @@ class Attacks {
   }
 
  private:
-  std::vector<MarginCertificate> margins_;
+  std::vector<CommittedCertificate> margins_;
   Mutants& mutants_;
 };
 

@@ -151,28 +151,36 @@ std::vector<Certified> all_certificates() {
   return result;
 }
 
-std::vector<MarginCertificate> all_margins() {
+std::vector<CommittedCertificate> committed_certificates() {
   const auto read = [](const std::filesystem::path& path) {
     std::ifstream in(path, std::ios::binary);
     return std::string(std::istreambuf_iterator<char>(in), {});
   };
   const std::filesystem::path folder = STICKSLIP_CORPUS "/certificates";
-  std::vector<MarginCertificate> result;
+  std::vector<CommittedCertificate> result;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string file = entry.path().filename().string();
     const std::string name = file.substr(0, file.find('.'));
     if (file != name + ".certificate.json") continue;
     CheckerInput input{read(folder / (name + ".grasp.json")), read(entry.path()), {}};
+    if (name.rfind("bilateral_", 0) == 0) input.options.law = NormalLaw::kBilateral;
     const auto json = nlohmann::json::parse(input.certificate);
-    if (json["format"] != "stickslip-margin/1") continue;
-    if (json["question"]["normal_law"] == "bilateral")
-      input.options.law = NormalLaw::kBilateral;
-    const auto& u = json["direction"];
-    input.direction = Wrench{u[0].get<int>(), u[1].get<int>(), u[2].get<int>()};
+    if (json.contains("direction")) {
+      const auto& u = json["direction"];
+      input.direction = Wrench{u[0].get<int>(), u[1].get<int>(), u[2].get<int>()};
+    }
     result.push_back({name, std::move(input)});
   }
   std::sort(result.begin(), result.end(),
             [](const auto& a, const auto& b) { return a.name < b.name; });
+  return result;
+}
+
+std::vector<CommittedCertificate> all_margins() {
+  std::vector<CommittedCertificate> result;
+  for (CommittedCertificate& one : committed_certificates()) {
+    if (one.input.direction) result.push_back(std::move(one));
+  }
   return result;
 }
 

@@ -38,12 +38,13 @@ struct Certified {
   std::size_t size() const;
 };
 
-/// A margin certificate, written by hand (tests/corpus/certificates).
-struct MarginCertificate {
+/// A certificate of tests/corpus/certificates, sorted by name. Those of margins are by hand.
+struct CommittedCertificate {
   std::string name;
   CheckerInput input;
 };
-std::vector<MarginCertificate> all_margins();
+std::vector<CommittedCertificate> committed_certificates();
+std::vector<CommittedCertificate> all_margins();
 
 /// By kStates and kCone for each case; they must agree, or this throws.
 std::vector<Certified> all_certificates();

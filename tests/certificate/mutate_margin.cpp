@@ -30,7 +30,7 @@ Json inside(const Json& segment, const Rational& t) {
 
 class MarginMutations {
  public:
-  MarginMutations(RandomSource& random, const MarginCertificate& original, Mutants& mutants)
+  MarginMutations(RandomSource& random, const CommittedCertificate& original, Mutants& mutants)
       : random_(random),
         original_(original),
         json_(Json::parse(original.input.certificate)),
@@ -308,7 +308,7 @@ class MarginMutations {
   }
 
   RandomSource& random_;
-  const MarginCertificate& original_;
+  const CommittedCertificate& original_;
   const Json json_;
   Mutants& mutants_;
 };
@@ -316,8 +316,8 @@ class MarginMutations {
 }  // namespace
 
 void mutate_margins(RandomSource& random, Mutants& mutants) {
-  const std::vector<MarginCertificate> margins = all_margins();
-  for (const MarginCertificate& margin : margins) {
+  const std::vector<CommittedCertificate> margins = all_margins();
+  for (const CommittedCertificate& margin : margins) {
     MarginMutations(random, margin, mutants).run();
   }
 }

@@ -178,6 +178,10 @@ class EveryPicture(unittest.TestCase):
             self.assertEqual(first[0], 0)
             self.assertEqual(first, stickslip(*words))
 
+    def test_the_readme_shows_the_picture_that_is_drawn(self):
+        with open(os.path.join(HERE, "..", "..", "docs", "fig1.svg"), encoding="utf-8") as file:
+            self.assertEqual(file.read(), stickslip("plot", "grasp", FIG1)[1])
+
     def test_numbers_are_plain(self):
         for words in self.pictures():
             picture = Picture(stickslip(*words)[1])

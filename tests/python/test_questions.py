@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 import stickslip
 from conftest import GOOD, ROOT, check_py, program
-from stickslip import Grasp, InputError, check, decide, margin, slip_states
+from stickslip import Grasp, InputError, check, crosscheck, decide, margin, slip_states
 
 UP, DOWN = (0, 1, 0), (0, -1, 0)
 PAPER = ROOT / "paper_examples" / "grasps"
@@ -158,6 +158,59 @@ def test_counts_of_table_2(fig1):
 
 def test_the_verdict_s_slip_is_a_slip_state(fig1):
     assert decide(fig1, UP).slip in slip_states(fig1).states
+
+
+# --- crosscheck
+
+
+def test_right_claims_with_their_solution(fig1):
+    found = decide(fig1, UP)
+    answer = crosscheck(fig1, "stable", twist=found.twist, forces=found.forces, wrench=UP)
+    assert (answer.outcome, answer.inaccurate) == ("right", False)
+    assert answer.balance == (0, 0, 0)
+    assert answer.cone == answer.normal_law == answer.dissipation == (0, None)
+    assert answer.claimed_slip == found.slip
+    assert answer.nearby.force_distance == answer.nearby.twist_distance == 0
+    assert answer.decision == decide(fig1, UP)
+    assert answer.distance is None  # not asked for
+    asked = crosscheck(fig1, "stable", wrench=(0, "1/2", 0), distances=True)
+    assert asked.distance_along_load == 1
+    assert asked.nearby is None  # no solution was claimed
+
+
+def test_inaccurate_solutions(fig1):
+    found = decide(fig1, UP)
+    forces = [list(force) for force in found.forces]
+    forces[1][0] += Fraction(1, 100)
+    answer = crosscheck(fig1, "stable", forces=forces, wrench=UP)
+    assert (answer.outcome, answer.inaccurate) == ("right", True)
+    assert answer.balance == (Fraction(1, 100), 0, Fraction(1, 100))
+    assert answer.cone.squared > 0 and answer.cone.contact == 1
+    assert answer.normal_law is None  # no motion was claimed
+    assert answer.nearby.force_distance == Fraction(1, 100)
+
+
+def test_wrong_claims_and_ties(fig1):
+    above = Fraction(10**12 + 1, 10**12)
+    assert crosscheck(fig1, "unstable", wrench=UP).outcome == "tie"
+    answer = crosscheck(fig1, "stable", wrench=(0, above, 0))
+    assert answer.outcome == "tie"
+    assert answer.distance_along_load == 1 - 1 / above
+    assert crosscheck(fig1, "stable", wrench=(0, above, 0), tie="1e-15").outcome == "wrong"
+    assert crosscheck(fig1, "stable", wrench=(0, 2, 0)).outcome == "wrong"
+    assert crosscheck(fig1, "unstable", wrench=DOWN).outcome == "wrong"
+
+
+def test_crosscheck_errors(fig1):
+    for place, call in (
+        ("verdict", lambda: crosscheck(fig1, "perhaps")),
+        ("forces", lambda: crosscheck(fig1, "stable", forces=[[0, 0]])),
+        ("twist", lambda: crosscheck(fig1, "stable", twist=[0, 0])),
+        ("twist[2]", lambda: crosscheck(fig1, "stable", twist=[0, 0, float("nan")])),
+    ):
+        with pytest.raises(InputError) as error:
+            call()
+        assert error.value.place == place
 
 
 # --- margin

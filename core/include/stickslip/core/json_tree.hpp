@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// A JSON text as a small tree in which numbers keep their own characters. Internal to core.
+/// A JSON text as a small tree in which numbers keep their own characters.
 #pragma once
 
 #include <functional>

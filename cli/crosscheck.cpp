@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+
+#include "commands.hpp"
+#include "crosscheck_report.hpp"
+#include "progress.hpp"
+#include "question_options.hpp"
+#include "stickslip/certificate/certificate.hpp"
+#include "stickslip/core/error.hpp"
+#include "stickslip/core/file.hpp"
+
+namespace stickslip {
+namespace {
+
+struct CrosscheckArguments {
+  std::string file;
+  std::string tie = "1e-9";
+  std::string residual_tolerance = "1e-6";
+  std::string save;
+  std::size_t node_limit = 0;
+  bool distances = false;
+  bool json = false;
+};
+
+Rational nonnegative_option(const std::string& option, const std::string& value) {
+  Rational number = number_option(option, value);
+  if (number.sign() < 0) {
+    throw InputError("", option, "the value is " + to_string(number), "it must be 0 or more");
+  }
+  return number;
+}
+
+/// A disagreeing line as a question of its own: the grasp with all options applied, and the
+/// certificate of its verdict. Both files or none.
+std::vector<std::string> save(const std::string& folder, std::size_t number,
+                              const ClaimLine& line, const Decision& decision) {
+  const Question& asked = line.question;
+  const Question question{asked.loaded, asked.law, std::nullopt, {}};
+  const std::string stem = folder + "/line-" + std::to_string(number);
+  const std::string grasp = stem + ".grasp.json";
+  const std::string certificate = stem + ".certificate.json";
+  const std::string grasp_text = write_grasp(question.loaded);
+  write_whole_file(certificate,
+                   certificate_text(question, decision.verdict,
+                                    std::string("stickslip " STICKSLIP_VERSION ", engine ") +
+                                        decision.engine()));
+  try {
+    write_whole_file(grasp, grasp_text);
+  } catch (...) {
+    std::error_code ignored;
+    std::filesystem::remove(certificate, ignored);
+    throw;
+  }
+  return {grasp, certificate};
+}
+
+void make_folder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw InputError(folder, "--save", "the folder cannot be made: " + error.message(),
+                     "name a folder that you may write to");
+  }
+}
+
+ClaimCounts judge_all(std::istream& in, const std::string& folder,
+                      const CrosscheckArguments& arguments, const ClaimOptions& options) {
+  ClaimCounts counts;
+  Progress progress;
+  ClaimLines lines(in);
+  std::string text;
+  const auto show = [&] {
+    progress.show(std::to_string(counts.claims()) + " claims, " + std::to_string(counts.wrong) +
+                  " wrong");
+  };
+  for (bool more = true; more; show()) {
+    std::string output;
+    std::optional<JudgedLine> judged;
+    try {
+      more = lines.next(text);
+      if (!more) break;
+      ClaimLine line = parse_claim_line(text, folder);
+      ClaimReport report = judge_claim(line.question, line.claim, options);
+      judged = JudgedLine{lines.number(), std::move(line), std::move(report), {}};
+    } catch (const InputError& error) {
+      ++counts.unreadable;
+      output = arguments.json ? to_json_line(lines.number(), error) + "\n"
+                              : to_text(lines.number(), error);
+    }
+    if (judged) {
+      counts.add(judged->report);
+      const ClaimClass c = judged->report.claim_class;
+      if (!arguments.save.empty() && (c == ClaimClass::kTie || c == ClaimClass::kWrong)) {
+        judged->saved =
+            save(arguments.save, judged->number, judged->line, judged->report.decision);
+      }
+      output = arguments.json ? to_json_line(*judged) + "\n" : to_text(*judged, options);
+    }
+    std::cout << output;
+  }
+  return counts;
+}
+
+int crosscheck(const CrosscheckArguments& arguments) {
+  ClaimOptions options;
+  options.tie_distance = nonnegative_option("--tie", arguments.tie);
+  options.residual_tolerance =
+      nonnegative_option("--residual-tolerance", arguments.residual_tolerance);
+  options.node_limit = arguments.node_limit;
+  options.all_distances = arguments.distances;
+
+  std::ifstream file;
+  std::string folder;
+  if (arguments.file != "-") {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(arguments.file, ignored)) {
+      throw InputError(arguments.file, "", "this is a directory", "name a claims file");
+    }
+    errno = 0;
+    file.open(arguments.file, std::ios::binary);
+    if (!file) {
+      throw InputError(arguments.file, "",
+                       std::string("cannot open the file: ") + std::strerror(errno),
+                       "name a claims file, or - for standard input");
+    }
+    folder = std::filesystem::path(arguments.file).parent_path().string();
+  }
+  if (!arguments.save.empty()) make_folder(arguments.save);
+  const ClaimCounts counts =
+      judge_all(arguments.file == "-" ? std::cin : file, folder, arguments, options);
+  if (counts.claims() == 0) {
+    throw InputError(arguments.file, "", "there is no claim in the file",
+                     "write one a line, see docs/crosscheck.md");
+  }
+  std::cout << (arguments.json ? to_json_line(counts) + "\n" : to_text(counts));
+  return counts.exit_code();
+}
+
+}  // namespace
+
+void add_crosscheck_command(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<CrosscheckArguments>();
+  CLI::App* command = app.add_subcommand(
+      "crosscheck",
+      "Judge another program's answers: right, wrong, or a tie that only exact "
+      "arithmetic can see");
+  command
+      ->add_option("CLAIMS", arguments->file,
+                   "Claims file, JSON Lines (docs/crosscheck.md); - is standard input")
+      ->required();
+  command
+      ->add_option("--tie", arguments->tie,
+                   "A wrong verdict counts as a tie if a change of the load by at most this "
+                   "fraction of itself would make it right")
+      ->type_name("EPS")
+      ->capture_default_str();
+  command
+      ->add_option("--residual-tolerance", arguments->residual_tolerance,
+                   "Report a claimed solution that misses a condition by more than this, in "
+                   "the grasp's units")
+      ->type_name("EPS")
+      ->capture_default_str();
+  command->add_flag("--distances", arguments->distances,
+                    "Compute the distance to the threshold for right claims as well");
+  command
+      ->add_option("--save", arguments->save,
+                   "Write each disagreeing line into this folder as a grasp file and a "
+                   "certificate for stickslip-check, line-N.grasp.json and "
+                   "line-N.certificate.json")
+      ->type_name("DIR");
+  command
+      ->add_option("--node-limit", arguments->node_limit,
+                   "Decide with the cone engine, and give up each verdict or margin after N "
+                   "nodes; 0 is no limit")
+      ->type_name("N")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command->add_flag("--json", arguments->json,
+                    "Print one JSON object a line, and a summary; rationals are strings");
+  command->footer(
+      "Example of a line:\n"
+      "  {\"grasp\": \"fig1.json\", \"options\": {\"wrench\": [0, 1, 0], \"preload\": 1},\n"
+      "   \"claim\": {\"verdict\": \"stable\", \"twist\": [0, 1, 0],\n"
+      "             \"forces\": [[1, -0.5], [0, 0], [1, 0.5]]}}\n"
+      "(on one line). Right claims are counted, all others shown.\n"
+      "Exit codes: 0 all right or ties, 1 some wrong, 2 unreadable lines or bad usage,\n"
+      "3 undecided within a limit; the first of 1, 2, 3 that applies.");
+  command->callback([arguments, &exit_code] { exit_code = crosscheck(*arguments); });
+}
+
+}  // namespace stickslip

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "crosscheck_report.hpp"
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "commands.hpp"
+
+namespace stickslip {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const std::optional<Rational>& value) {
+  return value ? Json(to_string(*value)) : Json();
+}
+
+template <std::size_t n>
+Json to_json(const std::array<Rational, n>& values) {
+  Json list = Json::array();
+  for (const Rational& value : values) list.push_back(to_string(value));
+  return list;
+}
+
+Json to_json(const LargestResidual& residual) {
+  Json json;
+  const Magnitude& m = residual.value;
+  if (m.radicand == 1) {
+    json["value"] = to_string(m.coefficient);
+  } else {
+    const DecimalEnclosure e = enclose_sqrt(m.coefficient, m.radicand);
+    json["value"] = {e.lower, e.upper};
+  }
+  json["contact"] = residual.contact ? Json(residual.contact->index()) : Json();
+  return json;
+}
+
+Json to_json(const ClaimResiduals& residuals) {
+  Json json = Json::object();
+  if (residuals.balance) {
+    json["force"] = {to_string(residuals.balance->x), to_string(residuals.balance->y)};
+    json["torque"] = to_string(residuals.balance->torque);
+  }
+  if (residuals.cone) json["cone"] = to_json(*residuals.cone);
+  if (residuals.normal_law) json["normal_law"] = to_json(*residuals.normal_law);
+  if (residuals.dissipation) json["dissipation"] = to_json(*residuals.dissipation);
+  return json;
+}
+
+Json to_json(const NearbyEquilibrium& nearby, const Grasp& grasp) {
+  Json json;
+  json["from"] = nearby.from_claim ? "claim" : "engine";
+  json["force_distance"] = to_json(nearby.force_distance);
+  json["twist_distance"] = to_json(nearby.twist_distance);
+  json["same_slip"] = nearby.same_slip ? Json(*nearby.same_slip) : Json();
+  json["same_contacts"] = nearby.same_contacts;
+  json["twist"] = to_json(coordinates(nearby.witness.twist));
+  json["force_vectors"] = Json::array();
+  for (std::size_t i = 0; i < grasp.size(); ++i) {
+    const auto& [a, b] = nearby.witness.forces[i];
+    const Vector2& n = grasp.contacts()[i].normal;
+    json["force_vectors"].push_back(
+        {to_string(a * n.x - b * n.y), to_string(a * n.y + b * n.x)});
+  }
+  return json;
+}
+
+Json to_json(const ThresholdDistance& distance) {
+  Json json;
+  json["smallest"] = to_json(distance.smallest());
+  json["along_load"] = to_json(distance.along_load);
+  json["along_axes"] = to_json(distance.along_axes);
+  json["axis"] = distance.along_axes ? to_json(coordinates(distance.axis)) : Json();
+  if (distance.limit) json["limit"] = *distance.limit;
+  return json;
+}
+
+std::string slip_text(const std::vector<Sign>& signs) {
+  std::string text;
+  for (const Sign sign : signs) text += to_char(sign);
+  return text;
+}
+
+/// On one line; names of files may be any bytes.
+std::string line_of(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+const char* claimed_verdict(const Claim& claim) {
+  return claim.stable ? "stable" : "unstable";
+}
+
+/// Short: exact where that is short, else three digits.
+std::string brief(const Rational& value) {
+  constexpr std::size_t kShort = 12;
+  std::string exact = to_string(value);
+  if (exact.size() <= kShort) return exact;
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", to_double(value));
+  return std::string("about ") + text;
+}
+
+std::string brief(const LargestResidual& residual) {
+  const Magnitude& m = residual.value;
+  std::string text;
+  if (m.radicand == 1) {
+    text = brief(m.coefficient);
+  } else {
+    const DecimalEnclosure e = enclose_sqrt(m.coefficient, m.radicand, 3);
+    text = e.lower + ".." + e.upper;
+  }
+  if (residual.contact) text += " at contact " + std::to_string(residual.contact->index());
+  return text;
+}
+
+std::string residuals_text(const ClaimResiduals& residuals) {
+  std::string text;
+  if (residuals.balance) {
+    const Wrench& b = *residuals.balance;
+    text += "  balance      force (" + brief(b.x) + ", " + brief(b.y) + "), torque " +
+            brief(b.torque) + "\n";
+  }
+  if (residuals.cone) text += "  cone         " + brief(*residuals.cone) + "\n";
+  if (residuals.normal_law) text += "  normal law   " + brief(*residuals.normal_law) + "\n";
+  if (residuals.dissipation) text += "  dissipation  " + brief(*residuals.dissipation) + "\n";
+  return text.empty() ? text : "  What the claimed solution misses, at most:\n" + text;
+}
+
+std::string distance_text(const ThresholdDistance& distance) {
+  std::string text;
+  if (const auto smallest = distance.smallest()) {
+    const bool own = distance.along_load && *distance.along_load == *smallest;
+    const Wrench& u = distance.axis;
+    text = "  The verdict changes when the load changes by " + brief(*smallest) +
+           (own ? " of itself"
+                : " times (" + brief(u.x) + ", " + brief(u.y) + ", " + brief(u.torque) + ")") +
+           ".\n";
+  } else if (!distance.limit) {
+    text = "  No change of the load along itself or an axis changes the verdict.\n";
+  }
+  if (distance.limit) text += "  The threshold was not found within " + *distance.limit + ".\n";
+  return text;
+}
+
+std::string nearby_text(const NearbyEquilibrium& nearby) {
+  std::string text = nearby.from_claim
+                         ? "  An exact equilibrium of the same kind is nearby"
+                         : "  None of the same kind was found; the engine's own equilibrium is";
+  if (nearby.force_distance) text += ", forces within " + brief(*nearby.force_distance);
+  if (nearby.twist_distance) text += ", twist within " + brief(*nearby.twist_distance);
+  text += nearby.same_contacts ? ", the same contacts bearing" : ", other contacts bearing";
+  if (nearby.same_slip) text += *nearby.same_slip ? ", the same slip" : ", another slip state";
+  return text + ".\n";
+}
+
+}  // namespace
+
+void ClaimCounts::add(const ClaimReport& report) {
+  if (report.inaccurate) ++inaccurate;
+  switch (report.claim_class) {
+    case ClaimClass::kRight:
+      ++right;
+      break;
+    case ClaimClass::kTie:
+      ++ties;
+      break;
+    case ClaimClass::kWrong:
+      ++wrong;
+      break;
+    case ClaimClass::kUndecided:
+      ++undecided;
+      break;
+  }
+}
+
+int ClaimCounts::exit_code() const {
+  if (wrong > 0) return kClaimsWrong;
+  if (unreadable > 0) return kBadInput;
+  return undecided > 0 ? kUndecidedWithinLimit : kDone;
+}
+
+std::string to_json_line(const JudgedLine& judged) {
+  const ClaimReport& report = judged.report;
+  const Question& question = judged.line.question;
+  Json json;
+  json["line"] = judged.number;
+  json["class"] = name_of(report.claim_class);
+  json["name"] = question.loaded.grasp.name();
+  json["normal_law"] = to_string(question.law);
+  json["claimed"] = claimed_verdict(judged.line.claim);
+  json["verdict"] = name_of(report.decision.verdict);
+  json["engine"] = report.decision.engine();
+  if (const auto* undecided = std::get_if<Undecided>(&report.decision.verdict)) {
+    json["limit"] = undecided->limit;
+  }
+  json["inaccurate"] = report.inaccurate;
+  json["residuals"] = to_json(report.residuals);
+  json["claimed_slip"] = report.claimed_slip ? Json(slip_text(*report.claimed_slip)) : Json();
+  json["nearby"] = report.nearby ? to_json(*report.nearby, question.loaded.grasp) : Json();
+  json["distance"] = report.distance ? to_json(*report.distance) : Json();
+  if (!judged.saved.empty()) json["saved"] = judged.saved;
+  return line_of(json);
+}
+
+std::string to_json_line(std::size_t number, const InputError& error) {
+  return line_of({{"line", number},
+                  {"class", "unreadable"},
+                  {"file", error.file()},
+                  {"place", error.place()},
+                  {"problem", error.problem()},
+                  {"remedy", error.remedy()}});
+}
+
+std::string to_json_line(const ClaimCounts& counts) {
+  Json json;
+  json["summary"] = {{"claims", counts.claims()},       {"right", counts.right},
+                     {"inaccurate", counts.inaccurate}, {"tie", counts.ties},
+                     {"wrong", counts.wrong},           {"undecided", counts.undecided},
+                     {"unreadable", counts.unreadable}};
+  return line_of(json);
+}
+
+std::string to_text(const JudgedLine& judged, const ClaimOptions& options) {
+  const ClaimReport& report = judged.report;
+  if (report.claim_class == ClaimClass::kRight && !report.inaccurate && !report.distance) {
+    return {};
+  }
+  const std::string& name = judged.line.question.loaded.grasp.name();
+  std::string text = "line " + std::to_string(judged.number) + ": " +
+                     name_of(report.claim_class) + ": claimed " +
+                     claimed_verdict(judged.line.claim);
+  if (const auto* undecided = std::get_if<Undecided>(&report.decision.verdict)) {
+    text += ", not decided within " + undecided->limit;
+  } else {
+    text += std::string(", exactly ") + name_of(report.decision.verdict);
+  }
+  if (!name.empty()) text += " (" + quote(name) + ")";
+  text += '\n';
+  if (report.inaccurate) {
+    text += "  The claimed solution is not one: it misses some condition by more than " +
+            brief(options.residual_tolerance) + ".\n";
+  }
+  if (report.distance) text += distance_text(*report.distance);
+  text += residuals_text(report.residuals);
+  if (report.claimed_slip && !report.claimed_slip->empty()) {
+    text += "  The claimed twist slips " + slip_text(*report.claimed_slip) + ".\n";
+  }
+  if (report.nearby) text += nearby_text(*report.nearby);
+  for (const std::string& file : judged.saved) text += "  Saved " + file + "\n";
+  return text;
+}
+
+std::string to_text(std::size_t number, const InputError& error) {
+  std::string message = error.what();
+  // The name of a grasp file may hold anything, and a report is to be one line.
+  for (char& c : message) {
+    if (static_cast<unsigned char>(c) < 0x20) c = '?';
+  }
+  return "line " + std::to_string(number) + ": unreadable: " + message + "\n";
+}
+
+std::string to_text(const ClaimCounts& counts) {
+  const auto with = [](std::size_t count, const char* word) {
+    return std::to_string(count) + ' ' + word;
+  };
+  std::string text = with(counts.claims(), counts.claims() == 1 ? "claim: " : "claims: ") +
+                     with(counts.right, "right");
+  if (counts.inaccurate > 0) {
+    text += " (" + with(counts.inaccurate, "of them with an inaccurate solution)");
+  }
+  return text + ", " + with(counts.ties, "tie, ") + with(counts.wrong, "wrong, ") +
+         with(counts.undecided, "undecided, ") + with(counts.unreadable, "unreadable\n");
+}
+
+}  // namespace stickslip

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Another program's answer held against the exact one.
+///
+/// A *claim* says of a question (equilibrium/question.hpp) "stable" or "unstable", and may add
+/// the motion and the forces that were found. It is judged exactly, by three questions:
+///
+/// - Is the verdict right? If not, how far is the load from one for which it would be: is this
+///   a wrong answer, or a *tie* that no double-precision program can be expected to see?
+/// - By how much does the claimed solution miss each condition of problem.hpp?
+/// - Is there an exact equilibrium of the same kind nearby?
+///
+/// Frames and signs are those of the question: forces are those of the contacts on the object,
+/// in the object frame, under the wrench that is applied to the object.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "stickslip/core/sign.hpp"
+#include "stickslip/equilibrium/decide.hpp"
+#include "stickslip/equilibrium/margin.hpp"
+#include "stickslip/equilibrium/nearby.hpp"
+#include "stickslip/equilibrium/question.hpp"
+
+namespace stickslip {
+
+struct Claim {
+  bool stable = false;
+  /// The claimed motion and forces, as far as they are given. Forces are coefficients (a, b) of
+  /// the contact's own normal and tangent, like those of a Witness: of a force vector f of
+  /// any contact a = f.n/|n|^2, b = f.t/|n|^2; of magnitudes a = c_n/|n|, b = c_t/|n|.
+  ApproximateEquilibrium solution;
+};
+
+struct ClaimOptions {
+  /// A verdict that a relative change of the load by this much would make right is a tie.
+  Rational tie_distance = Rational(1, 1000000000);
+  /// Residuals up to this, in the units of the question, count as none.
+  Rational residual_tolerance = Rational(1, 1000000);
+  /// For each verdict and each margin; 0 is no limit. With a limit the cone engine decides,
+  /// whatever the number of contacts.
+  std::size_t node_limit = 0;
+  /// Compute distances to the threshold for right claims as well.
+  bool all_distances = false;
+};
+
+/// coefficient * sqrt(radicand) >= 0: the length of a multiple of a contact's normal, which is
+/// irrational where the normal's own length is. radicand is 1 where it is rational.
+struct Magnitude {
+  Rational coefficient;
+  Rational radicand = 1;
+
+  static Magnitude of(const Rational& coefficient, const Rational& length_squared);
+  bool operator<(const Magnitude& other) const;
+};
+
+/// The largest of one kind of residual; `contact` is the first where it occurs, nothing if all
+/// are 0.
+struct LargestResidual {
+  Magnitude value;
+  std::optional<ContactId> contact;
+};
+
+/// By how much a claimed solution misses each condition. What needs a part of the solution that
+/// is not given is absent.
+struct ClaimResiduals {
+  /// w + sum (a N + b T): force x, force y, torque. Needs forces.
+  std::optional<Wrench> balance;
+  /// max(0, |b| - mu a, -a), as a force. Needs forces.
+  std::optional<LargestResidual> cone;
+  /// |a - max(0, v)|, bilateral |a - v|, as a force. Needs forces and twist.
+  std::optional<LargestResidual> normal_law;
+  /// |mu a |tau| + b tau|, tau = T.d: what friction falls short of the most it could take out,
+  /// as a power. Needs forces and twist.
+  std::optional<LargestResidual> dissipation;
+
+  /// Whether every one is at most `tolerance`.
+  bool within(const Rational& tolerance) const;
+};
+
+/// An exact equilibrium for a claim "stable".
+struct NearbyEquilibrium {
+  Witness witness;
+  bool from_claim = false;  ///< by find_witness_like; else it is the engine's own
+  /// Largest difference from the claim: of a component of a force in the object frame, and of a
+  /// component of the twist.
+  std::optional<Rational> force_distance;
+  std::optional<Rational> twist_distance;
+  /// Whether all T_i.d have the signs they have in the claim; needs a claimed twist.
+  std::optional<bool> same_slip;
+  /// Whether the same contacts bear force, a > 0.
+  bool same_contacts = false;
+};
+
+/// The smallest relative change of the load w that changes the verdict, in some directions.
+struct ThresholdDistance {
+  /// Of w to l w: the smallest |l - 1| over the ends l of what is resisted. Nothing if the
+  /// multiples of w are all resisted, or none.
+  std::optional<Rational> along_load;
+  /// Of w to w + s u for s >= 0 and u = +-(F, 0, 0), +-(0, F, 0), +-(0, 0, F l): the smallest
+  /// s, and u. F is the size of the load, max(|w_x|, |w_y|, |torque|/l), without load the
+  /// largest preload, else 1; l is the largest |coordinate| of a contact, or 1 if that is 0.
+  /// (Without preload resistance does not change along w itself.)
+  std::optional<Rational> along_axes;
+  Wrench axis;
+  /// Set if a margin was given up at the node limit; the above are then those that were found.
+  std::optional<std::string> limit;
+
+  std::optional<Rational> smallest() const;
+};
+
+enum class ClaimClass {
+  kRight,
+  kTie,        ///< another verdict, but the threshold is within ClaimOptions::tie_distance
+  kWrong,      ///< another verdict, and no excuse
+  kUndecided,  ///< the exact verdict, or the distance of a disagreement, is beyond the limit
+};
+
+/// "right", "tie", "wrong", "undecided"
+const char* name_of(ClaimClass claim_class);
+
+struct ClaimReport {
+  ClaimClass claim_class = ClaimClass::kUndecided;
+  Decision decision;  ///< the exact verdict, with its evidence
+  ClaimResiduals residuals;
+  /// Of a right claim "stable" whose solution is not one: residuals beyond the tolerance.
+  bool inaccurate = false;
+  std::optional<std::vector<Sign>> claimed_slip;  ///< the signs of T_i.d of the claimed twist
+  /// For a claim "stable" with a solution, if the exact verdict is stable.
+  std::optional<NearbyEquilibrium> nearby;
+  /// Of disagreements, and of all if the options say so.
+  std::optional<ThresholdDistance> distance;
+};
+
+/// Throws InputError when a preloaded contact has a normal of irrational length (Problem), and
+/// when the claim does not have one force per contact.
+ClaimReport judge_claim(const Question& question, const Claim& claim,
+                        const ClaimOptions& options = {});
+
+/// What judge_claim reports as residuals. O(m).
+ClaimResiduals residuals_of(const Problem& problem, const ApproximateEquilibrium& claimed);
+
+/// What judge_claim reports as distance: seven load margins.
+ThresholdDistance threshold_distance(const Problem& problem, const Grasp& grasp,
+                                     const ConeOptions& options = {});
+
+}  // namespace stickslip

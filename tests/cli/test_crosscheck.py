@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`stickslip crosscheck`: classes, exit codes, both forms of output, saved files."""
+
+import json
+import os
+import re
+
+from test_cli import BAD_INPUT, CHECK, DONE, UNDECIDED, Case, run, stickslip
+
+WRONG = 1
+MU = {"friction": "1/2"}
+FIG1 = {"format": "stickslip-grasp/1", "name": "Fig. 1", "defaults": MU, "wrench": [0, 0, 0],
+        "contacts": [{"position": [-1, 0], "normal": [1, 0]},
+                     {"position": [0, -1], "normal": [0, 1]},
+                     {"position": [1, 0], "normal": [-1, 0]}]}
+DIAGONAL = {"format": "stickslip-grasp/1", "defaults": MU, "wrench": ["-1/2", "-1/2", 0],
+            "contacts": [{"position": [0, 0], "normal": [1, 1]}]}
+
+
+def claim(wrench, preload, verdict, grasp="fig1.json", **solution):
+    return {"grasp": grasp, "options": {"wrench": wrench, "preload": preload},
+            "claim": {"verdict": verdict, **solution}}
+
+
+RIGHT = claim([0, 1, 0], 1, "stable", twist=[0, 1, 0], forces=[[1, -0.5], [0, 0], [1, 0.5]])
+OFF = claim([0, 1, 0], 1, "stable", twist=[0, 1, 0], forces=[[1, -0.5], [0, 0], [1, 0.25]])
+TIE = claim([0, "1.000000000001", 0], 1, "stable")
+WRONG_STABLE = claim([0, "1.1", 0], 1, "stable", twist=[0, 1, 0])
+WRONG_UNSTABLE = claim([0, -1, 0], 0, "unstable", grasp=FIG1)
+
+
+class Crosscheck(Case):
+    def setUp(self):
+        super().setUp()
+        self.write("fig1.json", FIG1)
+
+    def claims(self, *lines):
+        return self.write("claims.jsonl", "".join(
+            (line if isinstance(line, str) else json.dumps(line)) + "\n" for line in lines))
+
+    def judge(self, *lines, options=(), code=DONE):
+        found, out, err = stickslip("crosscheck", self.claims(*lines), "--json", *options)
+        self.assertEqual((found, err), (code, ""), out)
+        *reports, summary = [json.loads(line) for line in out.splitlines()]
+        return reports, summary["summary"]
+
+    def test_exit_codes(self):
+        for lines, options, code in (
+                ((RIGHT, TIE, OFF), (), DONE),
+                ((RIGHT, WRONG_STABLE), (), WRONG),
+                ((RIGHT, "nonsense"), (), BAD_INPUT),
+                (("nonsense", WRONG_UNSTABLE, TIE), (), WRONG),
+                ((WRONG_STABLE,), ("--node-limit", 1), UNDECIDED),
+                ((WRONG_STABLE, "nonsense"), ("--node-limit", 1), BAD_INPUT),
+                ((TIE,), ("--tie", "1e-13"), WRONG)):
+            path = self.claims(*lines)
+            self.assertEqual(stickslip("crosscheck", path, *options)[0], code, lines)
+            self.assertEqual(stickslip("crosscheck", path, "--json", *options)[0], code, lines)
+
+    def test_bad_usage(self):
+        self.fails("crosscheck", self.path("nowhere.jsonl"), naming=["nowhere.jsonl"])
+        self.fails("crosscheck", self.folder, naming=["directory"])
+        self.fails("crosscheck", self.claims(), naming=["no claim"])
+        path = self.claims(RIGHT)
+        self.fails("crosscheck", path, "--tie", "-1", naming=["--tie"])
+        self.fails("crosscheck", path, "--tie", "x", naming=["--tie"])
+        self.fails("crosscheck", path, "--residual-tolerance", "-1e-9",
+                   naming=["--residual-tolerance"])
+        self.fails("crosscheck", path, "--save", os.path.join(path, "below"), naming=["--save"])
+
+    def test_bad_lines_between_good_ones(self):
+        bad = ["{", "[]", json.dumps({"grasp": "fig1.json"}),
+               json.dumps(claim([0, 1], 1, "stable")),
+               json.dumps(claim([0, 1, 0], 1, "stabel")),
+               json.dumps(claim([0, 1, 0], 1, "stable", grasp="nowhere.json")),
+               json.dumps(claim([0, 1, 0], 1, "stable", grasp="no\nwhere.json")),
+               json.dumps(claim([0, 1, 0], 1, "stable", forces=[[1, 0]])),
+               json.dumps(claim([0, 1, 0], 0, "stable", grasp=DIAGONAL, forces=[[1, 0]])),
+               json.dumps(claim([0, 1, 0], 1, "stable", grasp=DIAGONAL)),
+               json.dumps({"grasp": FIG1, "claim": {"verdict": "stable"}, "extra": 1}),
+               "\u00e9", "\x00"]
+        lines = [line for pair in zip([RIGHT] * len(bad), bad) for line in pair] + ["", RIGHT]
+        reports, summary = self.judge(*lines, code=BAD_INPUT)
+        self.assertEqual([r["class"] for r in reports],
+                         ["right", "unreadable"] * len(bad) + ["right"])
+        numbers = list(range(1, 2 * len(bad) + 1)) + [2 * len(bad) + 2]  # a blank line
+        self.assertEqual([r["line"] for r in reports], numbers)
+        for report in reports:
+            if report["class"] == "unreadable":
+                self.assertTrue(report["problem"] and report["remedy"], report)
+        self.assertEqual((summary["right"], summary["unreadable"]), (len(bad) + 1, len(bad)))
+        _, text, _ = stickslip("crosscheck", self.path("claims.jsonl"))
+        self.assertIn("force_vectors", text)  # the remedy
+        self.assertEqual(len(text.splitlines()), len(bad) + 1)
+
+    def test_exact_values(self):
+        reports, _ = self.judge(RIGHT, OFF, TIE, WRONG_STABLE, WRONG_UNSTABLE, code=WRONG)
+        right, off, tie, wrong, other = reports
+        none = {"value": "0", "contact": None}
+        self.assertEqual(right["residuals"], {"force": ["0", "0"], "torque": "0", "cone": none,
+                                              "normal_law": none, "dissipation": none})
+        self.assertEqual(right["nearby"]["force_distance"], "0")
+        self.assertEqual(right["claimed_slip"], "+0-")
+        # The tangent of contact 2 is (0, -1): a quarter too little of it, at arm 1.
+        self.assertEqual((off["class"], off["inaccurate"]), ("right", True))
+        self.assertEqual(off["residuals"]["force"], ["0", "1/4"])
+        self.assertEqual(off["residuals"]["torque"], "1/4")
+        self.assertEqual(off["residuals"]["dissipation"], {"value": "1/4", "contact": 2})
+        self.assertEqual(tie["distance"]["smallest"], "1/1000000000001")
+        self.assertEqual(wrong["distance"]["along_load"], "1/11")
+        self.assertEqual((other["claimed"], other["verdict"]), ("unstable", "stable"))
+
+    def test_irrational_residual_is_enclosed(self):
+        line = {"grasp": DIAGONAL, "claim": {"verdict": "stable", "force_vectors": [[0, 0]],
+                                             "twist": ["-1/2", "-1/2", 0]}}
+        (report,), _ = self.judge(line)
+        low, high = (float(x) for x in report["residuals"]["normal_law"]["value"])
+        self.assertTrue(low <= 0.5 ** 0.5 <= high and high - low < 1e-15)
+        self.assertTrue(report["inaccurate"])
+
+    def test_both_forms_agree(self):
+        lines = (RIGHT, OFF, "nonsense", TIE, WRONG_STABLE, WRONG_UNSTABLE)
+        reports, summary = self.judge(*lines, code=WRONG)
+        code, text, err = stickslip("crosscheck", self.path("claims.jsonl"))
+        self.assertEqual((code, err), (WRONG, ""))
+        shown = {int(n): word for n, word in re.findall(r"^line (\d+): (\w+)", text, re.M)}
+        self.assertEqual(shown, {r["line"]: r["class"] for r in reports
+                                 if r["class"] != "right" or r["inaccurate"]})
+        last = text.splitlines()[-1]
+        for word in ("right", "tie", "wrong", "undecided", "unreadable"):
+            self.assertEqual(int(re.search(rf"(\d+) {word}", last).group(1)), summary[word])
+        self.assertEqual(int(last.split()[0]), summary["claims"])
+        self.assertEqual(summary["claims"], len(lines))
+        # Same input, same bytes; and from standard input, where files are relative to here.
+        self.assertEqual(stickslip("crosscheck", self.path("claims.jsonl"))[1], text)
+
+    def test_standard_input(self):
+        line = dict(WRONG_UNSTABLE)
+        code, out, _ = stickslip("crosscheck", "-", "--json", stdin=json.dumps(line))
+        self.assertEqual(code, WRONG)
+        self.assertEqual(json.loads(out.splitlines()[0])["class"], "wrong")
+
+    def test_distances_of_all(self):
+        (plain,), _ = self.judge(claim([0, "1/2", 0], 1, "stable"))
+        self.assertIsNone(plain["distance"])
+        (all_,), _ = self.judge(claim([0, "1/2", 0], 1, "stable"), options=("--distances",))
+        self.assertEqual(all_["distance"]["along_load"], "1")
+
+    def test_saved_files_are_accepted(self):
+        snapped = {"grasp": DIAGONAL, "claim": {"verdict": "unstable"},
+                   "options": {"preload": 1, "snap_normals": "1e-6", "normal_law": "bilateral",
+                               "wrench": [0, 0, 0]}}
+        folder = self.path("saved")
+        reports, _ = self.judge(RIGHT, TIE, "nonsense", WRONG_STABLE, WRONG_UNSTABLE, snapped,
+                                options=("--save", folder), code=WRONG)
+        saved = {r["line"]: r["saved"] for r in reports if "saved" in r}
+        self.assertEqual(set(saved), {r["line"] for r in reports
+                                      if r["class"] in ("tie", "wrong")})
+        self.assertEqual(set(saved), {2, 4, 5, 6})
+        self.assertEqual(sorted(os.listdir(folder)),
+                         sorted(os.path.basename(f) for fs in saved.values() for f in fs))
+        verdicts = {r["line"]: r["verdict"] for r in reports if "verdict" in r}
+        for number, (grasp, certificate) in saved.items():
+            law = ("--normal-law", "bilateral") if number == 6 else ()
+            code, out, err = run(CHECK, grasp, certificate, *law)
+            self.assertEqual(code, DONE, out + err)
+            self.assertEqual(re.search(r"^verdict +(\w+)", out, re.M).group(1), verdicts[number])
+
+    def test_saved_whole_or_not_at_all(self):
+        os.makedirs(os.path.join(self.path("saved"), "line-1.grasp.json"))  # in the way
+        code, _, err = stickslip("crosscheck", self.claims(TIE), "--save", self.path("saved"))
+        self.assertEqual(code, BAD_INPUT)
+        self.assertIn("line-1.grasp.json", err)
+        self.assertEqual(os.listdir(self.path("saved")), ["line-1.grasp.json"])
+
+    def test_help_teaches(self):
+        code, out, _ = stickslip("crosscheck", "--help")
+        self.assertEqual(code, DONE)
+        for word in ("--tie", "--save", "force", "Exit codes"):
+            self.assertIn(word, out)

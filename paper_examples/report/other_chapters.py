@@ -53,8 +53,15 @@ def figures_5_and_6(report):
         one plane, each face surrounds one line.""")
     programs.run("stickslip", "plot", "states", FIG4, "-o", "fig4_states.svg")
     chapter.say("""The grasp of Fig. 4 is degenerate: its four contacts lie on two lines, so two circles remain,
-        and 9 states. The dual is then no polyhedron, and Step 3 does not apply.""")
+        and 9 states in 10 cells.""")
     chapter.picture("fig4_states.svg", "The slip states of the grasp of Fig. 4.")
+    counts = [programs.json("states", FIG4, *engine)[name]
+              for engine, name in (((), "cells"), ((), "distinct_states"), (("--engine", "paper"), "cells"))]
+    chapter.check("cells and states of the grasp of Fig. 4; cells that Steps 1-3 find", "all of them",
+                  counts == [10, 9, 4], "10, 9; 4",
+                  because="two contacts on one line change their signs together, so on Fig. 4 Step 2 finds no two "
+                          "regions that differ in one sign")
+    chapter.show_claims()
     chapter.commands()
 
 

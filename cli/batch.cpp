@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -96,6 +97,12 @@ class Batch {
 
   int run() {
     skip_finished();
+    using oneapi::tbb::global_control;
+    std::optional<global_control> allowed;  // more than there are cores, without a warning
+    if (arguments_.threads > 0) {
+      allowed.emplace(global_control::max_allowed_parallelism,
+                      static_cast<std::size_t>(arguments_.threads));
+    }
     oneapi::tbb::task_arena arena(arguments_.threads == 0 ? oneapi::tbb::task_arena::automatic
                                                           : arguments_.threads);
     // So many lines are held at a time, whatever the length of the file.

@@ -308,6 +308,11 @@ Verdict decide_in_parallel(const Problem& problem, const DoubleModel& model,
   } else {
     const int threads = options.threads == 0 ? oneapi::tbb::task_arena::automatic
                                              : static_cast<int>(options.threads);
+    using oneapi::tbb::global_control;
+    std::optional<global_control> allowed;  // more than there are cores, without a warning
+    if (options.threads > 0) {
+      allowed.emplace(global_control::max_allowed_parallelism, options.threads);
+    }
     oneapi::tbb::task_arena arena(threads);
     arena.execute([&] {
       oneapi::tbb::parallel_for(std::size_t{0}, outcomes.size(), explore,

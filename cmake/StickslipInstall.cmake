@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What `cmake --install` puts where: the programs, the libraries with their headers, and what
+# find_package(stickslip) and pkg-config need. Each module is a target stickslip::<module>.
+
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(modules core lp arrangement equilibrium certificate crosscheck plot)
+foreach(module IN LISTS modules)
+  install(TARGETS stickslip_${module} EXPORT stickslip)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${module}/include/stickslip TYPE INCLUDE)
+endforeach()
+foreach(dependency IN ITEMS gmp mpfr cgal)
+  set_target_properties(stickslip_${dependency} PROPERTIES EXPORT_NAME ${dependency})
+  install(TARGETS stickslip_${dependency} EXPORT stickslip)
+endforeach()
+install(TARGETS stickslip stickslip-check)
+install(FILES ${PROJECT_SOURCE_DIR}/certificate/check.py ${PROJECT_SOURCE_DIR}/certificate/FORMAT.md
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/stickslip)
+
+set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/stickslip)
+install(EXPORT stickslip NAMESPACE stickslip:: FILE stickslipTargets.cmake
+  DESTINATION ${package_folder})
+configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/stickslipConfig.cmake.in
+  stickslipConfig.cmake INSTALL_DESTINATION ${package_folder})
+write_basic_package_version_file(stickslipConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/stickslipConfig.cmake
+  ${PROJECT_BINARY_DIR}/stickslipConfigVersion.cmake DESTINATION ${package_folder})
+
+# Libraries in the order of linking: whoever uses one stands before it.
+set(pkg_config_libraries "")
+foreach(module IN LISTS modules)
+  string(PREPEND pkg_config_libraries " -lstickslip_${module}")
+endforeach()
+configure_file(${PROJECT_SOURCE_DIR}/cmake/stickslip.pc.in stickslip.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/stickslip.pc
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

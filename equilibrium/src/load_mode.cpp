@@ -77,11 +77,14 @@ std::optional<LoadModes::Piece> LoadModes::piece_of(const LoadMode& mode) {
 
 std::optional<LoadModes::Piece> LoadModes::next_piece(const LoadMode& mode,
                                                       const LoadPoint& point, bool up) {
-  // What ends the mode here: each change by itself, and all of them together.
+  // What ends the mode here: all changes together, and a few by themselves. Where none of these
+  // leads on, the search finds what does.
+  constexpr std::size_t kMostAlone = 8;
   LoadMode all = mode;
   std::vector<LoadMode> candidates;
   const auto change = [&](std::size_t contact, ContactState state) {
     all[contact] = state;
+    if (candidates.size() == kMostAlone) return;
     candidates.push_back(mode);
     candidates.back()[contact] = state;
   };

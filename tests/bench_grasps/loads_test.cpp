@@ -4,9 +4,14 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+
+#include "check.hpp"
 #include "hard.hpp"
+#include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/grasp_file.hpp"
 #include "stickslip/equilibrium/decide.hpp"
+#include "stickslip/equilibrium/margin.hpp"
 
 namespace stickslip::bench {
 namespace {
@@ -77,6 +82,31 @@ TEST(ThresholdLoad, IsTheLastThatIsHeld) {
         EXPECT_EQ(verdict(1), "stable") << name_of(layout) << seed;
         EXPECT_EQ(verdict(just_beyond), "unstable") << name_of(layout) << seed;
       }
+    }
+  }
+}
+
+// The closed forms of loads.hpp against the margin.
+TEST(ThresholdLoad, IsTheEndOfTheMargin) {
+  for (const Layout layout : {Layout::kJaws, Layout::kDisc}) {
+    for (const std::size_t contacts : {2, 6, 20, 100}) {
+      const Grasp grasp = make_grasp(layout, contacts, true, contacts);
+      const Question question = plain_question(grasp, {});
+      const auto result =
+          find_margin(Problem(question.loaded, question.law), threshold_load(layout, grasp));
+      const auto& margin = std::get<Margin>(result);
+      ASSERT_EQ(margin.resisted.size(), 1U) << name_of(layout) << ' ' << contacts;
+      EXPECT_EQ(margin.resisted[0].low, 0);
+      EXPECT_EQ(margin.resisted[0].high, Rational(1));
+      std::istringstream file(write_grasp(question.loaded));
+      std::istringstream proof(margin_certificate_text(question, margin, "test"));
+      stickslip_check::QuestionOptions options;
+      const Vector3 u = coordinates(margin.direction);
+      options.direction.emplace();
+      for (std::size_t j = 0; j < 3; ++j) (*options.direction)[j] = to_string(u[j]);
+      EXPECT_TRUE(std::holds_alternative<stickslip_check::Accepted>(
+          stickslip_check::check(file, proof, options)))
+          << name_of(layout) << ' ' << contacts;
     }
   }
 }

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Load margins of generated grasps with preload: time to find one with its certificate, time to
+// check that, and work. Exit code 1 if the checker rejects one.
+//
+//     margin_bench [largest m, default 1000]
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <sstream>
+#include <vector>
+
+#include "check.hpp"
+#include "grasps.hpp"
+#include "loads.hpp"
+#include "stickslip/certificate/certificate.hpp"
+#include "stickslip/core/grasp_file.hpp"
+#include "stickslip/equilibrium/margin.hpp"
+
+namespace stickslip::bench {
+namespace {
+
+double milliseconds(std::chrono::steady_clock::time_point from) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - from)
+      .count();
+}
+
+stickslip_check::Rational for_checker(const Rational& value) {
+  return stickslip_check::Rational(to_string(value));
+}
+
+struct Row {
+  double find = 0;   ///< margin and certificate, ms
+  double check = 0;  ///< reading included, ms
+  MarginWork work;
+  std::size_t segments = 0;
+  bool accepted = false;
+};
+
+Row measure(Layout layout, std::size_t contacts, std::uint64_t seed) {
+  const Question question = plain_question(make_grasp(layout, contacts, true, seed), {});
+  const Wrench direction = pulling_load(layout, seed);
+  Row row;
+  const auto start = std::chrono::steady_clock::now();
+  const Problem problem(question.loaded, question.law);
+  const auto result = find_margin(problem, direction, {}, &row.work);
+  const auto& margin = std::get<Margin>(result);
+  const std::string certificate = margin_certificate_text(question, margin, "bench");
+  row.find = milliseconds(start);
+  row.segments = margin.segments.size();
+  std::istringstream grasp(write_grasp(question.loaded));
+  std::istringstream proof(certificate);
+  stickslip_check::QuestionOptions options;
+  options.direction = {for_checker(direction.x), for_checker(direction.y),
+                       for_checker(direction.torque)};
+  const auto check_start = std::chrono::steady_clock::now();
+  const auto answer = stickslip_check::check(grasp, proof, options);
+  row.check = milliseconds(check_start);
+  row.accepted = std::holds_alternative<stickslip_check::Accepted>(answer);
+  return row;
+}
+
+template <class Value>
+Value median(const std::vector<Row>& rows, Value (*value)(const Row&)) {
+  std::vector<Value> values;
+  for (const Row& row : rows) values.push_back(value(row));
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+int run(std::size_t largest) {
+  std::puts(
+      "| family | m | margin + certificate, ms | slowest, ms | check, ms | ranges | mode "
+      "programs | nodes | segments |");
+  std::puts("|---|--:|--:|--:|--:|--:|--:|--:|--:|");
+  bool all_accepted = true;
+  for (const Layout layout :
+       {Layout::kRound, Layout::kArc, Layout::kEdges, Layout::kGrid, Layout::kJaws}) {
+    for (std::size_t m = 10; m <= largest; m *= 10) {
+      std::vector<Row> rows;
+      for (std::uint64_t seed = 1; seed <= 9; ++seed) rows.push_back(measure(layout, m, seed));
+      double slowest = 0;
+      for (const Row& row : rows) {
+        slowest = std::max(slowest, row.find);
+        all_accepted = all_accepted && row.accepted;
+      }
+      using Count = std::size_t;
+      std::printf("| %s | %zu | %.3g | %.3g | %.3g | %zu | %zu | %zu | %zu |\n",
+                  name_of(layout), m, median<double>(rows, [](const Row& r) { return r.find; }),
+                  slowest, median<double>(rows, [](const Row& r) { return r.check; }),
+                  median<Count>(rows, [](const Row& r) { return r.work.ranges; }),
+                  median<Count>(rows, [](const Row& r) { return r.work.modes; }),
+                  median<Count>(rows, [](const Row& r) { return r.work.cone.nodes; }),
+                  median<Count>(rows, [](const Row& r) { return r.segments; }));
+      std::fflush(stdout);
+    }
+  }
+  return all_accepted ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace stickslip::bench
+
+int main(int argc, char** argv) {
+  return stickslip::bench::run(argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 1000);
+}

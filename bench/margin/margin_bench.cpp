@@ -2,7 +2,7 @@
 // Load margins of generated grasps with preload: time to find one with its certificate, time to
 // check that, and work. Exit code 1 if the checker rejects one.
 //
-//     margin_bench [largest m, default 1000]
+//     margin_bench [largest m, default 100]
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -102,5 +102,5 @@ int run(std::size_t largest) {
 }  // namespace stickslip::bench
 
 int main(int argc, char** argv) {
-  return stickslip::bench::run(argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 1000);
+  return stickslip::bench::run(argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 100);
 }

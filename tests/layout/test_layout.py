@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Dependencies between modules point one way, and CGAL is in one folder."""
+
+import os
+import re
+import unittest
+
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+
+# What each module may include of the others.
+ALLOWED = {
+    "core": set(),
+    "lp": {"core"},
+    "arrangement": {"core", "lp"},
+    "equilibrium": {"core", "lp", "arrangement"},
+    "certificate": {"core", "equilibrium"},
+    "crosscheck": {"core", "equilibrium"},
+    "plot": {"core", "arrangement", "equilibrium"},
+}
+
+
+def sources(folder):
+    for place, folders, files in os.walk(os.path.join(ROOT, folder)):
+        folders.sort()
+        for name in sorted(files):
+            if name.endswith((".hpp", ".cpp")):
+                path = os.path.join(place, name)
+                with open(path, encoding="utf-8") as file:
+                    yield os.path.relpath(path, ROOT), file.read()
+
+
+def modules_included(text):
+    return set(re.findall(r'#include "stickslip/([a-z]+)/', text))
+
+
+class Layout(unittest.TestCase):
+    def test_includes_follow_the_data(self):
+        for module, allowed in ALLOWED.items():
+            count = 0
+            for path, text in sources(module):
+                if path.startswith(os.path.join("certificate", "checker")):
+                    continue
+                count += 1
+                self.assertLessEqual(modules_included(text) - {module}, allowed, path)
+            self.assertGreater(count, 1, module)
+
+    def test_the_checker_stands_alone(self):
+        found = dict(sources(os.path.join("certificate", "checker")))
+        self.assertGreater(len(found), 10)
+        for path, text in found.items():
+            self.assertEqual(modules_included(text), set(), path)
+            self.assertNotRegex(text, r"namespace stickslip\b(?!_check)", path)
+            self.assertIn("SPDX-License-Identifier: MIT", text, path)
+
+    def test_no_public_header_includes_a_private_one(self):
+        for module in ALLOWED:
+            for path, text in sources(os.path.join(module, "include")):
+                local = re.findall(r'#include "(?!stickslip/)([^"]+)"', text)
+                self.assertEqual(local, [], path)
+
+    def test_cgal_is_in_the_sources_of_arrangement(self):
+        users = {path for module in [*ALLOWED, "cli", "python"] for path, text in sources(module)
+                 if "#include <CGAL/" in text}
+        self.assertTrue(users)
+        for path in users:
+            self.assertTrue(path.startswith(os.path.join("arrangement", "src")), path)
+
+    def test_every_source_names_its_licence(self):
+        for folder in [*ALLOWED, "cli", "python", "bench", "examples", "paper_examples", "tests"]:
+            for path, text in sources(folder):
+                self.assertTrue(text.startswith("// SPDX-License-Identifier: "), path)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -14,6 +14,7 @@ from __future__ import annotations
 import argparse
 import json
 import math
+import os
 import re
 import sys
 from fractions import Fraction
@@ -1052,6 +1053,9 @@ def main(arguments: Sequence[str]) -> int:
     options = parse_arguments(arguments)
     try:
         return answer(options)
+    except BrokenPipeError:  # nobody reads the answer; the interpreter must not try again
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 2
     except Exception as error:  # pylint: disable=broad-except
         print(f"check.py: internal error: {type(error).__name__}: {error}", file=sys.stderr)
         return 2

@@ -784,6 +784,19 @@ class CommandLineTest(Case):
                          (2, "malformed", "tree[0]", None))
         self.assertIn("tree[0]: must be an integer", err)
 
+    def test_a_closed_pipe_is_no_answer_and_no_noise(self):
+        with tempfile.TemporaryDirectory() as folder:
+            paths = []
+            for name, content in (("g.json", FIG1), ("c.json", up())):
+                paths.append(os.path.join(folder, name))
+                with open(paths[-1], "w", encoding="utf-8") as file:
+                    json.dump(content, file)
+            with subprocess.Popen([sys.executable, "-B", CHECK, *paths, *UP],
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+                process.stdout.close()
+                self.assertEqual(process.stderr.read(), b"")
+            self.assertEqual(process.returncode, 2)
+
     def test_an_unforeseen_error_is_no_rejection(self):
         original = check.check_tree
         check.check_tree = lambda *_: {}["missing"]

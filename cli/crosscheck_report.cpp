@@ -2,24 +2,15 @@
 #include "crosscheck_report.hpp"
 
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "commands.hpp"
+#include "exact_text.hpp"
 
 namespace stickslip {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 Json to_json(const std::optional<Rational>& value) {
   return value ? Json(to_string(*value)) : Json();
-}
-
-template <std::size_t n>
-Json to_json(const std::array<Rational, n>& values) {
-  Json list = Json::array();
-  for (const Rational& value : values) list.push_back(to_string(value));
-  return list;
 }
 
 Json to_json(const LargestResidual& residual) {
@@ -54,7 +45,7 @@ Json to_json(const NearbyEquilibrium& nearby, const Grasp& grasp) {
   json["twist_distance"] = to_json(nearby.twist_distance);
   json["same_slip"] = nearby.same_slip ? Json(*nearby.same_slip) : Json();
   json["same_contacts"] = nearby.same_contacts;
-  json["twist"] = to_json(coordinates(nearby.witness.twist));
+  json["twist"] = strings_json(coordinates(nearby.witness.twist));
   json["force_vectors"] = Json::array();
   for (std::size_t i = 0; i < grasp.size(); ++i) {
     const auto& [a, b] = nearby.witness.forces[i];
@@ -70,7 +61,7 @@ Json to_json(const ThresholdDistance& distance) {
   json["smallest"] = to_json(distance.smallest());
   json["along_load"] = to_json(distance.along_load);
   json["along_axes"] = to_json(distance.along_axes);
-  json["axis"] = distance.along_axes ? to_json(coordinates(distance.axis)) : Json();
+  json["axis"] = distance.along_axes ? strings_json(coordinates(distance.axis)) : Json();
   if (distance.limit) json["limit"] = *distance.limit;
   return json;
 }
@@ -91,7 +82,7 @@ const char* claimed_verdict(const Claim& claim) {
 }
 
 /// Short: exact where that is short, else three digits.
-std::string brief(const Rational& value) {
+std::string rounded(const Rational& value) {
   constexpr std::size_t kShort = 12;
   std::string exact = to_string(value);
   if (exact.size() <= kShort) return exact;
@@ -100,11 +91,11 @@ std::string brief(const Rational& value) {
   return std::string("about ") + text;
 }
 
-std::string brief(const LargestResidual& residual) {
+std::string rounded(const LargestResidual& residual) {
   const Magnitude& m = residual.value;
   std::string text;
   if (m.radicand == 1) {
-    text = brief(m.coefficient);
+    text = rounded(m.coefficient);
   } else {
     const DecimalEnclosure e = enclose_sqrt(m.coefficient, m.radicand, 3);
     text = e.lower + ".." + e.upper;
@@ -117,12 +108,12 @@ std::string residuals_text(const ClaimResiduals& residuals) {
   std::string text;
   if (residuals.balance) {
     const Wrench& b = *residuals.balance;
-    text += "  balance      force (" + brief(b.x) + ", " + brief(b.y) + "), torque " +
-            brief(b.torque) + "\n";
+    text += "  balance      force (" + rounded(b.x) + ", " + rounded(b.y) + "), torque " +
+            rounded(b.torque) + "\n";
   }
-  if (residuals.cone) text += "  cone         " + brief(*residuals.cone) + "\n";
-  if (residuals.normal_law) text += "  normal law   " + brief(*residuals.normal_law) + "\n";
-  if (residuals.dissipation) text += "  dissipation  " + brief(*residuals.dissipation) + "\n";
+  if (residuals.cone) text += "  cone         " + rounded(*residuals.cone) + "\n";
+  if (residuals.normal_law) text += "  normal law   " + rounded(*residuals.normal_law) + "\n";
+  if (residuals.dissipation) text += "  dissipation  " + rounded(*residuals.dissipation) + "\n";
   return text.empty() ? text : "  What the claimed solution misses, at most:\n" + text;
 }
 
@@ -131,9 +122,10 @@ std::string distance_text(const ThresholdDistance& distance) {
   if (const auto smallest = distance.smallest()) {
     const bool own = distance.along_load && *distance.along_load == *smallest;
     const Wrench& u = distance.axis;
-    text = "  The verdict changes when the load changes by " + brief(*smallest) +
+    text = "  The verdict changes when the load changes by " + rounded(*smallest) +
            (own ? " of itself"
-                : " times (" + brief(u.x) + ", " + brief(u.y) + ", " + brief(u.torque) + ")") +
+                : " times (" + rounded(u.x) + ", " + rounded(u.y) + ", " + rounded(u.torque) +
+                      ")") +
            ".\n";
   } else if (!distance.limit) {
     text = "  No change of the load along itself or an axis changes the verdict.\n";
@@ -146,8 +138,8 @@ std::string nearby_text(const NearbyEquilibrium& nearby) {
   std::string text = nearby.from_claim
                          ? "  An exact equilibrium of the same kind is nearby"
                          : "  None of the same kind was found; the engine's own equilibrium is";
-  if (nearby.force_distance) text += ", forces within " + brief(*nearby.force_distance);
-  if (nearby.twist_distance) text += ", twist within " + brief(*nearby.twist_distance);
+  if (nearby.force_distance) text += ", forces within " + rounded(*nearby.force_distance);
+  if (nearby.twist_distance) text += ", twist within " + rounded(*nearby.twist_distance);
   text += nearby.same_contacts ? ", the same contacts bearing" : ", other contacts bearing";
   if (nearby.same_slip) text += *nearby.same_slip ? ", the same slip" : ", another slip state";
   return text + ".\n";
@@ -238,7 +230,7 @@ std::string to_text(const JudgedLine& judged, const ClaimOptions& options) {
   text += '\n';
   if (report.inaccurate) {
     text += "  The claimed solution is not one: it misses some condition by more than " +
-            brief(options.residual_tolerance) + ".\n";
+            rounded(options.residual_tolerance) + ".\n";
   }
   if (report.distance) text += distance_text(*report.distance);
   text += residuals_text(report.residuals);

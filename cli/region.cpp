@@ -182,6 +182,7 @@ void print_text(const Question& question, const WrenchPlane& plane,
             << " of them in the plane; normal law: " << to_string(question.law) << ".\n";
 }
 
+/// All but the union: a picture makes its own.
 RegionReport find_region(const RegionArguments& arguments, const Question& question,
                          const WrenchPlane& plane) {
   const Problem problem(question.loaded, question.law);
@@ -197,7 +198,6 @@ RegionReport find_region(const RegionArguments& arguments, const Question& quest
     report.undecided = std::move(*undecided);
   } else {
     report.pieces = std::move(std::get<std::vector<ResistiblePiece>>(found));
-    report.region = unite(report.pieces);
   }
   return report;
 }
@@ -206,6 +206,7 @@ int region(const RegionArguments& arguments) {
   const WrenchPlane plane = arguments.plane();
   const Question question = arguments.question.question();
   RegionReport report = find_region(arguments, question, plane);
+  report.region = unite(report.pieces);
   if (!arguments.list) report.pieces.clear();
   (arguments.json ? print_json : print_text)(question, plane, report);
   return report.undecided ? kUndecidedWithinLimit : kDone;

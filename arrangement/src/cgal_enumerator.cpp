@@ -29,18 +29,11 @@
 #include <vector>
 
 #include "assemble_states.hpp"
+#include "checked_build.hpp"
 #include "generic_position.hpp"
 #include "sign_rows.hpp"
 #include "stickslip/arrangement/slip_states.hpp"
 #include "stickslip/core/error.hpp"
-
-#ifdef STICKSLIP_CHECKED
-#if defined(NDEBUG) || defined(CGAL_NDEBUG) || !defined(CGAL_CHECK_EXPENSIVE) || \
-    !defined(CGAL_CHECK_EXACTNESS)
-#error "the checked build must not switch off the assertions of CGAL"
-#endif
-static_assert(CGAL_ASSERTIONS_ENABLED, "the checked build needs the assertions of CGAL");
-#endif
 
 namespace stickslip {
 namespace {

@@ -2,7 +2,6 @@
 #include "stickslip/equilibrium/region_system.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "stickslip/core/error.hpp"
 

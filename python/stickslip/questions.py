@@ -177,7 +177,7 @@ def check(
     """Does the certificate prove its verdict about this question?
 
     The checker shares no code with the engines; it believes nothing in the certificate
-    (docs/proofs.md). Give the same question as to ``decide``.
+    (docs/prove.md). Give the same question as to ``decide``.
 
     Args:
         grasp: a grasp, or the path of its file, which the checker then reads itself.

@@ -29,6 +29,11 @@ NOT_RUN = {
 }
 
 
+def setUpModule():
+    if not os.access(os.path.join(PROGRAMS, "stickslip"), os.X_OK):
+        raise FileNotFoundError(f"no stickslip in {PROGRAMS}: set STICKSLIP_BIN")
+
+
 def reason_not_to_run(command):
     return next((words for words in NOT_RUN if command.text.startswith(words)), None)
 

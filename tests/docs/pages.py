@@ -69,7 +69,7 @@ def read(name):
 
 
 def blocks(text):
-    """(kind, number of the first line within, lines) of each fenced block, and the lines outside."""
+    """(kind, number of its first line, lines) of each fenced block, and the lines outside."""
     found, outside, kind, content = [], [], None, []
     for number, line in enumerate(text.splitlines(), 1):
         if not re.match(r"\s*(```|~~~)", line):
@@ -147,8 +147,8 @@ def run(page_commands, folder, tools):
     """
     os.makedirs(tools)
     os.symlink(sys.executable, os.path.join(tools, "python3"))
-    environment = {**os.environ, "PATH": tools + os.pathsep + os.environ["PATH"], "LC_ALL": "C.UTF-8",
-                   "PYTHONDONTWRITEBYTECODE": "1",
+    environment = {**os.environ, "PATH": tools + os.pathsep + os.environ["PATH"],
+                   "LC_ALL": "C.UTF-8", "PYTHONDONTWRITEBYTECODE": "1",
                    # So that the checker, which a page builds, is built soon.
                    "CMAKE_BUILD_TYPE": "Debug", "CMAKE_BUILD_PARALLEL_LEVEL": "2"}
     if shutil.which("ccache"):
@@ -159,8 +159,9 @@ def run(page_commands, folder, tools):
     # What a command starts and leaves running would keep the pipe open: a file cannot block.
     output_file = os.path.join(tools, "output")
     with open(output_file, "w", encoding="utf-8") as output:
-        subprocess.run(["bash", "-c", script], cwd=folder, env=environment, check=False, timeout=500,
-                       stdin=subprocess.DEVNULL, stdout=output, stderr=subprocess.STDOUT)
+        subprocess.run(["bash", "-c", script], cwd=folder, env=environment, check=False,
+                       timeout=500, stdin=subprocess.DEVNULL, stdout=output,
+                       stderr=subprocess.STDOUT)
     with open(output_file, encoding="utf-8") as output:
         pieces = re.split(rf"\n{mark} (\d+)\n", output.read())
     results = list(zip(map(int, pieces[1::2]), pieces[0::2]))

@@ -12,7 +12,8 @@ import unittest
 
 import pages
 
-PROGRAMS = os.path.abspath(os.environ.get("STICKSLIP_BIN", os.path.join(pages.ROOT, "build", "bin")))
+PROGRAMS = os.path.abspath(os.environ.get("STICKSLIP_BIN",
+                                          os.path.join(pages.ROOT, "build", "bin")))
 PYTHON_MODULE = os.environ.get("STICKSLIP_PYTHON")
 BENCHMARKS = "bench/README.md"  # minutes each; see test_benchmarks_exist
 
@@ -53,7 +54,8 @@ class Documentation(unittest.TestCase):
                 said = f"\n$ {command.text}\n{output}"
                 self.assertEqual(status, command.status, said)
                 self.assertTrue(command.prints(output),
-                                f"{said}instead of, as the page shows,\n" + "\n".join(command.shown))
+                                f"{said}instead of, as the page shows,\n"
+                                + "\n".join(command.shown))
 
     def test_pages_are_found(self):
         for name in ("README.md", "docs/prove.md", "docs/enumerate.md", "docs/crosscheck.md"):
@@ -156,8 +158,8 @@ class Notation(unittest.TestCase):
 
     def test_running(self):
         with tempfile.TemporaryDirectory() as folder:
-            commands = pages.commands("```console\n$ a=1; printf x\n$ echo $a; false\n$ no-such-program\n"
-                                      "$ cd /; pwd >&2\n$ exit 4\n$ echo\n```")
+            commands = pages.commands("```console\n$ a=1; printf x\n$ echo $a; false\n"
+                                      "$ no-such-program\n$ cd /; pwd >&2\n$ exit 4\n$ echo\n```")
             results = pages.run(commands, folder, os.path.join(folder, "tools"))
         self.assertEqual([status for status, _ in results], [0, 1, 127, 0, None, None])
         outputs = [output for _, output in results]

@@ -14,8 +14,7 @@ std::string cases_refuted(std::size_t count) {
 }
 
 Vector2 vector_of(const ContactRow& row, const ContactForce& f) {
-  const Wrench w = f.normal * row.normal + f.tangential * row.tangent;
-  return {w.x, w.y};
+  return force_vector({row.normal.x, row.normal.y}, f);
 }
 
 Json forces_json(const Problem& problem, const std::vector<ContactForce>& forces) {

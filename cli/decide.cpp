@@ -41,13 +41,9 @@ std::vector<ContactReport> report_contacts(const Question& question, const Probl
     const ContactRow& row = problem.rows()[i];
     const ContactForce& f = witness.forces[i];
     const Rational length_squared = n.x * n.x + n.y * n.y;
-    reports.push_back(
-        {length_squared,
-         exact_sqrt(length_squared),
-         f,
-         {f.normal * n.x - f.tangential * n.y, f.normal * n.y + f.tangential * n.x},
-         sign_of(power(row.tangent, witness.twist)),
-         row.normal_coefficient(witness.twist).sign() >= 0});
+    reports.push_back({length_squared, exact_sqrt(length_squared), f, force_vector(n, f),
+                       sign_of(power(row.tangent, witness.twist)),
+                       row.normal_coefficient(witness.twist).sign() >= 0});
   }
   return reports;
 }

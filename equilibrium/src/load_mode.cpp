@@ -56,11 +56,11 @@ std::optional<LoadModes::Piece> LoadModes::piece_of(const LoadMode& mode) {
   for (std::size_t i = 0; i < mode.size(); ++i) {
     const ContactId contact(i);
     if (problem_.law() == NormalLaw::kUnilateral) {
-      region = region.separation_child(
+      region = std::move(region).separation_child(
           problem_, contact, mode[i].closed ? Separation::kClosed : Separation::kOpen);
     }
     if (mode[i].closed && !problem_.row(contact).friction.is_zero()) {
-      region = region.slip_child(problem_, contact, mode[i].slip);
+      region = std::move(region).slip_child(problem_, contact, mode[i].slip);
     }
   }
   ++programs_;

@@ -29,30 +29,44 @@ class MarginSearch {
         modes_(problem.with_load({problem.wrench(), direction, 0, std::nullopt, true})) {}
 
   std::variant<Margin, Undecided> run() {
-    std::list<Gap> open{{0, std::nullopt, true}};
+    const Gap all{0, std::nullopt, true};
+    // The load itself is where the engine for single loads is quick, and most often stable.
+    ConeWork cone;
+    ++work_.ranges;
+    Verdict verdict = decide_by_cones(problem_, options_, &cone);
+    work_.cone += cone;
+    if (auto* stable = std::get_if<Stable>(&verdict)) {
+      take({0, std::move(stable->witness)}, all);
+    } else {
+      open_.push_back(all);
+    }
     std::vector<std::pair<Rational, Refutation>> refuted;
-    while (!open.empty()) {
-      const Gap gap = std::move(open.front());
-      open.pop_front();
+    while (!open_.empty()) {
+      const Gap gap = std::move(open_.front());
+      open_.pop_front();
       auto found = search(gap);
       if (auto* undecided = std::get_if<Undecided>(&found)) return std::move(*undecided);
       if (auto* refutation = std::get_if<Unstable>(&found)) {
         refuted.emplace_back(gap.low, std::move(refutation->refutation));
         continue;
       }
-      const std::vector<LoadSegment> chain =
-          modes_.chain_through(std::get<LoadPoint>(found), gap.low, gap.high);
-      const Rational& first = chain.front().start.multiple;
-      if (first > gap.low) open.push_back({gap.low, first, gap.has_low});
-      const std::optional<Rational>& last = chain.back().high;
-      if (last && (!gap.high || *last < *gap.high)) open.push_back({*last, gap.high, false});
-      segments_.insert(segments_.end(), chain.begin(), chain.end());
+      take(std::get<LoadPoint>(found), gap);
     }
     work_.modes = modes_.programs();
     return assemble(std::move(refuted));
   }
 
  private:
+  /// Follows the modes from an equilibrium within the gap; what they do not reach stays open.
+  void take(const LoadPoint& point, const Gap& gap) {
+    const std::vector<LoadSegment> chain = modes_.chain_through(point, gap.low, gap.high);
+    const Rational& first = chain.front().start.multiple;
+    if (first > gap.low) open_.push_back({gap.low, first, gap.has_low});
+    const std::optional<Rational>& last = chain.back().high;
+    if (last && (!gap.high || *last < *gap.high)) open_.push_back({*last, gap.high, false});
+    segments_.insert(segments_.end(), chain.begin(), chain.end());
+  }
+
   std::variant<LoadPoint, Unstable, Undecided> search(const Gap& gap) {
     ConeOptions options = options_;
     if (options.node_limit != 0) {
@@ -63,16 +77,6 @@ class MarginSearch {
     }
     ++work_.ranges;
     ConeWork cone;
-    // The load itself is where the engine for single loads is quick, and most often stable.
-    if (gap.has_low && segments_.empty() && !tried_rest_) {
-      tried_rest_ = true;
-      Verdict verdict = decide_by_cones(problem_, options, &cone);
-      work_.cone += cone;
-      if (auto* stable = std::get_if<Stable>(&verdict)) {
-        return LoadPoint{0, std::move(stable->witness)};
-      }
-      return search(gap);
-    }
     auto found = search_loads(
         problem_.with_load({problem_.wrench(), direction_, gap.low, gap.high, gap.has_low}),
         options, &cone);
@@ -131,7 +135,7 @@ class MarginSearch {
   const ConeOptions& options_;
   MarginWork& work_;
   LoadModes modes_;
-  bool tried_rest_ = false;
+  std::list<Gap> open_;
   std::vector<LoadSegment> segments_;
 };
 

@@ -36,28 +36,40 @@ Region Region::root(const Problem& problem) {
   return region;
 }
 
-Region Region::slip_child(const Problem& problem, ContactId contact, Sign slip) const {
-  Region child = *this;
-  child.labels_[contact.index()] = slip;
-  if (slip != Sign::kZero) child.strict_.push_back(cone_.constraint_count());
-  child.cone_.cut(problem.slip_plane(contact), side_of(slip));
-  return child;
+Region Region::slip_child(const Problem& problem, ContactId contact, Sign slip) const& {
+  return Region(*this).slip_child(problem, contact, slip);
+}
+
+Region Region::slip_child(const Problem& problem, ContactId contact, Sign slip) && {
+  labels_[contact.index()] = slip;
+  if (slip != Sign::kZero) strict_.push_back(cone_.constraint_count());
+  cone_.cut(problem.slip_plane(contact), side_of(slip));
+  return std::move(*this);
 }
 
 Region Region::separation_child(const Problem& problem, ContactId contact,
-                                Separation closed_or_open) const {
-  require(closed_or_open != Separation::kMixed, "a child of a separation is closed or open");
-  return plane_child(problem.separation_plane(contact),
-                     closed_or_open == Separation::kClosed ? Side::kPositive : Side::kNegative);
+                                Separation closed_or_open) const& {
+  return Region(*this).separation_child(problem, contact, closed_or_open);
 }
 
-Region Region::plane_child(const IntegerVector4& plane, Side side) const {
+Region Region::separation_child(const Problem& problem, ContactId contact,
+                                Separation closed_or_open) && {
+  require(closed_or_open != Separation::kMixed, "a child of a separation is closed or open");
+  return std::move(*this).plane_child(
+      problem.separation_plane(contact),
+      closed_or_open == Separation::kClosed ? Side::kPositive : Side::kNegative);
+}
+
+Region Region::plane_child(const IntegerVector4& plane, Side side) const& {
+  return Region(*this).plane_child(plane, side);
+}
+
+Region Region::plane_child(const IntegerVector4& plane, Side side) && {
   require(side != Side::kZero, "a child of a plane is one of its half-spaces");
-  Region child = *this;
   // Points on the plane belong to the first child, so the second has none of them.
-  if (side == Side::kNegative) child.strict_.push_back(cone_.constraint_count());
-  child.cone_.cut(plane, side);
-  return child;
+  if (side == Side::kNegative) strict_.push_back(cone_.constraint_count());
+  cone_.cut(plane, side);
+  return std::move(*this);
 }
 
 Region Region::with_slip_state(const Problem& problem, const std::vector<Sign>& state) const {
@@ -118,7 +130,8 @@ Twist twist_of(const VirtualWorkLeaf& leaf) {
   return {Rational(leaf.twist[0]), Rational(leaf.twist[1]), Rational(leaf.twist[2])};
 }
 
-/// The contacts' part of g on each of the region's directions.
+}  // namespace
+
 std::vector<Rational> contact_work_bounds(const Problem& problem, const Region& region,
                                           const VirtualWorkLeaf& leaf) {
   const Twist y = twist_of(leaf);
@@ -157,18 +170,6 @@ std::vector<Rational> contact_work_bounds(const Problem& problem, const Region& 
     }
     bounds.push_back(std::move(bound));
   }
-  return bounds;
-}
-
-}  // namespace
-
-std::vector<Rational> virtual_work_bounds(const Problem& problem, const Region& region,
-                                          const VirtualWorkLeaf& leaf) {
-  std::vector<Rational> bounds = contact_work_bounds(problem, region, leaf);
-  const std::vector<IntegerVector4> directions = region.cone().directions();
-  const Rational load = power(problem.wrench(), twist_of(leaf));
-  for (std::size_t r = 0; r < bounds.size(); ++r)
-    bounds[r] += Rational(directions[r][3]) * load;
   return bounds;
 }
 

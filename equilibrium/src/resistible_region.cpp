@@ -9,14 +9,11 @@
 #include "stickslip/arrangement/generated_cone.hpp"
 #include "stickslip/arrangement/sweep.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/integer_vector.hpp"
 #include "stickslip/equilibrium/region.hpp"
 
 namespace stickslip {
 namespace {
-
-Vector3 cross(const Vector3& a, const Vector3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 Rational scalar_product(const Vector3& a, const Vector3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

@@ -64,6 +64,11 @@ std::optional<std::string> find_violation(const Problem& problem, const Witness&
   return std::nullopt;
 }
 
+Vector2 force_vector(const Vector2& normal, const ContactForce& force) {
+  return {force.normal * normal.x - force.tangential * normal.y,
+          force.normal * normal.y + force.tangential * normal.x};
+}
+
 const char* name_of(const Verdict& verdict) {
   if (std::holds_alternative<Stable>(verdict)) return "stable";
   if (std::holds_alternative<Unstable>(verdict)) return "unstable";

@@ -52,9 +52,7 @@ class GraspReader {
  private:
   /// The force of contact i, exactly.
   Vector2 force(const Witness& witness, std::size_t i) const {
-    const Vector2& n = grasp_.contacts()[i].normal;
-    const ContactForce& f = witness.forces[i];
-    return {f.normal * n.x - f.tangential * n.y, f.normal * n.y + f.tangential * n.x};
+    return force_vector(grasp_.contacts()[i].normal, witness.forces[i]);
   }
 
   void choose_force_unit() {

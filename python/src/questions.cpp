@@ -179,9 +179,8 @@ py::dict decision_fields(const Question& question, const Problem& problem,
 py::tuple force_vectors(const Grasp& grasp, const std::vector<ContactForce>& forces) {
   py::tuple vectors(forces.size());
   for (std::size_t i = 0; i < forces.size(); ++i) {
-    const Vector2& n = grasp.contacts()[i].normal;
-    const auto& [a, b] = forces[i];
-    vectors[i] = fractions(a * n.x - b * n.y, a * n.y + b * n.x);
+    const Vector2 force = force_vector(grasp.contacts()[i].normal, forces[i]);
+    vectors[i] = fractions(force.x, force.y);
   }
   return vectors;
 }

@@ -23,6 +23,18 @@ constexpr ContactId kFirst(0);
 constexpr ContactId kSecond(1);
 constexpr ContactId kThird(2);
 
+/// The exact bound g(r) of leaf-bound on each of cone().directions(), for a single load.
+std::vector<Rational> virtual_work_bounds(const Problem& problem, const Region& region,
+                                          const VirtualWorkLeaf& leaf) {
+  std::vector<Rational> bounds = contact_work_bounds(problem, region, leaf);
+  const std::vector<IntegerVector4> directions = region.cone().directions();
+  const Twist y{Rational(leaf.twist[0]), Rational(leaf.twist[1]), Rational(leaf.twist[2])};
+  for (std::size_t r = 0; r < bounds.size(); ++r) {
+    bounds[r] += Rational(directions[r][3]) * power(problem.wrench(), y);
+  }
+  return bounds;
+}
+
 Problem fig4(const Rational& preload, NormalLaw law = NormalLaw::kUnilateral) {
   return Problem({fig4_grasp(preload), {0, 2, 0}}, law);
 }

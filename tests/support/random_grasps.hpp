@@ -1,38 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
 /// Families of loaded grasps for property tests. Everything is determined by the seed, on every
-/// platform: std::mt19937_64 is specified to the bit, the distributions of <random> are not.
+/// platform.
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <random>
 #include <string>
 #include <vector>
 
+#include "random_source.hpp"
 #include "stickslip/core/grasp.hpp"
 
 namespace stickslip::test {
 
-class RandomSource {
- public:
-  explicit RandomSource(std::uint64_t seed) : engine_(seed) {}
-
-  /// Uniform enough in [low, high].
-  int between(int low, int high) {
-    const auto count = static_cast<std::uint64_t>(high - low) + 1;
-    return low + static_cast<int>(engine_() % count);
-  }
-  bool one_in(int n) { return between(1, n) == 1; }
-
-  template <class T>
-  const T& pick(const std::vector<T>& from) {
-    return from[static_cast<std::size_t>(engine_() % from.size())];
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
+using bench::RandomSource;
 
 /// What an engine is asked.
 struct LoadCase {

@@ -21,7 +21,9 @@ Integer dot(const IntegerVector<n>& a, const IntegerVector<n>& b) {
   return sum;
 }
 
-inline IntegerVector<3> cross(const IntegerVector<3>& a, const IntegerVector<3>& b) {
+/// The cross product, of integers or rationals.
+template <class Number>
+std::array<Number, 3> cross(const std::array<Number, 3>& a, const std::array<Number, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 

@@ -24,11 +24,15 @@ class Region {
   /// What slip splits have said of a contact: kZero is the label 0; nothing is no label.
   std::optional<Sign> label(ContactId contact) const { return labels_[contact.index()]; }
 
-  /// The child of a slip, separation or plane split.
-  Region slip_child(const Problem& problem, ContactId contact, Sign slip) const;
+  /// The child of a slip, separation or plane split; of a temporary, made in its place.
+  Region slip_child(const Problem& problem, ContactId contact, Sign slip) const&;
+  Region slip_child(const Problem& problem, ContactId contact, Sign slip) &&;
   Region separation_child(const Problem& problem, ContactId contact,
-                          Separation closed_or_open) const;
-  Region plane_child(const IntegerVector4& plane, Side side) const;
+                          Separation closed_or_open) const&;
+  Region separation_child(const Problem& problem, ContactId contact,
+                          Separation closed_or_open) &&;
+  Region plane_child(const IntegerVector4& plane, Side side) const&;
+  Region plane_child(const IntegerVector4& plane, Side side) &&;
 
   /// The intersection with all of a slip state at once: contact i has label state[i].
   Region with_slip_state(const Problem& problem, const std::vector<Sign>& state) const;
@@ -56,8 +60,9 @@ class Region {
 /// under any of the problem's loads. O(m * rays) rational operations.
 bool refutes(const Problem& problem, const Region& region, const VirtualWorkLeaf& leaf);
 
-/// The exact bound g(r) of leaf-bound on each of cone().directions(), for a single load.
-std::vector<Rational> virtual_work_bounds(const Problem& problem, const Region& region,
+/// The contacts' part of the bound g(r) of leaf-bound on each of cone().directions(): all of it
+/// but the load's h y.w.
+std::vector<Rational> contact_work_bounds(const Problem& problem, const Region& region,
                                           const VirtualWorkLeaf& leaf);
 
 }  // namespace stickslip

@@ -23,6 +23,9 @@ struct ContactForce {
   Rational tangential;  ///< b
 };
 
+/// a n + b t in the object frame, for a contact with this normal n (any length).
+Vector2 force_vector(const Vector2& normal, const ContactForce& force);
+
 /// An equilibrium.
 struct Witness {
   Twist twist;

@@ -15,9 +15,10 @@
 
 namespace stickslip {
 
+/// What the model needs of one contact: its rows and the coefficients of its laws.
 struct ContactRow {
-  Wrench
-      normal;  ///< N = (n_x, n_y, p_x n_y - p_y n_x); power(N, d) = normal displacement times L
+  /// N = (n_x, n_y, p_x n_y - p_y n_x); power(N, d) = normal displacement times L
+  Wrench normal;
   Wrench tangent;      ///< T = (t_x, t_y, p_x t_y - p_y t_x); power(T, d) = slip times L
   Rational friction;   ///< mu
   Rational preload;    ///< P / L
@@ -29,9 +30,11 @@ struct ContactRow {
   }
 };
 
+/// \{
 /// N and T of one contact; needs no length, so it serves irrational L as well.
 Wrench normal_row(const Contact& contact);
 Wrench tangent_row(const Contact& contact);
+/// \}
 
 /// All rows, in the order of the contacts. Throws InputError ("contacts[i].normal") when a
 /// preloaded contact has a normal of irrational length; the remedy is snapping.

@@ -10,11 +10,12 @@
 /// that side. Seen from outside the sphere, `next` keeps the face to the left.
 ///
 /// With k distinct circles:
-///   k = 0   one face without boundary; nothing else
-///   k = 1   two faces and one closed edge: both halfedges are their own next and have no
-///           origin, and there is no vertex
-///   pencil  two vertices, joined by 2k edges; 2k faces with two edges each
-///   rank 3  a polyhedron's graph: no two edges join the same two vertices
+///
+///     k = 0   one face without boundary; nothing else
+///     k = 1   two faces and one closed edge: both halfedges are their own next and have no
+///             origin, and there is no vertex
+///     pencil  two vertices, joined by 2k edges; 2k faces with two edges each
+///     rank 3  a polyhedron's graph: no two edges join the same two vertices
 ///
 /// Memory is about 48 bytes for each pair (ordered) of circles, 48 MB for 1000 circles in
 /// general position, and some 12 MB more while it is built. Ids count from 0, the same on every
@@ -31,8 +32,7 @@
 
 namespace stickslip {
 
-/// \{
-/// A cell of an arrangement, or one of the two directions of an edge.
+/// \{ A cell of an arrangement, or one of the two directions of an edge.
 using VertexId = Id<struct VertexTag>;
 using EdgeId = Id<struct EdgeTag>;
 using HalfedgeId = Id<struct HalfedgeTag>;
@@ -56,8 +56,7 @@ class ArrangementStructure {
   const GreatCircles& circles() const { return circles_; }     ///< the planes, merged
   const ArrangementCounts& counts() const { return counts_; }  ///< of the cells and the states
 
-  /// \{
-  /// How many there are: ids are below this.
+  /// \{ How many there are: ids are below this.
   std::size_t vertices() const { return counts_.vertices; }
   std::size_t edges() const { return counts_.edges; }
   std::size_t halfedges() const { return 2 * counts_.edges; }
@@ -79,9 +78,8 @@ class ArrangementStructure {
   HalfedgeId clockwise(HalfedgeId halfedge) const { return next(twin(halfedge)); }
   /// The face to the left.
   FaceId face(HalfedgeId halfedge) const { return FaceId(face_[halfedge.index()]); }
-  /// \{
-  /// Where the halfedge starts, and where it ends. Throws ContractError when there is no
-  /// vertex.
+  /// \{ \brief Where the halfedge starts, and where it ends. Throws ContractError when there is
+  /// no vertex.
   VertexId origin(HalfedgeId halfedge) const;
   VertexId target(HalfedgeId halfedge) const { return origin(twin(halfedge)); }
   /// \}
@@ -96,18 +94,16 @@ class ArrangementStructure {
   /// A halfedge with the face to its left; none for the one face of no circle.
   std::optional<HalfedgeId> boundary(FaceId face) const;
 
-  /// \{
-  /// The antipodal map d -> -d. O(1). Without circles the one face is its own antipode; the one
-  /// edge of one circle is its own.
+  /// \{ \brief The antipodal map d -> -d. O(1). Without circles the one face is its own
+  /// antipode; the one edge of one circle is its own.
   VertexId antipode(VertexId vertex) const { return VertexId(vertex.index() ^ 1); }
   EdgeId antipode(EdgeId edge) const;
   FaceId antipode(FaceId face) const;
   /// \}
 
-  /// \{
-  /// The signs of all planes on a cell, from the order of crossings on one of its circles.
-  /// O(m + k), more where many circles are concurrent: one step for each circle through a
-  /// vertex that is passed.
+  /// \{ \brief The signs of all planes on a cell, from the order of crossings on one of its
+  /// circles. O(m + k), more where many circles are concurrent: one step for each circle
+  /// through a vertex that is passed.
   SlipState signs(VertexId vertex) const;
   SlipState signs(EdgeId edge) const;
   SlipState signs(FaceId face) const;

@@ -7,10 +7,12 @@
 /// arrangement: two faces are as far apart as the number of circles that separate them. So
 /// for every k it is connected, simple, planar, bipartite, and a partial cube: the signs of
 /// the faces embed it isometrically in the graph of the k-cube. With k distinct circles:
-///   k = 0   one vertex
-///   k = 1   two vertices and one edge
-///   pencil  a cycle of 2k vertices
-///   rank 3  a 3-connected graph, that of a polyhedron (Steinitz)
+///
+///     k = 0   one vertex
+///     k = 1   two vertices and one edge
+///     pencil  a cycle of 2k vertices
+///     rank 3  a 3-connected graph, that of a polyhedron (Steinitz)
+///
 /// It never has parallel edges or loops: faces beside one edge differ in the sign of exactly
 /// that edge's circle, and a face is convex, so it has one edge at most on each circle. (The
 /// vertices and edges of the arrangement itself do form a graph with parallel edges when they
@@ -49,8 +51,7 @@ class DualEdge {
   /// Of the arrangement's edge that is crossed.
   std::size_t index() const { return halfedge_ / 2; }
 
-  /// \{
-  /// By index.
+  /// \{ By index.
   friend bool operator==(DualEdge a, DualEdge b) { return a.index() == b.index(); }
   friend bool operator!=(DualEdge a, DualEdge b) { return !(a == b); }
   friend bool operator<(DualEdge a, DualEdge b) { return a.index() < b.index(); }
@@ -67,8 +68,7 @@ class DualGraph {
   explicit DualGraph(const ArrangementStructure& structure) : structure_(&structure) {}
   const ArrangementStructure& structure() const { return *structure_; }  ///< what it is dual to
 
-  /// \{
-  /// What boost::graph_traits asks for. A vertex is the index of a FaceId.
+  /// \{ What boost::graph_traits asks for. A vertex is the index of a FaceId.
   using vertex_descriptor = std::size_t;
   using edge_descriptor = DualEdge;
   using directed_category = boost::undirected_tag;
@@ -79,8 +79,7 @@ class DualGraph {
                               boost::edge_list_graph_tag,
                               boost::bidirectional_graph_tag,
                               boost::adjacency_graph_tag {};
-  /// \{
-  /// Counts, as boost::graph_traits asks for.
+  /// \{ Counts, as boost::graph_traits asks for.
   using vertices_size_type = std::size_t;
   using edges_size_type = std::size_t;
   using degree_size_type = std::size_t;
@@ -154,8 +153,7 @@ class DualGraph {
   /// No vertex of any graph.
   static vertex_descriptor null_vertex() { return static_cast<std::size_t>(-1); }
 
-  /// \{
-  /// As the concepts of Boost.Graph define it. A vertex is the index of a FaceId.
+  /// \{ As the concepts of Boost.Graph define it. A vertex is the index of a FaceId.
   friend std::size_t num_vertices(const DualGraph& g) { return g.structure_->faces(); }
   friend std::size_t num_edges(const DualGraph& g) { return g.structure_->edges(); }
 
@@ -201,21 +199,18 @@ class DualGraph {
 
   /// boost::edge_index: edges count from 0, as in the arrangement.
   struct EdgeIndexMap {
-    /// \{
-    /// What boost::property_traits asks for.
+    /// \{ What boost::property_traits asks for.
     using key_type = DualEdge;
     using value_type = std::size_t;
     using reference = std::size_t;
     using category = boost::readable_property_map_tag;
     /// \}
-    /// \{
-    /// The index of the edge.
+    /// \{ The index of the edge.
     friend std::size_t get(EdgeIndexMap, DualEdge e) { return e.index(); }
     std::size_t operator[](DualEdge e) const { return e.index(); }
     /// \}
   };
-  /// \{
-  /// The indices of vertices and edges, from 0, as property maps and one by one.
+  /// \{ The indices of vertices and edges, from 0, as property maps and one by one.
   friend boost::identity_property_map get(boost::vertex_index_t, const DualGraph&) {
     return {};
   }
@@ -237,8 +232,7 @@ namespace boost {
 /// The indices of a DualGraph's vertices: each is its own.
 template <>
 struct property_map<stickslip::DualGraph, vertex_index_t> {
-  /// \{
-  /// The map, for graphs that may change and for those that may not.
+  /// \{ The map, for graphs that may change and for those that may not.
   using type = identity_property_map;
   using const_type = identity_property_map;
   /// \}
@@ -246,8 +240,7 @@ struct property_map<stickslip::DualGraph, vertex_index_t> {
 /// The indices of a DualGraph's edges.
 template <>
 struct property_map<stickslip::DualGraph, edge_index_t> {
-  /// \{
-  /// The map, for graphs that may change and for those that may not.
+  /// \{ The map, for graphs that may change and for those that may not.
   using type = stickslip::DualGraph::EdgeIndexMap;
   using const_type = stickslip::DualGraph::EdgeIndexMap;
   /// \}

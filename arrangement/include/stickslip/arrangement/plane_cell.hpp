@@ -20,8 +20,7 @@ using PlanePoint = std::array<Rational, 2>;  ///< (x, y)
 using PlaneDirection = IntegerVector<2>;     ///< primitive
 using HomogeneousPoint = IntegerVector<3>;   ///< g = (x, y, h), h >= 0
 
-/// \{
-/// Primitive; h > 0 for a point and h = 0 for a direction.
+/// \{ Primitive; h > 0 for a point and h = 0 for a direction.
 HomogeneousPoint homogeneous(const PlanePoint& point);
 HomogeneousPoint homogeneous(const PlaneDirection& direction);
 /// \}

@@ -20,8 +20,7 @@ namespace stickslip {
 /// has as its vertex the point nearest to the origin.
 struct Outline {
   std::vector<PlanePoint> vertices;  ///< at least one
-  /// \{
-  /// The directions of an open outline's ends; nothing for a closed one.
+  /// \{ The directions of an open outline's ends; nothing for a closed one.
   std::optional<PlaneDirection> from;
   std::optional<PlaneDirection> to;
   /// \}

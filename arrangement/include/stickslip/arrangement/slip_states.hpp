@@ -7,11 +7,11 @@
 /// and the all-stick state (d = 0) lies on no cell of a rank 3 arrangement; it is always a
 /// state. With k distinct circles:
 ///
-///   rank  cells               distinct states
-///   0     1 (one face)        1
-///   1     3 (k = 1)           3
-///   2     4k + 2 (a pencil)   4k + 1 = cells - 1: the two vertices are both all-stick
-///   3     V + E + F           cells + 1: all-stick is on no cell
+///     rank  cells               distinct states
+///     0     1 (one face)        1
+///     1     3 (k = 1)           3
+///     2     4k + 2 (a pencil)   4k + 1 = cells - 1: the two vertices are both all-stick
+///     3     V + E + F           cells + 1: all-stick is on no cell
 ///
 /// For simple arrangements of rank 3 the cells are 4k(k-1) + 2 (Table II).
 #pragma once

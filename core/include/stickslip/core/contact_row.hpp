@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// From contacts to linear algebra: the rows N and T of each contact (the columns of the
-/// paper's grasp map G, Eq. 1) and the coefficients of its normal law (Eq. 4 with preload).
+/// From contacts to linear algebra: the rows N and T of each contact and the coefficients of
+/// its normal law. The rows are the columns of the paper's grasp map G (Eq. 1), the law is its
+/// Eq. 4 with preload.
 ///
 /// With a normal n of any length L, force coefficients (a, b) stand for the force
 /// a n + b t, so that the magnitudes are c_n = a L and c_t = b L. Cones and the signs of
@@ -30,8 +31,7 @@ struct ContactRow {
   }
 };
 
-/// \{
-/// N and T of one contact; needs no length, so it serves irrational L as well.
+/// \{ N and T of one contact; needs no length, so it serves irrational L as well.
 Wrench normal_row(const Contact& contact);
 Wrench tangent_row(const Contact& contact);
 /// \}

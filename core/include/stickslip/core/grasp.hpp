@@ -17,8 +17,7 @@ namespace stickslip {
 
 /// A point or a direction in the object frame.
 struct Vector2 {
-  /// \{
-  /// A coordinate; of a point, a length in the user's unit.
+  /// \{ A coordinate; of a point, a length in the user's unit.
   Rational x{0};
   Rational y{0};
   /// \}
@@ -39,10 +38,12 @@ struct Contact {
   Rational preload{0};    ///< P >= 0, force
 };
 
-/// How normal forces answer the motion d, with v = P - k N.d (N of a unit normal):
-/// unilateral: c_n = max(0, v), a contact may open; bilateral, the literal Eq. 4 of the
-/// paper with preload: c_n = v, and c_n >= 0 is required.
-enum class NormalLaw { kUnilateral, kBilateral };
+/// How normal forces answer the motion d, with v = P - k N.d (N of a unit normal).
+enum class NormalLaw {
+  kUnilateral,  ///< c_n = max(0, v): a contact may open
+  kBilateral    ///< c_n = v, and c_n >= 0 is required: the literal Eq. 4 of the paper with
+                ///< preload
+};
 
 /// "unilateral", "bilateral".
 const char* to_string(NormalLaw law);

@@ -16,8 +16,7 @@
 
 namespace stickslip {
 
-/// \{
-/// Limits on what is read, so that hostile input ends in an error and not in an hour.
+/// \{ Limits on what is read, so that hostile input ends in an error and not in an hour.
 inline constexpr std::size_t kMaxGraspFileBytes = std::size_t{1} << 28;
 inline constexpr std::size_t kMaxJsonDepth = 32;
 /// \}

@@ -15,8 +15,7 @@ class Id {
   constexpr explicit Id(std::size_t index) : index_(index) {}
   constexpr std::size_t index() const { return index_; }  ///< from 0
 
-  /// \{
-  /// By index.
+  /// \{ By index.
   friend constexpr bool operator==(Id a, Id b) { return a.index_ == b.index_; }
   friend constexpr bool operator!=(Id a, Id b) { return a.index_ != b.index_; }
   friend constexpr bool operator<(Id a, Id b) { return a.index_ < b.index_; }

@@ -28,8 +28,7 @@ class NumberError : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// \{
-/// Largest |exponent| accepted in "1e-3", and largest length of a number's text:
+/// \{ \brief Largest |exponent| accepted in "1e-3", and largest length of a number's text:
 /// enough for every double written out exactly, and small enough that no short
 /// input costs more than a moment.
 inline constexpr long kMaxExponent = 4096;

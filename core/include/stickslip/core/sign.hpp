@@ -13,8 +13,7 @@ namespace stickslip {
 /// Negative, zero or positive: three values, of which zero never means "not known".
 enum class Sign : std::int8_t { kNegative = -1, kZero = 0, kPositive = 1 };
 
-/// \{
-/// The sign of a number, exactly.
+/// \{ The sign of a number, exactly.
 constexpr Sign sign_of_int(int value) {
   return value > 0 ? Sign::kPositive : value < 0 ? Sign::kNegative : Sign::kZero;
 }

@@ -39,8 +39,7 @@ struct Wrench {
   friend bool operator==(const Wrench& a, const Wrench& b) {
     return a.x == b.x && a.y == b.y && a.torque == b.torque;
   }
-  /// \{
-  /// Componentwise: forces that act together, and multiples of one.
+  /// \{ Componentwise: forces that act together, and multiples of one.
   Wrench& operator+=(const Wrench& other) {
     x += other.x;
     y += other.y;
@@ -59,8 +58,7 @@ inline Rational power(const Wrench& wrench, const Twist& twist) {
   return wrench.x * twist.x + wrench.y * twist.y + wrench.torque * twist.r;
 }
 
-/// \{
-/// The three components as a plain vector, without their physical meaning.
+/// \{ The three components as a plain vector, without their physical meaning.
 inline Vector3 coordinates(const Twist& d) {
   return {d.x, d.y, d.r};
 }

@@ -52,8 +52,8 @@ struct ClaimOptions {
 /// coefficient * sqrt(radicand) >= 0: the length of a multiple of a contact's normal, which is
 /// irrational where the normal's own length is. radicand is 1 where it is rational.
 struct Magnitude {
-  Rational coefficient;   ///< >= 0
-  Rational radicand = 1;  ///< > 0
+  Rational coefficient;   ///< not negative
+  Rational radicand = 1;  ///< positive
 
   /// |coefficient| * sqrt(length_squared), for length_squared > 0.
   static Magnitude of(const Rational& coefficient, const Rational& length_squared);
@@ -89,9 +89,8 @@ struct ClaimResiduals {
 struct NearbyEquilibrium {
   Witness witness;          ///< passes find_violation
   bool from_claim = false;  ///< by find_witness_like; else it is the engine's own
-  /// \{
-  /// Largest difference from the claim: of a component of a force in the object frame, and of a
-  /// component of the twist.
+  /// \{ \brief Largest difference from the claim: of a component of a force in the object
+  /// frame, and of a component of the twist.
   std::optional<Rational> force_distance;
   std::optional<Rational> twist_distance;
   /// \}

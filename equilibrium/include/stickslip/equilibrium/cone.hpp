@@ -59,8 +59,7 @@ struct SignRange {
   bool zero = false;      ///< on some ray or on all of the cone
   bool positive = false;  ///< on some ray or line
 
-  /// \{
-  /// On all of the cone, 0 included.
+  /// \{ On all of the cone, 0 included.
   bool is_nonnegative() const { return !negative; }
   bool is_nonpositive() const { return !positive; }
   bool is_zero() const { return !negative && !positive; }

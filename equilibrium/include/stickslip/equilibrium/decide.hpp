@@ -35,8 +35,7 @@ struct Decision {
 Decision decide(const Problem& problem, Engine engine = Engine::kAuto,
                 const ConeOptions& options = {});
 
-/// \{
-/// The counters by name, in a fixed order.
+/// \{ The counters by name, in a fixed order.
 std::vector<std::pair<std::string, std::size_t>> counters(const StatesWork& work);
 std::vector<std::pair<std::string, std::size_t>> counters(const ConeWork& work);
 /// \}

@@ -40,8 +40,7 @@ class LoadRange {
   /// The direction u, if the range has no high end.
   std::optional<Wrench> recession() const;
   bool is_single() const { return ends_.size() == 1 && has_high_; }  ///< one wrench
-  /// \{
-  /// Whether l > low, or l < high, is asked: l - low h (or high h - l) is a strict function.
+  /// \{ Whether l > low, or l < high, is asked: l - low h (or high h - l) is a strict function.
   bool low_is_strict() const { return low_is_strict_; }
   bool high_is_strict() const { return ends_.size() == 2; }
   /// \}

@@ -25,8 +25,7 @@
 
 namespace stickslip {
 
-/// \{
-/// Coefficients of a linear function of x = (d_x, d_y, d_r, h), or a point x itself.
+/// \{ Coefficients of a linear function of x = (d_x, d_y, d_r, h), or a point x itself.
 using IntegerVector4 = IntegerVector<4>;
 using Vector4 = std::array<Rational, 4>;
 /// \}

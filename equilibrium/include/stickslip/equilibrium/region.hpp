@@ -25,8 +25,7 @@ class Region {
   /// What slip splits have said of a contact: kZero is the label 0; nothing is no label.
   std::optional<Sign> label(ContactId contact) const { return labels_[contact.index()]; }
 
-  /// \{
-  /// The child of a slip, separation or plane split.
+  /// \{ The child of a slip, separation or plane split.
   Region slip_child(const Problem& problem, ContactId contact, Sign slip) const;
   Region separation_child(const Problem& problem, ContactId contact,
                           Separation closed_or_open) const;

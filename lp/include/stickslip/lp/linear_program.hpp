@@ -10,8 +10,11 @@
 /// evidence that it has not passed, in any build type.
 ///
 /// **Multipliers.** A vector y with one entry per row is *admissible* when
+///
 ///     y_i >= 0 for a row >=,   y_i <= 0 for a row <=,   y_i of any sign for a row =.
+///
 /// Then y_i (a_i.x) >= y_i b_i for every x that satisfies row i, and by summation
+///
 ///     (yA).x >= y.b   for every x that satisfies the rows.                        (1)
 ///
 /// - Optimal: x feasible, y = `dual` admissible, with reduced cost r = c - yA
@@ -72,8 +75,8 @@ class LinearProgram {
   /// Default: zero objective, a feasibility problem. May be shorter, as in add_row.
   void minimize(std::vector<Rational> objective);
 
-  std::size_t variable_count() const { return kinds_.size(); }  ///< n
-  std::size_t row_count() const { return rows_.size(); }        ///< m
+  std::size_t variable_count() const { return kinds_.size(); }  ///< n, of variables
+  std::size_t row_count() const { return rows_.size(); }        ///< m, of rows
   /// Requires variable < variable_count().
   VariableKind kind(std::size_t variable) const { return kinds_[variable]; }
   /// Requires index < row_count().
@@ -127,9 +130,8 @@ struct LpOptions {
   LpTier first_tier = LpTier::kInt64;  ///< exact arithmetic starts here
 };
 
-/// \{
-/// Solves, verifies the evidence exactly, returns. Thread-safe, deterministic, no globals.
-/// Throws ContractError if the evidence fails its own verification (a defect of this
+/// \{ \brief Solves, verifies the evidence exactly, returns. Thread-safe, deterministic, no
+/// globals. Throws ContractError if the evidence fails its own verification (a defect of this
 /// library, never of the input). `work`, if given, is overwritten.
 LpResult solve(const LinearProgram& program, LpWork* work = nullptr);
 LpResult solve(const LinearProgram& program, const LpOptions& options, LpWork* work = nullptr);

@@ -43,9 +43,8 @@ struct Verification {
   explicit operator bool() const { return holds; }
 };
 
-/// \{
-/// Whether the evidence proves what its type says of the program. Evidence of the wrong length
-/// fails by kLength.
+/// \{ \brief Whether the evidence proves what its type says of the program. Evidence of the
+/// wrong length fails by kLength.
 Verification verify(const LinearProgram& program, const Optimal& evidence);
 Verification verify(const LinearProgram& program, const Infeasible& evidence);
 Verification verify(const LinearProgram& program, const Unbounded& evidence);

@@ -19,8 +19,7 @@ struct InkPoint {
   double x = 0;  ///< in pixels, to the right
   double y = 0;  ///< in pixels, down
 
-  /// \{
-  /// Componentwise.
+  /// \{ Componentwise.
   friend InkPoint operator+(InkPoint a, InkPoint b) { return {a.x + b.x, a.y + b.y}; }
   friend InkPoint operator-(InkPoint a, InkPoint b) { return {a.x - b.x, a.y - b.y}; }
   friend InkPoint operator*(double s, InkPoint a) { return {s * a.x, s * a.y}; }
@@ -78,8 +77,7 @@ class Svg {
   /// An element without children, or with a `title` (a tooltip) if `tooltip` is not empty.
   void element(const std::string& element, const Attributes& attributes,
                std::string_view tooltip = {});
-  /// \{
-  /// The element of that name, with the class `css_class`; `attributes` are added.
+  /// \{ The element of that name, with the class `css_class`; `attributes` are added.
   void path(const SvgPath& path, const std::string& css_class, Attributes attributes = {},
             std::string_view tooltip = {});
   void line(InkPoint from, InkPoint to, const std::string& css_class,

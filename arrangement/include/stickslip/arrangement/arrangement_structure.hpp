@@ -10,11 +10,12 @@
 /// that side. Seen from outside the sphere, `next` keeps the face to the left.
 ///
 /// With k distinct circles:
-///   k = 0   one face without boundary; nothing else
-///   k = 1   two faces and one closed edge: both halfedges are their own next and have no
-///           origin, and there is no vertex
-///   pencil  two vertices, joined by 2k edges; 2k faces with two edges each
-///   rank 3  a polyhedron's graph: no two edges join the same two vertices
+///
+///     k = 0   one face without boundary; nothing else
+///     k = 1   two faces and one closed edge: both halfedges are their own next and have no
+///             origin, and there is no vertex
+///     pencil  two vertices, joined by 2k edges; 2k faces with two edges each
+///     rank 3  a polyhedron's graph: no two edges join the same two vertices
 ///
 /// Memory is about 48 bytes for each pair (ordered) of circles, 48 MB for 1000 circles in
 /// general position, and some 12 MB more while it is built. Ids count from 0, the same on every
@@ -31,11 +32,15 @@
 
 namespace stickslip {
 
+/// \{ A cell of an arrangement, or one of the two directions of an edge.
 using VertexId = Id<struct VertexTag>;
 using EdgeId = Id<struct EdgeTag>;
 using HalfedgeId = Id<struct HalfedgeTag>;
 using FaceId = Id<struct FaceTag>;
+/// \}
 
+/// The cells of an arrangement and their incidences. Where an id is asked for, it must be one
+/// of this arrangement.
 class ArrangementStructure {
  public:
   /// O(m + k^2 log k). Throws ContractError if a normal is zero, if there are more than
@@ -45,19 +50,26 @@ class ArrangementStructure {
   explicit ArrangementStructure(const std::vector<Vector3>& plane_normals,
                                 unsigned threads = 1);
 
+  /// Most distinct circles that there may be.
   static constexpr std::size_t kMaxCircles = 32768;
 
-  const GreatCircles& circles() const { return circles_; }
-  const ArrangementCounts& counts() const { return counts_; }
+  const GreatCircles& circles() const { return circles_; }     ///< the planes, merged
+  const ArrangementCounts& counts() const { return counts_; }  ///< of the cells and the states
+
+  /// \{ How many there are: ids are below this.
   std::size_t vertices() const { return counts_.vertices; }
   std::size_t edges() const { return counts_.edges; }
   std::size_t halfedges() const { return 2 * counts_.edges; }
   std::size_t faces() const { return counts_.faces; }
+  /// \}
 
   // Incidences. O(1).
 
+  /// Of the two halfedges, the one that runs counterclockwise about the pole's side.
   static HalfedgeId first_halfedge(EdgeId edge) { return HalfedgeId(2 * edge.index()); }
+  /// The edge that the halfedge runs along.
   static EdgeId edge(HalfedgeId halfedge) { return EdgeId(halfedge.index() / 2); }
+  /// The other halfedge of the same edge.
   static HalfedgeId twin(HalfedgeId halfedge) { return HalfedgeId(halfedge.index() ^ 1); }
 
   /// The next halfedge around the face to the left.
@@ -66,10 +78,13 @@ class ArrangementStructure {
   HalfedgeId clockwise(HalfedgeId halfedge) const { return next(twin(halfedge)); }
   /// The face to the left.
   FaceId face(HalfedgeId halfedge) const { return FaceId(face_[halfedge.index()]); }
-  /// Throws ContractError when there is no vertex.
+  /// \{ \brief Where the halfedge starts, and where it ends. Throws ContractError when there is
+  /// no vertex.
   VertexId origin(HalfedgeId halfedge) const;
   VertexId target(HalfedgeId halfedge) const { return origin(twin(halfedge)); }
+  /// \}
 
+  /// The circle that the edge lies on.
   CircleId circle(EdgeId edge) const { return CircleId(circle_of_edge_[edge.index()]); }
   /// The sign of circles().normals[circle] on the face to the left.
   Sign sign_to_the_left(HalfedgeId halfedge) const;
@@ -79,18 +94,20 @@ class ArrangementStructure {
   /// A halfedge with the face to its left; none for the one face of no circle.
   std::optional<HalfedgeId> boundary(FaceId face) const;
 
-  // The antipodal map d -> -d. O(1). Without circles the one face is its own antipode; the one
-  // edge of one circle is its own.
+  /// \{ \brief The antipodal map d -> -d. O(1). Without circles the one face is its own
+  /// antipode; the one edge of one circle is its own.
   VertexId antipode(VertexId vertex) const { return VertexId(vertex.index() ^ 1); }
   EdgeId antipode(EdgeId edge) const;
   FaceId antipode(FaceId face) const;
+  /// \}
 
-  // The signs of all planes on a cell, from the order of crossings on one of its circles.
-  // O(m + k), more where many circles are concurrent: one step for each circle through a
-  // vertex that is passed.
+  /// \{ \brief The signs of all planes on a cell, from the order of crossings on one of its
+  /// circles. O(m + k), more where many circles are concurrent: one step for each circle
+  /// through a vertex that is passed.
   SlipState signs(VertexId vertex) const;
   SlipState signs(EdgeId edge) const;
   SlipState signs(FaceId face) const;
+  /// \}
 
   /// Heap memory for the cells and incidences, without the normals.
   std::size_t memory_bytes() const;

@@ -16,6 +16,7 @@ enum class Enumerator { kAuto, kCgal, kSweep, kPaper };
 /// Up to here CGAL takes some ten milliseconds (bench/README.md).
 inline constexpr std::size_t kMostContactsForCgal = 40;
 
+/// What an enumerator found, and which one it was.
 struct Enumeration {
   const char* engine;  ///< the one that ran: "cgal", "sweep" or "paper"
   SlipStates found;    ///< counts; the sweep gives the states only if they are to be listed

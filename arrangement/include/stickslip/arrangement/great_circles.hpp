@@ -16,6 +16,7 @@
 
 namespace stickslip {
 
+/// A plane by its normal, or a motion up to a positive factor, in coordinates (x, y, r).
 using IntegerVector3 = std::array<Integer, 3>;
 
 /// The distinct great circles of a list of planes. Plane i lies on circle `circle[i]`, and

@@ -21,8 +21,8 @@ namespace stickslip {
 /// by comparing words from the first to the last, and are equal iff their words are.
 class PackedSigns {
  public:
-  using Word = std::uint64_t;
-  static constexpr std::size_t kSignsPerWord = 32;
+  using Word = std::uint64_t;                       ///< holds the digits
+  static constexpr std::size_t kSignsPerWord = 32;  ///< at two bits each
 
   /// At least one word, also for no plane.
   static constexpr std::size_t words_for(std::size_t planes) {
@@ -33,23 +33,27 @@ class PackedSigns {
     return static_cast<unsigned>(2 * (kSignsPerWord - 1 - plane % kSignsPerWord));
   }
 
+  /// Of words_for(planes) words at `words`, which must outlive the view.
   PackedSigns(const Word* words, std::size_t planes) : words_(words), planes_(planes) {}
 
-  std::size_t size() const { return planes_; }
+  std::size_t size() const { return planes_; }  ///< number of planes
+  /// The sign of `plane`, which must be below size(). O(1).
   Sign operator[](std::size_t plane) const {
     constexpr Sign kSignOfDigit[] = {Sign::kPositive, Sign::kNegative, Sign::kZero};
     return kSignOfDigit[(words_[plane / kSignsPerWord] >> shift_of(plane)) & 3];
   }
 
-  const Word* words() const { return words_; }
-  std::size_t word_count() const { return words_for(planes_); }
+  const Word* words() const { return words_; }                   ///< the digits, word_count()
+  std::size_t word_count() const { return words_for(planes_); }  ///< at least 1
 
+  /// A copy that owns its signs. O(size()).
   SlipState unpack() const {
     SlipState state(planes_, Sign::kZero);
     for (std::size_t p = 0; p < planes_; ++p) state[p] = (*this)[p];
     return state;
   }
 
+  /// The same planes and the same signs.
   friend bool operator==(const PackedSigns& a, const PackedSigns& b) {
     return a.planes_ == b.planes_ && std::equal(a.words_, a.words_ + a.word_count(), b.words_);
   }

@@ -95,10 +95,10 @@ struct PaperWork {
 
 /// Two regions that differ in one plane.
 struct PaperFacet {
-  std::size_t first = 0;  ///< index of a region; first < second
-  std::size_t second = 0;
-  std::size_t plane = 0;
-  SlipState state;
+  std::size_t first = 0;   ///< index of a region; first < second
+  std::size_t second = 0;  ///< index of the other
+  std::size_t plane = 0;   ///< the one in which they differ
+  SlipState state;         ///< that of both, with 0 for `plane`
 };
 
 /// A cycle of the dual, or a sum of cycles.
@@ -107,6 +107,7 @@ struct PaperLine {
   SlipState state;                  ///< from the region of the lowest index on it
 };
 
+/// What Step 3 gives.
 struct PaperLines {
   std::vector<PaperLine> basis;  ///< E - V + components of them
   /// The symmetric sum of the basis; nothing when that is empty.
@@ -114,17 +115,19 @@ struct PaperLines {
   bool last_is_one_cycle = false;  ///< otherwise its state depends on the region taken
   std::size_t components = 0;      ///< of the dual graph; 1 for a polyhedron
 
+  /// How many lines there are, `last` included.
   std::size_t size() const { return basis.size() + (last ? 1 : 0); }
 };
 
+/// What the three steps give.
 struct PaperEnumeration {
   std::vector<SlipState> regions;  ///< in the order of Algorithm 1
   std::vector<PaperFacet> facets;  ///< by pairs of regions
-  PaperLines lines;
+  PaperLines lines;                ///< of Step 3
   /// Every state of a region, facet or line once, sorted as SlipStates::states is. All-stick
   /// stands there only if the steps give it.
   std::vector<SlipState> states;
-  PaperWork work;
+  PaperWork work;  ///< of all steps
 
   /// The paper's #(S): regions, facets and lines, equal states counted apart.
   std::size_t cells() const { return regions.size() + facets.size() + lines.size(); }
@@ -135,14 +138,15 @@ struct PaperEnumeration {
 /// solved to its optimum, a basis cycle that is not a simple cycle). Deterministic.
 PaperEnumeration enumerate_slip_states_paper(const std::vector<Vector3>& plane_normals);
 
-// The steps one by one. Counters are added to *work if it is given.
+// The steps one by one.
 
+/// Step 1. Counters are added to `work` if it is given, as in the other steps.
 std::vector<SlipState> paper_regions(const std::vector<Vector3>& plane_normals,
                                      PaperWork* work = nullptr);
-/// Requires states of equal length without 0, all different.
+/// Step 2. Requires states of equal length without 0, all different.
 std::vector<PaperFacet> paper_facets(const std::vector<SlipState>& regions,
                                      PaperWork* work = nullptr);
-/// Requires what the steps before it made.
+/// Step 3. Requires what the steps before it made.
 PaperLines paper_lines(const std::vector<SlipState>& regions,
                        const std::vector<PaperFacet>& facets, PaperWork* work = nullptr);
 

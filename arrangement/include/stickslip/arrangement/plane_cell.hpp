@@ -16,16 +16,19 @@
 
 namespace stickslip {
 
-using PlanePoint = std::array<Rational, 2>;
-using PlaneDirection = IntegerVector<2>;  ///< primitive
-using HomogeneousPoint = IntegerVector<3>;
+using PlanePoint = std::array<Rational, 2>;  ///< (x, y)
+using PlaneDirection = IntegerVector<2>;     ///< primitive
+using HomogeneousPoint = IntegerVector<3>;   ///< g = (x, y, h), h >= 0
 
-/// Primitive.
+/// \{ Primitive; h > 0 for a point and h = 0 for a direction.
 HomogeneousPoint homogeneous(const PlanePoint& point);
 HomogeneousPoint homogeneous(const PlaneDirection& direction);
-/// Requires h > 0.
+/// \}
+/// (x/h, y/h). Requires h > 0.
 PlanePoint point_of(const HomogeneousPoint& g);
+/// (x, y), primitive. Meant for h = 0.
 PlaneDirection direction_of(const HomogeneousPoint& g);
+/// Whether h = 0.
 inline bool is_at_infinity(const HomogeneousPoint& g) {
   return g[2].is_zero();
 }
@@ -36,8 +39,8 @@ Integer determinant(const HomogeneousPoint& a, const HomogeneousPoint& b,
 
 /// A segment or, with one end at infinity, a ray; directed.
 struct PlaneEdge {
-  HomogeneousPoint from;
-  HomogeneousPoint to;
+  HomogeneousPoint from;  ///< where it starts
+  HomogeneousPoint to;    ///< where it ends
 
   /// A positive multiple of the direction.
   PlaneDirection direction() const;
@@ -62,15 +65,18 @@ class PlaneCell {
   const std::vector<PlaneDirection>& rays() const { return rays_; }
   /// 0, 1 or 2.
   int dimension() const { return dimension_; }
-  bool is_bounded() const { return rays_.empty(); }
+  bool is_bounded() const { return rays_.empty(); }  ///< no direction in it
 
+  /// The vertices, then the rays: their hull is the cell.
   std::vector<HomogeneousPoint> generators() const;
   /// The border with the cell to its left; of a cell of dimension 1 the cell itself. Each line
   /// is two rays. None for a point and for the plane.
   const std::vector<PlaneEdge>& edges() const { return edges_; }
 
+  /// As a closed set. O(edges) exact operations.
   bool contains(const PlanePoint& point) const;
 
+  /// The same set of points.
   friend bool operator==(const PlaneCell& a, const PlaneCell& b) {
     return a.vertices_ == b.vertices_ && a.rays_ == b.rays_;
   }

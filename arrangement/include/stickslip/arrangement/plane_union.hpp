@@ -20,13 +20,16 @@ namespace stickslip {
 /// has as its vertex the point nearest to the origin.
 struct Outline {
   std::vector<PlanePoint> vertices;  ///< at least one
+  /// \{ The directions of an open outline's ends; nothing for a closed one.
   std::optional<PlaneDirection> from;
   std::optional<PlaneDirection> to;
+  /// \}
 
-  bool is_closed() const { return !from; }
+  bool is_closed() const { return !from; }  ///< as against open
   /// In order.
   std::vector<PlaneEdge> edges() const;
 
+  /// The same border.
   friend bool operator==(const Outline& a, const Outline& b) {
     return a.vertices == b.vertices && a.from == b.from && a.to == b.to;
   }
@@ -36,25 +39,30 @@ struct Outline {
 /// the outside, if the area is bounded; then the open ones; then the holes. Without any outline
 /// it is the whole plane.
 struct PlaneArea {
-  std::vector<Outline> outlines;
+  std::vector<Outline> outlines;  ///< in the order stated above
 
+  /// The same set of points.
   friend bool operator==(const PlaneArea& a, const PlaneArea& b) {
     return a.outlines == b.outlines;
   }
 };
 
+/// A closed set of points in a plane.
 struct PlaneUnion {
-  std::vector<PlaneArea> areas;
+  std::vector<PlaneArea> areas;  ///< the interior, in its connected parts
   /// Segments, rays and lines outside of the areas (of their closure), each as long as
   /// possible; two may cross.
   std::vector<PlaneCell> curves;
   std::vector<PlanePoint> points;  ///< outside of all the above
 
+  /// No point is in it.
   bool is_empty() const { return areas.empty() && curves.empty() && points.empty(); }
+  /// Every point is in it.
   bool is_whole_plane() const { return areas.size() == 1 && areas.front().outlines.empty(); }
   /// O(edges) exact operations.
   bool contains(const PlanePoint& point) const;
 
+  /// The same set of points.
   friend bool operator==(const PlaneUnion& a, const PlaneUnion& b) {
     return a.areas == b.areas && a.curves == b.curves && a.points == b.points;
   }

@@ -7,11 +7,11 @@
 /// and the all-stick state (d = 0) lies on no cell of a rank 3 arrangement; it is always a
 /// state. With k distinct circles:
 ///
-///   rank  cells               distinct states
-///   0     1 (one face)        1
-///   1     3 (k = 1)           3
-///   2     4k + 2 (a pencil)   4k + 1 = cells - 1: the two vertices are both all-stick
-///   3     V + E + F           cells + 1: all-stick is on no cell
+///     rank  cells               distinct states
+///     0     1 (one face)        1
+///     1     3 (k = 1)           3
+///     2     4k + 2 (a pencil)   4k + 1 = cells - 1: the two vertices are both all-stick
+///     3     V + E + F           cells + 1: all-stick is on no cell
 ///
 /// For simple arrangements of rank 3 the cells are 4k(k-1) + 2 (Table II).
 #pragma once
@@ -34,20 +34,21 @@ std::string to_string(const SlipState& state);
 /// A single circle is one closed curve without a vertex: vertices 0, edges 1, faces 2, so
 /// that cells = 3; no circle leaves one face. Otherwise vertices - edges + faces = 2.
 struct ArrangementCounts {
-  std::size_t planes = 0;
-  std::size_t circles = 0;
-  int rank = 0;
-  std::size_t vertices = 0;
-  std::size_t edges = 0;
-  std::size_t faces = 0;
+  std::size_t planes = 0;           ///< m, as they were given
+  std::size_t circles = 0;          ///< k, the distinct ones
+  int rank = 0;                     ///< of the planes' normals, 0..3
+  std::size_t vertices = 0;         ///< V; the paper's lines
+  std::size_t edges = 0;            ///< E; the paper's facets
+  std::size_t faces = 0;            ///< F; the paper's regions
   std::size_t distinct_states = 0;  ///< sign vectors, all-stick included
 
   /// The paper's #(S) of Table II.
   std::size_t cells() const { return vertices + edges + faces; }
 };
 
+/// The result of an enumeration.
 struct SlipStates {
-  ArrangementCounts counts;
+  ArrangementCounts counts;  ///< of the cells and the states
   /// Every slip state once, all-stick included, sorted as their to_string() sorts
   /// ('+' < '-' < '0').
   std::vector<SlipState> states;

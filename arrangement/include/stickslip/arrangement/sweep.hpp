@@ -33,17 +33,19 @@
 
 namespace stickslip {
 
+/// A vertex, edge or face of the arrangement: 0-, 1- or 2-dimensional on the sphere.
 enum class CellKind : std::uint8_t { kVertex, kEdge, kFace };
 
 /// How many exact signs were asked for, by what decided them.
 struct SweepWork {
   std::uint64_t by_double = 0;  ///< the error bound sufficed
-  std::uint64_t by_int128 = 0;
-  std::uint64_t by_gmp = 0;
+  std::uint64_t by_int128 = 0;  ///< 128-bit integers sufficed
+  std::uint64_t by_gmp = 0;     ///< integers of any length were needed
   /// Circles whose order in double precision was so wrong that they were sorted again by
   /// exact comparisons only: bounds the work at O(k log k) exact signs a circle.
   std::uint64_t exact_sorts = 0;
 
+  /// The counts of both together.
   SweepWork& operator+=(const SweepWork& other) {
     by_double += other.by_double;
     by_int128 += other.by_int128;

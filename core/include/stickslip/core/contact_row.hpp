@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// From contacts to linear algebra: the rows N and T of each contact (the columns of the
-/// paper's grasp map G, Eq. 1) and the coefficients of its normal law (Eq. 4 with preload).
+/// From contacts to linear algebra: the rows N and T of each contact and the coefficients of
+/// its normal law. The rows are the columns of the paper's grasp map G (Eq. 1), the law is its
+/// Eq. 4 with preload.
 ///
 /// With a normal n of any length L, force coefficients (a, b) stand for the force
 /// a n + b t, so that the magnitudes are c_n = a L and c_t = b L. Cones and the signs of
@@ -15,9 +16,10 @@
 
 namespace stickslip {
 
+/// What the model needs of one contact: its rows and the coefficients of its laws.
 struct ContactRow {
-  Wrench
-      normal;  ///< N = (n_x, n_y, p_x n_y - p_y n_x); power(N, d) = normal displacement times L
+  /// N = (n_x, n_y, p_x n_y - p_y n_x); power(N, d) = normal displacement times L
+  Wrench normal;
   Wrench tangent;      ///< T = (t_x, t_y, p_x t_y - p_y t_x); power(T, d) = slip times L
   Rational friction;   ///< mu
   Rational preload;    ///< P / L
@@ -29,9 +31,10 @@ struct ContactRow {
   }
 };
 
-/// N and T of one contact; needs no length, so it serves irrational L as well.
+/// \{ N and T of one contact; needs no length, so it serves irrational L as well.
 Wrench normal_row(const Contact& contact);
 Wrench tangent_row(const Contact& contact);
+/// \}
 
 /// All rows, in the order of the contacts. Throws InputError ("contacts[i].normal") when a
 /// preloaded contact has a normal of irrational length; the remedy is snapping.

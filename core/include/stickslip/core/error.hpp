@@ -15,12 +15,13 @@ namespace stickslip {
 /// JSON path such as "contacts[2].normal", a "line:column", or an option name.
 class InputError : public std::runtime_error {
  public:
+  /// what() is "file: place: problem; remedy", without the parts that are empty.
   InputError(std::string file, std::string place, std::string problem, std::string remedy);
 
-  const std::string& file() const { return file_; }
-  const std::string& place() const { return place_; }
-  const std::string& problem() const { return problem_; }
-  const std::string& remedy() const { return remedy_; }
+  const std::string& file() const { return file_; }        ///< may be empty
+  const std::string& place() const { return place_; }      ///< where in the input
+  const std::string& problem() const { return problem_; }  ///< what is wrong there
+  const std::string& remedy() const { return remedy_; }    ///< what would be right
 
   /// The same error, naming the file it came from.
   InputError in_file(const std::string& file) const;

@@ -15,10 +15,14 @@
 
 namespace stickslip {
 
+/// A point or a direction in the object frame.
 struct Vector2 {
+  /// \{ A coordinate; of a point, a length in the user's unit.
   Rational x{0};
   Rational y{0};
+  /// \}
 
+  /// Exact.
   friend bool operator==(const Vector2& a, const Vector2& b) {
     return a.x == b.x && a.y == b.y;
   }
@@ -27,30 +31,35 @@ struct Vector2 {
 /// One frictional point contact. The normal need not have length 1: only its direction
 /// has meaning. `preload` is the normal force before any load is applied.
 struct Contact {
-  Vector2 position;
+  Vector2 position;       ///< of the point of contact, in the object frame
   Vector2 normal;         ///< nonzero, points into the object
   Rational friction{0};   ///< coefficient mu >= 0
   Rational stiffness{1};  ///< of the normal spring, k > 0, force per length
   Rational preload{0};    ///< P >= 0, force
 };
 
-/// How normal forces answer the motion d, with v = P - k N.d (N of a unit normal):
-/// unilateral: c_n = max(0, v), a contact may open; bilateral, the literal Eq. 4 of the
-/// paper with preload: c_n = v, and c_n >= 0 is required.
-enum class NormalLaw { kUnilateral, kBilateral };
+/// How normal forces answer the motion d, with v = P - k N.d (N of a unit normal).
+enum class NormalLaw {
+  kUnilateral,  ///< c_n = max(0, v): a contact may open
+  kBilateral    ///< c_n = v, and c_n >= 0 is required: the literal Eq. 4 of the paper with
+                ///< preload
+};
 
+/// "unilateral", "bilateral".
 const char* to_string(NormalLaw law);
 
 /// Contacts that satisfy the requirements stated at Contact. Immutable.
 class Grasp {
  public:
+  /// No contacts.
   Grasp() = default;
   /// Throws InputError naming "contacts[i].<member>" when a requirement fails.
   explicit Grasp(std::vector<Contact> contacts, std::string name = {});
 
-  const std::string& name() const { return name_; }
-  const std::vector<Contact>& contacts() const { return contacts_; }
-  std::size_t size() const { return contacts_.size(); }
+  const std::string& name() const { return name_; }  ///< for people; may be empty
+  const std::vector<Contact>& contacts() const { return contacts_; }  ///< by ContactId
+  std::size_t size() const { return contacts_.size(); }               ///< number of contacts
+  /// Throws std::out_of_range when there is no such contact.
   const Contact& operator[](ContactId id) const { return contacts_.at(id.index()); }
 
   /// The same grasp with every preload replaced. Throws InputError if negative.
@@ -64,8 +73,8 @@ class Grasp {
 /// A grasp and the wrench applied to the object: the content of a grasp file.
 /// Equilibrium is `wrench` + (sum of the contact wrenches) = 0.
 struct LoadedGrasp {
-  Grasp grasp;
-  Wrench wrench;
+  Grasp grasp;    ///< the contacts
+  Wrench wrench;  ///< w, applied to the object
 };
 
 }  // namespace stickslip

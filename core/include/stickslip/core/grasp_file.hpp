@@ -16,23 +16,25 @@
 
 namespace stickslip {
 
-/// Limits on what is read, so that hostile input ends in an error and not in an hour.
+/// \{ Limits on what is read, so that hostile input ends in an error and not in an hour.
 inline constexpr std::size_t kMaxGraspFileBytes = std::size_t{1} << 28;
 inline constexpr std::size_t kMaxJsonDepth = 32;
+/// \}
 
 /// What a grasp file says. `snap_tolerance` is set by "normals": "snap"
 /// (default_snap_tolerance()) or "normals": {"snap": EPS}; the contacts are as written, not yet
 /// snapped.
 struct GraspFile {
-  LoadedGrasp content;
-  std::optional<Rational> snap_tolerance;
+  LoadedGrasp content;                     ///< contacts as written, and the load
+  std::optional<Rational> snap_tolerance;  ///< for snap_normals; nothing to leave them alone
 };
 
 /// Reads one grasp. `file` is the name used in errors. Throws InputError with file, JSON
 /// path or line:column, what is wrong, and what would be right.
 GraspFile parse_grasp(std::string_view text, const std::string& file);
 
-/// Reads a file; "-" is standard input.
+/// Reads a file; "-" is standard input. Throws InputError as parse_grasp, and when the file
+/// cannot be read.
 GraspFile read_grasp_file(const std::string& path);
 
 /// The grasp as a file's text, one contact a line, ending in a newline. Reading it gives the

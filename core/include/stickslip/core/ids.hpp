@@ -7,15 +7,19 @@
 
 namespace stickslip {
 
+/// The index of a thing of one kind; `Tag` tells the kinds apart.
 template <class Tag>
 class Id {
  public:
+  /// Never implicit: a plain number has no kind.
   constexpr explicit Id(std::size_t index) : index_(index) {}
-  constexpr std::size_t index() const { return index_; }
+  constexpr std::size_t index() const { return index_; }  ///< from 0
 
+  /// \{ By index.
   friend constexpr bool operator==(Id a, Id b) { return a.index_ == b.index_; }
   friend constexpr bool operator!=(Id a, Id b) { return a.index_ != b.index_; }
   friend constexpr bool operator<(Id a, Id b) { return a.index_ < b.index_; }
+  /// \}
 
  private:
   std::size_t index_;

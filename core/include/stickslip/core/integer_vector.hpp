@@ -11,9 +11,11 @@
 
 namespace stickslip {
 
+/// n integers.
 template <std::size_t n>
 using IntegerVector = std::array<Integer, n>;
 
+/// The sum of a_j b_j.
 template <std::size_t n>
 Integer dot(const IntegerVector<n>& a, const IntegerVector<n>& b) {
   Integer sum = 0;
@@ -21,12 +23,13 @@ Integer dot(const IntegerVector<n>& a, const IntegerVector<n>& b) {
   return sum;
 }
 
-/// The cross product, of integers or rationals.
+/// a x b, of integers or rationals, right-handed: (1, 0, 0) x (0, 1, 0) = (0, 0, 1).
 template <class Number>
 std::array<Number, 3> cross(const std::array<Number, 3>& a, const std::array<Number, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
+/// Whether every entry is 0.
 template <std::size_t n>
 bool is_zero(const IntegerVector<n>& a) {
   for (const Integer& entry : a) {
@@ -35,6 +38,7 @@ bool is_zero(const IntegerVector<n>& a) {
   return true;
 }
 
+/// -a.
 template <std::size_t n>
 IntegerVector<n> negated(IntegerVector<n> a) {
   for (Integer& entry : a) entry = -entry;

@@ -10,8 +10,9 @@
 
 namespace stickslip {
 
+/// One member of an object: a key, and the text of its value.
 struct JsonMember {
-  std::string key;
+  std::string key;         ///< unescaped
   std::string_view value;  ///< into the text that was split; not yet parsed
   std::size_t column;      ///< characters of the text before the value
 

@@ -12,12 +12,14 @@
 
 namespace stickslip {
 
+/// Throws the InputError.
 [[noreturn]] void fail_at(const std::string& path, std::string problem, std::string remedy);
 
 /// The node has this kind; `expected` says so in words.
 void expect(const JsonNode& node, JsonNode::Kind kind, const std::string& path,
             const char* expected);
 
+/// The keys that an object may have.
 using JsonKeys = std::vector<std::string>;
 
 /// An object without keys other than these; a near miss is told what was meant.

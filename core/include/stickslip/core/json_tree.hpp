@@ -10,10 +10,12 @@
 
 namespace stickslip {
 
+/// A JSON value.
 struct JsonNode {
+  /// The six kinds of value.
   enum class Kind { kNull, kBoolean, kNumber, kString, kArray, kObject };
 
-  Kind kind = Kind::kNull;
+  Kind kind = Kind::kNull;         ///< says which of the following are in use
   std::string text;                ///< of a number, its characters; of a string, its content
   std::vector<std::string> keys;   ///< of an object, one per child, all different
   std::vector<JsonNode> children;  ///< of an array or an object
@@ -27,6 +29,7 @@ std::string describe(const JsonNode& node);
 
 /// `key` below `path`: "contacts[0]" and "normal" give "contacts[0].normal".
 std::string member_path(const std::string& path, const std::string& key);
+/// Element `index` below `path`: "contacts" and 0 give "contacts[0]".
 std::string element_path(const std::string& path, std::size_t index);
 
 /// The path as an error's place: that of the root has no characters of its own.

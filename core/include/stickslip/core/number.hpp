@@ -15,8 +15,10 @@
 
 namespace stickslip {
 
+/// An integer of any length.
 using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int,
                                               boost::multiprecision::et_off>;
+/// A fraction of two Integers, always in lowest terms with a positive denominator.
 using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,
                                                boost::multiprecision::et_off>;
 
@@ -26,11 +28,12 @@ class NumberError : public std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
-/// Largest |exponent| accepted in "1e-3", and largest length of a number's text:
+/// \{ \brief Largest |exponent| accepted in "1e-3", and largest length of a number's text:
 /// enough for every double written out exactly, and small enough that no short
 /// input costs more than a moment.
 inline constexpr long kMaxExponent = 4096;
 inline constexpr std::size_t kMaxNumberLength = 16384;
+/// \}
 
 /// The exact value of a decimal ("-0.25", "1e-3", "12") or a fraction of two
 /// integers ("3/5"). Grammar: [+-] digits [. digits] [(e|E) [+-] digits], or
@@ -53,8 +56,8 @@ std::optional<Rational> exact_sqrt(const Rational& value);
 /// A closed decimal interval with `digits` significant digits around an irrational
 /// number, rounded outward (MPFR).
 struct DecimalEnclosure {
-  std::string lower;
-  std::string upper;
+  std::string lower;  ///< a decimal, <= the number
+  std::string upper;  ///< a decimal, >= the number
 };
 
 /// Encloses factor * sqrt(radicand). Requires radicand >= 0.

@@ -10,8 +10,10 @@
 
 namespace stickslip {
 
+/// Negative, zero or positive: three values, of which zero never means "not known".
 enum class Sign : std::int8_t { kNegative = -1, kZero = 0, kPositive = 1 };
 
+/// \{ The sign of a number, exactly.
 constexpr Sign sign_of_int(int value) {
   return value > 0 ? Sign::kPositive : value < 0 ? Sign::kNegative : Sign::kZero;
 }
@@ -21,13 +23,17 @@ inline Sign sign_of(const Rational& value) {
 inline Sign sign_of(const Integer& value) {
   return sign_of_int(value.sign());
 }
+/// \}
 
+/// -1, 0 or 1.
 constexpr int to_int(Sign sign) {
   return static_cast<int>(sign);
 }
+/// The sign of -x, given that of x.
 constexpr Sign operator-(Sign sign) {
   return sign_of_int(-to_int(sign));
 }
+/// The sign of a product, given those of its factors.
 constexpr Sign operator*(Sign a, Sign b) {
   return sign_of_int(to_int(a) * to_int(b));
 }

@@ -15,15 +15,16 @@ Rational default_snap_tolerance();
 
 /// A contact whose normal was replaced.
 struct SnappedNormal {
-  ContactId contact;
-  Vector2 before;
+  ContactId contact;  ///< whose normal it is
+  Vector2 before;     ///< as it was given
   Vector2 after;      ///< rational, of length exactly 1
   std::string moved;  ///< upper bound of |after - before/|before||, a decimal
 };
 
+/// A grasp with rational lengths of normals, and what was done for that.
 struct SnapResult {
-  Grasp grasp;
-  std::vector<SnappedNormal> snapped;
+  Grasp grasp;                         ///< with the new normals, otherwise as it was
+  std::vector<SnappedNormal> snapped;  ///< those that were replaced, by ContactId
 };
 
 /// Replaces every normal of irrational length by a rational unit vector u with

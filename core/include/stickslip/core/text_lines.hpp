@@ -12,6 +12,7 @@ namespace stickslip {
 /// Lines one at a time; memory holds one, of at most kMaxGraspFileBytes.
 class TextLines {
  public:
+  /// Reads from `in`, which must outlive this.
   explicit TextLines(std::istream& in) : in_(in) {}
 
   /// The next line that is not blank, false at the end. Throws InputError for a line that is

@@ -17,24 +17,29 @@ namespace stickslip {
 /// A vector in Q^3 without physical meaning: a plane normal, a ray's coordinates.
 using Vector3 = std::array<Rational, 3>;
 
+/// A small planar motion d = (x, y, r) of the object.
 struct Twist {
-  Rational x{0};
-  Rational y{0};
-  Rational r{0};
+  Rational x{0};  ///< displacement of the origin of the frame along x, a length
+  Rational y{0};  ///< displacement of the origin of the frame along y, a length
+  Rational r{0};  ///< rotation, counterclockwise, in radians
 
+  /// Exact.
   friend bool operator==(const Twist& a, const Twist& b) {
     return a.x == b.x && a.y == b.y && a.r == b.r;
   }
 };
 
+/// A planar force and its torque, w = (x, y, torque), on the object.
 struct Wrench {
-  Rational x{0};
-  Rational y{0};
-  Rational torque{0};
+  Rational x{0};       ///< force along x
+  Rational y{0};       ///< force along y
+  Rational torque{0};  ///< about the origin of the frame, counterclockwise
 
+  /// Exact.
   friend bool operator==(const Wrench& a, const Wrench& b) {
     return a.x == b.x && a.y == b.y && a.torque == b.torque;
   }
+  /// \{ Componentwise: forces that act together, and multiples of one.
   Wrench& operator+=(const Wrench& other) {
     x += other.x;
     y += other.y;
@@ -45,6 +50,7 @@ struct Wrench {
   friend Wrench operator*(const Rational& factor, const Wrench& w) {
     return {factor * w.x, factor * w.y, factor * w.torque};
   }
+  /// \}
 };
 
 /// The virtual work of `wrench` on `twist`: w_x x + w_y y + w_torque r.
@@ -52,11 +58,13 @@ inline Rational power(const Wrench& wrench, const Twist& twist) {
   return wrench.x * twist.x + wrench.y * twist.y + wrench.torque * twist.r;
 }
 
+/// \{ The three components as a plain vector, without their physical meaning.
 inline Vector3 coordinates(const Twist& d) {
   return {d.x, d.y, d.r};
 }
 inline Vector3 coordinates(const Wrench& w) {
   return {w.x, w.y, w.torque};
 }
+/// \}
 
 }  // namespace stickslip

@@ -27,14 +27,16 @@
 
 namespace stickslip {
 
+/// What another program says of a question.
 struct Claim {
-  bool stable = false;
+  bool stable = false;  ///< the claimed verdict
   /// The claimed motion and forces, as far as they are given. Forces are coefficients (a, b) of
   /// the contact's own normal and tangent, like those of a Witness: of a force vector f of
   /// any contact a = f.n/|n|^2, b = f.t/|n|^2; of magnitudes a = c_n/|n|, b = c_t/|n|.
   ApproximateEquilibrium solution;
 };
 
+/// What counts as near, and how much work to spend.
 struct ClaimOptions {
   /// A verdict that a relative change of the load by this much would make right is a tie.
   Rational tie_distance = Rational(1, 1000000000);
@@ -50,18 +52,20 @@ struct ClaimOptions {
 /// coefficient * sqrt(radicand) >= 0: the length of a multiple of a contact's normal, which is
 /// irrational where the normal's own length is. radicand is 1 where it is rational.
 struct Magnitude {
-  Rational coefficient;
-  Rational radicand = 1;
+  Rational coefficient;   ///< not negative
+  Rational radicand = 1;  ///< positive
 
+  /// |coefficient| * sqrt(length_squared), for length_squared > 0.
   static Magnitude of(const Rational& coefficient, const Rational& length_squared);
+  /// Exact, by the squares.
   bool operator<(const Magnitude& other) const;
 };
 
 /// The largest of one kind of residual; `contact` is the first where it occurs, nothing if all
 /// are 0.
 struct LargestResidual {
-  Magnitude value;
-  std::optional<ContactId> contact;
+  Magnitude value;                   ///< how large it is
+  std::optional<ContactId> contact;  ///< where it is
 };
 
 /// By how much a claimed solution misses each condition. What needs a part of the solution that
@@ -83,12 +87,13 @@ struct ClaimResiduals {
 
 /// An exact equilibrium for a claim "stable".
 struct NearbyEquilibrium {
-  Witness witness;
+  Witness witness;          ///< passes find_violation
   bool from_claim = false;  ///< by find_witness_like; else it is the engine's own
-  /// Largest difference from the claim: of a component of a force in the object frame, and of a
-  /// component of the twist.
+  /// \{ \brief Largest difference from the claim: of a component of a force in the object
+  /// frame, and of a component of the twist.
   std::optional<Rational> force_distance;
   std::optional<Rational> twist_distance;
+  /// \}
   /// Whether all T_i.d have the signs they have in the claim; needs a claimed twist.
   std::optional<bool> same_slip;
   /// Whether the same contacts bear force, a > 0.
@@ -105,15 +110,17 @@ struct ThresholdDistance {
   /// largest preload, else 1; l is the largest |coordinate| of a contact, or 1 if that is 0.
   /// (Without preload resistance does not change along w itself.)
   std::optional<Rational> along_axes;
-  Wrench axis;
+  Wrench axis;  ///< the u of along_axes, if there is one
   /// Set if a margin was given up at the node limit; the above are then those that were found.
   std::optional<std::string> limit;
 
+  /// The smaller of the two that were found; nothing if none was.
   std::optional<Rational> smallest() const;
 };
 
+/// What a claim's verdict is, held against the exact one.
 enum class ClaimClass {
-  kRight,
+  kRight,      ///< the same verdict
   kTie,        ///< another verdict, but the threshold is within ClaimOptions::tie_distance
   kWrong,      ///< another verdict, and no excuse
   kUndecided,  ///< the exact verdict, or the distance of a disagreement, is beyond the limit
@@ -122,10 +129,11 @@ enum class ClaimClass {
 /// "right", "tie", "wrong", "undecided"
 const char* name_of(ClaimClass claim_class);
 
+/// The judgement of a claim.
 struct ClaimReport {
-  ClaimClass claim_class = ClaimClass::kUndecided;
-  Decision decision;  ///< the exact verdict, with its evidence
-  ClaimResiduals residuals;
+  ClaimClass claim_class = ClaimClass::kUndecided;  ///< of the claimed verdict
+  Decision decision;                                ///< the exact verdict, with its evidence
+  ClaimResiduals residuals;                         ///< of the claimed solution
   /// Of a right claim "stable" whose solution is not one: residuals beyond the tolerance.
   bool inaccurate = false;
   std::optional<std::vector<Sign>> claimed_slip;  ///< the signs of T_i.d of the claimed twist
@@ -135,8 +143,9 @@ struct ClaimReport {
   std::optional<ThresholdDistance> distance;
 };
 
-/// Throws InputError when a preloaded contact has a normal of irrational length (Problem), and
-/// when the claim does not have one force per contact.
+/// Judges the claim by the three questions above. Throws InputError when a preloaded contact
+/// has a normal of irrational length (Problem), and when the claim does not have one force per
+/// contact.
 ClaimReport judge_claim(const Question& question, const Claim& claim,
                         const ClaimOptions& options = {});
 

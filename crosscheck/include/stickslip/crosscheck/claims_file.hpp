@@ -11,9 +11,10 @@
 
 namespace stickslip {
 
+/// What one line says.
 struct ClaimLine {
-  Question question;
-  Claim claim;
+  Question question;  ///< about the grasp of the line, or of the file that it names
+  Claim claim;        ///< the answer to it
 };
 
 /// One line. `folder` is where the names of grasp files start; empty is the current one. Throws

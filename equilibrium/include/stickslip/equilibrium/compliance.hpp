@@ -46,7 +46,7 @@ namespace stickslip {
 
 /// Springs in balance with the load.
 struct SpringBalance {
-  Witness springs;
+  Witness springs;  ///< the motion, and the forces of both springs of each contact
   /// A contact whose force is outside its friction cone: the one for which |c_t| - mu c_n, or
   /// -c_n without friction, is largest. The method holds iff there is none.
   std::optional<ContactId> outside;
@@ -60,16 +60,18 @@ struct UnresistedMotion {
 /// One linear system of size 3; its solution is checked by substitution.
 std::variant<SpringBalance, UnresistedMotion> linear_compliance(const Problem& problem);
 
+/// What a contact does in the three-state model.
 enum class SpringState { kStick, kSlip, kDetached };
 
+/// A combination of states that balances the load.
 struct SpringStates {
   std::vector<SpringState> states;  ///< by ContactId
-  Witness springs;
+  Witness springs;                  ///< the motion, and the forces in these states
 };
 
 /// Every combination was refuted, by Farkas multipliers that were verified.
 struct NoSpringStates {
-  std::size_t combinations = 0;
+  std::size_t combinations = 0;  ///< 3^m
 };
 
 /// Combinations are tried with sticking first, and earlier contacts varying slowest.

@@ -16,12 +16,13 @@ namespace stickslip {
 /// The constraints of a cone count from 0 in the order in which they were cut.
 using ConstraintIndex = std::uint32_t;
 
+/// A generator of a cone, of which nonnegative multiples count.
 struct Ray {
   IntegerVector4 x;                    ///< primitive
   std::vector<ConstraintIndex> tight;  ///< the constraints that are 0 at x, increasing
 };
 
-/// The part of a plane's space to keep.
+/// Which side of a plane to keep, the plane included: plane.x >= 0, = 0 or <= 0.
 enum class Side { kPositive, kZero, kNegative };
 
 /// { sum of nonnegative multiples of rays and any multiples of lines }. The lines are a basis
@@ -32,9 +33,9 @@ class Cone {
   /// {h >= 0}; this is constraint 0.
   Cone();
 
-  const std::vector<IntegerVector4>& lines() const { return lines_; }
-  const std::vector<Ray>& rays() const { return rays_; }
-  ConstraintIndex constraint_count() const { return constraint_count_; }
+  const std::vector<IntegerVector4>& lines() const { return lines_; }     ///< primitive
+  const std::vector<Ray>& rays() const { return rays_; }                  ///< modulo the lines
+  ConstraintIndex constraint_count() const { return constraint_count_; }  ///< cuts, plus 1
 
   /// The rays' directions, and each line both ways.
   std::vector<IntegerVector4> directions() const;
@@ -54,16 +55,20 @@ class Cone {
 
 /// The signs that a linear function takes on a cone.
 struct SignRange {
-  bool negative = false;
-  bool zero = false;  ///< on some ray or on all of the cone
-  bool positive = false;
+  bool negative = false;  ///< on some ray or line
+  bool zero = false;      ///< on some ray or on all of the cone
+  bool positive = false;  ///< on some ray or line
 
+  /// \{ On all of the cone, 0 included.
   bool is_nonnegative() const { return !negative; }
   bool is_nonpositive() const { return !positive; }
   bool is_zero() const { return !negative && !positive; }
+  /// \}
+  /// The plane cuts the cone's relative interior.
   bool is_mixed() const { return negative && positive; }
 };
 
+/// The signs of plane.x for x in the cone. O(rays + lines).
 SignRange signs_on(const Cone& cone, const IntegerVector4& plane);
 
 }  // namespace stickslip

@@ -29,13 +29,13 @@ namespace stickslip {
 
 /// What the engine did; reproducible.
 struct ConeWork {
-  std::size_t nodes = 0;
-  std::size_t leaves = 0;  ///< virtual-work leaves
-  std::size_t voids = 0;
-  std::size_t slip_splits = 0;
-  std::size_t separation_splits = 0;
-  std::size_t depth = 0;           ///< of the deepest node
-  std::size_t searches = 0;        ///< searches for a virtual twist in double precision
+  std::size_t nodes = 0;              ///< regions looked at
+  std::size_t leaves = 0;             ///< virtual-work leaves
+  std::size_t voids = 0;              ///< void leaves
+  std::size_t slip_splits = 0;        ///< nodes split by slip, into three
+  std::size_t separation_splits = 0;  ///< nodes split by separation, into two
+  std::size_t depth = 0;              ///< of the deepest node
+  std::size_t searches = 0;           ///< searches for a virtual twist in double precision
   std::size_t support_points = 0;  ///< evaluations of the bounds on all rays in these searches
   std::size_t filter_hits = 0;     ///< leaves confirmed by doubles with error bounds
   std::size_t filter_misses = 0;   ///< leaves confirmed exactly
@@ -47,11 +47,12 @@ struct ConeWork {
   ConeWork& operator+=(const ConeWork& part);
 };
 
+/// How much the engine may do, and with how many threads.
 struct ConeOptions {
   std::size_t node_limit = 0;  ///< 0: none; otherwise Undecided when it is reached
   std::size_t threads = 1;  ///< 0: as many as there are cores. Any number gives the same answer
-  bool verify =
-      true;  ///< false only in benchmarks: what the doubles propose is taken unverified
+  /// False only in benchmarks: what the doubles propose is taken unverified.
+  bool verify = true;
 };
 
 /// Deterministic, whatever the number of threads: verdict, evidence and work. Undecided only
@@ -61,8 +62,8 @@ Verdict decide_by_cones(const Problem& problem, const ConeOptions& options = {},
 
 /// An equilibrium under one load of a range.
 struct LoadPoint {
-  Rational multiple;
-  Witness witness;
+  Rational multiple;  ///< l of the load w + l u
+  Witness witness;    ///< under that load
 };
 
 /// A load of the problem's range under which the grasp is stable, or a proof that there is

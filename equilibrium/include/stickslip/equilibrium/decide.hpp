@@ -19,8 +19,9 @@ enum class Engine { kAuto, kStates, kCone };
 /// Up to here the reference engine takes a few milliseconds (bench/README.md).
 inline constexpr std::size_t kMostContactsForStates = 4;
 
+/// The answer to a question, and what it took.
 struct Decision {
-  Verdict verdict;
+  Verdict verdict;                          ///< with its evidence
   std::variant<StatesWork, ConeWork> work;  ///< of the engine that ran
 
   /// "states" or "cone".
@@ -29,23 +30,26 @@ struct Decision {
   }
 };
 
-/// `options` are those of the cone engine.
+/// Decides whether an equilibrium exists (problem.hpp), exactly. `options` are those of the
+/// cone engine; Undecided only if they limit its nodes.
 Decision decide(const Problem& problem, Engine engine = Engine::kAuto,
                 const ConeOptions& options = {});
 
-/// The counters by name, in a fixed order.
+/// \{ The counters by name, in a fixed order.
 std::vector<std::pair<std::string, std::size_t>> counters(const StatesWork& work);
 std::vector<std::pair<std::string, std::size_t>> counters(const ConeWork& work);
+/// \}
 
 /// What a refutation says, for people.
 struct RefutationSummary {
-  std::size_t nodes = 0;
+  std::size_t nodes = 0;   ///< of the tree, leaves included
   std::size_t leaves = 0;  ///< cases: virtual-work leaves
   /// The conditions of the case with the fewest, in words ("contact 3 slips +"), and its twist.
   std::vector<std::string> largest_case;
-  IntegerVector<3> largest_case_twist{};
+  IntegerVector<3> largest_case_twist{};  ///< the virtual twist (x, y, r) of that case
 };
 
+/// Counts, and the case that says most at once. O(nodes).
 RefutationSummary summarize(const Refutation& refutation);
 
 }  // namespace stickslip

@@ -47,6 +47,7 @@ struct HalfSpace {
 std::vector<HalfSpace> wrench_space_facets(const Problem& problem, ForceBound bound,
                                            const Rational& length = 1);
 
+/// The largest ball about 0 in a grasp wrench space.
 struct GraspQuality {
   Rational radius_squared;  ///< 0 iff 0 is on the border, as for every flat space
   HalfSpace nearest;        ///< a facet where the ball touches: offset^2 = radius^2 |normal|^2

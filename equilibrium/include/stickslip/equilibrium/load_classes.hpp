@@ -56,6 +56,7 @@ struct UnopposedMotion {
   Twist twist;  ///< coprime integers
 };
 
+/// Whether forces of some class balance the load; either way with evidence.
 using LoadClass = std::variant<BalancingForces, UnopposedMotion>;
 
 /// One linear program with 3 rows and two variables per contact. Evidence checked by
@@ -71,15 +72,15 @@ struct Inertia {
   Rational gyration_squared = 1;  ///< radius of gyration about `centre`, squared; > 0
 };
 
+/// The load accelerates nothing.
 struct StronglyStable {
-  BalancingForces equilibrium;
-  std::size_t cases =
-      0;  ///< regions refuted, each by verified multipliers
+  BalancingForces equilibrium;  ///< forces at rest
+  std::size_t cases = 0;        ///< regions refuted, each by verified multipliers
 };
 /// A solution of (1)-(3) with a != 0.
 struct Acceleration {
-  Twist acceleration;  ///< of the object frame's origin, and angular
-  std::vector<ContactForce> forces;
+  Twist acceleration;                ///< of the object frame's origin, and angular
+  std::vector<ContactForce> forces;  ///< by ContactId
 };
 
 /// Undecided only at `most_programs` linear programs. Evidence checked by substitution. Throws

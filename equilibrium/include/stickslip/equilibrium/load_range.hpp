@@ -16,11 +16,13 @@
 
 namespace stickslip {
 
+/// One wrench, or an interval on a line of wrenches.
 class LoadRange {
  public:
+  /// A load at an end of the range.
   struct End {
-    Rational multiple;
-    Wrench wrench;  ///< w + multiple u
+    Rational multiple;  ///< l
+    Wrench wrench;      ///< w + multiple u
   };
 
   /// One wrench; its multiple is 0.
@@ -37,10 +39,11 @@ class LoadRange {
   const std::vector<End>& ends() const { return ends_; }
   /// The direction u, if the range has no high end.
   std::optional<Wrench> recession() const;
-  bool is_single() const { return ends_.size() == 1 && has_high_; }
-  /// Whether l > low, or l < high, is asked: l - low h (or high h - l) is a strict function.
+  bool is_single() const { return ends_.size() == 1 && has_high_; }  ///< one wrench
+  /// \{ Whether l > low, or l < high, is asked: l - low h (or high h - l) is a strict function.
   bool low_is_strict() const { return low_is_strict_; }
   bool high_is_strict() const { return ends_.size() == 2; }
+  /// \}
 
  private:
   Wrench wrench_;

@@ -27,32 +27,33 @@ namespace stickslip {
 
 /// The multiples from low to high, both included; all from low on if there is no high.
 struct LoadInterval {
-  Rational low;
-  std::optional<Rational> high;
+  Rational low;                  ///< >= 0
+  std::optional<Rational> high;  ///< >= low
 };
 
 /// Two equilibria of one mode: between them every multiple is resisted, by a combination of the
 /// two. Without `high`, `end` is what may be added to the first without end, for the
 /// direction's sake alone (FORMAT.md, section 10: a ray).
 struct LoadSegment {
-  LoadPoint start;
-  std::optional<Rational> high;
-  Witness end;
+  LoadPoint start;               ///< at its low end
+  std::optional<Rational> high;  ///< the multiple at its high end
+  Witness end;                   ///< under the load at its high end, or a ray
 };
 
 /// With the evidence of certificate/FORMAT.md, section 10.
 struct Margin {
-  Wrench direction;
+  Wrench direction;                    ///< u, nonzero
   std::vector<LoadInterval> resisted;  ///< increasing, disjoint
-  std::vector<LoadSegment>
-      segments;  ///< increasing; each begins where one ends or an interval begins
+  /// Increasing; each begins where one ends or an interval begins.
+  std::vector<LoadSegment> segments;
   std::vector<Refutation> gaps;  ///< one tree for each gap between the intervals, increasing
 };
 
+/// What the search for a margin did; reproducible.
 struct MarginWork {
   std::size_t ranges = 0;  ///< searched
-  std::size_t modes = 0;     ///< linear programs over one mode
-  ConeWork cone;             ///< of all searches
+  std::size_t modes = 0;   ///< linear programs over one mode
+  ConeWork cone;           ///< of all searches
 };
 
 /// `problem` has a single load w. Throws ContractError if the direction is zero. Undecided only

@@ -13,7 +13,7 @@ namespace stickslip {
 
 /// An approximate equilibrium. Any numbers will do; what is left out is not known.
 struct ApproximateEquilibrium {
-  std::optional<Twist> twist;
+  std::optional<Twist> twist;                       ///< the motion d
   std::optional<std::vector<ContactForce>> forces;  ///< one per contact
 };
 

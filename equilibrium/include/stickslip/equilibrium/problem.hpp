@@ -25,23 +25,27 @@
 
 namespace stickslip {
 
-/// Coefficients of a linear function of x = (d_x, d_y, d_r, h), or a point x itself.
+/// \{ Coefficients of a linear function of x = (d_x, d_y, d_r, h), or a point x itself.
 using IntegerVector4 = IntegerVector<4>;
 using Vector4 = std::array<Rational, 4>;
+/// \}
 
+/// Contact rows, a load or a range of loads, and a normal law: all that an engine needs.
 class Problem {
  public:
+  /// No contacts, no load, unilateral.
   Problem() = default;
   /// Throws InputError when a preloaded contact has a normal of irrational length.
   Problem(const LoadedGrasp& loaded, NormalLaw law);
 
-  const std::vector<ContactRow>& rows() const { return rows_; }
-  std::size_t size() const { return rows_.size(); }
+  const std::vector<ContactRow>& rows() const { return rows_; }  ///< by ContactId
+  std::size_t size() const { return rows_.size(); }              ///< m, number of contacts
+  /// Requires a contact of this problem, as do the other functions of one contact.
   const ContactRow& row(ContactId contact) const { return rows_[contact.index()]; }
-  const LoadRange& load() const { return load_; }
+  const LoadRange& load() const { return load_; }  ///< what is applied to the object
   /// The load, which must be a single one.
   const Wrench& wrench() const;
-  NormalLaw law() const { return law_; }
+  NormalLaw law() const { return law_; }  ///< of every contact
 
   /// A positive multiple of tau_i, primitive: for signs and for cutting.
   const IntegerVector4& slip_plane(ContactId contact) const {

@@ -15,21 +15,22 @@ namespace stickslip {
 
 /// What to replace; nothing by default.
 struct QuestionOptions {
-  std::optional<Wrench> wrench;
-  std::optional<Rational> preload;  ///< of every contact
-  std::optional<Rational> snap_tolerance;
-  NormalLaw law = NormalLaw::kUnilateral;
+  std::optional<Wrench> wrench;            ///< applied to the object
+  std::optional<Rational> preload;         ///< of every contact
+  std::optional<Rational> snap_tolerance;  ///< snap the normals within this (snap_normals)
+  NormalLaw law = NormalLaw::kUnilateral;  ///< a file does not say; this does
 };
 
+/// Is `loaded` stable under `law`? With a record of how it came from a grasp file.
 struct Question {
-  LoadedGrasp loaded;  ///< with everything replaced
-  NormalLaw law = NormalLaw::kUnilateral;
-  std::optional<Rational> preload;  ///< set if it replaced the file's preloads
-  std::vector<SnappedNormal> snapped;
+  LoadedGrasp loaded;                      ///< with everything replaced
+  NormalLaw law = NormalLaw::kUnilateral;  ///< of every contact
+  std::optional<Rational> preload;         ///< set if it replaced the file's preloads
+  std::vector<SnappedNormal> snapped;  ///< normals that were replaced, and how far they moved
 };
 
-/// Throws InputError when a replacement is not allowed (a negative preload, a tolerance not in
-/// (0, 1)).
+/// The file's grasp and load with what the options replace. Throws InputError when a
+/// replacement is not allowed (a negative preload, a tolerance not in (0, 1)).
 Question ask(const GraspFile& file, const QuestionOptions& options);
 
 }  // namespace stickslip

@@ -15,16 +15,17 @@ namespace stickslip {
 /// Whether a contact is closed (v_i >= 0), open (v_i <= 0) or either on a region.
 enum class Separation { kClosed, kOpen, kMixed };
 
+/// A set of motions between the planes of its splits. A split makes new ones.
 class Region {
  public:
   /// All motions that the normal law allows: {h >= 0}, and v_i >= 0 for all i when bilateral.
   static Region root(const Problem& problem);
 
-  const Cone& cone() const { return cone_; }
+  const Cone& cone() const { return cone_; }  ///< its closure, in homogenised motions
   /// What slip splits have said of a contact: kZero is the label 0; nothing is no label.
   std::optional<Sign> label(ContactId contact) const { return labels_[contact.index()]; }
 
-  /// The child of a slip, separation or plane split; of a temporary, made in its place.
+  /// \{ The child of a slip, separation or plane split; of a temporary, made in its place.
   Region slip_child(const Problem& problem, ContactId contact, Sign slip) const&;
   Region slip_child(const Problem& problem, ContactId contact, Sign slip) &&;
   Region separation_child(const Problem& problem, ContactId contact,
@@ -33,10 +34,12 @@ class Region {
                           Separation closed_or_open) &&;
   Region plane_child(const IntegerVector4& plane, Side side) const&;
   Region plane_child(const IntegerVector4& plane, Side side) &&;
+  /// \}
 
   /// The intersection with all of a slip state at once: contact i has label state[i].
   Region with_slip_state(const Problem& problem, const std::vector<Sign>& state) const;
 
+  /// From the signs of v_i on the cone; under the bilateral law always closed.
   Separation separation(const Problem& problem, ContactId contact) const;
 
   /// The sign of slip that every solution in the region has, so that friction is on one edge of

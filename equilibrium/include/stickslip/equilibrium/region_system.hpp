@@ -34,7 +34,7 @@ using ContactSplit = std::variant<SlipSplit, SeparationSplit>;
 
 /// A point of the relaxation; an equilibrium iff nothing is broken.
 struct RelaxedPoint {
-  Witness witness;
+  Witness witness;        ///< motion and forces
   Rational multiple = 0;  ///< of the direction, in a range of loads
   bool is_ray = false;    ///< h = 0: what may be added to a solution without end
   /// The split at the contact that breaks its normal law (a_i > max(0, v_i)) or maximum
@@ -50,8 +50,8 @@ std::variant<RelaxedPoint, VirtualWorkLeaf> solve_region(const Problem& problem,
 /// The smallest and the largest multiple of the relaxed system; `highest` is a ray if there is
 /// no largest.
 struct LoadExtent {
-  RelaxedPoint lowest;
-  RelaxedPoint highest;
+  RelaxedPoint lowest;   ///< at the smallest multiple
+  RelaxedPoint highest;  ///< at the largest, or a ray
 };
 
 /// Over all loads between the ends of the problem's range; nothing if the system has no

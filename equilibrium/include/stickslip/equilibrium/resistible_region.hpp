@@ -44,10 +44,11 @@ class WrenchPlane {
   /// Forces (w_x, w_y) at a fixed torque.
   static WrenchPlane forces(const Rational& torque = 0);
 
-  const Wrench& origin() const { return origin_; }
-  const Wrench& u() const { return u_; }
-  const Wrench& v() const { return v_; }
+  const Wrench& origin() const { return origin_; }  ///< at (0, 0)
+  const Wrench& u() const { return u_; }            ///< direction of s
+  const Wrench& v() const { return v_; }            ///< direction of t
 
+  /// The wrench at the coordinates (s, t).
   Wrench at(const PlanePoint& point) const;
   /// (s, t, n, h) with w = h origin + s u + t v + n (u x v): linear in w and h, and for h > 0
   /// the wrench w/h is in the plane iff n = 0, at the point (s/h, t/h).
@@ -62,32 +63,34 @@ class WrenchPlane {
 
 /// The part of the region that one mode gives; not empty.
 struct ResistiblePiece {
-  SlipState slip;
-  std::vector<bool> closed;
-  PlaneCell cell;
+  SlipState slip;            ///< by ContactId
+  std::vector<bool> closed;  ///< by ContactId; otherwise open
+  PlaneCell cell;            ///< the wrenches that it resists, in coordinates (s, t)
 };
 
-/// Reproducible.
+/// What resistible_pieces did; reproducible.
 struct RegionWork {
-  std::size_t slip_states = 0;
-  std::size_t modes = 0;   ///< that some motion has
-  std::size_t pieces = 0;  ///< modes that resist some wrench of the plane
+  std::size_t slip_states = 0;  ///< distinct slip states of the grasp
+  std::size_t modes = 0;        ///< that some motion has
+  std::size_t pieces = 0;       ///< modes that resist some wrench of the plane
 };
 
+/// How far to go, and whom to tell.
 struct RegionOptions {
   std::size_t mode_limit = 0;  ///< 0: none; otherwise Undecided when it is exceeded
   /// Called before each slip state with the number of those done and of all.
   std::function<void(std::size_t done, std::size_t all)> progress;
 };
 
-/// In the order of the slip states, then of the separations. The problem's own wrench plays no
-/// part. O(m^3) modes for m contacts: the cells that the planes tau_i = 0 and v_i = 0 cut from
-/// the space of motions. Undecided only when the limit is exceeded.
+/// What each mode resists, in the order of the slip states, then of the separations. The
+/// problem's own wrench plays no part. O(m^3) modes for m contacts: the cells that the planes
+/// tau_i = 0 and v_i = 0 cut from the space of motions. Undecided only when the limit is
+/// exceeded.
 std::variant<std::vector<ResistiblePiece>, Undecided> resistible_pieces(
     const Problem& problem, const WrenchPlane& plane, const RegionOptions& options = {},
     RegionWork* work = nullptr);
 
-/// The union of the pieces.
+/// The union of the pieces: the resistible wrenches of the plane.
 PlaneUnion unite(const std::vector<ResistiblePiece>& pieces);
 
 }  // namespace stickslip

@@ -16,8 +16,8 @@ struct StatesWork {
   std::size_t states_solved = 0;  ///< those whose system was solved: all, if unstable
   std::size_t patterns = 0;  ///< separation patterns refuted, each by a verified virtual twist
   std::size_t programs = 0;  ///< linear programs solved
-  std::size_t double_pivots = 0;
-  std::size_t exact_pivots = 0;
+  std::size_t double_pivots = 0;    ///< of all programs, in double precision
+  std::size_t exact_pivots = 0;     ///< of all programs, where the proposed basis was not final
   std::size_t bases_confirmed = 0;  ///< programs whose double-precision basis was confirmed
   std::size_t largest_bits = 0;     ///< of an integer in exact elimination
 };

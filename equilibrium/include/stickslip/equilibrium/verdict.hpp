@@ -28,7 +28,7 @@ Vector2 force_vector(const Vector2& normal, const ContactForce& force);
 
 /// An equilibrium.
 struct Witness {
-  Twist twist;
+  Twist twist;                       ///< the motion d
   std::vector<ContactForce> forces;  ///< by ContactId
 };
 
@@ -38,43 +38,47 @@ std::optional<std::string> find_violation(const Problem& problem, const Witness&
 
 /// Three children: slip +, 0, - at a contact.
 struct SlipSplit {
-  ContactId contact;
+  ContactId contact;  ///< split by tau_i
 };
 /// Two children: closed, open.
 struct SeparationSplit {
-  ContactId contact;
+  ContactId contact;  ///< split by v_i
 };
 /// Two children: plane.x >= 0, plane.x <= 0.
 struct PlaneSplit {
-  IntegerVector4 plane;
+  IntegerVector4 plane;  ///< nonzero
 };
 /// A virtual twist on which no force of the region makes up for the load, and, where a contact
 /// may be open or closed and its force does negative work, the share theta in [0, 1] of that
 /// work that is counted (0 where absent). Contacts strictly increase.
 struct VirtualWorkLeaf {
-  IntegerVector<3> twist;
-  std::vector<std::pair<ContactId, Rational>> theta;
+  IntegerVector<3> twist;                             ///< y, in coordinates (x, y, r)
+  std::vector<std::pair<ContactId, Rational>> theta;  ///< by contact
 };
 /// No solution can lie here, or another child covers it.
 struct VoidLeaf {};
 
+/// Three kinds of split and two of leaf.
 using RefutationNode =
     std::variant<SlipSplit, SeparationSplit, PlaneSplit, VirtualWorkLeaf, VoidLeaf>;
 
 /// A tree in preorder, as in certificate/FORMAT.md, section 4.
 using Refutation = std::vector<RefutationNode>;
 
+/// An equilibrium exists.
 struct Stable {
-  Witness witness;
+  Witness witness;  ///< one of them
 };
+/// No equilibrium exists.
 struct Unstable {
-  Refutation refutation;
+  Refutation refutation;  ///< the proof
 };
 /// Neither was proved within the limit that `limit` describes.
 struct Undecided {
-  std::string limit;
+  std::string limit;  ///< in words, for people
 };
 
+/// The answer, which owns its evidence.
 using Verdict = std::variant<Stable, Unstable, Undecided>;
 
 /// "stable", "unstable", "undecided".

@@ -10,8 +10,11 @@
 /// evidence that it has not passed, in any build type.
 ///
 /// **Multipliers.** A vector y with one entry per row is *admissible* when
+///
 ///     y_i >= 0 for a row >=,   y_i <= 0 for a row <=,   y_i of any sign for a row =.
+///
 /// Then y_i (a_i.x) >= y_i b_i for every x that satisfies row i, and by summation
+///
 ///     (yA).x >= y.b   for every x that satisfies the rows.                        (1)
 ///
 /// - Optimal: x feasible, y = `dual` admissible, with reduced cost r = c - yA
@@ -47,14 +50,16 @@
 
 namespace stickslip {
 
+/// x_j of any sign, or x_j >= 0.
 enum class VariableKind { kFree, kNonNegative };
+/// <=, = or >= between the two sides of a row.
 enum class Relation { kLessEqual, kEqual, kGreaterEqual };
 
 /// coefficients.x relation rhs; coefficients that are not given are 0.
 struct LpRow {
-  std::vector<Rational> coefficients;
-  Relation relation = Relation::kEqual;
-  Rational rhs;
+  std::vector<Rational> coefficients;    ///< a_i, by variable
+  Relation relation = Relation::kEqual;  ///< of a_i.x to b_i
+  Rational rhs;                          ///< b_i
 };
 
 /// min objective.x subject to rows coefficients.x (<=,=,>=) rhs, each variable free or >= 0.
@@ -70,9 +75,11 @@ class LinearProgram {
   /// Default: zero objective, a feasibility problem. May be shorter, as in add_row.
   void minimize(std::vector<Rational> objective);
 
-  std::size_t variable_count() const { return kinds_.size(); }
-  std::size_t row_count() const { return rows_.size(); }
+  std::size_t variable_count() const { return kinds_.size(); }  ///< n, of variables
+  std::size_t row_count() const { return rows_.size(); }        ///< m, of rows
+  /// Requires variable < variable_count().
   VariableKind kind(std::size_t variable) const { return kinds_[variable]; }
+  /// Requires index < row_count().
   const LpRow& row(std::size_t index) const { return rows_[index]; }
   /// May be shorter than the number of variables: the rest are 0.
   const std::vector<Rational>& objective() const { return objective_; }
@@ -87,8 +94,8 @@ class LinearProgram {
 /// point, value 0, dual 0.
 struct Optimal {
   std::vector<Rational> point;  ///< one per variable
-  Rational value;
-  std::vector<Rational> dual;  ///< one per row
+  Rational value;               ///< c.x, the least there is
+  std::vector<Rational> dual;   ///< one per row
 };
 
 /// The rows contradict each other: `farkas` combines them to 0 > 0. Coprime integers.
@@ -102,6 +109,7 @@ struct Unbounded {
   std::vector<Rational> ray;    ///< one per variable
 };
 
+/// One of the three outcomes that a linear program has, with its evidence.
 using LpResult = std::variant<Optimal, Infeasible, Unbounded>;
 
 /// The integers that exact arithmetic used.
@@ -109,7 +117,7 @@ enum class LpTier { kInt64, kInt128, kGmp };
 
 /// What one call of `solve` did. Reproducible: the same program gives the same counts.
 struct LpWork {
-  long double_pivots = 0;
+  long double_pivots = 0;        ///< of the simplex in double precision
   long exact_pivots = 0;         ///< of the exact simplex; 0 when the basis was confirmed
   bool basis_confirmed = false;  ///< the basis proposed in double proved to be final
   LpTier tier = LpTier::kInt64;  ///< the largest that was needed
@@ -122,10 +130,11 @@ struct LpOptions {
   LpTier first_tier = LpTier::kInt64;  ///< exact arithmetic starts here
 };
 
-/// Solves, verifies the evidence exactly, returns. Thread-safe, deterministic, no globals.
-/// Throws ContractError if the evidence fails its own verification (a defect of this
+/// \{ \brief Solves, verifies the evidence exactly, returns. Thread-safe, deterministic, no
+/// globals. Throws ContractError if the evidence fails its own verification (a defect of this
 /// library, never of the input). `work`, if given, is overwritten.
 LpResult solve(const LinearProgram& program, LpWork* work = nullptr);
 LpResult solve(const LinearProgram& program, const LpOptions& options, LpWork* work = nullptr);
+/// \}
 
 }  // namespace stickslip

@@ -29,21 +29,26 @@ enum class LpCondition {
   kRayDescent,      ///< c.d < 0
 };
 
+/// "length", "point sign" and so on, for messages.
 const char* to_string(LpCondition condition);
 
 /// Converts to true when the evidence holds; otherwise names the first condition that fails
 /// and the index of the row or variable (0 where neither applies).
 struct Verification {
-  bool holds = true;
-  LpCondition failed = LpCondition::kLength;
-  std::size_t index = 0;
+  bool holds = true;                          ///< every condition
+  LpCondition failed = LpCondition::kLength;  ///< the first that does not; else no meaning
+  std::size_t index = 0;                      ///< of the row or variable where it fails
 
+  /// Whether the evidence holds.
   explicit operator bool() const { return holds; }
 };
 
+/// \{ \brief Whether the evidence proves what its type says of the program. Evidence of the
+/// wrong length fails by kLength.
 Verification verify(const LinearProgram& program, const Optimal& evidence);
 Verification verify(const LinearProgram& program, const Infeasible& evidence);
 Verification verify(const LinearProgram& program, const Unbounded& evidence);
 Verification verify(const LinearProgram& program, const LpResult& result);
+/// \}
 
 }  // namespace stickslip

@@ -16,14 +16,17 @@ namespace stickslip {
 
 /// A place or a direction in the plane: on the page for everything in this header.
 struct InkPoint {
-  double x = 0;
-  double y = 0;
+  double x = 0;  ///< in pixels, to the right
+  double y = 0;  ///< in pixels, down
 
+  /// \{ Componentwise.
   friend InkPoint operator+(InkPoint a, InkPoint b) { return {a.x + b.x, a.y + b.y}; }
   friend InkPoint operator-(InkPoint a, InkPoint b) { return {a.x - b.x, a.y - b.y}; }
   friend InkPoint operator*(double s, InkPoint a) { return {s * a.x, s * a.y}; }
+  /// \}
 };
 
+/// Euclidean.
 double length(InkPoint v);
 /// v / length(v); (1, 0) for the zero vector.
 InkPoint unit(InkPoint v);
@@ -40,9 +43,9 @@ std::string svg_escape(std::string_view text);
 /// The content of a path's attribute "d".
 class SvgPath {
  public:
-  SvgPath& move(InkPoint to);
-  SvgPath& line(InkPoint to);
-  SvgPath& close();
+  SvgPath& move(InkPoint to);  ///< starts a new piece there
+  SvgPath& line(InkPoint to);  ///< draws from where the last command ended
+  SvgPath& close();            ///< draws back to the start of the piece
   /// Moves to the first point and draws lines to the others. Nothing if there are none.
   SvgPath& polyline(const std::vector<InkPoint>& points);
   /// polyline, closed.
@@ -50,8 +53,8 @@ class SvgPath {
   /// A full circle.
   SvgPath& circle(InkPoint centre, double radius);
 
-  bool empty() const { return data_.empty(); }
-  const std::string& data() const { return data_; }
+  bool empty() const { return data_.empty(); }       ///< no command yet
+  const std::string& data() const { return data_; }  ///< as it stands in the attribute
 
  private:
   std::string data_;
@@ -67,18 +70,21 @@ class Svg {
   /// they stay in this picture when it is put into a page. It must not contain '<' or '&'.
   Svg(double width, double height, std::string_view title, std::string_view style);
 
+  /// Starts an element that may hold others.
   void open(const std::string& element, const Attributes& attributes = {});
   /// Closes the element opened last. Throws ContractError if there is none.
   void close();
-  /// An element without children, or with a <title> (a tooltip) if `tooltip` is not empty.
+  /// An element without children, or with a `title` (a tooltip) if `tooltip` is not empty.
   void element(const std::string& element, const Attributes& attributes,
                std::string_view tooltip = {});
+  /// \{ The element of that name, with the class `css_class`; `attributes` are added.
   void path(const SvgPath& path, const std::string& css_class, Attributes attributes = {},
             std::string_view tooltip = {});
   void line(InkPoint from, InkPoint to, const std::string& css_class,
             Attributes attributes = {});
   void circle(InkPoint centre, double radius, const std::string& css_class,
               Attributes attributes = {});
+  /// \}
   /// `at` is on the baseline, at the start, middle or end according to the class.
   void text(InkPoint at, const std::string& css_class, std::string_view content,
             Attributes attributes = {});

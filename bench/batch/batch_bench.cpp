@@ -4,11 +4,6 @@
 // files grow. Exit code 1 if a run fails or misses a line.
 //
 //     batch_bench PROGRAM [--lines N] [--most-lines N]
-#include <fcntl.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
@@ -22,6 +17,7 @@
 #include <vector>
 
 #include "grasps.hpp"
+#include "limited.hpp"
 #include "loads.hpp"
 #include "stickslip/core/grasp_file.hpp"
 #include "stickslip/equilibrium/cone_engine.hpp"
@@ -73,34 +69,6 @@ std::size_t lines_in(const std::string& path) {
   return static_cast<std::size_t>(std::count(std::istreambuf_iterator<char>(file), {}, '\n'));
 }
 
-struct Run {
-  double seconds = 0;
-  double megabytes = 0;  ///< largest resident memory
-};
-
-/// Throws std::runtime_error unless the program ends with exit code 0.
-Run run_program(const std::vector<std::string>& words) {
-  std::vector<char*> argv;
-  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
-  argv.push_back(nullptr);
-  std::fflush(stdout);
-  const auto start = Clock::now();
-  const pid_t child = fork();
-  if (child == 0) {
-    const int nowhere = open("/dev/null", O_WRONLY);
-    dup2(nowhere, STDOUT_FILENO);
-    dup2(nowhere, STDERR_FILENO);
-    execv(argv[0], argv.data());
-    _exit(127);
-  }
-  int status = 0;
-  rusage usage{};
-  if (child < 0 || wait4(child, &status, 0, &usage) != child || status != 0) {
-    throw std::runtime_error(words[0] + " failed");
-  }
-  return {seconds_since(start), static_cast<double>(usage.ru_maxrss) / 1024};
-}
-
 class BatchBench {
  public:
   explicit BatchBench(std::string program) : program_(std::move(program)) {
@@ -137,10 +105,10 @@ class BatchBench {
     const std::vector<std::string> lines = make_lines(4, 1000);
     for (std::size_t count = most >= 10000 ? most / 100 : most; count <= most; count *= 10) {
       write_lines(input(), lines, count);
-      const Run run = batch(count, "0");
-      const Run resumed = resume(count);
+      const ProgramRun run = batch(count, "0");
+      const ProgramRun resumed = resume(count);
       std::printf("| %zu | %.0f | %.1f | %.1f |\n", count,
-                  static_cast<double>(count) / run.seconds, run.megabytes, resumed.megabytes);
+                  static_cast<double>(count) / run.seconds, megabytes(run), megabytes(resumed));
       std::fflush(stdout);
     }
   }
@@ -149,23 +117,29 @@ class BatchBench {
   std::string input() const { return folder_ / "grasps.jsonl"; }
   std::string output() const { return folder_ / "verdicts.jsonl"; }
 
-  Run batch(std::size_t count, const std::string& threads, bool proofs = false) const {
+  ProgramRun batch(std::size_t count, const std::string& threads, bool proofs = false) const {
     fs::remove(output());
     std::vector<std::string> words{program_, "batch",     input(), "--output",
                                    output(), "--threads", threads};
     if (proofs) words.insert(words.end(), {"--certificates", folder_ / "proofs"});
-    return checked(run_program(words), count);
+    return checked(words, count);
   }
 
   /// Of a batch that is finished already.
-  Run resume(std::size_t count) const {
-    return checked(run_program({program_, "batch", input(), "--output", output(), "--resume"}),
-                   count);
+  ProgramRun resume(std::size_t count) const {
+    return checked({program_, "batch", input(), "--output", output(), "--resume"}, count);
   }
 
-  Run checked(Run run, std::size_t count) const {
+  ProgramRun checked(const std::vector<std::string>& words, std::size_t count) const {
+    constexpr double kLimitSeconds = 3600;
+    ProgramRun run = run_program(kLimitSeconds, words);
+    if (!run.output || run.status != 0) throw std::runtime_error(program_ + " failed");
     if (lines_in(output()) != count) throw std::runtime_error("a line has no result");
     return run;
+  }
+
+  static double megabytes(const ProgramRun& run) {
+    return static_cast<double>(run.peak_bytes) / (1 << 20);
   }
 
   std::string program_;

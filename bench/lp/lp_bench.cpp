@@ -6,10 +6,10 @@
 //
 // The clock is the process's CPU time over all programs of a size, best of 5 rounds for us and
 // of 2 for QP_solver; building the programs (ours and CGAL's) is not timed.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
 #include <random>
 #include <string>
@@ -162,7 +162,12 @@ void run(const Size& size, std::size_t count) {
 
 int main(int argc, char** argv) {
   using stickslip::bench::Data;
-  const std::size_t count = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 200;
+  CLI::App app("Microseconds per exact linear program, against CGAL's QP_solver.");
+  std::size_t count = 200;
+  app.add_option("PROGRAMS", count, "Programs of each size")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
   std::printf(
       "%-22s %9s %9s %10s %7s   %5s %5s %7s %10s %5s  feasible\n"
       "%-22s %9s %9s %10s %7s   %5s %5s %7s %10s %5s\n",

@@ -3,16 +3,17 @@
 // check that, and work. Exit code 1 if the checker rejects one.
 //
 //     margin_bench [largest m, default 100]
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <sstream>
 #include <vector>
 
 #include "check.hpp"
 #include "grasps.hpp"
 #include "loads.hpp"
+#include "statistics.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/grasp_file.hpp"
 #include "stickslip/equilibrium/margin.hpp"
@@ -61,11 +62,10 @@ Row measure(Layout layout, std::size_t contacts, std::uint64_t seed) {
 }
 
 template <class Value>
-Value median(const std::vector<Row>& rows, Value (*value)(const Row&)) {
-  std::vector<Value> values;
-  for (const Row& row : rows) values.push_back(value(row));
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
+double median_of(const std::vector<Row>& rows, Value value) {
+  std::vector<double> values;
+  for (const Row& row : rows) values.push_back(static_cast<double>(value(row)));
+  return median(std::move(values));
 }
 
 int run(std::size_t largest) {
@@ -84,14 +84,13 @@ int run(std::size_t largest) {
         slowest = std::max(slowest, row.find);
         all_accepted = all_accepted && row.accepted;
       }
-      using Count = std::size_t;
-      std::printf("| %s | %zu | %.3g | %.3g | %.3g | %zu | %zu | %zu | %zu |\n",
-                  name_of(layout), m, median<double>(rows, [](const Row& r) { return r.find; }),
-                  slowest, median<double>(rows, [](const Row& r) { return r.check; }),
-                  median<Count>(rows, [](const Row& r) { return r.work.ranges; }),
-                  median<Count>(rows, [](const Row& r) { return r.work.modes; }),
-                  median<Count>(rows, [](const Row& r) { return r.work.cone.nodes; }),
-                  median<Count>(rows, [](const Row& r) { return r.segments; }));
+      std::printf("| %s | %zu | %.3g | %.3g | %.3g | %.0f | %.0f | %.0f | %.0f |\n",
+                  name_of(layout), m, median_of(rows, [](const Row& r) { return r.find; }),
+                  slowest, median_of(rows, [](const Row& r) { return r.check; }),
+                  median_of(rows, [](const Row& r) { return r.work.ranges; }),
+                  median_of(rows, [](const Row& r) { return r.work.modes; }),
+                  median_of(rows, [](const Row& r) { return r.work.cone.nodes; }),
+                  median_of(rows, [](const Row& r) { return r.segments; }));
       std::fflush(stdout);
     }
   }
@@ -102,5 +101,10 @@ int run(std::size_t largest) {
 }  // namespace stickslip::bench
 
 int main(int argc, char** argv) {
-  return stickslip::bench::run(argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 100);
+  CLI::App app("Load margins of generated grasps: time to find, time to check, and work.");
+  std::size_t largest = 100;
+  app.add_option("LARGEST_M", largest, "Contacts: 10, 100, ... up to this")
+      ->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  return stickslip::bench::run(largest);
 }

@@ -4,22 +4,17 @@
 //
 //     sweep_bench [rounds, default 3]
 //
-// Each measurement runs in a process of its own: best wall-clock time of the rounds, and how
-// far the peak of its resident memory lies above that of a process that does nothing. Making
+// Each measurement runs in a process of its own: best elapsed time of the rounds, and how far
+// the peak of its resident memory lies above what it was before. Making
 // the planes is not timed. One thread, unless the row says otherwise.
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <algorithm>
-#include <chrono>
+#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <functional>
 #include <random>
 #include <vector>
 
+#include "child.hpp"
 #include "stickslip/arrangement/arrangement_structure.hpp"
 #include "stickslip/arrangement/sweep.hpp"
 
@@ -66,53 +61,6 @@ Planes grid_planes(std::size_t m) {
   return planes;
 }
 
-struct Measurement {
-  double seconds = 0;
-  double megabytes = 0;
-};
-
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
-      .count();
-}
-
-/// Runs `work` in a child process.
-Measurement measure_raw(int rounds, const std::function<void()>& work) {
-  int ends[2];
-  if (pipe(ends) != 0) std::abort();
-  std::fflush(stdout);
-  const pid_t child = fork();
-  if (child < 0) std::abort();
-  if (child == 0) {
-    double best = 1e300;
-    for (int round = 0; round < rounds; ++round) {
-      const double start = now();
-      work();
-      best = std::min(best, now() - start);
-    }
-    const bool is_written = write(ends[1], &best, sizeof best) == sizeof best;
-    _exit(is_written ? 0 : 1);
-  }
-  Measurement result;
-  if (read(ends[0], &result.seconds, sizeof result.seconds) != sizeof result.seconds) {
-    std::abort();
-  }
-  rusage usage{};
-  int status = 0;
-  if (wait4(child, &status, 0, &usage) != child || status != 0) std::abort();
-  close(ends[0]);
-  close(ends[1]);
-  result.megabytes = static_cast<double>(usage.ru_maxrss) / 1024;
-  return result;
-}
-
-Measurement measure(int rounds, const std::function<void()>& work) {
-  const Measurement nothing = measure_raw(1, [] {});
-  Measurement result = measure_raw(rounds, work);
-  result.megabytes = std::max(0.0, result.megabytes - nothing.megabytes);
-  return result;
-}
-
 /// Reads all packed signs of every cell.
 std::uint64_t visit_all(const Planes& planes) {
   std::uint64_t sum = 0;
@@ -126,22 +74,26 @@ std::uint64_t visit_all(const Planes& planes) {
   return sum;
 }
 
-void print(const char* family, std::size_t m, const char* what, const Measurement& result) {
-  std::printf("%-9s %5zu  %-26s %9.4f s %8.1f MB\n", family, m, what, result.seconds,
-              result.megabytes);
+void print(const char* family, std::size_t m, const char* what,
+           const ChildMeasurement& result) {
+  std::printf("%-9s %5zu  %-26s %9.4f s %8.1f MB\n", family, m, what, result.wall_seconds,
+              static_cast<double>(result.peak_bytes) / (1 << 20));
 }
 
 void against_cgal(int rounds) {
   for (const std::size_t m : {4u, 9u, 20u, 50u, 100u, 200u}) {
     const Planes planes = integer_planes(m);
-    const Measurement cgal = measure(rounds, [&] { enumerate_slip_states_cgal(planes); });
-    const Measurement states = measure(rounds, [&] { enumerate_slip_states_sweep(planes); });
-    const Measurement visit = measure(rounds, [&] { visit_all(planes); });
+    const ChildMeasurement cgal = measure_in_child(
+        [&] { return enumerate_slip_states_cgal(planes).states.size(); }, rounds);
+    const ChildMeasurement states = measure_in_child(
+        [&] { return enumerate_slip_states_sweep(planes).states.size(); }, rounds);
+    const ChildMeasurement visit = measure_in_child([&] { return visit_all(planes); }, rounds);
     print("integers", m, "states, cgal", cgal);
     print("integers", m, "states, sweep", states);
     print("integers", m, "visit", visit);
     std::printf("          cgal / sweep: %.1f for sorted states, %.1f for visits\n",
-                cgal.seconds / states.seconds, cgal.seconds / visit.seconds);
+                cgal.wall_seconds / states.wall_seconds,
+                cgal.wall_seconds / visit.wall_seconds);
   }
 }
 
@@ -157,13 +109,18 @@ void at_scale(const char* family, const Planes& planes, int rounds, bool only_co
       static_cast<unsigned long long>(work.by_int128),
       static_cast<unsigned long long>(work.by_gmp),
       static_cast<unsigned long long>(work.exact_sorts));
-  print(family, m, "counts", measure(rounds, [&] { count_cells(planes); }));
-  print(family, m, "counts, all threads", measure(rounds, [&] { count_cells(planes, 0); }));
+  print(family, m, "counts",
+        measure_in_child([&] { return count_cells(planes).cells(); }, rounds));
+  print(family, m, "counts, all threads",
+        measure_in_child([&] { return count_cells(planes, 0).cells(); }, rounds));
   if (only_counts) return;
-  print(family, m, "visit", measure(rounds, [&] { visit_all(planes); }));
-  print(family, m, "structure", measure(rounds, [&] { ArrangementStructure{planes}; }));
+  print(family, m, "visit", measure_in_child([&] { return visit_all(planes); }, rounds));
+  print(
+      family, m, "structure",
+      measure_in_child([&] { return ArrangementStructure(planes).counts().cells(); }, rounds));
   print(family, m, "structure, all threads",
-        measure(rounds, [&] { ArrangementStructure(planes, 0); }));
+        measure_in_child([&] { return ArrangementStructure(planes, 0).counts().cells(); },
+                         rounds));
 }
 
 }  // namespace
@@ -171,7 +128,12 @@ void at_scale(const char* family, const Planes& planes, int rounds, bool only_co
 
 int main(int argc, char** argv) {
   using namespace stickslip::bench;
-  const int rounds = argc > 1 ? std::max(1, std::atoi(argv[1])) : 3;
+  CLI::App app("Seconds and memory of the sweep, against CGAL's arrangement.");
+  int rounds = 3;
+  app.add_option("ROUNDS", rounds, "Times that each is measured")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
   against_cgal(rounds);
   at_scale("integers", integer_planes(1000), rounds, false);
   at_scale("doubles", double_planes(1000), rounds, false);

@@ -34,7 +34,7 @@ std::string show_megabytes(std::size_t bytes) {
   return text;
 }
 
-nlohmann::ordered_json to_json(const Measurement& measurement) {
+nlohmann::ordered_json to_json(const ChildMeasurement& measurement) {
   return {{"seconds", measurement.seconds}, {"peak_bytes", measurement.peak_bytes}};
 }
 
@@ -156,9 +156,11 @@ void write_csv(const Report& report, std::ostream& out) {
     line("sweep", "enumerate", row.distinct_states, row.sweep);
   }
   for (const ScalingRow& row : report.scaling) {
-    const auto line = [&](const char* enumerator, const char* task, const Measurement& what) {
-      out << "scaling," << row.m << ',' << enumerator << ',' << task << ',' << what.cells << ','
-          << row.distinct_states << ',' << what.seconds << ',' << what.peak_bytes << '\n';
+    const auto line = [&](const char* enumerator, const char* task,
+                          const ChildMeasurement& what) {
+      out << "scaling," << row.m << ',' << enumerator << ',' << task << ',' << what.result
+          << ',' << row.distinct_states << ',' << what.seconds << ',' << what.peak_bytes
+          << '\n';
     };
     line("sweep", "count", row.count);
     line("sweep", "visit", row.visit);

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "measure.hpp"
+#include "child.hpp"
 #include "stickslip/arrangement/paper_enumerator.hpp"
 
 namespace stickslip::bench {
@@ -38,10 +38,10 @@ struct ScalingRow {
   std::size_t m = 0;
   std::size_t cells = 0;
   std::size_t distinct_states = 0;
-  Measurement count;
-  Measurement visit;
-  Measurement structure;
-  std::optional<Measurement> cgal;
+  ChildMeasurement count;
+  ChildMeasurement visit;
+  ChildMeasurement structure;
+  std::optional<ChildMeasurement> cgal;
 };
 
 struct Report {

@@ -130,9 +130,9 @@ ScalingRow measure_scaling_row(std::size_t m) {
         [&] { return enumerate_slip_states_cgal(planes).counts.cells(); }, rounds);
     check(row.cgal->cells == cells_of_simple(m), "number of cells (cgal)", m);
   }
-  row.cells = row.count.cells;
+  row.cells = row.count.result;
   row.distinct_states = count_cells(planes).distinct_states;
-  for (const Measurement* measured : {&row.count, &row.visit, &row.structure}) {
+  for (const ChildMeasurement* measured : {&row.count, &row.visit, &row.structure}) {
     check(measured->cells == cells_of_simple(m), "number of cells (sweep)", m);
   }
   check(row.distinct_states == states_of_simple(m), "number of states (sweep)", m);

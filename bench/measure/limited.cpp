@@ -2,6 +2,7 @@
 #include "limited.hpp"
 
 #include <poll.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -55,8 +56,9 @@ ProgramRun collect(double seconds, InChild in_child) {
   run.seconds = seconds_since(start);
   close(ends[0]);
   if (!run.output) kill(child, SIGKILL);
-  int status = 0;
-  waitpid(child, &status, 0);
+  rusage usage{};
+  wait4(child, &run.status, 0, &usage);
+  run.peak_bytes = 1024 * static_cast<std::size_t>(usage.ru_maxrss);
   return run;
 }
 

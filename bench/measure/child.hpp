@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <functional>
-#include <vector>
 
 namespace stickslip::bench {
 
@@ -13,16 +12,15 @@ namespace stickslip::bench {
 /// as take `least_seconds` together, one at least.
 double seconds_per_call(const std::function<void()>& work, int rounds, double least_seconds);
 
-double median(std::vector<double> values);
-
-struct Measurement {
+struct ChildMeasurement {
   double seconds = 0;          ///< processor time, best of the rounds
+  double wall_seconds = 0;     ///< elapsed time, best of the rounds
   std::size_t peak_bytes = 0;  ///< how far resident memory rose above what it was before
-  std::size_t cells = 0;       ///< what the work returned
+  std::size_t result = 0;      ///< what the work returned
 };
 
 /// Runs work() `rounds` times in a process of its own. Throws std::runtime_error if that
 /// process fails. Linux only: the peak is VmHWM of /proc/self/status.
-Measurement measure_in_child(const std::function<std::size_t()>& work, int rounds);
+ChildMeasurement measure_in_child(const std::function<std::size_t()>& work, int rounds);
 
 }  // namespace stickslip::bench

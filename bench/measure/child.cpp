@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "measure.hpp"
+#include "child.hpp"
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -15,9 +15,9 @@
 namespace stickslip::bench {
 namespace {
 
-double cpu_seconds() {
+double seconds_of(clockid_t clock) {
   timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  clock_gettime(clock, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
@@ -30,14 +30,17 @@ std::size_t status_bytes(const std::string& key) {
   throw std::runtime_error("/proc/self/status has no " + key);
 }
 
-Measurement measure_here(const std::function<std::size_t()>& work, int rounds) {
+ChildMeasurement measure_here(const std::function<std::size_t()>& work, int rounds) {
   const std::size_t before = status_bytes("VmRSS");
-  Measurement result;
-  result.seconds = 1e300;
+  ChildMeasurement result;
+  result.seconds = result.wall_seconds = 1e300;
   for (int round = 0; round < rounds; ++round) {
-    const double start = cpu_seconds();
-    result.cells = work();
-    result.seconds = std::min(result.seconds, cpu_seconds() - start);
+    const double start = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
+    const double wall_start = seconds_of(CLOCK_MONOTONIC);
+    result.result = work();
+    result.seconds = std::min(result.seconds, seconds_of(CLOCK_PROCESS_CPUTIME_ID) - start);
+    result.wall_seconds =
+        std::min(result.wall_seconds, seconds_of(CLOCK_MONOTONIC) - wall_start);
   }
   const std::size_t peak = status_bytes("VmHWM");
   result.peak_bytes = peak > before ? peak - before : 0;
@@ -50,9 +53,9 @@ double seconds_per_call(const std::function<void()>& work, int rounds, double le
   double best = 1e300;
   std::size_t calls = 1;
   for (int round = 0; round < rounds;) {
-    const double start = cpu_seconds();
+    const double start = seconds_of(CLOCK_PROCESS_CPUTIME_ID);
     for (std::size_t i = 0; i < calls; ++i) work();
-    const double elapsed = cpu_seconds() - start;
+    const double elapsed = seconds_of(CLOCK_PROCESS_CPUTIME_ID) - start;
     if (elapsed < least_seconds) {
       calls *= 2;
       continue;
@@ -63,14 +66,7 @@ double seconds_per_call(const std::function<void()>& work, int rounds, double le
   return best;
 }
 
-double median(std::vector<double> values) {
-  if (values.empty()) throw std::invalid_argument("median: no values");
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
-}
-
-Measurement measure_in_child(const std::function<std::size_t()>& work, int rounds) {
+ChildMeasurement measure_in_child(const std::function<std::size_t()>& work, int rounds) {
   int ends[2];
   if (pipe(ends) != 0) throw std::runtime_error("cannot make a pipe");
   std::fflush(nullptr);
@@ -80,17 +76,17 @@ Measurement measure_in_child(const std::function<std::size_t()>& work, int round
     close(ends[0]);
     int status = 1;
     try {
-      const Measurement result = measure_here(work, rounds);
+      const ChildMeasurement result = measure_here(work, rounds);
       if (write(ends[1], &result, sizeof result) == static_cast<ssize_t>(sizeof result)) {
         status = 0;
       }
     } catch (const std::exception& error) {
-      std::fprintf(stderr, "table2: %s\n", error.what());
+      std::fprintf(stderr, "%s\n", error.what());
     }
     _exit(status);
   }
   close(ends[1]);
-  Measurement result;
+  ChildMeasurement result;
   const bool is_read =
       read(ends[0], &result, sizeof result) == static_cast<ssize_t>(sizeof result);
   close(ends[0]);

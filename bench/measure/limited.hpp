@@ -4,6 +4,7 @@
 /// does not end costs its limit and no more, and no measurement inherits another's heap.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -18,6 +19,8 @@ std::optional<std::string> run_limited(double seconds,
 struct ProgramRun {
   std::optional<std::string> output;  ///< standard output; nothing beyond the limit
   double seconds = 0;
+  int status = 0;              ///< as waitpid gives it
+  std::size_t peak_bytes = 0;  ///< resident memory
 };
 
 /// Runs argv[0], found in PATH. A program that cannot be started has empty output.

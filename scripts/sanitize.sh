@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The tests under AddressSanitizer and UndefinedBehaviorSanitizer, with assertions and validation
+# on; then the share of the lines of core, lp, equilibrium and the checker that they ran.
+#   scripts/sanitize.sh         without the tests that take longest; CI runs this
+#   scripts/sanitize.sh --all   all of them
+# Line by line: build-asan/coverage/index.html.
+set -euo pipefail
+STICKSLIP_BUILD_DIR=${STICKSLIP_BUILD_DIR:-$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/build-asan}
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+left_out=()
+case ${1-} in
+  "") left_out=(--label-exclude long) ;;
+  --all) ;;
+  *) fail "unknown argument '$1'; none, or --all" ;;
+esac
+
+install_packages "${build_packages[@]}" "${test_packages[@]}" gcovr
+step "Configuring with sanitizers" configure cmake --preset asan -S "$root" -B "$build" \
+  -DSTICKSLIP_BUILD_BENCH=OFF -DSTICKSLIP_COVERAGE=ON
+step "Building with sanitizers (several minutes the first time)" build \
+  cmake --build "$build" -j "$(jobs_for_build)"
+find "$build" -name '*.gcda' -delete
+ctest --test-dir "$build" --output-on-failure -j "$(jobs_for_build)" "${left_out[@]}"
+
+lines=$build/coverage/lines.json
+mkdir -p "$build/coverage"
+step "Reading the lines that were run" coverage gcovr --root "$root" "$build" --json "$lines" \
+  --exclude-throw-branches -j "$(jobs_for_build)"
+step "Writing build-asan/coverage/index.html" coverage_html \
+  gcovr --root "$root" --add-tracefile "$lines" --html-details "$build/coverage/index.html"
+printf '\nLines run by these tests:\n'
+for module in core lp equilibrium certificate/checker; do
+  printf '  %-20s %s\n' "$module" "$(gcovr --root "$root" --add-tracefile "$lines" \
+    --filter "$root/$module/" --print-summary --output /dev/null | sed -n 's/^lines: //p')"
+done

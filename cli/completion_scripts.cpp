@@ -24,14 +24,14 @@ std::string escaped(const std::string& text, const std::string& special,
 }
 
 /// A word of bash or zsh that is `text`, whatever is in it.
-std::string quoted(const std::string& text) {
+std::string shell_word(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? "'\\''" : std::string(1, c);
   return result + "'";
 }
 
 /// The same for fish.
-std::string quoted_for_fish(const std::string& text) {
+std::string fish_word(const std::string& text) {
   return "'" + escaped(text, "\\'") + "'";
 }
 
@@ -112,7 +112,7 @@ complete -c stickslip -f
 std::string zsh_action(const OptionEntry& entry) {
   if (!entry.choices.empty()) return "(" + joined(entry.choices) + ")";
   if (entry.value == "FILE") return "_files";
-  if (entry.value == "DIR") return "_files -/";
+  if (entry.value == "DIR") return "_path_files -/";
   return " ";  // says what to type
 }
 
@@ -126,19 +126,19 @@ void write_zsh_arguments(std::ostream& out, const CommandEntry& command) {
     std::vector<std::string> no_more = option.names;
     no_more.insert(no_more.end(), option.excludes.begin(), option.excludes.end());
     for (const std::string& name : option.names) {
-      std::string spec = "(" + joined(no_more) + ")" + name;
+      std::string spec = (no_more.size() > 1 ? "(" + joined(no_more) + ")" : "") + name;
       if (!option.value.empty()) spec += name.size() > 2 ? "=" : "+";
       spec += "[" + zsh_text(first_clause(option.description)) + "]";
       if (!option.value.empty())
         spec += ":" + zsh_text(option.value) + ":" + zsh_action(option);
-      out << " \\\n    " << quoted(spec);
+      out << " \\\n    " << shell_word(spec);
     }
   }
   for (std::size_t i = 0; i < command.arguments.size(); ++i) {
     const OptionEntry& argument = command.arguments[i];
     out << " \\\n    "
-        << quoted(std::to_string(i + 1) + ":" + zsh_text(argument.names.front()) + ":" +
-                  zsh_action(argument));
+        << shell_word(std::to_string(i + 1) + ":" + zsh_text(argument.names.front()) + ":" +
+                      zsh_action(argument));
   }
 }
 
@@ -158,7 +158,8 @@ void write_zsh_function(std::ostream& out, const CommandEntry& command) {
       << "  case $state in\n    command)\n      local -a commands=(\n";
   for (const CommandEntry& subcommand : command.subcommands) {
     out << "        "
-        << quoted(last_word(subcommand) + ":" + escaped(subcommand.description, "\\")) << '\n';
+        << shell_word(last_word(subcommand) + ":" + escaped(subcommand.description, "\\"))
+        << '\n';
   }
   out << "      )\n      _describe -t commands command commands\n      ;;\n"
       << "    argument)\n      case $line[1] in\n";
@@ -189,16 +190,16 @@ std::string bash_completion(const CommandEntry& tree) {
       if (option.value.empty()) continue;
       std::string patterns;
       for (const std::string& name : option.names) {
-        patterns += (patterns.empty() ? "" : " | ") + quoted(command->name + " " + name);
+        patterns += (patterns.empty() ? "" : " | ") + shell_word(command->name + " " + name);
       }
-      values << "    " << patterns << ") value=" << quoted(bash_value(option)) << " ;;\n";
+      values << "    " << patterns << ") value=" << shell_word(bash_value(option)) << " ;;\n";
     }
-    out << "    " << quoted(command->name) << ")\n      options=" << quoted(joined(options))
-        << '\n';
+    out << "    " << shell_word(command->name)
+        << ")\n      options=" << shell_word(joined(options)) << '\n';
     if (!subcommands.empty())
-      out << "      subcommands=" << quoted(joined(subcommands)) << '\n';
+      out << "      subcommands=" << shell_word(joined(subcommands)) << '\n';
     for (const OptionEntry& argument : command->arguments) {
-      out << "      arguments+=(" << quoted(bash_value(argument)) << ")\n";
+      out << "      arguments+=(" << shell_word(bash_value(argument)) << ")\n";
     }
     out << "      ;;\n";
   }
@@ -228,27 +229,25 @@ std::string fish_completion(const CommandEntry& tree) {
   out << "# fish completion for stickslip " STICKSLIP_VERSION
          ", written by: stickslip completion fish\n\n"
       << "set -g __stickslip_commands";
-  for (const CommandEntry* command : commands)
-    out << " \\\n    " << quoted_for_fish(command->name);
+  for (const CommandEntry* command : commands) out << " \\\n    " << fish_word(command->name);
   out << '\n' << kFishFunction;
   for (const CommandEntry* command : commands) {
     out << '\n';
     const std::string start =
-        "complete -c stickslip -n " + quoted_for_fish("__stickslip_at " + command->name);
+        "complete -c stickslip -n " + fish_word("__stickslip_at " + command->name);
     const auto value = [](const OptionEntry& entry) -> std::string {
-      if (!entry.choices.empty()) return " -x -a " + quoted_for_fish(joined(entry.choices));
+      if (!entry.choices.empty()) return " -x -a " + fish_word(joined(entry.choices));
       if (entry.value == "FILE") return " -r -F";
       if (entry.value == "DIR") return " -x -a '(__fish_complete_directories)'";
       return entry.value.empty() ? "" : " -x";
     };
     for (const CommandEntry& subcommand : command->subcommands) {
       out << start << " -a " << last_word(subcommand) << " -d "
-          << quoted_for_fish(subcommand.description) << '\n';
+          << fish_word(subcommand.description) << '\n';
     }
     for (const OptionEntry& argument : command->arguments) {
       out << start
-          << (argument.value == "FILE" ? " -F"
-                                       : " -a " + quoted_for_fish(joined(argument.choices)))
+          << (argument.value == "FILE" ? " -F" : " -a " + fish_word(joined(argument.choices)))
           << '\n';
     }
     for (const OptionEntry& option : command->options) {
@@ -256,8 +255,7 @@ std::string fish_completion(const CommandEntry& tree) {
       for (const std::string& name : option.names) {
         out << (name.size() > 2 ? " -l " + name.substr(2) : " -s " + name.substr(1));
       }
-      out << value(option) << " -d " << quoted_for_fish(first_clause(option.description))
-          << '\n';
+      out << value(option) << " -d " << fish_word(first_clause(option.description)) << '\n';
     }
   }
   return out.str();

@@ -308,7 +308,8 @@ void add_batch_command(CLI::App& app, int& exit_code) {
       "batch", "Decide many grasps in parallel, one a line; results in the same order");
   command
       ->add_option("GRASPS", arguments->file,
-                   "JSON Lines: a grasp object a line; - is standard input")
+                   "JSON Lines, a grasp (docs/grasp_file.md) on each line; - is standard input")
+      ->type_name("FILE")
       ->required();
   arguments->question.add_options_to(*command);
   CLI::Option* output =
@@ -326,25 +327,17 @@ void add_batch_command(CLI::App& app, int& exit_code) {
       ->add_option("--certificates", arguments->certificates,
                    "Folder for a proof of each verdict, line-N.json")
       ->type_name("DIR");
-  command
-      ->add_option("--node-limit", arguments->node_limit,
-                   "Give a grasp up, undecided, after N nodes; 0 is no limit")
-      ->type_name("N")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  command
-      ->add_option("--threads", arguments->threads,
-                   "Grasps decided at a time; 0 is one a core. The results do not depend on it")
-      ->type_name("N")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  add_node_limit_option(*command, arguments->node_limit);
+  add_count_option(
+      *command, "--threads", arguments->threads,
+      "Grasps decided at a time; 0 is one a core. The results do not depend on it");
   command->footer(
-      "Each line gives one line of JSON: line, key (of the question), name and verdict, or "
-      "the\n"
-      "error that it has; the rest goes on. Certificates are checked with the line as grasp\n"
-      "file. Memory does not grow with the file.\n"
+      "Each line gives one line of JSON: line, key (of the question), name and verdict, or\n"
+      "the error that it has; the rest goes on. Certificates are checked with the line as\n"
+      "grasp file. The node limit holds for each grasp. Memory does not grow with the file.\n"
       "Example: stickslip batch grasps.jsonl -o verdicts.jsonl --resume\n"
-      "Exit codes: 0 done, 2 some lines were unreadable (or bad usage), 3 some undecided.");
+      "Exit codes: 0 done, 2 some lines were unreadable (or bad usage), 3 some undecided\n"
+      "within the limit.");
   command->callback([arguments, &exit_code] { exit_code = Batch(*arguments).run(); });
 }
 

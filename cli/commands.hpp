@@ -5,6 +5,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <string>
 
 namespace stickslip {
 
@@ -17,6 +18,11 @@ enum ExitCode : int {
   kAnswerUnstable = 20
 };
 
+/// The last line of most footers; those of other commands begin alike (see manual.hpp).
+inline const std::string kExitCodes = "Exit codes: 0 done, 2 bad input or usage.";
+inline const std::string kExitCodesWithLimit =
+    "Exit codes: 0 done, 2 bad input or usage, 3 undecided within a limit.";
+
 void add_decide_command(CLI::App& app, int& exit_code);
 void add_states_command(CLI::App& app, int& exit_code);
 void add_margin_command(CLI::App& app, int& exit_code);
@@ -28,7 +34,8 @@ void add_export_command(CLI::App& app, int& exit_code);
 void add_plot_command(CLI::App& app, int& exit_code);
 /// `plot region`, beside `region`.
 void add_region_plot(CLI::App& plot, int& exit_code);
-/// -o of the pictures.
-void add_output_option(CLI::App& command, std::string& output);
+void add_completion_command(CLI::App& app, int& exit_code);
+/// Hidden: writes the manual's pages. The build calls it.
+void add_manual_command(CLI::App& app, int& exit_code);
 
 }  // namespace stickslip

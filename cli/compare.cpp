@@ -100,7 +100,8 @@ void add_compare_command(CLI::App& app, int& exit_code) {
       "about 0; linear springs along normals and tangents; the same with each contact stuck,\n"
       "slipping without friction or detached; and the passive model without maximum\n"
       "dissipation. A method that would take too long is not computed.\n"
-      "Example: stickslip compare fig1.json --wrench 0,1,0 --preload 1");
+      "Example: stickslip compare fig1.json --wrench 0,1,0 --preload 1\n" +
+      kExitCodes);
   command->callback([arguments, &exit_code] { exit_code = compare(*arguments); });
 }
 

@@ -153,6 +153,7 @@ void add_crosscheck_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("CLAIMS", arguments->file,
                    "Claims file, JSON Lines (docs/crosscheck.md); - is standard input")
+      ->type_name("FILE")
       ->required();
   command
       ->add_option("--tie", arguments->tie,
@@ -174,21 +175,18 @@ void add_crosscheck_command(CLI::App& app, int& exit_code) {
                    "certificate for stickslip-check, line-N.grasp.json and "
                    "line-N.certificate.json")
       ->type_name("DIR");
-  command
-      ->add_option("--node-limit", arguments->node_limit,
-                   "Decide with the cone engine, and give up each verdict or margin after N "
-                   "nodes; 0 is no limit")
-      ->type_name("N")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  add_node_limit_option(*command, arguments->node_limit);
   command->add_flag("--json", arguments->json,
                     "Print one JSON object a line, and a summary; rationals are strings");
   command->footer(
-      "Example of a line:\n"
+      "Right claims are counted, all others shown. A node limit makes the cone engine decide "
+      "all\n"
+      "claims, and holds for each verdict and each distance to a threshold.\n"
+      "Example: stickslip crosscheck claims.jsonl\n"
+      "where a line of claims.jsonl may be (broken here for reading)\n"
       "  {\"grasp\": \"fig1.json\", \"options\": {\"wrench\": [0, 1, 0], \"preload\": 1},\n"
       "   \"claim\": {\"verdict\": \"stable\", \"twist\": [0, 1, 0],\n"
       "             \"forces\": [[1, -0.5], [0, 0], [1, 0.5]]}}\n"
-      "(on one line). Right claims are counted, all others shown.\n"
       "Exit codes: 0 all right or ties, 1 some wrong, 2 unreadable lines or bad usage,\n"
       "3 undecided within a limit; the first of 1, 2, 3 that applies.");
   command->callback([arguments, &exit_code] { exit_code = crosscheck(*arguments); });

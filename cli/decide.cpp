@@ -201,31 +201,24 @@ void add_decide_command(CLI::App& app, int& exit_code) {
           "--engine", arguments->engine,
           "How to decide; every engine is exact. states: the system of every slip state. cone: "
           "branch and bound, for many contacts. auto: states for few contacts, else cone")
+      ->type_name("ENGINE")
       ->check(CLI::IsMember({"auto", "states", "cone"}))
       ->capture_default_str();
   command
       ->add_option("--certificate", arguments->certificate,
                    "Write a proof of the verdict for stickslip-check (certificate/FORMAT.md)")
       ->type_name("FILE");
-  command
-      ->add_option("--node-limit", arguments->node_limit,
-                   "Let the cone engine give up, undecided, after N nodes; 0 is no limit")
-      ->type_name("N")
-      ->check(CLI::NonNegativeNumber)  // -1 would be a very large number
-      ->capture_default_str();
-  command
-      ->add_option(
-          "--threads", arguments->threads,
-          "Threads of the cone engine; 0 is one a core. The answer does not depend on it")
-      ->type_name("N")
-      ->check(CLI::NonNegativeNumber)  // -1 would be a very large number
-      ->capture_default_str();
+  add_node_limit_option(*command, arguments->node_limit);
+  add_count_option(
+      *command, "--threads", arguments->threads,
+      "Threads of the cone engine; 0 is one a core. The answer does not depend on it");
   command->add_flag("--json", arguments->json, "Print one JSON object; rationals are strings");
   command->add_flag("--exit-code", arguments->answer_by_exit_code,
-                    "Exit with 10 if stable, 20 if unstable");
+                    "Exit with 10 if stable, 20 if unstable, instead of 0");
   command->footer(
       "Example: stickslip decide fig1.json --wrench 0,-11/10,0 --preload 0\n"
-      "Exit codes: 0 done, 2 bad input or usage, 3 undecided within a limit.");
+      "Exit codes: 0 done (with --exit-code 10 stable, 20 unstable), 2 bad input or usage,\n"
+      "3 undecided within a limit.");
   command->callback([arguments, &exit_code] { exit_code = decide(*arguments); });
 }
 

@@ -26,8 +26,8 @@ void add_export_command(CLI::App& app, int& exit_code) {
       ->add_flag("--smt2", arguments->smt2,
                  "SMT-LIB 2, logic QF_LRA: sat means stable, unsat unstable")
       ->required();
-  command->add_option("--output,-o", arguments->output, "File to write; - is standard output")
-      ->capture_default_str();
+  add_output_option(*command, arguments->output, "SMT-LIB file");
+  command->footer("Example: stickslip export fig1.json --smt2 -o fig1.smt2\n" + kExitCodes);
   command->callback([arguments, &exit_code] {
     write_whole_file(arguments->output, smtlib_text(arguments->question.question()));
     exit_code = kDone;

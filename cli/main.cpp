@@ -5,17 +5,20 @@
 #include "stickslip/core/error.hpp"
 
 int main(int argc, char** argv) {
-  CLI::App app("Exact passive stability of planar frictional grasps, with proofs.",
-               "stickslip");
+  CLI::App app("Exact passive stability of planar frictional grasps, with proofs", "stickslip");
   app.set_version_flag("--version", "stickslip " STICKSLIP_VERSION);
   app.require_subcommand(1);
   app.get_formatter()->column_width(34);
   app.footer(
-      "A grasp file is JSON: contacts (position, normal into the object, friction, stiffness,\n"
-      "preload) and the wrench applied to the object. Numbers are read exactly.\n"
+      "Each subcommand explains itself: stickslip decide --help.\n"
+      "Files: A grasp file is JSON (docs/grasp_file.md): contacts (position, normal into the\n"
+      "object, friction, stiffness, preload) and the wrench applied to the object. Numbers\n"
+      "are read exactly, \"3/5\" and 0.1 alike. Where stickslip is installed, docs/ is\n"
+      "share/doc/stickslip, and certificate/FORMAT.md is share/stickslip/FORMAT.md.\n"
+      "Example:\n"
       "  stickslip decide grasp.json --certificate proof.json\n"
-      "  stickslip-check grasp.json proof.json\n"
-      "Exit codes: 0 done, 2 bad input or usage, 3 undecided within a limit.");
+      "  stickslip-check grasp.json proof.json\n" +
+      stickslip::kExitCodesWithLimit);
   int exit_code = stickslip::kDone;
   stickslip::add_decide_command(app, exit_code);
   stickslip::add_states_command(app, exit_code);
@@ -26,6 +29,8 @@ int main(int argc, char** argv) {
   stickslip::add_crosscheck_command(app, exit_code);
   stickslip::add_export_command(app, exit_code);
   stickslip::add_plot_command(app, exit_code);
+  stickslip::add_completion_command(app, exit_code);
+  stickslip::add_manual_command(app, exit_code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -112,18 +112,13 @@ void add_margin_command(CLI::App& app, int& exit_code) {
       ->add_option("--certificate", arguments->certificate,
                    "Write a proof for stickslip-check --direction (certificate/FORMAT.md)")
       ->type_name("FILE");
-  command
-      ->add_option("--node-limit", arguments->node_limit,
-                   "Give up after N nodes of the search; 0 is no limit")
-      ->type_name("N")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  add_node_limit_option(*command, arguments->node_limit);
   command->add_flag("--json", arguments->json, "Print one JSON object; rationals are strings");
   command->footer(
-      "Example: stickslip margin fig1.json --preload 1 --direction 0,1,0\n"
       "The answer is a list of closed intervals; one without an upper end is printed as\n"
       "[a, oo), and ends in null in JSON.\n"
-      "Exit codes: 0 done, 2 bad input or usage, 3 undecided within a limit.");
+      "Example: stickslip margin fig1.json --preload 1 --direction 0,1,0\n" +
+      kExitCodesWithLimit);
   command->callback([arguments, &exit_code] { exit_code = margin(*arguments); });
 }
 

@@ -21,8 +21,9 @@ void add_grasp_plot(CLI::App& plot, int& exit_code) {
   CLI::App* command = plot.add_subcommand(
       "grasp", "The verdict: contacts, cones, load, and the forces and motion that hold it");
   arguments->question.add_to(*command);
-  add_output_option(*command, arguments->output);
-  command->footer("Example: stickslip plot grasp fig1.json --wrench 0,1,0 -o fig1.svg");
+  add_output_option(*command, arguments->output, "SVG file");
+  command->footer("Example: stickslip plot grasp fig1.json --wrench 0,1,0 -o fig1.svg\n" +
+                  kExitCodes);
   command->callback([arguments, &exit_code] {
     const Question question = arguments->question.question();
     const Decision decision = decide(Problem(question.loaded, question.law));
@@ -40,8 +41,8 @@ void add_states_plot(CLI::App& plot, int& exit_code) {
   CLI::App* command = plot.add_subcommand(
       "states", "The slip states: the sphere of motions, cut by one great circle a contact");
   add_grasp_argument(*command, arguments->file);
-  add_output_option(*command, arguments->output);
-  command->footer("Example: stickslip plot states fig1.json -o states.svg");
+  add_output_option(*command, arguments->output, "SVG file");
+  command->footer("Example: stickslip plot states fig1.json -o states.svg\n" + kExitCodes);
   command->callback([arguments, &exit_code] {
     const GraspFile file = read_grasp_file(arguments->file);
     write_whole_file(arguments->output, plot_states(file.content.grasp));
@@ -51,17 +52,13 @@ void add_states_plot(CLI::App& plot, int& exit_code) {
 
 }  // namespace
 
-void add_output_option(CLI::App& command, std::string& output) {
-  command.add_option("--output,-o", output, "SVG file to write; - is standard output")
-      ->type_name("FILE")
-      ->capture_default_str();
-}
-
 void add_plot_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "plot",
       "Draw a grasp, its slip states or its resistible wrenches: SVG for print and screen");
   command->require_subcommand(1);
+  command->footer("Example: stickslip plot grasp fig1.json -o fig1.svg\n" +
+                  kExitCodesWithLimit);
   add_grasp_plot(*command, exit_code);
   add_states_plot(*command, exit_code);
   add_region_plot(*command, exit_code);

@@ -32,7 +32,21 @@ Rational number_option(const std::string& option, const std::string& value) {
 
 void add_grasp_argument(CLI::App& command, std::string& file) {
   command.add_option("GRASP", file, "Grasp file (docs/grasp_file.md); - is standard input")
+      ->type_name("FILE")
       ->required();
+}
+
+void add_output_option(CLI::App& command, std::string& output, const std::string& sort) {
+  command.add_option("--output,-o", output, sort + " to write; - is standard output")
+      ->type_name("FILE")
+      ->capture_default_str();
+}
+
+void add_node_limit_option(CLI::App& command, std::size_t& node_limit) {
+  add_count_option(
+      command, "--node-limit", node_limit,
+      "Let the cone engine give up, undecided, after N nodes of its search; 0 is no "
+      "limit");
 }
 
 void QuestionArguments::add_to(CLI::App& command) {
@@ -43,7 +57,7 @@ void QuestionArguments::add_to(CLI::App& command) {
 void QuestionArguments::add_options_to(CLI::App& command) {
   command
       .add_option("--wrench", wrench_,
-                  "Wrench applied to the object, force x, force y and torque about the origin "
+                  "Wrench applied to the object: force x, force y and torque about the origin "
                   "(replaces the file's)")
       ->type_name("WX,WY,T");
   add_model_options_to(command);
@@ -55,19 +69,25 @@ void QuestionArguments::add_without_wrench_to(CLI::App& command) {
 }
 
 void QuestionArguments::add_model_options_to(CLI::App& command) {
-  command.add_option("--preload", preload_, "Preload of every contact (replaces the file's)")
+  command
+      .add_option(
+          "--preload", preload_,
+          "Preload of every contact, its normal force before the load (replaces the file's)")
       ->type_name("P");
   command
-      .add_option("--normal-law", law_,
-                  "unilateral: contacts may open, c_n = max(0, P - k N.d). bilateral: the "
-                  "paper's Eq. 4 literally, c_n = P - k N.d >= 0")
+      .add_option(
+          "--normal-law", law_,
+          "Normal force of a contact with preload P and stiffness k that is displaced by "
+          "N.d along its normal. unilateral: contacts may open, c_n = max(0, P - k N.d). "
+          "bilateral: the paper's Eq. 4 literally, c_n = P - k N.d >= 0")
+      ->type_name("LAW")
       ->check(CLI::IsMember({"unilateral", "bilateral"}))
       ->capture_default_str();
   command
-      .add_option(
-          "--snap-normals", snap_tolerance_,
-          "Replace each normal of irrational length by a rational unit vector within EPS "
-          "of its direction")
+      .add_option("--snap-normals", snap_tolerance_,
+                  "Replace each normal of irrational length, such as that of (1, 1), by a "
+                  "rational unit "
+                  "vector within EPS of its direction; the answer says how far each moved")
       ->type_name("EPS");
 }
 
@@ -76,7 +96,7 @@ void QuestionArguments::add_with_base_wrench_to(CLI::App& command) {
   starts_at_zero_ = true;
   command.get_option("--wrench")
       ->description(
-          "Wrench to start from, force x, force y and torque about the origin; 0,0,0 if not "
+          "Wrench w to start from: force x, force y and torque about the origin; 0,0,0 if not "
           "given, whatever the file's wrench");
 }
 

@@ -43,6 +43,24 @@ class QuestionArguments {
 /// The GRASP argument alone.
 void add_grasp_argument(CLI::App& command, std::string& file);
 
+/// -o of a command that writes one file of this sort.
+void add_output_option(CLI::App& command, std::string& output, const std::string& sort);
+
+/// An option whose value is a number of things, 0 or more; the help shows its default.
+template <class Count>
+void add_count_option(CLI::App& command, const std::string& option, Count& count,
+                      const std::string& description) {
+  static const CLI::Validator kNotNegative =  // -1 would be a very large number
+      CLI::Validator(CLI::NonNegativeNumber).description("");
+  command.add_option(option, count, description)
+      ->type_name("N")
+      ->check(kNotNegative)
+      ->capture_default_str();
+}
+
+/// --node-limit, of every command that searches by cones.
+void add_node_limit_option(CLI::App& command, std::size_t& node_limit);
+
 /// The number in an option's value. Throws InputError naming the option.
 Rational number_option(const std::string& option, const std::string& value);
 

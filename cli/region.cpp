@@ -232,8 +232,9 @@ void add_region_options(CLI::App& command, RegionArguments& arguments) {
   arguments.question.add_without_wrench_to(command);
   CLI::Option* origin =
       command
-          .add_option("--origin", arguments.origin,
-                      "The plane is ORIGIN + s U + t V; the origin is 0,0,0 by default")
+          .add_option(
+              "--origin", arguments.origin,
+              "The plane asked about is ORIGIN + s U + t V; the origin is 0,0,0 by default")
           ->type_name("WX,WY,T");
   command.add_option("--torque", arguments.torque, "Short for --origin 0,0,T")
       ->type_name("T")
@@ -244,12 +245,10 @@ void add_region_options(CLI::App& command, RegionArguments& arguments) {
   command.add_option("--v", arguments.v, "Second direction of the plane")
       ->type_name("WX,WY,T")
       ->capture_default_str();
-  command
-      .add_option("--mode-limit", arguments.mode_limit,
-                  "Give up, undecided, at more than N modes; 0 is no limit")
-      ->type_name("N")
-      ->check(CLI::NonNegativeNumber)  // -1 would be a very large number
-      ->capture_default_str();
+  add_count_option(
+      command, "--mode-limit", arguments.mode_limit,
+      "Give up, undecided, at more than N modes (slip states with the contacts that "
+      "are closed); 0 is no limit");
 }
 
 }  // namespace
@@ -270,8 +269,8 @@ void add_region_command(CLI::App& app, int& exit_code) {
   command->footer(
       "By default the plane is that of forces at zero torque. The wrench in the file plays no "
       "part.\n"
-      "Example: stickslip region fig1.json --preload 1\n"
-      "Exit codes: 0 done, 2 bad input or usage, 3 undecided within a limit.");
+      "Example: stickslip region fig1.json --preload 1\n" +
+      kExitCodesWithLimit);
   command->callback([arguments, &exit_code] {
     exit_code = arguments->svg ? draw_region(*arguments) : region(*arguments);
   });
@@ -282,8 +281,9 @@ void add_region_plot(CLI::App& plot, int& exit_code) {
   CLI::App* command = plot.add_subcommand(
       "region", "The resistible wrenches of a plane, by default forces at zero torque");
   add_region_options(*command, *arguments);
-  add_output_option(*command, arguments->output);
-  command->footer("Example: stickslip plot region fig1.json --preload 1 -o region.svg");
+  add_output_option(*command, arguments->output, "SVG file");
+  command->footer("Example: stickslip plot region fig1.json --preload 1 -o region.svg\n" +
+                  kExitCodesWithLimit);
   command->callback([arguments, &exit_code] { exit_code = draw_region(*arguments); });
 }
 

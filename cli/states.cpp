@@ -82,22 +82,25 @@ void add_states_command(CLI::App& app, int& exit_code) {
       "states", "Enumerate the slip states consistent with rigid motion, and count cells");
   add_grasp_argument(*command, arguments->file);
   command
-      ->add_option(
-          "--engine", arguments->engine,
-          "cgal: CGAL's arrangement on the sphere, the reference. sweep: ours, for many "
-          "contacts. paper: the paper's own three steps, a baseline. auto: cgal for "
-          "few contacts, else sweep")
+      ->add_option("--engine", arguments->engine,
+                   "How to enumerate. cgal: CGAL's arrangement on the sphere, the reference. "
+                   "sweep: ours, for many "
+                   "contacts. paper: the paper's own three steps, a baseline. auto: cgal for "
+                   "few contacts, else sweep")
+      ->type_name("ENGINE")
       ->check(CLI::IsMember({"auto", "cgal", "sweep", "paper"}))
       ->capture_default_str();
-  command
-      ->add_option("--threads", arguments->threads,
-                   "Threads of the sweep's counts; 0 is one a core")
-      ->check(CLI::NonNegativeNumber)
-      ->type_name("N")
-      ->capture_default_str();
+  add_count_option(*command, "--threads", arguments->threads,
+                   "Threads with which the sweep counts; 0 is one a core");
   command->add_flag("--list", arguments->list,
                     "List the states, one character a contact: + and - slip, 0 stick");
   command->add_flag("--json", arguments->json, "Print one JSON object");
+  command->footer(
+      "Motions are points of a sphere, which each contact cuts in a great circle: on it the\n"
+      "contact sticks, and it slips one way or the other on either side. Cells are the faces,\n"
+      "edges and vertices that result. Wrench, friction and preload play no part.\n"
+      "Example: stickslip states fig1.json --list\n" +
+      kExitCodes);
   command->callback([arguments, &exit_code] { exit_code = states(*arguments); });
 }
 

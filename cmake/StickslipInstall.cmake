@@ -17,6 +17,20 @@ endforeach()
 install(TARGETS stickslip stickslip-check)
 install(FILES ${PROJECT_SOURCE_DIR}/certificate/check.py ${PROJECT_SOURCE_DIR}/certificate/FORMAT.md
   DESTINATION ${CMAKE_INSTALL_DATADIR}/stickslip)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ TYPE DOC FILES_MATCHING PATTERN *.md)
+
+# The manual and what completes command lines: of stickslip as it wrote them (cli/CMakeLists.txt),
+# of stickslip-check by hand.
+set(checker ${PROJECT_SOURCE_DIR}/certificate/checker)
+set(completion ${PROJECT_BINARY_DIR}/completion)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/man/man1 TYPE MAN)
+install(FILES ${checker}/stickslip-check.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES ${completion}/stickslip ${checker}/completion/stickslip-check
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${completion}/_stickslip ${checker}/completion/_stickslip-check
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+install(FILES ${completion}/stickslip.fish ${checker}/completion/stickslip-check.fish
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/stickslip)
 install(EXPORT stickslip NAMESPACE stickslip:: FILE stickslipTargets.cmake

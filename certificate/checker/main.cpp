@@ -42,7 +42,7 @@ the program that produced the certificate:
                            rational unit vectors within EPS; the answer says how far
 
   --json                   answer as one JSON object
-  --help                   this text
+  -h, --help               this text
 
 Numbers are exact: 1, -0.25, 1e-3, 3/5.
 

@@ -19,6 +19,18 @@ cmake --build "$work/build" >/dev/null
 [[ $("$work/build/list_states" 1 0 0 0 1 0 0 0 1 | tail -n 1) == *"27 states" ]]
 [[ $("$prefix/bin/stickslip" --version) == "stickslip "* ]]
 
+# The manual, and what completes command lines, where man and the shells look for them.
+for command in "" -check $("$prefix/bin/stickslip" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z]*\) .*/-\1/p') \
+  -plot-grasp -plot-states -plot-region; do
+  [[ $(sed -n '/^.SH NAME/{n;s/\\//g;p}' "$prefix/share/man/man1/stickslip$command.1") == "stickslip$command - "* ]]
+done
+for program in stickslip stickslip-check; do
+  grep -q "^complete -F .* $program\$" "$prefix/share/bash-completion/completions/$program"
+  [[ $(head -n 1 "$prefix/share/zsh/site-functions/_$program") == "#compdef $program" ]]
+  grep -q "^complete -c $program " "$prefix/share/fish/vendor_completions.d/$program.fish"
+done
+cmp "$source/docs/grasp_file.md" "$prefix/share/doc/stickslip/grasp_file.md"
+
 # The prefix moved, so pkg-config is told where it is now.
 export PKG_CONFIG_PATH=$(dirname "$(find "$prefix" -name stickslip.pc)")
 read -ra flags < <(pkg-config --define-variable=prefix="$prefix" --cflags --libs stickslip)

@@ -1,0 +1,9 @@
+# fish completion for stickslip-check
+# SPDX-License-Identifier: MIT
+complete -c stickslip-check -l wrench -x -d 'Wrench applied to the object'
+complete -c stickslip-check -l direction -x -d 'Ask for the margin in this direction'
+complete -c stickslip-check -l preload -x -d 'One preload for all contacts'
+complete -c stickslip-check -l normal-law -x -a 'unilateral bilateral' -d 'Normal force of a contact'
+complete -c stickslip-check -l snap-normals -x -d 'Let normals be replaced by rational ones so near'
+complete -c stickslip-check -l json -d 'Answer as one JSON object'
+complete -c stickslip-check -s h -l help -d 'Print a short help'

@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The pages of the manual say what --help says, and are well formed."""
+
+import os
+import re
+import shutil
+import subprocess
+import unittest
+
+from commands import all_commands
+from test_cli import CHECK, DONE, FIG1, HERE, STICKSLIP, Case, read, run, stickslip
+
+CHECKER_PAGE = os.path.join(HERE, "..", "..", "certificate", "checker", "stickslip-check.1")
+OPTION = r"(?<![\w-])--?[a-z][a-z0-9-]*"
+
+
+def plain(page):
+    """A page's source without its markup; blanks are not told apart."""
+    text = re.sub(r"\\f[BIR]|\\&", "", page)
+    for escape, character in ((r"\-", "-"), (r"\(ha", "^"), (r"\(ti", "~"), (r"\(ga", "`"),
+                              (r"\(lq", '"'), (r"\(rq", '"'), ("\\ ", " "), (r"\e", "\\")):
+        text = text.replace(escape, character)
+    return " ".join(re.sub(r"^\.(PP|EX|EE|RS.*|RE)\n", "", text, flags=re.M).split())
+
+
+def section(page, heading):
+    found = re.search(rf"^\.SH {heading}\n(.*?)(?=^\.SH |\Z)", page, re.M | re.S)
+    return found[1] if found else ""
+
+
+def documented_options(page):
+    """The names on the lines that begin the entries of OPTIONS."""
+    heads = re.findall(r"^\.TP\n(.*)", section(page, "OPTIONS"), re.M)
+    return {name for head in heads for name in re.findall(OPTION, plain(head))}
+
+
+class Manual(Case):
+    def setUp(self):
+        super().setUp()
+        self.assertEqual(stickslip("manual", self.folder), (DONE, "", ""))
+        self.pages = {name: read(self.path(name)) for name in os.listdir(self.folder)}
+        self.commands = list(all_commands())
+
+    def page(self, command):
+        return self.pages[command.name.replace(" ", "-") + ".1"]
+
+    def test_one_page_for_each_command(self):
+        self.assertGreater(len(self.commands), 10)
+        self.assertEqual(len(self.pages), len(self.commands))
+        for command in self.commands:
+            page = self.page(command)
+            description = command.help.splitlines()[0]
+            self.assertIn(plain(command.name.replace(" ", "-") + " - " + description),
+                          plain(section(page, "NAME")))
+            for heading in ("SYNOPSIS", "DESCRIPTION", "OPTIONS", "EXIT STATUS", "EXAMPLES",
+                            "SEE ALSO"):
+                self.assertTrue(section(page, heading), (command.name, heading))
+            self.assertIn(f"stickslip {stickslip('--version')[1].split()[1]}", page)
+
+    def test_options_are_those_of_the_help(self):
+        for command in self.commands:
+            page = self.page(command)
+            self.assertEqual(documented_options(page), command.option_names(), command.name)
+            text = plain(section(page, "OPTIONS"))
+            for names, rest, description in command.options():
+                self.assertIn(plain(description), text)
+                self.assertIn(names[-1], plain(section(page, "SYNOPSIS")))
+                entry = text[text.index(", ".join(names)):]
+                for choice in re.findall(r"[{,](\w+)", rest if "{" in rest else ""):
+                    self.assertIn(choice, entry)
+                default = re.search(r"=(\S+)", rest)
+                if default:
+                    self.assertIn(f"Default: {default[1]}.", entry)
+                self.assertEqual("REQUIRED" in rest, "Required." in entry.split(" --", 1)[0])
+            for left, description in command.section("Positionals"):
+                self.assertIn(plain(f"{left.split()[0]} {description}"),
+                              plain(section(page, "ARGUMENTS")).replace(".TP ", ""))
+            for name, description in command.section("Subcommands"):
+                self.assertIn(plain(description), plain(section(page, "SUBCOMMANDS")))
+
+    def test_what_stands_below_the_options_is_all_there(self):
+        heads = r"^(Files|Example|Exit codes):"
+        for command in self.commands:
+            last = command.section("Subcommands" if command.subcommands() else "Options")[-1][-1]
+            below = command.help[command.help.index(last) + len(last):]
+            page = plain(self.page(command))
+            for line in re.sub(heads, "", below, flags=re.M).splitlines():
+                self.assertIn(" ".join(line.split()), page)
+            self.assertTrue(command.examples()[0].startswith(command.name), command.name)
+
+    def test_the_examples_work(self):
+        crosscheck = next(c.help for c in self.commands if c.words == ("crosscheck",))
+        claim = re.search(r'^ *\{"grasp".*?\}\}$', crosscheck, re.M | re.S)[0]  # shown broken
+        environment = {**os.environ, "PATH": os.pathsep.join(
+            (os.path.dirname(STICKSLIP), os.path.dirname(CHECK), os.environ["PATH"]))}
+        examples = [example for command in self.commands for example in command.examples()]
+        examples += [line for line in section(read(CHECKER_PAGE), "EXAMPLES").replace("\\-", "-")
+                     .splitlines() if line.startswith("stickslip")]
+        for name in ("fig1.json", "grasp.json"):
+            shutil.copy(FIG1, self.path(name))
+        self.write("grasps.jsonl", read(FIG1).replace("\n", " ") + "\n")
+        self.write("claims.jsonl", claim.replace("\n", " ") + "\n")
+        for example in examples:
+            result = subprocess.run(["bash", "-c", example], cwd=self.folder, env=environment,
+                                    capture_output=True, text=True, check=False, timeout=300)
+            self.assertEqual((result.returncode, result.stderr), (DONE, ""), example)
+
+    def test_same_bytes(self):
+        again = os.path.join(self.folder, "again")
+        os.mkdir(again)
+        self.assertEqual(stickslip("manual", again), (DONE, "", ""))
+        self.assertEqual({name: read(os.path.join(again, name)) for name in os.listdir(again)},
+                         self.pages)
+
+    def test_a_folder_that_is_not_there(self):
+        self.fails("manual", self.path("none"), naming=["none"])
+        self.fails("manual")
+        self.assertNotIn("manual", [words for c in self.commands for words in c.words])
+
+    def lint(self, *tool):
+        if shutil.which(tool[0]) is None:
+            self.skipTest(f"no {tool[0]} (Debian: mandoc, man-db)")
+        for page in [*map(self.path, self.pages), CHECKER_PAGE]:
+            code, out, err = run(*tool, page)
+            self.assertEqual((code, err), (0, ""), page)
+            yield out
+
+    def test_mandoc_has_no_warning(self):
+        self.assertEqual(set(self.lint("mandoc", "-T", "lint", "-W", "warning")), {""})
+        bad = self.write("bad.1", self.pages["stickslip.1"].replace(".SH NAME", ".XX"))
+        self.assertNotEqual(run("mandoc", "-T", "lint", "-W", "warning", bad)[0], 0)
+
+    def test_man_has_no_warning(self):
+        self.assertTrue(all(self.lint("man", "--warnings", "-E", "ascii", "-l")))
+        bad = self.write("bad.1", self.pages["stickslip.1"].replace(".SH NAME", ".XX"))
+        self.assertNotEqual(run("man", "--warnings", "-E", "ascii", "-l", bad)[2], "")
+
+
+class CheckersPage(unittest.TestCase):
+    def test_options_are_those_of_the_help(self):
+        page = read(CHECKER_PAGE)
+        code, text, err = run(CHECK, "--help")
+        self.assertEqual((code, err), (0, ""))
+        described = {name for line in re.findall(r"^  (-.*?)(?:  |\n)", text, re.M)
+                     for name in re.findall(OPTION, line)}
+        self.assertIn("--snap-normals", described)
+        self.assertEqual(documented_options(page), described)
+        self.assertLessEqual(described - {"-h"}, set(re.findall(OPTION, plain(section(page, "SYNOPSIS")))))
+
+
+if __name__ == "__main__":
+    unittest.main()

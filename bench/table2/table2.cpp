@@ -17,6 +17,7 @@
 
 #include "random_planes.hpp"
 #include "report.hpp"
+#include "statistics.hpp"
 #include "stickslip/arrangement/arrangement_structure.hpp"
 #include "stickslip/arrangement/sweep.hpp"
 
@@ -128,12 +129,12 @@ ScalingRow measure_scaling_row(std::size_t m) {
   if (m <= kLargestForCgal) {
     row.cgal = measure_in_child(
         [&] { return enumerate_slip_states_cgal(planes).counts.cells(); }, rounds);
-    check(row.cgal->cells == cells_of_simple(m), "number of cells (cgal)", m);
+    check(row.cgal->result == cells_of_simple(m), "number of cells (cgal)", m);
   }
   row.cells = row.count.result;
   row.distinct_states = count_cells(planes).distinct_states;
   for (const ChildMeasurement* measured : {&row.count, &row.visit, &row.structure}) {
-    check(measured->cells == cells_of_simple(m), "number of cells (sweep)", m);
+    check(measured->result == cells_of_simple(m), "number of cells (sweep)", m);
   }
   check(row.distinct_states == states_of_simple(m), "number of states (sweep)", m);
   return row;

@@ -270,13 +270,13 @@ class Batch {
   }
 
   std::string interruption_text() const {
-    const bool to_stdout = arguments_.output == "-";
+    if (arguments_.output == "-") {
+      return "stickslip: interrupted; had the results gone to --output FILE, --resume would go "
+             "on from there";
+    }
     return "stickslip: interrupted with " + std::to_string(written_before_ + written_) +
-           " results written" +
-           (to_stdout
-                ? "; had they gone to --output FILE, --resume would go on from there"
-                : " to " + arguments_.output + "; go on with the same command" +
-                      (arguments_.file == "-" ? ", the same input" : "") + " and --resume");
+           " results in " + arguments_.output + "; go on with the same command" +
+           (arguments_.file == "-" ? ", the same input" : "") + " and --resume";
   }
 
   std::string progress_text() const {

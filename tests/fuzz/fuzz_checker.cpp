@@ -6,17 +6,13 @@
 //
 // With the environment variable STICKSLIP_SPOOL, inputs are left in that folder for check.py
 // together with the answer that it must give (tests/support/batch.py).
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdlib>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "arguments.hpp"
 #include "check.hpp"
 #include "fuzz_target.hpp"
+#include "spool.hpp"
 #include "stickslip/equilibrium/cone_engine.hpp"
 #include "stickslip/equilibrium/margin.hpp"
 #include "stickslip/equilibrium/question.hpp"
@@ -103,32 +99,14 @@ std::string claim_of(const Accepted& accepted) {
   return text;
 }
 
-/// Only now and then: check.py takes its time.
 void leave_for_python(const Input& input, const Answer& answer) {
-  static const char* const folder = std::getenv("STICKSLIP_SPOOL");
   static std::size_t count = 0;
-  if (folder == nullptr || count++ % 16 != 0) return;
-  const auto as_characters = [](const std::string& bytes) {  // U+0000 to U+00FF
-    std::string text;
-    for (const char c : bytes) {
-      const auto byte = static_cast<unsigned char>(c);
-      if (byte < 0x80) {
-        text += c;
-      } else {
-        text += {static_cast<char>(0xC0U | (byte >> 6U)),
-                 static_cast<char>(0x80U | (byte & 0x3FU))};
-      }
-    }
-    return text;
-  };
+  if (count++ % 16 != 0) return;  // check.py takes its time
   const char* const results[] = {"accepted", "rejected", "malformed"};
-  static std::ofstream file(
-      std::string(folder) + "/fuzz-" + std::to_string(::getpid()) + ".jsonl", std::ios::binary);
-  const nlohmann::json json{{"grasp", as_characters(input.grasp)},
-                            {"certificate", as_characters(input.certificate)},
-                            {"options", input.words},
-                            {"expected", results[answer.index()]}};
-  file << json.dump(-1, ' ', true) << std::endl;
+  using stickslip::test::spool_line;
+  const bool good = stickslip::test::append_to_spool(
+      spool_line(input.grasp, input.certificate, input.words, results[answer.index()]));
+  if (!good) broken("cannot write to the spool");
 }
 
 void run(const Input& input) {

@@ -16,6 +16,7 @@ import json
 import math
 import os
 import re
+import signal
 import sys
 from fractions import Fraction
 from typing import Any, Dict, List, NamedTuple, NoReturn, Optional, Sequence, Tuple
@@ -1062,4 +1063,5 @@ def main(arguments: Sequence[str]) -> int:
 
 
 if __name__ == "__main__":
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl-C: end without a traceback
     sys.exit(main(sys.argv[1:]))

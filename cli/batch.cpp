@@ -2,12 +2,15 @@
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_pipeline.h>
 #include <oneapi/tbb/task_arena.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -19,7 +22,9 @@
 #include <string>
 #include <vector>
 
+#include "batch_results.hpp"
 #include "commands.hpp"
+#include "interruption.hpp"
 #include "progress.hpp"
 #include "question_options.hpp"
 #include "stickslip/certificate/certificate.hpp"
@@ -97,6 +102,7 @@ class Batch {
 
   int run() {
     skip_finished();
+    to_file_ = writes_to_file();
     using oneapi::tbb::global_control;
     std::optional<global_control> allowed;  // more than there are cores, without a warning
     if (arguments_.threads > 0) {
@@ -142,33 +148,29 @@ class Batch {
   /// unfinished.
   void open_output() {
     const std::string& path = arguments_.output;
-    std::uintmax_t whole = 0;
-    {
+    if (std::filesystem::is_regular_file(path, ignored_)) {
       std::ifstream before(path, std::ios::binary);
-      for (std::string line; std::getline(before, line) && !before.eof();) {
-        whole += line.size() + 1;
-        finished_.push_back(key_in(line, finished_.size() + 1));
-      }
-    }
-    if (std::filesystem::exists(path, ignored_)) {
+      finished_ = read_results(before, path);
+      written_before_ = finished_.keys.size();
+      before.close();
       if (!arguments_.resume && std::filesystem::file_size(path, ignored_) > 0) {
         throw InputError(path, "--output", "the file exists",
                          "go on with --resume, or name another file");
       }
-      std::filesystem::resize_file(path, whole, ignored_);
+      std::filesystem::resize_file(path, finished_.bytes, ignored_);
     }
     output_file_.open(path, std::ios::binary | std::ios::app);
     if (!output_file_) throw cannot_write();
     out_ = &output_file_;
   }
 
-  std::string key_in(const std::string& line, std::size_t number) const {
-    const Json result = Json::parse(line, nullptr, false);
-    if (!result.is_object() || !result.contains("key") || !result["key"].is_string()) {
-      throw InputError(arguments_.output, "line " + std::to_string(number),
-                       "this is not a result of a batch", "name another file");
-    }
-    return result["key"].get<std::string>();
+  /// Whether results go to a file, which is to end in a whole line whatever happens. Nobody may
+  /// ever read a pipe: an interruption does not wait for it.
+  bool writes_to_file() const {
+    struct stat out {};
+    const int found = out_ == &std::cout ? ::fstat(STDOUT_FILENO, &out)
+                                         : ::stat(arguments_.output.c_str(), &out);
+    return found == 0 && S_ISREG(out.st_mode);
   }
 
   InputError cannot_write() const {
@@ -178,7 +180,7 @@ class Batch {
 
   /// What has a result need not be decided again, if it was the same question.
   void skip_finished() {
-    for (const std::string& key : finished_) {
+    for (const std::string& key : finished_.keys) {
       Item item;
       const bool more = read_line(item);
       if (!more || key != key_of(options_text_, item.text)) {
@@ -188,8 +190,7 @@ class Batch {
             "resume with the same grasps and options, or name another file");
       }
     }
-    finished_.clear();
-    finished_.shrink_to_fit();
+    finished_ = {};
     bytes_skipped_ = bytes_read_;
   }
 
@@ -256,12 +257,26 @@ class Batch {
   }
 
   void write(const Item& item) {
+    std::optional<FileWrite> whole_line;
+    if (to_file_) whole_line.emplace();
+    errno = 0;
     *out_ << item.result << std::flush;
+    if (!*out_ && errno == EPIPE && on_broken_pipe_ == SIG_DFL) end_by_signal(SIGPIPE);
     if (!*out_) throw cannot_write();
     ++written_;
     unreadable_ += item.outcome == Item::Outcome::kUnreadable ? 1 : 0;
     undecided_ += item.outcome == Item::Outcome::kUndecided ? 1 : 0;
     progress_.show(progress_text());
+  }
+
+  std::string interruption_text() const {
+    if (arguments_.output == "-") {
+      return "stickslip: interrupted; had the results gone to --output FILE, --resume would go "
+             "on from there";
+    }
+    return "stickslip: interrupted with " + std::to_string(written_before_ + written_) +
+           " results in " + arguments_.output + "; go on with the same command" +
+           (arguments_.file == "-" ? ", the same input" : "") + " and --resume";
   }
 
   std::string progress_text() const {
@@ -288,16 +303,22 @@ class Batch {
   std::istream* in_ = &std::cin;
   std::ofstream output_file_;
   std::ostream* out_ = &std::cout;
-  std::vector<std::string> finished_;  ///< keys of the results that were there
+  FinishedResults finished_;  ///< the results that were there
   std::optional<TextLines> lines_;
   std::uintmax_t bytes_ = 0;  ///< of the input, if known
   std::atomic<std::uintmax_t> bytes_read_{0};
   std::uintmax_t bytes_skipped_ = 0;  ///< that had results already
-  std::size_t written_ = 0;
+  bool to_file_ = false;
+  std::size_t written_before_ = 0;  ///< results that were there
+  std::atomic<std::size_t> written_{0};
   std::size_t unreadable_ = 0;
   std::size_t undecided_ = 0;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   Progress progress_;
+  /// With the default, the end of whoever reads the results would end a certificate
+  /// half-written.
+  void (*on_broken_pipe_)(int) = std::signal(SIGPIPE, SIG_IGN);
+  InterruptionMessage interruption_{[this] { return interruption_text(); }};
 };
 
 }  // namespace
@@ -335,6 +356,8 @@ void add_batch_command(CLI::App& app, int& exit_code) {
       "Each line gives one line of JSON: line, key (of the question), name and verdict, or\n"
       "the error that it has; the rest goes on. Certificates are checked with the line as\n"
       "grasp file. The node limit holds for each grasp. Memory does not grow with the file.\n"
+      "An interruption (Ctrl-C, SIGTERM, SIGHUP) ends the program by that signal, between two\n"
+      "lines: FILE then ends in a whole line, and the same command with --resume goes on.\n"
       "Example: stickslip batch grasps.jsonl -o verdicts.jsonl --resume\n"
       "Exit codes: 0 done, 2 some lines were unreadable (or bad usage), 3 some undecided\n"
       "within the limit.");

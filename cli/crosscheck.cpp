@@ -46,10 +46,11 @@ std::vector<std::string> save(const std::string& folder, std::size_t number,
   const std::string grasp = stem + ".grasp.json";
   const std::string certificate = stem + ".certificate.json";
   const std::string grasp_text = write_grasp(question.loaded);
-  write_whole_file(certificate,
-                   certificate_text(question, decision.verdict,
-                                    std::string("stickslip " STICKSLIP_VERSION ", engine ") +
-                                        decision.engine()));
+  const std::string proof = certificate_text(
+      question, decision.verdict,
+      std::string("stickslip " STICKSLIP_VERSION ", engine ") + decision.engine());
+  const FileWrite both;
+  write_whole_file(certificate, proof);
   try {
     write_whole_file(grasp, grasp_text);
   } catch (...) {

@@ -2,9 +2,11 @@
 #include <iostream>
 
 #include "commands.hpp"
+#include "interruption.hpp"
 #include "stickslip/core/error.hpp"
 
 int main(int argc, char** argv) {
+  stickslip::finish_files_when_interrupted();
   CLI::App app("Exact passive stability of planar frictional grasps, with proofs", "stickslip");
   app.set_version_flag("--version", "stickslip " STICKSLIP_VERSION);
   app.require_subcommand(1);

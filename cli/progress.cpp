@@ -12,7 +12,7 @@ Progress::Progress()
       next_(std::chrono::steady_clock::now() + std::chrono::seconds(1)) {}
 
 Progress::~Progress() {
-  if (shown_) std::cerr << "\r\033[K" << std::flush;
+  if (shown_) std::cerr << kClearLine << std::flush;
 }
 
 void Progress::show(const std::string& text) {
@@ -21,7 +21,7 @@ void Progress::show(const std::string& text) {
   if (now < next_) return;
   next_ = now + std::chrono::milliseconds(200);
   shown_ = true;
-  std::cerr << "\r\033[K" << text << std::flush;
+  std::cerr << kClearLine << text << std::flush;
 }
 
 }  // namespace stickslip

@@ -8,6 +8,9 @@
 
 namespace stickslip {
 
+/// What takes a terminal's cursor to the start of its line and clears it.
+inline constexpr const char* kClearLine = "\r\033[K";
+
 /// Writes to standard error if that is a terminal, else nothing: first after a second, then a
 /// few times a second, over its own line. The destructor clears it.
 class Progress {

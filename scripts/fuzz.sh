@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Fuzzes the grasp reader and the certificate checker with libFuzzer, ASan and UBSan:
-#   scripts/fuzz.sh [SECONDS]     for each of the two; 60 when absent
-# Inputs that break something are left in build-fuzz/findings.
+# Fuzzes all that reads outside input with libFuzzer, ASan and UBSan:
+#   scripts/fuzz.sh [SECONDS]     for each target (tests/fuzz/CMakeLists.txt); 60 when absent
+# Inputs that break something are left in build-fuzz/findings; put into the folder
+# tests/corpus/fuzz_<target>, they are replayed by ctest from then on.
 set -euo pipefail
 STICKSLIP_BUILD_DIR=${STICKSLIP_BUILD_DIR:-$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/build-fuzz}
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -14,14 +15,14 @@ sanitizers="-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-fra
 step "Configuring" configure cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo \
   -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_CXX_FLAGS="$sanitizers -fsanitize=fuzzer-no-link" \
   -DSTICKSLIP_BUILD_FUZZERS=ON -DSTICKSLIP_BUILD_BENCH=OFF
-step "Building" build cmake --build "$build" -j "$(jobs_for_build)" --target \
-  fuzz_grasp_reader fuzz_checker fuzz_replay_grasp_reader fuzz_replay_checker
+step "Building" build cmake --build "$build" -j "$(jobs_for_build)" --target fuzzers
 mkdir -p "$build/findings"
-for target in grasp_reader checker; do
+for replay in "$build"/tests/bin/fuzz_replay_*; do
+  target=${replay##*/fuzz_replay_}
   seeds=$build/seeds/$target
   grown=$build/grown/$target  # what libFuzzer finds of interest; kept for the next run
   mkdir -p "$seeds" "$grown"
-  "$build/tests/bin/fuzz_replay_$target" "$root/tests/corpus" --seeds "$seeds"
+  "$replay" "$root/tests/corpus" --seeds "$seeds"
   step "Fuzzing $target for $seconds s" "fuzz_$target" "$build/bin/fuzz_$target" \
     -max_total_time="$seconds" -max_len=16384 -timeout=30 -rss_limit_mb=2048 -print_final_stats=1 \
     -artifact_prefix="$build/findings/$target-" "$grown" "$seeds"

@@ -5,16 +5,24 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
+#include <condition_variable>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <vector>
+#include <filesystem>
+#include <initializer_list>
+#include <mutex>
+#include <optional>
+#include <string>
 
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
 namespace {
+
+namespace fs = std::filesystem;
 
 InputError cannot_write(const std::string& path, int error) {
   return {path, "", std::string("the file cannot be written: ") + std::strerror(error),
@@ -31,44 +39,141 @@ bool write_all(int descriptor, std::string_view content) {
   return true;
 }
 
+/// What `path` is a link to, through any number of links: the file that is to be replaced.
+/// Where there is none yet, the file that the last link names.
+std::string behind_links(const std::string& path) {
+  constexpr int kMostLinks = 40;  // as the kernel follows
+  fs::path file = path;
+  std::error_code error;
+  for (int links = 0; fs::is_symlink(file, error); ++links) {
+    if (links == kMostLinks) throw cannot_write(path, ELOOP);
+    const fs::path target = fs::read_symlink(file, error);
+    if (error) throw cannot_write(path, error.value());
+    file = file.parent_path() / target;  // the target alone if it is absolute
+  }
+  return file.string();
+}
+
+/// Standard output or error if that is this file, as /dev/stdout is.
+std::optional<int> standard_stream(const struct stat& file) {
+  for (const int descriptor : {STDOUT_FILENO, STDERR_FILENO}) {
+    struct stat stream {};
+    if (::fstat(descriptor, &stream) == 0 && stream.st_dev == file.st_dev &&
+        stream.st_ino == file.st_ino) {
+      return descriptor;
+    }
+  }
+  return std::nullopt;
+}
+
+/// A device or pipe (/dev/null), which cannot be replaced by renaming.
+void write_into(const std::string& path, std::string_view content) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  const bool good = descriptor >= 0 && write_all(descriptor, content);
+  const int error = errno;
+  if (descriptor >= 0) ::close(descriptor);
+  if (!good) throw cannot_write(path, error);
+}
+
+/// A new file that is open for writing.
+struct TemporaryFile {
+  std::string name;
+  int descriptor;
+};
+
+/// Beside `file`. Private if the file that it is to replace may be.
+TemporaryFile make_temporary(const std::string& file, bool is_private) {
+  static std::atomic<unsigned> count{0};
+  const mode_t mode = is_private ? 0600 : 0666;
+  for (;;) {
+    const std::string name =
+        file + "." + std::to_string(::getpid()) + "-" + std::to_string(count++) + ".tmp";
+    const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    if (descriptor >= 0 || errno != EEXIST) return {name, descriptor};
+  }
+}
+
+/// To those of the file that is replaced.
+bool set_permissions(int descriptor, const struct stat& replaced) {
+  // Only root may give a file away; otherwise it belongs to who wrote it.
+  const bool given = ::fchown(descriptor, replaced.st_uid, replaced.st_gid) == 0;
+  const auto mode = static_cast<mode_t>(given ? 07777 : 0777);
+  return ::fchmod(descriptor, replaced.st_mode & mode) == 0;
+}
+
+/// How many threads are writing, and whether others may begin.
+struct Writes {
+  std::mutex mutex;
+  std::condition_variable changed;
+  int under_way = 0;
+  bool stopped = false;
+};
+
+/// Never destroyed: threads may write while the program ends.
+Writes& writes() {
+  static auto* const all = new Writes;
+  return *all;
+}
+
+thread_local int writes_of_this_thread = 0;
+
 }  // namespace
+
+FileWrite::FileWrite() {
+  if (writes_of_this_thread++ > 0) return;
+  Writes& all = writes();
+  std::unique_lock<std::mutex> lock(all.mutex);
+  all.changed.wait(lock, [&] { return !all.stopped; });
+  ++all.under_way;
+}
+
+FileWrite::~FileWrite() {
+  if (--writes_of_this_thread > 0) return;
+  Writes& all = writes();
+  const std::lock_guard<std::mutex> lock(all.mutex);
+  --all.under_way;
+  all.changed.notify_all();
+}
+
+void stop_file_writes(std::chrono::seconds at_most) {
+  Writes& all = writes();
+  std::unique_lock<std::mutex> lock(all.mutex);
+  all.stopped = true;
+  all.changed.wait_for(lock, at_most, [&] { return all.under_way == 0; });
+}
 
 void write_whole_file(const std::string& path, std::string_view content) {
   if (path == "-") {
     if (!write_all(STDOUT_FILENO, content)) throw cannot_write("<stdout>", errno);
     return;
   }
-  // A device or pipe (/dev/null, /dev/stdout) cannot be replaced by renaming.
-  struct stat status {};
-  if (::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
-    const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-    const bool good = descriptor >= 0 && write_all(descriptor, content);
-    const int error = errno;
-    if (descriptor >= 0) ::close(descriptor);
-    if (!good) throw cannot_write(path, error);
+  struct stat old {};
+  const bool exists = ::stat(path.c_str(), &old) == 0;
+  if (const auto stream = exists ? standard_stream(old) : std::nullopt) {
+    if (!write_all(*stream, content)) throw cannot_write(path, errno);
     return;
   }
-  const std::string pattern = path + ".XXXXXX";
-  std::vector<char> name(pattern.begin(), pattern.end());
-  name.push_back('\0');
-  const int descriptor = ::mkstemp(name.data());
+  if (exists && !S_ISREG(old.st_mode)) {
+    write_into(path, content);
+    return;
+  }
+
+  const std::string file = behind_links(path);
+  const FileWrite write;
+  const auto [name, descriptor] = make_temporary(file, exists);
   if (descriptor < 0) throw cannot_write(path, errno);
-  // mkstemp makes the file private; give it the permissions a new file would have.
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  bool good = ::fchmod(descriptor, static_cast<mode_t>(0666) & ~mask) == 0 &&
-              write_all(descriptor, content);
+  bool good = write_all(descriptor, content) && (!exists || set_permissions(descriptor, old));
   int error = errno;
   if (::close(descriptor) != 0) {
     good = false;
     error = errno;
   }
-  if (good && std::rename(name.data(), path.c_str()) != 0) {
+  if (good && std::rename(name.c_str(), file.c_str()) != 0) {
     good = false;
     error = errno;
   }
   if (!good) {
-    ::unlink(name.data());
+    ::unlink(name.c_str());
     throw cannot_write(path, error);
   }
 }

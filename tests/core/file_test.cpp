@@ -3,11 +3,18 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string>
+#include <thread>
+#include <vector>
 
 #include "stickslip/core/error.hpp"
 
@@ -71,6 +78,97 @@ TEST_F(WriteWholeFile, ADirectoryIsNotReplaced) {
 
 TEST_F(WriteWholeFile, WritesIntoADevice) {
   EXPECT_NO_THROW(write_whole_file("/dev/null", "x"));
+}
+
+TEST_F(WriteWholeFile, FollowsLinks) {
+  write_whole_file(path("real"), "old");
+  fs::create_symlink("real", path("near"));
+  fs::create_directory(path("folder"));
+  fs::create_symlink("../near", path("folder/far"));
+  write_whole_file(path("folder/far"), "new");
+  EXPECT_EQ(content(path("real")), "new");
+  EXPECT_TRUE(fs::is_symlink(path("near")));
+  EXPECT_TRUE(fs::is_symlink(path("folder/far")));
+
+  fs::create_symlink(path("not_yet"), path("absolute"));
+  write_whole_file(path("absolute"), "made");
+  EXPECT_EQ(content(path("not_yet")), "made");
+  EXPECT_TRUE(fs::is_symlink(path("absolute")));
+  EXPECT_EQ(entries(), 5);
+}
+
+TEST_F(WriteWholeFile, LinksThatLeadNowhere) {
+  fs::create_symlink("b", path("a"));
+  fs::create_symlink("a", path("b"));
+  EXPECT_THROW(write_whole_file(path("a"), "text"), InputError);
+  fs::create_symlink("no_such_folder/f", path("c"));
+  EXPECT_THROW(write_whole_file(path("c"), "text"), InputError);
+  EXPECT_EQ(entries(), 3);
+}
+
+TEST_F(WriteWholeFile, KeepsPermissions) {
+  const auto mode = [&](const char* name) { return fs::status(path(name)).permissions(); };
+  const mode_t mask = ::umask(027);
+  write_whole_file(path("new"), "text");
+  ::umask(mask);
+  EXPECT_EQ(mode("new"), static_cast<fs::perms>(0640));
+  for (const unsigned kept : {0600U, 0666U, 0755U, 0440U}) {
+    fs::permissions(path("new"), static_cast<fs::perms>(kept));
+    write_whole_file(path("new"), std::to_string(kept));
+    EXPECT_EQ(mode("new"), static_cast<fs::perms>(kept));
+    EXPECT_EQ(content(path("new")), std::to_string(kept));
+  }
+}
+
+TEST_F(WriteWholeFile, ManyThreadsAtOnce) {
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 8; ++i) {
+    threads.emplace_back([this, i] {
+      for (int k = 0; k < 50; ++k) {
+        write_whole_file(path("same"), std::string(100, static_cast<char>('a' + i)));
+        write_whole_file(path(std::to_string(i).c_str()), std::to_string(k));
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  const std::string same = content(path("same"));
+  EXPECT_EQ(same, std::string(100, same.at(0)));
+  for (int i = 0; i < 8; ++i) EXPECT_EQ(content(path(std::to_string(i).c_str())), "49");
+  EXPECT_EQ(entries(), 9);
+}
+
+TEST_F(WriteWholeFile, FullDeviceIsAnError) {
+  try {
+    write_whole_file("/dev/full", "text");
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.file(), "/dev/full");
+    EXPECT_THAT(error.problem(), ::testing::HasSubstr("No space"));
+  }
+}
+
+// In a process of its own: what is stopped stays so.
+TEST_F(WriteWholeFile, StoppedWhenTheOthersAreDone) {
+  const std::string file = path("f");
+  EXPECT_EXIT(
+      {
+        std::atomic<bool> begun{false};
+        std::thread writer([&] {
+          const FileWrite both;
+          begun = true;
+          write_whole_file(file, "one");
+          std::this_thread::sleep_for(std::chrono::milliseconds(50));
+          write_whole_file(file, "two");
+        });
+        while (!begun) std::this_thread::yield();
+        stop_file_writes(std::chrono::seconds(100));
+        std::thread([&] { write_whole_file(file, "never"); }).detach();
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        std::_Exit(content(file) == "two" ? 7 : 1);
+      },
+      ::testing::ExitedWithCode(7), "");
+  EXPECT_EQ(content(file), "two");
+  EXPECT_EQ(entries(), 1);
 }
 
 TEST_F(WriteWholeFile, DashIsStandardOutput) {

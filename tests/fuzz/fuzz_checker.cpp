@@ -1,18 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The C++ checker. An input is the letter b or u for the normal law, or B or U where the margin
-// along (0, 1, 0) is asked for, a grasp file, a NUL byte and a certificate. The checker
-// answers, whatever it is given; leaves judged with rounded bounds and without get the same
-// answer; and a refusal says why.
+// The C++ checker. An input is the options of its command line, separated by blanks, a line
+// feed, a grasp file, a NUL byte and a certificate. The checker answers, whatever it is given;
+// leaves judged with rounded bounds and without get the same answer; a refusal says why; and
+// what is accepted is true: the engine, which sees no certificate, says the same.
+//
+// With the environment variable STICKSLIP_SPOOL, inputs are left in that folder for check.py
+// together with the answer that it must give (tests/support/batch.py).
 #include <algorithm>
 #include <sstream>
 
+#include "arguments.hpp"
 #include "check.hpp"
 #include "fuzz_target.hpp"
+#include "spool.hpp"
+#include "stickslip/equilibrium/cone_engine.hpp"
+#include "stickslip/equilibrium/margin.hpp"
+#include "stickslip/equilibrium/question.hpp"
 
 namespace {
 
 using stickslip::fuzz::broken;
 using namespace stickslip_check;
+
+struct Input {
+  std::vector<std::string> words;
+  std::string grasp;
+  std::string certificate;
+};
+
+Input input_of(const std::string& bytes) {
+  Input input;
+  const std::size_t line = std::min(bytes.find('\n'), bytes.size());
+  std::istringstream words(bytes.substr(0, line));
+  for (std::string word; words >> word;) input.words.push_back(word);
+  const std::size_t begin = std::min(line + 1, bytes.size());
+  const std::size_t separator = std::min(bytes.find('\0', begin), bytes.size());
+  input.grasp = bytes.substr(begin, separator - begin);
+  input.certificate = bytes.substr(std::min(separator + 1, bytes.size()));
+  return input;
+}
 
 std::string summary(const Answer& answer) {
   if (std::holds_alternative<Accepted>(answer)) return "accepted";
@@ -25,26 +51,109 @@ std::string summary(const Answer& answer) {
   return "malformed";
 }
 
+stickslip::Rational core_number(const Rational& number) {
+  return stickslip::Rational(number.get_str());
+}
+
+stickslip::Wrench core_wrench(const Vector3& w) {
+  return {core_number(w[0]), core_number(w[1]), core_number(w[2])};
+}
+
+/// What the engine finds, as the checker says it; empty if it would take long.
+std::string truth(const Input& input, const QuestionOptions& options) {
+  stickslip::QuestionOptions asked;
+  if (options.direction) asked.wrench = stickslip::Wrench{};
+  if (options.wrench) asked.wrench = core_wrench(*options.wrench);
+  if (options.preload) asked.preload = core_number(*options.preload);
+  if (options.snap_tolerance) asked.snap_tolerance = core_number(*options.snap_tolerance);
+  if (options.bilateral) asked.law = stickslip::NormalLaw::kBilateral;
+  const stickslip::Question question =
+      stickslip::ask(stickslip::parse_grasp(input.grasp, "grasp"), asked);
+  // The certificate may have other normals in place of irrational ones.
+  if (!question.snapped.empty()) return {};
+  const stickslip::Problem problem(question.loaded, question.law);
+  stickslip::ConeOptions limit;
+  limit.node_limit = 300;
+  if (!options.direction) {
+    const stickslip::Verdict verdict = stickslip::decide_by_cones(problem, limit);
+    const bool decided = !std::holds_alternative<stickslip::Undecided>(verdict);
+    return decided ? name_of(verdict) : "";
+  }
+  const auto found = stickslip::find_margin(problem, core_wrench(*options.direction), limit);
+  const auto* margin = std::get_if<stickslip::Margin>(&found);
+  if (margin == nullptr) return {};
+  std::string text = "margin";
+  for (const auto& [low, high] : margin->resisted) {
+    text += " " + stickslip::to_string(low) + ".." + (high ? stickslip::to_string(*high) : "");
+  }
+  return text;
+}
+
+std::string claim_of(const Accepted& accepted) {
+  std::string text = accepted.verdict;
+  if (accepted.margin) {
+    for (const auto& [low, high] : accepted.margin->intervals) {
+      text += " " + low + ".." + high.value_or("");
+    }
+  }
+  return text;
+}
+
+void leave_for_python(const Input& input, const Answer& answer) {
+  static std::size_t count = 0;
+  if (count++ % 16 != 0) return;  // check.py takes its time
+  const char* const results[] = {"accepted", "rejected", "malformed"};
+  using stickslip::test::spool_line;
+  const bool good = stickslip::test::append_to_spool(
+      spool_line(input.grasp, input.certificate, input.words, results[answer.index()]));
+  if (!good) broken("cannot write to the spool");
+}
+
+void run(const Input& input) {
+  std::vector<std::string> words = input.words;
+  words.insert(words.end(), {"grasp", "certificate"});
+  Arguments arguments;
+  try {
+    arguments = parse_arguments(words);
+  } catch (const UsageError& error) {
+    if (error.problem.empty()) broken("a refusal of options without a reason");
+    return;
+  }
+  std::string answers[2];
+  for (const bool exact_only : {false, true}) {
+    std::istringstream grasp(input.grasp);
+    std::istringstream certificate(input.certificate);
+    const Answer answer =
+        check(grasp, certificate, arguments.options, "grasp", "certificate", exact_only);
+    answers[exact_only ? 1 : 0] = summary(answer);
+    if (exact_only) continue;
+    if (!arguments.help && !arguments.json) leave_for_python(input, answer);
+    const auto* accepted = std::get_if<Accepted>(&answer);
+    if (accepted == nullptr || accepted->contacts > 6) continue;
+    const std::string found = truth(input, arguments.options);
+    if (!found.empty() && found != claim_of(*accepted)) {
+      broken("accepted: " + claim_of(*accepted) + ", but true is: " + found);
+    }
+  }
+  if (answers[0] != answers[1]) broken(answers[0] + ", or exactly: " + answers[1]);
+}
+
+/// "0,1,0": the three numbers of a member, if the text has it.
+std::string vector_in(const std::string& text, const std::string& name) {
+  const std::size_t at = text.find('"' + name + "\": [");
+  if (at == std::string::npos) return {};
+  const std::size_t begin = text.find('[', at) + 1;
+  std::string numbers = text.substr(begin, text.find(']', begin) - begin);
+  const auto is_mark = [](char c) { return c == '"' || c == ' '; };
+  numbers.erase(std::remove_if(numbers.begin(), numbers.end(), is_mark), numbers.end());
+  return numbers;
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  if (size == 0) return 0;
-  QuestionOptions options;
-  options.bilateral = data[0] == 'b' || data[0] == 'B';
-  if (data[0] == 'B' || data[0] == 'U') options.direction = Vector3{0, 1, 0};
-  const std::uint8_t* const end = data + size;
-  const std::uint8_t* const separator = std::find(data + 1, end, 0);
-  const std::string grasp(data + 1, separator);
-  const std::string certificate(std::min(separator + 1, end), end);
   try {
-    std::string answers[2];
-    for (const bool exact_only : {false, true}) {
-      std::istringstream grasp_in(grasp);
-      std::istringstream certificate_in(certificate);
-      answers[exact_only ? 1 : 0] =
-          summary(check(grasp_in, certificate_in, options, "grasp", "certificate", exact_only));
-    }
-    if (answers[0] != answers[1]) broken(answers[0] + ", or exactly: " + answers[1]);
+    run(input_of(std::string(data, data + size)));
   } catch (const std::exception& error) {
     broken(std::string("an exception: ") + error.what());
   }
@@ -60,10 +169,13 @@ std::vector<stickslip::fuzz::Seed> stickslip::fuzz::seeds(const std::filesystem:
     const std::string stem = grasp.name.substr(0, grasp.name.size() - ending.size());
     for (const Seed& certificate : files) {
       if (certificate.name != stem + ".certificate.json") continue;
-      const bool margin = certificate.bytes.find("stickslip-margin/1") != std::string::npos;
-      const char* laws = margin ? "UB" : "ub";
-      const char law = laws[stem.rfind("bilateral_", 0) == 0 ? 1 : 0];
-      result.push_back({stem, law + grasp.bytes + '\0' + certificate.bytes});
+      std::string words;
+      if (stem.rfind("bilateral_", 0) == 0) words += " --normal-law bilateral";
+      const std::string direction = vector_in(certificate.bytes, "direction");
+      if (!direction.empty()) {
+        words += " --wrench " + vector_in(grasp.bytes, "wrench") + " --direction " + direction;
+      }
+      result.push_back({stem, words + '\n' + grasp.bytes + '\0' + certificate.bytes});
     }
   }
   return result;

@@ -44,6 +44,7 @@ std::string refusal_of_core(std::string_view text) {
   try {
     expect_round_trip(stickslip::parse_grasp(text, "fuzz").content);
   } catch (const stickslip::InputError& error) {
+    stickslip::fuzz::expect_useful(error, text);
     return error.what();
   }
   return {};
@@ -77,6 +78,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 std::vector<stickslip::fuzz::Seed> stickslip::fuzz::seeds(const std::filesystem::path& corpus) {
   std::vector<Seed> result = files_below(corpus / "grasps");
+  for (Seed& seed : hostile_texts()) result.push_back(std::move(seed));
   for (Seed& seed : files_below(corpus / "certificates")) {
     if (seed.name.find(".grasp.json") != std::string::npos) result.push_back(std::move(seed));
   }

@@ -42,7 +42,11 @@ class Mutator {
 
   std::string next() {
     std::string text = any_seed();
-    for (std::size_t edits = 1 + below(4); edits > 0; --edits) edit(text);
+    if (below(2) == 0) {
+      for (std::size_t edits = 1 + below(2); edits > 0; --edits) edit_within_json(text);
+    } else {
+      for (std::size_t edits = 1 + below(4); edits > 0; --edits) edit(text);
+    }
     return text;
   }
 
@@ -58,6 +62,37 @@ class Mutator {
       return {begin, std::min(end, text.size()) - begin};
     }
     return {begin, std::min(text.size() - begin, 1 + below(below(4) == 0 ? 200 : 4))};
+  }
+
+  /// A number somewhere behind a random place, with the quotation marks around it if there are.
+  std::pair<std::size_t, std::size_t> number(const std::string& text) {
+    std::size_t begin = text.find_first_of("-0123456789", below(text.size()));
+    if (begin == std::string::npos) return {text.size(), 0};
+    std::size_t end = std::min(text.find_first_not_of("-0123456789./", begin), text.size());
+    if (begin > 0 && end < text.size() && text[begin - 1] == '"' && text[end] == '"') {
+      --begin;
+      ++end;
+    }
+    return {begin, end - begin};
+  }
+
+  /// So that the readers' rules are met behind the syntax: another number, or a line (a
+  /// contact, a node, a force) twice or not at all.
+  void edit_within_json(std::string& text) {
+    const auto [begin, length] = number(text);
+    if (below(4) == 0) {
+      const std::size_t start = text.rfind('\n', begin) + 1;
+      const std::size_t end = std::min(text.find('\n', start), text.size() - 1) + 1;
+      const std::string line = text.substr(start, end - start);
+      text.replace(start, line.size(), below(2) == 0 ? line + line : "");
+      return;
+    }
+    static const std::vector<std::string> kNumbers{"0", "1", "-1", "2",  "-3", "\"1/2\"",
+                                                   "7", "3", "4",  "-2", "5",  "\"-5/3\""};
+    const std::string& other = below(2) == 0 ? text : any_seed();
+    const auto [from, count] = number(other);
+    const std::string found = other.substr(from, count);
+    text.replace(begin, length, below(2) == 0 ? kNumbers[below(kNumbers.size())] : found);
   }
 
   void edit(std::string& text) {

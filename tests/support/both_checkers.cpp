@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "check.hpp"
+#include "spool.hpp"
 #include "stickslip/certificate/certificate.hpp"
 
 namespace stickslip::test {
@@ -31,27 +32,8 @@ std::string with_commas(const Wrench& w) {
   return to_string(w.x) + "," + to_string(w.y) + "," + to_string(w.torque);
 }
 
-/// Bytes as the characters U+0000 to U+00FF, since files under test need not be UTF-8.
-std::string as_characters(const std::string& bytes) {
-  std::string text;
-  for (const char c : bytes) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x80) {
-      text += c;
-    } else {
-      text += static_cast<char>(0xC0U | (byte >> 6U));
-      text += static_cast<char>(0x80U | (byte & 0x3FU));
-    }
-  }
-  return text;
-}
-
 std::string json_line(const CheckerInput& input, const std::string& expected) {
-  Json json{{"grasp", as_characters(input.grasp)},
-            {"certificate", as_characters(input.certificate)},
-            {"options", command_line(input)}};
-  if (!expected.empty()) json["expected"] = expected;
-  return json.dump(-1, ' ', true) + "\n";
+  return spool_line(input.grasp, input.certificate, command_line(input), expected);
 }
 
 std::string text_or_empty(const Json& value) {
@@ -72,15 +54,6 @@ class TemporaryFile {
  private:
   std::string path_;
 };
-
-void append_to_spool(const CheckerInput& input, const std::string& expected) {
-  const char* folder = std::getenv("STICKSLIP_SPOOL");
-  if (folder == nullptr) return;  // started by hand: the C++ checker alone
-  static std::ofstream file(std::string(folder) + "/" + std::to_string(getpid()) + ".jsonl",
-                            std::ios::app | std::ios::binary);
-  file << json_line(input, expected) << std::flush;
-  EXPECT_TRUE(file.good()) << "cannot write to the folder " << folder;
-}
 
 }  // namespace
 
@@ -202,7 +175,7 @@ CheckerInput input_of(const Question& question) {
 void expect_accepted_by_both(const CheckerInput& input) {
   const CheckerAnswer answer = ask_cpp_checker(input);
   EXPECT_EQ(answer.result, "accepted") << describe(answer) << "\n" << describe(input);
-  append_to_spool(input, "accepted");
+  EXPECT_TRUE(append_to_spool(json_line(input, "accepted"))) << "cannot write to the spool";
 }
 
 }  // namespace

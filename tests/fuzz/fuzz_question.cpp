@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What `stickslip batch` does with a line, and `stickslip margin` with a file. An input is a
+// grasp file. Whatever question it asks, the certificate of the answer is accepted by the
+// checker, which shares no code with what wrote it, as that of the same answer.
+#include <sstream>
+
+#include "check.hpp"
+#include "fuzz_target.hpp"
+#include "stickslip/certificate/certificate.hpp"
+#include "stickslip/equilibrium/cone_engine.hpp"
+#include "stickslip/equilibrium/margin.hpp"
+
+namespace {
+
+using namespace stickslip;
+using stickslip::fuzz::broken;
+
+/// So that an input takes a moment.
+constexpr std::size_t kMostContacts = 8;
+constexpr std::size_t kNodeLimit = 200;
+constexpr std::size_t kMostBytes = 4000;
+
+stickslip_check::Vector3 checker_vector(const Wrench& w) {
+  using stickslip_check::Rational;
+  return {Rational(to_string(w.x)), Rational(to_string(w.y)), Rational(to_string(w.torque))};
+}
+
+void expect_accepted(const std::string& grasp, const std::string& certificate,
+                     const stickslip_check::QuestionOptions& options,
+                     const std::string& verdict) {
+  std::istringstream grasp_in(grasp);
+  std::istringstream certificate_in(certificate);
+  const auto answer = stickslip_check::check(grasp_in, certificate_in, options);
+  const auto* accepted = std::get_if<stickslip_check::Accepted>(&answer);
+  if (accepted == nullptr || accepted->verdict != verdict) {
+    broken("not accepted as " + verdict + ": " + certificate);
+  }
+}
+
+void answer(const std::string& text, NormalLaw law) {
+  QuestionOptions options;
+  options.law = law;
+  const Question question = ask(parse_grasp(text, "fuzz"), options);
+  if (question.loaded.grasp.size() > kMostContacts) return;
+  const Problem problem(question.loaded, law);
+  ConeOptions limit;
+  limit.node_limit = kNodeLimit;
+  stickslip_check::QuestionOptions asked;
+  asked.bilateral = law == NormalLaw::kBilateral;
+  const Verdict verdict = decide_by_cones(problem, limit);
+  if (!std::holds_alternative<Undecided>(verdict)) {
+    expect_accepted(text, certificate_text(question, verdict, "fuzz"), asked, name_of(verdict));
+  }
+  const Wrench direction = question.loaded.wrench;
+  if (direction == Wrench{}) return;
+  Question base = question;
+  base.loaded.wrench = Wrench{};
+  const auto margin = find_margin(Problem(base.loaded, law), direction, limit);
+  if (const auto* found = std::get_if<Margin>(&margin)) {
+    asked.direction = checker_vector(direction);
+    expect_accepted(text, margin_certificate_text(base, *found, "fuzz"), asked, "margin");
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size > kMostBytes) return 0;
+  const std::string text(data, data + size);
+  for (const NormalLaw law : {NormalLaw::kUnilateral, NormalLaw::kBilateral}) {
+    try {
+      answer(text, law);
+    } catch (const InputError& error) {
+      stickslip::fuzz::expect_useful(error, text);
+    } catch (const std::exception& error) {
+      broken(std::string("an exception: ") + error.what());
+    }
+  }
+  return 0;
+}
+
+std::vector<stickslip::fuzz::Seed> stickslip::fuzz::seeds(const std::filesystem::path& corpus) {
+  std::vector<Seed> result;
+  for (const char* folder : {"grasps", "certificates", "hard"}) {
+    for (Seed& seed : files_below(corpus / folder)) {
+      const bool is_grasp = seed.bytes.find("stickslip-grasp/1") != std::string::npos;
+      if (is_grasp && seed.bytes.size() <= kMostBytes) result.push_back(std::move(seed));
+    }
+  }
+  return result;
+}

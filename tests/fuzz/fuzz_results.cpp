@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The results that `stickslip batch --resume` goes on from. An input is such a file. What
+// stands in whole lines is read, whatever follows them; and written again it gives the same.
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "batch_results.hpp"
+#include "fuzz_target.hpp"
+
+namespace {
+
+using stickslip::fuzz::broken;
+
+stickslip::FinishedResults read(const std::string& text) {
+  std::istringstream in(text);
+  return stickslip::read_results(in, "fuzz");
+}
+
+void expect_whole_lines(const std::string& text) {
+  const stickslip::FinishedResults results = read(text);
+  const std::size_t last = text.rfind('\n');
+  if (results.bytes != (last == std::string::npos ? 0 : last + 1)) broken("another length");
+  if (read(text.substr(0, results.bytes)).keys != results.keys) broken("the rest counts");
+  std::string again;
+  for (const std::string& key : results.keys) {
+    again += nlohmann::json{{"key", key}}.dump() + "\n";
+  }
+  if (read(again).keys != results.keys) broken("other keys are read back");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text(data, data + size);
+  try {
+    expect_whole_lines(text);
+  } catch (const stickslip::InputError& error) {
+    stickslip::fuzz::expect_useful(error, text);
+    const std::string line = error.place().substr(std::string("line ").size());
+    const auto lines = std::count(text.begin(), text.end(), '\n');
+    if (std::stol(line) < 1 || std::stol(line) > lines) broken("no " + error.place());
+  } catch (const std::exception& error) {
+    broken(std::string("an exception: ") + error.what());
+  }
+  return 0;
+}
+
+std::vector<stickslip::fuzz::Seed> stickslip::fuzz::seeds(const std::filesystem::path& corpus) {
+  std::vector<Seed> result = files_below(corpus / "results");
+  for (Seed& seed : hostile_texts()) result.push_back({seed.name, seed.bytes + "\n"});
+  return result;
+}

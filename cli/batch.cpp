@@ -68,7 +68,7 @@ struct Item {
   std::size_t number = 0;
   std::string text;
   std::string result;  ///< a line of output
-  enum class Outcome { kDecided, kUndecided, kUnreadable } outcome = Outcome::kDecided;
+  LineOutcome outcome = LineOutcome::kDecided;
 };
 
 class Batch {
@@ -101,7 +101,6 @@ class Batch {
   }
 
   int run() {
-    skip_finished();
     to_file_ = writes_to_file();
     using oneapi::tbb::global_control;
     std::optional<global_control> allowed;  // more than there are cores, without a warning
@@ -144,24 +143,41 @@ class Batch {
     in_ = &input_file_;
   }
 
-  /// Reads the results that are there, and cuts off a line that an interruption left
-  /// unfinished.
   void open_output() {
     const std::string& path = arguments_.output;
-    if (std::filesystem::is_regular_file(path, ignored_)) {
-      std::ifstream before(path, std::ios::binary);
-      finished_ = read_results(before, path);
-      written_before_ = finished_.keys.size();
-      before.close();
-      if (!arguments_.resume && std::filesystem::file_size(path, ignored_) > 0) {
+    if (std::filesystem::is_regular_file(path, ignored_) &&
+        std::filesystem::file_size(path, ignored_) > 0) {
+      if (!arguments_.resume) {
         throw InputError(path, "--output", "the file exists",
                          "go on with --resume, or name another file");
       }
-      std::filesystem::resize_file(path, finished_.bytes, ignored_);
+      keep_finished();
     }
     output_file_.open(path, std::ios::binary | std::ios::app);
     if (!output_file_) throw cannot_write();
     out_ = &output_file_;
+  }
+
+  /// What has a result need not be decided again, if it was the same question. Cuts off a line
+  /// that an interruption left unfinished.
+  void keep_finished() {
+    std::ifstream before(arguments_.output, std::ios::binary);
+    FinishedResults finished(before, arguments_.output);
+    while (const std::optional<FinishedResult> result = finished.next()) {
+      Item item;
+      const bool more = read_line(item);
+      if (!more || result->key != key_of(options_text_, item.text)) {
+        throw InputError(
+            arguments_.output, "result of line " + std::to_string(lines_->number()),
+            "it is not that of this line of " + arguments_.file + " under these options",
+            "resume with the same grasps and options, or name another file");
+      }
+      count(result->outcome);
+    }
+    before.close();
+    std::filesystem::resize_file(arguments_.output, finished.bytes(), ignored_);
+    written_before_ = finished.lines();
+    bytes_skipped_ = bytes_read_;
   }
 
   /// Whether results go to a file, which is to end in a whole line whatever happens. Nobody may
@@ -176,22 +192,6 @@ class Batch {
   InputError cannot_write() const {
     return InputError(arguments_.output, "--output", "cannot be written",
                       "is there room, and may you write there?");
-  }
-
-  /// What has a result need not be decided again, if it was the same question.
-  void skip_finished() {
-    for (const std::string& key : finished_.keys) {
-      Item item;
-      const bool more = read_line(item);
-      if (!more || key != key_of(options_text_, item.text)) {
-        throw InputError(
-            arguments_.output, "result of line " + std::to_string(lines_->number()),
-            "it is not that of this line of " + arguments_.file + " under these options",
-            "resume with the same grasps and options, or name another file");
-      }
-    }
-    finished_ = {};
-    bytes_skipped_ = bytes_read_;
   }
 
   /// False at the end. A line that is too long has its error as its result.
@@ -224,7 +224,7 @@ class Batch {
     json["error"] = {
         {"place", error.place()}, {"problem", error.problem()}, {"remedy", error.remedy()}};
     item.result = json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-    item.outcome = Item::Outcome::kUnreadable;
+    item.outcome = LineOutcome::kUnreadable;
   }
 
   Item decide(Item item) const {
@@ -240,7 +240,7 @@ class Batch {
       json["verdict"] = name_of(verdict);
       if (const auto* undecided = std::get_if<Undecided>(&verdict)) {
         json["limit"] = undecided->limit;
-        item.outcome = Item::Outcome::kUndecided;
+        item.outcome = LineOutcome::kUndecided;
       } else if (!arguments_.certificates.empty()) {
         const std::string path =
             arguments_.certificates + "/line-" + std::to_string(item.number) + ".json";
@@ -264,9 +264,13 @@ class Batch {
     if (!*out_ && errno == EPIPE && on_broken_pipe_ == SIG_DFL) end_by_signal(SIGPIPE);
     if (!*out_) throw cannot_write();
     ++written_;
-    unreadable_ += item.outcome == Item::Outcome::kUnreadable ? 1 : 0;
-    undecided_ += item.outcome == Item::Outcome::kUndecided ? 1 : 0;
+    count(item.outcome);
     progress_.show(progress_text());
+  }
+
+  void count(LineOutcome outcome) {
+    unreadable_ += outcome == LineOutcome::kUnreadable ? 1 : 0;
+    undecided_ += outcome == LineOutcome::kUndecided ? 1 : 0;
   }
 
   std::string interruption_text() const {
@@ -303,7 +307,6 @@ class Batch {
   std::istream* in_ = &std::cin;
   std::ofstream output_file_;
   std::ostream* out_ = &std::cout;
-  FinishedResults finished_;  ///< the results that were there
   std::optional<TextLines> lines_;
   std::uintmax_t bytes_ = 0;  ///< of the input, if known
   std::atomic<std::uintmax_t> bytes_read_{0};

@@ -7,18 +7,19 @@
 
 namespace stickslip {
 
-FinishedResults read_results(std::istream& in, const std::string& file) {
-  FinishedResults results;
-  for (std::string line; std::getline(in, line) && !in.eof();) {
-    const auto result = nlohmann::json::parse(line, nullptr, false);
-    if (!result.is_object() || !result.contains("key") || !result["key"].is_string()) {
-      throw InputError(file, "line " + std::to_string(results.keys.size() + 1),
-                       "this is not a result of a batch", "name another file");
-    }
-    results.bytes += line.size() + 1;
-    results.keys.push_back(result["key"].get<std::string>());
+std::optional<FinishedResult> FinishedResults::next() {
+  if (!std::getline(in_, line_) || in_.eof()) return std::nullopt;
+  const auto json = nlohmann::json::parse(line_, nullptr, false);
+  if (!json.is_object() || !json.contains("key") || !json["key"].is_string()) {
+    throw InputError(file_, "line " + std::to_string(lines_ + 1),
+                     "this is not a result of a batch", "name another file");
   }
-  return results;
+  ++lines_;
+  bytes_ += line_.size() + 1;
+  const LineOutcome outcome = json.contains("error")   ? LineOutcome::kUnreadable
+                              : json.contains("limit") ? LineOutcome::kUndecided
+                                                       : LineOutcome::kDecided;
+  return FinishedResult{json["key"].get<std::string>(), outcome};
 }
 
 }  // namespace stickslip

@@ -99,6 +99,16 @@ class Batch(Case):
             results = [json.loads(line) for line in file]
         self.assertEqual([r["name"] for r in results], ["MARK", "number 2", "number 3"])
 
+    def test_resumed_or_not_the_exit_code_is_that_of_all_lines(self):
+        good, bad = json.dumps(grasp(20)), "{"
+        for lines, options, code in (([good, bad, good], [], BAD_INPUT),
+                                     ([good, good], ["--node-limit", 1], UNDECIDED)):
+            path = self.write("mixed.jsonl", "\n".join(lines) + "\n")
+            out = self.path(f"out-{code}.jsonl")
+            words = ["batch", path, "-o", out, *options]
+            self.assertEqual(stickslip(*words), (code, "", ""))
+            self.assertEqual(stickslip(*words, "--resume"), (code, "", ""))
+
     def test_other_questions_are_not_mixed(self):
         path, out = self.lines([1, 2, 3]), self.path("out.jsonl")
         stickslip("batch", path, "-o", out)

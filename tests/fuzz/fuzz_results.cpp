@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "batch_results.hpp"
 #include "fuzz_target.hpp"
@@ -12,13 +14,23 @@ namespace {
 
 using stickslip::fuzz::broken;
 
-stickslip::FinishedResults read(const std::string& text) {
+struct Results {
+  std::vector<std::string> keys;
+  std::size_t bytes = 0;
+};
+
+Results read(const std::string& text) {
   std::istringstream in(text);
-  return stickslip::read_results(in, "fuzz");
+  stickslip::FinishedResults finished(in, "fuzz");
+  Results results;
+  while (const auto result = finished.next()) results.keys.push_back(result->key);
+  if (finished.lines() != results.keys.size()) broken("another number of lines");
+  results.bytes = finished.bytes();
+  return results;
 }
 
 void expect_whole_lines(const std::string& text) {
-  const stickslip::FinishedResults results = read(text);
+  const Results results = read(text);
   const std::size_t last = text.rfind('\n');
   if (results.bytes != (last == std::string::npos ? 0 : last + 1)) broken("another length");
   if (read(text.substr(0, results.bytes)).keys != results.keys) broken("the rest counts");

@@ -81,21 +81,11 @@ const char* claimed_verdict(const Claim& claim) {
   return claim.stable ? "stable" : "unstable";
 }
 
-/// Short: exact where that is short, else three digits.
-std::string rounded(const Rational& value) {
-  constexpr std::size_t kShort = 12;
-  std::string exact = to_string(value);
-  if (exact.size() <= kShort) return exact;
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", to_double(value));
-  return std::string("about ") + text;
-}
-
-std::string rounded(const LargestResidual& residual) {
+std::string brief(const LargestResidual& residual) {
   const Magnitude& m = residual.value;
   std::string text;
   if (m.radicand == 1) {
-    text = rounded(m.coefficient);
+    text = brief(m.coefficient);
   } else {
     const DecimalEnclosure e = enclose_sqrt(m.coefficient, m.radicand, 3);
     text = e.lower + ".." + e.upper;
@@ -108,12 +98,12 @@ std::string residuals_text(const ClaimResiduals& residuals) {
   std::string text;
   if (residuals.balance) {
     const Wrench& b = *residuals.balance;
-    text += "  balance      force (" + rounded(b.x) + ", " + rounded(b.y) + "), torque " +
-            rounded(b.torque) + "\n";
+    text += "  balance      force (" + brief(b.x) + ", " + brief(b.y) + "), torque " +
+            brief(b.torque) + "\n";
   }
-  if (residuals.cone) text += "  cone         " + rounded(*residuals.cone) + "\n";
-  if (residuals.normal_law) text += "  normal law   " + rounded(*residuals.normal_law) + "\n";
-  if (residuals.dissipation) text += "  dissipation  " + rounded(*residuals.dissipation) + "\n";
+  if (residuals.cone) text += "  cone         " + brief(*residuals.cone) + "\n";
+  if (residuals.normal_law) text += "  normal law   " + brief(*residuals.normal_law) + "\n";
+  if (residuals.dissipation) text += "  dissipation  " + brief(*residuals.dissipation) + "\n";
   return text.empty() ? text : "  What the claimed solution misses, at most:\n" + text;
 }
 
@@ -122,10 +112,9 @@ std::string distance_text(const ThresholdDistance& distance) {
   if (const auto smallest = distance.smallest()) {
     const bool own = distance.along_load && *distance.along_load == *smallest;
     const Wrench& u = distance.axis;
-    text = "  The verdict changes when the load changes by " + rounded(*smallest) +
+    text = "  The verdict changes when the load changes by " + brief(*smallest) +
            (own ? " of itself"
-                : " times (" + rounded(u.x) + ", " + rounded(u.y) + ", " + rounded(u.torque) +
-                      ")") +
+                : " times (" + brief(u.x) + ", " + brief(u.y) + ", " + brief(u.torque) + ")") +
            ".\n";
   } else if (!distance.limit) {
     text = "  No change of the load along itself or an axis changes the verdict.\n";
@@ -138,8 +127,8 @@ std::string nearby_text(const NearbyEquilibrium& nearby) {
   std::string text = nearby.from_claim
                          ? "  An exact equilibrium of the same kind is nearby"
                          : "  None of the same kind was found; the engine's own equilibrium is";
-  if (nearby.force_distance) text += ", forces within " + rounded(*nearby.force_distance);
-  if (nearby.twist_distance) text += ", twist within " + rounded(*nearby.twist_distance);
+  if (nearby.force_distance) text += ", forces within " + brief(*nearby.force_distance);
+  if (nearby.twist_distance) text += ", twist within " + brief(*nearby.twist_distance);
   text += nearby.same_contacts ? ", the same contacts bearing" : ", other contacts bearing";
   if (nearby.same_slip) text += *nearby.same_slip ? ", the same slip" : ", another slip state";
   return text + ".\n";
@@ -230,7 +219,7 @@ std::string to_text(const JudgedLine& judged, const ClaimOptions& options) {
   text += '\n';
   if (report.inaccurate) {
     text += "  The claimed solution is not one: it misses some condition by more than " +
-            rounded(options.residual_tolerance) + ".\n";
+            brief(options.residual_tolerance) + ".\n";
   }
   if (report.distance) text += distance_text(*report.distance);
   text += residuals_text(report.residuals);

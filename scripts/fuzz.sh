@@ -10,7 +10,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 seconds=${1:-60}
 [[ $seconds =~ ^[0-9]+$ ]] || fail "SECONDS must be a number, found '$seconds'"
 
-install_packages "${build_packages[@]}" "${test_packages[@]}" clang
+install_packages "${build_packages[@]}" "${test_packages[@]}" clang libclang-rt-dev
 sanitizers="-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer"
 step "Configuring" configure cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo \
   -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_CXX_FLAGS="$sanitizers -fsanitize=fuzzer-no-link" \

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crosscheck_report.hpp"
 
-#include <cstdio>
 
 #include "commands.hpp"
 #include "exact_text.hpp"

@@ -26,12 +26,11 @@ NOT_RUN = {
     "apt-get install": ("needs root", "scripts/common.sh"),
     "python3 -m venv": ("pip compiles the module", "tests/python/test_install.py"),
     "~/stickslip-env/bin/": ("pip compiles the module", "tests/python/test_install.py"),
-    "cmake --build build": ("builds everything", "scripts/test.sh"),
+    "cmake --build build ": ("builds everything", "scripts/test.sh"),
+    "cmake --build build-dev": ("builds everything", "scripts/sanitize.sh"),
     "cmake --preset": ("builds everything", "scripts/sanitize.sh"),
     "scripts/sanitize.sh": ("builds everything with sanitizers; CI runs it", ".ci/run"),
     "scripts/fuzz.sh": ("runs for minutes; the targets are replayed", "tests/fuzz/CMakeLists.txt"),
-    "doxygen docs": ("writes into the folder", "tests/doxygen/CMakeLists.txt"),
-    "build/bin/verdict_bench": ("runs for minutes", "tests/bench_grasps/CMakeLists.txt"),
 }
 
 

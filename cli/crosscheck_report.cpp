@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crosscheck_report.hpp"
 
-
 #include "commands.hpp"
 #include "exact_text.hpp"
 

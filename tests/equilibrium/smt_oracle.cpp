@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "smt_oracle.hpp"
 
-#include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <cstdio>
-#include <fstream>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
+
+#include "smt_solver.hpp"
 
 namespace stickslip::test {
 namespace {
@@ -126,18 +123,6 @@ void write_balance(std::ostream& out, const char* total, const Rational& load, c
   out << ")))\n";
 }
 
-std::string run(const std::string& command) {
-  FILE* pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) throw std::runtime_error("cannot run " + command);
-  std::string output;
-  char buffer[4096];
-  while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, pipe)) {
-    output.append(buffer, count);
-  }
-  pclose(pipe);
-  return output;
-}
-
 }  // namespace
 
 std::string smt_assertions(const LoadCase& load_case, Model model) {
@@ -157,31 +142,20 @@ std::string smt_assertions(const LoadCase& load_case, Model model) {
 }
 
 std::vector<std::string> ask_z3(const std::vector<LoadCase>& load_cases, Model model) {
-  const std::string program = STICKSLIP_Z3;
-  if (program.find("NOTFOUND") != std::string::npos) {
-    throw std::runtime_error("this test needs the program z3. On Debian: apt-get install z3");
+  std::string text;
+  for (const LoadCase& load_case : load_cases) {
+    text +=
+        "(reset)\n(set-logic QF_LRA)\n" + smt_assertions(load_case, model) + "(check-sat)\n";
   }
-  const std::string path =
-      ::testing::TempDir() + "stickslip_" + std::to_string(getpid()) + ".smt2";
-  {
-    std::ofstream file(path);
-    for (const LoadCase& load_case : load_cases) {
-      file << "(reset)\n(set-logic QF_LRA)\n"
-           << smt_assertions(load_case, model) << "(check-sat)\n";
-    }
-    if (!file.flush()) throw std::runtime_error("cannot write " + path);
-  }
-  const std::string output = run("'" + program + "' -smt2 '" + path + "' 2>&1");
-  std::remove(path.c_str());
-  std::vector<std::string> answers;
-  std::istringstream lines(output);
-  for (std::string line; std::getline(lines, line);) {
-    answers.push_back(line == "sat" ? "stable" : line == "unsat" ? "unstable" : line);
+  std::vector<std::string> answers = ask_solver(STICKSLIP_Z3, "-smt2", text);
+  for (std::string& answer : answers) {
+    if (answer == "sat") answer = "stable";
+    if (answer == "unsat") answer = "unstable";
   }
   if (answers.size() != load_cases.size()) {
     throw std::runtime_error("z3 gave " + std::to_string(answers.size()) + " lines for " +
-                             std::to_string(load_cases.size()) + " questions:\n" +
-                             output.substr(0, 1000));
+                             std::to_string(load_cases.size()) +
+                             " questions, last: " + (answers.empty() ? "" : answers.back()));
   }
   return answers;
 }

@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Runs every benchmark, one after the other, for the tables of bench/README.md:
+# build/bench_report/<program>.txt. Let nothing else run beside it.
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/../scripts/common.sh"
+install_packages "${build_packages[@]}" "${test_packages[@]}"
+step "Configuring" configure cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+  -DSTICKSLIP_BUILD_TESTS=ON -DSTICKSLIP_BUILD_BENCH=ON
+step "Building (several minutes the first time)" build cmake --build "$build" -j "$(jobs_for_build)"
+
+report=$build/bench_report
+mkdir -p "$report"
+measure() {
+  local name=$1
+  shift
+  step "$name" "bench_$name" bash -c '"${@:2}" >"$1.part" && mv "$1.part" "$1"' \
+    measure "$report/$name.txt" "$build/bin/$@"
+}
+measure lp lp_bench 400
+measure sweep sweep_bench
+measure table2 table2
+measure margin margin_bench 1000
+measure batch batch_bench "$build/bin/stickslip"
+measure float float_study
+for part in targets side-by-side growth; do
+  measure "verdict_$part" verdict_bench --part "$part"
+done
+printf 'The tables are in %s.\n' "$report"

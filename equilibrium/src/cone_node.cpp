@@ -52,13 +52,16 @@ Node Node::separation_child(const Problem& problem, ContactId contact, Separatio
 
 Sign RayTable::sign_at(const Double4& function, const IntegerVector4& plane, std::size_t ray,
                        double& value) const {
-  if (const std::optional<Sign> sign = certain_sign(function, rays_[ray], value)) return *sign;
+  const std::optional<Sign> sign = certain_sign(function, rays_[ray], value);
+  if (sign && doubles_decide_) return *sign;
   const int exact = dot(plane, directions_[ray]).sign();
-  value = exact * std::max(std::fabs(value), std::numeric_limits<double>::min());
+  const double size = std::isfinite(value) ? std::fabs(value) : 1;
+  value = exact * std::max(size, std::numeric_limits<double>::min());
   return sign_of_int(exact);
 }
 
 void RayTable::read(const Problem& problem, const DoubleModel& model, Node& node) {
+  doubles_decide_ = model.is_moderate;
   directions_ = node.region.cone().directions();
   rays_.clear();
   for (const IntegerVector4& x : directions_) rays_.push_back(to_doubles(x));

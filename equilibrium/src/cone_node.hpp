@@ -62,6 +62,7 @@ class RayTable {
   void find_slip_sign(const Problem& problem, const DoubleModel& model, const Node& node,
                       OpenQuestion& question);
 
+  bool doubles_decide_ = true;  ///< where their error bounds do
   std::vector<IntegerVector4> directions_;
   std::vector<Double4> rays_;
   std::vector<double> heights_;

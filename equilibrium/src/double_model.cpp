@@ -5,13 +5,14 @@
 #include <cmath>
 
 namespace stickslip {
-namespace {
 
-Double3 to_doubles(const Wrench& w) {
-  return {to_double(w.x), to_double(w.y), to_double(w.torque)};
+double DoubleModel::read(const Rational& value) {
+  constexpr double kLargest = 0x1p200;
+  const double rounded = to_double(value);
+  const double size = std::fabs(rounded);
+  is_moderate = is_moderate && (value.is_zero() || (size <= kLargest && size >= 1 / kLargest));
+  return rounded;
 }
-
-}  // namespace
 
 DoubleModel::DoubleModel(const Problem& problem) {
   double arms = 0;
@@ -19,23 +20,23 @@ DoubleModel::DoubleModel(const Problem& problem) {
   for (std::size_t i = 0; i < problem.size(); ++i) {
     const ContactRow& row = problem.rows()[i];
     ContactDoubles c{};
-    c.normal = to_doubles(row.normal);
-    c.friction = to_doubles(row.friction * row.tangent);
-    const Double3 tangent = to_doubles(row.tangent);
+    c.normal = read(row.normal);
+    c.friction = read(row.friction * row.tangent);
+    const Double3 tangent = read(row.tangent);
     c.slip = {tangent[0], tangent[1], tangent[2], 0};
     const Vector4& v = problem.separation(ContactId(i));
-    for (std::size_t j = 0; j < 4; ++j) c.separation[j] = to_double(v[j]);
-    c.stiffness = to_double(row.stiffness);
+    for (std::size_t j = 0; j < 4; ++j) c.separation[j] = read(v[j]);
+    c.stiffness = read(row.stiffness);
     c.frictionless = row.friction.is_zero();
     arms += std::hypot(c.normal[2], tangent[2]) / std::hypot(c.normal[0], c.normal[1]);
     preloads += c.separation[3] * std::hypot(c.normal[0], c.normal[1]);
     contacts.push_back(c);
   }
   for (const LoadRange::End& end : problem.load().ends()) {
-    loads.push_back(to_doubles(end.wrench));
-    multiples.push_back(to_double(end.multiple));
+    loads.push_back(read(end.wrench));
+    multiples.push_back(read(end.multiple));
   }
-  if (const auto& direction = problem.load().recession()) recession = to_doubles(*direction);
+  if (const auto& direction = problem.load().recession()) recession = read(*direction);
   const double count = std::max<double>(1, static_cast<double>(problem.size()));
   length = arms > 0 ? arms / count : 1;
   force = preloads / count;
@@ -65,8 +66,6 @@ Double4 to_doubles(const IntegerVector4& x) {
   }
   Double4 result{};
   for (std::size_t j = 0; j < 4; ++j) {
-    // Entries smaller by 2^-1000 underflow to 0 or lose bits; certain_sign's kUnderflow covers
-    // it.
     const long shift = std::max<long>(exponent[j] - largest, -2000);
     result[j] = std::ldexp(mantissa[j], static_cast<int>(shift));
   }

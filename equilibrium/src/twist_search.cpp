@@ -238,6 +238,7 @@ std::optional<ContactSplit> TwistSearch::widest_gap(const Node& node,
 
 std::optional<bool> TwistSearch::certain_refutation(const Node& node, const RayTable& table,
                                                     const Double3& twist) {
+  if (!model_.is_moderate) return std::nullopt;
   const std::size_t ray_count = table.ray_count();
   const Double3& hardest = model_.loads[model_.hardest_load(twist)];
   const double load = dot(hardest, twist);
@@ -269,7 +270,7 @@ std::optional<bool> TwistSearch::certain_refutation(const Node& node, const RayT
     const bool mixed = question.separation == Separation::kMixed;
     // alpha sums 6 products of factors rounded once: below 16 roundings of its magnitude.
     constexpr double kAlphaError = 2e-15;
-    if (mixed && e.alpha < -kAlphaError * alpha_magnitude - 1e-290) continue;  // theta = 0
+    if (mixed && e.alpha < -kAlphaError * alpha_magnitude) continue;  // theta = 0
     const double alpha = mixed ? std::max(0.0, e.alpha) : e.alpha;
     const double* heights = table.heights(q);
     for (std::size_t r = 0; r < ray_count; ++r) {
@@ -283,7 +284,9 @@ std::optional<bool> TwistSearch::certain_refutation(const Node& node, const RayT
   // each partial sum adds one; u = 2^-53 < 1.2e-16 leaves room for second order.
   const double roundings = 64 + static_cast<double>(node.settled.terms + node.questions.size());
   constexpr double kUnitRoundoff = 1.2e-16;
-  constexpr double kUnderflow = 1e-280;
+  // What underflows, 2^-873 in a height, is at most 2^-620 in a term, of which there are fewer
+  // than 2^40.
+  constexpr double kUnderflow = 1e-150;
   bool certain = true;
   if (model_.recession) {
     const Double3& u = *model_.recession;

@@ -139,20 +139,34 @@ TEST(ConeEngine, ExactWhereDoublesGiveOut) {
   }
 }
 
-TEST(ConeEngine, MixedMagnitudes) {
-  // Each contact's numbers differ from the next one's by eighteen orders of magnitude.
+// Normals that vanish as doubles, with coefficients of forces that do not: what doubles lose of
+// the one is multiplied by the other. Two facing frictionless contacts, pressed by what one of
+// them holds.
+TEST(ConeEngine, WhatUnderflowsDecidesNothing) {
+  for (const char* length : {"1e-350", "1e-320", "1e-200", "1e200", "1e320"}) {
+    const Rational l = parse_rational(length);
+    const Rational force = parse_rational("1e-100");
+    const Grasp grasp(
+        {{{0, -1}, {0, l}, 0, force, force}, {{0, 1}, {0, Rational(-l)}, 0, force, force}});
+    EXPECT_EQ(judged_verdicts({grasp, {0, Rational(-force), 0}}), "stable") << length;
+    EXPECT_EQ(judged_verdicts({grasp, {0, Rational(-force), force}}), "unstable") << length;
+  }
+}
+
+using Magnitudes = std::vector<const char*>;
+
+void judge_mixed_magnitudes(const Magnitudes& magnitudes) {
   RandomSource random(5);
   for (int round = 0; round < 40; ++round) {
     std::vector<Contact> contacts;
     for (int i = 0; i < 4; ++i) {
-      const auto spread = [&] {
-        return parse_rational(random.pick<const char*>({"1e-9", "1", "1e9"}));
-      };
+      const auto spread = [&] { return parse_rational(random.pick(magnitudes)); };
       Contact c;
       c.position = {Rational(random.between(-3, 3)), Rational(random.between(-3, 3))};
       static const int kAxes[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
       const int* axis = kAxes[random.between(0, 3)];
-      c.normal = {axis[0], axis[1]};
+      const Rational length = spread();
+      c.normal = {length * axis[0], length * axis[1]};
       c.friction = Rational(random.between(0, 2), 2);
       c.stiffness = spread();
       c.preload = random.one_in(2) ? Rational(0) : spread();
@@ -162,6 +176,15 @@ TEST(ConeEngine, MixedMagnitudes) {
                       Rational(random.between(-2, 2))};
     judged_verdicts({Grasp(std::move(contacts)), load});
   }
+}
+
+// Each contact's numbers differ from the next one's by many orders of magnitude.
+TEST(ConeEngine, MixedMagnitudes) {
+  judge_mixed_magnitudes({"1e-9", "1", "1e9"});
+}
+
+TEST(ConeEngine, MixedMagnitudesBeyondDoubles) {
+  judge_mixed_magnitudes({"1e-330", "1e-170", "1", "1e170", "1e330"});
 }
 
 TEST(Decide, PicksTheEngineByTheNumberOfContacts) {

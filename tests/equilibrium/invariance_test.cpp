@@ -108,6 +108,29 @@ TEST(Invariance, Units) {
   });
 }
 
+/// So far from 1 that doubles of it, or of its products, overflow or vanish.
+Rational enormous_or_tiny(RandomSource& random) {
+  return parse_rational(random.pick<const char*>(
+      {"1e-400", "1e-320", "1e-200", "1e-100", "1", "1e100", "1e200", "1e320", "1e400"}));
+}
+
+TEST(Invariance, EnormousAndTinyNumbers) {
+  expect_invariant(109, [](const LoadedGrasp& loaded, RandomSource& random) {
+    const Rational length = enormous_or_tiny(random);
+    const Rational force = enormous_or_tiny(random);
+    LoadedGrasp result = change_contacts(loaded, [&](Contact& c) {
+      const Rational normal = enormous_or_tiny(random);
+      c.position = {length * c.position.x, length * c.position.y};
+      c.normal = {normal * c.normal.x, normal * c.normal.y};
+      c.preload *= force;
+      c.stiffness *= force / length;
+    });
+    result.wrench = {force * loaded.wrench.x, force * loaded.wrench.y,
+                     force * length * loaded.wrench.torque};
+    return result;
+  });
+}
+
 TEST(Invariance, OneFactorOnAllStiffnesses) {
   expect_invariant(104, [](const LoadedGrasp& loaded, RandomSource& random) {
     const Rational factor = positive(random);

@@ -111,7 +111,7 @@ class Batch {
     oneapi::tbb::task_arena arena(arguments_.threads == 0 ? oneapi::tbb::task_arena::automatic
                                                           : arguments_.threads);
     // So many lines are held at a time, whatever the length of the file.
-    const auto lines_held = static_cast<std::size_t>(4 * arena.max_concurrency());
+    const auto lines_held = 4 * static_cast<std::size_t>(arena.max_concurrency());
     using oneapi::tbb::filter_mode;
     using oneapi::tbb::make_filter;
     arena.execute([&] {
@@ -175,7 +175,9 @@ class Batch {
       count(result->outcome);
     }
     before.close();
-    std::filesystem::resize_file(arguments_.output, finished.bytes(), ignored_);
+    std::error_code error;
+    std::filesystem::resize_file(arguments_.output, finished.bytes(), error);
+    if (error) throw cannot_write();
     written_before_ = finished.lines();
     bytes_skipped_ = bytes_read_;
   }
@@ -229,29 +231,35 @@ class Batch {
 
   Item decide(Item item) const {
     if (!item.result.empty()) return item;
+    std::string certificate;
+    Json json = head(item);
     try {
       const Question question = ask(parse_grasp(item.text, ""), options_);
       ConeOptions options;
       options.node_limit = arguments_.node_limit;
       const Problem problem(question.loaded, question.law);
       const Verdict verdict = decide_by_cones(problem, options);
-      Json json = head(item);
       json["name"] = question.loaded.grasp.name();
       json["verdict"] = name_of(verdict);
       if (const auto* undecided = std::get_if<Undecided>(&verdict)) {
         json["limit"] = undecided->limit;
         item.outcome = LineOutcome::kUndecided;
       } else if (!arguments_.certificates.empty()) {
-        const std::string path =
-            arguments_.certificates + "/line-" + std::to_string(item.number) + ".json";
-        write_whole_file(path, certificate_text(question, verdict,
-                                                "stickslip " STICKSLIP_VERSION ", batch"));
-        json["certificate"] = path;
+        certificate =
+            certificate_text(question, verdict, "stickslip " STICKSLIP_VERSION ", batch");
       }
-      item.result = json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
     } catch (const InputError& error) {
       fail(item, error);
+      return item;
     }
+    // A file that cannot be written ends the batch: it is no property of the line.
+    if (!certificate.empty()) {
+      const std::string path =
+          arguments_.certificates + "/line-" + std::to_string(item.number) + ".json";
+      write_whole_file(path, certificate);
+      json["certificate"] = path;
+    }
+    item.result = json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
     item.text.clear();
     return item;
   }
@@ -352,8 +360,8 @@ void add_batch_command(CLI::App& app, int& exit_code) {
                    "Folder for a proof of each verdict, line-N.json")
       ->type_name("DIR");
   add_node_limit_option(*command, arguments->node_limit);
-  add_count_option(
-      *command, "--threads", arguments->threads,
+  add_threads_option(
+      *command, arguments->threads,
       "Grasps decided at a time; 0 is one a core. The results do not depend on it");
   command->footer(
       "Each line gives one line of JSON: line, key (of the question), name and verdict, or\n"

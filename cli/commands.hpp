@@ -15,7 +15,8 @@ enum ExitCode : int {
   kBadInput = 2,
   kUndecidedWithinLimit = 3,
   kAnswerStable = 10,  ///< decide --exit-code, as SAT solvers answer
-  kAnswerUnstable = 20
+  kAnswerUnstable = 20,
+  kInternalError = 70  ///< a broken promise of the program's own
 };
 
 /// The last line of most footers; those of other commands begin alike (see manual.hpp).

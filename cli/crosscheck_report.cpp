@@ -79,7 +79,7 @@ const char* claimed_verdict(const Claim& claim) {
   return claim.stable ? "stable" : "unstable";
 }
 
-std::string brief(const LargestResidual& residual) {
+std::string residual_text(const LargestResidual& residual) {
   const Magnitude& m = residual.value;
   std::string text;
   if (m.radicand == 1) {
@@ -99,9 +99,11 @@ std::string residuals_text(const ClaimResiduals& residuals) {
     text += "  balance      force (" + brief(b.x) + ", " + brief(b.y) + "), torque " +
             brief(b.torque) + "\n";
   }
-  if (residuals.cone) text += "  cone         " + brief(*residuals.cone) + "\n";
-  if (residuals.normal_law) text += "  normal law   " + brief(*residuals.normal_law) + "\n";
-  if (residuals.dissipation) text += "  dissipation  " + brief(*residuals.dissipation) + "\n";
+  if (residuals.cone) text += "  cone         " + residual_text(*residuals.cone) + "\n";
+  if (residuals.normal_law)
+    text += "  normal law   " + residual_text(*residuals.normal_law) + "\n";
+  if (residuals.dissipation)
+    text += "  dissipation  " + residual_text(*residuals.dissipation) + "\n";
   return text.empty() ? text : "  What the claimed solution misses, at most:\n" + text;
 }
 

@@ -209,8 +209,8 @@ void add_decide_command(CLI::App& app, int& exit_code) {
                    "Write a proof of the verdict for stickslip-check (certificate/FORMAT.md)")
       ->type_name("FILE");
   add_node_limit_option(*command, arguments->node_limit);
-  add_count_option(
-      *command, "--threads", arguments->threads,
+  add_threads_option(
+      *command, arguments->threads,
       "Threads of the cone engine; 0 is one a core. The answer does not depend on it");
   command->add_flag("--json", arguments->json, "Print one JSON object; rationals are strings");
   command->add_flag("--exit-code", arguments->answer_by_exit_code,

@@ -19,8 +19,10 @@ int main(int argc, char** argv) {
       "share/doc/stickslip, and certificate/FORMAT.md is share/stickslip/FORMAT.md.\n"
       "Example:\n"
       "  stickslip decide grasp.json --certificate proof.json\n"
-      "  stickslip-check grasp.json proof.json\n" +
-      stickslip::kExitCodesWithLimit);
+      "  stickslip-check grasp.json proof.json\n"
+      "Exit codes: 0 done, 2 bad input or usage, 3 undecided within a limit, 70 internal "
+      "error;\n"
+      "decide --exit-code and crosscheck have others of their own.");
   int exit_code = stickslip::kDone;
   stickslip::add_decide_command(app, exit_code);
   stickslip::add_states_command(app, exit_code);
@@ -40,6 +42,10 @@ int main(int argc, char** argv) {
   } catch (const stickslip::InputError& error) {
     std::cerr << "stickslip: " << error.what() << '\n';
     return stickslip::kBadInput;
+  } catch (const std::exception& error) {
+    std::cerr << "stickslip: internal error: " << error.what()
+              << "; please report it with the command and its input\n";
+    return stickslip::kInternalError;
   }
   std::cout.flush();
   if (!std::cout) {

@@ -60,10 +60,14 @@ void print_text(const Question& question, const Margin& margin) {
   }
   std::size_t nodes = 0;
   for (const Refutation& gap : margin.gaps) nodes += gap.size();
-  std::cout << "\nEquilibria of " << margin.segments.size() << " modes prove what is resisted, "
+  const auto count = [](std::size_t n, const char* what) {
+    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+  };
+  std::cout << "\nEquilibria of " << count(margin.segments.size(), "mode")
+            << " prove what is resisted, "
             << (margin.gaps.empty()
-                    ? std::string("and nothing is left")
-                    : "trees of " + std::to_string(nodes) + " nodes that nothing else is")
+                    ? "and nothing is left"
+                    : "trees of " + count(nodes, "node") + " that nothing else is")
             << ". Normal law: " << to_string(question.law) << ".\n";
 }
 

@@ -23,7 +23,6 @@ class QuestionArguments {
   /// The same but --wrench, for what does not depend on a load.
   void add_without_wrench_to(CLI::App& command);
 
-  const std::string& file() const { return file_; }
   /// What to replace. Throws InputError naming the option.
   QuestionOptions options() const;
   /// Reads the file and replaces what was asked. Throws InputError naming the file or option.
@@ -66,5 +65,14 @@ Rational number_option(const std::string& option, const std::string& value);
 
 /// The wrench "WX,WY,T" in an option's value. Throws InputError naming the option.
 Wrench wrench_option(const std::string& option, const std::string& value);
+
+/// --threads, 0 to 1024.
+template <class Count>
+void add_threads_option(CLI::App& command, Count& threads, const std::string& description) {
+  constexpr int kMostThreads = 1024;
+  add_count_option(command, "--threads", threads, description);
+  command.get_option("--threads")
+      ->check(CLI::Validator(CLI::Range(0, kMostThreads)).description(""));
+}
 
 }  // namespace stickslip

@@ -90,8 +90,8 @@ void add_states_command(CLI::App& app, int& exit_code) {
       ->type_name("ENGINE")
       ->check(CLI::IsMember({"auto", "cgal", "sweep", "paper"}))
       ->capture_default_str();
-  add_count_option(*command, "--threads", arguments->threads,
-                   "Threads with which the sweep counts; 0 is one a core");
+  add_threads_option(*command, arguments->threads,
+                     "Threads with which the sweep counts; 0 is one a core");
   command->add_flag("--list", arguments->list,
                     "List the states, one character a contact: + and - slip, 0 stick");
   command->add_flag("--json", arguments->json, "Print one JSON object");

@@ -17,7 +17,8 @@ endforeach()
 install(TARGETS stickslip stickslip-check)
 install(FILES ${PROJECT_SOURCE_DIR}/certificate/check.py ${PROJECT_SOURCE_DIR}/certificate/FORMAT.md
   DESTINATION ${CMAKE_INSTALL_DATADIR}/stickslip)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ TYPE DOC FILES_MATCHING PATTERN *.md)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ TYPE DOC FILES_MATCHING PATTERN *.md
+  PATTERN doxygen EXCLUDE)
 
 # The manual and what completes command lines: of stickslip as it wrote them (cli/CMakeLists.txt),
 # of stickslip-check by hand.

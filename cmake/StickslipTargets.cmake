@@ -8,7 +8,7 @@ function(stickslip_set_warnings target)
   endif()
 endfunction()
 
-# stickslip_library(core SOURCES a.cpp ... DEPENDS other PUBLIC_LIBS lib ... PRIVATE_LIBS lib ...)
+# stickslip_library(core SOURCES a.cpp ... PUBLIC_LIBS lib ... PRIVATE_LIBS lib ...)
 # makes stickslip_core (alias stickslip::core) with public headers in <module>/include.
 function(stickslip_library module)
   cmake_parse_arguments(ARG "" "" "SOURCES;PUBLIC_LIBS;PRIVATE_LIBS" ${ARGN})

@@ -25,9 +25,9 @@ ctest --test-dir "$build" --output-on-failure -j "$(jobs_for_build)" "${left_out
 
 lines=$build/coverage/lines.json
 mkdir -p "$build/coverage"
-step "Reading the lines that were run" coverage gcovr --root "$root" "$build" --json "$lines" \
-  --exclude-throw-branches -j "$(jobs_for_build)"
-step "Writing build-asan/coverage/index.html" coverage_html \
+step "Reading the lines that were run" coverage \
+  gcovr --root "$root" "$build" --json "$lines" -j "$(jobs_for_build)"
+step "Writing $build/coverage/index.html" coverage_html \
   gcovr --root "$root" --add-tracefile "$lines" --html-details "$build/coverage/index.html"
 printf '\nLines run by these tests:\n'
 for module in core lp equilibrium certificate/checker; do

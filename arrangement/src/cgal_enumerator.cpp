@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The reference enumerator. CGAL builds the arrangement of the circles on the sphere; this
-// file, the only one that includes CGAL, reads its cells and their signs.
+// file reads its cells and their signs.
 //
 // What CGAL 5.5 needs to be right, found by measurement:
 //   - all circles at once: inserting them one by one gives wrong arrangements that its own

@@ -11,7 +11,14 @@ namespace {
 /// NUMBER of FORMAT.md: a JSON integer where every JSON reader keeps it exact, else a string.
 std::string number(const Rational& value) {
   static const Integer kExactInDoubles = Integer(1) << 53;
+  constexpr std::size_t kLongest = 65536;  // FORMAT.md, section 2
   const std::string text = to_string(value);
+  if (text.size() > kLongest) {
+    throw InputError("", "",
+                     "the proof has a number of " + std::to_string(text.size()) +
+                         " characters; certificates hold at most " + std::to_string(kLongest),
+                     "shorter numbers in the grasp, or --snap-normals, make it shorter");
+  }
   if (denominator(value) == 1 && abs(numerator(value)) < kExactInDoubles) return text;
   return '"' + text + '"';
 }

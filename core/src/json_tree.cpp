@@ -181,7 +181,7 @@ class Builder : public nlohmann::json_sax<Json> {
   }
 
   bool streams_into_sink() const {
-    return open_.size() == 2 && open_[1].node.kind == JsonNode::Kind::kArray &&
+    return sink_ && open_.size() == 2 && open_[1].node.kind == JsonNode::Kind::kArray &&
            open_[0].node.kind == JsonNode::Kind::kObject &&
            open_[0].node.keys.back() == streamed_key_;
   }

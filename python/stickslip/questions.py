@@ -61,7 +61,7 @@ def decide(
         _is_bilateral(normal_law),
         _one_of("engine", engine, ("auto", "states", "cone")),
         _count("node_limit", node_limit),
-        _count("threads", threads),
+        _count("threads", threads, 1024),
     )))
 
 
@@ -80,7 +80,7 @@ def slip_states(
     """
     engine = _one_of("engine", engine, ("auto", "cgal", "sweep", "paper"))
     return SlipStates(
-        **_core.slip_states(_data(grasp), engine, bool(list_states), _count("threads", threads)))
+        **_core.slip_states(_data(grasp), engine, bool(list_states), _count("threads", threads, 1024)))
 
 
 def margin(
@@ -229,13 +229,13 @@ def _is_bilateral(normal_law: str) -> bool:
     return _one_of("normal_law", normal_law, ("unilateral", "bilateral")) == "bilateral"
 
 
-def _count(name: str, value: int) -> int:
+def _count(name: str, value: int, most: int = 2**32 - 1) -> int:
     try:
         count = operator.index(value)
     except TypeError:
         count = -1
-    if not 0 <= count < 2**32:
-        raise InputError("", name, f"the value is {value!r}", "give an int, 0 or more")
+    if not 0 <= count <= most:
+        raise InputError("", name, f"the value is {value!r}", f"give an int from 0 to {most}")
     return count
 
 

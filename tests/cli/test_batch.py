@@ -132,6 +132,16 @@ class Batch(Case):
             self.assertIn(expected(seed), out)
         self.assertEqual(sorted(os.listdir(folder)), ["line-1.json", "line-2.json"])
 
+    def test_a_certificate_that_cannot_be_written_ends_the_batch(self):
+        path, folder, out = self.lines([1, 2]), self.path("proofs"), self.path("out.jsonl")
+        os.makedirs(os.path.join(folder, "line-2.json"))  # a folder stands where the proof goes
+        words = ["batch", path, "-o", out, "--certificates", folder]
+        self.fails(*words, naming=["line-2.json"])
+        os.rmdir(os.path.join(folder, "line-2.json"))
+        self.assertEqual(stickslip(*words, "--resume"), (DONE, "", ""))
+        with open(out, encoding="utf-8") as file:
+            self.assertEqual([json.loads(line)["verdict"] for line in file], ["stable"] * 2)
+
     def test_usage(self):
         self.fails("batch", naming=["GRASPS"])
         self.fails("batch", self.path("none.jsonl"), naming=["none.jsonl", "cannot open"])

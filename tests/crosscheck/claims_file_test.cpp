@@ -146,6 +146,7 @@ TEST(ParseClaimLine, BadLinesNameThePlace) {
                  R"({"position": [0, 0], "normal": [1, 1], "friction": 1, "preload": 1})"),
        "grasp.contacts[0].normal", "sqrt(2)"},
       {line_with(kClaim, "[]"), "options", "object"},
+      {line_with(kClaim, R"({"": [1]})"), "options", "unknown key"},
       {line_with(kClaim, R"({"wrench": [1, 2]})"), "options.wrench", "2 values"},
       {line_with(kClaim, R"({"wrench": [1, 2, "x"]})"), "options.wrench[2]", "not a number"},
       {line_with(kClaim, R"({"preload": -1})"), "options.preload", "0 or more"},

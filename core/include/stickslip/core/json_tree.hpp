@@ -39,7 +39,8 @@ std::string place_name(const std::string& path);
 using JsonElementSink = std::function<void(std::size_t index, const JsonNode& element)>;
 
 /// Parses one JSON value. The elements of the top level's member `streamed_key`, if that is an
-/// array, go to `sink` one by one and are not kept, so memory does not grow with the tree.
+/// array, go to `sink` one by one and are not kept, so memory does not grow with the tree; with
+/// an empty `sink` all are kept.
 /// Throws InputError with a line:column for bad syntax, and with a JSON path for a repeated
 /// key, nesting beyond kMaxJsonDepth and more than kMaxJsonNodes values elsewhere.
 JsonNode parse_json(std::string_view text, const std::string& streamed_key,

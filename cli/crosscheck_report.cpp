@@ -46,10 +46,8 @@ Json to_json(const NearbyEquilibrium& nearby, const Grasp& grasp) {
   json["twist"] = strings_json(coordinates(nearby.witness.twist));
   json["force_vectors"] = Json::array();
   for (std::size_t i = 0; i < grasp.size(); ++i) {
-    const auto& [a, b] = nearby.witness.forces[i];
-    const Vector2& n = grasp.contacts()[i].normal;
-    json["force_vectors"].push_back(
-        {to_string(a * n.x - b * n.y), to_string(a * n.y + b * n.x)});
+    const Vector2 force = force_vector(grasp.contacts()[i].normal, nearby.witness.forces[i]);
+    json["force_vectors"].push_back({to_string(force.x), to_string(force.y)});
   }
   return json;
 }

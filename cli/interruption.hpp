@@ -17,10 +17,10 @@ void finish_files_when_interrupted();
 [[noreturn]] void end_by_signal(int signal_number);
 
 /// What an interruption says on standard error while this lives, a line. There is one at a
-/// time. `message` is called by another thread, when no FileWrite lives any more.
+/// time. `text` is called by another thread, when no FileWrite lives any more.
 class InterruptionMessage {
  public:
-  explicit InterruptionMessage(std::function<std::string()> message);
+  explicit InterruptionMessage(std::function<std::string()> text);
   ~InterruptionMessage();
   InterruptionMessage(const InterruptionMessage&) = delete;
   InterruptionMessage& operator=(const InterruptionMessage&) = delete;

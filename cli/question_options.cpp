@@ -6,6 +6,7 @@
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
+
 Wrench wrench_option(const std::string& option, const std::string& value) {
   std::vector<Rational> numbers;
   std::size_t start = 0;
@@ -16,7 +17,7 @@ Wrench wrench_option(const std::string& option, const std::string& value) {
   }
   if (numbers.size() != 3) {
     throw InputError("", option,
-                     "\"" + value + "\" has " + std::to_string(numbers.size()) + " numbers",
+                     quote(value) + " has " + std::to_string(numbers.size()) + " numbers",
                      "give force x, force y and torque as in " + option + " 0,-11/10,0");
   }
   return {numbers[0], numbers[1], numbers[2]};

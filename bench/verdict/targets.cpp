@@ -160,7 +160,7 @@ std::vector<Row> rows_of(const Report& report) {
   return {{10, false, 20, 20, 10},
           {100, false, 20, 20, 40},
           {1000, false, 20, 20, 0},
-          {10000, false, 10, 20, 0}};
+          {10000, false, 10, 120, 0}};
 }
 
 }  // namespace

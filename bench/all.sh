@@ -22,7 +22,7 @@ measure sweep sweep_bench
 measure table2 table2
 measure margin margin_bench 1000
 measure batch batch_bench "$build/bin/stickslip"
-measure float float_study --instances 240
+measure float float_study --instances 960
 for part in targets side-by-side growth; do
   measure "verdict_$part" verdict_bench --part "$part"
 done

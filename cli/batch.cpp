@@ -89,15 +89,8 @@ class Batch {
     if (arguments_.file != "-") open_input();
     lines_.emplace(*in_);
     if (arguments_.output != "-") open_output();
-    if (!arguments_.certificates.empty()) {
-      std::error_code error;
-      std::filesystem::create_directories(arguments_.certificates, error);
-      if (error) {
-        throw InputError(arguments_.certificates, "--certificates",
-                         "the folder cannot be made: " + error.message(),
-                         "name a folder that you may write to");
-      }
-    }
+    if (!arguments_.certificates.empty())
+      make_folder("--certificates", arguments_.certificates);
   }
 
   int run() {

@@ -89,6 +89,12 @@ std::string last_word(const CommandEntry& command) {
   return command.name.substr(command.name.rfind(' ') + 1);
 }
 
+std::string joined(const std::vector<std::string>& words, const std::string& separator) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : separator) + word;
+  return text;
+}
+
 std::string first_clause(const std::string& text) {
   return text.substr(0, std::min({text.find(". "), text.find("; "), text.size()}));
 }

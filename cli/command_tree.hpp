@@ -43,6 +43,9 @@ std::vector<const CommandEntry*> all_commands(const CommandEntry& command);
 /// The last word of a command's name.
 std::string last_word(const CommandEntry& command);
 
+/// The words one after the other, with `separator` between them.
+std::string joined(const std::vector<std::string>& words, const std::string& separator = " ");
+
 /// The first clause of a description, for menus: up to a full stop or a semicolon.
 std::string first_clause(const std::string& text);
 

@@ -6,12 +6,6 @@
 namespace stickslip {
 namespace {
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
-}
-
 /// `text` with `before` put before each character of `special`.
 std::string escaped(const std::string& text, const std::string& special,
                     const std::string& before = "\\") {

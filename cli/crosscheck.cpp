@@ -61,15 +61,6 @@ std::vector<std::string> save(const std::string& folder, std::size_t number,
   return {grasp, certificate};
 }
 
-void make_folder(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    throw InputError(folder, "--save", "the folder cannot be made: " + error.message(),
-                     "name a folder that you may write to");
-  }
-}
-
 ClaimCounts judge_all(std::istream& in, const std::string& folder,
                       const CrosscheckArguments& arguments, const ClaimOptions& options) {
   ClaimCounts counts;
@@ -132,7 +123,7 @@ int crosscheck(const CrosscheckArguments& arguments) {
     }
     folder = std::filesystem::path(arguments.file).parent_path().string();
   }
-  if (!arguments.save.empty()) make_folder(arguments.save);
+  if (!arguments.save.empty()) make_folder("--save", arguments.save);
   const ClaimCounts counts =
       judge_all(arguments.file == "-" ? std::cin : file, folder, arguments, options);
   if (counts.claims() == 0) {

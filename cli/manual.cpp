@@ -58,12 +58,6 @@ std::string sentence(const std::string& text) {
   return ends ? text : text + ".";
 }
 
-std::string listed(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 struct Footer {
   std::string description, files, examples, exit_codes;  ///< lines
 };
@@ -117,11 +111,11 @@ std::string entry_text(const OptionEntry& entry) {
   if (entry.names.front()[0] == '-' && !entry.value.empty()) name += " " + italic(entry.value);
   std::string text = ".TP\n" + name + "\n" + roff_line(sentence(entry.description));
   const auto add = [&](const std::string& more) { text += roff_line(more); };
-  if (!entry.choices.empty()) add("One of: " + listed(entry.choices) + ".");
+  if (!entry.choices.empty()) add("One of: " + joined(entry.choices, ", ") + ".");
   if (!entry.default_value.empty()) add("Default: " + entry.default_value + ".");
   if (entry.required && entry.names.front()[0] == '-') add("Required.");
-  if (!entry.needs.empty()) add("Only with " + listed(entry.needs) + ".");
-  if (!entry.excludes.empty()) add("Not with " + listed(entry.excludes) + ".");
+  if (!entry.needs.empty()) add("Only with " + joined(entry.needs, ", ") + ".");
+  if (!entry.excludes.empty()) add("Not with " + joined(entry.excludes, ", ") + ".");
   return text;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "question_options.hpp"
 
+#include <filesystem>
 #include <vector>
 
 #include "stickslip/core/error.hpp"
@@ -21,6 +22,15 @@ Wrench wrench_option(const std::string& option, const std::string& value) {
                      "give force x, force y and torque as in " + option + " 0,-11/10,0");
   }
   return {numbers[0], numbers[1], numbers[2]};
+}
+
+void make_folder(const std::string& option, const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw InputError(folder, option, "the folder cannot be made: " + error.message(),
+                     "name a folder that you may write to");
+  }
 }
 
 Rational number_option(const std::string& option, const std::string& value) {

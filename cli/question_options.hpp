@@ -60,6 +60,9 @@ void add_count_option(CLI::App& command, const std::string& option, Count& count
 /// --node-limit, of every command that searches by cones.
 void add_node_limit_option(CLI::App& command, std::size_t& node_limit);
 
+/// Makes the folder that an option names, if it is not there. Throws InputError naming both.
+void make_folder(const std::string& option, const std::string& folder);
+
 /// The number in an option's value. Throws InputError naming the option.
 Rational number_option(const std::string& option, const std::string& value);
 

@@ -93,18 +93,21 @@ TEST(Invariance, LengthOfNormals) {
   });
 }
 
+LoadedGrasp in_units(const LoadedGrasp& loaded, const Rational& length, const Rational& force) {
+  LoadedGrasp result = change_contacts(loaded, [&](Contact& c) {
+    c.position = {length * c.position.x, length * c.position.y};
+    c.preload *= force;
+    c.stiffness *= force / length;
+  });
+  result.wrench = {force * loaded.wrench.x, force * loaded.wrench.y,
+                   force * length * loaded.wrench.torque};
+  return result;
+}
+
 TEST(Invariance, Units) {
   expect_invariant(103, [](const LoadedGrasp& loaded, RandomSource& random) {
     const Rational length = positive(random);
-    const Rational force = positive(random);
-    LoadedGrasp result = change_contacts(loaded, [&](Contact& c) {
-      c.position = {length * c.position.x, length * c.position.y};
-      c.preload *= force;
-      c.stiffness *= force / length;
-    });
-    result.wrench = {force * loaded.wrench.x, force * loaded.wrench.y,
-                     force * length * loaded.wrench.torque};
-    return result;
+    return in_units(loaded, length, positive(random));
   });
 }
 
@@ -118,16 +121,10 @@ TEST(Invariance, EnormousAndTinyNumbers) {
   expect_invariant(109, [](const LoadedGrasp& loaded, RandomSource& random) {
     const Rational length = enormous_or_tiny(random);
     const Rational force = enormous_or_tiny(random);
-    LoadedGrasp result = change_contacts(loaded, [&](Contact& c) {
+    return change_contacts(in_units(loaded, length, force), [&](Contact& c) {
       const Rational normal = enormous_or_tiny(random);
-      c.position = {length * c.position.x, length * c.position.y};
       c.normal = {normal * c.normal.x, normal * c.normal.y};
-      c.preload *= force;
-      c.stiffness *= force / length;
     });
-    result.wrench = {force * loaded.wrench.x, force * loaded.wrench.y,
-                     force * length * loaded.wrench.torque};
-    return result;
   });
 }
 

@@ -32,7 +32,7 @@
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/grasp_file.hpp"
 #include "stickslip/core/text_lines.hpp"
-#include "stickslip/equilibrium/cone_engine.hpp"
+#include "stickslip/equilibrium/search/branch_and_bound.hpp"
 
 namespace stickslip {
 namespace {

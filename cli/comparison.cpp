@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "comparison_text.hpp"
-#include "stickslip/equilibrium/compliance.hpp"
+#include "stickslip/earlier/compliance.hpp"
 #include "stickslip/equilibrium/decide.hpp"
-#include "stickslip/equilibrium/friction_cones.hpp"
-#include "stickslip/equilibrium/load_classes.hpp"
+#include "stickslip/earlier/friction_cones.hpp"
+#include "stickslip/earlier/load_classes.hpp"
 
 namespace stickslip {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "exact_text.hpp"
-#include "stickslip/equilibrium/grasp_wrench_space.hpp"
+#include "stickslip/earlier/grasp_wrench_space.hpp"
 
 namespace stickslip {
 

@@ -3,7 +3,7 @@
 #include "comparison.hpp"
 #include "comparison_text.hpp"
 #include "stickslip/core/error.hpp"
-#include "stickslip/equilibrium/form_closure.hpp"
+#include "stickslip/earlier/form_closure.hpp"
 
 namespace stickslip {
 namespace {

@@ -9,7 +9,7 @@
 #include "question_options.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
-#include "stickslip/equilibrium/resistible_region.hpp"
+#include "stickslip/resistance/resistible_region.hpp"
 #include "stickslip/plot/region_plot.hpp"
 
 namespace stickslip {

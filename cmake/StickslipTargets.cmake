@@ -52,3 +52,30 @@ function(stickslip_test name)
     set_tests_properties(${name} PROPERTIES TIMEOUT 600)
   endif()
 endfunction()
+
+# stickslip_uses_cgal(file ...): these files of this folder include CGAL, and no others do.
+# Interval arithmetic in CGAL changes the rounding mode; -frounding-math keeps the compiler from
+# folding across it (CGAL manual, "Compiler flags"). GCC 12 sees uninitialised values in CGAL's
+# and Boost's headers when it optimises little. The tests have a twin of each file, the object
+# library stickslip_cgal_checked, with all of CGAL's assertions: linked into a program, it stands
+# in for the file of the library.
+function(stickslip_uses_cgal)
+  set(options -frounding-math -Wno-maybe-uninitialized)
+  set_source_files_properties(${ARGN} PROPERTIES
+    COMPILE_DEFINITIONS "CGAL_USE_GMP;CGAL_USE_MPFR" COMPILE_OPTIONS "${options}"
+    SKIP_PRECOMPILE_HEADERS ON)
+  if(STICKSLIP_BUILD_TESTS)
+    if(NOT TARGET stickslip_cgal_checked)
+      add_library(stickslip_cgal_checked OBJECT)
+      target_compile_options(stickslip_cgal_checked PRIVATE ${options} -UNDEBUG -UCGAL_NDEBUG)
+      target_compile_definitions(stickslip_cgal_checked PRIVATE CGAL_USE_GMP CGAL_USE_MPFR
+        STICKSLIP_CHECKED CGAL_CHECK_EXPENSIVE CGAL_CHECK_EXACTNESS)
+      stickslip_set_warnings(stickslip_cgal_checked)
+    endif()
+    list(TRANSFORM ARGN PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+    target_sources(stickslip_cgal_checked PRIVATE ${ARGN})
+    get_filename_component(module ${CMAKE_CURRENT_SOURCE_DIR} NAME)
+    target_link_libraries(stickslip_cgal_checked PUBLIC stickslip::${module})
+    target_include_directories(stickslip_cgal_checked PRIVATE ${PROJECT_SOURCE_DIR}/arrangement/src)
+  endif()
+endfunction()

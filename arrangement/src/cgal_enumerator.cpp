@@ -29,11 +29,14 @@
 #include <vector>
 
 #include "assemble_states.hpp"
-#include "checked_build.hpp"
 #include "generic_position.hpp"
 #include "sign_rows.hpp"
 #include "stickslip/arrangement/slip_states.hpp"
 #include "stickslip/core/error.hpp"
+
+#ifdef STICKSLIP_CHECKED
+static_assert(CGAL_ASSERTIONS_ENABLED, "the checked build needs the assertions of CGAL");
+#endif
 
 namespace stickslip {
 namespace {

@@ -20,7 +20,7 @@
 #include "limited.hpp"
 #include "loads.hpp"
 #include "stickslip/core/grasp_file.hpp"
-#include "stickslip/equilibrium/cone_engine.hpp"
+#include "stickslip/equilibrium/search/branch_and_bound.hpp"
 
 namespace stickslip::bench {
 namespace {

@@ -54,7 +54,6 @@ std::string to_json(const Measurement& m) {
                       {"certificate_ms", m.certificate_ms},
                       {"file_ms", m.file_ms},
                       {"check_ms", m.check_ms},
-                      {"unverified_ms", m.unverified_ms},
                       {"certificate_bytes", m.certificate_bytes},
                       {"is_accepted", m.is_accepted},
                       {"is_reproducible", m.is_reproducible},
@@ -71,7 +70,6 @@ Measurement from_json(const std::string& text) {
   json.at("certificate_ms").get_to(m.certificate_ms);
   json.at("file_ms").get_to(m.file_ms);
   json.at("check_ms").get_to(m.check_ms);
-  json.at("unverified_ms").get_to(m.unverified_ms);
   json.at("certificate_bytes").get_to(m.certificate_bytes);
   json.at("is_accepted").get_to(m.is_accepted);
   json.at("is_reproducible").get_to(m.is_reproducible);
@@ -92,13 +90,10 @@ Measurement measure(const Question& question, double patience_ms) {
   Measurement result;
   Verdict verdict;
   ConeWork work;
-  const auto decide = [&](bool verify, ConeWork* counted) {
-    ConeOptions options;
-    options.verify = verify;
-    const Problem problem(question.loaded, question.law);
-    return decide_by_cones(problem, options, counted);
+  const auto decide = [&](ConeWork& counted) {
+    return decide_by_cones(Problem(question.loaded, question.law), {}, &counted);
   };
-  result.decide_ms = fastest_ms(patience_ms, [&] { verdict = decide(true, &work); });
+  result.decide_ms = fastest_ms(patience_ms, [&] { verdict = decide(work); });
   result.verdict = name_of(verdict);
   for (const auto& [name, value] : counters(work)) {
     result.counters.emplace_back(name, static_cast<double>(value));
@@ -124,10 +119,9 @@ Measurement measure(const Question& question, double patience_ms) {
   });
 
   ConeWork again;
-  const Verdict second = decide(true, &again);
+  const Verdict second = decide(again);
   result.is_reproducible = counters(again) == counters(work) &&
                            certificate_text(question, second, "verdict_bench") == proof;
-  result.unverified_ms = fastest_ms(patience_ms, [&] { decide(false, nullptr); });
   return result;
 }
 

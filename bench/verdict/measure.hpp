@@ -20,7 +20,6 @@ struct Measurement {
   double certificate_ms = 0;  ///< writing the certificate into memory
   double file_ms = 0;         ///< writing that into a file
   double check_ms = 0;        ///< the C++ checker, reading both texts
-  double unverified_ms = 0;   ///< decide with ConeOptions::verify = false
   double certificate_bytes = 0;
   bool is_accepted = false;      ///< by the checker
   bool is_reproducible = false;  ///< two runs gave the same counters and the same certificate

@@ -109,9 +109,9 @@ void print_row(const Row& row, const std::vector<Result>& results) {
   const auto total = [](const Measurement& m) { return m.total_ms(); };
   const auto from_file = [](const Measurement& m) { return m.from_file_ms(); };
   std::printf(
-      "| %zu | %s | %zu/%zu | %s | %s | %s | %.2f | %.2f | %s | %.0f | %.0f | %.0f | %.0f | "
-      "%.0f | "
-      "%.0f | %.0f | %.0f | %.1f |\n",
+      "| %zu | %s | %zu/%zu | %s | %s | %s | %.2f | %s | %.0f | %.0f | %.0f | %.0f | "
+      "
+      "%.0f | %.0f | %.0f | %.0f | %.1f |\n",
       row.contacts, row.stable ? "stable" : "unstable", done, results.size(),
       show_ms(median_of(results, total), limit).c_str(),
       show_ms(median_of(results, [](const Measurement& m) { return m.read_ms; }), limit)
@@ -120,9 +120,6 @@ void print_row(const Row& row, const std::vector<Result>& results) {
           .c_str(),
       median_ratio(
           results, [](const Measurement& m) { return m.check_ms; }, from_file),
-      median_ratio(
-          results, [](const Measurement& m) { return m.decide_ms; },
-          [](const Measurement& m) { return m.unverified_ms; }),
       show_ms(slowest->measured ? slowest->measured->total_ms() : beyond_limit(), limit)
           .c_str(),
       counter("nodes"), counter("leaves"), counter("searches"), counter("support_points"),
@@ -149,7 +146,6 @@ nlohmann::json to_json(const Row& row, const Result& r) {
   json["certificate_ms"] = m.certificate_ms;
   json["file_ms"] = m.file_ms;
   json["check_ms"] = m.check_ms;
-  json["unverified_ms"] = m.unverified_ms;
   json["certificate_bytes"] = m.certificate_bytes;
   for (const auto& [name, value] : m.counters) json["work"][name] = value;
   return json;
@@ -168,10 +164,9 @@ std::vector<Row> rows_of(const Report& report) {
 void report_targets(Report& report) {
   std::printf(
       "| m | verdict | ended | decide + certificate, ms | read, ms | check, ms | check / (read "
-      "+ decide + certificate) | verified "
-      "/ unverified | slowest, ms | nodes | leaves | searches | support points | filter hits | "
+      "+ decide + certificate) | slowest, ms | nodes | leaves | searches | support points | filter hits | "
       "misses, max | exact LPs, max | twist bits, max | certificate, KiB |\n"
-      "|--:|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
+      "|--:|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
   std::vector<std::pair<double, double>> medians;
   std::vector<std::pair<double, double>> means;
   for (Row row : rows_of(report)) {

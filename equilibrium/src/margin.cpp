@@ -5,7 +5,7 @@
 #include <list>
 #include <utility>
 
-#include "load_mode.hpp"
+#include "margin_chain.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {

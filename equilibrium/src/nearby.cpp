@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "search/witness_search.hpp"
 #include "stickslip/core/error.hpp"
-#include "witness_recovery.hpp"
 
 namespace stickslip {
 namespace {
@@ -65,25 +65,23 @@ class Estimate {
   /// What is below `small` times the largest is 0. A contact without force is open, and one
   /// whose friction is at its limit slips; or, `on_borders`, they touch and stick where the
   /// twist says so.
-  std::vector<ContactMode> modes(double small, bool on_borders) const {
-    std::vector<ContactMode> result;
+  std::vector<ModeGuess> guesses(double small, bool on_borders) const {
+    std::vector<ModeGuess> result;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const ContactEstimate& c = contacts_[i];
       const bool closed = problem_.law() == NormalLaw::kBilateral || c.normal > small * force_;
       const bool rests = has_twist_ && std::fabs(c.slip) <= small * travel_;
-      ContactMode mode{closed, 0, true, Rational(0)};
+      ModeGuess guess{closed, true, 0, true, false};
       if (has_forces_) {
         const bool at_limit = std::fabs(c.ratio) >= 1 - small;
-        mode.sticks = !at_limit || (on_borders && rests);
-        mode.exact_ratio = ratio_of(i);
-        if (at_limit) mode.exact_ratio = Rational(c.ratio > 0 ? 1 : -1);
+        guess.sticks = !at_limit || (on_borders && rests);
+        guess.share = at_limit ? Rational(c.ratio > 0 ? 1 : -1) : ratio_of(i);
       } else if (!rests) {
-        mode.sticks = false;
-        mode.exact_ratio = Rational(c.slip > 0 ? -1 : 1);
+        guess.sticks = false;
+        guess.share = c.slip > 0 ? -1 : 1;
       }
-      mode.touches = !closed && on_borders && has_twist_ && std::fabs(c.law) <= small * force_;
-      mode.friction_ratio = to_double(*mode.exact_ratio);
-      result.push_back(std::move(mode));
+      guess.touches = !closed && on_borders && has_twist_ && std::fabs(c.law) <= small * force_;
+      result.push_back(std::move(guess));
     }
     return result;
   }
@@ -127,7 +125,7 @@ std::optional<Witness> find_witness_like(const Problem& problem,
   };
   for (const double small : {1e-12, 1e-9, 1e-6, 1e-3}) {
     for (const bool on_borders : {false, true}) {
-      propose(complete_exactly(problem, estimate.modes(small, on_borders), &estimate.near()));
+      propose(complete_exactly(problem, estimate.guesses(small, on_borders), &estimate.near()));
     }
   }
   if (!nearest && approximate.twist) {

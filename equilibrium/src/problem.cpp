@@ -4,8 +4,27 @@
 #include <utility>
 
 #include "stickslip/core/error.hpp"
+#include "stickslip/equilibrium/contact_mode.hpp"
 
 namespace stickslip {
+
+LoadRange::LoadRange(const Wrench& wrench) : wrench_(wrench), ends_{{0, wrench}} {}
+
+LoadRange::LoadRange(const Wrench& wrench, const Wrench& direction, const Rational& low,
+                     const std::optional<Rational>& high, bool has_low)
+    : wrench_(wrench),
+      direction_(direction),
+      has_high_(high.has_value()),
+      low_is_strict_(!has_low) {
+  require(!high || low < *high, "a range of loads has an inside");
+  ends_.push_back({low, wrench_at(low)});
+  if (high) ends_.push_back({*high, wrench_at(*high)});
+}
+
+std::optional<Wrench> LoadRange::recession() const {
+  if (has_high_) return std::nullopt;
+  return direction_;
+}
 
 Problem::Problem(const LoadedGrasp& loaded, NormalLaw law)
     : rows_(contact_rows(loaded.grasp)), load_(loaded.wrench), law_(law) {
@@ -37,6 +56,26 @@ Problem Problem::at(const Rational& multiple) const {
 Wrench Problem::edge_wrench(ContactId contact, int sigma) const {
   const ContactRow& r = row(contact);
   return r.normal + (Rational(sigma) * r.friction) * r.tangent;
+}
+
+ContactMode mode_of(const Problem& problem, ContactId contact, const Twist& d) {
+  const ContactRow& row = problem.row(contact);
+  return {problem.law() == NormalLaw::kBilateral || row.normal_coefficient(d).sign() >= 0,
+          sign_of(power(row.tangent, d))};
+}
+
+std::vector<ContactMode> modes_of(const Problem& problem, const Twist& d) {
+  std::vector<ContactMode> modes;
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    modes.push_back(mode_of(problem, ContactId(i), d));
+  }
+  return modes;
+}
+
+std::string slips_text(const std::vector<ContactMode>& modes) {
+  std::string text;
+  for (const ContactMode mode : modes) text += to_char(mode.slip);
+  return text;
 }
 
 }  // namespace stickslip

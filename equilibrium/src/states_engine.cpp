@@ -6,8 +6,8 @@
 
 #include "stickslip/arrangement/slip_states.hpp"
 #include "stickslip/core/error.hpp"
-#include "stickslip/equilibrium/region_system.hpp"
-#include "stickslip/equilibrium/validate.hpp"
+#include "stickslip/equilibrium/search/region_program.hpp"
+#include "stickslip/equilibrium/verdict.hpp"
 
 namespace stickslip {
 namespace {

@@ -2,8 +2,11 @@
 #include "stickslip/equilibrium/verdict.hpp"
 
 #include <array>
+#include <utility>
 
-#include "scaled_twist.hpp"
+#include "long_rationals.hpp"
+#include "stickslip/core/error.hpp"
+#include "stickslip/equilibrium/search/region.hpp"
 
 namespace stickslip {
 namespace {
@@ -13,26 +16,6 @@ std::string at_contact(const char* condition, std::size_t contact) {
 }
 
 }  // namespace
-
-/// The sum of rationals in pairs, so that long numbers meet only at the end.
-Rational sum_in_pairs(std::vector<Rational> terms) {
-  if (terms.empty()) return 0;
-  while (terms.size() > 1) {
-    std::size_t kept = 0;
-    for (std::size_t k = 0; k + 1 < terms.size(); k += 2)
-      terms[kept++] = terms[k] + terms[k + 1];
-    if (terms.size() % 2 == 1) terms[kept++] = std::move(terms.back());
-    terms.resize(kept);
-  }
-  return std::move(terms.front());
-}
-
-ScaledTwist::ScaledTwist(const Twist& d) {
-  Integer common = 1;
-  for (const Rational& entry : coordinates(d)) common = lcm(common, denominator(entry));
-  scale = common;
-  twist = {scale * d.x, scale * d.y, scale * d.r};
-}
 
 std::optional<std::string> find_violation(const Problem& problem, const Witness& witness) {
   if (witness.forces.size() != problem.size()) return "one force per contact is needed";
@@ -73,6 +56,77 @@ const char* name_of(const Verdict& verdict) {
   if (std::holds_alternative<Stable>(verdict)) return "stable";
   if (std::holds_alternative<Unstable>(verdict)) return "unstable";
   return "undecided";
+}
+
+namespace {
+
+/// Pushes a node's children, the first one last; or says what is wrong with the node.
+struct NodeCheck {
+  const Problem& problem;
+  const Region& region;
+  std::vector<Region>& pending;
+
+  std::optional<std::string> operator()(const SlipSplit& node) const {
+    if (node.contact.index() >= problem.size()) return "no such contact";
+    if (region.label(node.contact)) return "a second slip split of one contact";
+    for (const Sign slip : {Sign::kNegative, Sign::kZero, Sign::kPositive}) {
+      pending.push_back(region.slip_child(problem, node.contact, slip));
+    }
+    return std::nullopt;
+  }
+  std::optional<std::string> operator()(const SeparationSplit& node) const {
+    if (node.contact.index() >= problem.size()) return "no such contact";
+    if (problem.law() == NormalLaw::kBilateral) return "a separation under the bilateral law";
+    for (const Separation side : {Separation::kOpen, Separation::kClosed}) {
+      pending.push_back(region.separation_child(problem, node.contact, side));
+    }
+    return std::nullopt;
+  }
+  std::optional<std::string> operator()(const PlaneSplit& node) const {
+    if (is_zero(node.plane)) return "a plane without a normal";
+    pending.push_back(region.plane_child(node.plane, Side::kNegative));
+    pending.push_back(region.plane_child(node.plane, Side::kPositive));
+    return std::nullopt;
+  }
+  std::optional<std::string> operator()(const VirtualWorkLeaf& node) const {
+    for (const auto& [contact, theta] : node.theta) {
+      if (contact.index() >= problem.size() || theta.sign() < 0 || theta > 1) {
+        return "theta is out of range";
+      }
+    }
+    if (!refutes(problem, region, node)) return "the twist does not refute the region";
+    return std::nullopt;
+  }
+  std::optional<std::string> operator()(const VoidLeaf&) const {
+    if (!region.is_void()) return "the region is not void";
+    return std::nullopt;
+  }
+};
+
+}  // namespace
+
+std::optional<std::string> find_flaw(const Problem& problem, const Refutation& refutation) {
+  std::vector<Region> pending{Region::root(problem)};
+  for (std::size_t index = 0; index < refutation.size(); ++index) {
+    const std::string place = "node " + std::to_string(index) + ": ";
+    if (pending.empty()) return place + "the tree is complete before it";
+    const Region region = std::move(pending.back());
+    pending.pop_back();
+    const auto flaw = std::visit(NodeCheck{problem, region, pending}, refutation[index]);
+    if (flaw) return place + *flaw;
+  }
+  if (!pending.empty()) return "the tree ends before all children are there";
+  return std::nullopt;
+}
+
+void validate(const Problem& problem, const Verdict& verdict) {
+  std::optional<std::string> flaw;
+  if (const auto* stable = std::get_if<Stable>(&verdict)) {
+    flaw = find_violation(problem, stable->witness);
+  } else if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
+    flaw = find_flaw(problem, unstable->refutation);
+  }
+  require(!flaw, flaw ? flaw->c_str() : "");
 }
 
 }  // namespace stickslip

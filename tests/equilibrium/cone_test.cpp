@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The double description of a cone against brute force over all sets of planes.
-#include "stickslip/equilibrium/cone.hpp"
+#include "stickslip/equilibrium/search/cone.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "both_checkers.hpp"
-#include "stickslip/equilibrium/validate.hpp"
+#include "stickslip/equilibrium/verdict.hpp"
 
 namespace stickslip::test {
 

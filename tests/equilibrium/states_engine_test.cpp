@@ -7,7 +7,7 @@
 #include "judged.hpp"
 #include "paper_grasps.hpp"
 #include "stickslip/core/error.hpp"
-#include "stickslip/equilibrium/validate.hpp"
+#include "stickslip/equilibrium/verdict.hpp"
 
 namespace stickslip {
 namespace {

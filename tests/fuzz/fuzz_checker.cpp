@@ -13,7 +13,7 @@
 #include "check.hpp"
 #include "fuzz_target.hpp"
 #include "spool.hpp"
-#include "stickslip/equilibrium/cone_engine.hpp"
+#include "stickslip/equilibrium/search/branch_and_bound.hpp"
 #include "stickslip/equilibrium/margin.hpp"
 #include "stickslip/equilibrium/question.hpp"
 

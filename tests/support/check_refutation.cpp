@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "naive_region.hpp"
-#include "stickslip/equilibrium/region.hpp"
+#include "stickslip/equilibrium/search/region.hpp"
 
 namespace stickslip::test {
 namespace {

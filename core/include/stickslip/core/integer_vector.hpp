@@ -15,10 +15,10 @@ namespace stickslip {
 template <std::size_t n>
 using IntegerVector = std::array<Integer, n>;
 
-/// The sum of a_j b_j.
-template <std::size_t n>
-Integer dot(const IntegerVector<n>& a, const IntegerVector<n>& b) {
-  Integer sum = 0;
+/// The sum of a_j b_j, of integers or rationals.
+template <class Number, std::size_t n>
+Number dot(const std::array<Number, n>& a, const std::array<Number, n>& b) {
+  Number sum = 0;
   for (std::size_t j = 0; j < n; ++j) sum += a[j] * b[j];
   return sum;
 }

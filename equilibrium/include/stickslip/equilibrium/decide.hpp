@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "stickslip/equilibrium/cone_engine.hpp"
+#include "stickslip/equilibrium/search/branch_and_bound.hpp"
 #include "stickslip/equilibrium/states_engine.hpp"
 
 namespace stickslip {

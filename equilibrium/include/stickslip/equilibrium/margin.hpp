@@ -21,7 +21,7 @@
 #include <variant>
 #include <vector>
 
-#include "stickslip/equilibrium/cone_engine.hpp"
+#include "stickslip/equilibrium/search/branch_and_bound.hpp"
 
 namespace stickslip {
 

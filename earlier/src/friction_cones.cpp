@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/earlier/friction_cones.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "contact_forces.hpp"
+#include "stickslip/core/error.hpp"
+#include "stickslip/equilibrium/search/region.hpp"
+#include "stickslip/lp/linear_program.hpp"
+
+namespace stickslip {
+namespace {
+
+/// max(0, v), or v under the bilateral law.
+Rational normal_law(const Problem& problem, const ContactRow& row, const Twist& d) {
+  const Rational v = row.normal_coefficient(d);
+  return problem.law() == NormalLaw::kUnilateral && v.sign() < 0 ? Rational(0) : v;
+}
+
+/// The program of one region, in d and the coefficients on the edges of the friction cones.
+class RegionProgram {
+ public:
+  RegionProgram(const Problem& problem, const Region& region) : problem_(problem) {
+    program_.add_variables(3, VariableKind::kFree);
+    program_.add_variables(2 * problem.size(), VariableKind::kNonNegative);
+    for (std::size_t j = 0; j < 3; ++j) {
+      std::vector<Rational> coefficients(3);
+      for (std::size_t i = 0; i < problem.size(); ++i) {
+        for (const int side : {1, -1}) {
+          coefficients.push_back(coordinates(problem.edge_wrench(ContactId(i), side))[j]);
+        }
+      }
+      program_.add_row(std::move(coefficients), Relation::kEqual,
+                       -coordinates(problem.wrench())[j]);
+    }
+    for (std::size_t i = 0; i < problem.size(); ++i) {
+      separations_.push_back(region.separation(problem, ContactId(i)));
+      add_contact(i);
+    }
+  }
+
+  LpResult solve() const { return stickslip::solve(program_); }
+
+  Witness witness(const std::vector<Rational>& point) const {
+    Witness result{{point[0], point[1], point[2]}, {}};
+    for (std::size_t i = 0; i < problem_.size(); ++i) {
+      result.forces.push_back(
+          force_of_edges(problem_.rows()[i], point[3 + 2 * i], point[4 + 2 * i]));
+    }
+    return result;
+  }
+
+  VirtualWorkLeaf leaf(const Region& region, const std::vector<Rational>& farkas) const {
+    VirtualWorkLeaf leaf;
+    leaf.twist = primitive_multiple<3>({farkas[0], farkas[1], farkas[2]});
+    const Twist y{farkas[0], farkas[1], farkas[2]};
+    for (std::size_t i = 0; i < problem_.size(); ++i) {
+      if (separations_[i] != Separation::kMixed) continue;
+      const ContactRow& row = problem_.rows()[i];
+      // As rule leaf-bound takes it, where slip may have a sign.
+      const std::optional<Sign> slip = region.slip_sign(problem_, ContactId(i));
+      const Rational friction = row.friction * power(row.tangent, y);
+      const Rational alpha =
+          power(row.normal, y) + (slip ? Rational(-to_int(*slip)) * friction : abs(friction));
+      const Rational& multiplier = farkas[normal_rows_[i]];
+      if (alpha.sign() >= 0 || multiplier.is_zero()) continue;
+      leaf.theta.emplace_back(ContactId(i), std::min(Rational(1), multiplier / -alpha));
+    }
+    return leaf;
+  }
+
+ private:
+  void add_contact(std::size_t i) {
+    const ContactRow& row = problem_.rows()[i];
+    const Vector3 n = coordinates(row.stiffness * row.normal);
+    std::vector<Rational> spring{n.begin(), n.end()};
+    if (separations_[i] != Separation::kOpen) {
+      // a_i + k N.d = P, or >= while it may be open.
+      spring.resize(5 + 2 * i);
+      spring[3 + 2 * i] = spring[4 + 2 * i] = 1;
+      normal_rows_.push_back(program_.add_row(
+          std::move(spring),
+          separations_[i] == Separation::kClosed ? Relation::kEqual : Relation::kGreaterEqual,
+          row.preload));
+      return;
+    }
+    normal_rows_.push_back(
+        program_.add_row(std::move(spring), Relation::kGreaterEqual, row.preload));
+    std::vector<Rational> force(5 + 2 * i);
+    force[3 + 2 * i] = force[4 + 2 * i] = 1;
+    program_.add_row(std::move(force), Relation::kEqual, 0);
+  }
+
+  const Problem& problem_;
+  LinearProgram program_;
+  std::vector<Separation> separations_;
+  std::vector<std::size_t> normal_rows_;
+};
+
+class Search {
+ public:
+  Search(const Problem& problem, std::size_t most_programs)
+      : problem_(problem), programs_left_(most_programs) {}
+
+  enum class Outcome { kRefuted, kFound, kLimit };
+
+  /// Extends the tree by one for `region`, unless it finds forces first.
+  Outcome run(const Region& region) {
+    if (region.is_void()) {
+      tree.emplace_back(VoidLeaf{});
+      return Outcome::kRefuted;
+    }
+    if (programs_left_ == 0) return Outcome::kLimit;
+    --programs_left_;
+    const RegionProgram program(problem_, region);
+    const LpResult result = program.solve();
+    if (const auto* infeasible = std::get_if<Infeasible>(&result)) {
+      VirtualWorkLeaf leaf = program.leaf(region, infeasible->farkas);
+      require(refutes(problem_, region, leaf), "a Farkas vector does not refute its region");
+      tree.emplace_back(std::move(leaf));
+      return Outcome::kRefuted;
+    }
+    witness = program.witness(std::get<Optimal>(result).point);
+    const std::optional<ContactId> broken = most_in_excess();
+    if (!broken) return Outcome::kFound;
+    tree.emplace_back(SeparationSplit{*broken});
+    const Outcome closed = run(region.separation_child(problem_, *broken, Separation::kClosed));
+    if (closed != Outcome::kRefuted) return closed;
+    return run(region.separation_child(problem_, *broken, Separation::kOpen));
+  }
+
+  Refutation tree;
+  Witness witness;
+
+ private:
+  std::optional<ContactId> most_in_excess() const {
+    std::optional<ContactId> worst;
+    Rational most = 0;
+    for (std::size_t i = 0; i < problem_.size(); ++i) {
+      const Rational excess =
+          witness.forces[i].normal - normal_law(problem_, problem_.rows()[i], witness.twist);
+      if (excess > most) {
+        most = excess;
+        worst = ContactId(i);
+      }
+    }
+    return worst;
+  }
+
+  const Problem& problem_;
+  std::size_t programs_left_;
+};
+
+}  // namespace
+
+ConesVerdict friction_cones_alone(const Problem& problem, std::size_t most_programs) {
+  Search search(problem, most_programs);
+  switch (search.run(Region::root(problem))) {
+    case Search::Outcome::kLimit:
+      return Undecided{std::to_string(most_programs) + " linear programs"};
+    case Search::Outcome::kRefuted:
+      return std::move(search.tree);
+    default:
+      break;
+  }
+  const Witness& found = search.witness;
+  require(balances_in_cones(problem, found.forces), "the forces do not balance the load");
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    require(found.forces[i].normal == normal_law(problem, problem.rows()[i], found.twist),
+            "a normal force breaks its law");
+  }
+  return found;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The fast engine: branch and bound over regions of motions instead of an enumeration of
+/// states.
+///
+/// A node is a region (region.hpp). A virtual twist that satisfies leaf-bound closes it; it is
+/// sought in double precision as the point of least norm of the wrenches that the region can
+/// produce (Wolfe, "Finding the nearest point in a polytope", 1976; Gilbert, Johnson, Keerthi,
+/// 1988), rounded to small integers, and confirmed by doubles with error bounds, or exactly
+/// where these do not decide. If there is none, the combination of wrenches that vanishes is a
+/// relaxed equilibrium; the contact that breaks the laws the most is split by its slip or
+/// separation plane. Candidates for an equilibrium are completed exactly and verified by
+/// substitution. When nothing is left to split, or double precision fails, the exact linear
+/// program of region_system.hpp decides.
+///
+/// *Guarantee.* Only planes that cut a region's relative interior are split (or touch it where
+/// no strict function bars touching), each at most once on a path, so the leaves other than
+/// void ones are no more than the cells of the arrangement of the 2m planes tau_i = 0, v_i = 0
+/// in Q^4, which is O(m^3), whatever the heuristics propose; and at a region that no plane cuts
+/// the exact program has no relaxation left. No tolerance decides a verdict.
+#pragma once
+
+#include <cstddef>
+#include <variant>
+
+#include "stickslip/equilibrium/verdict.hpp"
+
+namespace stickslip {
+
+/// What the engine did; reproducible.
+struct ConeWork {
+  std::size_t nodes = 0;              ///< regions looked at
+  std::size_t leaves = 0;             ///< virtual-work leaves
+  std::size_t voids = 0;              ///< void leaves
+  std::size_t slip_splits = 0;        ///< nodes split by slip, into three
+  std::size_t separation_splits = 0;  ///< nodes split by separation, into two
+  std::size_t depth = 0;              ///< of the deepest node
+  std::size_t searches = 0;           ///< searches for a virtual twist in double precision
+  std::size_t support_points = 0;  ///< evaluations of the bounds on all rays in these searches
+  std::size_t filter_hits = 0;     ///< leaves confirmed by doubles with error bounds
+  std::size_t filter_misses = 0;   ///< leaves confirmed exactly
+  std::size_t exact_programs = 0;  ///< exact linear programs
+  std::size_t witness_attempts = 0;    ///< candidates for an equilibrium completed exactly
+  std::size_t largest_twist_bits = 0;  ///< of an integer in a leaf
+
+  /// Sums; maxima of depth and bits.
+  ConeWork& operator+=(const ConeWork& part);
+};
+
+/// How much the engine may do, and with how many threads.
+struct ConeOptions {
+  std::size_t node_limit = 0;  ///< 0: none; otherwise Undecided when it is reached
+  std::size_t threads = 1;  ///< 0: as many as there are cores. Any number gives the same answer
+};
+
+/// Deterministic, whatever the number of threads: verdict, evidence and work. Undecided only
+/// when the node limit is reached.
+Verdict decide_by_cones(const Problem& problem, const ConeOptions& options = {},
+                        ConeWork* work = nullptr);
+
+/// An equilibrium under one load of a range.
+struct LoadPoint {
+  Rational multiple;  ///< l of the load w + l u
+  Witness witness;    ///< under that load
+};
+
+/// A load of the problem's range under which the grasp is stable, or a proof that there is
+/// none, by the same search with the multiple as one more unknown. One thread; Undecided only
+/// when the node limit is reached.
+std::variant<LoadPoint, Unstable, Undecided> search_loads(const Problem& problem,
+                                                          const ConeOptions& options = {},
+                                                          ConeWork* work = nullptr);
+
+}  // namespace stickslip

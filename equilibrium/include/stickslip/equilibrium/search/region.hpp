@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// A region of motions as a node of a refutation sees it (certificate/FORMAT.md, section 4): a
+/// cone, the labels of contacts, and the strict functions; and the rules of leaves.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "stickslip/equilibrium/search/cone.hpp"
+#include "stickslip/equilibrium/verdict.hpp"
+
+namespace stickslip {
+
+/// Whether a contact is closed (v_i >= 0), open (v_i <= 0) or either on a region.
+enum class Separation { kClosed, kOpen, kMixed };
+
+/// A set of motions between the planes of its splits. A split makes new ones.
+class Region {
+ public:
+  /// All motions that the normal law allows: {h >= 0}, and v_i >= 0 for all i when bilateral.
+  static Region root(const Problem& problem);
+
+  const Cone& cone() const { return cone_; }  ///< its closure, in homogenised motions
+  /// What slip splits have said of a contact: kZero is the label 0; nothing is no label.
+  std::optional<Sign> label(ContactId contact) const { return labels_[contact.index()]; }
+
+  /// \{ The child of a slip, separation or plane split; of a temporary, made in its place.
+  Region slip_child(const Problem& problem, ContactId contact, Sign slip) const&;
+  Region slip_child(const Problem& problem, ContactId contact, Sign slip) &&;
+  Region separation_child(const Problem& problem, ContactId contact,
+                          Separation closed_or_open) const&;
+  Region separation_child(const Problem& problem, ContactId contact,
+                          Separation closed_or_open) &&;
+  Region plane_child(const IntegerVector4& plane, Side side) const&;
+  Region plane_child(const IntegerVector4& plane, Side side) &&;
+  /// \}
+
+  /// The intersection with all of a slip state at once: contact i has label state[i].
+  Region with_slip_state(const Problem& problem, const std::vector<Sign>& state) const;
+
+  /// From the signs of v_i on the cone; under the bilateral law always closed.
+  Separation separation(const Problem& problem, ContactId contact) const;
+
+  /// The sign of slip that every solution in the region has, so that friction is on one edge of
+  /// its cone; nothing when friction may lie anywhere in it ("has the sign", FORMAT.md).
+  std::optional<Sign> slip_sign(const Problem& problem, ContactId contact) const;
+
+  /// True if some strict function is 0 on all of these rays of cone(): no solution is a
+  /// combination of them and lines alone.
+  bool is_barred(const std::vector<const Ray*>& rays) const;
+
+  /// True if all rays are barred: no solution lies here.
+  bool is_void() const;
+
+ private:
+  Cone cone_;
+  std::vector<std::optional<Sign>> labels_;
+  std::vector<ConstraintIndex> strict_{0};  ///< increasing; h is constraint 0
+};
+
+/// The rule leaf-bound: whether the virtual twist proves that the region has no equilibrium
+/// under any of the problem's loads. O(m * rays) rational operations.
+bool refutes(const Problem& problem, const Region& region, const VirtualWorkLeaf& leaf);
+
+/// The contacts' part of the bound g(r) of leaf-bound on each of cone().directions(): all of it
+/// but the load's h y.w.
+std::vector<Rational> contact_work_bounds(const Problem& problem, const Region& region,
+                                          const VirtualWorkLeaf& leaf);
+
+}  // namespace stickslip

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Modes and the multiples of a load that they resist.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "stickslip/equilibrium/contact_mode.hpp"
+#include "stickslip/equilibrium/margin.hpp"
+#include "stickslip/equilibrium/search/region_program.hpp"
+
+namespace stickslip {
+
+/// A mode as a set of motions: closed means v >= 0 on all of it, and where there is friction
+/// slip has the sign throughout.
+using LoadMode = std::vector<ContactMode>;
+
+class LoadModes {
+ public:
+  /// `problem` has a range of loads from 0 on.
+  explicit LoadModes(Problem problem) : problem_(std::move(problem)) {}
+
+  /// Segments, each beginning where the one before ends, that contain the point and go as far
+  /// down to `low` and up to `high` as the modes next to each other reach.
+  std::vector<LoadSegment> chain_through(const LoadPoint& point, const Rational& low,
+                                         const std::optional<Rational>& high);
+
+  std::size_t programs() const { return programs_; }
+
+ private:
+  /// All that one mode resists, and the mode.
+  struct Piece {
+    LoadMode mode;
+    LoadPoint lowest;
+    std::optional<Rational> high;
+    Witness end;
+
+    Witness at(const Rational& multiple) const;
+    LoadSegment part(const Rational& low, const std::optional<Rational>& high) const;
+  };
+
+  std::optional<Piece> piece_of(const LoadMode& mode);
+  /// A mode next to this one at the point that goes further, up or down.
+  std::optional<Piece> next_piece(const LoadMode& mode, const LoadPoint& point, bool up);
+
+  Problem problem_;
+  std::size_t programs_ = 0;
+};
+
+}  // namespace stickslip

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "twist_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace stickslip {
+namespace {
+
+/// The normal coefficient that counts at a ray of v v: v if closed; max(0, v) if mixed and
+/// the work is positive, else 0 (theta = 0).
+double share(const UndecidedContact& u, double v, double alpha) {
+  if (u.separation == Separation::kClosed) return v;
+  return alpha > 0 ? std::max(0.0, v) : 0.0;
+}
+
+double magnitude_of(const ContactDoubles& c, const Double3& y) {
+  double sum = 0;
+  for (std::size_t j = 0; j < 3; ++j) {
+    sum += (std::fabs(c.normal[j]) + std::fabs(c.friction[j])) * std::fabs(y[j]);
+  }
+  return sum;
+}
+
+double magnitude_of(const Double4& function, const Double4& x) {
+  double sum = 0;
+  for (std::size_t j = 0; j < 4; ++j) sum += std::fabs(function[j] * x[j]);
+  return sum;
+}
+
+}  // namespace
+
+TwistSearch::Edge TwistSearch::edge(const UndecidedContact& u, const Double3& twist) const {
+  const ContactDoubles& c = model_.contacts[u.contact];
+  const double friction = dot(c.friction, twist);
+  const double sigma = u.slip != 0 ? -u.slip : friction >= 0 ? 1.0 : -1.0;
+  return {dot(c.normal, twist) + sigma * friction, sigma};
+}
+
+/// Fills edges_, and adds the undecided' parts to bounds_ and forces_.
+void TwistSearch::add_undecided_bounds(const Node& node, const RayTable& table,
+                                       const Double3& twist) {
+  const std::size_t ray_count = table.ray_count();
+  edges_.resize(node.undecided.size());
+  for (std::size_t q = 0; q < node.undecided.size(); ++q) {
+    const UndecidedContact& u = node.undecided[q];
+    edges_[q] = edge(u, twist);
+    const double alpha = edges_[q].alpha;
+    const double* separations = table.separations(q);
+    if (u.separation == Separation::kMixed) {
+      if (!(alpha > 0)) continue;
+      for (std::size_t r = 0; r < ray_count; ++r) {
+        const double a = separations[r] > 0 ? separations[r] : 0;
+        bounds_[r] += alpha * a;
+        forces_[r] += a;
+      }
+    } else {
+      for (std::size_t r = 0; r < ray_count; ++r) {
+        bounds_[r] += alpha * separations[r];
+        forces_[r] += separations[r];
+      }
+    }
+  }
+}
+
+/// The wrench whose work on the twist of the last add_undecided_bounds is the bound at the ray.
+Double3 TwistSearch::wrench_at(const Node& node, const RayTable& table, std::size_t ray,
+                               const Double3& load) const {
+  const Double4& x = table.rays()[ray];
+  Double3 wrench{};
+  for (std::size_t j = 0; j < 3; ++j) {
+    wrench[j] = x[3] * load[j];
+    for (std::size_t k = 0; k < 4; ++k) wrench[j] += node.decided.value[j][k] * x[k];
+  }
+  for (std::size_t q = 0; q < node.undecided.size(); ++q) {
+    const double a = share(node.undecided[q], table.separations(q)[ray], edges_[q].alpha);
+    if (a == 0) continue;
+    const ContactDoubles& c = model_.contacts[node.undecided[q].contact];
+    for (std::size_t j = 0; j < 3; ++j) {
+      wrench[j] += a * (c.normal[j] + edges_[q].sigma * c.friction[j]);
+    }
+  }
+  return wrench;
+}
+
+/// Rays are as long as their directions happen to be; their wrenches compare by force.
+void TwistSearch::scale_rays(const Node& node, const RayTable& table) {
+  const std::size_t ray_count = table.ray_count();
+  scales_.assign(ray_count, 0.0);
+  for (std::size_t r = 0; r < ray_count; ++r) {
+    const Double4& x = table.rays()[r];
+    scales_[r] = std::fabs(x[3]) * model_.force;
+    for (std::size_t j = 0; j < 2; ++j) {
+      double decided = 0;
+      for (std::size_t k = 0; k < 4; ++k) decided += node.decided.value[j][k] * x[k];
+      scales_[r] += std::fabs(decided);
+    }
+  }
+  for (std::size_t q = 0; q < node.undecided.size(); ++q) {
+    const double* separations = table.separations(q);
+    for (std::size_t r = 0; r < ray_count; ++r) scales_[r] += std::max(0.0, separations[r]);
+  }
+  for (double& scale : scales_) {
+    scale = std::max(scale, std::numeric_limits<double>::min()) / model_.force;
+  }
+  if (model_.recession) {
+    const Double3& u = *model_.recession;
+    const double size = std::fabs(u[0]) + std::fabs(u[1]) + std::fabs(u[2]) / model_.length;
+    scales_.push_back(size / model_.force);
+  }
+}
+
+/// The ray with the largest bound on the twist, by scale, and that bound. The recession of the
+/// loads counts as a ray after the others, without motion.
+std::pair<std::size_t, double> TwistSearch::worst_ray(const Node& node, const RayTable& table,
+                                                      const Double3& twist,
+                                                      const Double3& load) {
+  const std::size_t ray_count = table.ray_count();
+  Double4 form{0, 0, 0, dot(load, twist)};
+  for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t j = 0; j < 3; ++j) form[k] += twist[j] * node.decided.value[j][k];
+  }
+  bounds_.resize(ray_count);
+  forces_.assign(ray_count, 0.0);
+  for (std::size_t r = 0; r < ray_count; ++r) bounds_[r] = dot(form, table.rays()[r]);
+  add_undecided_bounds(node, table, twist);
+  std::pair<std::size_t, double> worst{ray_count, -HUGE_VAL};
+  const auto consider = [&](std::size_t r, double bound) {
+    if (bound / scales_[r] > worst.second) worst = {r, bound / scales_[r]};
+  };
+  for (std::size_t r = 0; r < ray_count; ++r) {
+    // Where nothing acts, g and h are 0: the ray is barred.
+    if (table.loaded(r) || forces_[r] > 0) consider(r, bounds_[r]);
+  }
+  if (model_.recession) consider(ray_count, dot(*model_.recession, twist));
+  return worst;
+}
+
+/// The motion and forces whose wrenches make up the nearest point.
+void TwistSearch::combine(const Node& node, const RayTable& table, const NearestPoint& hull,
+                          const std::vector<SupportPoint>& supports,
+                          SearchResult& result) const {
+  result.normal.assign(node.undecided.size(), 0.0);
+  result.tangential.assign(node.undecided.size(), 0.0);
+  for (std::size_t k = 0; k < hull.size(); ++k) {
+    const SupportPoint& support = supports[hull.order(k)];
+    if (support.ray == table.ray_count()) continue;
+    const double weight = hull.weight(k) / scales_[support.ray];
+    for (std::size_t j = 0; j < 4; ++j) {
+      result.motion[j] += weight * table.rays()[support.ray][j];
+    }
+    for (std::size_t q = 0; q < node.undecided.size(); ++q) {
+      const Edge e = edge(node.undecided[q], support.twist);
+      const double a =
+          weight * share(node.undecided[q], table.separations(q)[support.ray], e.alpha);
+      result.normal[q] += a;
+      result.tangential[q] += e.sigma * a;
+    }
+  }
+}
+
+SearchResult TwistSearch::search(const Node& node, const RayTable& table, ConeWork& work) {
+  ++work.searches;
+  scale_rays(node, table);
+  std::vector<SupportPoint> supports;
+  NearestPoint hull;
+  double largest_point = 0;
+  const double length = model_.length;
+  const Double3& first_load = model_.loads.back();
+  Double3 y{-first_load[0], -first_load[1], -first_load[2] / (length * length)};
+  if (dot(y, y) == 0) y = {1, 0, 0};
+  constexpr std::size_t kMostSteps = 60;
+  constexpr double kVanishing = 1e-24;  // of squared lengths; a proposal, not a decision
+  SearchResult result;
+  for (std::size_t step = 0; step < kMostSteps; ++step) {
+    ++work.support_points;
+    const Double3& load = model_.loads[model_.hardest_load(y)];
+    const auto [ray, bound] = worst_ray(node, table, y, load);
+    if (bound < 0) {
+      result.separated = true;
+      result.twist = y;
+      return result;
+    }
+    Double3 point =
+        ray < table.ray_count() ? wrench_at(node, table, ray, load) : model_.recession.value();
+    for (double& entry : point) entry /= scales_[ray];
+    point[2] /= length;
+    supports.push_back({ray, y});
+    largest_point = std::max(largest_point, dot(point, point));
+    const bool progress = hull.add(point);
+    const Double3& nearest = hull.nearest();
+    if (!progress || dot(nearest, nearest) <= kVanishing * largest_point) break;
+    y = {-nearest[0], -nearest[1], -nearest[2] / length};
+  }
+  combine(node, table, hull, supports, result);
+  return result;
+}
+
+std::optional<ContactSplit> TwistSearch::widest_gap(const Node& node,
+                                                    const SearchResult& found) const {
+  struct Widest {
+    double gap = 0;
+    std::optional<ContactSplit> split;
+
+    void consider(double candidate_gap, ContactSplit candidate) {
+      if (candidate_gap <= gap) return;
+      gap = candidate_gap;
+      split = candidate;
+    }
+  };
+  Widest separation;
+  Widest slip;
+  double energy = 0;
+  for (std::size_t q = 0; q < node.undecided.size(); ++q) {
+    const UndecidedContact& u = node.undecided[q];
+    const ContactDoubles& c = model_.contacts[u.contact];
+    const ContactId contact(u.contact);
+    const double a = found.normal[q];
+    energy += a * a / c.stiffness;
+    if (u.slip == 0 && u.slip_cuts) {
+      // mu a |tau| + b tau: the dissipation that is missing.
+      double tau = 0;
+      for (std::size_t j = 0; j < 3; ++j) tau += c.friction[j] * found.motion[j];
+      slip.consider(a * std::fabs(tau) + found.tangential[q] * tau, SlipSplit{contact});
+    }
+    if (u.separation == Separation::kMixed) {
+      // The search lets a be anything from 0 up; a = max(0, v) is the law.
+      const double lawful = std::max(0.0, dot(c.separation, found.motion));
+      separation.consider(std::fabs(a - lawful) * std::max(a, lawful) / c.stiffness,
+                          SeparationSplit{contact});
+    }
+  }
+  constexpr double kNoticeable = 1e-12;  // only chooses between a split and an exact program
+  // Separation first: a contact that may open weakens the bound on every ray, and a tree that
+  // splits these first is several times smaller (bench/README.md compares the rules).
+  if (separation.gap > kNoticeable * energy) return separation.split;
+  if (slip.gap > kNoticeable * energy) return slip.split;
+  return std::nullopt;
+}
+
+std::optional<bool> TwistSearch::certain_refutation(const Node& node, const RayTable& table,
+                                                    const Double3& twist) {
+  if (!model_.is_moderate) return std::nullopt;
+  const std::size_t ray_count = table.ray_count();
+  const Double3& hardest = model_.loads[model_.hardest_load(twist)];
+  const double load = dot(hardest, twist);
+  double load_magnitude = 0;
+  for (const Double3& end : model_.loads) {
+    double magnitude = 0;
+    for (std::size_t j = 0; j < 3; ++j) magnitude += std::fabs(end[j] * twist[j]);
+    load_magnitude = std::max(load_magnitude, magnitude);
+  }
+  bounds_.assign(ray_count, 0.0);
+  forces_.assign(ray_count, 0.0);
+  errors_.assign(ray_count, 0.0);
+  for (std::size_t r = 0; r < ray_count; ++r) {
+    const Double4& x = table.rays()[r];
+    bounds_[r] = x[3] * load;
+    errors_[r] = std::fabs(x[3]) * load_magnitude;
+    for (std::size_t k = 0; k < 4; ++k) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        bounds_[r] += twist[j] * node.decided.value[j][k] * x[k];
+        errors_[r] += std::fabs(twist[j] * x[k]) * node.decided.magnitude[j][k];
+      }
+    }
+  }
+  for (std::size_t q = 0; q < node.undecided.size(); ++q) {
+    const UndecidedContact& u = node.undecided[q];
+    const ContactDoubles& c = model_.contacts[u.contact];
+    const Edge e = edge(u, twist);
+    const double alpha_magnitude = magnitude_of(c, twist);
+    const bool mixed = u.separation == Separation::kMixed;
+    // alpha sums 6 products of factors rounded once: below 16 roundings of its magnitude.
+    constexpr double kAlphaError = 2e-15;
+    if (mixed && e.alpha < -kAlphaError * alpha_magnitude) continue;  // theta = 0
+    const double alpha = mixed ? std::max(0.0, e.alpha) : e.alpha;
+    const double* separations = table.separations(q);
+    for (std::size_t r = 0; r < ray_count; ++r) {
+      if (!(separations[r] > 0)) continue;  // exactly 0, or open at this ray
+      bounds_[r] += alpha * separations[r];
+      forces_[r] += separations[r];
+      errors_[r] += alpha_magnitude * magnitude_of(c.separation, table.rays()[r]);
+    }
+  }
+  // A term has fewer than 64 roundings (alpha 16, v 8, aggregate and products 16), and
+  // each partial sum adds one; u = 2^-53 < 1.2e-16 leaves room for second order.
+  const double roundings = 64 + static_cast<double>(node.decided.terms + node.undecided.size());
+  constexpr double kUnitRoundoff = 1.2e-16;
+  // What underflows, 2^-873 in a v, is at most 2^-620 in a term, of which there are fewer
+  // than 2^40.
+  constexpr double kUnderflow = 1e-150;
+  bool certain = true;
+  if (model_.recession) {
+    const Double3& u = *model_.recession;
+    double magnitude = 0;
+    for (std::size_t j = 0; j < 3; ++j) magnitude += std::fabs(u[j] * twist[j]);
+    const double bound = kUnitRoundoff * roundings * magnitude + kUnderflow;
+    if (dot(u, twist) > bound) return false;
+    certain = dot(u, twist) < -bound;
+  }
+  for (std::size_t r = 0; r < ray_count; ++r) {
+    if (!table.loaded(r) && !(forces_[r] > 0)) continue;  // g and h are exactly 0: barred
+    const double bound = kUnitRoundoff * roundings * errors_[r] + kUnderflow;
+    if (bounds_[r] > bound) return false;
+    certain = certain && bounds_[r] < -bound;  // false also for NaN
+  }
+  if (!certain) return std::nullopt;
+  return true;
+}
+
+std::optional<VirtualWorkLeaf> TwistSearch::confirm(const Problem& problem, const Node& node,
+                                                    const RayTable& table, const Double3& twist,
+                                                    ConeWork& work) {
+  const double largest =
+      std::max({std::fabs(twist[0]), std::fabs(twist[1]), std::fabs(twist[2])});
+  if (!(largest > 0) || !std::isfinite(largest)) return std::nullopt;
+  for (const int bits : {3, 6, 10, 16, 24, 36, 50}) {
+    VirtualWorkLeaf leaf;
+    Double3 rounded{};
+    for (std::size_t j = 0; j < 3; ++j) {
+      rounded[j] = std::round(std::ldexp(twist[j] / largest, bits));
+      leaf.twist[j] = static_cast<long long>(rounded[j]);
+    }
+    const std::optional<bool> certain = certain_refutation(node, table, rounded);
+    if (certain && !*certain) continue;
+    leaf.twist = primitive(std::move(leaf.twist));
+    if (certain) {
+      ++work.filter_hits;
+    } else if (refutes(problem, node.region, leaf)) {
+      ++work.filter_misses;
+    } else {
+      continue;
+    }
+    for (const Integer& entry : leaf.twist) {
+      if (entry.is_zero()) continue;
+      work.largest_twist_bits =
+          std::max<std::size_t>(work.largest_twist_bits, msb(abs(entry)) + 1);
+    }
+    return leaf;
+  }
+  return std::nullopt;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "witness_search.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <boost/multiprecision/eigen.hpp>
+#include <cmath>
+#include <utility>
+
+#include "../long_rationals.hpp"
+
+namespace stickslip {
+namespace {
+
+using ExactMatrix = Eigen::Matrix<Rational, Eigen::Dynamic, Eigen::Dynamic>;
+using ExactVector = Eigen::Matrix<Rational, Eigen::Dynamic, 1>;
+
+/// A solution of a x = b; nothing if there is none or, unless `may_be_singular`, more than one.
+std::optional<ExactVector> solve_exactly(const ExactMatrix& a, const ExactVector& b,
+                                         bool may_be_singular) {
+  Eigen::FullPivLU<ExactMatrix> lu(a);
+  lu.setThreshold(0);  // of rationals, whose zeros are zeros
+  if (!may_be_singular && lu.rank() < a.cols()) return std::nullopt;
+  ExactVector x = lu.solve(b);
+  if (a * x != b) return std::nullopt;
+  return x;
+}
+
+/// Sticks with all the friction there can be: known, and so is its slip.
+bool rests_on_edge(const ModeGuess& guess) {
+  return guess.closed && guess.sticks && guess.keeps_share && abs(guess.share) == 1;
+}
+
+/// Balance and no slip at the sticking contacts as linear equations, with the shares of
+/// friction as guessed but at a few *basic* contacts. Unknowns: d, then the friction b of
+/// these.
+class ModeSystem {
+ public:
+  ModeSystem(const Problem& problem, const std::vector<ModeGuess>& guesses)
+      : problem_(problem), guesses_(guesses), shares_(guesses.size()) {
+    choose_basic();
+    for (std::size_t i = 0; i < guesses.size(); ++i) {
+      if (guesses[i].closed && !is_basic(i)) shares_[i] = guesses[i].share;
+    }
+  }
+
+  /// Nothing if there is no solution, or several. With `near` several will do: what they leave
+  /// open stays as it is there.
+  std::optional<Witness> solve(const Witness* near) const {
+    auto [a, b] = equations();
+    ExactVector start = ExactVector::Zero(a.cols());
+    if (near != nullptr) {
+      for (Eigen::Index j = 0; j < 3; ++j) {
+        start[j] = coordinates(near->twist)[static_cast<std::size_t>(j)];
+      }
+      for (std::size_t k = 0; k < basic_.size(); ++k) {
+        start[column(k)] = near->forces[basic_[k]].tangential;
+      }
+      b -= a * start;
+    }
+    const std::optional<ExactVector> change = solve_exactly(a, b, near != nullptr);
+    if (!change) return std::nullopt;
+    return witness_at(start + *change);
+  }
+
+ private:
+  static Eigen::Index column(std::size_t k) { return static_cast<Eigen::Index>(3 + k); }
+  bool is_basic(std::size_t i) const {
+    return std::find(basic_.begin(), basic_.end(), i) != basic_.end();
+  }
+
+  /// At most three sticking contacts with linearly independent T, those with the most room in
+  /// the friction cone first.
+  void choose_basic() {
+    std::vector<std::pair<double, std::size_t>> candidates;
+    for (std::size_t i = 0; i < guesses_.size(); ++i) {
+      // Friction at an open or frictionless contact is 0 and cannot be an unknown.
+      if (guesses_[i].sticks && guesses_[i].closed && !rests_on_edge(guesses_[i]) &&
+          !problem_.rows()[i].friction.is_zero()) {
+        candidates.emplace_back(std::fabs(to_double(guesses_[i].share)), i);
+      }
+    }
+    std::sort(candidates.begin(), candidates.end());
+    std::vector<Vector3> tangents;
+    for (const auto& [share, i] : candidates) {
+      const Vector3 t = coordinates(problem_.rows()[i].tangent);
+      const Vector3 zero{};
+      if (tangents.empty()       ? t == zero
+          : tangents.size() == 1 ? cross(tangents[0], t) == zero
+                                 : dot(cross(tangents[0], tangents[1]), t).is_zero()) {
+        continue;
+      }
+      tangents.push_back(t);
+      basic_.push_back(i);
+      if (basic_.size() == 3) break;
+    }
+  }
+
+  /// Balance, no slip at the basic contacts, and what keeps others on the border of their mode.
+  std::pair<ExactMatrix, ExactVector> equations() const {
+    std::vector<std::size_t> on_border;
+    for (std::size_t i = 0; i < guesses_.size(); ++i) {
+      if (rests_on_edge(guesses_[i]) || guesses_[i].touches) on_border.push_back(i);
+    }
+    const Eigen::Index n = column(basic_.size());
+    const auto borders = static_cast<Eigen::Index>(on_border.size());
+    ExactMatrix a = ExactMatrix::Zero(n + borders, n);
+    ExactVector b = ExactVector::Zero(n + borders);
+    add_balance(a, b);
+    for (std::size_t k = 0; k < basic_.size(); ++k) {
+      const Vector3 t = coordinates(problem_.rows()[basic_[k]].tangent);
+      for (Eigen::Index j = 0; j < 3; ++j) {
+        a(j, column(k)) = a(column(k), j) = t[static_cast<std::size_t>(j)];
+      }
+    }
+    Eigen::Index row = n;
+    for (const std::size_t i : on_border) {
+      const Vector3 t = coordinates(problem_.rows()[i].tangent);
+      const Vector4& v = problem_.separation(ContactId(i));
+      for (std::size_t j = 0; j < 3; ++j) {
+        a(row, static_cast<Eigen::Index>(j)) = guesses_[i].touches ? v[j] : t[j];
+      }
+      if (guesses_[i].touches) b[row] = -v[3];
+      ++row;
+    }
+    return {std::move(a), std::move(b)};
+  }
+
+  /// The first three rows: the load, and of each closed contact (N + share mu T) (x) v.
+  void add_balance(ExactMatrix& a, ExactVector& b) const {
+    std::array<std::array<std::vector<Rational>, 4>, 3> terms;
+    for (std::size_t i = 0; i < guesses_.size(); ++i) {
+      if (!guesses_[i].closed) continue;
+      const ContactRow& row = problem_.rows()[i];
+      const Vector3 wrench =
+          coordinates(row.normal + (shares_[i] * row.friction) * row.tangent);
+      const Vector4& v = problem_.separation(ContactId(i));
+      for (std::size_t r = 0; r < 3; ++r) {
+        for (std::size_t c = 0; c < 4; ++c) terms[r][c].push_back(wrench[r] * v[c]);
+      }
+    }
+    const Vector3 load = coordinates(problem_.wrench());
+    for (std::size_t r = 0; r < 3; ++r) {
+      const auto row = static_cast<Eigen::Index>(r);
+      for (std::size_t c = 0; c < 3; ++c) {
+        a(row, static_cast<Eigen::Index>(c)) = sum_in_pairs(std::move(terms[r][c]));
+      }
+      b[row] = -load[r] - sum_in_pairs(std::move(terms[r][3]));
+    }
+  }
+
+  Witness witness_at(const ExactVector& x) const {
+    Witness witness{{x[0], x[1], x[2]}, {}};
+    const ScaledTwist scaled(witness.twist);
+    for (std::size_t i = 0; i < guesses_.size(); ++i) {
+      const ContactRow& row = problem_.rows()[i];
+      ContactForce force{0, 0};
+      if (guesses_[i].closed) {
+        force.normal = scaled.normal_coefficient(row) / scaled.scale;
+        force.tangential = shares_[i] * row.friction * force.normal;
+      }
+      witness.forces.push_back(std::move(force));
+    }
+    for (std::size_t k = 0; k < basic_.size(); ++k) {
+      witness.forces[basic_[k]].tangential = x[column(k)];
+    }
+    return witness;
+  }
+
+  const Problem& problem_;
+  const std::vector<ModeGuess>& guesses_;
+  std::vector<std::size_t> basic_;
+  std::vector<Rational> shares_;
+};
+
+}  // namespace
+
+/// Fine enough that the errors of many contacts together leave room at the basic ones.
+Rational rounded_share(double share) {
+  constexpr double kSteps = 4294967296.0;
+  const double clamped = std::clamp(share, -1.0, 1.0);
+  return Rational(std::lround(clamped * kSteps), static_cast<long>(kSteps));
+}
+
+std::optional<Witness> complete_exactly(const Problem& problem,
+                                        const std::vector<ModeGuess>& guesses,
+                                        const Witness* near) {
+  std::optional<Witness> witness = ModeSystem(problem, guesses).solve(near);
+  if (witness && find_violation(problem, *witness)) return std::nullopt;
+  return witness;
+}
+
+namespace {
+
+/// Balance with friction made smooth, -mu c_n clamp(T.d / epsilon), as three equations in d.
+class SmoothBalance {
+ public:
+  explicit SmoothBalance(const DoubleModel& model) : model_(model) {}
+
+  void set_epsilon(double epsilon) { epsilon_ = epsilon; }
+
+  /// The sum of all wrenches, and its derivative.
+  Eigen::Vector3d residual(const Eigen::Vector3d& d, Eigen::Matrix3d& derivative) const {
+    const Double3& load = model_.loads.front();
+    Eigen::Vector3d sum(load[0], load[1], load[2]);
+    derivative.setZero();
+    const Double4 x{d[0], d[1], d[2], 1};
+    for (const ContactDoubles& c : model_.contacts) {
+      const double v = dot(c.separation, x);
+      if (v <= 0) continue;
+      const double slip = dot(c.slip, x);
+      const double ratio = friction_ratio(slip);
+      const Eigen::Map<const Eigen::Vector3d> normal(c.normal.data());
+      const Eigen::Map<const Eigen::Vector3d> friction(c.friction.data());
+      const Eigen::Vector3d edge = normal + ratio * friction;
+      sum += v * edge;
+      derivative += edge * Eigen::Map<const Eigen::RowVector3d>(c.separation.data());
+      if (std::fabs(ratio) < 1) {
+        derivative -=
+            (v / epsilon_) * friction * Eigen::Map<const Eigen::RowVector3d>(c.slip.data());
+      }
+    }
+    return sum;
+  }
+
+  double norm(const Eigen::Vector3d& wrench) const {
+    return std::fabs(wrench[0]) + std::fabs(wrench[1]) + std::fabs(wrench[2]) / model_.length;
+  }
+
+  /// Newton's method with step halving. Returns the norm of the residual reached.
+  double solve(Eigen::Vector3d& d, int steps) const {
+    Eigen::Matrix3d derivative;
+    Eigen::Vector3d sum = residual(d, derivative);
+    double size = norm(sum);
+    for (int step = 0; step < steps && size > kConverged * model_.force; ++step) {
+      // The derivative is negative definite without friction; this keeps it regular.
+      derivative.diagonal().array() -= 1e-12 * derivative.diagonal().cwiseAbs().sum() + 1e-300;
+      const Eigen::Vector3d change = derivative.partialPivLu().solve(-sum);
+      if (!change.allFinite()) return size;
+      const double before = size;
+      for (double factor = 1; factor > 1e-3 && !(size < before); factor *= 0.5) {
+        const Eigen::Vector3d next = d + factor * change;
+        const Eigen::Vector3d next_sum = residual(next, derivative);
+        const double next_size = norm(next_sum);
+        if (next_size < before) {
+          d = next;
+          sum = next_sum;
+          size = next_size;
+        }
+      }
+      if (!(size < before)) return size;
+    }
+    return size;
+  }
+
+  std::vector<ModeGuess> guesses(const Eigen::Vector3d& d) const {
+    std::vector<ModeGuess> result;
+    result.reserve(model_.contacts.size());
+    const Double4 x{d[0], d[1], d[2], 1};
+    for (const ContactDoubles& c : model_.contacts) {
+      const double slip = dot(c.slip, x);
+      result.push_back({dot(c.separation, x) > 0, std::fabs(slip) < epsilon_,
+                        rounded_share(friction_ratio(slip))});
+    }
+    return result;
+  }
+
+  static constexpr double kConverged = 1e-13;
+
+ private:
+  double friction_ratio(double slip) const { return std::clamp(-slip / epsilon_, -1.0, 1.0); }
+
+  const DoubleModel& model_;
+  double epsilon_ = 1;
+};
+
+}  // namespace
+
+std::optional<Witness> find_witness_from_rest(const Problem& problem,
+                                              const DoubleModel& model) {
+  double stiffness = 0;
+  for (const ContactDoubles& c : model.contacts) stiffness += c.stiffness;
+  if (!(stiffness > 0)) return complete_exactly(problem, {});
+  SmoothBalance balance(model);
+  Eigen::Vector3d d = Eigen::Vector3d::Zero();
+  double size = HUGE_VAL;
+  constexpr int kStages = 14;
+  constexpr int kSteps = 12;
+  double epsilon = model.force / stiffness * static_cast<double>(model.contacts.size());
+  for (int stage = 0; stage < kStages; ++stage, epsilon *= 0.1) {
+    balance.set_epsilon(epsilon);
+    size = balance.solve(d, kSteps);
+  }
+  if (!(size <= 1e-6 * model.force)) return std::nullopt;
+  return complete_exactly(problem, balance.guesses(d));
+}
+
+std::optional<Witness> find_witness_near(const Problem& problem, const DoubleModel& model,
+                                         Double3 start) {
+  double travel = 0;
+  for (const ContactDoubles& c : model.contacts) {
+    travel = std::max(travel, std::fabs(dot(c.slip, {start[0], start[1], start[2], 1})));
+  }
+  if (!(travel > 0)) return std::nullopt;
+  SmoothBalance balance(model);
+  Eigen::Vector3d d(start[0], start[1], start[2]);
+  constexpr int kSteps = 8;
+  // A start that is near converges at once; one that is not is left to the search.
+  for (const double shrink : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
+    balance.set_epsilon(shrink * travel);
+    if (!(balance.solve(d, kSteps) <= 1e-3 * model.force)) return std::nullopt;
+  }
+  if (!(balance.solve(d, kSteps) <= 1e-6 * model.force)) return std::nullopt;
+  return complete_exactly(problem, balance.guesses(d));
+}
+
+}  // namespace stickslip

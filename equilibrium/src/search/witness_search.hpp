@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// From an approximate equilibrium in double precision to an exact one, or none. Proposals
+/// only: what is returned has passed find_violation.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "node.hpp"
+#include "stickslip/equilibrium/verdict.hpp"
+
+namespace stickslip {
+
+/// What an approximate equilibrium says of one contact.
+struct ModeGuess {
+  bool closed = false;
+  bool sticks = false;
+  /// Of its friction, sigma of the force N + sigma mu T: in [-1, 1], on an end if it slips.
+  Rational share = 0;
+  bool keeps_share = false;  ///< sticking with the share 1 or -1, it stays there
+  bool touches = false;      ///< not closed, but v = 0
+};
+
+/// A share of friction from an approximate one; between -1 and 1.
+Rational rounded_share(double share);
+
+/// Solves balance and no slip at the sticking contacts exactly, with the modes given; O(m)
+/// rational operations. Nothing if the system is singular or its solution is not an
+/// equilibrium. With `near` a singular system will do: what it leaves open stays as it is
+/// there.
+std::optional<Witness> complete_exactly(const Problem& problem,
+                                        const std::vector<ModeGuess>& guesses,
+                                        const Witness* near = nullptr);
+
+/// Newton's method in the three unknowns of d for balance with friction made smooth,
+/// -mu c_n clamp(T.d / epsilon); then complete_exactly. From rest: epsilon falls from the size
+/// of all motion to nothing. O(m) for each of at most a few hundred steps.
+std::optional<Witness> find_witness_from_rest(const Problem& problem, const DoubleModel& model);
+
+/// The same from d = `start` with a small epsilon; gives up early unless `start` is near.
+std::optional<Witness> find_witness_near(const Problem& problem, const DoubleModel& model,
+                                         Double3 start);
+
+}  // namespace stickslip

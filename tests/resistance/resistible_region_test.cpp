@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/resistance/resistible_region.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "paper_grasps.hpp"
+#include "random_grasps.hpp"
+#include "stickslip/core/error.hpp"
+#include "stickslip/equilibrium/decide.hpp"
+
+namespace stickslip {
+namespace {
+
+using test::degenerate_grasp;
+using test::fig1_grasp;
+using test::fig4_grasp;
+using test::generic_grasp;
+using test::near_degenerate_grasp;
+using test::RandomSource;
+
+using Points = std::vector<PlanePoint>;
+using Pieces = std::vector<ResistiblePiece>;
+
+const Rational kTiny(1, 1000000000);
+
+PlaneUnion region_of(const Grasp& grasp, NormalLaw law,
+                     const WrenchPlane& plane = WrenchPlane::forces()) {
+  return unite(std::get<Pieces>(resistible_pieces(Problem({grasp, {0, 0, 0}}, law), plane)));
+}
+
+bool is_stable(const Grasp& grasp, NormalLaw law, const Wrench& wrench, Engine engine) {
+  const Decision decision = decide(Problem({grasp, wrench}, law), engine);
+  EXPECT_FALSE(std::holds_alternative<Undecided>(decision.verdict));
+  return std::holds_alternative<Stable>(decision.verdict);
+}
+
+/// Points where the region could be wrong: a grid, all vertices, and points on and just beside
+/// each edge.
+Points critical_points(const PlaneUnion& region) {
+  Points points = region.points;
+  for (int x = -2; x <= 2; ++x) {
+    for (int y = -2; y <= 2; ++y) points.push_back({Rational(x, 2), Rational(3 * y, 4)});
+  }
+  std::vector<PlaneEdge> edges;
+  for (const PlaneArea& area : region.areas) {
+    for (const Outline& outline : area.outlines) {
+      for (const PlaneEdge& edge : outline.edges()) edges.push_back(edge);
+    }
+  }
+  for (const PlaneCell& curve : region.curves) {
+    edges.insert(edges.end(), curve.edges().begin(), curve.edges().end());
+  }
+  for (const PlaneEdge& edge : edges) {
+    for (const HomogeneousPoint& end : {edge.from, edge.to}) {
+      if (is_at_infinity(end)) continue;
+      const PlanePoint p = point_of(end);
+      points.push_back(p);
+      for (const int x : {-1, 1}) {
+        for (const int y : {-1, 1}) points.push_back({p[0] + x * kTiny, p[1] + y * kTiny});
+      }
+    }
+    HomogeneousPoint sum;
+    for (std::size_t j = 0; j < 3; ++j) sum[j] = edge.from[j] + edge.to[j];
+    const PlanePoint middle = point_of(sum);
+    const PlaneDirection d = edge.direction();
+    const Rational step = kTiny / Rational(abs(d[0]) + abs(d[1]));
+    points.push_back(middle);
+    for (const Rational& by : {step, Rational(-step)}) {
+      points.push_back({middle[0] - by * Rational(d[1]), middle[1] + by * Rational(d[0])});
+    }
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+/// A wrench is in the region iff both engines say stable. Returns how many are.
+std::size_t expect_verdicts(const Grasp& grasp, NormalLaw law, const WrenchPlane& plane) {
+  SCOPED_TRACE(test::describe({{grasp, {0, 0, 0}}, law}));
+  const PlaneUnion region = region_of(grasp, law, plane);
+  std::size_t stable = 0;
+  for (const PlanePoint& p : critical_points(region)) {
+    const Wrench w = plane.at(p);
+    const bool inside = region.contains(p);
+    stable += inside ? 1 : 0;
+    for (const Engine engine : {Engine::kStates, Engine::kCone}) {
+      EXPECT_EQ(inside, is_stable(grasp, law, w, engine))
+          << (engine == Engine::kStates ? "states" : "cone") << " at (" << to_string(w.x)
+          << ", " << to_string(w.y) << ", " << to_string(w.torque) << ")";
+    }
+    if (::testing::Test::HasFailure()) break;
+  }
+  return stable;
+}
+
+WrenchPlane random_plane(RandomSource& random) {
+  if (random.one_in(2)) return WrenchPlane::forces(Rational(random.between(-2, 2), 2));
+  while (true) {
+    try {
+      return {test::small_wrench(random), test::small_wrench(random),
+              test::small_wrench(random)};
+    } catch (const InputError&) {  // dependent directions
+    }
+  }
+}
+
+Outline open_outline(const PlaneDirection& from, const Points& vertices,
+                     const PlaneDirection& to) {
+  return {vertices, from, to};
+}
+
+TEST(ResistibleRegion, Figure7b) {
+  EXPECT_EQ(region_of(fig1_grasp(0), NormalLaw::kUnilateral),
+            (PlaneUnion{{{{open_outline({1, 0}, {{0, 0}}, {-1, 0})}}}, {}, {}}));
+}
+
+/// w_y <= max(0, 1 - |w_x|/2)
+TEST(ResistibleRegion, Figure7c) {
+  EXPECT_EQ(
+      region_of(fig1_grasp(1), NormalLaw::kUnilateral),
+      (PlaneUnion{{{{open_outline({1, 0}, {{2, 0}, {0, 1}, {-2, 0}}, {-1, 0})}}}, {}, {}}));
+}
+
+/// On the line of w_y it is |w_y| <= 4 mu = 2 with P = 1, and nothing but 0 without.
+TEST(ResistibleRegion, Figure4) {
+  const PlaneUnion preloaded = region_of(fig4_grasp(1), NormalLaw::kUnilateral);
+  EXPECT_TRUE(preloaded.contains({0, 2}));
+  EXPECT_TRUE(preloaded.contains({0, -2}));
+  EXPECT_FALSE(preloaded.contains({0, 2 + kTiny}));
+  const PlaneUnion bare = region_of(fig4_grasp(0), NormalLaw::kUnilateral);
+  EXPECT_EQ(bare.areas.size(), 2u);
+  EXPECT_TRUE(bare.contains({0, 0}));
+  EXPECT_FALSE(bare.contains({0, kTiny}));
+  // Table III: torques need contacts that open.
+  const WrenchPlane torques({0, 0, 0}, {1, 0, 0}, {0, 0, 1});
+  EXPECT_TRUE(region_of(fig4_grasp(0), NormalLaw::kUnilateral, torques).contains({0, 3}));
+  EXPECT_FALSE(region_of(fig4_grasp(0), NormalLaw::kBilateral, torques).contains({0, 3}));
+}
+
+TEST(ResistibleRegion, NoContactResistsNothing) {
+  const Grasp none;
+  EXPECT_EQ(region_of(none, NormalLaw::kUnilateral), (PlaneUnion{{}, {}, {{0, 0}}}));
+  EXPECT_TRUE(region_of(none, NormalLaw::kBilateral, WrenchPlane::forces(1)).is_empty());
+}
+
+Contact contact(const Vector2& position, const Vector2& normal, const Rational& friction,
+                const Rational& preload) {
+  return {position, normal, friction, 1, preload};
+}
+
+TEST(ResistibleRegion, OneContact) {
+  const Rational half(1, 2);
+  // A floor below the origin: every force into it within the cone, and no other.
+  const Grasp floor({contact({0, 0}, {0, 1}, half, 0)});
+  EXPECT_EQ(region_of(floor, NormalLaw::kUnilateral),
+            (PlaneUnion{{{{open_outline({1, -2}, {{0, 0}}, {-1, -2})}}}, {}, {}}));
+  // Without friction: a ray.
+  const Grasp smooth({contact({0, 0}, {0, 1}, 0, 1)});
+  EXPECT_EQ(region_of(smooth, NormalLaw::kUnilateral),
+            (PlaneUnion{{}, {PlaneCell::hull({{0, 0, 1}, {0, -1, 0}})}, {}}));
+  // Off the origin, the plane of forces without torque meets the wrenches along its line only.
+  const Grasp aside({contact({1, 0}, {0, 1}, 0, 0)});
+  EXPECT_EQ(region_of(aside, NormalLaw::kUnilateral), (PlaneUnion{{}, {}, {{0, 0}}}));
+}
+
+TEST(ResistibleRegion, DegenerateGraspsAgreeWithTheEngines) {
+  const Rational half(1, 2);
+  const std::vector<Grasp> grasps{
+      Grasp(), Grasp({contact({0, -1}, {0, 1}, half, 1)}),
+      Grasp({contact({1, -1}, {0, 1}, 0, 0)}),
+      // Two contacts at one point: one circle, and two.
+      Grasp({contact({0, 0}, {0, 1}, half, 1), contact({0, 0}, {0, 1}, 1, 0)}),
+      Grasp({contact({0, 0}, {0, 1}, half, 1), contact({0, 0}, {1, 0}, 1, 1)}),
+      // All normals parallel; opposite ones on one line.
+      Grasp({contact({-1, 0}, {0, 1}, half, 1), contact({0, 0}, {0, 1}, half, 0),
+             contact({1, 0}, {0, 1}, half, 1)}),
+      Grasp({contact({-1, 0}, {1, 0}, half, 1), contact({1, 0}, {-1, 0}, half, 1)}),
+      Grasp({contact({-1, 0}, {1, 0}, 0, 1), contact({1, 0}, {-1, 0}, 0, 1)}), fig1_grasp(0),
+      fig1_grasp(1), fig4_grasp(0), fig4_grasp(1)};
+  for (const Grasp& grasp : grasps) {
+    for (const NormalLaw law : {NormalLaw::kUnilateral, NormalLaw::kBilateral}) {
+      for (const WrenchPlane& plane : {WrenchPlane::forces(), WrenchPlane::forces(half),
+                                       WrenchPlane({0, -1, 0}, {1, 1, 0}, {0, 1, 1})}) {
+        expect_verdicts(grasp, law, plane);
+        if (HasFailure()) return;
+      }
+    }
+  }
+}
+
+TEST(ResistibleRegion, RandomGraspsAgreeWithTheEngines) {
+  RandomSource random(5);
+  std::size_t stable = 0;
+  for (int round = 0; round < 150; ++round) {
+    const auto m = static_cast<std::size_t>(random.between(1, 4));
+    const Grasp grasp = round % 3 == 0 ? degenerate_grasp(random, m)
+                        : round % 3 == 1
+                            ? generic_grasp(random, m)
+                            : near_degenerate_grasp(random, m, Rational(1, 1000000));
+    const NormalLaw law = random.one_in(3) ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
+    stable += expect_verdicts(grasp, law, random_plane(random));
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(stable, 1000u);
+}
+
+/// Loads that are stable by construction lie in the region of any plane through them, and at
+/// the piece of a mode lie the wrenches it resists.
+TEST(ResistibleRegion, PlantedLoads) {
+  RandomSource random(11);
+  for (int round = 0; round < 200; ++round) {
+    const Grasp grasp =
+        degenerate_grasp(random, static_cast<std::size_t>(random.between(0, 6)));
+    const NormalLaw law = random.one_in(3) ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
+    const Wrench w = test::planted_wrench(random, grasp, law);
+    const PlaneUnion region = region_of(grasp, law, {w, {1, 0, 0}, {0, 2, 1}});
+    EXPECT_TRUE(region.contains({0, 0})) << test::describe({{grasp, w}, law});
+  }
+}
+
+TEST(ResistibleRegion, OrderOfContactsDoesNotMatter) {
+  RandomSource random(3);
+  for (int round = 0; round < 30; ++round) {
+    const Grasp grasp = degenerate_grasp(random, 5);
+    std::vector<Contact> reversed(grasp.contacts().rbegin(), grasp.contacts().rend());
+    EXPECT_EQ(region_of(grasp, NormalLaw::kUnilateral),
+              region_of(Grasp(reversed), NormalLaw::kUnilateral));
+  }
+}
+
+TEST(ResistibleRegion, PiecesNameTheirModes) {
+  const Problem problem({fig1_grasp(1), {0, 0, 0}}, NormalLaw::kUnilateral);
+  RegionWork work;
+  const Pieces pieces =
+      std::get<Pieces>(resistible_pieces(problem, WrenchPlane::forces(), {}, &work));
+  EXPECT_EQ(work.slip_states, 27u);
+  EXPECT_EQ(work.pieces, pieces.size());
+  EXPECT_GE(work.modes, pieces.size());
+  // All stick at d = 0: P = 1 at each contact, friction anywhere in the cones.
+  const auto stick = std::find_if(pieces.begin(), pieces.end(), [](const ResistiblePiece& p) {
+    return p.slip == SlipState(3, Sign::kZero);
+  });
+  ASSERT_NE(stick, pieces.end());
+  EXPECT_EQ(stick->closed, std::vector<bool>(3, true));
+  const Rational half(1, 2);
+  EXPECT_EQ(stick->cell.vertices(), (Points{{-half, -3 * half},
+                                            {0, -2},
+                                            {half, -3 * half},
+                                            {half, -half},
+                                            {0, 0},
+                                            {-half, -half}}));
+}
+
+TEST(ResistibleRegion, LimitOnModes) {
+  const Problem problem({fig1_grasp(1), {0, 0, 0}}, NormalLaw::kUnilateral);
+  RegionWork work;
+  RegionOptions options;
+  std::size_t calls = 0;
+  options.progress = [&](std::size_t done, std::size_t all) {
+    EXPECT_EQ(done, calls++);
+    EXPECT_EQ(all, 27u);
+  };
+  ASSERT_TRUE(std::holds_alternative<Pieces>(
+      resistible_pieces(problem, WrenchPlane::forces(), options, &work)));
+  EXPECT_EQ(calls, 27u);
+  options = {};
+  options.mode_limit = work.modes;
+  EXPECT_TRUE(std::holds_alternative<Pieces>(
+      resistible_pieces(problem, WrenchPlane::forces(), options)));
+  options.mode_limit = work.modes - 1;
+  const auto given_up = resistible_pieces(problem, WrenchPlane::forces(), options);
+  ASSERT_TRUE(std::holds_alternative<Undecided>(given_up));
+  EXPECT_EQ(std::get<Undecided>(given_up).limit, "the limit of 85 modes");
+}
+
+TEST(WrenchPlane, Coordinates) {
+  const WrenchPlane plane({1, 2, 3}, {1, 1, 0}, {0, 1, 2});
+  const Wrench w = plane.at({Rational(3, 2), Rational(-1, 3)});
+  EXPECT_EQ(plane.coordinates({2 * w.x, 2 * w.y, 2 * w.torque}, 2),
+            (Vector4{3, Rational(-2, 3), 0, 2}));
+  EXPECT_NE(plane.coordinates({w.x, w.y, w.torque + 1}, 1)[2], 0);
+  EXPECT_THROW(WrenchPlane({0, 0, 0}, {1, 2, 0}, {-2, -4, 0}), InputError);
+  EXPECT_THROW(WrenchPlane({0, 0, 0}, {1, 2, 0}, {0, 0, 0}), InputError);
+}
+
+}  // namespace
+}  // namespace stickslip

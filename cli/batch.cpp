@@ -117,7 +117,9 @@ class Batch {
                                       [&](const Item& item) { write(item); }));
     });
     const std::size_t all = written_before_ + written_;
-    if (all == 0) std::cerr << "stickslip: " << input_.name() << ": there is no grasp in it\n";
+    if (all == 0)
+      std::cerr << "stickslip: " << input_.name()
+                << ": the file is empty, there is no grasp in it\n";
     if (unreadable_ > 0) {
       progress_.reset();  // its line on the terminal goes
       std::cerr << "stickslip: " << input_.name() << ": " << unreadable_ << " of " << all

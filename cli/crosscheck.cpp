@@ -123,7 +123,7 @@ int crosscheck(const CrosscheckArguments& arguments) {
   if (!arguments.save.empty()) make_save_folder(arguments.save);
   const ClaimCounts counts = judge_all(file.stream(), folder, arguments, options);
   if (counts.claims() == 0) {
-    throw InputError(file.name(), "", "there is no claim in the file",
+    throw InputError(file.name(), "", "the file is empty, there is no claim in it",
                      "write one a line, see docs/crosscheck.md");
   }
   std::cout << (arguments.json ? to_json_line(counts) + "\n" : to_text(counts));

@@ -150,10 +150,10 @@ std::string distance_text(const ThresholdDistance& distance) {
 /// How far off an inaccurate solution is.
 std::string nearby_text(const NearbyEquilibrium& nearby) {
   if (!nearby.from_claim) return "; no exact equilibrium of its kind was found nearby";
-  std::string text = "; an exact equilibrium of its kind has";
-  if (nearby.force_distance) text += " forces within " + brief(*nearby.force_distance);
+  std::string text = "; an exact equilibrium of its kind is within";
+  if (nearby.force_distance) text += " " + brief(*nearby.force_distance) + " in the forces";
   if (nearby.force_distance && nearby.twist_distance) text += " and";
-  if (nearby.twist_distance) text += " its twist within " + brief(*nearby.twist_distance);
+  if (nearby.twist_distance) text += " " + brief(*nearby.twist_distance) + " in the twist";
   return text;
 }
 

@@ -61,7 +61,7 @@ int main(int argc, char** argv) {
   std::cout.flush();
   if (!std::cout) {
     errno = 0;  // why it failed may be long forgotten: another write meets the same
-    if (::write(STDOUT_FILENO, "\n", 1) == 1) errno = 0;
+    [[maybe_unused]] const ssize_t again = ::write(STDOUT_FILENO, "\n", 1);
     std::cerr << "stickslip: " << stickslip::cannot_write("<stdout>", errno).what() << '\n';
     return stickslip::kBadInput;
   }

@@ -73,7 +73,7 @@ class Batch(Case):
         self.assertIn("1 nodes", results[0]["limit"])
 
     def test_nothing(self):
-        said = "stickslip: <stdin>: there is no grasp in it\n"
+        said = "stickslip: <stdin>: the file is empty, there is no grasp in it\n"
         self.assertEqual(self.results("-", stdin="\n \n", said=said), [])
 
     def test_resume_after_every_interruption(self):

@@ -217,7 +217,7 @@ class Crosscheck(Case):
         self.assertEqual(text.splitlines(), [
             'line 2: right: claimed stable, exactly stable ("Fig. 1"), but its solution misses: '
             "balance force (0, 1/4), torque 1/4; dissipation 1/4 at contact 2; an exact "
-            "equilibrium of its kind has forces within 1/4 and its twist within 1",
+            "equilibrium of its kind is within 1/4 in the forces and 1 in the twist",
             "2 claims: 2 right (1 of them with an inaccurate solution), 0 tie, 0 wrong, "
             "0 undecided, 0 unreadable"])
 

@@ -131,10 +131,10 @@ class WhatIsWrong(Case):
         for text in ("", "\n \n"):
             path = self.write("e", text)
             self.fails("decide", path, naming=[path, "empty"])
-            self.fails("crosscheck", path, naming=[path, "no claim"])
+            self.fails("crosscheck", path, naming=[path, "empty", "no claim"])
             code, out, err = stickslip("batch", path)
             self.assertEqual((code, out), (DONE, ""))
-            self.assertIn(f"{path}: there is no grasp in it", err)
+            self.assertIn(f"{path}: the file is empty, there is no grasp in it", err)
 
     def test_a_trailing_comma(self):
         text = json.dumps(grasp(1))

@@ -12,13 +12,13 @@
 #include <cmath>
 #include <csignal>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -86,11 +86,10 @@ class Batch {
     spell(options_.snap_tolerance);
     options_text_ += std::string(to_string(options_.law)) + ";" +
                      std::to_string(arguments.node_limit) + "\n";
-    if (arguments_.file != "-") open_input();
-    lines_.emplace(*in_);
+    const auto size = std::filesystem::file_size(arguments_.file, ignored_);
+    if (!ignored_) bytes_ = size;
     if (arguments_.output != "-") open_output();
-    if (!arguments_.certificates.empty())
-      make_folder("--certificates", arguments_.certificates);
+    if (!arguments_.certificates.empty()) open_folder();
   }
 
   int run() {
@@ -117,27 +116,24 @@ class Batch {
               make_filter<Item, void>(filter_mode::serial_in_order,
                                       [&](const Item& item) { write(item); }));
     });
-    if (unreadable_ > 0) return kBadInput;
+    const std::size_t all = written_before_ + written_;
+    if (all == 0)
+      std::cerr << "stickslip: " << input_.name()
+                << ": the file is empty, there is no grasp in it\n";
+    if (unreadable_ > 0) {
+      progress_.reset();  // its line on the terminal goes
+      std::cerr << "stickslip: " << input_.name() << ": " << unreadable_ << " of " << all
+                << (all == 1 ? " line" : " lines") << " could not be read, the first is line "
+                << first_unreadable_ << "; their results say why\n";
+      return kBadInput;
+    }
     return undecided_ > 0 ? kUndecidedWithinLimit : kDone;
   }
 
  private:
-  void open_input() {
-    errno = 0;
-    input_file_.open(arguments_.file, std::ios::binary);
-    if (!input_file_ || std::filesystem::is_directory(arguments_.file, ignored_)) {
-      throw InputError(arguments_.file, "",
-                       std::string("cannot open the file: ") +
-                           (errno != 0 ? std::strerror(errno) : "it is a folder"),
-                       "name a file of grasps, one a line, or - for standard input");
-    }
-    const auto size = std::filesystem::file_size(arguments_.file, ignored_);
-    if (!ignored_) bytes_ = size;
-    in_ = &input_file_;
-  }
-
   void open_output() {
     const std::string& path = arguments_.output;
+    require_unprotected(path);
     if (std::filesystem::is_regular_file(path, ignored_) &&
         std::filesystem::file_size(path, ignored_) > 0) {
       if (!arguments_.resume) {
@@ -146,9 +142,24 @@ class Batch {
       }
       keep_finished();
     }
+    errno = 0;
     output_file_.open(path, std::ios::binary | std::ios::app);
-    if (!output_file_) throw cannot_write();
+    if (!output_file_) throw cannot_write(path, errno);
+    protect_file(path, "output");
     out_ = &output_file_;
+  }
+
+  /// Whatever a killed run was writing there is to be written again.
+  void open_folder() {
+    make_folder("--certificates", arguments_.certificates);
+    if (!arguments_.resume) return;
+    static const std::regex kCertificate("line-[0-9]+\\.json");
+    for (const auto& entry : std::filesystem::directory_iterator(arguments_.certificates)) {
+      const std::string target = target_of_temporary(entry.path().filename().string());
+      if (entry.is_regular_file(ignored_) && std::regex_match(target, kCertificate)) {
+        std::filesystem::remove(entry.path(), ignored_);
+      }
+    }
   }
 
   /// What has a result need not be decided again, if it was the same question. Cuts off a line
@@ -161,16 +172,16 @@ class Batch {
       const bool more = read_line(item);
       if (!more || result->key != key_of(options_text_, item.text)) {
         throw InputError(
-            arguments_.output, "result of line " + std::to_string(lines_->number()),
+            arguments_.output, "result of line " + std::to_string(lines_.number()),
             "it is not that of this line of " + arguments_.file + " under these options",
             "resume with the same grasps and options, or name another file");
       }
-      count(result->outcome);
+      count(item.number, result->outcome);
     }
     before.close();
     std::error_code error;
     std::filesystem::resize_file(arguments_.output, finished.bytes(), error);
-    if (error) throw cannot_write();
+    if (error) throw cannot_write(arguments_.output, error.value());
     written_before_ = finished.lines();
     bytes_skipped_ = bytes_read_;
   }
@@ -184,22 +195,17 @@ class Batch {
     return found == 0 && S_ISREG(out.st_mode);
   }
 
-  InputError cannot_write() const {
-    return InputError(arguments_.output, "--output", "cannot be written",
-                      "is there room, and may you write there?");
-  }
-
   /// False at the end. A line that is too long has its error as its result.
   bool read_line(Item& item) {
     try {
-      if (!lines_->next(item.text)) return false;
+      if (!lines_.next(item.text)) return false;
     } catch (const InputError& error) {
       item.text.clear();
-      item.number = lines_->number();
+      item.number = lines_.number();
       fail(item, error);
       return true;
     }
-    item.number = lines_->number();
+    item.number = lines_.number();
     bytes_read_ += item.text.size() + 1;
     return true;
   }
@@ -227,7 +233,7 @@ class Batch {
     std::string certificate;
     Json json = head(item);
     try {
-      const Question question = ask(parse_grasp(item.text, ""), options_);
+      const Question question = ask_with_options(parse_grasp(item.text, ""), options_, "");
       ConeOptions options;
       options.node_limit = arguments_.node_limit;
       const Problem problem(question.loaded, question.law);
@@ -263,13 +269,16 @@ class Batch {
     errno = 0;
     *out_ << item.result << std::flush;
     if (!*out_ && errno == EPIPE && on_broken_pipe_ == SIG_DFL) end_by_signal(SIGPIPE);
-    if (!*out_) throw cannot_write();
+    if (!*out_) {
+      throw cannot_write(arguments_.output == "-" ? "<stdout>" : arguments_.output, errno);
+    }
     ++written_;
-    count(item.outcome);
-    progress_.show(progress_text());
+    count(item.number, item.outcome);
+    progress_->show(progress_text());
   }
 
-  void count(LineOutcome outcome) {
+  void count(std::size_t line, LineOutcome outcome) {
+    if (outcome == LineOutcome::kUnreadable && unreadable_ == 0) first_unreadable_ = line;
     unreadable_ += outcome == LineOutcome::kUnreadable ? 1 : 0;
     undecided_ += outcome == LineOutcome::kUndecided ? 1 : 0;
   }
@@ -304,11 +313,10 @@ class Batch {
   QuestionOptions options_;
   std::string options_text_;
   std::error_code ignored_;
-  std::ifstream input_file_;
-  std::istream* in_ = &std::cin;
+  InputFile input_{arguments_.file, "a file of grasps, one a line"};
   std::ofstream output_file_;
   std::ostream* out_ = &std::cout;
-  std::optional<TextLines> lines_;
+  TextLines lines_{input_.stream()};
   std::uintmax_t bytes_ = 0;  ///< of the input, if known
   std::atomic<std::uintmax_t> bytes_read_{0};
   std::uintmax_t bytes_skipped_ = 0;  ///< that had results already
@@ -316,9 +324,10 @@ class Batch {
   std::size_t written_before_ = 0;  ///< results that were there
   std::atomic<std::size_t> written_{0};
   std::size_t unreadable_ = 0;
+  std::size_t first_unreadable_ = 0;  ///< its number
   std::size_t undecided_ = 0;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-  Progress progress_;
+  std::optional<Progress> progress_{std::in_place};
   /// With the default, the end of whoever reads the results would end a certificate
   /// half-written.
   void (*on_broken_pipe_)(int) = std::signal(SIGPIPE, SIG_IGN);

@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 namespace stickslip {
 
@@ -35,8 +36,15 @@ void add_export_command(CLI::App& app, int& exit_code);
 void add_plot_command(CLI::App& app, int& exit_code);
 /// `plot region`, beside `region`.
 void add_region_plot(CLI::App& plot, int& exit_code);
+void add_help_command(CLI::App& app, int& exit_code);
 void add_completion_command(CLI::App& app, int& exit_code);
 /// Hidden: writes the manual's pages. The build calls it.
 void add_manual_command(CLI::App& app, int& exit_code);
+
+/// Of a command line that the parser did not take: throws InputError for the first word that
+/// stands where a command or an option should, and is none; it says which may have been meant.
+/// Of options only if `options_too`.
+void refuse_unknown_words(const CLI::App& app, const std::vector<std::string>& words,
+                          bool options_too);
 
 }  // namespace stickslip

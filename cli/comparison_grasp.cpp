@@ -47,7 +47,7 @@ MethodRow wrench_space_row(const Problem& problem, ForceBound bound, const Ratio
     facets = wrench_space_facets(problem, bound, length);
   } catch (const InputError& error) {
     return about_grasp(method, source, kNotComputed,
-                       error.place() + ": " + error.problem() + "; use --snap-normals EPS",
+                       error.place() + ": " + error.problem() + "; use --snap-normals 1e-9",
                        {{"error", error.what()}});
   }
   const GraspQuality quality = ferrari_canny_quality(facets);

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
+#include <regex>
 
 #include "commands.hpp"
 #include "crosscheck_report.hpp"
@@ -61,6 +59,18 @@ std::vector<std::string> save(const std::string& folder, std::size_t number,
   return {grasp, certificate};
 }
 
+/// Refuses what an earlier run saved: a claim that is not read yet may be about one of these
+/// grasps, and whoever looks into the folder could not tell them apart.
+void make_save_folder(const std::string& folder) {
+  make_folder("--save", folder);
+  static const std::regex kSaved(R"(line-[0-9]+\.(grasp|certificate)\.json)");
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (!std::regex_match(entry.path().filename().string(), kSaved)) continue;
+    throw InputError(entry.path().string(), "--save", "an earlier run saved this",
+                     "name another folder, or remove what is saved in this one");
+  }
+}
+
 ClaimCounts judge_all(std::istream& in, const std::string& folder,
                       const CrosscheckArguments& arguments, const ClaimOptions& options) {
   ClaimCounts counts;
@@ -107,27 +117,13 @@ int crosscheck(const CrosscheckArguments& arguments) {
   options.node_limit = arguments.node_limit;
   options.all_distances = arguments.distances;
 
-  std::ifstream file;
-  std::string folder;
-  if (arguments.file != "-") {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(arguments.file, ignored)) {
-      throw InputError(arguments.file, "", "this is a directory", "name a claims file");
-    }
-    errno = 0;
-    file.open(arguments.file, std::ios::binary);
-    if (!file) {
-      throw InputError(arguments.file, "",
-                       std::string("cannot open the file: ") + std::strerror(errno),
-                       "name a claims file, or - for standard input");
-    }
-    folder = std::filesystem::path(arguments.file).parent_path().string();
-  }
-  if (!arguments.save.empty()) make_folder("--save", arguments.save);
-  const ClaimCounts counts =
-      judge_all(arguments.file == "-" ? std::cin : file, folder, arguments, options);
+  InputFile file(arguments.file, "a claims file");
+  const std::string folder =
+      arguments.file == "-" ? "" : std::filesystem::path(arguments.file).parent_path().string();
+  if (!arguments.save.empty()) make_save_folder(arguments.save);
+  const ClaimCounts counts = judge_all(file.stream(), folder, arguments, options);
   if (counts.claims() == 0) {
-    throw InputError(arguments.file, "", "there is no claim in the file",
+    throw InputError(file.name(), "", "the file is empty, there is no claim in it",
                      "write one a line, see docs/crosscheck.md");
   }
   std::cout << (arguments.json ? to_json_line(counts) + "\n" : to_text(counts));
@@ -155,8 +151,8 @@ void add_crosscheck_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   command
       ->add_option("--residual-tolerance", arguments->residual_tolerance,
-                   "Report a claimed solution that misses a condition by more than this, in "
-                   "the grasp's units")
+                   "Report a claimed solution that misses a condition by more than this "
+                   "fraction of the forces and motions at hand (docs/crosscheck.md)")
       ->type_name("EPS")
       ->capture_default_str();
   command->add_flag("--distances", arguments->distances,

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crosscheck_report.hpp"
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "commands.hpp"
 #include "exact_text.hpp"
 
@@ -90,19 +94,41 @@ std::string residual_text(const LargestResidual& residual) {
   return text;
 }
 
-std::string residuals_text(const ClaimResiduals& residuals) {
-  std::string text;
+/// Each condition and by how much it is missed, of all that could be computed.
+std::vector<std::pair<std::string, std::string>> residual_texts(
+    const ClaimResiduals& residuals) {
+  std::vector<std::pair<std::string, std::string>> texts;
   if (residuals.balance) {
     const Wrench& b = *residuals.balance;
-    text += "  balance      force (" + brief(b.x) + ", " + brief(b.y) + "), torque " +
-            brief(b.torque) + "\n";
+    texts.emplace_back(
+        "balance", "force (" + brief(b.x) + ", " + brief(b.y) + "), torque " + brief(b.torque));
   }
-  if (residuals.cone) text += "  cone         " + residual_text(*residuals.cone) + "\n";
+  if (residuals.cone) texts.emplace_back("cone", residual_text(*residuals.cone));
   if (residuals.normal_law)
-    text += "  normal law   " + residual_text(*residuals.normal_law) + "\n";
+    texts.emplace_back("normal law", residual_text(*residuals.normal_law));
   if (residuals.dissipation)
-    text += "  dissipation  " + residual_text(*residuals.dissipation) + "\n";
+    texts.emplace_back("dissipation", residual_text(*residuals.dissipation));
+  return texts;
+}
+
+std::string residuals_text(const ClaimResiduals& residuals) {
+  constexpr std::size_t kColumn = 13;
+  std::string text;
+  for (auto& [condition, missed_by] : residual_texts(residuals)) {
+    text += "  " + condition + std::string(kColumn - condition.size(), ' ') + missed_by + "\n";
+  }
   return text.empty() ? text : "  What the claimed solution misses, at most:\n" + text;
+}
+
+/// The conditions that are missed by more than the tolerance, on one line.
+std::string inaccuracy_text(const ClaimReport& report, const ClaimOptions& options) {
+  const auto missed = report.residuals.missed(options.residual_tolerance, report.scale);
+  std::string text;
+  for (auto& [condition, missed_by] : residual_texts(report.residuals)) {
+    if (std::find(missed.begin(), missed.end(), condition) == missed.end()) continue;
+    text += (text.empty() ? "" : "; ") + condition + " " + missed_by;
+  }
+  return ", but its solution misses: " + text;
 }
 
 std::string distance_text(const ThresholdDistance& distance) {
@@ -121,15 +147,14 @@ std::string distance_text(const ThresholdDistance& distance) {
   return text;
 }
 
+/// How far off an inaccurate solution is.
 std::string nearby_text(const NearbyEquilibrium& nearby) {
-  std::string text = nearby.from_claim
-                         ? "  An exact equilibrium of the same kind is nearby"
-                         : "  None of the same kind was found; the engine's own equilibrium is";
-  if (nearby.force_distance) text += ", forces within " + brief(*nearby.force_distance);
-  if (nearby.twist_distance) text += ", twist within " + brief(*nearby.twist_distance);
-  text += nearby.same_contacts ? ", the same contacts bearing" : ", other contacts bearing";
-  if (nearby.same_slip) text += *nearby.same_slip ? ", the same slip" : ", another slip state";
-  return text + ".\n";
+  if (!nearby.from_claim) return "; no exact equilibrium of its kind was found nearby";
+  std::string text = "; an exact equilibrium of its kind is within";
+  if (nearby.force_distance) text += " " + brief(*nearby.force_distance) + " in the forces";
+  if (nearby.force_distance && nearby.twist_distance) text += " and";
+  if (nearby.twist_distance) text += " " + brief(*nearby.twist_distance) + " in the twist";
+  return text;
 }
 
 }  // namespace
@@ -174,6 +199,9 @@ std::string to_json_line(const JudgedLine& judged) {
   }
   json["inaccurate"] = report.inaccurate;
   json["residuals"] = to_json(report.residuals);
+  json["residual_scale"] = {{"force", to_string(report.scale.force)},
+                            {"length", to_string(report.scale.length)},
+                            {"motion", to_string(report.scale.motion)}};
   json["claimed_slip"] = report.claimed_slip ? Json(slip_text(*report.claimed_slip)) : Json();
   json["nearby"] = report.nearby ? to_json(*report.nearby, question.loaded.grasp) : Json();
   json["distance"] = report.distance ? to_json(*report.distance) : Json();
@@ -214,17 +242,15 @@ std::string to_text(const JudgedLine& judged, const ClaimOptions& options) {
     text += std::string(", exactly ") + name_of(report.decision.verdict);
   }
   if (!name.empty()) text += " (" + quote(name) + ")";
+  if (report.inaccurate) text += inaccuracy_text(report, options);
+  if (report.inaccurate && report.nearby) text += nearby_text(*report.nearby);
   text += '\n';
-  if (report.inaccurate) {
-    text += "  The claimed solution is not one: it misses some condition by more than " +
-            brief(options.residual_tolerance) + ".\n";
-  }
   if (report.distance) text += distance_text(*report.distance);
+  if (report.claim_class == ClaimClass::kRight) return text;
   text += residuals_text(report.residuals);
   if (report.claimed_slip && !report.claimed_slip->empty()) {
     text += "  The claimed twist slips " + slip_text(*report.claimed_slip) + ".\n";
   }
-  if (report.nearby) text += nearby_text(*report.nearby);
   for (const std::string& file : judged.saved) text += "  Saved " + file + "\n";
   return text;
 }

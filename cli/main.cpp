@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
+#include <cerrno>
 #include <iostream>
 
 #include "commands.hpp"
 #include "interruption.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/file.hpp"
 
 int main(int argc, char** argv) {
   stickslip::finish_files_when_interrupted();
+  stickslip::protect_inputs();
   CLI::App app("Exact passive stability of planar frictional grasps, with proofs", "stickslip");
   app.set_version_flag("--version", "stickslip " STICKSLIP_VERSION);
   app.require_subcommand(1);
@@ -33,12 +38,18 @@ int main(int argc, char** argv) {
   stickslip::add_crosscheck_command(app, exit_code);
   stickslip::add_export_command(app, exit_code);
   stickslip::add_plot_command(app, exit_code);
+  stickslip::add_help_command(app, exit_code);
   stickslip::add_completion_command(app, exit_code);
   stickslip::add_manual_command(app, exit_code);
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? stickslip::kDone : stickslip::kBadInput;
+    try {
+      app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      const bool asked_for_help = error.get_exit_code() == 0;
+      stickslip::refuse_unknown_words(app, {argv + 1, argv + argc}, !asked_for_help);
+      if (app.exit(error) != 0) return stickslip::kBadInput;
+      exit_code = stickslip::kDone;
+    }
   } catch (const stickslip::InputError& error) {
     std::cerr << "stickslip: " << error.what() << '\n';
     return stickslip::kBadInput;
@@ -49,7 +60,9 @@ int main(int argc, char** argv) {
   }
   std::cout.flush();
   if (!std::cout) {
-    std::cerr << "stickslip: standard output could not be written\n";
+    errno = 0;  // why it failed may be long forgotten: another write meets the same
+    [[maybe_unused]] const ssize_t again = ::write(STDOUT_FILENO, "\n", 1);
+    std::cerr << "stickslip: " << stickslip::cannot_write("<stdout>", errno).what() << '\n';
     return stickslip::kBadInput;
   }
   return exit_code;

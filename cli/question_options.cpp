@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "question_options.hpp"
 
+#include <charconv>
 #include <filesystem>
 #include <vector>
 
@@ -51,6 +52,21 @@ void add_output_option(CLI::App& command, std::string& output, const std::string
   command.add_option("--output,-o", output, sort + " to write; - is standard output")
       ->type_name("FILE")
       ->capture_default_str();
+}
+
+CLI::Validator whole_number(std::uint64_t most) {
+  const auto problem = [most](const std::string& value) {
+    std::uint64_t number = 0;
+    const char* end = value.data() + value.size();
+    const auto [stop, error] = std::from_chars(value.data(), end, number);
+    if (error == std::errc::invalid_argument || stop != end) {
+      return quote(value) + " is not a whole number; give one in digits, 0 or more";
+    }
+    const bool above = error != std::errc() || number > most;
+    return above ? value + " is too large; give at most " + std::to_string(most)
+                 : std::string();
+  };
+  return CLI::Validator(problem, "");
 }
 
 void add_node_limit_option(CLI::App& command, std::size_t& node_limit) {
@@ -124,7 +140,27 @@ QuestionOptions QuestionArguments::options() const {
 }
 
 Question QuestionArguments::question() const {
-  return ask(read_grasp_file(file_), options());
+  return ask_with_options(read_grasp_file(file_), options(), file_ == "-" ? "<stdin>" : file_);
+}
+
+Question ask_with_options(const GraspFile& file, const QuestionOptions& options,
+                          const std::string& name) {
+  try {
+    Question question = ask(file, options);
+    contact_rows(question.loaded.grasp);  // as every answer will: here the options are known
+    return question;
+  } catch (const InputError& error) {
+    if (error.place() == "preload") {
+      throw InputError("", "--preload", error.problem(), error.remedy());
+    }
+    if (error.place() == "snap_normals") {
+      throw InputError("", "--snap-normals", error.problem(), error.remedy());
+    }
+    throw InputError(
+        name, error.place(), error.problem(),
+        "add --snap-normals 1e-9, which replaces it by a rational unit vector that "
+        "near, and says how near");
+  }
 }
 
 }  // namespace stickslip

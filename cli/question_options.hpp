@@ -5,6 +5,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <string>
 
 #include "stickslip/equilibrium/question.hpp"
@@ -39,21 +42,28 @@ class QuestionArguments {
   bool starts_at_zero_ = false;
 };
 
+/// ask(), and the rows that every answer needs: errors are in the words of the command line,
+/// and those of a contact name the grasp `name`.
+Question ask_with_options(const GraspFile& file, const QuestionOptions& options,
+                          const std::string& name);
+
 /// The GRASP argument alone.
 void add_grasp_argument(CLI::App& command, std::string& file);
 
 /// -o of a command that writes one file of this sort.
 void add_output_option(CLI::App& command, std::string& output, const std::string& sort);
 
+/// Accepts the whole numbers from 0 to `most`, spelled in digits.
+CLI::Validator whole_number(std::uint64_t most);
+
 /// An option whose value is a number of things, 0 or more; the help shows its default.
 template <class Count>
 void add_count_option(CLI::App& command, const std::string& option, Count& count,
-                      const std::string& description) {
-  static const CLI::Validator kNotNegative =  // -1 would be a very large number
-      CLI::Validator(CLI::NonNegativeNumber).description("");
+                      const std::string& description,
+                      std::uint64_t most = std::numeric_limits<std::size_t>::max()) {
   command.add_option(option, count, description)
       ->type_name("N")
-      ->check(kNotNegative)
+      ->check(whole_number(most))
       ->capture_default_str();
 }
 
@@ -72,10 +82,8 @@ Wrench wrench_option(const std::string& option, const std::string& value);
 /// --threads, 0 to 1024.
 template <class Count>
 void add_threads_option(CLI::App& command, Count& threads, const std::string& description) {
-  constexpr int kMostThreads = 1024;
-  add_count_option(command, "--threads", threads, description);
-  command.get_option("--threads")
-      ->check(CLI::Validator(CLI::Range(0, kMostThreads)).description(""));
+  constexpr std::uint64_t kMostThreads = 1024;
+  add_count_option(command, "--threads", threads, description, kMostThreads);
 }
 
 }  // namespace stickslip

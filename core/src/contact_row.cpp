@@ -29,14 +29,13 @@ std::vector<ContactRow> contact_rows(const Grasp& grasp) {
     if (!c.preload.is_zero()) {
       const std::optional<Rational> length = exact_sqrt(length_squared);
       if (!length) {
-        throw InputError(
-            "", "contacts[" + std::to_string(rows.size()) + "].normal",
-            "the normal (" + to_string(c.normal.x) + ", " + to_string(c.normal.y) +
-                ") of a preloaded contact has the irrational length sqrt(" +
-                to_string(length_squared) + ")",
-            "give a normal of rational length, or replace it by a rational unit "
-            "vector nearby: --snap-normals EPS, \"normals\": \"snap\" in the file, "
-            "or snap_normals=EPS in Python");
+        throw InputError("", "contacts[" + std::to_string(rows.size()) + "].normal",
+                         "the normal (" + to_readable_string(c.normal.x) + ", " +
+                             to_readable_string(c.normal.y) +
+                             ") of a preloaded contact has the irrational length sqrt(" +
+                             to_readable_string(length_squared) + ")",
+                         "replace it by a rational unit vector nearby: snap_normals=1e-9, or "
+                         "\"normals\": \"snap\" in the grasp file");
       }
       preload = c.preload / *length;
     }

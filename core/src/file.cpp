@@ -13,20 +13,45 @@
 #include <cstring>
 #include <filesystem>
 #include <initializer_list>
+#include <iostream>
+#include <map>
 #include <mutex>
 #include <optional>
+#include <regex>
 #include <string>
-
-#include "stickslip/core/error.hpp"
+#include <utility>
 
 namespace stickslip {
 namespace {
 
 namespace fs = std::filesystem;
 
-InputError cannot_write(const std::string& path, int error) {
-  return {path, "", std::string("the file cannot be written: ") + std::strerror(error),
-          "name a file in an existing folder that you may write to"};
+/// The files that must not be written over, by what they are and not by what they are called.
+struct ProtectedFiles {
+  std::mutex mutex;
+  bool inputs = false;                                   ///< all that are opened
+  std::map<std::pair<dev_t, ino_t>, std::string> roles;  ///< "the input g.json"
+};
+
+ProtectedFiles& protected_files() {
+  static auto* const all = new ProtectedFiles;  // threads may write while the program ends
+  return *all;
+}
+
+void protect(const struct stat& file, const std::string& role) {
+  if (!S_ISREG(file.st_mode)) return;
+  ProtectedFiles& all = protected_files();
+  const std::lock_guard<std::mutex> lock(all.mutex);
+  all.roles.emplace(std::pair(file.st_dev, file.st_ino), role);
+}
+
+void require_unprotected(const struct stat& file, const std::string& path) {
+  ProtectedFiles& all = protected_files();
+  const std::lock_guard<std::mutex> lock(all.mutex);
+  const auto found = all.roles.find({file.st_dev, file.st_ino});
+  if (found == all.roles.end()) return;
+  throw InputError(path, "", "this would be written over " + found->second,
+                   "name another file for what is written");
 }
 
 bool write_all(int descriptor, std::string_view content) {
@@ -81,7 +106,8 @@ struct TemporaryFile {
   int descriptor;
 };
 
-/// Beside `file`. Private if the file that it is to replace may be.
+/// Beside `file`, named as target_of_temporary reads it. Private if the file that it is to
+/// replace may be.
 TemporaryFile make_temporary(const std::string& file, bool is_private) {
   static std::atomic<unsigned> count{0};
   const mode_t mode = is_private ? 0600 : 0666;
@@ -142,6 +168,63 @@ void stop_file_writes(std::chrono::seconds at_most) {
   all.changed.wait_for(lock, at_most, [&] { return all.under_way == 0; });
 }
 
+InputFile::InputFile(const std::string& path, const std::string& expected)
+    : name_(path == "-" ? "<stdin>" : path), standard_(path == "-") {
+  struct stat file {};
+  const bool exists =
+      (standard_ ? ::fstat(STDIN_FILENO, &file) : ::stat(path.c_str(), &file)) == 0;
+  if (exists && S_ISDIR(file.st_mode)) {
+    throw InputError(name_, "", "this is a directory", "name " + expected);
+  }
+  if (!standard_) {
+    errno = 0;
+    file_.open(path, std::ios::binary);
+    if (!file_) {
+      const std::string reason = errno != 0 ? std::strerror(errno) : "unknown reason";
+      throw InputError(path, "", "cannot open the file: " + reason,
+                       "name " + expected + ", or - for standard input");
+    }
+  }
+  if (!exists || !protected_files().inputs || !S_ISREG(file.st_mode)) return;
+  if (standard_stream(file)) {
+    throw InputError(name_, "", "the output goes into this very file",
+                     "send standard output and error elsewhere");
+  }
+  protect(file, "the input " + name_);
+}
+
+std::istream& InputFile::stream() {
+  return standard_ ? std::cin : file_;
+}
+
+void protect_inputs() {
+  protected_files().inputs = true;
+}
+
+void protect_file(const std::string& path, const std::string& role) {
+  struct stat file {};
+  if (::stat(path.c_str(), &file) == 0) protect(file, "the " + role + " " + path);
+}
+
+void require_unprotected(const std::string& path) {
+  struct stat file {};
+  if (::stat(path.c_str(), &file) == 0) require_unprotected(file, path);
+}
+
+InputError cannot_write(const std::string& path, int error) {
+  const bool full = error == ENOSPC || error == EDQUOT;
+  const std::string reason = error != 0 ? std::strerror(error) : "unknown reason";
+  return {path, "", "the file cannot be written: " + reason,
+          full ? "make room there, or name a file elsewhere"
+               : "name a file in an existing folder that you may write to"};
+}
+
+std::string target_of_temporary(const std::string& name) {
+  static const std::regex kForm(R"((.+)\.[0-9]+-[0-9]+\.tmp)");
+  std::smatch found;
+  return std::regex_match(name, found, kForm) ? found[1].str() : std::string();
+}
+
 void write_whole_file(const std::string& path, std::string_view content) {
   if (path == "-") {
     if (!write_all(STDOUT_FILENO, content)) throw cannot_write("<stdout>", errno);
@@ -149,6 +232,7 @@ void write_whole_file(const std::string& path, std::string_view content) {
   }
   struct stat old {};
   const bool exists = ::stat(path.c_str(), &old) == 0;
+  if (exists) require_unprotected(old, path);
   if (const auto stream = exists ? standard_stream(old) : std::nullopt) {
     if (!write_all(*stream, content)) throw cannot_write(path, errno);
     return;

@@ -2,15 +2,11 @@
 #include "stickslip/core/grasp_file.hpp"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <iostream>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/file.hpp"
 #include "stickslip/core/json_read.hpp"
 #include "stickslip/core/snap.hpp"
 
@@ -213,19 +209,8 @@ GraspFile parse_grasp(std::string_view text, const std::string& file) {
 }
 
 GraspFile read_grasp_file(const std::string& path) {
-  if (path == "-") return parse_grasp(read_all(std::cin, "<stdin>"), "<stdin>");
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) {
-    throw InputError(path, "", "this is a directory", "name a grasp file");
-  }
-  errno = 0;
-  std::ifstream in(path, std::ios::binary);
-  if (!in) {
-    const std::string reason = errno != 0 ? std::strerror(errno) : "unknown reason";
-    throw InputError(path, "", "cannot open the file: " + reason,
-                     "name a grasp file, or - for standard input");
-  }
-  return parse_grasp(read_all(in, path), path);
+  InputFile file(path, "a grasp file");
+  return parse_grasp(read_all(file.stream(), file.name()), file.name());
 }
 
 std::string write_grasp(const LoadedGrasp& content) {

@@ -36,6 +36,7 @@ class Splitter {
       } while (took_comma());
     }
     skip_blanks();
+    if (peek() == ',') fail("a comma after the object", "remove it: lines need none between");
     if (at_ != text_.size()) fail("nothing may follow the object", "write one object a line");
     return members;
   }
@@ -75,7 +76,12 @@ class Splitter {
   }
 
   JsonMember take_member() {
+    const std::size_t start_of_member = at_;
     skip_blanks();
+    if (peek() == '}') {  // not that of an empty object: there is a comma before
+      at_ = start_of_member - 1;
+      fail("a comma before \"}\"", "remove it: no comma follows the last element");
+    }
     if (peek() != '"') fail("a key in double quotes is expected here", "write \"key\": value");
     const std::size_t key_start = at_;
     skip_string();

@@ -5,38 +5,9 @@
 #include <utility>
 
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/spelling.hpp"
 
 namespace stickslip {
-namespace {
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
-    }
-  }
-  return row[b.size()];
-}
-
-/// "did you mean" for a near miss: at most half of the key is wrong.
-std::string suggestion(const std::string& key, const JsonKeys& allowed) {
-  constexpr std::size_t kLongest = 40;
-  if (key.size() > kLongest) return {};
-  const auto distance = [&](const std::string& other) { return edit_distance(key, other); };
-  const std::string nearest = *std::min_element(
-      allowed.begin(), allowed.end(),
-      [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
-  if (2 * distance(nearest) > nearest.size()) return {};
-  return "did you mean \"" + nearest + "\"? ";
-}
-
-}  // namespace
 
 void fail_at(const std::string& path, std::string problem, std::string remedy) {
   throw InputError("", place_name(path), std::move(problem), std::move(remedy));
@@ -52,11 +23,8 @@ void expect_object(const JsonNode& node, const std::string& path, const JsonKeys
   expect(node, JsonNode::Kind::kObject, path, "an object {...}");
   for (const std::string& key : node.keys) {
     if (std::find(allowed.begin(), allowed.end(), key) != allowed.end()) continue;
-    std::string remedy = suggestion(key, allowed) + "the keys allowed here are";
-    for (const std::string& name : allowed) {
-      remedy += (name == allowed.front() ? " " : ", ") + name;
-    }
-    fail_at(path, "unknown key " + quote(key), remedy);
+    fail_at(path, "unknown key " + quote(key),
+            choice_of(key, allowed, "the keys allowed here are "));
   }
 }
 

@@ -37,6 +37,10 @@ Position position_of(std::string_view text, std::size_t offset) {
   return result;
 }
 
+std::string line_and_column(const Position& position) {
+  return std::to_string(position.line) + ":" + std::to_string(position.column);
+}
+
 bool in_word(char c) {
   return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
          c == '+' || c == '-' || c == '.' || c == '_';
@@ -65,10 +69,21 @@ std::string essence(std::string message) {
   return message;
 }
 
+/// A bracket at `at` may have been unexpected because of the comma before it.
+void refuse_trailing_comma(std::string_view text, std::size_t at) {
+  if (at == 0 || at >= text.size() || (text[at] != ']' && text[at] != '}')) return;
+  const std::size_t comma = text.find_last_not_of(" \t\r\n", at - 1);
+  if (comma == std::string_view::npos || text[comma] != ',') return;
+  throw InputError("", line_and_column(position_of(text, comma)),
+                   "a comma before " + quote(text.substr(at, 1)),
+                   "remove it: no comma follows the last element");
+}
+
 /// `read`: how many bytes the parser had read, the offending one included.
 [[noreturn]] void fail_syntax(std::string_view text, std::size_t read, bool out_of_range,
                               const std::string& parser_message) {
   const std::size_t at = std::min(read == 0 ? 0 : read - 1, text.size());
+  refuse_trailing_comma(text, at);
   std::size_t begin = at;
   // A number is found wanting only at the character behind it.
   if ((begin == text.size() || !in_word(text[begin])) && begin > 0 &&
@@ -97,15 +112,15 @@ std::string essence(std::string message) {
   } else if (contains(problem, "UTF-8") || (at == 0 && !is_ascii(text[0]))) {
     remedy = "save the file as UTF-8";
   } else if (contains(problem, "expected end of input")) {
-    remedy = "a grasp file is a single JSON object";
+    remedy = text[at] == ',' ? "remove the comma: nothing follows the object"
+                             : "a grasp file is a single JSON object";
   }
   // Where the parser names an unexpected token there is no need to repeat it.
   const bool bare =
       word.empty() && problem == "invalid literal" && at < text.size() && is_ascii(text[at]);
   const std::string_view shown = bare ? text.substr(at, 1) : std::string_view(word);
   if (!shown.empty()) problem += ", at " + quote(shown);
-  const Position place = position_of(text, word.empty() ? at : begin);
-  throw InputError("", std::to_string(place.line) + ":" + std::to_string(place.column), problem,
+  throw InputError("", line_and_column(position_of(text, word.empty() ? at : begin)), problem,
                    remedy);
 }
 
@@ -296,9 +311,8 @@ JsonNode parse_json(std::string_view text, const std::string& streamed_key,
   // The parser takes a NUL byte for the end of the text and would not see what follows it.
   const std::size_t nul = text.find('\0');
   if (nul != std::string_view::npos) {
-    const Position at = position_of(text, nul);
-    throw InputError("", std::to_string(at.line) + ":" + std::to_string(at.column),
-                     "a NUL byte", "nothing but blanks may follow the object");
+    throw InputError("", line_and_column(position_of(text, nul)), "a NUL byte",
+                     "nothing but blanks may follow the object");
   }
   return builder.take_root();
 }

@@ -79,6 +79,7 @@ ClaimReport judge_claim(const Question& question, const Claim& claim,
   report.decision =
       decide(problem, options.node_limit != 0 ? Engine::kCone : Engine::kAuto, cone);
   report.residuals = residuals_of(problem, solution);
+  report.scale = residual_scale(question.loaded, solution);
   if (solution.twist) report.claimed_slip = slip_signs(problem, *solution.twist);
 
   const auto* stable = std::get_if<Stable>(&report.decision.verdict);
@@ -95,7 +96,9 @@ ClaimReport judge_claim(const Question& question, const Claim& claim,
   }
   if (agrees) {
     report.claim_class = ClaimClass::kRight;
-    report.inaccurate = claim.stable && !report.residuals.within(options.residual_tolerance);
+    report.inaccurate =
+        claim.stable &&
+        !report.residuals.missed(options.residual_tolerance, report.scale).empty();
   } else if (decided) {
     const auto smallest = report.distance->smallest();
     report.claim_class = smallest && *smallest <= options.tie_distance ? ClaimClass::kTie

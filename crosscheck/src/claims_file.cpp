@@ -96,19 +96,6 @@ QuestionOptions read_options(const std::vector<JsonMember>& members) {
   });
 }
 
-/// ask() speaks of the command line's options, "--snap-normals".
-Question ask_in_file(const GraspFile& file, const QuestionOptions& options) {
-  try {
-    return ask(file, options);
-  } catch (const InputError& error) {
-    std::string key = error.place();
-    if (key.rfind("--", 0) != 0) throw;
-    key.erase(0, 2);
-    std::replace(key.begin(), key.end(), '-', '_');
-    throw InputError("", member_path("options", key), error.problem(), error.remedy());
-  }
-}
-
 Rational length_of(const Vector2& normal, std::size_t contact) {
   const Rational square = normal.x * normal.x + normal.y * normal.y;
   if (const auto length = exact_sqrt(square)) return *length;
@@ -195,7 +182,8 @@ ClaimLine parse_claim_line(std::string_view line, const std::string& folder) {
   expect_keys(members, {"grasp", "options", "claim"});
   const GraspFile file = read_grasp(
       need(members, "grasp", "add \"grasp\": {...} or \"grasp\": \"file.json\""), folder);
-  ClaimLine result{ask_in_file(file, read_options(members)), {}};
+  const QuestionOptions options = read_options(members);
+  ClaimLine result{within("options", [&] { return ask(file, options); }), {}};
   // Preloaded contacts with normals of irrational length are an error of this line.
   within("grasp", [&] { return contact_rows(result.question.loaded.grasp).size(); });
   result.claim =

@@ -10,10 +10,6 @@ void raise(LargestResidual& largest, Magnitude value, std::size_t contact) {
   if (largest.value < value) largest = {std::move(value), ContactId(contact)};
 }
 
-bool is_within(const std::optional<LargestResidual>& residual, const Magnitude& tolerance) {
-  return !residual || !(tolerance < residual->value);
-}
-
 }  // namespace
 
 Magnitude Magnitude::of(const Rational& coefficient, const Rational& length_squared) {
@@ -28,15 +24,54 @@ bool Magnitude::operator<(const Magnitude& other) const {
          other.coefficient * other.coefficient * other.radicand;
 }
 
-bool ClaimResiduals::within(const Rational& tolerance) const {
-  if (balance) {
-    for (const Rational& component : coordinates(*balance)) {
-      if (abs(component) > tolerance) return false;
-    }
+Rational largest_coordinate(const Grasp& grasp) {
+  Rational largest = 0;
+  for (const Contact& c : grasp.contacts()) {
+    largest = std::max<Rational>({largest, abs(c.position.x), abs(c.position.y)});
   }
-  const Magnitude limit{tolerance, 1};
-  return is_within(cone, limit) && is_within(normal_law, limit) &&
-         is_within(dissipation, limit);
+  return largest.is_zero() ? Rational(1) : largest;
+}
+
+ResidualScale residual_scale(const LoadedGrasp& loaded, const ApproximateEquilibrium& claimed) {
+  const std::vector<Contact>& contacts = loaded.grasp.contacts();
+  const Wrench& w = loaded.wrench;
+  ResidualScale scale;
+  scale.length = largest_coordinate(loaded.grasp);
+  scale.force = std::max<Rational>({abs(w.x), abs(w.y), abs(w.torque) / scale.length});
+  Rational stiffest = 1;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Contact& c = contacts[i];
+    scale.force = std::max(scale.force, c.preload);
+    stiffest = i == 0 ? c.stiffness : std::max(stiffest, c.stiffness);
+    if (!claimed.forces) continue;
+    const Vector2 force = force_vector(c.normal, (*claimed.forces)[i]);
+    scale.force = std::max<Rational>({scale.force, abs(force.x), abs(force.y)});
+  }
+  if (scale.force.is_zero()) scale.force = 1;
+  scale.motion = scale.force / stiffest;
+  if (const auto& d = claimed.twist) {
+    scale.motion =
+        std::max<Rational>({scale.motion, abs(d->x), abs(d->y), abs(d->r) * scale.length});
+  }
+  return scale;
+}
+
+std::vector<const char*> ClaimResiduals::missed(const Rational& tolerance,
+                                                const ResidualScale& scale) const {
+  std::vector<const char*> names;
+  const Rational force = tolerance * scale.force;
+  if (balance && (abs(balance->x) > force || abs(balance->y) > force ||
+                  abs(balance->torque) > force * scale.length)) {
+    names.push_back("balance");
+  }
+  const auto compare = [&](const std::optional<LargestResidual>& residual, const Rational& most,
+                           const char* name) {
+    if (residual && Magnitude{most, 1} < residual->value) names.push_back(name);
+  };
+  compare(cone, force, "cone");
+  compare(normal_law, force, "normal law");
+  compare(dissipation, force * scale.motion, "dissipation");
+  return names;
 }
 
 ClaimResiduals residuals_of(const Problem& problem, const ApproximateEquilibrium& claimed) {

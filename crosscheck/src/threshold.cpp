@@ -18,11 +18,7 @@ struct Scale {
 };
 
 Scale scale_of(const Wrench& load, const Grasp& grasp) {
-  Scale scale{0, 0};
-  for (const Contact& c : grasp.contacts()) {
-    scale.length = std::max<Rational>({scale.length, abs(c.position.x), abs(c.position.y)});
-  }
-  if (scale.length.is_zero()) scale.length = 1;
+  Scale scale{0, largest_coordinate(grasp)};
   scale.force = std::max<Rational>({abs(load.x), abs(load.y), abs(load.torque) / scale.length});
   if (scale.force.is_zero()) {
     for (const Contact& c : grasp.contacts()) scale.force = std::max(scale.force, c.preload);

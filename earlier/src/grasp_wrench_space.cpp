@@ -31,8 +31,8 @@ std::vector<UnitEdges> unit_edges(const Problem& problem, const Rational& length
                        "a grasp wrench space needs unit normals, and this one has the "
                        "irrational length sqrt(" +
                            to_string(square) + ")",
-                       "give a normal of rational length, or replace it by a rational unit "
-                       "vector nearby with --snap-normals EPS or \"normals\": \"snap\"");
+                       "replace it by a rational unit vector nearby: snap_normals=1e-9, or "
+                       "\"normals\": \"snap\" in the grasp file");
     }
     const auto edge = [&](int side) {
       const Wrench w = (1 / *norm) * problem.edge_wrench(ContactId(i), side);

@@ -12,14 +12,14 @@ Question ask(const GraspFile& file, const QuestionOptions& options) {
   if (options.wrench) question.loaded.wrench = *options.wrench;
   if (options.preload) {
     if (options.preload->sign() < 0) {
-      throw InputError("", "--preload", "the value is " + to_string(*options.preload),
+      throw InputError("", "preload", "the value is " + to_string(*options.preload),
                        "a preload is a normal force and must be 0 or more");
     }
     question.loaded.grasp = question.loaded.grasp.with_preload(*options.preload);
   }
   if (options.snap_tolerance &&
       (options.snap_tolerance->sign() <= 0 || *options.snap_tolerance >= 1)) {
-    throw InputError("", "--snap-normals", "the value is " + to_string(*options.snap_tolerance),
+    throw InputError("", "snap_normals", "the value is " + to_string(*options.snap_tolerance),
                      "it must lie between 0 and 1, such as 1e-9");
   }
   const std::optional<Rational>& tolerance =

@@ -28,9 +28,9 @@ class Batch(Case):
         text = "".join(json.dumps(grasp(seed)) + "\n" for seed in seeds)
         return self.write("grasps.jsonl", text)
 
-    def results(self, *words, code=DONE, stdin=None):
+    def results(self, *words, code=DONE, stdin=None, said=""):
         found, out, err = stickslip("batch", *words, stdin=stdin)
-        self.assertEqual((found, err), (code, ""))
+        self.assertEqual((found, err), (code, said))
         return [json.loads(line) for line in out.splitlines()]
 
     def test_results_are_in_order_and_right(self):
@@ -58,7 +58,9 @@ class Batch(Case):
         bad = ["{", "[]", json.dumps({**grasp(1), "wrench": [0, 0]}),
                json.dumps({**grasp(1), "colour": 1}), "\x00", good + good]
         text = "\n".join([good, *bad, "", good]) + "\n"
-        results = self.results("-", code=BAD_INPUT, stdin=text)
+        results = self.results("-", code=BAD_INPUT, stdin=text, said=(
+            "stickslip: <stdin>: 6 of 8 lines could not be read, the first is line 2; their "
+            "results say why\n"))
         self.assertEqual([r["line"] for r in results], [1, 2, 3, 4, 5, 6, 7, 9])
         self.assertEqual([r.get("verdict") for r in results],
                          ["stable", *[None] * len(bad), "stable"])
@@ -71,7 +73,8 @@ class Batch(Case):
         self.assertIn("1 nodes", results[0]["limit"])
 
     def test_nothing(self):
-        self.assertEqual(self.results("-", stdin="\n \n"), [])
+        said = "stickslip: <stdin>: the file is empty, there is no grasp in it\n"
+        self.assertEqual(self.results("-", stdin="\n \n", said=said), [])
 
     def test_resume_after_every_interruption(self):
         seeds = list(range(14))
@@ -104,10 +107,12 @@ class Batch(Case):
         for lines, options, code in (([good, bad, good], [], BAD_INPUT),
                                      ([good, good], ["--node-limit", 1], UNDECIDED)):
             path = self.write("mixed.jsonl", "\n".join(lines) + "\n")
+            said = (f"stickslip: {path}: 1 of 3 lines could not be read, the first is line 2; "
+                    "their results say why\n") if code == BAD_INPUT else ""
             out = self.path(f"out-{code}.jsonl")
             words = ["batch", path, "-o", out, *options]
-            self.assertEqual(stickslip(*words), (code, "", ""))
-            self.assertEqual(stickslip(*words, "--resume"), (code, "", ""))
+            self.assertEqual(stickslip(*words), (code, "", said))
+            self.assertEqual(stickslip(*words, "--resume"), (code, "", said))
 
     def test_other_questions_are_not_mixed(self):
         path, out = self.lines([1, 2, 3]), self.path("out.jsonl")
@@ -118,7 +123,9 @@ class Batch(Case):
         self.fails("batch", path, "-o", out, "--resume", "--preload", 2, naming=["options"])
         self.fails("batch", self.lines([1, 9, 3]), "-o", out, "--resume", naming=["line 2"])
         self.fails("batch", self.lines([1]), "-o", out, "--resume", naming=["not that of"])
-        self.fails("batch", path, "-o", path, "--resume", naming=["not a result"])
+        self.fails("batch", path, "-o", path, "--resume", naming=["the input"])
+        other = self.write("other.jsonl", json.dumps(grasp(1)) + "\n")
+        self.fails("batch", path, "-o", other, "--resume", naming=["not a result"])
         with open(out, "rb") as file:
             self.assertEqual(file.read(), before)
 
@@ -145,7 +152,7 @@ class Batch(Case):
     def test_usage(self):
         self.fails("batch", naming=["GRASPS"])
         self.fails("batch", self.path("none.jsonl"), naming=["none.jsonl", "cannot open"])
-        self.fails("batch", self.folder, naming=["folder"])
+        self.fails("batch", self.folder, naming=["this is a directory"])
         self.fails("batch", self.lines([1]), "--resume", naming=["--output"])
         self.fails("batch", self.lines([1]), "-o", self.path("no/such/folder"),
                    naming=["cannot be written"])

@@ -6,6 +6,7 @@ The programs are named by the environment variables STICKSLIP, STICKSLIP_CHECK a
 
 import json
 import os
+import re
 import stat
 import subprocess
 import sys
@@ -521,6 +522,61 @@ class BadInput(Case):
                       ("decide", FIG1, "--node-limit", "-1"), ("decide", FIG1, "--threads", "-1"),
                       ("states", FIG1, "--engine", "guess")):
             self.fails(*words)
+
+    def test_misspelt_words_get_the_nearest(self):
+        for words, meant in ((("decides", FIG1), "decide"), (("plot", "grap", FIG1), "grasp"),
+                             (("crossceck", "--help"), "crosscheck"), (("--help", "marign"), "margin"),
+                             (("help", "decid"), "decide"), (("help", "plot", "state"), "states")):
+            self.fails(*words, naming=["stickslip: ", f'did you mean "{meant}"?'])
+        for words, meant in ((("--exitcode",), "--exit-code"), (("--nodelimit", "3"), "--node-limit"),
+                             (("--nodelimit=3",), "--node-limit"), (("-certificate", "p"), "--certificate"),
+                             (("--certificate", "p", "--jsn"), "--json"), (("--wrench", "-1,0,0", "--preloads", "1"), "--preload")):
+            self.fails("decide", FIG1, *words, naming=["stickslip decide", f'did you mean "{meant}"?'])
+            self.fails("decide", *words, FIG1, naming=[f'did you mean "{meant}"?'])
+        self.fails("export", FIG1, "--smt", naming=['did you mean "--smt2"?'])
+        self.fails("--verson", naming=['did you mean "--version"?'])
+        self.assertNotIn("did you mean", self.fails("bogus", naming=["no command", "decide, states"]))
+        self.assertNotIn("did you mean", self.fails("decide", FIG1, "--qqq", naming=["--help"]))
+        # Not a word of the command line, but the value of an option, or none that is unknown.
+        self.fails("decide", FIG1, "--engine", "--jsn", naming=["--engine"])
+        self.assertNotIn("did you mean", self.fails("decide", FIG1, "--engine", "--jsn"))
+        self.assertNotIn("no option", self.fails("decide", FIG1, FIG4, "-1"))
+
+    def test_help_in_words(self):
+        for words in ((), ("decide",), ("plot",), ("plot", "grasp"), ("help",), ("manual",)):
+            code, out, err = stickslip("help", *words)
+            self.assertEqual((code, err), (DONE, ""), words)
+            self.assertEqual(out, stickslip(*words, "--help")[1])
+        for words in (("bogus", "--help"), ("bogus", "-h"), ("--help", "bogus"), ("help", "bogus"),
+                      ("plot", "bogus", "--help"), ("help", "plot", "bogus")):
+            self.fails(*words, naming=['"bogus"'])
+        self.assertEqual(stickslip("decide", "--bogus", "--help")[0], DONE)
+
+    def test_numbers_of_things(self):
+        for value in ("-3", "1.5", "x", "", "1e3", "0x10", " 1"):
+            self.fails("decide", FIG1, "--node-limit", value,
+                       naming=["--node-limit", f'"{value}"', "0 or more"])
+        self.fails("decide", FIG1, "--node-limit", "99999999999999999999",
+                   naming=["at most 18446744073709551615"])
+        self.fails("decide", FIG1, "--threads", "1025", naming=["--threads", "at most 1024"])
+        self.fails("region", FIG1, "--mode-limit", "-1", naming=["--mode-limit", "0 or more"])
+        self.assertEqual(stickslip("decide", FIG1, "--threads", "1024", "--node-limit", "0")[0], DONE)
+
+    def test_normals_of_doubles_with_preload(self):
+        normal = [0.7071067811865476, 0.7071067811865475]  # math.cos and math.sin of 45 degrees
+        content = {"format": "stickslip-grasp/1", "wrench": [0, 0, 0],
+                   "contacts": [{"position": [0, 0], "normal": [0, 1], "friction": 1, "preload": 1},
+                                {"position": [0, 0], "normal": normal, "friction": 1, "preload": 1}]}
+        grasp = self.write("g.json", content)
+        for words in (("decide", grasp), ("export", grasp, "--smt2"), ("plot", "grasp", grasp),
+                      ("margin", grasp, "--direction", "0,1,0"), ("compare", grasp)):
+            err = self.fails(*words, naming=[grasp, "contacts[1].normal"])
+            remedy = re.search(r"add (--snap-normals \S+),", err)[1]
+            self.assertEqual(stickslip(*words, *remedy.split())[0::2], (DONE, ""))
+        code, out, _ = stickslip("batch", self.write("g.jsonl", json.dumps(content) + "\n"))
+        self.assertEqual(code, BAD_INPUT)
+        self.assertIn(remedy, json.loads(out)["error"]["remedy"])
+        self.assertEqual(stickslip("batch", self.path("g.jsonl"), *remedy.split())[0], DONE)
 
     def test_option_values(self):
         for option, values in (("--wrench", ("1,2", "1,2,3,4", "1,2,x", "1,,3", "1 2 3", "nan,0,0")),

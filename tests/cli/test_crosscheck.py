@@ -4,8 +4,13 @@
 import json
 import os
 import re
+import resource
+import shutil
+import signal
+import subprocess
+from fractions import Fraction
 
-from test_cli import BAD_INPUT, CHECK, DONE, UNDECIDED, Case, run, stickslip
+from test_cli import BAD_INPUT, CHECK, DONE, STICKSLIP, UNDECIDED, Case, run, stickslip
 
 WRONG = 1
 MU = {"friction": "1/2"}
@@ -167,11 +172,54 @@ class Crosscheck(Case):
             self.assertEqual(re.search(r"^verdict +(\w+)", out, re.M).group(1), verdicts[number])
 
     def test_saved_whole_or_not_at_all(self):
-        os.makedirs(os.path.join(self.path("saved"), "line-1.grasp.json"))  # in the way
-        code, _, err = stickslip("crosscheck", self.claims(TIE), "--save", self.path("saved"))
-        self.assertEqual(code, BAD_INPUT)
-        self.assertIn("line-1.grasp.json", err)
-        self.assertEqual(os.listdir(self.path("saved")), ["line-1.grasp.json"])
+        # The grasp, which is written last, is longer than a file may be.
+        grasp = {**FIG1, "name": "n" * 20000}
+        claims = self.claims(claim([0, "1.000000000001", 0], 1, "stable", grasp=grasp))
+        program = [STICKSLIP, "crosscheck", claims, "--save", self.path("saved")]
+        self.assertEqual(subprocess.run(program, capture_output=True, check=False).returncode, DONE)
+        sizes = {name: os.path.getsize(os.path.join(self.path("saved"), name))
+                 for name in os.listdir(self.path("saved"))}
+        self.assertGreater(sizes["line-1.grasp.json"], 10000)
+        self.assertLess(sizes["line-1.certificate.json"], 10000)
+        shutil.rmtree(self.path("saved"))
+
+        def limit_files():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (10000, 10000))
+        result = subprocess.run(program, capture_output=True, text=True, check=False,
+                                restore_signals=False, preexec_fn=limit_files)
+        self.assertEqual(result.returncode, BAD_INPUT)
+        self.assertIn("line-1.grasp.json", result.stderr)
+        self.assertEqual(os.listdir(self.path("saved")), [])
+
+    def test_residuals_are_relative_to_the_forces(self):
+        """The same claim in other units, with doubles' rounding: always right and accurate."""
+        for force in ("1", "1e9", "1e-9"):
+            for length in ("1", "1e6", "1e-6"):
+                f, l = Fraction(force), Fraction(length)
+                contacts = [{"position": [str(l * x) for x in c["position"]], "normal": c["normal"],
+                             "stiffness": str(f / l)} for c in FIG1["contacts"]]
+                for off, inaccurate in (("1e-7", False), ("1e-5", True)):
+                    forces = [[1, -0.5], [0, 0], [1, 0.5 + float(off)]]
+                    line = {"grasp": {**FIG1, "contacts": contacts},
+                            "options": {"wrench": [0, str(f), 0], "preload": str(f)},
+                            "claim": {"verdict": "stable", "twist": [0, str(l), 0],
+                                      "forces": [[str(f * Fraction(x)) for x in p] for p in forces]}}
+                    (report,), _ = self.judge(line)
+                    self.assertEqual((report["class"], report["inaccurate"]), ("right", inaccurate),
+                                     (force, length, off))
+                    scale = {name: Fraction(x) for name, x in report["residual_scale"].items()}
+                    self.assertEqual(scale, {"force": f, "length": l, "motion": l})
+
+    def test_right_claims_take_a_line_at_most(self):
+        code, text, _ = stickslip("crosscheck", self.claims(RIGHT, OFF))
+        self.assertEqual(code, DONE)
+        self.assertEqual(text.splitlines(), [
+            'line 2: right: claimed stable, exactly stable ("Fig. 1"), but its solution misses: '
+            "balance force (0, 1/4), torque 1/4; dissipation 1/4 at contact 2; an exact "
+            "equilibrium of its kind is within 1/4 in the forces and 1 in the twist",
+            "2 claims: 2 right (1 of them with an inaccurate solution), 0 tie, 0 wrong, "
+            "0 undecided, 0 unreadable"])
 
     def test_help_teaches(self):
         code, out, _ = stickslip("crosscheck", "--help")

@@ -171,6 +171,63 @@ TEST_F(WriteWholeFile, StoppedWhenTheOthersAreDone) {
   EXPECT_EQ(entries(), 1);
 }
 
+TEST_F(WriteWholeFile, ProtectedFilesStayUnderEveryName) {
+  write_whole_file(path("kept"), "old");
+  write_whole_file(path("other"), "old");
+  fs::create_hard_link(path("kept"), path("hard"));
+  fs::create_symlink("kept", path("soft"));
+  protect_file(path("kept"), "input");
+  protect_file(path("not there"), "input");
+  for (const char* name : {"kept", "./kept", "hard", "soft"}) {
+    try {
+      write_whole_file(path(name), "new");
+      FAIL() << name;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.file(), path(name));
+      EXPECT_THAT(error.problem(), ::testing::HasSubstr("the input " + path("kept")));
+    }
+    EXPECT_THROW(require_unprotected(path(name)), InputError);
+    EXPECT_EQ(content(path("kept")), "old");
+  }
+  EXPECT_NO_THROW(require_unprotected(path("other")));
+  EXPECT_NO_THROW(require_unprotected(path("not there")));
+  write_whole_file(path("other"), "new");
+  write_whole_file(path("not there"), "new");
+  EXPECT_EQ(content(path("other")) + content(path("not there")), "newnew");
+}
+
+// In a process of its own: what is protected stays so.
+TEST_F(WriteWholeFile, InputsAreProtectedOnRequest) {
+  const std::string file = path("f");
+  const auto is_written = [&](const std::string& text) {
+    try {
+      write_whole_file(file, text);
+    } catch (const InputError&) {
+      return false;
+    }
+    return true;
+  };
+  EXPECT_EXIT(
+      {
+        bool good = is_written("a library may write what it read");
+        good = good && InputFile(file, "").stream().get() == 'a' && is_written("again");
+        protect_inputs();
+        good = good && is_written("not read yet");
+        good = good && InputFile(file, "").stream().get() == 'n' && !is_written("read");
+        std::_Exit(good ? 7 : 1);
+      },
+      ::testing::ExitedWithCode(7), "");
+  EXPECT_EQ(content(file), "not read yet");
+}
+
+TEST(Temporaries, AreRecognisedByTheirNames) {
+  EXPECT_EQ(target_of_temporary("line-3.json.123-0.tmp"), "line-3.json");
+  for (const char* name : {"line-3.json", "line-3.json.tmp", ".1-2.tmp", "a.1-.tmp",
+                           "a.1-2.tmp~", "a.-1-2.tmp", "a.1-2tmp"}) {
+    EXPECT_EQ(target_of_temporary(name), "") << name;
+  }
+}
+
 TEST_F(WriteWholeFile, DashIsStandardOutput) {
   ::testing::internal::CaptureStdout();
   write_whole_file("-", "out");

@@ -57,7 +57,7 @@ const BadFile kBadFiles[] = {
     {"two_objects", "2:1", "expected end of input", "single JSON object"},
     {"single_quotes", "1:2", "\"'\"", "double quotes"},
     {"comment", "1:1", "\"/\"", ""},
-    {"trailing_comma", "2:23", "unexpected '}'", "no comma follows"},
+    {"trailing_comma", "2:22", "a comma before \"}\"", "no comma follows"},
     {"missing_comma", "2:3", "\"wrench\"", ""},
     {"nan", "2:16", "must be finite, at \"NaN\"", "0.25"},
     {"minus_infinity", "1:121", "must be finite, at \"-Infinity\"", "0.25"},

@@ -59,7 +59,7 @@ void expect_none(const ClaimResiduals& residuals) {
     EXPECT_EQ(residual->value.coefficient, 0);
     EXPECT_FALSE(residual->contact.has_value());
   }
-  EXPECT_TRUE(residuals.within(0));
+  EXPECT_THAT(residuals.missed(0, {}), ::testing::IsEmpty());
 }
 
 TEST(JudgeClaim, TableOneIsRightAsPrinted) {
@@ -105,8 +105,13 @@ TEST(Residuals, OfPerturbedSolutions) {
   EXPECT_EQ(r.normal_law->value.coefficient, 0);
   EXPECT_EQ(r.dissipation->value.coefficient, Rational(1, 4));
   EXPECT_EQ(r.dissipation->contact, ContactId(2));
-  EXPECT_TRUE(r.within(Rational(1, 4)));
-  EXPECT_FALSE(r.within(Rational(6, 25)));
+  using ::testing::ElementsAre;
+  EXPECT_THAT(r.missed(Rational(1, 4), {}), ElementsAre());
+  EXPECT_THAT(r.missed(Rational(6, 25), {}), ElementsAre("balance", "cone", "dissipation"));
+  // Each is held against its own scale: forces, torques and powers.
+  EXPECT_THAT(r.missed(Rational(1, 8), {2, 1, 1}), ElementsAre());
+  EXPECT_THAT(r.missed(Rational(1, 8), {2, Rational(1, 2), 1}), ElementsAre("balance"));
+  EXPECT_THAT(r.missed(Rational(1, 8), {2, 1, Rational(1, 2)}), ElementsAre("dissipation"));
 
   changed = forces;
   changed[1].normal = Rational(-1, 3);  // pulls
@@ -152,8 +157,38 @@ TEST(Residuals, AreForcesWhateverTheLengthOfTheNormal) {
   const ClaimResiduals irrational = residuals_of(problem({1, 1}), claimed);
   EXPECT_EQ(irrational.cone->value.coefficient, 2);
   EXPECT_EQ(irrational.cone->value.radicand, 2);
-  EXPECT_TRUE(irrational.within(Rational(283, 100)));  // 2 sqrt 2 = 2.828...
-  EXPECT_FALSE(irrational.within(Rational(282, 100)));
+  EXPECT_THAT(irrational.missed(Rational(283, 100), {}), ::testing::IsEmpty());  // 2 sqrt 2
+  EXPECT_THAT(irrational.missed(Rational(282, 100), {}),
+              ::testing::ElementsAre("cone", "normal law"));
+}
+
+TEST(Residuals, ScaleIsThatOfTheForcesAndMotions) {
+  const auto expect = [](const LoadedGrasp& loaded, const ApproximateEquilibrium& claimed,
+                         const Rational& force, const Rational& length,
+                         const Rational& motion) {
+    const ResidualScale scale = residual_scale(loaded, claimed);
+    EXPECT_EQ(scale.force, force);
+    EXPECT_EQ(scale.length, length);
+    EXPECT_EQ(scale.motion, motion);
+  };
+  expect({Grasp(), {}}, {}, 1, 1, 1);
+  expect({Grasp(), {0, -3, 2}}, {}, 3, 1, 3);
+  // At (0, -4) with normal (3, 4), k = 5.
+  const auto grasp = [](int preload) { return Grasp({{{0, -4}, {3, 4}, kHalf, 5, preload}}); };
+  expect({grasp(0), {}}, {}, 1, 4, Rational(1, 5));
+  expect({grasp(0), {1, 0, -8}}, {}, 2, 4, Rational(2, 5));  // torque / 4
+  expect({grasp(7), {1, 0, -8}}, {}, 7, 4, Rational(7, 5));
+  // 2 (3, 4) - (-4, 3) = (10, 5)
+  expect({grasp(7), {1, 0, -8}}, {Twist{0, -1, 0}, {{{2, -1}}}}, 10, 4, 2);
+  expect({grasp(7), {1, 0, -8}}, {Twist{0, -1, 1}, {{{2, -1}}}}, 10, 4, 4);
+  expect({grasp(7), {1, 0, -8}}, {Twist{0, -5, 1}, {{{2, -1}}}}, 10, 4, 5);
+}
+
+TEST(JudgeClaim, AMotionOfNoiseIsAccurate) {
+  // Nothing moves, says a program in doubles, but for 1e-17.
+  Claim claim =
+      solution({number("1e-17"), number("-1e-17"), 0}, {{1, -kHalf}, {1, 0}, {1, kHalf}});
+  EXPECT_FALSE(judge_claim(ask_about(fig1_grasp(1), {0, 0, 0}), claim).inaccurate);
 }
 
 TEST(JudgeClaim, ForcesBeyondTheToleranceAreReportedAndNotWrong) {

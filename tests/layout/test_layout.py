@@ -66,6 +66,13 @@ class Layout(unittest.TestCase):
         self.assertEqual(users, {os.path.join("arrangement", "src", "cgal_enumerator.cpp"),
                                  os.path.join("resistance", "src", "plane_overlay.cpp")})
 
+    def test_files_are_opened_where_inputs_are_protected(self):
+        """Every other file is read by InputFile and written by write_whole_file, which know."""
+        users = {path for module in [*ALLOWED, "cli"] for path, text in sources(module)
+                 if not path.startswith(os.path.join("certificate", "checker"))
+                 and re.search(r"#include <fstream>|\b[io]?fstream\b|\bfopen\b", text)}
+        self.assertEqual(users, {"core/include/stickslip/core/file.hpp", "cli/batch.cpp"})
+
     def test_every_source_names_its_licence(self):
         for folder in [*ALLOWED, "cli", "python", "bench", "examples", "paper_examples", "tests"]:
             for path, text in sources(folder):

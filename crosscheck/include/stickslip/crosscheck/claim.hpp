@@ -40,7 +40,8 @@ struct Claim {
 struct ClaimOptions {
   /// A verdict that a relative change of the load by this much would make right is a tie.
   Rational tie_distance = Rational(1, 1000000000);
-  /// Residuals up to this, in the units of the question, count as none.
+  /// Residuals up to this fraction of the forces and motions at hand count as none
+  /// (ResidualScale).
   Rational residual_tolerance = Rational(1, 1000000);
   /// For each verdict and each margin; 0 is no limit. With a limit the cone engine decides,
   /// whatever the number of contacts.
@@ -68,6 +69,23 @@ struct LargestResidual {
   std::optional<ContactId> contact;  ///< where it is
 };
 
+/// What residuals are held against, so that a tolerance is a plain number whatever the units.
+struct ResidualScale {
+  /// The largest of |w_x|, |w_y|, |torque|/length, of the preloads, and of the components of
+  /// the claimed contact forces in the object frame; 1 if all are 0.
+  Rational force = 1;
+  Rational length = 1;  ///< largest_coordinate
+  /// The largest of |d_x|, |d_y|, |d_r| length of the claimed twist, and of force/k with the
+  /// largest stiffness k: a motion that is nothing but noise is not held against itself.
+  Rational motion = 1;
+};
+
+/// The scale of the residuals of this solution. O(m).
+ResidualScale residual_scale(const LoadedGrasp& loaded, const ApproximateEquilibrium& claimed);
+
+/// The largest |coordinate| of a contact, 1 if all are 0: torque divided by it is like a force.
+Rational largest_coordinate(const Grasp& grasp);
+
 /// By how much a claimed solution misses each condition. What needs a part of the solution that
 /// is not given is absent.
 struct ClaimResiduals {
@@ -81,8 +99,10 @@ struct ClaimResiduals {
   /// as a power. Needs forces and twist.
   std::optional<LargestResidual> dissipation;
 
-  /// Whether every one is at most `tolerance`.
-  bool within(const Rational& tolerance) const;
+  /// The conditions that are missed by more than `tolerance` times the scale: of "balance" (a
+  /// force by scale.force, the torque by force x length), "cone" and "normal law" (by force),
+  /// "dissipation" (by force x motion).
+  std::vector<const char*> missed(const Rational& tolerance, const ResidualScale& scale) const;
 };
 
 /// An exact equilibrium for a claim "stable".
@@ -107,7 +127,7 @@ struct ThresholdDistance {
   std::optional<Rational> along_load;
   /// Of w to w + s u for s >= 0 and u = +-(F, 0, 0), +-(0, F, 0), +-(0, 0, F l): the smallest
   /// s, and u. F is the size of the load, max(|w_x|, |w_y|, |torque|/l), without load the
-  /// largest preload, else 1; l is the largest |coordinate| of a contact, or 1 if that is 0.
+  /// largest preload, else 1; l is largest_coordinate.
   /// (Without preload resistance does not change along w itself.)
   std::optional<Rational> along_axes;
   Wrench axis;  ///< the u of along_axes, if there is one
@@ -134,6 +154,7 @@ struct ClaimReport {
   ClaimClass claim_class = ClaimClass::kUndecided;  ///< of the claimed verdict
   Decision decision;                                ///< the exact verdict, with its evidence
   ClaimResiduals residuals;                         ///< of the claimed solution
+  ResidualScale scale;                              ///< what they are held against
   /// Of a right claim "stable" whose solution is not one: residuals beyond the tolerance.
   bool inaccurate = false;
   std::optional<std::vector<Sign>> claimed_slip;  ///< the signs of T_i.d of the claimed twist

@@ -26,20 +26,16 @@ Rational squared_length(const Vector2& v) {
   return v.x * v.x + v.y * v.y;
 }
 
-/// The square of twice the largest distance of a contact from the mean of all.
+/// The square of the diagonal of the box around the contacts.
 Rational squared_width(const std::vector<Contact>& contacts) {
-  Vector2 sum;
+  if (contacts.empty()) return 0;
+  Vector2 low = contacts.front().position;
+  Vector2 high = low;
   for (const Contact& c : contacts) {
-    sum.x += c.position.x;
-    sum.y += c.position.y;
+    low = {std::min(low.x, c.position.x), std::min(low.y, c.position.y)};
+    high = {std::max(high.x, c.position.x), std::max(high.y, c.position.y)};
   }
-  const Rational count(contacts.size());
-  Rational largest = 0;
-  for (const Contact& c : contacts) {
-    largest = std::max(
-        largest, squared_length({c.position.x - sum.x / count, c.position.y - sum.y / count}));
-  }
-  return 4 * largest;
+  return squared_length({high.x - low.x, high.y - low.y});
 }
 
 std::optional<std::string> large_motion(const Question& question, const Twist& d) {
@@ -49,18 +45,24 @@ std::optional<std::string> large_motion(const Question& question, const Twist& d
     motion = "a turn by " + rounded(to_double(abs(d.r))) + " radians";
   }
   const Rational width = squared_width(contacts);
+  // A witness may have a denominator of thousands of digits: once, and not at each contact.
+  const Rational scale(lcm(lcm(denominator(d.x), denominator(d.y)), denominator(d.r)));
+  const Twist scaled{scale * d.x, scale * d.y, scale * d.r};
+  const Rational scaled_width = scale * scale * width;
   std::size_t farthest = 0;
-  Rational moved = width;
+  Rational moved = scaled_width;
   for (std::size_t i = 0; i < contacts.size() && !width.is_zero(); ++i) {
     const Vector2& p = contacts[i].position;
-    const Rational distance = squared_length({d.x - d.r * p.y, d.y + d.r * p.x});
+    const Rational distance =
+        squared_length({scaled.x - scaled.r * p.y, scaled.y + scaled.r * p.x});
     if (distance <= moved) continue;
     moved = distance;
     farthest = i;
   }
-  if (moved > width) {
+  if (moved > scaled_width) {
     motion += (motion.empty() ? "contact " : ", contact ") + std::to_string(farthest) +
-              " moves by " + root(moved) + " in a grasp " + root(width) + " wide";
+              " moves by " + root(moved / (scale * scale)) + " in a grasp " + root(width) +
+              " wide";
   }
   if (motion.empty()) return std::nullopt;
   return "the motion found is too large for the model: " + motion +

@@ -5,8 +5,8 @@
 /// thresholds are compared exactly.
 ///
 /// - *Large motion*, of a stable verdict: the rotation is more than kLargestRotation, or a
-///   contact point moves farther than the grasp is wide: twice the largest distance of a
-///   contact from the mean of all (a width of 0, as that of one contact, is not compared). The
+///   contact point moves farther than the grasp is wide: the diagonal of the box, parallel to
+///   the axes, around the contacts (a width of 0, as that of one contact, is not compared). The
 ///   model is linear in the motion. Another equilibrium may move less.
 /// - *Unbalanced preload*: at the motion d = 0, with normal forces P_i and no load, no friction
 ///   in the cones balances. Decided exactly, as the system of the one motion d = 0

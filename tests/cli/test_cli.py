@@ -162,6 +162,7 @@ class Decide(Case):
                          ["large-motion"])
         self.assertEqual(self.json("decide", FIG1)["warnings"], [])
         self.assertNotIn("Warning", stickslip("decide", FIG1)[1])
+        self.assertIn("docs/model.md", stickslip("decide", "--help")[1])
 
     def test_negative_wrench_needs_no_equals_sign(self):
         self.assertEqual(self.json("decide", FIG1, "--wrench", "-1,0,0"),

@@ -43,12 +43,6 @@ Json strings_json(const Vector3& v) {
   return Json::array({to_string(v[0]), to_string(v[1]), to_string(v[2])});
 }
 
-std::string law_text(NormalLaw law) {
-  return to_string(law) + std::string(law == NormalLaw::kUnilateral
-                                          ? " (contacts may detach)"
-                                          : " (contacts may not detach)");
-}
-
 Json snapped_json(const Question& question) {
   Json json = Json::array();
   for (const SnappedNormal& normal : question.snapped) {

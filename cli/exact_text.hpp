@@ -26,9 +26,6 @@ std::string brief(const Twist& d);
 Json strings_json(const Vector2& v);
 Json strings_json(const Vector3& v);
 
-/// "unilateral (contacts may detach)".
-std::string law_text(NormalLaw law);
-
 /// The normals that were snapped; an array, or a line for each.
 Json snapped_json(const Question& question);
 std::string snapped_text(const Question& question);

@@ -39,6 +39,9 @@ class QuestionArguments {
   bool starts_at_zero_ = false;
 };
 
+/// For people: "unilateral (contacts may detach)".
+std::string law_text(NormalLaw law);
+
 /// The GRASP argument alone.
 void add_grasp_argument(CLI::App& command, std::string& file);
 

@@ -46,10 +46,12 @@ void print_json(const Question& question, const Rational& length,
   std::cout << json.dump(1) << '\n';
 }
 
-void print_text(const Question& question, const std::vector<MethodRow>& rows) {
+void print_text(const Question& question, const Rational& length,
+                const std::vector<MethodRow>& rows) {
   const std::string& name = question.loaded.grasp.name();
   if (!name.empty()) std::cout << name << '\n';
   std::cout << "  load w    " << tuple(coordinates(question.loaded.wrench)) << '\n'
+            << "  length L  " << brief(length) << ", by which torques are divided (--length)\n"
             << snapped_text(question) << '\n';
   std::vector<std::vector<std::string>> table{{"method", "verdict", "agrees", "why"}};
   for (const MethodRow& row : rows) {
@@ -62,7 +64,7 @@ void print_text(const Question& question, const std::vector<MethodRow>& rows) {
   std::cout << format_table(table, Align::kLeft)
             << "\nAll exact; sentences round long numbers (~), --json does not. Normal law of "
                "the passive model: "
-            << to_string(question.law) << ".\n";
+            << law_text(question.law) << ".\n";
 }
 
 int compare(const CompareArguments& arguments) {
@@ -72,7 +74,7 @@ int compare(const CompareArguments& arguments) {
   if (arguments.json) {
     print_json(question, length, rows);
   } else {
-    print_text(question, rows);
+    print_text(question, length, rows);
   }
   return kDone;
 }

@@ -75,12 +75,13 @@ MethodRow wrench_space_row(const Problem& problem, ForceBound bound, const Ratio
   const bool closure = quality.radius_squared.sign() > 0;
   const std::string radius =
       exact ? brief(*exact) : enclosure(6).lower + ".." + enclosure(6).upper;
-  return about_grasp(
-      method, source, closure ? "closed" : "not closed",
-      closure ? "the largest ball has radius " + radius + ", at the facet " + brief(normal) +
-                    ".x <= " + brief(nearest.offset)
-              : "quality 0: no wrench x with " + brief(normal) + ".x > 0 can be applied",
-      std::move(evidence));
+  return about_grasp(method, source, closure ? "closed" : "not closed",
+                     closure ? "force closure: the largest ball has radius " + radius +
+                                   ", at the facet " + brief(normal) +
+                                   ".x <= " + brief(nearest.offset)
+                             : "no force closure, quality 0: no wrench x with " +
+                                   brief(normal) + ".x > 0 can be applied",
+                     std::move(evidence));
 }
 
 }  // namespace stickslip

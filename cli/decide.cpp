@@ -11,6 +11,7 @@
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/sign.hpp"
+#include "stickslip/equilibrium/model_warnings.hpp"
 #include "table.hpp"
 
 namespace stickslip {
@@ -67,7 +68,19 @@ Json stats_json(const Decision& decision) {
   return json;
 }
 
-void print_json(const Question& question, const Problem& problem, const Decision& decision) {
+/// Nothing when they were not asked for.
+using Warnings = std::optional<std::vector<ModelWarning>>;
+
+Json warnings_json(const std::vector<ModelWarning>& warnings) {
+  Json json = Json::array();
+  for (const ModelWarning& warning : warnings) {
+    json.push_back({{"trap", to_string(warning.trap)}, {"text", warning.text}});
+  }
+  return json;
+}
+
+void print_json(const Question& question, const Problem& problem, const Decision& decision,
+                const Warnings& warnings) {
   Json json;
   const Verdict& verdict = decision.verdict;
   json["verdict"] = name_of(verdict);
@@ -92,6 +105,7 @@ void print_json(const Question& question, const Problem& problem, const Decision
   } else {
     json["limit"] = std::get<Undecided>(verdict).limit;
   }
+  if (warnings) json["warnings"] = warnings_json(*warnings);
   json["stats"] = stats_json(decision);
   std::cout << json.dump(1) << '\n';
 }
@@ -105,20 +119,21 @@ void explain(const RefutationSummary& summary) {
     return;
   }
   if (summary.largest_case.empty()) {
-    std::cout << "\nWhatever the contacts do, moving the object along the twist " << twist
-              << "\nthey lose against the load: it does more work than they can take up.\n";
+    std::cout << "\nWhatever the contacts do: along the virtual twist " << twist
+              << "\nthe load does more work than they can take up.\n";
     return;
   }
-  std::cout
-      << "\nNo motion and forces satisfy all conditions. Proved in " << summary.leaves
-      << " cases, each by a virtual\ntwist along which the contacts lose against the load. The "
-         "largest case:\n";
+  std::cout << "\nNo motion and forces satisfy all conditions. Proved in " << summary.leaves
+            << " cases, which together\ncover all motions: in each, along some virtual twist, "
+               "the load "
+               "does more work than\nthe contacts can take up. The largest case:\n";
   for (const std::string& condition : summary.largest_case)
     std::cout << "  " << condition << '\n';
   std::cout << "  twist " << twist << "\n\n";
 }
 
-void print_text(const Question& question, const Problem& problem, const Decision& decision) {
+void print_text(const Question& question, const Problem& problem, const Decision& decision,
+                const Warnings& warnings) {
   const Verdict& verdict = decision.verdict;
   const std::string& name = question.loaded.grasp.name();
   const Wrench& w = problem.wrench();
@@ -137,10 +152,14 @@ void print_text(const Question& question, const Problem& problem, const Decision
                       std::string(1, to_char(c.slip)), c.closed ? "closed" : "open"});
     }
     const std::string table = format_table(rows);
-    std::cout << "  motion d  " << motion << "\n\n"
-              << table << '\n'
-              << "These forces balance the load, lie in their friction cones and oppose slip; "
-                 "checked exactly.\n";
+    std::cout
+        << "  motion d  " << motion << "\n\n"
+        << table << '\n'
+        << "These forces balance the load, lie in their friction cones and oppose slip; "
+           "checked exactly.\n"
+           "Load: force x, y, torque. Motion: x, y, rotation in radians. Slip: + is along "
+           "the normal turned\nby +90 degrees, - against it, 0 sticks. An open contact is "
+           "detached.\n";
     if ((motion + table).find("..") != std::string::npos) {
       std::cout
           << "a..b encloses a number that is irrational, or long: --json has every rational "
@@ -152,8 +171,12 @@ void print_text(const Question& question, const Problem& problem, const Decision
     std::cout << "\nGiven up at " << std::get<Undecided>(verdict).limit
               << "; nothing is known about the verdict.\n";
   }
-  std::cout << "Engine: " << decision.engine() << "; normal law: " << to_string(question.law)
+  std::cout << "Engine: " << decision.engine() << "; normal law: " << law_text(question.law)
             << ".\n";
+  if (!warnings) return;
+  for (const ModelWarning& warning : *warnings) {
+    std::cout << "Warning: " << warning.text << ".\n";
+  }
 }
 
 struct DecideArguments {
@@ -163,6 +186,7 @@ struct DecideArguments {
   std::size_t node_limit = 0;
   std::size_t threads = 0;
   bool json = false;
+  bool no_warnings = false;
   bool answer_by_exit_code = false;
 };
 
@@ -183,7 +207,9 @@ int decide(const DecideArguments& arguments) {
                                       std::string("stickslip " STICKSLIP_VERSION ", engine ") +
                                           decision.engine()));
   }
-  (arguments.json ? print_json : print_text)(question, problem, decision);
+  Warnings warnings;
+  if (!arguments.no_warnings) warnings = model_warnings(question, verdict);
+  (arguments.json ? print_json : print_text)(question, problem, decision, warnings);
   if (std::holds_alternative<Undecided>(verdict)) return kUndecidedWithinLimit;
   if (!arguments.answer_by_exit_code) return kDone;
   return std::holds_alternative<Stable>(verdict) ? kAnswerStable : kAnswerUnstable;
@@ -213,9 +239,13 @@ void add_decide_command(CLI::App& app, int& exit_code) {
       *command, arguments->threads,
       "Threads of the cone engine; 0 is one a core. The answer does not depend on it");
   command->add_flag("--json", arguments->json, "Print one JSON object; rationals are strings");
+  command->add_flag("--no-warnings", arguments->no_warnings,
+                    "Do not look for traps of the model, such as a large motion, or a preload "
+                    "that does not balance (docs/model.md)");
   command->add_flag("--exit-code", arguments->answer_by_exit_code,
                     "Exit with 10 if stable, 20 if unstable, instead of 0");
   command->footer(
+      "What the model says and does not say, and its warnings: docs/model.md.\n"
       "Example: stickslip decide fig1.json --wrench 0,-11/10,0 --preload 0\n"
       "Exit codes: 0 done (with --exit-code 10 stable, 20 unstable), 2 bad input or usage,\n"
       "3 undecided within a limit.");

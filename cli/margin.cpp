@@ -63,12 +63,11 @@ void print_text(const Question& question, const Margin& margin) {
   const auto count = [](std::size_t n, const char* what) {
     return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
   };
-  std::cout << "\nEquilibria of " << count(margin.segments.size(), "mode")
-            << " prove what is resisted, "
-            << (margin.gaps.empty()
-                    ? "and nothing is left"
-                    : "trees of " + count(nodes, "node") + " that nothing else is")
-            << ". Normal law: " << to_string(question.law) << ".\n";
+  std::cout << "\nProved by equilibria in " << count(margin.segments.size(), "contact mode")
+            << (margin.gaps.empty() ? ", with nothing left to refute"
+                                    : ", and by case trees of " + count(nodes, "node") +
+                                          " that nothing else is resisted")
+            << ".\nNormal law: " << law_text(question.law) << ".\n";
 }
 
 int margin(const MarginArguments& arguments) {

@@ -42,6 +42,12 @@ Rational number_option(const std::string& option, const std::string& value) {
   }
 }
 
+std::string law_text(NormalLaw law) {
+  return to_string(law) + std::string(law == NormalLaw::kUnilateral
+                                          ? " (contacts may detach)"
+                                          : " (contacts may not detach)");
+}
+
 void add_grasp_argument(CLI::App& command, std::string& file) {
   command.add_option("GRASP", file, "Grasp file (docs/grasp_file.md); - is standard input")
       ->type_name("FILE")

@@ -47,6 +47,9 @@ class QuestionArguments {
 Question ask_with_options(const GraspFile& file, const QuestionOptions& options,
                           const std::string& name);
 
+/// For people: "unilateral (contacts may detach)".
+std::string law_text(NormalLaw law);
+
 /// The GRASP argument alone.
 void add_grasp_argument(CLI::App& command, std::string& file);
 

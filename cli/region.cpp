@@ -172,14 +172,15 @@ void print_text(const Question& question, const WrenchPlane& plane,
       std::cout << "point " << text_of(point) << '\n';
     }
   }
-  if (!report.pieces.empty()) std::cout << "\nPieces, by mode (. is open):\n";
+  if (!report.pieces.empty())
+    std::cout << "\nPieces, by contact mode (+ and - slip, 0 sticks, . is detached):\n";
   for (const ResistiblePiece& piece : report.pieces) {
     std::cout << "  " << mode_text(piece) << "  " << text_of(piece.cell) << '\n';
   }
   std::cout << "\n"
-            << report.work.slip_states << " slip states, " << report.work.modes << " modes, "
-            << report.work.pieces
-            << " of them in the plane; normal law: " << to_string(question.law) << ".\n";
+            << report.work.slip_states << " slip states, " << report.work.modes
+            << " contact modes, " << report.work.pieces
+            << " of them in the plane; normal law: " << law_text(question.law) << ".\n";
 }
 
 /// All but the union: a picture makes its own.
@@ -247,8 +248,8 @@ void add_region_options(CLI::App& command, RegionArguments& arguments) {
       ->capture_default_str();
   add_count_option(
       command, "--mode-limit", arguments.mode_limit,
-      "Give up, undecided, at more than N modes (slip states with the contacts that "
-      "are closed); 0 is no limit");
+      "Give up, undecided, at more than N contact modes (which contacts slip, which way, "
+      "stick or are detached); 0 is no limit");
 }
 
 }  // namespace
@@ -258,9 +259,9 @@ void add_region_command(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
       "region", "Which wrenches of a plane does the grasp resist? The exact set");
   add_region_options(*command, *arguments);
-  CLI::Option* list =
-      command->add_flag("--list", arguments->list,
-                        "List the piece of each mode: slip state, closed contacts, polygon");
+  CLI::Option* list = command->add_flag(
+      "--list", arguments->list,
+      "List the piece of each contact mode: slip state, closed contacts, polygon");
   CLI::Option* json = command->add_flag("--json", arguments->json,
                                         "Print one JSON object; rationals are strings");
   command->add_flag("--svg", arguments->svg, "Print a picture, as stickslip plot region does")

@@ -53,6 +53,7 @@ void print_text(const StatesArguments& arguments, const std::string& name,
         std::to_string(c.cells()), std::to_string(c.distinct_states)}});
   if (arguments.list) {
     for (const SlipState& state : report.found.states) std::cout << to_string(state) << '\n';
+    std::cout << "A sign a contact: + and - slip along and against the tangent, 0 sticks.\n";
   }
   std::cout
       << "Engine: " << report.engine

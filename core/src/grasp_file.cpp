@@ -117,7 +117,8 @@ void check_format(const JsonNode& root) {
 }
 
 std::vector<Contact> with_defaults(std::vector<WrittenContact> written,
-                                   const Properties& defaults) {
+                                   const Properties& defaults,
+                                   std::vector<ContactId>& assumed_stiffness) {
   std::vector<Contact> contacts;
   contacts.reserve(written.size());
   for (WrittenContact& w : written) {
@@ -126,6 +127,9 @@ std::vector<Contact> with_defaults(std::vector<WrittenContact> written,
     if (!friction) {
       fail_at(element_path("contacts", contacts.size()), "the key \"friction\" is missing",
               "add it here, or for all contacts in \"defaults\"");
+    }
+    if (!w.own.stiffness && !defaults.stiffness) {
+      assumed_stiffness.push_back(ContactId(contacts.size()));
     }
     contacts.push_back({std::move(w.position), std::move(w.normal), std::move(*friction),
                         w.own.stiffness.value_or(defaults.stiffness.value_or(1)),
@@ -152,8 +156,11 @@ GraspFile parse_unnamed(std::string_view text) {
   const Properties defaults = read_defaults(root);
   Wrench wrench = read_wrench(root);
   std::optional<Rational> snap_tolerance = read_snap_tolerance(root);
-  Grasp grasp(with_defaults(std::move(written), defaults), read_name(root));
-  return {{std::move(grasp), std::move(wrench)}, std::move(snap_tolerance)};
+  std::vector<ContactId> assumed_stiffness;
+  Grasp grasp(with_defaults(std::move(written), defaults, assumed_stiffness), read_name(root));
+  return {{std::move(grasp), std::move(wrench)},
+          std::move(snap_tolerance),
+          std::move(assumed_stiffness)};
 }
 
 std::string read_all(std::istream& in, const std::string& file) {

@@ -8,7 +8,7 @@
 namespace stickslip {
 
 Question ask(const GraspFile& file, const QuestionOptions& options) {
-  Question question{file.content, options.law, options.preload, {}};
+  Question question{file.content, options.law, options.preload, {}, file.assumed_stiffness};
   if (options.wrench) question.loaded.wrench = *options.wrench;
   if (options.preload) {
     if (options.preload->sign() < 0) {

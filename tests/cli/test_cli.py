@@ -142,6 +142,29 @@ class Decide(Case):
         self.assertEqual(stickslip(*words, "--exit-code")[0], UNDECIDED)
         self.assertEqual(os.listdir(self.folder), [])  # it proves nothing
 
+    def test_warnings(self):
+        supports = [{"position": [x, 0], "normal": [0, 1], "friction": 1 - abs(x)}
+                    for x in (-1, 0, 1)]
+        plank = {"format": "stickslip-grasp/1", "contacts": supports,
+                 "wrench": [10, -30, 0]}
+        file = self.write("plank.json", plank)
+        warnings = self.json("decide", file)["warnings"]
+        self.assertEqual([warning["trap"] for warning in warnings],
+                         ["large-motion", "assumed-stiffness"])
+        lines = [f"Warning: {warning['text']}." for warning in warnings]
+        out = stickslip("decide", file)[1]
+        self.assertEqual(out.split("\n")[-3:], [*lines, ""])
+        self.assertEqual(stickslip("decide", file, "--no-warnings")[1],
+                         out.replace("\n".join([*lines, ""]), ""))
+        self.assertNotIn("warnings", self.json("decide", file, "--no-warnings"))
+        plank["defaults"] = {"stiffness": 1}
+        self.assertEqual([warning["trap"] for warning in
+                          self.json("decide", self.write("plank.json", plank))["warnings"]],
+                         ["large-motion"])
+        self.assertEqual(self.json("decide", FIG1)["warnings"], [])
+        self.assertNotIn("Warning", stickslip("decide", FIG1)[1])
+        self.assertIn("docs/model.md", stickslip("decide", "--help")[1])
+
     def test_negative_wrench_needs_no_equals_sign(self):
         self.assertEqual(self.json("decide", FIG1, "--wrench", "-1,0,0"),
                          self.json("decide", FIG1, "--wrench=-1,0,0"))
@@ -432,6 +455,12 @@ class Compare(Case):
             self.assertTrue(line.endswith(row["why"]))
             self.assertEqual("answers another question" in line, row["about"] == "grasp")
         self.assertEqual(stickslip("compare", FIG1, "--wrench", "0,1,0")[1], out)
+
+    def test_length_is_printed(self):
+        for words, length in (((), "1"), (("--length", "0.08"), "2/25")):
+            self.assertIn(f"length L  {length}, by which torques are divided",
+                          stickslip("compare", FIG1, *words)[1])
+            self.assertEqual(self.json("compare", FIG1, *words)["length"], length)
 
     def test_usage(self):
         for value in ("0", "-1", "x"):

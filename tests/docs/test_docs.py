@@ -65,6 +65,13 @@ class Documentation(unittest.TestCase):
         for name in ("README.md", "docs/prove.md", "docs/enumerate.md", "docs/crosscheck.md"):
             self.assertGreater(len(pages.commands(pages.read(name))), 3, name)
 
+    def test_words_of_the_field_are_found(self):
+        for name in ("README.md", "docs/model.md"):
+            text = " ".join(pages.read(name).lower().split())
+            for word in ("force closure", "form closure", "contact mode", "gravity",
+                         "maximum dissipation", "detachment"):
+                self.assertIn(word, text, name)
+
     def test_python_blocks_are_where_tests_python_runs_them(self):
         for name in pages.page_names():
             fenced, _ = pages.blocks(pages.read(name))

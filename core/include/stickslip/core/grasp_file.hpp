@@ -27,6 +27,8 @@ inline constexpr std::size_t kMaxJsonDepth = 32;
 struct GraspFile {
   LoadedGrasp content;                     ///< contacts as written, and the load
   std::optional<Rational> snap_tolerance;  ///< for snap_normals; nothing to leave them alone
+  /// The contacts whose stiffness is 1 because nothing gives it; increasing. Not written.
+  std::vector<ContactId> assumed_stiffness{};
 };
 
 /// Reads one grasp. `file` is the name used in errors. Throws InputError with file, JSON

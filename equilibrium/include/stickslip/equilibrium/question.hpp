@@ -27,6 +27,7 @@ struct Question {
   NormalLaw law = NormalLaw::kUnilateral;  ///< of every contact
   std::optional<Rational> preload;         ///< set if it replaced the file's preloads
   std::vector<SnappedNormal> snapped;  ///< normals that were replaced, and how far they moved
+  std::vector<ContactId> assumed_stiffness{};  ///< as in the GraspFile
 };
 
 /// The file's grasp and load with what the options replace. Throws InputError when a

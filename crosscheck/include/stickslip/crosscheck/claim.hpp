@@ -42,8 +42,7 @@ struct ClaimOptions {
   Rational tie_distance = Rational(1, 1000000000);
   /// Residuals up to this, in the units of the question, count as none.
   Rational residual_tolerance = Rational(1, 1000000);
-  /// For each verdict and each margin; 0 is no limit. With a limit the cone engine decides,
-  /// whatever the number of contacts.
+  /// For each verdict and each margin; 0 is no limit.
   std::size_t node_limit = 0;
   /// Compute distances to the threshold for right claims as well.
   bool all_distances = false;

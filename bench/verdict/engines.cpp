@@ -32,7 +32,7 @@ Instance doubles(std::size_t contacts, std::size_t k) {
                     preloaded ? 1 : 0});
   }
   const double pull = 0.3 * static_cast<double>(k);
-  file.content = {Grasp("", std::move(list)),
+  file.content = {Grasp(std::move(list)),
                   {rational_from_double(std::cos(pull)), rational_from_double(std::sin(pull)),
                    rational_from_double(0.001 * static_cast<double>(k % 3))}};
   QuestionOptions options;

@@ -23,7 +23,7 @@ measure table2 table2
 measure margin margin_bench 1000
 measure batch batch_bench "$build/bin/stickslip"
 measure float float_study --instances 960
-for part in targets side-by-side growth; do
+for part in targets side-by-side engines growth; do
   measure "verdict_$part" verdict_bench --part "$part"
 done
 printf 'The tables are in %s.\n' "$report"

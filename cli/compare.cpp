@@ -14,7 +14,7 @@ namespace {
 struct CompareArguments {
   QuestionArguments question;
   std::string length = "1";
-  bool json = false;
+  NumberOptions output;
 };
 
 Rational positive_length(const std::string& text) {
@@ -27,11 +27,11 @@ Rational positive_length(const std::string& text) {
 }
 
 void print_json(const Question& question, const Rational& length,
-                const std::vector<MethodRow>& rows) {
+                const std::vector<MethodRow>& rows, bool floats) {
   Json json{{"name", question.loaded.grasp.name()},
             {"normal_law", to_string(question.law)},
-            {"wrench", strings_json(coordinates(question.loaded.wrench))},
-            {"length", to_string(length)}};
+            {"wrench", number_json(coordinates(question.loaded.wrench))},
+            {"length", number_json(length)}};
   if (!question.snapped.empty()) json["snapped_normals"] = snapped_json(question);
   Json& methods = json["methods"] = Json::array();
   for (const MethodRow& row : rows) {
@@ -43,16 +43,16 @@ void print_json(const Question& question, const Rational& length,
                        {"why", row.why},
                        {"evidence", row.evidence}});
   }
-  std::cout << json.dump(1) << '\n';
+  std::cout << finished(json, floats).dump(1) << '\n';
 }
 
 void print_text(const Question& question, const Rational& length,
-                const std::vector<MethodRow>& rows) {
+                const std::vector<MethodRow>& rows, NumberText& text) {
   const std::string& name = question.loaded.grasp.name();
   if (!name.empty()) std::cout << name << '\n';
-  std::cout << "  load w    " << tuple(coordinates(question.loaded.wrench)) << '\n'
-            << "  length L  " << brief(length) << ", by which torques are divided (--length)\n"
-            << snapped_text(question) << '\n';
+  std::cout << "  load w    " << text(coordinates(question.loaded.wrench)) << '\n'
+            << "  length L  " << text(length) << ", by which torques are divided (--length)\n"
+            << snapped_text(question, text) << '\n';
   std::vector<std::vector<std::string>> table{{"method", "verdict", "agrees", "why"}};
   for (const MethodRow& row : rows) {
     table.push_back({row.method, row.verdict,
@@ -62,19 +62,20 @@ void print_text(const Question& question, const Rational& length,
                      row.why});
   }
   std::cout << format_table(table, Align::kLeft)
-            << "\nAll exact; sentences round long numbers (~), --json does not. Normal law of "
-               "the passive model: "
-            << law_text(question.law) << ".\n";
+            << "\nAll methods are exact. Normal law of the passive model: "
+            << law_text(question.law) << ".\n"
+            << text.note();
 }
 
 int compare(const CompareArguments& arguments) {
   const Rational length = positive_length(arguments.length);
   const Question question = arguments.question.question();
-  const std::vector<MethodRow> rows = compare_methods(question, length);
-  if (arguments.json) {
-    print_json(question, length, rows);
+  NumberText text(arguments.output);
+  const std::vector<MethodRow> rows = compare_methods(question, length, text);
+  if (arguments.output.json) {
+    print_json(question, length, rows, arguments.output.floats);
   } else {
-    print_text(question, length, rows);
+    print_text(question, length, rows, text);
   }
   return kDone;
 }
@@ -93,8 +94,8 @@ void add_compare_command(CLI::App& app, int& exit_code) {
                    "which strong stability needs")
       ->type_name("L")
       ->capture_default_str();
-  command->add_flag("--json", arguments->json,
-                    "Print one JSON object with all evidence; rationals are strings");
+  arguments->output.add_to(*command,
+                           "Print one JSON object with all evidence; rationals are strings");
   command->footer(
       "The methods, all exact: form closure, which asks for no load; loads that are stable\n"
       "without friction, strongly or weakly (rigid contacts, no preload); the grasp wrench\n"

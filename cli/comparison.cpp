@@ -21,17 +21,17 @@ struct Rubbing {
 
 class Comparison {
  public:
-  Comparison(const Question& question, const Rational& length)
-      : problem_(question.loaded, question.law), length_(length) {}
+  Comparison(const Question& question, const Rational& length, NumberText& text)
+      : problem_(question.loaded, question.law), length_(length), text_(text) {}
 
   std::vector<MethodRow> rows() {
     passive();
-    rows_.push_back(form_closure_row(problem_));
+    rows_.push_back(form_closure_row(problem_, text_));
     frictionless();
     strong();
     weak();
-    rows_.push_back(wrench_space_row(problem_, ForceBound::kL1, length_));
-    rows_.push_back(wrench_space_row(problem_, ForceBound::kLinf, length_));
+    rows_.push_back(wrench_space_row(problem_, ForceBound::kL1, length_, text_));
+    rows_.push_back(wrench_space_row(problem_, ForceBound::kLinf, length_, text_));
     linear();
     three_states();
     cones();
@@ -65,7 +65,7 @@ class Comparison {
       passive_stable_ = true;
       note_friction(stable->witness);
       row.why =
-          "the motion " + brief(stable->witness.twist) + " gives rise to forces that hold";
+          "the motion " + text_(stable->witness.twist) + " gives rise to forces that hold";
       row.evidence = witness_json(problem_, stable->witness);
     } else if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
       row.why = "no motion satisfies all conditions " +
@@ -90,7 +90,7 @@ class Comparison {
   std::string friction_that_holds() const {
     if (!rubbing_) return "";
     return "; passively " + contact_name(rubbing_->contact) + " holds by friction, " +
-           brief(rubbing_->ratio) + " of its normal force";
+           text_(rubbing_->ratio) + " of its normal force";
   }
 
   void frictionless() {
@@ -103,7 +103,7 @@ class Comparison {
     }
     const Twist& d = std::get<UnopposedMotion>(result).twist;
     add(method, kPangTrinkle, false,
-        "without friction no contact opposes the load along " + brief(d) +
+        "without friction no contact opposes the load along " + text_.direction(d) +
             (passive_stable_ ? friction_that_holds() : ""),
         motion_json(d));
   }
@@ -124,9 +124,9 @@ class Comparison {
       add(method, kPangTrinkle, false,
           std::string("rigid contacts ") +
               (passive_stable_ && is_preloaded() ? "know no preload: they " : "") +
-              "allow the acceleration " + brief(a.acceleration) + " with " +
-              some_forces(problem_, a.forces),
-          {{"acceleration", strings_json(coordinates(a.acceleration))},
+              "allow the acceleration " + text_(a.acceleration) + " with " +
+              some_forces(problem_, a.forces, text_),
+          {{"acceleration", number_json(coordinates(a.acceleration))},
            {"forces", forces_json(problem_, a.forces)}});
     }
   }
@@ -141,13 +141,14 @@ class Comparison {
     const LoadClass result = weakly_stable_load(problem_);
     if (const auto* found = std::get_if<BalancingForces>(&result)) {
       add(method, kPangTrinkle, true,
-          some_forces(problem_, found->forces) + " would balance the load" + unless_passive(),
+          some_forces(problem_, found->forces, text_) + " would balance the load" +
+              unless_passive(),
           {{"forces", forces_json(problem_, found->forces)}});
       return;
     }
     const Twist& d = std::get<UnopposedMotion>(result).twist;
-    add(method, kPangTrinkle, false, "no force in the cones opposes the load along " + brief(d),
-        motion_json(d));
+    add(method, kPangTrinkle, false,
+        "no force in the cones opposes the load along " + text_.direction(d), motion_json(d));
   }
 
   /// For methods that find forces and ask nothing of motions.
@@ -162,7 +163,7 @@ class Comparison {
     const auto result = linear_compliance(problem_);
     if (const auto* motion = std::get_if<UnresistedMotion>(&result)) {
       add(method, source, false,
-          "no spring resists the motion " + brief(motion->twist) +
+          "no spring resists the motion " + text_.direction(motion->twist) +
               ", along which the load does work",
           motion_json(motion->twist));
       return;
@@ -183,20 +184,20 @@ class Comparison {
     const std::string here = contact_name(contact.index());
     if (f.normal.sign() < 0) {
       return "a linear spring would pull at " + here + ", with the force " +
-             brief(vector_of(row, f));
+             text_(vector_of(row, f));
     }
-    const std::string beyond = ", beyond mu = " + brief(row.friction);
+    const std::string beyond = ", beyond mu = " + text_(row.friction);
     if (f.normal.is_zero()) {
       return "linear springs put friction without a normal force on " + here + beyond;
     }
-    return "linear springs put friction of " + brief(Rational(abs(f.tangential) / f.normal)) +
+    return "linear springs put friction of " + text_(Rational(abs(f.tangential) / f.normal)) +
            " of the normal force on " + here + beyond;
   }
 
   /// For methods that find a motion, when the passive model has none.
   std::string however(const Witness& witness) const {
     if (passive_stable_ || passive_undecided_) return "";
-    const std::string breach = dissipation_breach(problem_, witness);
+    const std::string breach = dissipation_breach(problem_, witness, text_);
     if (!breach.empty()) return ", but this " + breach;
     // A released spring under the bilateral law.
     const std::optional<std::string> violation = find_violation(problem_, witness);
@@ -232,7 +233,7 @@ class Comparison {
       if (passive_stable_ && rubbing_) {
         why += "; passively " + contact_name(rubbing_->contact) +
                (rubbing_->slips ? " slips against friction of " : " sticks with friction of ") +
-               brief(rubbing_->ratio) + " of its normal force, " +
+               text_(rubbing_->ratio) + " of its normal force, " +
                (rubbing_->slips ? "not none" : "not that of a tangential spring");
       }
       add(method, source, false, std::move(why), {{"combinations", count}});
@@ -247,7 +248,7 @@ class Comparison {
       add_undecided(method, source, limit->limit);
     } else if (const auto* witness = std::get_if<Witness>(&result)) {
       add(method, source, true,
-          "the motion " + brief(witness->twist) + " loads the contacts enough" +
+          "the motion " + text_(witness->twist) + " loads the contacts enough" +
               however(*witness),
           witness_json(problem_, *witness));
     } else {
@@ -262,6 +263,7 @@ class Comparison {
 
   Problem problem_;
   Rational length_;
+  NumberText& text_;
   bool passive_stable_ = false;
   bool passive_undecided_ = false;
   std::optional<Rubbing> rubbing_;
@@ -270,8 +272,9 @@ class Comparison {
 
 }  // namespace
 
-std::vector<MethodRow> compare_methods(const Question& question, const Rational& length) {
-  return Comparison(question, length).rows();
+std::vector<MethodRow> compare_methods(const Question& question, const Rational& length,
+                                       NumberText& text) {
+  return Comparison(question, length, text).rows();
 }
 
 }  // namespace stickslip

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "exact_text.hpp"
+#include "numbers.hpp"
 #include "stickslip/earlier/grasp_wrench_space.hpp"
 
 namespace stickslip {
@@ -29,12 +29,15 @@ inline constexpr const char* kNotComputed = "not computed";
 /// Beyond these contacts a grasp wrench space is not computed.
 inline constexpr std::size_t kMostContactsForWrenchSpace = 64;
 
-MethodRow form_closure_row(const Problem& problem);
+MethodRow form_closure_row(const Problem& problem, NumberText& text);
 /// Not computed also when a normal has an irrational length.
-MethodRow wrench_space_row(const Problem& problem, ForceBound bound, const Rational& length);
+MethodRow wrench_space_row(const Problem& problem, ForceBound bound, const Rational& length,
+                           NumberText& text);
 
 /// All methods, the passive model first. `length` is the characteristic length of wrench
-/// spaces, and the radius of gyration about the origin for strong stability.
-std::vector<MethodRow> compare_methods(const Question& question, const Rational& length);
+/// spaces, and the radius of gyration about the origin for strong stability. Sentences have
+/// their numbers from `text`.
+std::vector<MethodRow> compare_methods(const Question& question, const Rational& length,
+                                       NumberText& text);
 
 }  // namespace stickslip

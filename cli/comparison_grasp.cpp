@@ -16,12 +16,12 @@ MethodRow about_grasp(std::string method, const char* source, const char* verdic
 
 }  // namespace
 
-MethodRow form_closure_row(const Problem& problem) {
+MethodRow form_closure_row(const Problem& problem, NumberText& text) {
   const char* const source = "Liu 1999";
   const auto result = form_closure(problem);
   if (const auto* found = std::get_if<FormClosure>(&result)) {
     Json multipliers = Json::array();
-    for (const Rational& m : found->multipliers) multipliers.push_back(to_string(m));
+    for (const Rational& m : found->multipliers) multipliers.push_back(number_json(m));
     return about_grasp("form closure", source, "closed",
                        "the contacts leave no motion, even without friction",
                        {{"multipliers", multipliers},
@@ -31,10 +31,11 @@ MethodRow form_closure_row(const Problem& problem) {
   }
   const Twist& d = std::get<FreeMotion>(result).twist;
   return about_grasp("form closure", source, "not closed",
-                     "the contacts allow the motion " + brief(d), motion_json(d));
+                     "the contacts allow the motion " + text.direction(d), motion_json(d));
 }
 
-MethodRow wrench_space_row(const Problem& problem, ForceBound bound, const Rational& length) {
+MethodRow wrench_space_row(const Problem& problem, ForceBound bound, const Rational& length,
+                           NumberText& text) {
   const std::string method =
       std::string("grasp wrench space, ") + (bound == ForceBound::kL1 ? "L1" : "Linf");
   const char* const source = "Ferrari and Canny 1992";
@@ -55,32 +56,24 @@ MethodRow wrench_space_row(const Problem& problem, ForceBound bound, const Ratio
   const Twist normal{Rational(nearest.normal[0]), Rational(nearest.normal[1]),
                      Rational(nearest.normal[2])};
   const std::optional<Rational> exact = exact_sqrt(quality.radius_squared);
-  const auto enclosure = [&](int digits) {
-    return enclose_sqrt(1, quality.radius_squared, digits);
-  };
-  Json evidence{{"radius_squared", to_string(quality.radius_squared)}};
-  if (exact) {
-    evidence["radius"] = to_string(*exact);
-  } else {
-    evidence["radius"] = {enclosure(17).lower, enclosure(17).upper};
-  }
-  evidence["facet"] = {{"normal", strings_json(coordinates(normal))},
-                       {"offset", to_string(nearest.offset)}};
+  Json evidence{{"radius_squared", number_json(quality.radius_squared)}};
+  evidence["radius"] =
+      exact ? number_json(*exact) : number_json(enclose_sqrt(1, quality.radius_squared));
+  evidence["facet"] = {{"normal", number_json(coordinates(normal))},
+                       {"offset", number_json(nearest.offset)}};
   evidence["facets"] = facets.size();
   if (bound == ForceBound::kL1) {
     Json& slice = evidence["zero_torque_slice"] = Json::array();
     for (const Vector2& vertex : zero_torque_slice(problem))
-      slice.push_back(strings_json(vertex));
+      slice.push_back(number_json(vertex));
   }
   const bool closure = quality.radius_squared.sign() > 0;
-  const std::string radius =
-      exact ? brief(*exact) : enclosure(6).lower + ".." + enclosure(6).upper;
+  const std::string radius = text.root(1, quality.radius_squared);
   return about_grasp(method, source, closure ? "closed" : "not closed",
-                     closure ? "force closure: the largest ball has radius " + radius +
-                                   ", at the facet " + brief(normal) +
-                                   ".x <= " + brief(nearest.offset)
-                             : "no force closure, quality 0: no wrench x with " +
-                                   brief(normal) + ".x > 0 can be applied",
+                     closure ? "force closure: the largest ball has radius " + radius + ", at the facet " +
+                                   text(normal) + ".x <= " + text(nearest.offset)
+                             : "no force closure, quality 0: no wrench x with " + text.direction(normal) +
+                                   ".x > 0 can be applied",
                      std::move(evidence));
 }
 

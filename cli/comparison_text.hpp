@@ -3,7 +3,7 @@
 /// Evidence of the earlier methods, as JSON and in words.
 #pragma once
 
-#include "exact_text.hpp"
+#include "numbers.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 
 namespace stickslip {
@@ -24,10 +24,12 @@ Json refutation_json(const Refutation& refutation);
 
 /// "the forces (1, -1/2) at contact 0 and (1, 1/2) at contact 2": two of them, and how many
 /// more.
-std::string some_forces(const Problem& problem, const std::vector<ContactForce>& forces);
+std::string some_forces(const Problem& problem, const std::vector<ContactForce>& forces,
+                        NumberText& text);
 
 /// What motion and forces do at the first contact where maximum dissipation forbids it: "lets
 /// contact 0 slip without friction, though mu = 1/2". Empty if nowhere.
-std::string dissipation_breach(const Problem& problem, const Witness& witness);
+std::string dissipation_breach(const Problem& problem, const Witness& witness,
+                               NumberText& text);
 
 }  // namespace stickslip

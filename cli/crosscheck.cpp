@@ -23,7 +23,7 @@ struct CrosscheckArguments {
   std::string save;
   std::size_t node_limit = 0;
   bool distances = false;
-  bool json = false;
+  NumberOptions output;
 };
 
 Rational nonnegative_option(const std::string& option, const std::string& value) {
@@ -72,7 +72,9 @@ void make_save_folder(const std::string& folder) {
 }
 
 ClaimCounts judge_all(std::istream& in, const std::string& folder,
-                      const CrosscheckArguments& arguments, const ClaimOptions& options) {
+                      const CrosscheckArguments& arguments, const ClaimOptions& options,
+                      NumberText& number) {
+  const NumberOptions& printed = arguments.output;
   ClaimCounts counts;
   Progress progress;
   TextLines lines(in);
@@ -92,8 +94,8 @@ ClaimCounts judge_all(std::istream& in, const std::string& folder,
       judged = JudgedLine{lines.number(), std::move(line), std::move(report), {}};
     } catch (const InputError& error) {
       ++counts.unreadable;
-      output = arguments.json ? to_json_line(lines.number(), error) + "\n"
-                              : to_text(lines.number(), error);
+      output = printed.json ? to_json_line(lines.number(), error) + "\n"
+                            : to_text(lines.number(), error);
     }
     if (judged) {
       counts.add(judged->report);
@@ -102,7 +104,8 @@ ClaimCounts judge_all(std::istream& in, const std::string& folder,
         judged->saved =
             save(arguments.save, judged->number, judged->line, judged->report.decision);
       }
-      output = arguments.json ? to_json_line(*judged) + "\n" : to_text(*judged, options);
+      output = printed.json ? to_json_line(*judged, printed.floats) + "\n"
+                            : to_text(*judged, options, number);
     }
     std::cout << output;
   }
@@ -121,12 +124,14 @@ int crosscheck(const CrosscheckArguments& arguments) {
   const std::string folder =
       arguments.file == "-" ? "" : std::filesystem::path(arguments.file).parent_path().string();
   if (!arguments.save.empty()) make_save_folder(arguments.save);
-  const ClaimCounts counts = judge_all(file.stream(), folder, arguments, options);
+  NumberText number(arguments.output);
+  const ClaimCounts counts = judge_all(file.stream(), folder, arguments, options, number);
   if (counts.claims() == 0) {
     throw InputError(file.name(), "", "the file is empty, there is no claim in it",
                      "write one a line, see docs/crosscheck.md");
   }
-  std::cout << (arguments.json ? to_json_line(counts) + "\n" : to_text(counts));
+  std::cout << (arguments.output.json ? to_json_line(counts) + "\n"
+                                      : number.note() + to_text(counts));
   return counts.exit_code();
 }
 
@@ -164,12 +169,12 @@ void add_crosscheck_command(CLI::App& app, int& exit_code) {
                    "line-N.certificate.json")
       ->type_name("DIR");
   add_node_limit_option(*command, arguments->node_limit);
-  command->add_flag("--json", arguments->json,
-                    "Print one JSON object a line, and a summary; rationals are strings");
+  arguments->output.add_to(
+      *command, "Print one JSON object a line, and a summary; rationals are strings");
   command->footer(
-      "Right claims are counted, all others shown. A node limit makes the cone engine decide "
-      "all\n"
-      "claims, and holds for each verdict and each distance to a threshold.\n"
+      "Right claims are counted, all others shown. A node limit holds for each verdict and "
+      "each\n"
+      "distance to a threshold.\n"
       "Example: stickslip crosscheck claims.jsonl\n"
       "where a line of claims.jsonl may be (broken here for reading)\n"
       "  {\"grasp\": \"fig1.json\", \"options\": {\"wrench\": [0, 1, 0], \"preload\": 1},\n"

@@ -6,23 +6,22 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "exact_text.hpp"
+#include "numbers.hpp"
 
 namespace stickslip {
 namespace {
 
 Json to_json(const std::optional<Rational>& value) {
-  return value ? Json(to_string(*value)) : Json();
+  return value ? number_json(*value) : Json();
 }
 
 Json to_json(const LargestResidual& residual) {
   Json json;
   const Magnitude& m = residual.value;
   if (m.radicand == 1) {
-    json["value"] = to_string(m.coefficient);
+    json["value"] = number_json(m.coefficient);
   } else {
-    const DecimalEnclosure e = enclose_sqrt(m.coefficient, m.radicand);
-    json["value"] = {e.lower, e.upper};
+    json["value"] = number_json(enclose_sqrt(m.coefficient, m.radicand));
   }
   json["contact"] = residual.contact ? Json(residual.contact->index()) : Json();
   return json;
@@ -31,8 +30,8 @@ Json to_json(const LargestResidual& residual) {
 Json to_json(const ClaimResiduals& residuals) {
   Json json = Json::object();
   if (residuals.balance) {
-    json["force"] = {to_string(residuals.balance->x), to_string(residuals.balance->y)};
-    json["torque"] = to_string(residuals.balance->torque);
+    json["force"] = number_json(Vector2{residuals.balance->x, residuals.balance->y});
+    json["torque"] = number_json(residuals.balance->torque);
   }
   if (residuals.cone) json["cone"] = to_json(*residuals.cone);
   if (residuals.normal_law) json["normal_law"] = to_json(*residuals.normal_law);
@@ -47,11 +46,11 @@ Json to_json(const NearbyEquilibrium& nearby, const Grasp& grasp) {
   json["twist_distance"] = to_json(nearby.twist_distance);
   json["same_slip"] = nearby.same_slip ? Json(*nearby.same_slip) : Json();
   json["same_contacts"] = nearby.same_contacts;
-  json["twist"] = strings_json(coordinates(nearby.witness.twist));
+  json["twist"] = number_json(coordinates(nearby.witness.twist));
   json["force_vectors"] = Json::array();
   for (std::size_t i = 0; i < grasp.size(); ++i) {
     const Vector2 force = force_vector(grasp.contacts()[i].normal, nearby.witness.forces[i]);
-    json["force_vectors"].push_back({to_string(force.x), to_string(force.y)});
+    json["force_vectors"].push_back(number_json(force));
   }
   return json;
 }
@@ -61,7 +60,7 @@ Json to_json(const ThresholdDistance& distance) {
   json["smallest"] = to_json(distance.smallest());
   json["along_load"] = to_json(distance.along_load);
   json["along_axes"] = to_json(distance.along_axes);
-  json["axis"] = distance.along_axes ? strings_json(coordinates(distance.axis)) : Json();
+  json["axis"] = distance.along_axes ? number_json(coordinates(distance.axis)) : Json();
   if (distance.limit) json["limit"] = *distance.limit;
   return json;
 }
@@ -81,65 +80,56 @@ const char* claimed_verdict(const Claim& claim) {
   return claim.stable ? "stable" : "unstable";
 }
 
-std::string residual_text(const LargestResidual& residual) {
-  const Magnitude& m = residual.value;
-  std::string text;
-  if (m.radicand == 1) {
-    text = brief(m.coefficient);
-  } else {
-    const DecimalEnclosure e = enclose_sqrt(m.coefficient, m.radicand, 3);
-    text = e.lower + ".." + e.upper;
-  }
+std::string residual_text(const LargestResidual& residual, NumberText& number) {
+  std::string text = number.root(residual.value.coefficient, residual.value.radicand);
   if (residual.contact) text += " at contact " + std::to_string(residual.contact->index());
   return text;
 }
 
 /// Each condition and by how much it is missed, of all that could be computed.
 std::vector<std::pair<std::string, std::string>> residual_texts(
-    const ClaimResiduals& residuals) {
+    const ClaimResiduals& residuals, NumberText& number) {
   std::vector<std::pair<std::string, std::string>> texts;
   if (residuals.balance) {
     const Wrench& b = *residuals.balance;
     texts.emplace_back(
-        "balance", "force (" + brief(b.x) + ", " + brief(b.y) + "), torque " + brief(b.torque));
+        "balance", "force " + number(Vector2{b.x, b.y}) + ", torque " + number(b.torque));
   }
-  if (residuals.cone) texts.emplace_back("cone", residual_text(*residuals.cone));
+  if (residuals.cone) texts.emplace_back("cone", residual_text(*residuals.cone, number));
   if (residuals.normal_law)
-    texts.emplace_back("normal law", residual_text(*residuals.normal_law));
+    texts.emplace_back("normal law", residual_text(*residuals.normal_law, number));
   if (residuals.dissipation)
-    texts.emplace_back("dissipation", residual_text(*residuals.dissipation));
+    texts.emplace_back("dissipation", residual_text(*residuals.dissipation, number));
   return texts;
 }
 
-std::string residuals_text(const ClaimResiduals& residuals) {
+std::string residuals_text(const ClaimResiduals& residuals, NumberText& number) {
   constexpr std::size_t kColumn = 13;
   std::string text;
-  for (auto& [condition, missed_by] : residual_texts(residuals)) {
+  for (auto& [condition, missed_by] : residual_texts(residuals, number)) {
     text += "  " + condition + std::string(kColumn - condition.size(), ' ') + missed_by + "\n";
   }
   return text.empty() ? text : "  What the claimed solution misses, at most:\n" + text;
 }
 
 /// The conditions that are missed by more than the tolerance, on one line.
-std::string inaccuracy_text(const ClaimReport& report, const ClaimOptions& options) {
+std::string inaccuracy_text(const ClaimReport& report, const ClaimOptions& options,
+                            NumberText& number) {
   const auto missed = report.residuals.missed(options.residual_tolerance, report.scale);
   std::string text;
-  for (auto& [condition, missed_by] : residual_texts(report.residuals)) {
+  for (auto& [condition, missed_by] : residual_texts(report.residuals, number)) {
     if (std::find(missed.begin(), missed.end(), condition) == missed.end()) continue;
     text += (text.empty() ? "" : "; ") + condition + " " + missed_by;
   }
   return ", but its solution misses: " + text;
 }
 
-std::string distance_text(const ThresholdDistance& distance) {
+std::string distance_text(const ThresholdDistance& distance, NumberText& number) {
   std::string text;
   if (const auto smallest = distance.smallest()) {
     const bool own = distance.along_load && *distance.along_load == *smallest;
-    const Wrench& u = distance.axis;
-    text = "  The verdict changes when the load changes by " + brief(*smallest) +
-           (own ? " of itself"
-                : " times (" + brief(u.x) + ", " + brief(u.y) + ", " + brief(u.torque) + ")") +
-           ".\n";
+    text = "  The verdict changes when the load changes by " + number(*smallest) +
+           (own ? " of itself" : " times " + number(coordinates(distance.axis))) + ".\n";
   } else if (!distance.limit) {
     text = "  No change of the load along itself or an axis changes the verdict.\n";
   }
@@ -148,12 +138,12 @@ std::string distance_text(const ThresholdDistance& distance) {
 }
 
 /// How far off an inaccurate solution is.
-std::string nearby_text(const NearbyEquilibrium& nearby) {
+std::string nearby_text(const NearbyEquilibrium& nearby, NumberText& number) {
   if (!nearby.from_claim) return "; no exact equilibrium of its kind was found nearby";
   std::string text = "; an exact equilibrium of its kind is within";
-  if (nearby.force_distance) text += " " + brief(*nearby.force_distance) + " in the forces";
+  if (nearby.force_distance) text += " " + number(*nearby.force_distance) + " in the forces";
   if (nearby.force_distance && nearby.twist_distance) text += " and";
-  if (nearby.twist_distance) text += " " + brief(*nearby.twist_distance) + " in the twist";
+  if (nearby.twist_distance) text += " " + number(*nearby.twist_distance) + " in the twist";
   return text;
 }
 
@@ -183,7 +173,7 @@ int ClaimCounts::exit_code() const {
   return undecided > 0 ? kUndecidedWithinLimit : kDone;
 }
 
-std::string to_json_line(const JudgedLine& judged) {
+std::string to_json_line(const JudgedLine& judged, bool floats) {
   const ClaimReport& report = judged.report;
   const Question& question = judged.line.question;
   Json json;
@@ -206,7 +196,7 @@ std::string to_json_line(const JudgedLine& judged) {
   json["nearby"] = report.nearby ? to_json(*report.nearby, question.loaded.grasp) : Json();
   json["distance"] = report.distance ? to_json(*report.distance) : Json();
   if (!judged.saved.empty()) json["saved"] = judged.saved;
-  return line_of(json);
+  return line_of(finished(json, floats));
 }
 
 std::string to_json_line(std::size_t number, const InputError& error) {
@@ -227,7 +217,7 @@ std::string to_json_line(const ClaimCounts& counts) {
   return line_of(json);
 }
 
-std::string to_text(const JudgedLine& judged, const ClaimOptions& options) {
+std::string to_text(const JudgedLine& judged, const ClaimOptions& options, NumberText& number) {
   const ClaimReport& report = judged.report;
   if (report.claim_class == ClaimClass::kRight && !report.inaccurate && !report.distance) {
     return {};
@@ -242,12 +232,12 @@ std::string to_text(const JudgedLine& judged, const ClaimOptions& options) {
     text += std::string(", exactly ") + name_of(report.decision.verdict);
   }
   if (!name.empty()) text += " (" + quote(name) + ")";
-  if (report.inaccurate) text += inaccuracy_text(report, options);
-  if (report.inaccurate && report.nearby) text += nearby_text(*report.nearby);
+  if (report.inaccurate) text += inaccuracy_text(report, options, number);
+  if (report.inaccurate && report.nearby) text += nearby_text(*report.nearby, number);
   text += '\n';
-  if (report.distance) text += distance_text(*report.distance);
+  if (report.distance) text += distance_text(*report.distance, number);
   if (report.claim_class == ClaimClass::kRight) return text;
-  text += residuals_text(report.residuals);
+  text += residuals_text(report.residuals, number);
   if (report.claimed_slip && !report.claimed_slip->empty()) {
     text += "  The claimed twist slips " + slip_text(*report.claimed_slip) + ".\n";
   }

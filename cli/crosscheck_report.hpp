@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "numbers.hpp"
+#include "numbers.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/crosscheck/claims_file.hpp"
 
@@ -34,13 +36,13 @@ struct ClaimCounts {
 };
 
 /// One JSON object, without the newline.
-std::string to_json_line(const JudgedLine& judged);
+std::string to_json_line(const JudgedLine& judged, bool floats);
 std::string to_json_line(std::size_t number, const InputError& error);
 std::string to_json_line(const ClaimCounts& counts);
 
 /// For people, ending in a newline; empty for a right claim about which there is nothing to
 /// say.
-std::string to_text(const JudgedLine& judged, const ClaimOptions& options);
+std::string to_text(const JudgedLine& judged, const ClaimOptions& options, NumberText& number);
 std::string to_text(std::size_t number, const InputError& error);
 std::string to_text(const ClaimCounts& counts);
 

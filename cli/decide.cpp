@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
-#include "exact_text.hpp"
+#include "numbers.hpp"
 #include "question_options.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/file.hpp"
@@ -19,19 +19,11 @@ namespace {
 
 /// One contact of a stable verdict, as both outputs show it.
 struct ContactReport {
-  Rational length_squared;         ///< of the contact's normal
-  std::optional<Rational> length;  ///< if rational
+  Rational length_squared;  ///< of the contact's normal
   ContactForce force;
   Vector2 vector;  ///< the force in the object frame
   Sign slip;
   bool closed;
-
-  /// A coefficient's magnitude, exact, or nothing if irrational.
-  std::optional<Rational> magnitude(const Rational& coefficient) const {
-    if (coefficient.is_zero()) return Rational(0);
-    if (length) return Rational(coefficient * *length);
-    return std::nullopt;
-  }
 };
 
 std::vector<ContactReport> report_contacts(const Question& question, const Problem& problem,
@@ -42,7 +34,7 @@ std::vector<ContactReport> report_contacts(const Question& question, const Probl
     const ContactRow& row = problem.rows()[i];
     const ContactForce& f = witness.forces[i];
     const Rational length_squared = n.x * n.x + n.y * n.y;
-    reports.push_back({length_squared, exact_sqrt(length_squared), f, force_vector(n, f),
+    reports.push_back({length_squared, f, force_vector(n, f),
                        sign_of(power(row.tangent, witness.twist)),
                        row.normal_coefficient(witness.twist).sign() >= 0});
   }
@@ -50,15 +42,11 @@ std::vector<ContactReport> report_contacts(const Question& question, const Probl
 }
 
 Json magnitude_json(const ContactReport& contact, const Rational& coefficient) {
-  if (const auto exact = contact.magnitude(coefficient)) return to_string(*exact);
-  const DecimalEnclosure e = enclose_sqrt(coefficient, contact.length_squared);
-  return Json::array({e.lower, e.upper});
-}
-
-std::string magnitude_text(const ContactReport& contact, const Rational& coefficient) {
-  if (const auto exact = contact.magnitude(coefficient)) return to_readable_string(*exact);
-  const DecimalEnclosure e = enclose_sqrt(coefficient, contact.length_squared, 6);
-  return e.lower + ".." + e.upper;
+  if (coefficient.is_zero()) return number_json(Rational(0));
+  if (const auto length = exact_sqrt(contact.length_squared)) {
+    return number_json(Rational(coefficient * *length));
+  }
+  return number_json(enclose_sqrt(coefficient, contact.length_squared));
 }
 
 Json stats_json(const Decision& decision) {
@@ -80,22 +68,22 @@ Json warnings_json(const std::vector<ModelWarning>& warnings) {
 }
 
 void print_json(const Question& question, const Problem& problem, const Decision& decision,
-                const Warnings& warnings) {
+                const Warnings& warnings, const NumberOptions& output) {
   Json json;
   const Verdict& verdict = decision.verdict;
   json["verdict"] = name_of(verdict);
   json["name"] = question.loaded.grasp.name();
   json["engine"] = decision.engine();
   json["normal_law"] = to_string(question.law);
-  json["wrench"] = strings_json(coordinates(problem.wrench()));
+  json["wrench"] = number_json(coordinates(problem.wrench()));
   if (!question.snapped.empty()) json["snapped_normals"] = snapped_json(question);
   if (const auto* stable = std::get_if<Stable>(&verdict)) {
-    json["twist"] = strings_json(coordinates(stable->witness.twist));
+    json["twist"] = number_json(coordinates(stable->witness.twist));
     Json& contacts = json["contacts"] = Json::array();
     for (const ContactReport& c : report_contacts(question, problem, stable->witness)) {
       contacts.push_back({{"normal", magnitude_json(c, c.force.normal)},
                           {"tangential", magnitude_json(c, c.force.tangential)},
-                          {"force", {to_string(c.vector.x), to_string(c.vector.y)}},
+                          {"force", number_json(c.vector)},
                           {"slip", std::string(1, to_char(c.slip))},
                           {"closed", c.closed}});
     }
@@ -107,13 +95,12 @@ void print_json(const Question& question, const Problem& problem, const Decision
   }
   if (warnings) json["warnings"] = warnings_json(*warnings);
   json["stats"] = stats_json(decision);
-  std::cout << json.dump(1) << '\n';
+  std::cout << finished(json, output.floats).dump(1) << '\n';
 }
 
-void explain(const RefutationSummary& summary) {
+void explain(const RefutationSummary& summary, NumberText& text) {
   // On a leaf's own twist the load does negative work: the way that the contacts lose is back.
-  const IntegerVector<3> y = negated(summary.largest_case_twist);
-  const std::string twist = tuple(Vector3{Rational(y[0]), Rational(y[1]), Rational(y[2])});
+  const std::string twist = text.direction(negated(summary.largest_case_twist));
   if (summary.leaves == 0) {
     std::cout << "\nThe normal law allows no motion at all.\n";
     return;
@@ -133,46 +120,40 @@ void explain(const RefutationSummary& summary) {
 }
 
 void print_text(const Question& question, const Problem& problem, const Decision& decision,
-                const Warnings& warnings) {
+                const Warnings& warnings, const NumberOptions& output) {
+  NumberText text(output);
   const Verdict& verdict = decision.verdict;
   const std::string& name = question.loaded.grasp.name();
   const Wrench& w = problem.wrench();
   std::cout << (name.empty() ? "" : name + ": ") << name_of(verdict) << "\n\n"
-            << "  load w    " << tuple(coordinates(w)) << '\n';
-  std::cout << snapped_text(question);
+            << "  load w    " << text(coordinates(w)) << '\n';
+  std::cout << snapped_text(question, text);
   if (const auto* stable = std::get_if<Stable>(&verdict)) {
     const Twist& d = stable->witness.twist;
-    const std::string motion = tuple(d);
     std::vector<std::vector<std::string>> rows{
         {"contact", "normal", "tangential", "force", "slip", ""}};
     std::size_t index = 0;
     for (const ContactReport& c : report_contacts(question, problem, stable->witness)) {
-      rows.push_back({std::to_string(index++), magnitude_text(c, c.force.normal),
-                      magnitude_text(c, c.force.tangential), tuple(c.vector),
+      rows.push_back({std::to_string(index++), text.root(c.force.normal, c.length_squared),
+                      text.root(c.force.tangential, c.length_squared), text(c.vector),
                       std::string(1, to_char(c.slip)), c.closed ? "closed" : "open"});
     }
-    const std::string table = format_table(rows);
     std::cout
-        << "  motion d  " << motion << "\n\n"
-        << table << '\n'
+        << "  motion d  " << text(d) << "\n\n"
+        << format_table(rows) << '\n'
         << "These forces balance the load, lie in their friction cones and oppose slip; "
            "checked exactly.\n"
            "Load: force x, y, torque. Motion: x, y, rotation in radians. Slip: + is along "
            "the normal turned\nby +90 degrees, - against it, 0 sticks. An open contact is "
            "detached.\n";
-    if ((motion + table).find("..") != std::string::npos) {
-      std::cout
-          << "a..b encloses a number that is irrational, or long: --json has every rational "
-             "in full.\n";
-    }
   } else if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
-    explain(summarize(unstable->refutation));
+    explain(summarize(unstable->refutation), text);
   } else {
     std::cout << "\nGiven up at " << std::get<Undecided>(verdict).limit
               << "; nothing is known about the verdict.\n";
   }
-  std::cout << "Engine: " << decision.engine() << "; normal law: " << law_text(question.law)
-            << ".\n";
+  std::cout << text.note() << "Engine: " << decision.engine()
+            << "; normal law: " << law_text(question.law) << ".\n";
   if (!warnings) return;
   for (const ModelWarning& warning : *warnings) {
     std::cout << "Warning: " << warning.text << ".\n";
@@ -185,7 +166,7 @@ struct DecideArguments {
   std::string certificate;
   std::size_t node_limit = 0;
   std::size_t threads = 0;
-  bool json = false;
+  NumberOptions output;
   bool no_warnings = false;
   bool answer_by_exit_code = false;
 };
@@ -193,9 +174,7 @@ struct DecideArguments {
 int decide(const DecideArguments& arguments) {
   const Question question = arguments.question.question();
   const Problem problem(question.loaded, question.law);
-  const Engine engine = arguments.engine == "states" ? Engine::kStates
-                        : arguments.engine == "cone" ? Engine::kCone
-                                                     : Engine::kAuto;
+  const Engine engine = arguments.engine == "states" ? Engine::kStates : Engine::kCone;
   ConeOptions options;
   options.node_limit = arguments.node_limit;
   options.threads = arguments.threads;
@@ -209,7 +188,8 @@ int decide(const DecideArguments& arguments) {
   }
   Warnings warnings;
   if (!arguments.no_warnings) warnings = model_warnings(question, verdict);
-  (arguments.json ? print_json : print_text)(question, problem, decision, warnings);
+  (arguments.output.json ? print_json : print_text)(question, problem, decision, warnings,
+                                                    arguments.output);
   if (std::holds_alternative<Undecided>(verdict)) return kUndecidedWithinLimit;
   if (!arguments.answer_by_exit_code) return kDone;
   return std::holds_alternative<Stable>(verdict) ? kAnswerStable : kAnswerUnstable;
@@ -225,8 +205,8 @@ void add_decide_command(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "--engine", arguments->engine,
-          "How to decide; every engine is exact. states: the system of every slip state. cone: "
-          "branch and bound, for many contacts. auto: states for few contacts, else cone")
+          "How to decide; every engine is exact. states: the system of every slip state, the "
+          "method of the paper. cone: branch and bound. auto: cone, which is faster")
       ->type_name("ENGINE")
       ->check(CLI::IsMember({"auto", "states", "cone"}))
       ->capture_default_str();
@@ -238,7 +218,7 @@ void add_decide_command(CLI::App& app, int& exit_code) {
   add_threads_option(
       *command, arguments->threads,
       "Threads of the cone engine; 0 is one a core. The answer does not depend on it");
-  command->add_flag("--json", arguments->json, "Print one JSON object; rationals are strings");
+  arguments->output.add_to(*command);
   command->add_flag("--no-warnings", arguments->no_warnings,
                     "Do not look for traps of the model, such as a large motion, or a preload "
                     "that does not balance (docs/model.md)");

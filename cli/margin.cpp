@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "exact_text.hpp"
+#include "numbers.hpp"
 #include "question_options.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
@@ -20,43 +20,43 @@ struct MarginArguments {
   std::string direction;
   std::string certificate;
   std::size_t node_limit = 0;
-  bool json = false;
+  NumberOptions output;
 };
 
-void print_json(const Question& question, const Margin& margin, const MarginWork& work) {
+void print_json(const Question& question, const Margin& margin, const MarginWork& work,
+                bool floats) {
   Json json;
   json["name"] = question.loaded.grasp.name();
   json["normal_law"] = to_string(question.law);
-  json["wrench"] = strings_json(coordinates(question.loaded.wrench));
-  json["direction"] = strings_json(coordinates(margin.direction));
+  json["wrench"] = number_json(coordinates(question.loaded.wrench));
+  json["direction"] = number_json(coordinates(margin.direction));
   json["resisted"] = Json::array();
   for (const LoadInterval& interval : margin.resisted) {
     Json high;  // null
-    if (interval.high) high = to_string(*interval.high);
-    json["resisted"].push_back({to_string(interval.low), high});
+    if (interval.high) high = number_json(*interval.high);
+    json["resisted"].push_back({number_json(interval.low), high});
   }
   json["unbounded"] = !margin.resisted.empty() && !margin.resisted.back().high;
   Json& stats = json["stats"] = Json::object();
   stats["ranges"] = work.ranges;
   stats["mode_programs"] = work.modes;
   for (const auto& [name, value] : counters(work.cone)) stats[name] = value;
-  std::cout << json.dump(1) << '\n';
+  std::cout << finished(json, floats).dump(1) << '\n';
 }
 
-std::string interval_text(const LoadInterval& interval) {
-  return "[" + to_readable_string(interval.low) + ", " +
-         (interval.high ? to_readable_string(*interval.high) + "]" : "oo)");
+std::string interval_text(const LoadInterval& interval, NumberText& text) {
+  return "[" + text(interval.low) + ", " + (interval.high ? text(*interval.high) + "]" : "oo)");
 }
 
-void print_text(const Question& question, const Margin& margin) {
+void print_text(const Question& question, const Margin& margin, NumberText text) {
   const std::string& name = question.loaded.grasp.name();
   std::cout << (name.empty() ? "" : name + ": ") << "loads w + l u with l >= 0\n\n"
-            << "  wrench w     " << tuple(coordinates(question.loaded.wrench)) << '\n'
-            << "  direction u  " << tuple(coordinates(margin.direction)) << '\n'
-            << snapped_text(question) << '\n';
+            << "  wrench w     " << text(coordinates(question.loaded.wrench)) << '\n'
+            << "  direction u  " << text(coordinates(margin.direction)) << '\n'
+            << snapped_text(question, text) << '\n';
   if (margin.resisted.empty()) std::cout << "No l is resisted.\n";
   for (const LoadInterval& interval : margin.resisted) {
-    std::cout << "Resisted: l in " << interval_text(interval) << '\n';
+    std::cout << "Resisted: l in " << interval_text(interval, text) << '\n';
   }
   std::size_t nodes = 0;
   for (const Refutation& gap : margin.gaps) nodes += gap.size();
@@ -67,7 +67,8 @@ void print_text(const Question& question, const Margin& margin) {
             << (margin.gaps.empty() ? ", with nothing left to refute"
                                     : ", and by case trees of " + count(nodes, "node") +
                                           " that nothing else is resisted")
-            << ".\nNormal law: " << law_text(question.law) << ".\n";
+            << ".\nNormal law: " << law_text(question.law) << ".\n"
+            << text.note();
 }
 
 int margin(const MarginArguments& arguments) {
@@ -91,10 +92,10 @@ int margin(const MarginArguments& arguments) {
     write_whole_file(arguments.certificate,
                      margin_certificate_text(question, found, "stickslip " STICKSLIP_VERSION));
   }
-  if (arguments.json) {
-    print_json(question, found, work);
+  if (arguments.output.json) {
+    print_json(question, found, work, arguments.output.floats);
   } else {
-    print_text(question, found);
+    print_text(question, found, NumberText(arguments.output));
   }
   return kDone;
 }
@@ -116,7 +117,7 @@ void add_margin_command(CLI::App& app, int& exit_code) {
                    "Write a proof for stickslip-check --direction (certificate/FORMAT.md)")
       ->type_name("FILE");
   add_node_limit_option(*command, arguments->node_limit);
-  command->add_flag("--json", arguments->json, "Print one JSON object; rationals are strings");
+  arguments->output.add_to(*command);
   command->footer(
       "The answer is a list of closed intervals; one without an upper end is printed as\n"
       "[a, oo), and ends in null in JSON.\n"

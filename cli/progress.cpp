@@ -11,8 +11,9 @@ Progress::Progress()
     : on_terminal_(isatty(STDERR_FILENO) == 1),
       next_(std::chrono::steady_clock::now() + std::chrono::seconds(1)) {}
 
-Progress::~Progress() {
+void Progress::clear() {
   if (shown_) std::cerr << kClearLine << std::flush;
+  shown_ = false;
 }
 
 void Progress::show(const std::string& text) {

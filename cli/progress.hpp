@@ -16,11 +16,12 @@ inline constexpr const char* kClearLine = "\r\033[K";
 class Progress {
  public:
   Progress();
-  ~Progress();
+  ~Progress() { clear(); }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
   void show(const std::string& text);
+  void clear();
 
  private:
   bool on_terminal_;

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
-#include "exact_text.hpp"
+#include "numbers.hpp"
 #include "progress.hpp"
 #include "question_options.hpp"
 #include "stickslip/core/error.hpp"
@@ -23,7 +23,7 @@ struct RegionArguments {
   std::string v = "0,1,0";
   std::size_t mode_limit = 0;
   bool list = false;
-  bool json = false;
+  NumberOptions numbers;
   bool svg = false;
   std::string output = "-";
 
@@ -47,35 +47,21 @@ struct RegionReport {
   std::optional<Undecided> undecided;
 };
 
-template <class Vector>
-Json json_of(const Vector& vector) {
-  Json json = Json::array();
-  for (const auto& entry : vector) json.push_back(to_string(Rational(entry)));
-  return json;
-}
-
-template <class Vector>
-std::string text_of(const Vector& vector) {
-  std::string text;
-  for (const auto& entry : vector) {
-    text += (text.empty() ? "(" : ", ") + to_string(Rational(entry));
-  }
-  return text + ")";
-}
-
 Json json_of(const PlaneCell& cell) {
   Json json{{"vertices", Json::array()}, {"rays", Json::array()}};
-  for (const PlanePoint& point : cell.vertices()) json["vertices"].push_back(json_of(point));
-  for (const PlaneDirection& ray : cell.rays()) json["rays"].push_back(json_of(ray));
+  for (const PlanePoint& point : cell.vertices())
+    json["vertices"].push_back(number_json(point));
+  for (const PlaneDirection& ray : cell.rays()) json["rays"].push_back(number_json(ray));
   return json;
 }
 
 Json json_of(const Outline& outline) {
   Json json{{"closed", outline.is_closed()}};
-  if (outline.from) json["from"] = json_of(*outline.from);
+  if (outline.from) json["from"] = number_json(*outline.from);
   json["vertices"] = Json::array();
-  for (const PlanePoint& point : outline.vertices) json["vertices"].push_back(json_of(point));
-  if (outline.to) json["to"] = json_of(*outline.to);
+  for (const PlanePoint& point : outline.vertices)
+    json["vertices"].push_back(number_json(point));
+  if (outline.to) json["to"] = number_json(*outline.to);
   return json;
 }
 
@@ -87,23 +73,23 @@ std::string mode_text(const ResistiblePiece& piece) {
   return text;
 }
 
-std::string text_of(const PlaneCell& cell) {
-  std::string text;
+std::string text_of(const PlaneCell& cell, NumberText& text) {
+  std::string line;
   for (const PlanePoint& point : cell.vertices()) {
-    text += (text.empty() ? "" : " ") + text_of(point);
+    line += (line.empty() ? "" : " ") + text(point);
   }
-  for (const PlaneDirection& ray : cell.rays()) text += " towards " + text_of(ray);
-  return text;
+  for (const PlaneDirection& ray : cell.rays()) line += " towards " + text.direction(ray);
+  return line;
 }
 
-void print_json(const Question& question, const WrenchPlane& plane,
-                const RegionReport& report) {
+void print_json(const Question& question, const WrenchPlane& plane, const RegionReport& report,
+                const NumberOptions& output) {
   Json json{{"name", question.loaded.grasp.name()},
             {"normal_law", to_string(question.law)},
             {"plane",
-             {{"origin", json_of(coordinates(plane.origin()))},
-              {"u", json_of(coordinates(plane.u()))},
-              {"v", json_of(coordinates(plane.v()))}}}};
+             {{"origin", number_json(coordinates(plane.origin()))},
+              {"u", number_json(coordinates(plane.u()))},
+              {"v", number_json(coordinates(plane.v()))}}}};
   if (!question.snapped.empty()) json["snapped_normals"] = snapped_json(question);
   if (report.undecided) {
     json["limit"] = report.undecided->limit;
@@ -119,7 +105,7 @@ void print_json(const Question& question, const WrenchPlane& plane,
     Json& curves = json["curves"] = Json::array();
     for (const PlaneCell& curve : report.region.curves) curves.push_back(json_of(curve));
     Json& points = json["points"] = Json::array();
-    for (const PlanePoint& point : report.region.points) points.push_back(json_of(point));
+    for (const PlanePoint& point : report.region.points) points.push_back(number_json(point));
     for (const ResistiblePiece& piece : report.pieces) {
       Json entry{{"slip", to_string(piece.slip)}, {"closed", piece.closed}};
       entry.update(json_of(piece.cell));
@@ -129,25 +115,26 @@ void print_json(const Question& question, const WrenchPlane& plane,
   json["stats"] = {{"slip_states", report.work.slip_states},
                    {"modes", report.work.modes},
                    {"pieces", report.work.pieces}};
-  std::cout << json.dump(1) << '\n';
+  std::cout << finished(json, output.floats).dump(1) << '\n';
 }
 
-void print_outline(const Outline& outline) {
+void print_outline(const Outline& outline, NumberText& text) {
   std::cout << "  " << (outline.is_closed() ? "closed:" : "open:  ");
-  if (outline.from) std::cout << " from infinity along " << text_of(*outline.from) << " to";
-  for (const PlanePoint& point : outline.vertices) std::cout << ' ' << text_of(point);
-  if (outline.to) std::cout << " to infinity along " << text_of(*outline.to);
+  if (outline.from)
+    std::cout << " from infinity along " << text.direction(*outline.from) << " to";
+  for (const PlanePoint& point : outline.vertices) std::cout << ' ' << text(point);
+  if (outline.to) std::cout << " to infinity along " << text.direction(*outline.to);
   std::cout << '\n';
 }
 
-void print_text(const Question& question, const WrenchPlane& plane,
-                const RegionReport& report) {
+void print_text(const Question& question, const WrenchPlane& plane, const RegionReport& report,
+                const NumberOptions& output) {
+  NumberText text(output);
   const std::string& name = question.loaded.grasp.name();
   std::cout << (name.empty() ? "" : name + ": ") << "resistible wrenches\n\n"
-            << "  plane  " << text_of(coordinates(plane.origin())) << " + s "
-            << text_of(coordinates(plane.u())) << " + t " << text_of(coordinates(plane.v()))
-            << '\n'
-            << snapped_text(question) << '\n';
+            << "  plane  " << text(coordinates(plane.origin())) << " + s "
+            << text(coordinates(plane.u())) << " + t " << text(coordinates(plane.v())) << '\n'
+            << snapped_text(question, text) << '\n';
   const PlaneUnion& region = report.region;
   if (report.undecided) {
     std::cout << "Given up at " << report.undecided->limit << "; no region is known.\n";
@@ -160,35 +147,35 @@ void print_text(const Question& question, const WrenchPlane& plane,
     std::cout << (region.areas.empty() ? ":\n" : "; areas lie to the left of outlines:\n");
     for (const PlaneArea& area : region.areas) {
       std::cout << "area\n";
-      for (const Outline& outline : area.outlines) print_outline(outline);
+      for (const Outline& outline : area.outlines) print_outline(outline, text);
     }
     for (const PlaneCell& curve : region.curves) {
       std::cout << (curve.is_bounded()         ? "segment "
                     : curve.rays().size() == 1 ? "ray "
                                                : "line ")
-                << text_of(curve) << '\n';
+                << text_of(curve, text) << '\n';
     }
     for (const PlanePoint& point : region.points) {
-      std::cout << "point " << text_of(point) << '\n';
+      std::cout << "point " << text(point) << '\n';
     }
   }
   if (!report.pieces.empty())
     std::cout << "\nPieces, by contact mode (+ and - slip, 0 sticks, . is detached):\n";
   for (const ResistiblePiece& piece : report.pieces) {
-    std::cout << "  " << mode_text(piece) << "  " << text_of(piece.cell) << '\n';
+    std::cout << "  " << mode_text(piece) << "  " << text_of(piece.cell, text) << '\n';
   }
   std::cout << "\n"
             << report.work.slip_states << " slip states, " << report.work.modes
             << " contact modes, " << report.work.pieces
-            << " of them in the plane; normal law: " << law_text(question.law) << ".\n";
+            << " of them in the plane; normal law: " << law_text(question.law) << ".\n"
+            << text.note();
 }
 
 /// All but the union: a picture makes its own.
 RegionReport find_region(const RegionArguments& arguments, const Question& question,
-                         const WrenchPlane& plane) {
+                         const WrenchPlane& plane, Progress& progress) {
   const Problem problem(question.loaded, question.law);
   RegionReport report;
-  Progress progress;
   RegionOptions options;
   options.mode_limit = arguments.mode_limit;
   options.progress = [&](std::size_t done, std::size_t all) {
@@ -199,6 +186,7 @@ RegionReport find_region(const RegionArguments& arguments, const Question& quest
     report.undecided = std::move(*undecided);
   } else {
     report.pieces = std::move(std::get<std::vector<ResistiblePiece>>(found));
+    progress.show("uniting " + std::to_string(report.pieces.size()) + " pieces");
   }
   return report;
 }
@@ -206,25 +194,32 @@ RegionReport find_region(const RegionArguments& arguments, const Question& quest
 int region(const RegionArguments& arguments) {
   const WrenchPlane plane = arguments.plane();
   const Question question = arguments.question.question();
-  RegionReport report = find_region(arguments, question, plane);
+  Progress progress;
+  RegionReport report = find_region(arguments, question, plane, progress);
   report.region = unite(report.pieces);
+  progress.clear();
   if (!arguments.list) report.pieces.clear();
-  (arguments.json ? print_json : print_text)(question, plane, report);
+  (arguments.numbers.json ? print_json : print_text)(question, plane, report,
+                                                     arguments.numbers);
   return report.undecided ? kUndecidedWithinLimit : kDone;
 }
 
 int draw_region(const RegionArguments& arguments) {
   const WrenchPlane plane = arguments.plane();
   const Question question = arguments.question.question();
-  const RegionReport report = find_region(arguments, question, plane);
+  Progress progress;
+  const RegionReport report = find_region(arguments, question, plane, progress);
   if (report.undecided) {
+    progress.clear();
     std::cerr << "stickslip: given up at " << report.undecided->limit
               << "; no region is known\n";
     return kUndecidedWithinLimit;
   }
   std::vector<PlaneCell> cells;
   for (const ResistiblePiece& piece : report.pieces) cells.push_back(piece.cell);
-  write_whole_file(arguments.output, plot_region(question, plane, cells));
+  const std::string picture = plot_region(question, plane, cells);
+  progress.clear();
+  write_whole_file(arguments.output, picture);
   return kDone;
 }
 
@@ -262,10 +257,9 @@ void add_region_command(CLI::App& app, int& exit_code) {
   CLI::Option* list = command->add_flag(
       "--list", arguments->list,
       "List the piece of each contact mode: slip state, closed contacts, polygon");
-  CLI::Option* json = command->add_flag("--json", arguments->json,
-                                        "Print one JSON object; rationals are strings");
+  arguments->numbers.add_to(*command);
   command->add_flag("--svg", arguments->svg, "Print a picture, as stickslip plot region does")
-      ->excludes(json)
+      ->excludes(command->get_option("--json"))
       ->excludes(list);
   command->footer(
       "By default the plane is that of forces at zero torque. The wrench in the file plays no "

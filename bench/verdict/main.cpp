@@ -19,14 +19,15 @@ int main(int argc, char** argv) {
   app.add_flag("--verbose", report.verbose, "A line for each instance of the first table");
   app.add_option("--max-m", report.max_contacts, "The most contacts");
   app.add_option("--json", json_file, "Write every instance to a file");
-  app.add_option("--part", part, "targets, side-by-side, growth or all")
-      ->check(CLI::IsMember({"targets", "side-by-side", "growth", "all"}));
+  app.add_option("--part", part, "targets, side-by-side, engines, growth or all")
+      ->check(CLI::IsMember({"targets", "side-by-side", "engines", "growth", "all"}));
   CLI11_PARSE(app, argc, argv);
   const bool all = part == "all";
   report.large_growth = !all;
   try {
     if (all || part == "targets") report_targets(report);
     if (!report.quick && (all || part == "side-by-side")) report_side_by_side(report);
+    if (!report.quick && (all || part == "engines")) report_engines(report);
     if (!report.quick && (all || part == "growth")) report_growth(report);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "verdict_bench: %s\n", error.what());

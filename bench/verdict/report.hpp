@@ -25,6 +25,9 @@ void report_targets(Report& report);
 /// The same grasps put to the cone engine, the reference engine, Z3, cvc5 and GLPK.
 void report_side_by_side(Report& report);
 
+/// The two engines on one to six contacts, with short numbers and with those of doubles.
+void report_engines(Report& report);
+
 /// Hard families: how the tree grows next to a threshold.
 void report_growth(Report& report);
 

@@ -47,6 +47,50 @@ Integer power_of_ten(long exponent) {
   return boost::multiprecision::pow(Integer(10), static_cast<unsigned>(exponent));
 }
 
+/// value * 10^exponent.
+Rational shifted(const Rational& value, long exponent) {
+  const Integer power = power_of_ten(std::abs(exponent));
+  return exponent < 0 ? value / power : value * power;
+}
+
+/// digits * 10^unit, with an exponent if it is below 1e-4 or from 1e6 on.
+std::string spell_decimal(Integer digits, long unit) {
+  while (digits % 10 == 0) {
+    digits /= 10;
+    ++unit;
+  }
+  std::string text = digits.str();
+  const long exponent = static_cast<long>(text.size()) - 1 + unit;  // of the first digit
+  if (exponent < -4 || exponent >= 6) {
+    if (text.size() > 1) text.insert(1, ".");
+    return text + "e" + std::to_string(exponent);
+  }
+  if (unit >= 0) return text + std::string(static_cast<std::size_t>(unit), '0');
+  if (exponent < 0) text.insert(0, static_cast<std::size_t>(-exponent), '0');
+  text.insert(text.size() - static_cast<std::size_t>(-unit), ".");
+  return text;
+}
+
+/// The decimal of to_readable_string. `square` is that of the number, and not 0.
+std::string readable_decimal(bool negative, const Rational& square) {
+  constexpr long kDigits = 6;
+  // The number over 10^unit, rounded: half of floor(2 x) + 1.
+  const auto units = [&](long unit) {
+    const Rational scaled = shifted(4 * square, -2 * unit);
+    return Integer((sqrt(Integer(numerator(scaled) / denominator(scaled))) + 1) / 2);
+  };
+  const auto length = [](const Integer& n) {  // in decimal digits, or one more
+    return static_cast<long>(mpz_sizeinbase(n.backend().data(), 10));
+  };
+  // From a unit that is too small, by a few powers of ten.
+  long unit = (length(numerator(square)) - length(denominator(square))) / 2 - kDigits - 1;
+  Integer digits = units(unit);
+  while (digits >= power_of_ten(kDigits)) digits = units(++unit);
+  const bool is_exact = shifted(digits * digits, 2 * unit) == square;
+  return (is_exact ? "" : std::string(1, kRounded)) + (negative ? "-" : "") +
+         spell_decimal(std::move(digits), unit);
+}
+
 struct Mpfr {
   explicit Mpfr(mpfr_prec_t precision) { mpfr_init2(value, precision); }
   ~Mpfr() { mpfr_clear(value); }
@@ -130,8 +174,14 @@ Rational rational_from_double(double value) {
 }
 
 double to_double(const Rational& value) {
-  Mpfr rounded(std::numeric_limits<double>::digits);
-  mpfr_set_q(rounded.value, value.backend().data(), MPFR_RNDN);
+  using Double = std::numeric_limits<double>;
+  Mpfr rounded(Double::digits);
+  // With the exponents of doubles, so that a subnormal is rounded once, to the digits it has.
+  const mpfr_exp_t before = mpfr_get_emin();
+  mpfr_set_emin(Double::min_exponent - Double::digits + 1);
+  const int direction = mpfr_set_q(rounded.value, value.backend().data(), MPFR_RNDN);
+  mpfr_subnormalize(rounded.value, direction, MPFR_RNDN);
+  mpfr_set_emin(before);
   return mpfr_get_d(rounded.value, MPFR_RNDN);
 }
 
@@ -167,11 +217,16 @@ DecimalEnclosure enclose_sqrt(const Rational& factor, const Rational& radicand, 
 }
 
 std::string to_readable_string(const Rational& value) {
-  constexpr std::size_t kReadable = 40;
-  std::string exact = to_string(value);
-  if (exact.size() <= kReadable) return exact;
-  const DecimalEnclosure enclosure = enclose_sqrt(value, 1, 9);
-  return enclosure.lower + ".." + enclosure.upper;
+  const Integer bound = power_of_ten(denominator(value) == 1 ? 9 : 2);
+  if (abs(numerator(value)) < bound && denominator(value) < bound) return to_string(value);
+  return readable_decimal(value.sign() < 0, value * value);
+}
+
+std::string to_readable_string(const Rational& factor, const Rational& radicand) {
+  require(radicand.sign() >= 0, "to_readable_string of the root of a negative number");
+  if (const auto root = exact_sqrt(radicand)) return to_readable_string(factor * *root);
+  if (factor.is_zero()) return "0";
+  return readable_decimal(factor.sign() < 0, factor * factor * radicand);
 }
 
 }  // namespace stickslip

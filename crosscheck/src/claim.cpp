@@ -76,8 +76,7 @@ ClaimReport judge_claim(const Question& question, const Claim& claim,
   ConeOptions cone;
   cone.node_limit = options.node_limit;
   ClaimReport report;
-  report.decision =
-      decide(problem, options.node_limit != 0 ? Engine::kCone : Engine::kAuto, cone);
+  report.decision = decide(problem, Engine::kAuto, cone);
   report.residuals = residuals_of(problem, solution);
   report.scale = residual_scale(question.loaded, solution);
   if (solution.twist) report.claimed_slip = slip_signs(problem, *solution.twist);

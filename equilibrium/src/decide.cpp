@@ -26,9 +26,6 @@ std::vector<std::string> child_conditions(const RefutationNode& node) {
 }  // namespace
 
 Decision decide(const Problem& problem, Engine engine, const ConeOptions& options) {
-  if (engine == Engine::kAuto) {
-    engine = problem.size() <= kMostContactsForStates ? Engine::kStates : Engine::kCone;
-  }
   if (engine == Engine::kStates) {
     StatesWork work;
     Verdict verdict = decide_by_states(problem, &work);

@@ -74,7 +74,7 @@ class Decide(Case):
     def test_stable_in_json(self):
         answer = self.json("decide", FIG1)
         self.assertEqual([answer[key] for key in ("verdict", "engine", "normal_law", "wrench")],
-                         ["stable", "states", "unilateral", ["0", "-11/10", "0"]])
+                         ["stable", "cone", "unilateral", ["0", "-11/10", "0"]])
         self.assertEqual(len(answer["twist"]), 3)
         self.assertEqual(len(answer["contacts"]), 3)
         total = [Fraction(w) for w in answer["wrench"]]
@@ -94,7 +94,7 @@ class Decide(Case):
         for engine in ("states", "cone", "auto"):
             answer = self.json("decide", FIG1, *UP, "--engine", engine)
             self.assertEqual(answer["verdict"], "unstable")
-            self.assertEqual(answer["engine"], "states" if engine == "auto" else engine)
+            self.assertEqual(answer["engine"], "cone" if engine == "auto" else engine)
             self.assertGreaterEqual(answer["refutation"]["leaves"], 1)
             self.assertNotIn("twist", answer)
 
@@ -108,18 +108,53 @@ class Decide(Case):
         self.assertGreater(high * high, 2)
         self.assertLess(high - low, Fraction(1, 10**15))
 
-    def test_long_rationals_are_enclosed_in_text_and_whole_in_json(self):
+    def test_long_rationals_are_rounded_in_text_and_whole_if_asked_for(self):
         primes = [101, 103, 107, 109, 113, 127, 131, 137, 139, 149, 151, 157]
         contacts = [{"position": [x, f"1/{p}"], "normal": [-x, f"1/{p + 1}"], "friction": "1/2"}
                     for p in primes for x in (-1, 1)]
         grasp = self.write("g.json", {"format": "stickslip-grasp/1", "contacts": contacts,
                                       "wrench": ["1/7", "-1/11", "1/13"]})
-        text = stickslip("decide", grasp, "--engine", "cone")[1]
-        self.assertLess(max(map(len, text.splitlines())), 160)
-        self.assertIn("--json has every rational in full", text)
-        answer = self.json("decide", grasp, "--engine", "cone")
+        text = stickslip("decide", grasp)[1]
+        self.assertLess(max(map(len, text.splitlines())), 100)
+        self.assertIn("~ marks what is rounded", text)
+        answer = self.json("decide", grasp)
         self.assertGreater(len(answer["twist"][0]), 60)
-        self.assertNotIn("--json", stickslip("decide", FIG1)[1])
+        whole = stickslip("decide", grasp, "--exact")[1]
+        self.assertIn("  motion d  (" + ", ".join(answer["twist"]) + ")", whole)
+        self.assertNotIn("~", whole)
+        shown = re.search(r"motion d  \((.*)\)", text)[1].split(", ")
+        for number, exact in zip(shown, answer["twist"]):
+            self.assertRegex(number, r"^~-?[0-9.]{1,9}(e-?[0-9]+)?$")
+            self.assertAlmostEqual(float(number[1:]) / float(Fraction(exact)), 1, delta=1e-5)
+        self.assertNotIn("~", stickslip("decide", FIG1)[1])
+
+    def test_irrational_magnitudes_in_text(self):
+        grasp = self.write("g.json", {
+            "format": "stickslip-grasp/1", "wrench": [-1, -1, 0],
+            "contacts": [{"position": [0, 0], "normal": [1, 1], "friction": 0}]})
+        self.assertIn("~1.41421           0  (1, 1)", stickslip("decide", grasp)[1])
+        whole = stickslip("decide", grasp, "--exact")[1]
+        self.assertRegex(whole, r"1\.414213562373095\d*\.\.1\.414213562373095\d* +0  \(1, 1\)")
+        self.assertIn("a..b encloses an irrational number.", whole)
+
+    def test_virtual_twist_is_scaled(self):
+        grasp = self.write("g.json", {
+            "format": "stickslip-grasp/1", "wrench": [0.1, 1.0000001, 0.003],
+            "defaults": {"friction": 0.1234567}, "contacts": [
+                {"position": [0.0301234567, 0.0112345678], "normal": [0.8944271909, 0.4472135955]},
+                {"position": [-0.0301234567, 0.0112345678], "normal": [-0.707106781, 0.70710678]}]})
+        code, text, _ = stickslip("decide", grasp)
+        self.assertEqual((code, text.split("\n")[0]), (DONE, "unstable"))
+        twist = re.search(r"twist \((.*?)\)", text)[1].split(", ")
+        entries = [Fraction(entry.strip("~")) for entry in twist]
+        largest = max(map(abs, entries))
+        self.assertTrue(largest == 1 or (largest < 100 and "~" not in "".join(twist)), twist)
+        whole = re.search(r"twist \((.*?)\)", stickslip("decide", grasp, "--exact")[1])[1]
+        exact = [Fraction(entry) for entry in whole.split(", ")]
+        for entry, integer in zip(entries, exact):
+            self.assertEqual(integer.denominator, 1)
+            self.assertAlmostEqual(float(entry / largest), float(integer / max(map(abs, exact))),
+                                   delta=2e-6)
 
     def test_text_says_what_the_json_says(self):
         for options, word in (((), "stable"), (UP, "unstable")):
@@ -524,6 +559,79 @@ class Region(Case):
     def test_same_bytes(self):
         words = ("region", FIG4, "--preload", "1", "--list", "--json")
         self.assertEqual(stickslip(*words), stickslip(*words))
+
+
+class Floats(Case):
+    """--json --floats: every member X of exact numbers has a member X_float beside it."""
+
+    WORDS = {"name", "slip", "closed", "claimed_slip", "states", "saved"}  # may look like numbers
+
+    def numbers(self, value):
+        """The nearest doubles to the exact numbers that a member is, or None if it is not such."""
+        if isinstance(value, str) and re.fullmatch(r"-?\d+(/\d+|\.\d+)?(e[-+]\d+)?", value):
+            try:
+                return float(Fraction(value))
+            except OverflowError:
+                return "beyond"
+        if isinstance(value, list):
+            entries = [self.numbers(entry) for entry in value if entry is not None]
+            if entries and None not in entries:
+                rest = iter(entries)
+                return [None if entry is None else next(rest) for entry in value]
+        return None
+
+    def check(self, value):
+        """How many there are; and takes them out."""
+        if isinstance(value, list):
+            return sum(map(self.check, value))
+        if not isinstance(value, dict):
+            return 0
+        found = 0
+        for key in list(value):
+            if key.endswith("_float"):
+                continue
+            expected = None if key in self.WORDS else self.numbers(value[key])
+            if expected is None:
+                self.assertNotIn(key + "_float", value)
+                found += self.check(value[key])
+            else:
+                found += 1
+                beyond = json.dumps(expected).replace('"beyond"', "null")
+                self.assertEqual(value.pop(key + "_float"), json.loads(beyond), key)
+        return found
+
+    def test_every_answer(self):
+        claims = self.write("claims.jsonl", json.dumps(
+            {"grasp": FIG4, "claim": {"verdict": "stable", "twist": [0, 1, 0.1],
+                                      "force_vectors": [[1, 0.3]] * 4}}) + "\n")
+        diagonal = self.write("0.json", {
+            "format": "stickslip-grasp/1", "wrench": [-1, "-9/10", 0], "name": "5",
+            "defaults": {"friction": "1/7"},
+            "contacts": [{"position": [0, 0], "normal": [1, 1]}]})
+        for at_least, *words in ((8, "decide", FIG1), (1, "decide", FIG1, *UP), (3, "decide", SNAP),
+                                 (5, "decide", diagonal), (3, "margin", FIG1, "--direction=0,1/3,0"),
+                                 (5, "region", FIG1, "--preload", "1/3", "--list"),
+                                 (8, "compare", FIG4), (6, "compare", diagonal)):
+            plain = self.json(*words)
+            self.assertNotIn("_float", json.dumps(plain))
+            answer = self.json(*words, "--floats")
+            self.assertGreaterEqual(self.check(answer), at_least, words)
+            self.assertEqual(answer, plain)
+        _, plain, _ = stickslip("crosscheck", claims, "--json")
+        _, out, _ = stickslip("crosscheck", claims, "--json", "--floats")
+        answers = [json.loads(line) for line in out.splitlines()]
+        self.assertGreaterEqual(self.check(answers), 5)
+        self.assertEqual(answers, [json.loads(line) for line in plain.splitlines()])
+
+    def test_beyond_doubles(self):
+        answer = self.json("decide", FIG1, "--wrench", "1e400,-1e-400,123456789123456789123/7",
+                           "--floats")
+        self.assertEqual(answer["wrench_float"], [None, 0, 123456789123456789123 / 7])
+        text = stickslip("decide", FIG1, "--wrench", "1e400,-1e-400,123456789123456789123/7")[1]
+        self.assertIn("(1e400, -1e-400, ~1.76367e19)", text)
+
+    def test_usage(self):
+        self.fails("decide", FIG1, "--floats", naming=["--json"])
 
 
 class Export(Case):

@@ -161,6 +161,28 @@ TEST(ToDouble, LeavesTheRangeGracefully) {
   EXPECT_EQ(to_double(Rational(1, 3)), 1.0 / 3.0);
 }
 
+/// Beside the middle of two doubles, where rounding twice goes wrong.
+TEST(ToDouble, IsTheNearest) {
+  Random random(7);
+  std::uniform_int_distribution<std::uint64_t> bits;
+  for (int i = 0; i < 5000; ++i) {
+    std::uint64_t pattern = bits(random.engine()) >> 1U;
+    if (i % 2 == 0) pattern >>= static_cast<unsigned>(random.integer(11, 62));  // subnormal
+    double value = 0;
+    std::memcpy(&value, &pattern, sizeof value);
+    const double above = std::nextafter(value, std::numeric_limits<double>::infinity());
+    if (!std::isfinite(above)) continue;
+    const Rational low = rational_from_double(value);
+    const Rational middle = (low + rational_from_double(above)) / 2;
+    const Rational little = ten_to(-1200);
+    const bool is_even = pattern % 2 == 0;
+    EXPECT_EQ(to_double(middle - little), value);
+    EXPECT_EQ(to_double(middle + little), above);
+    EXPECT_EQ(to_double(middle), is_even ? value : above);
+    EXPECT_EQ(to_double(-middle - little), -above);
+  }
+}
+
 TEST(ExactSqrt, FindsExactlyTheRationalRoots) {
   EXPECT_EQ(exact_sqrt(0), Rational(0));
   EXPECT_EQ(exact_sqrt(1), Rational(1));
@@ -232,14 +254,112 @@ TEST(Division, ByZeroThrows) {
   EXPECT_THROW(Rational(1) / Rational(0), std::overflow_error);
 }
 
-TEST(ReadableString, IsExactUnlessLong) {
-  EXPECT_EQ(to_readable_string(Rational(-3, 7)), "-3/7");
-  const Integer twenty_digits("12345678901234567890");
-  const Rational short_enough(twenty_digits, Integer("1234567890123456789"));
-  EXPECT_EQ(to_readable_string(short_enough), to_string(short_enough));
-  const Rational beyond(twenty_digits, Integer("12345678901234567891"));
-  EXPECT_EQ(to_readable_string(beyond), "0.999999999..1");
-  EXPECT_EQ(to_readable_string(-beyond), "-1..-0.999999999");
+/// x as [~][-]digits[.digits][e[-]digits] means it, whatever its size.
+Rational meant(std::string text) {
+  if (text.front() == kRounded) text.erase(0, 1);
+  const std::size_t e = text.find('e');
+  const Rational mantissa = parse_rational(text.substr(0, e));
+  return e == std::string::npos ? mantissa
+                                : Rational(mantissa * ten_to(std::stoi(text.substr(e + 1))));
+}
+
+TEST(ReadableString, SpellsShortNumbersInFullAndRoundsOthers) {
+  const struct {
+    Rational value;
+    const char* text;
+  } kCases[] = {
+      {0, "0"},
+      {-2, "-2"},
+      {123456789, "123456789"},
+      {-123456789, "-123456789"},
+      {1234567890, "~1.23457e9"},
+      {1000000000, "1e9"},
+      {Rational(11, 10), "11/10"},
+      {Rational(-3, 7), "-3/7"},
+      {Rational(99, 98), "99/98"},
+      {Rational(1, 100), "0.01"},
+      {Rational(100, 3), "~33.3333"},
+      {Rational(-1, 300), "~-0.00333333"},
+      {Rational(10767, 500), "21.534"},
+      {Rational(981, 100), "9.81"},
+      {Rational(1, 128), "0.0078125"},
+      {Rational(1, 1024), "~0.000976563"},  // 0.0009765625
+      {Rational(1, 10000), "0.0001"},
+      {Rational(1, 100000), "1e-5"},
+      {Rational(-1, 80000), "-1.25e-5"},
+      {Rational(1999999, 2), "~1e6"},  // 999999.5
+      {Rational(1999998, 10), "~200000"},
+      {Rational(1999999, 10), "~200000"},
+      {Rational(9999994, 10000000), "~0.999999"},
+      {Rational(9999995, 10000000), "~1"},
+      {Rational(1234565, 1000000), "~1.23457"},    // a tie
+      {Rational(-1234565, 1000000), "~-1.23457"},  // a tie
+      {Rational(1000001, 2), "~500001"},           // a tie
+      {ten_to(400), "1e400"},
+      {Rational(-1) / ten_to(400), "-1e-400"},
+      {Rational(ten_to(400) + 1), "~1e400"},
+      {Rational(2 * ten_to(5000) / 3), "~6.66667e4999"},
+      {Rational(2) / (3 * ten_to(5000)), "~6.66667e-5001"},
+  };
+  for (const auto& [value, text] : kCases) EXPECT_EQ(to_readable_string(value), text) << value;
+}
+
+TEST(ReadableString, IsExactWithoutTheMarkAndNearestWithIt) {
+  Random random(5);
+  int exact = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const int length = random.integer(1, 40);
+    Rational value = random.big(length) * ten_to(random.integer(-20, 20));
+    // Many that are short decimals, or beside the middle of two.
+    if (i % 3 == 0) value = Rational(random.digits(7), 2) * ten_to(random.integer(-9, 3));
+    if (i % 6 == 0) value += random.integer(-1, 1) * ten_to(-60);
+    const std::string text = to_readable_string(value);
+    SCOPED_TRACE(to_string(value) + " as " + text);
+    EXPECT_LE(text.size(), std::strlen("~-0.000123456") + 1);
+    EXPECT_EQ(to_readable_string(value, 1), text);
+    EXPECT_EQ(to_readable_string(Rational(value / 3), 9), text);
+    const Rational shown = meant(text);
+    if (text.front() != kRounded) {
+      ++exact;
+      EXPECT_EQ(shown, value);
+      continue;
+    }
+    EXPECT_NE(shown, value);
+    // The naive twin: the unit of the sixth digit, by trying one power of ten after the other.
+    Rational unit = ten_to(-70);
+    while (abs(value) >= 1000000 * unit) unit *= 10;
+    EXPECT_LE(2 * abs(Rational(shown - value)), unit);
+    EXPECT_EQ(denominator(Rational(shown / unit)), 1);
+    if (2 * abs(Rational(shown - value)) == unit) {
+      EXPECT_GT(abs(shown), abs(value));
+    }
+  }
+  EXPECT_GT(exact, 100);
+}
+
+TEST(ReadableString, OfARootIsTheNearestDecimal) {
+  EXPECT_EQ(to_readable_string(1, 2), "~1.41421");
+  EXPECT_EQ(to_readable_string(Rational(-1, 2), 2), "~-0.707107");
+  EXPECT_EQ(to_readable_string(0, 2), "0");
+  EXPECT_EQ(to_readable_string(5, 0), "0");
+  EXPECT_EQ(to_readable_string(Rational(1, 2), Rational(121, 25)), "11/10");
+  EXPECT_EQ(to_readable_string(ten_to(-500), 2), "~1.41421e-500");
+  EXPECT_THROW(to_readable_string(1, -1), ContractError);
+  Random random(6);
+  for (int i = 0; i < 1000; ++i) {
+    const Rational factor = random.big(30);
+    const Rational radicand = abs(random.big(30));
+    const std::string text = to_readable_string(factor, radicand);
+    if (text.front() != kRounded || exact_sqrt(radicand)) continue;
+    const Rational square = factor * factor * radicand;
+    Rational unit = ten_to(-70);
+    while (square >= ten_to(12) * unit * unit) unit *= 10;
+    const Rational shown = abs(meant(text));
+    const Rational low = shown - unit / 2;
+    const Rational high = shown + unit / 2;
+    EXPECT_LE(low * low, square) << text;
+    EXPECT_GE(high * high, square) << text;
+  }
 }
 
 }  // namespace

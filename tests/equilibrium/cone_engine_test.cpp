@@ -187,12 +187,10 @@ TEST(ConeEngine, MixedMagnitudesBeyondDoubles) {
   judge_mixed_magnitudes({"1e-330", "1e-170", "1", "1e170", "1e330"});
 }
 
-TEST(Decide, PicksTheEngineByTheNumberOfContacts) {
-  const LoadedGrasp small{fig1_grasp(1), {0, 1, 0}};
-  EXPECT_STREQ(decide(Problem(small, NormalLaw::kUnilateral)).engine(), "states");
-  const Problem large(arc(kMostContactsForStates + 1, 1, true), NormalLaw::kUnilateral);
-  EXPECT_STREQ(decide(large).engine(), "cone");
-  EXPECT_STREQ(decide(large, Engine::kStates).engine(), "states");
+TEST(Decide, TakesTheConeEngineUnlessAskedForTheOther) {
+  const Problem problem(LoadedGrasp{fig1_grasp(1), {0, 1, 0}}, NormalLaw::kUnilateral);
+  EXPECT_STREQ(decide(problem).engine(), "cone");
+  EXPECT_STREQ(decide(problem, Engine::kStates).engine(), "states");
 }
 
 TEST(Decide, SummaryNamesTheLargestCase) {

@@ -42,7 +42,7 @@ def balance(grasp, decision):
 def test_the_paper(fig1, engine, wrench, preload, verdict):
     decision = decide(fig1, wrench, preload=preload, engine=engine)
     assert decision.verdict == verdict
-    assert decision.engine == ("states" if engine == "auto" else engine)
+    assert decision.engine == ("cone" if engine == "auto" else engine)
     if verdict == "stable":
         assert balance(fig1, decision) == [0, 0, 0]
         for (a, b), mu in zip(decision.coefficients, fig1.friction):

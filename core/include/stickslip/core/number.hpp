@@ -46,8 +46,8 @@ std::string to_string(const Rational& value);
 /// The dyadic rational that a finite double is. Throws NumberError for NaN and infinities.
 Rational rational_from_double(double value);
 
-/// A double near `value` (within one unit in the last place; ±infinity or 0 beyond
-/// the range). For display and for proposals that exact arithmetic then judges.
+/// The double nearest to `value`, ties to even; ±infinity or 0 beyond the range. For display
+/// and for proposals that exact arithmetic then judges.
 double to_double(const Rational& value);
 
 /// sqrt(value) if it is rational, nothing otherwise. Requires value >= 0.
@@ -64,8 +64,16 @@ struct DecimalEnclosure {
 DecimalEnclosure enclose_sqrt(const Rational& factor, const Rational& radicand,
                               int digits = 17);
 
-/// For people: to_string(value) if that has at most 40 characters, else an enclosure of nine
-/// significant digits, "lower..upper".
+/// What a number begins with that is rounded, not exact, in what is written for people.
+inline constexpr char kRounded = '~';
+
+/// For people. An integer of at most nine digits and a fraction of at most two digits over two
+/// are written in full: "-2", "11/10". All else is a decimal of at most six significant digits,
+/// with an exponent below 1e-4 and from 1e6 on: "21.534", "1e400". If that is not the exact
+/// value but the nearest (ties away from 0), it begins with kRounded: "~0.142857".
 std::string to_readable_string(const Rational& value);
+
+/// The same of factor * sqrt(radicand). Requires radicand >= 0.
+std::string to_readable_string(const Rational& factor, const Rational& radicand);
 
 }  // namespace stickslip

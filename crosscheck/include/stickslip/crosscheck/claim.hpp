@@ -43,8 +43,7 @@ struct ClaimOptions {
   /// Residuals up to this fraction of the forces and motions at hand count as none
   /// (ResidualScale).
   Rational residual_tolerance = Rational(1, 1000000);
-  /// For each verdict and each margin; 0 is no limit. With a limit the cone engine decides,
-  /// whatever the number of contacts.
+  /// For each verdict and each margin; 0 is no limit.
   std::size_t node_limit = 0;
   /// Compute distances to the threshold for right claims as well.
   bool all_distances = false;

@@ -13,11 +13,9 @@
 
 namespace stickslip {
 
-/// kAuto is kStates up to kMostContactsForStates contacts, kCone beyond.
+/// kStates is the method of the paper and the reference. kAuto is kCone, which measures faster
+/// (bench/README.md).
 enum class Engine { kAuto, kStates, kCone };
-
-/// Up to here the reference engine takes a few milliseconds (bench/README.md).
-inline constexpr std::size_t kMostContactsForStates = 4;
 
 /// The answer to a question, and what it took.
 struct Decision {

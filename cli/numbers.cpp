@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "numbers.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+// Exact numbers wait for finished() as binary values, the bytes of their text: no other value
+// in a tree is one, while a name or a slip state can look like a number.
+Json marked(const std::string& number) {
+  return Json::binary({number.begin(), number.end()});
+}
+
+std::string text_of(const Json& number) {
+  const auto& bytes = number.get_binary();
+  return {bytes.begin(), bytes.end()};
+}
+
+bool holds_numbers(const Json& value) {
+  return value.is_binary() ||
+         (value.is_array() && std::any_of(value.begin(), value.end(), holds_numbers));
+}
+
+Json nearest_doubles(const Json& value) {
+  if (value.is_binary()) {
+    const double nearest = to_double(parse_rational(text_of(value)));
+    return std::isfinite(nearest) ? Json(nearest) : Json();
+  }
+  if (!value.is_array()) return value;
+  Json doubles = Json::array();
+  for (const Json& entry : value) doubles.push_back(nearest_doubles(entry));
+  return doubles;
+}
+
+}  // namespace
+
+void NumberOptions::add_to(CLI::App& command, const std::string& json_description) {
+  CLI::Option* json_option = command.add_flag("--json", json, json_description);
+  command
+      .add_flag("--floats", floats,
+                "With --json: beside each member X of exact numbers a member X_float, the "
+                "nearest doubles")
+      ->needs(json_option);
+  command.add_flag("--exact", exact, "Print all digits of every number in text");
+}
+
+std::string NumberText::operator()(const Rational& value) {
+  if (exact_) return to_string(value);
+  std::string text = to_readable_string(value);
+  has_rounded_ |= text.front() == kRounded;
+  return text;
+}
+
+std::string NumberText::root(const Rational& factor, const Rational& radicand) {
+  if (const auto root = exact_sqrt(radicand)) return (*this)(factor * *root);
+  if (factor.is_zero()) return "0";
+  if (exact_) {
+    has_enclosed_ = true;
+    const DecimalEnclosure enclosure = enclose_sqrt(factor, radicand);
+    return enclosure.lower + ".." + enclosure.upper;
+  }
+  has_rounded_ = true;
+  return to_readable_string(factor, radicand);
+}
+
+std::string NumberText::tuple(const std::vector<Rational>& v) {
+  std::string text;
+  for (const Rational& entry : v) text += (text.empty() ? "(" : ", ") + (*this)(entry);
+  return text + ")";
+}
+
+std::string NumberText::scaled_tuple(std::vector<Rational> v) {
+  if (exact_) return tuple(v);
+  constexpr int kLargestSmallInteger = 99;
+  Rational largest = 0;
+  Integer common = 1;
+  for (const Rational& entry : v) {
+    largest = std::max(largest, Rational(abs(entry)));
+    common = lcm(common, denominator(entry));
+  }
+  if (largest.is_zero()) return tuple(v);
+  Integer divisor = 0;
+  for (const Rational& entry : v) divisor = gcd(divisor, numerator(Rational(entry * common)));
+  const Rational to_integers(common, divisor);
+  const Rational scale =
+      largest * to_integers <= kLargestSmallInteger ? to_integers : Rational(1 / largest);
+  for (Rational& entry : v) entry *= scale;
+  return tuple(v);
+}
+
+std::string NumberText::note() const {
+  std::string text;
+  if (has_rounded_) {
+    text += "~ marks what is rounded to six digits; --exact prints all digits.\n";
+  }
+  if (has_enclosed_) text += "a..b encloses an irrational number.\n";
+  return text;
+}
+
+Json number_json(const Rational& value) {
+  return marked(to_string(value));
+}
+
+Json number_json(const DecimalEnclosure& enclosure) {
+  return Json::array({marked(enclosure.lower), marked(enclosure.upper)});
+}
+
+Json number_json(const Vector2& v) {
+  return Json::array({number_json(v.x), number_json(v.y)});
+}
+
+Json finished(const Json& tree, bool floats) {
+  if (tree.is_binary()) return text_of(tree);
+  if (!tree.is_structured()) return tree;
+  Json result = tree.is_array() ? Json::array() : Json::object();
+  for (const auto& [key, value] : tree.items()) {
+    if (tree.is_array()) {
+      result.push_back(finished(value, floats));
+      continue;
+    }
+    result[key] = finished(value, floats);
+    if (floats && holds_numbers(value)) result[key + "_float"] = nearest_doubles(value);
+  }
+  return result;
+}
+
+Json snapped_json(const Question& question) {
+  Json json = Json::array();
+  for (const SnappedNormal& normal : question.snapped) {
+    json.push_back({{"contact", normal.contact.index()},
+                    {"normal", number_json(normal.after)},
+                    {"moved_at_most", marked(normal.moved)}});
+  }
+  return json;
+}
+
+std::string snapped_text(const Question& question, NumberText& text) {
+  std::string lines;
+  for (const SnappedNormal& normal : question.snapped) {
+    lines += "  contact " + std::to_string(normal.contact.index()) + ": normal snapped to " +
+             text(normal.after) + ", moved by at most " + normal.moved + '\n';
+  }
+  return lines;
+}
+
+}  // namespace stickslip

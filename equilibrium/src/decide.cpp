@@ -70,6 +70,7 @@ RefutationSummary summarize(const Refutation& refutation) {
   summary.nodes = refutation.size();
   // The path to the current node: the conditions of the children still to come, last first.
   struct Level {
+    const RefutationNode* node;
     std::vector<std::string> conditions;
     std::size_t current = 0;
   };
@@ -81,15 +82,23 @@ RefutationSummary summarize(const Refutation& refutation) {
       if (!found || path.size() < summary.largest_case.size()) {
         found = true;
         summary.largest_case.clear();
+        summary.largest_case_slips.clear();
+        summary.largest_case_open.clear();
         for (const Level& level : path) {
           summary.largest_case.push_back(level.conditions[level.current]);
+          if (const auto* slip = std::get_if<SlipSplit>(level.node)) {
+            constexpr Sign kSlips[] = {Sign::kPositive, Sign::kZero, Sign::kNegative};
+            summary.largest_case_slips[slip->contact] = kSlips[level.current];
+          } else if (const auto* separation = std::get_if<SeparationSplit>(level.node)) {
+            if (level.current == 1) summary.largest_case_open.insert(separation->contact);
+          }
         }
         summary.largest_case_twist = leaf->twist;
       }
     }
     std::vector<std::string> conditions = child_conditions(node);
     if (!conditions.empty()) {
-      path.push_back({std::move(conditions), 0});
+      path.push_back({&node, std::move(conditions), 0});
       continue;
     }
     while (!path.empty() && ++path.back().current == path.back().conditions.size()) {

@@ -207,6 +207,19 @@ TEST(Decide, SummaryNamesTheLargestCase) {
   EXPECT_EQ(summary.leaves, 3u);
   EXPECT_EQ(summary.largest_case, std::vector<std::string>{"contact 2 slips -"});
   EXPECT_EQ(summary.largest_case_twist[0], 3);
+  const std::map<ContactId, Sign> slips{{ContactId(2), Sign::kNegative}};
+  EXPECT_TRUE(summary.largest_case_slips == slips);
+  EXPECT_TRUE(summary.largest_case_open.empty());
+}
+
+TEST(Decide, SummaryKnowsWhichContactsAreOpen) {
+  const Refutation tree{SlipSplit{ContactId(2)},        VoidLeaf{},
+                        SeparationSplit{ContactId(0)},  VoidLeaf{},
+                        VirtualWorkLeaf{{1, 0, 0}, {}}, VoidLeaf{}};
+  const RefutationSummary summary = summarize(tree);
+  const std::map<ContactId, Sign> slips{{ContactId(2), Sign::kZero}};
+  EXPECT_TRUE(summary.largest_case_slips == slips);
+  EXPECT_TRUE(summary.largest_case_open == std::set<ContactId>{ContactId(0)});
 }
 
 }  // namespace

@@ -3,11 +3,14 @@
 /// One call for a verdict, by either engine.
 #pragma once
 
+#include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "stickslip/core/sign.hpp"
 #include "stickslip/equilibrium/cone_engine.hpp"
 #include "stickslip/equilibrium/states_engine.hpp"
 
@@ -46,7 +49,9 @@ struct RefutationSummary {
   std::size_t leaves = 0;  ///< cases: virtual-work leaves
   /// The conditions of the case with the fewest, in words ("contact 3 slips +"), and its twist.
   std::vector<std::string> largest_case;
-  IntegerVector<3> largest_case_twist{};  ///< the virtual twist (x, y, r) of that case
+  std::map<ContactId, Sign> largest_case_slips;  ///< the contacts whose slip that case fixes
+  std::set<ContactId> largest_case_open;         ///< the contacts that are open in it
+  IntegerVector<3> largest_case_twist{};         ///< the virtual twist (x, y, r) of that case
 };
 
 /// Counts, and the case that says most at once. O(nodes).

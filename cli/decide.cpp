@@ -147,7 +147,7 @@ void print_text(const Question& question, const Problem& problem, const Decision
              "in full.\n";
     }
   } else if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
-    explain(summarize(unstable->refutation));
+    explain(summarize(unstable->refutation, &problem));
   } else {
     std::cout << "\nGiven up at " << std::get<Undecided>(verdict).limit
               << "; nothing is known about the verdict.\n";

@@ -157,7 +157,8 @@ class GraspReader {
   }
 
   void add_refutation(const Refutation& refutation) {
-    const RefutationSummary proof = summarize(refutation);
+    const Problem problem(question_.loaded, question_.law);
+    const RefutationSummary proof = summarize(refutation, &problem);
     if (proof.leaves == 0) {
       ink_.caption.push_back("The normal law allows no motion at all.");
       return;

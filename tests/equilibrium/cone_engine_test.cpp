@@ -212,6 +212,24 @@ TEST(Decide, SummaryNamesTheLargestCase) {
   EXPECT_TRUE(summary.largest_case_open.empty());
 }
 
+TEST(Decide, SummaryShowsTheCaseThatLooksLikeTheFailure) {
+  LoadedGrasp loaded;
+  loaded.grasp =
+      Grasp(std::vector<Contact>{{{0, 0}, {1, 0}, Rational(1, 2)}});  // tangent (0, 1)
+  const Problem problem(loaded, NormalLaw::kUnilateral);
+  const VirtualWorkLeaf up{{0, -1, 0}, {}};  // what the object does is against the twist
+  const Refutation slips{SlipSplit{ContactId(0)}, VirtualWorkLeaf{{0, 1, 0}, {}}, up, up};
+  EXPECT_EQ(summarize(slips, &problem).largest_case[0], "contact 0 slips +");
+  const Refutation swapped{SlipSplit{ContactId(0)}, VoidLeaf{}, up,
+                           VirtualWorkLeaf{{0, 2, 0}, {}}};
+  EXPECT_EQ(summarize(swapped, &problem).largest_case[0], "contact 0 slips -");
+  EXPECT_EQ(summarize(swapped, &problem).largest_case_twist[1], 2);
+  EXPECT_EQ(summarize(swapped).largest_case[0], "contact 0 sticks");
+  const Refutation opens{SeparationSplit{ContactId(0)}, up, VirtualWorkLeaf{{-1, 0, 0}, {}}};
+  EXPECT_EQ(summarize(opens, &problem).largest_case[0], "contact 0 is open");
+  EXPECT_EQ(summarize(opens, &problem).leaves, 2u);
+}
+
 TEST(Decide, SummaryKnowsWhichContactsAreOpen) {
   const Refutation tree{SlipSplit{ContactId(2)},        VoidLeaf{},
                         SeparationSplit{ContactId(0)},  VoidLeaf{},

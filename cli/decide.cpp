@@ -147,7 +147,7 @@ void print_text(const Question& question, const Problem& problem, const Decision
            "the normal turned\nby +90 degrees, - against it, 0 sticks. An open contact is "
            "detached.\n";
   } else if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
-    explain(summarize(unstable->refutation), text);
+    explain(summarize(unstable->refutation, &problem), text);
   } else {
     std::cout << "\nGiven up at " << std::get<Undecided>(verdict).limit
               << "; nothing is known about the verdict.\n";

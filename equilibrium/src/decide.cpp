@@ -23,6 +23,20 @@ std::vector<std::string> child_conditions(const RefutationNode& node) {
   return {};
 }
 
+/// How many contacts slip or open as the case says when the object moves against its twist.
+std::size_t count_alike(const RefutationSummary& found, const Problem& problem) {
+  const IntegerVector<3> y = negated(found.largest_case_twist);
+  const Twist drift{y[0], y[1], y[2]};
+  std::size_t count = 0;
+  for (const auto& [contact, slip] : found.largest_case_slips) {
+    if (sign_of(power(problem.row(contact).tangent, drift)) == slip) ++count;
+  }
+  for (const ContactId contact : found.largest_case_open) {
+    if (power(problem.row(contact).normal, drift).sign() > 0) ++count;
+  }
+  return count;
+}
+
 }  // namespace
 
 Decision decide(const Problem& problem, Engine engine, const ConeOptions& options) {
@@ -63,31 +77,46 @@ std::vector<std::pair<std::string, std::size_t>> counters(const ConeWork& work) 
           {"largest_twist_bits", work.largest_twist_bits}};
 }
 
-RefutationSummary summarize(const Refutation& refutation) {
+RefutationSummary summarize(const Refutation& refutation, const Problem* problem) {
   RefutationSummary summary;
   summary.nodes = refutation.size();
   // The path to the current node: the conditions of the children still to come, last first.
   struct Level {
+    const RefutationNode* node;
     std::vector<std::string> conditions;
     std::size_t current = 0;
   };
   std::vector<Level> path;
-  bool found = false;
+  std::size_t most_alike = 0;
   for (const RefutationNode& node : refutation) {
     if (const auto* leaf = std::get_if<VirtualWorkLeaf>(&node)) {
       ++summary.leaves;
-      if (!found || path.size() < summary.largest_case.size()) {
-        found = true;
-        summary.largest_case.clear();
+      if (summary.leaves == 1 || path.size() <= summary.largest_case.size()) {
+        RefutationSummary found = summary;
+        found.largest_case.clear();
+        found.largest_case_slips.clear();
+        found.largest_case_open.clear();
+        found.largest_case_twist = leaf->twist;
         for (const Level& level : path) {
-          summary.largest_case.push_back(level.conditions[level.current]);
+          found.largest_case.push_back(level.conditions[level.current]);
+          if (const auto* slip = std::get_if<SlipSplit>(level.node)) {
+            constexpr Sign kSlips[] = {Sign::kPositive, Sign::kZero, Sign::kNegative};
+            found.largest_case_slips[slip->contact] = kSlips[level.current];
+          } else if (const auto* separation = std::get_if<SeparationSplit>(level.node)) {
+            if (level.current == 1) found.largest_case_open.insert(separation->contact);
+          }
         }
-        summary.largest_case_twist = leaf->twist;
+        const std::size_t alike = problem == nullptr ? 0 : count_alike(found, *problem);
+        if (summary.leaves == 1 || path.size() < summary.largest_case.size() ||
+            alike > most_alike) {
+          summary = std::move(found);
+          most_alike = alike;
+        }
       }
     }
     std::vector<std::string> conditions = child_conditions(node);
     if (!conditions.empty()) {
-      path.push_back({std::move(conditions), 0});
+      path.push_back({&node, std::move(conditions), 0});
       continue;
     }
     while (!path.empty() && ++path.back().current == path.back().conditions.size()) {

@@ -6,12 +6,20 @@
 
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/sign.hpp"
+#include "stickslip/equilibrium/decide.hpp"
 
 namespace stickslip {
 namespace {
 
 constexpr double kLongestCone = 0.7;
 const Rational kLongestMotion(3, 10);
+/// A load that would be shorter than this share of the longest force has a scale of its own,
+/// with at most the other length.
+const Rational kShortestLoad(1, 8);
+const Rational kEnlargedLoad(3, 5);
+const Rational kFarPivot(3, 2);  ///< from the centre, in scene units
+constexpr std::size_t kMostListed = 12;
+const Rational kLongTwist(100000);  ///< entries from here on are hard to read
 
 Vector2 displacement(const Vector2& point, const Twist& d) {
   return {d.x - d.r * point.y, d.y + d.r * point.x};
@@ -34,7 +42,7 @@ class GraspReader {
     ink_.frame = picture_frame(grasp_);
     ink_.contacts = contact_ink(grasp_, ink_.frame);
     ink_.outline = body_outline(ink_.contacts);
-    ink_.states.assign(grasp_.size(), ContactState::kUnknown);
+    ink_.marks.assign(grasp_.size(), ContactMark::kUnknown);
     for (std::size_t i = 0; i < grasp_.size(); ++i) ink_.cones.push_back(cone(i));
     choose_force_unit();
     add_load();
@@ -73,8 +81,15 @@ class GraspReader {
     ink_.torque =
         wrench_.torque - (ink_.frame.centre.x * wrench_.y - ink_.frame.centre.y * wrench_.x);
     const Vector2 force{wrench_.x, wrench_.y};
+    const Rational size = largest_entry(force);
+    if (!size.is_zero() && size < kShortestLoad * ink_.force_unit) {
+      ink_.load_factor = round_down(kEnlargedLoad * ink_.force_unit / size);
+    }
     ink_.arrows.push_back(
-        {{0, 0}, ink_.force(force), "load", {{"data-value", pair_text(force)}}});
+        {{0, 0},
+         ink_.force({ink_.load_factor * force.x, ink_.load_factor * force.y}),
+         "load",
+         {{"data-value", pair_text(force)}, {"data-factor", to_string(ink_.load_factor)}}});
     ink_.caption.push_back(
         "Applied wrench w = " + short_tuple({wrench_.x, wrench_.y, wrench_.torque}) +
         (ink_.frame.centre == Vector2{}
@@ -84,7 +99,8 @@ class GraspReader {
         ". Normal law: " + to_string(question_.law) + ".");
   }
 
-  /// Adds an arrow for the motion of each contact; returns the factor of enlargement.
+  /// Adds an arrow for the motion of each contact and the body's ghost; returns the factor of
+  /// enlargement.
   Rational add_motion(const Twist& d, const std::string& css_class) {
     // The contacts may move less than the body, and not at all.
     Rational largest = std::max(largest_entry(displacement(ink_.frame.centre, d)),
@@ -102,6 +118,7 @@ class GraspReader {
            css_class,
            {{"data-contact", std::to_string(i)}, {"data-value", pair_text(move)}}});
     }
+    ink_.ghost = moved_outline(d, factor);
     return factor;
   }
 
@@ -110,10 +127,10 @@ class GraspReader {
     ink_.motion_factor = add_motion(d, "motion");
     for (std::size_t i = 0; i < grasp_.size(); ++i) {
       const Sign slip = sign_of(power(rows_[i].tangent, d));
-      ink_.states[i] = rows_[i].normal_coefficient(d).sign() < 0 ? ContactState::kOpen
-                       : slip == Sign::kPositive                 ? ContactState::kSlipPlus
-                       : slip == Sign::kNegative                 ? ContactState::kSlipMinus
-                                                                 : ContactState::kStick;
+      ink_.marks[i] = rows_[i].normal_coefficient(d).sign() < 0 ? ContactMark::kOpen
+                      : slip == Sign::kPositive                 ? ContactMark::kSlipPlus
+                      : slip == Sign::kNegative                 ? ContactMark::kSlipMinus
+                                                                : ContactMark::kStick;
       const Vector2 f = force(witness, i);
       ink_.arrows.push_back(
           {ink_.contacts[i].at,
@@ -121,7 +138,6 @@ class GraspReader {
            "force",
            {{"data-contact", std::to_string(i)}, {"data-value", pair_text(f)}}});
     }
-    if (!ink_.motion_factor.is_zero()) ink_.ghost = moved_outline(d);
     ink_.caption.push_back(
         "Motion d = " + short_tuple({d.x, d.y, d.r}) +
         (ink_.motion_factor.is_zero()
@@ -131,38 +147,104 @@ class GraspReader {
   }
 
   /// The outline as the motion moves it: linear in d, as the model is.
-  std::vector<InkPoint> moved_outline(const Twist& d) const {
+  std::vector<InkPoint> moved_outline(const Twist& d, const Rational& factor) const {
     const Vector2 shift = displacement(ink_.frame.centre, d);
-    const InkPoint move =
-        ratio({ink_.motion_factor * shift.x, ink_.motion_factor * shift.y}, ink_.frame.radius);
-    const double turn = to_double(ink_.motion_factor * d.r);
+    const InkPoint move = ratio({factor * shift.x, factor * shift.y}, ink_.frame.radius);
+    const double turn = to_double(factor * d.r);
     std::vector<InkPoint> moved = ink_.outline;
     for (InkPoint& p : moved) p = p + move + turn * quarter_turn(p);
     return moved;
   }
 
   void add_refutation(const Refutation& refutation) {
-    const auto* leaf =
-        refutation.size() == 1 ? std::get_if<VirtualWorkLeaf>(&refutation[0]) : nullptr;
-    if (leaf == nullptr) {
-      const auto cases =
-          std::count_if(refutation.begin(), refutation.end(), [](const RefutationNode& node) {
-            return std::holds_alternative<VirtualWorkLeaf>(node);
-          });
-      ink_.caption.push_back(cases == 0
-                                 ? "The normal law allows no motion at all."
-                                 : "No motion and forces satisfy all conditions: proved in " +
-                                       std::to_string(cases) + " cases.");
+    const Problem problem(question_.loaded, question_.law);
+    const RefutationSummary proof = summarize(refutation, &problem);
+    if (proof.leaves == 0) {
+      ink_.caption.push_back("The normal law allows no motion at all.");
       return;
     }
+    const bool is_whole = proof.largest_case.empty();
+    if (!is_whole) {
+      ink_.caption.push_back("No motion and forces satisfy all conditions: proved in " +
+                             std::to_string(proof.leaves) +
+                             " cases. Shown is the largest one: " +
+                             listed(proof.largest_case, "conditions") + ".");
+    }
     // Along the leaf's twist the wrenches of load and contacts together do negative work
-    // whatever the contacts do; so against it, the load drives the object.
-    const Twist drift{Rational(-leaf->twist[0]), Rational(-leaf->twist[1]),
-                      Rational(-leaf->twist[2])};
+    // whatever the contacts do; so against it, they drive the object.
+    const IntegerVector<3> y = negated(proof.largest_case_twist);
+    Twist drift{y[0], y[1], y[2]};
+    const Rational largest =
+        std::max(largest_entry({drift.x, drift.y}), Rational(abs(drift.r)));
+    if (largest.is_zero()) return;  // the case has no motion
+    if (largest >= kLongTwist) {
+      const Rational unit = round_down(largest);
+      drift = {drift.x / unit, drift.y / unit, drift.r / unit};
+    }
     ink_.virtual_factor = add_motion(drift, "virtual");
-    ink_.caption.push_back("Whatever the contacts do, along the virtual twist " +
-                           short_tuple({drift.x, drift.y, drift.r}));
-    ink_.caption.push_back("the load does more work than the contacts can take up.");
+    add_pivot(drift);
+    std::vector<std::string> losing;
+    std::vector<std::string> idle;
+    for (std::size_t i = 0; i < grasp_.size(); ++i) {
+      const bool opposes = can_oppose(i, drift, proof);
+      ink_.marks[i] = opposes ? ContactMark::kLoses : ContactMark::kCannotOppose;
+      (opposes ? losing : idle).push_back(std::to_string(i));
+    }
+    ink_.caption.push_back(
+        std::string(is_whole ? "Whatever forces the contacts have, load and contacts"
+                             : "Whatever forces the contacts have in it, load and contacts") +
+        " together do positive work along the virtual twist " +
+        short_tuple({drift.x, drift.y, drift.r}) + ", so they never balance.");
+    const int work = power(wrench_, drift).sign();
+    ink_.caption.push_back(
+        std::string("The load ") +
+        (work > 0   ? "drives"
+         : work < 0 ? "works against"
+                    : "does no work on") +
+        " this motion" +
+        contacts_text("; ", losing, "opposes it and loses", "oppose it and lose") +
+        contacts_text("; ", idle, "cannot oppose it", "cannot oppose it") + ".");
+  }
+
+  /// Whether some force that the contact can have in the case does negative work on the drift.
+  bool can_oppose(std::size_t i, const Twist& drift, const RefutationSummary& proof) const {
+    const ContactId contact(i);
+    if (proof.largest_case_open.count(contact) > 0) return false;
+    const ContactRow& row = rows_[i];
+    const Rational normal = power(row.normal, drift);
+    const Rational friction = row.friction * power(row.tangent, drift);
+    const auto slip = proof.largest_case_slips.find(contact);
+    // Friction opposes the slip of the case's motions; without slip it has any direction.
+    const Rational least = slip == proof.largest_case_slips.end() || slip->second == Sign::kZero
+                               ? Rational(normal - abs(friction))
+                               : Rational(normal - to_int(slip->second) * friction);
+    return least.sign() < 0;
+  }
+
+  void add_pivot(const Twist& d) {
+    if (d.r.is_zero()) return;
+    const Vector2 pivot{-d.y / d.r - ink_.frame.centre.x, d.x / d.r - ink_.frame.centre.y};
+    if (largest_entry(pivot) <= kFarPivot * ink_.frame.radius) {
+      ink_.pivot = ratio(pivot, ink_.frame.radius);
+    }
+  }
+
+  /// "a, b", or how many of what they are.
+  static std::string listed(const std::vector<std::string>& items, const std::string& what) {
+    if (items.size() > kMostListed) return std::to_string(items.size()) + " " + what;
+    std::string text;
+    for (const std::string& item : items) text += (text.empty() ? "" : ", ") + item;
+    return text;
+  }
+
+  static std::string contacts_text(const std::string& before,
+                                   const std::vector<std::string>& contacts,
+                                   const std::string& one, const std::string& many) {
+    if (contacts.empty()) return "";
+    if (contacts.size() > kMostListed)
+      return before + listed(contacts, "contacts") + " " + many;
+    return before + (contacts.size() == 1 ? "contact " : "contacts ") + listed(contacts, "") +
+           " " + (contacts.size() == 1 ? one : many);
   }
 
   /// A sector, so that wide cones look wide.

@@ -4,6 +4,7 @@
 /// laid out on a page.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,17 +25,19 @@ struct Arrow {
 struct GraspInk {
   PictureFrame frame;
   std::vector<ContactInk> contacts;
-  std::vector<ContactState> states;          ///< by contact
+  std::vector<ContactMark> marks;            ///< by contact
   std::vector<std::vector<InkPoint>> cones;  ///< by contact: a sector, apex first
   std::vector<InkPoint> outline;             ///< of what stands for the body
-  std::vector<InkPoint> ghost;               ///< the outline after the motion, if it moves
-  std::vector<Arrow> arrows;                 ///< some may have no length
-  Rational force_unit{0};  ///< the largest force, 0 if there is none; drawn this long:
+  std::vector<InkPoint> ghost;    ///< the outline after the motion or the virtual twist
+  std::optional<InkPoint> pivot;  ///< the centre of rotation of the virtual twist, if near
+  std::vector<Arrow> arrows;      ///< some may have no length
+  Rational force_unit{0};         ///< the largest force, 0 if there is none; drawn this long:
   static constexpr double kLongestForce = 0.6;
-  Rational torque;             ///< of the load, about the centre of the frame
-  Rational motion_factor{0};   ///< of enlargement; 0 without such arrows
-  Rational virtual_factor{0};  ///< likewise
-  std::vector<std::string> caption;
+  Rational load_factor{1};           ///< of enlargement of the load beyond the other forces
+  Rational torque;                   ///< of the load, about the centre of the frame
+  Rational motion_factor{0};         ///< of enlargement; 0 without such arrows
+  Rational virtual_factor{0};        ///< likewise
+  std::vector<std::string> caption;  ///< paragraphs
 
   /// A force of this size along a direction, or this force.
   double force_length(const Rational& size) const;

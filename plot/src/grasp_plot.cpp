@@ -18,9 +18,9 @@ constexpr double kAroundScene = 38;  ///< for fingers and numbers
 constexpr double kLegendLeft = kMargin + kPanelWidth + 24;
 constexpr double kLegendText = kLegendLeft + 62;
 constexpr double kRow = 25;
-constexpr double kLine = 19;
+constexpr double kLine = 19;  ///< of a legend with more than one line
 constexpr double kWidth = 800;
-constexpr double kLongestBar = 150;
+constexpr double kLongestBar = 120;
 constexpr double kTorqueRadius = 26;
 
 double head_of(const std::string& css_class) {
@@ -37,21 +37,17 @@ class GraspPlot {
   std::string draw() {
     const double panel_bottom = kPanelTop + choose_view();
     const std::string name = grasp_.name().empty() ? "Grasp" : grasp_.name();
-
-    // The height is known when the legend is drawn, so the legend is drawn twice.
-    Svg measure(kWidth, 1, "", "");
-    const double text_top = std::max(panel_bottom, draw_legend(measure)) + 20;
-    const double height = text_top + kLine * static_cast<double>(ink_.caption.size()) + 6;
-
-    Svg svg(kWidth, height, name + ": " + verdict_, stylesheet());
-    svg.text({kMargin, 34}, "title", shorten(name, 60) + ": " + verdict_,
+    const std::string verdict = ": " + verdict_;
+    Svg svg(kWidth, 0, name + verdict, stylesheet());
+    const double room = kWidth - 2 * kMargin - text_width("title", verdict);
+    svg.text({kMargin, 34}, "title", fit(name, "title", room) + verdict,
              {{"data-verdict", verdict_}});
-    draw_scene(svg);
-    draw_legend(svg);
-    for (std::size_t i = 0; i < ink_.caption.size(); ++i) {
-      svg.text({kMargin, text_top + kLine * static_cast<double>(i)}, "caption",
-               ink_.caption[i]);
+    draw_scene(svg, {{kMargin, kPanelTop - 10}, {kMargin + kPanelWidth, panel_bottom + 10}});
+    double y = std::max(panel_bottom, draw_legend(svg)) + 26;
+    for (const std::string& paragraph : ink_.caption) {
+      y = draw_lines(svg, {kMargin, y}, "caption", paragraph, kWidth - 2 * kMargin);
     }
+    svg.set_height(y);
     return svg.finish();
   }
 
@@ -61,6 +57,7 @@ class GraspPlot {
     std::vector<InkPoint> ink = ink_.outline;
     ink.insert(ink.end(), ink_.ghost.begin(), ink_.ghost.end());
     for (const Arrow& arrow : ink_.arrows) ink.push_back(arrow.tip);
+    if (ink_.pivot) ink.push_back(*ink_.pivot);
     for (const auto& cone : ink_.cones) ink.insert(ink.end(), cone.begin(), cone.end());
     InkPoint low{-0.4, -0.4};  // around the load
     InkPoint high{0.4, 0.4};
@@ -78,26 +75,47 @@ class GraspPlot {
     return height;
   }
 
-  void draw_scene(Svg& svg) const {
+  void draw_scene(Svg& svg, const Box& panel) {
+    LabelPlacer labels(panel);
     svg.path(SvgPath().polygon(on_page(view_, ink_.outline)), "body");
     draw_cones(svg);
-    if (!ink_.ghost.empty()) svg.path(SvgPath().polygon(on_page(view_, ink_.ghost)), "ghost");
+    if (!ink_.ghost.empty()) {
+      svg.path(SvgPath().polygon(on_page(view_, ink_.ghost)), ghost_class());
+    }
     draw_fingers(svg, view_, ink_.contacts);
     draw_frame(svg);
     for (const Arrow& arrow : ink_.arrows) {
       draw_arrow(svg, view_(arrow.tail), view_(arrow.tip), arrow.css_class, arrow.attributes,
                  head_of(arrow.css_class));
+      labels.avoid(view_(arrow.tail), view_(arrow.tip));
     }
+    if (ink_.pivot) draw_pivot(svg, view_(*ink_.pivot));
     if (!ink_.torque.is_zero()) {
       draw_torque(svg, view_({0, 0}), kTorqueRadius, ink_.torque.sign() > 0,
                   {{"data-value", to_string(ink_.torque)}});
     }
     draw_preloads(svg);
-    draw_numbers(svg, view_, ink_.contacts);
     for (std::size_t i = 0; i < ink_.contacts.size(); ++i) {
+      const std::string text = "contact " + std::to_string(i);
+      const char* mark = name_of(ink_.marks[i]);
       draw_contact(svg, view_(ink_.contacts[i].at), on_page_direction(ink_.contacts[i].tangent),
-                   ink_.states[i], {{"data-contact", std::to_string(i)}});
+                   ink_.marks[i], {{"data-contact", std::to_string(i)}},
+                   *mark == 0 ? text : text + ": " + typeset(mark));
+      labels.avoid(view_(ink_.cones[i].front()),
+                   view_(ink_.cones[i][ink_.cones[i].size() / 2]));
     }
+    if (const std::size_t left_out = draw_numbers(svg, view_, ink_.contacts, labels)) {
+      ink_.caption.push_back("No room for the numbers of " + std::to_string(left_out) +
+                             " contacts; tooltips have them.");
+    }
+  }
+
+  const char* ghost_class() const {
+    return ink_.virtual_factor.is_zero() ? "ghost" : "virtual-ghost";
+  }
+
+  static void draw_pivot(Svg& svg, InkPoint at) {
+    svg.path(SvgPath().circle(at, 6).circle(at, 1.5), "virtual-pivot");
   }
 
   void draw_cones(Svg& svg) const {
@@ -143,8 +161,8 @@ class GraspPlot {
     });
   }
 
-  bool has_state(ContactState state) const {
-    return std::find(ink_.states.begin(), ink_.states.end(), state) != ink_.states.end();
+  bool has_mark(ContactMark mark) const {
+    return std::find(ink_.marks.begin(), ink_.marks.end(), mark) != ink_.marks.end();
   }
 
   /// A round force as a bar.
@@ -169,8 +187,9 @@ class GraspPlot {
   double draw_legend(Svg& svg) const {
     double y = kPanelTop + 18;
     const auto row = [&](const std::string& text) {
-      svg.text({kLegendText, y + 4.5}, "legend", text);
-      y += kRow;
+      const double below = draw_lines(svg, {kLegendText, y + 4.5}, "legend", text,
+                                      kWidth - kMargin - kLegendText);
+      y = below - 4.5 + kRow - kLine;
     };
     const InkPoint left{kLegendLeft, 0};
     const auto at = [&](double x) { return left + InkPoint{x, y}; };
@@ -179,9 +198,9 @@ class GraspPlot {
       draw_arrow(svg, at(2), at(48), css_class, {}, head_of(css_class));
       row(text);
     };
-    const auto state_row = [&](ContactState state, const std::string& text) {
-      if (!has_state(state)) return;
-      draw_contact(svg, at(24), {1, 0}, state);
+    const auto mark_row = [&](ContactMark mark, const std::string& text) {
+      if (!has_mark(mark)) return;
+      draw_contact(svg, at(24), {1, 0}, mark);
       row(text);
     };
     svg.open("g", {{"class", "key"}});
@@ -198,7 +217,9 @@ class GraspPlot {
       row("preload P, on the normal");
     }
     arrow_row("force", "contact force");
-    arrow_row("load", "applied force");
+    arrow_row("load", ink_.load_factor == 1 ? "applied force"
+                                            : "applied force, enlarged \u00D7\u202F" +
+                                                  short_text(ink_.load_factor));
     if (!ink_.torque.is_zero()) {
       draw_torque(svg, at(26), 9, ink_.torque.sign() > 0);
       row("torque " + short_text(ink_.torque));
@@ -213,18 +234,24 @@ class GraspPlot {
     if (!ink_.ghost.empty()) {
       svg.path(SvgPath().polygon({at(2) + InkPoint{0, 8}, at(48) + InkPoint{0, 5},
                                   at(46) - InkPoint{0, 8}, at(4) - InkPoint{0, 6}}),
-               "ghost");
-      row("body after the motion");
+               ghost_class());
+      row(ink_.virtual_factor.is_zero() ? "body after the motion" : "body after the twist");
     }
-    state_row(ContactState::kStick, "sticks");
-    state_row(ContactState::kSlipPlus, "slips + (the way it points)");
-    state_row(ContactState::kSlipMinus, "slips \u2212 (the way it points)");
-    state_row(ContactState::kOpen, "open: detached");
+    if (ink_.pivot) {
+      draw_pivot(svg, at(24));
+      row("centre of its rotation");
+    }
+    mark_row(ContactMark::kLoses, "opposes the twist; loses");
+    mark_row(ContactMark::kCannotOppose, "cannot oppose the twist");
+    mark_row(ContactMark::kStick, "sticks");
+    mark_row(ContactMark::kSlipPlus, "slips + (the way it points)");
+    mark_row(ContactMark::kSlipMinus, "slips \u2212 (the way it points)");
+    mark_row(ContactMark::kOpen, "open: detached");
     if (!ink_.outline.empty()) {
       svg.path(SvgPath().polygon({at(4) + InkPoint{0, 7}, at(48) + InkPoint{0, 7},
                                   at(44) - InkPoint{0, 7}, at(8) - InkPoint{0, 7}}),
                "body");
-      row("hull of contacts; body not given");
+      row("body: hull of the contacts");
     }
     svg.close();
     return y;

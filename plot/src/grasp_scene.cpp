@@ -9,6 +9,7 @@ namespace stickslip {
 namespace {
 
 constexpr double kBehindFinger = 25;     ///< pixels from a contact to its number
+constexpr double kFinger = 13;           ///< half its length, in pixels
 constexpr double kLabelDistance = 12;    ///< pixels; nearer numbers share a label
 constexpr std::size_t kMostNumbers = 3;  ///< of one label
 
@@ -94,27 +95,40 @@ void draw_fingers(Svg& svg, const View& view, const std::vector<ContactInk>& con
   }
 }
 
-void draw_numbers(Svg& svg, const View& view, const std::vector<ContactInk>& contacts) {
+std::size_t draw_numbers(Svg& svg, const View& view, const std::vector<ContactInk>& contacts,
+                         LabelPlacer& labels) {
   struct Label {
     InkPoint at;
+    InkPoint contact;
     std::vector<std::size_t> contacts;
   };
-  std::vector<Label> labels;
+  std::vector<Label> numbers;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const InkPoint behind =
-        view(contacts[i].at) - kBehindFinger * on_page_direction(contacts[i].normal);
-    const auto near = std::find_if(labels.begin(), labels.end(), [&](const Label& label) {
+    const InkPoint contact = view(contacts[i].at);
+    const InkPoint inwards = on_page_direction(contacts[i].normal);
+    const InkPoint along = kFinger * quarter_turn(inwards);
+    labels.avoid(contact - 8.0 * inwards - along, contact - 8.0 * inwards + along);
+    labels.avoid(contact - 3.0 * inwards, contact + 3.0 * inwards);
+    const InkPoint behind = contact - kBehindFinger * inwards;
+    const auto near = std::find_if(numbers.begin(), numbers.end(), [&](const Label& label) {
       return length(label.at - behind) < kLabelDistance;
     });
-    if (near != labels.end()) {
+    if (near != numbers.end()) {
       near->contacts.push_back(i);
     } else {
-      labels.push_back({behind, {i}});
+      numbers.push_back({behind, contact, {i}});
     }
   }
-  for (const Label& label : labels) {
-    svg.text(label.at + InkPoint{0, 4.5}, "number middle halo", list_numbers(label.contacts));
+  std::size_t left_out = 0;
+  for (const Label& label : numbers) {
+    const std::string text = list_numbers(label.contacts);
+    std::vector<LabelPlace> places = places_around(label.contact, kBehindFinger - 8,
+                                                   label.at - label.contact, "number", text);
+    if (!labels.place(svg, "number halo", text, places, &label.contact)) {
+      left_out += label.contacts.size();
+    }
   }
+  return left_out;
 }
 
 }  // namespace stickslip

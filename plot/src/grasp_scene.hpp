@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "labels.hpp"
 #include "picture_frame.hpp"
 
 namespace stickslip {
@@ -29,8 +30,10 @@ InkPoint on_page_direction(InkPoint scene);
 
 void draw_fingers(Svg& svg, const View& view, const std::vector<ContactInk>& contacts);
 
-/// Behind the fingers. Contacts whose numbers would meet share a label.
-void draw_numbers(Svg& svg, const View& view, const std::vector<ContactInk>& contacts);
+/// Behind the fingers, or near. Contacts whose numbers would meet share a label. Returns how
+/// many found no room.
+std::size_t draw_numbers(Svg& svg, const View& view, const std::vector<ContactInk>& contacts,
+                         LabelPlacer& labels);
 
 /// "0, 3": at most three numbers, then an ellipsis.
 std::string list_numbers(const std::vector<std::size_t>& numbers);

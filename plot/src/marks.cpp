@@ -54,31 +54,45 @@ void draw_finger(Svg& svg, InkPoint at, InkPoint inwards) {
   svg.path(path, "finger");
 }
 
-const char* name_of(ContactState state) {
-  constexpr const char* kNames[] = {"", "0", "+", "-", "open"};
-  return kNames[static_cast<int>(state)];
+const char* name_of(ContactMark mark) {
+  constexpr const char* kNames[] = {"", "0", "+", "-", "open", "loses", "cannot oppose"};
+  return kNames[static_cast<int>(mark)];
 }
 
-void draw_contact(Svg& svg, InkPoint at, InkPoint tangent, ContactState state,
-                  Svg::Attributes attributes) {
-  attributes.emplace_back("data-contact-state", name_of(state));
+void draw_contact(Svg& svg, InkPoint at, InkPoint tangent, ContactMark mark,
+                  Svg::Attributes attributes, std::string_view tooltip) {
+  attributes.emplace_back("data-contact-state", name_of(mark));
+  SvgPath path;
   const auto triangle = [&](InkPoint forwards) {
     const InkPoint side = 6.0 * quarter_turn(forwards);
     const InkPoint back = at - 4.5 * forwards;
-    return SvgPath().polygon({at + 8.0 * forwards, back + side, back - side});
+    path.polygon({at + 8.0 * forwards, back + side, back - side});
   };
-  switch (state) {
-    case ContactState::kUnknown:
-      return svg.circle(at, 3.2, "full", std::move(attributes));
-    case ContactState::kStick:
-      return svg.circle(at, 5, "full", std::move(attributes));
-    case ContactState::kSlipPlus:
-      return svg.path(triangle(tangent), "full", std::move(attributes));
-    case ContactState::kSlipMinus:
-      return svg.path(triangle(-1 * tangent), "hollow", std::move(attributes));
-    case ContactState::kOpen:
-      return svg.circle(at, 4.6, "hollow", std::move(attributes));
+  switch (mark) {
+    case ContactMark::kUnknown:
+      path.circle(at, 3.2);
+      break;
+    case ContactMark::kStick:
+      path.circle(at, 5);
+      break;
+    case ContactMark::kSlipPlus:
+      triangle(tangent);
+      break;
+    case ContactMark::kSlipMinus:
+      triangle(-1 * tangent);
+      break;
+    case ContactMark::kOpen:
+      path.circle(at, 4.6);
+      break;
+    case ContactMark::kLoses:
+    case ContactMark::kCannotOppose:
+      path.polygon(
+          {at + InkPoint{7, 0}, at + InkPoint{0, 7}, at - InkPoint{7, 0}, at - InkPoint{0, 7}});
+      break;
   }
+  const bool is_hollow = mark == ContactMark::kSlipMinus || mark == ContactMark::kOpen ||
+                         mark == ContactMark::kCannotOppose;
+  svg.path(path, is_hollow ? "hollow" : "full", std::move(attributes), tooltip);
 }
 
 void draw_bar(Svg& svg, InkPoint at, InkPoint along, double half_length,

@@ -25,16 +25,25 @@ void draw_torque(Svg& svg, InkPoint centre, double radius, bool counterclockwise
 /// What holds a contact: a short hatched line behind it. `inwards` has length 1.
 void draw_finger(Svg& svg, InkPoint at, InkPoint inwards);
 
-/// What a contact does.
-enum class ContactState { kUnknown, kStick, kSlipPlus, kSlipMinus, kOpen };
+/// What a contact does in an equilibrium; or, where there is none, whether it opposes the
+/// virtual twist that proves so.
+enum class ContactMark {
+  kUnknown,
+  kStick,
+  kSlipPlus,
+  kSlipMinus,
+  kOpen,
+  kLoses,
+  kCannotOppose
+};
 
-/// "0", "+", "-", "open", or "".
-const char* name_of(ContactState state);
+/// "0", "+", "-", "open", "loses", "cannot oppose", or "".
+const char* name_of(ContactMark mark);
 
-/// A disc, a triangle that points where the object slips, or a ring. `tangent` is the
-/// contact's, on the page, of length 1.
-void draw_contact(Svg& svg, InkPoint at, InkPoint tangent, ContactState state,
-                  Svg::Attributes attributes = {});
+/// A disc, a triangle that points where the object slips, a ring, or a full or hollow diamond.
+/// `tangent` is the contact's, on the page, of length 1.
+void draw_contact(Svg& svg, InkPoint at, InkPoint tangent, ContactMark mark,
+                  Svg::Attributes attributes = {}, std::string_view tooltip = {});
 
 /// A bar across `along` (of length 1).
 void draw_bar(Svg& svg, InkPoint at, InkPoint along, double half_length,

@@ -97,15 +97,4 @@ std::string short_tuple(const std::vector<Rational>& values) {
   return text + ")";
 }
 
-std::string shorten(const std::string& text, std::size_t characters) {
-  std::size_t end = 0;
-  for (std::size_t count = 0; end < text.size(); ++count) {
-    if (count == characters) return text.substr(0, end) + "\u2026";
-    do {
-      ++end;
-    } while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80);
-  }
-  return text;
-}
-
 }  // namespace stickslip

@@ -44,8 +44,6 @@ std::string short_text(const Rational& value);
 std::string short_tuple(const std::vector<Rational>& values);
 /// The same with '-' as U+2212.
 std::string typeset(std::string text);
-/// At most `characters` characters of UTF-8; an ellipsis stands for the rest.
-std::string shorten(const std::string& text, std::size_t characters);
 
 /// How the scene lies on the page.
 struct View {

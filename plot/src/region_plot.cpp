@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "labels.hpp"
 #include "marks.hpp"
 #include "picture_frame.hpp"
 #include "stylesheet.hpp"
@@ -11,12 +12,12 @@
 namespace stickslip {
 namespace {
 
-constexpr double kWidth = 640;
 constexpr double kPanel = 520;  ///< side of the window
-constexpr double kLeft = 72;
 constexpr double kTop = 64;
-constexpr double kHeight = kTop + kPanel + 100;
+constexpr double kMargin = 24;
+constexpr double kLine = 19;
 constexpr std::size_t kMostLabels = 12;
+constexpr int kSamples = 32;  ///< of the region in each direction, that labels avoid
 
 std::string text_of(const PlanePoint& point) {
   return to_string(point[0]) + "," + to_string(point[1]);
@@ -35,15 +36,20 @@ class RegionPlot {
       }
     }
     visible_ = unite(visible);
+    find_ticks();
+    t_name_ = wrap(axis_name(plane_.v(), "t"), "", kPanel);
+    left_ = kMargin + kLine * static_cast<double>(t_name_.size()) + 15 + widest_tick_;
+    width_ = left_ + kPanel + 2 * kMargin;
   }
 
-  std::string draw() const {
+  std::string draw() {
     const std::string& given = question_.loaded.grasp.name();
-    const std::string title =
-        (given.empty() ? "Grasp" : shorten(given, 50)) + ": resistible wrenches";
-    Svg svg(kWidth, kHeight, title, stylesheet());
+    const std::string name = given.empty() ? "Grasp" : given;
+    const std::string what = ": resistible wrenches";
+    Svg svg(width_, 0, name + what, stylesheet());
     define_hatching(svg);
-    svg.text({kLeft, 34}, "title", title);
+    const double room = width_ - left_ - kMargin - text_width("title", what);
+    svg.text({left_, 34}, "title", fit(name, "title", room) + what);
     draw_areas(svg);
     draw_grid(svg);
     draw_borders(svg);
@@ -53,6 +59,30 @@ class RegionPlot {
   }
 
  private:
+  struct Tick {
+    Rational value;
+    std::string text;
+  };
+
+  /// At round numbers, as far apart as their texts need.
+  void find_ticks() {
+    const Rational step = round_down(half_ / 2);
+    Rational first = 0;
+    while (first - step > -half_) first -= step;
+    for (Rational at = first; at < half_; at += step) {
+      ticks_.push_back({at, short_text(at)});
+      widest_tick_ = std::max(widest_tick_, text_width("small", ticks_.back().text));
+    }
+    // Every line, every second, ... but always the origin's.
+    const double apart = kPanel / 2 * to_double(step / half_);
+    std::size_t every = 1;
+    while (static_cast<double>(every) * apart < widest_tick_ + 8) ++every;
+    const std::size_t origin = ticks_.size() / 2;
+    for (std::size_t k = 0; k < ticks_.size(); ++k) {
+      if ((k > origin ? k - origin : origin - k) % every != 0) ticks_[k].text.clear();
+    }
+  }
+
   void find_window() {
     const auto see = [&](const PlanePoint& point) {
       corners_.insert(point);
@@ -73,7 +103,7 @@ class RegionPlot {
 
   InkPoint place(const PlanePoint& point) const {
     const InkPoint share = ratio({point[0], point[1]}, half_);
-    return {kLeft + kPanel / 2 * (1 + share.x), kTop + kPanel / 2 * (1 - share.y)};
+    return {left_ + kPanel / 2 * (1 + share.x), kTop + kPanel / 2 * (1 - share.y)};
   }
 
   bool on_frame(const PlanePoint& point) const {
@@ -89,10 +119,10 @@ class RegionPlot {
   }
 
   void draw_areas(Svg& svg) const {
-    svg.path(SvgPath().polygon({{kLeft, kTop},
-                                {kLeft + kPanel, kTop},
-                                {kLeft + kPanel, kTop + kPanel},
-                                {kLeft, kTop + kPanel}}),
+    svg.path(SvgPath().polygon({{left_, kTop},
+                                {left_ + kPanel, kTop},
+                                {left_ + kPanel, kTop + kPanel},
+                                {left_, kTop + kPanel}}),
              "paper");
     for (const PlaneArea& area : visible_.areas) {
       SvgPath path;
@@ -111,29 +141,28 @@ class RegionPlot {
 
   /// Lines at round numbers, axes through the origin, and the frame.
   void draw_grid(Svg& svg) const {
-    const Rational step = round_down(half_ / 2);
     svg.open("g", {{"class", "grid"}});
-    for (Rational at = 0; at < half_; at += step) {
-      for (const Rational& value : {at, Rational(-at)}) {
-        const bool is_axis = value.is_zero();
-        const char* css_class = is_axis ? "axis-line" : "grid-line";
-        svg.line(place({value, -half_}), place({value, half_}), css_class);
-        svg.line(place({-half_, value}), place({half_, value}), css_class);
-        svg.text(place({value, -half_}) + InkPoint{0, 22}, "small middle", short_text(value));
-        svg.text(place({-half_, value}) + InkPoint{-15, 4}, "small end", short_text(value));
-        if (is_axis) break;
-      }
+    for (const auto& [value, text] : ticks_) {
+      const char* css_class = value.is_zero() ? "axis-line" : "grid-line";
+      svg.line(place({value, -half_}), place({value, half_}), css_class);
+      svg.line(place({-half_, value}), place({half_, value}), css_class);
+      if (text.empty()) continue;
+      svg.text(place({value, -half_}) + InkPoint{0, 22}, "small middle tick", text);
+      svg.text(place({-half_, value}) + InkPoint{-15, 4}, "small end tick", text);
     }
     svg.close();
-    svg.path(SvgPath().polygon({{kLeft, kTop},
-                                {kLeft + kPanel, kTop},
-                                {kLeft + kPanel, kTop + kPanel},
-                                {kLeft, kTop + kPanel}}),
+    svg.path(SvgPath().polygon({{left_, kTop},
+                                {left_ + kPanel, kTop},
+                                {left_ + kPanel, kTop + kPanel},
+                                {left_, kTop + kPanel}}),
              "frame");
-    svg.text({kLeft + kPanel / 2, kTop + kPanel + 44}, "middle", axis_name(plane_.u(), "s"));
-    svg.open("g", {{"transform",
-                    "translate(20 " + svg_number(kTop + kPanel / 2) + ") rotate(-90)"}});
-    svg.text({0, 0}, "middle", axis_name(plane_.v(), "t"));
+    draw_lines(svg, {left_ + kPanel / 2, kTop + kPanel + 44}, "middle",
+               axis_name(plane_.u(), "s"), kPanel);
+    svg.open("g", {{"transform", "translate(" + svg_number(kMargin) + " " +
+                                     svg_number(kTop + kPanel / 2) + ") rotate(-90)"}});
+    for (std::size_t k = 0; k < t_name_.size(); ++k) {
+      svg.text({0, kLine * static_cast<double>(k)}, "middle", t_name_[k]);
+    }
     svg.close();
   }
 
@@ -173,66 +202,30 @@ class RegionPlot {
     }
   }
 
-  void draw_labels(Svg& svg) const {
+  void draw_labels(Svg& svg) {
     if (corners_.size() > kMostLabels) return;
-    std::vector<LabelBox> placed;
+    LabelPlacer labels({{left_, kTop}, {left_ + kPanel, kTop + kPanel}});
+    for (int i = 0; i < kSamples; ++i) {
+      for (int j = 0; j < kSamples; ++j) {
+        const auto middle = [&](int k) -> Rational {
+          return half_ * Rational(2 * k + 1 - kSamples, kSamples);
+        };
+        const PlanePoint point{middle(i), middle(j)};
+        if (visible_.contains(point)) labels.avoid(place(point));
+      }
+    }
     for (const PlanePoint& corner : corners_) {
       const InkPoint at = place(corner);
       svg.circle(at, 3, "full", {{"data-corner", text_of(corner)}});
+      labels.avoid(at - InkPoint{4, 4}, at + InkPoint{4, 4});
+    }
+    for (const PlanePoint& corner : corners_) {
+      const InkPoint at = place(corner);
       const std::string text = "(" + short_text(corner[0]) + ", " + short_text(corner[1]) + ")";
-      placed.push_back(free_place(at, text, placed));
-      svg.text(placed.back().text_at, placed.back().css_class, text);
-    }
-  }
-
-  struct LabelBox {
-    InkPoint text_at;
-    const char* css_class;
-    InkPoint low;
-    InkPoint high;
-
-    bool overlaps(const LabelBox& other) const {
-      return low.x < other.high.x && other.low.x < high.x && low.y < other.high.y &&
-             other.low.y < high.y;
-    }
-  };
-
-  /// Where the label covers the least of the other labels, and of the region and its border.
-  LabelBox free_place(InkPoint corner, const std::string& text,
-                      const std::vector<LabelBox>& placed) const {
-    const double width = 6.5 * static_cast<double>(text.size());
-    const auto box = [&](InkPoint offset, const char* css_class, double left) {
-      const InkPoint at = corner + offset;
-      return LabelBox{at, css_class, at + InkPoint{left, -13}, at + InkPoint{left + width, 3}};
-    };
-    const LabelBox candidates[] = {box({0, -10}, "halo middle", -width / 2),
-                                   box({0, 20}, "halo middle", -width / 2),
-                                   box({10, -6}, "halo", 0),
-                                   box({-10, -6}, "halo end", -width),
-                                   box({10, 16}, "halo", 0),
-                                   box({-10, 16}, "halo end", -width)};
-    constexpr int kSamples = 8;
-    const auto covered = [&](const LabelBox& candidate) {
-      int count = 0;
-      for (int k = 0; k <= kSamples; ++k) {
-        const double x = candidate.low.x + width * k / kSamples;
-        for (const double y : {candidate.low.y, candidate.high.y}) {
-          count += visible_.contains(point_at({x, y})) ? 1 : 0;
-        }
+      if (!labels.place(svg, "halo", text, places_around(at, 10, {0, -1}, "", text), &at)) {
+        ++left_out_;
       }
-      for (const LabelBox& other : placed) {
-        count += candidate.overlaps(other) ? 2 * kSamples : 0;
-      }
-      return count;
-    };
-    return *std::min_element(
-        std::begin(candidates), std::end(candidates),
-        [&](const LabelBox& a, const LabelBox& b) { return covered(a) < covered(b); });
-  }
-
-  PlanePoint point_at(InkPoint ink) const {
-    return {half_ * rational_from_double((ink.x - kLeft) / (kPanel / 2) - 1),
-            half_ * rational_from_double(1 - (ink.y - kTop) / (kPanel / 2))};
+    }
   }
 
   void draw_caption(Svg& svg) const {
@@ -242,12 +235,17 @@ class RegionPlot {
                                                   : "Shaded: resisted, borders included";
     if (reaches_frame() && !region_.is_whole_plane())
       text += "; at the frame it goes on without end";
-    const double y = kTop + kPanel + 70;
-    svg.text({kLeft, y}, "caption", text + ".");
-    svg.text({kLeft, y + 18}, "small muted",
-             std::string(at_zero ? "Other wrench coordinates 0"
-                                 : "Wrench at (0, 0): " + tuple(plane_.origin())) +
-                 "; normal law: " + to_string(question_.law) + preload_text() + ".");
+    if (left_out_ > 0) text += "; no room for the labels of " + std::to_string(left_out_);
+    const double room = width_ - left_ - kMargin;
+    const auto s_lines = wrap(axis_name(plane_.u(), "s"), "", kPanel).size();
+    double y = kTop + kPanel + 51 + kLine * static_cast<double>(s_lines);
+    y = draw_lines(svg, {left_, y}, "caption", text + ".", room);
+    y = draw_lines(svg, {left_, y}, "small muted",
+                   std::string(at_zero ? "Other wrench coordinates 0"
+                                       : "Wrench at (0, 0): " + tuple(plane_.origin())) +
+                       "; normal law: " + to_string(question_.law) + preload_text() + ".",
+                   room);
+    svg.set_height(y);
   }
 
   std::string preload_text() const {
@@ -273,6 +271,12 @@ class RegionPlot {
   Rational half_ = 0;  ///< of the window's side
   std::set<PlanePoint> corners_;
   PlaneUnion visible_;
+  std::vector<Tick> ticks_;
+  double widest_tick_ = 0;
+  std::vector<std::string> t_name_;  ///< of the axis, in lines
+  double left_ = 0;                  ///< of the window
+  double width_ = 0;                 ///< of the page
+  std::size_t left_out_ = 0;         ///< corners without a label
 };
 
 }  // namespace

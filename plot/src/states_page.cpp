@@ -5,7 +5,7 @@
 
 #include "grasp_scene.hpp"
 #include "marks.hpp"
-#include "sphere_labels.hpp"
+#include "upper_half.hpp"
 
 namespace stickslip {
 namespace {
@@ -15,7 +15,7 @@ constexpr double kHalfPanel = 98;
 
 }  // namespace
 
-void draw_grasp_panel(Svg& svg, const Grasp& grasp) {
+std::size_t draw_grasp_panel(Svg& svg, const Grasp& grasp) {
   const std::vector<ContactInk> contacts = contact_ink(grasp, {});
   const InkPoint corner = kGraspView.origin - InkPoint{kHalfPanel, kHalfPanel};
   const std::string side = svg_number(2 * kHalfPanel);
@@ -35,10 +35,13 @@ void draw_grasp_panel(Svg& svg, const Grasp& grasp) {
   svg.close();
   draw_fingers(svg, kGraspView, contacts);
   for (const ContactInk& c : contacts) {
-    draw_contact(svg, kGraspView(c.at), on_page_direction(c.tangent), ContactState::kUnknown);
+    draw_contact(svg, kGraspView(c.at), on_page_direction(c.tangent), ContactMark::kUnknown);
   }
-  draw_numbers(svg, kGraspView, contacts);
+  const InkPoint reach{kHalfPanel + 16, kHalfPanel + 24};
+  LabelPlacer labels({kGraspView.origin - reach, kGraspView.origin + reach});
+  const std::size_t left_out = draw_numbers(svg, kGraspView, contacts, labels);
   svg.close();
+  return left_out;
 }
 
 std::string counts_text(const ArrangementCounts& c) {

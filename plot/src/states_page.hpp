@@ -19,8 +19,8 @@ inline constexpr std::array<View, 2> kDiscs{View{{412, kDiscMiddle}, kDiscRadius
                                             View{{750, kDiscMiddle}, kDiscRadius}};
 
 /// The contacts and the lines along their tangents: the centres of rotation about which they
-/// stick. `grasp` is in scene coordinates.
-void draw_grasp_panel(Svg& svg, const Grasp& grasp);
+/// stick. `grasp` is in scene coordinates. Returns how many contacts found no room for numbers.
+std::size_t draw_grasp_panel(Svg& svg, const Grasp& grasp);
 
 /// Motions that turn about points at distance 1 in the scene.
 void draw_rings(Svg& svg);

@@ -7,7 +7,6 @@
 #include <map>
 
 #include "grasp_scene.hpp"
-#include "sphere_labels.hpp"
 #include "states_page.hpp"
 #include "stickslip/core/error.hpp"
 #include "stylesheet.hpp"
@@ -17,10 +16,11 @@ namespace stickslip {
 namespace {
 
 constexpr double kWidth = 920;
-constexpr double kHeight = 528;
 constexpr double kMargin = 24;
-constexpr double kLine = 19;
-constexpr double kCharacter = 0.73;  ///< of the size of the font of states
+
+/// Places of a number on its circle, from the rim on.
+constexpr int kSpots = 48;
+constexpr int kFirstSpot = 5;
 
 /// The states of more are too long for labels.
 constexpr std::size_t kMostLabelledContacts = 12;
@@ -36,10 +36,12 @@ class StatesPlot {
 
   std::string draw() {
     const std::string name = grasp_.name().empty() ? "Grasp" : grasp_.name();
-    Svg svg(kWidth, kHeight, name + ": slip states", stylesheet());
+    const std::string what = ": slip states";
+    Svg svg(kWidth, 0, name + what, stylesheet());
     define_hatching(svg);
-    svg.text({kMargin, 34}, "title", shorten(name, 70) + ": slip states");
-    draw_grasp_panel(svg, grasp_);
+    const double room = kWidth - 2 * kMargin - text_width("title", what);
+    svg.text({kMargin, 34}, "title", fit(name, "title", room) + what);
+    left_out_ = draw_grasp_panel(svg, grasp_);
     svg.open("g",
              {{"class", has_hues_ ? "cells" : "cells thin"},
               {"data-centre", to_string(frame_.centre.x) + "," + to_string(frame_.centre.y)},
@@ -112,10 +114,13 @@ class StatesPlot {
     }
   }
 
-  void draw_edges(Svg& svg) const {
+  void draw_edges(Svg& svg) {
     for (std::size_t i = 0; i < cells_.edges(); ++i) {
       SvgPath path;
-      for (const auto& piece : pieces(EdgeId(i))) path.polyline(piece);
+      for (const auto& piece : pieces(EdgeId(i))) {
+        path.polyline(piece);
+        labels_.avoid(piece);
+      }
       const std::string state = to_string(cells_.signs(EdgeId(i)));
       svg.path(path, "edge", {{"data-state", state}}, typeset(state));
     }
@@ -139,9 +144,7 @@ class StatesPlot {
 
   /// A number stands on the side where its contact slips +.
   void label_circles(Svg& svg) {
-    constexpr double kOff = 10;
-    const std::vector<CircleSpot> spots = circle_spots(cells_, upper_half_);
-    for (std::size_t c = 0; c < spots.size(); ++c) {
+    for (std::size_t c = 0; c < cells_.circles().normals.size(); ++c) {
       for (const Sign side : {Sign::kPositive, Sign::kNegative}) {
         std::vector<std::size_t> contacts;
         for (std::size_t i = 0; i < grasp_.size(); ++i) {
@@ -152,37 +155,51 @@ class StatesPlot {
         }
         if (contacts.empty()) continue;
         const std::string text = list_numbers(contacts);
-        const double half_width = 3.7 * static_cast<double>(text.size());
         for (std::size_t disc = 0; disc < 2; ++disc) {
-          // At the same place of the other disc is the opposite motion.
-          const double sign = (disc == 0 ? 1 : -1) * to_int(side);
-          const InkPoint off = sign * on_page_direction(spots[c].to_positive);
-          const double push = kOff + std::abs(off.x) * (half_width - 3.7);
-          const InkPoint at = kDiscs[disc](spots[c].at) + push * off;
-          taken_.push_back({at, {half_width + 2, 8}});
-          svg.text(at + InkPoint{0, 4.5}, "number middle halo", text);
+          if (!labels_.place(svg, "number halo", text,
+                             places_beside(CircleId(c), side, disc, text))) {
+            ++left_out_;
+          }
         }
       }
     }
   }
 
+  std::vector<LabelPlace> places_beside(CircleId circle, Sign side, std::size_t disc,
+                                        const std::string& text) const {
+    constexpr double kOff = 10;
+    constexpr double kStep = 0.01;
+    const double half_width = text_width("number", text) / 2;
+    std::vector<LabelPlace> places;
+    for (int i = kFirstSpot; i <= kSpots / 2; ++i) {
+      for (const int step : {i, kSpots - i}) {
+        const double angle = M_PI * step / kSpots;
+        const auto at = [&](double a) { return project(upper_half_.on_circle(circle, a)); };
+        // The positive side is to the left; at the same place of the other disc is the
+        // opposite motion.
+        const double sign = (disc == 0 ? 1 : -1) * to_int(side);
+        const InkPoint off =
+            sign * on_page_direction(quarter_turn(unit(at(angle + kStep) - at(angle - kStep))));
+        const double push = kOff + std::abs(off.x) * std::max(0.0, half_width - 4);
+        places.push_back({kDiscs[disc](at(angle)) + push * off});
+      }
+    }
+    return places;
+  }
+
   /// Each visible part of a face, where there is room.
   void label_faces(Svg& svg) {
     if (grasp_.size() == 0 || grasp_.size() > kMostLabelledContacts) return;
-    const auto characters = static_cast<double>(grasp_.size());
     for (std::size_t i = 0; i < face_pieces_.size(); ++i) {
       const std::string state = typeset(to_string(face_states_[i]));
       bool is_labelled = false;
       for (const std::vector<InkPoint>& piece : face_pieces_[i]) {
-        for (const int size : {15, 13, 11, 9}) {
-          const InkPoint half{characters * kCharacter * size / 2 + 2, 0.4 * size + 1};
-          const auto place = room_for(half, piece, taken_);
-          if (!place) continue;
-          taken_.push_back({*place, half});
-          svg.text(*place + InkPoint{0, 0.35 * size}, "state middle halo", state,
-                   {{"style", "font-size: " + std::to_string(size) + "px"}});
-          is_labelled = true;
-          break;
+        for (const char* css_class :
+             {"state halo large", "state halo", "state halo small", "state halo tiny"}) {
+          if (labels_.place(svg, css_class, state, places_inside(piece, css_class, state))) {
+            is_labelled = true;
+            break;
+          }
         }
       }
       if (is_labelled) ++labelled_;
@@ -192,36 +209,44 @@ class StatesPlot {
   void draw_caption(Svg& svg) const {
     double y = kDiscMiddle + kDiscRadius + 42;
     const auto line = [&](const std::string& text) {
-      svg.text({kMargin, y}, "caption", text);
-      y += kLine;
+      y = draw_lines(svg, {kMargin, y}, "caption", text, kWidth - 2 * kMargin);
     };
     const ArrangementCounts& c = cells_.counts();
     line(counts_text(c));
     line(
         "A point is the motion that turns the object about it; one place in both discs is d "
-        "and \u2212d. On the rim: translations (arrows).");
-    line("Dotted ring: centres of rotation at distance " + short_text(frame_.radius) +
-         " from " + short_tuple({frame_.centre.x, frame_.centre.y}) +
-         ", the middle of the discs.");
-    line("Equal areas of the discs are equal shares of the sphere.");
-    if (c.planes == 0) return;
-    line(
-        "On a circle, the contacts it is numbered with stick. A number stands on the side "
-        "where its contact slips +.");
+        "and \u2212d. On the rim: translations (arrows). Dotted ring: centres of rotation at "
+        "distance " +
+        short_text(frame_.radius) + " from " + short_tuple({frame_.centre.x, frame_.centre.y}) +
+        ", the middle of the discs. Equal areas of the discs are equal shares of the sphere.");
+    if (c.planes > 0) {
+      line(
+          std::string("On a circle, the contacts it is numbered with stick. A number stands on "
+                      "the side where its contact slips +.") +
+          (left_out_ > 0 ? " Some numbers found no room; tooltips have all states." : ""));
+      draw_key(svg, y);
+    }
+    svg.set_height(y);
+  }
+
+  /// What the faces' colours mean, from the baseline y on.
+  void draw_key(Svg& svg, double& y) const {
+    double x = kMargin;
+    std::string text;
     if (has_hues_) {
-      line(std::string("One colour: opposite states. Hatched: contact 0 slips \u2212. ") +
-           (labelled_ == c.faces ? "Labels: the signs of contacts 0, 1, \u2026"
-                                 : "Tooltips have the states without a label."));
+      text = std::string("One colour: opposite states. Hatched: contact 0 slips \u2212. ") +
+             (labelled_ == cells_.faces() ? "Labels: the signs of contacts 0, 1, \u2026"
+                                          : "Tooltips have the states without a label.");
     } else {
-      double x = kMargin;
       for (int i = 0; i < kShades; ++i, x += 22) {
         svg.path(
             SvgPath().polygon({{x, y - 11}, {x + 22, y - 11}, {x + 22, y + 2}, {x, y + 2}}),
             "swatch shade" + std::to_string(i));
       }
-      svg.text({x + 10, y}, "caption",
-               "0 to " + std::to_string(c.planes) + " contacts slip +, the others \u2212");
+      x += 10;
+      text = "0 to " + std::to_string(grasp_.size()) + " contacts slip +, the others \u2212";
     }
+    y = draw_lines(svg, {x, y}, "caption", text, kWidth - kMargin - x);
   }
 
   PictureFrame frame_;
@@ -231,8 +256,10 @@ class StatesPlot {
   bool has_hues_;
   std::vector<SlipState> face_states_;
   std::vector<Pieces> face_pieces_;
-  std::vector<Box> taken_;  ///< by labels
-  std::size_t labelled_ = 0;
+  LabelPlacer labels_{{kDiscs[0].origin - InkPoint{kDiscRadius + 8, kDiscRadius + 8},
+                       kDiscs[1].origin + InkPoint{kDiscRadius + 8, kDiscRadius + 8}}};
+  std::size_t labelled_ = 0;  ///< faces
+  std::size_t left_out_ = 0;  ///< numbers
 };
 
 }  // namespace

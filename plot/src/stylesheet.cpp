@@ -8,7 +8,7 @@ namespace stickslip {
 std::string_view stylesheet() {
   return R"(.stickslip text { font: 13px Helvetica, Arial, "Liberation Sans", "DejaVu Sans", sans-serif; fill: #1a1a1a }
 .stickslip .title { font-size: 18px; font-weight: bold }
-.stickslip .small { font-size: 11px }
+.stickslip .large { font-size: 15px } .stickslip .small { font-size: 11px } .stickslip .tiny { font-size: 9px }
 .stickslip .muted { fill: #555555 }
 .stickslip .state { font-family: "DejaVu Sans Mono", Menlo, Consolas, monospace; letter-spacing: .12em }
 .stickslip .middle { text-anchor: middle }
@@ -18,6 +18,9 @@ std::string_view stylesheet() {
 .stickslip .paper { fill: #ffffff }
 .stickslip .body { fill: #f1efe9; stroke: #b4aea1 }
 .stickslip .ghost { stroke: #007a5a; stroke-width: 1.2; stroke-dasharray: 5 4 }
+.stickslip .virtual-ghost { stroke: #9c3f76; stroke-width: 1.2; stroke-dasharray: 2 3 }
+.stickslip .virtual-pivot { stroke: #9c3f76; stroke-width: 1.4 }
+.stickslip .leader { stroke: #777777; stroke-width: .8 }
 .stickslip .cone { fill: #e69f00; fill-opacity: .22; stroke: #b37b00; stroke-width: .8 }
 .stickslip .axis { stroke: #777777; stroke-width: .9; stroke-dasharray: 7 2.5 1.5 2.5 }
 .stickslip .normal { stroke: #777777; fill: #777777; stroke-width: 1 }
@@ -58,8 +61,9 @@ std::string_view stylesheet() {
 .stickslip .paper { fill: #15181d }
 .stickslip .body { fill: #262b33; stroke: #596270 }
 .stickslip .ghost { stroke: #3fd0a4 }
+.stickslip .virtual-ghost, .stickslip .virtual-pivot { stroke: #e79bc8 }
 .stickslip .cone { fill: #f0b840; fill-opacity: .18; stroke: #b98d2c }
-.stickslip .axis, .stickslip .normal { stroke: #9299a3 }
+.stickslip .axis, .stickslip .normal, .stickslip .leader { stroke: #9299a3 }
 .stickslip .normal { fill: #9299a3 }
 .stickslip .finger, .stickslip .frame { stroke: #a8adb5 }
 .stickslip .preload, .stickslip .rule, .stickslip .rim, .stickslip .ring { stroke: #e8e8e8 }

@@ -119,20 +119,8 @@ SvgPath& SvgPath::circle(InkPoint centre, double radius) {
   return *this;
 }
 
-Svg::Svg(double width, double height, std::string_view title, std::string_view style) {
-  const std::string w = svg_number(width);
-  const std::string h = svg_number(height);
-  open("svg", {{"xmlns", "http://www.w3.org/2000/svg"},
-               {"class", "stickslip"},
-               {"role", "img"},
-               {"width", w},
-               {"height", h},
-               {"viewBox", "0 0 " + w + " " + h}});
-  text_ +=
-      "<title>" + svg_escape(title) + "</title>\n<style>\n" + std::string(style) + "</style>\n";
-  // Paper of its own, so that ink is legible whatever lies behind the picture.
-  element("rect", {{"class", "paper"}, {"width", w}, {"height", h}});
-}
+Svg::Svg(double width, double height, std::string_view title, std::string_view style)
+    : width_(width), height_(height), title_(title), style_(style) {}
 
 void Svg::start_tag(const std::string& element, const Attributes& attributes) {
   text_ += "<" + element;
@@ -195,8 +183,22 @@ void Svg::text(InkPoint at, const std::string& css_class, std::string_view conte
 }
 
 std::string Svg::finish() {
-  close();
   require(open_.empty(), "svg: an element is still open");
+  const std::string inside = std::move(text_);
+  text_.clear();
+  const std::string w = svg_number(width_);
+  const std::string h = svg_number(height_);
+  open("svg", {{"xmlns", "http://www.w3.org/2000/svg"},
+               {"class", "stickslip"},
+               {"role", "img"},
+               {"width", w},
+               {"height", h},
+               {"viewBox", "0 0 " + w + " " + h}});
+  text_ += "<title>" + svg_escape(title_) + "</title>\n<style>\n" + style_ + "</style>\n";
+  // Paper of its own, so that ink is legible whatever lies behind the picture.
+  element("rect", {{"class", "paper"}, {"width", w}, {"height", h}});
+  text_ += inside;
+  close();
   return std::move(text_);
 }
 

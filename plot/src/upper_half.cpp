@@ -76,6 +76,10 @@ void sample_rim(const SpherePoint& from, const SpherePoint& to,
 
 }  // namespace
 
+InkPoint project(const SpherePoint& p) {
+  return 1 / std::sqrt(1 + p[2]) * InkPoint{-p[1], p[0]};
+}
+
 UpperHalf::UpperHalf(const ArrangementStructure& cells) : cells_(cells) {
   for (std::size_t i = 0; i < cells.vertices(); ++i) {
     // The halfedge clockwise of h turns right: det(N_h, N_g, d) < 0.

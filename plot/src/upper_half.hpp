@@ -13,11 +13,16 @@
 #include <vector>
 
 #include "stickslip/arrangement/arrangement_structure.hpp"
+#include "stickslip/plot/svg.hpp"
 
 namespace stickslip {
 
 /// A point of the unit sphere.
 using SpherePoint = std::array<double, 3>;
+
+/// Lambert's azimuthal equal-area projection of r >= 0 to the unit disc of the scene (y up),
+/// turned so that a rotation lies in the direction of its centre, (-y, x) / r.
+InkPoint project(const SpherePoint& p);
 
 class UpperHalf {
  public:

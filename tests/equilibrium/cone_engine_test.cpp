@@ -205,6 +205,37 @@ TEST(Decide, SummaryNamesTheLargestCase) {
   EXPECT_EQ(summary.leaves, 3u);
   EXPECT_EQ(summary.largest_case, std::vector<std::string>{"contact 2 slips -"});
   EXPECT_EQ(summary.largest_case_twist[0], 3);
+  const std::map<ContactId, Sign> slips{{ContactId(2), Sign::kNegative}};
+  EXPECT_TRUE(summary.largest_case_slips == slips);
+  EXPECT_TRUE(summary.largest_case_open.empty());
+}
+
+TEST(Decide, SummaryShowsTheCaseThatLooksLikeTheFailure) {
+  LoadedGrasp loaded;
+  loaded.grasp =
+      Grasp(std::vector<Contact>{{{0, 0}, {1, 0}, Rational(1, 2)}});  // tangent (0, 1)
+  const Problem problem(loaded, NormalLaw::kUnilateral);
+  const VirtualWorkLeaf up{{0, -1, 0}, {}};  // what the object does is against the twist
+  const Refutation slips{SlipSplit{ContactId(0)}, VirtualWorkLeaf{{0, 1, 0}, {}}, up, up};
+  EXPECT_EQ(summarize(slips, &problem).largest_case[0], "contact 0 slips +");
+  const Refutation swapped{SlipSplit{ContactId(0)}, VoidLeaf{}, up,
+                           VirtualWorkLeaf{{0, 2, 0}, {}}};
+  EXPECT_EQ(summarize(swapped, &problem).largest_case[0], "contact 0 slips -");
+  EXPECT_EQ(summarize(swapped, &problem).largest_case_twist[1], 2);
+  EXPECT_EQ(summarize(swapped).largest_case[0], "contact 0 sticks");
+  const Refutation opens{SeparationSplit{ContactId(0)}, up, VirtualWorkLeaf{{-1, 0, 0}, {}}};
+  EXPECT_EQ(summarize(opens, &problem).largest_case[0], "contact 0 is open");
+  EXPECT_EQ(summarize(opens, &problem).leaves, 2u);
+}
+
+TEST(Decide, SummaryKnowsWhichContactsAreOpen) {
+  const Refutation tree{SlipSplit{ContactId(2)},        VoidLeaf{},
+                        SeparationSplit{ContactId(0)},  VoidLeaf{},
+                        VirtualWorkLeaf{{1, 0, 0}, {}}, VoidLeaf{}};
+  const RefutationSummary summary = summarize(tree);
+  const std::map<ContactId, Sign> slips{{ContactId(2), Sign::kZero}};
+  EXPECT_TRUE(summary.largest_case_slips == slips);
+  EXPECT_TRUE(summary.largest_case_open == std::set<ContactId>{ContactId(0)});
 }
 
 }  // namespace

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
@@ -40,6 +43,66 @@ TEST(PlotGrasp, Undecided) {
 TEST(PlotGrasp, NoMotionIsAllowed) {
   const std::string svg = plot_grasp(pushed_from_below(), Unstable{{VoidLeaf{}}});
   EXPECT_NE(svg.find("allows no motion"), std::string::npos);
+}
+
+/// The marks of contacts 0, 1, ....
+std::vector<std::string> marks(const std::string& svg) {
+  const std::string key = "data-contact-state=\"";
+  const std::string scene = svg.substr(0, svg.find("class=\"key\""));
+  std::vector<std::string> found;
+  for (std::size_t at = 0; (at = scene.find(key, at)) != std::string::npos;) {
+    at += key.size();
+    found.push_back(scene.substr(at, scene.find('"', at) - at));
+  }
+  return found;
+}
+
+TEST(PlotGrasp, WhichContactsLose) {
+  // Pulled out from between two fingers; the third could only push it further.
+  Question question;
+  question.loaded.grasp = Grasp({{{-1, 0}, {1, 0}, Rational(1, 2)},
+                                 {{1, 0}, {-1, 0}, Rational(1, 2)},
+                                 {{0, -1}, {0, 1}, Rational(1, 2)}},
+                                "pulled");
+  question.loaded.wrench = {0, 9, 0};
+  const VirtualWorkLeaf down{{0, -1, 0}, {}};
+  const std::string loses = "loses";
+  const std::string cannot = "cannot oppose";
+  const std::string whole = plot_grasp(question, Unstable{{down}});
+  EXPECT_EQ(marks(whole), (std::vector<std::string>{loses, loses, cannot}));
+  EXPECT_NE(whole.find("The load drives this motion; contacts 0, 1 oppose it and lose; contact "
+                       "2 cannot oppose it."),
+            std::string::npos);
+  EXPECT_NE(whole.find("virtual-ghost"), std::string::npos);
+  EXPECT_EQ(whole.find("virtual-pivot\""), std::string::npos);
+  // Where contact 0 slips +, friction pulls it down; where it slips -, up; open, not at all.
+  const auto largest = [&](const RefutationNode& split, std::size_t which, std::size_t of) {
+    Refutation tree{split};
+    for (std::size_t k = 0; k < of; ++k) {
+      tree.push_back(k == which ? RefutationNode(down) : RefutationNode(VoidLeaf{}));
+    }
+    return marks(plot_grasp(question, Unstable{tree}))[0];
+  };
+  EXPECT_EQ(largest(SlipSplit{ContactId(0)}, 0, 3), loses);
+  EXPECT_EQ(largest(SlipSplit{ContactId(0)}, 1, 3), loses);
+  EXPECT_EQ(largest(SlipSplit{ContactId(0)}, 2, 3), cannot);
+  EXPECT_EQ(largest(SeparationSplit{ContactId(0)}, 0, 2), loses);
+  EXPECT_EQ(largest(SeparationSplit{ContactId(0)}, 1, 2), cannot);
+}
+
+TEST(PlotGrasp, AVirtualTwistTurnsAboutItsCentre) {
+  const Refutation turn{VirtualWorkLeaf{{0, 0, -1}, {}}};
+  const std::string svg = plot_grasp(pushed_from_below(), Unstable{turn});
+  EXPECT_NE(svg.find("class=\"virtual-pivot\""), std::string::npos);
+  const Refutation far{VirtualWorkLeaf{{-9, 0, -1}, {}}};
+  EXPECT_EQ(plot_grasp(pushed_from_below(), Unstable{far}).find("class=\"virtual-pivot\""),
+            std::string::npos);
+}
+
+TEST(PlotGrasp, ACaseWithoutATwistHasNoMotion) {
+  const Refutation none{VirtualWorkLeaf{{0, 0, 0}, {}}};
+  const std::string svg = plot_grasp(pushed_from_below(), Unstable{none});
+  EXPECT_EQ(svg.find("class=\"virtual\""), std::string::npos);
 }
 
 }  // namespace

@@ -58,13 +58,6 @@ TEST(ShortText, IsExactWhileShort) {
   EXPECT_LT(short_text(parse_rational("-3e4000")).size(), 30U);
 }
 
-TEST(Shorten, CountsCharacters) {
-  EXPECT_EQ(shorten("abc", 3), "abc");
-  EXPECT_EQ(shorten("abcd", 3), "abc\u2026");
-  EXPECT_EQ(shorten("\u00e9\u00e9\u00e9", 2), "\u00e9\u00e9\u2026");
-  EXPECT_EQ(shorten("", 2), "");
-}
-
 TEST(PictureFrame, ContactsLieInTheUnitSquare) {
   const std::vector<std::vector<Vector2>> worlds = {
       {},

@@ -6,9 +6,12 @@ import math
 import os
 import re
 import subprocess
+import sys
 import xml.etree.ElementTree as ET
 from fractions import Fraction
 
+if hasattr(sys, "set_int_max_str_digits"):
+    sys.set_int_max_str_digits(0)  # exact values may have many thousands
 STICKSLIP = os.environ.get("STICKSLIP", "stickslip")
 NUMBER = r"-?\d+(?:\.\d{1,2})?"
 
@@ -126,6 +129,78 @@ class Discs:
         """The slip in scene units, a number in about [-1, 1]."""
         length = math.hypot(*(float(n / max(map(abs, contact.normal))) for n in contact.normal))
         return float(contact.slip(d) / max(map(abs, contact.normal))) / length
+
+
+# Advances of the characters from blank to tilde in thousandths of the size of the font: DejaVu Sans
+# and its bold, as their files state them. It is the widest font that the stylesheet names.
+ADVANCES = (
+    317, 400, 459, 837, 636, 950, 779, 274, 390, 390, 500, 837, 317, 360, 317, 336, 636, 636,
+    636, 636, 636, 636, 636, 636, 636, 636, 336, 336, 837, 837, 837, 530, 1000, 684, 686, 698,
+    770, 631, 575, 774, 751, 294, 294, 655, 557, 862, 748, 787, 603, 787, 694, 634, 610, 731,
+    684, 988, 685, 610, 685, 390, 336, 390, 837, 500, 500, 612, 634, 549, 634, 615, 352, 634,
+    633, 277, 277, 579, 277, 974, 633, 611, 634, 634, 411, 520, 392, 633, 591, 817, 591, 591,
+    524, 636, 336, 636, 837)
+BOLD_ADVANCES = (
+    348, 456, 520, 837, 695, 1001, 872, 306, 457, 457, 522, 837, 379, 415, 379, 365, 695, 695,
+    695, 695, 695, 695, 695, 695, 695, 695, 399, 399, 837, 837, 837, 580, 1000, 773, 762, 733,
+    830, 683, 683, 820, 836, 372, 372, 774, 637, 995, 836, 850, 732, 850, 770, 720, 682, 812,
+    773, 1103, 770, 724, 725, 457, 365, 457, 837, 500, 500, 674, 715, 592, 715, 678, 435, 715,
+    711, 342, 342, 665, 342, 1041, 711, 687, 715, 715, 493, 595, 478, 711, 651, 923, 645, 651,
+    582, 711, 365, 711, 837)
+OTHER_ADVANCES = {"\u2212": 837, "\u00d7": 837, "\u2248": 837, "\u2026": 1000, "\u202f": 199}
+MONOSPACE_ADVANCE = 602
+
+
+class TextBox:
+    """Where a text stands on the page, by the picture's own stylesheet."""
+
+    def __init__(self, element, style, transform):
+        self.text = "".join(element.itertext())
+        self.classes = element.get("class", "").split()
+        rules = {}
+        for name, body in re.findall(r"\.stickslip \.?([\w-]+) \{([^{}]*)\}", style.split("@media")[0]):
+            if name == "text" or name in self.classes:
+                rules.update(part.strip().split(": ", 1) for part in body.strip().split(";"))
+        size = float(re.match(r"[\d.]+", rules.get("font-size", rules["font"])).group())
+        width = sum(map(self.advance(rules), self.text)) * size / 1000
+        left = {"middle": width / 2, "end": width}.get(rules.get("text-anchor"), 0)
+        x, y = float(element.get("x")), float(element.get("y"))
+        corners = [transform(x - left, y - 0.76 * size), transform(x - left + width, y + 0.24 * size)]
+        self.low = tuple(map(min, zip(*corners)))
+        self.high = tuple(map(max, zip(*corners)))
+
+    @staticmethod
+    def advance(rules):
+        if "Mono" in rules.get("font-family", ""):
+            return lambda c: MONOSPACE_ADVANCE + 1000 * float(rules["letter-spacing"].rstrip("em"))
+        table = BOLD_ADVANCES if rules.get("font-weight") == "bold" else ADVANCES
+        return lambda c: table[ord(c) - 32] if " " <= c <= "~" else OTHER_ADVANCES.get(c, 1000)
+
+    def overlaps(self, other):
+        return all(self.low[k] < other.high[k] and other.low[k] < self.high[k] for k in (0, 1))
+
+    def is_inside(self, low, high):
+        return all(low[k] <= self.low[k] and self.high[k] <= high[k] for k in (0, 1))
+
+    def __repr__(self):
+        return f"{self.text!r} at {self.low}, {self.high}"
+
+
+def text_boxes(picture):
+    found = []
+
+    def visit(element, transform):
+        turned = re.fullmatch(r"translate\((\S+) (\S+)\) rotate\(-90\)", element.get("transform", ""))
+        if turned:
+            x0, y0 = map(float, turned.groups())
+            transform = lambda x, y: (x0 + y, y0 - x)
+        if element.tag.endswith("}text"):
+            found.append(TextBox(element, picture.style, transform))
+        for child in element:
+            visit(child, transform)
+
+    visit(picture.root, lambda x, y: (x, y))
+    return found
 
 
 def load(path):

@@ -70,7 +70,18 @@ class StatesPlot(unittest.TestCase):
         discs = Discs(picture)
         self.check_faces(cells["face"], discs, contacts)
         self.check_thin_cells(cells["edge"] + cells["vertex"], discs, contacts)
+        self.check_numbers(picture, discs, contacts)
         return picture
+
+    def check_numbers(self, picture, discs, contacts):
+        """A number stands where its contact slips +."""
+        for e in picture.all("number"):
+            place = complex(float(e.get("x")), float(e.get("y")) - 4)
+            disc, (centre, radius) = min(enumerate(discs.discs), key=lambda d: abs(place - d[1][0]))
+            if abs(place - centre) < 0.99 * radius:
+                for number in e.text.split(", "):
+                    if number != "\u2026":
+                        self.assertGreater(discs.slip(contacts[int(number)], discs.motion(disc, place)), -INK)
 
     def check_faces(self, faces, discs, contacts):
         polygons = [[[], []] for _ in faces]  # by disc

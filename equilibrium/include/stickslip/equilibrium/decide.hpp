@@ -3,11 +3,14 @@
 /// One call for a verdict, by either engine.
 #pragma once
 
+#include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "stickslip/core/sign.hpp"
 #include "stickslip/equilibrium/search/branch_and_bound.hpp"
 #include "stickslip/equilibrium/states_engine.hpp"
 
@@ -42,12 +45,17 @@ std::vector<std::pair<std::string, std::size_t>> counters(const ConeWork& work);
 struct RefutationSummary {
   std::size_t nodes = 0;   ///< of the tree, leaves included
   std::size_t leaves = 0;  ///< cases: virtual-work leaves
-  /// The conditions of the case with the fewest, in words ("contact 3 slips +"), and its twist.
+  /// The conditions of the case that is shown, in words ("contact 3 slips +"), and its twist.
   std::vector<std::string> largest_case;
-  IntegerVector<3> largest_case_twist{};  ///< the virtual twist (x, y, r) of that case
+  std::map<ContactId, Sign> largest_case_slips;  ///< the contacts whose slip that case fixes
+  std::set<ContactId> largest_case_open;         ///< the contacts that are open in it
+  IntegerVector<3> largest_case_twist{};         ///< the virtual twist (x, y, r) of that case
 };
 
-/// Counts, and the case that says most at once. O(nodes).
-RefutationSummary summarize(const Refutation& refutation);
+/// Counts, and the case to show: of those with the fewest conditions, the one that looks most
+/// like the failure when the object moves against the case's twist: the contacts that then slip
+/// or open as the case says are most. The first of equals, as always without the problem.
+/// O(nodes) times the number of conditions.
+RefutationSummary summarize(const Refutation& refutation, const Problem* problem = nullptr);
 
 }  // namespace stickslip

@@ -17,12 +17,16 @@ namespace stickslip {
 /// - Stable: the witness. Contact forces to scale, whether each contact sticks, slips + or -
 ///   (forwards or backwards along its tangent), or is open, and the motion, enlarged by a
 ///   stated factor.
-/// - Unstable: if one virtual twist proves it, the motions that it gives the contacts.
+/// - Unstable: how the grasp fails in the largest case of the proof (summarize): the body after
+///   the virtual twist along which load and contacts together do positive work, its centre of
+///   rotation if that is near, the motions that it gives the contacts, and which of them have
+///   forces that oppose it (and lose) or none.
 ///
-/// All arrows of forces have one scale, shown by a bar. For readers that are programs, each
-/// arrow is a path of class "force", "load", "motion" or "virtual" whose first point is its
-/// tail and whose third is its tip; data-contact says where, data-value what it stands for,
-/// exactly.
+/// All arrows of forces have one scale, shown by a bar; only a load that would be too short to
+/// see is enlarged by a stated factor. Texts neither meet nor leave the page, and round numbers
+/// to six digits. For readers that are programs, each arrow is a path of class "force", "load",
+/// "motion" or "virtual" whose first point is its tail and whose third is its tip; data-contact
+/// says where, data-value what it stands for, exactly, data-factor of a load its enlargement.
 ///
 /// `verdict` is the answer to `question`. Throws InputError as Problem does; ContractError if
 /// the verdict does not fit the question.

@@ -70,6 +70,9 @@ class Svg {
   /// they stay in this picture when it is put into a page. It must not contain '<' or '&'.
   Svg(double width, double height, std::string_view title, std::string_view style);
 
+  /// Changes the height that the document was begun with.
+  void set_height(double height) { height_ = height; }
+
   /// Starts an element that may hold others.
   void open(const std::string& element, const Attributes& attributes = {});
   /// Closes the element opened last. Throws ContractError if there is none.
@@ -95,7 +98,11 @@ class Svg {
  private:
   void start_tag(const std::string& element, const Attributes& attributes);
 
-  std::string text_;
+  double width_;
+  double height_;
+  std::string title_;
+  std::string style_;
+  std::string text_;  ///< what is inside of the root element
   std::vector<std::string> open_;
 };
 

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Exact values as people look at them: the nearest doubles, and a ``repr`` of a few lines."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from decimal import Context, Decimal, Inexact
+from fractions import Fraction
+from typing import Any, Generic, Iterable, Optional, Tuple, Type, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+FloatArray = NDArray[np.float64]
+View = TypeVar("View", FloatArray, Optional[FloatArray])
+
+
+def nearest_double(value: Fraction) -> float:
+    """Rounded to nearest, ties to even, as division of ints is; infinite beyond the doubles."""
+    try:
+        return value.numerator / value.denominator
+    except OverflowError:
+        return math.inf if value > 0 else -math.inf
+
+
+def nearest_root(square: Fraction) -> float:
+    """The double nearest to the root of a number >= 0."""
+    n, d = square.numerator, square.denominator
+    shift = max(0, 64 + (d.bit_length() - n.bit_length()) // 2)
+    root = math.isqrt((n << 2 * shift) // d)  # of at least 63 bits
+    inexact = root * root * d != n << 2 * shift  # then above root: half a unit keeps that
+    return nearest_double(Fraction(2 * root + inexact, 2 << shift))
+
+
+class FloatView(Generic[View]):
+    """An attribute: the fractions of another one as an array of the nearest doubles.
+
+    None if it is None; None within it, the end of an interval without end, is infinity.
+    """
+
+    def __init__(self, name: str, *shape: int) -> None:
+        self.__doc__ = f"``{name}`` as an array of the nearest doubles."
+        self._name = name
+        self._shape = shape
+
+    def __get__(self, answer: Any, owner: Optional[Type[Any]] = None) -> View:
+        if answer is None:
+            return self  # type: ignore[return-value]  # the class is asked, as help() does
+        values = getattr(answer, self._name)
+        return None if values is None else _doubles(values).reshape(self._shape)
+
+
+def _doubles(values: Any) -> FloatArray:
+    if values is None:
+        return np.array(math.inf)
+    if isinstance(values, Fraction):
+        return np.array(nearest_double(values))
+    return np.array([_doubles(value) for value in values], dtype=float)
+
+
+# Text for people. A number after "~" is rounded, all others are exact.
+
+_LONGEST_FRACTION = 7  # characters
+_DECIMALS = Context(prec=6)
+_LONGEST_VALUE = 60
+_WIDTH = 88
+
+
+def readable(value: Fraction) -> str:
+    """As a fraction if that is short, else as a decimal of at most six digits."""
+    n, d = value.numerator, value.denominator
+    if n.bit_length() + d.bit_length() < 32 and len(str(value)) <= _LONGEST_FRACTION:
+        return str(value)
+    context = _DECIMALS.copy()
+    decimal = context.divide(Decimal(n), Decimal(d)).normalize(context)
+    return ("~" if context.flags[Inexact] else "") + f"{decimal:g}"
+
+
+def shown(value: Any) -> str:
+    """A value within the text of an answer."""
+    if isinstance(value, Fraction):
+        return readable(value)
+    if isinstance(value, str):
+        rest = len(value) - _LONGEST_VALUE
+        return repr(value) if rest <= 0 else f"{value[:_LONGEST_VALUE]!r} ({rest} more)"
+    if type(value) is tuple:
+        text = ""
+        for i, entry in enumerate(value):
+            longer = text + (", " if i else "") + shown(entry)
+            if len(longer) > _LONGEST_VALUE and i > 0:
+                return f"({text}, ... {len(value) - i} more)"
+            text = longer
+        return f"({text},)" if len(value) == 1 else f"({text})"
+    return repr(value)
+
+
+def call_of(name: str, fields: Iterable[Tuple[str, Any]]) -> str:
+    """name(field=value, ...), without what is None or empty, in lines of limited width."""
+    lines = [name + "("]
+    margin = " " * len(lines[0])
+    for field, value in fields:
+        if value in (None, (), ""):
+            continue
+        item = f"{field}={shown(value)},".replace("\n", "\n" + margin + " " * (len(field) + 1))
+        first = lines[-1] in (margin, name + "(")
+        if not first and len(lines[-1]) + 1 + len(item.split("\n")[0]) > _WIDTH:
+            lines.append(margin)
+            first = True
+        lines[-1:] = (lines[-1] + ("" if first else " ") + item).split("\n")
+    return "\n".join(lines).removesuffix(",") + ")"
+
+
+class Answer:
+    """What all answers share: their text has the fields that are declared for it."""
+
+    def __repr__(self) -> str:
+        return call_of(type(self).__name__, (
+            (f.name, getattr(self, f.name))
+            for f in dataclasses.fields(self) if f.repr))  # type: ignore[arg-type]

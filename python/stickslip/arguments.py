@@ -100,12 +100,12 @@ def as_json(value: Any, name: str, remedy: str) -> bytes:
     return text.encode()
 
 
-def as_content(path: Any, name: str, text_remedy: str) -> Tuple[bytes, bytes]:
+def as_content(path: Any, name: str, remedy: str) -> Tuple[bytes, bytes]:
     """What the file of this path holds, and its name for messages."""
     try:
         path = os.fspath(path)
     except TypeError:
-        raise InputError("", name, f"this is {found(path)}", "give the path of a file") from None
+        raise InputError("", name, f"this is {found(path)}", remedy) from None
     try:
         with open(path, "rb") as file:
             return file.read(_ENOUGH_BYTES), os.fsencode(path)
@@ -113,14 +113,14 @@ def as_content(path: Any, name: str, text_remedy: str) -> Tuple[bytes, bytes]:
         shown = os.fsdecode(path)
         if "\n" in shown or looks_like_json(shown):
             raise InputError("", name, f"this is text and not a path: {found(shown)}",
-                             text_remedy) from None
+                             remedy) from None
         reason = error.strerror if isinstance(error, OSError) else error
         raise InputError(shown, "", f"cannot open the file: {reason}",
                          "name a file that can be read") from error
 
 
 def looks_like_json(text: str) -> bool:
-    return text.lstrip().startswith("{")
+    return text.lstrip("\ufeff \t\r\n").startswith("{")
 
 
 def one_of(name: str, value: str, allowed: Sequence[str]) -> str:

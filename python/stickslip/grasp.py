@@ -87,7 +87,8 @@ class Grasp:
     @classmethod
     def from_file(cls, path: Union[str, os.PathLike[str]]) -> Grasp:
         """Reads a grasp file (docs/grasp_file.md)."""
-        content, name = as_content(path, "path", "Grasp.from_text reads the text of a grasp file")
+        content, name = as_content(
+            path, "path", "give the path of a grasp file; Grasp.from_text reads its text")
         return cls._of(_core.GraspData.parse(content, name))
 
     @classmethod

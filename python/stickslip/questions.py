@@ -203,14 +203,12 @@ def check(
         grasp_bytes, grasp_name = grasp.to_text().encode(), b"<grasp>"
     else:
         grasp_bytes, grasp_name = as_content(
-            grasp, "grasp", "give a Grasp; Grasp.from_text reads the text of its file")
+            grasp, "grasp", "give a stickslip.Grasp, or the path of its file")
+    remedy = "give its text as a str, or the path of its file as a pathlib.Path"
     if isinstance(certificate, str):
-        certificate_bytes, name = as_json(
-            certificate, "certificate",
-            "give its text, or the path of its file as a pathlib.Path"), b"<certificate>"
+        certificate_bytes, name = as_json(certificate, "certificate", remedy), b"<certificate>"
     else:
-        certificate_bytes, name = as_content(
-            certificate, "certificate", "give the text of a certificate as a str")
+        certificate_bytes, name = as_content(certificate, "certificate", remedy)
     return CheckResult(**_core.check(
         grasp_bytes,
         certificate_bytes,

@@ -63,8 +63,7 @@ def _doubles(values: Any) -> FloatArray:
 
 _LONGEST_FRACTION = 7  # characters
 _DECIMALS = Context(prec=6)
-_LONGEST_VALUE = 60
-_WIDTH = 88
+_WIDTH = 96
 
 
 def readable(value: Fraction) -> str:
@@ -77,38 +76,42 @@ def readable(value: Fraction) -> str:
     return ("~" if context.flags[Inexact] else "") + f"{decimal:g}"
 
 
-def shown(value: Any) -> str:
-    """A value within the text of an answer."""
+def shown(value: Any, room: int = _WIDTH) -> str:
+    """A value within the text of an answer, with as many of its entries as there is room for."""
     if isinstance(value, Fraction):
         return readable(value)
     if isinstance(value, str):
-        rest = len(value) - _LONGEST_VALUE
-        return repr(value) if rest <= 0 else f"{value[:_LONGEST_VALUE]!r} ({rest} more)"
-    if type(value) is tuple:
-        text = ""
-        for i, entry in enumerate(value):
-            longer = text + (", " if i else "") + shown(entry)
-            if len(longer) > _LONGEST_VALUE and i > 0:
-                return f"({text}, ... {len(value) - i} more)"
-            text = longer
-        return f"({text},)" if len(value) == 1 else f"({text})"
-    return repr(value)
+        cut = value[:room - len("'' (1000000 more)")]
+        return repr(value) if len(value) + 2 <= room else f"{cut!r} ({len(value) - len(cut)} more)"
+    if type(value) is not tuple:
+        return repr(value)
+    text = ""
+    for i, entry in enumerate(value):
+        longer = text + (", " if i > 0 else "") + shown(entry, room)
+        rest = len(value) - i - 1
+        more = f", ... {rest} more" if rest > 0 else ""
+        if i > 0 and len(f"({longer}{more})") > room:
+            return f"({text}, ... {rest + 1} more)"
+        text = longer
+    return f"({text},)" if len(value) == 1 else f"({text})"
 
 
 def call_of(name: str, fields: Iterable[Tuple[str, Any]]) -> str:
     """name(field=value, ...), without what is None or empty, in lines of limited width."""
-    lines = [name + "("]
-    margin = " " * len(lines[0])
+    margin = " " * len(name + "(")
+    lines = [margin]
     for field, value in fields:
         if value in (None, (), ""):
             continue
-        item = f"{field}={shown(value)},".replace("\n", "\n" + margin + " " * (len(field) + 1))
-        first = lines[-1] in (margin, name + "(")
-        if not first and len(lines[-1]) + 1 + len(item.split("\n")[0]) > _WIDTH:
-            lines.append(margin)
-            first = True
-        lines[-1:] = (lines[-1] + ("" if first else " ") + item).split("\n")
-    return "\n".join(lines).removesuffix(",") + ")"
+        indent = margin + " " * len(field + "=")
+        item = f"{field}={shown(value, _WIDTH - len(indent + ','))},".replace("\n", "\n" + indent)
+        if lines[-1] != margin:
+            if len(f"{lines[-1]} {item}".split("\n")[0]) > _WIDTH:
+                lines.append(margin)
+            else:
+                item = " " + item
+        lines[-1:] = (lines[-1] + item).split("\n")
+    return name + "(" + "\n".join(lines)[len(margin):].removesuffix(",") + ")"
 
 
 class Answer:

@@ -195,6 +195,7 @@ def test_paths_and_texts(tmp_path, monkeypatch):
         with pytest.raises(InputError, match="not a path") as error:
             Grasp.from_file(wrong)
         assert error.value.place == "path" and "from_text" in error.value.remedy
+    assert Grasp.from_text("\ufeff\r\n " + text) == one()
     for wrong in (Path("grasp.json"), "grasp.json", "", text.encode(), one()):
         with pytest.raises(InputError) as error:
             Grasp.from_text(wrong)

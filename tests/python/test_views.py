@@ -75,8 +75,8 @@ def test_many_nearest_roots():
 
 
 @pytest.mark.parametrize("value, text", [
-    (Fraction(0), "0"), (Fraction(-3), "-3"), (Fraction(11, 10), "11/10"), (Fraction(-1, 3), "-1/3"),
-    (Fraction("21.534"), "21.534"), (Fraction(1, 8), "1/8"), (Fraction(10**6), "1000000"),
+    (Fraction(0), "0"), (Fraction(-3), "-3"), (Fraction(11, 10), "11/10"),
+    (Fraction(-1, 3), "-1/3"), (Fraction("21.534"), "21.534"), (Fraction(1, 8), "1/8"), (Fraction(10**6), "1000000"),
     (Fraction(10**9), "1e+9"), (Fraction(123456789), "~1.23457e+8"), (Fraction(0.1), "~0.1"),
     (Fraction(2, 3 * 10**9), "~6.66667e-10"), (Fraction(10**400), "1e+400"),
     (Fraction(1, 7 * 10**400), "~1.42857e-401"), (Fraction(10**5000 + 1, 10**5000), "~1"),
@@ -109,8 +109,9 @@ def test_answers_are_a_few_lines(m):
         text = repr(answer)
         assert text.startswith(type(answer).__name__ + "(") and text.endswith(")")
         lines = text.split("\n")
-        assert len(lines) <= (20 if isinstance(answer, CrossCheck) else 9)
-        assert max(map(len, lines)) <= 120
+        nests = isinstance(answer, CrossCheck)
+        assert len(lines) <= (20 if nests else 9)
+        assert max(map(len, lines)) <= (125 if nests else 96)
         assert "Fraction" not in text and not re.search(r"[1-9]\d{17}", text)
 
 
@@ -120,22 +121,23 @@ def test_the_text_of_an_answer(fig1):
         "         twist=(0, 1, 1), forces=((1, -1/2), (0, 0), (-1, -1/2)), slip='0--',\n"
         "         closed=(True, True, True))")
     assert repr(margin(fig1, DOWN, wrench=(0, "1/3", 0))) == (
-        "Margin(resisted=((0, None),), direction=(0, -1, 0), wrench=(0, 1/3, 0),\n"
-        "       normal_law='unilateral')")
+        "Margin(resisted=((0, None),), direction=(0, -1, 0), wrench=(0, 1/3, 0), "
+        "normal_law='unilateral')")
     assert repr(check(fig1, decide(fig1).certificate, wrench=DOWN)).startswith(
         "CheckResult(accepted=False, rule='question-wrench',")
     assert repr(Residual(Fraction(2), 1)) == "Residual(value=~1.41421, contact=1)"
     assert repr(Residual(Fraction(0), None)) == "Residual(value=0, contact=None)"
     many = decide(Grasp([[0, 0]] * 200, [[0, 1]] * 200, 1), DOWN)
     assert re.search(r"closed=\((True, )+\.\.\. \d+ more\)", repr(many))
-    assert re.search(r"slip='[+0-]{60}' \(140 more\)", repr(many))
+    assert re.search(r"slip='[+0-]{64}' \(136 more\)", repr(many))
 
 
 @pytest.mark.parametrize("m", [0, 1, 4])
 def test_float_views(m):
     grasp = unit_normals(m)
     seen = set()
-    for answer in [*answers(grasp), crosscheck(grasp, "stable", wrench=DOWN, twist=(0, 0, 0)).nearby]:
+    nearby = crosscheck(grasp, "stable", wrench=DOWN, twist=(0, 0, 0)).nearby
+    for answer in [*answers(grasp), nearby]:
         for field in dataclasses.fields(answer) if answer is not None else ():
             exact = getattr(answer, field.name)
             shape = {"resisted": (-1, 2), "forces": (m, 2), "coefficients": (m, 2)}

@@ -155,7 +155,7 @@ def found(value: Any) -> str:
 def _refuse_masked(values: Any, name: str, index: Tuple[Any, ...]) -> None:
     """NumPy would take the number behind the mask."""
     if isinstance(values, np.ma.MaskedArray):
-        masked = np.argwhere(np.ma.getmaskarray(values))
+        masked = np.argwhere(np.broadcast_to(values.mask, values.shape))
         if len(masked) > 0:
             index += tuple(map(int, masked[0]))
             place = name + (f"[{', '.join(map(str, index))}]" if index else "")

@@ -7,7 +7,7 @@ import dataclasses
 import math
 from decimal import Context, Decimal, Inexact
 from fractions import Fraction
-from typing import Any, Generic, Iterable, Optional, Tuple, Type, TypeVar
+from typing import Any, Generic, Iterable, Optional, Tuple, Type, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -46,9 +46,9 @@ class FloatView(Generic[View]):
 
     def __get__(self, answer: Any, owner: Optional[Type[Any]] = None) -> View:
         if answer is None:
-            return self  # type: ignore[return-value]  # the class is asked, as help() does
+            return cast(View, self)  # the class is asked, as help() does
         values = getattr(answer, self._name)
-        return None if values is None else _doubles(values).reshape(self._shape)
+        return cast(View, None if values is None else _doubles(values).reshape(self._shape))
 
 
 def _doubles(values: Any) -> FloatArray:
@@ -120,4 +120,4 @@ class Answer:
     def __repr__(self) -> str:
         return call_of(type(self).__name__, (
             (f.name, getattr(self, f.name))
-            for f in dataclasses.fields(self) if f.repr))  # type: ignore[arg-type]
+            for f in dataclasses.fields(self) if f.repr))

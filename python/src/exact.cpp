@@ -91,6 +91,10 @@ Rational exact(py::handle value, const std::string& place) {
       "\"-0.25\" or \"1e-3\"");
 }
 
+Rational rational(py::handle fraction) {
+  return {integer(fraction.attr("numerator")), integer(fraction.attr("denominator"))};
+}
+
 Wrench exact_wrench(const py::list& values, const std::string& name) {
   return {exact(values[0], name + "[0]"), exact(values[1], name + "[1]"),
           exact(values[2], name + "[2]")};

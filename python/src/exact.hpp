@@ -17,6 +17,9 @@ namespace stickslip::python {
 /// and for what is too long for a grasp file.
 Rational exact(pybind11::handle value, const std::string& place);
 
+/// A Fraction of any length.
+Rational rational(pybind11::handle fraction);
+
 /// A list of three numbers. The place of an error is "name[i]".
 Wrench exact_wrench(const pybind11::list& values, const std::string& name);
 

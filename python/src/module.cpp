@@ -39,6 +39,12 @@ PYBIND11_MODULE(_core, module) {
   module.doc() = "The compiled part of stickslip; import stickslip instead.";
   module.attr("version") = STICKSLIP_VERSION;
   pybind11::register_exception_translator(stickslip::python::translate);
+  module.def("readable", [](const pybind11::object& value) {
+    return stickslip::to_readable_string(stickslip::python::rational(value));
+  });
+  module.def("readable_root", [](const pybind11::object& square) {
+    return stickslip::to_readable_string(1, stickslip::python::rational(square));
+  });
   stickslip::python::bind_grasp(module);
   stickslip::python::bind_questions(module);
   stickslip::python::bind_check(module);

@@ -5,6 +5,9 @@ from typing import Any, Dict, List, Optional, Tuple
 
 version: str
 
+def readable(value: Fraction) -> str: ...
+def readable_root(square: Fraction) -> str: ...
+
 class GraspData:
     def __init__(
         self,

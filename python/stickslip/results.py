@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Dict, NamedTuple, Optional, Tuple
 
+from . import _core
 from .grasp import Pair, Triple
 from .views import Answer, FloatArray, FloatView, nearest_root, shown
 
@@ -112,8 +113,7 @@ class Residual(NamedTuple):
         return nearest_root(self.squared)
 
     def __repr__(self) -> str:
-        rounded = "~" if self.squared else ""
-        return f"Residual(value={rounded}{self.value:.6g}, contact={self.contact})"
+        return f"Residual(value={_core.readable_root(self.squared)}, contact={self.contact})"
 
 
 @dataclass(frozen=True, repr=False)

@@ -5,12 +5,13 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from decimal import Context, Decimal, Inexact
 from fractions import Fraction
 from typing import Any, Generic, Iterable, Optional, Tuple, Type, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
+
+from . import _core
 
 FloatArray = NDArray[np.float64]
 View = TypeVar("View", FloatArray, Optional[FloatArray])
@@ -61,25 +62,13 @@ def _doubles(values: Any) -> FloatArray:
 
 # Text for people. A number after "~" is rounded, all others are exact.
 
-_LONGEST_FRACTION = 7  # characters
-_DECIMALS = Context(prec=6)
 _WIDTH = 96
-
-
-def readable(value: Fraction) -> str:
-    """As a fraction if that is short, else as a decimal of at most six digits."""
-    n, d = value.numerator, value.denominator
-    if n.bit_length() + d.bit_length() < 32 and len(str(value)) <= _LONGEST_FRACTION:
-        return str(value)
-    context = _DECIMALS.copy()
-    decimal = context.divide(Decimal(n), Decimal(d)).normalize(context)
-    return ("~" if context.flags[Inexact] else "") + f"{decimal:g}"
 
 
 def shown(value: Any, room: int = _WIDTH) -> str:
     """A value within the text of an answer, with as many of its entries as there is room for."""
     if isinstance(value, Fraction):
-        return readable(value)
+        return _core.readable(value)
     if isinstance(value, str):
         cut = value[:room - len("'' (1000000 more)")]
         return repr(value) if len(value) + 2 <= room else f"{cut!r} ({len(value) - len(cut)} more)"

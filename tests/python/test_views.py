@@ -11,7 +11,7 @@ import pytest
 from stickslip import (CheckResult, CrossCheck, Decision, Grasp, Margin, NearbyEquilibrium, check,
                        crosscheck, decide, margin, slip_states)
 from stickslip.results import Residual
-from stickslip.views import nearest_double, nearest_root, readable
+from stickslip.views import nearest_double, nearest_root, shown
 
 UP, DOWN = (0, 1, 0), (0, -1, 0)
 LARGEST = Fraction(2**1024 - 2**971)
@@ -75,14 +75,12 @@ def test_many_nearest_roots():
 
 
 @pytest.mark.parametrize("value, text", [
-    (Fraction(0), "0"), (Fraction(-3), "-3"), (Fraction(11, 10), "11/10"),
-    (Fraction(-1, 3), "-1/3"), (Fraction("21.534"), "21.534"), (Fraction(1, 8), "1/8"), (Fraction(10**6), "1000000"),
-    (Fraction(10**9), "1e+9"), (Fraction(123456789), "~1.23457e+8"), (Fraction(0.1), "~0.1"),
-    (Fraction(2, 3 * 10**9), "~6.66667e-10"), (Fraction(10**400), "1e+400"),
-    (Fraction(1, 7 * 10**400), "~1.42857e-401"), (Fraction(10**5000 + 1, 10**5000), "~1"),
+    (Fraction(0), "0"), (Fraction(-3), "-3"), (Fraction(11, 10), "11/10"), (Fraction(0.1), "~0.1"),
+    (Fraction("21.534"), "21.534"), (Fraction(2, 3 * 10**9), "~6.66667e-10"),
+    (Fraction(10**5000 + 1, 10**5000), "~1"), (Fraction(1, 7 * 10**20000), "~1.42857e-20001"),
 ])
-def test_readable_numbers(value, text):
-    assert readable(value) == text
+def test_numbers_are_written_as_by_the_programs(value, text):
+    assert shown(value) == text
 
 
 def unit_normals(m):

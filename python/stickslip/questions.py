@@ -148,7 +148,7 @@ def crosscheck(
         twist: (3,), the claimed motion (x, y, r), if there is one.
         forces: (m, 2), the claimed forces of the contacts on the body, in its frame.
         tie: a wrong verdict is a tie if a relative change of the load by this much mends it.
-        tolerance: residuals up to this count as none.
+        tolerance: residuals up to this fraction of the forces and motions at hand count as none.
         node_limit: for the verdict and for each margin; 0 is no limit.
         distances: find the distance to the threshold for right claims as well.
     """

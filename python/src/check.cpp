@@ -15,12 +15,15 @@ namespace py = pybind11;
 using py::literals::operator""_a;
 
 /// Through the text, which is all that the two sides have in common.
-stickslip_check::Rational for_checker(const Rational& value, const std::string& place) {
+stickslip_check::Rational for_checker(const Rational& value) {
   const std::optional<stickslip_check::Rational> same =
       stickslip_check::parse_decimal(to_string(value));
-  if (same) return *same;
-  throw InputError("", place, "the number is too long for the checker",
-                   "numbers have at most 16384 characters");
+  require(same.has_value(), "the checker reads every number that exact() lets pass");
+  return *same;
+}
+
+stickslip_check::Vector3 for_checker(const Wrench& w) {
+  return {for_checker(w.x), for_checker(w.y), for_checker(w.torque)};
 }
 
 struct ToDict {
@@ -65,19 +68,13 @@ py::dict check(const std::string& grasp, const std::string& certificate,
   const QuestionOptions asked = question_options(wrench, preload, bilateral);
   stickslip_check::QuestionOptions options;
   options.bilateral = bilateral;
-  const auto wrench_for_checker = [](const Wrench& w, const std::string& place) {
-    return stickslip_check::Vector3{for_checker(w.x, place + "[0]"),
-                                    for_checker(w.y, place + "[1]"),
-                                    for_checker(w.torque, place + "[2]")};
-  };
-  if (asked.wrench) options.wrench = wrench_for_checker(*asked.wrench, "wrench");
+  if (asked.wrench) options.wrench = for_checker(*asked.wrench);
   if (!direction.is_none()) {
-    options.direction =
-        wrench_for_checker(*question_options(direction, py::none(), false).wrench, "direction");
+    options.direction = for_checker(exact_wrench(direction.cast<py::list>(), "direction"));
   }
-  if (asked.preload) options.preload = for_checker(*asked.preload, "preload");
+  if (asked.preload) options.preload = for_checker(*asked.preload);
   if (!snap_normals.is_none()) {
-    options.snap_tolerance = for_checker(exact(snap_normals, "snap_normals"), "snap_normals");
+    options.snap_tolerance = for_checker(exact(snap_normals, "snap_normals"));
   }
   const stickslip_check::Answer answer = without_gil([&] {
     std::istringstream grasp_stream(grasp);

@@ -32,6 +32,12 @@ py::object fraction_or_none(const std::optional<Rational>& value) {
   return value ? fraction(*value) : py::object(py::none());
 }
 
+Rational not_negative(const py::object& value, const std::string& place) {
+  const Rational number = exact(value, place);
+  if (number.sign() >= 0) return number;
+  throw InputError("", place, "the value is " + to_string(number), "it must be 0 or more");
+}
+
 /// (squared, contact)
 py::object residual(const std::optional<LargestResidual>& found) {
   if (!found) return py::none();
@@ -67,8 +73,8 @@ py::dict crosscheck(const GraspFile& grasp, bool stable, const py::object& twist
     claim.solution.forces = claimed_forces(question.loaded.grasp, forces.cast<py::list>());
   }
   ClaimOptions options;
-  options.tie_distance = exact(tie, "tie");
-  options.residual_tolerance = exact(tolerance, "tolerance");
+  options.tie_distance = not_negative(tie, "tie");
+  options.residual_tolerance = not_negative(tolerance, "tolerance");
   options.node_limit = node_limit;
   options.all_distances = distances;
 

@@ -40,6 +40,15 @@ std::string_view utf8(py::handle string) {
   return {bytes, static_cast<std::size_t>(size)};
 }
 
+/// Whether a grasp file can hold the number. Its length is known but for one digit in each part
+/// before it is spelled.
+bool fits_a_file(const Rational& value) {
+  const std::size_t digits = mpz_sizeinbase(mpq_numref(value.backend().data()), 10) +
+                             mpz_sizeinbase(mpq_denref(value.backend().data()), 10);
+  if (digits + 2 <= kMaxNumberLength) return true;  // with a sign and a bar
+  return digits <= kMaxNumberLength + 2 && to_string(value).size() <= kMaxNumberLength;
+}
+
 /// Throws NumberError, or what Python raises.
 Rational exact(py::handle value) {
   if (PyFloat_Check(value.ptr())) return rational_from_double(PyFloat_AS_DOUBLE(value.ptr()));
@@ -62,7 +71,11 @@ Rational exact(py::handle value) {
 Rational exact(py::handle value, const std::string& place) {
   std::string problem;
   try {
-    return exact(value);
+    const Rational number = exact(value);
+    if (fits_a_file(number)) return number;
+    throw InputError("", place, "the number is too long",
+                     "numbers are written with at most " + std::to_string(kMaxNumberLength) +
+                         " characters, as in a grasp file");
   } catch (const NumberError& error) {
     problem = error.what();
   } catch (py::error_already_set& error) {  // as_integer_ratio of NaN, a lone surrogate, ...
@@ -76,6 +89,10 @@ Rational exact(py::handle value, const std::string& place) {
       "", place, problem,
       "give a finite int, float, Fraction or Decimal, or a string such as \"3/5\", "
       "\"-0.25\" or \"1e-3\"");
+}
+
+Rational rational(py::handle fraction) {
+  return {integer(fraction.attr("numerator")), integer(fraction.attr("denominator"))};
 }
 
 Wrench exact_wrench(const py::list& values, const std::string& name) {

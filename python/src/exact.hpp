@@ -13,8 +13,12 @@ namespace stickslip::python {
 
 /// The number that a Python object is, exactly: an int, a float (the dyadic rational that it
 /// is), a Fraction, a Decimal, a NumPy scalar, or a string as in a grasp file ("3/5", "-0.25",
-/// "1e-3"). Throws InputError naming `place` for anything else, NaN and infinities included.
+/// "1e-3"). Throws InputError naming `place` for anything else, NaN and infinities included,
+/// and for what is too long for a grasp file.
 Rational exact(pybind11::handle value, const std::string& place);
+
+/// A Fraction of any length.
+Rational rational(pybind11::handle fraction);
 
 /// A list of three numbers. The place of an error is "name[i]".
 Wrench exact_wrench(const pybind11::list& values, const std::string& name);

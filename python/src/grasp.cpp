@@ -9,27 +9,38 @@ namespace {
 
 namespace py = pybind11;
 
-std::string entry(const char* name, std::size_t i) {
-  return std::string(name) + "[" + std::to_string(i) + "]";
-}
-
 Vector2 vector2(const py::list& rows, std::size_t i, const char* name) {
   const auto row = rows[i].cast<py::list>();
   const std::string place = name + ("[" + std::to_string(i) + ", ");
   return {exact(row[0], place + "0]"), exact(row[1], place + "1]")};
 }
 
+/// A number for each contact, from a list, or one for all of them.
+std::vector<Rational> numbers(const py::object& values, std::size_t contacts,
+                              const std::string& name) {
+  if (!py::isinstance<py::list>(values)) {
+    return std::vector<Rational>(contacts, exact(values, name));
+  }
+  std::vector<Rational> result;
+  for (const py::handle value : values) {
+    result.push_back(exact(value, name + "[" + std::to_string(result.size()) + "]"));
+  }
+  return result;
+}
+
 /// The package has checked the lengths.
 GraspFile make_grasp(const py::list& positions, const py::list& normals,
-                     const py::list& friction, const py::list& stiffness,
-                     const py::list& preload, const py::list& wrench, const std::string& name,
+                     const py::object& friction, const py::object& stiffness,
+                     const py::object& preload, const py::list& wrench, const std::string& name,
                      const py::object& snap_normals) {
+  const std::size_t m = positions.size();
+  const std::vector<Rational> frictions = numbers(friction, m, "friction");
+  const std::vector<Rational> stiffnesses = numbers(stiffness, m, "stiffness");
+  const std::vector<Rational> preloads = numbers(preload, m, "preload");
   std::vector<Contact> contacts;
-  for (std::size_t i = 0; i < positions.size(); ++i) {
+  for (std::size_t i = 0; i < m; ++i) {
     contacts.push_back({vector2(positions, i, "positions"), vector2(normals, i, "normals"),
-                        exact(friction[i], entry("friction", i)),
-                        exact(stiffness[i], entry("stiffness", i)),
-                        exact(preload[i], entry("preload", i))});
+                        frictions[i], stiffnesses[i], preloads[i]});
   }
   GraspFile file{{Grasp(std::move(contacts), name), exact_wrench(wrench, "wrench")}, {}};
   if (!snap_normals.is_none()) {
@@ -65,10 +76,6 @@ py::tuple vectors(const GraspFile& file, Vector2 Contact::*member) {
 void bind_grasp(py::module_& module) {
   py::class_<GraspFile>(module, "GraspData")
       .def(py::init(&make_grasp))
-      .def_static("read",
-                  [](const std::string& path) {
-                    return without_gil([&] { return read_grasp_file(path); });
-                  })
       .def_static("parse",
                   [](const std::string& content, const std::string& name) {
                     return without_gil([&] { return parse_grasp(content, name); });

@@ -12,20 +12,12 @@ py::object error_class(const char* name) {
   return py::module_::import("stickslip.errors").attr(name);
 }
 
-/// An option of the programs as the argument that it is here.
-std::string argument_name(const std::string& place) {
-  if (place == "--preload") return "preload";
-  if (place == "--snap-normals") return "snap_normals";
-  return place;
-}
-
 void translate(std::exception_ptr thrown) {
   try {
     if (thrown) std::rethrow_exception(thrown);
   } catch (const InputError& error) {
-    const py::tuple arguments =
-        py::make_tuple(text(error.file()), text(argument_name(error.place())),
-                       text(error.problem()), text(error.remedy()));
+    const py::tuple arguments = py::make_tuple(text(error.file()), text(error.place()),
+                                               text(error.problem()), text(error.remedy()));
     PyErr_SetObject(error_class("InputError").ptr(), arguments.ptr());
   } catch (const ContractError& error) {
     PyErr_SetObject(error_class("ContractError").ptr(), text(error.what()).ptr());
@@ -39,6 +31,12 @@ PYBIND11_MODULE(_core, module) {
   module.doc() = "The compiled part of stickslip; import stickslip instead.";
   module.attr("version") = STICKSLIP_VERSION;
   pybind11::register_exception_translator(stickslip::python::translate);
+  module.def("readable", [](const pybind11::object& value) {
+    return stickslip::to_readable_string(stickslip::python::rational(value));
+  });
+  module.def("readable_root", [](const pybind11::object& square) {
+    return stickslip::to_readable_string(1, stickslip::python::rational(square));
+  });
   stickslip::python::bind_grasp(module);
   stickslip::python::bind_questions(module);
   stickslip::python::bind_check(module);

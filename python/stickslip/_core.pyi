@@ -5,22 +5,23 @@ from typing import Any, Dict, List, Optional, Tuple
 
 version: str
 
+def readable(value: Fraction) -> str: ...
+def readable_root(square: Fraction) -> str: ...
+
 class GraspData:
     def __init__(
         self,
         positions: List[List[Any]],
         normals: List[List[Any]],
-        friction: List[Any],
-        stiffness: List[Any],
-        preload: List[Any],
+        friction: Any,
+        stiffness: Any,
+        preload: Any,
         wrench: List[Any],
         name: str,
         snap_normals: Any,
     ) -> None: ...
     @staticmethod
-    def read(path: bytes) -> GraspData: ...
-    @staticmethod
-    def parse(text: str, name: str) -> GraspData: ...
+    def parse(text: bytes, name: bytes) -> GraspData: ...
     def text(self) -> str: ...
     def size(self) -> int: ...
     def name(self) -> str: ...
@@ -71,6 +72,6 @@ def check(
     bilateral: bool,
     snap_normals: Any,
     direction: Optional[List[Any]],
-    grasp_name: str,
-    certificate_name: str,
+    grasp_name: bytes,
+    certificate_name: bytes,
 ) -> Dict[str, Any]: ...

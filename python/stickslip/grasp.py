@@ -5,53 +5,26 @@ from __future__ import annotations
 
 import os
 from fractions import Fraction
-from typing import Any, List, Optional, Tuple, Union
+from typing import Any, Optional, Tuple, Union
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
+from .arguments import (
+    as_content,
+    as_json,
+    as_list,
+    as_number_or_none,
+    as_numbers,
+    as_rows,
+    as_text,
+    as_wrench,
+)
 from .errors import InputError
+from .views import call_of
 
 Pair = Tuple[Fraction, Fraction]
 Triple = Tuple[Fraction, Fraction, Fraction]
-
-
-def as_array(values: Any, name: str) -> np.ndarray[Any, np.dtype[np.object_]]:
-    """The entries unchanged: without dtype=object NumPy turns mixed ones into strings."""
-    try:
-        return np.asarray(values, dtype=object)
-    except ValueError as error:  # rows that do not fit together
-        raise InputError("", name, str(error), "give an array, or lists of equal length") from None
-
-
-def as_list(values: Any, name: str, shape: Tuple[int, ...], meaning: str) -> List[Any]:
-    """The entries as nested lists, if they have the shape."""
-    array = as_array(values, name)
-    if array.shape == (0,) and shape[0] == 0:
-        return []
-    if array.shape != shape:
-        raise InputError("", name, f"the shape is {array.shape}", f"expected {shape}: {meaning}")
-    entries: List[Any] = array.tolist()
-    return entries
-
-
-def as_rows(positions: Any) -> List[Any]:
-    array = as_array(positions, "positions")
-    m = len(array) if array.ndim > 0 else 1
-    return as_list(array, "positions", (m, 2), "one row x, y for each contact")
-
-
-def as_numbers(values: Any, name: str, count: int) -> List[Any]:
-    """One entry for each of ``count`` contacts; a scalar stands for all of them."""
-    array = as_array(values, name)
-    if array.ndim == 0:
-        return [array.item()] * count
-    return as_list(array, name, (count,), "one number, or one for each row of positions")
-
-
-def as_wrench(values: Any, name: str) -> List[Any]:
-    return as_list(values, name, (3,), "force x, force y and torque")
 
 
 class Grasp:
@@ -106,20 +79,23 @@ class Grasp:
             as_numbers(stiffness, "stiffness", m),
             as_numbers(preload, "preload", m),
             as_wrench(wrench, "wrench"),
-            name,
-            snap_normals,
+            as_text(name, "name"),
+            as_number_or_none(snap_normals, "snap_normals"),
         )
         object.__setattr__(self, "_data", data)
 
     @classmethod
     def from_file(cls, path: Union[str, os.PathLike[str]]) -> Grasp:
         """Reads a grasp file (docs/grasp_file.md)."""
-        return cls._of(_core.GraspData.read(os.fsencode(path)))
+        content, name = as_content(
+            path, "path", "give the path of a grasp file; Grasp.from_text reads its text")
+        return cls._of(_core.GraspData.parse(content, name))
 
     @classmethod
     def from_text(cls, text: str, name: str = "") -> Grasp:
         """Reads the text of a grasp file. ``name`` stands for its name in errors."""
-        return cls._of(_core.GraspData.parse(text, name))
+        content = as_json(text, "text", "give the text of a grasp file; Grasp.from_file reads one")
+        return cls._of(_core.GraspData.parse(content, as_text(name, "name").encode()))
 
     @classmethod
     def _of(cls, data: _core.GraspData) -> Grasp:
@@ -188,5 +164,5 @@ class Grasp:
         return Grasp.from_text, (self.to_text(),)
 
     def __repr__(self) -> str:
-        name = f"{self.name!r}, " if self.name else ""
-        return f"<stickslip.Grasp {name}{len(self)} contacts>"
+        return call_of("Grasp", [("name", self.name), ("contacts", len(self)),
+                                 ("wrench", self.wrench), ("snap_normals", self.snap_normals)])

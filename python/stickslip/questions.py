@@ -7,13 +7,25 @@ when the call returns; ``node_limit`` bounds it.
 
 from __future__ import annotations
 
-import operator
 import os
-from typing import Any, List, Optional, Sequence, Union
+from typing import Any, Union
 
 from . import _core
+from .arguments import (
+    as_content,
+    as_count,
+    as_json,
+    as_list,
+    as_number,
+    as_number_or_none,
+    as_wrench,
+    as_wrench_or_none,
+    found,
+    is_bilateral,
+    one_of,
+)
 from .errors import InputError, LimitReached
-from .grasp import Grasp, as_list, as_wrench
+from .grasp import Grasp
 from .results import (
     CheckResult,
     CrossCheck,
@@ -56,12 +68,12 @@ def decide(
     """
     return Decision(**_snapped(_core.decide(
         _data(grasp),
-        _wrench_or_none(wrench),
-        preload,
-        _is_bilateral(normal_law),
-        _one_of("engine", engine, ("auto", "states", "cone")),
-        _count("node_limit", node_limit),
-        _count("threads", threads, 1024),
+        as_wrench_or_none(wrench),
+        as_number_or_none(preload, "preload"),
+        is_bilateral(normal_law),
+        one_of("engine", engine, ("auto", "states", "cone")),
+        as_count("node_limit", node_limit),
+        as_count("threads", threads, 1024),
     )))
 
 
@@ -78,9 +90,9 @@ def slip_states(
             contacts ask for counts alone.
         threads: of the counts of "sweep"; 0 is one a core.
     """
-    engine = _one_of("engine", engine, ("auto", "cgal", "sweep", "paper"))
-    return SlipStates(
-        **_core.slip_states(_data(grasp), engine, bool(list_states), _count("threads", threads, 1024)))
+    engine = one_of("engine", engine, ("auto", "cgal", "sweep", "paper"))
+    threads = as_count("threads", threads, 1024)
+    return SlipStates(**_core.slip_states(_data(grasp), engine, bool(list_states), threads))
 
 
 def margin(
@@ -104,10 +116,10 @@ def margin(
     result = _core.margin(
         _data(grasp),
         as_wrench(direction, "direction"),
-        _wrench_or_none(wrench),
-        preload,
-        _is_bilateral(normal_law),
-        _count("node_limit", node_limit),
+        as_wrench_or_none(wrench),
+        as_number_or_none(preload, "preload"),
+        is_bilateral(normal_law),
+        as_count("node_limit", node_limit),
     )
     if "limit" in result:
         raise LimitReached(result["limit"])
@@ -136,23 +148,23 @@ def crosscheck(
         twist: (3,), the claimed motion (x, y, r), if there is one.
         forces: (m, 2), the claimed forces of the contacts on the body, in its frame.
         tie: a wrong verdict is a tie if a relative change of the load by this much mends it.
-        tolerance: residuals up to this count as none.
+        tolerance: residuals up to this fraction of the forces and motions at hand count as none.
         node_limit: for the verdict and for each margin; 0 is no limit.
         distances: find the distance to the threshold for right claims as well.
     """
     data = _data(grasp)
     fields = _core.crosscheck(
         data,
-        _one_of("verdict", verdict, ("stable", "unstable")) == "stable",
+        one_of("verdict", verdict, ("stable", "unstable")) == "stable",
         None if twist is None else as_list(twist, "twist", (3,), "motion x, y and rotation r"),
         None if forces is None
         else as_list(forces, "forces", (data.size(), 2), "one vector for each contact"),
-        _wrench_or_none(wrench),
-        preload,
-        _is_bilateral(normal_law),
-        tie,
-        tolerance,
-        _count("node_limit", node_limit),
+        as_wrench_or_none(wrench),
+        as_number_or_none(preload, "preload"),
+        is_bilateral(normal_law),
+        as_number(tie, "tie"),
+        as_number(tolerance, "tolerance"),
+        as_count("node_limit", node_limit),
         distances,
     )
     fields["decision"] = Decision(**_snapped(fields["decision"]))
@@ -188,20 +200,22 @@ def check(
         InputError: the grasp or the certificate cannot be read, or the question not be asked.
     """
     if isinstance(grasp, Grasp):
-        grasp_bytes, grasp_name = grasp.to_text().encode(), "<grasp>"
+        grasp_bytes, grasp_name = grasp.to_text().encode(), b"<grasp>"
     else:
-        grasp_bytes, grasp_name = _read("grasp", grasp)
+        grasp_bytes, grasp_name = as_content(
+            grasp, "grasp", "give a stickslip.Grasp, or the path of its file")
+    remedy = "give its text as a str, or the path of its file as a pathlib.Path"
     if isinstance(certificate, str):
-        certificate_bytes, name = certificate.encode("utf-8", "surrogatepass"), "<certificate>"
+        certificate_bytes, name = as_json(certificate, "certificate", remedy), b"<certificate>"
     else:
-        certificate_bytes, name = _read("certificate", certificate)
+        certificate_bytes, name = as_content(certificate, "certificate", remedy)
     return CheckResult(**_core.check(
         grasp_bytes,
         certificate_bytes,
-        _wrench_or_none(wrench),
-        preload,
-        _is_bilateral(normal_law),
-        snap_normals,
+        as_wrench_or_none(wrench),
+        as_number_or_none(preload, "preload"),
+        is_bilateral(normal_law),
+        as_number_or_none(snap_normals, "snap_normals"),
         None if direction is None else as_wrench(direction, "direction"),
         grasp_name,
         name,
@@ -210,50 +224,11 @@ def check(
 
 def _data(grasp: Grasp) -> _core.GraspData:
     if not isinstance(grasp, Grasp):
-        raise InputError("", "grasp", f"this is a {type(grasp).__name__}",
+        raise InputError("", "grasp", f"this is {found(grasp)}",
                          "give a stickslip.Grasp; Grasp.from_file reads one")
     return grasp._data
-
-
-def _wrench_or_none(wrench: Any) -> Optional[List[Any]]:
-    return None if wrench is None else as_wrench(wrench, "wrench")
-
-
-def _one_of(name: str, value: str, allowed: Sequence[str]) -> str:
-    if value not in allowed:
-        raise InputError("", name, f"the value is {value!r}", "give one of " + ", ".join(allowed))
-    return value
-
-
-def _is_bilateral(normal_law: str) -> bool:
-    return _one_of("normal_law", normal_law, ("unilateral", "bilateral")) == "bilateral"
-
-
-def _count(name: str, value: int, most: int = 2**32 - 1) -> int:
-    try:
-        count = operator.index(value)
-    except TypeError:
-        count = -1
-    if not 0 <= count <= most:
-        raise InputError("", name, f"the value is {value!r}", f"give an int from 0 to {most}")
-    return count
 
 
 def _snapped(result: Any) -> Any:
     result["snapped_normals"] = tuple(SnappedNormal(*s) for s in result["snapped_normals"])
     return result
-
-
-def _read(argument: str, path: Any) -> Any:
-    """The content of a file, and its name for messages."""
-    try:
-        name = os.fsdecode(path)
-    except TypeError:
-        raise InputError("", argument, f"this is a {type(path).__name__}",
-                         "give the path of a file") from None
-    try:
-        with open(path, "rb") as file:
-            return file.read(), name
-    except OSError as error:
-        raise InputError(name, "", f"cannot open the file: {error.strerror}",
-                         "name a file that can be read") from error

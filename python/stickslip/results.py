@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Answers: plain immutable values, that can be compared and pickled."""
+"""Answers: plain immutable values, that can be compared and pickled.
+
+``forces_float`` and its like are the fractions of ``forces`` as an array of the nearest doubles.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +10,9 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Dict, NamedTuple, Optional, Tuple
 
+from . import _core
 from .grasp import Pair, Triple
+from .views import Answer, FloatArray, FloatView, nearest_root, shown
 
 
 class SnappedNormal(NamedTuple):
@@ -17,9 +22,12 @@ class SnappedNormal(NamedTuple):
     normal: Pair
     moved_at_most: str  # a decimal, rounded up
 
+    def __repr__(self) -> str:
+        return f"SnappedNormal({self.contact}, {shown(self.normal)}, {self.moved_at_most!r})"
 
-@dataclass(frozen=True)
-class Decision:
+
+@dataclass(frozen=True, repr=False)
+class Decision(Answer):
     """A verdict with its evidence. Everything about motion and forces is None unless stable."""
 
     verdict: str
@@ -34,7 +42,7 @@ class Decision:
     """The motion (x, y, r) of an equilibrium; there may be others."""
     forces: Optional[Tuple[Pair, ...]] = None
     """The force of each contact on the body, in the frame of the body."""
-    coefficients: Optional[Tuple[Pair, ...]] = None
+    coefficients: Optional[Tuple[Pair, ...]] = field(default=None, repr=False)
     """(a, b) for each contact: the force is a n + b t, with its normal n (as snapped) and the
     tangent t, n turned by +90 degrees. For unit normals, normal and tangential force."""
     slip: Optional[str] = None
@@ -46,9 +54,14 @@ class Decision:
     stats: Dict[str, int] = field(default_factory=dict, repr=False, compare=False)
     """Work counters of the engine; reproducible."""
 
+    wrench_float = FloatView[FloatArray]("wrench", 3)
+    twist_float = FloatView[Optional[FloatArray]]("twist", 3)
+    forces_float = FloatView[Optional[FloatArray]]("forces", -1, 2)
+    coefficients_float = FloatView[Optional[FloatArray]]("coefficients", -1, 2)
 
-@dataclass(frozen=True)
-class SlipStates:
+
+@dataclass(frozen=True, repr=False)
+class SlipStates(Answer):
     """Slip states consistent with rigid motion, and counts of the arrangement's cells."""
 
     contacts: int
@@ -66,8 +79,8 @@ class SlipStates:
     """Sorted; one character a contact: "+", "-" or "0". None if they were not asked for."""
 
 
-@dataclass(frozen=True)
-class Margin:
+@dataclass(frozen=True, repr=False)
+class Margin(Answer):
     """Exactly these multiples l >= 0 are resisted under wrench + l direction."""
 
     resisted: Tuple[Tuple[Fraction, Optional[Fraction]], ...]
@@ -80,6 +93,11 @@ class Margin:
     """The proof (certificate/FORMAT.md, section 10)."""
     stats: Dict[str, int] = field(default_factory=dict, repr=False, compare=False)
 
+    resisted_float = FloatView[FloatArray]("resisted", -1, 2)
+    """An interval without end ends at infinity."""
+    direction_float = FloatView[FloatArray]("direction", 3)
+    wrench_float = FloatView[FloatArray]("wrench", 3)
+
 
 class Residual(NamedTuple):
     """The largest by which a claimed solution misses a condition; 0 if it misses none."""
@@ -91,12 +109,15 @@ class Residual(NamedTuple):
 
     @property
     def value(self) -> float:
-        """The root, as a float."""
-        return float(self.squared) ** 0.5
+        """The double nearest to the root."""
+        return nearest_root(self.squared)
+
+    def __repr__(self) -> str:
+        return f"Residual(value={_core.readable_root(self.squared)}, contact={self.contact})"
 
 
-@dataclass(frozen=True)
-class NearbyEquilibrium:
+@dataclass(frozen=True, repr=False)
+class NearbyEquilibrium(Answer):
     """An exact equilibrium, for a claim "stable" with a solution."""
 
     twist: Triple
@@ -111,9 +132,12 @@ class NearbyEquilibrium:
     same_contacts: bool
     """Whether the same contacts bear force."""
 
+    twist_float = FloatView[FloatArray]("twist", 3)
+    forces_float = FloatView[FloatArray]("forces", -1, 2)
 
-@dataclass(frozen=True)
-class CrossCheck:
+
+@dataclass(frozen=True, repr=False)
+class CrossCheck(Answer):
     """Another program's answer, judged exactly. What the claim does not allow to say is None."""
 
     outcome: str
@@ -138,9 +162,11 @@ class CrossCheck:
     verdict; found for disagreements, and for all with ``distances``. None also if none does."""
     distance_along_load: Optional[Fraction] = None
 
+    balance_float = FloatView[Optional[FloatArray]]("balance", 3)
 
-@dataclass(frozen=True)
-class CheckResult:
+
+@dataclass(frozen=True, repr=False)
+class CheckResult(Answer):
     """What the independent checker says of a certificate. True in a condition iff accepted."""
 
     accepted: bool
@@ -165,6 +191,10 @@ class CheckResult:
     node: Optional[int] = None
     path: Optional[str] = None
     found: Optional[str] = None
+
+    wrench_float = FloatView[Optional[FloatArray]]("wrench", 3)
+    direction_float = FloatView[Optional[FloatArray]]("direction", 3)
+    resisted_float = FloatView[Optional[FloatArray]]("resisted", -1, 2)
 
     def __bool__(self) -> bool:
         return self.accepted

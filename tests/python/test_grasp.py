@@ -5,6 +5,7 @@ import copy
 import pickle
 from decimal import Decimal
 from fractions import Fraction
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -93,9 +94,14 @@ def test_no_contact(empty):
 
 @pytest.mark.parametrize("place, arguments", [
     ("positions", ([[1, 2, 3]], [[1, 0]], 1)),
-    ("positions", ([1, 2], [[1, 0]], 1)),
-    ("positions", ([[1, 2], [1]], [[1, 0], [1, 0]], 1)),
+    ("positions[0]", ([1, 2], [[1, 0]], 1)),
+    ("positions[1]", ([[1, 2], [1]], [[1, 0], [1, 0]], 1)),
+    ("positions[1]", ([[1, 2], "12"], [[1, 0], [1, 0]], 1)),
+    ("normals[1]", ([[1, 2], [1, 2]], [[1, 0], [1, 0, 0]], 1)),
     ("positions", (5, [[1, 0]], 1)),
+    ("positions", (Path("grasp.json"), [[1, 0]], 1)),
+    ("positions", ("grasp.json", [[1, 0]], 1)),
+    ("normals", ([[1, 2]], "12", 1)),
     ("positions", (iter([[1, 2]]), [[1, 0]], 1)),
     ("positions", ([np.ones((2, 2)), np.ones((2, 3))], [[1, 0]], 1)),
     ("normals", ([], np.zeros((0, 3)), 1)),
@@ -106,12 +112,107 @@ def test_no_contact(empty):
     ("friction", ([[1, 2]], [[1, 0]], [[1]])),
     ("stiffness", ([[1, 2]], [[1, 0]], 1, [])),
     ("preload", ([[1, 2]], [[1, 0]], 1, 1, [1, 1])),
+    ("friction", ([[1, 2]], [[1, 0]], {0: 1})),
 ])
 def test_shapes(place, arguments):
     with pytest.raises(InputError) as error:
         Grasp(*arguments)
     assert (error.value.file, error.value.place) == ("", place)
     assert error.value.problem and error.value.remedy
+
+
+def masked(values, *index):
+    array = np.ma.array(values, dtype=float)
+    array[index] = np.ma.masked
+    return array
+
+
+TWO = [[0, 1], [1, 0]]
+
+
+@pytest.mark.parametrize("place, make", [
+    ("positions[1, 0]", lambda: Grasp(masked(TWO, 1, 0), TWO, 1)),
+    ("positions[0, 1]", lambda: Grasp([masked([0, 1], 1), [1, 0]], TWO, 1)),
+    ("normals[1, 1]", lambda: Grasp(TWO, [[0, 1], [1, np.ma.masked]], 1)),
+    ("normals[0, 0]", lambda: Grasp(TWO, np.array([[np.ma.masked, 1], [1, 0]], object), 1)),
+    ("friction[1]", lambda: Grasp(TWO, TWO, masked([1, 2], 1))),
+    ("friction", lambda: Grasp(TWO, TWO, np.ma.masked)),
+    ("preload[0]", lambda: Grasp(TWO, TWO, 1, 1, [np.ma.masked, 1])),
+    ("snap_normals", lambda: Grasp(TWO, TWO, 1, snap_normals=np.ma.masked)),
+    ("wrench[2]", lambda: Grasp(TWO, TWO, 1, wrench=masked([0, 1, 2], 2))),
+])
+def test_masked_entries_are_refused(place, make):
+    with pytest.raises(InputError, match="masked") as error:
+        make()
+    assert error.value.place == place and "filled" in error.value.remedy
+
+
+def test_a_mask_that_hides_nothing():
+    plain = Grasp(TWO, TWO, [1, 2])
+    assert Grasp(np.ma.array(TWO), np.ma.array(TWO), np.ma.array([1, 2], mask=[0, 0])) == plain
+    assert Grasp(TWO, TWO, masked([9, 1, 2], 0)[1:]) == plain
+
+
+@pytest.mark.parametrize("value", [
+    Fraction(1, 3**40000), 10**16384, -10**16383, Fraction(10**8191, 10**8191 + 1),
+    "9" * 16000 + "e4000", Decimal((0, (9,) * 12000, -16000))],
+    ids=lambda value: type(value).__name__)
+def test_numbers_too_long_for_a_file(value):
+    with pytest.raises(InputError, match="too long") as error:
+        one(wrench=(0, value, 0))
+    assert error.value.place == "wrench[1]" and "16384" in error.value.remedy
+
+
+@pytest.mark.parametrize("value", [
+    10**16383, 1 - 10**16383, Fraction(10**8190, 10**8190 + 1), "9" * 16384, "1e-4096"],
+    ids=lambda value: type(value).__name__)
+def test_the_longest_numbers_of_a_file(value):
+    grasp = one(wrench=(0, value, 0))
+    assert Grasp.from_text(grasp.to_text()) == grasp
+
+
+@pytest.mark.parametrize("name", [None, 7, b"fig1", "\ud800", "abc\udc80", ["fig1"]])
+def test_names_are_text(name):
+    for place, make in (("name", lambda: one(name=name)),
+                        ("name", lambda: Grasp.from_text(one().to_text(), name)),
+                        ("text", lambda: Grasp.from_text(name))):
+        with pytest.raises(InputError) as error:
+            make()
+        assert error.value.place == place
+        assert error.value.problem and error.value.remedy
+
+
+def test_any_other_name(tmp_path):
+    for name in ("", "Gr\u00fc\u00dfe", "\U0001f600", "\n\"\0", np.str_("x"), "x" * 10000):
+        grasp = one(name=name)
+        assert Grasp.from_text(grasp.to_text()).name == grasp.name == name
+        assert len(repr(grasp)) < 400
+
+
+def test_paths_and_texts(tmp_path, monkeypatch):
+    text = one().to_text()
+    for wrong in (text, '{"format"', "\n", text.encode()):
+        with pytest.raises(InputError, match="not a path") as error:
+            Grasp.from_file(wrong)
+        assert error.value.place == "path" and "from_text" in error.value.remedy
+    assert Grasp.from_text("\ufeff\r\n " + text) == one()
+    for wrong in (Path("grasp.json"), "grasp.json", "", text.encode(), one()):
+        with pytest.raises(InputError) as error:
+            Grasp.from_text(wrong)
+        assert error.value.place == "text" and "from_file" in error.value.remedy
+    for wrong in (3, None, one()):
+        with pytest.raises(InputError) as error:
+            Grasp.from_file(wrong)
+        assert error.value.place == "path" and "path" in error.value.remedy
+    for wrong in (tmp_path, "no\0name", "-", "x" * 10000):
+        with pytest.raises(InputError, match="cannot open the file") as error:
+            Grasp.from_file(wrong)
+        assert error.value.file == str(wrong)
+    monkeypatch.chdir(tmp_path)
+    for odd in ("-", "{", b"\xff.json"):  # names all the same
+        with open(odd, "w") as file:
+            file.write(text)
+        assert Grasp.from_file(odd) == one()
 
 
 @pytest.mark.parametrize("value", [
@@ -139,6 +240,9 @@ def test_what_is_no_number(value):
     ("wrench", "torque", lambda: one(wrench=(1, 2))),
     ("wrench[2]", "finite", lambda: one(wrench=(1, 2, np.nan))),
     ("friction[0]", "finite", lambda: one([np.nan])),
+    ("friction", "finite", lambda: one(np.nan)),
+    ("stiffness", "finite", lambda: Grasp([], [], 1, np.inf)),
+    ("snap_normals", "one number", lambda: one(snap_normals=[1, 2])),
 ])
 def test_values_out_of_range(place, remedy, make):
     with pytest.raises(InputError) as error:
@@ -200,7 +304,7 @@ def test_equality_and_copies(fig1):
             assert same.snap_normals == grasp.snap_normals
     assert fig1 != snapped and fig1 != "fig1"
     assert one(1) != one(1, snap_normals="1e-9")
-    assert "fig1" in repr(fig1) and "3 contacts" in repr(fig1)
+    assert repr(fig1) == "Grasp(name='fig1', contacts=3, wrench=(0, 0, 0))"
 
 
 def test_errors_can_be_pickled():

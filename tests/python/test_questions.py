@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Answers: against the paper, against the program on the same grasps, and against both checkers."""
 
+import os
 import pickle
 import sys
 import threading
 import time
 from fractions import Fraction
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -336,13 +338,55 @@ def test_snapped_normals_are_checked():
     ("grasp", lambda g: decide("fig1.json")),
     ("grasp", lambda g: check(3, "{}")),
     ("certificate", lambda g: check(g, None)),
-    ("line 1, column 2", lambda g: check(g, "proof.json")),
+    ("certificate", lambda g: check(g, "proof.json")),
+    ("certificate", lambda g: check(g, decide(g))),
+    ("certificate", lambda g: check(g, Path(decide(g).certificate))),
+    ("grasp", lambda g: check(g.to_text(), decide(g).certificate)),
+    ("engine", lambda g: decide(g, engine=np.array(["cone", "states"]))),
+    ("preload", lambda g: decide(g, preload=[1, 2, 3])),
+    ("preload", lambda g: margin(g, UP, preload=np.ma.masked)),
+    ("preload", lambda g: decide(g, preload=10**20000)),
+    ("wrench", lambda g: decide(g, "0,1,0")),
+    ("wrench[0]", lambda g: decide(g, np.ma.array([1, 2, 3], mask=[1, 0, 0]))),
+    ("wrench[2]", lambda g: check(g, "{}", wrench=(0, 0, 10**20000))),
+    ("direction[1]", lambda g: check(g, "{}", direction=(0, np.inf, 0))),
+    ("direction[1]", lambda g: margin(g, (0, Fraction(1, 10**20000), 0))),
+    ("snap_normals", lambda g: check(g, "{}", snap_normals="a")),
+    ("forces[1]", lambda g: crosscheck(g, "stable", forces=[[0, 0], [1], [0, 0]])),
+    ("forces[2, 0]", lambda g: crosscheck(g, "stable", forces=np.ma.array(
+        np.zeros((3, 2)), mask=[[0, 0], [0, 0], [1, 0]]))),
+    ("tie", lambda g: crosscheck(g, "stable", tie=-1)),
+    ("tolerance", lambda g: crosscheck(g, "stable", tolerance=np.nan)),
 ])
 def test_arguments(fig1, place, ask):
     with pytest.raises(InputError) as error:
         ask(fig1)
     assert error.value.place == place
-    assert error.value.problem
+    assert error.value.problem and len(str(error.value)) < 400
+
+
+def test_a_call_leaves_files_alone(fig1, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    grasp_path, proof_path = Path("g.json"), Path("p.json")
+    grasp_path.write_text(fig1.to_text())
+    proof_path.write_text(decide(fig1, UP).certificate)
+    contents = {path: path.read_bytes() for path in tmp_path.iterdir()}
+    opened_to_write = []
+    watching = True
+
+    def watch(event, details):
+        if watching and event == "open" and details[2] & (os.O_WRONLY | os.O_RDWR | os.O_CREAT):
+            opened_to_write.append(details[0])
+
+    sys.addaudithook(watch)
+    grasp = Grasp.from_file(grasp_path)
+    assert check(grasp_path, proof_path, wrench=UP)
+    for answer in (decide(grasp, UP), margin(grasp, UP), slip_states(grasp),
+                   crosscheck(grasp, "stable", wrench=UP)):
+        assert str(answer)
+    watching = False
+    assert opened_to_write == []
+    assert {path: path.read_bytes() for path in tmp_path.iterdir()} == contents
 
 
 def test_answers_are_values(fig1):

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Arguments as they are needed, or an InputError that names the place.
+
+What the entries are worth as numbers is the compiled part's to say.
+"""
+
+from __future__ import annotations
+
+import operator
+import os
+import reprlib
+from typing import Any, List, Optional, Sequence, Tuple
+
+import numpy as np
+
+from .errors import InputError
+
+_ENOUGH_BYTES = 2**30 + 1  # more than a grasp file or a certificate may have
+
+
+def as_array(values: Any, name: str) -> np.ndarray[Any, np.dtype[np.object_]]:
+    """The entries unchanged: without dtype=object NumPy turns mixed ones into strings."""
+    _refuse_masked(values, name, ())
+    try:
+        return np.asarray(values, dtype=object)
+    except ValueError as error:  # arrays that do not fit together
+        raise InputError("", name, str(error), "give an array, or lists of equal length") from None
+
+
+def as_list(values: Any, name: str, shape: Tuple[int, ...], meaning: str) -> List[Any]:
+    """The entries as nested lists, if they have the shape."""
+    array = as_array(values, name)
+    if array.shape == (0,) and shape[0] == 0:
+        return []
+    if array.ndim == 0:
+        raise InputError("", name, f"this is {found(array.item())}",
+                         f"expected the shape {shape}: {meaning}")
+    if array.ndim == 1 and len(shape) == 2:  # NumPy leaves rows of several lengths as they are
+        for i, row in enumerate(array):
+            if as_array(row, f"{name}[{i}]").shape != shape[1:]:
+                raise InputError("", f"{name}[{i}]", f"this is {found(row)}",
+                                 f"expected {shape[1]} numbers: {meaning}")
+    if array.shape != shape:
+        raise InputError("", name, f"the shape is {array.shape}", f"expected {shape}: {meaning}")
+    entries: List[Any] = array.tolist()
+    return entries
+
+
+def as_rows(positions: Any) -> List[Any]:
+    array = as_array(positions, "positions")
+    if array.ndim == 0:
+        raise InputError("", "positions", f"this is {found(array.item())}",
+                         "give one row x, y for each contact; Grasp.from_file reads a file")
+    return as_list(array, "positions", (len(array), 2), "one row x, y for each contact")
+
+
+def as_number(value: Any, name: str) -> Any:
+    """The one entry, unchanged."""
+    array = as_array(value, name)
+    if array.ndim != 0:
+        raise InputError("", name, f"the shape is {array.shape}", "give one number")
+    return array.item()
+
+
+def as_number_or_none(value: Any, name: str) -> Any:
+    return None if value is None else as_number(value, name)
+
+
+def as_numbers(values: Any, name: str, count: int) -> Any:
+    """A list with one entry for each of ``count`` contacts, or the entry that all of them have."""
+    array = as_array(values, name)
+    if array.ndim == 0:
+        return array.item()
+    return as_list(array, name, (count,), "one number, or one for each row of positions")
+
+
+def as_wrench(values: Any, name: str) -> List[Any]:
+    return as_list(values, name, (3,), "force x, force y and torque")
+
+
+def as_wrench_or_none(values: Any) -> Optional[List[Any]]:
+    return None if values is None else as_wrench(values, "wrench")
+
+
+def as_text(value: Any, name: str, remedy: str = "give a str") -> str:
+    if not isinstance(value, str):
+        raise InputError("", name, f"this is {found(value)}", remedy)
+    try:
+        value.encode()
+    except UnicodeEncodeError as error:
+        raise InputError("", name, f"character {error.start}, {value[error.start]!a}, is half of a "
+                         "surrogate pair", "give text that UTF-8 can hold") from None
+    return value
+
+
+def as_json(value: Any, name: str, remedy: str) -> bytes:
+    text = as_text(value, name, remedy)
+    if not looks_like_json(text):
+        raise InputError("", name, f"this is no JSON object: {found(text)}", remedy)
+    return text.encode()
+
+
+def as_content(path: Any, name: str, remedy: str) -> Tuple[bytes, bytes]:
+    """What the file of this path holds, and its name for messages."""
+    try:
+        path = os.fspath(path)
+    except TypeError:
+        raise InputError("", name, f"this is {found(path)}", remedy) from None
+    try:
+        with open(path, "rb") as file:
+            return file.read(_ENOUGH_BYTES), os.fsencode(path)
+    except (OSError, ValueError) as error:  # a ValueError if the path has a NUL
+        shown = os.fsdecode(path)
+        if "\n" in shown or looks_like_json(shown):
+            raise InputError("", name, f"this is text and not a path: {found(shown)}",
+                             remedy) from None
+        reason = error.strerror if isinstance(error, OSError) else error
+        raise InputError(shown, "", f"cannot open the file: {reason}",
+                         "name a file that can be read") from error
+
+
+def looks_like_json(text: str) -> bool:
+    return text.lstrip("\ufeff \t\r\n").startswith("{")
+
+
+def one_of(name: str, value: str, allowed: Sequence[str]) -> str:
+    if not isinstance(value, str) or value not in allowed:
+        raise InputError("", name, f"this is {found(value)}", "give one of " + ", ".join(allowed))
+    return value
+
+
+def is_bilateral(normal_law: str) -> bool:
+    return one_of("normal_law", normal_law, ("unilateral", "bilateral")) == "bilateral"
+
+
+def as_count(name: str, value: int, most: int = 2**32 - 1) -> int:
+    try:
+        count = operator.index(value)
+    except TypeError:
+        count = -1
+    if not 0 <= count <= most:
+        raise InputError("", name, f"this is {found(value)}", f"give an int from 0 to {most}")
+    return count
+
+
+def found(value: Any) -> str:
+    """For messages."""
+    if value is None:
+        return "None"
+    if isinstance(value, (str, int, float, list, tuple)):
+        return reprlib.repr(value)
+    return f"an object of type {type(value).__name__}"
+
+
+def _refuse_masked(values: Any, name: str, index: Tuple[Any, ...]) -> None:
+    """NumPy would take the number behind the mask."""
+    if isinstance(values, np.ma.MaskedArray):
+        masked = np.argwhere(np.broadcast_to(values.mask, values.shape))
+        if len(masked) > 0:
+            index += tuple(map(int, masked[0]))
+            place = name + (f"[{', '.join(map(str, index))}]" if index else "")
+            raise InputError("", place, "this entry is masked",
+                             "leave it out, or give its number with the method filled")
+    elif isinstance(values, (list, tuple)) or (
+            isinstance(values, np.ndarray) and values.dtype == object and values.ndim > 0):
+        for i, entry in enumerate(values):
+            _refuse_masked(entry, name, (*index, i))

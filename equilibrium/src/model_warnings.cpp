@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "stickslip/equilibrium/decide.hpp"
-#include "stickslip/equilibrium/region_system.hpp"
+#include "stickslip/equilibrium/search/region_program.hpp"
 
 namespace stickslip {
 namespace {

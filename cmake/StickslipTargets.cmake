@@ -45,12 +45,28 @@ function(stickslip_test name)
   stickslip_program(${name} SOURCES ${ARG_SOURCES} LIBS ${ARG_LIBS} GTest::gtest_main GTest::gmock)
   set_target_properties(${name} PROPERTIES
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/bin)
-  add_test(NAME ${name} COMMAND ${name} ${ARG_ARGS})
-  if(ARG_TIMEOUT)
-    set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT})
-  else()
-    set_tests_properties(${name} PROPERTIES TIMEOUT 600)
+  if(NOT "stickslip_cgal" IN_LIST ARG_LIBS)  # that one has flags of its own
+    stickslip_reuse_test_headers(${name})
   endif()
+  add_test(NAME ${name} COMMAND ${name} ${ARG_ARGS})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 600)
+  endif()
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT})
+endfunction()
+
+# What nearly all tests include takes most of the time that they take to compile: it is
+# compiled once.
+function(stickslip_reuse_test_headers name)
+  if(NOT TARGET stickslip_test_headers)
+    file(WRITE ${PROJECT_BINARY_DIR}/tests/headers.cpp "")
+    add_library(stickslip_test_headers OBJECT ${PROJECT_BINARY_DIR}/tests/headers.cpp)
+    target_link_libraries(stickslip_test_headers PRIVATE stickslip::core GTest::gtest GTest::gmock)
+    stickslip_set_warnings(stickslip_test_headers)
+    target_precompile_headers(stickslip_test_headers PRIVATE <gtest/gtest.h> <gmock/gmock.h>
+      <boost/multiprecision/gmp.hpp> <map> <set> <functional> <variant>)
+  endif()
+  target_precompile_headers(${name} REUSE_FROM stickslip_test_headers)
 endfunction()
 
 # stickslip_uses_cgal(file ...): these files of this folder include CGAL, and no others do.

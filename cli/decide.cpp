@@ -11,6 +11,7 @@
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/sign.hpp"
+#include "stickslip/equilibrium/contact_mode.hpp"
 #include "stickslip/equilibrium/model_warnings.hpp"
 #include "table.hpp"
 
@@ -22,8 +23,7 @@ struct ContactReport {
   Rational length_squared;  ///< of the contact's normal
   ContactForce force;
   Vector2 vector;  ///< the force in the object frame
-  Sign slip;
-  bool closed;
+  ContactMode mode;
 };
 
 std::vector<ContactReport> report_contacts(const Question& question, const Problem& problem,
@@ -31,12 +31,10 @@ std::vector<ContactReport> report_contacts(const Question& question, const Probl
   std::vector<ContactReport> reports;
   for (std::size_t i = 0; i < problem.size(); ++i) {
     const Vector2& n = question.loaded.grasp.contacts()[i].normal;
-    const ContactRow& row = problem.rows()[i];
     const ContactForce& f = witness.forces[i];
     const Rational length_squared = n.x * n.x + n.y * n.y;
-    reports.push_back({length_squared, f, force_vector(n, f),
-                       sign_of(power(row.tangent, witness.twist)),
-                       row.normal_coefficient(witness.twist).sign() >= 0});
+    reports.push_back(
+        {length_squared, f, force_vector(n, f), mode_of(problem, ContactId(i), witness.twist)});
   }
   return reports;
 }
@@ -84,8 +82,8 @@ void print_json(const Question& question, const Problem& problem, const Decision
       contacts.push_back({{"normal", magnitude_json(c, c.force.normal)},
                           {"tangential", magnitude_json(c, c.force.tangential)},
                           {"force", number_json(c.vector)},
-                          {"slip", std::string(1, to_char(c.slip))},
-                          {"closed", c.closed}});
+                          {"slip", std::string(1, to_char(c.mode.slip))},
+                          {"closed", c.mode.closed}});
     }
   } else if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
     const RefutationSummary summary = summarize(unstable->refutation);
@@ -136,7 +134,7 @@ void print_text(const Question& question, const Problem& problem, const Decision
     for (const ContactReport& c : report_contacts(question, problem, stable->witness)) {
       rows.push_back({std::to_string(index++), text.root(c.force.normal, c.length_squared),
                       text.root(c.force.tangential, c.length_squared), text(c.vector),
-                      std::string(1, to_char(c.slip)), c.closed ? "closed" : "open"});
+                      std::string(1, to_char(c.mode.slip)), c.mode.closed ? "closed" : "open"});
     }
     std::cout
         << "  motion d  " << text(d) << "\n\n"

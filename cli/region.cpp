@@ -9,8 +9,8 @@
 #include "question_options.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
-#include "stickslip/resistance/resistible_region.hpp"
 #include "stickslip/plot/region_plot.hpp"
+#include "stickslip/resistance/resistible_set.hpp"
 
 namespace stickslip {
 namespace {
@@ -43,7 +43,7 @@ struct RegionArguments {
 struct RegionReport {
   std::vector<ResistiblePiece> pieces;
   PlaneUnion region;
-  RegionWork work;
+  ResistibleWork work;
   std::optional<Undecided> undecided;
 };
 
@@ -67,9 +67,7 @@ Json json_of(const Outline& outline) {
 
 std::string mode_text(const ResistiblePiece& piece) {
   std::string text;
-  for (std::size_t i = 0; i < piece.slip.size(); ++i) {
-    text += piece.closed[i] ? to_char(piece.slip[i]) : '.';
-  }
+  for (const ContactMode mode : piece.modes) text += mode.closed ? to_char(mode.slip) : '.';
   return text;
 }
 
@@ -107,7 +105,8 @@ void print_json(const Question& question, const WrenchPlane& plane, const Region
     Json& points = json["points"] = Json::array();
     for (const PlanePoint& point : report.region.points) points.push_back(number_json(point));
     for (const ResistiblePiece& piece : report.pieces) {
-      Json entry{{"slip", to_string(piece.slip)}, {"closed", piece.closed}};
+      Json entry{{"slip", slips_text(piece.modes)}, {"closed", Json::array()}};
+      for (const ContactMode mode : piece.modes) entry["closed"].push_back(mode.closed);
       entry.update(json_of(piece.cell));
       json["pieces"].push_back(std::move(entry));
     }
@@ -176,7 +175,7 @@ RegionReport find_region(const RegionArguments& arguments, const Question& quest
                          const WrenchPlane& plane, Progress& progress) {
   const Problem problem(question.loaded, question.law);
   RegionReport report;
-  RegionOptions options;
+  ResistibleOptions options;
   options.mode_limit = arguments.mode_limit;
   options.progress = [&](std::size_t done, std::size_t all) {
     progress.show("slip states: " + std::to_string(done) + " of " + std::to_string(all));

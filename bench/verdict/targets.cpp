@@ -110,7 +110,6 @@ void print_row(const Row& row, const std::vector<Result>& results) {
   const auto from_file = [](const Measurement& m) { return m.from_file_ms(); };
   std::printf(
       "| %zu | %s | %zu/%zu | %s | %s | %s | %.2f | %s | %.0f | %.0f | %.0f | %.0f | "
-      "
       "%.0f | %.0f | %.0f | %.0f | %.1f |\n",
       row.contacts, row.stable ? "stable" : "unstable", done, results.size(),
       show_ms(median_of(results, total), limit).c_str(),

@@ -5,15 +5,15 @@
 #include <utility>
 
 #include "stickslip/core/error.hpp"
+#include "stickslip/equilibrium/contact_mode.hpp"
 
 namespace stickslip {
 namespace {
 
-std::vector<Sign> slip_signs(const Problem& problem, const Twist& twist) {
-  std::vector<Sign> signs;
-  for (const ContactRow& row : problem.rows())
-    signs.push_back(sign_of(power(row.tangent, twist)));
-  return signs;
+std::vector<Sign> slip_of(const Problem& problem, const Twist& twist) {
+  std::vector<Sign> slip;
+  for (const ContactMode mode : modes_of(problem, twist)) slip.push_back(mode.slip);
+  return slip;
 }
 
 Rational largest_difference(const Twist& a, const Twist& b) {
@@ -26,8 +26,7 @@ NearbyEquilibrium compare(const Problem& problem, const ApproximateEquilibrium& 
   result.from_claim = from_claim;
   if (claimed.twist) {
     result.twist_distance = largest_difference(*claimed.twist, witness.twist);
-    result.same_slip =
-        slip_signs(problem, *claimed.twist) == slip_signs(problem, witness.twist);
+    result.same_slip = slip_of(problem, *claimed.twist) == slip_of(problem, witness.twist);
   }
   if (claimed.forces) result.force_distance = Rational(0);
   result.same_contacts = true;
@@ -79,7 +78,7 @@ ClaimReport judge_claim(const Question& question, const Claim& claim,
   report.decision = decide(problem, Engine::kAuto, cone);
   report.residuals = residuals_of(problem, solution);
   report.scale = residual_scale(question.loaded, solution);
-  if (solution.twist) report.claimed_slip = slip_signs(problem, *solution.twist);
+  if (solution.twist) report.claimed_slip = slip_of(problem, *solution.twist);
 
   const auto* stable = std::get_if<Stable>(&report.decision.verdict);
   if (stable != nullptr && claim.stable && (solution.twist || solution.forces)) {

@@ -6,6 +6,7 @@
 
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/sign.hpp"
+#include "stickslip/equilibrium/contact_mode.hpp"
 #include "stickslip/equilibrium/decide.hpp"
 
 namespace stickslip {
@@ -36,7 +37,7 @@ class GraspReader {
         verdict_(verdict),
         grasp_(question.loaded.grasp),
         wrench_(question.loaded.wrench),
-        rows_(contact_rows(grasp_)) {}
+        problem_(question.loaded, question.law) {}
 
   GraspInk read() {
     ink_.frame = picture_frame(grasp_);
@@ -126,11 +127,11 @@ class GraspReader {
     const Twist& d = witness.twist;
     ink_.motion_factor = add_motion(d, "motion");
     for (std::size_t i = 0; i < grasp_.size(); ++i) {
-      const Sign slip = sign_of(power(rows_[i].tangent, d));
-      ink_.marks[i] = rows_[i].normal_coefficient(d).sign() < 0 ? ContactMark::kOpen
-                      : slip == Sign::kPositive                 ? ContactMark::kSlipPlus
-                      : slip == Sign::kNegative                 ? ContactMark::kSlipMinus
-                                                                : ContactMark::kStick;
+      const ContactMode mode = mode_of(problem_, ContactId(i), d);
+      ink_.marks[i] = !mode.closed                   ? ContactMark::kOpen
+                      : mode.slip == Sign::kPositive ? ContactMark::kSlipPlus
+                      : mode.slip == Sign::kNegative ? ContactMark::kSlipMinus
+                                                     : ContactMark::kStick;
       const Vector2 f = force(witness, i);
       ink_.arrows.push_back(
           {ink_.contacts[i].at,
@@ -157,8 +158,7 @@ class GraspReader {
   }
 
   void add_refutation(const Refutation& refutation) {
-    const Problem problem(question_.loaded, question_.law);
-    const RefutationSummary proof = summarize(refutation, &problem);
+    const RefutationSummary proof = summarize(refutation, &problem_);
     if (proof.leaves == 0) {
       ink_.caption.push_back("The normal law allows no motion at all.");
       return;
@@ -210,7 +210,7 @@ class GraspReader {
   bool can_oppose(std::size_t i, const Twist& drift, const RefutationSummary& proof) const {
     const ContactId contact(i);
     if (proof.largest_case_open.count(contact) > 0) return false;
-    const ContactRow& row = rows_[i];
+    const ContactRow& row = problem_.rows()[i];
     const Rational normal = power(row.normal, drift);
     const Rational friction = row.friction * power(row.tangent, drift);
     const auto slip = proof.largest_case_slips.find(contact);
@@ -268,7 +268,7 @@ class GraspReader {
   const Verdict& verdict_;
   const Grasp& grasp_;
   const Wrench& wrench_;
-  std::vector<ContactRow> rows_;
+  Problem problem_;
   GraspInk ink_;
 };
 

@@ -32,7 +32,7 @@ std::vector<Rational> numbers(const py::object& values, std::size_t contacts,
 GraspFile make_grasp(const py::list& positions, const py::list& normals,
                      const py::object& friction, const py::object& stiffness,
                      const py::object& preload, const py::list& wrench, const std::string& name,
-                     const py::object& snap_normals) {
+                     const py::object& snap_normals, bool assumed_stiffness) {
   const std::size_t m = positions.size();
   const std::vector<Rational> frictions = numbers(friction, m, "friction");
   const std::vector<Rational> stiffnesses = numbers(stiffness, m, "stiffness");
@@ -43,6 +43,9 @@ GraspFile make_grasp(const py::list& positions, const py::list& normals,
                         frictions[i], stiffnesses[i], preloads[i]});
   }
   GraspFile file{{Grasp(std::move(contacts), name), exact_wrench(wrench, "wrench")}, {}};
+  for (std::size_t i = 0; assumed_stiffness && i < m; ++i) {
+    file.assumed_stiffness.emplace_back(i);
+  }
   if (!snap_normals.is_none()) {
     QuestionOptions options;
     options.snap_tolerance = file.snap_tolerance = exact(snap_normals, "snap_normals");

@@ -4,9 +4,10 @@
 #include "stickslip/arrangement/enumerate.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
-#include "stickslip/core/sign.hpp"
+#include "stickslip/equilibrium/contact_mode.hpp"
 #include "stickslip/equilibrium/decide.hpp"
 #include "stickslip/equilibrium/margin.hpp"
+#include "stickslip/equilibrium/model_warnings.hpp"
 
 namespace stickslip::python {
 namespace {
@@ -35,17 +36,15 @@ void add_witness(py::dict& result, const Question& question, const Problem& prob
                  const Witness& witness) {
   py::tuple coefficients(problem.size());
   py::tuple closed(problem.size());
-  std::string slip;
+  const std::vector<ContactMode> modes = modes_of(problem, witness.twist);
   for (std::size_t i = 0; i < problem.size(); ++i) {
-    const ContactRow& row = problem.rows()[i];
     coefficients[i] = fractions(witness.forces[i].normal, witness.forces[i].tangential);
-    closed[i] = row.normal_coefficient(witness.twist).sign() >= 0;
-    slip += to_char(sign_of(power(row.tangent, witness.twist)));
+    closed[i] = modes[i].closed;
   }
   result["twist"] = fractions(witness.twist);
   result["forces"] = force_vectors(question.loaded.grasp, witness.forces);
   result["coefficients"] = coefficients;
-  result["slip"] = slip;
+  result["slip"] = slips_text(modes);
   result["closed"] = closed;
 }
 
@@ -55,12 +54,13 @@ Engine engine_named(const std::string& name) {
 
 py::dict decide_grasp(const GraspFile& grasp, const py::object& wrench,
                       const py::object& preload, bool bilateral, const std::string& engine,
-                      std::size_t node_limit, std::size_t threads) {
+                      std::size_t node_limit, std::size_t threads, bool warnings) {
   struct Answer {
     Question question;
     Problem problem;
     Decision decision;
     std::string certificate;  ///< empty if undecided
+    std::vector<ModelWarning> warnings;
   };
   const QuestionOptions asked = question_options(wrench, preload, bilateral);
   const Answer answer = without_gil([&] {
@@ -71,11 +71,20 @@ py::dict decide_grasp(const GraspFile& grasp, const py::object& wrench,
     options.threads = threads;
     Decision decision = decide(problem, engine_named(engine), options);
     std::string certificate = certificate_of(question, decision);
+    std::vector<ModelWarning> found;
+    if (warnings) found = model_warnings(question, decision.verdict);
     return Answer{std::move(question), std::move(problem), std::move(decision),
-                  std::move(certificate)};
+                  std::move(certificate), std::move(found)};
   });
 
-  return decision_fields(answer.question, answer.problem, answer.decision, answer.certificate);
+  py::dict result =
+      decision_fields(answer.question, answer.problem, answer.decision, answer.certificate);
+  py::list found;
+  for (const ModelWarning& warning : answer.warnings) {
+    found.append(py::make_tuple(to_string(warning.trap), warning.text));
+  }
+  result["warnings"] = found;
+  return result;
 }
 
 py::dict slip_states(const GraspFile& grasp, const std::string& engine, bool list,

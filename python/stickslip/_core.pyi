@@ -19,6 +19,7 @@ class GraspData:
         wrench: List[Any],
         name: str,
         snap_normals: Any,
+        assumed_stiffness: bool,
     ) -> None: ...
     @staticmethod
     def parse(text: bytes, name: bytes) -> GraspData: ...
@@ -41,6 +42,7 @@ def decide(
     engine: str,
     node_limit: int,
     threads: int,
+    warnings: bool,
 ) -> Dict[str, Any]: ...
 def slip_states(grasp: GraspData, engine: str, list_states: bool, threads: int) -> Dict[str, Any]: ...
 def margin(

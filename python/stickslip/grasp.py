@@ -34,7 +34,7 @@ class Grasp:
         positions: (m, 2), the contacts in the frame of the body.
         normals: (m, 2), not zero, pointing *into* the body, of any length.
         friction: coefficient of friction, >= 0; one number or (m,), as are the next two.
-        stiffness: of the normal springs, force per length, > 0.
+        stiffness: of the normal springs, force per length, > 0; 1 if None.
         preload: normal force before the wrench is applied, >= 0.
         wrench: (3,), force x, force y and torque about the origin, applied *to* the body.
         name: for people.
@@ -63,7 +63,7 @@ class Grasp:
         positions: ArrayLike,
         normals: ArrayLike,
         friction: Any,
-        stiffness: Any = 1,
+        stiffness: Any = None,
         preload: Any = 0,
         *,
         wrench: Any = (0, 0, 0),
@@ -76,11 +76,12 @@ class Grasp:
             rows,
             as_list(normals, "normals", (m, 2), "one row x, y for each row of positions"),
             as_numbers(friction, "friction", m),
-            as_numbers(stiffness, "stiffness", m),
+            as_numbers(1 if stiffness is None else stiffness, "stiffness", m),
             as_numbers(preload, "preload", m),
             as_wrench(wrench, "wrench"),
             as_text(name, "name"),
             as_number_or_none(snap_normals, "snap_normals"),
+            stiffness is None,
         )
         object.__setattr__(self, "_data", data)
 

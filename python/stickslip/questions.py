@@ -31,6 +31,7 @@ from .results import (
     CrossCheck,
     Decision,
     Margin,
+    ModelWarning,
     NearbyEquilibrium,
     Residual,
     SlipStates,
@@ -47,6 +48,7 @@ def decide(
     engine: str = "auto",
     node_limit: int = 0,
     threads: int = 0,
+    warnings: bool = False,
 ) -> Decision:
     """Will the grasp hold its load passively? A verdict, with evidence.
 
@@ -61,6 +63,8 @@ def decide(
             many contacts, "auto" takes the one that suits. All are exact.
         node_limit: let the engine "cone" give up, undecided, after so many nodes; 0 is no limit.
         threads: of the engine "cone"; 0 is one a core. The answer does not depend on it.
+        warnings: look for traps of the model as well, such as a large motion, or a preload that
+            does not balance (docs/model.md). Takes longer than most verdicts.
 
     Raises:
         InputError: an argument is wrong, or a preloaded contact has a normal of irrational
@@ -74,6 +78,7 @@ def decide(
         one_of("engine", engine, ("auto", "states", "cone")),
         as_count("node_limit", node_limit),
         as_count("threads", threads, 1024),
+        bool(warnings),
     )))
 
 
@@ -231,4 +236,6 @@ def _data(grasp: Grasp) -> _core.GraspData:
 
 def _snapped(result: Any) -> Any:
     result["snapped_normals"] = tuple(SnappedNormal(*s) for s in result["snapped_normals"])
+    if "warnings" in result:
+        result["warnings"] = tuple(ModelWarning(*w) for w in result["warnings"])
     return result

@@ -26,6 +26,13 @@ class SnappedNormal(NamedTuple):
         return f"SnappedNormal({self.contact}, {shown(self.normal)}, {self.moved_at_most!r})"
 
 
+class ModelWarning(NamedTuple):
+    """Where an exact answer may mislead (docs/model.md)."""
+
+    trap: str  # "large-motion", "unbalanced-preload", "lost-preload" or "assumed-stiffness"
+    text: str
+
+
 @dataclass(frozen=True, repr=False)
 class Decision(Answer):
     """A verdict with its evidence. Everything about motion and forces is None unless stable."""
@@ -51,6 +58,8 @@ class Decision(Answer):
     """False where the contact has opened."""
     limit: Optional[str] = None
     """The limit that was reached, if undecided."""
+    warnings: Tuple[ModelWarning, ...] = ()
+    """What decide was asked to look for with ``warnings=True``."""
     stats: Dict[str, int] = field(default_factory=dict, repr=False, compare=False)
     """Work counters of the engine; reproducible."""
 

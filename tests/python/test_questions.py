@@ -137,6 +137,22 @@ def test_no_contact():
     assert margin(nothing, UP).resisted == ((0, 0),)
 
 
+def test_warnings_are_those_of_the_program(tmp_path):
+    turned = Grasp([[-1, 0], [1, 0]], [[1, 0], [-1, 0]], "1/2", preload=[1, 2])
+    file = tmp_path / "grasp.json"
+    # Stiffness that nobody gave: the file of the program has none either.
+    file.write_text('{"format": "stickslip-grasp/1", "contacts": ['
+                    '{"position": [-1, 0], "normal": [1, 0], "friction": "1/2", "preload": 1},'
+                    '{"position": [1, 0], "normal": [-1, 0], "friction": "1/2", "preload": 2}],'
+                    '"wrench": [0, 0, 0]}')
+    expected = program("decide", str(file))["warnings"]
+    assert [w["trap"] for w in expected] == ["unbalanced-preload"]
+    found = decide(turned, warnings=True).warnings
+    assert [(w.trap, w.text) for w in found] == [(w["trap"], w["text"]) for w in expected]
+    assert decide(Grasp.from_file(file), warnings=True).warnings == found
+    assert decide(turned).warnings == ()
+
+
 # --- slip_states
 
 

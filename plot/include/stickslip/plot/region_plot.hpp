@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "stickslip/equilibrium/question.hpp"
-#include "stickslip/resistance/resistible_region.hpp"
+#include "stickslip/resistance/resistible_set.hpp"
 
 namespace stickslip {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stickslip/resistance/resistible_region.hpp"
+#include "stickslip/resistance/resistible_set.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -69,8 +69,8 @@ Map scaled(const RationalMap& map, const Integer& factor) {
 
 class PieceFinder {
  public:
-  PieceFinder(const Problem& problem, const WrenchPlane& plane, const RegionOptions& options,
-              RegionWork& work)
+  PieceFinder(const Problem& problem, const WrenchPlane& plane,
+              const ResistibleOptions& options, ResistibleWork& work)
       : problem_(problem), plane_(plane), options_(options), work_(work) {
     // A contact's wrench is v(x) times one of two constant wrenches, on either edge.
     RationalMap at_rest = outer(plane.coordinates({0, 0, 0}, 1), {0, 0, 0, 1});
@@ -138,7 +138,11 @@ class PieceFinder {
     if (options_.mode_limit != 0 && work_.modes > options_.mode_limit) return false;
     if (std::optional<PlaneCell> cell = cell_of(region)) {
       ++work_.pieces;
-      pieces.push_back({*state_, closed_, std::move(*cell)});
+      std::vector<ContactMode> modes;
+      for (std::size_t i = 0; i < closed_.size(); ++i) {
+        modes.push_back({closed_[i], (*state_)[i]});
+      }
+      pieces.push_back({std::move(modes), std::move(*cell)});
     }
     return true;
   }
@@ -168,8 +172,8 @@ class PieceFinder {
 
   const Problem& problem_;
   const WrenchPlane& plane_;
-  const RegionOptions& options_;
-  RegionWork& work_;
+  const ResistibleOptions& options_;
+  ResistibleWork& work_;
   Map at_rest_;             ///< no contact wrench
   std::vector<Map> edges_;  ///< what contact i adds while it slips +: 2i, and -: 2i + 1
   const SlipState* state_ = nullptr;
@@ -206,15 +210,15 @@ Wrench WrenchPlane::at(const PlanePoint& point) const {
 Vector4 WrenchPlane::coordinates(const Vector3& w, const Rational& h) const {
   const Vector3 o = stickslip::coordinates(origin_);
   const Vector3 from_origin{w[0] - h * o[0], w[1] - h * o[1], w[2] - h * o[2]};
-  return {dot(dual_[0], from_origin), dot(dual_[1], from_origin),
-          dot(dual_[2], from_origin), h};
+  return {dot(dual_[0], from_origin), dot(dual_[1], from_origin), dot(dual_[2], from_origin),
+          h};
 }
 
 std::variant<std::vector<ResistiblePiece>, Undecided> resistible_pieces(
-    const Problem& problem, const WrenchPlane& plane, const RegionOptions& options,
-    RegionWork* work) {
-  RegionWork unused;
-  RegionWork& counters = work != nullptr ? *work : unused;
+    const Problem& problem, const WrenchPlane& plane, const ResistibleOptions& options,
+    ResistibleWork* work) {
+  ResistibleWork unused;
+  ResistibleWork& counters = work != nullptr ? *work : unused;
   counters = {};
   PieceFinder finder(problem, plane, options, counters);
   if (!finder.find()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stickslip/resistance/resistible_region.hpp"
+#include "stickslip/resistance/resistible_set.hpp"
 
 #include <gtest/gtest.h>
 
@@ -232,7 +232,7 @@ TEST(ResistibleRegion, OrderOfContactsDoesNotMatter) {
 
 TEST(ResistibleRegion, PiecesNameTheirModes) {
   const Problem problem({fig1_grasp(1), {0, 0, 0}}, NormalLaw::kUnilateral);
-  RegionWork work;
+  ResistibleWork work;
   const Pieces pieces =
       std::get<Pieces>(resistible_pieces(problem, WrenchPlane::forces(), {}, &work));
   EXPECT_EQ(work.slip_states, 27u);
@@ -240,10 +240,10 @@ TEST(ResistibleRegion, PiecesNameTheirModes) {
   EXPECT_GE(work.modes, pieces.size());
   // All stick at d = 0: P = 1 at each contact, friction anywhere in the cones.
   const auto stick = std::find_if(pieces.begin(), pieces.end(), [](const ResistiblePiece& p) {
-    return p.slip == SlipState(3, Sign::kZero);
+    return slips_text(p.modes) == "000";
   });
   ASSERT_NE(stick, pieces.end());
-  EXPECT_EQ(stick->closed, std::vector<bool>(3, true));
+  EXPECT_EQ(stick->modes, std::vector<ContactMode>(3, {true, Sign::kZero}));
   const Rational half(1, 2);
   EXPECT_EQ(stick->cell.vertices(), (Points{{-half, -3 * half},
                                             {0, -2},
@@ -255,8 +255,8 @@ TEST(ResistibleRegion, PiecesNameTheirModes) {
 
 TEST(ResistibleRegion, LimitOnModes) {
   const Problem problem({fig1_grasp(1), {0, 0, 0}}, NormalLaw::kUnilateral);
-  RegionWork work;
-  RegionOptions options;
+  ResistibleWork work;
+  ResistibleOptions options;
   std::size_t calls = 0;
   options.progress = [&](std::size_t done, std::size_t all) {
     EXPECT_EQ(done, calls++);

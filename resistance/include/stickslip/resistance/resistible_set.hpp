@@ -29,10 +29,9 @@
 #include <variant>
 #include <vector>
 
-#include "stickslip/resistance/plane_union.hpp"
-#include "stickslip/arrangement/slip_states.hpp"
-#include "stickslip/equilibrium/problem.hpp"
+#include "stickslip/equilibrium/contact_mode.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
+#include "stickslip/resistance/plane_union.hpp"
 
 namespace stickslip {
 
@@ -63,20 +62,19 @@ class WrenchPlane {
 
 /// The part of the region that one mode gives; not empty.
 struct ResistiblePiece {
-  SlipState slip;            ///< by ContactId
-  std::vector<bool> closed;  ///< by ContactId; otherwise open
-  PlaneCell cell;            ///< the wrenches that it resists, in coordinates (s, t)
+  std::vector<ContactMode> modes;  ///< by ContactId
+  PlaneCell cell;                  ///< the wrenches that it resists, in coordinates (s, t)
 };
 
 /// What resistible_pieces did; reproducible.
-struct RegionWork {
+struct ResistibleWork {
   std::size_t slip_states = 0;  ///< distinct slip states of the grasp
   std::size_t modes = 0;        ///< that some motion has
   std::size_t pieces = 0;       ///< modes that resist some wrench of the plane
 };
 
 /// How far to go, and whom to tell.
-struct RegionOptions {
+struct ResistibleOptions {
   std::size_t mode_limit = 0;  ///< 0: none; otherwise Undecided when it is exceeded
   /// Called before each slip state with the number of those done and of all.
   std::function<void(std::size_t done, std::size_t all)> progress;
@@ -87,8 +85,8 @@ struct RegionOptions {
 /// tau_i = 0 and v_i = 0 cut from the space of motions. Undecided only when the limit is
 /// exceeded.
 std::variant<std::vector<ResistiblePiece>, Undecided> resistible_pieces(
-    const Problem& problem, const WrenchPlane& plane, const RegionOptions& options = {},
-    RegionWork* work = nullptr);
+    const Problem& problem, const WrenchPlane& plane, const ResistibleOptions& options = {},
+    ResistibleWork* work = nullptr);
 
 /// The union of the pieces: the resistible wrenches of the plane.
 PlaneUnion unite(const std::vector<ResistiblePiece>& pieces);

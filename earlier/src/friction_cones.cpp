@@ -98,9 +98,9 @@ class RegionProgram {
   std::vector<std::size_t> normal_rows_;
 };
 
-class Search {
+class SeparationSearch {
  public:
-  Search(const Problem& problem, std::size_t most_programs)
+  SeparationSearch(const Problem& problem, std::size_t most_programs)
       : problem_(problem), programs_left_(most_programs) {}
 
   enum class Outcome { kRefuted, kFound, kLimit };
@@ -155,11 +155,11 @@ class Search {
 }  // namespace
 
 ConesVerdict friction_cones_alone(const Problem& problem, std::size_t most_programs) {
-  Search search(problem, most_programs);
+  SeparationSearch search(problem, most_programs);
   switch (search.run(Region::root(problem))) {
-    case Search::Outcome::kLimit:
+    case SeparationSearch::Outcome::kLimit:
       return Undecided{std::to_string(most_programs) + " linear programs"};
-    case Search::Outcome::kRefuted:
+    case SeparationSearch::Outcome::kRefuted:
       return std::move(search.tree);
     default:
       break;

@@ -107,9 +107,9 @@ Region with_sign(const Region& region, const IntegerVector4& plane, Sign sign) {
 /// Branch and bound over regions of accelerations. Every split parts a region into disjoint
 /// ones by a plane N_i or T_i that does not have one sign on it, so there are at most as many
 /// leaves as the arrangement of these planes has cells.
-class Search {
+class AccelerationSearch {
  public:
-  Search(const Problem& problem, const Inertia& inertia, std::size_t most_programs)
+  AccelerationSearch(const Problem& problem, const Inertia& inertia, std::size_t most_programs)
       : problem_(problem),
         inertia_(inertia),
         most_programs_(most_programs),
@@ -289,11 +289,11 @@ Acceleration checked(const Problem& problem, const Inertia& inertia, Acceleratio
 std::variant<StronglyStable, Acceleration, Undecided> strongly_stable_load(
     const Problem& problem, const Inertia& inertia, std::size_t most_programs) {
   require(inertia.gyration_squared.sign() > 0, "the radius of gyration must not be zero");
-  Search search(problem, inertia, most_programs);
+  AccelerationSearch search(problem, inertia, most_programs);
   switch (search.run()) {
-    case Search::Outcome::kLimit:
+    case AccelerationSearch::Outcome::kLimit:
       return Undecided{std::to_string(most_programs) + " linear programs"};
-    case Search::Outcome::kFound:
+    case AccelerationSearch::Outcome::kFound:
       return checked(problem, inertia, search.found());
     default:
       break;

@@ -13,7 +13,7 @@ ALLOWED = {
     "lp": {"core"},
     "arrangement": {"core", "lp"},
     "equilibrium": {"core", "lp", "arrangement"},
-    "resistance": {"core", "equilibrium"},
+    "resistance": {"core", "arrangement", "equilibrium"},
     "earlier": {"core", "lp", "equilibrium"},
     "certificate": {"core", "equilibrium"},
     "crosscheck": {"core", "equilibrium"},
@@ -72,6 +72,20 @@ class Layout(unittest.TestCase):
                  if not path.startswith(os.path.join("certificate", "checker"))
                  and re.search(r"#include <fstream>|\b[io]?fstream\b|\bfopen\b", text)}
         self.assertEqual(users, {"core/include/stickslip/core/file.hpp", "cli/batch.cpp"})
+
+    def test_no_type_is_defined_twice(self):
+        # Two definitions of one name in a program are undefined behaviour unless the same, and
+        # two names of one idea are hard to read even where they are not.
+        places = {}
+        for module in [*ALLOWED, "cli"]:
+            for path, text in sources(module):
+                if path.startswith(os.path.join("certificate", "checker")):
+                    continue
+                for name in re.findall(r"^(?:class|struct|enum class) ([A-Z]\w*)[^;:]*(?: : [^;]*?)?\{", text, re.M):
+                    places.setdefault(name, []).append(path)
+        self.assertGreater(len(places), 100)
+        twice = {name: paths for name, paths in places.items() if len(paths) > 1}
+        self.assertEqual(twice, {})
 
     def test_every_source_names_its_licence(self):
         for folder in [*ALLOWED, "cli", "python", "bench", "examples", "paper_examples", "tests"]:

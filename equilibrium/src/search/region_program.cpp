@@ -39,7 +39,7 @@ struct Column {
 };
 
 /// Which positive function of a solution is made 1: h, or a strict function of the loads.
-enum class Scale { kHeight, kAboveLow, kBelowHigh };
+enum class Normalizer { kHeight, kAboveLow, kBelowHigh };
 
 void add(LpWork& sum, const LpWork& part) {
   sum.double_pivots += part.double_pivots;
@@ -62,7 +62,7 @@ class ColumnGeneration {
 
   std::variant<RelaxedPoint, VirtualWorkLeaf> solve(LpWork& work) {
     std::vector<Rational> sum;
-    for (const Scale scale : scales()) {
+    for (const Normalizer scale : scales()) {
       auto outcome = optimize(scale, 0, work);
       if (auto* twist = std::get_if<Vector3>(&outcome)) {
         return VirtualWorkLeaf{primitive_multiple(*twist), {}};
@@ -78,7 +78,7 @@ class ColumnGeneration {
   /// The largest (sign = 1) or smallest (sign = -1) multiple, or a ray on which it grows
   /// without end.
   std::optional<RelaxedPoint> extreme(int sign, LpWork& work) {
-    const auto outcome = optimize(Scale::kHeight, sign, work);
+    const auto outcome = optimize(Normalizer::kHeight, sign, work);
     if (std::holds_alternative<Vector3>(outcome)) return std::nullopt;
     if (const auto* unbounded = std::get_if<Unbounded>(&outcome)) return point(unbounded->ray);
     return point(std::get<Optimal>(outcome).point);
@@ -131,26 +131,27 @@ class ColumnGeneration {
     }
   }
 
-  std::vector<Scale> scales() const {
+  std::vector<Normalizer> scales() const {
     const LoadRange& load = problem_.load();
-    std::vector<Scale> scales;
-    if (load.low_is_strict()) scales.push_back(Scale::kAboveLow);
-    if (load.high_is_strict()) scales.push_back(Scale::kBelowHigh);
+    std::vector<Normalizer> scales;
+    if (load.low_is_strict()) scales.push_back(Normalizer::kAboveLow);
+    if (load.high_is_strict()) scales.push_back(Normalizer::kBelowHigh);
     // Between two finite ends h > 0 follows.
-    if (scales.empty() || load.recession()) scales.push_back(Scale::kHeight);
+    if (scales.empty() || load.recession()) scales.push_back(Normalizer::kHeight);
     return scales;
   }
 
-  Rational value_of(Scale scale, const Generator& g) const {
-    if (scale == Scale::kHeight) return g.h;
-    if (scale == Scale::kAboveLow) return g.multiple - problem_.load().ends()[0].multiple * g.h;
+  Rational value_of(Normalizer scale, const Generator& g) const {
+    if (scale == Normalizer::kHeight) return g.h;
+    if (scale == Normalizer::kAboveLow)
+      return g.multiple - problem_.load().ends()[0].multiple * g.h;
     return problem_.load().ends()[1].multiple * g.h - g.multiple;
   }
 
   /// sum lambda_c (wrench_c, scale_c) = (0, 0, 0, 1), lambda >= 0, with the most of
   /// sign * multiple. Or a twist y with g <= 0 on all generators, = 0 only where the scale is
   /// 0.
-  std::variant<Optimal, Unbounded, Vector3> optimize(Scale scale, int sign, LpWork& work) {
+  std::variant<Optimal, Unbounded, Vector3> optimize(Normalizer scale, int sign, LpWork& work) {
     while (true) {
       LpWork master_work;
       const LpResult master = stickslip::solve(master_program(scale, sign), &master_work);
@@ -166,7 +167,7 @@ class ColumnGeneration {
     }
   }
 
-  LinearProgram master_program(Scale scale, int sign) const {
+  LinearProgram master_program(Normalizer scale, int sign) const {
     LinearProgram program;
     program.add_variables(columns_.size(), VariableKind::kNonNegative);
     for (std::size_t j = 0; j < 3; ++j) {
@@ -188,7 +189,7 @@ class ColumnGeneration {
 
   /// Adds, on each generator, the extreme point that does the most work on the twist, if its
   /// reduced cost is negative: y.wrench + z scale > cost. False if there are none.
-  bool add_columns(const Vector3& twist, Scale scale, const Rational& z, int sign) {
+  bool add_columns(const Vector3& twist, Normalizer scale, const Rational& z, int sign) {
     const Twist y{twist[0], twist[1], twist[2]};
     for (OpenContact& open : open_) {
       const ContactRow& row = problem_.row(open.contact);

@@ -31,7 +31,7 @@
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/grasp_file.hpp"
-#include "stickslip/core/text_lines.hpp"
+#include "stickslip/core/json.hpp"
 #include "stickslip/equilibrium/search/branch_and_bound.hpp"
 
 namespace stickslip {

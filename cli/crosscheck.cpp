@@ -11,7 +11,7 @@
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
-#include "stickslip/core/text_lines.hpp"
+#include "stickslip/core/json.hpp"
 
 namespace stickslip {
 namespace {

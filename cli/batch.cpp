@@ -31,7 +31,7 @@
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/grasp_file.hpp"
-#include "stickslip/core/text_lines.hpp"
+#include "stickslip/core/json.hpp"
 #include "stickslip/equilibrium/search/branch_and_bound.hpp"
 
 namespace stickslip {
@@ -365,15 +365,15 @@ void add_batch_command(CLI::App& app, int& exit_code) {
   add_threads_option(
       *command, arguments->threads,
       "Grasps decided at a time; 0 is one a core. The results do not depend on it");
-  command->footer(
+  command->footer(footer_text(
       "Each line gives one line of JSON: line, key (of the question), name and verdict, or\n"
       "the error that it has; the rest goes on. Certificates are checked with the line as\n"
       "grasp file. The node limit holds for each grasp. Memory does not grow with the file.\n"
       "An interruption (Ctrl-C, SIGTERM, SIGHUP) ends the program by that signal, between two\n"
-      "lines: FILE then ends in a whole line, and the same command with --resume goes on.\n"
-      "Example: stickslip batch grasps.jsonl -o verdicts.jsonl --resume\n"
-      "Exit codes: 0 done, 2 some lines were unreadable (or bad usage), 3 some undecided\n"
-      "within the limit.");
+      "lines: FILE then ends in a whole line, and the same command with --resume goes on.\n",
+      "0 done, 2 some lines were unreadable (or bad usage), 3 some undecided\n"
+      "within the limit",
+      "stickslip batch grasps.jsonl -o verdicts.jsonl --resume"));
   command->callback([arguments, &exit_code] { exit_code = Batch(*arguments).run(); });
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// What the command line offers, read off the parser: the manual and the completion scripts are
-/// written from this, so that they cannot say anything else than --help.
+/// The commands of the program as a tree, and what the words of a command line are in it.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,43 +9,27 @@
 
 namespace stickslip {
 
-struct OptionEntry {
-  /// "-o", "--output"; of an argument the one name that --help gives it.
-  std::vector<std::string> names;
-  std::string value;  ///< what stands for the value: FILE, DIR, N, ...; empty: it takes none
-  std::vector<std::string> choices;  ///< all possible values, if they are few
-  std::string default_value;
-  std::string description;
-  bool required = false;
-  /// Longest names of the options that it needs, and that it cannot be together with.
-  std::vector<std::string> needs;
-  std::vector<std::string> excludes;
-};
-
-/// A command and its subcommands. Only a command without subcommands has arguments and options
-/// with values: a command's name is then the first words of the line that are not flags.
-struct CommandEntry {
+/// A command of the tree.
+struct NamedCommand {
+  const CLI::App* app;
   std::string name;  ///< as it is typed: "stickslip plot grasp"
-  std::string description;
-  std::string footer;
-  std::vector<OptionEntry> options;
-  std::vector<OptionEntry> arguments;
-  std::vector<CommandEntry> subcommands;
+
+  /// The commands below it, hidden ones included.
+  std::vector<const CLI::App*> subcommands() const;
+
+  /// Goes down to the subcommand `word`; false if there is none.
+  bool enter(const std::string& word);
+
+  /// The option that a word such as --option=value or -oFILE gives, or nullptr.
+  const CLI::Option* option(const std::string& word) const;
 };
 
-/// All that is not hidden.
-CommandEntry command_tree(const CLI::App& app);
+bool takes_value(const CLI::Option& option);
 
-/// A command and all below it, each before its subcommands.
-std::vector<const CommandEntry*> all_commands(const CommandEntry& command);
+/// Whether this is a word for an option, and not an argument such as - or -1.
+bool is_option(const std::string& word);
 
-/// The last word of a command's name.
-std::string last_word(const CommandEntry& command);
-
-/// The words one after the other, with `separator` between them.
-std::string joined(const std::vector<std::string>& words, const std::string& separator = " ");
-
-/// The first clause of a description, for menus: up to a full stop or a semicolon.
-std::string first_clause(const std::string& text);
+/// Whether the value of the option that `word` gives is the next word.
+bool value_follows(const CLI::Option& option, const std::string& word);
 
 }  // namespace stickslip

@@ -20,10 +20,16 @@ enum ExitCode : int {
   kInternalError = 70  ///< a broken promise of the program's own
 };
 
-/// The last line of most footers; those of other commands begin alike (see manual.hpp).
-inline const std::string kExitCodes = "Exit codes: 0 done, 2 bad input or usage.";
-inline const std::string kExitCodesWithLimit =
-    "Exit codes: 0 done, 2 bad input or usage, 3 undecided within a limit.";
+inline const std::string kExitCodes = "0 done, 2 bad input or usage";
+inline const std::string kExitCodesWithLimit = kExitCodes + ", 3 undecided within a limit";
+
+/// What --help says below the options, in the form that help2man reads: notes and the exit
+/// codes, and a last section of examples, one command a line.
+inline std::string footer_text(const std::string& notes, const std::string& exit_codes,
+                               const std::string& example) {
+  return notes + (notes.empty() ? "" : "\n") + "Exit codes: " + exit_codes +
+         ".\n\nExamples:\n  $ " + example;
+}
 
 void add_decide_command(CLI::App& app, int& exit_code);
 void add_states_command(CLI::App& app, int& exit_code);
@@ -37,9 +43,8 @@ void add_plot_command(CLI::App& app, int& exit_code);
 /// `plot region`, beside `region`.
 void add_region_plot(CLI::App& plot, int& exit_code);
 void add_help_command(CLI::App& app, int& exit_code);
+/// `completion`, which prints the scripts, and what they call, `complete`, which is hidden.
 void add_completion_command(CLI::App& app, int& exit_code);
-/// Hidden: writes the manual's pages. The build calls it.
-void add_manual_command(CLI::App& app, int& exit_code);
 
 /// Of a command line that the parser did not take: throws InputError for the first word that
 /// stands where a command or an option should, and is none; it says which may have been meant.

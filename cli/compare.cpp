@@ -96,15 +96,14 @@ void add_compare_command(CLI::App& app, int& exit_code) {
       ->capture_default_str();
   arguments->output.add_to(*command,
                            "Print one JSON object with all evidence; rationals are strings");
-  command->footer(
+  command->footer(footer_text(
       "The methods, all exact: form closure, which asks for no load; loads that are stable\n"
       "without friction, strongly or weakly (rigid contacts, no preload); the grasp wrench\n"
       "space with normal forces bounded in sum (L1) or each (Linf), closed if it holds a ball\n"
       "about 0; linear springs along normals and tangents; the same with each contact stuck,\n"
       "slipping without friction or detached; and the passive model without maximum\n"
-      "dissipation. A method that would take too long is not computed.\n"
-      "Example: stickslip compare fig1.json --wrench 0,1,0 --preload 1\n" +
-      kExitCodes);
+      "dissipation. A method that would take too long is not computed.\n",
+      kExitCodes, "stickslip compare fig1.json --wrench 0,1,0 --preload 1"));
   command->callback([arguments, &exit_code] { exit_code = compare(*arguments); });
 }
 

@@ -11,7 +11,7 @@
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
-#include "stickslip/core/text_lines.hpp"
+#include "stickslip/core/json.hpp"
 
 namespace stickslip {
 namespace {
@@ -171,17 +171,17 @@ void add_crosscheck_command(CLI::App& app, int& exit_code) {
   add_node_limit_option(*command, arguments->node_limit);
   arguments->output.add_to(
       *command, "Print one JSON object a line, and a summary; rationals are strings");
-  command->footer(
+  command->footer(footer_text(
       "Right claims are counted, all others shown. A node limit holds for each verdict and "
       "each\n"
-      "distance to a threshold.\n"
-      "Example: stickslip crosscheck claims.jsonl\n"
+      "distance to a threshold.\n",
+      "0 all right or ties, 1 some wrong, 2 unreadable lines or bad usage,\n"
+      "3 undecided within a limit; the first of 1, 2, 3 that applies",
+      "stickslip crosscheck claims.jsonl\n"
       "where a line of claims.jsonl may be (broken here for reading)\n"
       "  {\"grasp\": \"fig1.json\", \"options\": {\"wrench\": [0, 1, 0], \"preload\": 1},\n"
       "   \"claim\": {\"verdict\": \"stable\", \"twist\": [0, 1, 0],\n"
-      "             \"forces\": [[1, -0.5], [0, 0], [1, 0.5]]}}\n"
-      "Exit codes: 0 all right or ties, 1 some wrong, 2 unreadable lines or bad usage,\n"
-      "3 undecided within a limit; the first of 1, 2, 3 that applies.");
+      "             \"forces\": [[1, -0.5], [0, 0], [1, 0.5]]}}"));
   command->callback([arguments, &exit_code] { exit_code = crosscheck(*arguments); });
 }
 

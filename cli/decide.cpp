@@ -223,10 +223,10 @@ void add_decide_command(CLI::App& app, int& exit_code) {
   command->add_flag("--exit-code", arguments->answer_by_exit_code,
                     "Exit with 10 if stable, 20 if unstable, instead of 0");
   command->footer(
-      "What the model says and does not say, and its warnings: docs/model.md.\n"
-      "Example: stickslip decide fig1.json --wrench 0,-11/10,0 --preload 0\n"
-      "Exit codes: 0 done (with --exit-code 10 stable, 20 unstable), 2 bad input or usage,\n"
-      "3 undecided within a limit.");
+      footer_text("What the model says and does not say, and its warnings: docs/model.md.\n",
+                  "0 done (with --exit-code 10 stable, 20 unstable), 2 bad input or usage,\n"
+                  "3 undecided within a limit",
+                  "stickslip decide fig1.json --wrench 0,-11/10,0 --preload 0"));
   command->callback([arguments, &exit_code] { exit_code = decide(*arguments); });
 }
 

@@ -27,7 +27,8 @@ void add_export_command(CLI::App& app, int& exit_code) {
                  "SMT-LIB 2, logic QF_LRA: sat means stable, unsat unstable")
       ->required();
   add_output_option(*command, arguments->output, "SMT-LIB file");
-  command->footer("Example: stickslip export fig1.json --smt2 -o fig1.smt2\n" + kExitCodes);
+  command->footer(
+      footer_text("", kExitCodes, "stickslip export fig1.json --smt2 -o fig1.smt2"));
   command->callback([arguments, &exit_code] {
     write_whole_file(arguments->output, smtlib_text(arguments->question.question()));
     exit_code = kDone;

@@ -16,18 +16,18 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "stickslip " STICKSLIP_VERSION);
   app.require_subcommand(1);
   app.get_formatter()->column_width(34);
-  app.footer(
+  app.footer(stickslip::footer_text(
       "Each subcommand explains itself: stickslip decide --help.\n"
-      "Files: A grasp file is JSON (docs/grasp_file.md): contacts (position, normal into the\n"
-      "object, friction, stiffness, preload) and the wrench applied to the object. Numbers\n"
-      "are read exactly, \"3/5\" and 0.1 alike. Where stickslip is installed, docs/ is\n"
-      "share/doc/stickslip, and certificate/FORMAT.md is share/stickslip/FORMAT.md.\n"
-      "Example:\n"
-      "  stickslip decide grasp.json --certificate proof.json\n"
-      "  stickslip-check grasp.json proof.json\n"
-      "Exit codes: 0 done, 2 bad input or usage, 3 undecided within a limit, 70 internal "
-      "error;\n"
-      "decide --exit-code and crosscheck have others of their own.");
+      "\n"
+      "A grasp file is JSON (docs/grasp_file.md): contacts (position, normal into the object,\n"
+      "friction, stiffness, preload) and the wrench applied to the object. Numbers are read\n"
+      "exactly, \"3/5\" and 0.1 alike. Where stickslip is installed, docs/ is\n"
+      "share/doc/stickslip, and certificate/FORMAT.md is share/stickslip/FORMAT.md.\n",
+      stickslip::kExitCodesWithLimit +
+          ", 70 internal error;\n"
+          "decide --exit-code and crosscheck have others of their own",
+      "stickslip decide grasp.json --certificate proof.json\n"
+      "  $ stickslip-check grasp.json proof.json"));
   int exit_code = stickslip::kDone;
   stickslip::add_decide_command(app, exit_code);
   stickslip::add_states_command(app, exit_code);
@@ -40,7 +40,6 @@ int main(int argc, char** argv) {
   stickslip::add_plot_command(app, exit_code);
   stickslip::add_help_command(app, exit_code);
   stickslip::add_completion_command(app, exit_code);
-  stickslip::add_manual_command(app, exit_code);
   try {
     try {
       app.parse(argc, argv);

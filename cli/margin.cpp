@@ -118,11 +118,10 @@ void add_margin_command(CLI::App& app, int& exit_code) {
       ->type_name("FILE");
   add_node_limit_option(*command, arguments->node_limit);
   arguments->output.add_to(*command);
-  command->footer(
+  command->footer(footer_text(
       "The answer is a list of closed intervals; one without an upper end is printed as\n"
-      "[a, oo), and ends in null in JSON.\n"
-      "Example: stickslip margin fig1.json --preload 1 --direction 0,1,0\n" +
-      kExitCodesWithLimit);
+      "[a, oo), and ends in null in JSON.\n",
+      kExitCodesWithLimit, "stickslip margin fig1.json --preload 1 --direction 0,1,0"));
   command->callback([arguments, &exit_code] { exit_code = margin(*arguments); });
 }
 

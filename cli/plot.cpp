@@ -22,8 +22,8 @@ void add_grasp_plot(CLI::App& plot, int& exit_code) {
       "grasp", "The verdict: contacts, cones, load, and the forces and motion that hold it");
   arguments->question.add_to(*command);
   add_output_option(*command, arguments->output, "SVG file");
-  command->footer("Example: stickslip plot grasp fig1.json --wrench 0,1,0 -o fig1.svg\n" +
-                  kExitCodes);
+  command->footer(
+      footer_text("", kExitCodes, "stickslip plot grasp fig1.json --wrench 0,1,0 -o fig1.svg"));
   command->callback([arguments, &exit_code] {
     const Question question = arguments->question.question();
     const Decision decision = decide(Problem(question.loaded, question.law));
@@ -42,7 +42,7 @@ void add_states_plot(CLI::App& plot, int& exit_code) {
       "states", "The slip states: the sphere of motions, cut by one great circle a contact");
   add_grasp_argument(*command, arguments->file);
   add_output_option(*command, arguments->output, "SVG file");
-  command->footer("Example: stickslip plot states fig1.json -o states.svg\n" + kExitCodes);
+  command->footer(footer_text("", kExitCodes, "stickslip plot states fig1.json -o states.svg"));
   command->callback([arguments, &exit_code] {
     const GraspFile file = read_grasp_file(arguments->file);
     write_whole_file(arguments->output, plot_states(file.content.grasp));
@@ -57,8 +57,8 @@ void add_plot_command(CLI::App& app, int& exit_code) {
       "plot",
       "Draw a grasp, its slip states or its resistible wrenches: SVG for print and screen");
   command->require_subcommand(1);
-  command->footer("Example: stickslip plot grasp fig1.json -o fig1.svg\n" +
-                  kExitCodesWithLimit);
+  command->footer(
+      footer_text("", kExitCodesWithLimit, "stickslip plot grasp fig1.json -o fig1.svg"));
   add_grasp_plot(*command, exit_code);
   add_states_plot(*command, exit_code);
   add_region_plot(*command, exit_code);

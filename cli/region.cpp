@@ -260,11 +260,10 @@ void add_region_command(CLI::App& app, int& exit_code) {
   command->add_flag("--svg", arguments->svg, "Print a picture, as stickslip plot region does")
       ->excludes(command->get_option("--json"))
       ->excludes(list);
-  command->footer(
+  command->footer(footer_text(
       "By default the plane is that of forces at zero torque. The wrench in the file plays no "
-      "part.\n"
-      "Example: stickslip region fig1.json --preload 1\n" +
-      kExitCodesWithLimit);
+      "part.\n",
+      kExitCodesWithLimit, "stickslip region fig1.json --preload 1"));
   command->callback([arguments, &exit_code] {
     exit_code = arguments->svg ? draw_region(*arguments) : region(*arguments);
   });
@@ -276,8 +275,8 @@ void add_region_plot(CLI::App& plot, int& exit_code) {
       "region", "The resistible wrenches of a plane, by default forces at zero torque");
   add_region_options(*command, *arguments);
   add_output_option(*command, arguments->output, "SVG file");
-  command->footer("Example: stickslip plot region fig1.json --preload 1 -o region.svg\n" +
-                  kExitCodesWithLimit);
+  command->footer(footer_text("", kExitCodesWithLimit,
+                              "stickslip plot region fig1.json --preload 1 -o region.svg"));
   command->callback([arguments, &exit_code] { exit_code = draw_region(*arguments); });
 }
 

@@ -96,12 +96,11 @@ void add_states_command(CLI::App& app, int& exit_code) {
   command->add_flag("--list", arguments->list,
                     "List the states, one character a contact: + and - slip, 0 stick");
   command->add_flag("--json", arguments->json, "Print one JSON object");
-  command->footer(
+  command->footer(footer_text(
       "Motions are points of a sphere, which each contact cuts in a great circle: on it the\n"
       "contact sticks, and it slips one way or the other on either side. Cells are the faces,\n"
-      "edges and vertices that result. Wrench, friction and preload play no part.\n"
-      "Example: stickslip states fig1.json --list\n" +
-      kExitCodes);
+      "edges and vertices that result. Wrench, friction and preload play no part.\n",
+      kExitCodes, "stickslip states fig1.json --list"));
   command->callback([arguments, &exit_code] { exit_code = states(*arguments); });
 }
 

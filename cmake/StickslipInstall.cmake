@@ -20,11 +20,11 @@ install(FILES ${PROJECT_SOURCE_DIR}/certificate/check.py ${PROJECT_SOURCE_DIR}/c
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ TYPE DOC FILES_MATCHING PATTERN *.md
   PATTERN doxygen EXCLUDE)
 
-# The manual and what completes command lines: of stickslip as it wrote them (cli/CMakeLists.txt),
+# The manual, if help2man made it, and what completes command lines: of stickslip as it wrote them,
 # of stickslip-check by hand.
 set(checker ${PROJECT_SOURCE_DIR}/certificate/checker)
 set(completion ${PROJECT_BINARY_DIR}/completion)
-install(DIRECTORY ${PROJECT_BINARY_DIR}/man/man1 TYPE MAN)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/man/man1 TYPE MAN OPTIONAL)
 install(FILES ${checker}/stickslip-check.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES ${completion}/stickslip ${checker}/completion/stickslip-check
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)

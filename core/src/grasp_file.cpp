@@ -2,33 +2,33 @@
 #include "stickslip/core/grasp_file.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
-#include "stickslip/core/json_read.hpp"
 #include "stickslip/core/snap.hpp"
 
 namespace stickslip {
-namespace {
-
-using Kind = JsonNode::Kind;
-
-constexpr const char* kFormat = "stickslip-grasp/1";
-
-/// The properties of a contact that "defaults" may give.
-struct Properties {
-  std::optional<Rational> friction;
-  std::optional<Rational> stiffness;
-  std::optional<Rational> preload;
-};
 
 struct WrittenContact {
+  /// What "defaults" may give.
+  struct Properties {
+    std::optional<Rational> friction;
+    std::optional<Rational> stiffness;
+    std::optional<Rational> preload;
+  };
+
   Vector2 position;
   Vector2 normal;
   Properties own;
 };
+
+namespace {
+
+using Properties = WrittenContact::Properties;
+using Kind = JsonNode::Kind;
+
+constexpr const char* kFormat = "stickslip-grasp/1";
 
 Vector2 read_vector2(const JsonNode& contact, const std::string& path, const char* key,
                      const char* remedy) {
@@ -138,39 +138,14 @@ std::vector<Contact> with_defaults(std::vector<WrittenContact> written,
   return contacts;
 }
 
-GraspFile parse_unnamed(std::string_view text) {
-  if (text.size() > kMaxGraspFileBytes) {
-    fail_at("", "more than " + std::to_string(kMaxGraspFileBytes) + " bytes",
-            "split the grasp file; larger ones are not read");
-  }
-  std::vector<WrittenContact> written;
-  const JsonNode root =
-      parse_json(text, "contacts", [&](std::size_t index, const JsonNode& contact) {
-        written.push_back(read_contact(contact, element_path("contacts", index)));
-      });
-  expect(root, Kind::kObject, "", "an object {\"format\": ..., \"contacts\": [...], ...}");
-  check_format(root);
-  expect_object(root, "", {"format", "name", "defaults", "contacts", "wrench", "normals"});
-  expect(member(root, "", "contacts", "add \"contacts\": [...], which may be empty"),
-         Kind::kArray, "contacts", "an array of contacts [{...}, ...]");
-  const Properties defaults = read_defaults(root);
-  Wrench wrench = read_wrench(root);
-  std::optional<Rational> snap_tolerance = read_snap_tolerance(root);
-  std::vector<ContactId> assumed_stiffness;
-  Grasp grasp(with_defaults(std::move(written), defaults, assumed_stiffness), read_name(root));
-  return {{std::move(grasp), std::move(wrench)},
-          std::move(snap_tolerance),
-          std::move(assumed_stiffness)};
-}
-
 std::string read_all(std::istream& in, const std::string& file) {
   std::string text;
   std::vector<char> chunk(std::size_t{1} << 16);
   while (in) {
     in.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
     text.append(chunk.data(), static_cast<std::size_t>(in.gcount()));
-    // parse_unnamed has the message; what matters here is to stop.
-    if (text.size() > kMaxGraspFileBytes) break;
+    // parse_grasp has the message; what matters here is to stop.
+    if (text.size() > kMaxJsonBytes) break;
   }
   if (in.bad()) throw InputError(file, "", "reading failed", "is it a readable file?");
   return text;
@@ -197,19 +172,43 @@ std::string write_numbers(std::initializer_list<const Rational*> values) {
   return text + "]";
 }
 
-std::string write_string(const std::string& text) {
-  try {
-    return nlohmann::json(text).dump();
-  } catch (const nlohmann::json::exception&) {
-    throw InputError("", "name", quote(text) + " is not valid UTF-8", "give the name in UTF-8");
-  }
+}  // namespace
+
+StreamedGrasp::StreamedGrasp() = default;
+StreamedGrasp::~StreamedGrasp() = default;
+
+void StreamedGrasp::add_contact(std::size_t index, const JsonNode& node) {
+  contacts_.push_back(read_contact(node, element_path("contacts", index)));
 }
 
-}  // namespace
+GraspFile StreamedGrasp::finish(const JsonNode& grasp) {
+  expect(grasp, Kind::kObject, "", "an object {\"format\": ..., \"contacts\": [...], ...}");
+  check_format(grasp);
+  expect_object(grasp, "", {"format", "name", "defaults", "contacts", "wrench", "normals"});
+  expect(member(grasp, "", "contacts", "add \"contacts\": [...], which may be empty"),
+         Kind::kArray, "contacts", "an array of contacts [{...}, ...]");
+  const Properties defaults = read_defaults(grasp);
+  Wrench wrench = read_wrench(grasp);
+  std::optional<Rational> snap_tolerance = read_snap_tolerance(grasp);
+  std::vector<ContactId> assumed_stiffness;
+  Grasp read(with_defaults(std::move(contacts_), defaults, assumed_stiffness),
+             read_name(grasp));
+  return {{std::move(read), std::move(wrench)},
+          std::move(snap_tolerance),
+          std::move(assumed_stiffness)};
+}
 
 GraspFile parse_grasp(std::string_view text, const std::string& file) {
   try {
-    return parse_unnamed(text);
+    if (text.size() > kMaxJsonBytes) {
+      fail_at("", "more than " + std::to_string(kMaxJsonBytes) + " bytes",
+              "split the grasp file; larger ones are not read");
+    }
+    StreamedGrasp reader;
+    return reader.finish(
+        parse_json(text, {{{"contacts"}, [&](std::size_t index, const JsonNode& contact) {
+                             reader.add_contact(index, contact);
+                           }}}));
   } catch (const InputError& error) {
     throw error.in_file(file);
   }
@@ -227,7 +226,7 @@ std::string write_grasp(const LoadedGrasp& content) {
 std::string write_grasp_file(const GraspFile& file) {
   const Grasp& grasp = file.content.grasp;
   std::string text = std::string("{\"format\": \"") + kFormat + "\",\n";
-  if (!grasp.name().empty()) text += " \"name\": " + write_string(grasp.name()) + ",\n";
+  if (!grasp.name().empty()) text += " \"name\": " + json_string(grasp.name(), "name") + ",\n";
   if (file.snap_tolerance) {
     text += " \"normals\": {\"snap\": " + write_number(*file.snap_tolerance) + "},\n";
   }

@@ -34,8 +34,8 @@ class Command:
         return [Command(*self.words, name) for name, _ in self.section("Subcommands")]
 
     def examples(self):
-        """The command lines below "Example:", or beside it."""
-        return [line for line in re.findall(r"^(?:Example:)? +(stickslip.*)", self.help, re.M)]
+        """The command lines below "Examples:"."""
+        return re.findall(r"^ +\$ (stickslip.*)", self.help, re.M)
 
 
 def all_commands(command=None):

@@ -680,7 +680,7 @@ class BadInput(Case):
         self.assertNotIn("no option", self.fails("decide", FIG1, FIG4, "-1"))
 
     def test_help_in_words(self):
-        for words in ((), ("decide",), ("plot",), ("plot", "grasp"), ("help",), ("manual",)):
+        for words in ((), ("decide",), ("plot",), ("plot", "grasp"), ("help",), ("complete",)):
             code, out, err = stickslip("help", *words)
             self.assertEqual((code, err), (DONE, ""), words)
             self.assertEqual(out, stickslip(*words, "--help")[1])

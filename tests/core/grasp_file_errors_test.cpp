@@ -54,7 +54,7 @@ const BadFile kBadFiles[] = {
     {"truncated", "1:81", "unexpected end of input", "too early"},
     {"trailing_garbage", "2:1", "\"x\"", ""},
     {"nul_after_the_end", "2:1", "NUL byte", "nothing but blanks"},
-    {"two_objects", "2:1", "expected end of input", "single JSON object"},
+    {"two_objects", "2:1", "expected end of input", "one JSON object"},
     {"single_quotes", "1:2", "\"'\"", "double quotes"},
     {"comment", "1:1", "\"/\"", ""},
     {"trailing_comma", "2:22", "a comma before \"}\"", "no comma follows"},
@@ -84,12 +84,12 @@ const BadFile kBadFiles[] = {
     {"duplicate_key", "top level", "\"name\" appears twice", "keep one"},
     {"duplicate_contacts", "top level", "\"contacts\" appears twice", "keep one"},
     {"name_number", "name", "the number 1", "expected a string"},
-    {"too_many_values", "wrench[252]", "more than 256 values", "only the list of contacts"},
+    {"too_many_values", "wrench[252]", "more than 256 values", "only the lists of contacts"},
     {"deep_nesting",
      "contacts[0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0]"
      "[0]"
      "[0][0][0]",
-     "more than 32 levels", "no more than four"},
+     "more than 32 levels", "no more than five"},
     // The wrench.
     {"long_wrench", "wrench", "an array of 4 values", "three numbers"},
     {"wrench_object", "wrench", "an object of 1 value", "three numbers"},
@@ -224,7 +224,7 @@ TEST(BadGraspFile, WithoutEndIsNotReadToTheEnd) {
   const FakeInput input(&endless);
   const InputError error = error_of([] { read_grasp_file("-"); });
   EXPECT_THAT(error.problem(), HasSubstr("more than 268435456 bytes"));
-  EXPECT_LT(endless.given(), kMaxGraspFileBytes + (std::size_t{1} << 20));
+  EXPECT_LT(endless.given(), kMaxJsonBytes + (std::size_t{1} << 20));
 }
 
 TEST(BadGraspFile, NestedMillionsDeepIsRefusedAtTheLimit) {

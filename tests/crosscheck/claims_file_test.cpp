@@ -9,8 +9,7 @@
 
 #include "paper_grasps.hpp"
 #include "stickslip/core/error.hpp"
-#include "stickslip/core/text_lines.hpp"
-#include "stickslip/core/json_members.hpp"
+#include "stickslip/core/json.hpp"
 
 namespace stickslip {
 namespace {
@@ -126,14 +125,15 @@ struct Bad {
 TEST(ParseClaimLine, BadLinesNameThePlace) {
   const std::string grasp = grasp_with(kContact);
   const std::vector<Bad> cases{
-      {"nonsense", "1:1", "object"},
-      {"[1]", "1:1", "object"},
-      {"{", "1:2", "key"},
-      {"{\"grasp\": {", "1:12", "ends inside"},
-      {"{\"grasp\" 3}", "1:10", "colon"},
-      {"{\"grasp\": }", "1:11", "missing"},
-      {"{\"grasp\": 3} x", "1:14", "nothing may follow"},
-      {"{\"grasp: 3}", "1:2", "does not end"},
+      {"nonsense", "1:1", "invalid literal"},
+      {"[1]", "top level", "expected an object"},
+      {"{", "1:2", "ends too early"},
+      {"{\"grasp\": {", "1:12", "ends too early"},
+      {"{\"grasp\" 3}", "1:10", "expected ':'"},
+      {"{\"grasp\": }", "1:11", "unexpected '}'"},
+      {"{\"grasp\": 3} x", "1:14", "\"x\""},
+      {"{\"grasp\": 3}, {}", "1:13", "remove the comma"},
+      {"{\"grasp: 3}", "1:12", "missing closing quote"},
       {"{\"grasp\": 3, \"grasp\": 4}", "top level", "twice"},
       {"{\"grasp\": 3, \"claim\": " + kClaim + "}", "grasp", "the number 3"},
       {"{\"claim\": " + kClaim + "}", "top level", "\"grasp\" is missing"},
@@ -152,6 +152,11 @@ TEST(ParseClaimLine, BadLinesNameThePlace) {
       {line_with(kClaim, R"({"preload": -1})"), "options.preload", "0 or more"},
       {line_with(kClaim, R"({"snap_normals": 2})"), "options.snap_normals", "between 0 and 1"},
       {line_with(kClaim, R"({"normal_law": "both"})"), "options.normal_law", "bilateral"},
+      {line_with(kClaim + ", \"x\": [" + std::string(40, '[') + std::string(40, ']') + "]"),
+       "x" + std::string(
+                 "[0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0]"
+                 "[0][0][0][0][0][0][0]"),
+       "more than 32 levels"},
       {line_with("3"), "claim", "the number 3"},
       {line_with("{}"), "claim", "\"verdict\" is missing"},
       {line_with(R"({"verdict": "maybe"})"), "claim.verdict", "maybe"},
@@ -193,19 +198,6 @@ TEST(ParseClaimLine, SyntaxErrorsHaveTheColumnOfTheLine) {
       EXPECT_EQ(error.place(), "1:" + std::to_string(start.size() - extra + 1));
     }
   }
-}
-
-TEST(SplitJsonObject, KeepsValuesAsTheyAre) {
-  const auto members =
-      split_json_object(R"(  {"a": [1, {"b": "]}\","}], "\u0063" : "x\\" , "d":-1e-3 }  )");
-  ASSERT_EQ(members.size(), 3U);
-  EXPECT_EQ(members[0].key, "a");
-  EXPECT_EQ(members[0].value, R"([1, {"b": "]}\","}])");
-  EXPECT_EQ(members[0].column, 8U);
-  EXPECT_EQ(members[1].key, "c");
-  EXPECT_EQ(members[1].value, R"("x\\")");
-  EXPECT_EQ(members[2].value, "-1e-3");
-  EXPECT_TRUE(split_json_object(" { } ").empty());
 }
 
 // No prefix of a line passes for a line, and none crashes.

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "fuzz_target.hpp"
-#include "stickslip/core/text_lines.hpp"
+#include "stickslip/core/json.hpp"
 #include "stickslip/crosscheck/claims_file.hpp"
 
 namespace {

@@ -9,7 +9,7 @@
 #include "fuzz_target.hpp"
 #include "number.hpp"
 #include "question_options.hpp"
-#include "stickslip/core/json_read.hpp"
+#include "stickslip/core/json.hpp"
 #include "stickslip/core/number.hpp"
 
 namespace {
@@ -68,7 +68,7 @@ void read_number(const std::string& text) {
 void read_json_number(const std::string& text) {
   stickslip::JsonNode list;
   try {
-    list = stickslip::parse_json("[" + text + "]", "", {});
+    list = stickslip::parse_json("[" + text + "]");
   } catch (const stickslip::InputError& error) {
     stickslip::fuzz::expect_useful(error, "[" + text + "]");
     return;

@@ -20,8 +20,12 @@ cmake --build "$work/build" >/dev/null
 [[ $("$prefix/bin/stickslip" --version) == "stickslip "* ]]
 
 # The manual, and what completes command lines, where man and the shells look for them.
-for command in "" -check $("$prefix/bin/stickslip" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z]*\) .*/-\1/p') \
-  -plot-grasp -plot-states -plot-region; do
+pages=(-check)
+if grep -q '^STICKSLIP_HELP2MAN:FILEPATH=/' "$build/CMakeCache.txt"; then
+  pages+=("" $("$prefix/bin/stickslip" --help | sed -n '/^Subcommands:/,/^$/s/^  \([a-z]*\) .*/-\1/p')
+    -plot-grasp -plot-states -plot-region)
+fi
+for command in "${pages[@]}"; do
   [[ $(sed -n '/^.SH NAME/{n;s/\\//g;p}' "$prefix/share/man/man1/stickslip$command.1") == "stickslip$command - "* ]]
 done
 for program in stickslip stickslip-check; do

@@ -6,20 +6,15 @@
 /// characters, never through a double; a string may be "3/5", "-0.25" or "1e-3".
 #pragma once
 
-#include <istream>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "stickslip/core/grasp.hpp"
+#include "stickslip/core/json.hpp"
 
 namespace stickslip {
-
-/// \{ Limits on what is read, so that hostile input ends in an error and not in an hour.
-inline constexpr std::size_t kMaxGraspFileBytes = std::size_t{1} << 28;
-inline constexpr std::size_t kMaxJsonDepth = 32;
-/// \}
 
 /// What a grasp file says. `snap_tolerance` is set by "normals": "snap"
 /// (default_snap_tolerance()) or "normals": {"snap": EPS}; the contacts are as written, not yet
@@ -29,6 +24,26 @@ struct GraspFile {
   std::optional<Rational> snap_tolerance;  ///< for snap_normals; nothing to leave them alone
   /// The contacts whose stiffness is 1 because nothing gives it; increasing. Not written.
   std::vector<ContactId> assumed_stiffness{};
+};
+
+/// A contact in which "defaults" may have to be filled in.
+struct WrittenContact;
+
+/// Reads a grasp that is part of a JSON text: the contacts while the text is parsed, by a
+/// JsonStream of its "contacts", and then the rest. Throws InputError with JSON paths that
+/// begin at the grasp.
+class StreamedGrasp {
+ public:
+  StreamedGrasp();
+  ~StreamedGrasp();
+  StreamedGrasp(const StreamedGrasp&) = delete;
+  StreamedGrasp& operator=(const StreamedGrasp&) = delete;
+
+  void add_contact(std::size_t index, const JsonNode& node);  ///< the sink of the stream
+  GraspFile finish(const JsonNode& grasp);  ///< the object whose contacts were streamed
+
+ private:
+  std::vector<WrittenContact> contacts_;
 };
 
 /// Reads one grasp. `file` is the name used in errors. Throws InputError with file, JSON

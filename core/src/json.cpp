@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stickslip/core/json_tree.hpp"
+#include "stickslip/core/json.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "stickslip/core/error.hpp"
-#include "stickslip/core/grasp_file.hpp"
+#include "stickslip/core/spelling.hpp"
 
 namespace stickslip {
 namespace {
@@ -19,26 +18,19 @@ namespace {
 using Json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t,
                                   std::uint64_t, long double>;
 
-struct Position {
+/// "line:column" of a byte, columns counted in characters.
+std::string position_of(std::string_view text, std::size_t offset) {
   std::size_t line = 1;
-  std::size_t column = 1;  ///< in characters, not bytes
-};
-
-Position position_of(std::string_view text, std::size_t offset) {
-  Position result;
+  std::size_t column = 1;
   for (const char c : text.substr(0, offset)) {
     if (c == '\n') {
-      ++result.line;
-      result.column = 1;
+      ++line;
+      column = 1;
     } else if ((static_cast<unsigned char>(c) & 0xC0U) != 0x80U) {
-      ++result.column;
+      ++column;
     }
   }
-  return result;
-}
-
-std::string line_and_column(const Position& position) {
-  return std::to_string(position.line) + ":" + std::to_string(position.column);
+  return std::to_string(line) + ":" + std::to_string(column);
 }
 
 bool in_word(char c) {
@@ -74,8 +66,7 @@ void refuse_trailing_comma(std::string_view text, std::size_t at) {
   if (at == 0 || at >= text.size() || (text[at] != ']' && text[at] != '}')) return;
   const std::size_t comma = text.find_last_not_of(" \t\r\n", at - 1);
   if (comma == std::string_view::npos || text[comma] != ',') return;
-  throw InputError("", line_and_column(position_of(text, comma)),
-                   "a comma before " + quote(text.substr(at, 1)),
+  throw InputError("", position_of(text, comma), "a comma before " + quote(text.substr(at, 1)),
                    "remove it: no comma follows the last element");
 }
 
@@ -113,23 +104,22 @@ void refuse_trailing_comma(std::string_view text, std::size_t at) {
     remedy = "save the file as UTF-8";
   } else if (contains(problem, "expected end of input")) {
     remedy = text[at] == ',' ? "remove the comma: nothing follows the object"
-                             : "a grasp file is a single JSON object";
+                             : "one JSON object is expected, and nothing behind it";
   }
   // Where the parser names an unexpected token there is no need to repeat it.
   const bool bare =
       word.empty() && problem == "invalid literal" && at < text.size() && is_ascii(text[at]);
   const std::string_view shown = bare ? text.substr(at, 1) : std::string_view(word);
   if (!shown.empty()) problem += ", at " + quote(shown);
-  throw InputError("", line_and_column(position_of(text, word.empty() ? at : begin)), problem,
-                   remedy);
+  throw InputError("", position_of(text, word.empty() ? at : begin), problem, remedy);
 }
 
 /// Builds the tree. Every container that is still open is an entry of `open_`; the parser
 /// itself is iterative, so nesting costs no stack.
 class Builder : public nlohmann::json_sax<Json> {
  public:
-  Builder(std::string_view text, const std::string& streamed_key, const JsonElementSink& sink)
-      : text_(text), streamed_key_(streamed_key), sink_(sink) {}
+  Builder(std::string_view text, const std::vector<JsonStream>& streams)
+      : text_(text), streams_(streams) {}
 
   JsonNode take_root() { return std::move(root_); }
 
@@ -182,6 +172,7 @@ class Builder : public nlohmann::json_sax<Json> {
     JsonNode node;
     std::size_t count;  ///< of children so far, streamed ones included
     std::size_t nodes_before;
+    const JsonStream* elements;  ///< nullptr: they are kept
   };
 
   /// The path of the value at hand when the first `depth` open containers are around it.
@@ -195,17 +186,24 @@ class Builder : public nlohmann::json_sax<Json> {
     return result;
   }
 
-  bool streams_into_sink() const {
-    return sink_ && open_.size() == 2 && open_[1].node.kind == JsonNode::Kind::kArray &&
-           open_[0].node.kind == JsonNode::Kind::kObject &&
-           open_[0].node.keys.back() == streamed_key_;
+  /// The stream of the array that begins here, or nullptr.
+  const JsonStream* stream() const {
+    const auto leads_here = [&](const JsonStream& stream) {
+      return std::equal(stream.keys.begin(), stream.keys.end(), open_.begin(), open_.end(),
+                        [](const std::string& key, const Open& o) {
+                          return o.node.kind == JsonNode::Kind::kObject &&
+                                 o.node.keys.back() == key;
+                        });
+    };
+    const auto found = std::find_if(streams_.begin(), streams_.end(), leads_here);
+    return found == streams_.end() ? nullptr : &*found;
   }
 
   void count_node() {
     if (++nodes_ > kMaxJsonNodes) {
       throw InputError("", place_name(path(open_.size())),
                        "more than " + std::to_string(kMaxJsonNodes) + " values in one place",
-                       "only the list of contacts may be long");
+                       "only the lists of contacts and forces may be long");
     }
   }
 
@@ -219,11 +217,12 @@ class Builder : public nlohmann::json_sax<Json> {
     if (open_.size() == kMaxJsonDepth) {
       throw InputError("", place_name(path(open_.size())),
                        "nested more than " + std::to_string(kMaxJsonDepth) + " levels deep",
-                       "a grasp file needs no more than four");
+                       "grasps and claims need no more than five");
     }
     const std::size_t nodes_before = nodes_;
     count_node();
-    open_.push_back({{kind, {}, {}, {}}, 0, nodes_before});
+    const JsonStream* const elements = kind == JsonNode::Kind::kArray ? stream() : nullptr;
+    open_.push_back({{kind, {}, {}, {}}, 0, nodes_before, elements});
     return true;
   }
 
@@ -239,8 +238,8 @@ class Builder : public nlohmann::json_sax<Json> {
       return true;
     }
     Open& parent = open_.back();
-    if (streams_into_sink()) {
-      sink_(parent.count, node);
+    if (parent.elements != nullptr) {
+      parent.elements->sink(parent.count, node);
       nodes_ = nodes_before;
     } else {
       parent.node.children.push_back(std::move(node));
@@ -250,8 +249,7 @@ class Builder : public nlohmann::json_sax<Json> {
   }
 
   std::string_view text_;
-  const std::string& streamed_key_;
-  const JsonElementSink& sink_;
+  const std::vector<JsonStream>& streams_;
   std::vector<Open> open_;
   std::size_t nodes_ = 0;  ///< kept in the tree
   JsonNode root_;
@@ -300,21 +298,103 @@ std::string place_name(const std::string& path) {
   return path.empty() ? "top level" : path;
 }
 
-JsonNode parse_json(std::string_view text, const std::string& streamed_key,
-                    const JsonElementSink& sink) {
+JsonNode parse_json(std::string_view text, const std::vector<JsonStream>& streams) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
     throw InputError("", "1:1", "the text is empty", "write a grasp, see docs/grasp_file.md");
   }
-  Builder builder(text, streamed_key, sink);
+  Builder builder(text, streams);
   const bool complete = Json::sax_parse(text.begin(), text.end(), &builder);
   require(complete, "the JSON parser stopped without a reason");
   // The parser takes a NUL byte for the end of the text and would not see what follows it.
   const std::size_t nul = text.find('\0');
   if (nul != std::string_view::npos) {
-    throw InputError("", line_and_column(position_of(text, nul)), "a NUL byte",
+    throw InputError("", position_of(text, nul), "a NUL byte",
                      "nothing but blanks may follow the object");
   }
   return builder.take_root();
+}
+
+std::string json_string(const std::string& text, const std::string& path) {
+  try {
+    return Json(text).dump();
+  } catch (const Json::exception&) {
+    fail_at(path, quote(text) + " is not valid UTF-8", "give the " + path + " in UTF-8");
+  }
+}
+
+bool TextLines::next(std::string& line) {
+  std::streambuf& in = *in_.rdbuf();
+  constexpr int kEnd = std::streambuf::traits_type::eof();
+  for (int c = in.sbumpc(); c != kEnd;) {
+    line.clear();
+    ++number_;
+    bool blank = true;
+    bool too_long = false;
+    for (; c != kEnd && c != '\n'; c = in.sbumpc()) {
+      if (c != ' ' && c != '\t' && c != '\r') blank = false;
+      too_long = too_long || line.size() == kMaxJsonBytes;
+      if (!too_long) line.push_back(static_cast<char>(c));
+    }
+    if (too_long) {
+      throw InputError("", "", "more than " + std::to_string(kMaxJsonBytes) + " bytes",
+                       "longer lines are not read");
+    }
+    if (!blank) return true;
+    if (c != kEnd) c = in.sbumpc();
+  }
+  return false;
+}
+
+void fail_at(const std::string& path, std::string problem, std::string remedy) {
+  throw InputError("", place_name(path), std::move(problem), std::move(remedy));
+}
+
+void expect(const JsonNode& node, JsonNode::Kind kind, const std::string& path,
+            const char* expected) {
+  if (node.kind != kind)
+    fail_at(path, "found " + describe(node), std::string("expected ") + expected);
+}
+
+void expect_object(const JsonNode& node, const std::string& path,
+                   const std::vector<std::string>& allowed) {
+  expect(node, JsonNode::Kind::kObject, path, "an object {...}");
+  for (const std::string& key : node.keys) {
+    if (std::find(allowed.begin(), allowed.end(), key) != allowed.end()) continue;
+    fail_at(path, "unknown key " + quote(key),
+            choice_of(key, allowed, "the keys allowed here are "));
+  }
+}
+
+const JsonNode& member(const JsonNode& object, const std::string& path, const char* key,
+                       const char* remedy) {
+  const JsonNode* node = object.find(key);
+  if (node == nullptr) fail_at(path, std::string("the key \"") + key + "\" is missing", remedy);
+  return *node;
+}
+
+Rational read_number(const JsonNode& node, const std::string& path) {
+  if (node.kind != JsonNode::Kind::kNumber && node.kind != JsonNode::Kind::kString) {
+    fail_at(path, "found " + describe(node),
+            "expected a number such as 0.25, or a string as \"3/5\"");
+  }
+  try {
+    return parse_rational(node.text);
+  } catch (const NumberError& error) {
+    fail_at(path, error.what(), "write a decimal such as 0.25, or a string such as \"3/5\"");
+  }
+}
+
+std::vector<Rational> read_vector(const JsonNode& node, const std::string& path,
+                                  std::size_t length, const char* form) {
+  expect(node, JsonNode::Kind::kArray, path, form);
+  if (node.children.size() != length) {
+    fail_at(path, "found " + describe(node), std::string("expected ") + form);
+  }
+  std::vector<Rational> values;
+  for (const JsonNode& child : node.children) {
+    values.push_back(read_number(child, element_path(path, values.size())));
+  }
+  return values;
 }
 
 }  // namespace stickslip

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// A JSON text as a small tree in which numbers keep their own characters, and values taken out
+/// of it.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <istream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "stickslip/core/number.hpp"
+
+namespace stickslip {
+
+/// A JSON value.
+struct JsonNode {
+  /// The six kinds of value.
+  enum class Kind { kNull, kBoolean, kNumber, kString, kArray, kObject };
+
+  Kind kind = Kind::kNull;         ///< says which of the following are in use
+  std::string text;                ///< of a number, its characters; of a string, its content
+  std::vector<std::string> keys;   ///< of an object, one per child, all different
+  std::vector<JsonNode> children;  ///< of an array or an object
+
+  /// The value of `key`, or nullptr.
+  const JsonNode* find(std::string_view key) const;
+};
+
+/// The node in words, for messages: `the string "abc"`, `an array of 3 values`.
+std::string describe(const JsonNode& node);
+
+/// `key` below `path`: "contacts[0]" and "normal" give "contacts[0].normal".
+std::string member_path(const std::string& path, const std::string& key);
+/// Element `index` below `path`: "contacts" and 0 give "contacts[0]".
+std::string element_path(const std::string& path, std::size_t index);
+
+/// The path as an error's place: that of the root has no characters of its own.
+std::string place_name(const std::string& path);
+
+/// \{ Limits on what is read, so that hostile input ends in an error and not in an hour.
+inline constexpr std::size_t kMaxJsonBytes = std::size_t{1} << 28;
+inline constexpr std::size_t kMaxJsonDepth = 32;
+/// Values in one streamed element, and in the rest of the text.
+inline constexpr std::size_t kMaxJsonNodes = 256;
+/// \}
+
+/// An array that may be long: its elements are handed over one by one as they are parsed, and
+/// are not kept in the tree.
+struct JsonStream {
+  std::vector<std::string> keys;  ///< that lead to it from the top level: "claim", "forces"
+  std::function<void(std::size_t index, const JsonNode& element)> sink;  ///< takes them
+};
+
+/// Parses one JSON value. Throws InputError with a line:column for bad syntax, and with a JSON
+/// path for a repeated key and beyond the limits; what a sink throws is passed on.
+JsonNode parse_json(std::string_view text, const std::vector<JsonStream>& streams = {});
+
+/// A string as JSON writes it, quotes included. Throws InputError at `path` if it is not UTF-8.
+std::string json_string(const std::string& text, const std::string& path);
+
+/// The lines of a JSON Lines file one at a time; memory holds one, of at most kMaxJsonBytes.
+class TextLines {
+ public:
+  /// Reads from `in`, which must outlive this.
+  explicit TextLines(std::istream& in) : in_(in) {}
+
+  /// The next line that is not blank, false at the end. Throws InputError for a line that is
+  /// too long, which has been skipped, so that next() may be called again; number() is its
+  /// number.
+  bool next(std::string& line);
+
+  /// Of the last line read, from 1, blank ones counted.
+  std::size_t number() const { return number_; }
+
+ private:
+  std::istream& in_;
+  std::size_t number_ = 0;
+};
+
+/// \{ Values taken out of a tree. All throw InputError at `path`, a JSON path; that of the root
+/// is empty.
+/// Throws the InputError.
+[[noreturn]] void fail_at(const std::string& path, std::string problem, std::string remedy);
+
+/// The node has this kind; `expected` says so in words.
+void expect(const JsonNode& node, JsonNode::Kind kind, const std::string& path,
+            const char* expected);
+
+/// An object without keys other than these; a near miss is told what was meant.
+void expect_object(const JsonNode& node, const std::string& path,
+                   const std::vector<std::string>& allowed);
+
+/// The value of a required key.
+const JsonNode& member(const JsonNode& object, const std::string& path, const char* key,
+                       const char* remedy);
+
+/// A JSON number or a string that parse_rational reads.
+Rational read_number(const JsonNode& node, const std::string& path);
+
+/// `length` numbers; `form` describes them, "an array of two numbers [x, y]".
+std::vector<Rational> read_vector(const JsonNode& node, const std::string& path,
+                                  std::size_t length, const char* form);
+/// \}
+
+}  // namespace stickslip

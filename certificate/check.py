@@ -852,6 +852,8 @@ def check_segments(segments: Sequence[Tuple[Witness, Witness]], resisted: Sequen
     """Each goes from where it must, in one mode, until all intervals are covered."""
     at = 0                            # the interval at hand
     done: Optional[Fraction] = None   # how far it is covered, if at all
+    last: Optional[Witness] = None    # the last point, where a segment often begins
+    forces: List[ContactForce] = []   # and its forces
     for k, (first, second) in enumerate(segments):
         place = f"segment {k}"
         if at == len(resisted):
@@ -865,14 +867,17 @@ def check_segments(segments: Sequence[Tuple[Witness, Witness]], resisted: Sequen
             raise Rejected("segment-chain", f"goes to {show(end)}, beyond {show(high)}", place)
         if end is not None and end < begin:
             raise Rejected("segment-chain", f"goes down, to {show(end)}", place)
-        forces = []
         for point, name in ((first, "first"), (second, "second")):
+            if point == last:
+                continue
             try:
-                forces.append(check_witness(question, point))
+                before, forces = forces, check_witness(question, point)
             except Rejected as failure:
                 failure.path = f"{place}, {name} point"
                 raise
-        check_mode(question, *forces, place)
+            if name == "second":
+                check_mode(question, before, forces, place)
+            last = point
         at, done = (at + 1, None) if end == high else (at, end)
     if at < len(resisted):
         raise Rejected("segment-chain", "missing: the intervals are not covered yet",

@@ -60,11 +60,13 @@ void Segments::visit(const Witness& first, const Witness& second) {
                     (to ? "goes to " + show(*to) : "a ray") + ", beyond " + show(*high));
   }
   if (to && *to < from) throw rejection("segment-chain", "goes down, to " + show(*to));
-  const std::vector<ContactForce> p = check_point(first, ", first point");
-  const std::vector<ContactForce> q = check_point(second, ", second point");
-  if (const auto refusal = mode_refusal(question_, p, q)) {
+  if (!(first == last_)) last_forces_ = check_point(first, ", first point");
+  std::vector<ContactForce> forces = check_point(second, ", second point");
+  if (const auto refusal = mode_refusal(question_, last_forces_, forces)) {
     throw rejection("segment-mode", *refusal);
   }
+  last_ = second;
+  last_forces_ = std::move(forces);
   const bool complete = to == high;
   if (complete) ++interval_;
   end_ = complete ? std::nullopt : to;

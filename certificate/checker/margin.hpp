@@ -41,6 +41,8 @@ class Segments {
   std::size_t interval_ = 0;     ///< not yet covered
   std::optional<Rational> end_;  ///< of the last segment, if inside that interval
   std::uint64_t visited_ = 0;
+  Witness last_;                           ///< the last point, where a segment often begins,
+  std::vector<ContactForce> last_forces_;  ///< and its forces
 };
 
 }  // namespace stickslip_check

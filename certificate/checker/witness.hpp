@@ -17,6 +17,8 @@ namespace stickslip_check {
 struct Witness {
   Vector x;  ///< the point (d, 1, lambda); or (d, 0, 1) for a ray
   std::vector<std::pair<Integer, Rational>> shares;
+
+  bool operator==(const Witness& other) const { return x == other.x && shares == other.shares; }
 };
 
 /// What follows for one contact.

@@ -77,7 +77,7 @@ class Margin:
     normal_law: str
     snapped_normals: Tuple[SnappedNormal, ...]
     certificate: str = field(repr=False)
-    """The proof (certificate/FORMAT.md, section 10)."""
+    """The proof (certificate/FORMAT.md, section 5)."""
     stats: Dict[str, int] = field(default_factory=dict, repr=False, compare=False)
 
 

@@ -5,6 +5,7 @@ and path. And the paper's grasps.
 "§" refers to certificate/FORMAT.md, "Table" to Haas-Heger et al., RSS 2018.
 """
 
+import random
 import unittest
 
 import naive
@@ -463,6 +464,30 @@ class TreeTest(Case):
         self.assertIn("a tree of 501 nodes: 301 leaves", text)
 
 
+    def test_long_denominators(self):
+        """Each contact with its own: bounds must not carry all of them."""
+        rng = random.Random(4)
+        m = 30
+
+        def long(low, high):
+            denominator = rng.randrange(10**800, 10**801)
+            return f"{denominator * rng.randint(low, high) // 1000 + 1}/{denominator}"
+
+        contacts = [{"position": [long(-2000, 2000), long(-2000, 2000)],
+                     "normal": [long(-300, 300), long(800, 1000)], "friction": long(100, 500),
+                     "stiffness": long(1000, 3000)} for _ in range(m)]
+        file = {"format": "stickslip-grasp/1", "contacts": contacts, "wrench": [0, 1, 0]}
+        leaf = ["leaf", 0, -1, 0]
+        tree = []
+        for j in range(m):
+            tree += [["separation", j], leaf]
+        self.accepts(file, certificate(m, [0, 1, 0], tree=[*tree, leaf]))
+        self.rejects("leaf-bound", file, certificate(m, [0, 1, 0], tree=[["slip", 1],
+                                                                      ["leaf", "1/3", 1, 0]]),
+                     node=1, path="slip 1 +")
+        self.rejects("witness-balance", file, certificate(m, [0, 1, 0], twist=[0, "-1/7", "1/9"]))
+
+
 class MarginTest(Case):
     """§5."""
 
@@ -516,6 +541,12 @@ class MarginTest(Case):
             if which == "second" and rule == "witness-balance":
                 segment = [rest, [1, [0, "1/2", 0], []]]
             self.rule(rule, f"segment 0, {which} point", segments=[segment])
+        # Where a segment begins with the last point, and where it only seems to.
+        for shares, rule in (([[0, -1], [2, "999/1000"]], "witness-balance"),
+                             ([[0, -1], [2, 1], [2, 1]], "witness-share"), ([], "witness-balance")):
+            self.rule(rule, "segment 1, first point",
+                      segments=[[rest, rest], [[*rest[:2], shares], limit]])
+        self.accepts(FIG1, self.margin(segments=[[rest, rest], [rest, limit]]), *self.ASKED)
         bilateral = self.margin(segments=[[rest, [1, [0, 2, 0], []]]])
         bilateral["question"]["normal_law"] = "bilateral"
         self.rejects("witness-normal", FIG1, bilateral, *self.ASKED, "--normal-law", "bilateral",

@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Checks a stickslip certificate, of a verdict or a margin, against a grasp file: FORMAT.md as a
-program.
+"""Checks a stickslip certificate against a grasp file: FORMAT.md as a program.
 
 Written from FORMAT.md and in its order, with nothing but the standard library of Python 3.9 or
 newer; shares nothing with any solver or other checker. "§4" and the like are sections of
@@ -11,7 +10,6 @@ no floating point occurs. Exit codes: 0 accepted, 1 rejected, 2 malformed or wro
 
 from __future__ import annotations
 
-import argparse
 import json
 import math
 import os
@@ -19,10 +17,13 @@ import re
 import signal
 import sys
 from fractions import Fraction
-from typing import Any, Dict, List, NamedTuple, NoReturn, Optional, Sequence, Tuple
+from operator import mul
+from typing import Any, Callable, Dict, List, NamedTuple, NoReturn, Optional, Sequence, Tuple, Union
 
 Vector = Tuple[Fraction, ...]
 Integers = Tuple[int, ...]
+
+D = 3  # §1: of motions and wrenches
 
 
 class Malformed(Exception):
@@ -30,27 +31,43 @@ class Malformed(Exception):
 
     def __init__(self, file: str, place: str, problem: str) -> None:
         super().__init__(": ".join(part for part in (file, place, problem) if part))
-        self.place = place
+        self.place, self.problem = place, problem
 
 
 class Rejected(Exception):
     """§6, exit 1: a rule that the certificate fails, where, and what was found."""
 
-    def __init__(self, rule: str, found: str, node: Optional[int] = None) -> None:
+    def __init__(self, rule: str, found: str, path: Optional[str] = None,
+                 node: Optional[int] = None) -> None:
         super().__init__(found)
-        self.rule, self.found, self.node, self.path = rule, found, node, None
+        self.rule, self.found, self.path, self.node = rule, found, path, node
 
 
 def show(value: Any) -> str:
     """A number, vector or name for a message, shortened if long."""
     if isinstance(value, tuple):
-        return "(" + ", ".join(show(v) for v in value) + ")"
+        return "(" + ", ".join(map(show, value[:8])) + (", ...)" if len(value) > 8 else ")")
     text = "none" if value is None else str(value)
     return text if len(text) <= 80 else f"{text[:40]}...{text[-20:]} ({len(text)} characters)"
 
 
+def printable(text: str) -> str:
+    """§6: every byte that is not printable ASCII as \\xNN."""
+    return "".join(chr(byte) if 32 <= byte < 127 else f"\\x{byte:02x}"
+                   for byte in text.encode("utf-8", "surrogateescape"))
+
+
 def dot(a: Sequence[Any], b: Sequence[Any]) -> Any:
-    return sum(x * y for x, y in zip(a, b))
+    """The sum of products of as many coordinates as the shorter of the two has."""
+    return sum(map(mul, a, b))
+
+
+def pairwise_sum(terms: List[Sequence[Fraction]]) -> Vector:
+    """Denominators that have nothing in common stay short for most of the additions."""
+    while len(terms) > 1:
+        odd = terms[len(terms) // 2 * 2:]
+        terms = [tuple(x + y for x, y in zip(*pair)) for pair in zip(terms[::2], terms[1::2])] + odd
+    return tuple(terms[0])
 
 
 # ---- JSON, read exactly (§1, §2) --------------------------------------------------------------
@@ -67,6 +84,7 @@ class Members(NamedTuple):
 
 
 class FileKind(NamedTuple):
+    """§2, Limits."""
     format: str
     byte_order_mark: bool  # may the file begin with one?
     max_bytes: int
@@ -74,15 +92,18 @@ class FileKind(NamedTuple):
     max_string: int   # bytes between the quotation marks
     max_numeral: int  # characters of a JSON number
     max_number: int   # characters of a number in a string
+    max_values: int   # in one member; of `lists`, in one element
+    lists: Tuple[str, ...]
     number: "re.Pattern[str]"  # [0-9], because \d and int() take other scripts' digits too
 
 
-GRASP = FileKind("stickslip-grasp/1", True, 1 << 28, 32, 1 << 28, 16_384, 16_384, re.compile(
-    r"([+-]?[0-9]+)(?:/([0-9]+)|(?:\.([0-9]+))?(?:[eE]([+-]?[0-9]+))?)"))
-CERTIFICATE = FileKind("stickslip-certificate/1", False, 1 << 30, 8, 65_536, 4_000, 65_536,
-                       re.compile(r"(-?[0-9]+)(?:/([0-9]+))?()()"))
-MARGIN = CERTIFICATE._replace(format="stickslip-margin/1")
+GRASP = FileKind("stickslip-grasp/1", True, 1 << 28, 32, 1 << 28, 16_384, 16_384, 256,
+                 ("contacts",), re.compile(
+                     r"([+-]?[0-9]+)(?:/([0-9]+)|(?:\.([0-9]+))?(?:[eE]([+-]?[0-9]+))?)"))
+CERTIFICATE = FileKind("stickslip-certificate/2", False, 1 << 30, 8, 65_536, 4_000, 65_536, 1 << 22,
+                       ("segments", "tree"), re.compile(r"(-?[0-9]+)(?:/([0-9]+))?()()"))
 MAX_EXPONENT = 4096
+MAX_CONTACTS = 1_000_000
 
 # A string (also one that never ends) or a bracket; search passes over everything else.
 STRING_OR_BRACKET = re.compile(r'"[^"\\]*(?:\\.[^"\\]*)*(?:"|\\?\Z)|[\[\]{}]', re.DOTALL)
@@ -107,43 +128,38 @@ def rational(text: str, kind: FileKind) -> Fraction:
     return int(whole + (decimals or "")) * Fraction(10) ** (power - len(decimals or ""))
 
 
+def count_values(value: Any, most: int) -> int:
+    """The values in a value, itself included, or at least the first `most` + 1 of them."""
+    waiting, count = [value], 0
+    while waiting and count <= most:
+        count += 1
+        inside = waiting.pop()
+        if type(inside) is list:
+            waiting += inside
+        elif type(inside) is Members:
+            waiting += [content for _, content in inside.pairs]
+    return count
+
+
 class Source:
     """One JSON file: its content, and errors that name the file and the place in it."""
 
     def __init__(self, name: str, kind: FileKind) -> None:
-        self.name, self.kind = "standard input" if name == "-" else name, kind
-        try:
-            with open(sys.stdin.fileno() if name == "-" else name, "rb") as file:
-                data = file.read(kind.max_bytes + 1)
-        except (OSError, ValueError, AttributeError) as error:
-            self.fail("", f"cannot be read: {error}")
-        if len(data) > kind.max_bytes:
-            self.fail("", f"longer than {kind.max_bytes} bytes")
-        try:
-            text = data.decode("utf-8")
-        except UnicodeDecodeError as error:
-            self.fail(f"byte {error.start}", "not UTF-8")
-        if text.startswith("\ufeff"):
-            if not kind.byte_order_mark:
-                self.fail("byte 0", "a byte order mark; use UTF-8 without one")
-            text = text[1:]
-        depth = 0
-        for match in STRING_OR_BRACKET.finditer(text):
-            depth += {"[": 1, "{": 1, "]": -1, "}": -1}.get(text[match.start()], 0)
-            problem = None
-            if depth > kind.max_depth:
-                problem = f"nesting deeper than {kind.max_depth}"
-            elif match.end() - match.start() > kind.max_string // 4:  # UTF-8: at most 4 bytes each
-                if len(match.group().encode("utf-8")) > kind.max_string + 2:
-                    problem = f"a string of more than {kind.max_string} bytes"
-            if problem:
-                self.fail(f"line {text.count(chr(10), 0, match.start()) + 1}", problem)
+        self.name, self.kind = "<stdin>" if name == "-" else name, kind
+        text = self.read(name)
+        self.limit(text)
         try:
             self.root = json.loads(text, parse_int=Numeral, parse_float=Numeral,
                                    parse_constant=lambda name: self.fail("", f"not JSON: {name}"),
                                    object_pairs_hook=Members)
         except json.JSONDecodeError as error:
-            self.fail(f"line {error.lineno}, column {error.colno}", f"not JSON: {error.msg}")
+            before, after = text[:error.pos].rstrip(), text[error.pos:].lstrip()
+            comma = before.endswith(",") or after.startswith(",")
+            trailing = comma and after.lstrip(", \t\n\r")[:1] in ("]", "}")
+            self.fail(f"line {error.lineno}, column {error.colno}",
+                      "the file is empty" if not text.strip(" \t\n\r") else
+                      "a comma after the last element; remove it" if trailing else
+                      f"not JSON: {error.msg}")
         except RecursionError:
             self.fail("", "nested too deeply")
         if "\\u" in text:
@@ -151,6 +167,44 @@ class Source:
                 json.dumps(self.root, ensure_ascii=False).encode("utf-8")
             except UnicodeEncodeError:
                 self.fail("", "a \\u escape that is half of a surrogate pair")
+        for key, value in self.root.pairs if type(self.root) is Members else ():
+            for part in value if key in kind.lists and type(value) is list else [value]:
+                if count_values(part, kind.max_values) > kind.max_values:
+                    self.fail(key, f"more than {kind.max_values} values in one place")
+
+    def read(self, name: str) -> str:
+        if name != "-" and os.path.isdir(name):
+            self.fail("opening", "it is a directory; name a file, or - for standard input")
+        try:
+            with open(sys.stdin.fileno() if name == "-" else name, "rb") as file:
+                data = file.read(self.kind.max_bytes + 1)
+        except (OSError, ValueError, AttributeError) as error:
+            reason = getattr(error, "strerror", None) or str(error)
+            self.fail("opening", f"{reason}; name a file, or - for standard input")
+        if len(data) > self.kind.max_bytes:
+            self.fail("", f"longer than {self.kind.max_bytes} bytes")
+        try:
+            text = data.decode("utf-8")
+        except UnicodeDecodeError as error:
+            self.fail(f"byte {error.start}", "not UTF-8")
+        if text.startswith("\ufeff"):
+            if not self.kind.byte_order_mark:
+                self.fail("byte 0", "a byte order mark; use UTF-8 without one")
+            text = text[1:]
+        return text
+
+    def limit(self, text: str) -> None:
+        depth = 0
+        for match in STRING_OR_BRACKET.finditer(text):
+            depth += {"[": 1, "{": 1, "]": -1, "}": -1}.get(text[match.start()], 0)
+            problem = None
+            if depth > self.kind.max_depth:
+                problem = f"nesting deeper than {self.kind.max_depth}"
+            elif match.end() - match.start() > self.kind.max_string // 4:  # at most 4 bytes each
+                if len(match.group().encode("utf-8")) > self.kind.max_string + 2:
+                    problem = f"a string of more than {self.kind.max_string} bytes"
+            if problem:
+                self.fail(f"line {text.count(chr(10), 0, match.start()) + 1}", problem)
 
     def fail(self, place: str, problem: str) -> NoReturn:
         raise Malformed(self.name, place, problem)
@@ -163,7 +217,9 @@ class Source:
         found: Dict[str, Any] = {}
         for key, content in value.pairs:
             if key not in known:
-                self.fail(place, f"unknown member '{show(key)}' (known: {', '.join(known)})")
+                self.fail(place, f"unknown member '{show(key)}' (known: {', '.join(known)})"
+                                 + "; to snap normals, run: stickslip snap GRASP -o FILE"
+                                 * (key == "normals" and not place))
             if key in found:
                 self.fail(place, f"member '{key}' is repeated")
             found[key] = content
@@ -175,12 +231,9 @@ class Source:
         return found
 
     def check_format(self, value: Any) -> None:
-        """§9: a version that is not known is malformed; §10: so is the kind not asked for."""
+        """§9: a version that is not known is malformed."""
         if type(value) is not str or value != self.kind.format:
-            hint = {(CERTIFICATE, MARGIN.format): "; a margin is asked for with --direction",
-                    (MARGIN, CERTIFICATE.format): "; one verdict is asked for without --direction"}
-            found = value if type(value) is str else ""
-            self.fail("format", f"must be \"{self.kind.format}\"" + hint.get((self.kind, found), ""))
+            self.fail("format", f"must be \"{self.kind.format}\", the only one known here")
 
     def choice(self, value: Any, place: str, words: Tuple[str, ...]) -> str:
         if type(value) is not str or value not in words:
@@ -205,7 +258,7 @@ class Source:
         except ValueError as error:
             self.fail(place, str(error))
 
-    def vector(self, value: Any, place: str, length: int) -> Vector:
+    def vector(self, value: Any, place: str, length: Optional[int] = None) -> Vector:
         return tuple(self.number(v, f"{place}[{j}]")
                      for j, v in enumerate(self.array(value, place, length)))
 
@@ -220,6 +273,7 @@ class Source:
 # ---- §1 The question --------------------------------------------------------------------------
 
 LAWS = ("unilateral", "bilateral")
+NOWHERE = (Fraction(0),) * D
 
 
 class Contact(NamedTuple):
@@ -231,23 +285,31 @@ class Contact(NamedTuple):
     preload: Fraction
 
 
-class Question(NamedTuple):
-    """What is asked; `preload` if it replaces the file's, `snap` is the tolerance, if any."""
-    contacts: List[Contact]
-    wrench: Vector
-    preload: Optional[Fraction]
-    law: str
-    snap: Optional[Fraction]
-    direction: Optional[Vector] = None  # §10, if the margin is asked for
+class Options(NamedTuple):
+    """What whoever asks chooses; None leaves the grasp file's own values."""
+    wrench: Optional[Vector] = None
+    preload: Optional[Fraction] = None
+    law: str = LAWS[0]
+    direction: Optional[Vector] = None
+    preload_direction: Union[None, str, Vector] = None  # "scale", or a number for each contact
+
+    def margin(self) -> bool:
+        return self.direction is not None or self.preload_direction is not None
 
 
 class Row(NamedTuple):
-    """The rows and coefficients of one contact."""
+    """What is known of one contact."""
     N: Vector
     T: Vector
     friction: Fraction
-    preload: Fraction    # P' = P/L
-    stiffness: Fraction  # k' = k/L²
+    v: Vector  # v_i(x) = v·x for a point x = (d, h, ℓ)
+
+
+class Question(NamedTuple):
+    asked: Options
+    wrench: Vector  # w
+    growth: Vector  # u
+    rows: List[Row]
 
 
 def coefficients(source: Source, fields: Dict[str, Any], place: str) -> Dict[str, Fraction]:
@@ -262,10 +324,10 @@ def coefficients(source: Source, fields: Dict[str, Any], place: str) -> Dict[str
     return found
 
 
-def read_grasp(name: str) -> Question:
-    """§1: the question as the grasp file asks it."""
+def read_grasp(name: str) -> Tuple[List[Contact], Vector]:
+    """§1: the contacts and the wrench."""
     source = Source(name, GRASP)
-    top = source.members(source.root, "", "format name? defaults? contacts wrench normals?")
+    top = source.members(source.root, "", "format name? defaults? contacts wrench")
     source.check_format(top["format"])
     if type(top.get("name", "")) is not str:
         source.fail("name", "must be a string")
@@ -274,7 +336,9 @@ def read_grasp(name: str) -> Question:
     defaults = {"stiffness": Fraction(1), "preload": Fraction(0),
                 **coefficients(source, stated, "defaults")}
     contacts = []
-    for i, entry in enumerate(source.array(top["contacts"], "contacts")):
+    if len(source.array(top["contacts"], "contacts")) > MAX_CONTACTS:
+        source.fail("contacts", "too many contacts")
+    for i, entry in enumerate(top["contacts"]):
         place = f"contacts[{i}]"
         fields = source.members(entry, place, "position normal friction? stiffness? preload?")
         values = {**defaults, **coefficients(source, fields, place)}
@@ -285,15 +349,7 @@ def read_grasp(name: str) -> Question:
             source.fail(f"{place}.normal", "must not be zero")
         contacts.append(Contact(source.vector(fields["position"], f"{place}.position", 2), normal,
                                 values["friction"], values["stiffness"], values["preload"]))
-    snap = None
-    if type(top.get("normals")) is Members:
-        fields = source.members(top["normals"], "normals", "snap")
-        snap = source.number(fields["snap"], "normals.snap")
-        if not 0 < snap < 1:
-            source.fail("normals.snap", "must be > 0 and < 1")
-    elif source.choice(top.get("normals", "exact"), "normals", ("exact", "snap")) == "snap":
-        snap = Fraction(1, 10**9)
-    return Question(contacts, source.vector(top["wrench"], "wrench", 3), None, LAWS[0], snap)
+    return contacts, source.vector(top["wrench"], "wrench", D)
 
 
 def rational_root(square: Fraction) -> Optional[Fraction]:
@@ -301,20 +357,48 @@ def rational_root(square: Fraction) -> Optional[Fraction]:
     return root if root * root == square else None
 
 
-def rows(question: Question, grasp_file: str) -> List[Row]:
-    """§1, Rows. Malformed if a contact with P > 0 has an irrational L."""
+def make_row(contact: Contact, preload: Fraction, growth: Fraction) -> Optional[Row]:
+    """§1, Rows; None if the length of the normal is irrational and needed."""
+    (px, py), (nx, ny), friction, stiffness, _ = contact
+    square = nx * nx + ny * ny
+    length = rational_root(square) if preload or growth else Fraction(1)
+    if length is None:
+        return None
+    tx, ty = -ny, nx
+    normal = (nx, ny, px * ny - py * nx)
+    return Row(normal, (tx, ty, px * ty - py * tx), friction,
+               tuple(-stiffness / square * c for c in normal) + (preload / length, growth / length))
+
+
+def pose(grasp_file: str, asked: Options) -> Question:
+    """§1, the table: the question, if it can be asked."""
+    contacts, wrench = read_grasp(grasp_file)
+    m = len(contacts)
+    base = tuple(c.preload if asked.preload is None else asked.preload for c in contacts)
+    if asked.preload is not None and asked.preload < 0:
+        raise Malformed("the question", "preload", f"found {show(asked.preload)}, must be >= 0")
+    growth: Vector = (Fraction(0),) * m
+    if asked.preload_direction == "scale":
+        base, growth = growth, base
+    elif asked.preload_direction is not None:
+        growth = asked.preload_direction
+    if len(growth) != m or any(p < 0 for p in growth):
+        raise Malformed("the question", "preload direction",
+                        f"found {show(growth)}, must be {m} numbers >= 0, one for each contact")
+    u = asked.direction or NOWHERE
+    if asked.margin() and not any(u) and not any(growth):
+        raise Malformed("the question", "direction", "neither the wrench nor a preload changes")
     table = []
-    for i, ((px, py), (nx, ny), friction, stiffness, preload) in enumerate(question.contacts):
-        square = nx * nx + ny * ny
-        length = rational_root(square)
-        if preload > 0 and length is None:
+    for i, contact in enumerate(contacts):
+        row = make_row(contact, base[i], growth[i])
+        if row is None:
             raise Malformed(grasp_file, f"contacts[{i}].normal",
-                            "the contact has a preload and a normal of irrational length, so the "
-                            "question cannot be asked; allow snapping (--snap-normals EPS)")
-        tx, ty = -ny, nx
-        table.append(Row((nx, ny, px * ny - py * nx), (tx, ty, px * ty - py * tx), friction,
-                         preload / length if preload else preload, stiffness / square))
-    return table
+                            "the contact has a preload and a normal of irrational length, so there "
+                            "is no exact question; run stickslip snap GRASP -o FILE, and ask about "
+                            "FILE")
+        table.append(row)
+    start = wrench if asked.direction is None else NOWHERE
+    return Question(asked, start if asked.wrench is None else asked.wrench, u, table)
 
 
 # ---- §2 Syntax --------------------------------------------------------------------------------
@@ -323,26 +407,20 @@ def rows(question: Question, grasp_file: str) -> List[Row]:
 class Claim(NamedTuple):
     """The member `question` of a certificate."""
     contacts: int
-    wrench: Vector
-    preload: Optional[Fraction]
-    law: str
-    normals: Optional[List[Tuple[int, Vector]]]
+    asked: Options
 
 
 class Node(NamedTuple):
-    """§4: slip and separation have a contact, plane has numbers a, leaf has numbers y and θs."""
+    """§4: slip and separation have a contact, plane has numbers a, leaf has numbers y."""
     kind: str
     contact: int = -1
     numbers: Vector = ()
-    thetas: Sequence[Tuple[int, Fraction]] = ()
 
 
-class Point(NamedTuple):
-    """A motion and its forces: of "stable", or with λ a POINT of §10, which is a ray if that is
-    null."""
-    twist: Vector
-    forces: List[Vector]
-    load: Optional[Fraction] = Fraction(0)  # λ
+class Witness(NamedTuple):
+    """§3: a point (d, 1, λ), or (d, 0, 1) for a ray, and the shares of friction."""
+    x: Vector
+    shares: List[Tuple[int, Fraction]]
 
 
 Interval = Tuple[Fraction, Optional[Fraction]]  # None for ∞
@@ -350,193 +428,167 @@ Interval = Tuple[Fraction, Optional[Fraction]]  # None for ∞
 
 class Certificate(NamedTuple):
     question: Claim
-    verdict: str                # "stable", "unstable" or, of §10, "margin"
+    verdict: str                # "stable", "unstable" or "margin"
+    witness: Optional[Witness] = None  # of "stable"
     tree: List[Node] = []       # of "unstable" and "margin"
-    witness: Optional[Point] = None         # of "stable"
-    direction: Vector = ()                  # of "margin", as are those below
-    resisted: List[Interval] = []
-    segments: List[Tuple[Point, Point]] = []
+    resisted: List[Interval] = []      # of "margin", as is the next
+    segments: List[Tuple[Witness, Witness]] = []
 
 
-def read_certificate(name: str, kind: FileKind) -> Certificate:
-    """§2 and §10. All of the syntax comes before any rule."""
-    source = Source(name, kind)
+def read_certificate(name: str) -> Certificate:
+    """All of the syntax comes before any rule."""
+    source = Source(name, CERTIFICATE)
     claimed = dict(source.root.pairs) if type(source.root) is Members else {}
     if "format" in claimed:
         source.check_format(claimed["format"])
-    evidence = ("direction resisted segments tree" if kind is MARGIN else
-                "verdict twist forces" if claimed.get("verdict") == "stable" else "verdict tree")
-    top = source.members(source.root, "", "format producer? question " + evidence, True)
+    evidence = {"stable": "twist shares", "margin": "resisted segments tree"}.get(
+        claimed["verdict"] if type(claimed.get("verdict")) is str else "", "tree")
+    top = source.members(source.root, "", "format producer? question verdict " + evidence, True)
     if type(top.get("producer", "")) is not str:
         source.fail("producer", "must be a string")
     claim = read_claim(source, top["question"])
-    verdict = "margin" if kind is MARGIN else source.choice(top["verdict"], "verdict",
-                                                            ("stable", "unstable"))
+    margin = claim.asked.margin()
+    verdict = source.choice(top["verdict"], "verdict",
+                            ("margin",) if margin else ("stable", "unstable"))
     if verdict == "stable":
-        return Certificate(claim, verdict, witness=read_witness(source, top["twist"], "twist",
-                                                                top["forces"], "forces"))
-    tree = [read_node(source, node, f"tree[{k}]")
+        witness = Witness(source.vector(top["twist"], "twist", D) + (Fraction(1), Fraction(0)),
+                          read_shares(source, top["shares"], "shares"))
+        return Certificate(claim, verdict, witness)
+    tree = [read_node(source, node, f"tree[{k}]", margin)
             for k, node in enumerate(source.array(top["tree"], "tree"))]
     if verdict == "unstable":
-        return Certificate(claim, verdict, tree)
-
-    def number_or_null(value: Any, place: str) -> Optional[Fraction]:
-        return None if value is None else source.number(value, place)
-
-    def read_point(value: Any, place: str, load: Any) -> Point:
-        first, twist, forces = source.array(value, place, 3)
-        return read_witness(source, twist, place, forces, place)._replace(load=load(first, place))
-
+        return Certificate(claim, verdict, None, tree)
     resisted, segments = [], []
     for k, entry in enumerate(source.array(top["resisted"], "resisted")):
         low, high = source.array(entry, f"resisted[{k}]", 2)
         resisted.append((source.number(low, f"resisted[{k}]"),
-                         number_or_null(high, f"resisted[{k}]")))
+                         None if high is None else source.number(high, f"resisted[{k}]")))
     for k, entry in enumerate(source.array(top["segments"], "segments")):
         first, second = source.array(entry, f"segments[{k}]", 2)
-        segments.append((read_point(first, f"segments[{k}]", source.number),
-                         read_point(second, f"segments[{k}]", number_or_null)))
-    direction = source.vector(top["direction"], "direction", 3)
-    return Certificate(claim, verdict, tree, None, direction, resisted, segments)
-
-
-def read_witness(source: Source, twist: Any, twist_place: str, forces: Any,
-                 forces_place: str) -> Point:
-    return Point(source.vector(twist, twist_place, 3),
-                 [source.vector(pair, f"{forces_place}[{i}]", 2)
-                  for i, pair in enumerate(source.array(forces, forces_place))])
+        segments.append((read_point(source, first, f"segments[{k}]", False),
+                         read_point(source, second, f"segments[{k}]", True)))
+    return Certificate(claim, verdict, None, tree, resisted, segments)
 
 
 def read_claim(source: Source, value: Any) -> Claim:
-    fields = source.members(value, "question", "contacts wrench preload? normal_law normals?", True)
-    preload = normals = None
+    fields = source.members(
+        value, "question", "contacts wrench preload? normal_law direction? preload_direction?", True)
+    preload = direction = growth = None
     if "preload" in fields:
         preload = source.number(fields["preload"], "question.preload")
-    if "normals" in fields:
-        normals = []
-        for k, entry in enumerate(source.array(fields["normals"], "question.normals")):
-            place = f"question.normals[{k}]"
-            i, x, y = source.array(entry, place, 3)
-            normals.append((source.index(i, place), source.vector([x, y], place, 2)))
+    if "direction" in fields:
+        direction = source.vector(fields["direction"], "question.direction", D)
+    if "preload_direction" in fields:
+        growth = fields["preload_direction"]
+        if type(growth) is not str or growth != "scale":
+            growth = source.vector(growth, "question.preload_direction")
     return Claim(source.index(fields["contacts"], "question.contacts"),
-                 source.vector(fields["wrench"], "question.wrench", 3), preload,
-                 source.choice(fields["normal_law"], "question.normal_law", LAWS), normals)
+                 Options(source.vector(fields["wrench"], "question.wrench", D), preload,
+                         source.choice(fields["normal_law"], "question.normal_law", LAWS),
+                         direction, growth))
 
 
-def read_node(source: Source, value: Any, place: str) -> Node:
+def read_shares(source: Source, value: Any, place: str) -> List[Tuple[int, Fraction]]:
+    shares = []
+    for entry in source.array(value, place):
+        i, share = source.array(entry, place, 2)
+        shares.append((source.index(i, place), source.number(share, place)))
+    return shares
+
+
+def read_point(source: Source, value: Any, place: str, may_be_ray: bool) -> Witness:
+    """POINT."""
+    load, twist, shares = source.array(value, place, 3)
+    ray = may_be_ray and load is None
+    ends = (Fraction(0), Fraction(1)) if ray else (Fraction(1), source.number(load, place))
+    return Witness(source.vector(twist, place, D) + ends, read_shares(source, shares, place))
+
+
+def read_node(source: Source, value: Any, place: str, margin: bool) -> Node:
     """§4, the table of nodes."""
     kind, *rest = source.array(value, place) or [None]
     if kind in ("slip", "separation") and len(rest) == 1:
         return Node(kind, source.index(rest[0], place))
-    if kind == "plane" and len(rest) == 4:
-        return Node(kind, numbers=source.vector(rest, place, 4))
-    if kind == "leaf" and len(rest) in (3, 4):
-        thetas = []
-        for entry in source.array(rest[3], place) if len(rest) == 4 else []:
-            i, theta = source.array(entry, place, 2)
-            thetas.append((source.index(i, place), source.number(theta, place)))
-        return Node(kind, numbers=source.vector(rest[:3], place, 3), thetas=thetas)
-    if kind == "void" and not rest:
-        return Node(kind)
-    source.fail(place, "must be [\"slip\", i], [\"separation\", i], [\"plane\", a1, a2, a3, a4], "
-                       "[\"leaf\", y1, y2, y3], [\"leaf\", y1, y2, y3, [[i, theta], ...]] or "
-                       "[\"void\"]")
+    if kind == "plane" and len(rest) == D + 1 + margin:
+        return Node(kind, numbers=source.vector(rest, place) + (Fraction(0),) * (not margin))
+    if kind == "leaf" and len(rest) == D:
+        return Node(kind, numbers=source.vector(rest, place))
+    source.fail(place, "must be [\"slip\", i], [\"separation\", i], [\"plane\", a1, ...] with "
+                       f"{D + 1 + margin} numbers or [\"leaf\", y1, ...] with {D}")
 
 
-# ---- §3 The question and the stable verdict ---------------------------------------------------
+# ---- §3 The question agrees, and the stable verdict -------------------------------------------
 
 
-def check_question(question: Question, claim: Claim) -> Question:
-    """`question-...`. Returns the question, with the normals that the certificate replaces."""
-    m = len(question.contacts)
-    for rule, said, asked in (("contacts", claim.contacts, m),
-                              ("wrench", claim.wrench, question.wrench),
-                              ("preload", claim.preload, question.preload),
-                              ("law", claim.law, question.law)):
-        if said != asked:
-            raise Rejected(f"question-{rule}", f"the certificate says {show(said)}, asked was "
-                                               f"{show(asked)}")
-    if claim.normals is None:
-        return question
-    if question.snap is None:
-        raise Rejected("question-normals", "normals are replaced, but snapping was not asked for")
-    contacts, last = list(question.contacts), -1
-    for i, u in claim.normals:
-        if not last < i < m:
-            raise Rejected("question-normals", f"contact {show(i)} is out of range or of order")
-        n, s = contacts[i].normal, dot(u, contacts[i].normal)
-        if rational_root(dot(n, n)) is not None:
-            raise Rejected("question-normals", f"contact {i}: the length of {show(n)} is rational")
-        if dot(u, u) != 1:
-            raise Rejected("question-normals", f"contact {i}: {show(u)} has not length 1")
-        if not (s > 0 and s * s >= (1 - question.snap**2 / 2) ** 2 * dot(n, n)):
-            raise Rejected("question-normals", f"contact {i}: {show(u)} is further than "
-                                               f"{show(question.snap)} from the grasp's normal")
-        contacts[i], last = contacts[i]._replace(normal=u), i
-    return question._replace(contacts=contacts)
+def check_question(question: Question, claim: Claim) -> None:
+    """`question-...`."""
+    said, asked = claim.asked, question.asked
+    for rule, found, wanted in (("contacts", claim.contacts, len(question.rows)),
+                                ("wrench", said.wrench, question.wrench),
+                                ("preload", said.preload, asked.preload),
+                                ("law", said.law, asked.law),
+                                ("direction", said.direction, asked.direction),
+                                ("preload-direction", said.preload_direction,
+                                 asked.preload_direction)):
+        if found != wanted:
+            raise Rejected(f"question-{rule}", f"the certificate says {show(found)}, asked was "
+                                               f"{show(wanted)}")
 
 
-def plus(a: Vector, factor: Fraction, b: Vector) -> Vector:
-    return tuple(x + factor * y for x, y in zip(a, b))
+class ContactForce(NamedTuple):
+    """What follows from a witness for one contact."""
+    v: Fraction
+    slip: Fraction  # τ_i
+    a: Fraction
+    b: Fraction
 
 
-def compression(row: Row, point: Point) -> Fraction:
-    """v; a ray has no preload."""
-    preload = 0 if point.load is None else row.preload
-    return preload - row.stiffness * dot(row.N, point.twist)
+def sign(x: Union[int, Fraction]) -> int:
+    return (x > 0) - (x < 0)
 
 
-def check_witness(point: Point, question: Question, table: List[Row]) -> None:
-    """`witness-...`: the laws of §1 by substitution, under w + λu, or for a ray under u."""
-    if len(point.forces) != len(table):
-        raise Rejected("witness-count", f"{len(point.forces)} pairs for {len(table)} contacts")
-    u = question.direction or NOWHERE
-    total = list(u if point.load is None else plus(question.wrench, point.load, u))
-    for row, (a, b) in zip(table, point.forces):
-        total = [c + a * n + b * t for c, n, t in zip(total, row.N, row.T)]
+def check_witness(question: Question, witness: Witness) -> List[ContactForce]:
+    """`witness-...`. Returns the forces, one for each contact."""
+    forces = []
+    for row in question.rows:
+        v, slip = dot(row.v, witness.x), dot(row.T, witness.x)
+        a = max(Fraction(0), v)
+        forces.append(ContactForce(v, slip, a, -sign(slip) * row.friction * a))
+    last = -1
+    for i, share in witness.shares:
+        if not last < i < len(forces) or abs(share) > 1:
+            raise Rejected("witness-share", f"contact {show(i)}, share {show(share)}")
+        if forces[i].slip != 0:
+            raise Rejected("witness-share", f"contact {i} slips, T.d = {show(forces[i].slip)}")
+        forces[i] = forces[i]._replace(b=share * question.rows[i].friction * forces[i].a)
+        last = i
+    for i, force in enumerate(forces):
+        if question.asked.law == "bilateral" and force.v < 0:
+            raise Rejected("witness-normal", f"contact {i}: v = {show(force.v)} is below 0")
+    h, load = witness.x[D:]
+    total = pairwise_sum([tuple(h * w + load * u for w, u in zip(question.wrench, question.growth))]
+                         + [tuple(force.a * n + force.b * t for n, t in zip(row.N, row.T))
+                            for row, force in zip(question.rows, forces) if force.a])
     if any(total):
-        raise Rejected("witness-balance", f"wrench and forces add up to {show(tuple(total))}")
-    for i, (row, (a, b)) in enumerate(zip(table, point.forces)):
-        v = compression(row, point)
-        if not (a == v >= 0 if question.law == "bilateral" else a == max(0, v)):
-            raise Rejected("witness-normal", f"contact {i}: a = {show(a)} where v = {show(v)}")
-    for i, (row, (a, b)) in enumerate(zip(table, point.forces)):
-        if abs(b) > row.friction * a:
-            raise Rejected("witness-cone", f"contact {i}: a = {show(a)}, b = {show(b)}")
-    for i, (row, (a, b)) in enumerate(zip(table, point.forces)):
-        slip = dot(row.T, point.twist)
-        if (slip > 0 and b != -row.friction * a) or (slip < 0 and b != row.friction * a):
-            raise Rejected("witness-dissipation", f"contact {i}: T.d = {show(slip)}, "
-                                                  f"a = {show(a)}, b = {show(b)}")
+        raise Rejected("witness-balance", f"load and forces add up to {show(total)}")
+    return forces
 
 
-# ---- §4 The unstable verdict: a tree ----------------------------------------------------------
+# ---- §4 Trees ---------------------------------------------------------------------------------
 
-MAX_PLANES = 64
-NOWHERE = (Fraction(0),) * 3
+MORE_DEPTH = 256
+H, L = (Fraction(0),) * D + (Fraction(1), Fraction(0)), (Fraction(0),) * (D + 1) + (Fraction(1),)
 
 
-class Loads(NamedTuple):
-    """The λ that a tree is about (§10): a gap, or the one load of an "unstable", λ = 0.
+class Range(NamedTuple):
+    """The λ that a tree is about; high is None for ∞."""
+    low: Fraction
+    high: Optional[Fraction]
+    contains_low: bool
+    contains_high: bool
 
-    The generators (r, ℓ) are those of §10; for one load each r comes with one ℓ.
-    """
-    ends: Tuple[Fraction, ...] = (Fraction(0),)            # α, and β if it is finite
-    strict: Tuple[Tuple[Fraction, Fraction], ...] = ()     # (p, q) for pℓ + qh
-    unbounded: bool = False
 
-    def lift(self, rays: Sequence[Tuple[Integers, int]]) -> List[Tuple[Integers, int, Any]]:
-        lifted = [(r, zero, end * r[3]) for r, zero in rays
-                  for end in (self.ends if r[3] else self.ends[:1])]
-        return lifted + [((0, 0, 0, 0), -1, 1)] * self.unbounded
-
-    def name(self, r: Integers, l: Any) -> str:
-        return show(r if self == Loads() else (*r, l))
-
-    def bars(self, region: Region, lifted: Sequence[Tuple[Integers, int, Any]]) -> bool:
-        """§4, barred: is some strict function zero on all of these generators?"""
-        return (region.bars([(r, zero) for r, zero, _ in lifted])
-                or any(all(p * l + q * r[3] == 0 for r, _, l in lifted) for p, q in self.strict))
+VERDICT = Range(Fraction(0), Fraction(0), True, True)
 
 
 def integers(vector: Sequence[Fraction]) -> Tuple[Integers, int]:
@@ -555,7 +607,7 @@ def negated(vector: Integers) -> Integers:
 
 
 class Cone:
-    """§4, Generators: a region of x = (d_x, d_y, d_r, h), by the double description method.
+    """§4, Generators: a region of points, by the double description method.
 
     `lines` are linearly independent; `rays` are extreme, one for each class modulo the lines, and
     each comes with the set (bits, numbered by the cuts so far) of the conditions that are zero on
@@ -598,66 +650,45 @@ class Cone:
 
 
 class Terms:
-    """§4: the rows of the contacts in integers, by positive factors.
+    """The rows of a contact in integers: positive multiples of v_i, τ_i, and, with one factor,
+    N_i − μ_i T_i and N_i + μ_i T_i; α_i v_i(x) = weight·(y·plus or y·minus)(v·x)."""
 
-    `slip` is a multiple of τ_i and `gap` one of v_i; `plus` and `minus` are multiples of
-    N_i − μ_i T_i and N_i + μ_i T_i, `load` one of w and `rise` one of u. The factors are such that,
-    for one D > 0, D·α_i v_i(r) = (y·plus or y·minus)(gap·r), D·(y·w) = y·load, D·(y·u) = y·rise.
-    """
+    def __init__(self, row: Row) -> None:
+        self.v, v_factor = integers(row.v)
+        self.slip = integers(row.T)[0] + (0, 0)
+        edges, factor = integers([n - row.friction * t for n, t in zip(row.N, row.T)]
+                                 + [n + row.friction * t for n, t in zip(row.N, row.T)])
+        self.plus, self.minus = edges[:D], edges[D:]
+        self.weight = Fraction(1, v_factor * factor)
 
-    def __init__(self, table: List[Row], wrench: Vector, direction: Vector = NOWHERE) -> None:
-        self.slip, self.plus, self.minus, gaps = [], [], [], []
-        for row in table:
-            self.slip.append(integers(row.T + (Fraction(0),))[0])
-            forces, factor = integers([n - row.friction * t for n, t in zip(row.N, row.T)]
-                                      + [n + row.friction * t for n, t in zip(row.N, row.T)])
-            self.plus.append(forces[:3])
-            self.minus.append(forces[3:])
-            gaps.append([-row.stiffness * n / factor for n in row.N] + [row.preload / factor])
-        self.D = math.lcm(*(c.denominator for v in (*gaps, wrench, direction) for c in v))
-        self.gap = [tuple(int(self.D * c) for c in v) for v in gaps]
-        self.load = tuple(int(self.D * c) for c in wrench)
-        self.rise = tuple(int(self.D * c) for c in direction)
+
+def short_above(x: Fraction) -> Fraction:
+    """x, or the least multiple of a power of 2 above it that keeps its first 64 bits."""
+    bits = x.denominator.bit_length()
+    if bits <= 64:
+        return x
+    shift = 64 + max(0, bits - x.numerator.bit_length())
+    return Fraction(-(-(x.numerator << shift) // x.denominator), 1 << shift)
 
 
 class Region:
-    """A node's region, labels and strict functions, and what holds of each contact in the region.
+    """A node's region and its strict functions: a set (bits, as in Cone) of cuts, each being the
+    condition of its cut up to its sign. The cone is computed when the node's turn has come."""
 
-    side[i] is +1 if v_i ≥ 0 on all rays, −1 if v_i ≤ 0 on all rays, else 0; sign[i] is +1, −1, or 0
-    for none. These belong to the region, not to its choice of rays, and hold in all regions inside:
-    only the contacts in `bent` and `loose` need another look there. `strict` is the set (bits, as
-    in Cone) of the strict functions: each is the condition of a cut, up to its sign.
-    """
-
-    def __init__(self, parent: Optional[Region], split: Tuple[str, int], step: str, row: Integers,
-                 equality: bool = False, label: Optional[int] = None, strict: bool = False):
+    def __init__(self, parent: Optional[Region], step: str, row: Sequence[Fraction],
+                 equality: bool = False, strict: bool = False) -> None:
         self.parent = parent
-        self.split = split        # the parent's kind of node, and its contact
         self.step = step          # the last step of the path from the root
         self.row = row            # the condition: row·x ≥ 0, or = 0
         self.equality = equality
-        self.label = label        # if a child of slip
         self.adds_strict = strict  # is row·x a new strict function?
+        self.depth = parent.depth + 1 if parent else 0
+        self.strict = 0
 
-    def open(self, terms: Terms, m: int, law: str) -> None:
-        """Computes the cone, when the node's turn has come."""
-        if self.parent is None:
-            everything = [tuple(int(j == k) for k in range(4)) for j in range(4)]
-            self.cone = Cone(everything, [], 0).cut((0, 0, 0, 1))
-            for gap in terms.gap if law == "bilateral" else []:
-                self.cone = self.cone.cut(gap)
-            self.strict = 1  # h, the first cut
-            self.side = self.sign = [0] * m
-            self.bent = self.loose = list(range(m))
-        else:
-            self.cone = self.parent.cone.cut(self.row, self.equality)
-            self.strict = self.parent.strict | self.adds_strict << self.parent.cone.cuts
-            self.side, self.sign = self.parent.side, self.parent.sign
-            self.bent, self.loose = self.parent.bent, self.parent.loose
-            if self.label is not None:
-                self.sign = list(self.sign)
-                self.sign[self.split[1]] = self.label
-                self.loose = [i for i in self.loose if i != self.split[1]]
+    def open(self) -> None:
+        assert self.parent is not None
+        self.cone = self.parent.cone.cut(integers(self.row)[0], self.equality)
+        self.strict = self.parent.strict | self.adds_strict << self.parent.cone.cuts
 
     def bars(self, rays: Sequence[Tuple[Integers, int]]) -> bool:
         """§4, barred: is some strict function zero on all of these rays?"""
@@ -666,400 +697,415 @@ class Region:
             common &= zero
         return common != 0
 
-    def look(self, terms: Terms) -> None:
-        """Finds the sides and signs that the parent's region did not have."""
-        found = {i: side for i in self.bent if (side := self.common_side(terms.gap[i]))}
-        self.side = [found.get(i, side) for i, side in enumerate(self.side)]
-        self.bent = [i for i in self.bent if i not in found]
-        found = {i: sign for i in self.loose if (sign := self.common_sign(terms.slip[i]))}
-        self.sign = [found.get(i, sign) for i, sign in enumerate(self.sign)]
-        self.loose = [i for i in self.loose if i not in found]
-
-    def common_side(self, row: Integers) -> int:
-        """+1 if row·r ≥ 0 for all rays, else −1 if row·r ≤ 0 for all rays, else 0."""
-        a, b, c, e = row
-        side = 0
-        for (x, y, z, h), _ in self.cone.generators:
-            value = a * x + b * y + c * z + e * h
-            if side * value < 0:
-                return 0
-            if value:
-                side = 1 if value > 0 else -1
-        return side or 1
-
-    def common_sign(self, row: Integers) -> int:
-        """+1 if row·r ≥ 0 for all rays and those with row·r = 0 are barred; −1 likewise; else 0.
-        (0 as well if row·r = 0 for all rays; if they are barred, no leaf asks for the sign.)"""
-        a, b, c, _ = row
-        sign, common = 0, self.strict
-        for (x, y, z, _), zero in self.cone.generators:
-            value = a * x + b * y + c * z
-            if value == 0:
-                common &= zero
-            elif sign * value < 0:
-                return 0
-            else:
-                sign = 1 if value > 0 else -1
-        return sign if common else 0
-
-    def line_of_descent(self) -> List[Region]:
-        """The regions from this one up to the root's, the latter left out."""
-        line, region = [], self
-        while region.parent is not None:
-            line.append(region)
-            region = region.parent
-        return line
-
     def path(self) -> str:
-        return ", ".join(region.step for region in reversed(self.line_of_descent())) or "root"
+        steps, region = [], self
+        while region.parent is not None:
+            steps.append(region.step)
+            region = region.parent
+        return ", ".join(reversed(steps)) or "root"
 
 
-def check_leaf(region: Region, node: Node, m: int, terms: Terms, loads: Loads = Loads()) -> None:
-    """§4, Leaf."""
-    last = -1
-    for i, theta in node.thetas:
-        if not last < i < m or not 0 <= theta <= 1:
-            raise Rejected("leaf-theta", f"contact {show(i)}, theta {show(theta)}")
-        last = i
-    generators = loads.lift(region.cone.generators)
-    if loads.bars(region, generators):
-        return
-    thetas = dict(node.thetas)
-    (y1, y2, y3), factor = integers(node.numbers)
-    form = [0, 0, 0, dot((y1, y2, y3), terms.load)]  # D·g(r, ℓ), but for ℓ·rise and `bends`
-    rise = dot((y1, y2, y3), terms.rise)
+def root(question: Question, loads: Range) -> Region:
+    region = Region(None, "root", ())
+    region.cone = Cone([tuple(int(j == k) for k in range(D + 2)) for j in range(D + 2)], [], 0)
+    conditions = [(H, True), (plus(L, -loads.low, H), not loads.contains_low)]
+    if loads.high is not None:
+        conditions.append((plus(times(loads.high, H), Fraction(-1), L), not loads.contains_high))
+    if question.asked.law == "bilateral":
+        conditions += [(row.v, False) for row in question.rows]
+    for row, strict in conditions:
+        region.strict |= strict << region.cone.cuts
+        region.cone = region.cone.cut(integers(row)[0])
+    return region
+
+
+def times(factor: Fraction, a: Sequence[Fraction]) -> Vector:
+    return tuple(factor * x for x in a)
+
+
+def plus(a: Sequence[Fraction], factor: Fraction, b: Sequence[Fraction]) -> Vector:
+    return tuple(x + factor * y for x, y in zip(a, b))
+
+
+def side(values: Sequence[int]) -> int:
+    """+1 if all are ≥ 0, else −1 if all are ≤ 0, else 0."""
+    return 1 if min(values) >= 0 else -1 if max(values) <= 0 else 0
+
+
+def leaf_refusal(region: Region, y: Vector, question: Question, terms: Sequence[Terms],
+                 shorten: Callable[[Fraction], Fraction]) -> Optional[str]:
+    """`leaf-bound`: why it does not hold, or None. g grows with every α_i, so if it holds with
+    each replaced by something that is not smaller, `shorten`, then it holds."""
+    rays = region.cone.generators
+    if region.bars(rays):
+        return None
+    points = [x for x, _ in rays]
+    ends = (Fraction(dot(y, question.wrench)), Fraction(dot(y, question.growth)))
+    linear = [(Fraction(0),) * D + ends]  # terms of g, and `bends`: factor·max(0, v_i(x))
     bends = []
-    for sign, side, p, q, gap, i in zip(region.sign, region.side, terms.plus, terms.minus,
-                                        terms.gap, range(m)):
-        if side < 0:
-            continue
-        work = [y1 * f[0] + y2 * f[1] + y3 * f[2] for f in ((p, q)[sign < 0], (q, p)[sign > 0])]
-        alpha = max(work)  # over the one direction of the sign, or over both
-        if side > 0:
-            form = [f + alpha * c for f, c in zip(form, gap)]
-        else:
-            bends.append((alpha, thetas.get(i, 0), gap))
-    flat = []  # the generators with g(r, ℓ) = 0
-    for r, zero, l in generators:
-        g = dot(form, r) + (rise and l * rise)
-        for alpha, theta, gap in bends:
-            v = dot(gap, r)
-            g += alpha * max(0, v) if alpha >= 0 else alpha * theta * v
+    for term in terms:
+        values = [dot(term.v, x) for x in points]
+        v_side = side(values)
+        if v_side < 0:
+            continue  # max(0, v_i) = 0
+        slips = [dot(term.slip, x) for x in points]
+        slip = side(slips)
+        if slip and not region.bars([ray for ray, t in zip(rays, slips) if t == 0]):
+            slip = 0
+        work = {1: (term.plus,), -1: (term.minus,), 0: (term.plus, term.minus)}[slip]
+        factor = shorten(term.weight * max(dot(y, edge) for edge in work))
+        if v_side > 0:
+            linear.append(tuple(factor * c for c in term.v))
+        elif factor > 0:
+            bends.append((factor, values))
+    form, scale = integers(pairwise_sum(linear))
+    flat = []  # the rays with g = 0
+    for k, x in enumerate(points):
+        g = Fraction(dot(form, x), scale) + sum(f * values[k] for f, values in bends
+                                                if values[k] > 0)
         if g > 0:
-            g = Fraction(g) / (terms.D * factor)
-            raise Rejected("leaf-bound", f"ray {loads.name(r, l)}: g = {show(g)}, must be <= 0")
+            return f"g = {show(g)} at {show(x)}"
         if g == 0:
-            flat.append((r, zero, l))
-    if not loads.bars(region, flat):
-        raise Rejected("leaf-bound", "g = 0 on rays that are not barred: "
-                                     + ", ".join(loads.name(r, l) for r, _, l in flat[:4]))
+            flat.append(rays[k])
+    return None if region.bars(flat) else "g = 0 on rays that are not barred together"
 
 
-def check_void(region: Region, loads: Loads = Loads()) -> None:
-    """§4, Void."""
-    rays = loads.lift(region.cone.generators)
-    if not loads.bars(region, rays):
-        raise Rejected("void-region", "the region's rays are not barred: "
-                                      + ", ".join(loads.name(r, l) for r, _, l in rays[:4]))
-
-
-def children(region: Region, node: Node, m: int, terms: Terms, law: str) -> List[Region]:
-    """§4, the table of nodes: the rules of an inner node, and its children in order."""
-    kind, i = split = node.kind, node.contact
-    above = [ancestor.split for ancestor in region.line_of_descent()]
-    if kind != "plane" and i >= m:
-        raise Rejected("node-contact", f"contact {show(i)}, the grasp has {m}")
-    if above.count(split) >= (MAX_PLANES if kind == "plane" else 1):
-        raise Rejected("node-repeated", f"{MAX_PLANES} planes stand above this one"
-                       if kind == "plane" else f"another {kind} {i} stands above this one")
-    if kind == "plane" and not any(node.numbers):
-        raise Rejected("node-plane", "all four numbers are 0")
-    if kind == "separation" and law == "bilateral":
-        raise Rejected("node-law", "separation under the bilateral law")
-
-    if kind == "slip":
-        row = terms.slip[i]
-        return [Region(region, split, f"slip {i} +", row, label=1, strict=True),
-                Region(region, split, f"slip {i} 0", row, equality=True, label=0),
-                Region(region, split, f"slip {i} -", negated(row), label=-1, strict=True)]
-    if kind == "separation":
-        row, steps = terms.gap[i], (f"separation {i} closed", f"separation {i} open")
+def children(region: Region, node: Node, question: Question) -> List[Region]:
+    """The table of nodes: the children in order."""
+    i = node.contact
+    if node.kind == "plane":
+        row, steps = node.numbers, ("plane +", "plane -")
+    elif i >= len(question.rows):
+        raise Rejected("node-contact", f"contact {show(i)}, the grasp has {len(question.rows)}")
+    elif node.kind == "separation":
+        row, steps = question.rows[i].v, (f"separation {i} closed", f"separation {i} open")
     else:
-        row, steps = integers(node.numbers)[0], ("plane +", "plane -")
-    return [Region(region, split, steps[0], row),
-            Region(region, split, steps[1], negated(row), strict=True)]
+        row = question.rows[i].T + (Fraction(0), Fraction(0))
+        return [Region(region, f"slip {i} +", row, strict=True),
+                Region(region, f"slip {i} 0", row, equality=True),
+                Region(region, f"slip {i} -", times(Fraction(-1), row), strict=True)]
+    return [Region(region, steps[0], row),
+            Region(region, steps[1], times(Fraction(-1), row), strict=True)]
 
 
-def check_tree(tree: List[Node], question: Question, table: List[Row],
-               ranges: Sequence[Loads] = (Loads(),)) -> None:
-    """§4; and §10, one tree for each of the ranges. `waiting` holds the regions whose nodes are
-    still to come, the next one last."""
-    m, terms = len(table), Terms(table, question.wrench, question.direction or NOWHERE)
+def check_node(region: Region, node: Node, question: Question,
+               terms: Sequence[Terms]) -> List[Region]:
+    """The rules of one node, whose children are returned."""
+    if region.depth > 2 * len(question.rows) + MORE_DEPTH:
+        raise Rejected("node-depth", f"{region.depth} nodes stand above this one")
+    if node.kind != "leaf":
+        return children(region, node, question)
+    for shorten in (short_above, lambda x: x):
+        found = leaf_refusal(region, node.numbers, question, terms, shorten)
+        if found is None:
+            return []
+    raise Rejected("leaf-bound", found)
+
+
+def check_tree(tree: Sequence[Node], question: Question,
+               ranges: Sequence[Range] = (VERDICT,)) -> None:
+    """One tree for each of the ranges. `waiting` holds the regions whose nodes are still to come,
+    the next one last."""
+    terms = [Terms(row) for row in question.rows]
     waiting: List[Region] = []
-    loads, begun = Loads(), 0
+    begun = 0
     for number, node in enumerate(tree):
-        if not waiting:
-            if begun == len(ranges):
-                raise Rejected("tree-long", f"{len(tree) - number} nodes after the end", number)
-            loads, waiting = ranges[begun], [Region(None, ("root", -1), "", ())]
+        if waiting:
+            region = waiting.pop()
+            region.open()
+        elif begun < len(ranges):
+            region = root(question, ranges[begun])
             begun += 1
-        region = waiting.pop()
+        else:
+            raise Rejected("tree-long", f"{len(tree) - number} nodes after the end", None, number)
         try:
-            region.open(terms, m, question.law)
-            if node.kind == "void":
-                check_void(region, loads)
-                continue
-            region.look(terms)
-            if node.kind == "leaf":
-                check_leaf(region, node, m, terms, loads)
-            else:
-                waiting += reversed(children(region, node, m, terms, question.law))
+            waiting += reversed(check_node(region, node, question, terms))
         except Rejected as failure:
             failure.node, failure.path = number, region.path()
             raise
     if waiting or begun < len(ranges):
         missing = f"{len(waiting)} children" if waiting else f"{len(ranges) - begun} trees"
-        failure = Rejected("tree-short", f"{missing} are missing", len(tree))
-        failure.path = waiting[-1].path() if waiting else "root"
-        raise failure
+        raise Rejected("tree-short", f"{missing} are missing",
+                       waiting[-1].path() if waiting else "root", len(tree))
 
 
-# ---- §10 Margin certificates ------------------------------------------------------------------
+# ---- §5 Margins -------------------------------------------------------------------------------
 
 
-def check_direction(claimed: Vector, question: Question) -> None:
-    if claimed != question.direction:
-        raise Rejected("question-direction", f"the certificate says {show(claimed)}, asked was "
-                                             f"{show(question.direction)}")
-
-
-def check_resisted(resisted: List[Interval]) -> None:
+def check_resisted(resisted: Sequence[Interval]) -> None:
     """`resisted-order`."""
     for k, (low, high) in enumerate(resisted):
         before = resisted[k - 1][1] if k else None
         in_order = low >= 0 if k == 0 else before is not None and before < low
         if not in_order or (high is not None and high < low):
-            failure = Rejected("resisted-order", f"({show(low)}, {show(high)})"
-                                                 + (f" after {show(before)}" if k else ""))
-            failure.path = f"interval {k}"
-            raise failure
+            raise Rejected("resisted-order", f"({show(low)}, {show(high)})"
+                           + (f" after {show(before)}" if k else ""), f"interval {k}")
 
 
-def check_chain(segments: List[Tuple[Point, Point]], resisted: List[Interval], question: Question,
-                table: List[Row]) -> None:
-    """Segments: each goes from where it must, in one mode, until all intervals are covered."""
-    at = 0        # the interval at hand
-    done = None   # how far it is covered, if at all
-    for k, (first, second) in enumerate([*segments, (None, None)]):
+def multiple(point: Witness) -> Optional[Fraction]:
+    """λ; None for a ray."""
+    return point.x[D + 1] if point.x[D] else None
+
+
+def check_segments(segments: Sequence[Tuple[Witness, Witness]], resisted: Sequence[Interval],
+                   question: Question) -> None:
+    """Each goes from where it must, in one mode, until all intervals are covered."""
+    at = 0                            # the interval at hand
+    done: Optional[Fraction] = None   # how far it is covered, if at all
+    last: Optional[Witness] = None    # the last point, where a segment often begins
+    forces: List[ContactForce] = []   # and its forces
+    for k, (first, second) in enumerate(segments):
         place = f"segment {k}"
-        try:
-            if first is None:
-                if at < len(resisted):
-                    raise Rejected("segment-chain", "missing: the intervals are not covered yet")
-                return
-            if at == len(resisted):
-                raise Rejected("segment-chain", "left over: the intervals are covered already")
-            low, high = resisted[at]
-            end = second.load
-            if first.load != (low if done is None else done):
-                raise Rejected("segment-chain", f"begins at {show(first.load)}, must begin at "
-                                                f"{show(low if done is None else done)}")
-            if high is not None and (end is None or end > high):
-                raise Rejected("segment-chain", f"goes to {show(end)}, beyond {show(high)}")
-            if end is not None and end < first.load:
-                raise Rejected("segment-chain", f"goes down, to {show(end)}")
-            for point, name in ((first, "first"), (second, "second")):
-                place = f"segment {k}, {name} point"
-                check_witness(point, question, table)
-            place = f"segment {k}"
-            check_mode(first, second, table)
-        except Rejected as failure:
-            failure.path = place
-            raise
-        if end == high:
-            at, done = at + 1, None
-        else:
-            done = end
+        if at == len(resisted):
+            raise Rejected("segment-chain", "the intervals are covered already", place)
+        low, high = resisted[at]
+        begin, end = low if done is None else done, multiple(second)
+        if multiple(first) != begin:
+            raise Rejected("segment-chain", f"begins at {show(multiple(first))}, must begin at "
+                                            f"{show(begin)}", place)
+        if high is not None and (end is None or end > high):
+            raise Rejected("segment-chain", f"goes to {show(end)}, beyond {show(high)}", place)
+        if end is not None and end < begin:
+            raise Rejected("segment-chain", f"goes down, to {show(end)}", place)
+        for point, name in ((first, "first"), (second, "second")):
+            if point == last:
+                continue
+            try:
+                before, forces = forces, check_witness(question, point)
+            except Rejected as failure:
+                failure.path = f"{place}, {name} point"
+                raise
+            if name == "second":
+                check_mode(question, before, forces, place)
+            last = point
+        at, done = (at + 1, None) if end == high else (at, end)
+    if at < len(resisted):
+        raise Rejected("segment-chain", "missing: the intervals are not covered yet",
+                       f"segment {len(segments)}")
 
 
-def check_mode(first: Point, second: Point, table: List[Row]) -> None:
+def check_mode(question: Question, first: Sequence[ContactForce], second: Sequence[ContactForce],
+               place: str) -> None:
     """`segment-mode`."""
-    for i, (row, (a1, b1), (a2, b2)) in enumerate(zip(table, first.forces, second.forces)):
-        v1, v2 = compression(row, first), compression(row, second)
-        if v1 < 0 < v2 or v2 < 0 < v1:
-            raise Rejected("segment-mode", f"contact {i}: v = {show(v1)} and v = {show(v2)}")
-        if row.friction == 0 or a1 + a2 == 0:
+    for i, (row, p, q) in enumerate(zip(question.rows, first, second)):
+        if p.v < 0 < q.v or q.v < 0 < p.v:
+            raise Rejected("segment-mode", f"contact {i}: v = {show(p.v)} and {show(q.v)}", place)
+        if row.friction == 0 or p.a + q.a == 0:
             continue
-        slip1, slip2 = dot(row.T, first.twist), dot(row.T, second.twist)
-        if slip1 < 0 < slip2 or slip2 < 0 < slip1:
-            raise Rejected("segment-mode", f"contact {i}: T.d = {show(slip1)} and {show(slip2)}")
-        for edge, slips in ((-row.friction, slip1 + slip2 > 0), (row.friction, slip1 + slip2 < 0)):
-            if slips and (b1 != edge * a1 or b2 != edge * a2):
-                raise Rejected("segment-mode", f"contact {i} slips, but b = {show(b1)} or b = "
-                                               f"{show(b2)} is not {show(edge)} a")
+        if p.slip < 0 < q.slip or q.slip < 0 < p.slip:
+            raise Rejected("segment-mode", f"contact {i}: T.d = {show(p.slip)} and {show(q.slip)}",
+                           place)
+        edge = -sign(p.slip + q.slip) * row.friction
+        if edge and (p.b != edge * p.a or q.b != edge * q.a):
+            raise Rejected("segment-mode", f"contact {i} slips at one end, and at the other its "
+                                           "friction is not the same full share", place)
 
 
-def gaps(resisted: List[Interval]) -> List[Loads]:
+def gaps(resisted: Sequence[Interval]) -> List[Range]:
     """What the intervals leave of [0, ∞)."""
-    found = []
-    starts: List[Tuple[Fraction, bool]] = [(Fraction(0), True)]  # with: does the gap contain it?
-    starts += [(high, False) for _, high in resisted if high is not None]
-    ends: List[Optional[Fraction]] = [low for low, _ in resisted]
-    if all(high is not None for _, high in resisted):
-        ends.append(None)
-    for (low, contained), high in zip(starts, ends):
-        if low == high:  # of the first only: the intervals begin at 0
-            continue
-        above = () if contained else ((Fraction(1), -low),)
-        below = () if high is None else ((Fraction(-1), high),)
-        found.append(Loads((low,) if high is None else (low, high), above + below, high is None))
-    return found
-
-
-def in_words(resisted: List[Interval]) -> str:
-    return ", ".join(f"[{low}, oo)" if high is None else f"[{low}, {high}]"
-                     for low, high in resisted) or "no multiple"
+    found, low, contained = [], Fraction(0), True
+    for begin, end in resisted:
+        if low < begin:
+            found.append(Range(low, begin, contained, False))
+        if end is None:
+            return found
+        low, contained = end, False
+    return found + [Range(low, None, contained, False)]
 
 
 # ---- §6 What a checker answers ----------------------------------------------------------------
 
+USAGE = """check.py GRASP CERTIFICATE [options]
 
-def parse_arguments(arguments: Sequence[str]) -> argparse.Namespace:
-    """Wrong usage ends with exit code 2."""
-    def number(text: str) -> Fraction:
-        try:
-            return rational(text, GRASP)
-        except ValueError as error:
-            raise argparse.ArgumentTypeError(str(error)) from None
-
-    def three(text: str) -> Vector:
-        if text.count(",") != 2:
-            raise argparse.ArgumentTypeError("must be three numbers WX,WY,T")
-        return tuple(number(part) for part in text.split(","))
-
-    parser = argparse.ArgumentParser(prog="check.py", allow_abbrev=False,
-                                     description="Checks a stickslip certificate (FORMAT.md).",
-                                     epilog="Exit codes: 0 accepted, 1 rejected, 2 malformed.")
-    parser.add_argument("grasp", metavar="GRASP", help="grasp file; - is standard input")
-    parser.add_argument("certificate", metavar="CERTIFICATE", help="certificate; likewise")
-    parser.add_argument("--wrench", type=three, metavar="WX,WY,T", help="replaces the file's")
-    parser.add_argument("--direction", type=three, metavar="WX,WY,T",
-                        help="ask for the margin: all factors f >= 0 such that the grasp is stable "
-                             "under wrench + f direction, with wrench 0 unless given; needs a "
-                             "stickslip-margin/1 certificate")
-    parser.add_argument("--preload", type=number, metavar="P", help="at all contacts")
-    parser.add_argument("--normal-law", choices=LAWS, default=LAWS[0], help="unilateral if absent")
-    parser.add_argument("--snap-normals", type=number, metavar="EPS",
-                        help="allow normals within EPS of the file's")
-    parser.add_argument("--json", action="store_true", help="answer as one JSON object")
-    joined: List[str] = []  # "--wrench=-1,0,0", as argparse takes -1,0,0 alone for an option
-    for word in arguments:
-        if joined and joined[-1] in ("--wrench", "--direction", "--preload", "--snap-normals"):
-            joined[-1] += "=" + word
-        else:
-            joined.append(word)
-    options = parser.parse_args(joined)
-    if options.grasp == options.certificate == "-":
-        parser.error("standard input cannot be both files")
-    if options.direction is not None and not any(options.direction):
-        parser.error("--direction must not be 0,0,0")
-    if options.preload is not None and options.preload < 0:
-        parser.error("--preload must be >= 0")
-    if options.snap_normals is not None and not 0 < options.snap_normals < 1:
-        parser.error("--snap-normals must be > 0 and < 1")
-    return options
+Checks a stickslip certificate, as FORMAT.md says. GRASP is the grasp file, CERTIFICATE the proof;
+one of them may be - for standard input. Give the same options as to the program that made it:
+  --wrench WX,WY,T         replaces the file's
+  --preload P              one preload for all contacts
+  --normal-law LAW         unilateral (the default) or bilateral
+  --direction WX,WY,T      ask for the margin: all factors f >= 0 for which the grasp is stable under
+                           wrench + f direction, with wrench 0 unless given by --wrench
+  --preload-direction D    ask for the margin along preloads: P0,P1,..., of which f times is added to
+                           the preloads; or scale: f times the preloads
+  --json                   answer as one JSON object
+  -h, --help               this text, if it comes before GRASP
+  --                       no options follow
+Exit codes: 0 accepted, 1 rejected, 2 a file or the command line cannot be understood.
+"""
 
 
-def accepted(certificate: Certificate, question: Question, leaves: int) -> str:
-    claim = certificate.question
-    preload = "the grasp file's" if claim.preload is None else f"{claim.preload} at all contacts"
-    margin = certificate.verdict == "margin"
-    lines = ["accepted", f"resisted: {in_words(certificate.resisted)}" if margin
-             else f"verdict: {certificate.verdict}", f"contacts: {claim.contacts}",
-             f"wrench: {', '.join(map(str, claim.wrench))}"]
-    if margin:
-        lines.append(f"direction: {', '.join(map(str, certificate.direction))}")
-    lines += [f"preload: {preload}", f"normal law: {claim.law}"]
-    lines += [f"normal of contact {i}: ({x}, {y}), within {question.snap} of the grasp file's"
-              for i, (x, y) in claim.normals or []]
-    if certificate.witness:
-        lines.append(f"twist: {', '.join(map(str, certificate.witness.twist))}")
-    else:
-        lines += [f"segments: {len(certificate.segments)}"] * margin
-        lines.append(f"tree{'s' * margin}: {len(certificate.tree)} nodes, {leaves} leaves")
-    return "\n".join(lines)
+class UsageError(Exception):
+    pass
 
 
-def answer(options: argparse.Namespace) -> int:
-    """One answer on standard output, malformed on standard error. In --json every key is there;
-    `leaves` counts leaf nodes, and `path` is the place if malformed."""
-    report: Dict[str, Any] = dict.fromkeys(
-        ("result", "rule", "node", "path", "found", "verdict", "nodes", "leaves", "resisted"))
-    text = None
+class Arguments(NamedTuple):
+    files: List[str]
+    options: Options
+    json: bool
+
+
+def number_option(name: str, text: str) -> Fraction:
     try:
-        question = read_grasp(options.grasp)._replace(law=options.normal_law)
-        question = question._replace(direction=options.direction)
-        if options.direction is not None:
-            question = question._replace(wrench=NOWHERE)  # §10
-        if options.wrench is not None:
-            question = question._replace(wrench=options.wrench)
-        if options.preload is not None:
-            contacts = [c._replace(preload=options.preload) for c in question.contacts]
-            question = question._replace(preload=options.preload, contacts=contacts)
-        if options.snap_normals is not None:
-            question = question._replace(snap=options.snap_normals)
-        certificate = read_certificate(options.certificate,
-                                       CERTIFICATE if options.direction is None else MARGIN)
-        leaves = sum(node.kind == "leaf" for node in certificate.tree)
-        report["verdict"] = certificate.verdict
-        if certificate.verdict != "stable":
-            report.update(nodes=len(certificate.tree), leaves=leaves)
-        question = check_question(question, certificate.question)
-        table = rows(question, options.grasp)
-        if certificate.witness:
-            check_witness(certificate.witness, question, table)
-        elif certificate.verdict == "unstable":
-            check_tree(certificate.tree, question, table)
+        return rational(text, GRASP)
+    except ValueError as error:
+        raise UsageError(f"{name}: {error}") from None
+
+
+def list_option(name: str, text: str, length: Optional[int] = None) -> Vector:
+    parts = text.split(",")
+    if length is not None and len(parts) != length:
+        raise UsageError(f"{name}: '{show(text)}' is not WX,WY,T, such as 0,-11/10,0")
+    return tuple(number_option(name, part) for part in parts)
+
+
+def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
+    """None if help is asked for: before the first file only, and after -- nothing is an option, so
+    that no file's name makes the program end with success."""
+    files: List[str] = []
+    options, as_json, ended = Options(), False, False
+    waiting = list(reversed(words))
+    while waiting:
+        word = waiting.pop()
+        is_help = word in ("-h", "--help")
+        if ended or len(word) < 2 or word[0] != "-" or (is_help and files):
+            files.append(word)
+            continue
+        if is_help:
+            return None
+        if word in ("--", "--json"):
+            ended, as_json = ended or word == "--", as_json or word == "--json"
+            continue
+        name, equals, value = word.partition("=") if word.startswith("--") else (word, "", "")
+        if name not in ("--wrench", "--preload", "--normal-law", "--direction",
+                        "--preload-direction"):
+            raise UsageError(f"unknown option '{show(word)}'")
+        if not equals:
+            if not waiting:
+                raise UsageError(f"{name} needs a value")
+            value = waiting.pop()
+        if name == "--wrench":
+            options = options._replace(wrench=list_option(name, value, D))
+        elif name == "--direction":
+            options = options._replace(direction=list_option(name, value, D))
+        elif name == "--preload":
+            options = options._replace(preload=number_option(name, value))
+        elif name == "--preload-direction":
+            options = options._replace(preload_direction="scale" if value == "scale" else
+                                       list_option(name, value))
+        elif value in LAWS:
+            options = options._replace(law=value)
         else:
-            check_direction(certificate.direction, question)
+            raise UsageError(f"{name}: '{show(value)}' is not unilateral or bilateral")
+    if len(files) != 2:
+        raise UsageError(f"expected two files, GRASP and CERTIFICATE, found {len(files)}")
+    if files == ["-", "-"]:
+        raise UsageError("only one of GRASP and CERTIFICATE can be standard input")
+    return Arguments(files, options, as_json)
+
+
+def listed(vector: Optional[Vector]) -> Optional[List[str]]:
+    return None if vector is None else list(map(str, vector))
+
+
+def accepted_text(certificate: Certificate, question: Question, leaves: int, trees: int) -> str:
+    asked, margin = question.asked, certificate.verdict == "margin"
+    growth = asked.preload_direction
+    intervals = ", ".join(f"[{low}, oo)" if high is None else f"[{low}, {high}]"
+                          for low, high in certificate.resisted)
+    preload = "f times " * (growth == "scale")
+    preload += "as in the grasp file" if asked.preload is None else f"{asked.preload} at all contacts"
+    if growth is not None and growth != "scale":
+        preload += f" + f ({', '.join(map(str, growth))})"
+    tree = f"{len(certificate.tree)} nodes: {leaves} leaves"
+    lines = ["accepted", f"resisted    {intervals or 'no multiple'}" if margin
+             else f"verdict     {certificate.verdict}", f"contacts    {len(question.rows)}",
+             f"wrench      ({', '.join(map(str, question.wrench))})"]
+    if asked.direction is not None:
+        lines.append(f"direction   ({', '.join(map(str, asked.direction))})")
+    lines += [f"preload     {preload}", f"normal law  {asked.law}", "proof       " + (
+        f"segments: {len(certificate.segments)}; trees: {trees}, of {tree}" if margin else
+        "an equilibrium" if certificate.witness else f"a tree of {tree}")]
+    return "\n".join(lines) + "\n"
+
+
+def answer(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
+    """The answer as an object, in which every key is there, and as text; and the exit code."""
+    report: Dict[str, Any] = dict.fromkeys(("result", "rule", "node", "path", "found", "verdict",
+                                            "nodes", "leaves", "resisted", "question"))
+    try:
+        question = pose(arguments.files[0], arguments.options)
+        certificate = read_certificate(arguments.files[1])
+        check_question(question, certificate.question)
+        ranges = [VERDICT]
+        if certificate.verdict == "margin":
             check_resisted(certificate.resisted)
-            check_chain(certificate.segments, certificate.resisted, question, table)
-            check_tree(certificate.tree, question, table, gaps(certificate.resisted))
-            report["resisted"] = [[str(low), high if high is None else str(high)]
-                                  for low, high in certificate.resisted]
-        report["result"], code = "accepted", 0
-        text = accepted(certificate, question, leaves)
+            check_segments(certificate.segments, certificate.resisted, question)
+            ranges = gaps(certificate.resisted)
+        if certificate.witness:
+            check_witness(question, certificate.witness)
+        else:
+            check_tree(certificate.tree, question, ranges)
     except Rejected as failure:
+        found = printable(failure.found)
         report.update(result="rejected", rule=failure.rule, node=failure.node, path=failure.path,
-                      found=failure.found)
-        where = "" if failure.node is None else f" at node {failure.node}"
-        where += "" if failure.path is None else f" ({failure.path})"
-        text, code = f"rejected: {failure.rule}{where}: {failure.found}", 1
+                      found=found)
+        lines = [f"node   {failure.node}"] * (failure.node is not None)
+        lines += [f"path   {failure.path}"] * (failure.path is not None)
+        return report, "\n".join(["rejected", f"rule   {failure.rule}", *lines, f"found  {found}",
+                                  ""]), 1
     except Malformed as failure:
-        report.update(result="malformed", path=failure.place or None, found=str(failure),
-                      verdict=None, nodes=None, leaves=None, resisted=None)
-        print(failure, file=sys.stderr)
-        code = 2
-    if options.json or text is not None:
-        print(json.dumps(report) if options.json else text, flush=True)
-    return code
+        report.update(result="malformed", path=printable(failure.place) or None,
+                      found=printable(failure.problem))
+        return report, printable(str(failure)) + "\n", 2
+    leaves = sum(node.kind == "leaf" for node in certificate.tree)
+    asked, growth = question.asked, question.asked.preload_direction
+    report.update(result="accepted", verdict=certificate.verdict, question={
+        "contacts": len(question.rows), "wrench": listed(question.wrench),
+        "preload": None if asked.preload is None else str(asked.preload), "normal_law": asked.law,
+        "direction": listed(asked.direction),
+        "preload_direction": growth if growth == "scale" else listed(growth)})
+    if not certificate.witness:
+        report.update(nodes=len(certificate.tree), leaves=leaves)
+    if certificate.verdict == "margin":
+        report["resisted"] = [[str(low), high if high is None else str(high)]
+                              for low, high in certificate.resisted]
+    return report, accepted_text(certificate, question, leaves, len(ranges)), 0
 
 
-def main(arguments: Sequence[str]) -> int:
+def write(text: str, code: int) -> int:
+    """What nobody can read was not answered."""
+    try:
+        sys.stdout.write(text)
+        sys.stdout.flush()
+        return code
+    except OSError as error:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # do not try again at the end
+        if not isinstance(error, BrokenPipeError):
+            print(f"check.py: standard output cannot be written: {error.strerror}", file=sys.stderr)
+        return 2
+
+
+def main(words: Sequence[str]) -> int:
     """Exit code 0 says accepted and 1 says rejected; anything unforeseen must be neither."""
     if hasattr(sys, "set_int_max_str_digits"):  # Python 3.11's limit is below that of §2
         sys.set_int_max_str_digits(0)
     for stream in (sys.stdout, sys.stderr):
         stream.reconfigure(errors="backslashreplace")
-    options = parse_arguments(arguments)
     try:
-        return answer(options)
-    except BrokenPipeError:  # nobody reads the answer; the interpreter must not try again
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        arguments = parse_arguments(words)
+        if arguments is None:
+            return write(USAGE, 0)
+        report, text, code = answer(arguments)
+    except UsageError as error:
+        print(f"check.py: {printable(str(error))}; try check.py --help", file=sys.stderr)
         return 2
     except Exception as error:  # pylint: disable=broad-except
-        print(f"check.py: internal error: {type(error).__name__}: {error}", file=sys.stderr)
+        print(f"check.py: internal error: {type(error).__name__}: {printable(str(error))}",
+              file=sys.stderr)
         return 2
+    if code == 2:
+        sys.stderr.write("check.py: " + text)
+        text = ""
+    return write(json.dumps(report) + "\n" if arguments.json else text, code)
 
 
 if __name__ == "__main__":

@@ -9,35 +9,25 @@
 #include <variant>
 #include <vector>
 
+#include "question.hpp"
+
 namespace stickslip_check {
 
-/// Multiples of a direction, [low, high] or [low, oo).
-struct ResistedInterval {
-  std::string low;
-  std::optional<std::string> high;
+/// Multiples of a direction: [low, high], or [low, oo).
+struct Interval {
+  Rational low;
+  std::optional<Rational> high;
 };
 
-/// A margin (FORMAT.md §10): exactly these multiples of the direction are resisted.
-struct ResistedMargin {
-  std::string direction[3];
-  std::vector<ResistedInterval> intervals;  ///< in increasing order
-  std::uint64_t segments = 0;
-  std::size_t trees = 0;  ///< one for each gap
-};
-
-/// The certificate proves `verdict` about the question spelled out here.
+/// The certificate proves `verdict` about the question.
 struct Accepted {
-  std::size_t contacts = 0;
-  std::string wrench[3];  ///< of a margin: added to every multiple of the direction
-  std::optional<std::string> preload;  ///< the value that replaces the file's preloads
-  std::string normal_law;
-  std::size_t snapped = 0;  ///< contacts whose normals were replaced
-  std::string snapped_by;   ///< upper bound of the largest |u - n/|n||, a decimal
-  std::string verdict;      ///< "stable", "unstable" or "margin"
-  std::optional<ResistedMargin> margin;
-  std::uint64_t nodes = 0;   ///< of the tree or trees; 0 for a witness
-  std::uint64_t leaves = 0;  ///< leaf nodes
-  std::uint64_t voids = 0;   ///< void nodes
+  Question question;
+  std::string verdict;             ///< "stable", "unstable" or "margin"
+  std::vector<Interval> resisted;  ///< of a margin: exactly these multiples
+  std::uint64_t segments = 0;      ///< of a margin
+  std::size_t trees = 0;           ///< of a margin, one for each gap
+  std::uint64_t nodes = 0;         ///< of the tree or trees; 0 for a witness
+  std::uint64_t leaves = 0;
 };
 
 /// A rule of FORMAT.md does not hold. Also thrown inside the checker.

@@ -3,6 +3,8 @@
 
 #include <optional>
 
+#include "number.hpp"
+
 namespace stickslip_check {
 namespace {
 
@@ -15,28 +17,38 @@ Rational parse_number(const std::string& option, const std::string& text) {
   return *value;
 }
 
-}  // namespace
-
-Vector3 parse_wrench(const std::string& option, const std::string& text) {
-  std::vector<std::string> parts(1);
-  for (const char c : text) {
-    if (c == ',') {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
+Vector parse_list(const std::string& option, const std::string& text) {
+  Vector values;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', begin), text.size());
+    values.push_back(parse_number(option, text.substr(begin, comma - begin)));
+    begin = comma + 1;
   }
-  if (parts.size() != 3) {
+  return values;
+}
+
+Vector parse_wrench(const std::string& option, const std::string& text) {
+  Vector values = parse_list(option, text);
+  if (values.size() != kDimension) {
     throw UsageError{option + ": " + quote(text) + " is not WX,WY,T, such as 0,-11/10,0"};
   }
-  return {parse_number(option, parts[0]), parse_number(option, parts[1]),
-          parse_number(option, parts[2])};
+  return values;
 }
+
+}  // namespace
 
 Arguments parse_arguments(const std::vector<std::string>& words) {
   Arguments arguments;
+  bool options_ended = false;
   for (std::size_t i = 0; i < words.size(); ++i) {
     std::string word = words[i];
+    const bool help = (word == "--help" || word == "-h") && arguments.files.empty();
+    const bool operand = options_ended || word.size() < 2 || word[0] != '-' ||
+                         ((word == "--help" || word == "-h") && !help);
+    if (operand) {
+      arguments.files.push_back(word);
+      continue;
+    }
     std::optional<std::string> attached;
     const std::size_t equals = word.find('=');
     if (word.rfind("--", 0) == 0 && equals != std::string::npos) {
@@ -48,39 +60,35 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
       if (i + 1 == words.size()) throw UsageError{word + " needs a value"};
       return words[++i];
     };
+    Options& options = arguments.options;
     if (word == "--wrench") {
-      arguments.options.wrench = parse_wrench(word, value());
-    } else if (word == "--direction") {
-      arguments.options.direction = parse_wrench(word, value());
-      if (arguments.options.direction == Vector3{}) {
-        throw UsageError{"--direction must not be 0,0,0"};
-      }
+      options.wrench = parse_wrench(word, value());
     } else if (word == "--preload") {
-      arguments.options.preload = parse_number(word, value());
-      if (*arguments.options.preload < 0) throw UsageError{"--preload must be 0 or more"};
+      options.preload = parse_number(word, value());
     } else if (word == "--normal-law") {
       const std::string law = value();
       if (law != "unilateral" && law != "bilateral") {
         throw UsageError{"--normal-law: " + quote(law) + " is not unilateral or bilateral"};
       }
-      arguments.options.bilateral = law == "bilateral";
-    } else if (word == "--snap-normals") {
-      const Rational tolerance = parse_number(word, value());
-      if (tolerance <= 0 || tolerance >= 1) {
-        throw UsageError{"--snap-normals must lie between 0 and 1, such as 1e-9"};
-      }
-      arguments.options.snap_tolerance = tolerance;
+      options.bilateral = law == "bilateral";
+    } else if (word == "--direction") {
+      options.direction = parse_wrench(word, value());
+    } else if (word == "--preload-direction") {
+      const std::string growth = value();
+      options.preload_direction.emplace();
+      options.preload_direction->scale = growth == "scale";
+      if (growth != "scale") options.preload_direction->values = parse_list(word, growth);
     } else if (!attached && word == "--json") {
       arguments.json = true;
-    } else if (!attached && (word == "--help" || word == "-h")) {
+    } else if (!attached && word == "--") {
+      options_ended = true;
+    } else if (!attached && help) {
       arguments.help = true;
-    } else if (word.size() > 1 && word[0] == '-') {
-      throw UsageError{"unknown option " + quote(words[i])};
+      return arguments;
     } else {
-      arguments.files.push_back(word);
+      throw UsageError{"unknown option " + quote(words[i])};
     }
   }
-  if (arguments.help) return arguments;
   if (arguments.files.size() != 2) {
     throw UsageError{"expected two files, GRASP and CERTIFICATE, found " +
                      std::to_string(arguments.files.size())};

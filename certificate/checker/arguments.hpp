@@ -17,15 +17,13 @@ struct UsageError {
 
 struct Arguments {
   std::vector<std::string> files;  ///< GRASP and CERTIFICATE, unless help is asked for
-  QuestionOptions options;
+  Options options;
   bool json = false;
   bool help = false;
 };
 
-/// Throws UsageError.
+/// Throws UsageError. --help is a question only before the first file, and after -- nothing is
+/// an option, so that no file's name makes the program end with success.
 Arguments parse_arguments(const std::vector<std::string>& words);
-
-/// WX,WY,T, the value of an option. Throws UsageError.
-Vector3 parse_wrench(const std::string& option, const std::string& text);
 
 }  // namespace stickslip_check

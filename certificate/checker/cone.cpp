@@ -2,187 +2,162 @@
 #include "cone.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace stickslip_check {
 namespace {
 
-constexpr std::size_t kLeadBits = 30;
+constexpr std::size_t kWordBits = 64;
 
-/// p a + q b, p and q not both 0.
-Vector combine(const Integer& p, const Vector& a, const Integer& q, const Vector& b) {
-  std::array<Integer, 4> x;
-  for (std::size_t i = 0; i < 4; ++i) x[i] = p * a.x[i] + q * b.x[i];
-  return make_vector(std::move(x));
-}
-
-std::vector<std::uint32_t> intersection(const std::vector<std::uint32_t>& a,
-                                        const std::vector<std::uint32_t>& b) {
-  std::vector<std::uint32_t> common;
-  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
-  return common;
-}
-
-}  // namespace
-
-Vector make_vector(std::array<Integer, 4> x) {
+/// Divides by the common factor and returns it, or 1 if all are 0.
+Integer make_primitive(Form& x) {
   Integer divisor;
   for (const Integer& coordinate : x) {
     divisor = gcd(divisor, coordinate);
-    if (divisor == 1) break;
+    if (divisor == 1) return divisor;
   }
-  std::size_t bits = 0;
+  if (divisor == 0) return 1;
   for (Integer& coordinate : x) {
-    if (divisor > 1)
-      mpz_divexact(coordinate.get_mpz_t(), coordinate.get_mpz_t(), divisor.get_mpz_t());
-    bits = std::max(bits, mpz_sizeinbase(coordinate.get_mpz_t(), 2));
+    mpz_divexact(coordinate.get_mpz_t(), coordinate.get_mpz_t(), divisor.get_mpz_t());
   }
-  Vector result;
-  result.is_short = bits <= kLeadBits;
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (result.is_short) {
-      result.lead[i] = x[i].get_si();
-      continue;
-    }
-    Integer lead;
-    mpz_tdiv_q_2exp(lead.get_mpz_t(), x[i].get_mpz_t(), bits - kLeadBits);
-    result.lead[i] = lead.get_si();
-  }
-  result.x = std::move(x);
-  return result;
+  return divisor;
 }
 
-Vector make_vector(const std::array<Rational, 4>& x, Rational* scale) {
-  Integer den = 1;
-  for (const Rational& coordinate : x) den = lcm(den, coordinate.get_den());
-  std::array<Integer, 4> integers;
-  Integer divisor;
-  for (std::size_t i = 0; i < 4; ++i) {
-    integers[i] = x[i].get_num() * (den / x[i].get_den());
-    divisor = gcd(divisor, integers[i]);
+/// p a - q b
+Form combine(const Integer& p, const Form& a, const Integer& q, const Form& b) {
+  Form x(a.size());
+  for (std::size_t j = 0; j < a.size(); ++j) {
+    x[j] = p * a[j];
+    mpz_submul(x[j].get_mpz_t(), q.get_mpz_t(), b[j].get_mpz_t());
   }
-  if (scale != nullptr) {
-    *scale = divisor == 0 ? Rational(1) : Rational(divisor, den);
-    scale->canonicalize();
-  }
-  return make_vector(std::move(integers));
+  make_primitive(x);
+  return x;
 }
 
-Vector negative(Vector a) {
-  for (std::size_t i = 0; i < 4; ++i) {
-    a.x[i] = -a.x[i];
-    a.lead[i] = -a.lead[i];
+void add_dot(Integer& sum, const Form& a, const Form& b) {
+  for (std::size_t j = 0; j < a.size(); ++j) {
+    mpz_addmul(sum.get_mpz_t(), a[j].get_mpz_t(), b[j].get_mpz_t());
   }
-  return a;
 }
 
-Integer dot(const Vector& a, const Vector& b) {
-  Integer sum = a.x[0] * b.x[0];
-  for (std::size_t i = 1; i < 4; ++i) {
-    mpz_addmul(sum.get_mpz_t(), a.x[i].get_mpz_t(), b.x[i].get_mpz_t());
-  }
-  return sum;
-}
-
-int sign_of_dot(const Vector& a, const Vector& b) {
-  // Each |lead| < 2^30, so the sum is below 2^62. a.b / 2^(s+s') differs from it by less than
-  // the sum of |lead_i| + |lead'_i| + 1 over four i, which is below 2^33 + 4.
-  constexpr std::int64_t kError = (std::int64_t{1} << 33U) + 4;
-  std::int64_t product = 0;
-  for (std::size_t i = 0; i < 4; ++i) product += a.lead[i] * b.lead[i];
-  if (a.is_short && b.is_short) return (product > 0) - (product < 0);
-  if (product > kError) return 1;
-  if (product < -kError) return -1;
-  return sgn(dot(a, b));
-}
-
-Cone Cone::half_space() {
-  Cone cone;
-  for (std::size_t i = 0; i < 4; ++i) {
-    std::array<Integer, 4> x{0, 0, 0, 0};
-    x[i] = 1;
-    if (i < 3) {
-      cone.lines_.push_back(make_vector(std::move(x)));
-    } else {
-      cone.rays_.push_back(std::make_shared<const Ray>(Ray{make_vector(std::move(x)), {}}));
-    }
-  }
-  cone.recorded_ = 1;  // x_3 >= 0, on which the ray is not tight
-  return cone;
-}
-
-bool Cone::adjacent(std::size_t i, std::size_t j) const {
-  const std::vector<std::uint32_t> common = intersection(rays_[i]->tight, rays_[j]->tight);
-  for (std::size_t k = 0; k < rays_.size(); ++k) {
-    if (k == i || k == j) continue;
-    const std::vector<std::uint32_t>& tight = rays_[k]->tight;
-    if (std::includes(tight.begin(), tight.end(), common.begin(), common.end())) return false;
+bool includes(const Set& set, const Set& part) {
+  for (std::size_t k = 0; k < part.size(); ++k) {
+    if ((part[k] & ~(k < set.size() ? set[k] : 0)) != 0) return false;
   }
   return true;
 }
 
-Cone Cone::cut_line(const Vector& a, Side side, std::size_t line) const {
-  Vector pivot = lines_[line];
-  Integer at_pivot = dot(a, pivot);
-  if (at_pivot < 0) {
-    pivot = negative(std::move(pivot));
-    at_pivot = -at_pivot;
+}  // namespace
+
+Form make_form(const Vector& x, Rational* scale) {
+  Integer den = 1;
+  for (const Rational& coordinate : x) den = lcm(den, coordinate.get_den());
+  Form form;
+  for (const Rational& coordinate : x) {
+    form.emplace_back(coordinate.get_num() * (den / coordinate.get_den()));
   }
-  const auto onto_plane = [&](const Vector& g) {
-    return combine(at_pivot, g, Integer(-dot(a, g)), pivot);
-  };
+  const Integer divisor = make_primitive(form);
+  if (scale != nullptr) {
+    *scale = Rational(divisor, den);
+    scale->canonicalize();
+  }
+  return form;
+}
+
+Form negative(Form a) {
+  for (Integer& coordinate : a) coordinate = -coordinate;
+  return a;
+}
+
+Integer dot(const Form& a, const Form& b) {
+  Integer sum;
+  add_dot(sum, a, b);
+  return sum;
+}
+
+int sign_of_dot(const Form& a, const Form& b) {
+  static thread_local Integer sum;  // most of the time goes here, and its memory is kept
+  sum = 0;
+  add_dot(sum, a, b);
+  return sgn(sum);
+}
+
+void insert(Set& set, std::size_t condition) {
+  const std::size_t word = condition / kWordBits;
+  if (set.size() <= word) set.resize(word + 1);
+  set[word] |= std::uint64_t{1} << condition % kWordBits;
+}
+
+Set intersection(const Set& a, const Set& b) {
+  Set common(std::min(a.size(), b.size()));
+  for (std::size_t k = 0; k < common.size(); ++k) common[k] = a[k] & b[k];
+  return common;
+}
+
+Cone::Cone(std::size_t n) {
+  for (std::size_t j = 0; j < n; ++j) {
+    lines_.emplace_back(n);
+    lines_.back()[j] = 1;
+  }
+}
+
+void Cone::add(Form x, Set zero) {
+  rays_.push_back(std::make_shared<const Ray>(Ray{std::move(x), std::move(zero)}));
+}
+
+Cone Cone::cut_line(const Form& a, bool equality, std::size_t line) const {
+  Form pivot = lines_[line];
+  Integer rise = dot(a, pivot);
+  if (rise < 0) {
+    pivot = negative(std::move(pivot));
+    rise = -rise;
+  }
+  const auto onto_plane = [&](const Form& g) { return combine(rise, g, dot(a, g), pivot); };
   Cone result;
-  result.recorded_ = recorded_ + (side == Side::kZero ? 0 : 1);
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
-    if (i != line) result.lines_.push_back(onto_plane(lines_[i]));
+  result.cuts_ = cuts_ + 1;
+  for (std::size_t k = 0; k < lines_.size(); ++k) {
+    if (k != line) result.lines_.push_back(onto_plane(lines_[k]));
   }
   for (const auto& ray : rays_) {
-    Ray moved{onto_plane(ray->v), ray->tight};
-    if (side != Side::kZero) moved.tight.push_back(recorded_);
-    result.rays_.push_back(std::make_shared<const Ray>(std::move(moved)));
+    Set zero = ray->zero;
+    insert(zero, cuts_);
+    result.add(onto_plane(ray->x), std::move(zero));
   }
-  if (side != Side::kZero) {
-    // All earlier inequalities vanish on a line.
-    Ray ray{side == Side::kAtLeastZero ? pivot : negative(pivot), {}};
-    for (std::uint32_t i = 0; i < recorded_; ++i) ray.tight.push_back(i);
-    result.rays_.push_back(std::make_shared<const Ray>(std::move(ray)));
+  if (!equality) {
+    Set all_before;
+    for (std::size_t k = 0; k < cuts_; ++k) insert(all_before, k);
+    result.add(std::move(pivot), std::move(all_before));
   }
   return result;
 }
 
-Cone Cone::cut(const Vector& a, Side side) const {
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
-    if (sign_of_dot(a, lines_[i]) != 0) return cut_line(a, side, i);
+Cone Cone::cut(const Form& a, bool equality) const {
+  for (std::size_t k = 0; k < lines_.size(); ++k) {
+    if (sign_of_dot(a, lines_[k]) != 0) return cut_line(a, equality, k);
   }
-  std::vector<std::size_t> above;  // kept by a.x >= 0
-  std::vector<std::size_t> below;
-  std::vector<std::size_t> on;
-  for (std::size_t i = 0; i < rays_.size(); ++i) {
-    const int sign = sign_of_dot(a, rays_[i]->v);
-    (sign == 0 ? on : (sign > 0 ? above : below)).push_back(i);
-  }
-  const std::vector<std::size_t>& kept = side == Side::kAtMostZero ? below : above;
-  const std::vector<std::size_t>& lost = side == Side::kAtMostZero ? above : below;
-  if (side != Side::kZero && lost.empty()) return *this;
-
+  std::vector<Integer> height;
+  for (const auto& ray : rays_) height.push_back(dot(a, ray->x));
   Cone result;
+  result.cuts_ = cuts_ + 1;
   result.lines_ = lines_;
-  result.recorded_ = recorded_ + (side == Side::kZero ? 0 : 1);
-  const auto add_on_plane = [&](Ray ray) {
-    if (side != Side::kZero) ray.tight.push_back(recorded_);
-    result.rays_.push_back(std::make_shared<const Ray>(std::move(ray)));
-  };
-  if (side != Side::kZero) {
-    for (const std::size_t i : kept) result.rays_.push_back(rays_[i]);
+  for (std::size_t i = 0; i < rays_.size(); ++i) {
+    if (height[i] > 0 && !equality) result.rays_.push_back(rays_[i]);
+    if (height[i] != 0) continue;
+    Set zero = rays_[i]->zero;
+    insert(zero, cuts_);
+    result.add(rays_[i]->x, std::move(zero));
   }
-  for (const std::size_t i : on) add_on_plane(*rays_[i]);
-  for (const std::size_t i : above) {
-    for (const std::size_t j : below) {
-      if (!adjacent(i, j)) continue;
-      add_on_plane({combine(dot(a, rays_[i]->v), rays_[j]->v, Integer(-dot(a, rays_[j]->v)),
-                            rays_[i]->v),
-                    intersection(rays_[i]->tight, rays_[j]->tight)});
+  for (std::size_t i = 0; i < rays_.size(); ++i) {
+    for (std::size_t j = 0; j < rays_.size(); ++j) {
+      if (height[i] <= 0 || height[j] >= 0) continue;
+      Set common = intersection(rays_[i]->zero, rays_[j]->zero);
+      std::size_t holders = 0;  // of all common zeros; the two themselves are
+      for (std::size_t k = 0; k < rays_.size() && holders <= 2; ++k) {
+        if (includes(rays_[k]->zero, common)) ++holders;
+      }
+      if (holders > 2) continue;
+      insert(common, cuts_);
+      result.add(combine(height[i], rays_[j]->x, height[j], rays_[i]->x), std::move(common));
     }
   }
   return result;

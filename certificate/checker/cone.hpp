@@ -1,27 +1,25 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Polyhedral cones in Q^4 by their generators (FORMAT.md §4, "Generators"), cut by one
-/// half-space or plane at a time with the double description method: T. S. Motzkin, H. Raiffa,
-/// G. L. Thompson, R. M. Thrall, "The double description method", 1953; K. Fukuda, A. Prodon,
-/// "Double description method revisited", 1996.
+/// Polyhedral cones in Q^n by their generators (FORMAT.md §4, "Generators"), cut by one
+/// condition a.x >= 0 or a.x = 0 at a time with the double description method: T. S. Motzkin,
+/// H. Raiffa, G. L. Thompson, R. M. Thrall, "The double description method", 1953; K. Fukuda,
+/// A. Prodon, "Double description method revisited", 1996.
 ///
 /// A cone is the set of sums of arbitrary multiples of its lines and nonnegative multiples of
 /// its rays. The lines are linearly independent; the rays are the extreme rays modulo the
-/// lines. All are integer vectors without a common factor.
+/// lines. Each ray knows which of the conditions are zero on it; on lines all are.
 ///
 /// Cutting by a.x >= 0:
 ///  - If a.l != 0 for a line l, turned so that a.l > 0, every other generator g moves along l
 ///    onto the plane, g' = (a.l) g - (a.g) l, and l becomes a ray. (Every x is g' + c l up to a
 ///    positive factor, and a.x >= 0 iff c >= 0.)
 ///  - Else the rays with a.r >= 0 stay, and each adjacent pair r, s with a.r > 0 > a.s adds the
-///    ray of its span on the plane, (a.r) s - (a.s) r. Two extreme rays are *adjacent* iff no
-///    third ray is tight on all the inequalities that both are tight on (the combinatorial
+///    ray of its span on the plane, (a.r) s - (a.s) r. Two extreme rays are *adjacent* iff all
+///    conditions that are zero on both are zero together on no third ray (the combinatorial
 ///    test, Fukuda & Prodon, Proposition 7).
-/// A cut by a.x = 0 keeps only what lies on the plane. Inequalities that cut nothing off are
-/// not recorded: the others describe the same cone, and that is all the adjacency test needs.
+/// A cut by a.x = 0 keeps only what lies on the plane.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -30,50 +28,47 @@
 
 namespace stickslip_check {
 
-/// An integer vector without a common factor (or 0) and, for the signs of products, its leading
-/// bits: x_i = (lead_i + e_i) 2^s with the same s >= 0 for all i, |lead_i| < 2^30, |e_i| < 1,
-/// and s = 0, e_i = 0 if `is_short`.
-struct Vector {
-  std::array<Integer, 4> x;
-  std::array<std::int64_t, 4> lead{};
-  bool is_short = true;
-};
+/// Integers without a common factor, or 0: a function of points up to a positive factor, or a
+/// generator.
+using Form = std::vector<Integer>;
 
-/// The positive multiple of `x` without a common factor.
-Vector make_vector(std::array<Integer, 4> x);
-/// The same for rationals; if `scale` is given, x = *scale times the result, *scale > 0.
-Vector make_vector(const std::array<Rational, 4>& x, Rational* scale = nullptr);
+/// The positive multiple of `x` without denominators and common factors; x = *scale times it.
+Form make_form(const Vector& x, Rational* scale = nullptr);
+Form negative(Form a);
+Integer dot(const Form& a, const Form& b);
+int sign_of_dot(const Form& a, const Form& b);
 
-Vector negative(Vector a);
-Integer dot(const Vector& a, const Vector& b);
-/// The sign of a.b, exactly; cheap unless a.b is very nearly 0.
-int sign_of_dot(const Vector& a, const Vector& b);
+/// A set of conditions, by their numbers; of any size, missing words are 0.
+using Set = std::vector<std::uint64_t>;
+void insert(Set& set, std::size_t condition);
+Set intersection(const Set& a, const Set& b);
 
 struct Ray {
-  Vector v;
-  std::vector<std::uint32_t> tight;  ///< the recorded inequalities with equality, ascending
+  Form x;
+  Set zero;  ///< the conditions that are zero on it
 };
-
-enum class Side { kAtLeastZero, kZero, kAtMostZero };
 
 class Cone {
  public:
-  /// {x : x_3 >= 0}: three lines and a ray.
-  static Cone half_space();
+  /// All of Q^n: lines only.
+  explicit Cone(std::size_t n);
 
-  Cone cut(const Vector& a, Side side) const;
+  /// The part with a.x >= 0, or with a.x = 0. The condition's number is cuts().
+  Cone cut(const Form& a, bool equality = false) const;
 
-  const std::vector<Vector>& lines() const { return lines_; }
+  std::size_t cuts() const { return cuts_; }
+  const std::vector<Form>& lines() const { return lines_; }
   /// Shared with the cones this one was cut from.
   const std::vector<std::shared_ptr<const Ray>>& rays() const { return rays_; }
 
  private:
-  Cone cut_line(const Vector& a, Side side, std::size_t line) const;
-  bool adjacent(std::size_t i, std::size_t j) const;
+  Cone() = default;
+  Cone cut_line(const Form& a, bool equality, std::size_t line) const;
+  void add(Form x, Set zero);
 
-  std::vector<Vector> lines_;
+  std::vector<Form> lines_;
   std::vector<std::shared_ptr<const Ray>> rays_;
-  std::uint32_t recorded_ = 0;  ///< number of inequalities recorded
+  std::size_t cuts_ = 0;
 };
 
 }  // namespace stickslip_check

@@ -2,9 +2,7 @@
 #include "json.hpp"
 
 #include <algorithm>
-#include <iterator>
-#include <map>
-#include <nlohmann/json.hpp>
+#include <utility>
 
 #include "answer.hpp"
 #include "number.hpp"
@@ -12,221 +10,30 @@
 namespace stickslip_check {
 namespace {
 
-// The parser computes a floating-point value that nobody uses, but refuses what overflows it;
-// long double reaches 1e4932 and keeps out of the way of the formats' own limits.
-using Json = nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t,
-                                  std::uint64_t, long double>;
+constexpr int kEnd = std::istream::traits_type::eof();
 
-/// The bytes of a stream, counted. The parser keeps what it has read of a token, blanks
-/// included, so long tokens end here and blanks outside of strings are passed on singly.
-class Source {
- public:
-  Source(std::istream& in, std::string file, const JsonLimits& limits)
-      : buffer_(in.rdbuf()), file_(std::move(file)), limits_(limits) {
-    next();
+bool is_digit(int c) {
+  return c >= '0' && c <= '9';
+}
+
+void append_utf8(std::string& text, unsigned code) {
+  const auto add = [&](unsigned byte) { text += static_cast<char>(byte); };
+  if (code < 0x80U) {
+    add(code);
+  } else if (code < 0x800U) {
+    add(0xC0U | code >> 6U);
+    add(0x80U | (code & 0x3FU));
+  } else if (code < 0x10000U) {
+    add(0xE0U | code >> 12U);
+    add(0x80U | (code >> 6U & 0x3FU));
+    add(0x80U | (code & 0x3FU));
+  } else {
+    add(0xF0U | code >> 18U);
+    add(0x80U | (code >> 12U & 0x3FU));
+    add(0x80U | (code >> 6U & 0x3FU));
+    add(0x80U | (code & 0x3FU));
   }
-
-  bool done() const { return done_; }
-  char current() const { return current_; }
-  std::size_t line() const { return line_; }
-
-  [[noreturn]] void fail(const std::string& problem) const {
-    throw Malformed{file_,
-                    "line " + std::to_string(line_) + ", column " + std::to_string(column_),
-                    problem};
-  }
-
-  void next() {
-    bool blank = true;
-    do {
-      const int byte = buffer_ == nullptr ? EOF : buffer_->sbumpc();
-      if (byte == EOF) {
-        done_ = true;
-        return;
-      }
-      const bool was_blank = after_blank_;
-      accept(static_cast<char>(byte));
-      blank = was_blank && after_blank_;
-    } while (blank);
-  }
-
- private:
-  void accept(char c) {
-    if (++bytes_ > limits_.bytes) fail("more than " + std::to_string(limits_.bytes) + " bytes");
-    // nlohmann/json takes NUL for the end of the text, and would not see what follows.
-    if (c == '\0') fail("a NUL byte; JSON text has none");
-    if (current_ == '\n') {
-      ++line_;
-      column_ = 0;
-    }
-    ++column_;
-    if (bytes_ == 1 && c == '\xEF' && !limits_.byte_order_mark) {
-      fail("a byte order mark; use UTF-8 without one");
-    }
-    current_ = c;
-    after_blank_ = !in_string_ && (c == ' ' || c == '\t' || c == '\n' || c == '\r');
-    const bool ends_token = !in_string_ && (after_blank_ || c == ',' || c == ':' || c == '[' ||
-                                            c == ']' || c == '{' || c == '}');
-    token_ = ends_token ? 0 : token_ + 1;
-    if (token_ > limits_.token + 2) {
-      fail("a number or string of more than " + std::to_string(limits_.token) + " bytes");
-    }
-    if (escaped_) {
-      escaped_ = false;
-    } else if (in_string_ && c == '\\') {
-      escaped_ = true;
-    } else if (c == '"') {
-      in_string_ = !in_string_;
-    }
-  }
-
-  std::streambuf* buffer_;
-  std::string file_;
-  JsonLimits limits_;
-  std::uint64_t bytes_ = 0;
-  std::size_t line_ = 1;
-  std::size_t column_ = 0;
-  std::uint64_t token_ = 0;
-  char current_ = ' ';
-  bool done_ = false;
-  bool after_blank_ = false;
-  bool in_string_ = false;
-  bool escaped_ = false;
-};
-
-/// The input iterator over a Source that nlohmann/json wants.
-class Bytes {
- public:
-  using iterator_category = std::input_iterator_tag;
-  using value_type = char;
-  using difference_type = std::ptrdiff_t;
-  using pointer = const char*;
-  using reference = char;
-
-  explicit Bytes(Source* source) : source_(source) {}
-  char operator*() const { return source_->current(); }
-  Bytes& operator++() {
-    source_->next();
-    return *this;
-  }
-  Bytes operator++(int) { return ++*this; }
-  bool operator==(const Bytes& other) const { return ended() == other.ended(); }
-  bool operator!=(const Bytes& other) const { return !(*this == other); }
-
- private:
-  bool ended() const { return source_ == nullptr || source_->done(); }
-  Source* source_;
-};
-
-/// Builds values. Every array or object still open is an entry of `open_`; open_[0] is the
-/// whole text, whose members go to the handler and are not kept.
-class Builder : public nlohmann::json_sax<Json> {
- public:
-  Builder(Source& source, const JsonLimits& limits, JsonHandler& handler)
-      : source_(source), limits_(limits), handler_(handler) {}
-
-  bool null() override { return scalar(Value::Kind::kNull, "null"); }
-  bool boolean(bool value) override {
-    return scalar(Value::Kind::kBoolean, value ? "true" : "false");
-  }
-  bool number_integer(number_integer_t value) override {
-    return scalar(Value::Kind::kNumber, std::to_string(value));
-  }
-  bool number_unsigned(number_unsigned_t value) override {
-    return scalar(Value::Kind::kNumber, std::to_string(value));
-  }
-  bool number_float(number_float_t /*rounded*/, const std::string& characters) override {
-    std::string text = characters;
-    // The parser replaces the decimal point by that of the C locale in force.
-    for (char& c : text) {
-      if ((c < '0' || c > '9') && c != '-' && c != '+' && c != 'e' && c != 'E') c = '.';
-    }
-    return scalar(Value::Kind::kNumber, std::move(text));
-  }
-  bool string(std::string& text) override {
-    return scalar(Value::Kind::kString, std::move(text));
-  }
-  bool binary(binary_t& /*bytes*/) override { return false; }  // never in JSON text
-
-  bool start_object(std::size_t /*unknown*/) override { return open(Value::Kind::kObject); }
-  bool start_array(std::size_t /*unknown*/) override { return open(Value::Kind::kArray); }
-  bool end_object() override { return close(); }
-  bool end_array() override { return close(); }
-
-  bool key(std::string& name) override {
-    std::vector<std::string>& keys = open_.back().keys;
-    if (std::find(keys.begin(), keys.end(), name) != keys.end()) {
-      source_.fail("the member " + quote(name) + " appears twice; keep one of them");
-    }
-    if (keys.size() == kMaxMembers) source_.fail("an object with too many members");
-    keys.push_back(name);
-    if (open_.size() == 1) streams_ = handler_.begin_member(name, source_.line());
-    return true;
-  }
-
-  bool parse_error(std::size_t /*position*/, const std::string& /*token*/,
-                   const nlohmann::detail::exception& error) override {
-    constexpr int kNumberOverflow = 406;
-    if (error.id == kNumberOverflow)
-      source_.fail("a number out of range; write it as a string");
-    if (source_.done()) source_.fail("the text ends too early, or is empty; is it complete?");
-    source_.fail(
-        "not JSON; strings take double quotes, numbers look like -2, and nothing "
-        "follows the last brace");
-  }
-
- private:
-  bool streamed_array_is_open() const {
-    return streams_ && open_.size() == 2 && open_[1].kind == Value::Kind::kArray;
-  }
-
-  void count() {
-    if (++values_ > kMaxValues) source_.fail("too many values in one place");
-  }
-
-  bool scalar(Value::Kind kind, std::string text) {
-    count();
-    return finish({kind, std::move(text), {}, {}, source_.line()});
-  }
-
-  bool open(Value::Kind kind) {
-    if (open_.empty() && kind != Value::Kind::kObject) source_.fail("expected an object {...}");
-    if (open_.size() == limits_.depth) {
-      source_.fail("nested more than " + std::to_string(limits_.depth) + " deep");
-    }
-    count();
-    open_.push_back({kind, {}, {}, {}, source_.line()});
-    return true;
-  }
-
-  bool close() {
-    Value closed = std::move(open_.back());
-    open_.pop_back();
-    return open_.empty() || finish(std::move(closed));
-  }
-
-  bool finish(Value value) {
-    if (open_.empty()) source_.fail("expected an object {...}, found " + describe(value));
-    if (open_.size() > 1 && !streamed_array_is_open()) {
-      open_.back().items.push_back(std::move(value));
-      return true;
-    }
-    if (open_.size() == 1) {
-      handler_.end_member(open_[0].keys.back(), value);
-    } else {
-      handler_.element(value);
-    }
-    values_ = 0;
-    return true;
-  }
-
-  Source& source_;
-  JsonLimits limits_;
-  JsonHandler& handler_;
-  std::vector<Value> open_;
-  std::size_t values_ = 0;
-  bool streams_ = false;
-};
+}
 
 }  // namespace
 
@@ -250,12 +57,259 @@ std::string describe(const Value& value) {
   }
 }
 
-void read_json(std::istream& in, const std::string& file, const JsonLimits& limits,
-               JsonHandler& handler) {
-  Source source(in, file, limits);
-  Builder builder(source, limits, handler);
-  if (!Json::sax_parse(Bytes(&source), Bytes(nullptr), &builder)) source.fail("not JSON");
-  if (in.bad()) source.fail("the file cannot be read");
+JsonReader::JsonReader(std::istream& in, std::string file, const JsonLimits& limits)
+    : in_(in), file_(std::move(file)), limits_(limits) {
+  next_ = in_.rdbuf() == nullptr ? kEnd : in_.rdbuf()->sbumpc();
+  if (next_ == 0xEF) {
+    if (!limits_.byte_order_mark) fail_here("a byte order mark; use UTF-8 without one");
+    if (take() != 0xEF || take() != 0xBB || take() != 0xBF) fail_here("not UTF-8");
+    column_ = 1;
+  }
+}
+
+std::optional<std::string> JsonReader::next_member() {
+  const bool first = depth_ == 0;
+  if (first) {
+    if (skip_blanks() == kEnd) fail_here("the file is empty");
+    if (peek() != '{') fail_here("expected an object {...}");
+    open('{');
+  }
+  if (next_item('}', first)) {
+    members_.push_back(key());
+    if (std::count(members_.begin(), members_.end(), members_.back()) > 1) {
+      fail_here("the member " + quote(members_.back()) + " appears twice; keep one of them");
+    }
+    return members_.back();
+  }
+  if (skip_blanks() != kEnd) fail_here("text after the last brace");
+  return std::nullopt;
+}
+
+bool JsonReader::next_element() {
+  const bool first = !in_array_;
+  if (first) {
+    if (skip_blanks() != '[') fail_here("expected an array [...]");
+    open('[');
+  }
+  in_array_ = next_item(']', first);
+  return in_array_;
+}
+
+Value JsonReader::value() {
+  std::size_t count = 0;
+  return nested(count);
+}
+
+void JsonReader::fail(std::size_t line, const std::string& place,
+                      const std::string& problem) const {
+  throw Malformed{file_, "line " + std::to_string(line) + (place.empty() ? "" : ", " + place),
+                  problem};
+}
+
+void JsonReader::expect(bool good, const Value& value, const std::string& place,
+                        const std::string& what) const {
+  if (!good) fail(value.line, place, "found " + describe(value) + ", expected " + what);
+}
+
+void JsonReader::fail_here(const std::string& problem) const {
+  throw Malformed{
+      file_, "line " + std::to_string(line_) + ", column " + std::to_string(column_), problem};
+}
+
+/// The byte to come, which must be there.
+int JsonReader::take() {
+  const int taken = next_;
+  if (taken == kEnd) {
+    fail_here(in_.bad() ? "the file cannot be read" : "the text ends here; is it complete?");
+  }
+  if (++bytes_ > limits_.bytes)
+    fail_here("more than " + std::to_string(limits_.bytes) + " bytes");
+  if (taken == '\n') {
+    ++line_;
+    column_ = 0;
+  }
+  ++column_;
+  next_ = in_.rdbuf()->sbumpc();
+  return taken;
+}
+
+/// Returns the byte after the blanks, or kEnd.
+int JsonReader::skip_blanks() {
+  while (next_ == ' ' || next_ == '\t' || next_ == '\n' || next_ == '\r') take();
+  return next_;
+}
+
+void JsonReader::open(char bracket) {
+  if (depth_ == limits_.depth) {
+    fail_here("nested more than " + std::to_string(limits_.depth) + " deep");
+  }
+  ++depth_;
+  if (take() != bracket) fail_here(std::string("expected ") + bracket);
+}
+
+/// Whether the innermost array or object, which `bracket` closes, has another item.
+bool JsonReader::next_item(char bracket, bool first) {
+  if (skip_blanks() == bracket) {
+    take();
+    --depth_;
+    return false;
+  }
+  if (first) return true;
+  if (peek() != ',') fail_here(std::string("expected a comma or ") + bracket);
+  take();
+  if (skip_blanks() == bracket) fail_here("a comma after the last element; remove it");
+  return true;
+}
+
+Value JsonReader::nested(std::size_t& count) {
+  if (++count > limits_.values) {
+    fail_here("more than " + std::to_string(limits_.values) + " values in one place");
+  }
+  Value value;
+  const int c = skip_blanks();
+  value.line = line_;
+  if (c == '{' || c == '[') {
+    value.kind = c == '{' ? Value::Kind::kObject : Value::Kind::kArray;
+    const char close = c == '{' ? '}' : ']';
+    open(static_cast<char>(c));
+    while (next_item(close, value.items.empty())) {
+      if (c == '{') {
+        std::string name = key();
+        if (value.find(name) != nullptr) {
+          fail_here("the member " + quote(name) + " appears twice; keep one of them");
+        }
+        value.keys.push_back(std::move(name));
+      }
+      value.items.push_back(nested(count));
+    }
+  } else if (c == '"') {
+    value.kind = Value::Kind::kString;
+    value.text = string();
+  } else if (c == '-' || is_digit(c)) {
+    value.kind = Value::Kind::kNumber;
+    value.text = number();
+  } else {
+    word(value);
+  }
+  return value;
+}
+
+std::string JsonReader::key() {
+  if (skip_blanks() != '"') fail_here("expected the name of a member, in double quotes");
+  std::string name = string();
+  if (skip_blanks() != ':') fail_here("expected a colon after the name of a member");
+  take();
+  return name;
+}
+
+std::string JsonReader::string() {
+  std::string text;
+  take();
+  const std::uint64_t begin = bytes_;
+  for (;;) {
+    const int c = take();
+    if (c == '"') return text;
+    if (bytes_ - begin > limits_.string) {
+      fail_here("a string of more than " + std::to_string(limits_.string) + " bytes");
+    }
+    if (c < ' ') fail_here("a control character in a string; write it as an escape");
+    if (c == '\\') {
+      escape(text);
+    } else {
+      rest_of_character(c, text);
+    }
+  }
+}
+
+void JsonReader::escape(std::string& text) {
+  static const std::string kLetters = "\"\\/bfnrt";
+  static const std::string kMeanings = "\"\\/\b\f\n\r\t";
+  const int c = take();
+  if (c != 'u') {
+    const std::size_t at = kLetters.find(static_cast<char>(c));
+    if (at == std::string::npos) fail_here("an unknown escape in a string");
+    text += kMeanings[at];
+    return;
+  }
+  unsigned code = hexadecimal();
+  if (code >= 0xD800U && code < 0xE000U) {
+    const bool pair = code < 0xDC00U && take() == '\\' && take() == 'u';
+    const unsigned low = pair ? hexadecimal() : 0;
+    if (low < 0xDC00U || low >= 0xE000U) {
+      fail_here("a \\u escape that is half of a surrogate pair");
+    }
+    code = 0x10000U + (code - 0xD800U) * 0x400U + (low - 0xDC00U);
+  }
+  append_utf8(text, code);
+}
+
+unsigned JsonReader::hexadecimal() {
+  unsigned code = 0;
+  for (int k = 0; k < 4; ++k) {
+    const int c = take();
+    const int letter = c | 0x20;
+    if (!is_digit(c) && (letter < 'a' || letter > 'f')) {
+      fail_here("\\u must be followed by four hexadecimal digits");
+    }
+    code = 16 * code + static_cast<unsigned>(is_digit(c) ? c - '0' : letter - 'a' + 10);
+  }
+  return code;
+}
+
+/// The bytes of a character that begins with `lead`, in the shortest form that UTF-8 asks for.
+void JsonReader::rest_of_character(int lead, std::string& text) {
+  const int more = lead < 0x80 ? 0 : lead < 0xE0 ? 1 : lead < 0xF0 ? 2 : 3;
+  if ((lead >= 0x80 && lead < 0xC2) || lead > 0xF4) fail_here("not UTF-8");
+  text += static_cast<char>(lead);
+  for (int k = 0; k < more; ++k) {
+    const int c = take();
+    const int low = k > 0 ? 0x80 : lead == 0xE0 ? 0xA0 : lead == 0xF0 ? 0x90 : 0x80;
+    const int high = k > 0 ? 0xBF : lead == 0xED ? 0x9F : lead == 0xF4 ? 0x8F : 0xBF;
+    if (c < low || c > high) fail_here("not UTF-8");
+    text += static_cast<char>(c);
+  }
+}
+
+std::string JsonReader::number() {
+  std::string text;
+  const auto keep = [&] {
+    text += static_cast<char>(take());
+    if (text.size() > limits_.string) fail_here("a number of far too many digits");
+  };
+  const auto digits = [&] {
+    if (!is_digit(peek())) fail_here("not a number; numbers look like 2, -0.25 or 1e-3");
+    while (is_digit(peek())) keep();
+  };
+  if (peek() == '-') keep();
+  if (peek() == '0') {
+    keep();
+    if (is_digit(peek())) fail_here("a number that begins with a zero too many");
+  } else {
+    digits();
+  }
+  if (peek() == '.') {
+    keep();
+    digits();
+  }
+  if (peek() == 'e' || peek() == 'E') {
+    keep();
+    if (peek() == '+' || peek() == '-') keep();
+    digits();
+  }
+  return text;
+}
+
+void JsonReader::word(Value& value) {
+  while (peek() >= 'a' && peek() <= 'z' && value.text.size() < 6) {
+    value.text += static_cast<char>(take());
+  }
+  if (value.text == "true" || value.text == "false") {
+    value.kind = Value::Kind::kBoolean;
+  } else if (value.text != "null") {
+    fail_here(peek() == kEnd && value.text.empty()
+                  ? "the text ends here; is it complete?"
+                  : "not JSON; strings take double quotes, numbers look like 2, -0.25 or 1e-3");
+  }
 }
 
 }  // namespace stickslip_check

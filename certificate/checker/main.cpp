@@ -2,6 +2,7 @@
 // stickslip-check: the command line. See kHelp.
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <string>
@@ -23,7 +24,7 @@ const char* const kHelp =
     R"(stickslip-check GRASP CERTIFICATE [options]
 
 Checks a proof that a planar frictional grasp is stable, or unstable, under a wrench; or, with
---direction, a proof of which multiples of a direction it resists.
+a direction, a proof of exactly which multiples of the direction it resists.
 GRASP is the grasp file, CERTIFICATE the proof; one of them may be - for standard input.
 The grasp file is read afresh and nothing in the certificate is believed: this program
 rebuilds every contact row and recomputes every bound in exact arithmetic.
@@ -31,17 +32,18 @@ rebuilds every contact row and recomputes every bound in exact arithmetic.
 The question is that of the grasp file unless replaced here. Give the same options as to
 the program that produced the certificate:
   --wrench WX,WY,T         wrench applied to the object: force x, force y, torque
-  --direction WX,WY,T      ask for the margin: all factors f >= 0 for which the grasp is
-                           stable under wrench + f direction, where the wrench is 0 unless
-                           given by --wrench; the certificate must be of format
-                           stickslip-margin/1
   --preload P              one preload for all contacts
   --normal-law LAW         unilateral (contacts may open; the default) or bilateral
-  --snap-normals EPS       let the certificate replace normals of irrational length by
-                           rational unit vectors within EPS; the answer says how far
+  --direction WX,WY,T      ask for the margin: all factors f >= 0 for which the grasp is
+                           stable under wrench + f direction, where the wrench is 0 unless
+                           given by --wrench
+  --preload-direction D    ask for the margin along preloads: D is P0,P1,..., one number for
+                           each contact, which f times is added to its preload; or the word
+                           scale: f times the preloads, that is, which multiples of them hold
 
   --json                   answer as one JSON object
-  -h, --help               this text
+  -h, --help               this text, if it comes before GRASP
+  --                       no options follow
 
 Numbers are exact: 1, -0.25, 1e-3, 3/5.
 
@@ -60,6 +62,10 @@ Example:
 /// The stream of a file name; `file` is what it lives in unless it is standard input.
 std::istream& open(const std::string& name, std::ifstream& file) {
   if (name == "-") return std::cin;
+  std::error_code ignored;
+  if (std::filesystem::is_directory(name, ignored)) {
+    throw Malformed{name, "opening", "it is a directory; name a file, or - for standard input"};
+  }
   errno = 0;
   file.open(name, std::ios::binary);
   if (!file) {
@@ -83,27 +89,26 @@ Answer answer_to(const Arguments& arguments) {
   }
 }
 
+/// What nobody can read was not answered.
+int write(const std::string& text, int exit_code) {
+  errno = 0;
+  std::cout << text << std::flush;
+  if (std::cout) return exit_code;
+  std::cerr << "stickslip-check: standard output cannot be written";
+  if (errno != 0) std::cerr << ": " << std::strerror(errno);
+  std::cerr << '\n';
+  return kExitMalformed;
+}
+
 int run(const Arguments& arguments) {
   const Answer answer = answer_to(arguments);
-  int exit_code = kExitAccepted;
-  if (arguments.json) print_json(answer);
-  if (const auto* malformed = std::get_if<Malformed>(&answer)) {
-    std::cerr << "stickslip-check: " << malformed->file << ": " << malformed->place << ": "
-              << malformed->problem << '\n';
-    exit_code = kExitMalformed;
-  } else if (const auto* rejected = std::get_if<Rejected>(&answer)) {
-    if (!arguments.json) print(*rejected);
-    exit_code = kExitRejected;
-  } else if (!arguments.json) {
-    print(std::get<Accepted>(answer));
-  }
-  // An answer that nobody can read was not given.
-  std::cout.flush();
-  if (!std::cout) {
-    std::cerr << "stickslip-check: the answer cannot be written to standard output\n";
-    return kExitMalformed;
-  }
-  return exit_code;
+  const bool malformed = std::holds_alternative<Malformed>(answer);
+  if (malformed) std::cerr << "stickslip-check: " << as_text(answer);
+  const int exit_code =
+      malformed ? kExitMalformed
+                : (std::holds_alternative<Rejected>(answer) ? kExitRejected : kExitAccepted);
+  if (arguments.json) return write(as_json(answer), exit_code);
+  return malformed ? exit_code : write(as_text(answer), exit_code);
 }
 
 }  // namespace
@@ -111,11 +116,7 @@ int run(const Arguments& arguments) {
 int main(int argc, char** argv) {
   try {
     const Arguments arguments = parse_arguments({argv + 1, argv + argc});
-    if (arguments.help) {
-      std::cout << kHelp;
-      return kExitAccepted;
-    }
-    return run(arguments);
+    return arguments.help ? write(kHelp, kExitAccepted) : run(arguments);
   } catch (const UsageError& error) {
     std::cerr << "stickslip-check: " << error.problem << "; try stickslip-check --help\n";
   } catch (const std::exception& error) {

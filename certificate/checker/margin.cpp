@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "margin.hpp"
 
-#include <string>
 #include <utility>
 
 namespace stickslip_check {
+namespace {
+
+/// The multiple that a point is about; nothing for a ray.
+std::optional<Rational> multiple(const Witness& point) {
+  if (point.x[kDimension] == 0) return std::nullopt;
+  return point.x[kDimension + 1];
+}
+
+}  // namespace
 
 void check_order(const std::vector<Interval>& resisted) {
   std::optional<Rational> above;  // the high end of the interval before
@@ -23,33 +31,45 @@ void check_order(const std::vector<Interval>& resisted) {
   }
 }
 
-std::vector<LoadRange> gaps(const std::vector<Interval>& resisted) {
-  std::vector<LoadRange> result;
-  LoadRange gap{0, std::nullopt, true};  // from the last high end on, or from 0
+std::vector<Range> gaps(const std::vector<Interval>& resisted) {
+  std::vector<Range> result;
+  Range gap{0, std::nullopt, false, true};  // from the last high end on, or from 0
   for (const auto& [low, high] : resisted) {
     gap.high = low;
-    // Above 0, or the high end before: there is something between.
     if (gap.low < low) result.push_back(gap);
     if (!high) return result;
-    gap = {*high, std::nullopt, false};
+    gap = {*high, std::nullopt, true, true};
   }
   result.push_back(gap);
   return result;
 }
 
-void Segments::visit(const MarginPoint& first, const MarginPoint& second) {
-  check_chain(first, second);
-  check_point(first, "first");
-  check_point(second, "second");
-  if (const auto refusal = mode_refusal(rows_, first.witness, second.witness)) {
+void Segments::visit(const Witness& first, const Witness& second) {
+  if (interval_ == resisted_.size()) {
+    throw rejection("segment-chain", "the intervals were complete before this segment");
+  }
+  const auto& [low, high] = resisted_[interval_];
+  const Rational from = *multiple(first);
+  const std::optional<Rational> to = multiple(second);
+  if (from != end_.value_or(low)) {
+    throw rejection("segment-chain",
+                    "begins at " + show(from) + ", not at " + show(end_.value_or(low)));
+  }
+  if (high && (!to || *to > *high)) {
+    throw rejection("segment-chain",
+                    (to ? "goes to " + show(*to) : "a ray") + ", beyond " + show(*high));
+  }
+  if (to && *to < from) throw rejection("segment-chain", "goes down, to " + show(*to));
+  if (!(first == last_)) last_forces_ = check_point(first, ", first point");
+  std::vector<ContactForce> forces = check_point(second, ", second point");
+  if (const auto refusal = mode_refusal(question_, last_forces_, forces)) {
     throw rejection("segment-mode", *refusal);
   }
-  if (second.lambda == resisted_[interval_].high) {
-    ++interval_;
-    end_.reset();
-  } else {
-    end_ = second.lambda;
-  }
+  last_ = second;
+  last_forces_ = std::move(forces);
+  const bool complete = to == high;
+  if (complete) ++interval_;
+  end_ = complete ? std::nullopt : to;
   ++visited_;
 }
 
@@ -59,39 +79,16 @@ void Segments::finish() const {
   }
 }
 
-void Segments::check_chain(const MarginPoint& first, const MarginPoint& second) const {
-  const auto reject = [&](const std::string& found) {
-    throw rejection("segment-chain", found);
-  };
-  if (interval_ == resisted_.size()) reject("the intervals were complete before this segment");
-  const auto& [low, high] = resisted_[interval_];
-  const Rational& from = *first.lambda;
-  if (from != end_.value_or(low)) {
-    reject("begins at " + show(from) + ", not at " + show(end_.value_or(low)));
-  }
-  if (!second.lambda) {
-    if (high) reject("a ray, but the interval ends at " + show(*high));
-    return;
-  }
-  if (*second.lambda < from) reject("goes down, to " + show(*second.lambda));
-  if (high && *second.lambda > *high) {
-    reject("goes to " + show(*second.lambda) + ", beyond " + show(*high));
-  }
-}
-
-void Segments::check_point(const MarginPoint& point, const char* which) const {
-  const Vector3& u = *question_.direction;
-  const Vector3 load = point.lambda ? sum(question_.wrench, *point.lambda, u) : u;
+std::vector<ContactForce> Segments::check_point(const Witness& point, const char* which) const {
   try {
-    check_witness(rows_, load, question_.bilateral, point.witness);
-  } catch (Rejected& rejected) {
-    rejected.path = rejection("", "").path + ", " + which + " point";
-    throw;
+    return check_witness(question_, point);
+  } catch (const Rejected& rejected) {
+    throw rejection(rejected.rule.c_str(), rejected.found, which);
   }
 }
 
-Rejected Segments::rejection(const char* rule, std::string found) const {
-  return {rule, std::nullopt, "segment " + std::to_string(visited_), std::move(found)};
+Rejected Segments::rejection(const char* rule, std::string found, const char* which) const {
+  return {rule, std::nullopt, "segment " + std::to_string(visited_) + which, std::move(found)};
 }
 
 }  // namespace stickslip_check

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "number.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace stickslip_check {
 namespace {
 
@@ -28,12 +31,6 @@ struct Cursor {
   }
 };
 
-Integer power_of_ten(unsigned long exponent) {
-  Integer power;
-  mpz_ui_pow_ui(power.get_mpz_t(), 10, exponent);
-  return power;
-}
-
 /// The fraction of two digit strings, or nothing.
 std::optional<Rational> fraction(const std::string& num, const std::string& den,
                                  bool negative) {
@@ -58,33 +55,29 @@ std::optional<Rational> parse_decimal(const std::string& text) {
     const std::string den = cursor.digits();
     return cursor.done() ? fraction(digits, den, negative) : std::nullopt;
   }
-  std::string decimals;
+  Integer exponent = 0;
   if (cursor.take('.')) {
-    decimals = cursor.digits();
+    const std::string decimals = cursor.digits();
     if (decimals.empty()) return std::nullopt;
     digits += decimals;
+    exponent = -static_cast<long>(decimals.size());
   }
-  Integer exponent = 0;
   if (cursor.take('e') || cursor.take('E')) {
     const bool down = cursor.take('-');
     if (!down) cursor.take('+');
     const std::string spelled = cursor.digits();
     if (spelled.empty()) return std::nullopt;
-    exponent = Integer(spelled, 10);
-    if (exponent > kMaxExponent) return std::nullopt;
-    if (down) exponent = -exponent;
+    const Integer size(spelled, 10);
+    if (size > kMaxExponent) return std::nullopt;
+    exponent += down ? Integer(-size) : size;
   }
   if (!cursor.done()) return std::nullopt;
-  exponent -= static_cast<unsigned long>(decimals.size());
   const Integer size = abs(exponent);
-  const Integer scale = power_of_ten(size.get_ui());
-  Rational value(Integer(digits, 10));
-  if (exponent >= 0) {
-    value *= scale;
-  } else {
-    value /= scale;
-  }
-  return negative ? Rational(-value) : value;
+  Integer scale;
+  mpz_ui_pow_ui(scale.get_mpz_t(), 10, size.get_ui());
+  const Rational value(Integer(digits, 10));
+  const Rational scaled = exponent < 0 ? Rational(value / scale) : Rational(value * scale);
+  return negative ? Rational(-scaled) : scaled;
 }
 
 std::optional<Rational> parse_fraction(const std::string& text) {
@@ -105,55 +98,26 @@ std::optional<Rational> exact_sqrt(const Rational& x) {
   return Rational(sqrt(x.get_num()), sqrt(x.get_den()));
 }
 
-std::string decimal_above_sqrt(const Rational& x) {
-  if (x == 0) return "0";
-  // sqrt(x) = sqrt(10^(-2e) x) 10^e: lower e until there are three digits, then round up.
-  long exponent = static_cast<long>(mpz_sizeinbase(x.get_num_mpz_t(), 10)) -
-                  static_cast<long>(mpz_sizeinbase(x.get_den_mpz_t(), 10));
-  exponent = exponent / 2 + 1;
-  for (;; --exponent) {
-    const Integer scale = power_of_ten(2 * static_cast<unsigned long>(labs(exponent)));
-    const Rational scaled = exponent < 0 ? Rational(x * scale) : Rational(x / scale);
-    Integer digits = sqrt(ceil_shifted(scaled, 0));
-    if (digits < 100) continue;
-    digits += 1;
-    std::string text = digits.get_str();
-    exponent += static_cast<long>(text.size()) - 1;
-    return text.insert(1, ".") + "e" + std::to_string(exponent);
+Rational dot(const Vector& a, const Vector& b) {
+  Rational sum;
+  for (std::size_t j = 0; j < std::min(a.size(), b.size()); ++j) sum += a[j] * b[j];
+  return sum;
+}
+
+void PairwiseSum::add(Vector v) {
+  for (std::size_t bits = count_++; bits % 2 == 1; bits /= 2) {
+    for (std::size_t j = 0; j < v.size(); ++j) v[j] += partial_.back()[j];
+    partial_.pop_back();
   }
+  partial_.push_back(std::move(v));
 }
 
-Integer floor_shifted(const Rational& x, std::size_t shift) {
-  Integer result;
-  mpz_mul_2exp(result.get_mpz_t(), x.get_num_mpz_t(), shift);
-  mpz_fdiv_q(result.get_mpz_t(), result.get_mpz_t(), x.get_den_mpz_t());
-  return result;
-}
-
-Integer ceil_shifted(const Rational& x, std::size_t shift) {
-  Integer result;
-  mpz_mul_2exp(result.get_mpz_t(), x.get_num_mpz_t(), shift);
-  mpz_cdiv_q(result.get_mpz_t(), result.get_mpz_t(), x.get_den_mpz_t());
-  return result;
-}
-
-Integer floor_shifted(const Rational& x, const Integer& n, std::size_t shift) {
-  Integer result = x.get_num() * n;
-  mpz_mul_2exp(result.get_mpz_t(), result.get_mpz_t(), shift);
-  mpz_fdiv_q(result.get_mpz_t(), result.get_mpz_t(), x.get_den_mpz_t());
-  return result;
-}
-
-Rational dot(const Vector3& a, const Vector3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Integer dot(const std::array<Integer, 3>& a, const std::array<Integer, 3>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vector3 sum(const Vector3& a, const Rational& s, const Vector3& b) {
-  return {Rational(a[0] + s * b[0]), Rational(a[1] + s * b[1]), Rational(a[2] + s * b[2])};
+Vector PairwiseSum::total() const {
+  Vector sum = partial_.back();
+  for (std::size_t k = partial_.size() - 1; k-- > 0;) {
+    for (std::size_t j = 0; j < sum.size(); ++j) sum[j] += partial_[k][j];
+  }
+  return sum;
 }
 
 std::string show(const Rational& x) {
@@ -163,17 +127,33 @@ std::string show(const Rational& x) {
   return text.substr(0, kMaxShown / 2) + "... (" + std::to_string(text.size()) + " characters)";
 }
 
-std::string show(const Vector3& v) {
-  return "(" + show(v[0]) + ", " + show(v[1]) + ", " + show(v[2]) + ")";
+std::string show(const Vector& v) {
+  constexpr std::size_t kMaxShown = 8;
+  std::string text;
+  for (std::size_t j = 0; j < std::min(v.size(), kMaxShown); ++j) {
+    text += (j == 0 ? "" : ", ") + show(v[j]);
+  }
+  return "(" + text + (v.size() > kMaxShown ? ", ...)" : ")");
+}
+
+std::string printable(const std::string& text) {
+  constexpr char kDigits[] = "0123456789abcdef";
+  std::string shown;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c >= ' ' && c <= '~') {
+      shown += c;
+    } else {
+      shown += {'\\', 'x', kDigits[byte >> 4U], kDigits[byte & 15U]};
+    }
+  }
+  return shown;
 }
 
 std::string quote(const std::string& text) {
   constexpr std::size_t kMaxShown = 40;
-  std::string shown;
-  for (const char c : text.substr(0, kMaxShown)) {
-    shown += (c < ' ' || c > '~' || c == '"' || c == '\\') ? '?' : c;
-  }
-  return '"' + shown + (text.size() > kMaxShown ? "...\"" : "\"");
+  return '"' + printable(text.substr(0, kMaxShown)) +
+         (text.size() > kMaxShown ? "...\"" : "\"");
 }
 
 }  // namespace stickslip_check

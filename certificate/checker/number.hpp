@@ -1,27 +1,26 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Exact numbers: GMP's integers and rationals, and how the two files spell them.
+/// Exact numbers: GMP's integers and rationals, how the two files spell them, and how messages
+/// show them.
 ///
 /// gmpxx builds expression templates, so results are always given a type, never `auto`.
 #pragma once
 
 #include <gmpxx.h>
 
-#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace stickslip_check {
 
 using Integer = mpz_class;
 using Rational = mpq_class;  ///< always in lowest terms, denominator > 0
-using Vector2 = std::array<Rational, 2>;
-using Vector3 = std::array<Rational, 3>;
+using Vector = std::vector<Rational>;
 
-/// A number of a grasp file: [+-] digits [. digits] [(e|E) [+-] digits], or
-/// [+-] digits / digits. Nothing if `text` is not one, divides by zero, has more than 16384
-/// characters or an exponent beyond 4096.
+/// A number of a grasp file (FORMAT.md §1): [+-] digits [. digits] [(e|E) [+-] digits], or
+/// [+-] digits / digits. Nothing if `text` is not one, divides by zero, or exceeds a limit.
 std::optional<Rational> parse_decimal(const std::string& text);
 
 /// A NUMBER of a certificate (FORMAT.md §2): [-]digits or [-]digits/digits.
@@ -30,26 +29,30 @@ std::optional<Rational> parse_fraction(const std::string& text);
 /// The square root of x >= 0, if it is rational.
 std::optional<Rational> exact_sqrt(const Rational& x);
 
-/// A decimal of three digits that is at least sqrt(x), x >= 0: "4.51e-10".
-std::string decimal_above_sqrt(const Rational& x);
+/// The sum of products of as many coordinates as the shorter of the two has.
+Rational dot(const Vector& a, const Vector& b);
 
-/// floor(2^shift x) and ceil(2^shift x).
-Integer floor_shifted(const Rational& x, std::size_t shift);
-Integer ceil_shifted(const Rational& x, std::size_t shift);
-/// floor(2^shift x n)
-Integer floor_shifted(const Rational& x, const Integer& n, std::size_t shift);
+/// A sum of many vectors, added in pairs, then pairs of pairs and so on: denominators that have
+/// nothing in common, as those of unit normals, then stay short for most of the additions.
+class PairwiseSum {
+ public:
+  void add(Vector v);
+  /// The sum, of which there must be one term.
+  Vector total() const;
 
-Rational dot(const Vector3& a, const Vector3& b);
-Integer dot(const std::array<Integer, 3>& a, const std::array<Integer, 3>& b);
-
-/// a + s b
-Vector3 sum(const Vector3& a, const Rational& s, const Vector3& b);
+ private:
+  std::vector<Vector> partial_;  ///< of 2^k terms each, for the bits k of count_, falling
+  std::size_t count_ = 0;
+};
 
 /// For messages: the number, or its beginning if it is very long.
 std::string show(const Rational& x);
-std::string show(const Vector3& v);
+std::string show(const Vector& v);
 
-/// For messages: text from a file in quotation marks, without what a terminal would obey.
+/// For messages: the text with every byte that is not printable ASCII as \xNN.
+std::string printable(const std::string& text);
+
+/// For messages: the same in quotation marks, or its beginning if it is long.
 std::string quote(const std::string& text);
 
 }  // namespace stickslip_check

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Answers on standard output.
+/// Answers as text.
 #pragma once
+
+#include <string>
 
 #include "answer.hpp"
 
 namespace stickslip_check {
 
 /// One JSON object on a line, with the same keys whatever the answer; absent ones are null.
-void print_json(const Answer& answer);
+std::string as_json(const Answer& answer);
 
-/// For people.
-void print(const Accepted& accepted);
-void print(const Rejected& rejected);
+/// For people, in lines; for a Malformed, what is to be said on standard error. Every byte is
+/// printable ASCII or ends a line.
+std::string as_text(const Answer& answer);
 
 }  // namespace stickslip_check

@@ -1,71 +1,63 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// The question (FORMAT.md §1): what the grasp file says, what whoever asks replaces, and the
-/// rows that follow from it. The certificate plays no part here except that it may name
-/// replacements for normals, which are checked (`question-normals`).
+/// rows that follow from it. The certificate plays no part here.
+///
+/// A *point* x = (d, h, l) is a motion d with two more coordinates, h = 1 and l = lambda. All
+/// conditions are homogeneous in it; a point of a verdict has l = 0.
 #pragma once
 
-#include <istream>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "grasp.hpp"
 #include "number.hpp"
 
 namespace stickslip_check {
 
+/// The number of coordinates of twists and wrenches: translation x, y and rotation.
+inline constexpr std::size_t kDimension = 3;
+
+/// How the preloads grow: by these numbers, one for each contact, or in proportion to
+/// themselves.
+struct PreloadDirection {
+  bool scale = false;
+  Vector values;  ///< unless scale
+
+  bool operator==(const PreloadDirection& other) const {
+    return scale == other.scale && values == other.values;
+  }
+};
+
 /// What whoever asks may choose. Unset members leave the grasp file's own values.
-struct QuestionOptions {
-  std::optional<Vector3> wrench;
-  /// Asks for the margin along it; not 0. The wrench is then 0 unless given above.
-  std::optional<Vector3> direction;
-  std::optional<Rational> preload;         ///< for all contacts, >= 0
-  bool bilateral = false;                  ///< the normal law
-  std::optional<Rational> snap_tolerance;  ///< allows snapped normals; 0 < tolerance < 1
+struct Options {
+  std::optional<Vector> wrench;
+  std::optional<Rational> preload;  ///< for all contacts, >= 0
+  bool bilateral = false;           ///< the normal law
+  std::optional<Vector> direction;  ///< of wrenches
+  std::optional<PreloadDirection> preload_direction;
+
+  /// Whether the margin along a direction is asked for, and not one verdict.
+  bool margin() const { return direction || preload_direction; }
 };
 
-/// A contact as the grasp file gives it.
-struct GraspContact {
-  Vector2 position;
-  Vector2 normal;
-  Rational friction;
-  Rational stiffness;
-  Rational preload;
-};
-
-/// The grasp file with the options applied.
-struct Question {
-  std::vector<GraspContact> contacts;
-  Vector3 wrench;
-  std::optional<Vector3> direction;  ///< if the margin is asked for (FORMAT.md §10)
-  std::optional<Rational> preload;   ///< if it replaced the file's
-  bool bilateral = false;
-  std::optional<Rational> snap_tolerance;
-};
-
-/// The rows of a contact (FORMAT.md §1, "Rows").
+/// What is known of one contact.
 struct Row {
-  Vector3 normal;      ///< N
-  Vector3 tangent;     ///< T
-  Rational friction;   ///< mu
-  Rational preload;    ///< P' = P/L
-  Rational stiffness;  ///< k' = k/L^2
+  Vector normal;   ///< N
+  Vector tangent;  ///< T
+  Rational friction;
+  Vector v;  ///< of a point: v_i(x) = v.x
 };
 
-/// Reads a grasp file ("stickslip-grasp/1") and applies the options. Throws Malformed with
-/// `file`, or with "the question" for options that cannot be asked.
-Question read_question(std::istream& in, const std::string& file,
-                       const QuestionOptions& options);
+struct Question {
+  Options asked;
+  Vector wrench;  ///< w
+  Vector growth;  ///< u; 0 for one verdict
+  std::vector<Row> rows;
+};
 
-/// FORMAT.md `question-normals`, for one entry: whether u may stand for the normal of
-/// `contact`. If not, says why.
-std::optional<std::string> snap_refusal(const GraspContact& contact, const Vector2& u,
-                                        const Rational& tolerance);
-
-/// An upper bound of |u - n/|n||^2 for a u that snap_refusal lets pass.
-Rational snap_distance_squared(const GraspContact& contact, const Vector2& u);
-
-/// The row of a contact, or nothing if it has a preload and a normal of irrational length.
-std::optional<Row> make_row(const GraspContact& contact);
+/// Throws Malformed, with "the question" or with `file`, if it cannot be asked of this grasp.
+Question pose(const Grasp& grasp, const Options& options, const std::string& file);
 
 }  // namespace stickslip_check

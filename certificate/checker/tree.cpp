@@ -2,310 +2,239 @@
 #include "tree.hpp"
 
 #include <algorithm>
-#include <map>
-#include <numeric>
+#include <utility>
 
 namespace stickslip_check {
 namespace {
 
-constexpr unsigned kMaxPlanes = 64;
+constexpr std::size_t kCoordinates = kDimension + 2;  // of a point (d, h, l)
+constexpr std::size_t kMoreDepth = 256;               // FORMAT.md `node-depth`
 
-/// The cut and label of child number `child`.
-Side side_of(NodeKind kind, unsigned child) {
-  if (child == 0) return Side::kAtLeastZero;
-  return kind == NodeKind::kSlip && child == 1 ? Side::kZero : Side::kAtMostZero;
+/// x, or the least multiple of a power of 2 above it that keeps its first 64 bits.
+Rational short_above(const Rational& x) {
+  constexpr std::size_t kBits = 64;
+  const std::size_t num = mpz_sizeinbase(x.get_num_mpz_t(), 2);
+  const std::size_t den = mpz_sizeinbase(x.get_den_mpz_t(), 2);
+  if (den <= kBits) return x;
+  const std::size_t shift = kBits + (den > num ? den - num : 0);
+  Integer scaled = x.get_num() << shift;
+  mpz_cdiv_q(scaled.get_mpz_t(), scaled.get_mpz_t(), x.get_den_mpz_t());
+  Rational result(scaled, Integer(1) << shift);
+  result.canonicalize();
+  return result;
 }
 
-std::string show_vector(const Vector& r) {
-  return "(" + show(Rational(r.x[0])) + ", " + show(Rational(r.x[1])) + ", " +
-         show(Rational(r.x[2])) + ", " + show(Rational(r.x[3])) + ")";
-}
-
-// In the next two, a line on which the form is not 0 has both signs by itself.
-
-Gap gap_on(const Cone& region, const Vector& v) {
-  for (const Vector& line : region.lines()) {
-    if (sign_of_dot(v, line) != 0) return Gap::kMixed;
+/// Whether `visit` is true of all generators of the cone: of a line as two rays, on which every
+/// condition is zero, and which therefore take nothing away from a barred set.
+template <typename Visit>
+bool all_generators(const Cone& cone, Visit visit) {
+  for (const Form& line : cone.lines()) {
+    if (!visit(line, nullptr) || !visit(negative(line), nullptr)) return false;
   }
-  bool above = false;
-  bool below = false;
-  for (const auto& ray : region.rays()) {
-    const int sign = sign_of_dot(v, ray->v);
-    above = above || sign > 0;
-    below = below || sign < 0;
-    if (above && below) return Gap::kMixed;
-  }
-  return below ? Gap::kOpen : Gap::kClosed;
+  return std::all_of(cone.rays().begin(), cone.rays().end(),
+                     [&](const auto& ray) { return visit(ray->x, ray.get()); });
 }
 
-/// Whether a set of rays is barred: some strict function is zero on all of them. (On lines
-/// every strict function is zero, as it has one sign on the region.)
-bool barred(const std::vector<const Vector*>& rays, const std::vector<Vector>& strict) {
-  return std::any_of(strict.begin(), strict.end(), [&](const Vector& s) {
-    return std::all_of(rays.begin(), rays.end(),
-                       [&](const Vector* r) { return sign_of_dot(s, *r) == 0; });
+/// FORMAT.md "barred", of rays that are added one by one: the strict functions zero on all.
+class Barring {
+ public:
+  explicit Barring(Set strict) : common_(std::move(strict)) {}
+  void add(const Ray* ray) {
+    if (ray != nullptr) common_ = intersection(common_, ray->zero);
+  }
+  bool barred() const {
+    return std::any_of(common_.begin(), common_.end(), [](auto word) { return word != 0; });
+  }
+
+ private:
+  Set common_;
+};
+
+/// 1 if f >= 0 on all generators, else -1 if f <= 0 on all, else 0. `zero` are those with f =
+/// 0.
+int side(const Cone& cone, const Form& f, Barring* zero = nullptr) {
+  int found = 0;
+  const bool one_sided = all_generators(cone, [&](const Form& x, const Ray* ray) {
+    const int sign = sign_of_dot(f, x);
+    if (sign != 0 && sign == -found) return false;
+    if (sign != 0) found = sign;
+    if (sign == 0 && zero != nullptr) zero->add(ray);
+    return true;
   });
-}
-
-bool barred(const Cone& region, const std::vector<Vector>& strict) {
-  std::vector<const Vector*> rays;
-  for (const auto& ray : region.rays()) rays.push_back(&ray->v);
-  return barred(rays, strict);
-}
-
-/// The sign that a contact without a label has on a region that is not barred.
-SlipSign sign_on(const Cone& region, const Vector& tau, const std::vector<Vector>& strict) {
-  for (const Vector& line : region.lines()) {
-    if (sign_of_dot(tau, line) != 0) return SlipSign::kNone;
-  }
-  bool plus = false;
-  bool minus = false;
-  std::vector<const Vector*> zero;
-  for (const auto& ray : region.rays()) {
-    const int sign = sign_of_dot(tau, ray->v);
-    plus = plus || sign > 0;
-    minus = minus || sign < 0;
-    if (plus && minus) return SlipSign::kNone;
-    if (sign == 0) zero.push_back(&ray->v);
-  }
-  if (!barred(zero, strict)) return SlipSign::kNone;
-  return plus ? SlipSign::kPlus : SlipSign::kMinus;
+  if (!one_sided) return 0;
+  return found == 0 ? 1 : found;
 }
 
 }  // namespace
 
-TreeWalk::TreeWalk(const std::vector<Row>& rows, Loads loads, bool bilateral)
-    : problem_(make_problem(rows)),
-      loads_(std::move(loads)),
-      bilateral_(bilateral),
-      status_(rows.size()),
-      undecided_(rows.size()),
-      undecided_count_(rows.size()),
-      slip_on_path_(rows.size()),
-      separation_on_path_(rows.size()) {
-  std::iota(undecided_.begin(), undecided_.end(), std::size_t{0});
-  strict_.push_back(make_vector(std::array<Integer, 4>{0, 0, 0, 1}));  // h
+TreeWalk::TreeWalk(const Question& question, std::vector<Range> ranges)
+    : question_(question), ranges_(std::move(ranges)) {
+  for (const Row& row : question.rows) {
+    Contact contact;
+    Rational v_scale;
+    Rational edge_scale;
+    contact.v = make_form(row.v, &v_scale);
+    contact.tau = make_form(row.tangent);
+    contact.tau.resize(kCoordinates);
+    Vector edges;
+    for (const int sigma : {-1, 1}) {
+      for (std::size_t j = 0; j < kDimension; ++j) {
+        edges.emplace_back(row.normal[j] + sigma * row.friction * row.tangent[j]);
+      }
+    }
+    const Form both = make_form(edges, &edge_scale);
+    contact.edges[0].assign(both.begin(), both.begin() + kDimension);
+    contact.edges[1].assign(both.begin() + kDimension, both.end());
+    contact.weight = v_scale * edge_scale;
+    contacts_.push_back(std::move(contact));
+  }
 }
 
 void TreeWalk::visit(const Node& node) {
-  if (stack_.empty() && trees_ == loads_.ranges.size()) {
+  if (stack_.empty() && trees_ == ranges_.size()) {
     throw Rejected{"tree-long", nodes_, "", "everything was complete before this node"};
   }
-  Cone region;
-  Aggregate decided;
-  if (stack_.empty()) {
-    begin_tree(region);
-  } else {
-    enter_child(region, decided);
+  Region region = stack_.empty() ? root(ranges_[trees_++]) : child();
+  const std::size_t most = 2 * contacts_.size() + kMoreDepth;
+  if (stack_.size() > most) {
+    throw rejection("node-depth",
+                    "more than " + std::to_string(most) + " nodes above this one");
   }
-  const bool all_barred = barred(region, strict_);
-  if (node.kind != NodeKind::kVoid && !all_barred) examine(region, decided);
   std::optional<Rejected> rejected;
-  if (node.kind == NodeKind::kVoid) {
-    if (!all_barred) {
-      rejected = rejection("void-region", "no strict function is zero on the whole region");
-    }
-    ++voids_;
-  } else if (node.kind == NodeKind::kLeaf) {
-    std::optional<std::string> refusal = theta_refusal(node);
-    if (refusal) {
-      rejected = rejection("leaf-theta", *refusal);
-    } else if (!all_barred && (refusal = leaf_refusal(node, region, decided))) {
-      rejected = rejection("leaf-bound", *refusal);
-    }
-    ++leaves_;
+  if (node.kind != NodeKind::kLeaf) {
+    push(node, std::move(region));
   } else {
-    push(node, std::move(region), std::move(decided));
+    ++leaves_;
+    std::optional<std::string> found = refusal(region, node.numbers, true);
+    if (found) found = refusal(region, node.numbers, false);
+    if (found) rejected = rejection("leaf-bound", *found);
   }
   ++nodes_;
-  close_finished();
+  while (!stack_.empty() && stack_.back().next == stack_.back().children) stack_.pop_back();
   if (rejected) throw Rejected(*rejected);
 }
 
 void TreeWalk::finish() const {
-  if (trees_ < loads_.ranges.size() || !stack_.empty()) {
+  if (trees_ < ranges_.size() || !stack_.empty()) {
     throw Rejected{"tree-short", nodes_, path(1), "the list ends before this node"};
   }
 }
 
-/// The root of the next tree: its region, and what is known there without looking, nothing.
-void TreeWalk::begin_tree(Cone& region) {
-  ++trees_;
-  go_back(0, undecided_.size(), 1);
-  region = Cone::half_space();
-  if (!bilateral_) return;
-  for (const WalkContact& contact : problem_.contacts) {
-    region = region.cut(contact.v, Side::kAtLeastZero);
-  }
-}
-
-/// Forgets what came to be known since the trail had that size.
-void TreeWalk::go_back(std::size_t trail, std::size_t undecided, std::size_t strict) {
-  while (trail_.size() > trail) {
-    status_[trail_.back().first] = trail_.back().second;
-    trail_.pop_back();
-  }
-  undecided_count_ = undecided;
-  strict_.resize(strict);
-}
-
-/// Goes to the next child of the innermost frame: its region, its label, and the statuses.
-void TreeWalk::enter_child(Cone& region, Aggregate& decided) {
-  Frame& parent = stack_.back();
-  go_back(parent.trail, parent.undecided, parent.strict);
-  const Side side = side_of(parent.kind, parent.next);
-  region = parent.region.cut(parent.cut, side);
-  decided = parent.decided;
-  const bool first = parent.next == 0;
-  if (parent.kind == NodeKind::kSlip ? side != Side::kZero : !first)
-    strict_.push_back(parent.cut);
-  // A contact that has the sign already keeps it: the child of the other sign, as that of 0, is
-  // barred.
-  Status status;
-  if (parent.kind == NodeKind::kSlip && side != Side::kZero &&
-      status_[parent.contact].sign == SlipSign::kNone) {
-    status = status_[parent.contact];
-    status.sign = side == Side::kAtLeastZero ? SlipSign::kPlus : SlipSign::kMinus;
-    set_status(parent.contact, status);
-  }
-  ++parent.next;
-}
-
-/// Brings the statuses of the undecided contacts up to date with a region.
-void TreeWalk::examine(const Cone& region, Aggregate& decided) {
-  for (std::size_t k = 0; k < undecided_count_;) {
-    const std::size_t i = undecided_[k];
-    const WalkContact& contact = problem_.contacts[i];
-    Status status = status_[i];
-    if (status.gap == Gap::kMixed) status.gap = gap_on(region, contact.v);
-    if (status.sign == SlipSign::kNone && status.gap != Gap::kOpen) {
-      status.sign = sign_on(region, contact.tau, strict_);
-    }
-    if (status.gap != status_[i].gap || status.sign != status_[i].sign) set_status(i, status);
-    const bool aggregated = status.gap == Gap::kClosed && status.sign != SlipSign::kNone;
-    if (aggregated) add(decided, contact, status.sign);
-    if (aggregated || status.gap == Gap::kOpen) {
-      std::swap(undecided_[k], undecided_[--undecided_count_]);
-    } else {
-      ++k;
-    }
-  }
-}
-
-void TreeWalk::set_status(std::size_t contact, Status status) {
-  trail_.emplace_back(contact, status_[contact]);
-  status_[contact] = status;
-}
-
-void TreeWalk::push(const Node& node, Cone region, Aggregate decided) {
-  std::size_t contact = 0;
-  Vector cut;
-  unsigned children = 2;
-  if (node.kind == NodeKind::kPlane) {
-    cut = make_vector({node.numbers[0], node.numbers[1], node.numbers[2], node.numbers[3]});
-    if (planes_on_path_ == kMaxPlanes) {
-      throw rejection("node-repeated", "more than 64 plane nodes on the path");
-    }
-    if (cut.x == std::array<Integer, 4>{0, 0, 0, 0}) throw rejection("node-plane", "a = 0");
-    ++planes_on_path_;
-  } else {
-    const bool slip = node.kind == NodeKind::kSlip;
-    const std::string name = "contact " + show(Rational(node.contact));
-    if (node.contact >= problem_.contacts.size()) {
-      throw rejection("node-contact",
-                      name + ", but the grasp has " + std::to_string(problem_.contacts.size()));
-    }
-    if (!slip && bilateral_) {
-      throw rejection("node-law", "a separation under the bilateral law");
-    }
-    contact = node.contact.get_ui();
-    std::vector<bool>& on_path = slip ? slip_on_path_ : separation_on_path_;
-    if (on_path[contact]) {
-      throw rejection("node-repeated", name + " has such a node on the path already");
-    }
-    on_path[contact] = true;
-    cut = slip ? problem_.contacts[contact].tau : problem_.contacts[contact].v;
-    if (slip) children = 3;
-  }
-  stack_.push_back({node.kind, contact, std::move(cut), std::move(region), std::move(decided),
-                    undecided_count_, trail_.size(), strict_.size(), children, 0});
-}
-
-/// Leaves the inner nodes whose children are all done.
-void TreeWalk::close_finished() {
-  while (!stack_.empty() && stack_.back().next == stack_.back().children) {
-    const Frame& frame = stack_.back();
-    if (frame.kind == NodeKind::kPlane) --planes_on_path_;
-    if (frame.kind == NodeKind::kSlip) slip_on_path_[frame.contact] = false;
-    if (frame.kind == NodeKind::kSeparation) separation_on_path_[frame.contact] = false;
-    stack_.pop_back();
-  }
-}
-
-std::optional<std::string> TreeWalk::theta_refusal(const Node& node) const {
-  Integer above = -1;
-  for (const auto& [contact, theta] : node.thetas) {
-    const std::string name = "contact " + show(Rational(contact));
-    if (contact <= above) return name + " is not above the one before";
-    if (contact >= problem_.contacts.size()) return name + " does not exist";
-    if (theta < 0 || theta > 1) {
-      return name + " has theta = " + show(theta) + ", not in [0, 1]";
-    }
-    above = contact;
-  }
-  return std::nullopt;
-}
-
-std::optional<std::string> TreeWalk::leaf_refusal(const Node& node, const Cone& region,
-                                                  const Aggregate& decided) {
-  std::map<std::size_t, Rational> thetas;
-  for (const auto& [contact, theta] : node.thetas) thetas.emplace(contact.get_ui(), theta);
-  const std::vector<std::size_t> undecided(
-      undecided_.begin(), undecided_.begin() + static_cast<std::ptrdiff_t>(undecided_count_));
-  const Vector3 y{node.numbers[0], node.numbers[1], node.numbers[2]};
-  const LoadRange& range = loads_.ranges[trees_ - 1];
-  const int rise = sgn(dot(y, loads_.direction));
-  if (rise > 0 && !range.high) return "y.u is above 0, and the multiples of u have no end";
-  const Rational& worst = rise > 0 ? *range.high : range.low;
-  const bool worst_is_a_load = rise == 0 || (rise < 0 && range.contains_low);
-  const LeafBound bound(problem_, sum(loads_.wrench, worst, loads_.direction), status_,
-                        undecided, decided, y, thetas);
-  std::vector<const Vector*> flat;  // rays with g(r) = 0
-  std::optional<std::string> refusal;
-  const auto holds_on = [&](const Vector& r) {
-    if (!exact_only_ && bound.upper(r) < 0) return true;
-    ++exact_bounds_;
-    const Rational g = bound.exact(r) / bound.scale();
-    if (g > 0) refusal = "g = " + show(g) + " on the ray " + show_vector(r);
-    return g < 0;
+/// The region {h >= 0, low h <= l <= high h}, and the bilateral law's conditions.
+TreeWalk::Region TreeWalk::root(const Range& range) const {
+  Region region{Cone(kCoordinates), {}};
+  const auto cut = [&](Vector a, bool strict) {
+    if (strict) insert(region.strict, region.cone.cuts());
+    a.insert(a.begin(), kDimension, 0);
+    region.cone = region.cone.cut(make_form(a));
   };
-  for (const Vector& line : region.lines()) {
-    // Every strict function is zero on a line, so a line with g = 0 spoils no barred set.
-    holds_on(line);
-    holds_on(negative(line));
-    if (refusal) return refusal;
+  cut({1, 0}, true);
+  cut({Rational(-range.low), 1}, range.open_low);
+  if (range.high) cut({*range.high, -1}, range.open_high);
+  if (question_.asked.bilateral) {
+    for (const Contact& contact : contacts_) region.cone = region.cone.cut(contact.v);
   }
-  for (const auto& ray : region.rays()) {
-    if (!holds_on(ray->v)) flat.push_back(&ray->v);
-    if (refusal) return refusal;
-  }
-  if (!worst_is_a_load || barred(flat, strict_)) return std::nullopt;
-  return "g = 0 on rays that are not barred, of which one is " + show_vector(*flat.front());
+  return region;
 }
 
-/// The path to the child that the innermost frame has come to, or with `ahead` = 1 will come
-/// to.
+/// The region of the child that the innermost node has come to.
+TreeWalk::Region TreeWalk::child() {
+  Frame& parent = stack_.back();
+  const unsigned which = parent.next++;
+  const bool middle = parent.children == 3 && which == 1;
+  Region region{which == 0 || middle ? parent.region.cone.cut(parent.cut, middle)
+                                     : parent.region.cone.cut(negative(parent.cut)),
+                parent.region.strict};
+  const bool strict = parent.children == 3 ? !middle : which == 1;
+  if (strict) insert(region.strict, parent.region.cone.cuts());
+  return region;
+}
+
+/// `leaf-bound`: why it does not hold, or nothing. g grows with every alpha_i; with `rounded`
+/// each is replaced by something shorter that is not smaller, so that nothing is as good as it
+/// stands.
+std::optional<std::string> TreeWalk::refusal(const Region& region, const Vector& twist,
+                                             bool rounded) const {
+  Barring all(region.strict);
+  for (const auto& ray : region.cone.rays()) all.add(ray.get());
+  if (all.barred()) return std::nullopt;
+
+  Rational scale;
+  const Form y = make_form(twist, &scale);
+  // g is the sum of linear terms and of `bends`, factor max(0, v.x).
+  PairwiseSum terms;
+  Vector work(kCoordinates);
+  work[kDimension] = dot(twist, question_.wrench);
+  work[kDimension + 1] = dot(twist, question_.growth);
+  terms.add(work);
+  std::vector<std::pair<Rational, const Form*>> bends;
+  for (const Contact& contact : contacts_) {
+    const int v_side = side(region.cone, contact.v);
+    if (v_side < 0) continue;  // max(0, v_i) = 0
+    Barring zero(region.strict);
+    const int slip = side(region.cone, contact.tau, &zero);
+    const int sign = zero.barred() ? slip : 0;
+    const Integer plus = dot(contact.edges[0], y);
+    const Integer minus = dot(contact.edges[1], y);
+    const Integer alpha = sign > 0 || (sign == 0 && plus > minus) ? plus : minus;
+    const Rational exact = scale * contact.weight * alpha;
+    const Rational factor = rounded ? short_above(exact) : exact;
+    if (v_side > 0) {
+      for (std::size_t j = 0; j < kCoordinates; ++j) work[j] = factor * contact.v[j];
+      terms.add(work);
+    } else if (factor > 0) {
+      bends.emplace_back(factor, &contact.v);
+    }
+  }
+  Rational unit;  // g = unit (linear.x) but for the bends
+  const Form linear = make_form(terms.total(), &unit);
+  Barring flat(region.strict);  // where g = 0
+  std::optional<std::string> found;
+  all_generators(region.cone, [&](const Form& x, const Ray* ray) {
+    Rational g = unit * dot(linear, x);
+    for (const auto& [factor, v] : bends) {
+      const Integer at = dot(*v, x);
+      if (at > 0) g += factor * at;
+    }
+    if (g > 0) found = "g = " + show(g) + " at " + show(Vector(x.begin(), x.end()));
+    if (g == 0) flat.add(ray);
+    if (!flat.barred()) found = "g = 0 on rays that are not barred together";
+    return !found;
+  });
+  return found;
+}
+
+void TreeWalk::push(const Node& node, Region region) {
+  Frame frame{node.kind, 0, {}, std::move(region), 2, 0};
+  if (node.kind == NodeKind::kPlane) {
+    frame.cut = make_form(node.numbers);
+  } else {
+    if (node.contact >= contacts_.size()) {
+      throw rejection("node-contact", "contact " + show(Rational(node.contact)) +
+                                          ", but the grasp has " +
+                                          std::to_string(contacts_.size()));
+    }
+    frame.contact = node.contact.get_ui();
+    const Contact& contact = contacts_[frame.contact];
+    const bool slip = node.kind == NodeKind::kSlip;
+    frame.cut = slip ? contact.tau : contact.v;
+    if (slip) frame.children = 3;
+  }
+  stack_.push_back(std::move(frame));
+}
+
+/// The path to the child that the innermost node has come to, or with `ahead` = 1 will come to.
 std::string TreeWalk::path(unsigned ahead) const {
   std::string result;
   for (const Frame& frame : stack_) {
-    if (!result.empty()) result += ", ";
     const unsigned child = frame.next - 1 + (&frame == &stack_.back() ? ahead : 0);
+    const std::string contact = std::to_string(frame.contact);
     const char* sign = child == 0 ? "+" : (frame.children == 3 && child == 1 ? "0" : "-");
+    if (!result.empty()) result += ", ";
     if (frame.kind == NodeKind::kSlip) {
-      result += "slip " + std::to_string(frame.contact) + " " + sign;
+      result += "slip " + contact + " " + sign;
     } else if (frame.kind == NodeKind::kSeparation) {
-      result +=
-          "separation " + std::to_string(frame.contact) + (child == 0 ? " closed" : " open");
+      result += "separation " + contact + (child == 0 ? " closed" : " open");
     } else {
       result += std::string("plane ") + sign;
     }

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "witness.hpp"
 
-#include <string>
+#include <algorithm>
 
 #include "answer.hpp"
 
 namespace stickslip_check {
-
 namespace {
 
-/// v_i, with the preload times h.
-Rational compression(const Row& row, const Witness& witness) {
-  return row.preload * witness.h - row.stiffness * dot(row.normal, witness.d);
+[[noreturn]] void reject(const char* rule, const std::string& found) {
+  throw Rejected{rule, std::nullopt, "", found};
+}
+
+std::string name_of(const Integer& contact) {
+  return "contact " + show(Rational(contact)) + ": ";
 }
 
 bool opposite(const Rational& x, const Rational& y) {
@@ -20,72 +22,76 @@ bool opposite(const Rational& x, const Rational& y) {
 
 }  // namespace
 
-void check_witness(const std::vector<Row>& rows, const Vector3& load, bool bilateral,
-                   const Witness& witness) {
-  const auto& forces = witness.forces;
-  if (witness.stated != rows.size()) {
-    throw Rejected{"witness-count", std::nullopt, "",
-                   std::to_string(witness.stated) + " pairs of forces for " +
-                       std::to_string(rows.size()) + " contacts"};
+std::vector<ContactForce> check_witness(const Question& question, const Witness& witness) {
+  const std::size_t m = question.rows.size();
+  std::vector<ContactForce> forces(m);
+  for (std::size_t i = 0; i < m; ++i) {
+    const Row& row = question.rows[i];
+    ContactForce& force = forces[i];
+    force.v = dot(row.v, witness.x);
+    force.slip = dot(row.tangent, witness.x);
+    if (force.v > 0) force.a = force.v;
+    force.b = -sgn(force.slip) * row.friction * force.a;
   }
-  Vector3 sum = load;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (std::size_t j = 0; j < 3; ++j) {
-      sum[j] += forces[i][0] * rows[i].normal[j] + forces[i][1] * rows[i].tangent[j];
+  Integer above = -1;
+  for (const auto& [contact, share] : witness.shares) {
+    if (contact <= above)
+      reject("witness-share", name_of(contact) + "not above the one before");
+    if (contact >= m) reject("witness-share", name_of(contact) + "there is none");
+    if (abs(share) > 1) {
+      reject("witness-share", name_of(contact) + show(share) + " is not in [-1, 1]");
+    }
+    ContactForce& force = forces[contact.get_ui()];
+    if (force.slip != 0) {
+      reject("witness-share", name_of(contact) + "it slips, T.d = " + show(force.slip));
+    }
+    force.b = share * question.rows[contact.get_ui()].friction * force.a;
+    above = contact;
+  }
+  for (std::size_t i = 0; i < m; ++i) {
+    if (question.asked.bilateral && forces[i].v < 0) {
+      reject("witness-normal", name_of(i) + "v = " + show(forces[i].v) + " is below 0");
     }
   }
-  if (sum[0] != 0 || sum[1] != 0 || sum[2] != 0) {
-    throw Rejected{"witness-balance", std::nullopt, "",
-                   "the wrenches add up to " + show(sum) + ", not to 0"};
+  PairwiseSum sum;
+  Vector term(kDimension);
+  for (std::size_t j = 0; j < kDimension; ++j) {
+    term[j] = witness.x[kDimension] * question.wrench[j] +
+              witness.x[kDimension + 1] * question.growth[j];
   }
-  // Rule by rule, so that the first one to fail does not depend on the order of the contacts.
-  const auto reject = [](const char* rule, std::size_t i, const std::string& found) {
-    throw Rejected{rule, std::nullopt, "", "contact " + std::to_string(i) + ": " + found};
-  };
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Rational v = compression(rows[i], witness);
-    if (v < 0 && bilateral) reject("witness-normal", i, "v = " + show(v) + " is below 0");
-    const Rational a = v < 0 ? Rational(0) : v;
-    if (forces[i][0] != a) {
-      reject("witness-normal", i, "a = " + show(forces[i][0]) + ", but v = " + show(v));
+  sum.add(term);
+  for (std::size_t i = 0; i < m; ++i) {
+    const Row& row = question.rows[i];
+    if (forces[i].a == 0) continue;
+    for (std::size_t j = 0; j < kDimension; ++j) {
+      term[j] = forces[i].a * row.normal[j] + forces[i].b * row.tangent[j];
     }
+    sum.add(term);
   }
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (abs(forces[i][1]) > rows[i].friction * forces[i][0]) {
-      reject("witness-cone", i,
-             "b = " + show(forces[i][1]) + " with a = " + show(forces[i][0]));
-    }
+  const Vector total = sum.total();
+  if (total != Vector(kDimension)) {
+    reject("witness-balance", "load and forces add up to " + show(total) + ", not to 0");
   }
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Rational slip = dot(rows[i].tangent, witness.d);
-    const Rational edge = rows[i].friction * forces[i][0];
-    if ((slip > 0 && forces[i][1] != -edge) || (slip < 0 && forces[i][1] != edge)) {
-      reject("witness-dissipation", i,
-             "T.d = " + show(slip) + ", b = " + show(forces[i][1]) + ", mu a = " + show(edge));
-    }
-  }
+  return forces;
 }
 
-std::optional<std::string> mode_refusal(const std::vector<Row>& rows, const Witness& first,
-                                        const Witness& second) {
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Row& row = rows[i];
-    const std::string name = "contact " + std::to_string(i);
-    const Rational v1 = compression(row, first);
-    const Rational v2 = compression(row, second);
-    if (opposite(v1, v2)) return name + " has v = " + show(v1) + " and v = " + show(v2);
-    const auto& [a1, b1] = first.forces[i];
-    const auto& [a2, b2] = second.forces[i];
-    if (row.friction == 0 || a1 + a2 == 0) continue;
-    const Rational slip1 = dot(row.tangent, first.d);
-    const Rational slip2 = dot(row.tangent, second.d);
-    if (opposite(slip1, slip2)) {
-      return name + " has T.d = " + show(slip1) + " and T.d = " + show(slip2);
+std::optional<std::string> mode_refusal(const Question& question,
+                                        const std::vector<ContactForce>& first,
+                                        const std::vector<ContactForce>& second) {
+  for (std::size_t i = 0; i < question.rows.size(); ++i) {
+    const ContactForce& p = first[i];
+    const ContactForce& q = second[i];
+    const Rational& friction = question.rows[i].friction;
+    if (opposite(p.v, q.v)) return name_of(i) + "v = " + show(p.v) + " and " + show(q.v);
+    if (friction == 0 || p.a + q.a == 0) continue;
+    if (opposite(p.slip, q.slip)) {
+      return name_of(i) + "T.d = " + show(p.slip) + " and " + show(q.slip);
     }
-    const Rational sigma = -sgn(slip1 + slip2) * row.friction;
-    if (sigma != 0 && (b1 != sigma * a1 || b2 != sigma * a2)) {
-      return name + " slips, but (a, b) = (" + show(a1) + ", " + show(b1) + ") and (" +
-             show(a2) + ", " + show(b2) + ") are not on the same edge of the cone";
+    const Rational edge = -sgn(p.slip + q.slip) * friction;
+    if (edge != 0 && (p.b != edge * p.a || q.b != edge * q.a)) {
+      return name_of(i) +
+             "it slips at one end, and at the other its friction is not the same " +
+             "full share";
     }
   }
   return std::nullopt;

@@ -1,31 +1,40 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Equilibria, checked by substitution (FORMAT.md §3), and the segments between two (§10).
+/// Equilibria: their forces are computed from what is stated (FORMAT.md §3), and must balance
+/// the load. And segments between two (§5).
 #pragma once
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "question.hpp"
 
 namespace stickslip_check {
 
-/// A motion and its forces. With h = 1 an equilibrium, with h = 0 a ray of equilibria, for
-/// which the rules hold with every preload times h.
+/// A motion, and the shares of friction at contacts that stick.
 struct Witness {
-  Vector3 d;
-  std::vector<Vector2> forces;  ///< (a_i, b_i)
-  std::uint64_t stated = 0;     ///< pairs in the certificate; `forces` may hold only the first
-  int h = 1;
+  Vector x;  ///< the point (d, 1, lambda); or (d, 0, 1) for a ray
+  std::vector<std::pair<Integer, Rational>> shares;
+
+  bool operator==(const Witness& other) const { return x == other.x && shares == other.shares; }
 };
 
-/// The rules `witness-...` under a load. Throws Rejected.
-void check_witness(const std::vector<Row>& rows, const Vector3& load, bool bilateral,
-                   const Witness& witness);
+/// What follows for one contact.
+struct ContactForce {
+  Rational v;
+  Rational slip;  ///< T_i.d
+  Rational a;
+  Rational b;
+};
 
-/// `segment-mode`: why two accepted witnesses share no mode, or nothing.
-std::optional<std::string> mode_refusal(const std::vector<Row>& rows, const Witness& first,
-                                        const Witness& second);
+/// The rules `witness-...`. Throws Rejected, or returns the forces, one for each contact.
+std::vector<ContactForce> check_witness(const Question& question, const Witness& witness);
+
+/// `segment-mode`: why two witnesses with these forces share no mode, or nothing.
+std::optional<std::string> mode_refusal(const Question& question,
+                                        const std::vector<ContactForce>& first,
+                                        const std::vector<ContactForce>& second);
 
 }  // namespace stickslip_check

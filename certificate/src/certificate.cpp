@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "stickslip/core/contact_row.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
@@ -17,7 +18,7 @@ std::string number(const Rational& value) {
     throw InputError("", "",
                      "the proof has a number of " + std::to_string(text.size()) +
                          " characters; certificates hold at most " + std::to_string(kLongest),
-                     "shorter numbers in the grasp, or --snap-normals, make it shorter");
+                     "shorter numbers in the grasp make it shorter");
   }
   if (denominator(value) == 1 && abs(numerator(value)) < kExactInDoubles) return text;
   return '"' + text + '"';
@@ -35,71 +36,65 @@ std::string indexed(const char* kind, ContactId contact) {
 }
 
 struct NodeText {
+  bool margin;  ///< whose planes see the multiple as well
+
   std::string operator()(const SlipSplit& node) const { return indexed("slip", node.contact); }
   std::string operator()(const SeparationSplit& node) const {
     return indexed("separation", node.contact);
   }
   std::string operator()(const PlaneSplit& node) const {
-    return "[\"plane\"," + list(node.plane) + "]";
+    return "[\"plane\"," + list(node.plane) + (margin ? ",0]" : "]");
   }
   std::string operator()(const VirtualWorkLeaf& node) const {
-    std::string text = "[\"leaf\"," + list(node.twist);
-    if (!node.theta.empty()) {
-      text += ",[";
-      for (const auto& [contact, theta] : node.theta) {
-        if (text.back() == ']') text += ',';
-        text += "[" + std::to_string(contact.index()) + "," + number(theta) + "]";
-      }
-      text += "]";
-    }
-    return text + "]";
+    require(node.theta.empty(), "certificates have no shares of a contact's work");
+    return "[\"leaf\"," + list(node.twist) + "]";
   }
-  std::string operator()(const VoidLeaf&) const { return "[\"void\"]"; }
+  std::string operator()(const VoidLeaf&) const { return "[\"leaf\",0,0,0]"; }
 };
 
-std::string question_text(const Question& question) {
-  std::string text = "{\"contacts\": " + std::to_string(question.loaded.grasp.size()) +
-                     ", \"wrench\": [" + list(coordinates(question.loaded.wrench)) + "]";
+/// All up to the verdict; `direction` if a margin is proved.
+std::string head(const Question& question, const Wrench* direction,
+                 const std::string& producer) {
+  if (!question.snapped.empty()) {
+    throw InputError("", "",
+                     "a certificate is about the grasp file, whose normals were replaced",
+                     "run stickslip snap GRASP -o FILE, and ask about FILE");
+  }
+  std::string text = "{\"format\": \"stickslip-certificate/2\",\n \"producer\": " +
+                     nlohmann::json(producer).dump() + ",\n \"question\": {\"contacts\": " +
+                     std::to_string(question.loaded.grasp.size()) + ", \"wrench\": [" +
+                     list(coordinates(question.loaded.wrench)) + "]";
   if (question.preload) text += ", \"preload\": " + number(*question.preload);
   text += std::string(", \"normal_law\": \"") + to_string(question.law) + "\"";
-  if (!question.snapped.empty()) {
-    text += ", \"normals\": [";
-    for (const SnappedNormal& normal : question.snapped) {
-      if (text.back() == ']') text += ", ";
-      text += "[" + std::to_string(normal.contact.index()) + "," + number(normal.after.x) +
-              "," + number(normal.after.y) + "]";
-    }
-    text += "]";
-  }
-  return text + "}";
+  if (direction != nullptr) text += ", \"direction\": [" + list(coordinates(*direction)) + "]";
+  return text + "},\n \"verdict\": ";
 }
 
-std::string head(const char* format, const Question& question, const std::string& producer) {
-  return std::string("{\"format\": \"") + format +
-         "\",\n \"producer\": " + nlohmann::json(producer).dump() +
-         ",\n \"question\": " + question_text(question) + ",\n";
-}
-
-std::string forces_text(const Witness& witness, const char* indent) {
+/// The shares of friction that are not implied: where a contact sticks under load, with
+/// friction.
+std::string shares_text(const std::vector<ContactRow>& rows, const Witness& witness) {
   std::string text = "[";
-  std::string separator = indent;
-  for (const ContactForce& force : witness.forces) {
-    text += separator + "[" + number(force.normal) + "," + number(force.tangential) + "]";
-    separator = std::string(",") + indent;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const ContactForce& force = witness.forces[i];
+    if (force.tangential == 0 || power(rows[i].tangent, witness.twist) != 0) continue;
+    const Rational share = force.tangential / (rows[i].friction * force.normal);
+    text += (text.size() == 1 ? "[" : ",[") + std::to_string(i) + "," + number(share) + "]";
   }
   return text + "]";
 }
 
-void append_nodes(std::string& text, const Refutation& refutation, std::string& separator) {
+void append_nodes(std::string& text, const Refutation& refutation, bool margin,
+                  std::string& separator) {
   for (const RefutationNode& node : refutation) {
-    text += separator + std::visit(NodeText{}, node);
+    text += separator + std::visit(NodeText{margin}, node);
     separator = ",\n  ";
   }
 }
 
-std::string point_text(const std::optional<Rational>& multiple, const Witness& witness) {
+std::string point_text(const std::vector<ContactRow>& rows,
+                       const std::optional<Rational>& multiple, const Witness& witness) {
   return "[" + (multiple ? number(*multiple) : "null") + ",[" +
-         list(coordinates(witness.twist)) + "]," + forces_text(witness, "") + "]";
+         list(coordinates(witness.twist)) + "]," + shares_text(rows, witness) + "]";
 }
 
 }  // namespace
@@ -108,15 +103,14 @@ std::string certificate_text(const Question& question, const Verdict& verdict,
                              const std::string& producer) {
   require(!std::holds_alternative<Undecided>(verdict),
           "an undecided question has no certificate");
-  std::string text = head("stickslip-certificate/1", question, producer) + " \"verdict\": \"" +
-                     name_of(verdict) + "\",\n";
+  std::string text = head(question, nullptr, producer) + "\"" + name_of(verdict) + "\",\n";
   if (const auto* stable = std::get_if<Stable>(&verdict)) {
-    text += " \"twist\": [" + list(coordinates(stable->witness.twist)) +
-            "],\n \"forces\": " + forces_text(stable->witness, "\n  ");
+    text += " \"twist\": [" + list(coordinates(stable->witness.twist)) + "],\n \"shares\": " +
+            shares_text(contact_rows(question.loaded.grasp), stable->witness);
   } else {
     std::string separator = "\n  ";
     text += " \"tree\": [";
-    append_nodes(text, std::get<Unstable>(verdict).refutation, separator);
+    append_nodes(text, std::get<Unstable>(verdict).refutation, false, separator);
     text += "]";
   }
   return text + "}\n";
@@ -124,8 +118,9 @@ std::string certificate_text(const Question& question, const Verdict& verdict,
 
 std::string margin_certificate_text(const Question& question, const Margin& margin,
                                     const std::string& producer) {
-  std::string text = head("stickslip-margin/1", question, producer) + " \"direction\": [" +
-                     list(coordinates(margin.direction)) + "],\n \"resisted\": [";
+  const std::vector<ContactRow> rows = contact_rows(question.loaded.grasp);
+  std::string text =
+      head(question, &margin.direction, producer) + "\"margin\",\n \"resisted\": [";
   std::string separator;
   for (const LoadInterval& interval : margin.resisted) {
     text += separator + "[" + number(interval.low) + "," +
@@ -135,13 +130,13 @@ std::string margin_certificate_text(const Question& question, const Margin& marg
   text += "],\n \"segments\": [";
   separator = "\n  ";
   for (const LoadSegment& segment : margin.segments) {
-    text += separator + "[" + point_text(segment.start.multiple, segment.start.witness) +
-            ",\n   " + point_text(segment.high, segment.end) + "]";
+    text += separator + "[" + point_text(rows, segment.start.multiple, segment.start.witness) +
+            ",\n   " + point_text(rows, segment.high, segment.end) + "]";
     separator = ",\n  ";
   }
   text += "],\n \"tree\": [";
   separator = "\n  ";
-  for (const Refutation& gap : margin.gaps) append_nodes(text, gap, separator);
+  for (const Refutation& gap : margin.gaps) append_nodes(text, gap, true, separator);
   return text + "]}\n";
 }
 

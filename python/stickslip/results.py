@@ -99,7 +99,7 @@ class Margin(Answer):
     normal_law: str
     snapped_normals: Tuple[SnappedNormal, ...]
     certificate: str = field(repr=False)
-    """The proof (certificate/FORMAT.md, section 10)."""
+    """The proof (certificate/FORMAT.md, section 5)."""
     stats: Dict[str, int] = field(default_factory=dict, repr=False, compare=False)
 
     resisted_float = FloatView[FloatArray]("resisted", -1, 2)

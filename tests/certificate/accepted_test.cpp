@@ -77,7 +77,8 @@ TEST(Accepted, LargeNumbersAreStrings) {
     const CheckerInput input =
         test::input_of(question, decide(Problem(loaded, question.law)).verdict);
     const std::string digits = load.str();
-    const std::string expected = load < limit ? "[" + digits + ",0]" : "[\"" + digits + "\",0]";
+    const std::string expected =
+        "\"twist\": [0," + (load < limit ? "-" + digits : "\"-" + digits + "\"") + ",0]";
     EXPECT_NE(input.certificate.find(expected), std::string::npos) << input.certificate;
     expect_accepted({input}, {digits});
   }

@@ -21,8 +21,8 @@ struct Case {
 };
 
 /// The grasps of Figs. 1 and 4 with and without preload, at and beyond their thresholds, under
-/// both laws; no contact; mu = 0; normals of length 5 and of irrational length; snapped
-/// normals, asked for in the file and by options; random grasps of 1 to 4 contacts of all
+/// both laws; no contact; mu = 0; normals of length 5 and of irrational length;
+/// random grasps of 1 to 4 contacts of all
 /// families.
 std::vector<Case> all_cases();
 
@@ -34,7 +34,7 @@ struct Certified {
 
   CheckerInput input() const { return {about.grasp, text, about.options}; }
   std::string name() const;
-  /// Nodes of the tree, or forces.
+  /// Nodes of the tree; 0 for a witness.
   std::size_t size() const;
 };
 

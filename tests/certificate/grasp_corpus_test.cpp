@@ -19,7 +19,7 @@ using test::CheckerInput;
 /// A certificate about another number of contacts than any file of the corpus has: rejected by
 /// question-contacts if the grasp file can be read.
 const char* const kCertificate =
-    R"({"format": "stickslip-certificate/1",
+    R"({"format": "stickslip-certificate/2",
  "question": {"contacts": 123456, "wrench": [0, 0, 0], "normal_law": "unilateral"},
  "verdict": "unstable", "tree": []})";
 

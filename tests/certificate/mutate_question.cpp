@@ -16,11 +16,7 @@ class QuestionMutations {
   void run() {
     stated();
     asked();
-    if (json_["question"].contains("normals")) {
-      normals();
-    } else {
-      unwanted_normals();
-    }
+    others();
   }
 
  private:
@@ -29,7 +25,8 @@ class QuestionMutations {
            const std::string& rule) {
     Json edited = json_;
     Json question;  // members keep their order
-    for (const char* key : {"contacts", "wrench", "preload", "normal_law", "normals"}) {
+    for (const char* key :
+         {"contacts", "wrench", "preload", "normal_law", "direction", "preload_direction"}) {
       if (key == std::string(member)) {
         if (!value.is_null()) question[key] = value;
       } else if (json_["question"].contains(key)) {
@@ -70,6 +67,17 @@ class QuestionMutations {
     add("other law", "normal_law", bilateral ? "unilateral" : "bilateral", "question-law");
   }
 
+  /// Not with a preload at a normal of irrational length.
+  bool can_be_asked(const QuestionOptions& options) const {
+    try {
+      const Question question = stickslip::ask(parse_grasp(original_.about.grasp, ""), options);
+      const Problem problem(question.loaded, question.law);
+      return true;
+    } catch (const InputError&) {
+      return false;
+    }
+  }
+
   void asked() {
     const QuestionOptions& options = original_.about.options;
     QuestionOptions other = options;
@@ -78,52 +86,33 @@ class QuestionMutations {
     ask("ask another wrench", other, "question-wrench");
     other = options;
     other.preload = options.preload.value_or(1) + 1;
-    ask("ask another preload", other, "question-preload");
+    CheckerInput input = original_.input();
+    input.options = other;
+    mutants_.push_back({"ask another preload", original_.name(), input,
+                        can_be_asked(other) ? Expectation::of_rule("question-preload")
+                                            : Expectation::malformed()});
     other = options;
     other.law =
         options.law == NormalLaw::kBilateral ? NormalLaw::kUnilateral : NormalLaw::kBilateral;
     ask("ask another law", other, "question-law");
   }
 
-  void normals() {
-    const char* rule = "question-normals";
-    const Json list = json_["question"]["normals"];
-    const std::size_t k = any_of(random_, list);
-    const auto m = json_["question"]["contacts"].get<std::int64_t>();
-    const auto with = [&](std::size_t j, const Json& value) {
-      Json edited = list;
-      edited[k][j] = value;
-      return edited;
-    };
-    add("normal not of length 1", "normals",
-        with(1, json_of(number_of(list[k][1]) + Rational(1, 1000000000))), rule);
-    add("normal flipped", "normals", with(1, json_of(-number_of(list[k][1]))), rule);
-    add("normal far away", "normals", Json::array({{list[k][0], 1, 0}}), rule);
-    add("normal of a contact beyond", "normals", with(0, m), rule);
-    // The last contact's normal has length 1 already.
-    add("normal of rational length", "normals", with(0, m - 1), rule);
-    Json repeated = list;
-    repeated.push_back(list.back());
-    add("normal repeated", "normals", repeated, rule);
-    Json reversed = list;
-    std::reverse(reversed.begin(), reversed.end());
-    if (list.size() > 1) add("normals out of order", "normals", reversed, rule);
-    CheckerInput closer = original_.input();
-    closer.options.snap_tolerance = parse_rational("1e-300");
-    mutants_.push_back(
-        {"ask for closer normals", original_.name(), closer, Expectation::of_rule(rule)});
-    // These contacts have preload: without its new normal nothing can be asked about one.
-    Json fewer = json_;
-    fewer["question"]["normals"].erase(k);
-    mutants_.push_back(mutant("one normal fewer", original_, fewer, Expectation::malformed()));
-  }
-
-  void unwanted_normals() {
-    add("normals nobody asked for", "normals", Json::array(), "question-normals");
+  /// Members of other questions: with a direction there is another kind of verdict.
+  void others() {
+    for (const auto& [member, value] :
+         std::vector<std::pair<const char*, Json>>{{"normals", Json::array()},
+                                                   {"direction", {0, 1, 0}},
+                                                   {"preload_direction", "scale"}}) {
+      Json edited = json_;
+      edited["question"][member] = value;
+      mutants_.push_back(
+          mutant("a member of another question", original_, edited, Expectation::malformed()));
+    }
     CheckerInput input = original_.input();
-    input.options.snap_tolerance = Rational(1, 1000);
-    mutants_.push_back(
-        {"snapping allowed and not used", original_.name(), input, Expectation::accepted()});
+    input.direction = Wrench{0, 1, 0};
+    input.options.wrench = original_.about.question().loaded.wrench;
+    mutants_.push_back({"ask for a margin", original_.name(), input,
+                        Expectation::of_rule("question-direction")});
   }
 
   RandomSource& random_;

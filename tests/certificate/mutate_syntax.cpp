@@ -47,7 +47,7 @@ class SyntaxMutations {
                                     std::to_string(random_.between(0, 2))};
     if (json_.contains("twist")) {
       places.push_back("/twist/" + std::to_string(random_.between(0, 2)));
-      if (!json_["forces"].empty()) places.emplace_back("/forces/0/1");
+      if (!json_["shares"].empty()) places.emplace_back("/shares/0/1");
     } else {
       for (std::size_t i = 0; i < json_["tree"].size(); ++i) {
         if (json_["tree"][i][0] != "leaf") continue;
@@ -86,7 +86,7 @@ class SyntaxMutations {
 
   void members() {
     for (const char* version :
-         {"stickslip-certificate/2", "stickslip-certificate/1.0", "stickslip-grasp/1", ""}) {
+         {"stickslip-certificate/1", "stickslip-certificate/2.0", "stickslip-grasp/1", ""}) {
       Json edited = json_;
       edited["format"] = version;
       add("wrong version", edited);
@@ -174,7 +174,7 @@ class SyntaxMutations {
           spelled(json_, at, std::string(depth, '[') + "1" + std::string(depth, ']')));
     }
     add("unclosed nesting", "{\"format\":" + std::string(200000, '['));
-    const char* list = json_.contains("tree") ? "tree" : "forces";
+    const char* list = json_.contains("tree") ? "tree" : "shares";
     Json edited = json_;
     edited[list] = Json::object();
     add("an object for a list", edited);

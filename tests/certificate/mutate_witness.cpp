@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <map>
+
 #include "json_edit.hpp"
 
 namespace stickslip::test {
@@ -67,8 +70,8 @@ class WitnessMutations {
   }
 
   void run() {
-    counts();
-    for (std::size_t i = 0; i < problem_.size(); ++i) forces(i);
+    lists();
+    for (std::size_t i = 0; i < problem_.size(); ++i) share(i);
     twists();
     self_balanced();
     equivalent();
@@ -79,40 +82,70 @@ class WitnessMutations {
     mutants_.push_back(mutant(kind, original_, edited, std::move(expected)));
   }
 
-  void counts() {
+  using Shares = std::map<std::size_t, Rational>;
+
+  Shares shares() const {
+    Shares result;
+    for (const Json& entry : json_["shares"]) {
+      result[entry[0].get<std::size_t>()] = number_of(entry[1]);
+    }
+    return result;
+  }
+
+  void add_shares(const std::string& kind, const Shares& shares, Expectation expected = {}) {
     Json edited = json_;
-    edited["forces"].push_back({0, 0});
-    add("extra force", edited, Expectation::of_rule("witness-count"));
-    if (problem_.size() == 0) return;
+    edited["shares"] = Json::array();
+    for (const auto& [contact, value] : shares) {
+      edited["shares"].push_back({contact, json_of(value)});
+    }
+    add(kind, edited, std::move(expected));
+  }
+
+  Twist twist() const {
+    const Json& d = json_["twist"];
+    return {number_of(d[0]), number_of(d[1]), number_of(d[2])};
+  }
+
+  void lists() {
+    const Expectation wrong = Expectation::of_rule("witness-share");
+    Json edited = json_;
+    edited["shares"].push_back({problem_.size(), 0});
+    add("share of a contact beyond", edited, wrong);
+    if (json_["shares"].empty()) return;
     edited = json_;
-    edited["forces"].erase(any_of(random_, edited["forces"]));
-    add("drop force", edited, Expectation::of_rule("witness-count"));
-    if (problem_.size() < 2) return;
+    edited["shares"].push_back(json_["shares"].back());
+    add("share twice", edited, wrong);
     edited = json_;
-    std::swap(edited["forces"][0], edited["forces"][problem_.size() - 1]);
-    add("exchange forces", edited);
+    std::reverse(edited["shares"].begin(), edited["shares"].end());
+    if (json_["shares"].size() > 1) add("shares out of order", edited, wrong);
+    edited["shares"] = Json::array();
+    add("no shares", edited);
   }
 
   /// N_i and T_i are independent, so that another force is another wrench.
-  void forces(std::size_t i) {
-    const Expectation wrong = Expectation::of_rule("witness-balance");
-    const Json& force = json_["forces"][i];
-    for (const std::size_t j : {0, 1}) {
-      Json edited = json_;
-      const Rational value = number_of(force[j]);
-      edited["forces"][i][j] = json_of(value + random_.pick<Rational>({1, Rational(-1, 9)}));
-      add("change force", edited, wrong);
-      if (value.is_zero()) continue;
-      edited["forces"][i][j] = json_of(-value);
-      add("flip sign of force", edited, wrong);
+  void share(std::size_t i) {
+    const ContactRow& row = problem_.rows()[i];
+    const bool slips = power(row.tangent, twist()) != 0;
+    const bool carries = row.friction > 0 && row.normal_coefficient(twist()) > 0;
+    Shares edited = shares();
+    const Rational own = edited[i];
+    const auto with = [&](const std::string& kind, const Rational& value, const char* rule) {
+      edited[i] = value;
+      add_shares(kind, edited,
+                 rule == nullptr ? Expectation::accepted() : Expectation::of_rule(rule));
+    };
+    if (slips) {
+      with("share where a contact slips", 0, "witness-share");
+      return;
     }
-    if (number_of(force[0]).is_zero() && number_of(force[1]).is_zero()) return;
-    const Rational factor = random_.pick<Rational>({0, Rational(1, 2), Rational(999, 1000)});
-    Json edited = json_;
-    for (const std::size_t j : {0, 1}) {
-      edited["forces"][i][j] = json_of(factor * number_of(force[j]));
-    }
-    add("shrink force", edited, wrong);
+    with("share above 1", 1 + Rational(1, 1000000000), "witness-share");
+    with("share below -1", -2, "witness-share");
+    const char* rule = carries ? "witness-balance" : nullptr;
+    with("change share",
+         own > 0 ? Rational(own - Rational(1, 1000000000)) : Rational(own + 1) / 2,
+         own == 1 && carries ? "witness-balance" : rule);
+    if (own != 0) with("flip sign of share", -own, rule);
+    if (own != 0) with("zero share", 0, rule);
   }
 
   void add_twist(const std::string& kind, const Vector3& change, Expectation expected = {}) {
@@ -124,18 +157,12 @@ class WitnessMutations {
   }
 
   void twists() {
-    // Closed contacts with a force answer to every motion along their normals.
-    std::vector<Vector3> normals;
     std::vector<Vector3> all_normals;
-    for (std::size_t i = 0; i < problem_.size(); ++i) {
-      all_normals.push_back(coordinates(problem_.rows()[i].normal));
-      if (!number_of(json_["forces"][i][0]).is_zero()) normals.push_back(all_normals.back());
-    }
-    const Vector3 change{Rational(random_.between(-2, 2)), Rational(random_.between(-2, 2)),
-                         Rational(random_.between(1, 4), 3)};
-    const std::optional<Vector3> unnoticed = orthogonal_to(normals);
-    add_twist("change twist", change,
-              unnoticed ? Expectation{} : Expectation::of_rule("witness-normal"));
+    for (const ContactRow& row : problem_.rows())
+      all_normals.push_back(coordinates(row.normal));
+    add_twist("change twist",
+              {Rational(random_.between(-2, 2)), Rational(random_.between(-2, 2)),
+               Rational(random_.between(1, 4), 3)});
     const std::size_t j = any_of(random_, json_["twist"]);
     Vector3 flipped{};
     flipped[j] = -2 * number_of(json_["twist"][j]);
@@ -147,35 +174,31 @@ class WitnessMutations {
     }
   }
 
-  /// Forces that add up to nothing: only the laws of the contacts can tell.
+  /// Friction that adds up to nothing where contacts stick: only its bound can tell.
   void self_balanced() {
+    std::vector<std::size_t> sticking;
     std::vector<Vector3> tangents;
-    std::vector<Vector3> all;
-    for (const ContactRow& row : problem_.rows()) {
-      tangents.push_back(coordinates(row.tangent));
-      all.push_back(coordinates(row.normal));
+    for (std::size_t i = 0; i < problem_.size(); ++i) {
+      const ContactRow& row = problem_.rows()[i];
+      const Rational edge = row.friction * row.normal_coefficient(twist());
+      if (power(row.tangent, twist()) != 0 || edge <= 0) continue;
+      sticking.push_back(i);
+      Vector3 full = coordinates(row.tangent);
+      for (Rational& c : full) c *= edge;
+      tangents.push_back(full);
     }
-    all.insert(all.end(), tangents.begin(), tangents.end());
-    const std::size_t m = problem_.size();
+    const auto x = dependency(tangents);
+    if (!x) return;
     for (const int size : {1, -1, 100}) {
-      if (const auto x = dependency(tangents)) {
-        Json edited = json_;
-        for (std::size_t i = 0; i < m; ++i) {
-          Json& b = edited["forces"][i][1];
-          b = json_of(number_of(b) + Rational(size, 4) * (*x)[i]);
-        }
-        add("add friction in balance", edited);
+      Shares edited = shares();
+      bool within = true;
+      for (std::size_t k = 0; k < sticking.size(); ++k) {
+        Rational& share = edited[sticking[k]];
+        share += Rational(size, 4) * (*x)[k];
+        within = within && share <= 1 && share >= -1;
       }
-      if (const auto x = dependency(all)) {
-        Json edited = json_;
-        for (std::size_t i = 0; i < m; ++i) {
-          for (const std::size_t j : {0, 1}) {
-            Json& value = edited["forces"][i][j];
-            value = json_of(number_of(value) + Rational(size, 4) * (*x)[i + j * m]);
-          }
-        }
-        add("add forces in balance", edited);
-      }
+      add_shares("add friction in balance", edited,
+                 within ? Expectation::accepted() : Expectation::of_rule("witness-share"));
     }
   }
 

@@ -75,29 +75,35 @@ def generators(conditions, n):
 
 
 class Model:
-    """Contacts are (px, py, nx, ny, mu, k, P), with |n| rational wherever P > 0."""
+    """Contacts are (px, py, nx, ny, mu, k, P), with |n| rational wherever P > 0 or `growth`, P^u,
+    is not 0. Points are (d, h, l); of one verdict, with l = 0."""
 
-    def __init__(self, contacts, wrench, law="unilateral"):
+    def __init__(self, contacts, wrench, law="unilateral", direction=(0, 0, 0), growth=None):
         self.m, self.law = len(contacts), law
+        self.direction = tuple(map(Fraction, direction))
+        self.growth = [Fraction(0)] * self.m if growth is None else list(map(Fraction, growth))
         self.contacts = [tuple(map(Fraction, c)) for c in contacts]
         self.wrench = tuple(map(Fraction, wrench))
         self.N, self.T, self.mu, self.v, self.tau = [], [], [], [], []
-        for px, py, nx, ny, mu, k, preload in self.contacts:
+        for (px, py, nx, ny, mu, k, preload), grown in zip(self.contacts, self.growth):
             square = nx * nx + ny * ny
             length = 1
-            if preload:
+            if preload or grown:
                 length = next(Fraction(a, b) for a in range(1, 200) for b in range(1, 20)
                               if Fraction(a, b) ** 2 == square)
             n, t = (nx, ny, px * ny - py * nx), (-ny, nx, px * nx + py * ny)
             self.N.append(n)
             self.T.append(t)
             self.mu.append(mu)
-            self.v.append(tuple(-k / square * c for c in n) + (preload / length,))
-            self.tau.append(t + (Fraction(0),))
+            self.v.append(tuple(-k / square * c for c in n) + (preload / length, grown / length))
+            self.tau.append(t + (Fraction(0), Fraction(0)))
 
     def force(self, i, sigma):
         """N_i + sigma mu_i T_i."""
         return tuple(n + sigma * self.mu[i] * t for n, t in zip(self.N[i], self.T[i]))
+
+    def load(self, x):
+        return tuple(w * x[3] + u * x[4] for w, u in zip(self.wrench, self.direction))
 
     def grasp_file(self):
         keys = ("friction", "stiffness", "preload")
@@ -108,7 +114,7 @@ class Model:
                 "wrench": [str(c) for c in self.wrench]}
 
     def certificate(self, **evidence):
-        return {"format": "stickslip-certificate/1",
+        return {"format": "stickslip-certificate/2",
                 "question": {"contacts": self.m, "wrench": [str(c) for c in self.wrench],
                              "normal_law": self.law},
                 "verdict": "unstable" if "tree" in evidence else "stable", **evidence}
@@ -118,11 +124,11 @@ class Model:
 
 
 class Place:
-    """A region by its conditions, with labels and strict functions."""
+    """A region by its conditions, with its strict functions."""
 
-    def __init__(self, conditions, labels, strict):
-        self.conditions, self.labels, self.strict = conditions, labels, strict
-        lines, rays = generators(conditions, 4)
+    def __init__(self, conditions, strict):
+        self.conditions, self.strict = conditions, strict
+        lines, rays = generators(conditions, 5)
         self.rays = list(rays.values()) + lines + [tuple(-c for c in x) for x in lines]
 
     def barred(self, rays):
@@ -133,24 +139,26 @@ class Place:
         kind = node[0]
         row = (model.tau[node[1]] if kind == "slip" else
                model.v[node[1]] if kind == "separation" else node[1:])
+        row = tuple(row) + (Fraction(0),) * (5 - len(row))
         below = tuple(-c for c in row)
 
-        def child(condition, strict, label=None):
-            labels = dict(self.labels)
-            if label is not None:
-                labels[node[1]] = label
-            return Place(self.conditions + [condition], labels, self.strict + [row] * strict)
+        def child(condition, strict):
+            return Place(self.conditions + [condition], self.strict + [row] * strict)
 
         if kind == "slip":
-            return [child((row, False), 1, 1), child((row, True), 0, 0), child((below, False), 1, -1)]
+            return [child((row, False), 1), child((row, True), 0), child((below, False), 1)]
         return [child((row, False), 0), child((below, False), 1)]
 
 
-def root(model):
-    conditions = [((0, 0, 0, 1), False)]
+def root(model, low=0, high=0, contains_low=True, contains_high=True):
+    """The λ from low to high, or from low on if that is None."""
+    above, below = (0, 0, 0, -low, 1), None if high is None else (0, 0, 0, high, -1)
+    conditions = [((0, 0, 0, 1, 0), False)] + [(a, False) for a in (above, below) if a]
     if model.law == "bilateral":
         conditions += [(v, False) for v in model.v]
-    return Place(conditions, {}, [(0, 0, 0, 1)])
+    strict = [(0, 0, 0, 1, 0)]
+    strict += [a for a in (None if contains_low else above, None if contains_high else below) if a]
+    return Place(conditions, strict)
 
 
 def side(model, place, i):
@@ -162,71 +170,25 @@ def side(model, place, i):
 
 def sign(model, place, i):
     """+1, -1, or 0 for none."""
-    if i in place.labels:
-        return place.labels[i]
     values = [dot(model.tau[i], r) for r in place.rays]
     if not place.barred([r for r, t in zip(place.rays, values) if t == 0]):
         return 0
     return 1 if all(t >= 0 for t in values) else -1 if all(t <= 0 for t in values) else 0
 
 
-def leaf_holds(model, place, y, thetas=()):
+def leaf_holds(model, place, y):
     """`leaf-bound`, word for word."""
     if place.barred(place.rays):
         return True
-    thetas = dict(thetas)
-    g = [r[3] * dot(y, model.wrench) for r in place.rays]
+    g = [dot(y, model.load(r)) for r in place.rays]
     for i in range(model.m):
-        s, which = sign(model, place, i), side(model, place, i)
+        s, closed = sign(model, place, i), side(model, place, i) == "closed"
         alpha = max(dot(y, model.force(i, sigma)) for sigma in ([-s] if s else [-1, 1]))
         for k, r in enumerate(place.rays):
             v = dot(model.v[i], r)
-            if which == "closed":
-                g[k] += alpha * v
-            elif which == "mixed":
-                g[k] += alpha * max(v, 0) if alpha >= 0 else alpha * thetas.get(i, 0) * v
+            g[k] += alpha * v if closed else max(0, alpha) * max(0, v)
     return (all(value <= 0 for value in g)
             and place.barred([r for r, value in zip(place.rays, g) if value == 0]))
-
-
-# ---- Ranges of loads (§10) -----------------------------------------------------------------------
-
-
-class Lifted:
-    """A place with ℓ, as what it is: a cone of (d, h, ℓ) with αh ≤ ℓ ≤ βh, by brute force."""
-
-    def __init__(self, place, low, high, contains_low):
-        above, below = (0, 0, 0, -low, 1), None if high is None else (0, 0, 0, high, -1)
-        conditions = [(tuple(a) + (0,), equality) for a, equality in place.conditions]
-        conditions += [(a, False) for a in (above, below) if a]
-        self.strict = [tuple(s) + (0,) for s in place.strict]
-        self.strict += [a for a in (None if contains_low else above, below) if a]
-        lines, rays = generators(conditions, 5)
-        self.rays = list(rays.values()) + lines + [tuple(-c for c in x) for x in lines]
-
-    def barred(self, rays):
-        return any(all(dot(s, r) == 0 for r in rays) for s in self.strict)
-
-
-def lifted_leaf_holds(model, direction, place, lifted, y, thetas):
-    """`leaf-bound` of §10; signs and closed, open or mixed are those of §4."""
-    if lifted.barred(lifted.rays):
-        return True
-    flat = []
-    for r in lifted.rays:
-        g = r[3] * dot(y, model.wrench) + r[4] * dot(y, direction)
-        for i in range(model.m):
-            s, which, v = sign(model, place, i), side(model, place, i), dot(model.v[i], r[:4])
-            alpha = max(dot(y, model.force(i, sigma)) for sigma in ([-s] if s else [-1, 1]))
-            if which == "closed":
-                g += alpha * v
-            elif which == "mixed":
-                g += alpha * max(v, 0) if alpha >= 0 else alpha * dict(thetas).get(i, 0) * v
-        if g > 0:
-            return False
-        if g == 0:
-            flat.append(r)
-    return lifted.barred(flat)
 
 
 # ---- A producer ---------------------------------------------------------------------------------
@@ -240,7 +202,7 @@ def columns(model, place):
             [-s] if (s := sign(model, place, i)) else [-1, 1] for i in range(model.m)]
     for r in place.rays:
         for sigmas in product(*ends):
-            total = [r[3] * c for c in model.wrench]
+            total = list(model.load(r))
             for i, sigma in enumerate(sigmas):
                 if sides[i] == "closed":
                     v = dot(model.v[i], r)
@@ -292,13 +254,15 @@ def find_witness(model, place):
     if weights is None:
         return None
     d = [sum(x * r[j] for x, (r, _, _) in zip(weights, found)) for j in range(3)]
-    forces = []
+    shares = []
     for i in range(model.m):
-        is_closed = side(model, place, i) == "closed"
+        if side(model, place, i) != "closed" or dot(model.tau[i], d) or not model.mu[i]:
+            continue
         pairs = [(x * dot(model.v[i], r), s[i]) for x, (r, s, _) in zip(weights, found)]
-        forces.append([str(sum(a for a, _ in pairs) if is_closed else 0),
-                       str(sum(a * sigma * model.mu[i] for a, sigma in pairs) if is_closed else 0)])
-    return {"twist": [str(c) for c in d], "forces": forces}
+        a, b = sum(a for a, _ in pairs), sum(a * sigma for a, sigma in pairs)
+        if b:
+            shares.append([i, str(b / a)])
+    return {"twist": [str(c) for c in d], "shares": shares}
 
 
 def decide(model, rng=None):
@@ -306,10 +270,7 @@ def decide(model, rng=None):
     tree = []
 
     def visit(place, splits):
-        if place.barred(place.rays):
-            tree.append(["void"])
-            return None
-        for y in EASY:
+        for y in [(0, 0, 0)] * place.barred(place.rays) + EASY:
             if leaf_holds(model, place, y):
                 tree.append(["leaf", *y])
                 return None

@@ -59,7 +59,7 @@ std::string row_of_contacts(int m) {
 }
 
 TEST(Hostile, DeepTree) {
-  // A path of 2m + 64 nodes: all slips, all separations, all planes, then a leaf each.
+  // A path as deep as it may be: all slips, all separations, planes, then a leaf each.
   constexpr int kContacts = 300;
   std::vector<std::string> nodes;
   std::vector<std::string> tail;
@@ -69,7 +69,7 @@ TEST(Hostile, DeepTree) {
     nodes.push_back("[\"separation\", " + std::to_string(i) + "]");
     tail.insert(tail.end(), 3, leaf);
   }
-  for (int i = 0; i < 64; ++i) {
+  for (int i = 0; i < 256; ++i) {
     nodes.push_back("[\"plane\", 0, 0, 1, " + std::to_string(1000 + i) + "]");
     tail.push_back(leaf);
   }
@@ -91,20 +91,20 @@ TEST(Hostile, DeepNesting) {
 }
 
 TEST(Hostile, TooManyNodes) {
-  const Answer answer =
-      ask_stream(fig1("0", "0, 1, 0"),
-                 {header(3, "0, 1, 0") + "\"verdict\": \"unstable\", \"tree\": [[\"void\"]",
-                  ", [\"void\"]", 200000, "]}"});
-  EXPECT_EQ(outcome(answer), "void-region");
+  const Answer answer = ask_stream(
+      fig1("0", "0, 1, 0"),
+      {header(3, "0, 1, 0") + "\"verdict\": \"unstable\", \"tree\": [[\"leaf\", 0, 0, 0]",
+       ", [\"leaf\", 0, 0, 0]", 200000, "]}"});
+  EXPECT_EQ(outcome(answer), "leaf-bound");
 }
 
-TEST(Hostile, TooManyForces) {
+TEST(Hostile, TooManyShares) {
   const Answer answer =
       ask_stream(fig1("0", "0, 1, 0"),
                  {header(3, "0, 1, 0") + "\"verdict\": \"stable\", \"twist\": [0, 0, 0], "
-                                         "\"forces\": [[0, 0]",
+                                         "\"shares\": [[0, 0]",
                   ", [0, 0]", 200000, "]}"});
-  EXPECT_EQ(outcome(answer), "witness-count");
+  EXPECT_EQ(outcome(answer), "witness-share");
 }
 
 TEST(Hostile, LongTokensAndBlanks) {
@@ -117,9 +117,9 @@ TEST(Hostile, LongTokensAndBlanks) {
             "malformed");
   EXPECT_EQ(outcome(ask_stream(grasp, {"{\"format\": [", "[],", 100000, "0]}"})), "malformed");
   // Blanks are not kept, so they are only counted.
-  const std::string certificate = refutation(header(3, "0, 1, 0"), {"[\"void\"]"});
+  const std::string certificate = refutation(header(3, "0, 1, 0"), {"[\"leaf\", 0, 0, 0]"});
   const Answer answer = ask_stream(grasp, {certificate, million, 10, "\n"});
-  EXPECT_EQ(outcome(answer), "void-region") << explain(answer);
+  EXPECT_EQ(outcome(answer), "leaf-bound") << explain(answer);
 }
 
 TEST(Hostile, ValuesInOnePlace) {

@@ -61,39 +61,24 @@ TEST(Number, RootsAreExactOrAbsent) {
   EXPECT_FALSE(exact_sqrt(q("8/2") + q("1/1000000000000000000000000000000")));
 }
 
-TEST(Number, DecimalAboveTheRootIsAboveAndClose) {
-  for (const char* text :
-       {"1", "2", "99", "100", "101", "1/3", "1/1000", "999999", "1/1000000000001",
-        "123456789123456789", "7/100000000000000000000000000000000"}) {
-    const Rational x = q(text);
-    const std::string shown = decimal_above_sqrt(x);
-    const Rational bound = parse_decimal(shown).value();
-    EXPECT_GE(bound * bound, x) << text << " " << shown;
-    EXPECT_LE(bound * bound, x * q("103/100")) << text << " " << shown;
-  }
-  EXPECT_EQ(decimal_above_sqrt(0), "0");
-}
-
-TEST(Number, ShiftsRoundToTheirSide) {
-  for (int num = -20; num <= 20; ++num) {
-    for (int den = 1; den <= 7; ++den) {
-      const Rational x = Rational(num) / den;
-      const Rational down(floor_shifted(x, 2));
-      const Rational up(ceil_shifted(x, 2));
-      EXPECT_LE(down, 4 * x);
-      EXPECT_LT(4 * x - 1, down);
-      EXPECT_GE(up, 4 * x);
-      EXPECT_LT(up, 4 * x + 1);
-      for (const int n : {-3, 0, 5}) {
-        EXPECT_EQ(floor_shifted(x, Integer(n), 2), floor_shifted(Rational(x * n), 2));
-      }
+TEST(Number, PairwiseSumsAreSums) {
+  for (int terms = 1; terms <= 40; ++terms) {
+    PairwiseSum sum;
+    Vector plain(2);
+    for (int k = 1; k <= terms; ++k) {
+      const Vector term{Rational(k, 2 * k + 1), Rational(-1, k)};
+      sum.add(term);
+      for (std::size_t j = 0; j < 2; ++j) plain[j] += term[j];
     }
+    EXPECT_EQ(sum.total(), plain) << terms;
   }
 }
 
 TEST(Number, MessagesAreShortAndPlain) {
-  EXPECT_EQ(quote("a\"b\n\x1b[31m\xff"), "\"a?b??[31m?\"");
+  EXPECT_EQ(quote("a\"b\n\x1b[31m\xff"), R"("a"b\x0a\x1b[31m\xff")");
+  EXPECT_EQ(printable("\x7f\xc2\x9b ~"), R"(\x7f\xc2\x9b ~)");
   EXPECT_LT(quote(std::string(1000, 'x')).size(), 60U);
+  EXPECT_LT(show(Vector(1000, Rational(1, 3))).size(), 80U);
   EXPECT_LT(show(Rational(std::string(1000, '7'))).size(), 80U);
 }
 

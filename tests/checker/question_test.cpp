@@ -5,15 +5,20 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <utility>
 
 #include "support.hpp"
 
 namespace stickslip_check {
 namespace {
 
-Question read(const std::string& text, const QuestionOptions& options = {}) {
+Grasp read(const std::string& text) {
   std::istringstream in(text);
-  return read_question(in, "grasp", options);
+  return read_grasp(in, "grasp");
+}
+
+Question ask_of(const std::string& text, const Options& options = {}) {
+  return pose(read(text), options, "grasp");
 }
 
 TEST(Question, GoodGraspsAreRead) {
@@ -35,13 +40,13 @@ TEST(Question, BadGraspsAreNot) {
 }
 
 TEST(Question, PrecedenceOfValues) {
-  const Question q = read(R"({"wrench": [0.1, "1e-3", -2], "format": "stickslip-grasp/1",
+  const Grasp q = read(R"({"wrench": [0.1, "1e-3", -2], "format": "stickslip-grasp/1",
     "contacts": [{"normal": [0, 2], "position": ["1/3", 0.5]},
                  {"normal": [0, 2], "position": [0, 0], "friction": 0, "stiffness": 3,
                   "preload": 0}],
     "defaults": {"friction": "1/2", "preload": 7}})");
-  EXPECT_EQ(q.wrench, (Vector3{Rational(1, 10), Rational(1, 1000), Rational(-2)}));
-  EXPECT_EQ(q.contacts[0].position, (Vector2{Rational(1, 3), Rational(1, 2)}));
+  EXPECT_EQ(q.wrench, (Vector{Rational(1, 10), Rational(1, 1000), Rational(-2)}));
+  EXPECT_EQ(q.contacts[0].position, (Vector{Rational(1, 3), Rational(1, 2)}));
   EXPECT_EQ(q.contacts[0].friction, Rational(1, 2));
   EXPECT_EQ(q.contacts[0].stiffness, 1);
   EXPECT_EQ(q.contacts[0].preload, 7);
@@ -50,23 +55,74 @@ TEST(Question, PrecedenceOfValues) {
   EXPECT_EQ(q.contacts[1].preload, 0);
 }
 
-TEST(Question, OptionsReplace) {
-  QuestionOptions options;
-  options.wrench = Vector3{1, 2, 3};
-  options.preload = Rational(5);
-  options.bilateral = true;
-  options.snap_tolerance = Rational(1, 4);
-  const Question q = read(fig1("1", "0, 0, 0"), options);
-  EXPECT_EQ(q.wrench, *options.wrench);
-  EXPECT_EQ(q.preload, Rational(5));
-  for (const GraspContact& contact : q.contacts) EXPECT_EQ(contact.preload, 5);
-  EXPECT_TRUE(q.bilateral);
-  EXPECT_EQ(q.snap_tolerance, Rational(1, 4));
+/// The preload coefficients and those of their growth, for unit normals the values themselves.
+std::pair<Vector, Vector> preloads(const Question& question) {
+  std::pair<Vector, Vector> result;
+  for (const Row& row : question.rows) {
+    result.first.push_back(row.v[3]);
+    result.second.push_back(row.v[4]);
+  }
+  return result;
+}
+
+TEST(Question, TheBasePoint) {
+  // FORMAT.md §1, the table. The file: wrench (0, 0, 5), preloads 3.
+  const std::string text = fig1("3", "0, 0, 5");
+  const Vector file{0, 0, 5};
+  const Vector zero{0, 0, 0};
+  const Vector u{1, 0, 0};
+  const Vector threes{3, 3, 3};
+  const Vector numbers{1, 0, 2};
+  struct Case {
+    bool direction;
+    std::optional<PreloadDirection> growth;
+    Vector w, p, p_u;
+  };
+  const PreloadDirection scale{true, {}};
+  const PreloadDirection by_numbers{false, numbers};
+  const Case cases[] = {
+      {false, std::nullopt, file, threes, zero},  {true, std::nullopt, zero, threes, zero},
+      {false, by_numbers, file, threes, numbers}, {false, scale, file, zero, threes},
+      {true, by_numbers, zero, threes, numbers},  {true, scale, zero, zero, threes}};
+  for (const Case& c : cases) {
+    Options options;
+    if (c.direction) options.direction = u;
+    options.preload_direction = c.growth;
+    Question question = ask_of(text, options);
+    EXPECT_EQ(question.wrench, c.w);
+    EXPECT_EQ(question.growth, c.direction ? u : zero);
+    EXPECT_EQ(preloads(question), std::pair(c.p, c.p_u));
+    // What replaces them.
+    options.wrench = Vector{7, 7, 7};
+    options.preload = Rational(1, 2);
+    question = ask_of(text, options);
+    EXPECT_EQ(question.wrench, *options.wrench);
+    const Vector halves(3, Rational(1, 2));
+    EXPECT_EQ(preloads(question).first, c.p == threes ? halves : c.p);
+    EXPECT_EQ(preloads(question).second, c.p_u == threes ? halves : c.p_u);
+  }
+}
+
+TEST(Question, WhatCannotBeAsked) {
+  const auto refuses = [](const Options& options) {
+    EXPECT_THROW(ask_of(fig1("0", "0, 0, 0"), options), Malformed);
+  };
+  Options options;
   options.preload = Rational(-1);
-  EXPECT_THROW(read(fig1("1", "0, 0, 0"), options), Malformed);
-  options.preload = Rational(1);
-  options.snap_tolerance = Rational(1);
-  EXPECT_THROW(read(fig1("1", "0, 0, 0"), options), Malformed);
+  refuses(options);
+  options = {};
+  options.direction = Vector(3);
+  refuses(options);
+  options.preload_direction = PreloadDirection{true, {}};
+  refuses(options);
+  options.preload_direction = PreloadDirection{false, {0, 0, 0}};
+  refuses(options);
+  options.preload_direction->values = {0, 1};
+  refuses(options);
+  options.preload_direction->values = {0, 1, -1};
+  refuses(options);
+  options.preload_direction->values = {0, 1, 0};
+  EXPECT_NO_THROW(ask_of(fig1("0", "0, 0, 0"), options));
 }
 
 TEST(Question, ErrorsNameFileAndPlace) {
@@ -81,35 +137,31 @@ TEST(Question, ErrorsNameFileAndPlace) {
 }
 
 TEST(Question, RowsOfAnyLength) {
-  GraspContact contact{{Rational(2), Rational(5)},
-                       {Rational(3), Rational(4)},
-                       Rational(1, 2),
-                       Rational(7),
-                       Rational(10)};
-  const Row row = make_row(contact).value();
-  EXPECT_EQ(row.normal, (Vector3{3, 4, 2 * 4 - 5 * 3}));
-  EXPECT_EQ(row.tangent, (Vector3{-4, 3, 2 * 3 + 5 * 4}));
-  EXPECT_EQ(row.preload, 2);
-  EXPECT_EQ(row.stiffness, Rational(7, 25));
-  contact.normal = {Rational(1), Rational(1)};
-  EXPECT_FALSE(make_row(contact));
-  contact.preload = 0;
-  EXPECT_EQ(make_row(contact).value().stiffness, Rational(7, 2));
+  const Contact contact{{2, 5}, {3, 4}, Rational(1, 2), 7, 10};
+  const Grasp grasp{{contact}, Vector(3)};
+  Options options;
+  options.preload_direction = PreloadDirection{false, {15}};
+  const Row row = pose(grasp, options, "grasp").rows[0];
+  EXPECT_EQ(row.normal, (Vector{3, 4, 2 * 4 - 5 * 3}));
+  EXPECT_EQ(row.tangent, (Vector{-4, 3, 2 * 3 + 5 * 4}));
+  EXPECT_EQ(row.v, (Vector{Rational(-21, 25), Rational(-28, 25), Rational(49, 25), 2, 3}));
 }
 
-TEST(Question, SnappedNormals) {
-  GraspContact contact;
-  contact.normal = {Rational(1), Rational(1)};
-  const Vector2 near{Rational(20, 29), Rational(21, 29)};  // 1.4 degrees off, 0.0244
-  EXPECT_FALSE(snap_refusal(contact, near, Rational(25, 1000)));
-  EXPECT_TRUE(snap_refusal(contact, near, Rational(24, 1000)));
-  EXPECT_TRUE(snap_refusal(contact, {Rational(-20, 29), Rational(-21, 29)}, Rational(99, 100)));
-  EXPECT_TRUE(snap_refusal(contact, {Rational(20, 29), Rational(20, 29)}, Rational(25, 1000)));
-  // |u - n/|n||^2 = 2 - 2 (41/29)/sqrt 2 = 0.000595...
-  EXPECT_EQ(decimal_above_sqrt(snap_distance_squared(contact, near)), "2.44e-2");
-  // A normal of rational length is kept, even by itself.
-  contact.normal = {Rational(3), Rational(4)};
-  EXPECT_TRUE(snap_refusal(contact, {Rational(3, 5), Rational(4, 5)}, Rational(1, 2)));
+TEST(Question, IrrationalLengthsWhereTheyAreNeeded) {
+  Grasp grasp{{{{0, 0}, {1, 1}, 0, 7, 0}}, Vector(3)};
+  Options options;
+  EXPECT_EQ(pose(grasp, options, "grasp").rows[0].v[0], Rational(-7, 2));
+  options.preload_direction = PreloadDirection{false, {1}};
+  EXPECT_THROW(pose(grasp, options, "grasp"), Malformed);
+  grasp.contacts[0].preload = 1;
+  try {
+    pose(grasp, {}, "grasp");
+    FAIL();
+  } catch (const Malformed& error) {
+    EXPECT_EQ(error.file, "grasp");
+    EXPECT_EQ(error.place, "contacts[0].normal");
+    EXPECT_NE(error.problem.find("stickslip snap GRASP -o FILE"), std::string::npos);
+  }
 }
 
 }  // namespace

@@ -16,10 +16,10 @@
 namespace stickslip_check {
 
 inline Answer ask(const std::string& grasp, const std::string& certificate,
-                  const QuestionOptions& options = {}, bool exact_only = false) {
+                  const Options& options = {}) {
   std::istringstream grasp_in(grasp);
   std::istringstream certificate_in(certificate);
-  return check(grasp_in, certificate_in, options, "grasp", "certificate", exact_only);
+  return check(grasp_in, certificate_in, options);
 }
 
 /// "accepted", the rule, or "malformed".
@@ -81,18 +81,17 @@ inline std::string fig4(const std::string& preload, const std::string& wrench) {
 }
 
 inline std::string header(std::size_t contacts, const std::string& wrench,
-                          const std::string& law = "unilateral",
-                          const std::string& normals = "") {
-  return R"({"format": "stickslip-certificate/1",
+                          const std::string& law = "unilateral") {
+  return R"({"format": "stickslip-certificate/2",
  "question": {"contacts": )" +
          std::to_string(contacts) + ", \"wrench\": [" + wrench + "], \"normal_law\": \"" + law +
-         "\"" + (normals.empty() ? "" : ", \"normals\": " + normals) + "},\n";
+         "\"},\n";
 }
 
 inline std::string witness(const std::string& head, const std::string& twist,
-                           const std::string& forces) {
-  return head + " \"verdict\": \"stable\",\n \"twist\": [" + twist + "],\n \"forces\": [" +
-         forces + "]}\n";
+                           const std::string& shares) {
+  return head + " \"verdict\": \"stable\",\n \"twist\": [" + twist + "],\n \"shares\": [" +
+         shares + "]}\n";
 }
 
 inline std::string refutation(const std::string& head, const std::vector<std::string>& nodes) {

@@ -7,7 +7,7 @@
 
 #include "answer.hpp"
 #include "fuzz_target.hpp"
-#include "question.hpp"
+#include "grasp.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/grasp_file.hpp"
 
@@ -53,7 +53,7 @@ std::string refusal_of_core(std::string_view text) {
 std::string refusal_of_checker(const std::string& text) {
   std::istringstream in(text);
   try {
-    stickslip_check::read_question(in, "fuzz", {});
+    stickslip_check::read_grasp(in, "fuzz");
   } catch (const stickslip_check::Malformed& malformed) {
     return malformed.place + ": " + malformed.problem;
   }

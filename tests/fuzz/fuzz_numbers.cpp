@@ -100,7 +100,8 @@ std::string wrench_of_stickslip(const std::string& text) {
 
 std::string wrench_of_checker(const std::string& text) {
   try {
-    const auto w = stickslip_check::parse_wrench("--wrench", text);
+    const auto w =
+        *stickslip_check::parse_arguments({"--wrench", text, "g", "c"}).options.wrench;
     return w[0].get_str() + "," + w[1].get_str() + "," + w[2].get_str();
   } catch (const stickslip_check::UsageError& error) {
     if (error.problem.empty()) broken("a refusal without a reason");

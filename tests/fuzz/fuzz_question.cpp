@@ -20,14 +20,13 @@ constexpr std::size_t kMostContacts = 8;
 constexpr std::size_t kNodeLimit = 200;
 constexpr std::size_t kMostBytes = 4000;
 
-stickslip_check::Vector3 checker_vector(const Wrench& w) {
+stickslip_check::Vector checker_vector(const Wrench& w) {
   using stickslip_check::Rational;
   return {Rational(to_string(w.x)), Rational(to_string(w.y)), Rational(to_string(w.torque))};
 }
 
 void expect_accepted(const std::string& grasp, const std::string& certificate,
-                     const stickslip_check::QuestionOptions& options,
-                     const std::string& verdict) {
+                     const stickslip_check::Options& options, const std::string& verdict) {
   std::istringstream grasp_in(grasp);
   std::istringstream certificate_in(certificate);
   const auto answer = stickslip_check::check(grasp_in, certificate_in, options);
@@ -45,7 +44,7 @@ void answer(const std::string& text, NormalLaw law) {
   const Problem problem(question.loaded, law);
   ConeOptions limit;
   limit.node_limit = kNodeLimit;
-  stickslip_check::QuestionOptions asked;
+  stickslip_check::Options asked;
   asked.bilateral = law == NormalLaw::kBilateral;
   const Verdict verdict = decide_by_cones(problem, limit);
   if (!std::holds_alternative<Undecided>(verdict)) {

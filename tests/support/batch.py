@@ -11,8 +11,6 @@ A question is {"grasp": TEXT, "certificate": TEXT, "options": [WORD, ...]}, in a
 need not be UTF-8. An answer is what `check.py --json` prints.
 """
 
-import contextlib
-import io
 import json
 import os
 import sys
@@ -34,7 +32,7 @@ class Asker:
 
     def options(self, words):
         if words not in self.parsed:
-            self.parsed[words] = check.parse_arguments([*self.paths, *words, "--json"])
+            self.parsed[words] = check.parse_arguments([*self.paths, *words])
         return self.parsed[words]
 
     def answer(self, question):
@@ -43,12 +41,9 @@ class Asker:
             with open(path, "r+b" if os.path.exists(path) else "wb") as file:
                 file.write(question[key].encode("latin-1"))
                 file.truncate()
-        out = io.StringIO()
         try:
-            with contextlib.redirect_stdout(out), contextlib.redirect_stderr(io.StringIO()):
-                check.answer(self.options(tuple(question["options"])))
-            return json.loads(out.getvalue())
-        except (Exception, SystemExit):  # pylint: disable=broad-except
+            return check.answer(self.options(tuple(question["options"])))[0]
+        except Exception:  # pylint: disable=broad-except
             # What check.py would report as an internal error, or wrong usage, is no answer.
             return {"result": "failed", "rule": None, "node": None, "path": None,
                     "found": traceback.format_exc()}

@@ -24,7 +24,7 @@ stickslip_check::Rational checker_number(const Rational& value) {
   return stickslip_check::Rational(to_string(value));
 }
 
-stickslip_check::Vector3 checker_vector(const Wrench& w) {
+stickslip_check::Vector checker_vector(const Wrench& w) {
   return {checker_number(w.x), checker_number(w.y), checker_number(w.torque)};
 }
 
@@ -78,13 +78,10 @@ std::string describe(const CheckerInput& input) {
 }
 
 CheckerAnswer ask_cpp_checker(const CheckerInput& input) {
-  stickslip_check::QuestionOptions options;
+  stickslip_check::Options options;
   if (input.options.wrench) options.wrench = checker_vector(*input.options.wrench);
   if (input.direction) options.direction = checker_vector(*input.direction);
   if (input.options.preload) options.preload = checker_number(*input.options.preload);
-  if (input.options.snap_tolerance) {
-    options.snap_tolerance = checker_number(*input.options.snap_tolerance);
-  }
   options.bilateral = input.options.law == NormalLaw::kBilateral;
   std::istringstream grasp(input.grasp);
   std::istringstream certificate(input.certificate);
@@ -139,9 +136,6 @@ std::vector<std::string> command_line(const QuestionOptions& options) {
     words.insert(words.end(), {"--wrench", with_commas(*options.wrench)});
   }
   if (options.preload) words.insert(words.end(), {"--preload", to_string(*options.preload)});
-  if (options.snap_tolerance) {
-    words.insert(words.end(), {"--snap-normals", to_string(*options.snap_tolerance)});
-  }
   words.insert(words.end(), {"--normal-law", to_string(options.law)});
   return words;
 }
@@ -160,15 +154,7 @@ CheckerInput input_of(const Question& question) {
   CheckerInput input;
   input.options.law = question.law;
   input.options.preload = question.preload;
-  // The checkers read the grasp file, so put back the normals it had.
-  std::vector<Contact> contacts = question.loaded.grasp.contacts();
-  for (const SnappedNormal& snapped : question.snapped) {
-    contacts[snapped.contact.index()].normal = snapped.before;
-    const Rational moved = parse_rational(snapped.moved);
-    if (moved > input.options.snap_tolerance.value_or(0)) input.options.snap_tolerance = moved;
-  }
-  const Grasp grasp(std::move(contacts), question.loaded.grasp.name());
-  input.grasp = write_grasp({grasp, question.loaded.wrench});
+  input.grasp = write_grasp(question.loaded);
   return input;
 }
 

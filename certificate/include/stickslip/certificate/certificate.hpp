@@ -12,12 +12,13 @@
 
 namespace stickslip {
 
-/// The certificate of a verdict, ending in a newline; one node or force a line. `producer` is
-/// a remark without meaning. Throws ContractError for Undecided, which proves nothing.
+/// The certificate of a verdict, ending in a newline; one node a line. `producer` is a remark
+/// without meaning. Throws ContractError for Undecided, which proves nothing, and InputError
+/// for a question whose normals were replaced.
 std::string certificate_text(const Question& question, const Verdict& verdict,
                              const std::string& producer);
 
-/// The certificate of a load margin (FORMAT.md, section 10). `question` has the base wrench.
+/// The certificate of a load margin (FORMAT.md, section 5). `question` has the base wrench.
 std::string margin_certificate_text(const Question& question, const Margin& margin,
                                     const std::string& producer);
 

@@ -33,14 +33,14 @@ struct LoadInterval {
 
 /// Two equilibria of one mode: between them every multiple is resisted, by a combination of the
 /// two. Without `high`, `end` is what may be added to the first without end, for the
-/// direction's sake alone (FORMAT.md, section 10: a ray).
+/// direction's sake alone (FORMAT.md, section 5: a ray).
 struct LoadSegment {
   LoadPoint start;               ///< at its low end
   std::optional<Rational> high;  ///< the multiple at its high end
   Witness end;                   ///< under the load at its high end, or a ray
 };
 
-/// With the evidence of certificate/FORMAT.md, section 10.
+/// With the evidence of certificate/FORMAT.md, section 5.
 struct Margin {
   Wrench direction;                    ///< u, nonzero
   std::vector<LoadInterval> resisted;  ///< increasing, disjoint

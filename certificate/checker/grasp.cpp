@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "grasp.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "answer.hpp"
+#include "json.hpp"
+
+namespace stickslip_check {
+namespace {
+
+constexpr JsonLimits kLimits{std::uint64_t{1} << 28U, 32, std::uint64_t{1} << 28U, 256, true};
+constexpr std::size_t kMaxContacts = 1'000'000;
+
+using Names = std::vector<std::string>;
+using Properties = std::map<std::string, Rational>;  // friction, stiffness, preload
+
+class GraspReader {
+ public:
+  GraspReader(std::istream& in, const std::string& file) : json_(in, file, kLimits) {}
+
+  Grasp read() {
+    Names seen;
+    while (const std::optional<std::string> key = json_.next_member()) {
+      allow(*key, {"format", "name", "defaults", "contacts", "wrench"}, "", json_.line());
+      seen.push_back(*key);
+      if (*key == "contacts") {
+        while (json_.next_element()) read_contact(json_.value());
+      } else {
+        read_member(*key, json_.value());
+      }
+    }
+    for (const char* key : {"format", "contacts", "wrench"}) {
+      if (std::find(seen.begin(), seen.end(), key) == seen.end()) {
+        throw Malformed{json_.file(), "top level",
+                        std::string("the member \"") + key + "\" is missing"};
+      }
+    }
+    for (std::size_t i = 0; i < own_.size(); ++i) complete(i);
+    return std::move(grasp_);
+  }
+
+ private:
+  void read_member(const std::string& key, const Value& value) {
+    if (key == "format") {
+      json_.expect(value.is_text("stickslip-grasp/1"), value, key, "\"stickslip-grasp/1\"");
+    } else if (key == "name") {
+      json_.expect(value.kind == Value::Kind::kString, value, key, "a string");
+    } else if (key == "wrench") {
+      grasp_.wrench = vector(value, key, 3);
+    } else {
+      expect_object(value, key, {"friction", "stiffness", "preload"});
+      defaults_ = properties(value, key);
+    }
+  }
+
+  void read_contact(const Value& value) {
+    const std::string place = "contacts[" + std::to_string(own_.size()) + "]";
+    if (own_.size() == kMaxContacts) json_.fail(value.line, "contacts", "too many contacts");
+    expect_object(value, place, {"position", "normal", "friction", "stiffness", "preload"});
+    Contact contact;
+    contact.position = vector(member(value, place, "position"), place + ".position", 2);
+    contact.normal = vector(member(value, place, "normal"), place + ".normal", 2);
+    if (contact.normal == Vector(2)) {
+      json_.fail(value.line, place + ".normal",
+                 "the normal is (0, 0); give a vector into the object");
+    }
+    grasp_.contacts.push_back(std::move(contact));
+    own_.push_back(properties(value, place));
+  }
+
+  /// What a contact does not say itself, defaults say, and else 1 and 0.
+  void complete(std::size_t i) {
+    Properties all = std::move(own_[i]);
+    all.insert(defaults_.begin(), defaults_.end());
+    all.insert({{"stiffness", 1}, {"preload", 0}});
+    if (all.count("friction") == 0) {
+      throw Malformed{json_.file(), "contacts[" + std::to_string(i) + "]",
+                      "the member \"friction\" is missing, and \"defaults\" has none"};
+    }
+    Contact& contact = grasp_.contacts[i];
+    contact.friction = all["friction"];
+    contact.stiffness = all["stiffness"];
+    contact.preload = all["preload"];
+  }
+
+  void allow(const std::string& key, const Names& names, const std::string& place,
+             std::size_t line) const {
+    if (std::find(names.begin(), names.end(), key) != names.end()) return;
+    std::string list;
+    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+    const bool snapping = key == "normals" && place.empty();
+    json_.fail(line, place,
+               "unknown member " + quote(key) + "; known here are " + list +
+                   (snapping ? "; to snap normals, run: stickslip snap GRASP -o FILE" : ""));
+  }
+
+  void expect_object(const Value& value, const std::string& place, const Names& names) const {
+    json_.expect(value.kind == Value::Kind::kObject, value, place, "an object {...}");
+    for (const std::string& key : value.keys) allow(key, names, place, value.line);
+  }
+
+  const Value& member(const Value& object, const std::string& place, const char* key) const {
+    const Value* value = object.find(key);
+    if (value == nullptr) {
+      json_.fail(object.line, place, std::string("the member \"") + key + "\" is missing");
+    }
+    return *value;
+  }
+
+  Rational number(const Value& value, const std::string& place) const {
+    std::optional<Rational> read;
+    if (value.kind == Value::Kind::kNumber || value.kind == Value::Kind::kString) {
+      read = parse_decimal(value.text);
+    }
+    json_.expect(read.has_value(), value, place,
+                 "a number such as 0.25 or 1e-3, or a string as \"3/5\"");
+    return *read;
+  }
+
+  Vector vector(const Value& value, const std::string& place, std::size_t size) const {
+    json_.expect(value.is_array(size), value, place,
+                 size == 2 ? "an array [x, y]" : "an array [force x, force y, torque]");
+    Vector result;
+    for (std::size_t j = 0; j < size; ++j) {
+      result.push_back(number(value.items[j], place + "[" + std::to_string(j) + "]"));
+    }
+    return result;
+  }
+
+  Properties properties(const Value& object, const std::string& place) const {
+    Properties result;
+    for (const char* key : {"friction", "stiffness", "preload"}) {
+      const Value* value = object.find(key);
+      if (value == nullptr) continue;
+      const std::string where = place + "." + key;
+      const Rational read = number(*value, where);
+      const bool above = std::string(key) == "stiffness";
+      if (read < 0 || (above && read == 0)) {
+        json_.fail(value->line, where,
+                   "found " + show(read) + ", expected a number " +
+                       (above ? "above 0" : "of 0 or more"));
+      }
+      result.emplace(key, read);
+    }
+    return result;
+  }
+
+  JsonReader json_;
+  Grasp grasp_;
+  std::vector<Properties> own_;
+  Properties defaults_;
+};
+
+}  // namespace
+
+Grasp read_grasp(std::istream& in, const std::string& file) {
+  return GraspReader(in, file).read();
+}
+
+}  // namespace stickslip_check

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: MIT
+"""Grasps, certificates, and both checkers asked the same for every case.
+
+certificate/check.py runs in this process. stickslip-check runs too if the environment variable
+STICKSLIP_CHECK names it, as it does under ctest: result, rule, node, path and everything else but
+the words of `found` (and where a malformed file is malformed) must be the same.
+"""
+
+import contextlib
+import io
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+CHECK = os.path.join(HERE, "..", "..", "certificate", "check.py")
+STICKSLIP_CHECK = os.environ.get("STICKSLIP_CHECK")
+sys.path[:0] = [os.path.dirname(CHECK), HERE]
+
+import check  # noqa: E402
+
+
+def grasp(points, normals, **members):
+    return {"format": "stickslip-grasp/1", "defaults": {"friction": "1/2"},
+            "contacts": [{"position": p, "normal": n} for p, n in zip(points, normals)],
+            "wrench": [0, 0, 0], **members}
+
+
+FIG1 = grasp([[-1, 0], [0, -1], [1, 0]], [[1, 0], [0, 1], [-1, 0]])
+FIG4 = grasp([[-1, 1], [-1, -1], [1, -1], [1, 1]], [[1, 0], [1, 0], [-1, 0], [-1, 0]])
+
+
+def certificate(m, wrench, preload=None, law="unilateral", direction=None, preload_direction=None,
+                **evidence):
+    question = {"contacts": m, "wrench": wrench}
+    if preload is not None:
+        question["preload"] = preload
+    question["normal_law"] = law
+    if direction is not None:
+        question["direction"] = direction
+    if preload_direction is not None:
+        question["preload_direction"] = preload_direction
+    verdict = "margin" if "resisted" in evidence else "unstable" if "tree" in evidence else "stable"
+    if verdict == "stable":
+        evidence = {"twist": evidence["twist"], "shares": evidence.get("shares", [])}
+    return {"format": "stickslip-certificate/2", "question": question, "verdict": verdict, **evidence}
+
+
+# Fig. 1 under (0, 11/10, 0) with P = 1: unstable (Table I). v_0 = h - x, v_2 = h + x.
+UP = ("--wrench", "0,11/10,0", "--preload", "1")
+UP_TREE = [["separation", 0], ["separation", 2], ["leaf", 0, -1, 0], ["leaf", 0, -1, -1],
+           ["leaf", 0, -1, 1]]
+
+
+def up(tree=None, **changes):
+    return {**certificate(3, [0, "11/10", 0], 1, tree=UP_TREE if tree is None else tree), **changes}
+
+
+def as_bytes(content):
+    if not isinstance(content, (str, bytes)):
+        content = json.dumps(content)
+    return content if isinstance(content, bytes) else content.encode("utf-8")
+
+
+def in_process(arguments):
+    """Exit code, standard output and standard error of check.py."""
+    out, err = (io.TextIOWrapper(io.BytesIO(), encoding="utf-8") for _ in range(2))
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        code = check.main(arguments)
+    for stream in (out, err):
+        stream.flush()
+    return code, out.buffer.getvalue().decode(), err.buffer.getvalue().decode()
+
+
+def start(program, arguments, stdin=None, cwd=None):
+    """Exit code, standard output and standard error of one of PROGRAMS."""
+    done = subprocess.run([*program, *arguments], input=stdin, capture_output=True, timeout=300,
+                          check=False, cwd=cwd)
+    return done.returncode, done.stdout.decode(), done.stderr.decode()
+
+
+PROGRAMS = [[sys.executable, "-B", CHECK]] + ([[STICKSLIP_CHECK]] if STICKSLIP_CHECK else [])
+
+
+class Case(unittest.TestCase):
+    def run_both(self, grasp_file, certificate_file, *options):
+        """Exit code, report, text and standard error of check.py; files are objects, texts or
+        bytes. stickslip-check must answer the same."""
+        with tempfile.TemporaryDirectory() as folder:
+            paths = []
+            for name, content in (("g.json", grasp_file), ("c.json", certificate_file)):
+                paths.append(os.path.join(folder, name))
+                with open(paths[-1], "wb") as file:
+                    file.write(as_bytes(content))
+            code, text, err = in_process([*paths, *options])
+            _, out, _ = in_process([*paths, *options, "--json"])
+            report = json.loads(out)
+            if STICKSLIP_CHECK:
+                other = start([STICKSLIP_CHECK], [*paths, *options, "--json"])
+                self.assertEqual(other[0], code, (other, out))
+                mine, theirs = dict(report), json.loads(other[1])
+                self.assertEqual(mine.pop("found") is None, theirs.pop("found") is None)
+                if code == 2:
+                    del mine["path"], theirs["path"]
+                self.assertEqual(list(mine.items()), list(theirs.items()))
+                if code == 0:
+                    self.assertEqual(start([STICKSLIP_CHECK], [*paths, *options]), (0, text, ""))
+        self.assertTrue((text + err).isascii() and (text + err).replace("\n", "").isprintable())
+        return code, report, text, err
+
+    def accepts(self, grasp_file, certificate_file, *options):
+        code, report, text, err = self.run_both(grasp_file, certificate_file, *options)
+        self.assertEqual((code, report["result"], text.split("\n")[0], err),
+                         (0, "accepted", "accepted", ""), report)
+        return text
+
+    def rejects(self, rule, grasp_file, certificate_file, *options, node=None, path=None):
+        code, report, text, err = self.run_both(grasp_file, certificate_file, *options)
+        self.assertEqual((code, err, report["result"], report["rule"]), (1, "", "rejected", rule),
+                         report)
+        self.assertEqual((report["node"], report["path"]), (node, path), report)
+        self.assertTrue(report["found"])
+        self.assertTrue(text.startswith(f"rejected\nrule   {rule}\n"), text)
+
+    def malformed(self, needle, grasp_file, certificate_file, *options):
+        code, report, text, err = self.run_both(grasp_file, certificate_file, *options)
+        self.assertEqual((code, report["result"], text), (2, "malformed", ""), err)
+        self.assertIn(needle, err)
+        self.assertTrue(err.startswith("check.py: "), err)

@@ -1,0 +1,227 @@
+# SPDX-License-Identifier: MIT
+"""The command lines of both checkers: check.py and, where STICKSLIP_CHECK names it, stickslip-check."""
+
+import json
+import os
+import random
+import subprocess
+import tempfile
+import unittest
+
+from support import FIG1, HERE, PROGRAMS, UP, UP_TREE, Case, certificate, check, in_process, start, up
+
+
+class CommandLineTest(Case):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.g, self.c = self.write("g.json", FIG1), self.write("c.json", up())
+
+    def write(self, name, content):
+        path = os.path.join(self.folder, name)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(content if isinstance(content, str) else json.dumps(content))
+        return path
+
+    def both(self, arguments, code, needle="", stdin=None):
+        """All programs end with this code, and with this text on either stream; returns outputs."""
+        outputs = []
+        for program in PROGRAMS:
+            found, out, err = start(program, arguments, stdin, self.folder)
+            self.assertEqual(found, code, (program, arguments, out, err))
+            self.assertIn(needle, out + err, (program, arguments))
+            if code == 2 and "--json" not in arguments:
+                self.assertEqual(out, "")
+                self.assertRegex(err, r"\A(check\.py|stickslip-check): ")
+            outputs.append(out)
+        return outputs
+
+    def test_as_programs(self):
+        self.both([*UP, self.g, self.c], 0, "accepted\nverdict     unstable\n")
+        for files, text in ((("-", self.c), FIG1), ((self.g, "-"), up())):
+            self.both([files[0], *UP, files[1]], 0, "accepted", json.dumps(text).encode())
+        self.both([self.g, self.c], 1, "rejected\nrule   question-wrench\nfound  ")
+        self.both([self.g, "-"], 2, "<stdin>: ", b"{}")
+
+    def test_files_that_are_none(self):
+        self.both([self.g, os.path.join(self.folder, "absent")], 2, "No such file")
+        for files in ((self.g, self.folder), (self.folder, self.c), (".", self.c)):
+            self.both(files, 2, "it is a directory")
+        empty = self.write("empty", "")
+        for files in ((self.g, empty), (empty, self.c), (self.g, "/dev/null")):
+            self.both(files, 2, "the file is empty")
+        comma = self.write("comma", json.dumps(FIG1).replace("]}]", "]},]"))
+        self.both([comma, self.c], 2, "a comma after the last element; remove it")
+
+    def test_usage(self):
+        for arguments in ([], ["g"], ["g", "c", "d"], ["-", "-"], ["g", "c", "--bogus"],
+                          ["g", "c", "--wrench"], ["g", "c", "--wrench", "1,2"],
+                          ["g", "c", "--wrench", "1,2,x"], ["g", "c", "--wrench", "1,2,3,4"],
+                          ["g", "c", "--wrench", ""], ["g", "c", "--direction", "1"],
+                          ["g", "c", "--preload", "nan"], ["g", "c", "--normal-law", "none"],
+                          ["g", "c", "--preload-direction", "Scale"],
+                          ["g", "c", "--preload-direction", ""],
+                          ["g", "c", "--snap-normals", "1e-9"], ["g", "c", "--js"], ["g", "c", "-x"],
+                          ["g", "c", "--json=1"], ["g", "c", "--help=1"], ["g", "c", "--=1"]):
+            self.both(arguments, 2, "; try ")
+
+    def test_help_is_asked_for_before_the_files(self):
+        for arguments in (["-h"], ["--help"], ["--json", "--help", "g"], [*UP, "-h", "g", "c"]):
+            self.both(arguments, 0, "--preload-direction")
+        # A file's name must not make an exit code 0.
+        for name in ("-h", "--help"):
+            self.both([self.g, name], 2, "No such file")
+            self.both([self.g, name, *UP], 2, "No such file")
+            self.both(["--", name, name], 2, "No such file")
+            self.write(name, up())
+            self.both([self.g, name, *UP], 0, "accepted\n")
+            self.both([*UP, "--", self.g, name], 0, "accepted\n")
+            self.both([self.g, name], 1, "question-wrench")
+
+    def test_no_options_after_two_dashes(self):
+        self.write("--json", up())
+        self.both([*UP, "--", self.g, "--json"], 0, "accepted\n")
+        self.both([*UP, self.g, "--", "--json"], 0, "accepted\n")
+        self.both([*UP, "--", self.g, self.c, "--json"], 2, "found 3")
+        self.both(["--", self.g, self.c, "--"], 2, "found 3")
+        self.both([*UP, "--json", "--", self.g, self.c], 0, '{"result": "accepted"')
+
+    def test_json_reports(self):
+        keys = ["result", "rule", "node", "path", "found", "verdict", "nodes", "leaves", "resisted",
+                "question"]
+        question = {"contacts": 3, "wrench": ["0", "11/10", "0"], "preload": "1",
+                    "normal_law": "unilateral", "direction": None, "preload_direction": None}
+        for out in self.both([self.g, self.c, *UP, "--json"], 0):
+            self.assertEqual(list(json.loads(out).items()), list(zip(
+                keys, ["accepted", None, None, None, None, "unstable", 5, 3, None, question])))
+        short = self.write("short.json", up(UP_TREE[:-1]))
+        for out in self.both([self.g, short, *UP, "--json"], 1):
+            report = json.loads(out)
+            self.assertTrue(report.pop("found"))
+            self.assertEqual(list(report.values()), ["rejected", "tree-short", 4,
+                                                     "separation 0 open", *[None] * 5])
+        bad = self.write("bad.json", up([["slip", "0"]]))
+        for out in self.both([self.g, bad, *UP, "--json"], 2):
+            report = json.loads(out)
+            self.assertIn("tree[0]", report.pop("path"))
+            self.assertTrue(report.pop("found"))
+            self.assertEqual(list(report.values()), ["malformed", *[None] * 7])
+
+    def test_answers_that_cannot_be_written(self):
+        for program in PROGRAMS:
+            for arguments in ([self.g, self.c, *UP], [self.g, self.c, *UP, "--json"], ["--help"]):
+                with open("/dev/full", "wb") as full:
+                    done = subprocess.run([*program, *arguments], stdout=full, check=False,
+                                          stderr=subprocess.PIPE)
+                self.assertEqual(done.returncode, 2, (program, arguments))
+                self.assertIn(b"No space left on device", done.stderr)
+
+    def test_a_closed_pipe_is_no_answer_and_no_noise(self):
+        with subprocess.Popen([*PROGRAMS[0], self.g, self.c, *UP], stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE) as process:
+            process.stdout.close()
+            self.assertEqual(process.stderr.read(), b"")
+        self.assertEqual(process.returncode, 2)
+
+    def test_an_unforeseen_error_is_no_rejection(self):
+        original = check.check_tree
+        check.check_tree = lambda *_: {}["missing"]
+        try:
+            code, out, err = in_process([self.g, self.c, *UP])
+        finally:
+            check.check_tree = original
+        self.assertEqual((code, out), (2, ""))
+        self.assertIn("internal error", err)
+
+
+class ExchangeTest(Case):
+    """Certificates of other questions and grasps."""
+
+    def test_options_exchanged(self):
+        """A proof serves the options it was made with, and no others."""
+        wrenches, preloads = ("0,11/10,0", "0,11/10,1", "11/10,0,0"), (None, "0", "1", "11/10")
+        for wrench in wrenches:
+            for preload in preloads:
+                for law in check.LAWS:
+                    for direction in (None, "0,1,0"):
+                        options = ["--wrench", wrench, "--normal-law", law]
+                        options += ["--preload", preload] if preload else []
+                        options += ["--direction", direction] if direction else []
+                        code, report, _, _ = self.run_both(FIG1, up(), *options)
+                        same = (wrench, preload, law, direction) == ("0,11/10,0", "1", "unilateral",
+                                                                     None)
+                        self.assertEqual(code, 0 if same else 1, options)
+                        if not same:
+                            self.assertTrue(report["rule"].startswith("question-"))
+
+    def corpus(self):
+        folder = os.path.join(HERE, "..", "corpus", "certificates")
+        for name in sorted(os.listdir(folder)):
+            if name.endswith(".grasp.json"):
+                texts = []
+                for kind in (name, name.replace(".grasp.", ".certificate.")):
+                    with open(os.path.join(folder, kind), encoding="utf-8") as file:
+                        texts.append(file.read())
+                question = json.loads(texts[1])["question"]
+                options = ["--normal-law", question["normal_law"]]
+                for key in ("direction", "preload_direction"):
+                    if key in question:
+                        value = question[key]
+                        value = value if value == "scale" else ",".join(map(str, value))
+                        options += ["--" + key.replace("_", "-"), value]
+                if "direction" in question:
+                    options += ["--wrench", ",".join(map(str, question["wrench"]))]
+                yield texts, options
+
+    def test_corpus(self):
+        """Each certificate of tests/corpus/certificates for its own grasp, and for others."""
+        cases = list(self.corpus())
+        self.assertGreater(len(cases), 40)
+        for (file, proof), options in cases:
+            self.accepts(file, proof, *options)
+        rng, foreign = random.Random(1), 0
+        while foreign < 150:
+            (file, own), options = rng.choice(cases)
+            (_, proof), _ = rng.choice(cases)
+            if own == proof:
+                continue
+            foreign += 1
+            code, report, _, _ = self.run_both(file, proof, *options)
+            if code == 0:  # then it proves what the own one does
+                _, right, _, _ = self.run_both(file, own, *options)
+                self.assertEqual([report[key] for key in ("verdict", "resisted", "question")],
+                                 [right[key] for key in ("verdict", "resisted", "question")])
+
+    def test_contradictory_snapped_certificates(self):
+        """Version 1 accepted both of these about one file: u was the author's choice."""
+        file = {"format": "stickslip-grasp/1", "normals": {"snap": "1/10"},
+                "contacts": [{"position": [0, 0], "normal": [1, 1], "friction": 0, "preload": 1}],
+                "wrench": ["-20/29", "-21/29", 0]}
+        question = {"contacts": 1, "wrench": file["wrench"], "normal_law": "unilateral"}
+        stable = {"format": "stickslip-certificate/1",
+                  "question": {**question, "normals": [[0, "20/29", "21/29"]]},
+                  "verdict": "stable", "twist": [0, 0, 0], "forces": [[1, 0]]}
+        unstable = {**stable, "question": {**question, "normals": [[0, "21/29", "20/29"]]},
+                    "verdict": "unstable", "tree": [["leaf", 1, -1, 0]]}
+        del unstable["twist"], unstable["forces"]
+        kept = {k: v for k, v in file.items() if k != "normals"}
+        for proof in (stable, unstable):
+            self.malformed("stickslip snap GRASP -o FILE", file, proof)
+            self.malformed("stickslip snap GRASP -o FILE", kept, proof)
+            for newer in ({**proof, "format": "stickslip-certificate/2"},
+                          {**proof, "format": "stickslip-certificate/2", "question": question}):
+                self.malformed("stickslip snap GRASP -o FILE", kept, newer)
+        # What the command would write has one verdict.
+        for u, verdict in (((20, 21), "stable"), ((21, 20), "unstable")):
+            snapped = {**kept, "contacts": [{**kept["contacts"][0],
+                                             "normal": [f"{c}/29" for c in u]}]}
+            for proof, name in ((certificate(1, file["wrench"], twist=[0, 0, 0]), "stable"),
+                                (certificate(1, file["wrench"], tree=[["leaf", 20, -21, 0]]), "un")):
+                code, _, _, _ = self.run_both(snapped, proof)
+                if name == "stable":
+                    self.assertEqual(code, 0 if verdict == "stable" else 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

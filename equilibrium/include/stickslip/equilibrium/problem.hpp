@@ -32,7 +32,7 @@ using Vector4 = std::array<Rational, 4>;
 /// \}
 
 /// The loads that a problem asks about: one wrench, or the wrenches w + l u for all l in an
-/// interval (certificate/FORMAT.md, section 10).
+/// interval (certificate/FORMAT.md, section 5).
 ///
 /// In a range the multiple l is one more homogeneous unknown beside x = (d, h): l/h is the
 /// multiple when h > 0. Over a region of motions the points (x, l) are the combinations of

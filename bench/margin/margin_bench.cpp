@@ -51,9 +51,9 @@ Row measure(Layout layout, std::size_t contacts, std::uint64_t seed) {
   row.segments = margin.segments.size();
   std::istringstream grasp(write_grasp(question.loaded));
   std::istringstream proof(certificate);
-  stickslip_check::QuestionOptions options;
-  options.direction = {for_checker(direction.x), for_checker(direction.y),
-                       for_checker(direction.torque)};
+  stickslip_check::Options options;
+  options.direction = stickslip_check::Vector{
+      for_checker(direction.x), for_checker(direction.y), for_checker(direction.torque)};
   const auto check_start = std::chrono::steady_clock::now();
   const auto answer = stickslip_check::check(grasp, proof, options);
   row.check = milliseconds(check_start);

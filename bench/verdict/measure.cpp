@@ -40,7 +40,7 @@ bool checks(const Question& question, const std::string& grasp, const std::strin
             const std::string& verdict) {
   std::istringstream grasp_in(grasp);
   std::istringstream proof_in(proof);
-  stickslip_check::QuestionOptions options;
+  stickslip_check::Options options;
   options.bilateral = question.law == NormalLaw::kBilateral;
   const auto answer = stickslip_check::check(grasp_in, proof_in, options);
   const auto* accepted = std::get_if<stickslip_check::Accepted>(&answer);

@@ -22,27 +22,28 @@ stickslip_check::Rational for_checker(const Rational& value) {
   return *same;
 }
 
-stickslip_check::Vector3 for_checker(const Wrench& w) {
+stickslip_check::Vector for_checker(const Wrench& w) {
   return {for_checker(w.x), for_checker(w.y), for_checker(w.torque)};
 }
 
 struct ToDict {
   py::dict operator()(const stickslip_check::Accepted& a) const {
-    py::dict result("accepted"_a = true, "verdict"_a = text(a.verdict),
-                    "contacts"_a = a.contacts, "normal_law"_a = text(a.normal_law),
-                    "snapped"_a = a.snapped, "snapped_by_at_most"_a = text(a.snapped_by),
-                    "nodes"_a = a.nodes, "leaves"_a = a.leaves, "voids"_a = a.voids);
-    const auto number = [](const std::string& spelled) {
-      return fraction(parse_rational(spelled));
+    const stickslip_check::Question& q = a.question;
+    const auto number = [](const stickslip_check::Rational& value) {
+      return fraction(parse_rational(value.get_str()));
     };
-    result["wrench"] =
-        py::make_tuple(number(a.wrench[0]), number(a.wrench[1]), number(a.wrench[2]));
-    if (a.preload) result["preload"] = number(*a.preload);
-    if (a.margin) {
-      const auto& u = a.margin->direction;
-      result["direction"] = py::make_tuple(number(u[0]), number(u[1]), number(u[2]));
+    const auto wrench = [&](const stickslip_check::Vector& w) {
+      return py::make_tuple(number(w[0]), number(w[1]), number(w[2]));
+    };
+    py::dict result("accepted"_a = true, "verdict"_a = text(a.verdict),
+                    "contacts"_a = q.rows.size(),
+                    "normal_law"_a = text(stickslip_check::law_name(q.asked.bilateral)),
+                    "wrench"_a = wrench(q.wrench), "nodes"_a = a.nodes, "leaves"_a = a.leaves);
+    if (q.asked.preload) result["preload"] = number(*q.asked.preload);
+    if (q.asked.direction) {
+      result["direction"] = wrench(*q.asked.direction);
       py::list resisted;
-      for (const stickslip_check::ResistedInterval& interval : a.margin->intervals) {
+      for (const stickslip_check::Interval& interval : a.resisted) {
         const py::object high = interval.high ? number(*interval.high) : py::object(py::none());
         resisted.append(py::make_tuple(number(interval.low), high));
       }
@@ -63,19 +64,16 @@ struct ToDict {
 
 py::dict check(const std::string& grasp, const std::string& certificate,
                const py::object& wrench, const py::object& preload, bool bilateral,
-               const py::object& snap_normals, const py::object& direction,
-               const std::string& grasp_name, const std::string& certificate_name) {
+               const py::object& direction, const std::string& grasp_name,
+               const std::string& certificate_name) {
   const QuestionOptions asked = question_options(wrench, preload, bilateral);
-  stickslip_check::QuestionOptions options;
+  stickslip_check::Options options;
   options.bilateral = bilateral;
   if (asked.wrench) options.wrench = for_checker(*asked.wrench);
   if (!direction.is_none()) {
     options.direction = for_checker(exact_wrench(direction.cast<py::list>(), "direction"));
   }
   if (asked.preload) options.preload = for_checker(*asked.preload);
-  if (!snap_normals.is_none()) {
-    options.snap_tolerance = for_checker(exact(snap_normals, "snap_normals"));
-  }
   const stickslip_check::Answer answer = without_gil([&] {
     std::istringstream grasp_stream(grasp);
     std::istringstream certificate_stream(certificate);

@@ -72,7 +72,6 @@ def check(
     wrench: Optional[List[Any]],
     preload: Any,
     bilateral: bool,
-    snap_normals: Any,
     direction: Optional[List[Any]],
     grasp_name: bytes,
     certificate_name: bytes,

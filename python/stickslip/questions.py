@@ -188,7 +188,6 @@ def check(
     wrench: Any = None,
     preload: Any = None,
     normal_law: str = "unilateral",
-    snap_normals: Any = None,
     direction: Any = None,
 ) -> CheckResult:
     """Does the certificate prove its verdict about this question?
@@ -220,7 +219,6 @@ def check(
         as_wrench_or_none(wrench),
         as_number_or_none(preload, "preload"),
         is_bilateral(normal_law),
-        as_number_or_none(snap_normals, "snap_normals"),
         None if direction is None else as_wrench(direction, "direction"),
         grasp_name,
         name,

@@ -186,12 +186,8 @@ class CheckResult(Answer):
     preload: Optional[Fraction] = None
     """Set if it replaced the grasp's preloads."""
     normal_law: Optional[str] = None
-    snapped: Optional[int] = None
-    """The number of normals that were replaced."""
-    snapped_by_at_most: Optional[str] = None
     nodes: Optional[int] = None
     leaves: Optional[int] = None
-    voids: Optional[int] = None
     # Of a margin: exactly these multiples of the direction are resisted.
     direction: Optional[Triple] = None
     resisted: Optional[Tuple[Tuple[Fraction, Optional[Fraction]], ...]] = None

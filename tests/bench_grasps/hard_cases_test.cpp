@@ -49,7 +49,7 @@ std::string path_of(const HardCase& c) {
 std::string checkers_answer(const HardCase& c, const std::string& proof) {
   std::ifstream grasp(path_of(c));
   std::istringstream certificate(proof);
-  stickslip_check::QuestionOptions options;
+  stickslip_check::Options options;
   options.bilateral = c.law == NormalLaw::kBilateral;
   const auto answer = stickslip_check::check(grasp, certificate, options);
   if (const auto* accepted = std::get_if<stickslip_check::Accepted>(&answer)) {

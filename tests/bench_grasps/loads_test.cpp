@@ -100,10 +100,10 @@ TEST(ThresholdLoad, IsTheEndOfTheMargin) {
       EXPECT_EQ(margin.resisted[0].high, Rational(1));
       std::istringstream file(write_grasp(question.loaded));
       std::istringstream proof(margin_certificate_text(question, margin, "test"));
-      stickslip_check::QuestionOptions options;
+      stickslip_check::Options options;
       const Vector3 u = coordinates(margin.direction);
       options.direction.emplace();
-      for (std::size_t j = 0; j < 3; ++j) (*options.direction)[j] = to_string(u[j]);
+      for (const Rational& entry : u) options.direction->emplace_back(to_string(entry));
       EXPECT_TRUE(std::holds_alternative<stickslip_check::Accepted>(
           stickslip_check::check(file, proof, options)))
           << name_of(layout) << ' ' << contacts;

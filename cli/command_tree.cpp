@@ -2,6 +2,13 @@
 #include "command_tree.hpp"
 
 namespace stickslip {
+namespace {
+
+bool takes_value(const CLI::Option& option) {
+  return option.get_items_expected_max() > 0;
+}
+
+}  // namespace
 
 std::vector<const CLI::App*> NamedCommand::subcommands() const {
   return app->get_subcommands([](const CLI::App*) { return true; });
@@ -21,10 +28,6 @@ const CLI::Option* NamedCommand::option(const std::string& word) const {
   if (found != nullptr || word[1] == '-') return found;
   found = app->get_option_no_throw(word.substr(0, 2));
   return found != nullptr && takes_value(*found) ? found : nullptr;
-}
-
-bool takes_value(const CLI::Option& option) {
-  return option.get_items_expected_max() > 0;
 }
 
 bool is_option(const std::string& word) {

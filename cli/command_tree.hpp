@@ -24,8 +24,6 @@ struct NamedCommand {
   const CLI::Option* option(const std::string& word) const;
 };
 
-bool takes_value(const CLI::Option& option);
-
 /// Whether this is a word for an option, and not an argument such as - or -1.
 bool is_option(const std::string& word);
 

@@ -6,6 +6,7 @@
 
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
+#include "stickslip/core/json.hpp"
 #include "stickslip/core/snap.hpp"
 
 namespace stickslip {

@@ -15,6 +15,7 @@
 #include "random_numbers.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/grasp_file.hpp"
+#include "stickslip/core/json.hpp"
 
 namespace stickslip {
 namespace {

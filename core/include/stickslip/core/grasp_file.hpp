@@ -12,9 +12,12 @@
 #include <vector>
 
 #include "stickslip/core/grasp.hpp"
-#include "stickslip/core/json.hpp"
 
 namespace stickslip {
+
+struct JsonNode;
+/// A contact in which "defaults" may have to be filled in.
+struct WrittenContact;
 
 /// What a grasp file says. `snap_tolerance` is set by "normals": "snap"
 /// (default_snap_tolerance()) or "normals": {"snap": EPS}; the contacts are as written, not yet
@@ -25,9 +28,6 @@ struct GraspFile {
   /// The contacts whose stiffness is 1 because nothing gives it; increasing. Not written.
   std::vector<ContactId> assumed_stiffness{};
 };
-
-/// A contact in which "defaults" may have to be filled in.
-struct WrittenContact;
 
 /// Reads a grasp that is part of a JSON text: the contacts while the text is parsed, by a
 /// JsonStream of its "contacts", and then the rest. Throws InputError with JSON paths that

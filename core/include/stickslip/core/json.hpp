@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
 /// A JSON text as a small tree in which numbers keep their own characters, and values taken out
-/// of it.
+/// of it. What is given a `path`, a JSON path, throws InputError there; that of the root is
+/// empty.
 #pragma once
 
 #include <cstddef>
@@ -43,8 +44,7 @@ std::string place_name(const std::string& path);
 /// \{ Limits on what is read, so that hostile input ends in an error and not in an hour.
 inline constexpr std::size_t kMaxJsonBytes = std::size_t{1} << 28;
 inline constexpr std::size_t kMaxJsonDepth = 32;
-/// Values in one streamed element, and in the rest of the text.
-inline constexpr std::size_t kMaxJsonNodes = 256;
+inline constexpr std::size_t kMaxJsonNodes = 256;  // in a streamed element, and in the rest
 /// \}
 
 /// An array that may be long: its elements are handed over one by one as they are parsed, and
@@ -80,8 +80,6 @@ class TextLines {
   std::size_t number_ = 0;
 };
 
-/// \{ Values taken out of a tree. All throw InputError at `path`, a JSON path; that of the root
-/// is empty.
 /// Throws the InputError.
 [[noreturn]] void fail_at(const std::string& path, std::string problem, std::string remedy);
 
@@ -103,6 +101,5 @@ Rational read_number(const JsonNode& node, const std::string& path);
 /// `length` numbers; `form` describes them, "an array of two numbers [x, y]".
 std::vector<Rational> read_vector(const JsonNode& node, const std::string& path,
                                   std::size_t length, const char* form);
-/// \}
 
 }  // namespace stickslip

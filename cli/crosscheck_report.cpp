@@ -189,9 +189,9 @@ std::string to_json_line(const JudgedLine& judged, bool floats) {
   }
   json["inaccurate"] = report.inaccurate;
   json["residuals"] = to_json(report.residuals);
-  json["residual_scale"] = {{"force", to_string(report.scale.force)},
-                            {"length", to_string(report.scale.length)},
-                            {"motion", to_string(report.scale.motion)}};
+  json["residual_scale"] = {{"force", number_json(report.scale.force)},
+                            {"length", number_json(report.scale.length)},
+                            {"motion", number_json(report.scale.motion)}};
   json["claimed_slip"] = report.claimed_slip ? Json(slip_text(*report.claimed_slip)) : Json();
   json["nearby"] = report.nearby ? to_json(*report.nearby, question.loaded.grasp) : Json();
   json["distance"] = report.distance ? to_json(*report.distance) : Json();

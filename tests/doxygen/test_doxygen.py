@@ -41,7 +41,7 @@ class Reference(unittest.TestCase):
     def test_every_public_header_is_in_it(self):
         files = read(self.pages, "files.html")
         headers = glob.glob(os.path.join(ROOT, "*", "include", "stickslip", "*", "*.hpp"))
-        self.assertGreater(len(headers), 50)
+        self.assertGreater(len(headers), 40)
         for header in headers:
             self.assertIn(f">{os.path.basename(header)}</a>", files)
 

@@ -5,7 +5,7 @@
 
 #include "commands.hpp"
 #include "question_options.hpp"
-#include "stickslip/arrangement/enumerate.hpp"
+#include "stickslip/arrangement/slip_states.hpp"
 #include "stickslip/core/grasp_file.hpp"
 #include "table.hpp"
 

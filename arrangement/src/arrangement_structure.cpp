@@ -10,14 +10,16 @@
 #include "stickslip/arrangement/arrangement_structure.hpp"
 
 #include <algorithm>
-#include <utility>
 
+#include "assemble_states.hpp"
 #include "circle_order.hpp"
-#include "complete_counts.hpp"
-#include "over_circles.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
+
+using arrangement_detail::CircleOrder;
+using arrangement_detail::FilteredNormals;
+
 namespace {
 
 constexpr std::uint32_t kUnset = 0xFFFFFFFF;
@@ -50,7 +52,7 @@ class ArrangementStructure::Builder {
     records_.resize(k_);
     point_on_.assign(k_ * k_, kUnset);
     std::vector<std::uint8_t> sides(k_ * k_, 0);  // not bits: threads write side by side
-    over_circles(
+    arrangement_detail::over_circles(
         k_, threads, [this] { return CircleOrder(normals_); },
         [&](CircleOrder& order, std::size_t i) {
           order.sort(i);
@@ -65,12 +67,10 @@ class ArrangementStructure::Builder {
     CircleRecord& own = records_[i];
     own.half_points = static_cast<std::uint32_t>(order.half_points());
     for (std::uint32_t q = 0; q < own.half_points; ++q) {
-      bool is_lowest = true;
       for (const std::uint32_t* j = order.begin(q); j != order.end(q); ++j) {
         point_on_[i * k_ + *j] = q;
-        is_lowest = is_lowest && *j > i;
       }
-      if (!is_lowest) continue;
+      if (!order.is_lowest(q)) continue;
       const std::vector<std::uint32_t>& slopes = order.by_slope(q);
       ++own.owned_count;
       own.owned_points.push_back(q);
@@ -199,7 +199,7 @@ ArrangementStructure::ArrangementStructure(const std::vector<Vector3>& plane_nor
   }
   counts_.edges = first_edge_.back();
   counts_.faces = k == 0 ? 1 : boundary_.size();
-  complete_counts(counts_, circles_);
+  arrangement_detail::complete_counts(counts_, circles_);
 }
 
 VertexId ArrangementStructure::origin(HalfedgeId halfedge) const {

@@ -1,19 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// From the cells of an arrangement of distinct circles to the slip states of the planes:
-/// the last step that every enumerator shares.
+/// What every enumerator does last: sorts the states, completes the counts, and checks them.
 #pragma once
 
-#include "sign_rows.hpp"
+#include <cstddef>
+#include <vector>
+
 #include "stickslip/arrangement/slip_states.hpp"
+#include "stickslip/arrangement/sweep.hpp"
 
-namespace stickslip {
+namespace stickslip::arrangement_detail {
 
-/// Makes the sorted slip states from `cell_signs`, the signs of circles.normals[c].d on each
-/// cell of the sphere, and completes `counts`, of which vertices, edges and faces are given.
-/// Adds the all-stick state. Throws ContractError when the counts contradict one another:
-/// Euler, antipodal pairs, and the relation of cells to states that slip_states.hpp states.
-SlipStates assemble_states(const GreatCircles& circles, SignRows cell_signs,
-                           ArrangementCounts counts);
+/// Fills in what follows from the circles and from the numbers of vertices, edges and faces,
+/// by the table of slip_states.hpp.
+void complete_counts(ArrangementCounts& counts, const GreatCircles& circles);
 
-}  // namespace stickslip
+/// Collects states over the same planes, packed, to sort them.
+class StateSorter {
+ public:
+  explicit StateSorter(std::size_t planes);
+
+  void add(const PackedSigns& signs) {
+    words_.insert(words_.end(), signs.words(), signs.words() + width_);
+  }
+  void add(const SlipState& state);
+
+  /// As their texts sort ('+' < '-' < '0'), each once.
+  std::vector<SlipState> sorted() const;
+
+ private:
+  std::size_t planes_;
+  std::size_t width_;  ///< words a state
+  std::vector<PackedSigns::Word> words_;
+};
+
+/// The signs of the planes from those of circles.normals[c].d.
+SlipState over_planes(const GreatCircles& circles, const SlipState& of_circles);
+
+/// The slip states: those of the cells, and all-stick. Throws ContractError when the complete
+/// `counts` contradict one another or the number of states: Euler, antipodal pairs, and the
+/// relation of cells to states that slip_states.hpp states.
+SlipStates assemble_states(StateSorter cells, const ArrangementCounts& counts);
+
+}  // namespace stickslip::arrangement_detail

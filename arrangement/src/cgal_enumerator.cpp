@@ -7,7 +7,7 @@
 //   - all circles at once: inserting them one by one gives wrong arrangements that its own
 //     is_valid() accepts;
 //   - circles that are distinct, and in generic position with respect to the poles and the
-//     meridian where it cuts the sphere (generic_position.hpp). Otherwise preconditions of its
+//     meridian where it cuts the sphere (in_generic_position). Otherwise preconditions of its
 //     geometry traits fail, on two thirds of the grasps with axis-aligned normals; a release
 //     build does not look at them and is right by luck at most.
 // CGAL cuts every circle in two, at points of the plane y = 0. These artificial vertices are
@@ -16,6 +16,19 @@
 //
 // Signs need no arithmetic. Left of an arc that runs counterclockwise about the normal of its
 // circle that circle's sign is +, and crossing an edge changes one sign.
+//
+// The generic position: why the search for it ends. Let M have the rows b x a, b, a with
+// a.b = 0, a, b != 0. The rows are orthogonal, so det M != 0. The two requirements become
+//   z of Mn           = a.n                             != 0 for every normal n,
+//   y of Mn x Mn'     = (row 3 x row 1).(n x n')        != 0 for every two normals,
+// the latter because row 2 of the cofactor matrix is row 3 x row 1 = a x (b x a) = |a|^2 b,
+// so it says b.(n x n') != 0. Choose a first, then b:
+//   a = (1, s, s^2), a pole on no circle (find_pole);
+//   b = (s, -1, 0) + t (0, s, -1), a basis of the plane orthogonal to a: b.c is linear in t,
+//     and every vertex direction c = n x n' excludes at most one t. It does not exclude all:
+//     c orthogonal to both basis vectors would be parallel to a, and a.n = 0.
+#include "cgal_enumerator.hpp"
+
 #include <CGAL/Arr_curve_data_traits_2.h>
 #include <CGAL/Arr_extended_dcel.h>
 #include <CGAL/Arr_geodesic_arc_on_sphere_traits_2.h>
@@ -29,16 +42,19 @@
 #include <vector>
 
 #include "assemble_states.hpp"
-#include "generic_position.hpp"
-#include "sign_rows.hpp"
+#include "filtered_normals.hpp"
 #include "stickslip/arrangement/slip_states.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/integer_vector.hpp"
 
 #ifdef STICKSLIP_CHECKED
 static_assert(CGAL_ASSERTIONS_ENABLED, "the checked build needs the assertions of CGAL");
 #endif
 
 namespace stickslip {
+
+using arrangement_detail::StateSorter;
+
 namespace {
 
 constexpr std::size_t kUnset = static_cast<std::size_t>(-1);
@@ -56,7 +72,7 @@ struct MergeLabels {
   }
 };
 
-/// What every face carries: its row of signs.
+/// What every face carries: the place of its signs.
 struct FaceRow {
   std::size_t row = kUnset;
 };
@@ -135,27 +151,28 @@ void for_each_boundary_halfedge(Face face, Visit visit) {
   for (auto ccb = face->inner_ccbs_begin(); ccb != face->inner_ccbs_end(); ++ccb) walk(*ccb);
 }
 
-/// Reads the cells of one arrangement. Faces are the first rows of `signs`.
+/// Reads the cells of one arrangement into `cells`.
 class CellReader {
  public:
-  CellReader(Sphere& sphere, const std::vector<Kernel::Direction_3>& normals)
-      : sphere_(sphere), normals_(normals), signs_(normals.size()) {}
+  CellReader(Sphere& sphere, const std::vector<Kernel::Direction_3>& normals,
+             const GreatCircles& circles, StateSorter& cells)
+      : sphere_(sphere), normals_(normals), circles_(circles), cells_(cells) {}
 
-  SignRows read(ArrangementCounts& counts) {
+  void read(ArrangementCounts& counts) {
     counts.faces = read_faces();
     check_edges();
     counts.edges = read_edges();
     counts.vertices = read_vertices();
-    return std::move(signs_);
   }
 
  private:
   std::size_t read_faces() {
     walk_faces();
-    require(signs_.size() == sphere_.number_of_faces(),
+    require(faces_.size() == sphere_.number_of_faces(),
             "cgal enumerator: the faces are not connected");
     orient_walk();
-    return signs_.size();
+    for (const SlipState& signs : faces_) add_cell(signs);
+    return faces_.size();
   }
 
   /// Gives each face its signs relative to those of the first face.
@@ -165,44 +182,46 @@ class CellReader {
       face->set_data({row});
       reached.push_back(face);
     };
-    reach(sphere_.faces_begin(), signs_.add());
+    faces_.emplace_back(normals_.size(), Sign::kPositive);
+    reach(sphere_.faces_begin(), 0);
     for (std::size_t next = 0; next < reached.size(); ++next) {
       const std::size_t row = reached[next]->data().row;
       for_each_boundary_halfedge(reached[next], [&](Sphere::Halfedge_handle edge) {
         const Face neighbour = edge->twin()->face();
         if (neighbour->data().row != kUnset) return;
-        const std::size_t new_row = signs_.add_copy(row);
-        signs_.flip(new_row, circle_of(edge));
-        reach(neighbour, new_row);
+        faces_.push_back(SlipState(faces_[row]));
+        Sign& crossed = faces_.back()[circle_of(edge)];
+        crossed = -crossed;
+        reach(neighbour, faces_.size() - 1);
       });
     }
   }
 
   /// Turns relative signs into signs: one edge of each circle says which is which.
   void orient_walk() {
-    std::vector<bool> seen(signs_.circles(), false);
-    std::vector<bool> reversed(signs_.circles(), false);
+    SlipState factor(normals_.size(), Sign::kZero);
     for (auto edge = sphere_.edges_begin(); edge != sphere_.edges_end(); ++edge) {
       const std::size_t c = circle_of(edge);
-      if (seen[c]) continue;
-      seen[c] = true;
-      reversed[c] = signs_.get(edge->face()->data().row, c) != sign_to_the_left(edge);
+      if (factor[c] != Sign::kZero) continue;
+      factor[c] = signs_to_the_left(edge)[c] * sign_to_the_left(edge);
     }
-    signs_.flip_all(reversed);
+    for (SlipState& signs : faces_) {
+      for (std::size_t c = 0; c < factor.size(); ++c) signs[c] = signs[c] * factor[c];
+    }
   }
 
   /// Every edge, the artificial ones included, against the two faces beside it.
   void check_edges() const {
     for (auto edge = sphere_.edges_begin(); edge != sphere_.edges_end(); ++edge) {
       const std::size_t c = circle_of(edge);
-      const std::size_t left = edge->face()->data().row;
-      const std::size_t right = edge->twin()->face()->data().row;
+      SlipState left = signs_to_the_left(edge);
+      const SlipState& right = signs_to_the_left(edge->twin());
       require(edge->curve().normal() == normals_[c],
               "cgal enumerator: an edge does not lie on its circle");
-      require(signs_.get(left, c) == sign_to_the_left(edge) &&
-                  signs_.get(right, c) == sign_to_the_left(edge->twin()),
+      require(left[c] == sign_to_the_left(edge) && right[c] == sign_to_the_left(edge->twin()),
               "cgal enumerator: an edge contradicts the sign of its circle beside it");
-      require(signs_.differ_exactly_at(left, right, c),
+      left[c] = right[c];
+      require(left == right,
               "cgal enumerator: the faces beside an edge differ in more than its circle");
     }
   }
@@ -225,7 +244,9 @@ class CellReader {
   }
 
   void add_edge(Halfedge edge) {
-    signs_.set(signs_.add_copy(edge->face()->data().row), circle_of(edge), Sign::kZero);
+    SlipState signs = signs_to_the_left(edge);
+    signs[circle_of(edge)] = Sign::kZero;
+    add_cell(signs);
   }
 
   std::size_t read_vertices() {
@@ -247,29 +268,45 @@ class CellReader {
   /// Adds the vertex's signs; gives the number of circles through it.
   std::size_t add_vertex(Vertex vertex) {
     const auto first = vertex->incident_halfedges();
-    const std::size_t row = signs_.add_copy(first->face()->data().row);
+    SlipState signs = signs_to_the_left(first);
     std::size_t circles = 0;
     auto edge = first;
     do {
       const std::size_t c = circle_of(edge);
-      if (signs_.get(row, c) == Sign::kZero) continue;
-      signs_.set(row, c, Sign::kZero);
+      if (signs[c] == Sign::kZero) continue;
+      signs[c] = Sign::kZero;
       ++circles;
     } while (++edge != first);
     require(vertex->degree() == 2 * circles,
             "cgal enumerator: a circle does not pass straight through a vertex");
+    add_cell(signs);
     return circles;
+  }
+
+  void add_cell(const SlipState& signs) {
+    cells_.add(arrangement_detail::over_planes(circles_, signs));
+  }
+
+  const SlipState& signs_to_the_left(Halfedge edge) const {
+    return faces_[edge->face()->data().row];
   }
 
   Sphere& sphere_;
   const std::vector<Kernel::Direction_3>& normals_;
-  SignRows signs_;
+  const GreatCircles& circles_;
+  StateSorter& cells_;
+  std::vector<SlipState> faces_;  ///< the signs of the circles on each
 };
 
-SignRows enumerate_cells(const std::vector<IntegerVector3>& circle_normals,
-                         ArrangementCounts& counts) {
+void enumerate_cells(const GreatCircles& circles, StateSorter& cells,
+                     ArrangementCounts& counts) {
+  if (circles.normals.empty()) {
+    counts.faces = 1;
+    cells.add(SlipState());
+    return;
+  }
   const std::vector<Kernel::Direction_3> normals =
-      to_kernel(in_generic_position(circle_normals));
+      to_kernel(arrangement_detail::in_generic_position(circles.normals));
   const Geometry geometry;
   const auto great_circle = geometry.construct_curve_2_object();
   std::vector<Geometry::Curve_2> curves;
@@ -279,25 +316,54 @@ SignRows enumerate_cells(const std::vector<IntegerVector3>& circle_normals,
   }
   Sphere sphere(&geometry);
   CGAL::insert(sphere, curves.begin(), curves.end());
-  return CellReader(sphere, normals).read(counts);
+  CellReader(sphere, normals, circles, cells).read(counts);
 }
 
-SignRows one_face(ArrangementCounts& counts) {
-  counts.faces = 1;
-  SignRows rows(0);
-  rows.add();
-  return rows;
+bool clear_of_meridian(const IntegerVector3& b, const std::vector<IntegerVector3>& normals) {
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const IntegerVector3 b_cross_n = cross(b, normals[i]);
+    for (std::size_t j = i + 1; j < normals.size(); ++j) {
+      if (dot(b_cross_n, normals[j]).is_zero()) return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace
 
+namespace arrangement_detail {
+
+std::vector<IntegerVector3> in_generic_position(const std::vector<IntegerVector3>& normals) {
+  const IntegerVector3 a = find_pole(normals);
+  const Integer& s = a[1];
+  const std::size_t k = normals.size();
+  // Any start is right.
+  constexpr int kFirstT = 3;
+  Integer t = kFirstT;
+  while (!clear_of_meridian({s, s * t - 1, -t}, normals)) {
+    ++t;
+    require(t <= kFirstT + k * k / 2, "in_generic_position: two normals are parallel");
+  }
+  const IntegerVector3 b = {s, s * t - 1, -t};
+  const IntegerVector3 b_cross_a = cross(b, a);
+  std::vector<IntegerVector3> mapped;
+  mapped.reserve(k);
+  for (const IntegerVector3& n : normals) {
+    mapped.push_back({dot(b_cross_a, n), dot(b, n), dot(a, n)});
+  }
+  return mapped;
+}
+
+}  // namespace arrangement_detail
+
 SlipStates enumerate_slip_states_cgal(const std::vector<Vector3>& plane_normals) {
   const GreatCircles circles = merge_planes(plane_normals);
+  StateSorter cells(plane_normals.size());
   ArrangementCounts counts;
   try {
-    SignRows cells =
-        circles.normals.empty() ? one_face(counts) : enumerate_cells(circles.normals, counts);
-    return assemble_states(circles, std::move(cells), counts);
+    enumerate_cells(circles, cells, counts);
+    arrangement_detail::complete_counts(counts, circles);
+    return arrangement_detail::assemble_states(std::move(cells), counts);
   } catch (const CGAL::Failure_exception& failure) {
     throw ContractError(std::string("cgal enumerator: ") + failure.what());
   }

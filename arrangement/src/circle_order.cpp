@@ -26,7 +26,7 @@
 
 #include "stickslip/core/error.hpp"
 
-namespace stickslip {
+namespace stickslip::arrangement_detail {
 namespace {
 
 constexpr double kUnit = 0x1p-53;
@@ -203,4 +203,4 @@ const std::vector<std::uint32_t>& CircleOrder::by_slope(std::size_t q) {
   return slopes_;
 }
 
-}  // namespace stickslip
+}  // namespace stickslip::arrangement_detail

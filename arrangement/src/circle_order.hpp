@@ -16,13 +16,19 @@
 /// side(j) side(k) det(n_i, n_j, n_k) > 0. Points are equal iff that is 0.
 #pragma once
 
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "filtered_normals.hpp"
 
-namespace stickslip {
+namespace stickslip::arrangement_detail {
 
 /// One for each thread; everything is allocated once.
 class CircleOrder {
@@ -46,6 +52,11 @@ class CircleOrder {
   /// How many circles pass through point q, this one included.
   std::size_t multiplicity(std::size_t q) const {
     return point_begin_[q + 1] - point_begin_[q] + 1;
+  }
+
+  /// Whether no circle through point q has a lower number than this one.
+  bool is_lowest(std::size_t q) const {
+    return std::all_of(begin(q), end(q), [this](std::uint32_t j) { return j > circle_; });
   }
 
   /// +1 or -1: the sign of circle j before it is crossed on the first half.
@@ -80,4 +91,30 @@ class CircleOrder {
   std::vector<std::uint32_t> slopes_;
 };
 
-}  // namespace stickslip
+/// A loop over the circles on several threads. Calls work(scratch, i) for i < count, where each
+/// thread has a scratch of its own, made by make(). Then calls finish(scratch) for each of
+/// them, on this thread and in no particular order: what it does must commute. `threads` = 0
+/// takes all that the machine has, and with 1 everything happens on this thread, in order.
+template <class Make, class Work, class Finish>
+void over_circles(std::size_t count, unsigned threads, Make make, Work work, Finish finish) {
+  if (threads == 1 || count < 2) {
+    auto scratch = make();
+    for (std::size_t i = 0; i < count; ++i) work(scratch, i);
+    finish(scratch);
+    return;
+  }
+  tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : static_cast<int>(threads));
+  arena.execute([&] {
+    tbb::enumerable_thread_specific<decltype(make())> scratches(make);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count),
+                      [&](const tbb::blocked_range<std::size_t>& range) {
+                        auto& scratch = scratches.local();
+                        for (std::size_t i = range.begin(); i != range.end(); ++i) {
+                          work(scratch, i);
+                        }
+                      });
+    for (auto& scratch : scratches) finish(scratch);
+  });
+}
+
+}  // namespace stickslip::arrangement_detail

@@ -8,7 +8,7 @@
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/integer_vector.hpp"
 
-namespace stickslip {
+namespace stickslip::arrangement_detail {
 namespace {
 
 __extension__ typedef __int128 Int128;
@@ -80,9 +80,26 @@ Int128 minor_of(const FilteredNormals::Small& a, const FilteredNormals::Small& b
 
 }  // namespace
 
+IntegerVector3 find_pole(const std::vector<IntegerVector3>& normals) {
+  Integer s = kFirstS;
+  IntegerVector3 pole;
+  const auto is_on_pole = [&pole](const IntegerVector3& n) { return dot(pole, n).is_zero(); };
+  do {
+    require(s <= kFirstS + 2 * normals.size(), "arrangement: a normal is zero");
+    pole = {1, s, s * s};
+    ++s;
+  } while (std::any_of(normals.begin(), normals.end(), is_on_pole));
+  return pole;
+}
+
 FilteredNormals::FilteredNormals(std::vector<IntegerVector3> normals)
     : exact_(std::move(normals)) {
-  orient_to_pole();
+  const IntegerVector3 pole = find_pole(exact_);
+  reversed_.resize(size());
+  for (std::size_t i = 0; i < size(); ++i) {
+    reversed_[i] = dot(pole, exact_[i]).sign() < 0;
+    if (reversed_[i]) exact_[i] = negated(std::move(exact_[i]));
+  }
   small_.resize(size());
   bits_.assign(size(), 0);
   for (auto& coordinate : approximate_) coordinate.resize(size());
@@ -98,23 +115,6 @@ FilteredNormals::FilteredNormals(std::vector<IntegerVector3> normals)
     bits_[i] = longest <= 63 ? static_cast<unsigned>(longest) : kTooLong;
     if (bits_[i] == kTooLong) continue;
     for (std::size_t c = 0; c < 3; ++c) small_[i][c] = static_cast<std::int64_t>(exact_[i][c]);
-  }
-}
-
-void FilteredNormals::orient_to_pole() {
-  Integer s = kFirstS;
-  IntegerVector3 pole;
-  const auto is_on_pole = [&pole](const IntegerVector3& n) { return dot(pole, n).is_zero(); };
-  do {
-    require(s <= kFirstS + 2 * size(), "sweep: a normal is zero");
-    pole = {1, s, s * s};
-    ++s;
-  } while (std::any_of(exact_.begin(), exact_.end(), is_on_pole));
-
-  reversed_.resize(size());
-  for (std::size_t i = 0; i < size(); ++i) {
-    reversed_[i] = dot(pole, exact_[i]).sign() < 0;
-    if (reversed_[i]) exact_[i] = negated(std::move(exact_[i]));
   }
 }
 
@@ -175,4 +175,4 @@ void ExactSigns::set_minor(Integer& result, std::size_t i, std::size_t j,
   mpz_sub(result.backend().data(), result.backend().data(), product_.backend().data());
 }
 
-}  // namespace stickslip
+}  // namespace stickslip::arrangement_detail

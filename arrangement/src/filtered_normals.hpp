@@ -18,13 +18,15 @@
 #include "stickslip/arrangement/great_circles.hpp"
 #include "stickslip/arrangement/sweep.hpp"
 
-namespace stickslip {
+namespace stickslip::arrangement_detail {
+
+/// A vector (1, s, s^2) that lies on no circle. A normal is orthogonal to that of at most two
+/// s, so one of the first 2k + 1 is found. Throws ContractError if a normal is zero.
+IntegerVector3 find_pole(const std::vector<IntegerVector3>& normals);
 
 class FilteredNormals {
  public:
-  /// The normals, each reversed if need be, so that all are positive on one vector
-  /// (1, s, s^2): the pole. It lies on no circle. A normal is orthogonal to the pole of at
-  /// most two s, so one of the first 2k + 1 is found.
+  /// The normals, each reversed if need be, so that all are positive on the pole (find_pole).
   explicit FilteredNormals(std::vector<IntegerVector3> normals);
 
   std::size_t size() const { return exact_.size(); }
@@ -43,8 +45,6 @@ class FilteredNormals {
   static constexpr unsigned kTooLong = 1000;
 
  private:
-  void orient_to_pole();
-
   std::vector<IntegerVector3> exact_;
   std::vector<bool> reversed_;
   std::vector<Small> small_;
@@ -78,4 +78,4 @@ class ExactSigns {
   Integer minor_, product_, sum_;
 };
 
-}  // namespace stickslip
+}  // namespace stickslip::arrangement_detail

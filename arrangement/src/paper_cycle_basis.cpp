@@ -3,13 +3,15 @@
 
 #include <algorithm>
 #include <boost/dynamic_bitset.hpp>
+#include <boost/graph/breadth_first_search.hpp>
+#include <boost/graph/incremental_components.hpp>
 #include <boost/pending/disjoint_sets.hpp>
+#include <boost/pending/queue.hpp>
 #include <limits>
-#include <utility>
 
 #include "stickslip/core/error.hpp"
 
-namespace stickslip {
+namespace stickslip::arrangement_detail {
 namespace {
 
 using Bits = boost::dynamic_bitset<>;
@@ -21,19 +23,21 @@ struct SpanningForest {
   explicit SpanningForest(const DualPolyhedron& graph)
       : components(boost::num_vertices(graph)), cotree(boost::num_edges(graph), kNone) {
     boost::disjoint_sets_with_storage<> trees(boost::num_vertices(graph));
-    for (auto [v, end] = boost::vertices(graph); v != end; ++v) trees.make_set(*v);
     for (auto [e, end] = boost::edges(graph); e != end; ++e) {
-      const std::size_t a = trees.find_set(boost::source(*e, graph));
-      const std::size_t b = trees.find_set(boost::target(*e, graph));
-      require(boost::source(*e, graph) != boost::target(*e, graph),
-              "minimum_cycle_basis: the graph has a loop");
-      if (a == b) {
+      const std::size_t a = boost::source(*e, graph);
+      const std::size_t b = boost::target(*e, graph);
+      require(a != b, "minimum_cycle_basis: the graph has a loop");
+      if (boost::same_component(a, b, trees)) {
         cotree[boost::get(boost::edge_index, graph, *e)] = cotree_size++;
       } else {
-        trees.link(a, b);
+        trees.union_set(a, b);
         --components;
       }
     }
+  }
+
+  bool is_odd(std::size_t edge, const Bits& witness) const {
+    return cotree[edge] != kNone && witness.test(cotree[edge]);
   }
 
   std::size_t components;
@@ -41,64 +45,83 @@ struct SpanningForest {
   std::vector<std::size_t> cotree;  ///< by edge: its number, or kNone for a forest edge
 };
 
-/// Shortest paths from (v, 0) to (v, 1); node 2v + parity.
+using Edge = boost::graph_traits<DualPolyhedron>::edge_descriptor;
+
+/// Shortest paths from (v, 0) to (v, 1) in the graph of nodes 2v + parity.
 class ParitySearch {
  public:
-  explicit ParitySearch(const DualPolyhedron& graph)
-      : graph_(graph), entered_by_(2 * boost::num_vertices(graph)) {
-    queue_.reserve(entered_by_.size());
-  }
-
-  /// By edge index, whether it changes the parity.
-  void set_witness(std::vector<bool> changes_parity) {
-    changes_parity_ = std::move(changes_parity);
+  /// The edges of `witness` change the parity.
+  ParitySearch(const DualPolyhedron& graph, const SpanningForest& forest, const Bits& witness)
+      : graph_(2 * boost::num_vertices(graph)),
+        colors_(boost::num_vertices(graph_)),
+        distance_(colors_.size()),
+        entered_by_(colors_.size()) {
+    for (auto [e, end] = boost::edges(graph); e != end; ++e) {
+      const std::size_t index = boost::get(boost::edge_index, graph, *e);
+      const std::size_t a = 2 * boost::source(*e, graph);
+      const std::size_t b = 2 * boost::target(*e, graph);
+      const std::size_t change = forest.is_odd(index, witness) ? 1 : 0;
+      boost::add_edge(a, b + change, index, graph_);
+      boost::add_edge(a + 1, b + 1 - change, index, graph_);
+    }
   }
 
   /// The number of edges of the path; kNone if there is none.
   std::size_t run(std::size_t vertex, std::size_t& edges_scanned) {
-    std::fill(entered_by_.begin(), entered_by_.end(), Entry{});
-    queue_.assign(1, 2 * vertex);
-    entered_by_[2 * vertex] = {2 * vertex, kNone, 0};
-    for (std::size_t head = 0; head < queue_.size(); ++head) {
-      const std::size_t node = queue_[head];
-      if (node == 2 * vertex + 1) return entered_by_[node].distance;
-      for (auto [e, end] = boost::out_edges(node / 2, graph_); e != end; ++e) {
-        ++edges_scanned;
-        const std::size_t index = boost::get(boost::edge_index, graph_, *e);
-        const std::size_t parity = node % 2 ^ (changes_parity_[index] ? 1U : 0U);
-        const std::size_t next = 2 * boost::target(*e, graph_) + parity;
-        if (entered_by_[next].from != kNone) continue;
-        entered_by_[next] = {node, index, entered_by_[node].distance + 1};
-        queue_.push_back(next);
-      }
-    }
-    return kNone;
+    const std::size_t goal = 2 * vertex + 1;
+    std::fill(colors_.begin(), colors_.end(), boost::white_color);
+    distance_[2 * vertex] = 0;
+    QueueUpTo queue(goal);
+    boost::breadth_first_visit(graph_, 2 * vertex, queue, Recorder(*this, edges_scanned),
+                               colors_.data());
+    return colors_[goal] == boost::white_color ? kNone : distance_[goal];
   }
 
   /// Of the path that run(vertex) found. Checks that no vertex is repeated.
   std::vector<std::size_t> edges_of_path(std::size_t vertex) const {
     std::vector<std::size_t> edges;
-    std::vector<bool> is_met(boost::num_vertices(graph_), false);
-    for (std::size_t node = 2 * vertex + 1; node != 2 * vertex; node = entered_by_[node].from) {
+    std::vector<bool> is_met(colors_.size() / 2, false);
+    for (std::size_t node = 2 * vertex + 1; node != 2 * vertex;) {
       require(!is_met[node / 2], "minimum_cycle_basis: a cycle meets a vertex twice");
       is_met[node / 2] = true;
-      edges.push_back(entered_by_[node].edge);
+      edges.push_back(boost::get(boost::edge_index, graph_, entered_by_[node]));
+      node = boost::source(entered_by_[node], graph_);
     }
     std::sort(edges.begin(), edges.end());
     return edges;
   }
 
  private:
-  struct Entry {
-    std::size_t from = kNone;
-    std::size_t edge = kNone;
-    std::size_t distance = 0;
+  /// Seems empty once the goal is the next to be taken out: the search ends there.
+  class QueueUpTo : public boost::queue<std::size_t> {
+   public:
+    explicit QueueUpTo(std::size_t goal) : goal_(goal) {}
+    bool empty() const { return boost::queue<std::size_t>::empty() || top() == goal_; }
+
+   private:
+    std::size_t goal_;
   };
 
-  const DualPolyhedron& graph_;
-  std::vector<bool> changes_parity_;
-  std::vector<Entry> entered_by_;
-  std::vector<std::size_t> queue_;
+  class Recorder : public boost::default_bfs_visitor {
+   public:
+    Recorder(ParitySearch& search, std::size_t& edges_scanned)
+        : search_(search), edges_scanned_(edges_scanned) {}
+    void examine_edge(Edge, const DualPolyhedron&) { ++edges_scanned_; }
+    void tree_edge(Edge e, const DualPolyhedron& graph) {
+      const std::size_t to = boost::target(e, graph);
+      search_.distance_[to] = search_.distance_[boost::source(e, graph)] + 1;
+      search_.entered_by_[to] = e;
+    }
+
+   private:
+    ParitySearch& search_;
+    std::size_t& edges_scanned_;
+  };
+
+  DualPolyhedron graph_;
+  std::vector<boost::default_color_type> colors_;
+  std::vector<std::size_t> distance_;
+  std::vector<Edge> entered_by_;
 };
 
 std::vector<std::size_t> shortest_odd_cycle(ParitySearch& search, std::size_t vertices,
@@ -130,24 +153,18 @@ CycleBasis minimum_cycle_basis(const DualPolyhedron& graph) {
   std::vector<Bits> witnesses(forest.cotree_size, Bits(forest.cotree_size));
   for (std::size_t i = 0; i < witnesses.size(); ++i) witnesses[i].set(i);
 
-  ParitySearch search(graph);
   for (std::size_t i = 0; i < witnesses.size(); ++i) {
-    std::vector<bool> changes_parity(boost::num_edges(graph), false);
-    for (std::size_t e = 0; e < changes_parity.size(); ++e) {
-      changes_parity[e] = forest.cotree[e] != kNone && witnesses[i].test(forest.cotree[e]);
-    }
-    search.set_witness(std::move(changes_parity));
+    ParitySearch search(graph, forest, witnesses[i]);
     result.cycles.push_back(shortest_odd_cycle(search, boost::num_vertices(graph), result));
-
+    const std::vector<std::size_t>& cycle = result.cycles.back();
     for (std::size_t j = i + 1; j < witnesses.size(); ++j) {
-      bool is_odd = false;
-      for (const std::size_t e : result.cycles.back()) {
-        if (forest.cotree[e] != kNone && witnesses[j].test(forest.cotree[e])) is_odd = !is_odd;
-      }
-      if (is_odd) witnesses[j] ^= witnesses[i];
+      const auto odd = std::count_if(cycle.begin(), cycle.end(), [&](std::size_t e) {
+        return forest.is_odd(e, witnesses[j]);
+      });
+      if (odd % 2 == 1) witnesses[j] ^= witnesses[i];
     }
   }
   return result;
 }
 
-}  // namespace stickslip
+}  // namespace stickslip::arrangement_detail

@@ -30,7 +30,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace stickslip {
+namespace stickslip::arrangement_detail {
 
 /// Edges carry the indices 0 .. E - 1.
 using DualPolyhedron =
@@ -48,4 +48,4 @@ struct CycleBasis {
 /// between cycles of equal length. Throws ContractError if a cycle found is not simple.
 CycleBasis minimum_cycle_basis(const DualPolyhedron& graph);
 
-}  // namespace stickslip
+}  // namespace stickslip::arrangement_detail

@@ -16,31 +16,92 @@
 // Hence F = 2 + the sum of t - 1 over the vertices.
 #include "stickslip/arrangement/sweep.hpp"
 
-#include <algorithm>
+#include <array>
 #include <optional>
 #include <utility>
 
 #include "assemble_states.hpp"
 #include "circle_order.hpp"
-#include "complete_counts.hpp"
-#include "over_circles.hpp"
-#include "sign_layout.hpp"
-#include "sign_rows.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
+
+using arrangement_detail::CircleOrder;
+using arrangement_detail::FilteredNormals;
+
 namespace {
+
+using Word = PackedSigns::Word;
+
+/// Where the digits of each circle's planes stand in packed signs, and what they are when the
+/// circle, oriented to the pole as in FilteredNormals, has a given sign.
+class SignLayout {
+ public:
+  SignLayout(const GreatCircles& circles, const FilteredNormals& normals)
+      : planes_(circles.circle.size()) {
+    std::vector<std::vector<Part>> parts(normals.size());
+    for (std::size_t p = 0; p < planes_; ++p) {
+      const std::size_t c = circles.circle[p].index();
+      const std::size_t word = p / PackedSigns::kSignsPerWord;
+      if (parts[c].empty() || parts[c].back().word != word) parts[c].push_back({word, 0, 0});
+      const Word low = Word{1} << PackedSigns::shift_of(p);
+      parts[c].back().low |= low;
+      // The digit of '-' is 1.
+      const bool is_minus =
+          (circles.orientation[p] == Sign::kNegative) != normals.is_reversed(c);
+      if (is_minus) parts[c].back().plus |= low;
+    }
+    part_begin_.push_back(0);
+    for (const std::vector<Part>& of_circle : parts) {
+      parts_.insert(parts_.end(), of_circle.begin(), of_circle.end());
+      part_begin_.push_back(parts_.size());
+    }
+  }
+
+  std::size_t planes() const { return planes_; }
+
+  void set(Word* words, std::size_t circle, int sign) const {
+    for_each_part(circle, [&](const Part& part) {
+      Word& word = words[part.word];
+      const Word digits = sign == 0  ? part.low << 1
+                          : sign > 0 ? part.plus
+                                     : part.plus ^ part.low;
+      word = (word & ~(part.low | part.low << 1)) | digits;
+    });
+  }
+  /// Replaces + by - and - by +. Requires a sign that is not 0.
+  void flip(Word* words, std::size_t circle) const {
+    for_each_part(circle, [&](const Part& part) { words[part.word] ^= part.low; });
+  }
+
+ private:
+  /// The digits of a circle in one word: their lower bits, and those set when its sign is +.
+  struct Part {
+    std::size_t word;
+    Word low;
+    Word plus;
+  };
+
+  template <class Use>
+  void for_each_part(std::size_t circle, Use use) const {
+    for (std::size_t p = part_begin_[circle]; p < part_begin_[circle + 1]; ++p) use(parts_[p]);
+  }
+
+  std::size_t planes_;
+  std::vector<std::size_t> part_begin_;
+  std::vector<Part> parts_;
+};
 
 /// Vertices by their number of circles, on half of each circle.
 class Census {
  public:
   explicit Census(std::size_t circles) : met_(circles + 1, 0), owned_(circles + 1, 0) {}
 
-  /// Counts the points of circle i.
-  void add(const CircleOrder& order, std::size_t i) {
+  /// Counts the points of the circle sorted last.
+  void add(const CircleOrder& order) {
     for (std::size_t q = 0; q < order.half_points(); ++q) {
       ++met_[order.multiplicity(q)];
-      if (is_lowest(order, q, i)) ++owned_[order.multiplicity(q)];
+      if (order.is_lowest(q)) ++owned_[order.multiplicity(q)];
     }
   }
 
@@ -60,13 +121,6 @@ class Census {
       counts.vertices += 2 * owned_[t];
       counts.faces += 2 * owned_[t] * (t - 1);
     }
-  }
-
-  static bool is_lowest(const CircleOrder& order, std::size_t q, std::size_t i) {
-    for (const std::uint32_t* j = order.begin(q); j != order.end(q); ++j) {
-      if (*j < i) return false;
-    }
-    return true;
   }
 
  private:
@@ -99,7 +153,7 @@ class StripVisitor {
     for (std::size_t j = 0; j < circles_; ++j) set(j, j == i ? 0 : order.side(j));
     for (const int half : {1, -1}) {
       for (std::size_t q = 0; q < order.half_points(); ++q) {
-        if (Census::is_lowest(order, q, i)) {
+        if (order.is_lowest(q)) {
           stop_at_vertex(order, i, q, half);
         } else {
           for (const std::uint32_t* j = order.begin(q); j != order.end(q); ++j) {
@@ -136,7 +190,7 @@ class StripVisitor {
   std::size_t circles_;
   const SignLayout& layout_;
   CellReceiver& receiver_;
-  std::vector<PackedSigns::Word> words_;
+  std::vector<Word> words_;
 };
 
 ArrangementCounts without_crossings(const GreatCircles& circles) {
@@ -174,14 +228,14 @@ ArrangementCounts sweep(const GreatCircles& circles, const FilteredNormals& norm
     counts = without_crossings(circles);
   } else {
     Census census(k);
-    over_circles(
+    arrangement_detail::over_circles(
         k, threads,
         [&] {
           return Scratch{CircleOrder(normals), Census(k), new_visitor()};
         },
         [](Scratch& scratch, std::size_t i) {
           scratch.order.sort(i);
-          scratch.census.add(scratch.order, i);
+          scratch.census.add(scratch.order);
           if (scratch.visitor) scratch.visitor->visit(scratch.order, i);
         },
         [&](Scratch& scratch) {
@@ -190,20 +244,43 @@ ArrangementCounts sweep(const GreatCircles& circles, const FilteredNormals& norm
         });
     census.fill(counts);
   }
-  complete_counts(counts, circles);
+  arrangement_detail::complete_counts(counts, circles);
   return counts;
 }
 
-class RowCollector final : public CellReceiver {
+class Collector final : public CellReceiver {
  public:
-  explicit RowCollector(std::size_t circles) : rows(circles) {}
-  void receive(std::size_t, CellKind, const PackedSigns& signs) override {
-    rows.add_copy_of(signs.words());
-  }
-  SignRows rows;
+  explicit Collector(std::size_t planes) : states(planes) {}
+  void receive(std::size_t, CellKind, const PackedSigns& signs) override { states.add(signs); }
+  arrangement_detail::StateSorter states;
 };
 
+using FourSigns = std::array<Sign, 4>;
+
+/// The signs that each byte of digits spells. Some bytes have a digit 3, and are never met.
+std::array<FourSigns, 256> signs_of_bytes() {
+  constexpr Sign kSignOfDigit[] = {Sign::kPositive, Sign::kNegative, Sign::kZero, Sign::kZero};
+  std::array<FourSigns, 256> result{};
+  for (std::size_t byte = 0; byte < 256; ++byte) {
+    for (std::size_t i = 0; i < 4; ++i) {
+      result[byte][i] = kSignOfDigit[(byte >> (6 - 2 * i)) & 3];
+    }
+  }
+  return result;
+}
+
 }  // namespace
+
+SlipState PackedSigns::unpack() const {
+  static const std::array<FourSigns, 256> kSignsOfByte = signs_of_bytes();
+  SlipState state(planes_);
+  for (std::size_t p = 0; p < planes_; p += 4) {
+    const Word byte = words_[p / kSignsPerWord] >> (shift_of(p) - 6) & 0xFF;
+    std::copy_n(kSignsOfByte[byte].begin(), std::min<std::size_t>(4, planes_ - p),
+                state.data() + p);
+  }
+  return state;
+}
 
 ArrangementCounts count_cells(const std::vector<Vector3>& plane_normals, unsigned threads,
                               SweepWork* work) {
@@ -222,12 +299,9 @@ ArrangementCounts sweep_cells(const std::vector<Vector3>& plane_normals, unsigne
 
 SlipStates enumerate_slip_states_sweep(const std::vector<Vector3>& plane_normals,
                                        SweepWork* work) {
-  const GreatCircles circles = merge_planes(plane_normals);
-  const FilteredNormals normals(circles.normals);
-  const SignLayout layout = SignLayout::of_circles(circles, normals);
-  RowCollector collector(normals.size());
-  const ArrangementCounts counts = sweep(circles, normals, &layout, &collector, 1, work);
-  return assemble_states(circles, std::move(collector.rows), counts);
+  Collector collector(plane_normals.size());
+  const ArrangementCounts counts = sweep_cells(plane_normals, 1, collector, work);
+  return arrangement_detail::assemble_states(std::move(collector.states), counts);
 }
 
 }  // namespace stickslip

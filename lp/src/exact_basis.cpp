@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "evidence.hpp"
 #include "integer_tier.hpp"
 #include "stickslip/lp/verify.hpp"
 
@@ -135,7 +134,7 @@ class Confirmation {
     point.resize(system_.variable_count());
     for (std::size_t b = 0; b < size(); ++b) {
       if (Tier::sign(square.numerator(b)) != 0) {
-        point[columns_[b]] = ratio(square.numerator(b), square.denominator());
+        point[columns_[b]] = Tier::ratio(square.numerator(b), square.denominator());
       }
     }
     return Outcome::kDone;
@@ -155,7 +154,7 @@ class Confirmation {
       multipliers.resize(system_.row_count());
       for (std::size_t a = 0; a < size(); ++a) {
         if (Tier::sign(square.numerator(a)) != 0) {
-          multipliers[rows_[a]] = ratio(square.numerator(a), square.denominator());
+          multipliers[rows_[a]] = Tier::ratio(square.numerator(a), square.denominator());
         }
       }
     }

@@ -10,7 +10,7 @@
 
 #include <optional>
 
-#include "proposal.hpp"
+#include "double_simplex.hpp"
 #include "scaled_system.hpp"
 
 namespace stickslip::lp_detail {

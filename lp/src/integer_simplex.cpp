@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include "evidence.hpp"
 #include "integer_tier.hpp"
 #include "stickslip/core/error.hpp"
 
@@ -269,7 +268,7 @@ class Run {
     std::vector<Rational> out(system_.variable_count());
     for (Index i = 0; i < d_.row_count(); ++i) {
       if (d_.basic(i) < system_.variable_count() && d_.constant_sign(i) != 0) {
-        out[d_.basic(i)] = ratio(d_.constant(i), d_.denominator());
+        out[d_.basic(i)] = Tier::ratio(d_.constant(i), d_.denominator());
       }
     }
     return out;
@@ -308,7 +307,7 @@ class Run {
       multipliers.resize(system_.row_count());
       for (Index j = 0; j < d_.column_count(); ++j) {
         if (d_.nonbasic(j) < n) continue;
-        multipliers[d_.nonbasic(j) - n] = ratio(d_.cost(j), d_.denominator());
+        multipliers[d_.nonbasic(j) - n] = Tier::ratio(d_.cost(j), d_.denominator());
       }
     }
     result_ = make_optimal(program_, system_, point(), std::move(multipliers));

@@ -4,6 +4,7 @@
 ///
 ///   fused(a, b, c, d, e, out)   out = (a b - c d) / e, where e divides; false on overflow
 ///   compare_products(a, b, c, d)   sign of a b - c d
+///   ratio(a, b)                    a / b in lowest terms, b != 0
 ///
 /// `fused` is the one step of fraction-free elimination (Bareiss 1968, Eq. 7). In the
 /// fixed-width tiers the division is exact and so needs no division instruction: shift out
@@ -16,6 +17,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <numeric>
 
 #include "small_integer.hpp"
 #include "stickslip/core/number.hpp"
@@ -116,6 +118,14 @@ struct Int64Tier {
   static int sign(Value v) { return v < 0 ? -1 : v > 0 ? 1 : 0; }
   static void negate(Value& v) { v = -v; }
   static Integer to_integer(Value v) { return Integer(v); }
+  static Rational ratio(Value a, Value b) {
+    const Value divisor = std::gcd(a, b);
+    const Value signed_divisor = b < 0 ? -divisor : divisor;
+    Rational out;
+    mpq_set_si(out.backend().data(), a / signed_divisor,
+               static_cast<unsigned long>(b / signed_divisor));
+    return out;
+  }
 };
 
 struct Int128Tier {
@@ -190,6 +200,7 @@ struct Int128Tier {
     out += static_cast<std::uint64_t>(magnitude);
     return v < 0 ? Integer(-out) : out;
   }
+  static Rational ratio(Value a, Value b) { return {to_integer(a), to_integer(b)}; }
 };
 
 struct GmpTier {
@@ -239,6 +250,7 @@ struct GmpTier {
   static int sign(const Value& v) { return v.sign(); }
   static void negate(Value& v) { mpz_neg(v.backend().data(), v.backend().data()); }
   static Integer to_integer(const Value& v) { return v; }
+  static Rational ratio(const Value& a, const Value& b) { return {a, b}; }
 };
 
 }  // namespace stickslip::lp_detail

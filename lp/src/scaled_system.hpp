@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// A linear program as the solvers see it: integer rows, one slack per row.
+/// A linear program as the solvers see it: integer rows, one slack per row; and the way back,
+/// from what they find about these rows to the evidence about the rows as given.
 ///
 /// Row i, a.x (<=,=,>=) b, becomes s_i = g_i.x + h_i with (g_i, h_i) = f_i (a, -b), coprime
 /// integers; f_i > 0 for rows >= and =, f_i < 0 for rows <=. So the program says: slacks of
@@ -61,5 +62,17 @@ class ScaledSystem {
   std::vector<std::int64_t> small_;
   std::vector<Integer> big_;  // used for all rows as soon as one entry exceeds 64 bits
 };
+
+// From integers about the scaled rows to the evidence about the rows as given.
+
+/// `multipliers` (one per row, or none for 0): the scaled objective is
+/// sum multipliers_i (g_i.x + h_i) + terms in variables >= 0 + constant.
+Optimal make_optimal(const LinearProgram& program, const ScaledSystem& system,
+                     std::vector<Rational> point, std::vector<Rational> multipliers);
+
+/// sum multipliers_i (g_i.x + h_i) = (terms that are <= 0) + a negative constant.
+Infeasible make_infeasible(const ScaledSystem& system, std::vector<Rational> multipliers);
+
+Unbounded make_unbounded(std::vector<Rational> point, std::vector<Rational> ray);
 
 }  // namespace stickslip::lp_detail

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bindings.hpp"
 #include "exact.hpp"
-#include "stickslip/arrangement/enumerate.hpp"
+#include "stickslip/arrangement/slip_states.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/equilibrium/contact_mode.hpp"

@@ -1,113 +1,86 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of the module that have no public header.
+// Packed signs, and the parts of the module that have no public header.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <string>
 
 #include "assemble_states.hpp"
+#include "cgal_enumerator.hpp"
 #include "families.hpp"
-#include "generic_position.hpp"
-#include "sign_rows.hpp"
+#include "stickslip/arrangement/sweep.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/integer_vector.hpp"
 
 namespace stickslip {
 namespace {
 
-std::string row_text(const SignRows& rows, std::size_t row) {
-  std::string text;
-  for (std::size_t c = 0; c < rows.circles(); ++c) text.push_back(to_char(rows.get(row, c)));
-  return text;
+using arrangement_detail::assemble_states;
+using arrangement_detail::complete_counts;
+using arrangement_detail::in_generic_position;
+using arrangement_detail::over_planes;
+using arrangement_detail::StateSorter;
+
+using Words = std::vector<PackedSigns::Word>;
+
+/// As PackedSigns documents it: 32 digits a word, the first in the most significant bits.
+Words packed(const std::string& text) {
+  Words words(text.size() / 32 + 1, 0);
+  for (std::size_t p = 0; p < text.size(); ++p) {
+    const PackedSigns::Word digit = text[p] == '+' ? 0 : text[p] == '-' ? 1 : 2;
+    words[p / 32] |= digit << (62 - 2 * (p % 32));
+  }
+  words.resize(PackedSigns::words_for(text.size()));
+  return words;
 }
 
 // 31, 32, 33: around the number of signs in a word.
-class SignRowsOfWidth : public testing::TestWithParam<std::size_t> {};
+class PackedSignsOfWidth : public testing::TestWithParam<std::size_t> {};
 
-TEST_P(SignRowsOfWidth, SetGetFlipAgreeWithText) {
+TEST_P(PackedSignsOfWidth, ReadAsTheirText) {
   const std::size_t width = GetParam();
   test::Random random(static_cast<std::uint32_t>(width));
-  SignRows rows(width);
-  std::string expected(width, '+');
-  rows.add();
-  for (int step = 0; step < 200 && width > 0; ++step) {
-    const auto c = static_cast<std::size_t>(random.between(0, static_cast<int>(width) - 1));
-    if (random.between(0, 1) == 0 && expected[c] != '0') {
-      rows.flip(0, c);
-      expected[c] = expected[c] == '+' ? '-' : '+';
-    } else {
-      const Sign sign = sign_of_int(random.between(-1, 1));
-      rows.set(0, c, sign);
-      expected[c] = to_char(sign);
+  for (int step = 0; step < 200; ++step) {
+    std::string expected;
+    while (expected.size() < width) {
+      expected.push_back(to_char(sign_of_int(random.between(-1, 1))));
     }
-    ASSERT_EQ(row_text(rows, 0), expected);
-    std::vector<Sign> unpacked;
-    rows.unpack(0, unpacked);
-    ASSERT_EQ(to_string(unpacked), expected);
+    const Words words = packed(expected);
+    const PackedSigns signs(words.data(), width);
+    ASSERT_EQ(signs.size(), width);
+    ASSERT_EQ(signs.word_count(), words.size());
+    std::string text;
+    for (std::size_t p = 0; p < width; ++p) text.push_back(to_char(signs[p]));
+    ASSERT_EQ(text, expected);
+    ASSERT_EQ(to_string(signs.unpack()), expected);
   }
-  EXPECT_EQ(row_text(rows, rows.add_copy(0)), expected);
 }
 
-TEST_P(SignRowsOfWidth, SortAgreesWithTexts) {
+TEST_P(PackedSignsOfWidth, SortAsTexts) {
   const std::size_t width = GetParam();
   test::Random random(7);
-  SignRows rows(width);
-  std::vector<std::string> expected;
+  std::vector<std::string> texts;
+  std::vector<Words> rows;
   for (int i = 0; i < 300; ++i) {
-    const std::size_t row = rows.add();
-    for (std::size_t c = 0; c < width; ++c) {
+    std::string text(width, '+');
+    for (std::size_t p = 0; p < width; ++p) {
       // Long common prefixes, so that the later words decide.
-      if (c + 4 > width) rows.set(row, c, sign_of_int(random.between(-1, 1)));
+      if (p + 4 > width) text[p] = to_char(sign_of_int(random.between(-1, 1)));
     }
-    expected.push_back(row_text(rows, row));
+    texts.push_back(text);
+    rows.push_back(packed(text));
   }
-  std::sort(expected.begin(), expected.end());
-  expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
-  rows.sort_and_unique();
-  ASSERT_EQ(rows.size(), expected.size());
-  for (std::size_t row = 0; row < rows.size(); ++row) {
-    EXPECT_EQ(row_text(rows, row), expected[row]);
-  }
-}
-
-TEST_P(SignRowsOfWidth, FlipAllLeavesZeros) {
-  const std::size_t width = GetParam();
-  SignRows rows(width);
-  const std::size_t row = rows.add();
-  std::vector<bool> marked(width);
-  std::string expected;
-  for (std::size_t c = 0; c < width; ++c) {
-    const Sign sign = sign_of_int(static_cast<int>(c % 3) - 1);
-    marked[c] = c % 2 == 0;
-    rows.set(row, c, sign);
-    expected.push_back(to_char(marked[c] ? -sign : sign));
-  }
-  rows.flip_all(marked);
-  EXPECT_EQ(row_text(rows, row), expected);
-
-  // The same row by another way is the same row, so one of the two is dropped.
-  const std::size_t twin = rows.add();
-  for (std::size_t c = 0; c < width; ++c) rows.set(twin, c, rows.get(row, c));
-  rows.sort_and_unique();
-  EXPECT_EQ(rows.size(), 1u);
-}
-
-TEST_P(SignRowsOfWidth, DifferExactlyAt) {
-  const std::size_t width = GetParam();
-  for (std::size_t c = 0; c < width; ++c) {
-    SignRows rows(width);
-    const std::size_t a = rows.add();
-    const std::size_t b = rows.add();
-    EXPECT_FALSE(rows.differ_exactly_at(a, b, c));
-    rows.flip(b, c);
-    EXPECT_TRUE(rows.differ_exactly_at(a, b, c));
-    if (width == 1) continue;
-    rows.flip(b, (c + 1) % width);
-    EXPECT_FALSE(rows.differ_exactly_at(a, b, c));
+  std::sort(texts.begin(), texts.end());
+  std::sort(rows.begin(), rows.end());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const PackedSigns signs(rows[i].data(), width);
+    EXPECT_EQ(to_string(signs.unpack()), texts[i]);
+    if (i == 0) continue;
+    EXPECT_EQ(PackedSigns(rows[i - 1].data(), width) == signs, texts[i - 1] == texts[i]);
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Widths, SignRowsOfWidth,
+INSTANTIATE_TEST_SUITE_P(Widths, PackedSignsOfWidth,
                          testing::Values(0, 1, 3, 31, 32, 33, 64, 65, 100));
 
 void expect_generic(const std::vector<IntegerVector3>& mapped) {
@@ -184,36 +157,35 @@ TEST(GenericPosition, HopelessSearchesEnd) {
 
 TEST(AssembleStates, ContradictoryCountsAreRejected) {
   const GreatCircles circles = merge_planes({{1, 0, 0}, {0, 1, 0}});
-  const auto cells = [] {
-    SignRows rows(2);
+  const auto assembled = [&](ArrangementCounts counts) {
+    StateSorter cells(2);
     for (int x = -1; x <= 1; ++x) {
       for (int y = -1; y <= 1; ++y) {
-        const std::size_t row = rows.add();
-        rows.set(row, 0, sign_of_int(x));
-        rows.set(row, 1, sign_of_int(y));
+        cells.add(over_planes(circles, {sign_of_int(x), sign_of_int(y)}));
       }
     }
-    return rows;
+    complete_counts(counts, circles);
+    return assemble_states(cells, counts);
   };
   ArrangementCounts counts;
   counts.vertices = 2;
   counts.edges = 4;
   counts.faces = 4;
-  EXPECT_EQ(assemble_states(circles, cells(), counts).counts.distinct_states, 9u);
+  EXPECT_EQ(assembled(counts).counts.distinct_states, 9u);
 
   ArrangementCounts no_euler = counts;
   no_euler.edges = 5;
-  EXPECT_THROW(assemble_states(circles, cells(), no_euler), ContractError);
+  EXPECT_THROW(assembled(no_euler), ContractError);
 
   ArrangementCounts no_antipodes = counts;
   no_antipodes.edges = 5;
   no_antipodes.faces = 5;
-  EXPECT_THROW(assemble_states(circles, cells(), no_antipodes), ContractError);
+  EXPECT_THROW(assembled(no_antipodes), ContractError);
 
   ArrangementCounts missing_states = counts;
   missing_states.edges = 6;
   missing_states.faces = 6;
-  EXPECT_THROW(assemble_states(circles, cells(), missing_states), ContractError);
+  EXPECT_THROW(assembled(missing_states), ContractError);
 }
 
 }  // namespace

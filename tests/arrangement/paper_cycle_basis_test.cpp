@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Minimum cycle bases against exhaustion, and the theorem of paper_enumerator.hpp on every
+// Minimum cycle bases against exhaustion, and the theorem of docs/paper_enumerator.md on every
 // cycle that could be in one.
 #include "paper_cycle_basis.hpp"
 
@@ -18,6 +18,10 @@
 
 namespace stickslip {
 namespace {
+
+using arrangement_detail::CycleBasis;
+using arrangement_detail::DualPolyhedron;
+using arrangement_detail::minimum_cycle_basis;
 
 using EdgeList = std::vector<std::pair<std::size_t, std::size_t>>;
 using EdgeSet = std::bitset<128>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Steps 1 to 3 of the paper against the arrangement: cell by cell where they agree, and what
-// comes out where they do not. The cases are numbered in paper_enumerator.hpp.
+// comes out where they do not. The cases are numbered in docs/paper_enumerator.md.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -14,6 +14,10 @@
 namespace stickslip {
 namespace {
 
+using arrangement_detail::CircleOrder;
+using arrangement_detail::ExactSigns;
+using arrangement_detail::FilteredNormals;
+
 using test::Random;
 
 // The naive twins: rational arithmetic, nothing else.

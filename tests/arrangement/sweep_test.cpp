@@ -209,20 +209,6 @@ TEST(Sweep, AnExceptionOfAVisitorComesThrough) {
   EXPECT_EQ(seen, 100u);
 }
 
-TEST(PackedSigns, CompareAsTexts) {
-  std::vector<std::string> texts;
-  std::vector<std::vector<PackedSigns::Word>> words;
-  visit_cells(test::grid_planes(40, 2, 9), [&](CellKind, const PackedSigns& signs) {
-    texts.push_back(to_string(signs.unpack()));
-    words.emplace_back(signs.words(), signs.words() + signs.word_count());
-  });
-  for (std::size_t i = 1; i < texts.size(); ++i) {
-    EXPECT_EQ(words[i - 1] < words[i], texts[i - 1] < texts[i]);
-    EXPECT_EQ(PackedSigns(words[i - 1].data(), 40) == PackedSigns(words[i].data(), 40),
-              texts[i - 1] == texts[i]);
-  }
-}
-
 // Chains the cells in the order of visits; merging chains does not commute.
 struct Chain {
   std::uint64_t value = 0;

@@ -3,7 +3,6 @@
 // precision cannot tell them apart. The truth is known by construction.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <utility>
 
 #include "evidence_check.hpp"

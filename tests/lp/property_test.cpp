@@ -2,7 +2,6 @@
 // What must not change an answer, and what must not change anything at all.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <numeric>
 #include <thread>
 

@@ -14,66 +14,13 @@
 ///   sum of them all as last face. A cycle's state is that of a region on it, with 0 for every
 ///   plane that one of its edges crosses.
 ///
-/// **Does this give the arrangement?** Let k be the number of distinct circles on the sphere.
-/// 1. *No two planes coincide, rank 3 (so m >= 3): always*, concurrent planes included, and
-///    whichever minimum cycle basis is found. By the theorem below it consists of faces of the
-///    polyhedron. There are F - 1, all but one, and the faces of a polyhedron have one relation
-///    over GF(2), their sum: the last face is the one that was missing. Regions, facets and
-///    lines are the faces, edges and vertices of the arrangement, each once. All-stick (d = 0)
-///    is none of them and is missing, though it is a slip state.
-/// 2. *A pencil (rank 2), m >= 2 distinct planes, so every m = 2:* the dual is one cycle of 2m
-///    edges. It is the whole basis, and also the last face: the two antipodal vertices of the
-///    arrangement, with the same state, all-stick. Counted with multiplicity there are 4m + 2
-///    cells, the 10 of Table II for m = 2; distinct states are 4m + 1, there 9.
-/// 3. *m = 1:* two regions, one facet, no cycle, so no face to sum up. (E - V + 2 promises one;
-///    it is the rest of the sphere around the edge, and no vertex of the arrangement.)
-///    *m = 0:* one region. Both agree with the arrangement.
-/// 4. *Coincident or opposite planes: never.* Regions on two sides of a plane that m' > 1
-///    contacts share are at Hamming distance m', so no edge joins them. The dual falls apart
-///    into one component for each region of the shared planes alone. Facets on a shared plane
-///    and lines on one are not found; the basis gives exactly the lines on none; the Euler
-///    relation that promises one more face does not hold. The sum of all cycles is then either
-///    empty or the outlines of several components at once, hence no cycle: read as a face it
-///    gives, according to the region one starts from, a state that was found before or one
-///    that no motion has. Example: the grasp of the paper's Fig. 4 has four contacts on two
-///    lines and gives four isolated regions, so 4 states of 9. Merging coincident planes first
-///    (merge_planes) leads back to the cases above.
-///
-/// **Theorem.** In case 1 every cycle of a minimum cycle basis of the dual is a face.
-/// *Notation.* Draw the dual on the sphere: a face f_v around each vertex v of the arrangement,
-/// with 2 t_v edges when t_v circles pass through v; t_v < k because the rank is 3. Let Z be a
-/// cycle, a Jordan curve, with 2r edges (each circle is crossed an even number of times).
-/// *Lemma 1. If Z separates v from -v, then r >= t_v, with equality only for Z = f_v or f_-v.*
-///   v and -v cut each circle through them into two arcs, and each arc crosses Z. If that is
-///   all, the 2 t_v regions on Z have the same signs on all other planes, so they lie in one
-///   convex cone; and they have 2 t_v different signs on the pencil of planes through v, that
-///   is all. A convex set that meets all sectors of a pencil meets its axis: a linear form that
-///   were positive on the set, and 0 on the axis, would be negative on a whole sector. So v or
-///   -v lies in the cone, and Z runs around it.
-/// *Lemma 2. If Z separates v from w but neither of them from its antipode, then r >= k.*
-///   A circle that Z does not cross lies on one side of Z, say that of v and -v (w is the same
-///   in the other case). The other side is connected, avoids the circle, and contains w and -w;
-///   but the circle separates those, or passes through them. So Z crosses every circle, at
-///   least twice.
-/// *Proof.* Let Z be no face. Among the vertices with t_v >= r, none is separated from its
-/// antipode (Lemma 1) and no two from one another (Lemma 2, as r <= t_v < k). So all are on one
-/// side of Z, and Z is the sum of the faces on the other side, each of fewer than 2r edges. But
-/// a cycle that is a sum of shorter ones is in no minimum cycle basis: one of them could take
-/// its place. In case 4, Z and the vertices inside it lie in one region of the shared planes,
-/// -v outside for each of these v, and Lemma 1 alone leads to the same end.
-///
-/// For simple arrangements this says that the dual has no 4-cycles but its faces (m >= 3). The
-/// paper's own reason, that there are E - V + 1 = F - 1 cycles, is not enough: a minimum cycle
-/// basis of a convex polyhedron can leave out two faces for one shorter cycle between them
-/// (an example is in the tests). It takes the antipodal symmetry of the dual.
-///
-/// **Cost** for m planes, V, E = O(m^2) regions and facets. Step 1: two LPs for each region and
-/// plane, O(m^3) LPs of 4 variables and at most m + 1 rows: the paper's bound for its two
-/// loops. Step 2: V (V - 1) / 2 comparisons, O(m^4) of them; they stop at the second
-/// difference. Step 3: de Pina's algorithm as Mehlhorn and Michail state it (the paper's
-/// reference [11]), with breadth-first search where unit weights make Dijkstra's superfluous:
-/// O(E^3 / 64 + V E^2) in place of the paper's O(E^3 + V E^2 log V), O(m^6) either way. No
-/// step is shortened by a heuristic, so that times may be compared.
+/// With no two planes coincident and normals of rank 3 these are the faces, edges and vertices
+/// of the arrangement, each once, and all-stick (d = 0) is missing. In a pencil (rank 2) the
+/// two vertices, both all-stick, are found as the one basis cycle and the last face. With
+/// coincident planes the steps miss cells, and the last face may have a state that no motion
+/// has. docs/paper_enumerator.md proves this and gives the cost: O(m^3) LPs, O(m^4)
+/// comparisons, and O(m^6) operations of Step 3 for m planes. No step is shortened by a
+/// heuristic.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
 /// Slip states: the sign vectors of the cells that great circles cut from the sphere of
-/// motions (Haas-Heger et al., RSS 2018, Section IV), and their counts.
+/// motions (Haas-Heger et al., RSS 2018, Section IV), their counts, and one call for them by
+/// any enumerator.
 ///
 /// Cells are not states. Two antipodal cells share a sign vector when the rank is below 3,
 /// and the all-stick state (d = 0) lies on no cell of a rank 3 arrangement; it is always a
@@ -60,5 +61,24 @@ struct SlipStates {
 /// ContractError if a normal is zero, or if the arrangement fails one of the checks that are
 /// made on it in every build type.
 SlipStates enumerate_slip_states_cgal(const std::vector<Vector3>& plane_normals);
+
+/// kAuto is kCgal, the reference, up to kMostContactsForCgal planes, kSweep beyond.
+enum class Enumerator { kAuto, kCgal, kSweep, kPaper };
+
+/// Up to here CGAL takes some ten milliseconds (bench/README.md).
+inline constexpr std::size_t kMostContactsForCgal = 40;
+
+/// What an enumerator found, and which one it was.
+struct Enumeration {
+  const char* engine;  ///< the one that ran: "cgal", "sweep" or "paper"
+  SlipStates found;    ///< counts; the sweep gives the states only if they are to be listed
+};
+
+/// By any enumerator. The paper's three steps are reported as what they find: lines as
+/// vertices, facets as edges, regions as faces, and all-stick only if a step gives it
+/// (paper_enumerator.hpp). `threads` serve the sweep's counts; 0 is one a core. Throws
+/// ContractError if a normal is zero.
+Enumeration enumerate_slip_states(const std::vector<Vector3>& plane_normals,
+                                  Enumerator enumerator, bool list, unsigned threads = 0);
 
 }  // namespace stickslip

@@ -31,11 +31,11 @@ constexpr int to_int(Sign sign) {
 }
 /// The sign of -x, given that of x.
 constexpr Sign operator-(Sign sign) {
-  return sign_of_int(-to_int(sign));
+  return static_cast<Sign>(-to_int(sign));
 }
 /// The sign of a product, given those of its factors.
 constexpr Sign operator*(Sign a, Sign b) {
-  return sign_of_int(to_int(a) * to_int(b));
+  return static_cast<Sign>(to_int(a) * to_int(b));
 }
 
 /// '+', '-' or '0', as in the slip states that the programs print.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// A linear change of coordinates that keeps an arrangement of great circles clear of the
-/// poles and of the meridian plane y = 0.
+/// What the reference enumerator does before it calls CGAL: a linear change of coordinates that
+/// keeps an arrangement of great circles clear of the poles and of the meridian plane y = 0.
 ///
 /// An algorithm that cuts the sphere along a meridian from pole to pole has special cases
 /// for circles through a pole and for vertices on the cut. They can be avoided: for any
@@ -13,7 +13,7 @@
 
 #include "stickslip/arrangement/great_circles.hpp"
 
-namespace stickslip {
+namespace stickslip::arrangement_detail {
 
 /// The mapped normals Mn of distinct circles, in the same order, for an integer matrix M with
 /// det M != 0 such that, exactly,
@@ -23,4 +23,4 @@ namespace stickslip {
 /// Throws ContractError if a normal is zero or two are parallel: then no matrix serves.
 std::vector<IntegerVector3> in_generic_position(const std::vector<IntegerVector3>& normals);
 
-}  // namespace stickslip
+}  // namespace stickslip::arrangement_detail

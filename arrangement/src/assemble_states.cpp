@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "assemble_states.hpp"
+
+#include <algorithm>
+
+#include "stickslip/core/error.hpp"
+
+namespace stickslip::arrangement_detail {
+
+void complete_counts(ArrangementCounts& counts, const GreatCircles& circles) {
+  counts.planes = circles.circle.size();
+  counts.circles = circles.normals.size();
+  counts.rank = circles.rank;
+  counts.distinct_states = counts.rank == 3   ? counts.cells() + 1
+                           : counts.rank == 2 ? counts.cells() - 1
+                                              : counts.cells();
+}
+
+StateSorter::StateSorter(std::size_t planes)
+    : planes_(planes), width_(PackedSigns::words_for(planes)) {}
+
+void StateSorter::add(const SlipState& state) {
+  for (std::size_t first = 0, w = 0; w < width_; ++w, first += PackedSigns::kSignsPerWord) {
+    const std::size_t end = std::min(planes_, first + PackedSigns::kSignsPerWord);
+    PackedSigns::Word word = 0;
+    for (std::size_t p = first; p < end; ++p) {
+      word |= PackedSigns::digit(state[p]) << PackedSigns::shift_of(p);
+    }
+    words_.push_back(word);
+  }
+}
+
+std::vector<SlipState> StateSorter::sorted() const {
+  std::vector<const PackedSigns::Word*> rows;
+  rows.reserve(words_.size() / width_);
+  for (std::size_t at = 0; at < words_.size(); at += width_) rows.push_back(&words_[at]);
+  const auto less = [this](const PackedSigns::Word* a, const PackedSigns::Word* b) {
+    return std::lexicographical_compare(a, a + width_, b, b + width_);
+  };
+  const auto equal = [this](const PackedSigns::Word* a, const PackedSigns::Word* b) {
+    return std::equal(a, a + width_, b);
+  };
+  std::sort(rows.begin(), rows.end(), less);
+  rows.erase(std::unique(rows.begin(), rows.end(), equal), rows.end());
+  std::vector<SlipState> states;
+  states.reserve(rows.size());
+  for (const PackedSigns::Word* row : rows) {
+    states.push_back(PackedSigns(row, planes_).unpack());
+  }
+  return states;
+}
+
+SlipState over_planes(const GreatCircles& circles, const SlipState& of_circles) {
+  SlipState state;
+  state.reserve(circles.circle.size());
+  for (std::size_t p = 0; p < circles.circle.size(); ++p) {
+    state.push_back(circles.orientation[p] * of_circles[circles.circle[p].index()]);
+  }
+  return state;
+}
+
+SlipStates assemble_states(StateSorter cells, const ArrangementCounts& counts) {
+  cells.add(SlipState(counts.planes, Sign::kZero));
+  SlipStates result{counts, cells.sorted()};
+  if (counts.circles == 0) {
+    require(counts.vertices == 0 && counts.edges == 0 && counts.faces == 1,
+            "arrangement: no circle must leave one face");
+  } else if (counts.circles == 1) {
+    require(counts.vertices == 0 && counts.edges == 1 && counts.faces == 2,
+            "arrangement: one circle must have one edge and two faces");
+  } else {
+    require(counts.vertices + counts.faces == counts.edges + 2,
+            "arrangement: V - E + F must be 2");
+    // -d lies on a cell of the same dimension as d, and never on the same one.
+    require(counts.vertices % 2 == 0 && counts.edges % 2 == 0 && counts.faces % 2 == 0,
+            "arrangement: cells must come in antipodal pairs");
+  }
+  require(result.states.size() == counts.distinct_states,
+          "arrangement: the number of sign vectors contradicts the number of cells");
+  return result;
+}
+
+}  // namespace stickslip::arrangement_detail

@@ -71,12 +71,12 @@ endfunction()
 
 # stickslip_uses_cgal(file ...): these files of this folder include CGAL, and no others do.
 # Interval arithmetic in CGAL changes the rounding mode; -frounding-math keeps the compiler from
-# folding across it (CGAL manual, "Compiler flags"). GCC 12 sees uninitialised values in CGAL's
+# folding across it (CGAL manual, "Compiler flags"). GCC 12 sees uninitialised and freed values in CGAL's
 # and Boost's headers when it optimises little. The tests have a twin of each file, the object
 # library stickslip_cgal_checked, with all of CGAL's assertions: linked into a program, it stands
 # in for the file of the library.
 function(stickslip_uses_cgal)
-  set(options -frounding-math -Wno-maybe-uninitialized)
+  set(options -frounding-math -Wno-maybe-uninitialized -Wno-free-nonheap-object)
   set_source_files_properties(${ARGN} PROPERTIES
     COMPILE_DEFINITIONS "CGAL_USE_GMP;CGAL_USE_MPFR" COMPILE_OPTIONS "${options}"
     SKIP_PRECOMPILE_HEADERS ON)

@@ -17,7 +17,7 @@ namespace stickslip {
 /// A contact is closed iff v = P - k N.d >= 0: one that just touches, v = 0, is closed and has
 /// no force. Under the bilateral law every contact is closed.
 struct ContactMode {
-  bool closed = false;
+  bool closed = false;  ///< v >= 0, or the law is bilateral
   /// The sign of T.d: kZero sticks. An open contact has it too, but friction only where it is
   /// closed.
   Sign slip = Sign::kZero;

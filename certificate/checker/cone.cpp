@@ -9,20 +9,6 @@ namespace {
 
 constexpr std::size_t kWordBits = 64;
 
-/// Divides by the common factor and returns it, or 1 if all are 0.
-Integer make_primitive(Form& x) {
-  Integer divisor;
-  for (const Integer& coordinate : x) {
-    divisor = gcd(divisor, coordinate);
-    if (divisor == 1) return divisor;
-  }
-  if (divisor == 0) return 1;
-  for (Integer& coordinate : x) {
-    mpz_divexact(coordinate.get_mpz_t(), coordinate.get_mpz_t(), divisor.get_mpz_t());
-  }
-  return divisor;
-}
-
 /// p a - q b
 Form combine(const Integer& p, const Form& a, const Integer& q, const Form& b) {
   Form x(a.size());
@@ -34,12 +20,6 @@ Form combine(const Integer& p, const Form& a, const Integer& q, const Form& b) {
   return x;
 }
 
-void add_dot(Integer& sum, const Form& a, const Form& b) {
-  for (std::size_t j = 0; j < a.size(); ++j) {
-    mpz_addmul(sum.get_mpz_t(), a[j].get_mpz_t(), b[j].get_mpz_t());
-  }
-}
-
 bool includes(const Set& set, const Set& part) {
   for (std::size_t k = 0; k < part.size(); ++k) {
     if ((part[k] & ~(k < set.size() ? set[k] : 0)) != 0) return false;
@@ -48,39 +28,6 @@ bool includes(const Set& set, const Set& part) {
 }
 
 }  // namespace
-
-Form make_form(const Vector& x, Rational* scale) {
-  Integer den = 1;
-  for (const Rational& coordinate : x) den = lcm(den, coordinate.get_den());
-  Form form;
-  for (const Rational& coordinate : x) {
-    form.emplace_back(coordinate.get_num() * (den / coordinate.get_den()));
-  }
-  const Integer divisor = make_primitive(form);
-  if (scale != nullptr) {
-    *scale = Rational(divisor, den);
-    scale->canonicalize();
-  }
-  return form;
-}
-
-Form negative(Form a) {
-  for (Integer& coordinate : a) coordinate = -coordinate;
-  return a;
-}
-
-Integer dot(const Form& a, const Form& b) {
-  Integer sum;
-  add_dot(sum, a, b);
-  return sum;
-}
-
-int sign_of_dot(const Form& a, const Form& b) {
-  static thread_local Integer sum;  // most of the time goes here, and its memory is kept
-  sum = 0;
-  add_dot(sum, a, b);
-  return sgn(sum);
-}
 
 void insert(Set& set, std::size_t condition) {
   const std::size_t word = condition / kWordBits;

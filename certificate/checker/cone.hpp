@@ -28,16 +28,6 @@
 
 namespace stickslip_check {
 
-/// Integers without a common factor, or 0: a function of points up to a positive factor, or a
-/// generator.
-using Form = std::vector<Integer>;
-
-/// The positive multiple of `x` without denominators and common factors; x = *scale times it.
-Form make_form(const Vector& x, Rational* scale = nullptr);
-Form negative(Form a);
-Integer dot(const Form& a, const Form& b);
-int sign_of_dot(const Form& a, const Form& b);
-
 /// A set of conditions, by their numbers; of any size, missing words are 0.
 using Set = std::vector<std::uint64_t>;
 void insert(Set& set, std::size_t condition);

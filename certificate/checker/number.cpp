@@ -42,6 +42,12 @@ std::optional<Rational> fraction(const std::string& num, const std::string& den,
   return negative ? Rational(-value) : value;
 }
 
+void add_dot(Integer& sum, const Form& a, const Form& b) {
+  for (std::size_t j = 0; j < a.size(); ++j) {
+    mpz_addmul(sum.get_mpz_t(), a[j].get_mpz_t(), b[j].get_mpz_t());
+  }
+}
+
 }  // namespace
 
 std::optional<Rational> parse_decimal(const std::string& text) {
@@ -96,6 +102,52 @@ std::optional<Rational> exact_sqrt(const Rational& x) {
     return std::nullopt;
   }
   return Rational(sqrt(x.get_num()), sqrt(x.get_den()));
+}
+
+Integer make_primitive(Form& x) {
+  Integer divisor;
+  for (const Integer& coordinate : x) {
+    divisor = gcd(divisor, coordinate);
+    if (divisor == 1) return divisor;
+  }
+  if (divisor == 0) return 1;
+  for (Integer& coordinate : x) {
+    mpz_divexact(coordinate.get_mpz_t(), coordinate.get_mpz_t(), divisor.get_mpz_t());
+  }
+  return divisor;
+}
+
+Form make_form(const Vector& x, Rational* scale) {
+  Integer den = 1;
+  for (const Rational& coordinate : x) den = lcm(den, coordinate.get_den());
+  Form form;
+  for (const Rational& coordinate : x) {
+    form.emplace_back(coordinate.get_num() * (den / coordinate.get_den()));
+  }
+  const Integer divisor = make_primitive(form);
+  if (scale != nullptr) {
+    *scale = Rational(divisor, den);
+    scale->canonicalize();
+  }
+  return form;
+}
+
+Form negative(Form a) {
+  for (Integer& coordinate : a) coordinate = -coordinate;
+  return a;
+}
+
+Integer dot(const Form& a, const Form& b) {
+  Integer sum;
+  add_dot(sum, a, b);
+  return sum;
+}
+
+int sign_of_dot(const Form& a, const Form& b) {
+  static thread_local Integer sum;  // most of the time goes here, and its memory is kept
+  sum = 0;
+  add_dot(sum, a, b);
+  return sgn(sum);
 }
 
 Rational dot(const Vector& a, const Vector& b) {

@@ -26,6 +26,18 @@ std::optional<Rational> parse_decimal(const std::string& text);
 /// A NUMBER of a certificate (FORMAT.md §2): [-]digits or [-]digits/digits.
 std::optional<Rational> parse_fraction(const std::string& text);
 
+/// Integers without a common factor, or 0: a function of points up to a positive factor, or a
+/// generator.
+using Form = std::vector<Integer>;
+
+/// Divides by the common factor and returns it, or 1 if all are 0.
+Integer make_primitive(Form& x);
+/// The positive multiple of `x` without denominators and common factors; x = *scale times it.
+Form make_form(const Vector& x, Rational* scale = nullptr);
+Form negative(Form a);
+Integer dot(const Form& a, const Form& b);
+int sign_of_dot(const Form& a, const Form& b);
+
 /// The square root of x >= 0, if it is rational.
 std::optional<Rational> exact_sqrt(const Rational& x);
 

@@ -12,7 +12,7 @@ namespace {
   throw Malformed{"the question", part, problem};
 }
 
-bool negative(const Rational& x) {
+bool below_zero(const Rational& x) {
   return x < 0;
 }
 
@@ -34,6 +34,21 @@ std::optional<Row> make_row(const Contact& contact, const Rational& preload,
   for (const Rational& c : row.normal) row.v.emplace_back(-contact.stiffness / square * c);
   row.v.emplace_back(preload / *length);
   row.v.emplace_back(growth / *length);
+  Rational v_scale;
+  Rational edge_scale;
+  row.v_form = make_form(row.v, &v_scale);
+  row.slip_form = make_form(row.tangent);
+  row.slip_form.resize(row.v.size());
+  Vector edges;
+  for (const int sigma : {-1, 1}) {
+    for (std::size_t j = 0; j < kDimension; ++j) {
+      edges.emplace_back(row.normal[j] + sigma * row.friction * row.tangent[j]);
+    }
+  }
+  const Form both = make_form(edges, &edge_scale);
+  row.edges[0].assign(both.begin(), both.begin() + kDimension);
+  row.edges[1].assign(both.begin() + kDimension, both.end());
+  row.weight = v_scale * edge_scale;
   return row;
 }
 
@@ -54,7 +69,7 @@ Question pose(const Grasp& grasp, const Options& options, const std::string& fil
   } else if (options.preload_direction) {
     growth = options.preload_direction->values;
   }
-  if (growth.size() != m || std::any_of(growth.begin(), growth.end(), negative)) {
+  if (growth.size() != m || std::any_of(growth.begin(), growth.end(), below_zero)) {
     refuse("preload direction", "found " + show(growth) + ", expected " + std::to_string(m) +
                                     " numbers of 0 or more, one for each contact");
   }

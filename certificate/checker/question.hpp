@@ -48,6 +48,13 @@ struct Row {
   Vector tangent;  ///< T
   Rational friction;
   Vector v;  ///< of a point: v_i(x) = v.x
+
+  // The same in integers, up to positive factors; `weight` is the product of those of v_form
+  // and of both edges, so that v_i(x) (N -+ mu T) = weight (v_form.x) edge.
+  Form v_form;
+  Form slip_form;  ///< of a point: tau_i
+  Form edges[2];   ///< N - mu T, N + mu T
+  Rational weight;
 };
 
 struct Question {

@@ -68,34 +68,14 @@ int side(const Cone& cone, const Form& f, Barring* zero = nullptr) {
 }  // namespace
 
 TreeWalk::TreeWalk(const Question& question, std::vector<Range> ranges)
-    : question_(question), ranges_(std::move(ranges)) {
-  for (const Row& row : question.rows) {
-    Contact contact;
-    Rational v_scale;
-    Rational edge_scale;
-    contact.v = make_form(row.v, &v_scale);
-    contact.tau = make_form(row.tangent);
-    contact.tau.resize(kCoordinates);
-    Vector edges;
-    for (const int sigma : {-1, 1}) {
-      for (std::size_t j = 0; j < kDimension; ++j) {
-        edges.emplace_back(row.normal[j] + sigma * row.friction * row.tangent[j]);
-      }
-    }
-    const Form both = make_form(edges, &edge_scale);
-    contact.edges[0].assign(both.begin(), both.begin() + kDimension);
-    contact.edges[1].assign(both.begin() + kDimension, both.end());
-    contact.weight = v_scale * edge_scale;
-    contacts_.push_back(std::move(contact));
-  }
-}
+    : question_(question), ranges_(std::move(ranges)) {}
 
 void TreeWalk::visit(const Node& node) {
   if (stack_.empty() && trees_ == ranges_.size()) {
     throw Rejected{"tree-long", nodes_, "", "everything was complete before this node"};
   }
   Region region = stack_.empty() ? root(ranges_[trees_++]) : child();
-  const std::size_t most = 2 * contacts_.size() + kMoreDepth;
+  const std::size_t most = 2 * question_.rows.size() + kMoreDepth;
   if (stack_.size() > most) {
     throw rejection("node-depth",
                     "more than " + std::to_string(most) + " nodes above this one");
@@ -132,7 +112,7 @@ TreeWalk::Region TreeWalk::root(const Range& range) const {
   cut({Rational(-range.low), 1}, range.open_low);
   if (range.high) cut({*range.high, -1}, range.open_high);
   if (question_.asked.bilateral) {
-    for (const Contact& contact : contacts_) region.cone = region.cone.cut(contact.v);
+    for (const Row& row : question_.rows) region.cone = region.cone.cut(row.v_form);
   }
   return region;
 }
@@ -168,22 +148,22 @@ std::optional<std::string> TreeWalk::refusal(const Region& region, const Vector&
   work[kDimension + 1] = dot(twist, question_.growth);
   terms.add(work);
   std::vector<std::pair<Rational, const Form*>> bends;
-  for (const Contact& contact : contacts_) {
-    const int v_side = side(region.cone, contact.v);
+  for (const Row& row : question_.rows) {
+    const int v_side = side(region.cone, row.v_form);
     if (v_side < 0) continue;  // max(0, v_i) = 0
     Barring zero(region.strict);
-    const int slip = side(region.cone, contact.tau, &zero);
+    const int slip = side(region.cone, row.slip_form, &zero);
     const int sign = zero.barred() ? slip : 0;
-    const Integer plus = dot(contact.edges[0], y);
-    const Integer minus = dot(contact.edges[1], y);
+    const Integer plus = dot(row.edges[0], y);
+    const Integer minus = dot(row.edges[1], y);
     const Integer alpha = sign > 0 || (sign == 0 && plus > minus) ? plus : minus;
-    const Rational exact = scale * contact.weight * alpha;
+    const Rational exact = scale * row.weight * alpha;
     const Rational factor = rounded ? short_above(exact) : exact;
     if (v_side > 0) {
-      for (std::size_t j = 0; j < kCoordinates; ++j) work[j] = factor * contact.v[j];
+      for (std::size_t j = 0; j < kCoordinates; ++j) work[j] = factor * row.v_form[j];
       terms.add(work);
     } else if (factor > 0) {
-      bends.emplace_back(factor, &contact.v);
+      bends.emplace_back(factor, &row.v_form);
     }
   }
   Rational unit;  // g = unit (linear.x) but for the bends
@@ -209,15 +189,15 @@ void TreeWalk::push(const Node& node, Region region) {
   if (node.kind == NodeKind::kPlane) {
     frame.cut = make_form(node.numbers);
   } else {
-    if (node.contact >= contacts_.size()) {
+    if (node.contact >= question_.rows.size()) {
       throw rejection("node-contact", "contact " + show(Rational(node.contact)) +
                                           ", but the grasp has " +
-                                          std::to_string(contacts_.size()));
+                                          std::to_string(question_.rows.size()));
     }
     frame.contact = node.contact.get_ui();
-    const Contact& contact = contacts_[frame.contact];
+    const Row& row = question_.rows[frame.contact];
     const bool slip = node.kind == NodeKind::kSlip;
-    frame.cut = slip ? contact.tau : contact.v;
+    frame.cut = slip ? row.slip_form : row.v_form;
     if (slip) frame.children = 3;
   }
   stack_.push_back(std::move(frame));

@@ -46,13 +46,6 @@ class TreeWalk {
   std::uint64_t leaves() const { return leaves_; }
 
  private:
-  /// A contact in integers.
-  struct Contact {
-    Form v;           ///< v_i(x) is a positive multiple of v.x
-    Form tau;         ///< tau_i(x) likewise
-    Form edges[2];    ///< N - mu T and N + mu T, both times one positive factor
-    Rational weight;  ///< alpha_i v_i(x) = weight (y.edge) (v.x)
-  };
   struct Region {
     Cone cone;
     Set strict;  ///< the conditions of the cone that are strict functions
@@ -76,7 +69,6 @@ class TreeWalk {
 
   const Question& question_;
   std::vector<Range> ranges_;
-  std::vector<Contact> contacts_;
   std::vector<Frame> stack_;
   std::size_t trees_ = 0;  ///< begun
   std::uint64_t nodes_ = 0;

@@ -16,22 +16,17 @@ std::string name_of(const Integer& contact) {
   return "contact " + show(Rational(contact)) + ": ";
 }
 
-bool opposite(const Rational& x, const Rational& y) {
-  return sgn(x) * sgn(y) < 0;
-}
-
 }  // namespace
 
 std::vector<ContactForce> check_witness(const Question& question, const Witness& witness) {
+  // All conditions are homogeneous, so a multiple of the point without denominators serves.
+  const Form x = make_form(witness.x);
   const std::size_t m = question.rows.size();
-  std::vector<ContactForce> forces(m);
-  for (std::size_t i = 0; i < m; ++i) {
-    const Row& row = question.rows[i];
-    ContactForce& force = forces[i];
-    force.v = dot(row.v, witness.x);
-    force.slip = dot(row.tangent, witness.x);
-    if (force.v > 0) force.a = force.v;
-    force.b = -sgn(force.slip) * row.friction * force.a;
+  std::vector<ContactForce> forces;
+  forces.reserve(m);
+  for (const Row& row : question.rows) {
+    const Integer slip = dot(row.slip_form, x);
+    forces.push_back({dot(row.v_form, x), slip, -sgn(slip)});
   }
   Integer above = -1;
   for (const auto& [contact, share] : witness.shares) {
@@ -42,29 +37,28 @@ std::vector<ContactForce> check_witness(const Question& question, const Witness&
       reject("witness-share", name_of(contact) + show(share) + " is not in [-1, 1]");
     }
     ContactForce& force = forces[contact.get_ui()];
-    if (force.slip != 0) {
-      reject("witness-share", name_of(contact) + "it slips, T.d = " + show(force.slip));
-    }
-    force.b = share * question.rows[contact.get_ui()].friction * force.a;
+    if (force.slip != 0) reject("witness-share", name_of(contact) + "it slips");
+    force.share = share;
     above = contact;
   }
   for (std::size_t i = 0; i < m; ++i) {
     if (question.asked.bilateral && forces[i].v < 0) {
-      reject("witness-normal", name_of(i) + "v = " + show(forces[i].v) + " is below 0");
+      reject("witness-normal", name_of(i) + "v is below 0");
     }
   }
   PairwiseSum sum;
   Vector term(kDimension);
   for (std::size_t j = 0; j < kDimension; ++j) {
-    term[j] = witness.x[kDimension] * question.wrench[j] +
-              witness.x[kDimension + 1] * question.growth[j];
+    term[j] = x[kDimension] * question.wrench[j] + x[kDimension + 1] * question.growth[j];
   }
   sum.add(term);
   for (std::size_t i = 0; i < m; ++i) {
+    if (forces[i].v <= 0) continue;
     const Row& row = question.rows[i];
-    if (forces[i].a == 0) continue;
+    const Rational a = row.weight * forces[i].v;
+    const Rational less = (1 - forces[i].share) / 2;  // of the edge N - mu T
     for (std::size_t j = 0; j < kDimension; ++j) {
-      term[j] = forces[i].a * row.normal[j] + forces[i].b * row.tangent[j];
+      term[j] = a * (less * row.edges[0][j] + (1 - less) * row.edges[1][j]);
     }
     sum.add(term);
   }
@@ -78,20 +72,19 @@ std::vector<ContactForce> check_witness(const Question& question, const Witness&
 std::optional<std::string> mode_refusal(const Question& question,
                                         const std::vector<ContactForce>& first,
                                         const std::vector<ContactForce>& second) {
+  const auto opposite = [](const Integer& x, const Integer& y) { return sgn(x) * sgn(y) < 0; };
   for (std::size_t i = 0; i < question.rows.size(); ++i) {
     const ContactForce& p = first[i];
     const ContactForce& q = second[i];
-    const Rational& friction = question.rows[i].friction;
-    if (opposite(p.v, q.v)) return name_of(i) + "v = " + show(p.v) + " and " + show(q.v);
-    if (friction == 0 || p.a + q.a == 0) continue;
-    if (opposite(p.slip, q.slip)) {
-      return name_of(i) + "T.d = " + show(p.slip) + " and " + show(q.slip);
-    }
-    const Rational edge = -sgn(p.slip + q.slip) * friction;
-    if (edge != 0 && (p.b != edge * p.a || q.b != edge * q.a)) {
-      return name_of(i) +
-             "it slips at one end, and at the other its friction is not the same " +
-             "full share";
+    if (opposite(p.v, q.v)) return name_of(i) + "v has opposite signs";
+    if (question.rows[i].friction == 0 || (p.v <= 0 && q.v <= 0)) continue;
+    if (opposite(p.slip, q.slip)) return name_of(i) + "T.d has opposite signs";
+    const int slip = sgn(p.slip) + sgn(q.slip);
+    for (const ContactForce* end : {&p, &q}) {
+      if (slip != 0 && end->v > 0 && end->share != -((slip > 0) - (slip < 0))) {
+        return name_of(i) +
+               "it slips at one end, and at the other its friction has another share";
+      }
     }
   }
   return std::nullopt;

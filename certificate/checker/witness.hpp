@@ -21,12 +21,11 @@ struct Witness {
   bool operator==(const Witness& other) const { return x == other.x && shares == other.shares; }
 };
 
-/// What follows for one contact.
+/// What follows for one contact; v and the slip up to one positive factor of the point.
 struct ContactForce {
-  Rational v;
-  Rational slip;  ///< T_i.d
-  Rational a;
-  Rational b;
+  Integer v;
+  Integer slip;    ///< T_i.d
+  Rational share;  ///< b / (mu a), of which a = max(0, v)
 };
 
 /// The rules `witness-...`. Throws Rejected, or returns the forces, one for each contact.

@@ -537,9 +537,7 @@ class MarginTest(Case):
                 ([[0, [0, 0, 0], [[0, -2], [2, 1]]], limit], "witness-share", "first"),
                 ([rest, [1, [0, 1, 0], [[0, 0]]]], "witness-share", "second"),
                 ([[0, [0, 0, 0], []], limit], "witness-balance", "first"),
-                ([rest, [1, [0, 2, 0], [[1, 0]]]], "witness-balance", "second")):
-            if which == "second" and rule == "witness-balance":
-                segment = [rest, [1, [0, "1/2", 0], []]]
+                ([rest, [1, [0, "1/2", 0], []]], "witness-balance", "second")):
             self.rule(rule, f"segment 0, {which} point", segments=[segment])
         # Where a segment begins with the last point, and where it only seems to.
         for shares, rule in (([[0, -1], [2, "999/1000"]], "witness-balance"),

@@ -298,7 +298,7 @@ class Certificates(Case):
         self.assertEqual(read(proof), "the old one\n")
         os.chmod(proof, 0o640)
         self.json("decide", FIG1, "--certificate", proof)
-        self.assertIn("stickslip-certificate/1", read(proof))
+        self.assertIn("stickslip-certificate/2", read(proof))
         self.assertEqual(os.listdir(self.folder), ["proof.json"])  # nothing temporary
 
     @unittest.skipIf(os.geteuid() == 0, "root may write anywhere")

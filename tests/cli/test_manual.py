@@ -100,7 +100,7 @@ class CheckersPage(unittest.TestCase):
         self.assertEqual((code, err), (0, ""))
         described = {name for line in re.findall(r"^  (-.*?)(?:  |\n)", text, re.M)
                      for name in re.findall(OPTION, line)}
-        self.assertIn("--snap-normals", described)
+        self.assertIn("--direction", described)
         self.assertEqual(documented_options(page), described)
         self.assertLessEqual(described - {"-h"}, set(re.findall(OPTION, plain(section(page, "SYNOPSIS")))))
 

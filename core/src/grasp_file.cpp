@@ -2,6 +2,7 @@
 #include "stickslip/core/grasp_file.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "stickslip/core/error.hpp"

@@ -83,7 +83,6 @@ class Batch {
     spell(w ? std::optional(w->y) : std::nullopt);
     spell(w ? std::optional(w->torque) : std::nullopt);
     spell(options_.preload);
-    spell(options_.snap_tolerance);
     options_text_ += std::string(to_string(options_.law)) + ";" +
                      std::to_string(arguments.node_limit) + "\n";
     const auto size = std::filesystem::file_size(arguments_.file, ignored_);

@@ -38,6 +38,7 @@ void add_compare_command(CLI::App& app, int& exit_code);
 void add_region_command(CLI::App& app, int& exit_code);
 void add_batch_command(CLI::App& app, int& exit_code);
 void add_crosscheck_command(CLI::App& app, int& exit_code);
+void add_snap_command(CLI::App& app, int& exit_code);
 void add_export_command(CLI::App& app, int& exit_code);
 void add_plot_command(CLI::App& app, int& exit_code);
 /// `plot region`, beside `region`.

@@ -32,7 +32,6 @@ void print_json(const Question& question, const Rational& length,
             {"normal_law", to_string(question.law)},
             {"wrench", number_json(coordinates(question.loaded.wrench))},
             {"length", number_json(length)}};
-  if (!question.snapped.empty()) json["snapped_normals"] = snapped_json(question);
   Json& methods = json["methods"] = Json::array();
   for (const MethodRow& row : rows) {
     methods.push_back({{"method", row.method},
@@ -51,8 +50,8 @@ void print_text(const Question& question, const Rational& length,
   const std::string& name = question.loaded.grasp.name();
   if (!name.empty()) std::cout << name << '\n';
   std::cout << "  load w    " << text(coordinates(question.loaded.wrench)) << '\n'
-            << "  length L  " << text(length) << ", by which torques are divided (--length)\n"
-            << snapped_text(question, text) << '\n';
+            << "  length L  " << text(length)
+            << ", by which torques are divided (--length)\n\n";
   std::vector<std::vector<std::string>> table{{"method", "verdict", "agrees", "why"}};
   for (const MethodRow& row : rows) {
     table.push_back({row.method, row.verdict,

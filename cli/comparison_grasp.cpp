@@ -48,7 +48,7 @@ MethodRow wrench_space_row(const Problem& problem, ForceBound bound, const Ratio
     facets = wrench_space_facets(problem, bound, length);
   } catch (const InputError& error) {
     return about_grasp(method, source, kNotComputed,
-                       error.place() + ": " + error.problem() + "; use --snap-normals 1e-9",
+                       error.place() + ": " + error.problem() + "; " + error.remedy(),
                        {{"error", error.what()}});
   }
   const GraspQuality quality = ferrari_canny_quality(facets);
@@ -70,10 +70,11 @@ MethodRow wrench_space_row(const Problem& problem, ForceBound bound, const Ratio
   const bool closure = quality.radius_squared.sign() > 0;
   const std::string radius = text.root(1, quality.radius_squared);
   return about_grasp(method, source, closure ? "closed" : "not closed",
-                     closure ? "force closure: the largest ball has radius " + radius + ", at the facet " +
-                                   text(normal) + ".x <= " + text(nearest.offset)
-                             : "no force closure, quality 0: no wrench x with " + text.direction(normal) +
-                                   ".x > 0 can be applied",
+                     closure ? "force closure: the largest ball has radius " + radius +
+                                   ", at the facet " + text(normal) +
+                                   ".x <= " + text(nearest.offset)
+                             : "no force closure, quality 0: no wrench x with " +
+                                   text.direction(normal) + ".x > 0 can be applied",
                      std::move(evidence));
 }
 

@@ -74,7 +74,6 @@ void print_json(const Question& question, const Problem& problem, const Decision
   json["engine"] = decision.engine();
   json["normal_law"] = to_string(question.law);
   json["wrench"] = number_json(coordinates(problem.wrench()));
-  if (!question.snapped.empty()) json["snapped_normals"] = snapped_json(question);
   if (const auto* stable = std::get_if<Stable>(&verdict)) {
     json["twist"] = number_json(coordinates(stable->witness.twist));
     Json& contacts = json["contacts"] = Json::array();
@@ -125,7 +124,6 @@ void print_text(const Question& question, const Problem& problem, const Decision
   const Wrench& w = problem.wrench();
   std::cout << (name.empty() ? "" : name + ": ") << name_of(verdict) << "\n\n"
             << "  load w    " << text(coordinates(w)) << '\n';
-  std::cout << snapped_text(question, text);
   if (const auto* stable = std::get_if<Stable>(&verdict)) {
     const Twist& d = stable->witness.twist;
     std::vector<std::vector<std::string>> rows{

@@ -36,6 +36,7 @@ int main(int argc, char** argv) {
   stickslip::add_region_command(app, exit_code);
   stickslip::add_batch_command(app, exit_code);
   stickslip::add_crosscheck_command(app, exit_code);
+  stickslip::add_snap_command(app, exit_code);
   stickslip::add_export_command(app, exit_code);
   stickslip::add_plot_command(app, exit_code);
   stickslip::add_help_command(app, exit_code);

@@ -52,8 +52,7 @@ void print_text(const Question& question, const Margin& margin, NumberText text)
   const std::string& name = question.loaded.grasp.name();
   std::cout << (name.empty() ? "" : name + ": ") << "loads w + l u with l >= 0\n\n"
             << "  wrench w     " << text(coordinates(question.loaded.wrench)) << '\n'
-            << "  direction u  " << text(coordinates(margin.direction)) << '\n'
-            << snapped_text(question, text) << '\n';
+            << "  direction u  " << text(coordinates(margin.direction)) << "\n\n";
   if (margin.resisted.empty()) std::cout << "No l is resisted.\n";
   for (const LoadInterval& interval : margin.resisted) {
     std::cout << "Resisted: l in " << interval_text(interval, text) << '\n';

@@ -104,6 +104,10 @@ Json number_json(const Rational& value) {
   return marked(to_string(value));
 }
 
+Json decimal_json(const std::string& decimal) {
+  return marked(decimal);
+}
+
 Json number_json(const DecimalEnclosure& enclosure) {
   return Json::array({marked(enclosure.lower), marked(enclosure.upper)});
 }
@@ -125,25 +129,6 @@ Json finished(const Json& tree, bool floats) {
     if (floats && holds_numbers(value)) result[key + "_float"] = nearest_doubles(value);
   }
   return result;
-}
-
-Json snapped_json(const Question& question) {
-  Json json = Json::array();
-  for (const SnappedNormal& normal : question.snapped) {
-    json.push_back({{"contact", normal.contact.index()},
-                    {"normal", number_json(normal.after)},
-                    {"moved_at_most", marked(normal.moved)}});
-  }
-  return json;
-}
-
-std::string snapped_text(const Question& question, NumberText& text) {
-  std::string lines;
-  for (const SnappedNormal& normal : question.snapped) {
-    lines += "  contact " + std::to_string(normal.contact.index()) + ": normal snapped to " +
-             text(normal.after) + ", moved by at most " + normal.moved + '\n';
-  }
-  return lines;
 }
 
 }  // namespace stickslip

@@ -69,6 +69,7 @@ class NumberText {
 
 /// \{ \brief An exact number, or several, in a JSON tree that finished() is to finish.
 Json number_json(const Rational& value);
+Json decimal_json(const std::string& decimal);  ///< as it is spelled
 Json number_json(const DecimalEnclosure& enclosure);
 Json number_json(const Vector2& v);
 template <class Number, std::size_t n>
@@ -83,9 +84,5 @@ Json number_json(const std::array<Number, n>& v) {
 /// that is such numbers, in arrays of any depth, is followed by a member X_float of the same
 /// shape: the nearest doubles, null beyond their range.
 Json finished(const Json& tree, bool floats);
-
-/// The normals that were snapped; an array, or a line for each.
-Json snapped_json(const Question& question);
-std::string snapped_text(const Question& question, NumberText& text);
 
 }  // namespace stickslip

@@ -54,8 +54,9 @@ void add_grasp_argument(CLI::App& command, std::string& file) {
       ->required();
 }
 
-void add_output_option(CLI::App& command, std::string& output, const std::string& sort) {
-  command.add_option("--output,-o", output, sort + " to write; - is standard output")
+CLI::Option* add_output_option(CLI::App& command, std::string& output,
+                               const std::string& sort) {
+  return command.add_option("--output,-o", output, sort + " to write; - is standard output")
       ->type_name("FILE")
       ->capture_default_str();
 }
@@ -116,12 +117,6 @@ void QuestionArguments::add_model_options_to(CLI::App& command) {
       ->type_name("LAW")
       ->check(CLI::IsMember({"unilateral", "bilateral"}))
       ->capture_default_str();
-  command
-      .add_option("--snap-normals", snap_tolerance_,
-                  "Replace each normal of irrational length, such as that of (1, 1), by a "
-                  "rational unit "
-                  "vector within EPS of its direction; the answer says how far each moved")
-      ->type_name("EPS");
 }
 
 void QuestionArguments::add_with_base_wrench_to(CLI::App& command) {
@@ -138,9 +133,6 @@ QuestionOptions QuestionArguments::options() const {
   if (starts_at_zero_) options.wrench = Wrench{};
   if (!wrench_.empty()) options.wrench = wrench_option("--wrench", wrench_);
   if (!preload_.empty()) options.preload = number_option("--preload", preload_);
-  if (!snap_tolerance_.empty()) {
-    options.snap_tolerance = number_option("--snap-normals", snap_tolerance_);
-  }
   options.law = law_ == "bilateral" ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
   return options;
 }
@@ -159,13 +151,7 @@ Question ask_with_options(const GraspFile& file, const QuestionOptions& options,
     if (error.place() == "preload") {
       throw InputError("", "--preload", error.problem(), error.remedy());
     }
-    if (error.place() == "snap_normals") {
-      throw InputError("", "--snap-normals", error.problem(), error.remedy());
-    }
-    throw InputError(
-        name, error.place(), error.problem(),
-        "add --snap-normals 1e-9, which replaces it by a rational unit vector that "
-        "near, and says how near");
+    throw error.in_file(name);
   }
 }
 

@@ -16,7 +16,7 @@ namespace stickslip {
 
 class QuestionArguments {
  public:
-  /// Adds GRASP, --wrench, --preload, --normal-law and --snap-normals.
+  /// Adds GRASP, --wrench, --preload and --normal-law.
   void add_to(CLI::App& command);
   /// The same, for a command that asks about loads of its own: the wrench that they start from
   /// is 0 unless --wrench gives another, whatever the file's.
@@ -37,7 +37,6 @@ class QuestionArguments {
   std::string file_;
   std::string wrench_;
   std::string preload_;
-  std::string snap_tolerance_;
   std::string law_ = "unilateral";
   bool starts_at_zero_ = false;
 };
@@ -54,7 +53,7 @@ std::string law_text(NormalLaw law);
 void add_grasp_argument(CLI::App& command, std::string& file);
 
 /// -o of a command that writes one file of this sort.
-void add_output_option(CLI::App& command, std::string& output, const std::string& sort);
+CLI::Option* add_output_option(CLI::App& command, std::string& output, const std::string& sort);
 
 /// Accepts the whole numbers from 0 to `most`, spelled in digits.
 CLI::Validator whole_number(std::uint64_t most);

@@ -88,7 +88,6 @@ void print_json(const Question& question, const WrenchPlane& plane, const Region
              {{"origin", number_json(coordinates(plane.origin()))},
               {"u", number_json(coordinates(plane.u()))},
               {"v", number_json(coordinates(plane.v()))}}}};
-  if (!question.snapped.empty()) json["snapped_normals"] = snapped_json(question);
   if (report.undecided) {
     json["limit"] = report.undecided->limit;
   } else {
@@ -132,8 +131,8 @@ void print_text(const Question& question, const WrenchPlane& plane, const Region
   const std::string& name = question.loaded.grasp.name();
   std::cout << (name.empty() ? "" : name + ": ") << "resistible wrenches\n\n"
             << "  plane  " << text(coordinates(plane.origin())) << " + s "
-            << text(coordinates(plane.u())) << " + t " << text(coordinates(plane.v())) << '\n'
-            << snapped_text(question, text) << '\n';
+            << text(coordinates(plane.u())) << " + t " << text(coordinates(plane.v()))
+            << "\n\n";
   const PlaneUnion& region = report.region;
   if (report.undecided) {
     std::cout << "Given up at " << report.undecided->limit << "; no region is known.\n";

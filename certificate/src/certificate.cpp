@@ -55,11 +55,6 @@ struct NodeText {
 /// All up to the verdict; `direction` if a margin is proved.
 std::string head(const Question& question, const Wrench* direction,
                  const std::string& producer) {
-  if (!question.snapped.empty()) {
-    throw InputError("", "",
-                     "a certificate is about the grasp file, whose normals were replaced",
-                     "run stickslip snap GRASP -o FILE, and ask about FILE");
-  }
   std::string text = "{\"format\": \"stickslip-certificate/2\",\n \"producer\": " +
                      nlohmann::json(producer).dump() + ",\n \"question\": {\"contacts\": " +
                      std::to_string(question.loaded.grasp.size()) + ", \"wrench\": [" +

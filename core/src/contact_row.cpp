@@ -2,6 +2,7 @@
 #include "stickslip/core/contact_row.hpp"
 
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/snap.hpp"
 
 namespace stickslip {
 namespace {
@@ -34,8 +35,7 @@ std::vector<ContactRow> contact_rows(const Grasp& grasp) {
                              to_readable_string(c.normal.y) +
                              ") of a preloaded contact has the irrational length sqrt(" +
                              to_readable_string(length_squared) + ")",
-                         "replace it by a rational unit vector nearby: snap_normals=1e-9, or "
-                         "\"normals\": \"snap\" in the grasp file");
+                         kSnapRemedy);
       }
       preload = c.preload / *length;
     }

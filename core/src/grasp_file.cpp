@@ -2,12 +2,12 @@
 #include "stickslip/core/grasp_file.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/json.hpp"
-#include "stickslip/core/snap.hpp"
 
 namespace stickslip {
 
@@ -81,25 +81,6 @@ Wrench read_wrench(const JsonNode& root) {
       member(root, "", "wrench", "add \"wrench\": [x, y, torque]; no load is [0, 0, 0]");
   const std::vector<Rational> v = read_vector(node, "wrench", 3, kForm);
   return {v[0], v[1], v[2]};
-}
-
-std::optional<Rational> read_snap_tolerance(const JsonNode& root) {
-  constexpr const char* kRemedy = R"(expected "exact", "snap" or {"snap": EPS})";
-  const JsonNode* node = root.find("normals");
-  if (node == nullptr) return std::nullopt;
-  if (node->kind == Kind::kObject) {
-    expect_object(*node, "normals", {"snap"});
-    const Rational tolerance =
-        read_number(member(*node, "normals", "snap", kRemedy), "normals.snap");
-    if (tolerance.sign() <= 0 || tolerance >= 1) {
-      fail_at("normals.snap", "the value is " + to_string(tolerance),
-              "it must lie between 0 and 1, such as 1e-9");
-    }
-    return tolerance;
-  }
-  if (node->kind == Kind::kString && node->text == "exact") return std::nullopt;
-  if (node->kind == Kind::kString && node->text == "snap") return default_snap_tolerance();
-  fail_at("normals", "found " + describe(*node), kRemedy);
 }
 
 std::string read_name(const JsonNode& root) {
@@ -185,18 +166,19 @@ void StreamedGrasp::add_contact(std::size_t index, const JsonNode& node) {
 GraspFile StreamedGrasp::finish(const JsonNode& grasp) {
   expect(grasp, Kind::kObject, "", "an object {\"format\": ..., \"contacts\": [...], ...}");
   check_format(grasp);
-  expect_object(grasp, "", {"format", "name", "defaults", "contacts", "wrench", "normals"});
+  if (grasp.find("normals") != nullptr) {
+    fail_at("", "unknown key \"normals\"",
+            "remove it; to snap normals, run stickslip snap GRASP -o FILE");
+  }
+  expect_object(grasp, "", {"format", "name", "defaults", "contacts", "wrench"});
   expect(member(grasp, "", "contacts", "add \"contacts\": [...], which may be empty"),
          Kind::kArray, "contacts", "an array of contacts [{...}, ...]");
   const Properties defaults = read_defaults(grasp);
   Wrench wrench = read_wrench(grasp);
-  std::optional<Rational> snap_tolerance = read_snap_tolerance(grasp);
   std::vector<ContactId> assumed_stiffness;
   Grasp read(with_defaults(std::move(contacts_), defaults, assumed_stiffness),
              read_name(grasp));
-  return {{std::move(read), std::move(wrench)},
-          std::move(snap_tolerance),
-          std::move(assumed_stiffness)};
+  return {{std::move(read), std::move(wrench)}, std::move(assumed_stiffness)};
 }
 
 GraspFile parse_grasp(std::string_view text, const std::string& file) {
@@ -221,24 +203,24 @@ GraspFile read_grasp_file(const std::string& path) {
 }
 
 std::string write_grasp(const LoadedGrasp& content) {
-  return write_grasp_file({content, std::nullopt});
+  return write_grasp_file({content});
 }
 
 std::string write_grasp_file(const GraspFile& file) {
   const Grasp& grasp = file.content.grasp;
   std::string text = std::string("{\"format\": \"") + kFormat + "\",\n";
   if (!grasp.name().empty()) text += " \"name\": " + json_string(grasp.name(), "name") + ",\n";
-  if (file.snap_tolerance) {
-    text += " \"normals\": {\"snap\": " + write_number(*file.snap_tolerance) + "},\n";
-  }
   text += " \"contacts\": [";
   const char* separator = "\n";
-  for (const Contact& c : grasp.contacts()) {
+  const std::vector<ContactId>& assumed = file.assumed_stiffness;
+  for (std::size_t i = 0; i < grasp.size(); ++i) {
+    const Contact& c = grasp.contacts()[i];
+    const bool given = !std::binary_search(assumed.begin(), assumed.end(), ContactId(i));
     text += separator;
     text += "  {\"position\": " + write_numbers({&c.position.x, &c.position.y}) +
             ", \"normal\": " + write_numbers({&c.normal.x, &c.normal.y}) +
             ", \"friction\": " + write_number(c.friction) +
-            ", \"stiffness\": " + write_number(c.stiffness) +
+            (given ? ", \"stiffness\": " + write_number(c.stiffness) : "") +
             ", \"preload\": " + write_number(c.preload) + "}";
     separator = ",\n";
   }

@@ -103,13 +103,9 @@ Rational with_sign_of(const Rational& magnitude, const Rational& sign) {
 
 }  // namespace
 
-Rational default_snap_tolerance() {
-  return Rational(1, 1'000'000'000);
-}
-
 SnapResult snap_normals(const Grasp& grasp, const Rational& tolerance) {
   if (tolerance.sign() <= 0 || tolerance >= 1) {
-    throw InputError("", "snap tolerance", "the value is " + to_string(tolerance),
+    throw InputError("", "within", "the value is " + to_string(tolerance),
                      "it must lie between 0 and 1, such as 1e-9");
   }
   std::vector<Contact> contacts = grasp.contacts();

@@ -7,6 +7,7 @@
 
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/json.hpp"
+#include "stickslip/core/snap.hpp"
 
 namespace stickslip {
 namespace {
@@ -53,16 +54,13 @@ QuestionOptions read_options(const JsonNode& line) {
   QuestionOptions options;
   const JsonNode* node = line.find("options");
   if (node == nullptr) return options;
-  expect_object(*node, "options", {"wrench", "preload", "normal_law", "snap_normals"});
+  expect_object(*node, "options", {"wrench", "preload", "normal_law"});
   if (const JsonNode* wrench = node->find("wrench")) {
     const auto w = read_vector(*wrench, "options.wrench", 3, kThreeNumbers);
     options.wrench = Wrench{w[0], w[1], w[2]};
   }
   if (const JsonNode* preload = node->find("preload")) {
     options.preload = read_number(*preload, "options.preload");
-  }
-  if (const JsonNode* tolerance = node->find("snap_normals")) {
-    options.snap_tolerance = read_number(*tolerance, "options.snap_normals");
   }
   if (const JsonNode* law = node->find("normal_law")) {
     options.law = is_first(*law, "options.normal_law", "unilateral", "bilateral")
@@ -75,12 +73,13 @@ QuestionOptions read_options(const JsonNode& line) {
 Rational length_of(const Vector2& normal, std::size_t contact) {
   const Rational square = normal.x * normal.x + normal.y * normal.y;
   if (const auto length = exact_sqrt(square)) return *length;
-  fail_at(
-      element_path("claim.forces", contact),
-      "the normal of contact " + std::to_string(contact) + " has the irrational length sqrt(" +
-          to_string(square) + "), so a force of rational magnitude is not a rational vector",
-      "give \"force_vectors\", [fx, fy] in the object frame, in place of \"forces\"; or give "
-      "normals of rational length, as options.snap_normals makes them");
+  fail_at(element_path("claim.forces", contact),
+          "the normal of contact " + std::to_string(contact) +
+              " has the irrational length sqrt(" + to_string(square) +
+              "), so a force of rational magnitude is not a rational vector",
+          std::string("give \"force_vectors\", [fx, fy] in the object frame, in place of "
+                      "\"forces\"; or ") +
+              kSnapRemedy);
 }
 
 /// Coefficients of the contacts' normals and tangents.

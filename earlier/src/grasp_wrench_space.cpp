@@ -6,6 +6,7 @@
 #include <set>
 
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/snap.hpp"
 #include "stickslip/equilibrium/search/cone.hpp"
 
 namespace stickslip {
@@ -31,8 +32,7 @@ std::vector<UnitEdges> unit_edges(const Problem& problem, const Rational& length
                        "a grasp wrench space needs unit normals, and this one has the "
                        "irrational length sqrt(" +
                            to_string(square) + ")",
-                       "replace it by a rational unit vector nearby: snap_normals=1e-9, or "
-                       "\"normals\": \"snap\" in the grasp file");
+                       kSnapRemedy);
     }
     const auto edge = [&](int side) {
       const Wrench w = (1 / *norm) * problem.edge_wrench(ContactId(i), side);

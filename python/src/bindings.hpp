@@ -26,6 +26,9 @@ void bind_crosscheck(pybind11::module_& module);  ///< crosscheck.cpp
 QuestionOptions question_options(const pybind11::object& wrench,
                                  const pybind11::object& preload, bool bilateral);
 
+/// ask(), with the remedy for a preloaded normal of irrational length in Python's words.
+Question question_of(const GraspFile& grasp, const QuestionOptions& options);
+
 /// The certificate of a verdict; empty if undecided.
 std::string certificate_of(const Question& question, const Decision& decision);
 

@@ -62,7 +62,7 @@ py::dict crosscheck(const GraspFile& grasp, bool stable, const py::object& twist
                     const py::object& forces, const py::object& wrench,
                     const py::object& preload, bool bilateral, const py::object& tie,
                     const py::object& tolerance, std::size_t node_limit, bool distances) {
-  const Question question = ask(grasp, question_options(wrench, preload, bilateral));
+  const Question question = question_of(grasp, question_options(wrench, preload, bilateral));
   Claim claim;
   claim.stable = stable;
   if (!twist.is_none()) {

@@ -3,6 +3,7 @@
 
 #include "bindings.hpp"
 #include "exact.hpp"
+#include "stickslip/core/snap.hpp"
 
 namespace stickslip::python {
 namespace {
@@ -32,7 +33,7 @@ std::vector<Rational> numbers(const py::object& values, std::size_t contacts,
 GraspFile make_grasp(const py::list& positions, const py::list& normals,
                      const py::object& friction, const py::object& stiffness,
                      const py::object& preload, const py::list& wrench, const std::string& name,
-                     const py::object& snap_normals, bool assumed_stiffness) {
+                     bool assumed_stiffness) {
   const std::size_t m = positions.size();
   const std::vector<Rational> frictions = numbers(friction, m, "friction");
   const std::vector<Rational> stiffnesses = numbers(stiffness, m, "stiffness");
@@ -42,16 +43,25 @@ GraspFile make_grasp(const py::list& positions, const py::list& normals,
     contacts.push_back({vector2(positions, i, "positions"), vector2(normals, i, "normals"),
                         frictions[i], stiffnesses[i], preloads[i]});
   }
-  GraspFile file{{Grasp(std::move(contacts), name), exact_wrench(wrench, "wrench")}, {}};
+  GraspFile file{{Grasp(std::move(contacts), name), exact_wrench(wrench, "wrench")}};
   for (std::size_t i = 0; assumed_stiffness && i < m; ++i) {
     file.assumed_stiffness.emplace_back(i);
   }
-  if (!snap_normals.is_none()) {
-    QuestionOptions options;
-    options.snap_tolerance = file.snap_tolerance = exact(snap_normals, "snap_normals");
-    ask(file, options);  // refuses a tolerance that is out of range
-  }
   return file;
+}
+
+/// The grasp with rational unit normals, and (contact, normal, moved at most) of each that
+/// moved.
+py::tuple snapped(const GraspFile& file, const py::object& within) {
+  const SnapResult result = snap_normals(file.content.grasp, exact(within, "within"));
+  py::tuple moved(result.snapped.size());
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    const SnappedNormal& s = result.snapped[i];
+    moved[i] = py::make_tuple(s.contact.index(), fractions(s.after.x, s.after.y), s.moved);
+  }
+  GraspFile grasp = file;
+  grasp.content.grasp = result.grasp;
+  return py::make_tuple(std::move(grasp), moved);
 }
 
 /// One value a contact.
@@ -83,7 +93,7 @@ void bind_grasp(py::module_& module) {
                   [](const std::string& content, const std::string& name) {
                     return without_gil([&] { return parse_grasp(content, name); });
                   })
-      .def("text", [](const GraspFile& f) { return write_grasp_file(f); })
+      .def("text", [](const GraspFile& f) { return write_grasp(f.content); })
       .def("size", [](const GraspFile& f) { return f.content.grasp.size(); })
       .def("name", [](const GraspFile& f) { return text(f.content.grasp.name()); })
       .def("positions", [](const GraspFile& f) { return vectors(f, &Contact::position); })
@@ -92,10 +102,7 @@ void bind_grasp(py::module_& module) {
       .def("stiffness", [](const GraspFile& f) { return scalars(f, &Contact::stiffness); })
       .def("preload", [](const GraspFile& f) { return scalars(f, &Contact::preload); })
       .def("wrench", [](const GraspFile& f) { return fractions(f.content.wrench); })
-      .def("snap_normals", [](const GraspFile& f) -> py::object {
-        if (!f.snap_tolerance) return py::none();
-        return fraction(*f.snap_tolerance);
-      });
+      .def("snap", &snapped);
 }
 
 }  // namespace stickslip::python

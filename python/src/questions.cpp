@@ -22,15 +22,6 @@ py::dict stats(const Work& work) {
   return result;
 }
 
-py::tuple snapped_normals(const Question& question) {
-  py::tuple result(question.snapped.size());
-  for (std::size_t i = 0; i < question.snapped.size(); ++i) {
-    const SnappedNormal& s = question.snapped[i];
-    result[i] = py::make_tuple(s.contact.index(), fractions(s.after.x, s.after.y), s.moved);
-  }
-  return result;
-}
-
 /// The evidence of a stable verdict, contact by contact.
 void add_witness(py::dict& result, const Question& question, const Problem& problem,
                  const Witness& witness) {
@@ -64,7 +55,7 @@ py::dict decide_grasp(const GraspFile& grasp, const py::object& wrench,
   };
   const QuestionOptions asked = question_options(wrench, preload, bilateral);
   const Answer answer = without_gil([&] {
-    Question question = ask(grasp, asked);
+    Question question = question_of(grasp, asked);
     Problem problem(question.loaded, question.law);
     ConeOptions options;
     options.node_limit = node_limit;
@@ -127,7 +118,7 @@ py::dict find_grasp_margin(const GraspFile& grasp, const py::list& direction,
                      "give the wrench whose multiples are asked for, such as (0, 1, 0)");
   }
   const Answer answer = without_gil([&] {
-    Question question = ask(grasp, asked);
+    Question question = question_of(grasp, asked);
     ConeOptions options;
     options.node_limit = node_limit;
     MarginWork work;
@@ -155,7 +146,6 @@ py::dict find_grasp_margin(const GraspFile& grasp, const py::list& direction,
   return py::dict("resisted"_a = resisted, "direction"_a = fractions(margin.direction),
                   "wrench"_a = fractions(answer.question.loaded.wrench),
                   "normal_law"_a = to_string(answer.question.law),
-                  "snapped_normals"_a = snapped_normals(answer.question),
                   "certificate"_a = answer.certificate, "stats"_a = work);
 }
 
@@ -173,8 +163,7 @@ py::dict decision_fields(const Question& question, const Problem& problem,
   const Verdict& verdict = decision.verdict;
   py::dict result("verdict"_a = name_of(verdict), "engine"_a = decision.engine(),
                   "normal_law"_a = to_string(question.law),
-                  "wrench"_a = fractions(problem.wrench()),
-                  "snapped_normals"_a = snapped_normals(question));
+                  "wrench"_a = fractions(problem.wrench()));
   if (!certificate.empty()) result["certificate"] = certificate;
   result["stats"] = std::visit([](const auto& work) { return stats(work); }, decision.work);
   if (const auto* stable = std::get_if<Stable>(&verdict)) {
@@ -201,6 +190,16 @@ QuestionOptions question_options(const py::object& wrench, const py::object& pre
   if (!preload.is_none()) options.preload = exact(preload, "preload");
   options.law = bilateral ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
   return options;
+}
+
+Question question_of(const GraspFile& grasp, const QuestionOptions& options) {
+  Question question = ask(grasp, options);
+  try {
+    contact_rows(question.loaded.grasp);
+  } catch (const InputError& error) {
+    throw InputError("", error.place(), error.problem(), "ask about grasp.snap().grasp");
+  }
+  return question;
 }
 
 void bind_questions(py::module_& module) {

@@ -15,7 +15,7 @@ wrench is the one applied to the body. See docs/python.md.
 
 from . import _core
 from .errors import ContractError, InputError, LimitReached
-from .grasp import Grasp
+from .grasp import Grasp, SnappedNormal, SnapResult
 from .questions import check, crosscheck, decide, margin, slip_states
 from .results import (
     CheckResult,
@@ -26,7 +26,6 @@ from .results import (
     NearbyEquilibrium,
     Residual,
     SlipStates,
-    SnappedNormal,
 )
 
 __version__: str = _core.version
@@ -44,6 +43,7 @@ __all__ = [
     "NearbyEquilibrium",
     "Residual",
     "SlipStates",
+    "SnapResult",
     "SnappedNormal",
     "check",
     "crosscheck",

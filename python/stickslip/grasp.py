@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import os
 from fractions import Fraction
-from typing import Any, Optional, Tuple, Union
+from typing import Any, NamedTuple, Tuple, Union
 
 from numpy.typing import ArrayLike
 
@@ -14,14 +14,14 @@ from .arguments import (
     as_content,
     as_json,
     as_list,
-    as_number_or_none,
+    as_number,
     as_numbers,
     as_rows,
     as_text,
     as_wrench,
 )
 from .errors import InputError
-from .views import call_of
+from .views import call_of, shown
 
 Pair = Tuple[Fraction, Fraction]
 Triple = Tuple[Fraction, Fraction, Fraction]
@@ -38,10 +38,6 @@ class Grasp:
         preload: normal force before the wrench is applied, >= 0.
         wrench: (3,), force x, force y and torque about the origin, applied *to* the body.
         name: for people.
-        snap_normals: a tolerance between 0 and 1, such as "1e-9": every normal of irrational
-            length is replaced by a rational unit vector within it when a question is asked. A
-            preloaded contact needs it unless the length of its normal is rational; the length
-            of a unit vector in floating point seldom is.
 
     Numbers are taken exactly: a float as the dyadic rational that it is (0.1 is not 1/10), an
     int, a Fraction, a Decimal, and a string as it spells ("1/10", "0.1", "1e-3"). Arrays may mix
@@ -68,7 +64,6 @@ class Grasp:
         *,
         wrench: Any = (0, 0, 0),
         name: str = "",
-        snap_normals: Any = None,
     ) -> None:
         rows = as_rows(positions)
         m = len(rows)
@@ -80,7 +75,6 @@ class Grasp:
             as_numbers(preload, "preload", m),
             as_wrench(wrench, "wrench"),
             as_text(name, "name"),
-            as_number_or_none(snap_normals, "snap_normals"),
             stiffness is None,
         )
         object.__setattr__(self, "_data", data)
@@ -118,7 +112,6 @@ class Grasp:
 
     @property
     def normals(self) -> Tuple[Pair, ...]:
-        """As given, not snapped."""
         return self._data.normals()
 
     @property
@@ -141,10 +134,15 @@ class Grasp:
     def name(self) -> str:
         return self._data.name()
 
-    @property
-    def snap_normals(self) -> Optional[Fraction]:
-        """The tolerance, or None if normals are used as they are."""
-        return self._data.snap_normals()
+    def snap(self, within: Any = "1e-9") -> SnapResult:
+        """The same grasp with rational unit normals, and how far each normal moved for that.
+
+        A preloaded contact needs a normal of rational length, and unit vectors in floating point
+        seldom have one. Each normal of irrational length is replaced by a rational unit vector
+        at a distance of at most ``within``, between 0 and 1; the others stay as they are.
+        """
+        data, moved = self._data.snap(as_number(within, "within"))
+        return SnapResult(Grasp._of(data), tuple(SnappedNormal(*normal) for normal in moved))
 
     def __len__(self) -> int:
         """The number of contacts."""
@@ -166,4 +164,22 @@ class Grasp:
 
     def __repr__(self) -> str:
         return call_of("Grasp", [("name", self.name), ("contacts", len(self)),
-                                 ("wrench", self.wrench), ("snap_normals", self.snap_normals)])
+                                 ("wrench", self.wrench)])
+
+
+class SnappedNormal(NamedTuple):
+    """A contact whose normal was replaced by a rational unit vector."""
+
+    contact: int
+    normal: Pair
+    moved_at_most: str  # a decimal, rounded up
+
+    def __repr__(self) -> str:
+        return f"SnappedNormal({self.contact}, {shown(self.normal)}, {self.moved_at_most!r})"
+
+
+class SnapResult(NamedTuple):
+    """A grasp with normals of rational length, and those that were replaced."""
+
+    grasp: Grasp
+    moved: Tuple[SnappedNormal, ...]

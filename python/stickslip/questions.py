@@ -35,7 +35,6 @@ from .results import (
     NearbyEquilibrium,
     Residual,
     SlipStates,
-    SnappedNormal,
 )
 
 
@@ -68,9 +67,9 @@ def decide(
 
     Raises:
         InputError: an argument is wrong, or a preloaded contact has a normal of irrational
-            length and the grasp no ``snap_normals``.
+            length (``Grasp.snap``).
     """
-    return Decision(**_snapped(_core.decide(
+    result = _core.decide(
         _data(grasp),
         as_wrench_or_none(wrench),
         as_number_or_none(preload, "preload"),
@@ -79,7 +78,9 @@ def decide(
         as_count("node_limit", node_limit),
         as_count("threads", threads, 1024),
         bool(warnings),
-    )))
+    )
+    result["warnings"] = tuple(ModelWarning(*w) for w in result["warnings"])
+    return Decision(**result)
 
 
 def slip_states(
@@ -128,7 +129,7 @@ def margin(
     )
     if "limit" in result:
         raise LimitReached(result["limit"])
-    return Margin(**_snapped(result))
+    return Margin(**result)
 
 
 def crosscheck(
@@ -172,7 +173,7 @@ def crosscheck(
         as_count("node_limit", node_limit),
         distances,
     )
-    fields["decision"] = Decision(**_snapped(fields["decision"]))
+    fields["decision"] = Decision(**fields["decision"])
     for name in ("cone", "normal_law", "dissipation"):
         if fields[name] is not None:
             fields[name] = Residual(*fields[name])
@@ -230,10 +231,3 @@ def _data(grasp: Grasp) -> _core.GraspData:
         raise InputError("", "grasp", f"this is {found(grasp)}",
                          "give a stickslip.Grasp; Grasp.from_file reads one")
     return grasp._data
-
-
-def _snapped(result: Any) -> Any:
-    result["snapped_normals"] = tuple(SnappedNormal(*s) for s in result["snapped_normals"])
-    if "warnings" in result:
-        result["warnings"] = tuple(ModelWarning(*w) for w in result["warnings"])
-    return result

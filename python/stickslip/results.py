@@ -12,18 +12,7 @@ from typing import Dict, NamedTuple, Optional, Tuple
 
 from . import _core
 from .grasp import Pair, Triple
-from .views import Answer, FloatArray, FloatView, nearest_root, shown
-
-
-class SnappedNormal(NamedTuple):
-    """A contact whose normal was replaced by a rational unit vector."""
-
-    contact: int
-    normal: Pair
-    moved_at_most: str  # a decimal, rounded up
-
-    def __repr__(self) -> str:
-        return f"SnappedNormal({self.contact}, {shown(self.normal)}, {self.moved_at_most!r})"
+from .views import Answer, FloatArray, FloatView, nearest_root
 
 
 class ModelWarning(NamedTuple):
@@ -42,7 +31,6 @@ class Decision(Answer):
     engine: str
     normal_law: str
     wrench: Triple
-    snapped_normals: Tuple[SnappedNormal, ...]
     certificate: Optional[str] = field(default=None, repr=False)
     """The proof (certificate/FORMAT.md), for ``check`` and for both checkers. None if undecided."""
     twist: Optional[Triple] = None
@@ -50,7 +38,7 @@ class Decision(Answer):
     forces: Optional[Tuple[Pair, ...]] = None
     """The force of each contact on the body, in the frame of the body."""
     coefficients: Optional[Tuple[Pair, ...]] = field(default=None, repr=False)
-    """(a, b) for each contact: the force is a n + b t, with its normal n (as snapped) and the
+    """(a, b) for each contact: the force is a n + b t, with its normal n and the
     tangent t, n turned by +90 degrees. For unit normals, normal and tangential force."""
     slip: Optional[str] = None
     """One character a contact: "+" or "-" as it slips along t or against it, "0" as it sticks."""
@@ -97,7 +85,6 @@ class Margin(Answer):
     direction: Triple
     wrench: Triple
     normal_law: str
-    snapped_normals: Tuple[SnappedNormal, ...]
     certificate: str = field(repr=False)
     """The proof (certificate/FORMAT.md, section 5)."""
     stats: Dict[str, int] = field(default_factory=dict, repr=False, compare=False)

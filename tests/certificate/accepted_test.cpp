@@ -73,7 +73,7 @@ TEST(Accepted, LargeNumbersAreStrings) {
   const Integer limit = Integer(1) << 53;
   for (const Integer& load : {Integer(limit - 1), limit, Integer(limit * limit)}) {
     const LoadedGrasp loaded{Grasp({{{0, 0}, {0, 1}, 0, 1, 0}}), {0, -Rational(load), 0}};
-    const Question question{loaded, NormalLaw::kUnilateral, std::nullopt, {}};
+    const Question question{loaded, NormalLaw::kUnilateral, std::nullopt};
     const CheckerInput input =
         test::input_of(question, decide(Problem(loaded, question.law)).verdict);
     const std::string digits = load.str();

@@ -18,7 +18,6 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 CORPUS = os.path.join(HERE, "..", "corpus", "grasps")
 FIG1 = os.path.join(CORPUS, "good", "fig1.json")  # P = 1, wrench (0, -11/10, 0): stable
 FIG4 = os.path.join(CORPUS, "good", "fig4.json")
-SNAP = os.path.join(CORPUS, "good", "snap.json")  # "normals": "snap", preload along [1, 1]
 STICKSLIP = os.environ.get("STICKSLIP", "stickslip")
 CHECK = os.environ.get("STICKSLIP_CHECK", "stickslip-check")
 CHECK_PY = os.path.join(HERE, "..", "..", "certificate", "check.py")
@@ -262,33 +261,6 @@ class Certificates(Case):
         self.checked(BAD_INPUT, proof, FIG1, *UP)
         self.checked(BAD_INPUT, FIG1, os.devnull, *UP)
 
-    def test_snapped_normals(self):
-        # Asked for in the file, and by option.
-        self.asked(SNAP, verdict=self.json("decide", SNAP)["verdict"])
-        grasp = self.write("g.json", {
-            "format": "stickslip-grasp/1", "wrench": [0, "1/10", 0],
-            "defaults": {"friction": 1, "preload": 1},
-            "contacts": [{"position": [-1, -1], "normal": [1, 1]},
-                         {"position": [1, -1], "normal": [-1, 1]},
-                         {"position": [0, 1], "normal": [0, -1]}]})
-        self.fails("decide", grasp, naming=["contacts[0].normal", "--snap-normals"])
-        for eps in ("1/1000", "1e-12"):
-            answer = self.json("decide", grasp, "--snap-normals", eps)
-            moved = answer["snapped_normals"]
-            self.assertEqual([entry["contact"] for entry in moved], [0, 1])
-            for entry in moved:
-                self.assertLessEqual(Fraction(entry["moved_at_most"]), Fraction(eps))
-                x, y = map(Fraction, entry["normal"])
-                self.assertEqual(x * x + y * y, 1)
-            proof = self.asked(grasp, "--snap-normals", eps, verdict=answer["verdict"])
-            self.checked(1, grasp, proof)
-            self.checked(1, grasp, proof, "--snap-normals", "1e-30")
-        with open(grasp, encoding="utf-8") as file:
-            content = json.load(file)
-        for normals in ("snap", {"snap": "1/100"}):
-            content["normals"] = normals
-            self.asked(self.write("snapped.json", content), verdict=answer["verdict"])
-
     def test_written_whole_or_not_at_all(self):
         missing = self.path("no/such/folder.json")
         self.fails("decide", FIG1, "--certificate", missing, naming=[missing])
@@ -466,8 +438,9 @@ class Compare(Case):
         row = self.rows(grasp)["grasp wrench space, L1"]
         self.assertEqual(row["verdict"], "not computed")
         self.assertIn("contacts[0].normal", row["why"])
-        self.assertIn("--snap-normals", row["why"])
-        snapped = self.rows(grasp, "--snap-normals", "1/10")["grasp wrench space, L1"]
+        self.assertIn("stickslip snap GRASP -o FILE", row["why"])
+        stickslip("snap", grasp, "--within", "1/10", "-o", self.path("snapped.json"))
+        snapped = self.rows(self.path("snapped.json"))["grasp wrench space, L1"]
         self.assertNotEqual(snapped["verdict"], "not computed")
 
     def test_limits_are_said(self):
@@ -608,7 +581,8 @@ class Floats(Case):
             "format": "stickslip-grasp/1", "wrench": [-1, "-9/10", 0], "name": "5",
             "defaults": {"friction": "1/7"},
             "contacts": [{"position": [0, 0], "normal": [1, 1]}]})
-        for at_least, *words in ((8, "decide", FIG1), (1, "decide", FIG1, *UP), (3, "decide", SNAP),
+        for at_least, *words in ((8, "decide", FIG1), (1, "decide", FIG1, *UP),
+                                 (2, "snap", diagonal, "-o", self.path("snapped.json")),
                                  (5, "decide", diagonal), (3, "margin", FIG1, "--direction=0,1/3,0"),
                                  (5, "region", FIG1, "--preload", "1/3", "--list"),
                                  (8, "compare", FIG4), (6, "compare", diagonal)):
@@ -632,6 +606,88 @@ class Floats(Case):
 
     def test_usage(self):
         self.fails("decide", FIG1, "--floats", naming=["--json"])
+
+
+class Snap(Case):
+    """A file whose preloads act along normals of irrational length becomes one that can be asked
+    about."""
+
+    CONTENT = {"format": "stickslip-grasp/1", "name": "cup", "wrench": [0, "1/10", 0],
+               "defaults": {"friction": 1, "preload": 1},
+               "contacts": [{"position": [-1, -1], "normal": [1, 1]},
+                            {"position": [1, -1], "normal": [-1, 3], "stiffness": 2},
+                            {"position": [0, 1], "normal": [0, -5], "preload": "1/3"}]}
+
+    def setUp(self):
+        super().setUp()
+        self.grasp = self.write("g.json", self.CONTENT)
+        self.snapped = self.path("snapped.json")
+
+    def test_writes_and_reports(self):
+        for words, within in (((), "1e-9"), (("--within", "1/1000"), "1/1000"),
+                              (("--within", "1e-40"), "1e-40")):
+            answer = self.json("snap", self.grasp, "-o", self.snapped, *words)
+            self.assertEqual(answer["name"], "cup")
+            self.assertEqual([entry["contact"] for entry in answer["moved"]], [0, 1])
+            written = json.loads(read(self.snapped))
+            for entry, (x, y) in zip(answer["moved"], ((1, 1), (-1, 3))):
+                u, v = map(Fraction, entry["normal"])
+                self.assertEqual(u * u + v * v, 1)
+                moved = Fraction(entry["moved_at_most"])
+                self.assertLessEqual(moved, Fraction(within))
+                # |(u, v) - n/L| <= moved: see SnapNormals in tests/core.
+                cosine = 1 - moved * moved / 2
+                self.assertGreaterEqual((u * x + v * y) ** 2, cosine**2 * (x * x + y * y))
+            # All else is as it was; what "defaults" gave is written out, an assumed stiffness not.
+            defaults = self.CONTENT["defaults"]
+            expected = [{**defaults, **contact} for contact in self.CONTENT["contacts"]]
+            for entry in answer["moved"]:
+                expected[entry["contact"]]["normal"] = entry["normal"]
+            self.assertEqual(written, {**{key: self.CONTENT[key] for key in ("format", "name", "wrench")},
+                                       "contacts": expected})
+        _, out, err = stickslip("snap", self.grasp, "-o", self.snapped)
+        self.assertEqual(err, "")
+        self.assertRegex(out, r"^contact 0: normal \(1, 1\) moved by at most [0-9.]+e-10, "
+                              r"to \(~0.707107, ~0.707107\)\ncontact 1: .*\n~ marks")
+
+    def test_then_every_question_has_a_proof(self):
+        self.fails("decide", self.grasp, naming=["contacts[0].normal", "stickslip snap GRASP -o FILE"])
+        stickslip("snap", self.grasp, "-o", self.snapped)
+        for load in ("0,1/10,0", "0,100,0"):
+            verdict = self.json("decide", self.snapped, "--wrench", load)["verdict"]
+            self.assertEqual(verdict, "stable" if load == "0,1/10,0" else "unstable")
+            Certificates.asked(self, self.snapped, "--wrench", load, verdict=verdict)
+        proof = self.path("cone")
+        Certificates.checked(self, 1, self.snapped, proof)
+        Certificates.checked(self, BAD_INPUT, self.grasp, proof, "--wrench", "0,100,0")
+
+    def test_nothing_to_snap(self):
+        code, out, err = stickslip("snap", FIG1, "-o", self.snapped)
+        self.assertEqual((code, err), (DONE, ""))
+        self.assertEqual(out, "nothing to snap: every normal has a rational length\n")
+        self.assertEqual(self.json("decide", self.snapped), self.json("decide", FIG1))
+        # Nor in what was snapped, which does not change any more.
+        stickslip("snap", self.grasp, "-o", self.snapped)
+        again = self.path("again.json")
+        self.assertEqual(self.json("snap", self.snapped, "-o", again)["moved"], [])
+        self.assertEqual(read(again), read(self.snapped))
+
+    def test_standard_output_is_the_grasp_alone(self):
+        stickslip("snap", self.grasp, "-o", self.snapped)
+        code, out, err = stickslip("snap", "-", "-o", "-", stdin=read(self.grasp))
+        self.assertEqual((code, out), (DONE, read(self.snapped)))
+        self.assertIn("contact 1: normal (-1, 3) moved by", err)
+
+    def test_never_over_what_it_reads(self):
+        for name in (self.grasp, self.path("../" + os.path.basename(self.folder) + "/g.json")):
+            self.fails("snap", self.grasp, "-o", name, naming=[name, "the input " + self.grasp])
+        self.assertEqual(json.loads(read(self.grasp)), self.CONTENT)
+
+    def test_usage(self):
+        self.fails("snap", self.grasp, naming=["--output"])
+        self.fails("snap", self.write("old.json", {**self.CONTENT, "normals": "snap"}), "-o", self.snapped,
+                   naming=['unknown key "normals"', "stickslip snap GRASP -o FILE"])
+        self.assertFalse(os.path.exists(self.snapped))
 
 
 class Export(Case):
@@ -704,23 +760,28 @@ class BadInput(Case):
         content = {"format": "stickslip-grasp/1", "wrench": [0, 0, 0],
                    "contacts": [{"position": [0, 0], "normal": [0, 1], "friction": 1, "preload": 1},
                                 {"position": [0, 0], "normal": normal, "friction": 1, "preload": 1}]}
-        grasp = self.write("g.json", content)
-        for words in (("decide", grasp), ("export", grasp, "--smt2"), ("plot", "grasp", grasp),
-                      ("margin", grasp, "--direction", "0,1,0"), ("compare", grasp)):
-            err = self.fails(*words, naming=[grasp, "contacts[1].normal"])
-            remedy = re.search(r"add (--snap-normals \S+),", err)[1]
-            self.assertEqual(stickslip(*words, *remedy.split())[0::2], (DONE, ""))
+        grasp, snapped = self.write("g.json", content), self.path("snapped.json")
+        remedy = "run stickslip snap GRASP -o FILE, and ask about FILE"
+        self.assertEqual(stickslip("snap", grasp, "-o", snapped)[0::2], (DONE, ""))
+        for command, *options in (("decide",), ("export", "--smt2"), ("plot grasp",), ("region",),
+                                  ("margin", "--direction", "0,1,0"), ("compare",)):
+            self.fails(*command.split(), grasp, *options, naming=[grasp, "contacts[1].normal", remedy])
+            self.assertEqual(stickslip(*command.split(), snapped, *options)[0::2], (DONE, ""))
         code, out, _ = stickslip("batch", self.write("g.jsonl", json.dumps(content) + "\n"))
         self.assertEqual(code, BAD_INPUT)
-        self.assertIn(remedy, json.loads(out)["error"]["remedy"])
-        self.assertEqual(stickslip("batch", self.path("g.jsonl"), *remedy.split())[0], DONE)
+        self.assertEqual(json.loads(out)["error"]["remedy"], remedy)
+        lines = self.write("g.jsonl", json.dumps(json.loads(read(snapped))) + "\n")
+        self.assertEqual(stickslip("batch", lines)[0], DONE)
 
     def test_option_values(self):
         for option, values in (("--wrench", ("1,2", "1,2,3,4", "1,2,x", "1,,3", "1 2 3", "nan,0,0")),
-                               ("--preload", ("-1", "x", "1/0", "0x1")),
-                               ("--snap-normals", ("0", "1", "-1", "2", "x"))):
+                               ("--preload", ("-1", "x", "1/0", "0x1"))):
             for value in values:
                 self.fails("decide", FIG1, f"{option}={value}", naming=[option])
+        for value in ("0", "1", "-1", "2", "x"):
+            self.fails("snap", FIG1, f"--within={value}", "-o", self.path("never.json"),
+                       naming=["--within"])
+        self.assertFalse(os.path.exists(self.path("never.json")))
 
     def test_files(self):
         missing = self.path("missing.json")

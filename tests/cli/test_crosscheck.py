@@ -152,11 +152,11 @@ class Crosscheck(Case):
         self.assertEqual(all_["distance"]["along_load"], "1")
 
     def test_saved_files_are_accepted(self):
-        snapped = {"grasp": DIAGONAL, "claim": {"verdict": "unstable"},
-                   "options": {"preload": 1, "snap_normals": "1e-6", "normal_law": "bilateral",
-                               "wrench": [0, 0, 0]}}
+        bilateral = {"grasp": FIG1, "claim": {"verdict": "unstable"},
+                     "options": {"preload": 1, "normal_law": "bilateral",
+                                 "wrench": [0, "1/2", 0]}}
         folder = self.path("saved")
-        reports, _ = self.judge(RIGHT, TIE, "nonsense", WRONG_STABLE, WRONG_UNSTABLE, snapped,
+        reports, _ = self.judge(RIGHT, TIE, "nonsense", WRONG_STABLE, WRONG_UNSTABLE, bilateral,
                                 options=("--save", folder), code=WRONG)
         saved = {r["line"]: r["saved"] for r in reports if "saved" in r}
         self.assertEqual(set(saved), {r["line"] for r in reports

@@ -16,7 +16,7 @@ from test_crosscheck import RIGHT, TIE, WRONG_UNSTABLE
 
 OUTPUTS = (("decide", "--certificate"),
            ("margin", "--direction=0,1,0", "--certificate"),
-           ("export", "--smt2", "-o"),
+           ("snap", "-o"), ("export", "--smt2", "-o"),
            ("plot grasp", "-o"), ("plot states", "-o"), ("plot region", "-o"))
 
 

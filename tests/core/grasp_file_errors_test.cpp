@@ -132,14 +132,9 @@ const BadFile kBadFiles[] = {
     {"negative_default_friction", "defaults.friction", "-1", "0 or more"},
     {"zero_default_stiffness", "defaults.stiffness", "the value is 0", "above 0"},
     {"negative_default_preload", "defaults.preload", "-1/1000000000", "0 or more"},
-    // Normals.
-    {"normals_misspelt", "normals", "the string \"snapp\"", "\"exact\", \"snap\" or"},
-    {"normals_boolean", "normals", "found true", "\"exact\", \"snap\" or"},
-    {"normals_empty", "normals", "\"snap\" is missing", "{\"snap\": EPS}"},
-    {"unknown_normals_key", "normals", "unknown key \"eps\"", "snap"},
-    {"snap_zero", "normals.snap", "the value is 0", "between 0 and 1"},
-    {"snap_one", "normals.snap", "the value is 1", "between 0 and 1"},
-    {"snap_word", "normals.snap", "\"fine\" is not a number", "\"3/5\""},
+    // Normals are snapped by a command.
+    {"normals_exact", "top level", "unknown key \"normals\"", "stickslip snap GRASP -o FILE"},
+    {"normals_snap", "top level", "unknown key \"normals\"", "stickslip snap GRASP -o FILE"},
 };
 
 TEST(BadGraspFile, NamesFilePlaceProblemAndRemedy) {

@@ -12,7 +12,6 @@
 
 #include "random_numbers.hpp"
 #include "stickslip/core/error.hpp"
-#include "stickslip/core/snap.hpp"
 
 namespace stickslip {
 namespace {
@@ -37,7 +36,6 @@ TEST(ReadGrasp, Fig1) {
   const GraspFile file = read_good("fig1");
   EXPECT_EQ(file.content.grasp.name(), "fig1");
   EXPECT_EQ(file.content.wrench, (Wrench{0, Rational(-11, 10), 0}));
-  EXPECT_FALSE(file.snap_tolerance.has_value());
   const std::vector<Contact>& c = file.content.grasp.contacts();
   ASSERT_EQ(c.size(), 3U);
   EXPECT_TRUE(same(c[0], {{-1, 0}, {1, 0}, Rational(1, 2), 1, 1}));
@@ -81,14 +79,6 @@ TEST(ReadGrasp, DefaultsYieldToTheContactAndMayComeLast) {
       "");
   EXPECT_TRUE(same(file.content.grasp.contacts()[0], {{0, 0}, {1, 0}, 4, 2, 3}));
   EXPECT_TRUE(same(file.content.grasp.contacts()[1], {{0, 0}, {1, 0}, 1, 5, 0}));
-}
-
-TEST(ReadGrasp, SnapTolerance) {
-  EXPECT_EQ(read_good("snap").snap_tolerance, default_snap_tolerance());
-  EXPECT_EQ(read_good("snap_tolerance").snap_tolerance, parse_rational("1e-12"));
-  EXPECT_EQ(read_good("normals_exact").snap_tolerance, std::nullopt);
-  // As written, not yet snapped.
-  EXPECT_EQ(read_good("snap").content.grasp.contacts()[0].normal, (Vector2{1, 1}));
 }
 
 TEST(ReadGrasp, NoContactAtAll) {
@@ -145,14 +135,18 @@ TEST(WriteGrasp, Bytes) {
             " \"wrench\": [0, 0, 0]}\n");
 }
 
-TEST(WriteGrasp, KeepsTheToleranceOfAFile) {
-  const GraspFile snapped = read_good("snap_tolerance");
-  const GraspFile again = parse_grasp(write_grasp_file(snapped), "");
-  ASSERT_TRUE(snapped.snap_tolerance);
-  EXPECT_EQ(again.snap_tolerance, snapped.snap_tolerance);
-  expect_same(again.content, snapped.content);
-  const GraspFile exact = read_good("fig1");
-  EXPECT_EQ(write_grasp_file(exact), write_grasp(exact.content));
+TEST(WriteGrasp, AssumedStiffnessesStayAssumed) {
+  const GraspFile file = parse_grasp(
+      R"({"format": "stickslip-grasp/1", "wrench": [0, 0, 0], "defaults": {"friction": 1},
+          "contacts": [{"position": [0, 0], "normal": [1, 0]},
+                       {"position": [0, 0], "normal": [1, 0], "stiffness": 1},
+                       {"position": [0, 0], "normal": [1, 0]}]})",
+      "");
+  ASSERT_EQ(file.assumed_stiffness, (std::vector<ContactId>{ContactId(0), ContactId(2)}));
+  const GraspFile again = parse_grasp(write_grasp_file(file), "");
+  EXPECT_EQ(again.assumed_stiffness, file.assumed_stiffness);
+  expect_same(again.content, file.content);
+  EXPECT_TRUE(parse_grasp(write_grasp(file.content), "").assumed_stiffness.empty());
 }
 
 TEST(WriteGrasp, IntegersThatADoubleWouldRoundAreStrings) {

@@ -255,7 +255,7 @@ TEST(GraspWrenchSpace, NeedsRationalLengths) {
       FAIL();
     } catch (const InputError& error) {
       EXPECT_EQ(error.place(), "contacts[1].normal");
-      EXPECT_NE(error.remedy().find("--snap-normals"), std::string::npos);
+      EXPECT_NE(error.remedy().find("stickslip snap GRASP -o FILE"), std::string::npos);
     }
   }
 }

@@ -105,7 +105,7 @@ void expect_exact(const LoadCase& load_case, const Wrench& direction, Tally& tal
   SCOPED_TRACE(describe(load_case) + " direction " + to_string(direction.x) + " " +
                to_string(direction.y) + " " + to_string(direction.torque) + ": " +
                describe(margin.resisted));
-  test::expect_accepted_by_both(Question{load_case.loaded, load_case.law, std::nullopt, {}},
+  test::expect_accepted_by_both(Question{load_case.loaded, load_case.law, std::nullopt},
                                 margin);
   for (const Rational& multiple : interesting_multiples(margin.resisted)) {
     LoadCase there = load_case;

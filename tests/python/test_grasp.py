@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from conftest import BAD, GOOD
-from stickslip import Grasp, InputError
+from stickslip import Grasp, InputError, decide
 
 TENTH = Fraction(1, 10)
 DYADIC = Fraction(0.1)  # the double nearest to 1/10
@@ -64,7 +64,7 @@ def test_arrays():
     assert grasp.stiffness == (2, 2)
     assert grasp.preload == (Fraction(1, 3), Fraction(2, 3))
     assert grasp.wrench == (0, 0, 0)
-    assert (grasp.name, len(grasp), grasp.snap_normals) == ("two", 2, None)
+    assert (grasp.name, len(grasp)) == ("two", 2)
     assert np.array_equal(np.array(grasp.positions, float), positions)
     # Views, transposes and other orders are read as NumPy shows them.
     assert Grasp(np.asfortranarray(positions), normals[::-1][::-1], 1) == Grasp(
@@ -138,7 +138,7 @@ TWO = [[0, 1], [1, 0]]
     ("friction[1]", lambda: Grasp(TWO, TWO, masked([1, 2], 1))),
     ("friction", lambda: Grasp(TWO, TWO, np.ma.masked)),
     ("preload[0]", lambda: Grasp(TWO, TWO, 1, 1, [np.ma.masked, 1])),
-    ("snap_normals", lambda: Grasp(TWO, TWO, 1, snap_normals=np.ma.masked)),
+    ("within", lambda: Grasp(TWO, TWO, 1).snap(np.ma.masked)),
     ("wrench[2]", lambda: Grasp(TWO, TWO, 1, wrench=masked([0, 1, 2], 2))),
 ])
 def test_masked_entries_are_refused(place, make):
@@ -227,8 +227,10 @@ def test_what_is_no_number(value):
         Grasp([[0, 0], [1, 1]], normals, 1)
     assert error.value.place == "normals[1, 0]"
     assert error.value.problem and '"3/5"' in error.value.remedy
-    with pytest.raises(InputError, match=r"^snap_normals|^friction"):
-        one(1, snap_normals=value) if value is not None else one(None)
+    with pytest.raises(InputError, match=r"^within: "):
+        one().snap(value)
+    with pytest.raises(InputError, match=r"^friction"):
+        one(value)
 
 
 @pytest.mark.parametrize("place, remedy, make", [
@@ -236,13 +238,14 @@ def test_what_is_no_number(value):
     ("contacts[0].friction", "0 or more", lambda: one(-1)),
     ("contacts[0].stiffness", "above 0", lambda: one(stiffness=0)),
     ("contacts[0].preload", "0 or more", lambda: one(preload="-1/2")),
-    ("snap_normals", "between 0 and 1", lambda: one(snap_normals=1)),
+    ("within", "between 0 and 1", lambda: one().snap(1)),
+    ("within", "between 0 and 1", lambda: one().snap(0)),
     ("wrench", "torque", lambda: one(wrench=(1, 2))),
     ("wrench[2]", "finite", lambda: one(wrench=(1, 2, np.nan))),
     ("friction[0]", "finite", lambda: one([np.nan])),
     ("friction", "finite", lambda: one(np.nan)),
     ("stiffness", "finite", lambda: Grasp([], [], 1, np.inf)),
-    ("snap_normals", "one number", lambda: one(snap_normals=[1, 2])),
+    ("within", "one number", lambda: one().snap([1, 2])),
 ])
 def test_values_out_of_range(place, remedy, make):
     with pytest.raises(InputError) as error:
@@ -259,7 +262,6 @@ def test_files():
     for path in GOOD.iterdir():
         grasp = Grasp.from_file(path)
         assert Grasp.from_text(grasp.to_text()) == grasp
-    assert Grasp.from_file(GOOD / "snap.json").snap_normals == Fraction(1, 10**9)
 
 
 @pytest.mark.parametrize("path", sorted(BAD.iterdir()), ids=lambda path: path.stem)
@@ -297,14 +299,38 @@ def test_grasps_do_not_change(fig1):
 
 
 def test_equality_and_copies(fig1):
-    snapped = one(0.1, normal=(1, 1), preload=1, snap_normals="1e-9", name="\u00e9")
-    for grasp in (fig1, snapped, Grasp([], [], 1)):
+    diagonal = one(0.1, normal=(1, 1), preload=1, name="\u00e9")
+    for grasp in (fig1, diagonal, diagonal.snap().grasp, Grasp([], [], 1)):
         for same in (pickle.loads(pickle.dumps(grasp)), copy.deepcopy(grasp)):
             assert same == grasp and hash(same) == hash(grasp)
-            assert same.snap_normals == grasp.snap_normals
-    assert fig1 != snapped and fig1 != "fig1"
-    assert one(1) != one(1, snap_normals="1e-9")
+    assert fig1 != diagonal and fig1 != "fig1"
     assert repr(fig1) == "Grasp(name='fig1', contacts=3, wrench=(0, 0, 0))"
+
+
+def test_snapping():
+    grasp = Grasp([[0, 1], [2, 3]], [[3, 4], [1, 1]], "1/2", 2, "1/3", wrench=(1, 2, 3), name="two")
+    for within in ("1e-9", 0.25, Fraction(1, 10**40)):
+        snapped, moved = grasp.snap(within)
+        assert moved == grasp.snap(within).moved
+        ((contact, normal, moved_at_most),) = moved
+        assert contact == 1 and snapped.normals == ((3, 4), normal)
+        assert normal[0]**2 + normal[1]**2 == 1
+        assert 0 < Fraction(moved_at_most) <= Fraction(within)
+        # Nothing else has changed, and there is nothing more to snap.
+        assert snapped == Grasp(grasp.positions, [[3, 4], normal], "1/2", 2, "1/3",
+                                wrench=(1, 2, 3), name="two")
+        assert snapped.snap() == (snapped, ())
+    assert grasp.snap() == grasp.snap("1e-9")
+    assert grasp.normals[1] == (1, 1)
+    assert repr(moved[0]).startswith("SnappedNormal(1, (~0.707107, ~0.707107), '")
+
+
+def test_an_assumed_stiffness_stays_assumed():
+    grasp = Grasp([[-1, 0], [1, 0]], [[1, 1], [-1, 1]], 1, preload=1, wrench=(0, 1, 0))
+    given = Grasp([[-1, 0], [1, 0]], [[1, 1], [-1, 1]], 1, 1, preload=1, wrench=(0, 1, 0))
+    traps = [[w.trap for w in decide(g.snap().grasp, warnings=True).warnings]
+             for g in (grasp, given)]
+    assert "assumed-stiffness" in traps[0] and "assumed-stiffness" not in traps[1]
 
 
 def test_errors_can_be_pickled():

@@ -66,9 +66,6 @@ def test_same_answer_as_the_program(path, law, engine):
     assert decision.engine == engine and decision.normal_law == law
     assert decision.wrench == numbers(expected["wrench"]) == grasp.wrench
     assert decision.stats == expected["stats"]
-    snapped = [{"contact": s.contact, "normal": list(map(str, s.normal)),
-                "moved_at_most": s.moved_at_most} for s in decision.snapped_normals]
-    assert snapped == expected.get("snapped_normals", [])
     if decision.verdict == "stable":
         contacts = expected["contacts"]
         assert decision.twist == numbers(expected["twist"])
@@ -88,12 +85,11 @@ def test_same_certificate_as_the_program(fig1, tmp_path):
     assert (tmp_path / "m.json").read_text() == margin(fig1, UP).certificate
 
 
-def test_forces_are_coefficients_of_the_snapped_normal():
-    grasp = Grasp.from_file(GOOD / "snap.json")
+def test_forces_are_coefficients_of_the_normal():
+    grasp = Grasp([[-1, 0]], [[1, 1]], 2, preload=1).snap().grasp
     decision = decide(grasp, (-1, -1, 1))
     assert decision.verdict == "stable"
-    ((contact, (nx, ny), _),) = decision.snapped_normals
-    assert contact == 0 and nx * nx + ny * ny == 1
+    ((nx, ny),) = grasp.normals
     ((a, b),) = decision.coefficients
     assert decision.forces == ((a * nx - b * ny, a * ny + b * nx),)
 
@@ -320,18 +316,31 @@ def test_files_are_read_by_the_checker(fig1, tmp_path):
     assert error.value.file == str(grasp)
 
 
-def test_snapped_normals_are_checked():
+def test_preloads_along_irrational_normals():
     grasp = Grasp([[-1, -1], [1, -1], [0, 1]], [[1, 1], [-1, 1], [0, -1]], 1, preload=1,
-                  wrench=(0, "1/10", 0), snap_normals="1/1000")
-    decision = decide(grasp)
-    result = check(grasp, decision.certificate)
-    assert result and result.snapped == 2 == len(decision.snapped_normals)
-    exact = Grasp(grasp.positions, grasp.normals, 1, preload=1, wrench=grasp.wrench)
-    assert check(exact, decision.certificate, snap_normals="1/1000")
-    assert not check(exact, decision.certificate)
-    with pytest.raises(InputError) as error:
-        decide(exact)
-    assert error.value.place == "contacts[0].normal" and "snap_normals" in error.value.remedy
+                  wrench=(0, "1/10", 0))
+    for ask in (decide, lambda g: margin(g, UP), lambda g: crosscheck(g, "stable")):
+        with pytest.raises(InputError) as error:
+            ask(grasp)
+        assert error.value.place == "contacts[0].normal"
+        assert error.value.remedy == "ask about grasp.snap().grasp"
+    near, nearer = grasp.snap("1/1000").grasp, grasp.snap().grasp
+    decision = decide(near)
+    assert check(near, decision.certificate)
+    assert check(nearer, decide(nearer).certificate)
+    with pytest.raises(InputError, match="stickslip snap"):
+        check(grasp, decision.certificate)
+
+
+def test_same_snapped_grasp_as_the_program(tmp_path):
+    grasp = Grasp([[-1, -1], [1, -1], [0, 1]], [[1, 1], ["-1/3", 1], [0, -1]], 1, 2, preload=1)
+    given, written = tmp_path / "grasp.json", tmp_path / "snapped.json"
+    given.write_text(grasp.to_text())
+    report = program("snap", given, "-o", written, "--within", "1/1000")
+    snapped, moved = grasp.snap("1/1000")
+    assert written.read_text() == snapped.to_text()
+    assert [{"contact": s.contact, "normal": list(map(str, s.normal)),
+             "moved_at_most": s.moved_at_most} for s in moved] == report["moved"]
 
 
 # --- arguments and values
@@ -367,7 +376,7 @@ def test_snapped_normals_are_checked():
     ("wrench[2]", lambda g: check(g, "{}", wrench=(0, 0, 10**20000))),
     ("direction[1]", lambda g: check(g, "{}", direction=(0, np.inf, 0))),
     ("direction[1]", lambda g: margin(g, (0, Fraction(1, 10**20000), 0))),
-    ("snap_normals", lambda g: check(g, "{}", snap_normals="a")),
+    ("within", lambda g: g.snap("a")),
     ("forces[1]", lambda g: crosscheck(g, "stable", forces=[[0, 0], [1], [0, 0]])),
     ("forces[2, 0]", lambda g: crosscheck(g, "stable", forces=np.ma.array(
         np.zeros((3, 2)), mask=[[0, 0], [0, 0], [1, 0]]))),

@@ -86,7 +86,7 @@ def test_numbers_are_written_as_by_the_programs(value, text):
 def unit_normals(m):
     angle = np.random.default_rng(m).uniform(0, 7, m)
     circle = np.column_stack([np.cos(angle), np.sin(angle)])
-    return Grasp(circle, -circle, 0.5, preload=1, snap_normals="1e-9")
+    return Grasp(circle, -circle, 0.5, preload=1).snap().grasp
 
 
 def answers(grasp):

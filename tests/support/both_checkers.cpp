@@ -189,7 +189,7 @@ void expect_accepted_by_both(const Question& question, const Verdict& verdict) {
 }
 
 void expect_accepted_by_both(const LoadedGrasp& loaded, NormalLaw law, const Verdict& verdict) {
-  expect_accepted_by_both(Question{loaded, law, std::nullopt, {}}, verdict);
+  expect_accepted_by_both(Question{loaded, law, std::nullopt}, verdict);
 }
 
 }  // namespace stickslip::test

@@ -6,7 +6,6 @@
 /// characters, never through a double; a string may be "3/5", "-0.25" or "1e-3".
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,13 +18,10 @@ struct JsonNode;
 /// A contact in which "defaults" may have to be filled in.
 struct WrittenContact;
 
-/// What a grasp file says. `snap_tolerance` is set by "normals": "snap"
-/// (default_snap_tolerance()) or "normals": {"snap": EPS}; the contacts are as written, not yet
-/// snapped.
+/// What a grasp file says.
 struct GraspFile {
-  LoadedGrasp content;                     ///< contacts as written, and the load
-  std::optional<Rational> snap_tolerance;  ///< for snap_normals; nothing to leave them alone
-  /// The contacts whose stiffness is 1 because nothing gives it; increasing. Not written.
+  LoadedGrasp content;  ///< contacts as written, and the load
+  /// The contacts whose stiffness is 1 because nothing gives it; increasing.
   std::vector<ContactId> assumed_stiffness{};
 };
 
@@ -60,7 +56,7 @@ GraspFile read_grasp_file(const std::string& path);
 /// for what a file cannot hold: a name that is not UTF-8, a number longer than
 /// kMaxNumberLength.
 std::string write_grasp(const LoadedGrasp& content);
-/// The same with "normals": {"snap": EPS} if there is a tolerance.
+/// The same without the stiffnesses that were assumed: reading it gives `file` again.
 std::string write_grasp_file(const GraspFile& file);
 
 }  // namespace stickslip

@@ -4,14 +4,16 @@
 /// preloaded contact has a rational normal force.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "stickslip/core/grasp.hpp"
 
 namespace stickslip {
 
-/// Tolerance of "normals": "snap": 1e-9.
-Rational default_snap_tolerance();
+/// The remedy in errors about a normal that must have a rational length and has none.
+inline constexpr const char* kSnapRemedy =
+    "run stickslip snap GRASP -o FILE, and ask about FILE";
 
 /// A contact whose normal was replaced.
 struct SnappedNormal {

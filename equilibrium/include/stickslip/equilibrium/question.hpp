@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "stickslip/core/grasp_file.hpp"
-#include "stickslip/core/snap.hpp"
 #include "stickslip/equilibrium/problem.hpp"
 
 namespace stickslip {
@@ -17,21 +16,19 @@ namespace stickslip {
 struct QuestionOptions {
   std::optional<Wrench> wrench;            ///< applied to the object
   std::optional<Rational> preload;         ///< of every contact
-  std::optional<Rational> snap_tolerance;  ///< snap the normals within this (snap_normals)
   NormalLaw law = NormalLaw::kUnilateral;  ///< a file does not say; this does
 };
 
 /// Is `loaded` stable under `law`? With a record of how it came from a grasp file.
 struct Question {
-  LoadedGrasp loaded;                      ///< with everything replaced
-  NormalLaw law = NormalLaw::kUnilateral;  ///< of every contact
-  std::optional<Rational> preload;         ///< set if it replaced the file's preloads
-  std::vector<SnappedNormal> snapped;  ///< normals that were replaced, and how far they moved
+  LoadedGrasp loaded;                          ///< with everything replaced
+  NormalLaw law = NormalLaw::kUnilateral;      ///< of every contact
+  std::optional<Rational> preload;             ///< set if it replaced the file's preloads
   std::vector<ContactId> assumed_stiffness{};  ///< as in the GraspFile
 };
 
 /// The file's grasp and load with what the options replace. Throws InputError when a
-/// replacement is not allowed (a negative preload, a tolerance not in (0, 1)).
+/// replacement is not allowed (a negative preload).
 Question ask(const GraspFile& file, const QuestionOptions& options);
 
 }  // namespace stickslip

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/core/snap.hpp"
+
+#include <iostream>
+#include <memory>
+
+#include "commands.hpp"
+#include "numbers.hpp"
+#include "question_options.hpp"
+#include "stickslip/core/file.hpp"
+
+namespace stickslip {
+namespace {
+
+struct SnapArguments {
+  std::string file;
+  std::string output;
+  std::string within = "1e-9";
+  NumberOptions numbers;
+};
+
+Json report_json(const GraspFile& file, const std::vector<SnappedNormal>& snapped) {
+  Json moved = Json::array();
+  for (const SnappedNormal& normal : snapped) {
+    moved.push_back({{"contact", normal.contact.index()},
+                     {"normal", number_json(normal.after)},
+                     {"moved_at_most", decimal_json(normal.moved)}});
+  }
+  return {{"name", file.content.grasp.name()}, {"moved", std::move(moved)}};
+}
+
+std::string report_text(const std::vector<SnappedNormal>& snapped, NumberText text) {
+  std::string lines;
+  for (const SnappedNormal& normal : snapped) {
+    lines += "contact " + std::to_string(normal.contact.index()) + ": normal " +
+             text(normal.before) + " moved by at most " + normal.moved + ", to " +
+             text(normal.after) + '\n';
+  }
+  if (lines.empty()) lines = "nothing to snap: every normal has a rational length\n";
+  return lines + text.note();
+}
+
+void snap(const SnapArguments& arguments) {
+  const Rational within = number_option("--within", arguments.within);
+  GraspFile file = read_grasp_file(arguments.file);
+  SnapResult result = [&] {
+    try {
+      return snap_normals(file.content.grasp, within);
+    } catch (const InputError& error) {
+      throw InputError("", "--within", error.problem(), error.remedy());
+    }
+  }();
+  file.content.grasp = std::move(result.grasp);
+  write_whole_file(arguments.output, write_grasp_file(file));
+  std::ostream& out = arguments.output == "-" ? std::cerr : std::cout;
+  if (arguments.numbers.json) {
+    out << finished(report_json(file, result.snapped), arguments.numbers.floats).dump(1)
+        << '\n';
+  } else {
+    out << report_text(result.snapped, NumberText(arguments.numbers));
+  }
+}
+
+}  // namespace
+
+void add_snap_command(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<SnapArguments>();
+  CLI::App* command = app.add_subcommand(
+      "snap",
+      "Write the grasp with rational unit normals, where the length of one is irrational");
+  add_grasp_argument(*command, arguments->file);
+  add_output_option(*command, arguments->output, "Grasp file")->required();
+  command
+      ->add_option("--within", arguments->within,
+                   "The distance between the true unit normal and its replacement is at most "
+                   "this, between 0 and 1")
+      ->type_name("EPS")
+      ->capture_default_str();
+  arguments->numbers.add_to(*command);
+  command->footer(footer_text(
+      "A preloaded contact needs a normal of rational length, which that of (1, 1) "
+      "is not\n(docs/grasp_file.md). The report, how far each normal moved, goes to "
+      "standard error\nif the grasp goes to standard output.\n",
+      kExitCodes, "stickslip snap cup.json -o cup-snapped.json"));
+  command->callback([arguments, &exit_code] {
+    snap(*arguments);
+    exit_code = kDone;
+  });
+}
+
+}  // namespace stickslip

@@ -81,7 +81,7 @@ void add_snap_command(CLI::App& app, int& exit_code) {
       "A preloaded contact needs a normal of rational length, which that of (1, 1) "
       "is not\n(docs/grasp_file.md). The report, how far each normal moved, goes to "
       "standard error\nif the grasp goes to standard output.\n",
-      kExitCodes, "stickslip snap cup.json -o cup-snapped.json"));
+      kExitCodes, "stickslip snap grasp.json -o snapped.json"));
   command->callback([arguments, &exit_code] {
     snap(*arguments);
     exit_code = kDone;

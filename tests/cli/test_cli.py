@@ -653,13 +653,13 @@ class Snap(Case):
     def test_then_every_question_has_a_proof(self):
         self.fails("decide", self.grasp, naming=["contacts[0].normal", "stickslip snap GRASP -o FILE"])
         stickslip("snap", self.grasp, "-o", self.snapped)
-        for load in ("0,1/10,0", "0,100,0"):
+        for load in ("0,1/10,0", "100,0,0"):
             verdict = self.json("decide", self.snapped, "--wrench", load)["verdict"]
             self.assertEqual(verdict, "stable" if load == "0,1/10,0" else "unstable")
             Certificates.asked(self, self.snapped, "--wrench", load, verdict=verdict)
         proof = self.path("cone")
         Certificates.checked(self, 1, self.snapped, proof)
-        Certificates.checked(self, BAD_INPUT, self.grasp, proof, "--wrench", "0,100,0")
+        Certificates.checked(self, BAD_INPUT, self.grasp, proof, "--wrench", "100,0,0")
 
     def test_nothing_to_snap(self):
         code, out, err = stickslip("snap", FIG1, "-o", self.snapped)

@@ -80,7 +80,7 @@ const BadFile kBadFiles[] = {
     {"missing_contacts", "top level", "\"contacts\" is missing", "may be empty"},
     {"missing_wrench", "top level", "\"wrench\" is missing", "no load is [0, 0, 0]"},
     {"unknown_key", "top level", "unknown key \"frction\"",
-     "the keys allowed here are format, name, defaults, contacts, wrench, normals"},
+     "the keys allowed here are format, name, defaults, contacts, wrench"},
     {"unknown_far_key", "top level", "unknown key \"gravity\"", "the keys allowed here are"},
     {"duplicate_key", "top level", "\"name\" appears twice", "keep one"},
     {"duplicate_contacts", "top level", "\"contacts\" appears twice", "keep one"},

@@ -570,7 +570,7 @@ def check_witness(question: Question, witness: Witness) -> List[ContactForce]:
                          + [tuple(force.a * n + force.b * t for n, t in zip(row.N, row.T))
                             for row, force in zip(question.rows, forces) if force.a])
     if any(total):
-        raise Rejected("witness-balance", f"load and forces add up to {show(total)}")
+        raise Rejected("witness-balance", f"load and forces add up to {show(total)}, not to 0")
     return forces
 
 

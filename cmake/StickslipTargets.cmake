@@ -38,14 +38,15 @@ function(stickslip_program name)
   stickslip_set_warnings(${name})
 endfunction()
 
-# stickslip_test(name SOURCES ... LIBS ... [TIMEOUT s] [ARGS ...]): a GoogleTest
-# executable, registered with ctest as one test of that name.
+# stickslip_test(name SOURCES ... LIBS ... [TIMEOUT s] [ARGS ...] [OWN_FLAGS]): a GoogleTest
+# executable, registered with ctest as one test of that name. OWN_FLAGS: its sources are compiled
+# with other flags than those of stickslip::core.
 function(stickslip_test name)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBS;ARGS" ${ARGN})
+  cmake_parse_arguments(ARG "OWN_FLAGS" "TIMEOUT" "SOURCES;LIBS;ARGS" ${ARGN})
   stickslip_program(${name} SOURCES ${ARG_SOURCES} LIBS ${ARG_LIBS} GTest::gtest_main GTest::gmock)
   set_target_properties(${name} PROPERTIES
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/bin)
-  if(NOT "stickslip_cgal" IN_LIST ARG_LIBS)  # that one has flags of its own
+  if(NOT ARG_OWN_FLAGS)
     stickslip_reuse_test_headers(${name})
   endif()
   add_test(NAME ${name} COMMAND ${name} ${ARG_ARGS})

@@ -62,8 +62,10 @@ std::vector<ContactForce> check_witness(const Question& question, const Witness&
     }
     sum.add(term);
   }
-  const Vector total = sum.total();
+  Vector total = sum.total();
   if (total != Vector(kDimension)) {
+    const std::size_t k = kDimension + (witness.x[kDimension] == 0 ? 1 : 0);
+    for (Rational& entry : total) entry *= witness.x[k] / x[k];
     reject("witness-balance", "load and forces add up to " + show(total) + ", not to 0");
   }
   return forces;

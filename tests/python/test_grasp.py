@@ -326,11 +326,15 @@ def test_snapping():
 
 
 def test_an_assumed_stiffness_stays_assumed():
-    grasp = Grasp([[-1, 0], [1, 0]], [[1, 1], [-1, 1]], 1, preload=1, wrench=(0, 1, 0))
-    given = Grasp([[-1, 0], [1, 0]], [[1, 1], [-1, 1]], 1, 1, preload=1, wrench=(0, 1, 0))
-    traps = [[w.trap for w in decide(g.snap().grasp, warnings=True).warnings]
-             for g in (grasp, given)]
-    assert "assumed-stiffness" in traps[0] and "assumed-stiffness" not in traps[1]
+    def traps(stiffness):  # of a plank on three supports, one of them with friction
+        plank = Grasp([[-1, 0], [0, 0], [1, 0]], [[0, 1], [0, 1], ["-1/1000", 1]], [0, "1/2", 0],
+                      stiffness, wrench=(2, -30, 0))
+        snapped, moved = plank.snap()
+        assert len(moved) == 1
+        return [warning.trap for warning in decide(snapped, warnings=True).warnings]
+
+    assert traps(None) == ["large-motion", "assumed-stiffness"]
+    assert traps(1) == ["large-motion"]
 
 
 def test_errors_can_be_pickled():

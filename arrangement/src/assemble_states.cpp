@@ -16,24 +16,35 @@ void complete_counts(ArrangementCounts& counts, const GreatCircles& circles) {
                                               : counts.cells();
 }
 
-StateSorter::StateSorter(std::size_t planes)
+StateList::StateList(std::size_t planes)
     : planes_(planes), width_(PackedSigns::words_for(planes)) {}
 
-void StateSorter::add(const SlipState& state) {
+template <class SignOf>
+void StateList::pack(SignOf sign_of_plane) {
   for (std::size_t first = 0, w = 0; w < width_; ++w, first += PackedSigns::kSignsPerWord) {
     const std::size_t end = std::min(planes_, first + PackedSigns::kSignsPerWord);
     PackedSigns::Word word = 0;
     for (std::size_t p = first; p < end; ++p) {
-      word |= PackedSigns::digit(state[p]) << PackedSigns::shift_of(p);
+      word |= PackedSigns::digit(sign_of_plane(p)) << PackedSigns::shift_of(p);
     }
     words_.push_back(word);
   }
 }
 
-std::vector<SlipState> StateSorter::sorted() const {
+void StateList::add(const SlipState& state) {
+  pack([&](std::size_t p) { return state[p]; });
+}
+
+void StateList::add_over_planes(const GreatCircles& circles, const SlipState& of_circles) {
+  pack([&](std::size_t p) {
+    return circles.orientation[p] * of_circles[circles.circle[p].index()];
+  });
+}
+
+std::vector<SlipState> StateList::sorted() const {
   std::vector<const PackedSigns::Word*> rows;
-  rows.reserve(words_.size() / width_);
-  for (std::size_t at = 0; at < words_.size(); at += width_) rows.push_back(&words_[at]);
+  rows.reserve(size());
+  for (std::size_t i = 0; i < size(); ++i) rows.push_back((*this)[i].words());
   const auto less = [this](const PackedSigns::Word* a, const PackedSigns::Word* b) {
     return std::lexicographical_compare(a, a + width_, b, b + width_);
   };
@@ -50,16 +61,7 @@ std::vector<SlipState> StateSorter::sorted() const {
   return states;
 }
 
-SlipState over_planes(const GreatCircles& circles, const SlipState& of_circles) {
-  SlipState state;
-  state.reserve(circles.circle.size());
-  for (std::size_t p = 0; p < circles.circle.size(); ++p) {
-    state.push_back(circles.orientation[p] * of_circles[circles.circle[p].index()]);
-  }
-  return state;
-}
-
-SlipStates assemble_states(StateSorter cells, const ArrangementCounts& counts) {
+SlipStates assemble_states(StateList cells, const ArrangementCounts& counts) {
   cells.add(SlipState(counts.planes, Sign::kZero));
   SlipStates result{counts, cells.sorted()};
   if (counts.circles == 0) {

@@ -15,31 +15,37 @@ namespace stickslip::arrangement_detail {
 /// by the table of slip_states.hpp.
 void complete_counts(ArrangementCounts& counts, const GreatCircles& circles);
 
-/// Collects states over the same planes, packed, to sort them.
-class StateSorter {
+/// States over the same planes, packed: a quarter of the memory of so many SlipStates.
+class StateList {
  public:
-  explicit StateSorter(std::size_t planes);
+  explicit StateList(std::size_t planes);
 
   void add(const PackedSigns& signs) {
     words_.insert(words_.end(), signs.words(), signs.words() + width_);
   }
   void add(const SlipState& state);
+  /// The signs of the planes from those of circles.normals[c].d.
+  void add_over_planes(const GreatCircles& circles, const SlipState& of_circles);
+
+  std::size_t size() const { return words_.size() / width_; }
+  /// Valid until the next is added.
+  PackedSigns operator[](std::size_t i) const { return {&words_[i * width_], planes_}; }
 
   /// As their texts sort ('+' < '-' < '0'), each once.
   std::vector<SlipState> sorted() const;
 
  private:
+  template <class SignOf>
+  void pack(SignOf sign_of_plane);
+
   std::size_t planes_;
   std::size_t width_;  ///< words a state
   std::vector<PackedSigns::Word> words_;
 };
 
-/// The signs of the planes from those of circles.normals[c].d.
-SlipState over_planes(const GreatCircles& circles, const SlipState& of_circles);
-
 /// The slip states: those of the cells, and all-stick. Throws ContractError when the complete
 /// `counts` contradict one another or the number of states: Euler, antipodal pairs, and the
 /// relation of cells to states that slip_states.hpp states.
-SlipStates assemble_states(StateSorter cells, const ArrangementCounts& counts);
+SlipStates assemble_states(StateList cells, const ArrangementCounts& counts);
 
 }  // namespace stickslip::arrangement_detail

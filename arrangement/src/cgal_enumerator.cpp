@@ -53,7 +53,7 @@ static_assert(CGAL_ASSERTIONS_ENABLED, "the checked build needs the assertions o
 
 namespace stickslip {
 
-using arrangement_detail::StateSorter;
+using arrangement_detail::StateList;
 
 namespace {
 
@@ -155,12 +155,15 @@ void for_each_boundary_halfedge(Face face, Visit visit) {
 class CellReader {
  public:
   CellReader(Sphere& sphere, const std::vector<Kernel::Direction_3>& normals,
-             const GreatCircles& circles, StateSorter& cells)
-      : sphere_(sphere), normals_(normals), circles_(circles), cells_(cells) {}
+             const GreatCircles& circles, StateList& cells)
+      : sphere_(sphere),
+        normals_(normals),
+        circles_(circles),
+        cells_(cells),
+        faces_(normals.size()) {}
 
   void read(ArrangementCounts& counts) {
     counts.faces = read_faces();
-    check_edges();
     counts.edges = read_edges();
     counts.vertices = read_vertices();
   }
@@ -171,7 +174,8 @@ class CellReader {
     require(faces_.size() == sphere_.number_of_faces(),
             "cgal enumerator: the faces are not connected");
     orient_walk();
-    for (const SlipState& signs : faces_) add_cell(signs);
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+      cells_.add_over_planes(circles_, faces_[i].unpack());
     return faces_.size();
   }
 
@@ -182,16 +186,17 @@ class CellReader {
       face->set_data({row});
       reached.push_back(face);
     };
-    faces_.emplace_back(normals_.size(), Sign::kPositive);
+    faces_.add(SlipState(normals_.size(), Sign::kPositive));
     reach(sphere_.faces_begin(), 0);
     for (std::size_t next = 0; next < reached.size(); ++next) {
       const std::size_t row = reached[next]->data().row;
       for_each_boundary_halfedge(reached[next], [&](Sphere::Halfedge_handle edge) {
         const Face neighbour = edge->twin()->face();
         if (neighbour->data().row != kUnset) return;
-        faces_.push_back(SlipState(faces_[row]));
-        Sign& crossed = faces_.back()[circle_of(edge)];
+        SlipState signs = faces_[row].unpack();
+        Sign& crossed = signs[circle_of(edge)];
         crossed = -crossed;
+        faces_.add(signs);
         reach(neighbour, faces_.size() - 1);
       });
     }
@@ -199,38 +204,48 @@ class CellReader {
 
   /// Turns relative signs into signs: one edge of each circle says which is which.
   void orient_walk() {
-    SlipState factor(normals_.size(), Sign::kZero);
+    SlipState factor;
+    factor.resize(normals_.size(), Sign::kZero);
     for (auto edge = sphere_.edges_begin(); edge != sphere_.edges_end(); ++edge) {
       const std::size_t c = circle_of(edge);
       if (factor[c] != Sign::kZero) continue;
       factor[c] = signs_to_the_left(edge)[c] * sign_to_the_left(edge);
     }
-    for (SlipState& signs : faces_) {
+    StateList oriented(normals_.size());
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      SlipState signs = faces_[i].unpack();
       for (std::size_t c = 0; c < factor.size(); ++c) signs[c] = signs[c] * factor[c];
+      oriented.add(signs);
     }
+    faces_ = std::move(oriented);
   }
 
-  /// Every edge, the artificial ones included, against the two faces beside it.
-  void check_edges() const {
-    for (auto edge = sphere_.edges_begin(); edge != sphere_.edges_end(); ++edge) {
-      const std::size_t c = circle_of(edge);
-      SlipState left = signs_to_the_left(edge);
-      const SlipState& right = signs_to_the_left(edge->twin());
-      require(edge->curve().normal() == normals_[c],
-              "cgal enumerator: an edge does not lie on its circle");
-      require(left[c] == sign_to_the_left(edge) && right[c] == sign_to_the_left(edge->twin()),
-              "cgal enumerator: an edge contradicts the sign of its circle beside it");
-      left[c] = right[c];
-      require(left == right,
-              "cgal enumerator: the faces beside an edge differ in more than its circle");
+  /// Against the two faces beside the edge.
+  void check_edge(Halfedge edge) const {
+    const std::size_t c = circle_of(edge);
+    const PackedSigns left = signs_to_the_left(edge);
+    const PackedSigns right = signs_to_the_left(edge->twin());
+    require(edge->curve().normal() == normals_[c],
+            "cgal enumerator: an edge does not lie on its circle");
+    require(left[c] == sign_to_the_left(edge) && right[c] == sign_to_the_left(edge->twin()),
+            "cgal enumerator: an edge contradicts the sign of its circle beside it");
+    std::size_t different_words = 0;
+    for (std::size_t w = 0; w < left.word_count(); ++w) {
+      different_words += left.words()[w] != right.words()[w] ? 1 : 0;
     }
+    const std::size_t w = c / PackedSigns::kSignsPerWord;
+    require(different_words == 1 && (left.words()[w] ^ right.words()[w]) ==
+                                        PackedSigns::Word{1} << PackedSigns::shift_of(c),
+            "cgal enumerator: the faces beside an edge differ in more than its circle");
   }
 
+  /// Checks every edge, the artificial ones included.
   /// An edge of the arrangement is a chain of CGAL's edges; it is counted where it starts, in
   /// the counterclockwise direction. A circle that crosses no other is one closed edge.
   std::size_t read_edges() {
     std::size_t count = 0;
     for (auto edge = sphere_.edges_begin(); edge != sphere_.edges_end(); ++edge) {
+      check_edge(edge);
       const Halfedge forward = is_counterclockwise(edge) ? Halfedge(edge) : edge->twin();
       if (!is_crossing(forward->source())) continue;
       add_edge(forward);
@@ -244,9 +259,9 @@ class CellReader {
   }
 
   void add_edge(Halfedge edge) {
-    SlipState signs = signs_to_the_left(edge);
+    SlipState signs = signs_to_the_left(edge).unpack();
     signs[circle_of(edge)] = Sign::kZero;
-    add_cell(signs);
+    cells_.add_over_planes(circles_, signs);
   }
 
   std::size_t read_vertices() {
@@ -268,7 +283,7 @@ class CellReader {
   /// Adds the vertex's signs; gives the number of circles through it.
   std::size_t add_vertex(Vertex vertex) {
     const auto first = vertex->incident_halfedges();
-    SlipState signs = signs_to_the_left(first);
+    SlipState signs = signs_to_the_left(first).unpack();
     std::size_t circles = 0;
     auto edge = first;
     do {
@@ -279,27 +294,22 @@ class CellReader {
     } while (++edge != first);
     require(vertex->degree() == 2 * circles,
             "cgal enumerator: a circle does not pass straight through a vertex");
-    add_cell(signs);
+    cells_.add_over_planes(circles_, signs);
     return circles;
   }
 
-  void add_cell(const SlipState& signs) {
-    cells_.add(arrangement_detail::over_planes(circles_, signs));
-  }
-
-  const SlipState& signs_to_the_left(Halfedge edge) const {
+  PackedSigns signs_to_the_left(Halfedge edge) const {
     return faces_[edge->face()->data().row];
   }
 
   Sphere& sphere_;
   const std::vector<Kernel::Direction_3>& normals_;
   const GreatCircles& circles_;
-  StateSorter& cells_;
-  std::vector<SlipState> faces_;  ///< the signs of the circles on each
+  StateList& cells_;
+  StateList faces_;  ///< the signs of the circles on each
 };
 
-void enumerate_cells(const GreatCircles& circles, StateSorter& cells,
-                     ArrangementCounts& counts) {
+void enumerate_cells(const GreatCircles& circles, StateList& cells, ArrangementCounts& counts) {
   if (circles.normals.empty()) {
     counts.faces = 1;
     cells.add(SlipState());
@@ -358,7 +368,7 @@ std::vector<IntegerVector3> in_generic_position(const std::vector<IntegerVector3
 
 SlipStates enumerate_slip_states_cgal(const std::vector<Vector3>& plane_normals) {
   const GreatCircles circles = merge_planes(plane_normals);
-  StateSorter cells(plane_normals.size());
+  StateList cells(plane_normals.size());
   ArrangementCounts counts;
   try {
     enumerate_cells(circles, cells, counts);

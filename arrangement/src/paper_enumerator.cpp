@@ -116,7 +116,7 @@ bool is_one_cycle(const std::vector<std::size_t>& edges, std::size_t regions,
 }
 
 std::vector<SlipState> distinct_states(const PaperEnumeration& found, std::size_t planes) {
-  arrangement_detail::StateSorter states(planes);
+  arrangement_detail::StateList states(planes);
   for (const SlipState& region : found.regions) states.add(region);
   for (const PaperFacet& facet : found.facets) states.add(facet.state);
   for (const PaperLine& line : found.lines.basis) states.add(line.state);

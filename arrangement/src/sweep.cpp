@@ -252,7 +252,7 @@ class Collector final : public CellReceiver {
  public:
   explicit Collector(std::size_t planes) : states(planes) {}
   void receive(std::size_t, CellKind, const PackedSigns& signs) override { states.add(signs); }
-  arrangement_detail::StateSorter states;
+  arrangement_detail::StateList states;
 };
 
 using FourSigns = std::array<Sign, 4>;

@@ -18,8 +18,7 @@ namespace {
 using arrangement_detail::assemble_states;
 using arrangement_detail::complete_counts;
 using arrangement_detail::in_generic_position;
-using arrangement_detail::over_planes;
-using arrangement_detail::StateSorter;
+using arrangement_detail::StateList;
 
 using Words = std::vector<PackedSigns::Word>;
 
@@ -158,10 +157,10 @@ TEST(GenericPosition, HopelessSearchesEnd) {
 TEST(AssembleStates, ContradictoryCountsAreRejected) {
   const GreatCircles circles = merge_planes({{1, 0, 0}, {0, 1, 0}});
   const auto assembled = [&](ArrangementCounts counts) {
-    StateSorter cells(2);
+    StateList cells(2);
     for (int x = -1; x <= 1; ++x) {
       for (int y = -1; y <= 1; ++y) {
-        cells.add(over_planes(circles, {sign_of_int(x), sign_of_int(y)}));
+        cells.add_over_planes(circles, {sign_of_int(x), sign_of_int(y)});
       }
     }
     complete_counts(counts, circles);

@@ -171,32 +171,36 @@ TEST_F(WriteWholeFile, StoppedWhenTheOthersAreDone) {
   EXPECT_EQ(entries(), 1);
 }
 
+// In a process of its own: what is protected stays so, and another file may get its number.
 TEST_F(WriteWholeFile, ProtectedFilesStayUnderEveryName) {
-  write_whole_file(path("kept"), "old");
-  write_whole_file(path("other"), "old");
-  fs::create_hard_link(path("kept"), path("hard"));
-  fs::create_symlink("kept", path("soft"));
-  protect_file(path("kept"), "input");
-  protect_file(path("not there"), "input");
-  for (const char* name : {"kept", "./kept", "hard", "soft"}) {
-    try {
-      write_whole_file(path(name), "new");
-      FAIL() << name;
-    } catch (const InputError& error) {
-      EXPECT_EQ(error.file(), path(name));
-      EXPECT_THAT(error.problem(), ::testing::HasSubstr("the input " + path("kept")));
+  const auto check = [this] {
+    write_whole_file(path("kept"), "old");
+    write_whole_file(path("other"), "old");
+    fs::create_hard_link(path("kept"), path("hard"));
+    fs::create_symlink("kept", path("soft"));
+    protect_file(path("kept"), "input");
+    protect_file(path("not there"), "input");
+    for (const char* name : {"kept", "./kept", "hard", "soft"}) {
+      try {
+        write_whole_file(path(name), "new");
+        FAIL() << name;
+      } catch (const InputError& error) {
+        EXPECT_EQ(error.file(), path(name));
+        EXPECT_THAT(error.problem(), ::testing::HasSubstr("the input " + path("kept")));
+      }
+      EXPECT_THROW(require_unprotected(path(name)), InputError);
+      EXPECT_EQ(content(path("kept")), "old");
     }
-    EXPECT_THROW(require_unprotected(path(name)), InputError);
-    EXPECT_EQ(content(path("kept")), "old");
-  }
-  EXPECT_NO_THROW(require_unprotected(path("other")));
-  EXPECT_NO_THROW(require_unprotected(path("not there")));
-  write_whole_file(path("other"), "new");
-  write_whole_file(path("not there"), "new");
-  EXPECT_EQ(content(path("other")) + content(path("not there")), "newnew");
+    EXPECT_NO_THROW(require_unprotected(path("other")));
+    EXPECT_NO_THROW(require_unprotected(path("not there")));
+    write_whole_file(path("other"), "new");
+    write_whole_file(path("not there"), "new");
+    EXPECT_EQ(content(path("other")) + content(path("not there")), "newnew");
+  };
+  EXPECT_EXIT((check(), std::_Exit(HasFailure() ? 1 : 7)), ::testing::ExitedWithCode(7), "");
 }
 
-// In a process of its own: what is protected stays so.
+// In a process of its own as well.
 TEST_F(WriteWholeFile, InputsAreProtectedOnRequest) {
   const std::string file = path("f");
   const auto is_written = [&](const std::string& text) {

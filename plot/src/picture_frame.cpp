@@ -6,8 +6,6 @@
 namespace stickslip {
 namespace {
 
-/// A few, so that captions stay on the page.
-constexpr std::size_t kLongestExactText = 12;
 constexpr std::size_t kFarAway = 2;  ///< sizes of the grasp
 
 Vector2 difference(const Vector2& a, const Vector2& b) {
@@ -84,9 +82,7 @@ std::string typeset(std::string text) {
 }
 
 std::string short_text(const Rational& value) {
-  const std::string exact = to_string(value);
-  if (exact.size() <= kLongestExactText) return typeset(exact);
-  return typeset("\u2248\u202F" + enclose_sqrt(value, 1, 6).lower);
+  return typeset(to_readable_string(value));
 }
 
 std::string short_tuple(const std::vector<Rational>& values) {

@@ -37,8 +37,7 @@ Rational largest_entry(const Vector2& vector);
 /// The largest of 1, 2, 5 times a power of ten that is not above `value` > 0.
 Rational round_down(const Rational& value);
 
-/// The value itself if that is short, otherwise rounded: "3/5", "\u2248 0.333333". Minus signs
-/// are U+2212.
+/// to_readable_string with minus signs as U+2212: "3/5", "~0.333333".
 std::string short_text(const Rational& value);
 /// "(0, 1, \u22121/2)"
 std::string short_tuple(const std::vector<Rational>& values);

@@ -54,7 +54,7 @@ TEST(ShortText, IsExactWhileShort) {
   EXPECT_EQ(short_text(Rational(-3, 5)), "\u22123/5");
   EXPECT_EQ(short_tuple({0, -1, Rational(1, 2)}), "(0, \u22121, 1/2)");
   const std::string third = short_text(parse_rational("0.33333333333333333333"));
-  EXPECT_EQ(third, "\u2248\u202F0.333333");
+  EXPECT_EQ(third, "~0.333333");
   EXPECT_LT(short_text(parse_rational("-3e4000")).size(), 30U);
 }
 

@@ -89,7 +89,7 @@ class GraspPlot(unittest.TestCase):
         if any("allows no motion" in t for t in picture.texts()):
             return
         caption = " ".join(picture.texts())
-        x, y, r = (Fraction(n.replace("\u2212", "-").replace("\u2248\u202f", "")) for n in re.search(
+        x, y, r = (Fraction(n.replace("\u2212", "-").replace("~", "")) for n in re.search(
             r"along the virtual twist \((.*?)\)", caption).group(1).split(", "))
         arrows = picture.all("virtual")
         self.assert_scaled(arrows)

@@ -103,6 +103,7 @@ GRASP = FileKind("stickslip-grasp/1", True, 1 << 28, 32, 1 << 28, 16_384, 16_384
 CERTIFICATE = FileKind("stickslip-certificate/2", False, 1 << 30, 8, 65_536, 4_000, 65_536, 1 << 22,
                        ("segments", "tree"), re.compile(r"(-?[0-9]+)(?:/([0-9]+))?()()"))
 MAX_EXPONENT = 4096
+BEYOND_NUMERALS = 2 ** 16384 - 2 ** 16319  # what rounds to 2^16384 with a mantissa of 64 bits
 MAX_CONTACTS = 1_000_000
 
 # A string (also one that never ends) or a bracket; search passes over everything else.
@@ -246,7 +247,8 @@ class Source:
         return value
 
     def number(self, value: Any, place: str) -> Fraction:
-        if type(value) is Numeral:
+        is_numeral = type(value) is Numeral
+        if is_numeral:
             value = value.text
             if len(value) > self.kind.max_numeral:
                 self.fail(place, f"a JSON number of more than {self.kind.max_numeral} characters; "
@@ -254,9 +256,12 @@ class Source:
         elif type(value) is not str:
             self.fail(place, "must be a number or a string that spells one")
         try:
-            return rational(value, self.kind)
+            found = rational(value, self.kind)
         except ValueError as error:
             self.fail(place, str(error))
+        if is_numeral and abs(found) >= BEYOND_NUMERALS:
+            self.fail(place, "a JSON number must be below 2^16384; a string spells larger ones")
+        return found
 
     def vector(self, value: Any, place: str, length: Optional[int] = None) -> Vector:
         return tuple(self.number(v, f"{place}[{j}]")

@@ -118,6 +118,10 @@ class GraspReader {
     }
     json_.expect(read.has_value(), value, place,
                  "a number such as 0.25 or 1e-3, or a string as \"3/5\"");
+    // What rounds to 2^16384 with a mantissa of 64 bits (docs/grasp_file.md).
+    static const Integer kBeyond = (Integer(1) << 16384) - (Integer(1) << 16319);
+    json_.expect(value.kind == Value::Kind::kString || abs(*read) < kBeyond, value, place,
+                 "a number below 2^16384; a string spells larger ones");
     return *read;
   }
 

@@ -254,6 +254,7 @@ class GraspFileTest(Case):
         bad(".friction: -1 is out of range", friction=-1)
         bad(".stiffness: 0 is out of range", stiffness=0)
         bad(".preload: -1 is out of range", preload=-1)
+        bad(".friction: a JSON number must be below 2^16384", friction=2 ** 16384 - 2 ** 16319)
         bare = {k: v for k, v in self.CONTACT.items() if k != "friction"}
         self.bad("contacts[0]: 'friction' is missing", self.file(contacts=[bare]))
 

@@ -56,9 +56,9 @@ ResidualScale residual_scale(const LoadedGrasp& loaded, const ApproximateEquilib
   return scale;
 }
 
-std::vector<const char*> ClaimResiduals::missed(const Rational& tolerance,
+std::vector<std::string> ClaimResiduals::missed(const Rational& tolerance,
                                                 const ResidualScale& scale) const {
-  std::vector<const char*> names;
+  std::vector<std::string> names;
   const Rational force = tolerance * scale.force;
   if (balance && (abs(balance->x) > force || abs(balance->y) > force ||
                   abs(balance->torque) > force * scale.length)) {

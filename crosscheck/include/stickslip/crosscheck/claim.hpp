@@ -101,7 +101,7 @@ struct ClaimResiduals {
   /// The conditions that are missed by more than `tolerance` times the scale: of "balance" (a
   /// force by scale.force, the torque by force x length), "cone" and "normal law" (by force),
   /// "dissipation" (by force x motion).
-  std::vector<const char*> missed(const Rational& tolerance, const ResidualScale& scale) const;
+  std::vector<std::string> missed(const Rational& tolerance, const ResidualScale& scale) const;
 };
 
 /// An exact equilibrium for a claim "stable".

@@ -21,9 +21,9 @@ function(stickslip_library module)
   target_link_libraries(stickslip_${module}
     PUBLIC ${ARG_PUBLIC_LIBS} PRIVATE ${ARG_PRIVATE_LIBS})
   target_compile_features(stickslip_${module} PUBLIC cxx_std_17)
-  if(STICKSLIP_BUILD_PYTHON)  # the Python module is a shared library that takes it in
-    set_target_properties(stickslip_${module} PROPERTIES POSITION_INDEPENDENT_CODE ON)
-  endif()
+  # The Python module is a shared library that takes it in; always, so that what scripts/demo.sh
+  # has compiled serves scripts/test.sh.
+  set_target_properties(stickslip_${module} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   if(STICKSLIP_VALIDATE)
     target_compile_definitions(stickslip_${module} PUBLIC STICKSLIP_VALIDATE)
   endif()
@@ -41,8 +41,7 @@ function(stickslip_reuse_headers name)
     file(WRITE ${PROJECT_BINARY_DIR}/headers/headers.cpp "")
     add_library(stickslip_headers OBJECT ${PROJECT_BINARY_DIR}/headers/headers.cpp)
     target_link_libraries(stickslip_headers PRIVATE Boost::headers stickslip_gmp)
-    set_target_properties(stickslip_headers PROPERTIES
-      POSITION_INDEPENDENT_CODE "${STICKSLIP_BUILD_PYTHON}")
+    set_target_properties(stickslip_headers PROPERTIES POSITION_INDEPENDENT_CODE ON)
     stickslip_set_warnings(stickslip_headers)
     target_precompile_headers(stickslip_headers PRIVATE
       <boost/multiprecision/gmp.hpp> <algorithm> <functional> <map> <optional> <set> <string>

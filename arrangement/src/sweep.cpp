@@ -17,7 +17,6 @@
 #include "stickslip/arrangement/sweep.hpp"
 
 #include <array>
-#include <optional>
 #include <utility>
 
 #include "assemble_states.hpp"
@@ -128,26 +127,26 @@ class Census {
   std::vector<std::size_t> owned_;  ///< vertices, at their lowest circle
 };
 
-/// Gives out the cells that belong to one circle. One for each thread.
-class StripVisitor {
+/// Gives out the cells that belong to one circle after the other.
+class CellWalk {
  public:
-  StripVisitor(std::size_t circles, const SignLayout& layout, CellReceiver& receiver)
+  CellWalk(std::size_t circles, const SignLayout& layout, const CellVisitor& visitor)
       : circles_(circles),
         layout_(layout),
-        receiver_(receiver),
+        visitor_(visitor),
         words_(PackedSigns::words_for(layout.planes()), 0) {}
 
   /// The face of the pole and its antipode, or whatever there is without a crossing.
   void visit_poles() {
-    give(0, CellKind::kFace);
+    set_all(1);
+    give(CellKind::kFace);
     if (circles_ == 0) return;
     set_all(-1);
-    give(0, CellKind::kFace);
+    give(CellKind::kFace);
     if (circles_ > 1) return;
     set(0, 0);
-    give(0, CellKind::kEdge);
+    give(CellKind::kEdge);
   }
-  void start_at_pole() { set_all(1); }
 
   void visit(CircleOrder& order, std::size_t i) {
     for (std::size_t j = 0; j < circles_; ++j) set(j, j == i ? 0 : order.side(j));
@@ -160,7 +159,7 @@ class StripVisitor {
             layout_.flip(words_.data(), *j);
           }
         }
-        give(i, CellKind::kEdge);
+        give(CellKind::kEdge);
       }
     }
   }
@@ -170,11 +169,11 @@ class StripVisitor {
     const std::vector<std::uint32_t>& slopes = order.by_slope(q);
     const std::size_t t = slopes.size();
     for (const std::uint32_t c : slopes) set(c, 0);
-    give(i, CellKind::kVertex);
+    give(CellKind::kVertex);
     for (const std::uint32_t c : slopes) set(c, -1);
     for (std::size_t f = 0; f + 1 < t; ++f) {
       set(slopes[half > 0 ? f : t - 1 - f], 1);
-      give(i, CellKind::kFace);
+      give(CellKind::kFace);
     }
     for (const std::uint32_t c : slopes) set(c, c == i ? 0 : -half * order.side(c));
   }
@@ -183,77 +182,25 @@ class StripVisitor {
   void set_all(int sign) {
     for (std::size_t j = 0; j < circles_; ++j) set(j, sign);
   }
-  void give(std::size_t strip, CellKind kind) {
-    receiver_.receive(strip, kind, PackedSigns(words_.data(), layout_.planes()));
-  }
+  void give(CellKind kind) { visitor_(kind, PackedSigns(words_.data(), layout_.planes())); }
 
   std::size_t circles_;
   const SignLayout& layout_;
-  CellReceiver& receiver_;
+  const CellVisitor& visitor_;
   std::vector<Word> words_;
 };
 
-ArrangementCounts without_crossings(const GreatCircles& circles) {
+ArrangementCounts counts_of(const GreatCircles& circles, const Census& census) {
   ArrangementCounts counts;
-  counts.edges = circles.normals.size();
-  counts.faces = circles.normals.size() + 1;
-  return counts;
-}
-
-/// What one thread needs.
-struct Scratch {
-  CircleOrder order;
-  Census census;
-  std::optional<StripVisitor> visitor;
-};
-
-/// Counts, and visits if there is a receiver.
-ArrangementCounts sweep(const GreatCircles& circles, const FilteredNormals& normals,
-                        const SignLayout* layout, CellReceiver* receiver, unsigned threads,
-                        SweepWork* work) {
-  const std::size_t k = normals.size();
-  const auto new_visitor = [&] {
-    std::optional<StripVisitor> visitor;
-    if (receiver != nullptr) visitor.emplace(k, *layout, *receiver);
-    return visitor;
-  };
-  ArrangementCounts counts;
-  if (receiver != nullptr) {
-    receiver->begin(std::max<std::size_t>(1, k));
-    std::optional<StripVisitor> poles = new_visitor();
-    poles->start_at_pole();
-    poles->visit_poles();
-  }
-  if (k < 2) {
-    counts = without_crossings(circles);
+  if (circles.normals.size() < 2) {
+    counts.edges = circles.normals.size();
+    counts.faces = circles.normals.size() + 1;
   } else {
-    Census census(k);
-    arrangement_detail::over_circles(
-        k, threads,
-        [&] {
-          return Scratch{CircleOrder(normals), Census(k), new_visitor()};
-        },
-        [](Scratch& scratch, std::size_t i) {
-          scratch.order.sort(i);
-          scratch.census.add(scratch.order);
-          if (scratch.visitor) scratch.visitor->visit(scratch.order, i);
-        },
-        [&](Scratch& scratch) {
-          census += scratch.census;
-          if (work != nullptr) *work += scratch.order.work();
-        });
     census.fill(counts);
   }
   arrangement_detail::complete_counts(counts, circles);
   return counts;
 }
-
-class Collector final : public CellReceiver {
- public:
-  explicit Collector(std::size_t planes) : states(planes) {}
-  void receive(std::size_t, CellKind, const PackedSigns& signs) override { states.add(signs); }
-  arrangement_detail::StateList states;
-};
 
 using FourSigns = std::array<Sign, 4>;
 
@@ -286,22 +233,57 @@ ArrangementCounts count_cells(const std::vector<Vector3>& plane_normals, unsigne
                               SweepWork* work) {
   const GreatCircles circles = merge_planes(plane_normals);
   const FilteredNormals normals(circles.normals);
-  return sweep(circles, normals, nullptr, nullptr, threads, work);
+  const std::size_t k = normals.size();
+  struct Scratch {
+    CircleOrder order;
+    Census census;
+  };
+  Census census(k);
+  if (k > 1) {
+    arrangement_detail::over_circles(
+        k, threads,
+        [&] {
+          return Scratch{CircleOrder(normals), Census(k)};
+        },
+        [](Scratch& scratch, std::size_t i) {
+          scratch.order.sort(i);
+          scratch.census.add(scratch.order);
+        },
+        [&](Scratch& scratch) {
+          census += scratch.census;
+          if (work != nullptr) *work += scratch.order.work();
+        });
+  }
+  return counts_of(circles, census);
 }
 
-ArrangementCounts sweep_cells(const std::vector<Vector3>& plane_normals, unsigned threads,
-                              CellReceiver& receiver, SweepWork* work) {
+ArrangementCounts visit_cells(const std::vector<Vector3>& plane_normals,
+                              const CellVisitor& visitor, SweepWork* work) {
   const GreatCircles circles = merge_planes(plane_normals);
   const FilteredNormals normals(circles.normals);
   const SignLayout layout(circles, normals);
-  return sweep(circles, normals, &layout, &receiver, threads, work);
+  const std::size_t k = normals.size();
+  CellWalk cells(k, layout, visitor);
+  cells.visit_poles();
+  Census census(k);
+  if (k > 1) {
+    CircleOrder order(normals);
+    for (std::size_t i = 0; i < k; ++i) {
+      order.sort(i);
+      census.add(order);
+      cells.visit(order, i);
+    }
+    if (work != nullptr) *work += order.work();
+  }
+  return counts_of(circles, census);
 }
 
 SlipStates enumerate_slip_states_sweep(const std::vector<Vector3>& plane_normals,
                                        SweepWork* work) {
-  Collector collector(plane_normals.size());
-  const ArrangementCounts counts = sweep_cells(plane_normals, 1, collector, work);
-  return arrangement_detail::assemble_states(std::move(collector.states), counts);
+  arrangement_detail::StateList states(plane_normals.size());
+  const ArrangementCounts counts = visit_cells(
+      plane_normals, [&](CellKind, const PackedSigns& signs) { states.add(signs); }, work);
+  return arrangement_detail::assemble_states(std::move(states), counts);
 }
 
 }  // namespace stickslip

@@ -26,7 +26,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
+#include <functional>
 #include <vector>
 
 #include "stickslip/arrangement/slip_states.hpp"
@@ -114,73 +114,15 @@ struct SweepWork {
 ArrangementCounts count_cells(const std::vector<Vector3>& plane_normals, unsigned threads = 1,
                               SweepWork* work = nullptr);
 
-/// Receives cells. Circles are handled in strips, numbered from 0 in the order of a serial
-/// visit. Calls with different strips may come from different threads at one time; those with
-/// the same strip come one after the other. Base of the templates below.
-class CellReceiver {
- public:
-  virtual ~CellReceiver() = default;
-  /// Called once, first.
-  virtual void begin(std::size_t /*strips*/) {}
-  /// `signs` is valid during the call.
-  virtual void receive(std::size_t strip, CellKind kind, const PackedSigns& signs) = 0;
-};
+/// Takes a cell: its signs are valid during the call.
+using CellVisitor = std::function<void(CellKind, const PackedSigns&)>;
 
-/// Gives every cell of the sphere to `receiver` exactly once, with the signs of all planes on
-/// it. All-stick is given only where it is a cell: at rank 2 by both vertices, at rank 1 by
-/// the edge, at rank 0 by the face. At rank 3 no cell has it, yet it is a slip state.
-ArrangementCounts sweep_cells(const std::vector<Vector3>& plane_normals, unsigned threads,
-                              CellReceiver& receiver, SweepWork* work = nullptr);
-
-/// Calls visitor(CellKind, const PackedSigns&) for every cell, in a fixed order, on this
-/// thread.
-template <class Visitor>
-ArrangementCounts visit_cells(const std::vector<Vector3>& plane_normals, Visitor&& visitor,
-                              SweepWork* work = nullptr) {
-  class Receiver final : public CellReceiver {
-   public:
-    explicit Receiver(Visitor& callee) : visitor_(callee) {}
-    void receive(std::size_t, CellKind kind, const PackedSigns& signs) override {
-      visitor_(kind, signs);
-    }
-
-   private:
-    Visitor& visitor_;
-  };
-  Receiver receiver(visitor);
-  return sweep_cells(plane_normals, 1, receiver, work);
-}
-
-/// Visits in parallel: visit(partial, CellKind, const PackedSigns&) for every cell, where each
-/// strip has its own partial result, a copy of `identity`; then merge(result, partial&&) in
-/// the order of the strips, on this thread. The same result for any number of threads, also
-/// when merging does not commute.
-template <class Partial, class Visit, class Merge>
-Partial fold_cells(const std::vector<Vector3>& plane_normals, unsigned threads,
-                   const Partial& identity, Visit visit, Merge merge) {
-  class Receiver final : public CellReceiver {
-   public:
-    Receiver(const Partial& initial, Visit& callee) : initial_(initial), visit_(callee) {}
-    void begin(std::size_t strips) override { partials.assign(strips, {initial_}); }
-    void receive(std::size_t strip, CellKind kind, const PackedSigns& signs) override {
-      visit_(partials[strip].value, kind, signs);
-    }
-    /// On its own cache lines, so that threads do not slow one another.
-    struct alignas(64) Slot {
-      Partial value;
-    };
-    std::vector<Slot> partials;
-
-   private:
-    const Partial& initial_;
-    Visit& visit_;
-  };
-  Receiver receiver(identity, visit);
-  sweep_cells(plane_normals, threads, receiver);
-  Partial result = identity;
-  for (auto& partial : receiver.partials) merge(result, std::move(partial.value));
-  return result;
-}
+/// Calls `visitor` for every cell of the sphere exactly once, in a fixed order, with the signs
+/// of all planes on it. All-stick is given only where it is a cell: at rank 2 by both vertices,
+/// at rank 1 by the edge, at rank 0 by the face. At rank 3 no cell has it, yet it is a slip
+/// state.
+ArrangementCounts visit_cells(const std::vector<Vector3>& plane_normals,
+                              const CellVisitor& visitor, SweepWork* work = nullptr);
 
 /// The same result as enumerate_slip_states_cgal, in the same order. The states take O(m^3)
 /// memory; to count or to stream them, use the functions above.

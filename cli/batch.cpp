@@ -37,8 +37,6 @@
 namespace stickslip {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 struct BatchArguments {
   QuestionArguments question;
   std::string file;

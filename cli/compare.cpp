@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "comparison.hpp"
 #include "question_options.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/earlier/comparison.hpp"
 #include "table.hpp"
 
 namespace stickslip {
@@ -70,7 +70,8 @@ int compare(const CompareArguments& arguments) {
   const Rational length = positive_length(arguments.length);
   const Question question = arguments.question.question();
   NumberText text(arguments.output);
-  const std::vector<MethodRow> rows = compare_methods(question, length, text);
+  const std::vector<MethodRow> rows =
+      compare_methods(Problem(question.loaded, question.law), length, text);
   if (arguments.output.json) {
     print_json(question, length, rows, arguments.output.floats);
   } else {

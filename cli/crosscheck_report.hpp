@@ -7,9 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "numbers.hpp"
-#include "numbers.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/number_text.hpp"
 #include "stickslip/crosscheck/claims_file.hpp"
 
 namespace stickslip {

@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "numbers.hpp"
 #include "question_options.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"

@@ -141,6 +141,16 @@ Question QuestionArguments::question() const {
   return ask_with_options(read_grasp_file(file_), options(), file_ == "-" ? "<stdin>" : file_);
 }
 
+void NumberOptions::add_to(CLI::App& command, const std::string& json_description) {
+  CLI::Option* json_option = command.add_flag("--json", json, json_description);
+  command
+      .add_flag("--floats", floats,
+                "With --json: beside each member X of exact numbers a member X_float, the "
+                "nearest doubles")
+      ->needs(json_option);
+  command.add_flag("--exact", exact, "Print all digits of every number in text");
+}
+
 Question ask_with_options(const GraspFile& file, const QuestionOptions& options,
                           const std::string& name) {
   try {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The grasp file and the options that say what is asked about it, shared by several
-/// subcommands.
+/// Options that several subcommands have: what is asked about a grasp file, and how numbers are
+/// printed.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,6 +10,7 @@
 #include <limits>
 #include <string>
 
+#include "stickslip/core/number_text.hpp"
 #include "stickslip/equilibrium/question.hpp"
 
 namespace stickslip {
@@ -39,6 +40,17 @@ class QuestionArguments {
   std::string preload_;
   std::string law_ = "unilateral";
   bool starts_at_zero_ = false;
+};
+
+/// --json, --floats and --exact, of every subcommand that answers in numbers.
+struct NumberOptions {
+  bool json = false;
+  bool floats = false;
+  bool exact = false;
+
+  void add_to(CLI::App& command, const std::string& json_description =
+                                     "Print one JSON object; rationals are strings");
+  operator NumberText() const { return NumberText(exact, "; --exact prints all digits"); }
 };
 
 /// ask(), and the rows that every answer needs: errors are in the words of the command line,

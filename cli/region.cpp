@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
-#include "numbers.hpp"
 #include "progress.hpp"
 #include "question_options.hpp"
 #include "stickslip/core/error.hpp"

@@ -29,8 +29,4 @@ ContactForce force_of_edges(const ContactRow& row, const Rational& plus,
   return {plus + minus, row.friction * (plus - minus)};
 }
 
-Twist twist_of(const IntegerVector<3>& d) {
-  return {Rational(d[0]), Rational(d[1]), Rational(d[2])};
-}
-
 }  // namespace stickslip

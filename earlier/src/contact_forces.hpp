@@ -21,6 +21,4 @@ bool balances_in_cones(const Problem& problem, const std::vector<ContactForce>& 
 /// The force with the coefficients plus and minus (>= 0) on the edges N + mu T and N - mu T.
 ContactForce force_of_edges(const ContactRow& row, const Rational& plus, const Rational& minus);
 
-Twist twist_of(const IntegerVector<3>& d);
-
 }  // namespace stickslip

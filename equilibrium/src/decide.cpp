@@ -25,8 +25,7 @@ std::vector<std::string> child_conditions(const RefutationNode& node) {
 
 /// How many contacts slip or open as the case says when the object moves against its twist.
 std::size_t count_alike(const RefutationSummary& found, const Problem& problem) {
-  const IntegerVector<3> y = negated(found.largest_case_twist);
-  const Twist drift{y[0], y[1], y[2]};
+  const Twist drift = twist_of(negated(found.largest_case_twist));
   std::size_t count = 0;
   for (const auto& [contact, slip] : found.largest_case_slips) {
     if (sign_of(power(problem.row(contact).tangent, drift)) == slip) ++count;

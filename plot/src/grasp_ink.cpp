@@ -172,8 +172,7 @@ class GraspReader {
     }
     // Along the leaf's twist the wrenches of load and contacts together do negative work
     // whatever the contacts do; so against it, they drive the object.
-    const IntegerVector<3> y = negated(proof.largest_case_twist);
-    Twist drift{y[0], y[1], y[2]};
+    Twist drift = twist_of(negated(proof.largest_case_twist));
     const Rational largest =
         std::max(largest_entry({drift.x, drift.y}), Rational(abs(drift.r)));
     if (largest.is_zero()) return;  // the case has no motion

@@ -10,7 +10,7 @@
 
 #include <array>
 
-#include "stickslip/core/number.hpp"
+#include "stickslip/core/integer_vector.hpp"
 
 namespace stickslip {
 
@@ -66,5 +66,10 @@ inline Vector3 coordinates(const Wrench& w) {
   return {w.x, w.y, w.torque};
 }
 /// \}
+
+/// The motion with these coordinates.
+inline Twist twist_of(const IntegerVector<3>& d) {
+  return {Rational(d[0]), Rational(d[1]), Rational(d[2])};
+}
 
 }  // namespace stickslip

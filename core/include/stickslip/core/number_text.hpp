@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The numbers of the answers: how the subcommands print them, for people and for programs.
+/// Exact numbers as answers show them: text for people, JSON for programs.
 #pragma once
 
 #include <array>
@@ -8,52 +8,39 @@
 #include <string>
 #include <vector>
 
+#include "stickslip/core/grasp.hpp"
 #include "stickslip/core/integer_vector.hpp"
-#include "stickslip/equilibrium/question.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace stickslip {
-
-using Json = nlohmann::ordered_json;
-
-/// --json, --floats and --exact, of every subcommand that answers in numbers.
-struct NumberOptions {
-  bool json = false;
-  bool floats = false;
-  bool exact = false;
-
-  void add_to(CLI::App& command, const std::string& json_description =
-                                     "Print one JSON object; rationals are strings");
-};
 
 /// Numbers in text: readable, or with all digits. It remembers what needs a word of
 /// explanation.
 class NumberText {
  public:
-  explicit NumberText(const NumberOptions& options) : exact_(options.exact) {}
+  /// `remedy`, if given, ends the sentence of note() on rounded numbers.
+  explicit NumberText(bool exact, std::string remedy = {})
+      : exact_(exact), remedy_(std::move(remedy)) {}
 
   /// As to_readable_string, or to_string.
   std::string operator()(const Rational& value);
   /// factor * sqrt(radicand); with all digits, an enclosure "a..b" unless it is rational.
   std::string root(const Rational& factor, const Rational& radicand);
-  /// "(1, -1/2)".
+  /// \{ "(1, -1/2)".
   std::string operator()(const Vector2& v) { return tuple({v.x, v.y}); }
-  std::string operator()(const Vector3& v) { return tuple({v.begin(), v.end()}); }
   std::string operator()(const Twist& d) { return (*this)(coordinates(d)); }
-  std::string operator()(const std::array<Rational, 2>& v) {
+  template <class Number, std::size_t n>
+  std::string operator()(const std::array<Number, n>& v) {
     return tuple({v.begin(), v.end()});
   }
-  /// A vector of which only the direction has a meaning: small integers, or scaled to a largest
-  /// entry of 1; with all digits as it is.
-  std::string direction(const Vector3& v) { return scaled_tuple({v.begin(), v.end()}); }
+  /// \}
+  /// \{ A vector of which only the direction has a meaning: small integers, or scaled to a
+  /// largest entry of 1; with all digits as it is.
   std::string direction(const Twist& d) { return direction(coordinates(d)); }
-  template <std::size_t n>
-  std::string direction(const IntegerVector<n>& v) {
+  template <class Number, std::size_t n>
+  std::string direction(const std::array<Number, n>& v) {
     return scaled_tuple({v.begin(), v.end()});
   }
+  /// \}
 
   /// What ~ and a..b mean, a line each, if they were printed.
   std::string note() const;
@@ -63,13 +50,18 @@ class NumberText {
   std::string scaled_tuple(std::vector<Rational> v);
 
   bool exact_;
+  std::string remedy_;
   bool has_rounded_ = false;
   bool has_enclosed_ = false;
 };
 
-/// \{ \brief An exact number, or several, in a JSON tree that finished() is to finish.
+/// Members keep their order.
+using Json = nlohmann::ordered_json;
+
+/// \{ \brief An exact number, or several, in a JSON tree that finished() is to finish; a
+/// decimal as it is spelled.
 Json number_json(const Rational& value);
-Json decimal_json(const std::string& decimal);  ///< as it is spelled
+Json decimal_json(const std::string& decimal);
 Json number_json(const DecimalEnclosure& enclosure);
 Json number_json(const Vector2& v);
 template <class Number, std::size_t n>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "numbers.hpp"
+#include "stickslip/core/number_text.hpp"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
 
@@ -36,16 +35,6 @@ Json nearest_doubles(const Json& value) {
 }
 
 }  // namespace
-
-void NumberOptions::add_to(CLI::App& command, const std::string& json_description) {
-  CLI::Option* json_option = command.add_flag("--json", json, json_description);
-  command
-      .add_flag("--floats", floats,
-                "With --json: beside each member X of exact numbers a member X_float, the "
-                "nearest doubles")
-      ->needs(json_option);
-  command.add_flag("--exact", exact, "Print all digits of every number in text");
-}
 
 std::string NumberText::operator()(const Rational& value) {
   if (exact_) return to_string(value);
@@ -93,9 +82,7 @@ std::string NumberText::scaled_tuple(std::vector<Rational> v) {
 
 std::string NumberText::note() const {
   std::string text;
-  if (has_rounded_) {
-    text += "~ marks what is rounded to six digits; --exact prints all digits.\n";
-  }
+  if (has_rounded_) text += "~ marks what is rounded to six digits" + remedy_ + ".\n";
   if (has_enclosed_) text += "a..b encloses an irrational number.\n";
   return text;
 }

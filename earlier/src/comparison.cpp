@@ -1,0 +1,405 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/earlier/comparison.hpp"
+
+#include <algorithm>
+
+#include "stickslip/core/error.hpp"
+#include "stickslip/earlier/compliance.hpp"
+#include "stickslip/earlier/form_closure.hpp"
+#include "stickslip/earlier/friction_cones.hpp"
+#include "stickslip/earlier/grasp_wrench_space.hpp"
+#include "stickslip/earlier/load_classes.hpp"
+#include "stickslip/equilibrium/decide.hpp"
+
+namespace stickslip {
+namespace {
+
+/// Beyond these contacts a grasp wrench space is not computed.
+constexpr std::size_t kMostContactsForWrenchSpace = 64;
+
+/// What a method says: verdict, reason, evidence.
+struct Answer {
+  std::string verdict;
+  std::string why;
+  Json evidence{};
+};
+
+Answer of_load(bool accepts, std::string why, Json evidence) {
+  return {accepts ? "stable" : "unstable", std::move(why), std::move(evidence)};
+}
+
+Answer given_up(const Undecided& undecided) {
+  return {kNotComputed, "given up at " + undecided.limit, {{"limit", undecided.limit}}};
+}
+
+std::string contact_name(std::size_t index) {
+  return "contact " + std::to_string(index);
+}
+
+std::string cases_refuted(std::size_t count) {
+  return "(" + std::to_string(count) + (count == 1 ? " case refuted)" : " cases refuted)");
+}
+
+Json motion_json(const Twist& d) {
+  return {{"motion", number_json(coordinates(d))}};
+}
+
+/// `why`, and in parentheses how many cases were refuted.
+Answer refuted(const Refutation& refutation, const std::string& why) {
+  const RefutationSummary summary = summarize(refutation);
+  return of_load(false, why + " " + cases_refuted(summary.leaves),
+                 {{"refutation", {{"nodes", summary.nodes}, {"leaves", summary.leaves}}}});
+}
+
+/// The first contact with friction in a passive equilibrium.
+struct Rubbing {
+  std::size_t contact;
+  Rational ratio;  ///< |c_t| / c_n
+  bool slips;
+};
+
+class Comparison {
+ public:
+  Comparison(const Problem& problem, const Rational& length, NumberText& text)
+      : problem_(problem), length_(length), text_(text) {}
+
+  std::vector<MethodRow> rows() {
+    constexpr const char* kPangTrinkle = "Pang and Trinkle 2000";
+    constexpr const char* kFerrariCanny = "Ferrari and Canny 1992";
+    const struct {
+      const char* name;
+      const char* source;
+      bool about_the_load;
+      Answer (Comparison::*answer)();
+    } methods[] = {
+        {"passive equilibrium", "Haas-Heger et al. 2018", true, &Comparison::passive},
+        {"form closure", "Liu 1999", false, &Comparison::closure},
+        {"frictionless stable load", kPangTrinkle, true, &Comparison::frictionless},
+        {"strongly stable load", kPangTrinkle, true, &Comparison::strong},
+        {"weakly stable load", kPangTrinkle, true, &Comparison::weak},
+        {"grasp wrench space, L1", kFerrariCanny, false, &Comparison::wrench_space_l1},
+        {"grasp wrench space, Linf", kFerrariCanny, false, &Comparison::wrench_space_linf},
+        {"linear compliance", "Cutkosky and Kao 1989, Bicchi 1993", true, &Comparison::linear},
+        {"three-state compliance", "Prattichizzo et al. 1997", true, &Comparison::three_states},
+        {"friction cones alone", "Haas-Heger et al. 2018, Eqs. 1-4", true, &Comparison::cones},
+    };
+    std::vector<MethodRow> rows;
+    for (const auto& method : methods) {
+      Answer a = (this->*method.answer)();
+      std::optional<bool> agrees;
+      if (!rows.empty() && method.about_the_load && a.verdict != kNotComputed &&
+          !passive_undecided_) {
+        agrees = a.verdict == rows.front().verdict;
+      }
+      rows.push_back({method.name, method.source, method.about_the_load, std::move(a.verdict),
+                      std::move(a.why), std::move(a.evidence), agrees});
+    }
+    return rows;
+  }
+
+ private:
+  Answer passive() {
+    const Verdict verdict = decide(problem_).verdict;
+    if (const auto* stable = std::get_if<Stable>(&verdict)) {
+      passive_stable_ = true;
+      note_friction(stable->witness);
+      return of_load(
+          true,
+          "the motion " + text_(stable->witness.twist) + " gives rise to forces that hold",
+          witness_json(stable->witness));
+    }
+    if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
+      return refuted(unstable->refutation, "no motion satisfies all conditions");
+    }
+    passive_undecided_ = true;
+    return {"undecided", "given up at " + std::get<Undecided>(verdict).limit};
+  }
+
+  void note_friction(const Witness& witness) {
+    for (std::size_t i = 0; i < problem_.size() && !rubbing_; ++i) {
+      const ContactForce& f = witness.forces[i];
+      if (f.tangential.is_zero()) continue;
+      rubbing_ = Rubbing{i, abs(f.tangential) / f.normal,
+                         !power(problem_.rows()[i].tangent, witness.twist).is_zero()};
+    }
+  }
+
+  Answer closure() {
+    const auto result = form_closure(problem_);
+    if (const auto* found = std::get_if<FormClosure>(&result)) {
+      Json evidence{{"multipliers", Json::array()}, {"spanning", Json::array()}};
+      for (const Rational& m : found->multipliers) {
+        evidence["multipliers"].push_back(number_json(m));
+      }
+      for (const ContactId contact : found->spanning) {
+        evidence["spanning"].push_back(contact.index());
+      }
+      return {"closed", "the contacts leave no motion, even without friction",
+              std::move(evidence)};
+    }
+    const Twist& d = std::get<FreeMotion>(result).twist;
+    return {"not closed", "the contacts allow the motion " + text_.direction(d),
+            motion_json(d)};
+  }
+
+  Answer frictionless() {
+    return load_class(frictionless_stable_load(problem_),
+                      "normal forces alone balance the load",
+                      "without friction no contact opposes the load along ", true);
+  }
+
+  Answer weak() {
+    const LoadClass result = weakly_stable_load(problem_);
+    const auto* found = std::get_if<BalancingForces>(&result);
+    return load_class(
+        result, found == nullptr ? "" : some_forces(found->forces) + " would balance the load",
+        "no force in the cones opposes the load along ", false);
+  }
+
+  Answer load_class(const LoadClass& result, const std::string& balanced,
+                    const std::string& unopposed, bool without_friction) {
+    if (const auto* found = std::get_if<BalancingForces>(&result)) {
+      return of_load(true, balanced + unless_passive(),
+                     {{"forces", forces_json(found->forces)}});
+    }
+    const Twist& d = std::get<UnopposedMotion>(result).twist;
+    std::string why = unopposed + text_.direction(d);
+    if (without_friction && rubbing_) {
+      why += "; passively " + contact_name(rubbing_->contact) + " holds by friction, " +
+             text_(rubbing_->ratio) + " of its normal force";
+    }
+    return of_load(false, std::move(why), motion_json(d));
+  }
+
+  Answer strong() {
+    const auto result = strongly_stable_load(problem_, {{0, 0}, length_ * length_});
+    if (const auto* limit = std::get_if<Undecided>(&result)) return given_up(*limit);
+    if (const auto* found = std::get_if<StronglyStable>(&result)) {
+      return of_load(
+          true,
+          "rigid contacts leave no acceleration " + cases_refuted(found->cases) +
+              unless_passive(),
+          {{"forces", forces_json(found->equilibrium.forces)}, {"cases", found->cases}});
+    }
+    const auto& a = std::get<Acceleration>(result);
+    const bool is_preloaded =
+        std::any_of(problem_.rows().begin(), problem_.rows().end(),
+                    [](const ContactRow& row) { return !row.preload.is_zero(); });
+    return of_load(false,
+                   std::string("rigid contacts ") +
+                       (passive_stable_ && is_preloaded ? "know no preload: they " : "") +
+                       "allow the acceleration " + text_(a.acceleration) + " with " +
+                       some_forces(a.forces),
+                   {{"acceleration", number_json(coordinates(a.acceleration))},
+                    {"forces", forces_json(a.forces)}});
+  }
+
+  Answer wrench_space_l1() { return wrench_space(ForceBound::kL1); }
+  Answer wrench_space_linf() { return wrench_space(ForceBound::kLinf); }
+
+  /// Not computed also when a normal has an irrational length.
+  Answer wrench_space(ForceBound bound) {
+    if (problem_.size() > kMostContactsForWrenchSpace) {
+      const std::string limit = std::to_string(kMostContactsForWrenchSpace) + " contacts";
+      return {kNotComputed, "beyond " + limit, {{"limit", limit}}};
+    }
+    std::vector<HalfSpace> facets;
+    try {
+      facets = wrench_space_facets(problem_, bound, length_);
+    } catch (const InputError& error) {
+      return {kNotComputed,
+              error.place() + ": " + error.problem() + "; " + error.remedy(),
+              {{"error", error.what()}}};
+    }
+    const auto [radius_squared, nearest] = ferrari_canny_quality(facets);
+    const std::optional<Rational> radius = exact_sqrt(radius_squared);
+    Json evidence{
+        {"radius_squared", number_json(radius_squared)},
+        {"radius",
+         radius ? number_json(*radius) : number_json(enclose_sqrt(1, radius_squared))},
+        {"facet",
+         {{"normal", number_json(nearest.normal)}, {"offset", number_json(nearest.offset)}}},
+        {"facets", facets.size()}};
+    if (bound == ForceBound::kL1) {
+      Json& slice = evidence["zero_torque_slice"] = Json::array();
+      for (const Vector2& vertex : zero_torque_slice(problem_)) {
+        slice.push_back(number_json(vertex));
+      }
+    }
+    if (radius_squared.is_zero()) {
+      return {"not closed",
+              "no force closure, quality 0: no wrench x with " +
+                  text_.direction(nearest.normal) + ".x > 0 can be applied",
+              std::move(evidence)};
+    }
+    return {"closed",
+            "force closure: the largest ball has radius " + text_.root(1, radius_squared) +
+                ", at the facet " + text_(nearest.normal) + ".x <= " + text_(nearest.offset),
+            std::move(evidence)};
+  }
+
+  Answer linear() {
+    const auto result = linear_compliance(problem_);
+    if (const auto* motion = std::get_if<UnresistedMotion>(&result)) {
+      return of_load(false,
+                     "no spring resists the motion " + text_.direction(motion->twist) +
+                         ", along which the load does work",
+                     motion_json(motion->twist));
+    }
+    const auto& [springs, outside] = std::get<SpringBalance>(result);
+    Json evidence = witness_json(springs);
+    evidence["outside"] = outside ? Json(outside->index()) : Json(nullptr);
+    return of_load(!outside,
+                   outside
+                       ? leaves_cone(*outside, springs)
+                       : "linear springs balance the load within the cones" + however(springs),
+                   std::move(evidence));
+  }
+
+  std::string leaves_cone(ContactId contact, const Witness& springs) const {
+    const ContactRow& row = problem_.row(contact);
+    const ContactForce& f = springs.forces[contact.index()];
+    const std::string here = contact_name(contact.index());
+    if (f.normal.sign() < 0) {
+      return "a linear spring would pull at " + here + ", with the force " +
+             text_(vector_of(contact.index(), f));
+    }
+    const std::string beyond = ", beyond mu = " + text_(row.friction);
+    if (f.normal.is_zero()) {
+      return "linear springs put friction without a normal force on " + here + beyond;
+    }
+    return "linear springs put friction of " + text_(Rational(abs(f.tangential) / f.normal)) +
+           " of the normal force on " + here + beyond;
+  }
+
+  Answer three_states() {
+    const auto result = three_state_compliance(problem_);
+    if (const auto* limit = std::get_if<Undecided>(&result)) return given_up(*limit);
+    if (const auto* found = std::get_if<SpringStates>(&result)) {
+      constexpr const char* kNames[] = {"stick", "slip", "detached"};
+      std::string list;
+      Json evidence{{"states", Json::array()}};
+      for (const SpringState state : found->states) {
+        const char* name = kNames[static_cast<std::size_t>(state)];
+        evidence["states"].push_back(name);
+        list += (list.empty() ? "" : ", ") + std::string(name);
+      }
+      evidence.update(witness_json(found->springs));
+      return of_load(true,
+                     (list.empty() ? "there is nothing to hold"
+                                   : "springs balance the load with the contacts in " + list) +
+                         however(found->springs),
+                     std::move(evidence));
+    }
+    const std::size_t count = std::get<NoSpringStates>(result).combinations;
+    std::string why = "none of the " + std::to_string(count) +
+                      " combinations of stick, slip and detached is lawful";
+    if (rubbing_) {
+      why += "; passively " + contact_name(rubbing_->contact) +
+             (rubbing_->slips ? " slips against friction of " : " sticks with friction of ") +
+             text_(rubbing_->ratio) + " of its normal force, " +
+             (rubbing_->slips ? "not none" : "not that of a tangential spring");
+    }
+    return of_load(false, std::move(why), {{"combinations", count}});
+  }
+
+  Answer cones() {
+    const ConesVerdict result = friction_cones_alone(problem_);
+    if (const auto* limit = std::get_if<Undecided>(&result)) return given_up(*limit);
+    if (const auto* witness = std::get_if<Witness>(&result)) {
+      return of_load(true,
+                     "the motion " + text_(witness->twist) + " loads the contacts enough" +
+                         however(*witness),
+                     witness_json(*witness));
+    }
+    return refuted(std::get<Refutation>(result), "no motion loads the contacts enough");
+  }
+
+  /// For methods that find forces and ask nothing of motions.
+  std::string unless_passive() const {
+    return passive_stable_ || passive_undecided_ ? ""
+                                                 : ", but no motion gives rise to such forces";
+  }
+
+  /// For methods that find a motion, when the passive model has none.
+  std::string however(const Witness& witness) const {
+    if (passive_stable_ || passive_undecided_) return "";
+    const std::string breach = dissipation_breach(witness);
+    if (!breach.empty()) return ", but this " + breach;
+    // A released spring under the bilateral law.
+    const std::optional<std::string> violation = find_violation(problem_, witness);
+    return violation ? ", but " + *violation : "";
+  }
+
+  /// What motion and forces do at the first contact where maximum dissipation forbids it: "lets
+  /// contact 0 slip without friction, though mu = 1/2". Empty if nowhere.
+  std::string dissipation_breach(const Witness& witness) const {
+    for (std::size_t i = 0; i < problem_.size(); ++i) {
+      const ContactRow& row = problem_.rows()[i];
+      const ContactForce& f = witness.forces[i];
+      const Rational slip = power(row.tangent, witness.twist);
+      if (slip.is_zero() || f.normal.is_zero()) continue;
+      const Rational against = Rational(-slip.sign()) * f.tangential / f.normal;
+      if (against == row.friction) continue;
+      const std::string slips = "lets " + contact_name(i) + " slip ";
+      const std::string mu = "mu = " + text_(row.friction);
+      if (against.is_zero()) return slips + "without friction, though " + mu;
+      if (against.sign() > 0) {
+        return slips + "against friction of only " + text_(against) +
+               " of the normal force, not " + mu;
+      }
+      return slips + "with friction pushing along, by " + text_(Rational(-against)) +
+             " of the normal force";
+    }
+    return "";
+  }
+
+  Vector2 vector_of(std::size_t contact, const ContactForce& f) const {
+    const Wrench& normal = problem_.rows()[contact].normal;
+    return force_vector({normal.x, normal.y}, f);
+  }
+
+  Json forces_json(const std::vector<ContactForce>& forces) const {
+    Json json = Json::array();
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+      json.push_back(number_json(vector_of(i, forces[i])));
+    }
+    return json;
+  }
+
+  Json witness_json(const Witness& witness) const {
+    return {{"twist", number_json(coordinates(witness.twist))},
+            {"forces", forces_json(witness.forces)}};
+  }
+
+  /// "the forces (1, -1/2) at contact 0 and (1, 1/2) at contact 2": two of them, and how many
+  /// more.
+  std::string some_forces(const std::vector<ContactForce>& forces) const {
+    std::vector<std::string> parts;
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+      const Vector2 f = vector_of(i, forces[i]);
+      if (!(f == Vector2{})) parts.push_back(text_(f) + " at " + contact_name(i));
+    }
+    if (parts.empty()) return "no forces at all";
+    if (parts.size() == 1) return "the force " + parts[0];
+    if (parts.size() == 2) return "the forces " + parts[0] + " and " + parts[1];
+    return "the forces " + parts[0] + ", " + parts[1] + " and " +
+           std::to_string(parts.size() - 2) + " more";
+  }
+
+  const Problem& problem_;
+  const Rational& length_;
+  NumberText& text_;
+  bool passive_stable_ = false;
+  bool passive_undecided_ = false;
+  std::optional<Rubbing> rubbing_;
+};
+
+}  // namespace
+
+std::vector<MethodRow> compare_methods(const Problem& problem, const Rational& length,
+                                       NumberText& text) {
+  return Comparison(problem, length, text).rows();
+}
+
+}  // namespace stickslip

@@ -25,7 +25,6 @@
 #include "batch_results.hpp"
 #include "commands.hpp"
 #include "interruption.hpp"
-#include "progress.hpp"
 #include "question_options.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
@@ -33,6 +32,7 @@
 #include "stickslip/core/grasp_file.hpp"
 #include "stickslip/core/json.hpp"
 #include "stickslip/equilibrium/search/branch_and_bound.hpp"
+#include "terminal.hpp"
 
 namespace stickslip {
 namespace {

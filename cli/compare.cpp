@@ -6,7 +6,7 @@
 #include "question_options.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/earlier/comparison.hpp"
-#include "table.hpp"
+#include "terminal.hpp"
 
 namespace stickslip {
 namespace {

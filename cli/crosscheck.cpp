@@ -6,12 +6,12 @@
 
 #include "commands.hpp"
 #include "crosscheck_report.hpp"
-#include "progress.hpp"
 #include "question_options.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/json.hpp"
+#include "terminal.hpp"
 
 namespace stickslip {
 namespace {

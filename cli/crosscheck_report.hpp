@@ -9,7 +9,7 @@
 
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/number_text.hpp"
-#include "stickslip/crosscheck/claims_file.hpp"
+#include "stickslip/crosscheck/claim.hpp"
 
 namespace stickslip {
 

@@ -12,7 +12,7 @@
 #include "stickslip/core/sign.hpp"
 #include "stickslip/equilibrium/contact_mode.hpp"
 #include "stickslip/equilibrium/model_warnings.hpp"
-#include "table.hpp"
+#include "terminal.hpp"
 
 namespace stickslip {
 namespace {

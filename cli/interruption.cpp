@@ -11,8 +11,8 @@
 #include <thread>
 #include <utility>
 
-#include "progress.hpp"
 #include "stickslip/core/file.hpp"
+#include "terminal.hpp"
 
 namespace stickslip {
 namespace {

@@ -4,12 +4,12 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.hpp"
-#include "progress.hpp"
 #include "question_options.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/plot/region_plot.hpp"
 #include "stickslip/resistance/resistible_set.hpp"
+#include "terminal.hpp"
 
 namespace stickslip {
 namespace {

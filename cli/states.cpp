@@ -7,7 +7,7 @@
 #include "question_options.hpp"
 #include "stickslip/arrangement/slip_states.hpp"
 #include "stickslip/core/grasp_file.hpp"
-#include "table.hpp"
+#include "terminal.hpp"
 
 namespace stickslip {
 namespace {

@@ -19,7 +19,7 @@
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/grasp_file.hpp"
 #include "stickslip/equilibrium/question.hpp"
-#include "stickslip/equilibrium/states_engine.hpp"
+#include "stickslip/equilibrium/decide.hpp"
 
 namespace stickslip {
 namespace {

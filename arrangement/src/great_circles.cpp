@@ -14,21 +14,13 @@ namespace {
 /// The primitive integer vector on the line of `v` whose first nonzero entry is positive,
 /// and the side of it on which `v` lies. Requires v != 0.
 std::pair<IntegerVector3, Sign> primitive_representative(const Vector3& v) {
-  Integer scale = 1;
-  for (const Rational& entry : v) scale = lcm(scale, Integer(denominator(entry)));
-  IntegerVector3 result;
-  Integer content = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    result[i] = Integer(numerator(v[i])) * (scale / Integer(denominator(v[i])));
-    content = gcd(content, result[i]);
-  }
+  IntegerVector3 result = primitive_multiple(v);
   Sign side = Sign::kZero;
   for (const Integer& entry : result) {
     if (side == Sign::kZero) side = sign_of(entry);
   }
   require(side != Sign::kZero, "merge_planes: the normal of a plane is zero");
-  if (side == Sign::kNegative) content = -content;
-  for (Integer& entry : result) entry /= content;
+  if (side == Sign::kNegative) result = negated(std::move(result));
   return {std::move(result), side};
 }
 

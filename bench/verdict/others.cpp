@@ -8,7 +8,7 @@
 
 #include "limited.hpp"
 #include "stickslip/certificate/smtlib.hpp"
-#include "stickslip/equilibrium/states_engine.hpp"
+#include "stickslip/equilibrium/decide.hpp"
 
 #ifdef STICKSLIP_HAVE_GLPK
 #include "weakly_stable.hpp"

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "stickslip/core/error.hpp"
-#include "stickslip/core/spelling.hpp"
 
 namespace stickslip {
 namespace {

@@ -10,8 +10,6 @@
 namespace stickslip {
 namespace {
 
-using IntegerVector3 = IntegerVector<3>;
-
 /// Vectors picked greedily so that they are linearly independent.
 class Span {
  public:

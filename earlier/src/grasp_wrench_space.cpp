@@ -43,8 +43,6 @@ std::vector<UnitEdges> unit_edges(const Problem& problem, const Rational& length
   return result;
 }
 
-using IntegerVector3 = IntegerVector<3>;
-
 Rational dot(const IntegerVector3& u, const Vector3& x) {
   return Rational(u[0]) * x[0] + Rational(u[1]) * x[1] + Rational(u[2]) * x[2];
 }

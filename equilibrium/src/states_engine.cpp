@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stickslip/equilibrium/states_engine.hpp"
+#include "stickslip/equilibrium/decide.hpp"
 
 #include <algorithm>
 #include <map>

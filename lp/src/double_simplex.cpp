@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Dictionaries b_i = T_i0 + sum_j T_ij v_j, as in the exact method (integer_simplex.hpp), but
+// The simplex method in double precision: fast, fallible, and asked only for a proposal.
+//
+// Dictionaries b_i = T_i0 + sum_j T_ij v_j, as in the exact method (integer_simplex.cpp), but
 // with pivots chosen for speed and stability. The tolerances below choose what to propose;
 // nothing here decides an answer.
 //
 // Three kinds of line are no longer touched once they cannot matter to the choice of pivots:
 // rows of basic free variables, rows of redundant equations, and columns of slacks of
 // equations. They are swapped behind the active part.
-#include "double_simplex.hpp"
-
 #include <cmath>
 #include <limits>
 #include <utility>
+
+#include "steps.hpp"
 
 namespace stickslip::lp_detail {
 namespace {

@@ -4,10 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "double_simplex.hpp"
-#include "exact_basis.hpp"
-#include "integer_simplex.hpp"
-#include "scaled_system.hpp"
+#include "steps.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/lp/verify.hpp"
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "direction_cone.hpp"
 #include "generated_cone.hpp"
 #include "stickslip/core/error.hpp"
 
@@ -12,6 +11,11 @@ namespace {
 
 PlaneDirection left_normal(const PlaneDirection& d) {
   return {-d[1], d[0]};
+}
+
+/// Positive iff b is less than half a turn counterclockwise of a, and 0 iff they are parallel.
+int turn(const PlaneDirection& a, const PlaneDirection& b) {
+  return Integer(a[0] * b[1] - a[1] * b[0]).sign();
 }
 
 /// Extreme points of a set of homogeneous points, counterclockwise: the monotone chain (Andrew
@@ -88,39 +92,47 @@ bool PlaneEdge::contains(const HomogeneousPoint& point) const {
 
 PlaneCell PlaneCell::hull(std::vector<HomogeneousPoint> generators) {
   std::vector<HomogeneousPoint> points;
-  DirectionCone directions;
+  std::vector<PlaneDirection> directions;
   for (HomogeneousPoint& g : generators) {
     require(g[2].sign() >= 0 && !is_zero(g), "a generator is a point or a direction");
     if (is_at_infinity(g)) {
-      directions.add(direction_of(g));
+      directions.push_back(direction_of(g));
     } else {
       points.push_back(primitive(std::move(g)));
     }
   }
   require(!points.empty(), "a cell needs a point");
   PlaneCell cell;
-  using Shape = DirectionCone::Shape;
-  switch (directions.shape) {
-    case Shape::kNone:
-      cell.set_without_line(std::move(points), {});
-      break;
-    case Shape::kRay:
-      cell.set_without_line(std::move(points), {directions.right});
-      break;
-    case Shape::kWedge:
-      cell.set_without_line(std::move(points), {directions.right, directions.left});
-      break;
-    case Shape::kLine:
-      cell.set_with_line(points, std::max(directions.right, directions.left), false);
-      break;
-    case Shape::kHalfPlane:
-      cell.set_with_line(points, directions.right, true);
-      break;
-    case Shape::kPlane:
-      cell.vertices_ = {{0, 0}};
-      cell.rays_ = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
-      cell.dimension_ = 2;
-      break;
+  if (directions.empty()) {
+    cell.set_without_line(std::move(points), {});
+    return cell;
+  }
+  // How far the directions go to either side of the first, up to half a turn.
+  const PlaneDirection& first = directions.front();
+  PlaneDirection left = first;
+  PlaneDirection right = first;
+  bool has_opposite = false;
+  for (const PlaneDirection& d : directions) {
+    const int side = turn(first, d);
+    if (side == 0) has_opposite = has_opposite || dot(first, d).sign() < 0;
+    if (side > 0 && turn(left, d) > 0) left = d;
+    if (side < 0 && turn(right, d) < 0) right = d;
+  }
+  const int opening = turn(right, left);
+  if (has_opposite ? left != first && right != first : opening < 0) {
+    cell.vertices_ = {{0, 0}};
+    cell.rays_ = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    cell.dimension_ = 2;
+  } else if (has_opposite && left == right) {
+    cell.set_with_line(points, std::max(first, negated(first)), false);
+  } else if (has_opposite) {
+    cell.set_with_line(points, left != first ? first : negated(first), true);
+  } else if (left == right) {
+    cell.set_without_line(std::move(points), {first});
+  } else if (opening == 0) {
+    cell.set_with_line(points, right, true);
+  } else {
+    cell.set_without_line(std::move(points), {right, left});
   }
   return cell;
 }

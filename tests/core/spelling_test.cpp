@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stickslip/core/spelling.hpp"
+#include "stickslip/core/error.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stickslip/crosscheck/claims_file.hpp"
+#include "stickslip/crosscheck/claim.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -8,7 +8,7 @@
 #include "check_refutation.hpp"
 #include "random_grasps.hpp"
 #include "stickslip/equilibrium/search/branch_and_bound.hpp"
-#include "stickslip/equilibrium/states_engine.hpp"
+#include "stickslip/equilibrium/decide.hpp"
 
 namespace stickslip::test {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Small grasps whose verdict can be derived by hand, and random ones whose evidence is judged.
-#include "stickslip/equilibrium/states_engine.hpp"
+#include "stickslip/equilibrium/decide.hpp"
 
 #include <gtest/gtest.h>
 

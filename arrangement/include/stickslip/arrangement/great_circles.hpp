@@ -7,17 +7,14 @@
 /// scaling by a positive number changes nothing, a negative one flips that plane's sign.
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "stickslip/core/grasp.hpp"
 #include "stickslip/core/ids.hpp"
+#include "stickslip/core/integer_vector.hpp"
 #include "stickslip/core/sign.hpp"
 
 namespace stickslip {
-
-/// A plane by its normal, or a motion up to a positive factor, in coordinates (x, y, r).
-using IntegerVector3 = std::array<Integer, 3>;
 
 /// The distinct great circles of a list of planes. Plane i lies on circle `circle[i]`, and
 /// sign(n_i.d) = orientation[i] * sign(normals[circle[i]].d).

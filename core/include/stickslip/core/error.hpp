@@ -2,12 +2,13 @@
 /// \file
 /// The two ways to be wrong: bad input from a user (InputError, with place and
 /// remedy) and a broken contract inside a program (ContractError). Both are checked
-/// in every build type.
+/// in every build type. And what messages are made of.
 #pragma once
 
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace stickslip {
 
@@ -36,6 +37,15 @@ class InputError : public std::runtime_error {
 /// `text` as it may stand in a message: in double quotes, control characters escaped, and
 /// cut after some forty characters.
 std::string quote(std::string_view text);
+
+/// `did you mean "..."? `, of the known word that is nearest to one that is not known. Nothing
+/// if none is near: at most half of its characters may be wrong, not counting the dashes of
+/// options.
+std::string did_you_mean(const std::string& word, const std::vector<std::string>& known);
+
+/// The same, and then all that is known: `introduction`, and the words with commas between.
+std::string choice_of(const std::string& word, const std::vector<std::string>& known,
+                      const std::string& introduction);
 
 /// A caller broke a documented requirement, or an internal check failed.
 class ContractError : public std::logic_error {

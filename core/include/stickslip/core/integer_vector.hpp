@@ -14,6 +14,8 @@ namespace stickslip {
 /// n integers.
 template <std::size_t n>
 using IntegerVector = std::array<Integer, n>;
+/// A plane by its normal, or a motion up to a positive factor, in coordinates (x, y, r).
+using IntegerVector3 = IntegerVector<3>;
 
 /// The sum of a_j b_j, of integers or rationals.
 template <class Number, std::size_t n>

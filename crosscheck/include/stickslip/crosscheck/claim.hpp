@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "stickslip/core/sign.hpp"
@@ -175,5 +176,17 @@ ClaimResiduals residuals_of(const Problem& problem, const ApproximateEquilibrium
 /// What judge_claim reports as distance: seven load margins.
 ThresholdDistance threshold_distance(const Problem& problem, const Grasp& grasp,
                                      const ConeOptions& options = {});
+
+/// What one line of a claims file says (docs/crosscheck.md): JSON Lines, a question and a claim
+/// each. All numbers are exact, as in grasp files.
+struct ClaimLine {
+  Question question;  ///< about the grasp of the line, or of the file that it names
+  Claim claim;        ///< the answer to it
+};
+
+/// One line. `folder` is where the names of grasp files start; empty is the current one. Throws
+/// InputError with a line:column (the line being 1) or a JSON path such as "claim.twist[1]", or
+/// naming the grasp file that the line refers to.
+ClaimLine parse_claim_line(std::string_view line, const std::string& folder);
 
 }  // namespace stickslip

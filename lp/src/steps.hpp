@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The simplex method in double precision: fast, fallible, and asked only for a proposal.
+/// The steps of solve: a proposal in double precision, its confirmation, and the exact simplex
+/// method. Each has a file of its own, double_simplex.cpp, exact_basis.cpp and
+/// integer_simplex.cpp.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "scaled_system.hpp"
@@ -26,5 +29,15 @@ struct Proposal {
 
 /// Always ends (the number of pivots is limited). Adds to work.double_pivots.
 Proposal propose(const ScaledSystem& system, LpWork& work);
+
+/// The evidence that a proposed basis gives if it verifies, else nothing. Starts in
+/// `first_tier` arithmetic; updates `work`.
+std::optional<LpResult> confirm(const LinearProgram& program, const ScaledSystem& system,
+                                const Proposal& proposal, LpTier first_tier, LpWork& work);
+
+/// Solves from the basis with nonbasic set `start` (or from scratch when that is empty), in
+/// `first_tier` arithmetic or larger. Updates `work`.
+LpResult solve_exactly(const LinearProgram& program, const ScaledSystem& system,
+                       std::vector<Index> start, LpTier first_tier, LpWork& work);
 
 }  // namespace stickslip::lp_detail

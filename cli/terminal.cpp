@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "table.hpp"
+#include "terminal.hpp"
+
+#include <unistd.h>
 
 #include <algorithm>
+#include <iostream>
 
 namespace stickslip {
 
@@ -22,6 +25,24 @@ std::string format_table(const std::vector<std::vector<std::string>>& rows, Alig
     text += '\n';
   }
   return text;
+}
+
+Progress::Progress()
+    : on_terminal_(isatty(STDERR_FILENO) == 1),
+      next_(std::chrono::steady_clock::now() + std::chrono::seconds(1)) {}
+
+void Progress::clear() {
+  if (shown_) std::cerr << kClearLine << std::flush;
+  shown_ = false;
+}
+
+void Progress::show(const std::string& text) {
+  if (!on_terminal_) return;
+  const auto now = std::chrono::steady_clock::now();
+  if (now < next_) return;
+  next_ = now + std::chrono::milliseconds(200);
+  shown_ = true;
+  std::cerr << kClearLine << text << std::flush;
 }
 
 }  // namespace stickslip

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// One line that says how far long work has come, for people who watch.
+/// What people read on a terminal: small tables, and how far long work has come.
 #pragma once
 
 #include <chrono>
 #include <string>
+#include <vector>
 
 namespace stickslip {
+
+/// Numbers go to the right, words to the left.
+enum class Align { kLeft, kRight };
+
+/// Lines of aligned columns, two blanks apart; the first row is the heading.
+std::string format_table(const std::vector<std::vector<std::string>>& rows,
+                         Align align = Align::kRight);
 
 /// What takes a terminal's cursor to the start of its line and clears it.
 inline constexpr const char* kClearLine = "\r\033[K";

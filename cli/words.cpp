@@ -1,16 +1,82 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The words of a command line: which of them are unknown, what a word may become, and help.
 #include <algorithm>
 #include <iostream>
 #include <memory>
 #include <sstream>
 
-#include "command_tree.hpp"
 #include "commands.hpp"
 #include "question_options.hpp"
+#include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 
 namespace stickslip {
 namespace {
+
+bool takes_value(const CLI::Option& option) {
+  return option.get_items_expected_max() > 0;
+}
+
+/// A command of the tree of commands.
+struct NamedCommand {
+  const CLI::App* app;
+  std::string name;  ///< as it is typed: "stickslip plot grasp"
+
+  /// The commands below it, hidden ones included.
+  std::vector<const CLI::App*> subcommands() const {
+    return app->get_subcommands([](const CLI::App*) { return true; });
+  }
+
+  /// Goes down to the subcommand `word`; false if there is none.
+  bool enter(const std::string& word) {
+    for (const CLI::App* below : subcommands()) {
+      if (below->get_name() != word) continue;
+      *this = {below, name + " " + word};
+      return true;
+    }
+    return false;
+  }
+
+  /// The option that a word such as --option=value or -oFILE gives, or nullptr.
+  const CLI::Option* option(const std::string& word) const {
+    const CLI::Option* found = app->get_option_no_throw(word.substr(0, word.find('=')));
+    if (found != nullptr || word[1] == '-') return found;
+    found = app->get_option_no_throw(word.substr(0, 2));
+    return found != nullptr && takes_value(*found) ? found : nullptr;
+  }
+};
+
+/// Whether this is a word for an option, and not an argument such as - or -1.
+bool is_option(const std::string& word) {
+  return word.size() > 1 && word[0] == '-' && (word[1] < '0' || word[1] > '9');
+}
+
+/// Whether the value of the option that `word` gives is the next word.
+bool value_follows(const CLI::Option& option, const std::string& word) {
+  return takes_value(option) &&
+         (word[1] == '-' ? word.find('=') == std::string::npos : word.size() == 2);
+}
+
+/// Goes down to the subcommand `word`, or throws.
+void enter(NamedCommand& command, const std::string& word) {
+  if (command.enter(word)) return;
+  std::vector<std::string> known;
+  for (const CLI::App* below : command.subcommands()) {
+    if (!below->get_group().empty()) known.push_back(below->get_name());
+  }
+  throw InputError("", "", command.name + " has no command " + quote(word),
+                   choice_of(word, known, "its commands are "));
+}
+
+[[noreturn]] void refuse_option(const NamedCommand& command, const std::string& word) {
+  std::vector<std::string> known;
+  for (const CLI::Option* option : command.app->get_options()) {
+    for (const std::string& each : option->get_lnames()) known.push_back("--" + each);
+  }
+  const std::string option = word.substr(0, word.find('='));
+  throw InputError("", "", command.name + " has no option " + quote(option),
+                   did_you_mean(option, known) + command.name + " --help lists its options");
+}
 
 /// What may stand in a place of the command line: a word and a tab and its description on each
 /// line; or FILE or DIR alone, for what the shell knows.
@@ -130,6 +196,42 @@ complete -c stickslip -f -n 'contains -- (__stickslip)[1] DIR' -a '(__fish_compl
 )";
 
 }  // namespace
+
+void refuse_unknown_words(const CLI::App& app, const std::vector<std::string>& words,
+                          bool options_too) {
+  NamedCommand command{&app, app.get_name()};
+  for (std::size_t i = 0; i < words.size() && words[i] != "--"; ++i) {
+    const std::string& word = words[i];
+    if (!is_option(word)) {
+      if (!command.subcommands().empty()) enter(command, word);
+      continue;
+    }
+    const CLI::Option* option = command.option(word);
+    if (option == nullptr && options_too) refuse_option(command, word);
+    if (option != nullptr && value_follows(*option, word)) ++i;
+  }
+}
+
+void add_help_command(CLI::App& app, int& exit_code) {
+  auto words = std::make_shared<std::vector<std::string>>();
+  CLI::App* command =
+      app.add_subcommand("help", "Show the help of a command, as the command's --help does");
+  command
+      ->add_option("COMMAND", *words,
+                   "The command, in as many words as it has; without it, the program's help")
+      ->type_name("WORD");
+  command->footer(footer_text("", kExitCodes, "stickslip help plot grasp"));
+  command->callback([&app, words, &exit_code] {
+    NamedCommand about{&app, app.get_name()};
+    for (const std::string& word : *words) {
+      if (about.subcommands().empty()) break;
+      enter(about, word);
+    }
+    std::cout << about.app->get_formatter()->make_help(about.app, about.name,
+                                                       CLI::AppFormatMode::Normal);
+    exit_code = kDone;
+  });
+}
 
 void add_completion_command(CLI::App& app, int& exit_code) {
   struct Arguments {

@@ -160,7 +160,6 @@ struct DecideArguments {
   std::string engine = "auto";
   std::string certificate;
   std::size_t node_limit = 0;
-  std::size_t threads = 0;
   NumberOptions output;
   bool no_warnings = false;
   bool answer_by_exit_code = false;
@@ -172,7 +171,6 @@ int decide(const DecideArguments& arguments) {
   const Engine engine = arguments.engine == "states" ? Engine::kStates : Engine::kCone;
   ConeOptions options;
   options.node_limit = arguments.node_limit;
-  options.threads = arguments.threads;
   const Decision decision = stickslip::decide(problem, engine, options);
   const Verdict& verdict = decision.verdict;
   if (!arguments.certificate.empty() && !std::holds_alternative<Undecided>(verdict)) {
@@ -210,9 +208,6 @@ void add_decide_command(CLI::App& app, int& exit_code) {
                    "Write a proof of the verdict for stickslip-check (certificate/FORMAT.md)")
       ->type_name("FILE");
   add_node_limit_option(*command, arguments->node_limit);
-  add_threads_option(
-      *command, arguments->threads,
-      "Threads of the cone engine; 0 is one a core. The answer does not depend on it");
   arguments->output.add_to(*command);
   command->add_flag("--no-warnings", arguments->no_warnings,
                     "Do not look for traps of the model, such as a large motion, or a preload "

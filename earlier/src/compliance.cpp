@@ -9,6 +9,9 @@
 #include "stickslip/lp/linear_program.hpp"
 
 namespace stickslip {
+
+using namespace earlier_detail;
+
 namespace {
 
 using States = std::vector<SpringState>;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact_forces.hpp"
 
-namespace stickslip {
+namespace stickslip::earlier_detail {
 
 Wrench resultant(const Problem& problem, const std::vector<ContactForce>& forces) {
   Wrench sum = problem.wrench();
@@ -29,4 +29,4 @@ ContactForce force_of_edges(const ContactRow& row, const Rational& plus,
   return {plus + minus, row.friction * (plus - minus)};
 }
 
-}  // namespace stickslip
+}  // namespace stickslip::earlier_detail

@@ -7,7 +7,7 @@
 
 #include "stickslip/equilibrium/verdict.hpp"
 
-namespace stickslip {
+namespace stickslip::earlier_detail {
 
 /// The load and all contact wrenches together: 0 in balance.
 Wrench resultant(const Problem& problem, const std::vector<ContactForce>& forces);
@@ -21,4 +21,4 @@ bool balances_in_cones(const Problem& problem, const std::vector<ContactForce>& 
 /// The force with the coefficients plus and minus (>= 0) on the edges N + mu T and N - mu T.
 ContactForce force_of_edges(const ContactRow& row, const Rational& plus, const Rational& minus);
 
-}  // namespace stickslip
+}  // namespace stickslip::earlier_detail

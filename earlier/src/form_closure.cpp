@@ -8,6 +8,9 @@
 #include "stickslip/lp/linear_program.hpp"
 
 namespace stickslip {
+
+using namespace earlier_detail;
+
 namespace {
 
 /// Vectors picked greedily so that they are linearly independent.

@@ -10,6 +10,9 @@
 #include "stickslip/lp/linear_program.hpp"
 
 namespace stickslip {
+
+using namespace earlier_detail;
+
 namespace {
 
 /// max(0, v), or v under the bilateral law.

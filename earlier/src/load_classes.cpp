@@ -9,6 +9,9 @@
 #include "stickslip/lp/linear_program.hpp"
 
 namespace stickslip {
+
+using namespace earlier_detail;
+
 namespace {
 
 /// The forces a N + b T with |b| <= mu a, or with b = 0.

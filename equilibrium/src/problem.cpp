@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "stickslip/core/error.hpp"
-#include "stickslip/equilibrium/contact_mode.hpp"
 
 namespace stickslip {
 
@@ -56,26 +55,6 @@ Problem Problem::at(const Rational& multiple) const {
 Wrench Problem::edge_wrench(ContactId contact, int sigma) const {
   const ContactRow& r = row(contact);
   return r.normal + (Rational(sigma) * r.friction) * r.tangent;
-}
-
-ContactMode mode_of(const Problem& problem, ContactId contact, const Twist& d) {
-  const ContactRow& row = problem.row(contact);
-  return {problem.law() == NormalLaw::kBilateral || row.normal_coefficient(d).sign() >= 0,
-          sign_of(power(row.tangent, d))};
-}
-
-std::vector<ContactMode> modes_of(const Problem& problem, const Twist& d) {
-  std::vector<ContactMode> modes;
-  for (std::size_t i = 0; i < problem.size(); ++i) {
-    modes.push_back(mode_of(problem, ContactId(i), d));
-  }
-  return modes;
-}
-
-std::string slips_text(const std::vector<ContactMode>& modes) {
-  std::string text;
-  for (const ContactMode mode : modes) text += to_char(mode.slip);
-  return text;
 }
 
 }  // namespace stickslip

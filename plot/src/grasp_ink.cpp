@@ -9,7 +9,7 @@
 #include "stickslip/equilibrium/contact_mode.hpp"
 #include "stickslip/equilibrium/decide.hpp"
 
-namespace stickslip {
+namespace stickslip::plot_detail {
 namespace {
 
 constexpr double kLongestCone = 0.7;
@@ -285,4 +285,4 @@ GraspInk grasp_ink(const Question& question, const Verdict& verdict) {
   return GraspReader(question, verdict).read();
 }
 
-}  // namespace stickslip
+}  // namespace stickslip::plot_detail

@@ -13,7 +13,7 @@
 #include "stickslip/equilibrium/question.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 
-namespace stickslip {
+namespace stickslip::plot_detail {
 
 struct Arrow {
   InkPoint tail;
@@ -47,4 +47,4 @@ struct GraspInk {
 /// Throws as plot_grasp does.
 GraspInk grasp_ink(const Question& question, const Verdict& verdict);
 
-}  // namespace stickslip
+}  // namespace stickslip::plot_detail

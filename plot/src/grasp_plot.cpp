@@ -7,6 +7,9 @@
 #include "stylesheet.hpp"
 
 namespace stickslip {
+
+using namespace plot_detail;
+
 namespace {
 
 // In pixels. The scene is on the left, the legend on the right, the caption below.

@@ -5,7 +5,7 @@
 
 #include "marks.hpp"
 
-namespace stickslip {
+namespace stickslip::plot_detail {
 namespace {
 
 constexpr double kBehindFinger = 25;     ///< pixels from a contact to its number
@@ -131,4 +131,4 @@ std::size_t draw_numbers(Svg& svg, const View& view, const std::vector<ContactIn
   return left_out;
 }
 
-}  // namespace stickslip
+}  // namespace stickslip::plot_detail

@@ -8,7 +8,7 @@
 #include "labels.hpp"
 #include "picture_frame.hpp"
 
-namespace stickslip {
+namespace stickslip::plot_detail {
 
 /// A contact in scene coordinates (picture_frame.hpp); directions have length 1.
 struct ContactInk {
@@ -38,4 +38,4 @@ std::size_t draw_numbers(Svg& svg, const View& view, const std::vector<ContactIn
 /// "0, 3": at most three numbers, then an ellipsis.
 std::string list_numbers(const std::vector<std::size_t>& numbers);
 
-}  // namespace stickslip
+}  // namespace stickslip::plot_detail

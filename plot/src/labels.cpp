@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace stickslip {
+namespace stickslip::plot_detail {
 namespace {
 
 constexpr double kLineHeight = 1.45;  ///< of the size of the font
@@ -278,4 +278,4 @@ bool LabelPlacer::place(Svg& svg, const std::string& css_class, const std::strin
   return true;
 }
 
-}  // namespace stickslip
+}  // namespace stickslip::plot_detail

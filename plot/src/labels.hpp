@@ -14,7 +14,7 @@
 
 #include "stickslip/plot/svg.hpp"
 
-namespace stickslip {
+namespace stickslip::plot_detail {
 
 /// A rectangle on the page.
 struct Box {
@@ -83,4 +83,4 @@ class LabelPlacer {
   std::vector<InkPoint> ink_;
 };
 
-}  // namespace stickslip
+}  // namespace stickslip::plot_detail

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace stickslip {
+namespace stickslip::plot_detail {
 
 void draw_arrow(Svg& svg, InkPoint tail, InkPoint tip, const std::string& css_class,
                 Svg::Attributes attributes, double head) {
@@ -101,4 +101,4 @@ void draw_bar(Svg& svg, InkPoint at, InkPoint along, double half_length,
   svg.line(at - across, at + across, css_class, std::move(attributes));
 }
 
-}  // namespace stickslip
+}  // namespace stickslip::plot_detail

@@ -7,7 +7,7 @@
 
 #include "stickslip/plot/svg.hpp"
 
-namespace stickslip {
+namespace stickslip::plot_detail {
 
 /// Lengths of arrow heads, in pixels: of forces, and of what accompanies them.
 inline constexpr double kHead = 11;
@@ -49,4 +49,4 @@ void draw_contact(Svg& svg, InkPoint at, InkPoint tangent, ContactMark mark,
 void draw_bar(Svg& svg, InkPoint at, InkPoint along, double half_length,
               const std::string& css_class, Svg::Attributes attributes = {});
 
-}  // namespace stickslip
+}  // namespace stickslip::plot_detail

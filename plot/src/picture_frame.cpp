@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace stickslip {
+namespace stickslip::plot_detail {
 namespace {
 
 constexpr std::size_t kFarAway = 2;  ///< sizes of the grasp
@@ -93,4 +93,4 @@ std::string short_tuple(const std::vector<Rational>& values) {
   return text + ")";
 }
 
-}  // namespace stickslip
+}  // namespace stickslip::plot_detail

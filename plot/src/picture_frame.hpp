@@ -10,7 +10,7 @@
 #include "stickslip/core/grasp.hpp"
 #include "stickslip/plot/svg.hpp"
 
-namespace stickslip {
+namespace stickslip::plot_detail {
 
 /// Where a grasp lies. The scene has its origin in `centre`, the unit `radius`, and the axes of
 /// the object frame (y up): contacts lie in [-1, 1]^2.
@@ -54,4 +54,4 @@ struct View {
   }
 };
 
-}  // namespace stickslip
+}  // namespace stickslip::plot_detail

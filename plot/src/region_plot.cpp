@@ -10,6 +10,9 @@
 #include "stylesheet.hpp"
 
 namespace stickslip {
+
+using namespace plot_detail;
+
 namespace {
 
 constexpr double kPanel = 520;  ///< side of the window

@@ -7,7 +7,7 @@
 #include "marks.hpp"
 #include "upper_half.hpp"
 
-namespace stickslip {
+namespace stickslip::plot_detail {
 namespace {
 
 constexpr View kGraspView{{122, kDiscMiddle}, 66};
@@ -79,4 +79,4 @@ void draw_rims(Svg& svg) {
   }
 }
 
-}  // namespace stickslip
+}  // namespace stickslip::plot_detail

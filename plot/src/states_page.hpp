@@ -9,7 +9,7 @@
 #include "picture_frame.hpp"
 #include "stickslip/arrangement/slip_states.hpp"
 
-namespace stickslip {
+namespace stickslip::plot_detail {
 
 inline constexpr double kDiscMiddle = 238;  ///< y of the discs and of the grasp
 inline constexpr double kDiscRadius = 148;
@@ -31,4 +31,4 @@ void draw_rims(Svg& svg);
 /// "3 contacts on 3 circles, rank 3: ..."
 std::string counts_text(const ArrangementCounts& counts);
 
-}  // namespace stickslip
+}  // namespace stickslip::plot_detail

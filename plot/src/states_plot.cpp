@@ -13,6 +13,9 @@
 #include "upper_half.hpp"
 
 namespace stickslip {
+
+using namespace plot_detail;
+
 namespace {
 
 constexpr double kWidth = 920;

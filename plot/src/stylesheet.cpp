@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace stickslip {
+namespace stickslip::plot_detail {
 
 std::string_view stylesheet() {
   return R"(.stickslip text { font: 13px Helvetica, Arial, "Liberation Sans", "DejaVu Sans", sans-serif; fill: #1a1a1a }
@@ -106,4 +106,4 @@ void define_hatching(Svg& svg) {
   svg.close();
 }
 
-}  // namespace stickslip
+}  // namespace stickslip::plot_detail

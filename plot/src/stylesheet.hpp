@@ -9,7 +9,7 @@
 
 #include "stickslip/plot/svg.hpp"
 
-namespace stickslip {
+namespace stickslip::plot_detail {
 
 /// Colours for areas that must be told apart: classes "hue0", ..., and hatched "hatch0", ....
 inline constexpr int kHues = 8;
@@ -22,4 +22,4 @@ std::string_view stylesheet();
 /// The fills "hatch0", ... are patterns; they must be defined before they are used.
 void define_hatching(Svg& svg);
 
-}  // namespace stickslip
+}  // namespace stickslip::plot_detail

@@ -10,7 +10,7 @@
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/integer_vector.hpp"
 
-namespace stickslip {
+namespace stickslip::plot_detail {
 namespace {
 
 constexpr double kStep = M_PI / 90;  ///< largest angle between neighbouring points of a curve
@@ -163,4 +163,4 @@ std::vector<SpherePoint> UpperHalf::face(FaceId face) const {
   return points;
 }
 
-}  // namespace stickslip
+}  // namespace stickslip::plot_detail

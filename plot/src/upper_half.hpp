@@ -15,7 +15,7 @@
 #include "stickslip/arrangement/arrangement_structure.hpp"
 #include "stickslip/plot/svg.hpp"
 
-namespace stickslip {
+namespace stickslip::plot_detail {
 
 /// A point of the unit sphere.
 using SpherePoint = std::array<double, 3>;
@@ -59,4 +59,4 @@ class UpperHalf {
   std::vector<IntegerVector3> vertices_;  ///< positive multiples
 };
 
-}  // namespace stickslip
+}  // namespace stickslip::plot_detail

@@ -45,7 +45,7 @@ Engine engine_named(const std::string& name) {
 
 py::dict decide_grasp(const GraspFile& grasp, const py::object& wrench,
                       const py::object& preload, bool bilateral, const std::string& engine,
-                      std::size_t node_limit, std::size_t threads, bool warnings) {
+                      std::size_t node_limit, bool warnings) {
   struct Answer {
     Question question;
     Problem problem;
@@ -59,7 +59,6 @@ py::dict decide_grasp(const GraspFile& grasp, const py::object& wrench,
     Problem problem(question.loaded, question.law);
     ConeOptions options;
     options.node_limit = node_limit;
-    options.threads = threads;
     Decision decision = decide(problem, engine_named(engine), options);
     std::string certificate = certificate_of(question, decision);
     std::vector<ModelWarning> found;

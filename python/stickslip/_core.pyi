@@ -42,7 +42,6 @@ def decide(
     bilateral: bool,
     engine: str,
     node_limit: int,
-    threads: int,
     warnings: bool,
 ) -> Dict[str, Any]: ...
 def slip_states(grasp: GraspData, engine: str, list_states: bool, threads: int) -> Dict[str, Any]: ...

@@ -46,7 +46,6 @@ def decide(
     normal_law: str = "unilateral",
     engine: str = "auto",
     node_limit: int = 0,
-    threads: int = 0,
     warnings: bool = False,
 ) -> Decision:
     """Will the grasp hold its load passively? A verdict, with evidence.
@@ -61,7 +60,6 @@ def decide(
         engine: "states" solves the system of every slip state, "cone" is a branch and bound for
             many contacts, "auto" takes the one that suits. All are exact.
         node_limit: let the engine "cone" give up, undecided, after so many nodes; 0 is no limit.
-        threads: of the engine "cone"; 0 is one a core. The answer does not depend on it.
         warnings: look for traps of the model as well, such as a large motion, or a preload that
             does not balance (docs/model.md). Takes longer than most verdicts.
 
@@ -76,7 +74,6 @@ def decide(
         is_bilateral(normal_law),
         one_of("engine", engine, ("auto", "states", "cone")),
         as_count("node_limit", node_limit),
-        as_count("threads", threads, 1024),
         bool(warnings),
     )
     result["warnings"] = tuple(ModelWarning(*w) for w in result["warnings"])

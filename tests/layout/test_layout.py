@@ -60,6 +60,15 @@ class Layout(unittest.TestCase):
                 local = re.findall(r'#include "(?!stickslip/)([^"]+)"', text)
                 self.assertEqual(local, [], path)
 
+    def test_private_headers_declare_in_a_namespace_of_their_own(self):
+        for module in ("lp", "arrangement", "resistance", "earlier", "plot"):
+            private = {path: text for path, text in sources(os.path.join(module, "src"))
+                       if path.endswith(".hpp")}
+            self.assertGreater(len(private), 0, module)
+            for path, text in private.items():
+                self.assertEqual(set(re.findall(r"^namespace ([a-z_:]+) {", text, re.M)),
+                                 {f"stickslip::{module}_detail"}, path)
+
     def test_cgal_is_in_named_files_only(self):
         users = {path for module in [*ALLOWED, "cli", "python"] for path, text in sources(module)
                  if "#include <CGAL/" in text}

@@ -6,6 +6,8 @@
 #include <algorithm>
 
 namespace stickslip {
+
+using namespace plot_detail;
 namespace {
 
 std::string joined(const std::vector<std::string>& lines, const std::string& by) {

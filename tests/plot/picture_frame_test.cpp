@@ -9,6 +9,8 @@
 #include "grasp_scene.hpp"
 
 namespace stickslip {
+
+using namespace plot_detail;
 namespace {
 
 Grasp grasp_at(const std::vector<Vector2>& positions) {

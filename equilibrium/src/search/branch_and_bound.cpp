@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/equilibrium/search/branch_and_bound.hpp"
 
-#include <oneapi/tbb/global_control.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <deque>
 #include <utility>
 
 #include "stickslip/core/error.hpp"
@@ -25,8 +19,7 @@ struct Step {
   std::vector<Node> children;
 };
 
-/// Explores one subtree. What it does depends on its root alone, so that subtrees may be
-/// explored in any order, or at once.
+/// Explores the tree.
 class Explorer {
  public:
   Explorer(const Problem& problem, const DoubleModel& model, const ConeOptions& options)
@@ -37,28 +30,44 @@ class Explorer {
   /// The multiple of the load that the witness is of.
   const Rational& multiple() const { return multiple_; }
 
-  /// Depth first, in preorder. Nothing if it ended early: at a witness, at the limit, or
-  /// because `stop` said so.
-  template <class Stop>
-  std::optional<Refutation> explore(Node root, std::size_t depth, const Stop& stop) {
+  /// Depth first, in preorder. Nothing if it ended early: at a witness, or at the limit.
+  std::optional<Refutation> explore() {
     Refutation tree;
     std::vector<std::pair<Node, std::size_t>> pending;
-    pending.emplace_back(std::move(root), depth);
+    pending.emplace_back(Node::root(problem_), 0);
     while (!pending.empty()) {
-      const bool limit_reached = options_.node_limit != 0 && work_.nodes >= options_.node_limit;
-      if (limit_reached || stop()) return std::nullopt;
-      auto [node, node_depth] = std::move(pending.back());
+      if (options_.node_limit != 0 && work_.nodes >= options_.node_limit) return std::nullopt;
+      auto [node, depth] = std::move(pending.back());
       pending.pop_back();
-      std::optional<Step> step = examine(std::move(node), node_depth);
+      std::optional<Step> step = examine(std::move(node), depth);
       if (!step) return std::nullopt;  // a witness
       tree.push_back(std::move(step->node));
       for (auto child = step->children.rbegin(); child != step->children.rend(); ++child) {
-        pending.emplace_back(std::move(*child), node_depth + 1);
+        pending.emplace_back(std::move(*child), depth + 1);
       }
     }
     return tree;
   }
 
+  /// The two places where equilibria mostly are: at rest with friction holding, which the
+  /// search finds in the all-stick state if it exists, and where Newton's method leads from
+  /// rest.
+  bool try_witness_from_rest() {
+    Node rest = Node::root(problem_);
+    rest.region =
+        rest.region.with_slip_state(problem_, std::vector<Sign>(problem_.size(), Sign::kZero));
+    for (UndecidedContact& u : rest.undecided) u.slip_cuts = false;
+    if (!rest.region.is_void()) {
+      table_.read(problem_, model_, rest);
+      const SearchResult found = search_.search(rest, table_, work_);
+      if (!found.separated && try_witness_of(rest, found)) return true;
+    }
+    ++work_.witness_attempts;
+    witness_ = find_witness_from_rest(problem_, model_);
+    return witness_.has_value();
+  }
+
+ private:
   /// Closes or splits one node; nothing if it found a witness.
   std::optional<Step> examine(Node node, std::size_t depth) {
     ++work_.nodes;
@@ -86,25 +95,6 @@ class Explorer {
     return solve_exactly(node);
   }
 
-  /// The two places where equilibria mostly are: at rest with friction holding, which the
-  /// search finds in the all-stick state if it exists, and where Newton's method leads from
-  /// rest.
-  bool try_witness_from_rest() {
-    Node rest = Node::root(problem_);
-    rest.region =
-        rest.region.with_slip_state(problem_, std::vector<Sign>(problem_.size(), Sign::kZero));
-    for (UndecidedContact& u : rest.undecided) u.slip_cuts = false;
-    if (!rest.region.is_void()) {
-      table_.read(problem_, model_, rest);
-      const SearchResult found = search_.search(rest, table_, work_);
-      if (!found.separated && try_witness_of(rest, found)) return true;
-    }
-    ++work_.witness_attempts;
-    witness_ = find_witness_from_rest(problem_, model_);
-    return witness_.has_value();
-  }
-
- private:
   /// From the motion of a relaxed equilibrium, by Newton's method.
   bool try_witness_near(const Double4& motion) {
     if (!(motion[3] > 0)) return false;
@@ -189,141 +179,8 @@ class Explorer {
   Rational multiple_ = 0;
 };
 
-/// The top of the tree, explored breadth first until there are subtrees enough to share out.
-class Top {
- public:
-  struct Entry {
-    RefutationNode node = VoidLeaf{};
-    std::vector<std::size_t> children;   ///< entries
-    std::optional<std::size_t> subtree;  ///< instead of node: its place in subtrees()
-  };
-  struct Subtree {
-    Node root;
-    std::size_t depth;
-  };
-
-  /// False if a witness was found.
-  bool expand(Explorer& explorer, Node root, std::size_t enough) {
-    entries_.emplace_back();
-    std::deque<std::pair<std::size_t, Subtree>> frontier;
-    frontier.push_back({0, {std::move(root), 0}});
-    while (!frontier.empty() && frontier.size() < enough) {
-      auto [entry, subtree] = std::move(frontier.front());
-      frontier.pop_front();
-      std::optional<Step> step = explorer.examine(std::move(subtree.root), subtree.depth);
-      if (!step) return false;
-      entries_[entry].node = std::move(step->node);
-      for (Node& child : step->children) {
-        entries_[entry].children.push_back(entries_.size());
-        frontier.push_back({entries_.size(), {std::move(child), subtree.depth + 1}});
-        entries_.emplace_back();
-      }
-    }
-    for (auto& [entry, subtree] : frontier) {
-      entries_[entry].subtree = subtrees_.size();
-      subtrees_.push_back(std::move(subtree));
-    }
-    return true;
-  }
-
-  std::vector<Subtree>& subtrees() { return subtrees_; }
-
-  /// The whole tree in preorder, with the trees of the subtrees in place.
-  Refutation assemble(std::vector<Refutation> trees) {
-    Refutation tree;
-    std::vector<std::size_t> pending{0};
-    while (!pending.empty()) {
-      Entry& entry = entries_[pending.back()];
-      pending.pop_back();
-      if (entry.subtree) {
-        Refutation& part = trees[*entry.subtree];
-        std::move(part.begin(), part.end(), std::back_inserter(tree));
-      } else {
-        tree.push_back(std::move(entry.node));
-        pending.insert(pending.end(), entry.children.rbegin(), entry.children.rend());
-      }
-    }
-    return tree;
-  }
-
- private:
-  std::vector<Entry> entries_;
-  std::vector<Subtree> subtrees_;
-};
-
 Undecided limit_reached(const ConeOptions& options) {
   return {"the limit of " + std::to_string(options.node_limit) + " nodes"};
-}
-
-Verdict decide_in_order(const Problem& problem, const DoubleModel& model,
-                        const ConeOptions& options, ConeWork& work) {
-  Explorer explorer(problem, model, options);
-  std::optional<Refutation> tree;
-  if (!explorer.try_witness_from_rest()) {
-    tree = explorer.explore(Node::root(problem), 0, [] { return false; });
-  }
-  work = explorer.work();
-  if (explorer.witness()) return Stable{std::move(*explorer.witness())};
-  if (!tree) return limit_reached(options);
-  return Unstable{std::move(*tree)};
-}
-
-/// The same answer, bytes and counters for any number of threads: what is done does not depend
-/// on it, and of several witnesses the one of the first subtree counts, with the work before
-/// it.
-Verdict decide_in_parallel(const Problem& problem, const DoubleModel& model,
-                           const ConeOptions& options, ConeWork& work) {
-  constexpr std::size_t kSubtrees = 64;
-  Explorer top_explorer(problem, model, options);
-  Top top;
-  const bool open = !top_explorer.try_witness_from_rest() &&
-                    top.expand(top_explorer, Node::root(problem), kSubtrees);
-  work = top_explorer.work();
-  if (!open) return Stable{std::move(*top_explorer.witness())};
-
-  struct Outcome {
-    std::optional<Refutation> tree;
-    std::optional<Witness> witness;
-    ConeWork work;
-  };
-  std::vector<Outcome> outcomes(top.subtrees().size());
-  std::atomic<std::size_t> first_witness{outcomes.size()};
-  const auto explore = [&](std::size_t index) {
-    const auto overtaken = [&] { return first_witness.load() < index; };
-    if (overtaken()) return;
-    Explorer explorer(problem, model, options);
-    Top::Subtree& subtree = top.subtrees()[index];
-    outcomes[index].tree = explorer.explore(std::move(subtree.root), subtree.depth, overtaken);
-    outcomes[index].witness = std::move(explorer.witness());
-    outcomes[index].work = explorer.work();
-    if (!outcomes[index].witness) return;
-    std::size_t earliest = first_witness.load();
-    while (index < earliest && !first_witness.compare_exchange_weak(earliest, index)) {
-    }
-  };
-  if (options.threads == 1) {
-    for (std::size_t k = 0; k < outcomes.size() && first_witness.load() > k; ++k) explore(k);
-  } else {
-    const int threads = options.threads == 0 ? oneapi::tbb::task_arena::automatic
-                                             : static_cast<int>(options.threads);
-    using oneapi::tbb::global_control;
-    std::optional<global_control> allowed;  // more than there are cores, without a warning
-    if (options.threads > 0) {
-      allowed.emplace(global_control::max_allowed_parallelism, options.threads);
-    }
-    oneapi::tbb::task_arena arena(threads);
-    arena.execute([&] {
-      oneapi::tbb::parallel_for(std::size_t{0}, outcomes.size(), explore,
-                                oneapi::tbb::simple_partitioner());
-    });
-  }
-  std::vector<Refutation> trees;
-  for (Outcome& outcome : outcomes) {
-    work += outcome.work;
-    if (outcome.witness) return Stable{std::move(*outcome.witness)};
-    trees.push_back(std::move(*outcome.tree));
-  }
-  return Unstable{top.assemble(std::move(trees))};
 }
 
 }  // namespace
@@ -346,14 +203,19 @@ ConeWork& ConeWork::operator+=(const ConeWork& part) {
 }
 
 Verdict decide_by_cones(const Problem& problem, const ConeOptions& options, ConeWork* work) {
-  ConeWork unused;
-  ConeWork& counters = work != nullptr ? *work : unused;
   const DoubleModel model(problem);
-  // Sharing out pays when nodes are dear. A limit counts nodes in order.
-  constexpr std::size_t kContactsWorthSharing = 500;
-  const bool in_order = problem.size() < kContactsWorthSharing || options.node_limit != 0;
-  Verdict verdict = in_order ? decide_in_order(problem, model, options, counters)
-                             : decide_in_parallel(problem, model, options, counters);
+  Explorer explorer(problem, model, options);
+  std::optional<Refutation> tree;
+  if (!explorer.try_witness_from_rest()) tree = explorer.explore();
+  if (work != nullptr) *work = explorer.work();
+  Verdict verdict;
+  if (explorer.witness()) {
+    verdict = Stable{std::move(*explorer.witness())};
+  } else if (tree) {
+    verdict = Unstable{std::move(*tree)};
+  } else {
+    verdict = limit_reached(options);
+  }
 #ifdef STICKSLIP_VALIDATE
   validate(problem, verdict);
 #endif
@@ -365,7 +227,7 @@ std::variant<LoadPoint, Unstable, Undecided> search_loads(const Problem& problem
                                                           ConeWork* work) {
   const DoubleModel model(problem);
   Explorer explorer(problem, model, options);
-  auto tree = explorer.explore(Node::root(problem), 0, [] { return false; });
+  auto tree = explorer.explore();
   if (work != nullptr) *work = explorer.work();
   if (auto& witness = explorer.witness()) {
     return LoadPoint{explorer.multiple(), std::move(*witness)};

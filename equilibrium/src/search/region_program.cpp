@@ -23,7 +23,7 @@ struct OpenContact {
   int edge = 0;                ///< of the current extreme point; 0: a_i = 0
 };
 
-/// A generator of the region's motions and loads (load_range.hpp).
+/// A generator of the region's motions and loads (problem.hpp).
 struct Generator {
   std::optional<std::size_t> ray;  ///< none: the recession of the loads
   Rational h;

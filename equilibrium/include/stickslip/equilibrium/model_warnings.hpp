@@ -10,7 +10,7 @@
 ///   model is linear in the motion. Another equilibrium may move less.
 /// - *Unbalanced preload*: at the motion d = 0, with normal forces P_i and no load, no friction
 ///   in the cones balances. Decided exactly, as the system of the one motion d = 0
-///   (region_system.hpp). The body then moves before any load is applied.
+///   (region_program.hpp). The body then moves before any load is applied.
 /// - *Lost preload*, of a stable verdict: some contact is preloaded, and none that is keeps
 ///   P_i / kLeastPartOfPreload as normal force.
 /// - *Assumed stiffness*: with another stiffness of one contact for which the file gives none,

@@ -11,7 +11,7 @@
 /// relaxed equilibrium; the contact that breaks the laws the most is split by its slip or
 /// separation plane. Candidates for an equilibrium are completed exactly and verified by
 /// substitution. When nothing is left to split, or double precision fails, the exact linear
-/// program of region_system.hpp decides.
+/// program of region_program.hpp decides.
 ///
 /// *Guarantee.* Only planes that cut a region's relative interior are split (or touch it where
 /// no strict function bars touching), each at most once on a path, so the leaves other than
@@ -47,14 +47,12 @@ struct ConeWork {
   ConeWork& operator+=(const ConeWork& part);
 };
 
-/// How much the engine may do, and with how many threads.
+/// How much the engine may do.
 struct ConeOptions {
   std::size_t node_limit = 0;  ///< 0: none; otherwise Undecided when it is reached
-  std::size_t threads = 1;  ///< 0: as many as there are cores. Any number gives the same answer
 };
 
-/// Deterministic, whatever the number of threads: verdict, evidence and work. Undecided only
-/// when the node limit is reached.
+/// Deterministic: verdict, evidence and work. Undecided only when the node limit is reached.
 Verdict decide_by_cones(const Problem& problem, const ConeOptions& options = {},
                         ConeWork* work = nullptr);
 
@@ -65,8 +63,8 @@ struct LoadPoint {
 };
 
 /// A load of the problem's range under which the grasp is stable, or a proof that there is
-/// none, by the same search with the multiple as one more unknown. One thread; Undecided only
-/// when the node limit is reached.
+/// none, by the same search with the multiple as one more unknown. Undecided only when the
+/// node limit is reached.
 std::variant<LoadPoint, Unstable, Undecided> search_loads(const Problem& problem,
                                                           const ConeOptions& options = {},
                                                           ConeWork* work = nullptr);

@@ -4,7 +4,7 @@
 /// 12-14, with detaching contacts.
 ///
 /// A point of the region is x = sum lambda_r r over its rays, lambda >= 0, h = 1; with a range
-/// of loads, over the generators of load_range.hpp. A contact that is closed has a_i = v_i(x),
+/// of loads, over the generators of problem.hpp. A contact that is closed has a_i = v_i(x),
 /// linear in lambda; an open one has a_i = 0. A mixed one is relaxed to 0 <= a_i <= sum
 /// lambda_r max(0, v_i(r)). Friction is on an edge where slip has a sign, else anywhere in the
 /// cone. With nothing mixed the program is exact.

@@ -80,8 +80,8 @@ ClaimCounts judge_all(std::istream& in, const std::string& folder,
   TextLines lines(in);
   std::string text;
   const auto show = [&] {
-    progress.show(std::to_string(counts.claims()) + " claims, " + std::to_string(counts.wrong) +
-                  " wrong");
+    progress.show(std::to_string(counts.claims()) + " claims, " +
+                  std::to_string(counts.of(ClaimClass::kWrong)) + " wrong");
   };
   for (bool more = true; more; show()) {
     std::string output;

@@ -2,10 +2,13 @@
 #include "crosscheck_report.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 #include <vector>
 
 #include "commands.hpp"
+#include "stickslip/arrangement/slip_states.hpp"
+#include "terminal.hpp"
 
 namespace stickslip {
 namespace {
@@ -64,12 +67,6 @@ Json to_json(const ThresholdDistance& distance) {
   return json;
 }
 
-std::string slip_text(const std::vector<Sign>& signs) {
-  std::string text;
-  for (const Sign sign : signs) text += to_char(sign);
-  return text;
-}
-
 /// On one line; names of files may be any bytes.
 std::string line_of(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -86,29 +83,30 @@ std::string residual_text(const LargestResidual& residual, NumberText& number) {
 }
 
 /// Each condition and by how much it is missed, of all that could be computed.
-std::vector<std::pair<std::string, std::string>> residual_texts(const ClaimResiduals& residuals,
-                                                                NumberText& number) {
-  std::vector<std::pair<std::string, std::string>> texts;
-  if (residuals.balance) {
-    const Wrench& b = *residuals.balance;
-    texts.emplace_back("balance",
-                       "force " + number(Vector2{b.x, b.y}) + ", torque " + number(b.torque));
+std::vector<std::pair<ResidualCondition, std::string>> residual_texts(
+    const ClaimResiduals& residuals, NumberText& number) {
+  std::vector<std::pair<ResidualCondition, std::string>> texts;
+  if (const auto& b = residuals.balance) {
+    texts.emplace_back(ResidualCondition::kBalance, "force " + number(Vector2{b->x, b->y}) +
+                                                        ", torque " + number(b->torque));
   }
-  if (residuals.cone) texts.emplace_back("cone", residual_text(*residuals.cone, number));
-  if (residuals.normal_law)
-    texts.emplace_back("normal law", residual_text(*residuals.normal_law, number));
-  if (residuals.dissipation)
-    texts.emplace_back("dissipation", residual_text(*residuals.dissipation, number));
+  const auto add = [&](ResidualCondition condition, const auto& residual) {
+    if (residual) texts.emplace_back(condition, residual_text(*residual, number));
+  };
+  add(ResidualCondition::kCone, residuals.cone);
+  add(ResidualCondition::kNormalLaw, residuals.normal_law);
+  add(ResidualCondition::kDissipation, residuals.dissipation);
   return texts;
 }
 
 std::string residuals_text(const ClaimResiduals& residuals, NumberText& number) {
-  constexpr std::size_t kColumn = 13;
-  std::string text;
+  std::vector<std::vector<std::string>> rows;
   for (auto& [condition, missed_by] : residual_texts(residuals, number)) {
-    text += "  " + condition + std::string(kColumn - condition.size(), ' ') + missed_by + "\n";
+    rows.push_back({std::string("  ") + name_of(condition), missed_by});
   }
-  return text.empty() ? text : "  What the claimed solution misses, at most:\n" + text;
+  return rows.empty() ? ""
+                      : "  What the claimed solution misses, at most:\n" +
+                            format_table(rows, Align::kLeft);
 }
 
 /// The conditions that are missed by more than the tolerance, on one line.
@@ -118,7 +116,7 @@ std::string inaccuracy_text(const ClaimReport& report, const ClaimOptions& optio
   std::string text;
   for (auto& [condition, missed_by] : residual_texts(report.residuals, number)) {
     if (std::find(missed.begin(), missed.end(), condition) == missed.end()) continue;
-    text += (text.empty() ? "" : "; ") + condition + " " + missed_by;
+    text += (text.empty() ? "" : "; ") + std::string(name_of(condition)) + " " + missed_by;
   }
   return ", but its solution misses: " + text;
 }
@@ -150,26 +148,17 @@ std::string nearby_text(const NearbyEquilibrium& nearby, NumberText& number) {
 
 void ClaimCounts::add(const ClaimReport& report) {
   if (report.inaccurate) ++inaccurate;
-  switch (report.claim_class) {
-    case ClaimClass::kRight:
-      ++right;
-      break;
-    case ClaimClass::kTie:
-      ++ties;
-      break;
-    case ClaimClass::kWrong:
-      ++wrong;
-      break;
-    case ClaimClass::kUndecided:
-      ++undecided;
-      break;
-  }
+  ++judged[static_cast<std::size_t>(report.claim_class)];
+}
+
+std::size_t ClaimCounts::claims() const {
+  return std::accumulate(judged.begin(), judged.end(), unreadable);
 }
 
 int ClaimCounts::exit_code() const {
-  if (wrong > 0) return kClaimsWrong;
+  if (of(ClaimClass::kWrong) > 0) return kClaimsWrong;
   if (unreadable > 0) return kBadInput;
-  return undecided > 0 ? kUndecidedWithinLimit : kDone;
+  return of(ClaimClass::kUndecided) > 0 ? kUndecidedWithinLimit : kDone;
 }
 
 std::string to_json_line(const JudgedLine& judged, bool floats) {
@@ -191,7 +180,7 @@ std::string to_json_line(const JudgedLine& judged, bool floats) {
   json["residual_scale"] = {{"force", number_json(report.scale.force)},
                             {"length", number_json(report.scale.length)},
                             {"motion", number_json(report.scale.motion)}};
-  json["claimed_slip"] = report.claimed_slip ? Json(slip_text(*report.claimed_slip)) : Json();
+  json["claimed_slip"] = report.claimed_slip ? Json(to_string(*report.claimed_slip)) : Json();
   json["nearby"] = report.nearby ? to_json(*report.nearby, question.loaded.grasp) : Json();
   json["distance"] = report.distance ? to_json(*report.distance) : Json();
   if (!judged.saved.empty()) json["saved"] = judged.saved;
@@ -209,9 +198,12 @@ std::string to_json_line(std::size_t number, const InputError& error) {
 
 std::string to_json_line(const ClaimCounts& counts) {
   Json json;
-  json["summary"] = {{"claims", counts.claims()},       {"right", counts.right},
-                     {"inaccurate", counts.inaccurate}, {"tie", counts.ties},
-                     {"wrong", counts.wrong},           {"undecided", counts.undecided},
+  json["summary"] = {{"claims", counts.claims()},
+                     {"right", counts.of(ClaimClass::kRight)},
+                     {"inaccurate", counts.inaccurate},
+                     {"tie", counts.of(ClaimClass::kTie)},
+                     {"wrong", counts.of(ClaimClass::kWrong)},
+                     {"undecided", counts.of(ClaimClass::kUndecided)},
                      {"unreadable", counts.unreadable}};
   return line_of(json);
 }
@@ -238,7 +230,7 @@ std::string to_text(const JudgedLine& judged, const ClaimOptions& options, Numbe
   if (report.claim_class == ClaimClass::kRight) return text;
   text += residuals_text(report.residuals, number);
   if (report.claimed_slip && !report.claimed_slip->empty()) {
-    text += "  The claimed twist slips " + slip_text(*report.claimed_slip) + ".\n";
+    text += "  The claimed twist slips " + to_string(*report.claimed_slip) + ".\n";
   }
   for (const std::string& file : judged.saved) text += "  Saved " + file + "\n";
   return text;
@@ -258,12 +250,14 @@ std::string to_text(const ClaimCounts& counts) {
     return std::to_string(count) + ' ' + word;
   };
   std::string text = with(counts.claims(), counts.claims() == 1 ? "claim: " : "claims: ") +
-                     with(counts.right, "right");
+                     with(counts.of(ClaimClass::kRight), "right");
   if (counts.inaccurate > 0) {
     text += " (" + with(counts.inaccurate, "of them with an inaccurate solution)");
   }
-  return text + ", " + with(counts.ties, "tie, ") + with(counts.wrong, "wrong, ") +
-         with(counts.undecided, "undecided, ") + with(counts.unreadable, "unreadable\n");
+  return text + ", " + with(counts.of(ClaimClass::kTie), "tie, ") +
+         with(counts.of(ClaimClass::kWrong), "wrong, ") +
+         with(counts.of(ClaimClass::kUndecided), "undecided, ") +
+         with(counts.unreadable, "unreadable\n");
 }
 
 }  // namespace stickslip

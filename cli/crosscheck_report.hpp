@@ -3,6 +3,7 @@
 /// What `stickslip crosscheck` prints of each line and of all of them.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -22,15 +23,13 @@ struct JudgedLine {
 };
 
 struct ClaimCounts {
-  std::size_t right = 0;
-  std::size_t inaccurate = 0;  ///< of the right ones
-  std::size_t ties = 0;
-  std::size_t wrong = 0;
-  std::size_t undecided = 0;
+  std::array<std::size_t, 4> judged{};  ///< by ClaimClass
+  std::size_t inaccurate = 0;           ///< of the right ones
   std::size_t unreadable = 0;
 
   void add(const ClaimReport& report);
-  std::size_t claims() const { return right + ties + wrong + undecided + unreadable; }
+  std::size_t of(ClaimClass c) const { return judged[static_cast<std::size_t>(c)]; }
+  std::size_t claims() const;
   int exit_code() const;
 };
 

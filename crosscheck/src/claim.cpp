@@ -50,17 +50,8 @@ NearbyEquilibrium compare(const Problem& problem, const ApproximateEquilibrium& 
 }  // namespace
 
 const char* name_of(ClaimClass claim_class) {
-  switch (claim_class) {
-    case ClaimClass::kRight:
-      return "right";
-    case ClaimClass::kTie:
-      return "tie";
-    case ClaimClass::kWrong:
-      return "wrong";
-    case ClaimClass::kUndecided:
-      return "undecided";
-  }
-  return "undecided";
+  constexpr const char* kNames[] = {"right", "tie", "wrong", "undecided"};
+  return kNames[static_cast<std::size_t>(claim_class)];
 }
 
 ClaimReport judge_claim(const Question& question, const Claim& claim,

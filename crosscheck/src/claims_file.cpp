@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stickslip/crosscheck/claim.hpp"
-
 #include <array>
 #include <utility>
 #include <vector>
@@ -8,6 +6,7 @@
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/json.hpp"
 #include "stickslip/core/snap.hpp"
+#include "stickslip/crosscheck/claim.hpp"
 
 namespace stickslip {
 namespace {

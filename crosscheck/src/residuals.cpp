@@ -56,22 +56,27 @@ ResidualScale residual_scale(const LoadedGrasp& loaded, const ApproximateEquilib
   return scale;
 }
 
-std::vector<std::string> ClaimResiduals::missed(const Rational& tolerance,
-                                                const ResidualScale& scale) const {
-  std::vector<std::string> names;
+const char* name_of(ResidualCondition condition) {
+  constexpr const char* kNames[] = {"balance", "cone", "normal law", "dissipation"};
+  return kNames[static_cast<std::size_t>(condition)];
+}
+
+std::vector<ResidualCondition> ClaimResiduals::missed(const Rational& tolerance,
+                                                      const ResidualScale& scale) const {
+  std::vector<ResidualCondition> conditions;
   const Rational force = tolerance * scale.force;
   if (balance && (abs(balance->x) > force || abs(balance->y) > force ||
                   abs(balance->torque) > force * scale.length)) {
-    names.push_back("balance");
+    conditions.push_back(ResidualCondition::kBalance);
   }
   const auto compare = [&](const std::optional<LargestResidual>& residual, const Rational& most,
-                           const char* name) {
-    if (residual && Magnitude{most, 1} < residual->value) names.push_back(name);
+                           ResidualCondition condition) {
+    if (residual && Magnitude{most, 1} < residual->value) conditions.push_back(condition);
   };
-  compare(cone, force, "cone");
-  compare(normal_law, force, "normal law");
-  compare(dissipation, force * scale.motion, "dissipation");
-  return names;
+  compare(cone, force, ResidualCondition::kCone);
+  compare(normal_law, force, ResidualCondition::kNormalLaw);
+  compare(dissipation, force * scale.motion, ResidualCondition::kDissipation);
+  return conditions;
 }
 
 ClaimResiduals residuals_of(const Problem& problem, const ApproximateEquilibrium& claimed) {

@@ -146,17 +146,9 @@ std::optional<std::string> assumed_stiffness(const Question& question, bool stab
 }  // namespace
 
 const char* to_string(ModelTrap trap) {
-  switch (trap) {
-    case ModelTrap::kLargeMotion:
-      return "large-motion";
-    case ModelTrap::kUnbalancedPreload:
-      return "unbalanced-preload";
-    case ModelTrap::kLostPreload:
-      return "lost-preload";
-    case ModelTrap::kAssumedStiffness:
-      break;
-  }
-  return "assumed-stiffness";
+  constexpr const char* kNames[] = {"large-motion", "unbalanced-preload", "lost-preload",
+                                    "assumed-stiffness"};
+  return kNames[static_cast<std::size_t>(trap)];
 }
 
 std::vector<ModelWarning> model_warnings(const Question& question, const Verdict& verdict) {

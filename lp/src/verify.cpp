@@ -257,34 +257,6 @@ int objective_sign(const LinearProgram& program, const std::vector<Rational>& x,
 
 }  // namespace
 
-const char* to_string(LpCondition condition) {
-  switch (condition) {
-    case LpCondition::kLength:
-      return "length";
-    case LpCondition::kPointSign:
-      return "point sign";
-    case LpCondition::kPointRow:
-      return "point row";
-    case LpCondition::kMultiplierSign:
-      return "multiplier sign";
-    case LpCondition::kCombination:
-      return "combination";
-    case LpCondition::kPointValue:
-      return "point value";
-    case LpCondition::kDualValue:
-      return "dual value";
-    case LpCondition::kContradiction:
-      return "contradiction";
-    case LpCondition::kRaySign:
-      return "ray sign";
-    case LpCondition::kRayRow:
-      return "ray row";
-    case LpCondition::kRayDescent:
-      return "ray descent";
-  }
-  return "unknown";
-}
-
 Verification verify(const LinearProgram& program, const Optimal& evidence) {
   const Verification primal =
       check_primal(program, evidence.point, 1, LpCondition::kPointSign, LpCondition::kPointRow);

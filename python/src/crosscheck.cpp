@@ -2,6 +2,7 @@
 // Another program's answer held against the exact one (crosscheck/claim.hpp).
 #include "bindings.hpp"
 #include "exact.hpp"
+#include "stickslip/arrangement/slip_states.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/grasp_file.hpp"
 #include "stickslip/crosscheck/claim.hpp"
@@ -97,11 +98,7 @@ py::dict crosscheck(const GraspFile& grasp, bool stable, const py::object& twist
   result["cone"] = residual(r.cone);
   result["normal_law"] = residual(r.normal_law);
   result["dissipation"] = residual(r.dissipation);
-  if (report.claimed_slip) {
-    std::string slip;
-    for (const Sign sign : *report.claimed_slip) slip += to_char(sign);
-    result["claimed_slip"] = slip;
-  }
+  if (report.claimed_slip) result["claimed_slip"] = to_string(*report.claimed_slip);
   if (report.nearby) {
     result["nearby"] = nearby_fields(*report.nearby, question.loaded.grasp);
   }

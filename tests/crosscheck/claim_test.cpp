@@ -13,6 +13,7 @@ namespace {
 
 using test::fig1_grasp;
 using test::fig4_grasp;
+using Condition = ResidualCondition;
 
 Rational number(const char* text) {
   return parse_rational(text);
@@ -107,11 +108,14 @@ TEST(Residuals, OfPerturbedSolutions) {
   EXPECT_EQ(r.dissipation->contact, ContactId(2));
   using ::testing::ElementsAre;
   EXPECT_THAT(r.missed(Rational(1, 4), {}), ElementsAre());
-  EXPECT_THAT(r.missed(Rational(6, 25), {}), ElementsAre("balance", "cone", "dissipation"));
+  EXPECT_THAT(r.missed(Rational(6, 25), {}),
+              ElementsAre(Condition::kBalance, Condition::kCone, Condition::kDissipation));
   // Each is held against its own scale: forces, torques and powers.
   EXPECT_THAT(r.missed(Rational(1, 8), {2, 1, 1}), ElementsAre());
-  EXPECT_THAT(r.missed(Rational(1, 8), {2, Rational(1, 2), 1}), ElementsAre("balance"));
-  EXPECT_THAT(r.missed(Rational(1, 8), {2, 1, Rational(1, 2)}), ElementsAre("dissipation"));
+  EXPECT_THAT(r.missed(Rational(1, 8), {2, Rational(1, 2), 1}),
+              ElementsAre(Condition::kBalance));
+  EXPECT_THAT(r.missed(Rational(1, 8), {2, 1, Rational(1, 2)}),
+              ElementsAre(Condition::kDissipation));
 
   changed = forces;
   changed[1].normal = Rational(-1, 3);  // pulls
@@ -159,7 +163,7 @@ TEST(Residuals, AreForcesWhateverTheLengthOfTheNormal) {
   EXPECT_EQ(irrational.cone->value.radicand, 2);
   EXPECT_THAT(irrational.missed(Rational(283, 100), {}), ::testing::IsEmpty());  // 2 sqrt 2
   EXPECT_THAT(irrational.missed(Rational(282, 100), {}),
-              ::testing::ElementsAre("cone", "normal law"));
+              ::testing::ElementsAre(Condition::kCone, Condition::kNormalLaw));
 }
 
 TEST(Residuals, ScaleIsThatOfTheForcesAndMotions) {

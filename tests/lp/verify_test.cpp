@@ -5,7 +5,6 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
 #include <string>
 
 #include "evidence_check.hpp"
@@ -30,7 +29,7 @@ const Optimal kBoundedOptimal = {{2, 1}, 3, {Rational(2, 3), Rational(1, 3), 0}}
 
 void expect_fails(const Verification& verification, LpCondition condition, std::size_t index) {
   EXPECT_FALSE(verification);
-  EXPECT_STREQ(to_string(verification.failed), to_string(condition));
+  EXPECT_EQ(verification.failed, condition);
   EXPECT_EQ(verification.index, index);
 }
 
@@ -115,14 +114,6 @@ TEST(LpVerify, Unbounded) {
   expect_fails(verify(program, Unbounded{{1, 0, -1}, {1, 1, 1}}), LpCondition::kRayRow, 1);
   expect_fails(verify(program, Unbounded{{1, 0, -1}, {-1, 0, 1}}), LpCondition::kRayDescent, 0);
   expect_fails(verify(program, Unbounded{{1, 0, -1}, {0, 0, 0}}), LpCondition::kRayDescent, 0);
-}
-
-TEST(LpVerify, ConditionsHaveDistinctNames) {
-  std::set<std::string> names;
-  for (int k = 0; k <= static_cast<int>(LpCondition::kRayDescent); ++k) {
-    names.insert(to_string(static_cast<LpCondition>(k)));
-  }
-  EXPECT_EQ(names.size(), static_cast<std::size_t>(LpCondition::kRayDescent) + 1);
 }
 
 /// Bounds on numbers that do not fit 64 bits: the GMP path of the verification.

@@ -86,6 +86,12 @@ ResidualScale residual_scale(const LoadedGrasp& loaded, const ApproximateEquilib
 /// The largest |coordinate| of a contact, 1 if all are 0: torque divided by it is like a force.
 Rational largest_coordinate(const Grasp& grasp);
 
+/// The conditions of an equilibrium that a claimed solution may miss.
+enum class ResidualCondition { kBalance, kCone, kNormalLaw, kDissipation };
+
+/// "balance", "cone", "normal law", "dissipation"
+const char* name_of(ResidualCondition condition);
+
 /// By how much a claimed solution misses each condition. What needs a part of the solution that
 /// is not given is absent.
 struct ClaimResiduals {
@@ -99,10 +105,11 @@ struct ClaimResiduals {
   /// as a power. Needs forces and twist.
   std::optional<LargestResidual> dissipation;
 
-  /// The conditions that are missed by more than `tolerance` times the scale: of "balance" (a
-  /// force by scale.force, the torque by force x length), "cone" and "normal law" (by force),
-  /// "dissipation" (by force x motion).
-  std::vector<std::string> missed(const Rational& tolerance, const ResidualScale& scale) const;
+  /// The conditions that are missed by more than `tolerance` times the scale: of balance (a
+  /// force by scale.force, the torque by force x length), cone and normal law (by force),
+  /// dissipation (by force x motion).
+  std::vector<ResidualCondition> missed(const Rational& tolerance,
+                                        const ResidualScale& scale) const;
 };
 
 /// An exact equilibrium for a claim "stable".

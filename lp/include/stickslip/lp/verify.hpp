@@ -29,9 +29,6 @@ enum class LpCondition {
   kRayDescent,      ///< c.d < 0
 };
 
-/// "length", "point sign" and so on, for messages.
-const char* to_string(LpCondition condition);
-
 /// Converts to true when the evidence holds; otherwise names the first condition that fails
 /// and the index of the row or variable (0 where neither applies).
 struct Verification {

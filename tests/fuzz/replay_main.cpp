@@ -3,7 +3,7 @@
 //   replay CORPUS ROUNDS [FILE ...]   every seed and file, then ROUNDS mutated seeds, the same
 //                                     ones each time
 //   replay CORPUS --seeds FOLDER      writes the seeds for libFuzzer
-// When the program dies, the input at hand is left in the file replay_crash.
+// When the program dies, the input at hand is left beside it, in the file <program>.crash.
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -20,10 +20,11 @@ namespace {
 
 using stickslip::fuzz::Seed;
 
+std::string crash_file;
 const std::string* current_input = nullptr;
 
 extern "C" void keep_input(int signal_number) {
-  const int file = open("replay_crash", O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  const int file = open(crash_file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
   if (file >= 0 && current_input != nullptr) {
     if (write(file, current_input->data(), current_input->size()) < 0) _exit(1);
   }
@@ -190,6 +191,7 @@ int main(int argc, char** argv) {
     }
     return 0;
   }
+  crash_file = std::string(argv[0]) + ".crash";
   for (const int signal_number : {SIGABRT, SIGSEGV, SIGFPE, SIGILL}) {
     std::signal(signal_number, keep_input);
   }

@@ -53,7 +53,7 @@ Rational shifted(const Rational& value, long exponent) {
   return exponent < 0 ? value / power : value * power;
 }
 
-/// digits * 10^unit, with an exponent if it is below 1e-4 or from 1e6 on.
+/// digits * 10^unit > 0, with an exponent if it is below 1e-4 or from 1e6 on.
 std::string spell_decimal(Integer digits, long unit) {
   while (digits % 10 == 0) {
     digits /= 10;
@@ -71,47 +71,33 @@ std::string spell_decimal(Integer digits, long unit) {
   return text;
 }
 
-/// The decimal of to_readable_string. `square` is that of the number, and not 0.
-std::string readable_decimal(bool negative, const Rational& square) {
-  constexpr long kDigits = 6;
-  // The number over 10^unit, rounded: half of floor(2 x) + 1.
-  const auto units = [&](long unit) {
-    const Rational scaled = shifted(4 * square, -2 * unit);
-    return Integer((sqrt(Integer(numerator(scaled) / denominator(scaled))) + 1) / 2);
-  };
+/// floor(sqrt(square) / 10^unit).
+Integer units_below(const Rational& square, long unit) {
+  const Rational scaled = shifted(square, -2 * unit);
+  return sqrt(Integer(numerator(scaled) / denominator(scaled)));
+}
+
+/// The unit of which sqrt(square) > 0 holds a number of at most `digits` digits, and no fewer.
+long unit_for(const Rational& square, long digits) {
   const auto length = [](const Integer& n) {  // in decimal digits, or one more
     return static_cast<long>(mpz_sizeinbase(n.backend().data(), 10));
   };
   // From a unit that is too small, by a few powers of ten.
-  long unit = (length(numerator(square)) - length(denominator(square))) / 2 - kDigits - 1;
-  Integer digits = units(unit);
-  while (digits >= power_of_ten(kDigits)) digits = units(++unit);
-  const bool is_exact = shifted(digits * digits, 2 * unit) == square;
-  return (is_exact ? "" : std::string(1, kRounded)) + (negative ? "-" : "") +
-         spell_decimal(std::move(digits), unit);
+  long unit = (length(numerator(square)) - length(denominator(square))) / 2 - digits - 1;
+  while (units_below(square, unit) >= power_of_ten(digits)) ++unit;
+  return unit;
 }
 
-struct Mpfr {
-  explicit Mpfr(mpfr_prec_t precision) { mpfr_init2(value, precision); }
-  ~Mpfr() { mpfr_clear(value); }
-  Mpfr(const Mpfr&) = delete;
-  Mpfr& operator=(const Mpfr&) = delete;
-  mpfr_t value;
-};
+bool is_root(const Integer& units, long unit, const Rational& square) {
+  return shifted(units * units, 2 * unit) == square;
+}
 
-std::string print(const Mpfr& number, int digits, mpfr_rnd_t rounding) {
-  char* text = nullptr;
-  const int length = rounding == MPFR_RNDD
-                         ? mpfr_asprintf(&text, "%.*RDg", digits, number.value)
-                         : mpfr_asprintf(&text, "%.*RUg", digits, number.value);
-  require(length >= 0, "mpfr_asprintf failed");
-  std::string result(text);
-  mpfr_free_str(text);
-  // MPFR writes the decimal point of the C locale in force.
-  for (char& c : result) {
-    if (!is_digit(c) && c != '-' && c != '+' && c != 'e') c = '.';
-  }
-  return result;
+/// The decimal of to_readable_string. `square` is that of the number, and not 0.
+std::string readable_decimal(bool negative, const Rational& square) {
+  const long unit = unit_for(square, 6);
+  const Integer units = (units_below(4 * square, unit) + 1) / 2;  // rounded
+  return (is_root(units, unit, square) ? "" : std::string(1, kRounded)) +
+         (negative ? "-" : "") + spell_decimal(units, unit);
 }
 
 }  // namespace
@@ -175,14 +161,17 @@ Rational rational_from_double(double value) {
 
 double to_double(const Rational& value) {
   using Double = std::numeric_limits<double>;
-  Mpfr rounded(Double::digits);
+  mpfr_t rounded;
+  mpfr_init2(rounded, Double::digits);
   // With the exponents of doubles, so that a subnormal is rounded once, to the digits it has.
   const mpfr_exp_t before = mpfr_get_emin();
   mpfr_set_emin(Double::min_exponent - Double::digits + 1);
-  const int direction = mpfr_set_q(rounded.value, value.backend().data(), MPFR_RNDN);
-  mpfr_subnormalize(rounded.value, direction, MPFR_RNDN);
+  const int direction = mpfr_set_q(rounded, value.backend().data(), MPFR_RNDN);
+  mpfr_subnormalize(rounded, direction, MPFR_RNDN);
   mpfr_set_emin(before);
-  return mpfr_get_d(rounded.value, MPFR_RNDN);
+  const double nearest = mpfr_get_d(rounded, MPFR_RNDN);
+  mpfr_clear(rounded);
+  return nearest;
 }
 
 std::optional<Rational> exact_sqrt(const Rational& value) {
@@ -199,21 +188,15 @@ std::optional<Rational> exact_sqrt(const Rational& value) {
 
 DecimalEnclosure enclose_sqrt(const Rational& factor, const Rational& radicand, int digits) {
   require(radicand.sign() >= 0, "enclose_sqrt of a negative number");
-  // factor * sqrt(radicand) = +-sqrt(factor^2 radicand): one rounding at each step, outward.
   const Rational square = factor * factor * radicand;
-  const mpfr_prec_t precision = 64 + 4 * static_cast<mpfr_prec_t>(digits);
-  Mpfr low(precision);
-  Mpfr high(precision);
-  mpfr_set_q(low.value, square.backend().data(), MPFR_RNDD);
-  mpfr_set_q(high.value, square.backend().data(), MPFR_RNDU);
-  mpfr_sqrt(low.value, low.value, MPFR_RNDD);
-  mpfr_sqrt(high.value, high.value, MPFR_RNDU);
-  if (factor.sign() < 0) {
-    mpfr_swap(low.value, high.value);
-    mpfr_neg(low.value, low.value, MPFR_RNDD);
-    mpfr_neg(high.value, high.value, MPFR_RNDU);
-  }
-  return {print(low, digits, MPFR_RNDD), print(high, digits, MPFR_RNDU)};
+  if (square.is_zero()) return {"0", "0"};
+  const long unit = unit_for(square, digits);
+  const Integer units = units_below(square, unit);
+  const std::string below = spell_decimal(units, unit);
+  const std::string above =
+      is_root(units, unit, square) ? below : spell_decimal(units + 1, unit);
+  if (factor.sign() < 0) return {"-" + above, "-" + below};
+  return {below, above};
 }
 
 std::string to_readable_string(const Rational& value) {

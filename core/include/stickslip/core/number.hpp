@@ -53,8 +53,8 @@ double to_double(const Rational& value);
 /// sqrt(value) if it is rational, nothing otherwise. Requires value >= 0.
 std::optional<Rational> exact_sqrt(const Rational& value);
 
-/// A closed decimal interval with `digits` significant digits around an irrational
-/// number, rounded outward (MPFR).
+/// A closed decimal interval around an irrational number, both ends with as many significant
+/// digits, rounded outward.
 struct DecimalEnclosure {
   std::string lower;  ///< a decimal, <= the number
   std::string upper;  ///< a decimal, >= the number

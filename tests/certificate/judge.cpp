@@ -118,7 +118,10 @@ std::optional<CheckerAnswer> third_opinion(const CheckerInput& input) {
   try {
     const Json certificate = Json::parse(input.certificate);
     const Question question = ask(parse_grasp(input.grasp, "grasp"), input.options);
-    if (certificate.at("verdict") == "margin" || input.direction) throw NoOpinion{};
+    if (certificate.at("verdict") == "margin" || input.options.direction ||
+        input.options.preload_direction) {
+      throw NoOpinion{};
+    }
     if (const auto answer = judge_question(question, certificate.at("question"))) return answer;
     const Problem problem(question.loaded, question.law);
     return certificate.at("verdict") == "stable" ? judge_witness(problem, certificate)

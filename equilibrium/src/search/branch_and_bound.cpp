@@ -77,11 +77,11 @@ class Explorer {
     } else {
       // A relaxed equilibrium may be near a real one. Trying costs as much as many nodes, so it
       // is done where nodes are few: at counts 1, 2, 4, 8, ...
-      const bool is_due = problem_.load().is_single() && (work_.nodes & (work_.nodes - 1)) == 0;
+      const bool is_due = !problem_.is_family() && (work_.nodes & (work_.nodes - 1)) == 0;
       const std::optional<ContactSplit> split = search_.widest_gap(node, found);
       if (is_due && try_witness_near(found.motion)) return std::nullopt;
       if (split) return split_at(node, *split);
-      if (problem_.load().is_single() && try_witness_of(node, found)) return std::nullopt;
+      if (!problem_.is_family() && try_witness_of(node, found)) return std::nullopt;
     }
     return solve_exactly(node);
   }
@@ -106,7 +106,7 @@ class Explorer {
 
  private:
   /// From the motion of a relaxed equilibrium, by Newton's method.
-  bool try_witness_near(const Double4& motion) {
+  bool try_witness_near(const Double5& motion) {
     if (!(motion[3] > 0)) return false;
     ++work_.witness_attempts;
     witness_ = find_witness_near(
@@ -346,6 +346,7 @@ ConeWork& ConeWork::operator+=(const ConeWork& part) {
 }
 
 Verdict decide_by_cones(const Problem& problem, const ConeOptions& options, ConeWork* work) {
+  require(!problem.is_family(), "a verdict is on one member of a family");
   ConeWork unused;
   ConeWork& counters = work != nullptr ? *work : unused;
   const DoubleModel model(problem);
@@ -360,12 +361,12 @@ Verdict decide_by_cones(const Problem& problem, const ConeOptions& options, Cone
   return verdict;
 }
 
-std::variant<LoadPoint, Unstable, Undecided> search_loads(const Problem& problem,
+std::variant<LoadPoint, Unstable, Undecided> search_loads(const Problem& family,
                                                           const ConeOptions& options,
                                                           ConeWork* work) {
-  const DoubleModel model(problem);
-  Explorer explorer(problem, model, options);
-  auto tree = explorer.explore(Node::root(problem), 0, [] { return false; });
+  const DoubleModel model(family);
+  Explorer explorer(family, model, options);
+  auto tree = explorer.explore(Node::root(family), 0, [] { return false; });
   if (work != nullptr) *work = explorer.work();
   if (auto& witness = explorer.witness()) {
     return LoadPoint{explorer.multiple(), std::move(*witness)};

@@ -85,8 +85,8 @@ RefutationNode node_of(const Json& node, std::size_t contacts) {
   if (kind == "slip") return SlipSplit{contact(node.at(1), contacts)};
   if (kind == "separation") return SeparationSplit{contact(node.at(1), contacts)};
   if (kind == "plane") {
-    return PlaneSplit{primitive_multiple<4>(
-        {number_at(node, 1), number_at(node, 2), number_at(node, 3), number_at(node, 4)})};
+    return PlaneSplit{primitive_multiple<5>(
+        {number_at(node, 1), number_at(node, 2), number_at(node, 3), number_at(node, 4), 0})};
   }
   // A positive multiple of y proves the same.
   return VirtualWorkLeaf{

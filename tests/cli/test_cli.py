@@ -381,14 +381,15 @@ class Margin(Case):
 
     def test_the_wrench_is_the_files_unless_the_load_grows(self):
         words = ("margin", FIG1, "--preload", 1, "--preload-direction", "scale")
-        self.assertEqual(self.json(*words)["wrench"], ["0", "1", "0"])
+        self.assertEqual(self.json(*words)["wrench"], ["0", "-11/10", "0"])
         self.assertEqual(self.json(*words, "--direction", "0,1,0")["wrench"], ["0", "0", "0"])
         self.assertEqual(self.json(*words, "--wrench", "0,1/3,0")["least"], "1/3")
 
     def test_least(self):
         words = ("margin", FIG1, "--preload", 1, "--preload-direction", "scale", "--least")
         self.assertEqual(stickslip(*words, "--wrench", "0,1/3,0"), (DONE, "1/3\n", ""))
-        never = ("margin", FIG1, "--preload-direction", "0,1,0", "--preload", 0, "--least")
+        never = ("margin", FIG1, "--preload-direction", "0,1,0", "--preload", 0, "--wrench",
+                 "0,1,0", "--least")
         code, out, _ = stickslip(*never)
         self.assertEqual(code, UNSTABLE)
         self.assertIn("no multiple holds", out)

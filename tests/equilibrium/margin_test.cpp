@@ -235,6 +235,20 @@ TEST(Margin, PreloadsThatHoldThePapersLoads) {
             "[1/2, oo] ");
 }
 
+// What holds at 13/5 times the preloads slips at 2.8 times, and holds again at 3 times.
+TEST(Margin, MorePreloadMayBreakAGrasp) {
+  std::vector<Contact> contacts{{{0, -2}, {1, 0}}, {{2, -2}, {0, 1}}, {{2, -2}, {-1, 0}}};
+  for (Contact& c : contacts) {
+    c.friction = Rational(3, 2);
+    c.preload = 1;
+  }
+  EXPECT_EQ(resisted_along(Grasp(contacts), {-2, -2, 1}, kScale), "[13/5, 8/3] [3, oo] ");
+  Tally tally;
+  expect_exact(test::margin_question({Grasp(contacts), {-2, -2, 1}}, NormalLaw::kUnilateral,
+                                     std::nullopt, kScale),
+               tally);
+}
+
 /// One number for each contact, some of them 0 but not all.
 PreloadDirection random_growth(RandomSource& random, std::size_t contacts) {
   if (random.one_in(2)) return kScale;

@@ -41,7 +41,7 @@ std::string with_commas(const std::vector<Rational>& values) {
 }
 
 std::string with_commas(const Wrench& w) {
-  return with_commas({w.x, w.y, w.torque});
+  return with_commas(std::vector<Rational>{w.x, w.y, w.torque});
 }
 
 std::string json_line(const CheckerInput& input, const std::string& expected) {

@@ -249,13 +249,17 @@ TEST(Margin, MorePreloadMayBreakAGrasp) {
                tally);
 }
 
-/// One number for each contact, some of them 0 but not all.
-PreloadDirection random_growth(RandomSource& random, std::size_t contacts) {
+/// All in proportion, or one number for each contact that may have a preload, not all 0.
+PreloadDirection random_growth(RandomSource& random, const Grasp& grasp) {
   if (random.one_in(2)) return kScale;
   PreloadDirection growth;
-  for (std::size_t i = 0; i < contacts; ++i) growth.rates.emplace_back(random.between(0, 2));
-  growth.rates[0] += 1;
-  return growth;
+  Rational sum = 0;
+  for (const Contact& c : grasp.contacts()) {
+    const bool may = exact_sqrt(c.normal.x * c.normal.x + c.normal.y * c.normal.y).has_value();
+    growth.rates.emplace_back(may ? random.between(sum.is_zero() ? 1 : 0, 2) : 0);
+    sum += growth.rates.back();
+  }
+  return sum.is_zero() ? kScale : growth;
 }
 
 std::optional<Question> random_preload_margin(RandomSource& random, const LoadedGrasp& loaded,
@@ -263,8 +267,7 @@ std::optional<Question> random_preload_margin(RandomSource& random, const Loaded
   std::optional<Wrench> direction;
   if (random.one_in(3)) direction = test::small_wrench(random);
   try {
-    return test::margin_question(loaded, law, direction,
-                                 random_growth(random, loaded.grasp.size()));
+    return test::margin_question(loaded, law, direction, random_growth(random, loaded.grasp));
   } catch (const InputError& error) {
     EXPECT_EQ(error.problem(), "there is no preload to scale");
     return std::nullopt;

@@ -244,6 +244,12 @@ void split_at_random(RandomSource& random, const Problem& problem, Region& regio
   } else if (kind == 3) {
     IntegerVector5 plane;
     for (Integer& entry : plane) entry = random.between(-1, 1);
+    if (problem.is_family() && !problem.preloads_grow()) {
+      IntegerVector5 any = plane;
+      any[4] = 1;
+      EXPECT_THROW(region.plane_child(any, Side::kPositive), ContractError);
+      plane[4] = 0;
+    }
     const bool first = random.one_in(2);
     region = region.plane_child(plane, first ? Side::kPositive : Side::kNegative);
     naive = naive.plane_child(to_rational(plane), first);

@@ -3,6 +3,9 @@
 /// Margins as questions, and the members of their families as grasps of their own.
 #pragma once
 
+#include <vector>
+
+#include "stickslip/equilibrium/margin.hpp"
 #include "stickslip/equilibrium/question.hpp"
 
 namespace stickslip::test {
@@ -22,6 +25,20 @@ inline LoadedGrasp member(const Question& margin, const Rational& multiple) {
   }
   return {Grasp(std::move(contacts)),
           margin.loaded.wrench + multiple * margin.direction.value_or(Wrench{})};
+}
+
+/// What is left of l >= 0.
+inline std::vector<MultipleRange> gaps_of(const Margin& margin) {
+  std::vector<MultipleRange> gaps;
+  MultipleRange rest;
+  for (const LoadInterval& interval : margin.resisted) {
+    rest.high = interval.low;
+    if (rest.low < interval.low) gaps.push_back(rest);
+    if (!interval.high) return gaps;
+    rest = {*interval.high, std::nullopt, false};
+  }
+  gaps.push_back(rest);
+  return gaps;
 }
 
 }  // namespace stickslip::test

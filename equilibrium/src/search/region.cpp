@@ -44,11 +44,6 @@ IntegerVector5 with_multiple(const IntegerVector5& x, const Rational& multiple) 
   return primitive(std::move(result));
 }
 
-/// A family all of whose multiples allow the same motions.
-bool is_of_loads(const Problem& problem) {
-  return problem.is_family() && !problem.preloads_grow();
-}
-
 }  // namespace
 
 Region Region::root(const Problem& problem) {
@@ -64,6 +59,7 @@ Region Region::root(const Problem& problem) {
     add_end(end_plane(range.low, 1), !range.has_low);
     if (range.high) add_end(end_plane(*range.high, -1), true);
   } else if (problem.is_family()) {
+    region.any_multiple_ = true;
     if (!range.has_low) region.strict_.push_back(kAboveLow);
     if (range.high) region.strict_.push_back(kBelowHigh);
   }
@@ -105,6 +101,7 @@ Region Region::plane_child(const IntegerVector5& plane, Side side) const& {
 
 Region Region::plane_child(const IntegerVector5& plane, Side side) && {
   require(side != Side::kZero, "a child of a plane is one of its half-spaces");
+  require(!any_multiple_ || plane[4].is_zero(), "the motions go with any multiple");
   // Points on the plane belong to the first child, so the second has none of them.
   if (side == Side::kNegative) strict_.push_back(cone_.constraint_count());
   cone_.cut(plane, side);
@@ -149,12 +146,11 @@ std::optional<Sign> Region::slip_sign(const Problem& problem, ContactId contact)
 }
 
 std::vector<Ray> Region::generators(const Problem& problem) const {
-  const bool of_loads = is_of_loads(problem);
   std::vector<ConstraintIndex> all(cone_.constraint_count());
   std::iota(all.begin(), all.end(), ConstraintIndex{0});
   const MultipleRange& range = problem.multiples();
   std::vector<Ray> result;
-  if (of_loads) {
+  if (any_multiple_) {
     if (!range.high) result.push_back({{0, 0, 0, 0, 1}, all});
     all.insert(all.end(), {kAboveLow, kBelowHigh});
   }
@@ -163,7 +159,7 @@ std::vector<Ray> Region::generators(const Problem& problem) const {
     result.push_back({negated(line), all});
   }
   for (const Ray& ray : cone_.rays()) {
-    if (!of_loads) {
+    if (!any_multiple_) {
       result.push_back(ray);
       continue;
     }

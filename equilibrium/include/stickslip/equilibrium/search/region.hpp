@@ -63,6 +63,7 @@ class Region {
 
  private:
   Cone cone_;
+  bool any_multiple_ = false;  ///< of a family in which only the load grows
   std::vector<std::optional<Sign>> labels_;
   std::vector<ConstraintIndex> strict_{0};  ///< increasing; h is constraint 0
 };

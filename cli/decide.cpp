@@ -11,8 +11,8 @@
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/sign.hpp"
 #include "stickslip/equilibrium/contact_mode.hpp"
-#include "stickslip/equilibrium/model_warnings.hpp"
 #include "terminal.hpp"
+#include "warnings.hpp"
 
 namespace stickslip {
 namespace {
@@ -50,17 +50,6 @@ Json stats_json(const Decision& decision) {
   Json json = Json::object();
   const auto all = std::visit([](const auto& work) { return counters(work); }, decision.work);
   for (const auto& [name, value] : all) json[name] = value;
-  return json;
-}
-
-/// Nothing when they were not asked for.
-using Warnings = std::optional<std::vector<ModelWarning>>;
-
-Json warnings_json(const std::vector<ModelWarning>& warnings) {
-  Json json = Json::array();
-  for (const ModelWarning& warning : warnings) {
-    json.push_back({{"trap", to_string(warning.trap)}, {"text", warning.text}});
-  }
   return json;
 }
 
@@ -149,10 +138,7 @@ void print_text(const Question& question, const Problem& problem, const Decision
   }
   std::cout << text.note() << "Engine: " << decision.engine()
             << "; normal law: " << law_text(question.law) << ".\n";
-  if (!warnings) return;
-  for (const ModelWarning& warning : *warnings) {
-    std::cout << "Warning: " << warning.text << ".\n";
-  }
+  print(warnings);
 }
 
 struct DecideArguments {
@@ -209,9 +195,7 @@ void add_decide_command(CLI::App& app, int& exit_code) {
       ->type_name("FILE");
   add_node_limit_option(*command, arguments->node_limit);
   arguments->output.add_to(*command);
-  command->add_flag("--no-warnings", arguments->no_warnings,
-                    "Do not look for traps of the model, such as a large motion, or a preload "
-                    "that does not balance (docs/model.md)");
+  add_no_warnings_option(*command, arguments->no_warnings);
   command->add_flag("--exit-code", arguments->answer_by_exit_code,
                     "Exit with 10 if stable, 20 if unstable, instead of 0");
   command->footer(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/equilibrium/margin.hpp"
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -10,32 +11,54 @@
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/equilibrium/decide.hpp"
+#include "terminal.hpp"
+#include "warnings.hpp"
 
 namespace stickslip {
 namespace {
 
 struct MarginArguments {
   QuestionArguments question;
-  std::string direction;
   std::string certificate;
   std::size_t node_limit = 0;
   NumberOptions output;
+  bool least = false;
+  bool no_warnings = false;
 };
 
+Json number_or_null(const std::optional<Rational>& number) {
+  return number ? number_json(*number) : Json();
+}
+
+std::optional<Rational> least(const Margin& margin) {
+  if (margin.resisted.empty()) return std::nullopt;
+  return margin.resisted.front().low;
+}
+
+Json preload_direction_json(const PreloadDirection& direction) {
+  if (direction.scale) return "scale";
+  Json json = Json::array();
+  for (const Rational& rate : direction.rates) json.push_back(number_json(rate));
+  return json;
+}
+
 void print_json(const Question& question, const Margin& margin, const MarginWork& work,
-                bool floats) {
+                const Warnings& warnings, bool floats) {
   Json json;
   json["name"] = question.loaded.grasp.name();
   json["normal_law"] = to_string(question.law);
   json["wrench"] = number_json(coordinates(question.loaded.wrench));
-  json["direction"] = number_json(coordinates(margin.direction));
+  if (question.direction) json["direction"] = number_json(coordinates(*question.direction));
+  if (question.preload_direction) {
+    json["preload_direction"] = preload_direction_json(*question.preload_direction);
+  }
   json["resisted"] = Json::array();
   for (const LoadInterval& interval : margin.resisted) {
-    Json high;  // null
-    if (interval.high) high = number_json(*interval.high);
-    json["resisted"].push_back({number_json(interval.low), high});
+    json["resisted"].push_back({number_json(interval.low), number_or_null(interval.high)});
   }
+  json["least"] = number_or_null(least(margin));
   json["unbounded"] = !margin.resisted.empty() && !margin.resisted.back().high;
+  if (warnings) json["warnings"] = warnings_json(*warnings);
   Json& stats = json["stats"] = Json::object();
   stats["ranges"] = work.ranges;
   stats["mode_programs"] = work.modes;
@@ -43,18 +66,75 @@ void print_json(const Question& question, const Margin& margin, const MarginWork
   std::cout << finished(json, floats).dump(1) << '\n';
 }
 
-std::string interval_text(const LoadInterval& interval, NumberText& text) {
-  return "[" + text(interval.low) + ", " + (interval.high ? text(*interval.high) + "]" : "oo)");
+std::string family_text(const Question& question) {
+  std::string text;
+  if (question.direction) text = "loads w + l u";
+  if (const auto& preloads = question.preload_direction) {
+    text += text.empty() ? "" : " and ";
+    text += preloads->scale ? "preloads l P" : "preloads P + l Q";
+  }
+  return text + " with l >= 0";
 }
 
-void print_text(const Question& question, const Margin& margin, NumberText text) {
+/// "1 at each contact", "(1, 0, 2)", or of many contacts "from 0 to 2".
+std::string preloads_text(const std::vector<Rational>& preloads, NumberText& text) {
+  const auto [smallest, largest] = std::minmax_element(preloads.begin(), preloads.end());
+  if (preloads.empty()) return "none";
+  if (*smallest == *largest) return text(*smallest) + " at each contact";
+  constexpr std::size_t kMostShown = 8;
+  if (preloads.size() <= kMostShown) return text(preloads);
+  return "from " + text(*smallest) + " to " + text(*largest);
+}
+
+std::string head_text(const Question& question, NumberText& text) {
   const std::string& name = question.loaded.grasp.name();
-  std::cout << (name.empty() ? "" : name + ": ") << "loads w + l u with l >= 0\n\n"
-            << "  wrench w     " << text(coordinates(question.loaded.wrench)) << '\n'
-            << "  direction u  " << text(coordinates(margin.direction)) << "\n\n";
-  if (margin.resisted.empty()) std::cout << "No l is resisted.\n";
+  std::string head = (name.empty() ? "" : name + ": ") + family_text(question) + "\n\n" +
+                     "  wrench w     " + text(coordinates(question.loaded.wrench)) + '\n';
+  if (question.direction) {
+    head += "  direction u  " + text(coordinates(*question.direction)) + '\n';
+  }
+  if (const auto& preloads = question.preload_direction) {
+    std::vector<Rational> base;
+    for (const Contact& c : question.loaded.grasp.contacts()) base.push_back(c.preload);
+    head += "  preloads P   " +
+            preloads_text(preloads->scale ? question.preload_growth : base, text) + '\n';
+    if (!preloads->scale) {
+      head += "  growth Q     " + preloads_text(question.preload_growth, text) + '\n';
+    }
+  }
+  return head + '\n';
+}
+
+/// "[1, 5/4] and from 15/4".
+std::string multiples_text(const Margin& margin, NumberText& text) {
+  std::string result;
   for (const LoadInterval& interval : margin.resisted) {
-    std::cout << "Resisted: l in " << interval_text(interval, text) << '\n';
+    if (!result.empty()) result += &interval == &margin.resisted.back() ? " and " : ", ";
+    if (!interval.high) {
+      result += "from " + text(interval.low);
+    } else if (interval.low == *interval.high) {
+      result += text(interval.low);
+    } else {
+      result += "[" + text(interval.low) + ", " + text(*interval.high) + "]";
+    }
+  }
+  return result;
+}
+
+void print_text(const Question& question, const Margin& margin, NumberText& text) {
+  std::cout << head_text(question, text);
+  if (margin.resisted.empty()) {
+    std::cout << "No l is resisted.\n";
+  } else if (question.preload_direction) {
+    std::cout << "Holds at multiples " << multiples_text(margin, text)
+              << (question.preload_direction->scale && !question.direction ? " of the preloads"
+                                                                           : "")
+              << ".\n";
+  } else {
+    for (const LoadInterval& interval : margin.resisted) {
+      std::cout << "Resisted: l in [" << text(interval.low) << ", "
+                << (interval.high ? text(*interval.high) + "]" : "oo)") << '\n';
+    }
   }
   std::size_t nodes = 0;
   for (const Refutation& gap : margin.gaps) nodes += gap.size();
@@ -69,18 +149,38 @@ void print_text(const Question& question, const Margin& margin, NumberText text)
             << text.note();
 }
 
+void print_least(const Margin& margin, NumberText& text) {
+  const std::optional<Rational> smallest = least(margin);
+  if (!smallest) {
+    std::cout << "None: no multiple holds.\n";
+    return;
+  }
+  std::cout << text(*smallest) << '\n';
+  if (margin.resisted.front().high) {
+    std::cout << "Not all above it: holds at multiples " << multiples_text(margin, text)
+              << ".\n";
+  }
+  std::cout << text.note();
+}
+
 int margin(const MarginArguments& arguments) {
   const Question question = arguments.question.question();
-  const Wrench direction = wrench_option("--direction", arguments.direction);
-  if (direction == Wrench{}) {
-    throw InputError("", "--direction", "the direction is 0",
-                     "give the wrench whose multiples are asked for, as in --direction 0,1,0");
+  if (!question.is_margin()) {
+    throw InputError(
+        "", "", "no direction is given",
+        "say what grows: the load, as in --direction 0,1,0, or the preloads, as in "
+        "--preload-direction scale");
   }
-  const Problem problem(question.loaded, question.law);
   ConeOptions options;
   options.node_limit = arguments.node_limit;
   MarginWork work;
-  const auto result = find_margin(problem, direction, options, &work);
+  Progress progress;
+  const auto result =
+      find_margin(problem_of(question), options, &work, [&](const MarginWork& so_far) {
+        progress.show("searching range " + std::to_string(so_far.ranges) + ", contact mode " +
+                      std::to_string(so_far.modes));
+      });
+  progress.clear();
   if (const auto* undecided = std::get_if<Undecided>(&result)) {
     std::cerr << "stickslip: given up at " << undecided->limit << "; the margin is not known\n";
     return kUndecidedWithinLimit;
@@ -90,12 +190,18 @@ int margin(const MarginArguments& arguments) {
     write_whole_file(arguments.certificate,
                      margin_certificate_text(question, found, "stickslip " STICKSLIP_VERSION));
   }
+  Warnings warnings;
+  if (!arguments.no_warnings) warnings = model_warnings(question, found);
+  NumberText text(arguments.output);
   if (arguments.output.json) {
-    print_json(question, found, work, arguments.output.floats);
+    print_json(question, found, work, warnings, arguments.output.floats);
+  } else if (arguments.least) {
+    print_least(found, text);
   } else {
-    print_text(question, found, NumberText(arguments.output));
+    print_text(question, found, text);
   }
-  return kDone;
+  if (!arguments.output.json) print(warnings);
+  return arguments.least && found.resisted.empty() ? kAnswerUnstable : kDone;
 }
 
 }  // namespace
@@ -103,23 +209,30 @@ int margin(const MarginArguments& arguments) {
 void add_margin_command(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<MarginArguments>();
   CLI::App* command = app.add_subcommand(
-      "margin", "How much of a load is resisted? The exact set of its multiples, with a proof");
-  arguments->question.add_with_base_wrench_to(*command);
-  command
-      ->add_option("--direction", arguments->direction,
-                   "Wrench u: which multiples l >= 0 are resisted under the load w + l u?")
-      ->type_name("WX,WY,T")
-      ->required();
+      "margin",
+      "How much of a load is resisted, or with how much preload? The exact set, with a proof");
+  arguments->question.add_with_directions_to(*command);
+  command->add_flag("--least", arguments->least,
+                    "Print the least multiple that is resisted, such as of the preloads that "
+                    "hold a load");
   command
       ->add_option("--certificate", arguments->certificate,
-                   "Write a proof for stickslip-check --direction (certificate/FORMAT.md)")
+                   "Write a proof for stickslip-check with the same directions "
+                   "(certificate/FORMAT.md)")
       ->type_name("FILE");
   add_node_limit_option(*command, arguments->node_limit);
   arguments->output.add_to(*command);
+  add_no_warnings_option(*command, arguments->no_warnings);
   command->footer(footer_text(
-      "The answer is a list of closed intervals; one without an upper end is printed as\n"
-      "[a, oo), and ends in null in JSON.\n",
-      kExitCodesWithLimit, "stickslip margin fig1.json --preload 1 --direction 0,1,0"));
+      "With --direction the load grows, with --preload-direction the preloads do, with both "
+      "both.\n"
+      "The answer is a list of closed intervals of l; one without an upper end ends in null "
+      "in\n"
+      "JSON. More preload can break a grasp: there may be gaps (docs/loads.md).\n",
+      kExitCodesWithLimit + ";\nwith --least 20 if no multiple is resisted",
+      "stickslip margin fig1.json --preload 1 --direction 0,1,0\n"
+      "  $ stickslip margin fig1.json --preload 1 --wrench 0,1/2,0 --preload-direction scale "
+      "--least"));
   command->callback([arguments, &exit_code] { exit_code = margin(*arguments); });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "question_options.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <vector>
@@ -9,7 +10,10 @@
 
 namespace stickslip {
 
-Wrench wrench_option(const std::string& option, const std::string& value) {
+namespace {
+
+/// "P0,P1,..." in an option's value.
+std::vector<Rational> numbers_option(const std::string& option, const std::string& value) {
   std::vector<Rational> numbers;
   std::size_t start = 0;
   while (start <= value.size()) {
@@ -17,6 +21,13 @@ Wrench wrench_option(const std::string& option, const std::string& value) {
     numbers.push_back(number_option(option, value.substr(start, comma - start)));
     start = comma + 1;
   }
+  return numbers;
+}
+
+}  // namespace
+
+Wrench wrench_option(const std::string& option, const std::string& value) {
+  const std::vector<Rational> numbers = numbers_option(option, value);
   if (numbers.size() != 3) {
     throw InputError("", option,
                      quote(value) + " has " + std::to_string(numbers.size()) + " numbers",
@@ -119,20 +130,36 @@ void QuestionArguments::add_model_options_to(CLI::App& command) {
       ->capture_default_str();
 }
 
-void QuestionArguments::add_with_base_wrench_to(CLI::App& command) {
+void QuestionArguments::add_with_directions_to(CLI::App& command) {
   add_to(command);
-  starts_at_zero_ = true;
   command.get_option("--wrench")
       ->description(
-          "Wrench w to start from: force x, force y and torque about the origin; 0,0,0 if not "
-          "given, whatever the file's wrench");
+          "Wrench w to start from: force x, force y and torque about the origin. If not given "
+          "it "
+          "is 0,0,0 with --direction, and the file's without");
+  command
+      .add_option("--direction", direction_,
+                  "Wrench u: which multiples l >= 0 are resisted under the wrench w + l u?")
+      ->type_name("WX,WY,T");
+  command
+      .add_option(
+          "--preload-direction", preload_direction_,
+          "How preloads grow. scale: all in proportion, l times what they are. Numbers of "
+          "0 or more, one for each contact: by l times these, from what they are")
+      ->type_name("P0,P1,...|scale");
 }
 
 QuestionOptions QuestionArguments::options() const {
   QuestionOptions options;
-  if (starts_at_zero_) options.wrench = Wrench{};
   if (!wrench_.empty()) options.wrench = wrench_option("--wrench", wrench_);
   if (!preload_.empty()) options.preload = number_option("--preload", preload_);
+  if (!direction_.empty()) options.direction = wrench_option("--direction", direction_);
+  if (preload_direction_ == "scale") {
+    options.preload_direction = PreloadDirection{true, {}};
+  } else if (!preload_direction_.empty()) {
+    options.preload_direction =
+        PreloadDirection{false, numbers_option("--preload-direction", preload_direction_)};
+  }
   options.law = law_ == "bilateral" ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
   return options;
 }
@@ -155,11 +182,13 @@ Question ask_with_options(const GraspFile& file, const QuestionOptions& options,
                           const std::string& name) {
   try {
     Question question = ask(file, options);
-    contact_rows(question.loaded.grasp);  // as every answer will: here the options are known
+    problem_of(question);  // as every answer will: here the options are known
     return question;
   } catch (const InputError& error) {
-    if (error.place() == "preload") {
-      throw InputError("", "--preload", error.problem(), error.remedy());
+    for (std::string option : {"--preload", "--direction", "--preload-direction"}) {
+      std::string place = option.substr(2);
+      std::replace(place.begin(), place.end(), '-', '_');
+      if (error.place() == place) throw InputError("", option, error.problem(), error.remedy());
     }
     throw error.in_file(name);
   }

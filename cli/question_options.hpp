@@ -19,9 +19,8 @@ class QuestionArguments {
  public:
   /// Adds GRASP, --wrench, --preload and --normal-law.
   void add_to(CLI::App& command);
-  /// The same, for a command that asks about loads of its own: the wrench that they start from
-  /// is 0 unless --wrench gives another, whatever the file's.
-  void add_with_base_wrench_to(CLI::App& command);
+  /// The same, and --direction and --preload-direction, for a command that asks about a margin.
+  void add_with_directions_to(CLI::App& command);
   /// The same but GRASP, for commands that read many.
   void add_options_to(CLI::App& command);
   /// The same but --wrench, for what does not depend on a load.
@@ -39,7 +38,8 @@ class QuestionArguments {
   std::string wrench_;
   std::string preload_;
   std::string law_ = "unilateral";
-  bool starts_at_zero_ = false;
+  std::string direction_;
+  std::string preload_direction_;
 };
 
 /// --json, --floats and --exact, of every subcommand that answers in numbers.

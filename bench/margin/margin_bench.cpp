@@ -39,12 +39,12 @@ struct Row {
 };
 
 Row measure(Layout layout, std::size_t contacts, std::uint64_t seed) {
-  const Question question = plain_question(make_grasp(layout, contacts, true, seed), {});
+  Question question = plain_question(make_grasp(layout, contacts, true, seed), {});
   const Wrench direction = pulling_load(layout, seed);
+  question.direction = direction;
   Row row;
   const auto start = std::chrono::steady_clock::now();
-  const Problem problem(question.loaded, question.law);
-  const auto result = find_margin(problem, direction, {}, &row.work);
+  const auto result = find_margin(problem_of(question), {}, &row.work);
   const auto& margin = std::get<Margin>(result);
   const std::string certificate = margin_certificate_text(question, margin, "bench");
   row.find = milliseconds(start);

@@ -43,7 +43,9 @@ struct NodeText {
     return indexed("separation", node.contact);
   }
   std::string operator()(const PlaneSplit& node) const {
-    return "[\"plane\"," + list(node.plane) + (margin ? ",0]" : "]");
+    const IntegerVector5& p = node.plane;
+    if (margin) return "[\"plane\"," + list(p) + "]";
+    return "[\"plane\"," + list(IntegerVector<4>{p[0], p[1], p[2], p[3]}) + "]";
   }
   std::string operator()(const VirtualWorkLeaf& node) const {
     require(node.theta.empty(), "certificates have no shares of a contact's work");
@@ -52,16 +54,21 @@ struct NodeText {
   std::string operator()(const VoidLeaf&) const { return "[\"leaf\",0,0,0]"; }
 };
 
-/// All up to the verdict; `direction` if a margin is proved.
-std::string head(const Question& question, const Wrench* direction,
-                 const std::string& producer) {
+/// All up to the verdict.
+std::string head(const Question& question, const std::string& producer) {
   std::string text = "{\"format\": \"stickslip-certificate/2\",\n \"producer\": " +
                      nlohmann::json(producer).dump() + ",\n \"question\": {\"contacts\": " +
                      std::to_string(question.loaded.grasp.size()) + ", \"wrench\": [" +
                      list(coordinates(question.loaded.wrench)) + "]";
   if (question.preload) text += ", \"preload\": " + number(*question.preload);
   text += std::string(", \"normal_law\": \"") + to_string(question.law) + "\"";
-  if (direction != nullptr) text += ", \"direction\": [" + list(coordinates(*direction)) + "]";
+  if (question.direction) {
+    text += ", \"direction\": [" + list(coordinates(*question.direction)) + "]";
+  }
+  if (const auto& direction = question.preload_direction) {
+    text += ", \"preload_direction\": " +
+            (direction->scale ? "\"scale\"" : "[" + list(direction->rates) + "]");
+  }
   return text + "},\n \"verdict\": ";
 }
 
@@ -98,7 +105,8 @@ std::string certificate_text(const Question& question, const Verdict& verdict,
                              const std::string& producer) {
   require(!std::holds_alternative<Undecided>(verdict),
           "an undecided question has no certificate");
-  std::string text = head(question, nullptr, producer) + "\"" + name_of(verdict) + "\",\n";
+  require(!question.is_margin(), "a verdict is on one member of a family");
+  std::string text = head(question, producer) + "\"" + name_of(verdict) + "\",\n";
   if (const auto* stable = std::get_if<Stable>(&verdict)) {
     text += " \"twist\": [" + list(coordinates(stable->witness.twist)) + "],\n \"shares\": " +
             shares_text(contact_rows(question.loaded.grasp), stable->witness);
@@ -113,9 +121,9 @@ std::string certificate_text(const Question& question, const Verdict& verdict,
 
 std::string margin_certificate_text(const Question& question, const Margin& margin,
                                     const std::string& producer) {
-  const std::vector<ContactRow> rows = contact_rows(question.loaded.grasp);
-  std::string text =
-      head(question, &margin.direction, producer) + "\"margin\",\n \"resisted\": [";
+  require(question.is_margin(), "the certificate of a margin states its direction");
+  const Problem family = problem_of(question);
+  std::string text = head(question, producer) + "\"margin\",\n \"resisted\": [";
   std::string separator;
   for (const LoadInterval& interval : margin.resisted) {
     text += separator + "[" + number(interval.low) + "," +
@@ -125,8 +133,9 @@ std::string margin_certificate_text(const Question& question, const Margin& marg
   text += "],\n \"segments\": [";
   separator = "\n  ";
   for (const LoadSegment& segment : margin.segments) {
-    text += separator + "[" + point_text(rows, segment.start.multiple, segment.start.witness) +
-            ",\n   " + point_text(rows, segment.high, segment.end) + "]";
+    text += separator + "[" +
+            point_text(family.rows(), segment.start.multiple, segment.start.witness) +
+            ",\n   " + point_text(family.rows(), segment.high, segment.end) + "]";
     separator = ",\n  ";
   }
   text += "],\n \"tree\": [";

@@ -37,8 +37,13 @@ Grasp::Grasp(std::vector<Contact> contacts, std::string name)
 }
 
 Grasp Grasp::with_preload(const Rational& preload) const {
+  return with_preloads(std::vector<Rational>(size(), preload));
+}
+
+Grasp Grasp::with_preloads(const std::vector<Rational>& preloads) const {
+  require(preloads.size() == size(), "one preload for each contact is needed");
   std::vector<Contact> contacts = contacts_;
-  for (Contact& c : contacts) c.preload = preload;
+  for (std::size_t i = 0; i < size(); ++i) contacts[i].preload = preloads[i];
   return Grasp(std::move(contacts), name_);
 }
 

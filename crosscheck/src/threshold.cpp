@@ -39,7 +39,7 @@ ThresholdDistance threshold_distance(const Problem& problem, const Grasp& grasp,
   ThresholdDistance result;
   /// What is resisted, or nothing at the limit.
   const auto margin = [&](const Problem& base, const Wrench& direction) {
-    auto found = find_margin(base, direction, options);
+    auto found = find_margin(base.along({direction}), options);
     if (auto* undecided = std::get_if<Undecided>(&found)) {
       result.limit = std::move(undecided->limit);
       return std::optional<Margin>();
@@ -48,7 +48,7 @@ ThresholdDistance threshold_distance(const Problem& problem, const Grasp& grasp,
   };
   const Wrench& load = problem.wrench();
   if (!(load == Wrench{})) {
-    if (const auto found = margin(problem.with_load(LoadRange(Wrench{})), load)) {
+    if (const auto found = margin(problem.with_wrench({}), load)) {
       for (const LoadInterval& interval : found->resisted) {
         // 0 is where the multiples begin, and not where resistance does.
         if (interval.low.sign() > 0) lower(result.along_load, abs(interval.low - 1));

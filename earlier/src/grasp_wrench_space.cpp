@@ -57,12 +57,12 @@ std::vector<HalfSpace> l1_facets(const std::vector<UnitEdges>& edges) {
   Cone polar;
   for (const UnitEdges& e : edges) {
     for (const Vector3& p : {e.plus, e.minus}) {
-      polar.cut(primitive_multiple<4>({-p[0], -p[1], -p[2], 1}), Side::kPositive);
+      polar.cut(primitive_multiple<5>({-p[0], -p[1], -p[2], 1, 0}), Side::kPositive);
     }
   }
   if (!polar.lines().empty()) {
     // On a line h = 0, since h >= 0 both ways.
-    const IntegerVector4& line = polar.lines().front();
+    const IntegerVector5& line = polar.lines().front();
     const IntegerVector3 u{line[0], line[1], line[2]};
     return {{u, 0}, {negated(u), 0}};
   }

@@ -83,12 +83,12 @@ Wrench times_mass(const Inertia& inertia, const Twist& a) {
   return {fx, fy, c.x * fy - c.y * fx + inertia.gyration_squared * a.r};
 }
 
-IntegerVector4 plane_of(const Wrench& row) {
-  return primitive_multiple<4>({row.x, row.y, row.torque, 0});
+IntegerVector5 plane_of(const Wrench& row) {
+  return primitive_multiple<5>({row.x, row.y, row.torque, 0, 0});
 }
 
 /// The sign that the plane has on all accelerations of the region, if it has one.
-std::optional<Sign> sign_on(const Region& region, const IntegerVector4& plane) {
+std::optional<Sign> sign_on(const Region& region, const IntegerVector5& plane) {
   const SignRange range = signs_on(region.cone(), plane);
   if (range.is_zero()) return Sign::kZero;
   if (range.is_mixed()) return std::nullopt;
@@ -100,7 +100,7 @@ std::optional<Sign> sign_on(const Region& region, const IntegerVector4& plane) {
   return range.negative ? Sign::kNegative : Sign::kPositive;
 }
 
-Region with_sign(const Region& region, const IntegerVector4& plane, Sign sign) {
+Region with_sign(const Region& region, const IntegerVector5& plane, Sign sign) {
   if (sign == Sign::kNegative) return region.plane_child(plane, Side::kNegative);
   if (sign == Sign::kPositive) return region.plane_child(negated(plane), Side::kNegative);
   return region.plane_child(plane, Side::kPositive)
@@ -124,7 +124,7 @@ class AccelerationSearch {
 
   Outcome run() {
     Region all;
-    for (const IntegerVector4& normal : normals_) {
+    for (const IntegerVector5& normal : normals_) {
       all = all.plane_child(normal, Side::kPositive);
     }
     return run(all);
@@ -162,7 +162,7 @@ class AccelerationSearch {
     return Outcome::kFound;
   }
 
-  Outcome split(const Region& region, const IntegerVector4& plane,
+  Outcome split(const Region& region, const IntegerVector5& plane,
                 std::initializer_list<Sign> signs) {
     for (const Sign sign : signs) {
       const Outcome outcome = run(with_sign(region, plane, sign));
@@ -264,7 +264,7 @@ class AccelerationSearch {
   std::size_t programs_ = 0;
   std::size_t cases_ = 0;
   std::vector<Label> labels_;  ///< of the region at hand
-  std::vector<IntegerVector4> normals_;
+  std::vector<IntegerVector5> normals_;
   Acceleration found_;
 };
 

@@ -15,7 +15,7 @@ std::vector<std::string> child_conditions(const RefutationNode& node) {
     return {contact + " is closed", contact + " is open"};
   }
   if (const auto* plane = std::get_if<PlaneSplit>(&node)) {
-    const IntegerVector4& p = plane->plane;
+    const IntegerVector5& p = plane->plane;
     const std::string value =
         "(" + p[0].str() + ", " + p[1].str() + ", " + p[2].str() + ").d + " + p[3].str();
     return {value + " >= 0", value + " <= 0"};

@@ -11,29 +11,24 @@
 namespace stickslip {
 namespace {
 
-/// An open range of multiples; also its low end if `has_low`.
-struct Gap {
-  Rational low;
-  std::optional<Rational> high;
-  bool has_low;
-};
-
 class MarginSearch {
  public:
-  MarginSearch(const Problem& problem, const Wrench& direction, const ConeOptions& options,
-               MarginWork& work)
-      : problem_(problem),
-        direction_(direction),
+  using Progress = std::function<void(const MarginWork&)>;
+
+  MarginSearch(const Problem& family, const ConeOptions& options, MarginWork& work,
+               const Progress& progress)
+      : family_(family),
         options_(options),
         work_(work),
-        modes_(problem.with_load({problem.wrench(), direction, 0, std::nullopt, true})) {}
+        progress_(progress),
+        modes_(family.within({}), [this] { count(work_.modes); }) {}
 
   std::variant<Margin, Undecided> run() {
-    const Gap all{0, std::nullopt, true};
-    // The load itself is where the engine for single loads is quick, and most often stable.
+    const MultipleRange all;
+    // The multiple 0 is where the engine for single loads is quick, and most often stable.
     ConeWork cone;
-    ++work_.ranges;
-    Verdict verdict = decide_by_cones(problem_, options_, &cone);
+    count(work_.ranges);
+    Verdict verdict = decide_by_cones(family_.at(0), options_, &cone);
     work_.cone += cone;
     if (auto* stable = std::get_if<Stable>(&verdict)) {
       take({0, std::move(stable->witness)}, all);
@@ -42,7 +37,7 @@ class MarginSearch {
     }
     std::vector<std::pair<Rational, Refutation>> refuted;
     while (!open_.empty()) {
-      const Gap gap = std::move(open_.front());
+      const MultipleRange gap = std::move(open_.front());
       open_.pop_front();
       auto found = search(gap);
       if (auto* undecided = std::get_if<Undecided>(&found)) return std::move(*undecided);
@@ -52,13 +47,17 @@ class MarginSearch {
       }
       take(std::get<LoadPoint>(found), gap);
     }
-    work_.modes = modes_.programs();
     return assemble(std::move(refuted));
   }
 
  private:
+  void count(std::size_t& counter) {
+    ++counter;
+    if (progress_) progress_(work_);
+  }
+
   /// Follows the modes from an equilibrium within the gap; what they do not reach stays open.
-  void take(const LoadPoint& point, const Gap& gap) {
+  void take(const LoadPoint& point, const MultipleRange& gap) {
     const std::vector<LoadSegment> chain = modes_.chain_through(point, gap.low, gap.high);
     const Rational& first = chain.front().start.multiple;
     if (first > gap.low) open_.push_back({gap.low, first, gap.has_low});
@@ -67,7 +66,7 @@ class MarginSearch {
     segments_.insert(segments_.end(), chain.begin(), chain.end());
   }
 
-  std::variant<LoadPoint, Unstable, Undecided> search(const Gap& gap) {
+  std::variant<LoadPoint, Unstable, Undecided> search(const MultipleRange& gap) {
     ConeOptions options = options_;
     if (options.node_limit != 0) {
       if (work_.cone.nodes >= options.node_limit) {
@@ -75,11 +74,9 @@ class MarginSearch {
       }
       options.node_limit -= work_.cone.nodes;
     }
-    ++work_.ranges;
+    count(work_.ranges);
     ConeWork cone;
-    auto found = search_loads(
-        problem_.with_load({problem_.wrench(), direction_, gap.low, gap.high, gap.has_low}),
-        options, &cone);
+    auto found = search_loads(family_.within(gap), options, &cone);
     work_.cone += cone;
     return found;
   }
@@ -101,14 +98,12 @@ class MarginSearch {
   }
 
   void require_equilibrium(const Rational& multiple, const Witness& witness) const {
-    const Wrench load = problem_.wrench() + multiple * direction_;
-    require(!find_violation(problem_.with_load(LoadRange(load)), witness),
+    require(!find_violation(family_.at(multiple), witness),
             "the end of a segment is not an equilibrium");
   }
 
   Margin assemble(std::vector<std::pair<Rational, Refutation>> refuted) {
     Margin margin;
-    margin.direction = direction_;
     std::sort(segments_.begin(), segments_.end(), [](const auto& a, const auto& b) {
       // A point that is alone comes before what may begin at it.
       if (a.start.multiple != b.start.multiple) return a.start.multiple < b.start.multiple;
@@ -130,24 +125,25 @@ class MarginSearch {
     return margin;
   }
 
-  const Problem& problem_;
-  const Wrench& direction_;
+  const Problem& family_;
   const ConeOptions& options_;
   MarginWork& work_;
+  const Progress& progress_;
   LoadModes modes_;
-  std::list<Gap> open_;
+  std::list<MultipleRange> open_;
   std::vector<LoadSegment> segments_;
 };
 
 }  // namespace
 
-std::variant<Margin, Undecided> find_margin(const Problem& problem, const Wrench& direction,
-                                            const ConeOptions& options, MarginWork* work) {
-  require(!(direction == Wrench{}), "a margin needs a direction");
+std::variant<Margin, Undecided> find_margin(
+    const Problem& family, const ConeOptions& options, MarginWork* work,
+    const std::function<void(const MarginWork&)>& progress) {
+  require(family.is_family(), "a margin is of a family");
   MarginWork unused;
   MarginWork& counters = work != nullptr ? *work : unused;
   counters = {};
-  return MarginSearch(problem, direction, options, counters).run();
+  return MarginSearch(family, options, counters, progress).run();
 }
 
 }  // namespace stickslip

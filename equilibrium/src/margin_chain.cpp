@@ -41,19 +41,19 @@ LoadSegment LoadModes::Piece::part(const Rational& from,
 }
 
 std::optional<LoadModes::Piece> LoadModes::piece_of(const LoadMode& mode) {
-  Region region = Region::root(problem_);
+  Region region = Region::root(family_);
   for (std::size_t i = 0; i < mode.size(); ++i) {
     const ContactId contact(i);
-    if (problem_.law() == NormalLaw::kUnilateral) {
+    if (family_.law() == NormalLaw::kUnilateral) {
       region = std::move(region).separation_child(
-          problem_, contact, mode[i].closed ? Separation::kClosed : Separation::kOpen);
+          family_, contact, mode[i].closed ? Separation::kClosed : Separation::kOpen);
     }
-    if (mode[i].closed && !problem_.row(contact).friction.is_zero()) {
-      region = std::move(region).slip_child(problem_, contact, mode[i].slip);
+    if (mode[i].closed && !family_.row(contact).friction.is_zero()) {
+      region = std::move(region).slip_child(family_, contact, mode[i].slip);
     }
   }
-  ++programs_;
-  std::optional<LoadExtent> extent = load_extent(problem_, region);
+  count_();
+  std::optional<LoadExtent> extent = load_extent(family_, region);
   if (!extent) return std::nullopt;
   require(!extent->lowest.broken && !extent->highest.broken, "a mode has nothing to split");
   std::optional<Rational> high;
@@ -69,6 +69,7 @@ std::optional<LoadModes::Piece> LoadModes::next_piece(const LoadMode& mode,
   // What ends the mode here: all changes together, and a few by themselves. Where none of these
   // leads on, the search finds what does.
   constexpr std::size_t kMostAlone = 8;
+  const Problem problem = family_.at(point.multiple);
   LoadMode all = mode;
   std::vector<LoadMode> candidates;
   const auto change = [&](std::size_t contact, ContactMode state) {
@@ -78,11 +79,11 @@ std::optional<LoadModes::Piece> LoadModes::next_piece(const LoadMode& mode,
     candidates.back()[contact] = state;
   };
   for (std::size_t i = 0; i < mode.size(); ++i) {
-    const ContactRow& row = problem_.rows()[i];
+    const ContactRow& row = problem.rows()[i];
     const ContactForce& force = point.witness.forces[i];
-    const Sign slip = mode_of(problem_, ContactId(i), point.witness.twist).slip;
+    const Sign slip = mode_of(problem, ContactId(i), point.witness.twist).slip;
     const bool touches = row.normal_coefficient(point.witness.twist).is_zero();
-    if (touches && problem_.law() == NormalLaw::kUnilateral) {
+    if (touches && family_.law() == NormalLaw::kUnilateral) {
       change(i, {!mode[i].closed, slip});
     } else if (mode[i].closed && !row.friction.is_zero()) {
       const Rational limit = row.friction * force.normal;
@@ -108,7 +109,8 @@ std::optional<LoadModes::Piece> LoadModes::next_piece(const LoadMode& mode,
 
 std::vector<LoadSegment> LoadModes::chain_through(const LoadPoint& point, const Rational& low,
                                                   const std::optional<Rational>& high) {
-  std::optional<Piece> piece = piece_of(modes_of(problem_, point.witness.twist));
+  std::optional<Piece> piece =
+      piece_of(modes_of(family_.at(point.multiple), point.witness.twist));
   require(piece.has_value(), "an equilibrium lies in its own mode");
   std::vector<LoadSegment> chain{piece->part(low, high)};
   const LoadMode middle = piece->mode;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Modes and the multiples of a load that they resist.
+/// Modes and the multiples of a family that they resist.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -18,15 +19,14 @@ using LoadMode = std::vector<ContactMode>;
 
 class LoadModes {
  public:
-  /// `problem` has a range of loads from 0 on.
-  explicit LoadModes(Problem problem) : problem_(std::move(problem)) {}
+  /// A family for all l >= 0. `count` is called before each linear program.
+  LoadModes(Problem family, std::function<void()> count)
+      : family_(std::move(family)), count_(std::move(count)) {}
 
   /// Segments, each beginning where the one before ends, that contain the point and go as far
   /// down to `low` and up to `high` as the modes next to each other reach.
   std::vector<LoadSegment> chain_through(const LoadPoint& point, const Rational& low,
                                          const std::optional<Rational>& high);
-
-  std::size_t programs() const { return programs_; }
 
  private:
   /// All that one mode resists, and the mode.
@@ -44,8 +44,8 @@ class LoadModes {
   /// A mode next to this one at the point that goes further, up or down.
   std::optional<Piece> next_piece(const LoadMode& mode, const LoadPoint& point, bool up);
 
-  Problem problem_;
-  std::size_t programs_ = 0;
+  Problem family_;
+  std::function<void()> count_;
 };
 
 }  // namespace stickslip

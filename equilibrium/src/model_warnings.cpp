@@ -77,13 +77,13 @@ bool is_preloaded(const ContactRow& row) {
 bool preloads_balance(const Problem& problem) {
   Region at_rest = Region::root(problem);
   for (std::size_t j = 0; j < 3; ++j) {
-    IntegerVector4 axis{};
+    IntegerVector5 axis{};
     axis[j] = 1;
     // Half-spaces that contain their planes: neither makes anything strict.
     at_rest = std::move(at_rest).plane_child(axis, Side::kPositive);
     at_rest = std::move(at_rest).plane_child(negated(axis), Side::kPositive);
   }
-  const auto outcome = solve_region(problem.with_load(LoadRange(Wrench{})), at_rest, nullptr);
+  const auto outcome = solve_region(problem.with_wrench({}), at_rest, nullptr);
   return std::holds_alternative<RelaxedPoint>(outcome);
 }
 
@@ -151,30 +151,77 @@ const char* to_string(ModelTrap trap) {
   return kNames[static_cast<std::size_t>(trap)];
 }
 
+namespace {
+
+class Warnings {
+ public:
+  void add(ModelTrap trap, std::optional<std::string> text) {
+    if (text && !has(trap)) all.push_back({trap, std::move(*text)});
+  }
+
+  bool has(ModelTrap trap) const {
+    return std::any_of(all.begin(), all.end(),
+                       [&](const ModelWarning& w) { return w.trap == trap; });
+  }
+
+  std::vector<ModelWarning> all;
+};
+
+bool is_preloaded(const Problem& problem) {
+  return std::any_of(problem.rows().begin(), problem.rows().end(),
+                     [](const ContactRow& row) { return is_preloaded(row); });
+}
+
+/// Of what is no family.
+void add_unbalanced_preload(const Problem& problem, Warnings& warnings) {
+  if (!is_preloaded(problem) || preloads_balance(problem)) return;
+  warnings.add(ModelTrap::kUnbalancedPreload,
+               "the preloads do not balance, even with friction: the object moves before any "
+               "load is applied");
+}
+
+}  // namespace
+
 std::vector<ModelWarning> model_warnings(const Question& question, const Verdict& verdict) {
   const Problem problem(question.loaded, question.law);
   const auto* stable = std::get_if<Stable>(&verdict);
-  std::vector<ModelWarning> warnings;
-  const auto add = [&](ModelTrap trap, std::optional<std::string> text) {
-    if (text) warnings.push_back({trap, std::move(*text)});
-  };
+  Warnings warnings;
   if (stable != nullptr) {
-    add(ModelTrap::kLargeMotion, large_motion(question, stable->witness.twist));
+    warnings.add(ModelTrap::kLargeMotion, large_motion(question, stable->witness.twist));
   }
-  if (std::any_of(problem.rows().begin(), problem.rows().end(), is_preloaded)) {
-    if (!preloads_balance(problem)) {
-      add(ModelTrap::kUnbalancedPreload,
-          "the preloads do not balance, even with friction: the object moves before any load "
-          "is applied");
-    }
-    if (stable != nullptr) {
-      add(ModelTrap::kLostPreload, lost_preload(problem, stable->witness));
-    }
+  add_unbalanced_preload(problem, warnings);
+  if (stable != nullptr && is_preloaded(problem)) {
+    warnings.add(ModelTrap::kLostPreload, lost_preload(problem, stable->witness));
   }
   if (!std::holds_alternative<Undecided>(verdict)) {
-    add(ModelTrap::kAssumedStiffness, assumed_stiffness(question, stable != nullptr));
+    warnings.add(ModelTrap::kAssumedStiffness, assumed_stiffness(question, stable != nullptr));
   }
-  return warnings;
+  return std::move(warnings.all);
+}
+
+std::vector<ModelWarning> model_warnings(const Question& question, const Margin& margin) {
+  const Problem family = problem_of(question);
+  Warnings warnings;
+  const auto look_at = [&](const Rational& multiple, const Witness& witness) {
+    const auto at_multiple = [&](std::optional<std::string> text) {
+      if (text) *text = "at the multiple " + to_readable_string(multiple) + " " + *text;
+      return text;
+    };
+    if (!warnings.has(ModelTrap::kLargeMotion)) {
+      warnings.add(ModelTrap::kLargeMotion, at_multiple(large_motion(question, witness.twist)));
+    }
+    if (warnings.has(ModelTrap::kLostPreload)) return;
+    const Problem problem = family.at(multiple);
+    if (!is_preloaded(problem)) return;
+    warnings.add(ModelTrap::kLostPreload, at_multiple(lost_preload(problem, witness)));
+  };
+  for (const LoadSegment& segment : margin.segments) {
+    look_at(segment.start.multiple, segment.start.witness);
+    if (segment.high) look_at(*segment.high, segment.end);
+  }
+  const Problem base = family.at(0);
+  add_unbalanced_preload(is_preloaded(base) ? base : family.at(1), warnings);
+  return std::move(warnings.all);
 }
 
 }  // namespace stickslip

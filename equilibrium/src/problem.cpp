@@ -7,49 +7,70 @@
 
 namespace stickslip {
 
-LoadRange::LoadRange(const Wrench& wrench) : wrench_(wrench), ends_{{0, wrench}} {}
-
-LoadRange::LoadRange(const Wrench& wrench, const Wrench& direction, const Rational& low,
-                     const std::optional<Rational>& high, bool has_low)
-    : wrench_(wrench),
-      direction_(direction),
-      has_high_(high.has_value()),
-      low_is_strict_(!has_low) {
-  require(!high || low < *high, "a range of loads has an inside");
-  ends_.push_back({low, wrench_at(low)});
-  if (high) ends_.push_back({*high, wrench_at(*high)});
-}
-
-std::optional<Wrench> LoadRange::recession() const {
-  if (has_high_) return std::nullopt;
-  return direction_;
-}
-
 Problem::Problem(const LoadedGrasp& loaded, NormalLaw law)
-    : rows_(contact_rows(loaded.grasp)), load_(loaded.wrench), law_(law) {
+    : rows_(contact_rows(loaded.grasp)), wrench_(loaded.wrench), law_(law) {
   for (const ContactRow& row : rows_) {
     const Wrench& n = row.normal;
     const Wrench& t = row.tangent;
-    slip_planes_.push_back(primitive_multiple<4>({t.x, t.y, t.torque, 0}));
-    separations_.push_back(
-        {-row.stiffness * n.x, -row.stiffness * n.y, -row.stiffness * n.torque, row.preload});
-    separation_planes_.push_back(primitive_multiple<4>(separations_.back()));
+    slip_planes_.push_back(primitive_multiple<5>({t.x, t.y, t.torque, 0, 0}));
+    separations_.push_back({-row.stiffness * n.x, -row.stiffness * n.y,
+                            -row.stiffness * n.torque, row.preload, 0});
+    separation_planes_.push_back(primitive_multiple(separations_.back()));
   }
 }
 
-const Wrench& Problem::wrench() const {
-  require(load_.is_single(), "a range of loads has no one wrench");
-  return load_.ends().front().wrench;
+bool Problem::is_family() const {
+  return preloads_grow_ || !(load_growth_ == Wrench{});
 }
 
-Problem Problem::with_load(LoadRange load) const {
+Problem Problem::with_wrench(const Wrench& wrench) const {
+  require(!is_family(), "a family has no one wrench to replace");
   Problem other = *this;
-  other.load_ = std::move(load);
+  other.wrench_ = wrench;
+  return other;
+}
+
+Problem Problem::along(const Growth& growth) const {
+  require(!is_family(), "a family cannot grow in two directions");
+  require(growth.preloads.empty() || growth.preloads.size() == size(),
+          "the preloads of all contacts grow, or of none");
+  Problem family = *this;
+  family.load_growth_ = growth.load;
+  for (std::size_t i = 0; i < growth.preloads.size(); ++i) {
+    const Rational& rate = growth.preloads[i];
+    require(rate.sign() >= 0, "preloads grow, and do not fall");
+    family.preloads_grow_ = family.preloads_grow_ || !rate.is_zero();
+    family.separations_[i][4] = rate;
+    family.separation_planes_[i] = primitive_multiple(family.separations_[i]);
+  }
+  require(family.is_family(), "a family grows in some direction");
+  return family;
+}
+
+Problem Problem::within(MultipleRange multiples) const {
+  require(is_family(), "a range of multiples is of a family");
+  require(!multiples.high || multiples.low < *multiples.high,
+          "a range of multiples has an inside");
+  Problem other = *this;
+  other.multiples_ = std::move(multiples);
   return other;
 }
 
 Problem Problem::at(const Rational& multiple) const {
-  return with_load(LoadRange(load_.wrench_at(multiple)));
+  Problem member = *this;
+  member.wrench_ = wrench_ + multiple * load_growth_;
+  member.load_growth_ = {};
+  member.preloads_grow_ = false;
+  member.multiples_ = {};
+  if (!preloads_grow_) return member;
+  for (std::size_t i = 0; i < size(); ++i) {
+    Vector5& v = member.separations_[i];
+    member.rows_[i].preload += multiple * v[4];
+    v[3] = member.rows_[i].preload;
+    v[4] = 0;
+    member.separation_planes_[i] = primitive_multiple(v);
+  }
+  return member;
 }
 
 Wrench Problem::edge_wrench(ContactId contact, int sigma) const {

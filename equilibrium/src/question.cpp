@@ -1,21 +1,92 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/equilibrium/question.hpp"
 
+#include <algorithm>
+
+#include "stickslip/core/contact_row.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
 
+namespace {
+
+/// P^u, from the preloads that the question has without it.
+std::vector<Rational> growth_of(const Grasp& grasp, const PreloadDirection& direction) {
+  if (direction.scale) {
+    std::vector<Rational> growth;
+    for (const Contact& c : grasp.contacts()) growth.push_back(c.preload);
+    return growth;
+  }
+  if (direction.rates.size() != grasp.size()) {
+    throw InputError("", "preload_direction",
+                     "there are " + std::to_string(direction.rates.size()) + " numbers for " +
+                         std::to_string(grasp.size()) + " contacts",
+                     "give one for each contact, or the word scale for all in proportion");
+  }
+  for (std::size_t i = 0; i < direction.rates.size(); ++i) {
+    if (direction.rates[i].sign() >= 0) continue;
+    throw InputError(
+        "", "preload_direction",
+        "the number of contact " + std::to_string(i) + " is " + to_string(direction.rates[i]),
+        "preloads grow, and do not fall: give 0 or more");
+  }
+  return direction.rates;
+}
+
+bool is_zero(const std::vector<Rational>& values) {
+  return std::all_of(values.begin(), values.end(),
+                     [](const Rational& value) { return value.is_zero(); });
+}
+
+void require_growth(const Question& question) {
+  if (!(question.direction.value_or(Wrench{}) == Wrench{}) ||
+      !is_zero(question.preload_growth)) {
+    return;
+  }
+  if (!question.preload_direction) {
+    throw InputError("", "direction", "the direction is 0",
+                     "give the wrench whose multiples are asked for, such as 0,1,0");
+  }
+  throw InputError("", "preload_direction",
+                   question.preload_direction->scale ? "there is no preload to scale"
+                                                     : "all of its numbers are 0",
+                   question.preload_direction->scale
+                       ? "give a preload, or how each one grows"
+                       : "give a number above 0 to a contact whose preload grows");
+}
+
+}  // namespace
+
 Question ask(const GraspFile& file, const QuestionOptions& options) {
-  Question question{file.content, options.law, options.preload, file.assumed_stiffness};
+  Question question{file.content,           options.law,       options.preload,
+                    file.assumed_stiffness, options.direction, options.preload_direction};
+  Grasp& grasp = question.loaded.grasp;
+  if (options.direction) question.loaded.wrench = {};
   if (options.wrench) question.loaded.wrench = *options.wrench;
   if (options.preload) {
     if (options.preload->sign() < 0) {
       throw InputError("", "preload", "the value is " + to_string(*options.preload),
                        "a preload is a normal force and must be 0 or more");
     }
-    question.loaded.grasp = question.loaded.grasp.with_preload(*options.preload);
+    grasp = grasp.with_preload(*options.preload);
   }
+  if (options.preload_direction) {
+    question.preload_growth = growth_of(grasp, *options.preload_direction);
+    if (options.preload_direction->scale) grasp = grasp.with_preload(0);
+  }
+  if (question.is_margin()) require_growth(question);
   return question;
+}
+
+Problem problem_of(const Question& question) {
+  const Problem base(question.loaded, question.law);
+  if (!question.is_margin()) return base;
+  Growth growth{question.direction.value_or(Wrench{})};
+  if (!question.preload_growth.empty()) {
+    const Grasp growing = question.loaded.grasp.with_preloads(question.preload_growth);
+    for (const ContactRow& row : contact_rows(growing)) growth.preloads.push_back(row.preload);
+  }
+  return base.along(growth);
 }
 
 }  // namespace stickslip

@@ -109,6 +109,7 @@ class StatesEngine {
 }  // namespace
 
 Verdict decide_by_states(const Problem& problem, StatesWork* work) {
+  require(!problem.is_family(), "a verdict is on one member of a family");
   StatesWork unused;
   StatesWork& counters = work != nullptr ? *work : unused;
   counters = {};

@@ -18,6 +18,7 @@ std::string at_contact(const char* condition, std::size_t contact) {
 }  // namespace
 
 std::optional<std::string> find_violation(const Problem& problem, const Witness& witness) {
+  require(!problem.is_family(), "an equilibrium is of one member of a family");
   if (witness.forces.size() != problem.size()) return "one force per contact is needed";
   const ScaledTwist scaled(witness.twist);
   const Rational& q = scaled.scale;

@@ -22,9 +22,12 @@ void bind_questions(pybind11::module_& module);   ///< questions.cpp
 void bind_check(pybind11::module_& module);       ///< check.cpp
 void bind_crosscheck(pybind11::module_& module);  ///< crosscheck.cpp
 
-/// What is asked about a grasp; None leaves the grasp's own value.
+/// What is asked about a grasp; None leaves the grasp's own value, or asks for no direction. A
+/// preload direction is a list, or any other object to scale.
 QuestionOptions question_options(const pybind11::object& wrench,
-                                 const pybind11::object& preload, bool bilateral);
+                                 const pybind11::object& preload, bool bilateral,
+                                 const pybind11::object& direction = pybind11::none(),
+                                 const pybind11::object& preload_direction = pybind11::none());
 
 /// ask(), with the remedy for a preloaded normal of irrational length in Python's words.
 Question question_of(const GraspFile& grasp, const QuestionOptions& options);

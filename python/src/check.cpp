@@ -26,6 +26,12 @@ stickslip_check::Vector for_checker(const Wrench& w) {
   return {for_checker(w.x), for_checker(w.y), for_checker(w.torque)};
 }
 
+stickslip_check::PreloadDirection for_checker(const PreloadDirection& growth) {
+  stickslip_check::PreloadDirection result{growth.scale, {}};
+  for (const Rational& rate : growth.rates) result.values.push_back(for_checker(rate));
+  return result;
+}
+
 struct ToDict {
   py::dict operator()(const stickslip_check::Accepted& a) const {
     const stickslip_check::Question& q = a.question;
@@ -40,8 +46,14 @@ struct ToDict {
                     "normal_law"_a = text(stickslip_check::law_name(q.asked.bilateral)),
                     "wrench"_a = wrench(q.wrench), "nodes"_a = a.nodes, "leaves"_a = a.leaves);
     if (q.asked.preload) result["preload"] = number(*q.asked.preload);
-    if (q.asked.direction) {
-      result["direction"] = wrench(*q.asked.direction);
+    if (q.asked.direction) result["direction"] = wrench(*q.asked.direction);
+    if (const auto& growth = q.asked.preload_direction) {
+      py::list rates;
+      for (const stickslip_check::Rational& rate : growth->values) rates.append(number(rate));
+      result["preload_direction"] =
+          growth->scale ? py::object(py::str("scale")) : py::object(py::tuple(rates));
+    }
+    if (q.asked.margin()) {
       py::list resisted;
       for (const stickslip_check::Interval& interval : a.resisted) {
         const py::object high = interval.high ? number(*interval.high) : py::object(py::none());
@@ -64,14 +76,16 @@ struct ToDict {
 
 py::dict check(const std::string& grasp, const std::string& certificate,
                const py::object& wrench, const py::object& preload, bool bilateral,
-               const py::object& direction, const std::string& grasp_name,
-               const std::string& certificate_name) {
-  const QuestionOptions asked = question_options(wrench, preload, bilateral);
+               const py::object& direction, const py::object& preload_direction,
+               const std::string& grasp_name, const std::string& certificate_name) {
+  const QuestionOptions asked =
+      question_options(wrench, preload, bilateral, direction, preload_direction);
   stickslip_check::Options options;
   options.bilateral = bilateral;
   if (asked.wrench) options.wrench = for_checker(*asked.wrench);
-  if (!direction.is_none()) {
-    options.direction = for_checker(exact_wrench(direction.cast<py::list>(), "direction"));
+  if (asked.direction) options.direction = for_checker(*asked.direction);
+  if (asked.preload_direction) {
+    options.preload_direction = for_checker(*asked.preload_direction);
   }
   if (asked.preload) options.preload = for_checker(*asked.preload);
   const stickslip_check::Answer answer = without_gil([&] {

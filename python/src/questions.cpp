@@ -22,6 +22,14 @@ py::dict stats(const Work& work) {
   return result;
 }
 
+py::list as_list(const std::vector<ModelWarning>& warnings) {
+  py::list list;
+  for (const ModelWarning& warning : warnings) {
+    list.append(py::make_tuple(to_string(warning.trap), warning.text));
+  }
+  return list;
+}
+
 /// The evidence of a stable verdict, contact by contact.
 void add_witness(py::dict& result, const Question& question, const Problem& problem,
                  const Witness& witness) {
@@ -69,11 +77,7 @@ py::dict decide_grasp(const GraspFile& grasp, const py::object& wrench,
 
   py::dict result =
       decision_fields(answer.question, answer.problem, answer.decision, answer.certificate);
-  py::list found;
-  for (const ModelWarning& warning : answer.warnings) {
-    found.append(py::make_tuple(to_string(warning.trap), warning.text));
-  }
-  result["warnings"] = found;
+  result["warnings"] = as_list(answer.warnings);
   return result;
 }
 
@@ -101,32 +105,41 @@ py::dict slip_states(const GraspFile& grasp, const std::string& engine, bool lis
   return result;
 }
 
-py::dict find_grasp_margin(const GraspFile& grasp, const py::list& direction,
-                           const py::object& wrench, const py::object& preload, bool bilateral,
-                           std::size_t node_limit) {
+py::object preload_direction_of(const PreloadDirection& direction) {
+  if (direction.scale) return py::str("scale");
+  py::tuple rates(direction.rates.size());
+  for (std::size_t i = 0; i < direction.rates.size(); ++i)
+    rates[i] = fraction(direction.rates[i]);
+  return std::move(rates);
+}
+
+py::dict find_grasp_margin(const GraspFile& grasp, const py::object& direction,
+                           const py::object& wrench, const py::object& preload,
+                           const py::object& preload_direction, bool bilateral,
+                           std::size_t node_limit, bool warnings) {
   struct Answer {
     Question question;
     std::variant<Margin, Undecided> result;
     MarginWork work;
     std::string certificate;  ///< empty if undecided
+    std::vector<ModelWarning> warnings;
   };
-  const QuestionOptions asked = question_options(wrench, preload, bilateral);
-  const Wrench along = exact_wrench(direction, "direction");
-  if (along == Wrench{}) {
-    throw InputError("", "direction", "the direction is 0",
-                     "give the wrench whose multiples are asked for, such as (0, 1, 0)");
-  }
+  const QuestionOptions asked =
+      question_options(wrench, preload, bilateral, direction, preload_direction);
   const Answer answer = without_gil([&] {
     Question question = question_of(grasp, asked);
     ConeOptions options;
     options.node_limit = node_limit;
     MarginWork work;
-    auto found = find_margin(Problem(question.loaded, question.law), along, options, &work);
+    auto found = find_margin(problem_of(question), options, &work);
     std::string certificate;
+    std::vector<ModelWarning> traps;
     if (const auto* margin = std::get_if<Margin>(&found)) {
       certificate = margin_certificate_text(question, *margin, "stickslip " STICKSLIP_VERSION);
+      if (warnings) traps = model_warnings(question, *margin);
     }
-    return Answer{std::move(question), std::move(found), work, std::move(certificate)};
+    return Answer{std::move(question), std::move(found), work, std::move(certificate),
+                  std::move(traps)};
   });
 
   if (const auto* undecided = std::get_if<Undecided>(&answer.result)) {
@@ -142,10 +155,17 @@ py::dict find_grasp_margin(const GraspFile& grasp, const py::list& direction,
   }
   py::dict work("ranges"_a = answer.work.ranges, "mode_programs"_a = answer.work.modes);
   work.attr("update")(stats(answer.work.cone));
-  return py::dict("resisted"_a = resisted, "direction"_a = fractions(margin.direction),
-                  "wrench"_a = fractions(answer.question.loaded.wrench),
-                  "normal_law"_a = to_string(answer.question.law),
-                  "certificate"_a = answer.certificate, "stats"_a = work);
+  const Question& question = answer.question;
+  py::dict result("resisted"_a = resisted, "wrench"_a = fractions(question.loaded.wrench),
+                  "normal_law"_a = to_string(question.law),
+                  "certificate"_a = answer.certificate, "warnings"_a = as_list(answer.warnings),
+                  "stats"_a = work);
+  result["direction"] =
+      question.direction ? py::object(fractions(*question.direction)) : py::object(py::none());
+  if (question.preload_direction) {
+    result["preload_direction"] = preload_direction_of(*question.preload_direction);
+  }
+  return result;
 }
 
 }  // namespace
@@ -183,18 +203,33 @@ py::tuple force_vectors(const Grasp& grasp, const std::vector<ContactForce>& for
 }
 
 QuestionOptions question_options(const py::object& wrench, const py::object& preload,
-                                 bool bilateral) {
+                                 bool bilateral, const py::object& direction,
+                                 const py::object& preload_direction) {
   QuestionOptions options;
   if (!wrench.is_none()) options.wrench = exact_wrench(wrench.cast<py::list>(), "wrench");
   if (!preload.is_none()) options.preload = exact(preload, "preload");
   options.law = bilateral ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
+  if (!direction.is_none()) {
+    options.direction = exact_wrench(direction.cast<py::list>(), "direction");
+  }
+  if (!preload_direction.is_none()) {
+    PreloadDirection& growth = options.preload_direction.emplace();
+    growth.scale = !py::isinstance<py::list>(preload_direction);
+    if (!growth.scale) {
+      std::size_t index = 0;
+      for (const py::handle rate : preload_direction) {
+        growth.rates.push_back(
+            exact(rate, "preload_direction[" + std::to_string(index++) + "]"));
+      }
+    }
+  }
   return options;
 }
 
 Question question_of(const GraspFile& grasp, const QuestionOptions& options) {
   Question question = ask(grasp, options);
   try {
-    contact_rows(question.loaded.grasp);
+    problem_of(question);
   } catch (const InputError& error) {
     throw InputError("", error.place(), error.problem(), "ask about grasp.snap().grasp");
   }

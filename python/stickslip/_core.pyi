@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The compiled part. Its functions take checked arguments and return the fields of results.py.
 from fractions import Fraction
-from typing import Any, Dict, List, Optional, Tuple
+from typing import Any, Dict, List, Optional, Tuple, Union
 
 version: str
 
@@ -47,11 +47,13 @@ def decide(
 def slip_states(grasp: GraspData, engine: str, list_states: bool, threads: int) -> Dict[str, Any]: ...
 def margin(
     grasp: GraspData,
-    direction: List[Any],
+    direction: Optional[List[Any]],
     wrench: Optional[List[Any]],
     preload: Any,
+    preload_direction: Union[str, List[Any], None],
     bilateral: bool,
     node_limit: int,
+    warnings: bool,
 ) -> Dict[str, Any]: ...
 def crosscheck(
     grasp: GraspData,
@@ -73,6 +75,7 @@ def check(
     preload: Any,
     bilateral: bool,
     direction: Optional[List[Any]],
+    preload_direction: Union[str, List[Any], None],
     grasp_name: bytes,
     certificate_name: bytes,
 ) -> Dict[str, Any]: ...

@@ -9,7 +9,7 @@ from __future__ import annotations
 import operator
 import os
 import reprlib
-from typing import Any, List, Optional, Sequence, Tuple
+from typing import Any, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -80,6 +80,19 @@ def as_wrench(values: Any, name: str) -> List[Any]:
 
 def as_wrench_or_none(values: Any) -> Optional[List[Any]]:
     return None if values is None else as_wrench(values, "wrench")
+
+
+def as_direction_or_none(values: Any) -> Optional[List[Any]]:
+    return None if values is None else as_wrench(values, "direction")
+
+
+def as_preload_direction_or_none(values: Any) -> Union[str, List[Any], None]:
+    name = "preload_direction"
+    if values is None:
+        return None
+    if isinstance(values, str):
+        return one_of(name, values, ("scale",))
+    return as_list(values, name, as_array(values, name).shape[:1], "one number for each contact")
 
 
 def as_text(value: Any, name: str, remedy: str = "give a str") -> str:

@@ -14,11 +14,12 @@ from . import _core
 from .arguments import (
     as_content,
     as_count,
+    as_direction_or_none,
     as_json,
     as_list,
     as_number,
     as_number_or_none,
-    as_wrench,
+    as_preload_direction_or_none,
     as_wrench_or_none,
     found,
     is_bilateral,
@@ -100,32 +101,53 @@ def slip_states(
 
 def margin(
     grasp: Grasp,
-    direction: Any,
-    wrench: Any = (0, 0, 0),
+    direction: Any = None,
+    wrench: Any = None,
     *,
     preload: Any = None,
+    preload_direction: Any = None,
     normal_law: str = "unilateral",
     node_limit: int = 0,
+    warnings: bool = False,
 ) -> Margin:
-    """Which multiples l >= 0 of a load are resisted, under wrench + l direction?
+    """Which multiples l >= 0 of a load, or of preloads, are resisted?
 
     The set is a finite union of closed intervals with rational ends; the last may have no end.
-    ``wrench`` is what is there besides: 0 by default, whatever the grasp's own.
+
+    Args:
+        grasp: what is asked about.
+        direction: (3,), the load grows as wrench + l direction.
+        wrench: what the load starts from. If None it is 0 with a ``direction``, whatever the
+            grasp's own, and without one the grasp's own.
+        preload: of every contact; the grasp's own if None.
+        preload_direction: how preloads grow: "scale", all in proportion, l times what they are;
+            or (m,), one number of 0 or more for each contact: by l times these, from what they
+            are. ``least`` of the answer is then the least preload that holds the load.
+        normal_law: as in ``decide``.
+        node_limit: give up after so many nodes; 0 is no limit.
+        warnings: look for traps of the model as well, as ``decide`` does.
 
     Raises:
-        InputError: an argument is wrong; a direction of 0.
-        LimitReached: ``node_limit`` (0 is none).
+        InputError: an argument is wrong; nothing grows.
+        LimitReached: at ``node_limit``.
     """
+    data = _data(grasp)
+    if direction is None and preload_direction is None:
+        raise InputError("", "direction", "nothing grows",
+                         "give a direction such as (0, 1, 0), or a preload_direction")
     result = _core.margin(
-        _data(grasp),
-        as_wrench(direction, "direction"),
+        data,
+        as_direction_or_none(direction),
         as_wrench_or_none(wrench),
         as_number_or_none(preload, "preload"),
+        as_preload_direction_or_none(preload_direction),
         is_bilateral(normal_law),
         as_count("node_limit", node_limit),
+        bool(warnings),
     )
     if "limit" in result:
         raise LimitReached(result["limit"])
+    result["warnings"] = tuple(ModelWarning(*w) for w in result["warnings"])
     return Margin(**result)
 
 
@@ -187,6 +209,7 @@ def check(
     preload: Any = None,
     normal_law: str = "unilateral",
     direction: Any = None,
+    preload_direction: Any = None,
 ) -> CheckResult:
     """Does the certificate prove its verdict about this question?
 
@@ -197,6 +220,7 @@ def check(
         grasp: a grasp, or the path of its file, which the checker then reads itself.
         certificate: its text, or the path of a file, as a ``pathlib.Path``.
         direction: of a margin, whose certificate this then is; the wrench is then 0 unless given.
+        preload_direction: of a margin, as for ``margin``.
 
     Raises:
         InputError: the grasp or the certificate cannot be read, or the question not be asked.
@@ -217,7 +241,8 @@ def check(
         as_wrench_or_none(wrench),
         as_number_or_none(preload, "preload"),
         is_bilateral(normal_law),
-        None if direction is None else as_wrench(direction, "direction"),
+        as_direction_or_none(direction),
+        as_preload_direction_or_none(preload_direction),
         grasp_name,
         name,
     ))

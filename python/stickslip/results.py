@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Dict, NamedTuple, Optional, Tuple
+from typing import Dict, NamedTuple, Optional, Tuple, Union
 
 from . import _core
 from .grasp import Pair, Triple
@@ -78,20 +78,30 @@ class SlipStates(Answer):
 
 @dataclass(frozen=True, repr=False)
 class Margin(Answer):
-    """Exactly these multiples l >= 0 are resisted under wrench + l direction."""
+    """Exactly these multiples l >= 0 are resisted under wrench + l direction, and with preloads
+    that grow in the preload direction."""
 
     resisted: Tuple[Tuple[Fraction, Optional[Fraction]], ...]
     """Closed intervals (low, high), increasing and disjoint; high is None for one without end."""
-    direction: Triple
+    direction: Optional[Triple]
     wrench: Triple
     normal_law: str
     certificate: str = field(repr=False)
     """The proof (certificate/FORMAT.md, section 5)."""
+    preload_direction: Union[str, Tuple[Fraction, ...], None] = None
+    """"scale", or one number for each contact."""
+    warnings: Tuple[ModelWarning, ...] = ()
+    """What margin was asked to look for with ``warnings=True``."""
     stats: Dict[str, int] = field(default_factory=dict, repr=False, compare=False)
+
+    @property
+    def least(self) -> Optional[Fraction]:
+        """The least multiple that is resisted; None if there is none. Not all above it need be."""
+        return self.resisted[0][0] if self.resisted else None
 
     resisted_float = FloatView[FloatArray]("resisted", -1, 2)
     """An interval without end ends at infinity."""
-    direction_float = FloatView[FloatArray]("direction", 3)
+    direction_float = FloatView[Optional[FloatArray]]("direction", 3)
     wrench_float = FloatView[FloatArray]("wrench", 3)
 
 
@@ -175,8 +185,9 @@ class CheckResult(Answer):
     normal_law: Optional[str] = None
     nodes: Optional[int] = None
     leaves: Optional[int] = None
-    # Of a margin: exactly these multiples of the direction are resisted.
+    # Of a margin: exactly these multiples of the directions are resisted.
     direction: Optional[Triple] = None
+    preload_direction: Union[str, Tuple[Fraction, ...], None] = None
     resisted: Optional[Tuple[Tuple[Fraction, Optional[Fraction]], ...]] = None
     # If rejected: the rule of certificate/FORMAT.md that does not hold, and where.
     rule: Optional[str] = None

@@ -19,15 +19,17 @@ using namespace resistance_detail;
 namespace {
 
 /// x -> the plane's coordinates of a wrench, times a common factor: rows.
-using Map = std::array<IntegerVector4, 4>;
+using Map = std::array<IntegerVector5, 4>;
 
-IntegerVector4 image(const Map& map, const IntegerVector4& x) {
+using IntegerVector4 = IntegerVector<4>;
+
+IntegerVector4 image(const Map& map, const IntegerVector5& x) {
   return primitive<4>({dot(map[0], x), dot(map[1], x), dot(map[2], x), dot(map[3], x)});
 }
 
 void add(Map& sum, const Map& map) {
   for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = 0; j < 4; ++j) sum[i][j] += map[i][j];
+    for (std::size_t j = 0; j < 5; ++j) sum[i][j] += map[i][j];
   }
 }
 
@@ -49,12 +51,12 @@ bool has_motion(const Region& region) {
   return std::any_of(rays.begin(), rays.end(), [](const Ray& ray) { return ray.x[3] > 0; });
 }
 
-using RationalMap = std::array<Vector4, 4>;
+using RationalMap = std::array<Vector5, 4>;
 
-RationalMap outer(const Vector4& column, const Vector4& row) {
+RationalMap outer(const Vector4& column, const Vector5& row) {
   RationalMap map;
   for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = 0; j < 4; ++j) map[i][j] = column[i] * row[j];
+    for (std::size_t j = 0; j < 5; ++j) map[i][j] = column[i] * row[j];
   }
   return map;
 }
@@ -63,7 +65,7 @@ RationalMap outer(const Vector4& column, const Vector4& row) {
 Map scaled(const RationalMap& map, const Integer& factor) {
   Map result;
   for (std::size_t i = 0; i < 4; ++i) {
-    for (std::size_t j = 0; j < 4; ++j) {
+    for (std::size_t j = 0; j < 5; ++j) {
       result[i][j] = numerator(map[i][j]) * (factor / denominator(map[i][j]));
     }
   }
@@ -76,7 +78,7 @@ class PieceFinder {
               const ResistibleOptions& options, ResistibleWork& work)
       : problem_(problem), plane_(plane), options_(options), work_(work) {
     // A contact's wrench is v(x) times one of two constant wrenches, on either edge.
-    RationalMap at_rest = outer(plane.coordinates({0, 0, 0}, 1), {0, 0, 0, 1});
+    RationalMap at_rest = outer(plane.coordinates({0, 0, 0}, 1), {0, 0, 0, 1, 0});
     std::vector<RationalMap> edges;
     for (std::size_t i = 0; i < problem.size(); ++i) {
       for (const int sigma : {-1, 1}) {
@@ -87,7 +89,7 @@ class PieceFinder {
     }
     Integer factor = 1;
     const auto include_in_factor = [&](const RationalMap& map) {
-      for (const Vector4& row : map) {
+      for (const Vector5& row : map) {
         for (const Rational& entry : row) factor = lcm(factor, denominator(entry));
       }
     };

@@ -91,9 +91,9 @@ TEST(ThresholdLoad, IsTheEndOfTheMargin) {
   for (const Layout layout : {Layout::kJaws, Layout::kDisc}) {
     for (const std::size_t contacts : {2, 6, 20, 100}) {
       const Grasp grasp = make_grasp(layout, contacts, true, contacts);
-      const Question question = plain_question(grasp, {});
-      const auto result =
-          find_margin(Problem(question.loaded, question.law), threshold_load(layout, grasp));
+      Question question = plain_question(grasp, {});
+      question.direction = threshold_load(layout, grasp);
+      const auto result = find_margin(problem_of(question));
       const auto& margin = std::get<Margin>(result);
       ASSERT_EQ(margin.resisted.size(), 1U) << name_of(layout) << ' ' << contacts;
       EXPECT_EQ(margin.resisted[0].low, 0);
@@ -101,7 +101,7 @@ TEST(ThresholdLoad, IsTheEndOfTheMargin) {
       std::istringstream file(write_grasp(question.loaded));
       std::istringstream proof(margin_certificate_text(question, margin, "test"));
       stickslip_check::Options options;
-      const Vector3 u = coordinates(margin.direction);
+      const Vector3 u = coordinates(*question.direction);
       options.direction.emplace();
       for (const Rational& entry : u) options.direction->emplace_back(to_string(entry));
       EXPECT_TRUE(std::holds_alternative<stickslip_check::Accepted>(

@@ -151,13 +151,22 @@ std::vector<CommittedCertificate> committed_certificates() {
     CheckerInput input{read(folder / (name + ".grasp.json")), read(entry.path()), {}};
     if (name.rfind("bilateral_", 0) == 0) input.options.law = NormalLaw::kBilateral;
     const auto json = nlohmann::json::parse(input.certificate);
-    if (json["question"].contains("preload_direction")) continue;  // check_py's
     if (json["verdict"] == "margin") {
+      const auto& asked = json["question"];
       const auto wrench_in = [](const nlohmann::json& numbers) {
         return Wrench{numbers[0].get<int>(), numbers[1].get<int>(), numbers[2].get<int>()};
       };
-      input.direction = wrench_in(json["question"]["direction"]);
-      input.options.wrench = wrench_in(json["question"]["wrench"]);
+      input.options.wrench = wrench_in(asked["wrench"]);
+      if (asked.contains("direction")) input.options.direction = wrench_in(asked["direction"]);
+      if (asked.contains("preload_direction")) {
+        PreloadDirection& growth = input.options.preload_direction.emplace();
+        growth.scale = asked["preload_direction"] == "scale";
+        if (!growth.scale) {
+          for (const auto& rate : asked["preload_direction"]) {
+            growth.rates.emplace_back(rate.get<int>());
+          }
+        }
+      }
     }
     result.push_back({name, std::move(input)});
   }
@@ -169,7 +178,8 @@ std::vector<CommittedCertificate> committed_certificates() {
 std::vector<CommittedCertificate> all_margins() {
   std::vector<CommittedCertificate> result;
   for (CommittedCertificate& one : committed_certificates()) {
-    if (one.input.direction) result.push_back(std::move(one));
+    const QuestionOptions& options = one.input.options;
+    if (options.direction || options.preload_direction) result.push_back(std::move(one));
   }
   return result;
 }

@@ -85,8 +85,8 @@ RefutationNode node_of(const Json& node, std::size_t contacts) {
   if (kind == "slip") return SlipSplit{contact(node.at(1), contacts)};
   if (kind == "separation") return SeparationSplit{contact(node.at(1), contacts)};
   if (kind == "plane") {
-    return PlaneSplit{primitive_multiple<4>(
-        {number_at(node, 1), number_at(node, 2), number_at(node, 3), number_at(node, 4)})};
+    return PlaneSplit{primitive_multiple<5>(
+        {number_at(node, 1), number_at(node, 2), number_at(node, 3), number_at(node, 4), 0})};
   }
   // A positive multiple of y proves the same.
   return VirtualWorkLeaf{
@@ -118,7 +118,10 @@ std::optional<CheckerAnswer> third_opinion(const CheckerInput& input) {
   try {
     const Json certificate = Json::parse(input.certificate);
     const Question question = ask(parse_grasp(input.grasp, "grasp"), input.options);
-    if (certificate.at("verdict") == "margin" || input.direction) throw NoOpinion{};
+    if (certificate.at("verdict") == "margin" || input.options.direction ||
+        input.options.preload_direction) {
+      throw NoOpinion{};
+    }
     if (const auto answer = judge_question(question, certificate.at("question"))) return answer;
     const Problem problem(question.loaded, question.law);
     return certificate.at("verdict") == "stable" ? judge_witness(problem, certificate)

@@ -44,6 +44,20 @@ class MarginMutations {
   static Expectation rule(const char* name) { return Expectation::of_rule(name); }
 
   void question() {
+    if (original_.input.options.direction) load_direction();
+    preload_direction();
+    Json edited = json_;
+    edited["question"]["wrench"][0] = json_of(number_of(json_["question"]["wrench"][0]) + 1);
+    add("another wrench of a margin", edited, rule("question-wrench"));
+    CheckerInput input = original_.input;
+    input.options.direction.reset();
+    input.options.preload_direction.reset();
+    add_input("margin, but no direction asked", input,
+              rule(original_.input.options.direction ? "question-direction"
+                                                     : "question-preload-direction"));
+  }
+
+  void load_direction() {
     Json edited = json_;
     edited["question"]["direction"][1] =
         json_of(number_of(json_["question"]["direction"][1]) + kTiny);
@@ -53,17 +67,34 @@ class MarginMutations {
     add("another direction", edited, rule("question-direction"));
     edited["question"]["direction"] = {0, 0, 0};
     add("another direction", edited, rule("question-direction"));
-    edited = json_;
-    edited["question"]["preload_direction"] = "scale";
-    add("a direction of preloads", edited, rule("question-preload-direction"));
-    edited = json_;
-    edited["question"]["wrench"][0] = json_of(number_of(json_["question"]["wrench"][0]) + 1);
-    add("another wrench of a margin", edited, rule("question-wrench"));
     CheckerInput input = original_.input;
-    input.direction->torque += 1;
+    input.options.direction->torque += 1;
     add_input("another direction asked", input, rule("question-direction"));
-    input.direction.reset();
-    add_input("margin, but no direction asked", input, rule("question-direction"));
+  }
+
+  void preload_direction() {
+    const std::optional<PreloadDirection>& asked = original_.input.options.preload_direction;
+    const Json& contacts = json_["question"]["contacts"];
+    std::vector<Json> others{Json::array(), std::vector<int>(contacts.get<std::size_t>(), 2),
+                             std::vector<int>(contacts.get<std::size_t>(), -1)};
+    if (!asked || !asked->scale) others.emplace_back("scale");
+    for (const Json& other : others) {
+      Json edited = json_;
+      edited["question"]["preload_direction"] = other;
+      add("another direction of preloads", edited, rule("question-preload-direction"));
+    }
+    if (!asked) return;
+    Json edited = json_;
+    edited["question"].erase("preload_direction");
+    add("no direction of preloads", edited, rule("question-preload-direction"));
+    CheckerInput input = original_.input;
+    PreloadDirection& growth = *input.options.preload_direction;
+    if (growth.scale) {
+      growth = {false, std::vector<Rational>(contacts.get<std::size_t>(), 1)};
+    } else {
+      growth.rates.front() += kTiny;
+    }
+    add_input("another direction of preloads asked", input, rule("question-preload-direction"));
   }
 
   void syntax() {

@@ -71,7 +71,7 @@ class QuestionMutations {
   bool can_be_asked(const QuestionOptions& options) const {
     try {
       const Question question = stickslip::ask(parse_grasp(original_.about.grasp, ""), options);
-      const Problem problem(question.loaded, question.law);
+      problem_of(question);
       return true;
     } catch (const InputError&) {
       return false;
@@ -109,7 +109,7 @@ class QuestionMutations {
           mutant("a member of another question", original_, edited, Expectation::malformed()));
     }
     CheckerInput input = original_.input();
-    input.direction = Wrench{0, 1, 0};
+    input.options.direction = Wrench{0, 1, 0};
     input.options.wrench = original_.about.question().loaded.wrench;
     mutants_.push_back({"ask for a margin", original_.name(), input,
                         Expectation::of_rule("question-direction")});

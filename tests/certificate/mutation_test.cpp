@@ -86,7 +86,8 @@ void expect_as_made(const Mutant& mutant, const CheckerAnswer& answer) {
 /// The grasp file and question of an accepted certificate have that verdict.
 void expect_true(const Mutant& mutant) {
   try {
-    if (mutant.input.direction) {
+    const QuestionOptions& options = mutant.input.options;
+    if (options.direction || options.preload_direction) {
       EXPECT_EQ(test::lie_of(mutant.input), "") << show(mutant);
       return;
     }
@@ -107,7 +108,7 @@ void expect_grasp_read_alike(const Mutant& mutant, const CheckerAnswer& answer) 
   try {
     const Question question =
         ask(parse_grasp(mutant.input.grasp, "grasp"), mutant.input.options);
-    const Problem problem(question.loaded, question.law);
+    problem_of(question);
   } catch (const InputError& error) {
     legible = false;
     reason = error.what();

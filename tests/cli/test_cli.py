@@ -343,16 +343,77 @@ class Margin(Case):
         self.assertIn("[0, oo)", stickslip("margin", FIG1, "--direction", "0,-1,0")[1])
 
     def test_errors(self):
-        self.fails("margin", FIG1, naming=["--direction"])
+        self.fails("margin", FIG1, naming=["--direction", "--preload-direction"])
         self.fails("margin", FIG1, "--direction", "0,0,0", naming=["--direction", "is 0"])
         self.fails("margin", FIG1, "--direction", "0,1", naming=["--direction", "2 numbers"])
+        preloads = "--preload-direction"
+        for words, problem in (
+                (("1,1",), "2 numbers for 3 contacts"), (("1,1,-1",), "contact 2 is -1"),
+                (("0,0,0",), "all of its numbers are 0"), (("1,x,1",), "x"), (("Scale",), "Scale"),
+                (("scale", "--preload", 0), "no preload to scale")):
+            self.fails("margin", FIG1, preloads, *words, naming=[preloads, problem])
+        # Of irrational length, and preloaded only as the preloads grow.
+        grasp = self.write("diagonal.json", {
+            "format": "stickslip-grasp/1", "wrench": [0, 0, 0], "defaults": {"friction": 1},
+            "contacts": [{"position": [0, 0], "normal": [1, 0]},
+                         {"position": [0, 0], "normal": [-1, 1]}]})
+        self.fails("margin", grasp, preloads, "0,1", naming=["contacts[1].normal", "snap"])
+        self.assertEqual(self.json("margin", grasp, preloads, "1,0")["resisted"], [["0", None]])
 
     def test_undecided(self):
         code, out, err = stickslip("margin", FIG1, "--direction", "0,1,0", "--node-limit", 1)
         self.assertEqual((code, out), (UNDECIDED, ""))
         self.assertIn("limit of 1 nodes", err)
 
+    def test_preloads(self):
+        def margin(*words):
+            return self.json("margin", FIG1, "--wrench", "0,1,0", *words)
+
+        scale = margin("--preload", 2, "--preload-direction", "scale")
+        self.assertEqual((scale["resisted"], scale["least"]), ([["1/2", None]], "1/2"))
+        self.assertEqual(scale["preload_direction"], "scale")
+        self.assertNotIn("direction", scale)
+        sides = margin("--preload", 0, "--preload-direction", "1,0,1")
+        self.assertEqual((sides["resisted"], sides["preload_direction"]),
+                         ([["1", None]], ["1", "0", "1"]))
+        both = margin("--preload", 0, "--preload-direction", "1,0,1", "--direction", "0,1,0")
+        self.assertEqual((both["resisted"], both["least"]), ([], None))
+
+    def test_the_wrench_is_the_files_unless_the_load_grows(self):
+        words = ("margin", FIG1, "--preload", 1, "--preload-direction", "scale")
+        self.assertEqual(self.json(*words)["wrench"], ["0", "-11/10", "0"])
+        self.assertEqual(self.json(*words, "--direction", "0,1,0")["wrench"], ["0", "0", "0"])
+        self.assertEqual(self.json(*words, "--wrench", "0,1/3,0")["least"], "1/3")
+
+    def test_least(self):
+        words = ("margin", FIG1, "--preload", 1, "--preload-direction", "scale", "--least")
+        self.assertEqual(stickslip(*words, "--wrench", "0,1/3,0"), (DONE, "1/3\n", ""))
+        never = ("margin", FIG1, "--preload-direction", "0,1,0", "--preload", 0, "--wrench",
+                 "0,1,0", "--least")
+        code, out, _ = stickslip(*never)
+        self.assertEqual(code, UNSTABLE)
+        self.assertIn("no multiple holds", out)
+        code, out, _ = stickslip(*never, "--json")
+        self.assertEqual((code, json.loads(out)["least"]), (UNSTABLE, None))
+
+    def test_warnings(self):
+        words = ("margin", FIG1, "--preload", 0, "--preload-direction", "1,0,0", "--direction",
+                 "0,-1,0")
+        self.assertIn("Warning: the preloads do not balance", stickslip(*words)[1])
+        self.assertEqual([w["trap"] for w in self.json(*words)["warnings"]],
+                         ["unbalanced-preload"])
+        self.assertNotIn("Warning", stickslip(*words, "--no-warnings")[1])
+        self.assertNotIn("warnings", self.json(*words, "--no-warnings"))
+
     def test_certificate_is_accepted(self):
+        for directions in (("--preload-direction", "scale"), ("--preload-direction", "1,1/2,1"),
+                           ("--preload-direction", "scale", "--direction", "0,1,0"),
+                           ("--preload-direction", "1,0,1", "--direction", "0,1,0")):
+            proof = self.path("proof.json")
+            self.json("margin", FIG1, *directions, "--certificate", proof)
+            for checker in ((CHECK,), (sys.executable, CHECK_PY)):
+                code, out, err = run(*checker, FIG1, proof, *directions)
+                self.assertEqual(code, DONE, out + err)
         for direction in ("0,1,0", "0,-1,0", "-1,1/3,1/7"):
             proof = self.path("proof.json")
             self.json("margin", FIG1, "--preload", 1, "--direction", direction,

@@ -378,7 +378,7 @@ TEST(ThresholdDistance, IsWhereTheVerdictChanges) {
     const Problem problem({grasp, w}, NormalLaw::kUnilateral);
     const auto stable_at = [&](const Wrench& load) {
       return std::holds_alternative<Stable>(
-          decide(problem.with_load(LoadRange(load)), Engine::kStates).verdict);
+          decide(problem.with_wrench(load), Engine::kStates).verdict);
     };
     const bool stable = stable_at(w);
     const ThresholdDistance distance = threshold_distance(problem, grasp);

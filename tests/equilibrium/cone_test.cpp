@@ -21,28 +21,33 @@ using test::to_rational;
 using test::value_at;
 
 struct Cut {
-  IntegerVector4 plane;
+  IntegerVector5 plane;
   Side side;
 };
 
-Cone cone_of(const std::vector<Cut>& cuts) {
-  Cone cone;
+using Multiples = Cone::Multiples;
+
+Cone cone_of(const std::vector<Cut>& cuts, Multiples multiples = Multiples::kZero) {
+  Cone cone(multiples);
   for (const Cut& cut : cuts) cone.cut(cut.plane, cut.side);
   return cone;
 }
 
-std::vector<Constraint> constraints_of(const std::vector<Cut>& cuts) {
+/// l = 0 comes last: cones do not count it.
+std::vector<Constraint> constraints_of(const std::vector<Cut>& cuts,
+                                       Multiples multiples = Multiples::kZero) {
   std::vector<Constraint> result = {{{0, 0, 0, 1}, 1}};
   for (const Cut& cut : cuts) {
     const int sign = cut.side == Side::kPositive ? 1 : cut.side == Side::kZero ? 0 : -1;
     result.push_back({to_rational(cut.plane), sign});
   }
+  if (multiples == Multiples::kZero) result.push_back({{0, 0, 0, 0, 1}, 0});
   return result;
 }
 
 /// The values of all constraints at x, scaled: the same for x and x' iff they differ by a
 /// positive factor and a line.
-std::vector<Rational> profile(const std::vector<Constraint>& constraints, const Vector4& x) {
+std::vector<Rational> profile(const std::vector<Constraint>& constraints, const Vector5& x) {
   std::vector<Rational> values;
   Rational largest = 0;
   for (const Constraint& c : constraints) {
@@ -67,15 +72,15 @@ std::string text(const std::vector<Cut>& cuts) {
 }
 
 /// Everything that Cone promises, against brute force.
-void expect_right(const std::vector<Cut>& cuts) {
+void expect_right(const std::vector<Cut>& cuts, Multiples multiples) {
   SCOPED_TRACE(text(cuts));
-  const Cone cone = cone_of(cuts);
-  const std::vector<Constraint> constraints = constraints_of(cuts);
+  const Cone cone = cone_of(cuts, multiples);
+  const std::vector<Constraint> constraints = constraints_of(cuts, multiples);
   const Generators expected = test::brute_force_generators(constraints);
-  ASSERT_EQ(cone.constraint_count(), constraints.size());
+  ASSERT_EQ(cone.constraint_count(), 1 + cuts.size());
 
   Rays lines;
-  for (const IntegerVector4& line : cone.lines()) {
+  for (const IntegerVector5& line : cone.lines()) {
     lines.push_back(to_rational(line));
     EXPECT_EQ(primitive(line), line);
     for (const Constraint& c : constraints) {
@@ -86,16 +91,16 @@ void expect_right(const std::vector<Cut>& cuts) {
   EXPECT_EQ(test::rank_of(lines), lines.size());
 
   std::set<std::vector<Rational>> wanted;
-  for (const Vector4& ray : expected.rays) wanted.insert(profile(constraints, ray));
+  for (const Vector5& ray : expected.rays) wanted.insert(profile(constraints, ray));
   std::set<std::vector<Rational>> found;
   for (const Ray& ray : cone.rays()) {
-    const Vector4 x = to_rational(ray.x);
+    const Vector5 x = to_rational(ray.x);
     EXPECT_EQ(primitive(ray.x), ray.x);
     EXPECT_TRUE(found.insert(profile(constraints, x)).second) << "a ray twice";
     std::vector<ConstraintIndex> tight;
     for (std::size_t c = 0; c < constraints.size(); ++c) {
       EXPECT_TRUE(constraints[c].holds_at(x));
-      if (value_at(constraints[c].function, x).is_zero()) {
+      if (c < cone.constraint_count() && value_at(constraints[c].function, x).is_zero()) {
         tight.push_back(static_cast<ConstraintIndex>(c));
       }
     }
@@ -103,6 +108,11 @@ void expect_right(const std::vector<Cut>& cuts) {
   }
   EXPECT_EQ(found, wanted);
   EXPECT_EQ(cone.directions().size(), 2 * cone.lines().size() + cone.rays().size());
+}
+
+void expect_right(const std::vector<Cut>& cuts) {
+  expect_right(cuts, Multiples::kZero);
+  expect_right(cuts, Multiples::kAny);
 }
 
 /// After every cut, so that the first wrong one is named.
@@ -117,8 +127,8 @@ Side random_side(RandomSource& random) {
   return die <= 2 ? Side::kPositive : die <= 4 ? Side::kNegative : Side::kZero;
 }
 
-IntegerVector4 random_plane(RandomSource& random, int bound) {
-  IntegerVector4 plane;
+IntegerVector5 random_plane(RandomSource& random, int bound) {
+  IntegerVector5 plane;
   for (Integer& entry : plane) entry = random.between(-bound, bound);
   return plane;
 }
@@ -136,7 +146,7 @@ TEST(Cone, OrthantsHaveFourRays) {
   for (int signs = 0; signs < 8; ++signs) {
     std::vector<Cut> cuts;
     for (std::size_t j = 0; j < 3; ++j) {
-      IntegerVector4 plane{};
+      IntegerVector5 plane{};
       plane[j] = 1;
       cuts.push_back({plane, (signs >> j & 1) != 0 ? Side::kPositive : Side::kNegative});
     }
@@ -148,7 +158,7 @@ TEST(Cone, OrthantsHaveFourRays) {
 }
 
 TEST(Cone, HalfSpacesAgainstEachOtherLeaveAPlane) {
-  const IntegerVector4 plane = {1, 2, -3, 0};
+  const IntegerVector5 plane = {1, 2, -3, 0};
   expect_right_throughout({{plane, Side::kPositive}, {plane, Side::kNegative}});
   expect_right_throughout({{plane, Side::kPositive}, {negated(plane), Side::kPositive}});
   const Cone cone = cone_of({{plane, Side::kPositive}, {plane, Side::kNegative}});
@@ -187,7 +197,7 @@ TEST(Cone, ManyPlanesThroughOneRay) {
   for (int round = 0; round < 20; ++round) {
     std::vector<Cut> cuts;
     for (int n = 0; n < 8; ++n) {
-      IntegerVector4 plane = random_plane(random, 2);
+      IntegerVector5 plane = random_plane(random, 2);
       plane[3] = -(plane[0] + plane[1] + plane[2]);
       cuts.push_back({plane, random.one_in(6) ? Side::kZero : random_side(random)});
     }
@@ -212,7 +222,7 @@ TEST(Cone, CubesAndTheirDegenerateCorners) {
   // |x|, |y|, |r| <= h, then planes that run through edges and corners.
   std::vector<Cut> cuts;
   for (std::size_t j = 0; j < 3; ++j) {
-    IntegerVector4 plane{0, 0, 0, 1};
+    IntegerVector5 plane{0, 0, 0, 1};
     plane[j] = 1;
     cuts.push_back({plane, Side::kPositive});
     plane[j] = -1;
@@ -271,10 +281,10 @@ TEST(SignsOn, AgreesWithSubstitution) {
     for (int n = random.between(0, 6); n > 0; --n) {
       cone.cut(random_plane(random, 1), random_side(random));
     }
-    const IntegerVector4 plane = random_plane(random, 1);
+    const IntegerVector5 plane = random_plane(random, 1);
     bool negative = false;
     bool positive = false;
-    for (const IntegerVector4& x : cone.directions()) {
+    for (const IntegerVector5& x : cone.directions()) {
       negative = negative || dot(plane, x) < 0;
       positive = positive || dot(plane, x) > 0;
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Load margins: the paper's thresholds, and every end against verdicts at it and beside it.
+// Margins along loads and preloads: the paper's thresholds, and every end against verdicts at
+// it and beside it.
 #include "stickslip/equilibrium/margin.hpp"
 
 #include <gtest/gtest.h>
@@ -8,6 +9,7 @@
 #include <set>
 
 #include "both_checkers.hpp"
+#include "family.hpp"
 #include "judged.hpp"
 #include "paper_grasps.hpp"
 #include "stickslip/core/error.hpp"
@@ -27,9 +29,12 @@ std::string describe(const std::vector<LoadInterval>& resisted) {
   return text;
 }
 
+Margin margin_of(const Question& question) {
+  return std::get<Margin>(find_margin(problem_of(question)));
+}
+
 Margin margin_of(const LoadCase& load_case, const Wrench& direction) {
-  const Problem problem(load_case.loaded, load_case.law);
-  return std::get<Margin>(find_margin(problem, direction));
+  return margin_of(test::margin_question(load_case.loaded, load_case.law, direction));
 }
 
 std::string resisted(const Grasp& grasp, const Wrench& direction, const Wrench& base = {},
@@ -55,7 +60,15 @@ TEST(Margin, WithoutContactsOnlyTheZeroLoadIsResisted) {
 
 TEST(Margin, NeedsADirection) {
   const Problem problem(LoadedGrasp{test::fig1_grasp(1), {}}, NormalLaw::kUnilateral);
-  EXPECT_THROW(find_margin(problem, {}), ContractError);
+  EXPECT_THROW(find_margin(problem), ContractError);
+  EXPECT_THROW(problem.along({}), ContractError);
+  EXPECT_THROW(problem.along({{}, {0, 0, 0}}), ContractError);
+  EXPECT_THROW(problem.along({{}, {0, 0, -1}}), ContractError);
+  EXPECT_THROW(problem.along({{}, {1}}), ContractError);
+  const Problem family = problem.along({{1, 0, 0}});
+  EXPECT_THROW(family.along({{1, 0, 0}}), ContractError);
+  EXPECT_THROW(decide_by_cones(family), ContractError);
+  EXPECT_THROW(find_violation(family, {}), ContractError);
 }
 
 TEST(Margin, StopsAtTheNodeLimit) {
@@ -63,8 +76,8 @@ TEST(Margin, StopsAtTheNodeLimit) {
   ConeOptions options;
   options.node_limit = 3;
   MarginWork work;
-  EXPECT_TRUE(
-      std::holds_alternative<Undecided>(find_margin(problem, {0, 1, 0}, options, &work)));
+  EXPECT_TRUE(std::holds_alternative<Undecided>(
+      find_margin(problem.along({{0, 1, 0}}), options, &work)));
   EXPECT_LE(work.cone.nodes, 3U);
 }
 
@@ -100,17 +113,15 @@ struct Tally {
   std::size_t verdicts = 0;
 };
 
-void expect_exact(const LoadCase& load_case, const Wrench& direction, Tally& tally) {
-  const Margin margin = margin_of(load_case, direction);
-  SCOPED_TRACE(describe(load_case) + " direction " + to_string(direction.x) + " " +
-               to_string(direction.y) + " " + to_string(direction.torque) + ": " +
-               describe(margin.resisted));
-  test::expect_accepted_by_both(Question{load_case.loaded, load_case.law, std::nullopt},
-                                margin);
+void expect_exact(const Question& question, Tally& tally) {
+  const Margin margin = margin_of(question);
+  std::string words;
+  const test::CheckerInput input = test::input_of(question, margin);
+  for (const std::string& word : test::command_line(input.options)) words += word + " ";
+  SCOPED_TRACE(input.grasp + words + ": " + describe(margin.resisted));
+  test::expect_accepted_by_both(question, margin);
   for (const Rational& multiple : interesting_multiples(margin.resisted)) {
-    LoadCase there = load_case;
-    there.loaded.wrench += multiple * direction;
-    EXPECT_EQ(test::judged_verdict(there),
+    EXPECT_EQ(test::judged_verdict({test::member(question, multiple), question.law}),
               contains(margin.resisted, multiple) ? "stable" : "unstable")
         << "at " << to_string(multiple);
     ++tally.verdicts;
@@ -140,7 +151,7 @@ TEST(Margin, EveryEndAgainstVerdictsOnDegenerateGrasps) {
     if (!random.one_in(3)) load_case.loaded.wrench = test::small_wrench(random);
     Wrench direction = test::small_wrench(random);
     if (direction == Wrench{}) direction.x = 1;
-    expect_exact(load_case, direction, tally);
+    expect_exact(test::margin_question(load_case.loaded, load_case.law, direction), tally);
   }
   print("degenerate", tally);
   EXPECT_GT(tally.intervals[0], 10U);
@@ -165,7 +176,7 @@ TEST(Margin, EveryEndAgainstVerdictsOnGenericGrasps) {
                   Rational(-1) * load_case.loaded.wrench;
     }
     if (direction == Wrench{}) direction.torque = 1;
-    expect_exact(load_case, direction, tally);
+    expect_exact(test::margin_question(load_case.loaded, load_case.law, direction), tally);
   }
   print("generic", tally);
   EXPECT_GT(tally.intervals[1], 20U);
@@ -201,6 +212,138 @@ TEST(Margin, ScalesWithTheDirectionAndShiftsWithTheBase) {
       EXPECT_EQ(*shifted.resisted.back().high, *margin.resisted.back().high + shift);
     }
   }
+}
+
+const PreloadDirection kScale{true, {}};
+
+std::string resisted_along(const Grasp& grasp, const Wrench& load,
+                           const PreloadDirection& growth) {
+  const LoadedGrasp loaded{grasp, load};
+  return describe(
+      margin_of(test::margin_question(loaded, NormalLaw::kUnilateral, std::nullopt, growth))
+          .resisted);
+}
+
+// What friction holds of Figs. 1 and 4 is in proportion to the preload of the sides.
+TEST(Margin, PreloadsThatHoldThePapersLoads) {
+  EXPECT_EQ(resisted_along(test::fig1_grasp(1), {0, 1, 0}, kScale), "[1, oo] ");
+  EXPECT_EQ(resisted_along(test::fig1_grasp(2), {0, 1, 0}, kScale), "[1/2, oo] ");
+  EXPECT_EQ(resisted_along(test::fig1_grasp(1), {0, 0, 0}, kScale), "[0, oo] ");
+  EXPECT_EQ(resisted_along(test::fig4_grasp(1), {0, 2, 0}, kScale), "[1, oo] ");
+  EXPECT_EQ(resisted_along(test::fig1_grasp(0), {0, 1, 0}, {false, {1, 0, 1}}), "[1, oo] ");
+  EXPECT_EQ(resisted_along(test::fig1_grasp(Rational(1, 2)), {0, 1, 0}, {false, {1, 0, 1}}),
+            "[1/2, oo] ");
+}
+
+// What holds at 13/5 times the preloads slips at 2.8 times, and holds again at 3 times.
+TEST(Margin, MorePreloadMayBreakAGrasp) {
+  std::vector<Contact> contacts{{{0, -2}, {1, 0}}, {{2, -2}, {0, 1}}, {{2, -2}, {-1, 0}}};
+  for (Contact& c : contacts) {
+    c.friction = Rational(3, 2);
+    c.preload = 1;
+  }
+  EXPECT_EQ(resisted_along(Grasp(contacts), {-2, -2, 1}, kScale), "[13/5, 8/3] [3, oo] ");
+  Tally tally;
+  expect_exact(test::margin_question({Grasp(contacts), {-2, -2, 1}}, NormalLaw::kUnilateral,
+                                     std::nullopt, kScale),
+               tally);
+}
+
+/// All in proportion, or one number for each contact that may have a preload, not all 0.
+PreloadDirection random_growth(RandomSource& random, const Grasp& grasp) {
+  if (random.one_in(2)) return kScale;
+  PreloadDirection growth;
+  Rational sum = 0;
+  for (const Contact& c : grasp.contacts()) {
+    const bool may = exact_sqrt(c.normal.x * c.normal.x + c.normal.y * c.normal.y).has_value();
+    growth.rates.emplace_back(may ? random.between(sum.is_zero() ? 1 : 0, 2) : 0);
+    sum += growth.rates.back();
+  }
+  return sum.is_zero() ? kScale : growth;
+}
+
+std::optional<Question> random_preload_margin(RandomSource& random, const LoadedGrasp& loaded,
+                                              NormalLaw law) {
+  std::optional<Wrench> direction;
+  if (random.one_in(3)) direction = test::small_wrench(random);
+  try {
+    return test::margin_question(loaded, law, direction, random_growth(random, loaded.grasp));
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.problem(), "there is no preload to scale");
+    return std::nullopt;
+  }
+}
+
+TEST(Margin, EveryEndAgainstVerdictsAlongPreloadsOfDegenerateGrasps) {
+  RandomSource random(614);
+  Tally tally;
+  for (int round = 0; round < 160; ++round) {
+    const auto contacts = static_cast<std::size_t>(random.between(1, 4));
+    const NormalLaw law = random.one_in(3) ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
+    const LoadedGrasp loaded{test::degenerate_grasp(random, contacts),
+                             test::small_wrench(random)};
+    const auto question = random_preload_margin(random, loaded, law);
+    if (question) expect_exact(*question, tally);
+  }
+  print("degenerate, preloads", tally);
+  EXPECT_GT(tally.intervals[0], 10U);
+  EXPECT_GT(tally.intervals[1], 10U);
+  EXPECT_GT(tally.unbounded, 10U);
+}
+
+TEST(Margin, EveryEndAgainstVerdictsAlongPreloadsOfGenericGrasps) {
+  RandomSource random(615);
+  Tally tally;
+  for (int round = 0; round < 80; ++round) {
+    const auto contacts = static_cast<std::size_t>(random.between(2, 6));
+    const NormalLaw law = random.one_in(3) ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
+    const Grasp grasp = test::generic_grasp(random, contacts);
+    const LoadedGrasp loaded{grasp, test::planted_wrench(random, grasp, law)};
+    const auto question = random_preload_margin(random, loaded, law);
+    if (question) expect_exact(*question, tally);
+  }
+  print("generic, preloads", tally);
+  EXPECT_GT(tally.intervals[1], 20U);
+}
+
+// An equilibrium under w with the preloads l P is, scaled by 1/l, one under w/l with P. The one
+// margin knows the multiple as one more coordinate, the other only at the ends of its range.
+TEST(Margin, MorePreloadIsAsLessLoad) {
+  RandomSource random(616);
+  std::size_t ends = 0;
+  for (int round = 0; round < 150; ++round) {
+    const auto contacts = static_cast<std::size_t>(random.between(1, 5));
+    const NormalLaw law = random.one_in(3) ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
+    Grasp grasp = random.one_in(2) ? test::generic_grasp(random, contacts)
+                                   : test::degenerate_grasp(random, contacts);
+    Wrench load = random.one_in(2) ? test::planted_wrench(random, grasp, law)
+                                   : test::small_wrench(random);
+    if (load == Wrench{}) load.x = 1;
+    std::vector<Rational> preloads;
+    for (const Contact& c : grasp.contacts()) preloads.push_back(c.preload);
+    preloads.front() += 1;
+    try {
+      grasp = grasp.with_preloads(preloads);
+      const Margin of_load = margin_of(test::margin_question({grasp, {}}, law, load));
+      const Margin of_preload =
+          margin_of(test::margin_question({grasp, load}, law, std::nullopt, kScale));
+      const auto expect_alike = [&](const Rational& factor) {
+        if (factor.is_zero()) return;
+        EXPECT_EQ(contains(of_load.resisted, factor),
+                  contains(of_preload.resisted, 1 / factor));
+        ++ends;
+      };
+      for (const Rational& factor : interesting_multiples(of_load.resisted)) {
+        expect_alike(factor);
+      }
+      for (const Rational& multiple : interesting_multiples(of_preload.resisted)) {
+        if (!multiple.is_zero()) expect_alike(1 / multiple);
+      }
+    } catch (const InputError& error) {  // a normal of irrational length
+      EXPECT_EQ(error.place(), "contacts[0].normal");
+    }
+  }
+  EXPECT_GT(ends, 1000U);
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "naive_region.hpp"
 #include "paper_grasps.hpp"
 #include "random_grasps.hpp"
@@ -23,25 +25,13 @@ constexpr ContactId kFirst(0);
 constexpr ContactId kSecond(1);
 constexpr ContactId kThird(2);
 
-/// The exact bound g(r) of leaf-bound on each of cone().directions(), for a single load.
-std::vector<Rational> virtual_work_bounds(const Problem& problem, const Region& region,
-                                          const VirtualWorkLeaf& leaf) {
-  std::vector<Rational> bounds = contact_work_bounds(problem, region, leaf);
-  const std::vector<IntegerVector4> directions = region.cone().directions();
-  const Twist y{Rational(leaf.twist[0]), Rational(leaf.twist[1]), Rational(leaf.twist[2])};
-  for (std::size_t r = 0; r < bounds.size(); ++r) {
-    bounds[r] += Rational(directions[r][3]) * power(problem.wrench(), y);
-  }
-  return bounds;
-}
-
 Problem fig4(const Rational& preload, NormalLaw law = NormalLaw::kUnilateral) {
   return Problem({fig4_grasp(preload), {0, 2, 0}}, law);
 }
 
-Rays rays_of(const Region& region) {
+Rays rays_of(const Problem& problem, const Region& region) {
   Rays rays;
-  for (const IntegerVector4& x : region.cone().directions()) rays.push_back(to_rational(x));
+  for (const Ray& ray : region.generators(problem)) rays.push_back(to_rational(ray.x));
   return rays;
 }
 
@@ -49,10 +39,10 @@ TEST(Problem, LinearFunctionsOfTheHomogenisedMotion) {
   // p = (2, 1), n = (3, 4), L = 5: N = (3, 4, 5), T = (-4, 3, 10), P/L = 2, k/L^2 = 1/5.
   const Grasp grasp({{{2, 1}, {3, 4}, {1, 2}, 5, 10}});
   const Problem problem({grasp, {1, 2, 3}}, NormalLaw::kUnilateral);
-  EXPECT_EQ(problem.slip_plane(kFirst), (IntegerVector4{-4, 3, 10, 0}));
+  EXPECT_EQ(problem.slip_plane(kFirst), (IntegerVector5{-4, 3, 10, 0, 0}));
   EXPECT_EQ(problem.separation(kFirst),
-            (Vector4{Rational(-3, 5), Rational(-4, 5), Rational(-1), Rational(2)}));
-  EXPECT_EQ(problem.separation_plane(kFirst), (IntegerVector4{-3, -4, -5, 10}));
+            (Vector5{Rational(-3, 5), Rational(-4, 5), Rational(-1), Rational(2), 0}));
+  EXPECT_EQ(problem.separation_plane(kFirst), (IntegerVector5{-3, -4, -5, 10, 0}));
   const Wrench n{3, 4, 5};
   const Wrench t{-4, 3, 10};
   for (const int sigma : {-1, 0, 1}) {
@@ -124,7 +114,7 @@ TEST(Region, StrictSlipImpliesTheSlipOfCoincidentContacts) {
 TEST(Region, APlaneGivesASignOnlyOnItsStrictSide) {
   const Problem problem = fig4(0);
   const Region root = Region::root(problem);
-  const IntegerVector4 tau = problem.slip_plane(kFirst);
+  const IntegerVector5 tau = problem.slip_plane(kFirst);
   // First child: tau >= 0, where the motions with tau = 0 belong; friction is not known there.
   EXPECT_EQ(root.plane_child(tau, Side::kPositive).slip_sign(problem, kFirst), std::nullopt);
   EXPECT_EQ(root.plane_child(tau, Side::kNegative).slip_sign(problem, kFirst), Sign::kNegative);
@@ -151,7 +141,7 @@ TEST(Region, SeparationChildren) {
 TEST(Region, VoidWhereNoMotionIsLeft) {
   const Problem problem = fig4(0);
   const Region root = Region::root(problem);
-  const IntegerVector4 h = {0, 0, 0, 1};
+  const IntegerVector5 h = {0, 0, 0, 1};
   EXPECT_FALSE(root.plane_child(h, Side::kPositive).is_void());
   EXPECT_TRUE(root.plane_child(h, Side::kNegative).is_void());
   const Region plus = root.slip_child(problem, kFirst, Sign::kPositive);
@@ -194,7 +184,7 @@ TEST(Leaf, BoundIsExactAtTheThreshold) {
                              .plane_child({1, 0, 0, 1}, Side::kPositive)
                              .plane_child({-1, 0, 0, 1}, Side::kPositive);
     const VirtualWorkLeaf down{{0, -1, 0}, {}};
-    for (const Rational& bound : virtual_work_bounds(problem, stuck, down)) {
+    for (const Rational& bound : work_bounds(problem, stuck, down)) {
       EXPECT_EQ(bound, -excess);
     }
     EXPECT_EQ(refutes(problem, stuck, down), excess > 0);
@@ -224,21 +214,21 @@ TEST(Leaf, ThetaCountsNegativeWorkOfMixedContacts) {
   const Problem problem({Grasp({{{0, 0}, {0, 1}, 0, 1, 0}}), {0, 1, 0}},
                         NormalLaw::kUnilateral);
   const Region root = Region::root(problem);
-  const std::vector<IntegerVector4> directions = root.cone().directions();
+  const Rays rays = rays_of(problem, root);
   for (const Rational& theta : {Rational(0), Rational(1, 3), Rational(1)}) {
     // alpha = y.N = -1, y.w = -1.
     const VirtualWorkLeaf leaf{{0, -1, 0}, {{kFirst, theta}}};
-    const std::vector<Rational> g = virtual_work_bounds(problem, root, leaf);
-    for (std::size_t r = 0; r < directions.size(); ++r) {
-      EXPECT_EQ(g[r], theta * Rational(directions[r][1]) - Rational(directions[r][3]));
+    const std::vector<Rational> g = work_bounds(problem, root, leaf);
+    for (std::size_t r = 0; r < rays.size(); ++r) {
+      EXPECT_EQ(g[r], theta * rays[r][1] - rays[r][3]);
     }
     // No force pulls down. But theta > 0 lets g be positive on one half of the line (0, 1, 0,
     // 0).
     EXPECT_EQ(refutes(problem, root, leaf), theta.is_zero());
   }
   // alpha = +1: theta has no effect.
-  EXPECT_EQ(virtual_work_bounds(problem, root, {{0, 1, 0}, {{kFirst, Rational(1, 3)}}}),
-            virtual_work_bounds(problem, root, {{0, 1, 0}, {}}));
+  EXPECT_EQ(work_bounds(problem, root, {{0, 1, 0}, {{kFirst, Rational(1, 3)}}}),
+            work_bounds(problem, root, {{0, 1, 0}, {}}));
 }
 
 /// Any split that a tree may make, and some that it would not.
@@ -252,8 +242,14 @@ void split_at_random(RandomSource& random, const Problem& problem, Region& regio
     region = region.slip_child(problem, ContactId(contact), sign_of_int(slip));
     naive = naive.slip_child(problem, contact, slip);
   } else if (kind == 3) {
-    IntegerVector4 plane;
+    IntegerVector5 plane;
     for (Integer& entry : plane) entry = random.between(-1, 1);
+    if (problem.is_family() && !problem.preloads_grow()) {
+      IntegerVector5 any = plane;
+      any[4] = 1;
+      EXPECT_THROW(region.plane_child(any, Side::kPositive), ContractError);
+      plane[4] = 0;
+    }
     const bool first = random.one_in(2);
     region = region.plane_child(plane, first ? Side::kPositive : Side::kNegative);
     naive = naive.plane_child(to_rational(plane), first);
@@ -263,6 +259,24 @@ void split_at_random(RandomSource& random, const Problem& problem, Region& regio
                                      closed ? Separation::kClosed : Separation::kOpen);
     naive = naive.separation_child(problem, contact, closed);
   }
+}
+
+/// With growing loads, growing preloads or both, and a range of any sort.
+Problem random_family(RandomSource& random, const Problem& problem) {
+  Growth growth;
+  if (random.one_in(2)) growth.load = test::small_wrench(random);
+  if (random.one_in(2)) {
+    for (std::size_t i = 0; i < problem.size(); ++i) {
+      growth.preloads.emplace_back(random.between(0, 2));
+    }
+  }
+  const bool grows =
+      !(growth.load == Wrench{}) || std::any_of(growth.preloads.begin(), growth.preloads.end(),
+                                                [](const Rational& p) { return !p.is_zero(); });
+  if (!grows) growth.load.x = 1;
+  MultipleRange range{Rational(random.between(0, 3), 2), std::nullopt, random.one_in(2)};
+  if (random.one_in(2)) range.high = range.low + Rational(random.between(1, 4), 3);
+  return problem.along(growth).within(range);
 }
 
 VirtualWorkLeaf random_leaf(RandomSource& random, const Problem& problem) {
@@ -288,13 +302,14 @@ TEST(Region, AgreesWithTheLetterOfTheFormat) {
     const Wrench wrench = test::small_wrench(random);
     const NormalLaw law = random.one_in(3) ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
     SCOPED_TRACE(test::describe({{grasp, wrench}, law}));
-    const Problem problem({grasp, wrench}, law);
+    Problem problem({grasp, wrench}, law);
+    if (random.one_in(2)) problem = random_family(random, problem);
     Region region = Region::root(problem);
     NaiveRegion naive = NaiveRegion::root(problem);
     for (int splits = random.between(0, 6); splits > 0; --splits) {
       split_at_random(random, problem, region, naive);
     }
-    const Rays rays = rays_of(region);
+    const Rays rays = rays_of(problem, region);
     const Rays brute = test::brute_force_generators(naive.constraints).directions();
     const bool is_void = naive_is_barred(naive, rays);
     EXPECT_EQ(naive_is_barred(naive, brute), is_void) << "the rays should not matter";
@@ -310,8 +325,7 @@ TEST(Region, AgreesWithTheLetterOfTheFormat) {
     }
     for (int leaves = 0; leaves < 4; ++leaves) {
       const VirtualWorkLeaf leaf = random_leaf(random, problem);
-      EXPECT_EQ(virtual_work_bounds(problem, region, leaf),
-                naive_bounds(problem, naive, rays, leaf));
+      EXPECT_EQ(work_bounds(problem, region, leaf), naive_bounds(problem, naive, rays, leaf));
       const bool holds = naive_refutes(problem, naive, rays, leaf);
       EXPECT_EQ(refutes(problem, region, leaf), holds);
       EXPECT_EQ(naive_refutes(problem, naive, brute, leaf), holds);

@@ -3,7 +3,7 @@
 // normals, under all wrenches in {-1, 0, 1}^3, P in {0, 1} and both normal laws (k = 1; mu =
 // 1/2, for one contact also 0 and 1), one grasp for each class under the symmetries of the
 // square and the exchange of the contacts. Each verdict is judged by its evidence, and many are
-// put to Z3.
+// put to Z3. And the margins along preloads of the same grasps.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +12,8 @@
 #include <set>
 #include <utility>
 
+#include "both_checkers.hpp"
+#include "family.hpp"
 #include "judged.hpp"
 #include "smt_oracle.hpp"
 
@@ -116,6 +118,74 @@ TEST(SmallWorld, TwoContactsOnAGrid) {
     }
   }
   expect_right(load_cases, 5);
+}
+
+/// Margins of these grasps along each of the preload directions: every end against verdicts at
+/// it and next to it, every gap and all of l >= 0 against Z3.
+void expect_margins_right(const std::vector<LoadCase>& load_cases,
+                          const std::vector<PreloadDirection>& directions) {
+  const Rational tiny = parse_rational("1e-15");
+  std::vector<test::FamilyCase> families;
+  std::vector<std::string> expected;
+  std::size_t ends = 0;
+  for (const LoadCase& load_case : load_cases) {
+    for (const PreloadDirection& direction : directions) {
+      const Question question =
+          test::margin_question(load_case.loaded, load_case.law, std::nullopt, direction);
+      const auto margin = std::get<Margin>(find_margin(problem_of(question)));
+      test::expect_accepted_by_both(question, margin);
+      const auto expect_verdict = [&](const Rational& multiple, const char* verdict) {
+        EXPECT_EQ(test::judged_verdict({test::member(question, multiple), question.law}),
+                  verdict)
+            << describe(load_case) << " at " << to_string(multiple);
+        ++ends;
+      };
+      for (const auto& [low, high] : margin.resisted) {
+        expect_verdict(low, "stable");
+        if (low > 0) expect_verdict(low - tiny, "unstable");
+        expect_verdict(high.value_or(1000000), "stable");
+        if (high) expect_verdict(*high + tiny, "unstable");
+      }
+      families.push_back({question, {}});
+      expected.emplace_back(margin.resisted.empty() ? "unstable" : "stable");
+      for (const MultipleRange& gap : test::gaps_of(margin)) {
+        families.push_back({question, gap});
+        expected.emplace_back("unstable");
+      }
+    }
+  }
+  EXPECT_EQ(test::ask_z3(families), expected);
+  std::cout << load_cases.size() * directions.size() << " margins, " << ends
+            << " verdicts at their ends; " << families.size() << " ranges put to z3\n";
+  EXPECT_GT(ends, load_cases.size());
+}
+
+TEST(SmallWorld, PreloadOfOneContactGrows) {
+  std::set<Pair> classes;
+  for (const GridContact& c : grid_contacts()) classes.insert(representative({c, c}));
+  std::vector<LoadCase> load_cases;
+  for (const auto& [c, same] : classes) {
+    for (const int preload : {0, 1}) {
+      add_all_loads(Grasp({contact(c, Rational(1, 2), preload)}), load_cases);
+    }
+  }
+  expect_margins_right(load_cases, {{false, {1}}});
+}
+
+/// Contacts that press against each other, whose preloads may balance.
+TEST(SmallWorld, PreloadsOfTwoContactsGrow) {
+  std::set<Pair> classes;
+  for (const GridContact& a : grid_contacts()) {
+    for (const GridContact& b : grid_contacts()) {
+      if (a[2] == -b[2] && a[3] == -b[3]) classes.insert(representative({a, b}));
+    }
+  }
+  std::vector<LoadCase> load_cases;
+  for (const auto& [a, b] : classes) {
+    const Rational friction(1, 2);
+    add_all_loads(Grasp({contact(a, friction, 0), contact(b, friction, 0)}), load_cases);
+  }
+  expect_margins_right(load_cases, {{false, {1, 1}}, {false, {1, 0}}, {false, {1, 2}}});
 }
 
 }  // namespace

@@ -24,9 +24,16 @@ std::optional<Rational> rational_length(const Vector2& v) {
   return root * root == square ? std::optional<Rational>(root) : std::nullopt;
 }
 
-/// Contact i: forces cn, ct along n and t; the motion (mx, my) of the contact point.
-void write_contact(std::ostream& out, const Contact& contact, std::size_t i, NormalLaw law,
-                   Model model) {
+/// The number, and in a family what the multiple l adds to it.
+std::string growing(const Rational& base, const Rational& rate) {
+  if (rate == 0) return literal(base);
+  return "(+ " + literal(base) + " (* " + literal(rate) + " l))";
+}
+
+/// Contact i: forces cn, ct along n and t; the motion (mx, my) of the contact point. `growth`
+/// is that of its preload.
+void write_contact(std::ostream& out, const Contact& contact, const Rational& growth,
+                   std::size_t i, NormalLaw law, Model model) {
   const std::string id = std::to_string(i);
   Vector2 n = contact.normal;
   // cn = P - k n.m for a unit normal. Along a normal of irrational length L, without preload,
@@ -35,7 +42,8 @@ void write_contact(std::ostream& out, const Contact& contact, std::size_t i, Nor
   if (const std::optional<Rational> length = rational_length(n)) {
     n = {n.x / *length, n.y / *length};
   } else {
-    if (contact.preload != 0) throw std::invalid_argument("preload along an irrational normal");
+    if (contact.preload != 0 || growth != 0)
+      throw std::invalid_argument("preload along an irrational normal");
     spring /= n.x * n.x + n.y * n.y;
   }
   const std::string nx = literal(n.x);
@@ -58,7 +66,7 @@ void write_contact(std::ostream& out, const Contact& contact, std::size_t i, Nor
       << " () Real)\n";
   define("mx", "(- x (* r " + py + "))");
   define("my", "(+ y (* r " + px + "))");
-  define("v", "(- " + literal(contact.preload) + " (* " + literal(spring) + " " +
+  define("v", "(- " + growing(contact.preload, growth) + " (* " + literal(spring) + " " +
                   dot(nx, var("mx"), ny, var("my")) + "))");
   define("slip", dot(tx, var("mx"), ty, var("my")));
   define("fx", dot(nx, var("cn"), tx, var("ct")));
@@ -116,48 +124,81 @@ void write_contact(std::ostream& out, const Contact& contact, std::size_t i, Nor
 }
 
 /// The load and the contacts' parts sum to `total`.
-void write_balance(std::ostream& out, const char* total, const Rational& load, const char* part,
-                   std::size_t count) {
-  out << "(assert (= " << total << " (+ 0.0 " << literal(load);
+void write_balance(std::ostream& out, const char* total, const std::string& load,
+                   const char* part, std::size_t count) {
+  out << "(assert (= " << total << " (+ 0.0 " << load;
   for (std::size_t i = 0; i < count; ++i) out << ' ' << part << i;
   out << ")))\n";
 }
 
 }  // namespace
 
-std::string smt_assertions(const LoadCase& load_case, Model model) {
+namespace {
+
+/// With growths as in a Question.
+std::string assertions(const LoadCase& load_case, Model model, const Wrench& load_growth,
+                       const std::vector<Rational>& preload_growth) {
   std::ostringstream out;
   out << "(declare-fun x () Real)\n(declare-fun y () Real)\n(declare-fun r () Real)\n";
   const std::vector<Contact>& contacts = load_case.loaded.grasp.contacts();
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    write_contact(out, contacts[i], i, load_case.law, model);
+    const Rational growth = preload_growth.empty() ? Rational(0) : preload_growth[i];
+    write_contact(out, contacts[i], growth, i, load_case.law, model);
   }
   const bool moves = model == Model::kAccelerates;
   const Wrench& w = load_case.loaded.wrench;
-  write_balance(out, moves ? "x" : "0.0", w.x, "fx", contacts.size());
-  write_balance(out, moves ? "y" : "0.0", w.y, "fy", contacts.size());
-  write_balance(out, moves ? "r" : "0.0", w.torque, "torque", contacts.size());
+  write_balance(out, moves ? "x" : "0.0", growing(w.x, load_growth.x), "fx", contacts.size());
+  write_balance(out, moves ? "y" : "0.0", growing(w.y, load_growth.y), "fy", contacts.size());
+  write_balance(out, moves ? "r" : "0.0", growing(w.torque, load_growth.torque), "torque",
+                contacts.size());
   if (moves) out << "(assert (not (and (= x 0.0) (= y 0.0) (= r 0.0))))\n";
   return out.str();
 }
 
-std::vector<std::string> ask_z3(const std::vector<LoadCase>& load_cases, Model model) {
+/// In the order of the questions.
+std::vector<std::string> answers_to(const std::vector<std::string>& questions) {
   std::string text;
-  for (const LoadCase& load_case : load_cases) {
-    text +=
-        "(reset)\n(set-logic QF_LRA)\n" + smt_assertions(load_case, model) + "(check-sat)\n";
+  for (const std::string& assertions : questions) {
+    text += "(reset)\n(set-logic QF_LRA)\n" + assertions + "(check-sat)\n";
   }
   std::vector<std::string> answers = ask_solver(STICKSLIP_Z3, "-smt2", text);
   for (std::string& answer : answers) {
     if (answer == "sat") answer = "stable";
     if (answer == "unsat") answer = "unstable";
   }
-  if (answers.size() != load_cases.size()) {
+  if (answers.size() != questions.size()) {
     throw std::runtime_error("z3 gave " + std::to_string(answers.size()) + " lines for " +
-                             std::to_string(load_cases.size()) +
+                             std::to_string(questions.size()) +
                              " questions, last: " + (answers.empty() ? "" : answers.back()));
   }
   return answers;
+}
+
+}  // namespace
+
+std::string smt_assertions(const LoadCase& load_case, Model model) {
+  return assertions(load_case, model, {}, {});
+}
+
+std::vector<std::string> ask_z3(const std::vector<LoadCase>& load_cases, Model model) {
+  std::vector<std::string> questions;
+  for (const LoadCase& load_case : load_cases) {
+    questions.push_back(smt_assertions(load_case, model));
+  }
+  return answers_to(questions);
+}
+
+std::vector<std::string> ask_z3(const std::vector<FamilyCase>& families) {
+  std::vector<std::string> questions;
+  for (const auto& [margin, range] : families) {
+    std::string text = std::string("(declare-fun l () Real)\n(assert (") +
+                       (range.has_low ? ">= " : "> ") + "l " + literal(range.low) + "))\n";
+    if (range.high) text += "(assert (< l " + literal(*range.high) + "))\n";
+    text += assertions({margin.loaded, margin.law}, Model::kPassive,
+                       margin.direction.value_or(Wrench{}), margin.preload_growth);
+    questions.push_back(std::move(text));
+  }
+  return answers_to(questions);
 }
 
 }  // namespace stickslip::test

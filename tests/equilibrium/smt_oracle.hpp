@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "random_grasps.hpp"
+#include "stickslip/equilibrium/question.hpp"
 
 namespace stickslip::test {
 
@@ -33,5 +34,15 @@ std::string smt_assertions(const LoadCase& load_case, Model model = Model::kPass
 /// each.
 std::vector<std::string> ask_z3(const std::vector<LoadCase>& load_cases,
                                 Model model = Model::kPassive);
+
+/// Some multiples of a margin's family.
+struct FamilyCase {
+  Question margin;
+  MultipleRange range;
+};
+
+/// For each "stable" if the passive model has a solution for some multiple in the range,
+/// "unstable" if it has none for any: the multiple is one more unknown of the solver.
+std::vector<std::string> ask_z3(const std::vector<FamilyCase>& families);
 
 }  // namespace stickslip::test

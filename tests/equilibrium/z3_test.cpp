@@ -3,8 +3,10 @@
 // degenerate.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <iostream>
 
+#include "family.hpp"
 #include "judged.hpp"
 #include "paper_grasps.hpp"
 #include "smt_oracle.hpp"
@@ -135,6 +137,43 @@ TEST(AgainstZ3, GraspsOfThePaper) {
     }
   }
   expect_agreement("Figs. 1 and 4", load_cases);
+}
+
+// Z3 finds no multiple in the gaps of a margin, and one among all if anything is resisted.
+TEST(AgainstZ3, MarginsAlongLoadsAndPreloads) {
+  RandomSource random(45);
+  std::vector<test::FamilyCase> families;
+  std::vector<std::string> expected;
+  for (int round = 0; round < 250; ++round) {
+    const NormalLaw law = random_law(random);
+    const auto contacts = static_cast<std::size_t>(random.between(1, 4));
+    const Grasp grasp = test::degenerate_grasp(random, contacts);
+    std::optional<Wrench> direction;
+    if (random.one_in(2)) direction = test::small_wrench(random);
+    std::optional<PreloadDirection> growth;
+    if (!direction || random.one_in(2)) {
+      growth.emplace();
+      for (std::size_t i = 0; i < contacts; ++i)
+        growth->rates.emplace_back(random.between(0, 2));
+      growth->rates.front() += 1;
+    } else if (*direction == Wrench{}) {
+      direction->y = 1;
+    }
+    const Question question =
+        test::margin_question({grasp, any_wrench(random, grasp, law)}, law, direction, growth);
+    const auto margin = std::get<Margin>(find_margin(problem_of(question)));
+    families.push_back({question, {}});
+    expected.emplace_back(margin.resisted.empty() ? "unstable" : "stable");
+    for (const MultipleRange& gap : test::gaps_of(margin)) {
+      families.push_back({question, gap});
+      expected.emplace_back("unstable");
+    }
+  }
+  EXPECT_EQ(test::ask_z3(families), expected);
+  const auto gaps = std::count(expected.begin(), expected.end(), "unstable");
+  std::cout << "margins: " << gaps << " ranges refuted\n";
+  EXPECT_GT(gaps, 150);
+  EXPECT_GT(static_cast<std::ptrdiff_t>(expected.size()) - gaps, 100);
 }
 
 }  // namespace

@@ -62,23 +62,28 @@ stickslip::Wrench core_wrench(const Vector& w) {
 
 /// What the engine finds, as the checker says it; empty if it would take long.
 std::string truth(const Input& input, const Options& options) {
-  if (options.preload_direction) return {};
   stickslip::QuestionOptions asked;
-  if (options.direction) asked.wrench = stickslip::Wrench{};
+  if (options.direction) asked.direction = core_wrench(*options.direction);
+  if (const auto& growth = options.preload_direction) {
+    asked.preload_direction = stickslip::PreloadDirection{growth->scale, {}};
+    for (const Rational& rate : growth->values) {
+      asked.preload_direction->rates.push_back(core_number(rate));
+    }
+  }
   if (options.wrench) asked.wrench = core_wrench(*options.wrench);
   if (options.preload) asked.preload = core_number(*options.preload);
   if (options.bilateral) asked.law = stickslip::NormalLaw::kBilateral;
   const stickslip::Question question =
       stickslip::ask(stickslip::parse_grasp(input.grasp, "grasp"), asked);
-  const stickslip::Problem problem(question.loaded, question.law);
+  const stickslip::Problem problem = stickslip::problem_of(question);
   stickslip::ConeOptions limit;
   limit.node_limit = 300;
-  if (!options.direction) {
+  if (!options.margin()) {
     const stickslip::Verdict verdict = stickslip::decide_by_cones(problem, limit);
     const bool decided = !std::holds_alternative<stickslip::Undecided>(verdict);
     return decided ? name_of(verdict) : "";
   }
-  const auto found = stickslip::find_margin(problem, core_wrench(*options.direction), limit);
+  const auto found = stickslip::find_margin(problem, limit);
   const auto* margin = std::get_if<stickslip::Margin>(&found);
   if (margin == nullptr) return {};
   std::string text = "margin";

@@ -2,13 +2,14 @@
 // What `stickslip batch` does with a line, and `stickslip margin` with a file. An input is a
 // grasp file. Whatever question it asks, the certificate of the answer is accepted by the
 // checker, which shares no code with what wrote it, as that of the same answer.
+#include <algorithm>
 #include <sstream>
 
 #include "check.hpp"
 #include "fuzz_target.hpp"
 #include "stickslip/certificate/certificate.hpp"
-#include "stickslip/equilibrium/search/branch_and_bound.hpp"
 #include "stickslip/equilibrium/margin.hpp"
+#include "stickslip/equilibrium/search/branch_and_bound.hpp"
 
 namespace {
 
@@ -50,15 +51,29 @@ void answer(const std::string& text, NormalLaw law) {
   if (!std::holds_alternative<Undecided>(verdict)) {
     expect_accepted(text, certificate_text(question, verdict, "fuzz"), asked, name_of(verdict));
   }
-  const Wrench direction = question.loaded.wrench;
-  if (direction == Wrench{}) return;
-  Question base = question;
-  base.loaded.wrench = Wrench{};
-  const auto margin = find_margin(Problem(base.loaded, law), direction, limit);
-  if (const auto* found = std::get_if<Margin>(&margin)) {
-    asked.direction = checker_vector(direction);
-    expect_accepted(text, margin_certificate_text(base, *found, "fuzz"), asked, "margin");
+  const auto expect_margin = [&](const QuestionOptions& directions) {
+    const Question along = ask(parse_grasp(text, "fuzz"), directions);
+    const auto margin = find_margin(problem_of(along), limit);
+    if (const auto* found = std::get_if<Margin>(&margin)) {
+      expect_accepted(text, margin_certificate_text(along, *found, "fuzz"), asked, "margin");
+    }
+  };
+  const Wrench& load = question.loaded.wrench;
+  if (!(load == Wrench{})) {
+    options.direction = load;
+    asked.direction = checker_vector(load);
+    expect_margin(options);
   }
+  const std::vector<Contact>& contacts = question.loaded.grasp.contacts();
+  const bool has_preload = std::any_of(contacts.begin(), contacts.end(),
+                                       [](const Contact& c) { return !c.preload.is_zero(); });
+  if (!has_preload) return;
+  options.direction.reset();
+  asked.direction.reset();
+  options.preload_direction = PreloadDirection{true, {}};
+  asked.preload_direction.emplace();
+  asked.preload_direction->scale = true;
+  expect_margin(options);
 }
 
 }  // namespace

@@ -261,6 +261,32 @@ def test_margin_certificates_are_accepted(fig1):
     assert check(fig1, margin(fig1, UP).certificate).rule == "question-direction"
 
 
+def test_preloads_that_hold_a_load(fig1):
+    held = margin(fig1, preload_direction="scale", wrench=UP)
+    assert held.resisted == ((1, None),) and held.least == 1 and type(held.least) is Fraction
+    assert held.direction is None and held.preload_direction == "scale"
+    assert margin(fig1, preload_direction="scale").wrench == fig1.wrench
+    one_side = margin(fig1, preload=0, preload_direction=(1, 0, "1/2"), wrench=UP)
+    assert one_side.resisted == ((Fraction(4, 3), None),) and one_side.least == Fraction(4, 3)
+    both = margin(fig1, UP, preload=0, preload_direction=np.array([1.0, 0, 1.0]))
+    assert both.resisted == ((0, None),) and both.preload_direction == (1, 0, 1)
+    for found, asked in ((held, {"preload_direction": "scale", "wrench": UP}),
+                         (one_side, {"preload": 0, "preload_direction": [1, 0, "1/2"],
+                                     "wrench": UP}),
+                         (both, {"direction": UP, "preload": 0, "preload_direction": [1, 0, 1]})):
+        answer = check(fig1, found.certificate, **asked)
+        assert answer and answer.verdict == "margin" and answer.resisted == found.resisted
+        assert answer.preload_direction == found.preload_direction
+        assert check(fig1, found.certificate, **{**asked, "preload_direction": [7, 0, 0]}).rule \
+            == "question-preload-direction"
+
+
+def test_margins_warn_as_verdicts_do(fig1):
+    assert margin(fig1, UP).warnings == ()
+    found = margin(fig1, UP, preload=0, preload_direction=[1, 0, 0], warnings=True).warnings
+    assert [w.trap for w in found] == ["unbalanced-preload"]
+
+
 def test_margins_end_where_verdicts_change(fig1):
     tiny = Fraction(1, 10**40)
     for direction in ((1, 1, 1), (-1, 2, 0), ("1/3", 1, "1/7")):
@@ -354,6 +380,14 @@ def test_same_snapped_grasp_as_the_program(tmp_path):
     ("wrench[1]", lambda g: decide(g, (1, float("nan"), 2))),
     ("direction", lambda g: margin(g, (0, 0, 0))),
     ("direction", lambda g: margin(g, [[0, 1, 0]])),
+    ("direction", lambda g: margin(g)),
+    ("preload_direction", lambda g: margin(g, preload_direction=[0, 0, 0])),
+    ("preload_direction", lambda g: margin(g, preload_direction=[1, 1])),
+    ("preload_direction", lambda g: margin(g, preload_direction=[1, 1, -1])),
+    ("preload_direction", lambda g: margin(g, preload_direction="all")),
+    ("preload_direction", lambda g: margin(g, preload_direction=1)),
+    ("preload_direction", lambda g: margin(g, preload=0, preload_direction="scale")),
+    ("preload_direction[1]", lambda g: margin(g, preload_direction=[1, "x", 1])),
     ("grasp", lambda g: decide("fig1.json")),
     ("grasp", lambda g: check(3, "{}")),
     ("certificate", lambda g: check(g, None)),

@@ -28,12 +28,24 @@ stickslip_check::Vector checker_vector(const Wrench& w) {
   return {checker_number(w.x), checker_number(w.y), checker_number(w.torque)};
 }
 
+stickslip_check::Vector checker_vector(const std::vector<Rational>& values) {
+  stickslip_check::Vector result;
+  for (const Rational& value : values) result.push_back(checker_number(value));
+  return result;
+}
+
+std::string with_commas(const std::vector<Rational>& values) {
+  std::string text;
+  for (const Rational& value : values) text += (text.empty() ? "" : ",") + to_string(value);
+  return text;
+}
+
 std::string with_commas(const Wrench& w) {
-  return to_string(w.x) + "," + to_string(w.y) + "," + to_string(w.torque);
+  return with_commas(std::vector<Rational>{w.x, w.y, w.torque});
 }
 
 std::string json_line(const CheckerInput& input, const std::string& expected) {
-  return spool_line(input.grasp, input.certificate, command_line(input), expected);
+  return spool_line(input.grasp, input.certificate, command_line(input.options), expected);
 }
 
 std::string text_or_empty(const Json& value) {
@@ -73,14 +85,18 @@ std::string describe(const CheckerAnswer& answer) {
 std::string describe(const CheckerInput& input) {
   constexpr std::size_t kMost = 4000;
   std::string text;
-  for (const std::string& word : command_line(input)) text += word + " ";
+  for (const std::string& word : command_line(input.options)) text += word + " ";
   return text + "\n" + input.grasp.substr(0, kMost) + "\n" + input.certificate.substr(0, kMost);
 }
 
 CheckerAnswer ask_cpp_checker(const CheckerInput& input) {
   stickslip_check::Options options;
   if (input.options.wrench) options.wrench = checker_vector(*input.options.wrench);
-  if (input.direction) options.direction = checker_vector(*input.direction);
+  if (input.options.direction) options.direction = checker_vector(*input.options.direction);
+  if (const auto& growth = input.options.preload_direction) {
+    options.preload_direction =
+        stickslip_check::PreloadDirection{growth->scale, checker_vector(growth->rates)};
+  }
   if (input.options.preload) options.preload = checker_number(*input.options.preload);
   options.bilateral = input.options.law == NormalLaw::kBilateral;
   std::istringstream grasp(input.grasp);
@@ -137,13 +153,12 @@ std::vector<std::string> command_line(const QuestionOptions& options) {
   }
   if (options.preload) words.insert(words.end(), {"--preload", to_string(*options.preload)});
   words.insert(words.end(), {"--normal-law", to_string(options.law)});
-  return words;
-}
-
-std::vector<std::string> command_line(const CheckerInput& input) {
-  std::vector<std::string> words = command_line(input.options);
-  if (input.direction) {
-    words.insert(words.end(), {"--direction", with_commas(*input.direction)});
+  if (options.direction) {
+    words.insert(words.end(), {"--direction", with_commas(*options.direction)});
+  }
+  if (const auto& growth = options.preload_direction) {
+    words.insert(words.end(),
+                 {"--preload-direction", growth->scale ? "scale" : with_commas(growth->rates)});
   }
   return words;
 }
@@ -154,7 +169,11 @@ CheckerInput input_of(const Question& question) {
   CheckerInput input;
   input.options.law = question.law;
   input.options.preload = question.preload;
-  input.grasp = write_grasp(question.loaded);
+  LoadedGrasp file = question.loaded;
+  if (question.preload_direction && question.preload_direction->scale) {
+    file.grasp = file.grasp.with_preloads(question.preload_growth);
+  }
+  input.grasp = write_grasp(file);
   return input;
 }
 
@@ -175,7 +194,8 @@ CheckerInput input_of(const Question& question, const Verdict& verdict) {
 CheckerInput input_of(const Question& question, const Margin& margin) {
   CheckerInput input = input_of(question);
   input.options.wrench = question.loaded.wrench;
-  input.direction = margin.direction;
+  input.options.direction = question.direction;
+  input.options.preload_direction = question.preload_direction;
   input.certificate = margin_certificate_text(question, margin, "tests");
   return input;
 }

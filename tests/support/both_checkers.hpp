@@ -20,7 +20,6 @@ struct CheckerInput {
   std::string grasp;
   std::string certificate;
   QuestionOptions options;
-  std::optional<Wrench> direction = std::nullopt;  ///< if the margin along it is asked for
 };
 
 struct CheckerAnswer {
@@ -43,14 +42,13 @@ CheckerAnswer ask_cpp_checker(const CheckerInput& input);
 /// Throws std::runtime_error when Python does not run or does not answer each.
 std::vector<CheckerAnswer> ask_python_checker(const std::vector<CheckerInput>& inputs);
 
-/// The options as both programs and `stickslip decide` take them on the command line.
+/// The options as both programs, `stickslip decide` and `stickslip margin` take them on the
+/// command line.
 std::vector<std::string> command_line(const QuestionOptions& options);
-/// The same with the direction.
-std::vector<std::string> command_line(const CheckerInput& input);
 
 /// The grasp file, certificate and options that state and prove a verdict.
 CheckerInput input_of(const Question& question, const Verdict& verdict);
-/// The same of a load margin.
+/// The same of a margin.
 CheckerInput input_of(const Question& question, const Margin& margin);
 
 /// Fails the running test unless the C++ checker accepts, and leaves the files for check.py in

@@ -110,8 +110,8 @@ class Walker {
       return brute_force_generators(place.naive.constraints).directions();
     }
     Rays result;
-    for (const IntegerVector4& x : place.region.cone().directions()) {
-      result.push_back(to_rational(x));
+    for (const Ray& ray : place.region.generators(problem_)) {
+      result.push_back(to_rational(ray.x));
       for (const Constraint& c : place.naive.constraints) {
         demand(c.holds_at(result.back()), "a ray of the region breaks one of its constraints");
       }

@@ -9,32 +9,33 @@
 namespace stickslip::test {
 namespace {
 
-Vector4 plus(const Vector4& a, const Rational& factor, const Vector4& b) {
-  Vector4 sum;
-  for (std::size_t j = 0; j < 4; ++j) sum[j] = a[j] + factor * b[j];
+Vector5 plus(const Vector5& a, const Rational& factor, const Vector5& b) {
+  Vector5 sum;
+  for (std::size_t j = 0; j < 5; ++j) sum[j] = a[j] + factor * b[j];
   return sum;
 }
 
-Vector4 minus(const Vector4& a) {
+Vector5 minus(const Vector5& a) {
   return plus({}, -1, a);
 }
 
-Vector4 slip_function(const Problem& problem, std::size_t contact) {
+Vector5 slip_function(const Problem& problem, std::size_t contact) {
   const Wrench& t = problem.rows()[contact].tangent;
-  return {t.x, t.y, t.torque, 0};
+  return {t.x, t.y, t.torque, 0, 0};
 }
 
-/// v = P' h - k' N.d.
-Vector4 separation_function(const Problem& problem, std::size_t contact) {
+/// v = P' h + P^u' l - k' N.d.
+Vector5 separation_function(const Problem& problem, std::size_t contact) {
   const ContactRow& row = problem.rows()[contact];
   return {-row.stiffness * row.normal.x, -row.stiffness * row.normal.y,
-          -row.stiffness * row.normal.torque, row.preload};
+          -row.stiffness * row.normal.torque, row.preload,
+          problem.separation(ContactId(contact))[4]};
 }
 
 /// Reduced row echelon form; the pivot columns are returned.
 std::vector<std::size_t> reduce(Rays& rows) {
   std::vector<std::size_t> pivots;
-  for (std::size_t column = 0; column < 4; ++column) {
+  for (std::size_t column = 0; column < 5; ++column) {
     const std::size_t next = pivots.size();
     std::size_t found = next;
     while (found < rows.size() && rows[found][column].is_zero()) ++found;
@@ -56,9 +57,9 @@ std::vector<std::size_t> reduce(Rays& rows) {
 Rays null_space(Rays rows) {
   const std::vector<std::size_t> pivots = reduce(rows);
   Rays basis;
-  for (std::size_t free = 0; free < 4; ++free) {
+  for (std::size_t free = 0; free < 5; ++free) {
     if (std::find(pivots.begin(), pivots.end(), free) != pivots.end()) continue;
-    Vector4 v{};
+    Vector5 v{};
     v[free] = 1;
     for (std::size_t p = 0; p < pivots.size(); ++p) v[pivots[p]] = -rows[p][free];
     basis.push_back(v);
@@ -83,24 +84,24 @@ void for_each_choice(const Rays& functions, std::size_t count, const Visit& visi
 
 }  // namespace
 
-Rational value_at(const Vector4& function, const Vector4& x) {
+Rational value_at(const Vector5& function, const Vector5& x) {
   Rational sum = 0;
-  for (std::size_t j = 0; j < 4; ++j) sum += function[j] * x[j];
+  for (std::size_t j = 0; j < 5; ++j) sum += function[j] * x[j];
   return sum;
 }
 
-Vector4 to_rational(const IntegerVector4& x) {
-  return {Rational(x[0]), Rational(x[1]), Rational(x[2]), Rational(x[3])};
+Vector5 to_rational(const IntegerVector5& x) {
+  return {Rational(x[0]), Rational(x[1]), Rational(x[2]), Rational(x[3]), Rational(x[4])};
 }
 
-bool Constraint::holds_at(const Vector4& x) const {
+bool Constraint::holds_at(const Vector5& x) const {
   const int found = value_at(function, x).sign();
   return found == 0 || found == sign;
 }
 
 Rays Generators::directions() const {
   Rays result;
-  for (const Vector4& line : lines) {
+  for (const Vector5& line : lines) {
     result.push_back(line);
     result.push_back(minus(line));
   }
@@ -117,7 +118,7 @@ Generators brute_force_generators(const std::vector<Constraint>& constraints) {
   for (const Constraint& c : constraints) functions.push_back(c.function);
   Generators result;
   result.lines = null_space(functions);
-  const std::size_t rank = 4 - result.lines.size();
+  const std::size_t rank = 5 - result.lines.size();
   if (rank == 0) return result;
   // An extreme ray lies on rank - 1 independent planes. Modulo the lines it is known by the
   // values of the functions, up to scale.
@@ -125,11 +126,11 @@ Generators brute_force_generators(const std::vector<Constraint>& constraints) {
   for_each_choice(functions, rank - 1, [&](const Rays& chosen) {
     const Rays space = null_space(chosen);
     if (space.size() != result.lines.size() + 1) return;
-    for (const Vector4& v : space) {
-      for (const Vector4& x : {v, minus(v)}) {
+    for (const Vector5& v : space) {
+      for (const Vector5& x : {v, minus(v)}) {
         std::vector<Rational> values;
         Rational scale = 0;
-        for (const Vector4& f : functions) {
+        for (const Vector5& f : functions) {
           values.push_back(value_at(f, x));
           scale = std::max(scale, Rational(abs(values.back())));
         }
@@ -146,14 +147,25 @@ Generators brute_force_generators(const std::vector<Constraint>& constraints) {
 
 NaiveRegion NaiveRegion::root(const Problem& problem) {
   NaiveRegion region;
-  const Vector4 h{0, 0, 0, 1};
+  const Vector5 h{0, 0, 0, 1, 0};
   region.constraints.push_back({h, 1});
+  region.strict.push_back(h);
+  if (problem.is_family()) {
+    const MultipleRange& range = problem.multiples();
+    const auto add_end = [&](const Vector5& function, bool is_strict) {
+      region.constraints.push_back({function, 1});
+      if (is_strict) region.strict.push_back(function);
+    };
+    add_end({0, 0, 0, -range.low, 1}, !range.has_low);
+    if (range.high) add_end({0, 0, 0, *range.high, -1}, true);
+  } else {
+    region.constraints.push_back({{0, 0, 0, 0, 1}, 0});
+  }
   if (problem.law() == NormalLaw::kBilateral) {
     for (std::size_t i = 0; i < problem.size(); ++i) {
       region.constraints.push_back({separation_function(problem, i), 1});
     }
   }
-  region.strict.push_back(h);
   region.labels.resize(problem.size());
   return region;
 }
@@ -172,7 +184,7 @@ NaiveRegion NaiveRegion::separation_child(const Problem& problem, std::size_t co
   return plane_child(separation_function(problem, contact), closed);
 }
 
-NaiveRegion NaiveRegion::plane_child(const Vector4& plane, bool first) const {
+NaiveRegion NaiveRegion::plane_child(const Vector5& plane, bool first) const {
   NaiveRegion child = *this;
   child.constraints.push_back({plane, first ? 1 : -1});
   if (!first) child.strict.push_back(plane);
@@ -180,9 +192,9 @@ NaiveRegion NaiveRegion::plane_child(const Vector4& plane, bool first) const {
 }
 
 bool naive_is_barred(const NaiveRegion& region, const Rays& rays) {
-  for (const Vector4& strict : region.strict) {
+  for (const Vector5& strict : region.strict) {
     bool zero_on_all = true;
-    for (const Vector4& ray : rays)
+    for (const Vector5& ray : rays)
       zero_on_all = zero_on_all && value_at(strict, ray).is_zero();
     if (zero_on_all) return true;
   }
@@ -194,11 +206,11 @@ std::optional<int> naive_sign(const Problem& problem, const NaiveRegion& region,
   if (region.labels[contact] == 1) return 1;
   if (region.labels[contact] == -1) return -1;
   if (region.labels[contact] == 0) return std::nullopt;
-  const Vector4 tau = slip_function(problem, contact);
+  const Vector5 tau = slip_function(problem, contact);
   bool never_negative = true;
   bool never_positive = true;
   Rays zero;
-  for (const Vector4& ray : rays) {
+  for (const Vector5& ray : rays) {
     const int sign = value_at(tau, ray).sign();
     if (sign < 0) never_negative = false;
     if (sign > 0) never_positive = false;
@@ -216,7 +228,9 @@ std::vector<Rational> naive_bounds(const Problem& problem, const NaiveRegion& re
                         Rational(leaf.twist[2])};
   const auto work = [&](const Wrench& w) { return y[0] * w.x + y[1] * w.y + y[2] * w.torque; };
   std::vector<Rational> bounds;
-  for (const Vector4& ray : rays) bounds.push_back(ray[3] * work(problem.wrench()));
+  for (const Vector5& ray : rays) {
+    bounds.push_back(ray[3] * work(problem.wrench()) + ray[4] * work(problem.load_growth()));
+  }
   for (std::size_t i = 0; i < problem.size(); ++i) {
     const ContactRow& row = problem.rows()[i];
     const Rational against = work(row.normal) - row.friction * work(row.tangent);
@@ -230,7 +244,7 @@ std::vector<Rational> naive_bounds(const Problem& problem, const NaiveRegion& re
     std::vector<Rational> v;
     bool closed = true;
     bool open = true;
-    for (const Vector4& ray : rays) {
+    for (const Vector5& ray : rays) {
       v.push_back(value_at(separation_function(problem, i), ray));
       closed = closed && v.back() >= 0;
       open = open && v.back() <= 0;

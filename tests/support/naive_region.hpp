@@ -12,17 +12,17 @@
 
 namespace stickslip::test {
 
-using Rays = std::vector<Vector4>;
+using Rays = std::vector<Vector5>;
 
-Rational value_at(const Vector4& function, const Vector4& x);
-Vector4 to_rational(const IntegerVector4& x);
+Rational value_at(const Vector5& function, const Vector5& x);
+Vector5 to_rational(const IntegerVector5& x);
 
 /// function >= 0, = 0 or <= 0, for sign = 1, 0, -1.
 struct Constraint {
-  Vector4 function;
+  Vector5 function;
   int sign;
 
-  bool holds_at(const Vector4& x) const;
+  bool holds_at(const Vector5& x) const;
 };
 
 /// Vectors that generate { x : every constraint holds }: a basis of its largest linear
@@ -42,13 +42,13 @@ std::size_t rank_of(Rays vectors);
 
 struct NaiveRegion {
   std::vector<Constraint> constraints;
-  std::vector<Vector4> strict;
+  std::vector<Vector5> strict;
   std::vector<std::optional<int>> labels;  ///< +1, 0, -1
 
   static NaiveRegion root(const Problem& problem);
   NaiveRegion slip_child(const Problem& problem, std::size_t contact, int slip) const;
   NaiveRegion separation_child(const Problem& problem, std::size_t contact, bool closed) const;
-  NaiveRegion plane_child(const Vector4& plane, bool first) const;
+  NaiveRegion plane_child(const Vector5& plane, bool first) const;
 };
 
 // In what follows `rays` generate the region.

@@ -86,17 +86,17 @@ class Explorer {
     } else {
       // A relaxed equilibrium may be near a real one. Trying costs as much as many nodes, so it
       // is done where nodes are few: at counts 1, 2, 4, 8, ...
-      const bool is_due = problem_.load().is_single() && (work_.nodes & (work_.nodes - 1)) == 0;
+      const bool is_due = !problem_.is_family() && (work_.nodes & (work_.nodes - 1)) == 0;
       const std::optional<ContactSplit> split = search_.widest_gap(node, found);
       if (is_due && try_witness_near(found.motion)) return std::nullopt;
       if (split) return split_at(node, *split);
-      if (problem_.load().is_single() && try_witness_of(node, found)) return std::nullopt;
+      if (!problem_.is_family() && try_witness_of(node, found)) return std::nullopt;
     }
     return solve_exactly(node);
   }
 
   /// From the motion of a relaxed equilibrium, by Newton's method.
-  bool try_witness_near(const Double4& motion) {
+  bool try_witness_near(const Double5& motion) {
     if (!(motion[3] > 0)) return false;
     ++work_.witness_attempts;
     witness_ = find_witness_near(
@@ -203,6 +203,7 @@ ConeWork& ConeWork::operator+=(const ConeWork& part) {
 }
 
 Verdict decide_by_cones(const Problem& problem, const ConeOptions& options, ConeWork* work) {
+  require(!problem.is_family(), "a verdict is on one member of a family");
   const DoubleModel model(problem);
   Explorer explorer(problem, model, options);
   std::optional<Refutation> tree;
@@ -222,11 +223,11 @@ Verdict decide_by_cones(const Problem& problem, const ConeOptions& options, Cone
   return verdict;
 }
 
-std::variant<LoadPoint, Unstable, Undecided> search_loads(const Problem& problem,
+std::variant<LoadPoint, Unstable, Undecided> search_loads(const Problem& family,
                                                           const ConeOptions& options,
                                                           ConeWork* work) {
-  const DoubleModel model(problem);
-  Explorer explorer(problem, model, options);
+  const DoubleModel model(family);
+  Explorer explorer(family, model, options);
   auto tree = explorer.explore();
   if (work != nullptr) *work = explorer.work();
   if (auto& witness = explorer.witness()) {

@@ -9,10 +9,10 @@ namespace stickslip {
 namespace {
 
 /// The primitive positive multiple of p * a - q * b.
-IntegerVector4 combine(const Integer& p, const IntegerVector4& a, const Integer& q,
-                       const IntegerVector4& b) {
-  IntegerVector4 result;
-  for (std::size_t j = 0; j < 4; ++j) result[j] = p * a[j] - q * b[j];
+IntegerVector5 combine(const Integer& p, const IntegerVector5& a, const Integer& q,
+                       const IntegerVector5& b) {
+  IntegerVector5 result;
+  for (std::size_t j = 0; j < 5; ++j) result[j] = p * a[j] - q * b[j];
   return primitive(std::move(result));
 }
 
@@ -30,13 +30,16 @@ bool keeps(Side side, int sign) {
 
 }  // namespace
 
-Cone::Cone()
-    : lines_({{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}}), rays_({{{0, 0, 0, 1}, {}}}) {}
+Cone::Cone(Multiples multiples)
+    : lines_({{1, 0, 0, 0, 0}, {0, 1, 0, 0, 0}, {0, 0, 1, 0, 0}}),
+      rays_({{{0, 0, 0, 1, 0}, {}}}) {
+  if (multiples == Multiples::kAny) lines_.push_back({0, 0, 0, 0, 1});
+}
 
-std::vector<IntegerVector4> Cone::directions() const {
-  std::vector<IntegerVector4> result;
+std::vector<IntegerVector5> Cone::directions() const {
+  std::vector<IntegerVector5> result;
   result.reserve(2 * lines_.size() + rays_.size());
-  for (const IntegerVector4& line : lines_) {
+  for (const IntegerVector5& line : lines_) {
     result.push_back(line);
     result.push_back(negated(line));
   }
@@ -46,18 +49,18 @@ std::vector<IntegerVector4> Cone::directions() const {
 
 /// If the plane is not 0 on some line, that line becomes a ray (or goes, for kZero) and all
 /// else moves along it into the plane.
-bool Cone::cut_along_a_line(const IntegerVector4& plane, Side side) {
+bool Cone::cut_along_a_line(const IntegerVector5& plane, Side side) {
   std::size_t chosen = 0;
   while (chosen < lines_.size() && dot(plane, lines_[chosen]).is_zero()) ++chosen;
   if (chosen == lines_.size()) return false;
-  IntegerVector4 line = std::move(lines_[chosen]);
+  IntegerVector5 line = std::move(lines_[chosen]);
   lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(chosen));
   Integer height = dot(plane, line);
   if (height.sign() < 0) {
     line = negated(line);
     height = -height;
   }
-  for (IntegerVector4& other : lines_) other = combine(height, other, dot(plane, other), line);
+  for (IntegerVector5& other : lines_) other = combine(height, other, dot(plane, other), line);
   for (Ray& ray : rays_) {
     ray.x = combine(height, ray.x, dot(plane, ray.x), line);
     ray.tight.push_back(constraint_count_);
@@ -84,7 +87,7 @@ bool Cone::adjacent(std::size_t a, std::size_t b) const {
   return true;
 }
 
-void Cone::cut(const IntegerVector4& plane, Side side) {
+void Cone::cut(const IntegerVector5& plane, Side side) {
   if (!cut_along_a_line(plane, side)) {
     std::vector<Integer> heights;
     heights.reserve(rays_.size());
@@ -110,9 +113,9 @@ void Cone::cut(const IntegerVector4& plane, Side side) {
   ++constraint_count_;
 }
 
-SignRange signs_on(const Cone& cone, const IntegerVector4& plane) {
+SignRange signs_on(const Cone& cone, const IntegerVector5& plane) {
   SignRange range;
-  for (const IntegerVector4& line : cone.lines()) {
+  for (const IntegerVector5& line : cone.lines()) {
     if (!dot(plane, line).is_zero()) return {true, true, true};
   }
   for (const Ray& ray : cone.rays()) {

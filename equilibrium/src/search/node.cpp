@@ -17,56 +17,52 @@ double DoubleModel::read(const Rational& value) {
 
 DoubleModel::DoubleModel(const Problem& problem) {
   double arms = 0;
-  double preloads = 0;
   for (std::size_t i = 0; i < problem.size(); ++i) {
     const ContactRow& row = problem.rows()[i];
     ContactDoubles c{};
     c.normal = read(row.normal);
     c.friction = read(row.friction * row.tangent);
     const Double3 tangent = read(row.tangent);
-    c.slip = {tangent[0], tangent[1], tangent[2], 0};
-    const Vector4& v = problem.separation(ContactId(i));
-    for (std::size_t j = 0; j < 4; ++j) c.separation[j] = read(v[j]);
+    c.slip = {tangent[0], tangent[1], tangent[2], 0, 0};
+    const Vector5& v = problem.separation(ContactId(i));
+    for (std::size_t j = 0; j < 5; ++j) c.separation[j] = read(v[j]);
     c.stiffness = read(row.stiffness);
     c.frictionless = row.friction.is_zero();
     arms += std::hypot(c.normal[2], tangent[2]) / std::hypot(c.normal[0], c.normal[1]);
-    preloads += c.separation[3] * std::hypot(c.normal[0], c.normal[1]);
     contacts.push_back(c);
   }
-  for (const LoadRange::End& end : problem.load().ends()) {
-    loads.push_back(read(end.wrench));
-    multiples.push_back(read(end.multiple));
-  }
-  if (const auto& direction = problem.load().recession()) recession = read(*direction);
+  load = read(problem.wrench());
+  growth = read(problem.load_growth());
   const double count = std::max<double>(1, static_cast<double>(problem.size()));
   length = arms > 0 ? arms / count : 1;
-  force = preloads / count;
-  const auto add = [&](const Double3& load) {
-    force += std::hypot(load[0], load[1]) + std::fabs(load[2]) / length;
+  const auto add_end = [&](double h, double l) {
+    for (std::size_t j = 0; j < 3; ++j) start[j] = h * load[j] + l * growth[j];
+    force += std::hypot(start[0], start[1]) + std::fabs(start[2]) / length;
+    for (const ContactDoubles& c : contacts) {
+      const double preload = h * c.separation[3] + l * c.separation[4];
+      force += preload * std::hypot(c.normal[0], c.normal[1]) / count;
+    }
   };
-  std::for_each(loads.begin(), loads.end(), add);
-  if (recession) add(*recession);
+  const MultipleRange& range = problem.multiples();
+  add_end(1, to_double(range.low));
+  if (problem.is_family()) range.high ? add_end(1, to_double(*range.high)) : add_end(0, 1);
   if (!(force > 0) || !std::isfinite(force)) force = 1;
   if (!std::isfinite(length)) length = 1;
 }
 
-std::size_t DoubleModel::hardest_load(const Double3& twist) const {
-  return loads.size() > 1 && dot(loads[1], twist) > dot(loads[0], twist) ? 1 : 0;
-}
-
-Double4 to_doubles(const IntegerVector4& x) {
-  std::array<double, 4> mantissa{};
-  std::array<long, 4> exponent{};
+Double5 to_doubles(const IntegerVector5& x) {
+  std::array<double, 5> mantissa{};
+  std::array<long, 5> exponent{};
   long largest = 0;
   bool any = false;
-  for (std::size_t j = 0; j < 4; ++j) {
+  for (std::size_t j = 0; j < 5; ++j) {
     if (x[j].is_zero()) continue;
     mantissa[j] = mpz_get_d_2exp(&exponent[j], x[j].backend().data());
     largest = any ? std::max(largest, exponent[j]) : exponent[j];
     any = true;
   }
-  Double4 result{};
-  for (std::size_t j = 0; j < 4; ++j) {
+  Double5 result{};
+  for (std::size_t j = 0; j < 5; ++j) {
     const long shift = std::max<long>(exponent[j] - largest, -2000);
     result[j] = std::ldexp(mantissa[j], static_cast<int>(shift));
   }
@@ -80,14 +76,14 @@ void decide(const Problem& problem, const DoubleModel& model, const UndecidedCon
   for (std::size_t j = 0; j < 3; ++j) {
     const double edge = c.normal[j] - u.slip * c.friction[j];
     const double edge_magnitude = std::fabs(c.normal[j]) + std::fabs(c.friction[j]);
-    for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t k = 0; k < 5; ++k) {
       decided.value[j][k] += edge * c.separation[k];
       decided.magnitude[j][k] += edge_magnitude * std::fabs(c.separation[k]);
     }
   }
   ++decided.terms;
-  const IntegerVector4& plane = problem.separation_plane(ContactId(u.contact));
-  for (std::size_t k = 0; k < 4; ++k) decided.push[k] += plane[k];
+  const IntegerVector5& plane = problem.separation_plane(ContactId(u.contact));
+  for (std::size_t k = 0; k < 5; ++k) decided.push[k] += plane[k];
 }
 
 }  // namespace
@@ -116,11 +112,11 @@ Node Node::separation_child(const Problem& problem, ContactId contact, Separatio
   return {region.separation_child(problem, contact, side), undecided, decided};
 }
 
-Sign RayTable::sign_at(const Double4& function, const IntegerVector4& plane, std::size_t ray,
+Sign RayTable::sign_at(const Double5& function, const IntegerVector5& plane, std::size_t ray,
                        double& value) const {
   const std::optional<Sign> sign = certain_sign(function, rays_[ray], value);
   if (sign && doubles_decide_) return *sign;
-  const int exact = dot(plane, directions_[ray]).sign();
+  const int exact = dot(plane, generators_[ray].x).sign();
   const double size = std::isfinite(value) ? std::fabs(value) : 1;
   value = exact * std::max(size, std::numeric_limits<double>::min());
   return sign_of_int(exact);
@@ -128,9 +124,9 @@ Sign RayTable::sign_at(const Double4& function, const IntegerVector4& plane, std
 
 void RayTable::read(const Problem& problem, const DoubleModel& model, Node& node) {
   doubles_decide_ = model.is_moderate;
-  directions_ = node.region.cone().directions();
+  generators_ = node.region.generators(problem);
   rays_.clear();
-  for (const IntegerVector4& x : directions_) rays_.push_back(to_doubles(x));
+  for (const Ray& ray : generators_) rays_.push_back(to_doubles(ray.x));
   const std::size_t ray_count = rays_.size();
   separations_.clear();
   std::size_t kept = 0;
@@ -164,10 +160,12 @@ void RayTable::read(const Problem& problem, const DoubleModel& model, Node& node
   node.undecided.resize(kept);
   separations_.resize(kept * ray_count);
   loaded_.assign(ray_count, 0);
-  const Double4 push = to_doubles(node.decided.push);
+  const Double5 push = to_doubles(node.decided.push);
+  const bool load_grows = !(problem.load_growth() == Wrench{});
   for (std::size_t r = 0; r < ray_count; ++r) {
     double value = 0;
-    const bool acts = !directions_[r][3].is_zero() ||
+    const IntegerVector5& x = generators_[r].x;
+    const bool acts = !x[3].is_zero() || (load_grows && !x[4].is_zero()) ||
                       sign_at(push, node.decided.push, r, value) == Sign::kPositive;
     loaded_[r] = acts ? 1 : 0;
   }
@@ -180,16 +178,13 @@ void RayTable::find_slip_sign(const Problem& problem, const DoubleModel& model,
   bool positive = false;
   bool negative = false;
   zero_rays_.clear();
-  const std::size_t first_ray = 2 * node.region.cone().lines().size();
   for (std::size_t r = 0; r < rays_.size() && !(positive && negative); ++r) {
     double value = 0;
     const Sign sign =
         sign_at(model.contacts[u.contact].slip, problem.slip_plane(contact), r, value);
     positive = positive || sign == Sign::kPositive;
     negative = negative || sign == Sign::kNegative;
-    if (sign == Sign::kZero && r >= first_ray) {
-      zero_rays_.push_back(&node.region.cone().rays()[r - first_ray]);
-    }
+    if (sign == Sign::kZero) zero_rays_.push_back(&generators_[r]);
   }
   if (positive && negative) return;
   if (!positive && !negative) {

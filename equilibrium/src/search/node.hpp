@@ -14,18 +14,18 @@
 
 namespace stickslip {
 
-using Double4 = std::array<double, 4>;
+using Double5 = std::array<double, 5>;
 
-inline double dot(const Double4& a, const Double4& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3];
+inline double dot(const Double5& a, const Double5& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3] + a[4] * b[4];
 }
 
 /// One contact; every entry is within one unit roundoff of the exact value if that is moderate.
 struct ContactDoubles {
   Double3 normal;      ///< N
   Double3 friction;    ///< mu T
-  Double4 slip;        ///< tau_i
-  Double4 separation;  ///< v_i
+  Double5 slip;        ///< tau_i
+  Double5 separation;  ///< v_i
   double stiffness;
   bool frictionless;
 };
@@ -33,16 +33,12 @@ struct ContactDoubles {
 struct DoubleModel {
   explicit DoubleModel(const Problem& problem);
 
-  /// The end whose load does the most work on the twist. Every h >= 0, so it is the same for
-  /// all rays.
-  std::size_t hardest_load(const Double3& twist) const;
-
   std::vector<ContactDoubles> contacts;
-  std::vector<Double3> loads;        ///< at the ends of the range
-  std::vector<double> multiples;     ///< there
-  std::optional<Double3> recession;  ///< of the loads
-  double length;  ///< a typical distance, to make torques and forces comparable
-  double force;   ///< a typical force
+  Double3 load;      ///< w
+  Double3 growth;    ///< u, of a family
+  Double3 start{};   ///< the load at the high end of the multiples, or u: where to begin
+  double length;     ///< a typical distance, to make torques and forces comparable
+  double force = 0;  ///< a typical force
 
   /// Whether all entries are moderate: 0, or between 2^-200 and 2^200. No product of a load, or
   /// of an N and a v, with a ray and a twist of 50 bits then overflows, and what it loses by
@@ -57,20 +53,20 @@ struct DoubleModel {
 
 /// A ray scaled by a power of two to entries of about 1; within two unit roundoffs, or within
 /// 2^-1073 where an entry is so small that it underflows.
-Double4 to_doubles(const IntegerVector4& x);
+Double5 to_doubles(const IntegerVector5& x);
 
 /// value = dot(function, x) in double, with a moderate function and a ray as above: its sign,
 /// if the error bound decides.
-inline std::optional<Sign> certain_sign(const Double4& function, const Double4& x,
+inline std::optional<Sign> certain_sign(const Double5& function, const Double5& x,
                                         double& value) {
   double magnitude = 0;
   value = 0;
-  for (std::size_t j = 0; j < 4; ++j) {
+  for (std::size_t j = 0; j < 5; ++j) {
     const double product = function[j] * x[j];
     value += product;
     magnitude += product < 0 ? -product : product;
   }
-  // Factors 3u, products u, sums 3u, second order: below 8u, with u = 2^-53; magnitude itself
+  // Factors 3u, products u, sums 4u, second order: below 9u, with u = 2^-53; magnitude itself
   // is rounded. What underflows, 2^-1073 in an entry of the ray, is at most 2^-873 in a
   // product.
   constexpr double kRelativeError = 1.2e-15;
@@ -92,11 +88,11 @@ struct UndecidedContact {
 /// The decided contacts, closed and with a sign of slip: the sum of (N + sigma mu T) (x) v, so
 /// that y.value.x is the work of their forces at x on the virtual twist y.
 struct DecidedContacts {
-  double value[3][4] = {};
-  double magnitude[3][4] = {};  ///< sums of absolute values, for error bounds
+  double value[3][5] = {};
+  double magnitude[3][5] = {};  ///< sums of absolute values, for error bounds
   std::size_t terms = 0;
   /// Sum of the decided contacts' separation planes: 0 at a ray iff none of them pushes there.
-  IntegerVector4 push{};
+  IntegerVector5 push{};
 };
 
 /// What a node knows is inherited by its children: a contact that is open, closed or has a sign
@@ -111,7 +107,7 @@ struct Node {
   Node separation_child(const Problem& problem, ContactId contact, Separation side) const;
 };
 
-/// The rays of one node; buffers are reused from node to node.
+/// The generators of one node's region; buffers are reused from node to node.
 class RayTable {
  public:
   /// Reads the node's rays; updates what is known of its undecided contacts, and moves those
@@ -119,21 +115,21 @@ class RayTable {
   void read(const Problem& problem, const DoubleModel& model, Node& node);
 
   std::size_t ray_count() const { return rays_.size(); }
-  const std::vector<Double4>& rays() const { return rays_; }
+  const std::vector<Double5>& rays() const { return rays_; }
   /// v at each ray, of the node's undecided contact with this index. The signs are exact.
   const double* separations(std::size_t u) const { return &separations_[u * rays_.size()]; }
-  /// Whether the load (h > 0) or a decided contact acts at the ray; exact.
+  /// Whether h > 0, or the growing load or a decided contact acts at the ray; exact.
   bool loaded(std::size_t ray) const { return loaded_[ray] != 0; }
 
  private:
-  Sign sign_at(const Double4& function, const IntegerVector4& plane, std::size_t ray,
+  Sign sign_at(const Double5& function, const IntegerVector5& plane, std::size_t ray,
                double& value) const;
   void find_slip_sign(const Problem& problem, const DoubleModel& model, const Node& node,
                       UndecidedContact& u);
 
   bool doubles_decide_ = true;  ///< where their error bounds do
-  std::vector<IntegerVector4> directions_;
-  std::vector<Double4> rays_;
+  std::vector<Ray> generators_;
+  std::vector<Double5> rays_;
   std::vector<double> separations_;
   std::vector<char> loaded_;
   std::vector<const Ray*> zero_rays_;

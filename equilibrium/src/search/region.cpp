@@ -2,6 +2,8 @@
 #include "stickslip/equilibrium/search/region.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <numeric>
 
 #include "stickslip/core/error.hpp"
 
@@ -13,14 +15,33 @@ Side side_of(Sign slip) {
   return slip == Sign::kPositive ? Side::kPositive : Side::kNegative;
 }
 
-Rational value(const Vector4& function, const IntegerVector4& x) {
+Rational value(const Vector5& function, const IntegerVector5& x) {
   Rational sum = 0;
-  for (std::size_t j = 0; j < 4; ++j) sum += function[j] * Rational(x[j]);
+  for (std::size_t j = 0; j < 5; ++j) sum += function[j] * Rational(x[j]);
   return sum;
 }
 
-void add_multiple(Vector4& sum, const Rational& factor, const Vector4& function) {
-  for (std::size_t j = 0; j < 4; ++j) sum[j] += factor * function[j];
+void add_multiple(Vector5& sum, const Rational& factor, const Vector5& function) {
+  for (std::size_t j = 0; j < 5; ++j) sum[j] += factor * function[j];
+}
+
+/// \{ Where the cone is one of motions alone, the constraints l >= low h and l <= high h, of
+/// which it knows nothing; they come after all others.
+constexpr ConstraintIndex kAboveLow = std::numeric_limits<ConstraintIndex>::max() - 1;
+constexpr ConstraintIndex kBelowHigh = kAboveLow + 1;
+/// \}
+
+/// sign * (l - end h), primitive.
+IntegerVector5 end_plane(const Rational& end, int sign) {
+  return primitive_multiple<5>({0, 0, 0, -sign * end, sign});
+}
+
+/// The point of the motion x with l = multiple h.
+IntegerVector5 with_multiple(const IntegerVector5& x, const Rational& multiple) {
+  IntegerVector5 result = x;
+  for (Integer& entry : result) entry *= denominator(multiple);
+  result[4] = numerator(multiple) * x[3];
+  return primitive(std::move(result));
 }
 
 }  // namespace
@@ -28,6 +49,20 @@ void add_multiple(Vector4& sum, const Rational& factor, const Vector4& function)
 Region Region::root(const Problem& problem) {
   Region region;
   region.labels_.resize(problem.size());
+  const MultipleRange& range = problem.multiples();
+  if (problem.preloads_grow()) {
+    region.cone_ = Cone(Cone::Multiples::kAny);
+    const auto add_end = [&](const IntegerVector5& plane, bool is_strict) {
+      if (is_strict) region.strict_.push_back(region.cone_.constraint_count());
+      region.cone_.cut(plane, Side::kPositive);
+    };
+    add_end(end_plane(range.low, 1), !range.has_low);
+    if (range.high) add_end(end_plane(*range.high, -1), true);
+  } else if (problem.is_family()) {
+    region.any_multiple_ = true;
+    if (!range.has_low) region.strict_.push_back(kAboveLow);
+    if (range.high) region.strict_.push_back(kBelowHigh);
+  }
   if (problem.law() == NormalLaw::kBilateral) {
     for (std::size_t i = 0; i < problem.size(); ++i) {
       region.cone_.cut(problem.separation_plane(ContactId(i)), Side::kPositive);
@@ -60,12 +95,13 @@ Region Region::separation_child(const Problem& problem, ContactId contact,
       closed_or_open == Separation::kClosed ? Side::kPositive : Side::kNegative);
 }
 
-Region Region::plane_child(const IntegerVector4& plane, Side side) const& {
+Region Region::plane_child(const IntegerVector5& plane, Side side) const& {
   return Region(*this).plane_child(plane, side);
 }
 
-Region Region::plane_child(const IntegerVector4& plane, Side side) && {
+Region Region::plane_child(const IntegerVector5& plane, Side side) && {
   require(side != Side::kZero, "a child of a plane is one of its half-spaces");
+  require(!any_multiple_ || plane[4].is_zero(), "the motions go with any multiple");
   // Points on the plane belong to the first child, so the second has none of them.
   if (side == Side::kNegative) strict_.push_back(cone_.constraint_count());
   cone_.cut(plane, side);
@@ -76,7 +112,7 @@ Region Region::with_slip_state(const Problem& problem, const std::vector<Sign>& 
   require(state.size() == problem.size(), "a slip state has one sign per contact");
   Region region = *this;
   for (std::size_t i = 0; i < state.size(); ++i) {
-    const IntegerVector4& plane = problem.slip_plane(ContactId(i));
+    const IntegerVector5& plane = problem.slip_plane(ContactId(i));
     region.labels_[i] = state[i];
     const SignRange range = signs_on(region.cone_, plane);
     const bool satisfied = state[i] == Sign::kZero       ? range.is_zero()
@@ -98,7 +134,7 @@ std::optional<Sign> Region::slip_sign(const Problem& problem, ContactId contact)
     if (*known == Sign::kZero) return std::nullopt;
     return known;
   }
-  const IntegerVector4& plane = problem.slip_plane(contact);
+  const IntegerVector5& plane = problem.slip_plane(contact);
   const SignRange range = signs_on(cone_, plane);
   if (range.is_mixed()) return std::nullopt;
   std::vector<const Ray*> on_plane;
@@ -109,7 +145,42 @@ std::optional<Sign> Region::slip_sign(const Problem& problem, ContactId contact)
   return range.negative ? Sign::kNegative : Sign::kPositive;
 }
 
-/// Lines need no look: every strict function is a constraint, and so is 0 on them.
+std::vector<Ray> Region::generators(const Problem& problem) const {
+  std::vector<ConstraintIndex> all(cone_.constraint_count());
+  std::iota(all.begin(), all.end(), ConstraintIndex{0});
+  const MultipleRange& range = problem.multiples();
+  std::vector<Ray> result;
+  if (any_multiple_) {
+    if (!range.high) result.push_back({{0, 0, 0, 0, 1}, all});
+    all.insert(all.end(), {kAboveLow, kBelowHigh});
+  }
+  for (const IntegerVector5& line : cone_.lines()) {
+    result.push_back({line, all});
+    result.push_back({negated(line), all});
+  }
+  for (const Ray& ray : cone_.rays()) {
+    if (!any_multiple_) {
+      result.push_back(ray);
+      continue;
+    }
+    const auto add = [&](const Rational& multiple,
+                         std::initializer_list<ConstraintIndex> ends) {
+      result.push_back({with_multiple(ray.x, multiple), ray.tight});
+      result.back().tight.insert(result.back().tight.end(), ends);
+    };
+    if (ray.x[3].is_zero()) {
+      add(0, {kAboveLow, kBelowHigh});
+    } else {
+      add(range.low, {kAboveLow});
+      if (range.high) add(*range.high, {kBelowHigh});
+    }
+  }
+  return result;
+}
+
+/// Lines need no look: every strict function is a constraint, and so is 0 on them. Nor do ends
+/// of multiples of which the cone knows nothing: rays of motions on which they are 0 have h =
+/// 0.
 bool Region::is_barred(const std::vector<const Ray*>& rays) const {
   return std::any_of(strict_.begin(), strict_.end(), [&](ConstraintIndex strict) {
     return std::all_of(rays.begin(), rays.end(), [&](const Ray* ray) {
@@ -126,19 +197,13 @@ bool Region::is_void() const {
 
 namespace {
 
-Twist twist_of(const VirtualWorkLeaf& leaf) {
-  return {Rational(leaf.twist[0]), Rational(leaf.twist[1]), Rational(leaf.twist[2])};
-}
-
-}  // namespace
-
-std::vector<Rational> contact_work_bounds(const Problem& problem, const Region& region,
-                                          const VirtualWorkLeaf& leaf) {
-  const Twist y = twist_of(leaf);
-  Vector4 linear{0, 0, 0, 0};
+std::vector<Rational> work_bounds_on(const std::vector<Ray>& generators, const Problem& problem,
+                                     const Region& region, const VirtualWorkLeaf& leaf) {
+  const Twist y{Rational(leaf.twist[0]), Rational(leaf.twist[1]), Rational(leaf.twist[2])};
+  Vector5 linear{0, 0, 0, power(problem.wrench(), y), power(problem.load_growth(), y)};
   struct Kink {  // alpha max(0, v)
     Rational alpha;
-    const Vector4* v;
+    const Vector5* v;
   };
   std::vector<Kink> kinks;
   auto theta = leaf.theta.begin();
@@ -152,7 +217,7 @@ std::vector<Rational> contact_work_bounds(const Problem& problem, const Region& 
     const Rational friction = row.friction * power(row.tangent, y);
     Rational alpha = power(row.normal, y);
     alpha += slip ? Rational(-to_int(*slip)) * friction : abs(friction);
-    const Vector4& v = problem.separation(contact);
+    const Vector5& v = problem.separation(contact);
     if (separation == Separation::kClosed) {
       add_multiple(linear, alpha, v);
     } else if (alpha.sign() > 0) {
@@ -162,10 +227,10 @@ std::vector<Rational> contact_work_bounds(const Problem& problem, const Region& 
     }
   }
   std::vector<Rational> bounds;
-  for (const IntegerVector4& x : region.cone().directions()) {
-    Rational bound = value(linear, x);
+  for (const Ray& r : generators) {
+    Rational bound = value(linear, r.x);
     for (const Kink& kink : kinks) {
-      const Rational v = value(*kink.v, x);
+      const Rational v = value(*kink.v, r.x);
       if (v.sign() > 0) bound += kink.alpha * v;
     }
     bounds.push_back(std::move(bound));
@@ -173,38 +238,23 @@ std::vector<Rational> contact_work_bounds(const Problem& problem, const Region& 
   return bounds;
 }
 
+}  // namespace
+
+std::vector<Rational> work_bounds(const Problem& problem, const Region& region,
+                                  const VirtualWorkLeaf& leaf) {
+  return work_bounds_on(region.generators(problem), problem, region, leaf);
+}
+
 bool refutes(const Problem& problem, const Region& region, const VirtualWorkLeaf& leaf) {
   if (region.is_void()) return true;
-  const LoadRange& load = problem.load();
-  const Twist y = twist_of(leaf);
-  // The generators where g is 0: of motions, and which ends of the loads they go with.
+  const std::vector<Ray> generators = region.generators(problem);
+  const std::vector<Rational> bounds = work_bounds_on(generators, problem, region, leaf);
   std::vector<const Ray*> zero;
-  bool zero_at_low = false;
-  bool zero_at_high = false;
-  if (load.recession()) {
-    const Rational bound = power(*load.recession(), y);
-    if (bound.sign() > 0) return false;
-    zero_at_high = bound.is_zero();
+  for (std::size_t r = 0; r < generators.size(); ++r) {
+    if (bounds[r].sign() > 0) return false;
+    if (bounds[r].is_zero()) zero.push_back(&generators[r]);
   }
-  std::vector<Rational> powers;
-  for (const LoadRange::End& end : load.ends()) powers.push_back(power(end.wrench, y));
-  const std::vector<Rational> contacts = contact_work_bounds(problem, region, leaf);
-  const std::size_t first_ray = 2 * region.cone().lines().size();
-  for (std::size_t r = 0; r < contacts.size(); ++r) {
-    const Rational h =
-        r < first_ray ? Rational(0) : Rational(region.cone().rays()[r - first_ray].x[3]);
-    bool is_zero = false;
-    for (std::size_t e = 0; e < powers.size(); ++e) {
-      const int sign = Rational(contacts[r] + h * powers[e]).sign();
-      if (sign > 0) return false;
-      if (sign < 0) continue;
-      is_zero = true;
-      if (!h.is_zero()) (e == 0 ? zero_at_low : zero_at_high) = true;
-    }
-    if (is_zero && r >= first_ray) zero.push_back(&region.cone().rays()[r - first_ray]);
-  }
-  return region.is_barred(zero) || (load.low_is_strict() && !zero_at_high) ||
-         (load.high_is_strict() && !zero_at_low);
+  return region.is_barred(zero);
 }
 
 }  // namespace stickslip

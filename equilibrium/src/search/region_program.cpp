@@ -8,27 +8,19 @@
 namespace stickslip {
 namespace {
 
-Rational value(const Vector4& function, const IntegerVector4& x) {
-  Rational sum = 0;
-  for (std::size_t j = 0; j < 4; ++j) sum += function[j] * Rational(x[j]);
-  return sum;
-}
-
 /// A contact whose force the region leaves open.
 struct OpenContact {
   ContactId contact;
   bool mixed = false;
   std::optional<Sign> slip;
-  std::vector<Rational> most;  ///< by ray: the largest a_i there, v_i or max(0, v_i)
+  std::vector<Rational> most;  ///< by generator: the largest a_i there, v_i or max(0, v_i)
   int edge = 0;                ///< of the current extreme point; 0: a_i = 0
 };
 
-/// A generator of the region's motions and loads (problem.hpp).
+/// A generator of the region, with what a program sees of it.
 struct Generator {
-  std::optional<std::size_t> ray;  ///< none: the recession of the loads
-  Rational h;
-  Rational multiple;  ///< times h
-  Vector3 load;       ///< times h
+  Vector5 x;
+  Vector3 wrench;  ///< of the load, and of all contacts on their current edges
 };
 
 /// An extreme point of the relaxation on one generator: the edges that the contacts push along.
@@ -38,7 +30,7 @@ struct Column {
   Vector3 wrench;                  ///< of the load and all contacts
 };
 
-/// Which positive function of a solution is made 1: h, or a strict function of the loads.
+/// Which positive function of a solution is made 1: h, or a strict function of the multiples.
 enum class Normalizer { kHeight, kAboveLow, kBelowHigh };
 
 void add(LpWork& sum, const LpWork& part) {
@@ -51,11 +43,12 @@ void add(LpWork& sum, const LpWork& part) {
 
 class ColumnGeneration {
  public:
-  ColumnGeneration(const Problem& problem, const Region& region)
-      : problem_(problem), rays_(region.cone().directions()), wrenches_(rays_.size()) {
-    for (std::size_t r = 0; r < rays_.size(); ++r) add_generators(r);
-    if (const auto& direction = problem.load().recession()) {
-      generators_.push_back({std::nullopt, 0, 1, coordinates(*direction)});
+  ColumnGeneration(const Problem& problem, const Region& region) : problem_(problem) {
+    for (const Ray& ray : region.generators(problem)) {
+      Generator g;
+      for (std::size_t j = 0; j < 5; ++j) g.x[j] = Rational(ray.x[j]);
+      g.wrench = coordinates(g.x[3] * problem.wrench() + g.x[4] * problem.load_growth());
+      generators_.push_back(std::move(g));
     }
     for (std::size_t i = 0; i < problem.size(); ++i) add_contact(region, ContactId(i));
   }
@@ -85,24 +78,13 @@ class ColumnGeneration {
   }
 
  private:
-  void add_generators(std::size_t r) {
-    const Rational h(rays_[r][3]);
-    if (h.is_zero()) {
-      generators_.push_back({r, 0, 0, {}});
-      return;
-    }
-    for (const LoadRange::End& end : problem_.load().ends()) {
-      generators_.push_back({r, h, h * end.multiple, coordinates(h * end.wrench)});
-    }
-  }
-
   void add_contact(const Region& region, ContactId contact) {
     const Separation separation = region.separation(problem_, contact);
     if (separation == Separation::kOpen) return;
     OpenContact open{
         contact, separation == Separation::kMixed, slip_for(region, contact), {}, 0};
-    for (const IntegerVector4& x : rays_) {
-      open.most.push_back(std::max(Rational(0), value(problem_.separation(contact), x)));
+    for (const Generator& g : generators_) {
+      open.most.push_back(std::max(Rational(0), dot(problem_.separation(contact), g.x)));
     }
     if (!open.mixed) push_along(open, open.slip ? -to_int(*open.slip) : 1);
     if (open.slip && !open.mixed) {
@@ -125,27 +107,28 @@ class ColumnGeneration {
       change = change + Rational(-1) * problem_.edge_wrench(open.contact, open.edge);
     open.edge = edge;
     const Vector3 c = coordinates(change);
-    for (std::size_t r = 0; r < rays_.size(); ++r) {
-      if (open.most[r].is_zero()) continue;
-      for (std::size_t j = 0; j < 3; ++j) wrenches_[r][j] += open.most[r] * c[j];
+    for (std::size_t k = 0; k < generators_.size(); ++k) {
+      if (open.most[k].is_zero()) continue;
+      for (std::size_t j = 0; j < 3; ++j) generators_[k].wrench[j] += open.most[k] * c[j];
     }
   }
 
   std::vector<Normalizer> scales() const {
-    const LoadRange& load = problem_.load();
+    if (!problem_.is_family()) return {Normalizer::kHeight};
+    const MultipleRange& range = problem_.multiples();
     std::vector<Normalizer> scales;
-    if (load.low_is_strict()) scales.push_back(Normalizer::kAboveLow);
-    if (load.high_is_strict()) scales.push_back(Normalizer::kBelowHigh);
+    if (!range.has_low) scales.push_back(Normalizer::kAboveLow);
+    if (range.high) scales.push_back(Normalizer::kBelowHigh);
     // Between two finite ends h > 0 follows.
-    if (scales.empty() || load.recession()) scales.push_back(Normalizer::kHeight);
+    if (scales.empty() || !range.high) scales.push_back(Normalizer::kHeight);
     return scales;
   }
 
-  Rational value_of(Normalizer scale, const Generator& g) const {
-    if (scale == Normalizer::kHeight) return g.h;
-    if (scale == Normalizer::kAboveLow)
-      return g.multiple - problem_.load().ends()[0].multiple * g.h;
-    return problem_.load().ends()[1].multiple * g.h - g.multiple;
+  Rational value_of(Normalizer scale, const Vector5& x) const {
+    const MultipleRange& range = problem_.multiples();
+    if (scale == Normalizer::kHeight) return x[3];
+    if (scale == Normalizer::kAboveLow) return x[4] - range.low * x[3];
+    return *range.high * x[3] - x[4];
   }
 
   /// sum lambda_c (wrench_c, scale_c) = (0, 0, 0, 1), lambda >= 0, with the most of
@@ -178,9 +161,9 @@ class ColumnGeneration {
     std::vector<Rational> scales;
     std::vector<Rational> cost;
     for (const Column& c : columns_) {
-      const Generator& g = generators_[c.generator];
-      scales.push_back(value_of(scale, g));
-      cost.push_back(Rational(-sign) * g.multiple);
+      const Vector5& x = generators_[c.generator].x;
+      scales.push_back(value_of(scale, x));
+      cost.push_back(Rational(-sign) * x[4]);
     }
     program.add_row(std::move(scales), Relation::kEqual, 1);
     program.minimize(std::move(cost));
@@ -201,16 +184,12 @@ class ColumnGeneration {
     }
     bool added = false;
     for (std::size_t k = 0; k < generators_.size(); ++k) {
-      const Generator& g = generators_[k];
-      Vector3 wrench = g.load;
-      Rational excess = z * value_of(scale, g) + Rational(sign) * g.multiple;
-      for (std::size_t j = 0; j < 3; ++j) {
-        if (g.ray) wrench[j] += wrenches_[*g.ray][j];
-        excess += twist[j] * wrench[j];
-      }
+      const auto& [x, wrench] = generators_[k];
+      Rational excess = z * value_of(scale, x) + Rational(sign) * x[4];
+      for (std::size_t j = 0; j < 3; ++j) excess += twist[j] * wrench[j];
       if (excess.sign() <= 0) continue;
       added = true;
-      Column column{k, {}, std::move(wrench)};
+      Column column{k, {}, wrench};
       for (const OpenContact& open : open_) {
         column.edges.push_back(static_cast<std::int8_t>(open.edge));
       }
@@ -222,37 +201,32 @@ class ColumnGeneration {
   /// The combination of columns, scaled to h = 1; where h = 0, to the multiple 1.
   RelaxedPoint point(const std::vector<Rational>& weights) const {
     RelaxedPoint result;
-    Vector4 x{};
+    Vector5 x{};
     std::vector<ContactForce> open_forces(open_.size(), ContactForce{0, 0});
     for (std::size_t c = 0; c < weights.size(); ++c) {
       if (weights[c].is_zero()) continue;
       const Column& column = columns_[c];
       const Generator& g = generators_[column.generator];
-      result.multiple += weights[c] * g.multiple;
-      if (!g.ray) continue;
-      for (std::size_t j = 0; j < 4; ++j) x[j] += weights[c] * Rational(rays_[*g.ray][j]);
+      for (std::size_t j = 0; j < 5; ++j) x[j] += weights[c] * g.x[j];
       for (std::size_t q = 0; q < open_.size(); ++q) {
         if (column.edges[q] == 0) continue;
-        const Rational a = weights[c] * open_[q].most[*g.ray];
+        const Rational a = weights[c] * open_[q].most[column.generator];
         open_forces[q].normal += a;
         open_forces[q].tangential +=
             Rational(column.edges[q]) * problem_.row(open_[q].contact).friction * a;
       }
     }
     result.is_ray = x[3].is_zero();
-    const Rational scale = 1 / (result.is_ray ? result.multiple : x[3]);
-    result.multiple *= scale;
+    const Rational scale = 1 / (result.is_ray ? x[4] : x[3]);
     for (Rational& entry : x) entry *= scale;
+    result.multiple = x[4];
     for (ContactForce& force : open_forces) {
       force.normal *= scale;
       force.tangential *= scale;
     }
     result.witness.twist = {x[0], x[1], x[2]};
     result.witness.forces.assign(problem_.size(), ContactForce{0, 0});
-    const auto v_at = [&](ContactId contact) {
-      const Vector4& v = problem_.separation(contact);
-      return v[0] * x[0] + v[1] * x[1] + v[2] * x[2] + v[3] * x[3];
-    };
+    const auto v_at = [&](ContactId contact) { return dot(problem_.separation(contact), x); };
     for (const auto& [contact, edge] : settled_) {
       const Rational a = v_at(contact);
       result.witness.forces[contact.index()] = {
@@ -285,8 +259,6 @@ class ColumnGeneration {
   }
 
   const Problem& problem_;
-  std::vector<IntegerVector4> rays_;  ///< lines both ways
-  std::vector<Vector3> wrenches_;     ///< by ray, of all contacts on their current edges
   std::vector<Generator> generators_;
   std::vector<std::pair<ContactId, int>> settled_;  ///< closed, with the edge of their force
   std::vector<OpenContact> open_;

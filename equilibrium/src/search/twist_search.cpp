@@ -23,9 +23,9 @@ double magnitude_of(const ContactDoubles& c, const Double3& y) {
   return sum;
 }
 
-double magnitude_of(const Double4& function, const Double4& x) {
+double magnitude_of(const Double5& function, const Double5& x) {
   double sum = 0;
-  for (std::size_t j = 0; j < 4; ++j) sum += std::fabs(function[j] * x[j]);
+  for (std::size_t j = 0; j < 5; ++j) sum += std::fabs(function[j] * x[j]);
   return sum;
 }
 
@@ -65,13 +65,12 @@ void TwistSearch::add_undecided_bounds(const Node& node, const RayTable& table,
 }
 
 /// The wrench whose work on the twist of the last add_undecided_bounds is the bound at the ray.
-Double3 TwistSearch::wrench_at(const Node& node, const RayTable& table, std::size_t ray,
-                               const Double3& load) const {
-  const Double4& x = table.rays()[ray];
+Double3 TwistSearch::wrench_at(const Node& node, const RayTable& table, std::size_t ray) const {
+  const Double5& x = table.rays()[ray];
   Double3 wrench{};
   for (std::size_t j = 0; j < 3; ++j) {
-    wrench[j] = x[3] * load[j];
-    for (std::size_t k = 0; k < 4; ++k) wrench[j] += node.decided.value[j][k] * x[k];
+    wrench[j] = x[3] * model_.load[j] + x[4] * model_.growth[j];
+    for (std::size_t k = 0; k < 5; ++k) wrench[j] += node.decided.value[j][k] * x[k];
   }
   for (std::size_t q = 0; q < node.undecided.size(); ++q) {
     const double a = share(node.undecided[q], table.separations(q)[ray], edges_[q].alpha);
@@ -88,12 +87,14 @@ Double3 TwistSearch::wrench_at(const Node& node, const RayTable& table, std::siz
 void TwistSearch::scale_rays(const Node& node, const RayTable& table) {
   const std::size_t ray_count = table.ray_count();
   scales_.assign(ray_count, 0.0);
+  const Double3& u = model_.growth;
+  const double growth = std::fabs(u[0]) + std::fabs(u[1]) + std::fabs(u[2]) / model_.length;
   for (std::size_t r = 0; r < ray_count; ++r) {
-    const Double4& x = table.rays()[r];
-    scales_[r] = std::fabs(x[3]) * model_.force;
+    const Double5& x = table.rays()[r];
+    scales_[r] = std::fabs(x[3]) * model_.force + std::fabs(x[4]) * growth;
     for (std::size_t j = 0; j < 2; ++j) {
       double decided = 0;
-      for (std::size_t k = 0; k < 4; ++k) decided += node.decided.value[j][k] * x[k];
+      for (std::size_t k = 0; k < 5; ++k) decided += node.decided.value[j][k] * x[k];
       scales_[r] += std::fabs(decided);
     }
   }
@@ -104,21 +105,14 @@ void TwistSearch::scale_rays(const Node& node, const RayTable& table) {
   for (double& scale : scales_) {
     scale = std::max(scale, std::numeric_limits<double>::min()) / model_.force;
   }
-  if (model_.recession) {
-    const Double3& u = *model_.recession;
-    const double size = std::fabs(u[0]) + std::fabs(u[1]) + std::fabs(u[2]) / model_.length;
-    scales_.push_back(size / model_.force);
-  }
 }
 
-/// The ray with the largest bound on the twist, by scale, and that bound. The recession of the
-/// loads counts as a ray after the others, without motion.
+/// The ray with the largest bound on the twist, by scale, and that bound.
 std::pair<std::size_t, double> TwistSearch::worst_ray(const Node& node, const RayTable& table,
-                                                      const Double3& twist,
-                                                      const Double3& load) {
+                                                      const Double3& twist) {
   const std::size_t ray_count = table.ray_count();
-  Double4 form{0, 0, 0, dot(load, twist)};
-  for (std::size_t k = 0; k < 4; ++k) {
+  Double5 form{0, 0, 0, dot(model_.load, twist), dot(model_.growth, twist)};
+  for (std::size_t k = 0; k < 5; ++k) {
     for (std::size_t j = 0; j < 3; ++j) form[k] += twist[j] * node.decided.value[j][k];
   }
   bounds_.resize(ray_count);
@@ -126,14 +120,12 @@ std::pair<std::size_t, double> TwistSearch::worst_ray(const Node& node, const Ra
   for (std::size_t r = 0; r < ray_count; ++r) bounds_[r] = dot(form, table.rays()[r]);
   add_undecided_bounds(node, table, twist);
   std::pair<std::size_t, double> worst{ray_count, -HUGE_VAL};
-  const auto consider = [&](std::size_t r, double bound) {
-    if (bound / scales_[r] > worst.second) worst = {r, bound / scales_[r]};
-  };
   for (std::size_t r = 0; r < ray_count; ++r) {
     // Where nothing acts, g and h are 0: the ray is barred.
-    if (table.loaded(r) || forces_[r] > 0) consider(r, bounds_[r]);
+    if (!table.loaded(r) && !(forces_[r] > 0)) continue;
+    const double bound = bounds_[r] / scales_[r];
+    if (bound > worst.second) worst = {r, bound};
   }
-  if (model_.recession) consider(ray_count, dot(*model_.recession, twist));
   return worst;
 }
 
@@ -145,9 +137,8 @@ void TwistSearch::combine(const Node& node, const RayTable& table, const Nearest
   result.tangential.assign(node.undecided.size(), 0.0);
   for (std::size_t k = 0; k < hull.size(); ++k) {
     const SupportPoint& support = supports[hull.order(k)];
-    if (support.ray == table.ray_count()) continue;
     const double weight = hull.weight(k) / scales_[support.ray];
-    for (std::size_t j = 0; j < 4; ++j) {
+    for (std::size_t j = 0; j < 5; ++j) {
       result.motion[j] += weight * table.rays()[support.ray][j];
     }
     for (std::size_t q = 0; q < node.undecided.size(); ++q) {
@@ -167,23 +158,21 @@ SearchResult TwistSearch::search(const Node& node, const RayTable& table, ConeWo
   NearestPoint hull;
   double largest_point = 0;
   const double length = model_.length;
-  const Double3& first_load = model_.loads.back();
-  Double3 y{-first_load[0], -first_load[1], -first_load[2] / (length * length)};
+  const Double3& start = model_.start;
+  Double3 y{-start[0], -start[1], -start[2] / (length * length)};
   if (dot(y, y) == 0) y = {1, 0, 0};
   constexpr std::size_t kMostSteps = 60;
   constexpr double kVanishing = 1e-24;  // of squared lengths; a proposal, not a decision
   SearchResult result;
   for (std::size_t step = 0; step < kMostSteps; ++step) {
     ++work.support_points;
-    const Double3& load = model_.loads[model_.hardest_load(y)];
-    const auto [ray, bound] = worst_ray(node, table, y, load);
+    const auto [ray, bound] = worst_ray(node, table, y);
     if (bound < 0) {
       result.separated = true;
       result.twist = y;
       return result;
     }
-    Double3 point =
-        ray < table.ray_count() ? wrench_at(node, table, ray, load) : model_.recession.value();
+    Double3 point = wrench_at(node, table, ray);
     for (double& entry : point) entry /= scales_[ray];
     point[2] /= length;
     supports.push_back({ray, y});
@@ -243,22 +232,22 @@ std::optional<bool> TwistSearch::certain_refutation(const Node& node, const RayT
                                                     const Double3& twist) {
   if (!model_.is_moderate) return std::nullopt;
   const std::size_t ray_count = table.ray_count();
-  const Double3& hardest = model_.loads[model_.hardest_load(twist)];
-  const double load = dot(hardest, twist);
+  const double load = dot(model_.load, twist);
+  const double growth = dot(model_.growth, twist);
   double load_magnitude = 0;
-  for (const Double3& end : model_.loads) {
-    double magnitude = 0;
-    for (std::size_t j = 0; j < 3; ++j) magnitude += std::fabs(end[j] * twist[j]);
-    load_magnitude = std::max(load_magnitude, magnitude);
+  double growth_magnitude = 0;
+  for (std::size_t j = 0; j < 3; ++j) {
+    load_magnitude += std::fabs(model_.load[j] * twist[j]);
+    growth_magnitude += std::fabs(model_.growth[j] * twist[j]);
   }
   bounds_.assign(ray_count, 0.0);
   forces_.assign(ray_count, 0.0);
   errors_.assign(ray_count, 0.0);
   for (std::size_t r = 0; r < ray_count; ++r) {
-    const Double4& x = table.rays()[r];
-    bounds_[r] = x[3] * load;
-    errors_[r] = std::fabs(x[3]) * load_magnitude;
-    for (std::size_t k = 0; k < 4; ++k) {
+    const Double5& x = table.rays()[r];
+    bounds_[r] = x[3] * load + x[4] * growth;
+    errors_[r] = std::fabs(x[3]) * load_magnitude + std::fabs(x[4]) * growth_magnitude;
+    for (std::size_t k = 0; k < 5; ++k) {
       for (std::size_t j = 0; j < 3; ++j) {
         bounds_[r] += twist[j] * node.decided.value[j][k] * x[k];
         errors_[r] += std::fabs(twist[j] * x[k]) * node.decided.magnitude[j][k];
@@ -291,14 +280,6 @@ std::optional<bool> TwistSearch::certain_refutation(const Node& node, const RayT
   // than 2^40.
   constexpr double kUnderflow = 1e-150;
   bool certain = true;
-  if (model_.recession) {
-    const Double3& u = *model_.recession;
-    double magnitude = 0;
-    for (std::size_t j = 0; j < 3; ++j) magnitude += std::fabs(u[j] * twist[j]);
-    const double bound = kUnitRoundoff * roundings * magnitude + kUnderflow;
-    if (dot(u, twist) > bound) return false;
-    certain = dot(u, twist) < -bound;
-  }
   for (std::size_t r = 0; r < ray_count; ++r) {
     if (!table.loaded(r) && !(forces_[r] > 0)) continue;  // g and h are exactly 0: barred
     const double bound = kUnitRoundoff * roundings * errors_[r] + kUnderflow;

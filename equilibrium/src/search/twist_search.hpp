@@ -19,7 +19,7 @@ namespace stickslip {
 struct SearchResult {
   bool separated = false;
   Double3 twist{};                 ///< if separated
-  Double4 motion{};                ///< otherwise x ...
+  Double5 motion{};                ///< otherwise x ...
   std::vector<double> normal;      ///< ... and of the node's undecided a_i ...
   std::vector<double> tangential;  ///< ... and b_i / mu_i
 };
@@ -54,12 +54,11 @@ class TwistSearch {
   };
   void scale_rays(const Node& node, const RayTable& table);
   std::pair<std::size_t, double> worst_ray(const Node& node, const RayTable& table,
-                                           const Double3& twist, const Double3& load);
+                                           const Double3& twist);
   void combine(const Node& node, const RayTable& table, const NearestPoint& hull,
                const std::vector<SupportPoint>& supports, SearchResult& result) const;
   void add_undecided_bounds(const Node& node, const RayTable& table, const Double3& twist);
-  Double3 wrench_at(const Node& node, const RayTable& table, std::size_t ray,
-                    const Double3& load) const;
+  Double3 wrench_at(const Node& node, const RayTable& table, std::size_t ray) const;
   /// Whether g <= 0 with zeros only where nothing acts, if error bounds decide.
   std::optional<bool> certain_refutation(const Node& node, const RayTable& table,
                                          const Double3& twist);

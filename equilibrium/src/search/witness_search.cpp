@@ -117,7 +117,7 @@ class ModeSystem {
     Eigen::Index row = n;
     for (const std::size_t i : on_border) {
       const Vector3 t = coordinates(problem_.rows()[i].tangent);
-      const Vector4& v = problem_.separation(ContactId(i));
+      const Vector5& v = problem_.separation(ContactId(i));
       for (std::size_t j = 0; j < 3; ++j) {
         a(row, static_cast<Eigen::Index>(j)) = guesses_[i].touches ? v[j] : t[j];
       }
@@ -135,7 +135,7 @@ class ModeSystem {
       const ContactRow& row = problem_.rows()[i];
       const Vector3 wrench =
           coordinates(row.normal + (shares_[i] * row.friction) * row.tangent);
-      const Vector4& v = problem_.separation(ContactId(i));
+      const Vector5& v = problem_.separation(ContactId(i));
       for (std::size_t r = 0; r < 3; ++r) {
         for (std::size_t c = 0; c < 4; ++c) terms[r][c].push_back(wrench[r] * v[c]);
       }
@@ -202,10 +202,10 @@ class SmoothBalance {
 
   /// The sum of all wrenches, and its derivative.
   Eigen::Vector3d residual(const Eigen::Vector3d& d, Eigen::Matrix3d& derivative) const {
-    const Double3& load = model_.loads.front();
+    const Double3& load = model_.load;
     Eigen::Vector3d sum(load[0], load[1], load[2]);
     derivative.setZero();
-    const Double4 x{d[0], d[1], d[2], 1};
+    const Double5 x{d[0], d[1], d[2], 1, 0};
     for (const ContactDoubles& c : model_.contacts) {
       const double v = dot(c.separation, x);
       if (v <= 0) continue;
@@ -257,7 +257,7 @@ class SmoothBalance {
   std::vector<ModeGuess> guesses(const Eigen::Vector3d& d) const {
     std::vector<ModeGuess> result;
     result.reserve(model_.contacts.size());
-    const Double4 x{d[0], d[1], d[2], 1};
+    const Double5 x{d[0], d[1], d[2], 1, 0};
     for (const ContactDoubles& c : model_.contacts) {
       const double slip = dot(c.slip, x);
       result.push_back({dot(c.separation, x) > 0, std::fabs(slip) < epsilon_,
@@ -300,7 +300,7 @@ std::optional<Witness> find_witness_near(const Problem& problem, const DoubleMod
                                          Double3 start) {
   double travel = 0;
   for (const ContactDoubles& c : model.contacts) {
-    travel = std::max(travel, std::fabs(dot(c.slip, {start[0], start[1], start[2], 1})));
+    travel = std::max(travel, std::fabs(dot(c.slip, {start[0], start[1], start[2], 1, 0})));
   }
   if (!(travel > 0)) return std::nullopt;
   SmoothBalance balance(model);

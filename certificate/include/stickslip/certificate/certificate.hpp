@@ -18,7 +18,7 @@ namespace stickslip {
 std::string certificate_text(const Question& question, const Verdict& verdict,
                              const std::string& producer);
 
-/// The certificate of a load margin (FORMAT.md, section 5). `question` has the base wrench.
+/// The certificate of the margin of problem_of(question) (FORMAT.md, section 5).
 std::string margin_certificate_text(const Question& question, const Margin& margin,
                                     const std::string& producer);
 

@@ -64,6 +64,8 @@ class Grasp {
 
   /// The same grasp with every preload replaced. Throws InputError if negative.
   Grasp with_preload(const Rational& preload) const;
+  /// The same, each by its own. Requires one for each contact.
+  Grasp with_preloads(const std::vector<Rational>& preloads) const;
 
  private:
   std::vector<Contact> contacts_;

@@ -32,6 +32,7 @@ class NumberText {
   std::string operator()(const std::array<Number, n>& v) {
     return tuple({v.begin(), v.end()});
   }
+  std::string operator()(const std::vector<Rational>& v) { return tuple(v); }
   /// \}
   /// \{ A vector of which only the direction has a meaning: small integers, or scaled to a
   /// largest entry of 1; with all digits as it is.

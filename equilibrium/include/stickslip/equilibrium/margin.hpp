@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Load margins: the exact set of multiples l >= 0 for which a grasp is stable under w + l u.
+/// Margins: the exact set of multiples l >= 0 for which a grasp is stable under the wrench
+/// w + l u and the preloads P + l P^u.
 ///
 /// In one *mode* (which contacts are closed, and the sign of slip or sticking at each of them)
 /// the conditions of problem.hpp are linear in motion, forces and l together, so the multiples
@@ -17,6 +18,7 @@
 /// which there are finitely many.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -33,16 +35,15 @@ struct LoadInterval {
 
 /// Two equilibria of one mode: between them every multiple is resisted, by a combination of the
 /// two. Without `high`, `end` is what may be added to the first without end, for the
-/// direction's sake alone (FORMAT.md, section 5: a ray).
+/// family's sake alone (FORMAT.md, section 5: a ray).
 struct LoadSegment {
   LoadPoint start;               ///< at its low end
   std::optional<Rational> high;  ///< the multiple at its high end
-  Witness end;                   ///< under the load at its high end, or a ray
+  Witness end;                   ///< for the multiple at its high end, or a ray
 };
 
 /// With the evidence of certificate/FORMAT.md, section 5.
 struct Margin {
-  Wrench direction;                    ///< u, nonzero
   std::vector<LoadInterval> resisted;  ///< increasing, disjoint
   /// Increasing; each begins where one ends or an interval begins.
   std::vector<LoadSegment> segments;
@@ -56,10 +57,11 @@ struct MarginWork {
   ConeWork cone;           ///< of all searches
 };
 
-/// `problem` has a single load w. Throws ContractError if the direction is zero. Undecided only
-/// when the node limit, of all searches together, is reached.
-std::variant<Margin, Undecided> find_margin(const Problem& problem, const Wrench& direction,
-                                            const ConeOptions& options = {},
-                                            MarginWork* work = nullptr);
+/// Of all l >= 0, whatever the family's range. Throws ContractError if the problem is no
+/// family. Undecided only when the node limit, of all searches together, is reached. `progress`
+/// is called now and then, with the work so far.
+std::variant<Margin, Undecided> find_margin(
+    const Problem& family, const ConeOptions& options = {}, MarginWork* work = nullptr,
+    const std::function<void(const MarginWork&)>& progress = {});
 
 }  // namespace stickslip

@@ -24,6 +24,7 @@
 #include <string>
 #include <vector>
 
+#include "stickslip/equilibrium/margin.hpp"
 #include "stickslip/equilibrium/question.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 
@@ -51,5 +52,10 @@ struct ModelWarning {
 /// The warnings about a question and the verdict on it. Throws InputError as Problem does.
 /// O(m) rational operations, one exact program, and the decisions named above.
 std::vector<ModelWarning> model_warnings(const Question& question, const Verdict& verdict);
+
+/// The same of a margin, about the equilibria at the ends of its segments, the first that each
+/// sort is true of; and about the preloads that a family begins with or, if these are 0, with
+/// which it grows. Stiffness is not varied. O(m) rational operations for each segment.
+std::vector<ModelWarning> model_warnings(const Question& question, const Margin& margin);
 
 }  // namespace stickslip

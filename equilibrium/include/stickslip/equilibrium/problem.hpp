@@ -13,8 +13,12 @@
 ///
 /// The grasp is stable iff an equilibrium exists.
 ///
-/// Motions are homogenised: x = (d, h) in Q^4 with h >= 0, so that v_i and the slip
-/// tau_i = T_i.d are linear in x, and d/h is the motion when h > 0.
+/// A problem may ask about a *family*: for which multiples l, in a range, is the grasp stable
+/// under the wrench w + l u and the preloads P + l P^u?
+///
+/// Motions and multiples are homogenised: x = (d, h, l) in Q^5 with h >= 0, so that v_i, the
+/// slip tau_i = T_i.d and the load w h + u l are linear in x; where h > 0, d/h is the motion
+/// and l/h the multiple. Without a family l = 0.
 #pragma once
 
 #include <optional>
@@ -26,55 +30,27 @@
 
 namespace stickslip {
 
-/// \{ Coefficients of a linear function of x = (d_x, d_y, d_r, h), or a point x itself.
-using IntegerVector4 = IntegerVector<4>;
-using Vector4 = std::array<Rational, 4>;
+/// \{ Coefficients of a linear function of x = (d_x, d_y, d_r, h, l), or a point x itself.
+using IntegerVector5 = IntegerVector<5>;
+using Vector5 = std::array<Rational, 5>;
 /// \}
 
-/// The loads that a problem asks about: one wrench, or the wrenches w + l u for all l in an
-/// interval (certificate/FORMAT.md, section 5).
-///
-/// In a range the multiple l is one more homogeneous unknown beside x = (d, h): l/h is the
-/// multiple when h > 0. Over a region of motions the points (x, l) are the combinations of
-/// - (r, l h_r) for each ray r and each end l of the range, and
-/// - the recession (0, 1) if the range has no upper end.
-class LoadRange {
- public:
-  /// A load at an end of the range.
-  struct End {
-    Rational multiple;  ///< l
-    Wrench wrench;      ///< w + multiple u
-  };
-
-  /// One wrench; its multiple is 0.
-  explicit LoadRange(const Wrench& wrench = {});
-  /// w + l u for low < l < high, or low < l if there is no high; with `has_low` also l = low.
-  /// Requires low < high.
-  LoadRange(const Wrench& wrench, const Wrench& direction, const Rational& low,
-            const std::optional<Rational>& high, bool has_low);
-
-  /// w + multiple u
-  Wrench wrench_at(const Rational& multiple) const { return wrench_ + multiple * direction_; }
-
-  /// The low end, and the high end if there is one.
-  const std::vector<End>& ends() const { return ends_; }
-  /// The direction u, if the range has no high end.
-  std::optional<Wrench> recession() const;
-  bool is_single() const { return ends_.size() == 1 && has_high_; }  ///< one wrench
-  /// \{ Whether l > low, or l < high, is asked: l - low h (or high h - l) is a strict function.
-  bool low_is_strict() const { return low_is_strict_; }
-  bool high_is_strict() const { return ends_.size() == 2; }
-  /// \}
-
- private:
-  Wrench wrench_;
-  Wrench direction_;
-  std::vector<End> ends_;
-  bool has_high_ = true;
-  bool low_is_strict_ = false;
+/// The multiples l of a family that are asked about: low < l < high, or low < l if there is no
+/// high; with `has_low` also l = low.
+struct MultipleRange {
+  Rational low = 0;                             ///< >= 0
+  std::optional<Rational> high = std::nullopt;  ///< above low
+  bool has_low = true;                          ///< whether low is asked about
 };
 
-/// Contact rows, a load or a range of loads, and a normal law: all that an engine needs.
+/// What a family adds to a problem for each unit of the multiple.
+struct Growth {
+  Wrench load;  ///< u
+  /// As ContactRow::preload, by contact, each >= 0; or empty: preloads do not grow.
+  std::vector<Rational> preloads = {};
+};
+
+/// Contact rows, a load, a normal law, and perhaps a family: all that an engine needs.
 class Problem {
  public:
   /// No contacts, no load, unilateral.
@@ -86,25 +62,33 @@ class Problem {
   std::size_t size() const { return rows_.size(); }              ///< m, number of contacts
   /// Requires a contact of this problem, as do the other functions of one contact.
   const ContactRow& row(ContactId contact) const { return rows_[contact.index()]; }
-  const LoadRange& load() const { return load_; }  ///< what is applied to the object
-  /// The load, which must be a single one.
-  const Wrench& wrench() const;
-  NormalLaw law() const { return law_; }  ///< of every contact
+  const Wrench& wrench() const { return wrench_; }  ///< w, of a family at the multiple 0
+  NormalLaw law() const { return law_; }            ///< of every contact
 
   /// A positive multiple of tau_i, primitive: for signs and for cutting.
-  const IntegerVector4& slip_plane(ContactId contact) const {
+  const IntegerVector5& slip_plane(ContactId contact) const {
     return slip_planes_[contact.index()];
   }
   /// v_i itself.
-  const Vector4& separation(ContactId contact) const { return separations_[contact.index()]; }
+  const Vector5& separation(ContactId contact) const { return separations_[contact.index()]; }
   /// A positive multiple of v_i, primitive.
-  const IntegerVector4& separation_plane(ContactId contact) const {
+  const IntegerVector5& separation_plane(ContactId contact) const {
     return separation_planes_[contact.index()];
   }
 
-  /// The same grasp and law under other loads. O(m).
-  Problem with_load(LoadRange load) const;
-  /// Under the one load of the problem's range with this multiple. O(m).
+  const Wrench& load_growth() const { return load_growth_; }     ///< u; 0 without a family
+  bool preloads_grow() const { return preloads_grow_; }          ///< some P^u is not 0
+  bool is_family() const;                                        ///< something grows
+  const MultipleRange& multiples() const { return multiples_; }  ///< of a family
+
+  /// The same grasp and law under one other wrench. O(m).
+  Problem with_wrench(const Wrench& wrench) const;
+  /// The family that begins with this problem, which is none, for all l >= 0. Throws
+  /// ContractError if nothing grows, or if a preload would fall. O(m).
+  Problem along(const Growth& growth) const;
+  /// The same family for other multiples. O(m).
+  Problem within(MultipleRange multiples) const;
+  /// The family's member with this multiple: no family. O(m).
   Problem at(const Rational& multiple) const;
 
   /// N + sigma mu T, for sigma = -1, 0 or 1: the wrench of a unit normal coefficient with
@@ -113,11 +97,14 @@ class Problem {
 
  private:
   std::vector<ContactRow> rows_;
-  LoadRange load_;
+  Wrench wrench_;
+  Wrench load_growth_;
+  bool preloads_grow_ = false;
+  MultipleRange multiples_;
   NormalLaw law_ = NormalLaw::kUnilateral;
-  std::vector<IntegerVector4> slip_planes_;
-  std::vector<Vector4> separations_;
-  std::vector<IntegerVector4> separation_planes_;
+  std::vector<IntegerVector5> slip_planes_;
+  std::vector<Vector5> separations_;
+  std::vector<IntegerVector5> separation_planes_;
 };
 
 }  // namespace stickslip

@@ -32,7 +32,8 @@ struct Witness {
   std::vector<ContactForce> forces;  ///< by ContactId
 };
 
-/// Which condition of problem.hpp fails first, and where; nothing for an equilibrium.
+/// Which condition of problem.hpp fails first, and where; nothing for an equilibrium. Not of a
+/// family.
 /// O(m) rational operations.
 std::optional<std::string> find_violation(const Problem& problem, const Witness& witness);
 
@@ -46,7 +47,7 @@ struct SeparationSplit {
 };
 /// Two children: plane.x >= 0, plane.x <= 0.
 struct PlaneSplit {
-  IntegerVector4 plane;  ///< nonzero
+  IntegerVector5 plane;  ///< nonzero
 };
 /// A virtual twist on which no force of the region makes up for the load, and, where a contact
 /// may be open or closed and its force does negative work, the share theta in [0, 1] of that

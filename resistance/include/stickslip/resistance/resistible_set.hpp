@@ -35,6 +35,9 @@
 
 namespace stickslip {
 
+/// Coordinates of wrenches by a plane.
+using Vector4 = std::array<Rational, 4>;
+
 /// The wrenches origin + s u + t v, with coordinates (s, t).
 class WrenchPlane {
  public:

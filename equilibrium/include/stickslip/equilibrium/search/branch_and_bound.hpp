@@ -56,16 +56,16 @@ struct ConeOptions {
 Verdict decide_by_cones(const Problem& problem, const ConeOptions& options = {},
                         ConeWork* work = nullptr);
 
-/// An equilibrium under one load of a range.
+/// An equilibrium of one member of a family.
 struct LoadPoint {
-  Rational multiple;  ///< l of the load w + l u
-  Witness witness;    ///< under that load
+  Rational multiple;  ///< l
+  Witness witness;    ///< for that multiple
 };
 
-/// A load of the problem's range under which the grasp is stable, or a proof that there is
-/// none, by the same search with the multiple as one more unknown. Undecided only when the
-/// node limit is reached.
-std::variant<LoadPoint, Unstable, Undecided> search_loads(const Problem& problem,
+/// A multiple in the family's range for which the grasp is stable, or a proof that there is
+/// none, by the same search with the multiple as one more unknown. Undecided only when the node
+/// limit is reached.
+std::variant<LoadPoint, Unstable, Undecided> search_loads(const Problem& family,
                                                           const ConeOptions& options = {},
                                                           ConeWork* work = nullptr);
 

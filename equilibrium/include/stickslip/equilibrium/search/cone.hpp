@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Polyhedral cones of homogenised motions x = (d_x, d_y, d_r, h), kept by generators and cut
-/// by one plane at a time: the double description method (Motzkin, Raiffa, Thompson, Thrall,
-/// 1953; Fukuda and Prodon, "Double description method revisited", 1996), in integers.
+/// Polyhedral cones of points x = (d_x, d_y, d_r, h, l) (problem.hpp), kept by generators and
+/// cut by one plane at a time: the double description method (Motzkin, Raiffa, Thompson,
+/// Thrall, 1953; Fukuda and Prodon, "Double description method revisited", 1996), in integers.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ using ConstraintIndex = std::uint32_t;
 
 /// A generator of a cone, of which nonnegative multiples count.
 struct Ray {
-  IntegerVector4 x;                    ///< primitive
+  IntegerVector5 x;                    ///< primitive
   std::vector<ConstraintIndex> tight;  ///< the constraints that are 0 at x, increasing
 };
 
@@ -30,25 +30,28 @@ enum class Side { kPositive, kZero, kNegative };
 /// 0 on the lines.
 class Cone {
  public:
-  /// {h >= 0}; this is constraint 0.
-  Cone();
+  /// The multiples of a new cone: l = 0, or any.
+  enum class Multiples { kZero, kAny };
 
-  const std::vector<IntegerVector4>& lines() const { return lines_; }     ///< primitive
+  /// {h >= 0}; this is constraint 0.
+  explicit Cone(Multiples multiples = Multiples::kZero);
+
+  const std::vector<IntegerVector5>& lines() const { return lines_; }     ///< primitive
   const std::vector<Ray>& rays() const { return rays_; }                  ///< modulo the lines
   ConstraintIndex constraint_count() const { return constraint_count_; }  ///< cuts, plus 1
 
   /// The rays' directions, and each line both ways.
-  std::vector<IntegerVector4> directions() const;
+  std::vector<IntegerVector5> directions() const;
 
   /// Keeps the part with plane.x >= 0, = 0 or <= 0; this is the next constraint.
   /// O(R^3) for R rays in the worst case (the adjacency test), O(R) when no ray changes side.
-  void cut(const IntegerVector4& plane, Side side);
+  void cut(const IntegerVector5& plane, Side side);
 
  private:
-  bool cut_along_a_line(const IntegerVector4& plane, Side side);
+  bool cut_along_a_line(const IntegerVector5& plane, Side side);
   bool adjacent(std::size_t a, std::size_t b) const;
 
-  std::vector<IntegerVector4> lines_;
+  std::vector<IntegerVector5> lines_;
   std::vector<Ray> rays_;
   ConstraintIndex constraint_count_ = 1;
 };
@@ -69,6 +72,6 @@ struct SignRange {
 };
 
 /// The signs of plane.x for x in the cone. O(rays + lines).
-SignRange signs_on(const Cone& cone, const IntegerVector4& plane);
+SignRange signs_on(const Cone& cone, const IntegerVector5& plane);
 
 }  // namespace stickslip

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// A region of motions as a node of a refutation sees it (certificate/FORMAT.md, section 4): a
-/// cone, the labels of contacts, and the strict functions; and the rules of leaves.
+/// A region of motions, and of a family's multiples, as a node of a refutation sees it
+/// (certificate/FORMAT.md, section 4): a cone, the labels of contacts, and the strict
+/// functions; and the rules of leaves.
 #pragma once
 
 #include <optional>
@@ -18,10 +19,17 @@ enum class Separation { kClosed, kOpen, kMixed };
 /// A set of motions between the planes of its splits. A split makes new ones.
 class Region {
  public:
-  /// All motions that the normal law allows: {h >= 0}, and v_i >= 0 for all i when bilateral.
+  /// All motions that the normal law allows: {h >= 0}, and v_i >= 0 for all i when bilateral;
+  /// of a family, with all multiples in its range.
   static Region root(const Problem& problem);
 
-  const Cone& cone() const { return cone_; }  ///< its closure, in homogenised motions
+  /// Its closure. Of a family in which only the load grows the motions alone, at l = 0: any of
+  /// them goes with any multiple.
+  const Cone& cone() const { return cone_; }
+  /// Points of which the closure is the set of nonnegative combinations, lines both ways. Where
+  /// only the load grows: those of the motions with l at either end of the range; and (0, 0, 1)
+  /// if it has one end.
+  std::vector<Ray> generators(const Problem& problem) const;
   /// What slip splits have said of a contact: kZero is the label 0; nothing is no label.
   std::optional<Sign> label(ContactId contact) const { return labels_[contact.index()]; }
 
@@ -32,8 +40,8 @@ class Region {
                           Separation closed_or_open) const&;
   Region separation_child(const Problem& problem, ContactId contact,
                           Separation closed_or_open) &&;
-  Region plane_child(const IntegerVector4& plane, Side side) const&;
-  Region plane_child(const IntegerVector4& plane, Side side) &&;
+  Region plane_child(const IntegerVector5& plane, Side side) const&;
+  Region plane_child(const IntegerVector5& plane, Side side) &&;
   /// \}
 
   /// The intersection with all of a slip state at once: contact i has label state[i].
@@ -46,8 +54,8 @@ class Region {
   /// its cone; nothing when friction may lie anywhere in it ("has the sign", FORMAT.md).
   std::optional<Sign> slip_sign(const Problem& problem, ContactId contact) const;
 
-  /// True if some strict function is 0 on all of these rays of cone(): no solution is a
-  /// combination of them and lines alone.
+  /// True if some strict function is 0 on all of these generators or rays of cone(): no
+  /// solution is a combination of them and lines alone.
   bool is_barred(const std::vector<const Ray*>& rays) const;
 
   /// True if all rays are barred: no solution lies here.
@@ -55,17 +63,17 @@ class Region {
 
  private:
   Cone cone_;
+  bool any_multiple_ = false;  ///< of a family in which only the load grows
   std::vector<std::optional<Sign>> labels_;
   std::vector<ConstraintIndex> strict_{0};  ///< increasing; h is constraint 0
 };
 
-/// The rule leaf-bound: whether the virtual twist proves that the region has no equilibrium
-/// under any of the problem's loads. O(m * rays) rational operations.
+/// The rule leaf-bound: whether the virtual twist proves that the region has no equilibrium,
+/// for any of the problem's multiples. O(m * generators) rational operations.
 bool refutes(const Problem& problem, const Region& region, const VirtualWorkLeaf& leaf);
 
-/// The contacts' part of the bound g(r) of leaf-bound on each of cone().directions(): all of it
-/// but the load's h y.w.
-std::vector<Rational> contact_work_bounds(const Problem& problem, const Region& region,
-                                          const VirtualWorkLeaf& leaf);
+/// The bound g(r) of leaf-bound on each of region.generators().
+std::vector<Rational> work_bounds(const Problem& problem, const Region& region,
+                                  const VirtualWorkLeaf& leaf);
 
 }  // namespace stickslip

@@ -3,11 +3,10 @@
 /// The system of one region as a linear program: Haas-Heger et al. 2018, Eqs. 1, 2, 4 and
 /// 12-14, with detaching contacts.
 ///
-/// A point of the region is x = sum lambda_r r over its rays, lambda >= 0, h = 1; with a range
-/// of loads, over the generators of problem.hpp. A contact that is closed has a_i = v_i(x),
-/// linear in lambda; an open one has a_i = 0. A mixed one is relaxed to 0 <= a_i <= sum
-/// lambda_r max(0, v_i(r)). Friction is on an edge where slip has a sign, else anywhere in the
-/// cone. With nothing mixed the program is exact.
+/// A point of the region is x = sum lambda_r r over its generators, lambda >= 0, h = 1. A
+/// contact that is closed has a_i = v_i(x), linear in lambda; an open one has a_i = 0. A mixed
+/// one is relaxed to 0 <= a_i <= sum lambda_r max(0, v_i(r)). Friction is on an edge where slip
+/// has a sign, else anywhere in the cone. With nothing mixed the program is exact.
 ///
 /// **Method.** On each ray the relaxed wrenches are a zonotope, with a corner for every choice
 /// of edges. The program asks for a combination of such corners with wrench 0 and h = 1: four
@@ -15,10 +14,10 @@
 /// do not suffice, the Farkas vector's part on the balance is a virtual twist y, and the corner
 /// of each ray that does the most work on y is the only one to try: sigma_i = sign y.T_i. If
 /// none of them would help, y satisfies leaf-bound (certificate/FORMAT.md) with theta = 0.
-/// With an objective, the optimal dual takes the Farkas vector's place. A strict end of a range
-/// asks for l - low h > 0: that takes the place of h in the fourth row. Every round adds a
-/// corner that was not there, so the rounds end; in practice after a few tens. Each costs O(m)
-/// rational operations and three per ray for a contact that changes edge.
+/// With an objective, the optimal dual takes the Farkas vector's place. A strict end of a
+/// family's range asks for l - low h > 0: that takes the place of h in the fourth row. Every
+/// round adds a corner that was not there, so the rounds end; in practice after a few tens.
+/// Each costs O(m) rational operations and three per ray for a contact that changes edge.
 #pragma once
 
 #include <optional>
@@ -35,15 +34,15 @@ using ContactSplit = std::variant<SlipSplit, SeparationSplit>;
 /// A point of the relaxation; an equilibrium iff nothing is broken.
 struct RelaxedPoint {
   Witness witness;        ///< motion and forces
-  Rational multiple = 0;  ///< of the direction, in a range of loads
+  Rational multiple = 0;  ///< in a family
   bool is_ray = false;    ///< h = 0: what may be added to a solution without end
   /// The split at the contact that breaks its normal law (a_i > max(0, v_i)) or maximum
   /// dissipation with the most energy, if any does.
   std::optional<ContactSplit> broken;
 };
 
-/// Either a point of the relaxed system, under a load of the problem's, or a leaf that refutes
-/// the region (verified).
+/// Either a point of the relaxed system, for one of the problem's multiples, or a leaf that
+/// refutes the region (verified).
 std::variant<RelaxedPoint, VirtualWorkLeaf> solve_region(const Problem& problem,
                                                          const Region& region, LpWork* work);
 
@@ -54,7 +53,7 @@ struct LoadExtent {
   RelaxedPoint highest;  ///< at the largest, or a ray
 };
 
-/// Over all loads between the ends of the problem's range; nothing if the system has no
+/// Over all multiples between the ends of a family's range; nothing if the system has no
 /// solution there.
 std::optional<LoadExtent> load_extent(const Problem& problem, const Region& region);
 

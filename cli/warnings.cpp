@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "warnings.hpp"
+
+#include <iostream>
+
+namespace stickslip {
+
+void add_no_warnings_option(CLI::App& command, bool& no_warnings) {
+  command.add_flag("--no-warnings", no_warnings,
+                   "Do not look for traps of the model, such as a large motion, or a preload "
+                   "that does not balance (docs/model.md)");
+}
+
+Json warnings_json(const std::vector<ModelWarning>& warnings) {
+  Json json = Json::array();
+  for (const ModelWarning& warning : warnings) {
+    json.push_back({{"trap", to_string(warning.trap)}, {"text", warning.text}});
+  }
+  return json;
+}
+
+void print(const Warnings& warnings) {
+  if (!warnings) return;
+  for (const ModelWarning& warning : *warnings) {
+    std::cout << "Warning: " << warning.text << ".\n";
+  }
+}
+
+}  // namespace stickslip

@@ -46,10 +46,8 @@ struct NodeText {
     return "[\"plane\"," + list(node.plane) + (margin ? ",0]" : "]");
   }
   std::string operator()(const VirtualWorkLeaf& node) const {
-    require(node.theta.empty(), "certificates have no shares of a contact's work");
     return "[\"leaf\"," + list(node.twist) + "]";
   }
-  std::string operator()(const VoidLeaf&) const { return "[\"leaf\",0,0,0]"; }
 };
 
 /// All up to the verdict; `direction` if a margin is proved.

@@ -40,7 +40,7 @@ class StatesEngine {
   /// `refutation` has grown by a tree that covers the region.
   bool solve_separations(const Region& region, Refutation& refutation) {
     if (region.is_void()) {
-      refutation.emplace_back(VoidLeaf{});
+      refutation.emplace_back(VirtualWorkLeaf{});
       return false;
     }
     LpWork lp;
@@ -78,7 +78,7 @@ class StatesEngine {
   /// arrangement.
   void assemble(const Region& region, Refutation& tree) const {
     if (region.is_void()) {
-      tree.emplace_back(VoidLeaf{});
+      tree.emplace_back(VirtualWorkLeaf{});
       return;
     }
     SlipState state;

@@ -21,7 +21,7 @@ namespace {
 
 /// A node of the tree, and the nodes that it still needs.
 struct Step {
-  RefutationNode node = VoidLeaf{};
+  RefutationNode node = VirtualWorkLeaf{};
   std::vector<Node> children;
 };
 
@@ -65,7 +65,7 @@ class Explorer {
     work_.depth = std::max(work_.depth, depth);
     if (node.region.is_void()) {
       ++work_.voids;
-      return Step{VoidLeaf{}, {}};
+      return Step{VirtualWorkLeaf{}, {}};
     }
     table_.read(problem_, model_, node);
     const SearchResult found = search_.search(node, table_, work_);
@@ -193,7 +193,7 @@ class Explorer {
 class Top {
  public:
   struct Entry {
-    RefutationNode node = VoidLeaf{};
+    RefutationNode node = VirtualWorkLeaf{};
     std::vector<std::size_t> children;   ///< entries
     std::optional<std::size_t> subtree;  ///< instead of node: its place in subtrees()
   };

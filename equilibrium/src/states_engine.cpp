@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "few_shares.hpp"
 #include "stickslip/arrangement/slip_states.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/equilibrium/search/region_program.hpp"
@@ -59,6 +60,8 @@ class StatesEngine {
     auto& point = std::get<RelaxedPoint>(outcome);
     if (!point.broken) {
       witness_ = std::move(point.witness);
+      if (auto with_few = find_forces(problem_, witness_.twist))
+        witness_ = std::move(*with_few);
       const std::optional<std::string> violation = find_violation(problem_, witness_);
       require(!violation, "a witness of a slip state is not an equilibrium");
       return true;

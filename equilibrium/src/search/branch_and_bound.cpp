@@ -11,6 +11,7 @@
 #include <deque>
 #include <utility>
 
+#include "../few_shares.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 #include "twist_search.hpp"
@@ -174,8 +175,9 @@ class Explorer {
     if (point.broken) return split_at(node, *point.broken);
     witness_ = std::move(point.witness);
     multiple_ = std::move(point.multiple);
-    require(!find_violation(problem_.at(multiple_), *witness_),
-            "an unbroken point is not an equilibrium");
+    const Problem there = problem_.at(multiple_);
+    if (auto with_few = find_forces(there, witness_->twist)) witness_ = std::move(with_few);
+    require(!find_violation(there, *witness_), "an unbroken point is not an equilibrium");
     return std::nullopt;
   }
 

@@ -35,6 +35,7 @@ struct Row {
   double check = 0;  ///< reading included, ms
   MarginWork work;
   std::size_t segments = 0;
+  std::size_t certificate_bytes = 0;
   bool accepted = false;
 };
 
@@ -49,6 +50,7 @@ Row measure(Layout layout, std::size_t contacts, std::uint64_t seed) {
   const std::string certificate = margin_certificate_text(question, margin, "bench");
   row.find = milliseconds(start);
   row.segments = margin.segments.size();
+  row.certificate_bytes = certificate.size();
   std::istringstream grasp(write_grasp(question.loaded));
   std::istringstream proof(certificate);
   stickslip_check::Options options;
@@ -71,8 +73,8 @@ double median_of(const std::vector<Row>& rows, Value value) {
 int run(std::size_t largest) {
   std::puts(
       "| family | m | margin + certificate, ms | slowest, ms | check, ms | ranges | mode "
-      "programs | nodes | segments |");
-  std::puts("|---|--:|--:|--:|--:|--:|--:|--:|--:|");
+      "programs | nodes | segments | certificate, KiB |");
+  std::puts("|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|");
   bool all_accepted = true;
   for (const Layout layout :
        {Layout::kRound, Layout::kArc, Layout::kEdges, Layout::kGrid, Layout::kJaws}) {
@@ -85,13 +87,14 @@ int run(std::size_t largest) {
         slowest = std::max(slowest, row.find);
         all_accepted = all_accepted && row.accepted;
       }
-      std::printf("| %s | %zu | %.3g | %.3g | %.3g | %.0f | %.0f | %.0f | %.0f |\n",
+      std::printf("| %s | %zu | %.3g | %.3g | %.3g | %.0f | %.0f | %.0f | %.0f | %.1f |\n",
                   name_of(layout), m, median_of(rows, [](const Row& r) { return r.find; }),
                   slowest, median_of(rows, [](const Row& r) { return r.check; }),
                   median_of(rows, [](const Row& r) { return r.work.ranges; }),
                   median_of(rows, [](const Row& r) { return r.work.modes; }),
                   median_of(rows, [](const Row& r) { return r.work.cone.nodes; }),
-                  median_of(rows, [](const Row& r) { return r.segments; }));
+                  median_of(rows, [](const Row& r) { return r.segments; }),
+                  median_of(rows, [](const Row& r) { return r.certificate_bytes; }) / 1024);
       std::fflush(stdout);
     }
   }

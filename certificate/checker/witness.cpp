@@ -56,9 +56,10 @@ std::vector<ContactForce> check_witness(const Question& question, const Witness&
     if (forces[i].v <= 0) continue;
     const Row& row = question.rows[i];
     const Rational a = row.weight * forces[i].v;
-    const Rational less = (1 - forces[i].share) / 2;  // of the edge N - mu T
+    const Rational less = a * (1 - forces[i].share) / 2;  // along the edge N - mu T
+    const Rational more = a - less;
     for (std::size_t j = 0; j < kDimension; ++j) {
-      term[j] = a * (less * row.edges[0][j] + (1 - less) * row.edges[1][j]);
+      term[j] = less * row.edges[0][j] + more * row.edges[1][j];
     }
     sum.add(term);
   }

@@ -48,10 +48,8 @@ struct NodeText {
     return "[\"plane\"," + list(IntegerVector<4>{p[0], p[1], p[2], p[3]}) + "]";
   }
   std::string operator()(const VirtualWorkLeaf& node) const {
-    require(node.theta.empty(), "certificates have no shares of a contact's work");
     return "[\"leaf\"," + list(node.twist) + "]";
   }
-  std::string operator()(const VoidLeaf&) const { return "[\"leaf\",0,0,0]"; }
 };
 
 /// All up to the verdict.

@@ -54,23 +54,21 @@ class RegionProgram {
     return result;
   }
 
-  VirtualWorkLeaf leaf(const Region& region, const std::vector<Rational>& farkas) const {
-    VirtualWorkLeaf leaf;
-    leaf.twist = primitive_multiple<3>({farkas[0], farkas[1], farkas[2]});
-    const Twist y{farkas[0], farkas[1], farkas[2]};
+  VirtualWorkLeaf leaf(const std::vector<Rational>& farkas) const {
+    return {primitive_multiple<3>({farkas[0], farkas[1], farkas[2]})};
+  }
+
+  /// The contact, which may be open or closed here, whose a_i >= v_i the contradiction uses
+  /// most. A leaf counts no negative work of such contacts; without any the leaf refutes.
+  ContactId most_used(const std::vector<Rational>& farkas) const {
+    std::optional<std::size_t> most;
     for (std::size_t i = 0; i < problem_.size(); ++i) {
       if (separations_[i] != Separation::kMixed) continue;
-      const ContactRow& row = problem_.rows()[i];
-      // As rule leaf-bound takes it, where slip may have a sign.
-      const std::optional<Sign> slip = region.slip_sign(problem_, ContactId(i));
-      const Rational friction = row.friction * power(row.tangent, y);
-      const Rational alpha =
-          power(row.normal, y) + (slip ? Rational(-to_int(*slip)) * friction : abs(friction));
-      const Rational& multiplier = farkas[normal_rows_[i]];
-      if (alpha.sign() >= 0 || multiplier.is_zero()) continue;
-      leaf.theta.emplace_back(ContactId(i), std::min(Rational(1), multiplier / -alpha));
+      if (!most || farkas[normal_rows_[i]] > farkas[normal_rows_[*most]]) most = i;
     }
-    return leaf;
+    require(most && !farkas[normal_rows_[*most]].is_zero(),
+            "a Farkas vector does not refute its region");
+    return ContactId(*most);
   }
 
  private:
@@ -111,7 +109,7 @@ class SeparationSearch {
   /// Extends the tree by one for `region`, unless it finds forces first.
   Outcome run(const Region& region) {
     if (region.is_void()) {
-      tree.emplace_back(VoidLeaf{});
+      tree.emplace_back(VirtualWorkLeaf{});
       return Outcome::kRefuted;
     }
     if (programs_left_ == 0) return Outcome::kLimit;
@@ -119,24 +117,29 @@ class SeparationSearch {
     const RegionProgram program(problem_, region);
     const LpResult result = program.solve();
     if (const auto* infeasible = std::get_if<Infeasible>(&result)) {
-      VirtualWorkLeaf leaf = program.leaf(region, infeasible->farkas);
-      require(refutes(problem_, region, leaf), "a Farkas vector does not refute its region");
+      VirtualWorkLeaf leaf = program.leaf(infeasible->farkas);
+      if (!refutes(problem_, region, leaf)) {
+        return split(region, program.most_used(infeasible->farkas));
+      }
       tree.emplace_back(std::move(leaf));
       return Outcome::kRefuted;
     }
     witness = program.witness(std::get<Optimal>(result).point);
     const std::optional<ContactId> broken = most_in_excess();
-    if (!broken) return Outcome::kFound;
-    tree.emplace_back(SeparationSplit{*broken});
-    const Outcome closed = run(region.separation_child(problem_, *broken, Separation::kClosed));
-    if (closed != Outcome::kRefuted) return closed;
-    return run(region.separation_child(problem_, *broken, Separation::kOpen));
+    return broken ? split(region, *broken) : Outcome::kFound;
   }
 
   Refutation tree;
   Witness witness;
 
  private:
+  Outcome split(const Region& region, ContactId contact) {
+    tree.emplace_back(SeparationSplit{contact});
+    const Outcome closed = run(region.separation_child(problem_, contact, Separation::kClosed));
+    if (closed != Outcome::kRefuted) return closed;
+    return run(region.separation_child(problem_, contact, Separation::kOpen));
+  }
+
   std::optional<ContactId> most_in_excess() const {
     std::optional<ContactId> worst;
     Rational most = 0;

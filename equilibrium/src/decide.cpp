@@ -88,7 +88,8 @@ RefutationSummary summarize(const Refutation& refutation, const Problem* problem
   std::vector<Level> path;
   std::size_t most_alike = 0;
   for (const RefutationNode& node : refutation) {
-    if (const auto* leaf = std::get_if<VirtualWorkLeaf>(&node)) {
+    const auto* leaf = std::get_if<VirtualWorkLeaf>(&node);
+    if (leaf != nullptr && !is_zero(leaf->twist)) {
       ++summary.leaves;
       if (summary.leaves == 1 || path.size() <= summary.largest_case.size()) {
         RefutationSummary found = summary;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "few_shares.hpp"
 #include "stickslip/arrangement/slip_states.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/equilibrium/search/region_program.hpp"
@@ -40,7 +41,7 @@ class StatesEngine {
   /// `refutation` has grown by a tree that covers the region.
   bool solve_separations(const Region& region, Refutation& refutation) {
     if (region.is_void()) {
-      refutation.emplace_back(VoidLeaf{});
+      refutation.emplace_back(VirtualWorkLeaf{});
       return false;
     }
     LpWork lp;
@@ -59,6 +60,8 @@ class StatesEngine {
     auto& point = std::get<RelaxedPoint>(outcome);
     if (!point.broken) {
       witness_ = std::move(point.witness);
+      if (auto with_few = find_forces(problem_, witness_.twist))
+        witness_ = std::move(*with_few);
       const std::optional<std::string> violation = find_violation(problem_, witness_);
       require(!violation, "a witness of a slip state is not an equilibrium");
       return true;
@@ -78,7 +81,7 @@ class StatesEngine {
   /// arrangement.
   void assemble(const Region& region, Refutation& tree) const {
     if (region.is_void()) {
-      tree.emplace_back(VoidLeaf{});
+      tree.emplace_back(VirtualWorkLeaf{});
       return;
     }
     SlipState state;

@@ -90,16 +90,7 @@ struct NodeCheck {
     return std::nullopt;
   }
   std::optional<std::string> operator()(const VirtualWorkLeaf& node) const {
-    for (const auto& [contact, theta] : node.theta) {
-      if (contact.index() >= problem.size() || theta.sign() < 0 || theta > 1) {
-        return "theta is out of range";
-      }
-    }
     if (!refutes(problem, region, node)) return "the twist does not refute the region";
-    return std::nullopt;
-  }
-  std::optional<std::string> operator()(const VoidLeaf&) const {
-    if (!region.is_void()) return "the region is not void";
     return std::nullopt;
   }
 };

@@ -90,7 +90,7 @@ RefutationNode node_of(const Json& node, std::size_t contacts) {
   }
   // A positive multiple of y proves the same.
   return VirtualWorkLeaf{
-      primitive_multiple<3>({number_at(node, 1), number_at(node, 2), number_at(node, 3)}), {}};
+      primitive_multiple<3>({number_at(node, 1), number_at(node, 2), number_at(node, 3)})};
 }
 
 CheckerAnswer judge_tree(const Problem& problem, const Json& certificate) {

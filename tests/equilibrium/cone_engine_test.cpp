@@ -188,12 +188,9 @@ TEST(Decide, TakesTheConeEngineUnlessAskedForTheOther) {
 }
 
 TEST(Decide, SummaryNamesTheLargestCase) {
-  const Refutation tree{SlipSplit{ContactId(2)},
-                        SeparationSplit{ContactId(0)},
-                        VirtualWorkLeaf{{1, 0, 0}, {}},
-                        VirtualWorkLeaf{{2, 0, 0}, {}},
-                        VoidLeaf{},
-                        VirtualWorkLeaf{{3, 0, 0}, {}}};
+  const Refutation tree{SlipSplit{ContactId(2)},    SeparationSplit{ContactId(0)},
+                        VirtualWorkLeaf{{1, 0, 0}}, VirtualWorkLeaf{{2, 0, 0}},
+                        VirtualWorkLeaf{},          VirtualWorkLeaf{{3, 0, 0}}};
   const RefutationSummary summary = summarize(tree);
   EXPECT_EQ(summary.nodes, 6u);
   EXPECT_EQ(summary.leaves, 3u);
@@ -209,23 +206,23 @@ TEST(Decide, SummaryShowsTheCaseThatLooksLikeTheFailure) {
   loaded.grasp =
       Grasp(std::vector<Contact>{{{0, 0}, {1, 0}, Rational(1, 2)}});  // tangent (0, 1)
   const Problem problem(loaded, NormalLaw::kUnilateral);
-  const VirtualWorkLeaf up{{0, -1, 0}, {}};  // what the object does is against the twist
-  const Refutation slips{SlipSplit{ContactId(0)}, VirtualWorkLeaf{{0, 1, 0}, {}}, up, up};
+  const VirtualWorkLeaf up{{0, -1, 0}};  // what the object does is against the twist
+  const Refutation slips{SlipSplit{ContactId(0)}, VirtualWorkLeaf{{0, 1, 0}}, up, up};
   EXPECT_EQ(summarize(slips, &problem).largest_case[0], "contact 0 slips +");
-  const Refutation swapped{SlipSplit{ContactId(0)}, VoidLeaf{}, up,
-                           VirtualWorkLeaf{{0, 2, 0}, {}}};
+  const Refutation swapped{SlipSplit{ContactId(0)}, VirtualWorkLeaf{}, up,
+                           VirtualWorkLeaf{{0, 2, 0}}};
   EXPECT_EQ(summarize(swapped, &problem).largest_case[0], "contact 0 slips -");
   EXPECT_EQ(summarize(swapped, &problem).largest_case_twist[1], 2);
   EXPECT_EQ(summarize(swapped).largest_case[0], "contact 0 sticks");
-  const Refutation opens{SeparationSplit{ContactId(0)}, up, VirtualWorkLeaf{{-1, 0, 0}, {}}};
+  const Refutation opens{SeparationSplit{ContactId(0)}, up, VirtualWorkLeaf{{-1, 0, 0}}};
   EXPECT_EQ(summarize(opens, &problem).largest_case[0], "contact 0 is open");
   EXPECT_EQ(summarize(opens, &problem).leaves, 2u);
 }
 
 TEST(Decide, SummaryKnowsWhichContactsAreOpen) {
-  const Refutation tree{SlipSplit{ContactId(2)},        VoidLeaf{},
-                        SeparationSplit{ContactId(0)},  VoidLeaf{},
-                        VirtualWorkLeaf{{1, 0, 0}, {}}, VoidLeaf{}};
+  const Refutation tree{SlipSplit{ContactId(2)},       VirtualWorkLeaf{},
+                        SeparationSplit{ContactId(0)}, VirtualWorkLeaf{},
+                        VirtualWorkLeaf{{1, 0, 0}},    VirtualWorkLeaf{}};
   const RefutationSummary summary = summarize(tree);
   const std::map<ContactId, Sign> slips{{ContactId(2), Sign::kZero}};
   EXPECT_TRUE(summary.largest_case_slips == slips);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "both_checkers.hpp"
+#include "shares.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 
 namespace stickslip::test {
@@ -14,6 +15,7 @@ void judge(const LoadCase& load_case, const Problem& problem, const Verdict& ver
            RaysFrom rays_from) {
   if (const auto* stable = std::get_if<Stable>(&verdict)) {
     EXPECT_EQ(find_violation(problem, stable->witness), std::nullopt) << describe(load_case);
+    EXPECT_LE(shares_of(problem, stable->witness).fractional, 3u) << describe(load_case);
   } else if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
     EXPECT_EQ(check_refutation(problem, unstable->refutation, rays_from), std::nullopt)
         << describe(load_case) << to_text(unstable->refutation);

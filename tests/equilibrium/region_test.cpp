@@ -183,13 +183,13 @@ TEST(Leaf, BoundIsExactAtTheThreshold) {
                              .slip_child(problem, kThird, Sign::kZero)
                              .plane_child({1, 0, 0, 1}, Side::kPositive)
                              .plane_child({-1, 0, 0, 1}, Side::kPositive);
-    const VirtualWorkLeaf down{{0, -1, 0}, {}};
+    const VirtualWorkLeaf down{{0, -1, 0}};
     for (const Rational& bound : work_bounds(problem, stuck, down)) {
       EXPECT_EQ(bound, -excess);
     }
     EXPECT_EQ(refutes(problem, stuck, down), excess > 0);
-    EXPECT_FALSE(refutes(problem, stuck, {{0, 1, 0}, {}}));
-    EXPECT_FALSE(refutes(problem, stuck, {{0, 0, 0}, {}}));
+    EXPECT_FALSE(refutes(problem, stuck, {{0, 1, 0}}));
+    EXPECT_FALSE(refutes(problem, stuck, {{0, 0, 0}}));
   }
 }
 
@@ -200,35 +200,33 @@ TEST(Leaf, AnythingRefutesAVoidRegion) {
   ASSERT_TRUE(empty.is_void());
   for (const IntegerVector<3>& y :
        {IntegerVector<3>{0, 0, 0}, IntegerVector<3>{0, 1, 0}, IntegerVector<3>{1, -2, 3}}) {
-    EXPECT_TRUE(refutes(problem, empty, {y, {}}));
+    EXPECT_TRUE(refutes(problem, empty, {y}));
   }
 }
 
 TEST(Leaf, ZeroTwistRefutesNothingElse) {
   const Problem problem = fig4(1);
-  EXPECT_FALSE(refutes(problem, Region::root(problem), {{0, 0, 0}, {}}));
+  EXPECT_FALSE(refutes(problem, Region::root(problem), {{0, 0, 0}}));
 }
 
 // One frictionless contact at the origin, n = (0, 1), below a body that is lifted: v = -y.
-TEST(Leaf, ThetaCountsNegativeWorkOfMixedContacts) {
+TEST(Leaf, NegativeWorkOfMixedContactsDoesNotCount) {
   const Problem problem({Grasp({{{0, 0}, {0, 1}, 0, 1, 0}}), {0, 1, 0}},
                         NormalLaw::kUnilateral);
   const Region root = Region::root(problem);
   const Rays rays = rays_of(problem, root);
-  for (const Rational& theta : {Rational(0), Rational(1, 3), Rational(1)}) {
-    // alpha = y.N = -1, y.w = -1.
-    const VirtualWorkLeaf leaf{{0, -1, 0}, {{kFirst, theta}}};
-    const std::vector<Rational> g = work_bounds(problem, root, leaf);
-    for (std::size_t r = 0; r < rays.size(); ++r) {
-      EXPECT_EQ(g[r], theta * rays[r][1] - rays[r][3]);
-    }
-    // No force pulls down. But theta > 0 lets g be positive on one half of the line (0, 1, 0,
-    // 0).
-    EXPECT_EQ(refutes(problem, root, leaf), theta.is_zero());
+  // alpha = y.N = -1, y.w = -1: no force pulls down.
+  const VirtualWorkLeaf down{{0, -1, 0}};
+  const std::vector<Rational> g = work_bounds(problem, root, down);
+  for (std::size_t r = 0; r < rays.size(); ++r) EXPECT_EQ(g[r], -rays[r][3]);
+  EXPECT_TRUE(refutes(problem, root, down));
+  // Closed, it counts, on the line (0, 1, 0, 0) too.
+  const Region closed = root.separation_child(problem, kFirst, Separation::kClosed);
+  const std::vector<Rational> of_closed = work_bounds(problem, closed, down);
+  const Rays rays_of_closed = rays_of(problem, closed);
+  for (std::size_t r = 0; r < rays_of_closed.size(); ++r) {
+    EXPECT_EQ(of_closed[r], rays_of_closed[r][1] - rays_of_closed[r][3]);
   }
-  // alpha = +1: theta has no effect.
-  EXPECT_EQ(work_bounds(problem, root, {{0, 1, 0}, {{kFirst, Rational(1, 3)}}}),
-            work_bounds(problem, root, {{0, 1, 0}, {}}));
 }
 
 /// Any split that a tree may make, and some that it would not.
@@ -279,13 +277,9 @@ Problem random_family(RandomSource& random, const Problem& problem) {
   return problem.along(growth).within(range);
 }
 
-VirtualWorkLeaf random_leaf(RandomSource& random, const Problem& problem) {
+VirtualWorkLeaf random_leaf(RandomSource& random) {
   VirtualWorkLeaf leaf;
   for (Integer& entry : leaf.twist) entry = random.between(-2, 2);
-  for (std::size_t i = 0; i < problem.size(); ++i) {
-    if (random.one_in(2))
-      leaf.theta.emplace_back(ContactId(i), Rational(random.between(0, 4), 4));
-  }
   return leaf;
 }
 
@@ -324,7 +318,7 @@ TEST(Region, AgreesWithTheLetterOfTheFormat) {
       }
     }
     for (int leaves = 0; leaves < 4; ++leaves) {
-      const VirtualWorkLeaf leaf = random_leaf(random, problem);
+      const VirtualWorkLeaf leaf = random_leaf(random);
       EXPECT_EQ(work_bounds(problem, region, leaf), naive_bounds(problem, naive, rays, leaf));
       const bool holds = naive_refutes(problem, naive, rays, leaf);
       EXPECT_EQ(refutes(problem, region, leaf), holds);

@@ -179,14 +179,14 @@ TEST(CheckRefutation, RejectsMutations) {
     EXPECT_FALSE(holds(problem, shorter)) << drop;
   }
   Refutation longer = refutation;
-  longer.emplace_back(VoidLeaf{});
+  longer.emplace_back(VirtualWorkLeaf{});
   EXPECT_FALSE(holds(problem, longer));
   EXPECT_EQ(test::check_refutation(problem, longer),
             "node " + std::to_string(refutation.size() - 1) + ": tree-long");
   const Problem held({test::fig1_grasp(0), {0, -1, 0}}, NormalLaw::kUnilateral);
   EXPECT_FALSE(holds(held, refutation));
   EXPECT_FALSE(holds(problem, {}));
-  EXPECT_FALSE(holds(problem, {VoidLeaf{}}));
+  EXPECT_FALSE(holds(problem, {VirtualWorkLeaf{}}));
   EXPECT_FALSE(holds(problem, {SlipSplit{ContactId(3)}}));
   EXPECT_THROW(validate(problem, Unstable{longer}), ContractError);
   EXPECT_THROW(validate(problem, Stable{Witness{}}), ContractError);

@@ -19,7 +19,7 @@ Question pushed_from_below() {
 }
 
 TEST(PlotGrasp, AWitnessOfAnotherGraspIsRefused) {
-  EXPECT_THROW(plot_grasp(pushed_from_below(), Stable{{{0, -1, 0}, {}}}), ContractError);
+  EXPECT_THROW(plot_grasp(pushed_from_below(), Stable{{{0, -1, 0}}}), ContractError);
 }
 
 TEST(PlotGrasp, AMotionThatTurnsAboutTheOnlyContact) {
@@ -41,7 +41,7 @@ TEST(PlotGrasp, Undecided) {
 }
 
 TEST(PlotGrasp, NoMotionIsAllowed) {
-  const std::string svg = plot_grasp(pushed_from_below(), Unstable{{VoidLeaf{}}});
+  const std::string svg = plot_grasp(pushed_from_below(), Unstable{{VirtualWorkLeaf{}}});
   EXPECT_NE(svg.find("allows no motion"), std::string::npos);
 }
 
@@ -65,7 +65,7 @@ TEST(PlotGrasp, WhichContactsLose) {
                                  {{0, -1}, {0, 1}, Rational(1, 2)}},
                                 "pulled");
   question.loaded.wrench = {0, 9, 0};
-  const VirtualWorkLeaf down{{0, -1, 0}, {}};
+  const VirtualWorkLeaf down{{0, -1, 0}};
   const std::string loses = "loses";
   const std::string cannot = "cannot oppose";
   const std::string whole = plot_grasp(question, Unstable{{down}});
@@ -79,7 +79,7 @@ TEST(PlotGrasp, WhichContactsLose) {
   const auto largest = [&](const RefutationNode& split, std::size_t which, std::size_t of) {
     Refutation tree{split};
     for (std::size_t k = 0; k < of; ++k) {
-      tree.push_back(k == which ? RefutationNode(down) : RefutationNode(VoidLeaf{}));
+      tree.push_back(k == which ? RefutationNode(down) : RefutationNode(VirtualWorkLeaf{}));
     }
     return marks(plot_grasp(question, Unstable{tree}))[0];
   };
@@ -91,16 +91,16 @@ TEST(PlotGrasp, WhichContactsLose) {
 }
 
 TEST(PlotGrasp, AVirtualTwistTurnsAboutItsCentre) {
-  const Refutation turn{VirtualWorkLeaf{{0, 0, -1}, {}}};
+  const Refutation turn{VirtualWorkLeaf{{0, 0, -1}}};
   const std::string svg = plot_grasp(pushed_from_below(), Unstable{turn});
   EXPECT_NE(svg.find("class=\"virtual-pivot\""), std::string::npos);
-  const Refutation far{VirtualWorkLeaf{{-9, 0, -1}, {}}};
+  const Refutation far{VirtualWorkLeaf{{-9, 0, -1}}};
   EXPECT_EQ(plot_grasp(pushed_from_below(), Unstable{far}).find("class=\"virtual-pivot\""),
             std::string::npos);
 }
 
 TEST(PlotGrasp, ACaseWithoutATwistHasNoMotion) {
-  const Refutation none{VirtualWorkLeaf{{0, 0, 0}, {}}};
+  const Refutation none{VirtualWorkLeaf{{0, 0, 0}}};
   const std::string svg = plot_grasp(pushed_from_below(), Unstable{none});
   EXPECT_EQ(svg.find("class=\"virtual\""), std::string::npos);
 }

@@ -88,16 +88,12 @@ class Walker {
   }
 
   void visit(const Place& place, const VirtualWorkLeaf& node) const {
-    demand(naive_theta_is_legal(problem_, node), "leaf-theta");
-    const bool holds = naive_refutes(problem_, place.naive, rays(place), node);
+    const Rays generators = rays(place);
+    demand(place.region.is_void() == naive_is_barred(place.naive, generators),
+           "is_void disagrees with its twin");
+    const bool holds = naive_refutes(problem_, place.naive, generators, node);
     demand(refutes(problem_, place.region, node) == holds, "refutes disagrees with its twin");
     demand(holds, "leaf-bound");
-  }
-
-  void visit(const Place& place, const VoidLeaf&) const {
-    const bool holds = naive_is_barred(place.naive, rays(place));
-    demand(place.region.is_void() == holds, "is_void disagrees with its twin");
-    demand(holds, "void-region");
   }
 
   std::size_t checked(ContactId contact) const {
@@ -140,11 +136,7 @@ struct Printer {
   void operator()(const VirtualWorkLeaf& node) const {
     out << "leaf";
     for (const Integer& entry : node.twist) out << ' ' << entry;
-    for (const auto& [contact, theta] : node.theta) {
-      out << " theta" << contact.index() << '=' << theta;
-    }
   }
-  void operator()(const VoidLeaf&) const { out << "void"; }
 };
 
 }  // namespace

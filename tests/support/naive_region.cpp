@@ -237,27 +237,17 @@ std::vector<Rational> naive_bounds(const Problem& problem, const NaiveRegion& re
     const Rational along = work(row.normal) + row.friction * work(row.tangent);
     const std::optional<int> sign = naive_sign(problem, region, rays, i);
     const Rational alpha = sign == 1 ? against : sign == -1 ? along : std::max(against, along);
-    Rational theta = 0;
-    for (const auto& [contact, stated] : leaf.theta) {
-      if (contact.index() == i) theta = stated;
-    }
     std::vector<Rational> v;
     bool closed = true;
-    bool open = true;
     for (const Vector5& ray : rays) {
       v.push_back(value_at(separation_function(problem, i), ray));
       closed = closed && v.back() >= 0;
-      open = open && v.back() <= 0;
     }
     for (std::size_t r = 0; r < rays.size(); ++r) {
       if (closed) {
         bounds[r] += alpha * v[r];
-      } else if (open) {
-        continue;
-      } else if (alpha >= 0) {
-        bounds[r] += alpha * std::max(Rational(0), v[r]);
       } else {
-        bounds[r] += alpha * theta * v[r];
+        bounds[r] += std::max(Rational(0), alpha) * std::max(Rational(0), v[r]);
       }
     }
   }
@@ -274,15 +264,6 @@ bool naive_refutes(const Problem& problem, const NaiveRegion& region, const Rays
     if (bounds[r] == 0) zero.push_back(rays[r]);
   }
   return naive_is_barred(region, zero);
-}
-
-bool naive_theta_is_legal(const Problem& problem, const VirtualWorkLeaf& leaf) {
-  for (std::size_t k = 0; k < leaf.theta.size(); ++k) {
-    const auto& [contact, theta] = leaf.theta[k];
-    if (contact.index() >= problem.size() || theta < 0 || theta > 1) return false;
-    if (k > 0 && !(leaf.theta[k - 1].first < contact)) return false;
-  }
-  return true;
 }
 
 }  // namespace stickslip::test

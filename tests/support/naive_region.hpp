@@ -67,7 +67,4 @@ std::vector<Rational> naive_bounds(const Problem& problem, const NaiveRegion& re
 bool naive_refutes(const Problem& problem, const NaiveRegion& region, const Rays& rays,
                    const VirtualWorkLeaf& leaf);
 
-/// The rule leaf-theta.
-bool naive_theta_is_legal(const Problem& problem, const VirtualWorkLeaf& leaf);
-
 }  // namespace stickslip::test

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "../few_shares.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 #include "twist_search.hpp"
@@ -15,7 +16,7 @@ namespace {
 
 /// A node of the tree, and the nodes that it still needs.
 struct Step {
-  RefutationNode node = VoidLeaf{};
+  RefutationNode node = VirtualWorkLeaf{};
   std::vector<Node> children;
 };
 
@@ -74,7 +75,7 @@ class Explorer {
     work_.depth = std::max(work_.depth, depth);
     if (node.region.is_void()) {
       ++work_.voids;
-      return Step{VoidLeaf{}, {}};
+      return Step{VirtualWorkLeaf{}, {}};
     }
     table_.read(problem_, model_, node);
     const SearchResult found = search_.search(node, table_, work_);
@@ -164,8 +165,9 @@ class Explorer {
     if (point.broken) return split_at(node, *point.broken);
     witness_ = std::move(point.witness);
     multiple_ = std::move(point.multiple);
-    require(!find_violation(problem_.at(multiple_), *witness_),
-            "an unbroken point is not an equilibrium");
+    const Problem there = problem_.at(multiple_);
+    if (auto with_few = find_forces(there, witness_->twist)) witness_ = std::move(with_few);
+    require(!find_violation(there, *witness_), "an unbroken point is not an equilibrium");
     return std::nullopt;
   }
 

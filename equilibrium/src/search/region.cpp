@@ -206,10 +206,8 @@ std::vector<Rational> work_bounds_on(const std::vector<Ray>& generators, const P
     const Vector5* v;
   };
   std::vector<Kink> kinks;
-  auto theta = leaf.theta.begin();
   for (std::size_t i = 0; i < problem.size(); ++i) {
     const ContactId contact(i);
-    while (theta != leaf.theta.end() && theta->first < contact) ++theta;
     const Separation separation = region.separation(problem, contact);
     if (separation == Separation::kOpen) continue;
     const ContactRow& row = problem.row(contact);
@@ -222,8 +220,6 @@ std::vector<Rational> work_bounds_on(const std::vector<Ray>& generators, const P
       add_multiple(linear, alpha, v);
     } else if (alpha.sign() > 0) {
       kinks.push_back({alpha, &v});
-    } else if (theta != leaf.theta.end() && theta->first == contact) {
-      add_multiple(linear, alpha * theta->second, v);
     }
   }
   std::vector<Rational> bounds;

@@ -58,7 +58,7 @@ class ColumnGeneration {
     for (const Normalizer scale : scales()) {
       auto outcome = optimize(scale, 0, work);
       if (auto* twist = std::get_if<Vector3>(&outcome)) {
-        return VirtualWorkLeaf{primitive_multiple(*twist), {}};
+        return VirtualWorkLeaf{primitive_multiple(*twist)};
       }
       const std::vector<Rational>& found = std::get<Optimal>(outcome).point;
       sum.resize(found.size());

@@ -9,7 +9,7 @@ namespace stickslip {
 namespace {
 
 /// The normal coefficient that counts at a ray of v v: v if closed; max(0, v) if mixed and
-/// the work is positive, else 0 (theta = 0).
+/// the work is positive, else 0.
 double share(const UndecidedContact& u, double v, double alpha) {
   if (u.separation == Separation::kClosed) return v;
   return alpha > 0 ? std::max(0.0, v) : 0.0;
@@ -262,7 +262,7 @@ std::optional<bool> TwistSearch::certain_refutation(const Node& node, const RayT
     const bool mixed = u.separation == Separation::kMixed;
     // alpha sums 6 products of factors rounded once: below 16 roundings of its magnitude.
     constexpr double kAlphaError = 2e-15;
-    if (mixed && e.alpha < -kAlphaError * alpha_magnitude) continue;  // theta = 0
+    if (mixed && e.alpha < -kAlphaError * alpha_magnitude) continue;
     const double alpha = mixed ? std::max(0.0, e.alpha) : e.alpha;
     const double* separations = table.separations(q);
     for (std::size_t r = 0; r < ray_count; ++r) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "../few_shares.hpp"
 #include "../long_rationals.hpp"
 
 namespace stickslip {
@@ -37,13 +38,20 @@ bool rests_on_edge(const ModeGuess& guess) {
 /// these.
 class ModeSystem {
  public:
-  ModeSystem(const Problem& problem, const std::vector<ModeGuess>& guesses)
+  /// With `keeps_shares` all but the basic contacts have the friction guessed; else those that
+  /// stick have none: what it could do the basic ones can, whose T span its T.
+  ModeSystem(const Problem& problem, const std::vector<ModeGuess>& guesses, bool keeps_shares)
       : problem_(problem), guesses_(guesses), shares_(guesses.size()) {
     choose_basic();
     for (std::size_t i = 0; i < guesses.size(); ++i) {
-      if (guesses[i].closed && !is_basic(i)) shares_[i] = guesses[i].share;
+      if (guesses[i].closed && !is_basic(i) && (keeps_shares || !guesses[i].sticks)) {
+        shares_[i] = guesses[i].share;
+      }
     }
   }
+
+  /// Three independent slips are 0 only where nothing moves.
+  bool is_at_rest() const { return basic_.size() == 3; }
 
   /// Nothing if there is no solution, or several. With `near` several will do: what they leave
   /// open stays as it is there.
@@ -186,7 +194,17 @@ Rational rounded_share(double share) {
 std::optional<Witness> complete_exactly(const Problem& problem,
                                         const std::vector<ModeGuess>& guesses,
                                         const Witness* near) {
-  std::optional<Witness> witness = ModeSystem(problem, guesses).solve(near);
+  const ModeSystem system(problem, guesses, near != nullptr);
+  std::optional<Witness> witness;
+  if (near == nullptr && system.is_at_rest()) {
+    witness = find_forces(problem, {});
+  } else {
+    witness = system.solve(near);
+    // The motion does not depend on the friction of the sticking contacts that are not basic.
+    if (near == nullptr && witness && find_violation(problem, *witness)) {
+      witness = find_forces(problem, witness->twist);
+    }
+  }
   if (witness && find_violation(problem, *witness)) return std::nullopt;
   return witness;
 }

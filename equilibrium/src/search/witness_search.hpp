@@ -27,8 +27,9 @@ Rational rounded_share(double share);
 
 /// Solves balance and no slip at the sticking contacts exactly, with the modes given; O(m)
 /// rational operations. Nothing if the system is singular or its solution is not an
-/// equilibrium. With `near` a singular system will do: what it leaves open stays as it is
-/// there.
+/// equilibrium. Few of the sticking contacts have friction (few_shares.hpp), and how much is
+/// guessed does not matter. With `near` it does, and a singular system will do: what it leaves
+/// open stays as it is there.
 std::optional<Witness> complete_exactly(const Problem& problem,
                                         const std::vector<ModeGuess>& guesses,
                                         const Witness* near = nullptr);

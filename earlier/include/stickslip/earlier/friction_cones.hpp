@@ -11,9 +11,11 @@
 ///
 /// **Method.** Branch and bound over separations. A contact whose v_i = P_i - k_i N_i.d has one
 /// sign on the region of motions is closed, a_i = v_i, or open, a_i = 0; others are relaxed to
-/// a_i >= max(0, v_i). The contact whose a_i exceeds max(0, v_i) most is split by v_i = 0, a
-/// plane that cuts the region, so there are at most as many regions as cells in the arrangement
-/// of these planes, O(m^3). Under the bilateral law all are closed: one linear program.
+/// a_i >= max(0, v_i). The contact whose a_i exceeds max(0, v_i) most is split by v_i = 0;
+/// where there are no such forces but a virtual twist alone does not show it (FORMAT.md,
+/// section 4), the contact whose a_i >= v_i matters most. These planes cut the region, so there
+/// are at most as many regions as cells in their arrangement, O(m^3). Under the bilateral law
+/// all are closed: one linear program.
 #pragma once
 
 #include <variant>

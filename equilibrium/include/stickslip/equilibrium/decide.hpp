@@ -62,7 +62,7 @@ std::vector<std::pair<std::string, std::size_t>> counters(const ConeWork& work);
 /// What a refutation says, for people.
 struct RefutationSummary {
   std::size_t nodes = 0;   ///< of the tree, leaves included
-  std::size_t leaves = 0;  ///< cases: virtual-work leaves
+  std::size_t leaves = 0;  ///< cases: leaves of regions that are not void
   /// The conditions of the case that is shown, in words ("contact 3 slips +"), and its twist.
   std::vector<std::string> largest_case;
   std::map<ContactId, Sign> largest_case_slips;  ///< the contacts whose slip that case fixes

@@ -9,7 +9,6 @@
 
 #include <optional>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -49,19 +48,14 @@ struct SeparationSplit {
 struct PlaneSplit {
   IntegerVector5 plane;  ///< nonzero
 };
-/// A virtual twist on which no force of the region makes up for the load, and, where a contact
-/// may be open or closed and its force does negative work, the share theta in [0, 1] of that
-/// work that is counted (0 where absent). Contacts strictly increase.
+/// A virtual twist on which no force of the region makes up for the load. It is 0 where the
+/// region is void: no solution can lie there, or another child covers it.
 struct VirtualWorkLeaf {
-  IntegerVector<3> twist;                             ///< y, in coordinates (x, y, r)
-  std::vector<std::pair<ContactId, Rational>> theta;  ///< by contact
+  IntegerVector<3> twist;  ///< y, in coordinates (x, y, r)
 };
-/// No solution can lie here, or another child covers it.
-struct VoidLeaf {};
 
-/// Three kinds of split and two of leaf.
-using RefutationNode =
-    std::variant<SlipSplit, SeparationSplit, PlaneSplit, VirtualWorkLeaf, VoidLeaf>;
+/// Three kinds of split, and a leaf.
+using RefutationNode = std::variant<SlipSplit, SeparationSplit, PlaneSplit, VirtualWorkLeaf>;
 
 /// A tree in preorder, as in certificate/FORMAT.md, section 4.
 using Refutation = std::vector<RefutationNode>;

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The segments of a margin in few words.
+#pragma once
+
+#include <vector>
+
+#include "stickslip/equilibrium/margin.hpp"
+
+namespace stickslip {
+
+/// The same motions, with few shares of friction (few_shares.hpp) at both ends of each segment,
+/// and where one ends as the next begins the same, so that it need be checked once only.
+void shorten(std::vector<LoadSegment>& segments, const Problem& problem,
+             const Wrench& direction);
+
+}  // namespace stickslip

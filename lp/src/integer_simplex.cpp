@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "integer_tier.hpp"
+#include "stickslip/core/cancellation.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip::lp_detail {
@@ -191,6 +192,7 @@ class Run {
 
   bool reach_feasibility() {
     for (;;) {
+      throw_if_cancelled();
       Index leaving = kNone;
       for (Index i = 0; i < d_.row_count(); ++i) {
         if (basic_domain(i) == Domain::kNonNegative && d_.constant_sign(i) < 0 &&
@@ -222,6 +224,7 @@ class Run {
 
   bool reach_optimality() {
     while (system_.has_objective()) {
+      throw_if_cancelled();
       Index entering = kNone;
       for (Index j = 0; j < d_.column_count(); ++j) {
         const Domain domain = nonbasic_domain(j);

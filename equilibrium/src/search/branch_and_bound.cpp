@@ -11,6 +11,7 @@
 #include <deque>
 #include <utility>
 
+#include "stickslip/core/cancellation.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 #include "twist_search.hpp"
@@ -61,6 +62,7 @@ class Explorer {
 
   /// Closes or splits one node; nothing if it found a witness.
   std::optional<Step> examine(Node node, std::size_t depth) {
+    throw_if_cancelled();
     ++work_.nodes;
     work_.depth = std::max(work_.depth, depth);
     if (node.region.is_void()) {
@@ -288,7 +290,9 @@ Verdict decide_in_parallel(const Problem& problem, const DoubleModel& model,
   };
   std::vector<Outcome> outcomes(top.subtrees().size());
   std::atomic<std::size_t> first_witness{outcomes.size()};
+  Cancellation* const cancellation = Cancellation::current();
   const auto explore = [&](std::size_t index) {
+    const SharedCancellation shared(cancellation);
     const auto overtaken = [&] { return first_witness.load() < index; };
     if (overtaken()) return;
     Explorer explorer(problem, model, options);

@@ -5,9 +5,9 @@
 
 #include "comparison_text.hpp"
 #include "stickslip/earlier/compliance.hpp"
-#include "stickslip/equilibrium/decide.hpp"
 #include "stickslip/earlier/friction_cones.hpp"
 #include "stickslip/earlier/load_classes.hpp"
+#include "stickslip/equilibrium/decide.hpp"
 
 namespace stickslip {
 namespace {

@@ -87,13 +87,13 @@ std::string residual_text(const LargestResidual& residual, NumberText& number) {
 }
 
 /// Each condition and by how much it is missed, of all that could be computed.
-std::vector<std::pair<std::string, std::string>> residual_texts(
-    const ClaimResiduals& residuals, NumberText& number) {
+std::vector<std::pair<std::string, std::string>> residual_texts(const ClaimResiduals& residuals,
+                                                                NumberText& number) {
   std::vector<std::pair<std::string, std::string>> texts;
   if (residuals.balance) {
     const Wrench& b = *residuals.balance;
-    texts.emplace_back(
-        "balance", "force " + number(Vector2{b.x, b.y}) + ", torque " + number(b.torque));
+    texts.emplace_back("balance",
+                       "force " + number(Vector2{b.x, b.y}) + ", torque " + number(b.torque));
   }
   if (residuals.cone) texts.emplace_back("cone", residual_text(*residuals.cone, number));
   if (residuals.normal_law)

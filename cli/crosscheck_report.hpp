@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "numbers.hpp"
-#include "numbers.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/crosscheck/claims_file.hpp"
 

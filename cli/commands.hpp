@@ -39,6 +39,7 @@ void add_region_command(CLI::App& app, int& exit_code);
 void add_batch_command(CLI::App& app, int& exit_code);
 void add_crosscheck_command(CLI::App& app, int& exit_code);
 void add_snap_command(CLI::App& app, int& exit_code);
+void add_example_command(CLI::App& app, int& exit_code);
 void add_export_command(CLI::App& app, int& exit_code);
 void add_plot_command(CLI::App& app, int& exit_code);
 /// `plot region`, beside `region`.
@@ -46,6 +47,9 @@ void add_region_plot(CLI::App& plot, int& exit_code);
 void add_help_command(CLI::App& app, int& exit_code);
 /// `completion`, which prints the scripts, and what they call, `complete`, which is hidden.
 void add_completion_command(CLI::App& app, int& exit_code);
+
+/// What the program says when it is given nothing to do.
+void introduce(const CLI::App& app);
 
 /// Of a command line that the parser did not take: throws InputError for the first word that
 /// stands where a command or an option should, and is none; it says which may have been meant.

@@ -37,11 +37,16 @@ int main(int argc, char** argv) {
   stickslip::add_batch_command(app, exit_code);
   stickslip::add_crosscheck_command(app, exit_code);
   stickslip::add_snap_command(app, exit_code);
+  stickslip::add_example_command(app, exit_code);
   stickslip::add_export_command(app, exit_code);
   stickslip::add_plot_command(app, exit_code);
   stickslip::add_help_command(app, exit_code);
   stickslip::add_completion_command(app, exit_code);
   try {
+    if (argc == 1) {
+      stickslip::introduce(app);
+      return stickslip::kDone;
+    }
     try {
       app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -9,6 +9,7 @@
 #include "question_options.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
+#include "terminal.hpp"
 
 namespace stickslip {
 namespace {
@@ -210,6 +211,19 @@ void refuse_unknown_words(const CLI::App& app, const std::vector<std::string>& w
     if (option == nullptr && options_too) refuse_option(command, word);
     if (option != nullptr && value_follows(*option, word)) ++i;
   }
+}
+
+void introduce(const CLI::App& app) {
+  std::vector<std::vector<std::string>> table;
+  for (const CLI::App* command : NamedCommand{&app, app.get_name()}.subcommands()) {
+    if (!command->get_group().empty()) {
+      table.push_back({"  " + command->get_name(), command->get_description()});
+    }
+  }
+  std::cout << app.get_description()
+            << ".\n\nTry\n  $ stickslip example jaw | stickslip decide -\n"
+            << "\nIt can\n"
+            << format_table(table, Align::kLeft) << "\nstickslip COMMAND --help says more.\n";
 }
 
 void add_help_command(CLI::App& app, int& exit_code) {

@@ -13,7 +13,7 @@ test_packages=(libgtest-dev libgmock-dev libglpk-dev pkg-config z3 cvc5 python3 
   help2man mandoc man-db zsh fish)
 # The Python module (python/), its installation by pip, and its tests.
 python_packages=(pybind11-dev python3-dev python3-pybind11 python3-numpy python3-pytest python3-pip
-  python3-setuptools python3-wheel)
+  python3-setuptools python3-wheel mypy python3-nbconvert python3-ipykernel python3-shapely)
 
 fail() {
   printf '\n%s: %s\n' "$(basename "$0")" "$1" >&2

@@ -32,6 +32,7 @@
 #include <CGAL/Arr_curve_data_traits_2.h>
 #include <CGAL/Arr_extended_dcel.h>
 #include <CGAL/Arr_geodesic_arc_on_sphere_traits_2.h>
+#include <CGAL/Arr_observer.h>
 #include <CGAL/Arr_spherical_topology_traits_2.h>
 #include <CGAL/Arrangement_on_surface_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -44,6 +45,7 @@
 #include "assemble_states.hpp"
 #include "filtered_normals.hpp"
 #include "stickslip/arrangement/slip_states.hpp"
+#include "stickslip/core/cancellation.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/integer_vector.hpp"
 
@@ -88,6 +90,16 @@ using Sphere = CGAL::Arrangement_on_surface_2<Geometry, Topology>;
 using Face = Sphere::Face_handle;
 using Halfedge = Sphere::Halfedge_const_handle;
 using Vertex = Sphere::Vertex_const_handle;
+
+/// Lets the insertion, which may take long, be broken off.
+class Breaker : public CGAL::Arr_observer<Sphere> {
+ public:
+  explicit Breaker(Sphere& sphere) : CGAL::Arr_observer<Sphere>(sphere) {}
+  void before_create_edge(const Geometry::X_monotone_curve_2&, Sphere::Vertex_handle,
+                          Sphere::Vertex_handle) override {
+    throw_if_cancelled();
+  }
+};
 
 /// Exact for any size. Through the exact type, so that the kernel's lazy number is a leaf and
 /// not a history of additions.
@@ -325,6 +337,7 @@ void enumerate_cells(const GreatCircles& circles, StateList& cells, ArrangementC
     curves.emplace_back(great_circle(normals[c]), ArcLabel{c});
   }
   Sphere sphere(&geometry);
+  const Breaker breaker(sphere);
   CGAL::insert(sphere, curves.begin(), curves.end());
   CellReader(sphere, normals, circles, cells).read(counts);
 }

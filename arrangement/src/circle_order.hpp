@@ -27,6 +27,7 @@
 #include <vector>
 
 #include "filtered_normals.hpp"
+#include "stickslip/core/cancellation.hpp"
 
 namespace stickslip::arrangement_detail {
 
@@ -99,17 +100,23 @@ template <class Make, class Work, class Finish>
 void over_circles(std::size_t count, unsigned threads, Make make, Work work, Finish finish) {
   if (threads == 1 || count < 2) {
     auto scratch = make();
-    for (std::size_t i = 0; i < count; ++i) work(scratch, i);
+    for (std::size_t i = 0; i < count; ++i) {
+      throw_if_cancelled();
+      work(scratch, i);
+    }
     finish(scratch);
     return;
   }
   tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : static_cast<int>(threads));
+  Cancellation* const cancellation = Cancellation::current();
   arena.execute([&] {
     tbb::enumerable_thread_specific<decltype(make())> scratches(make);
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count),
                       [&](const tbb::blocked_range<std::size_t>& range) {
+                        const SharedCancellation shared(cancellation);
                         auto& scratch = scratches.local();
                         for (std::size_t i = range.begin(); i != range.end(); ++i) {
+                          throw_if_cancelled();
                           work(scratch, i);
                         }
                       });

@@ -28,6 +28,7 @@
 
 #include "integer_tier.hpp"
 #include "steps.hpp"
+#include "stickslip/core/cancellation.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip::lp_detail {
@@ -212,6 +213,7 @@ class Run {
 
   bool reach_feasibility() {
     for (;;) {
+      throw_if_cancelled();
       Index leaving = kNone;
       for (Index i = 0; i < d_.row_count(); ++i) {
         if (basic_domain(i) == Domain::kNonNegative && d_.constant_sign(i) < 0 &&
@@ -243,6 +245,7 @@ class Run {
 
   bool reach_optimality() {
     while (system_.has_objective()) {
+      throw_if_cancelled();
       Index entering = kNone;
       for (Index j = 0; j < d_.column_count(); ++j) {
         const Domain domain = nonbasic_domain(j);

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "stickslip/core/cancellation.hpp"
 #include "stickslip/equilibrium/decide.hpp"
 #include "stickslip/equilibrium/question.hpp"
 
@@ -21,13 +22,27 @@ void bind_grasp(pybind11::module_& module);       ///< grasp.cpp
 void bind_questions(pybind11::module_& module);   ///< questions.cpp
 void bind_check(pybind11::module_& module);       ///< check.cpp
 void bind_crosscheck(pybind11::module_& module);  ///< crosscheck.cpp
+void bind_many(pybind11::module_& module);        ///< many.cpp
+void bind_pictures(pybind11::module_& module);    ///< pictures.cpp
 
 /// What is asked about a grasp; None leaves the grasp's own value, or asks for no direction. A
-/// preload direction is a list, or any other object to scale.
+/// preload direction is a list, or any other object to scale. `which` of several follows the
+/// names in errors.
 QuestionOptions question_options(const pybind11::object& wrench,
                                  const pybind11::object& preload, bool bilateral,
                                  const pybind11::object& direction = pybind11::none(),
-                                 const pybind11::object& preload_direction = pybind11::none());
+                                 const pybind11::object& preload_direction = pybind11::none(),
+                                 const std::string& which = "");
+
+/// "states", "cone" or "auto".
+Engine engine_named(const std::string& name);
+
+/// A number for each contact, from a list, or one for all of them.
+std::vector<Rational> numbers(const pybind11::object& values, std::size_t contacts,
+                              const std::string& name);
+
+/// The same grasp with the friction of each contact replaced.
+GraspFile with_friction(const GraspFile& file, const std::vector<Rational>& friction);
 
 /// ask(), with the remedy for a preloaded normal of irrational length in Python's words.
 Question question_of(const GraspFile& grasp, const QuestionOptions& options);
@@ -42,11 +57,20 @@ pybind11::dict decision_fields(const Question& question, const Problem& problem,
 /// Force vectors in the frame of the body.
 pybind11::tuple force_vectors(const Grasp& grasp, const std::vector<ContactForce>& forces);
 
-/// Runs `work`, which must not touch Python, while other Python threads run.
+/// Runs `work`, which must not touch Python, while other Python threads run. On the main thread
+/// a signal whose handler raises, as that of Ctrl-C does, breaks it off.
 template <class Work>
 auto without_gil(Work work) {
-  const pybind11::gil_scoped_release released;
-  return work();
+  try {
+    const pybind11::gil_scoped_release released;
+    const Cancellation cancellation([] {
+      const pybind11::gil_scoped_acquire acquired;
+      return PyErr_CheckSignals() != 0;
+    });
+    return work();
+  } catch (const Cancelled&) {
+    throw pybind11::error_already_set();
+  }
 }
 
 }  // namespace stickslip::python

@@ -16,19 +16,6 @@ Vector2 vector2(const py::list& rows, std::size_t i, const char* name) {
   return {exact(row[0], place + "0]"), exact(row[1], place + "1]")};
 }
 
-/// A number for each contact, from a list, or one for all of them.
-std::vector<Rational> numbers(const py::object& values, std::size_t contacts,
-                              const std::string& name) {
-  if (!py::isinstance<py::list>(values)) {
-    return std::vector<Rational>(contacts, exact(values, name));
-  }
-  std::vector<Rational> result;
-  for (const py::handle value : values) {
-    result.push_back(exact(value, name + "[" + std::to_string(result.size()) + "]"));
-  }
-  return result;
-}
-
 /// The package has checked the lengths.
 GraspFile make_grasp(const py::list& positions, const py::list& normals,
                      const py::object& friction, const py::object& stiffness,
@@ -86,14 +73,38 @@ py::tuple vectors(const GraspFile& file, Vector2 Contact::*member) {
 
 }  // namespace
 
+std::vector<Rational> numbers(const py::object& values, std::size_t contacts,
+                              const std::string& name) {
+  if (!py::isinstance<py::list>(values)) {
+    return std::vector<Rational>(contacts, exact(values, name));
+  }
+  std::vector<Rational> result;
+  for (const py::handle value : values) {
+    result.push_back(exact(value, name + "[" + std::to_string(result.size()) + "]"));
+  }
+  return result;
+}
+
+GraspFile with_friction(const GraspFile& file, const std::vector<Rational>& friction) {
+  std::vector<Contact> contacts = file.content.grasp.contacts();
+  for (std::size_t i = 0; i < contacts.size(); ++i) contacts[i].friction = friction[i];
+  GraspFile result = file;
+  result.content.grasp = Grasp(std::move(contacts), file.content.grasp.name());
+  return result;
+}
+
 void bind_grasp(py::module_& module) {
-  py::class_<GraspFile>(module, "GraspData")
+  py::class_<GraspFile, std::shared_ptr<GraspFile>>(module, "GraspData")
       .def(py::init(&make_grasp))
       .def_static("parse",
                   [](const std::string& content, const std::string& name) {
                     return without_gil([&] { return parse_grasp(content, name); });
                   })
       .def("text", [](const GraspFile& f) { return write_grasp(f.content); })
+      .def("with_friction",
+           [](const GraspFile& f, const py::object& friction) {
+             return with_friction(f, numbers(friction, f.content.grasp.size(), "friction"));
+           })
       .def("size", [](const GraspFile& f) { return f.content.grasp.size(); })
       .def("name", [](const GraspFile& f) { return text(f.content.grasp.name()); })
       .def("positions", [](const GraspFile& f) { return vectors(f, &Contact::position); })
@@ -102,7 +113,12 @@ void bind_grasp(py::module_& module) {
       .def("stiffness", [](const GraspFile& f) { return scalars(f, &Contact::stiffness); })
       .def("preload", [](const GraspFile& f) { return scalars(f, &Contact::preload); })
       .def("wrench", [](const GraspFile& f) { return fractions(f.content.wrench); })
-      .def("snap", &snapped);
+      .def("snap", &snapped)
+      .def(py::pickle(
+          [](const GraspFile& f) { return py::make_tuple(py::bytes(write_grasp_file(f))); },
+          [](const py::tuple& state) {
+            return parse_grasp(state[0].cast<std::string>(), "<pickle>");
+          }));
 }
 
 }  // namespace stickslip::python

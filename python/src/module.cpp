@@ -31,6 +31,9 @@ PYBIND11_MODULE(_core, module) {
   module.doc() = "The compiled part of stickslip; import stickslip instead.";
   module.attr("version") = STICKSLIP_VERSION;
   pybind11::register_exception_translator(stickslip::python::translate);
+  module.def("exact", [](const pybind11::object& value, const std::string& place) {
+    return stickslip::python::fraction(stickslip::python::exact(value, place));
+  });
   module.def("readable", [](const pybind11::object& value) {
     return stickslip::to_readable_string(stickslip::python::rational(value));
   });
@@ -41,4 +44,6 @@ PYBIND11_MODULE(_core, module) {
   stickslip::python::bind_questions(module);
   stickslip::python::bind_check(module);
   stickslip::python::bind_crosscheck(module);
+  stickslip::python::bind_many(module);
+  stickslip::python::bind_pictures(module);
 }

@@ -47,10 +47,6 @@ void add_witness(py::dict& result, const Question& question, const Problem& prob
   result["closed"] = closed;
 }
 
-Engine engine_named(const std::string& name) {
-  return name == "states" ? Engine::kStates : name == "cone" ? Engine::kCone : Engine::kAuto;
-}
-
 py::dict decide_grasp(const GraspFile& grasp, const py::object& wrench,
                       const py::object& preload, bool bilateral, const std::string& engine,
                       std::size_t node_limit, bool warnings) {
@@ -183,6 +179,7 @@ py::dict decision_fields(const Question& question, const Problem& problem,
   py::dict result("verdict"_a = name_of(verdict), "engine"_a = decision.engine(),
                   "normal_law"_a = to_string(question.law),
                   "wrench"_a = fractions(problem.wrench()));
+  if (question.preload) result["preload"] = fraction(*question.preload);
   if (!certificate.empty()) result["certificate"] = certificate;
   result["stats"] = std::visit([](const auto& work) { return stats(work); }, decision.work);
   if (const auto* stable = std::get_if<Stable>(&verdict)) {
@@ -202,12 +199,19 @@ py::tuple force_vectors(const Grasp& grasp, const std::vector<ContactForce>& for
   return vectors;
 }
 
+Engine engine_named(const std::string& name) {
+  return name == "states" ? Engine::kStates : name == "cone" ? Engine::kCone : Engine::kAuto;
+}
+
 QuestionOptions question_options(const py::object& wrench, const py::object& preload,
                                  bool bilateral, const py::object& direction,
-                                 const py::object& preload_direction) {
+                                 const py::object& preload_direction,
+                                 const std::string& which) {
   QuestionOptions options;
-  if (!wrench.is_none()) options.wrench = exact_wrench(wrench.cast<py::list>(), "wrench");
-  if (!preload.is_none()) options.preload = exact(preload, "preload");
+  if (!wrench.is_none()) {
+    options.wrench = exact_wrench(wrench.cast<py::list>(), "wrench" + which);
+  }
+  if (!preload.is_none()) options.preload = exact(preload, "preload" + which);
   options.law = bilateral ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
   if (!direction.is_none()) {
     options.direction = exact_wrench(direction.cast<py::list>(), "direction");

@@ -15,32 +15,56 @@ wrench is the one applied to the body. See docs/python.md.
 
 from . import _core
 from .errors import ContractError, InputError, LimitReached
-from .grasp import Grasp, SnappedNormal, SnapResult
-from .questions import check, crosscheck, decide, margin, slip_states
+from .grasp import Grasp, PlacedGrasp, SnappedNormal, SnapResult
+from .questions import (
+    check,
+    crosscheck,
+    decide,
+    export,
+    margin,
+    plot_grasp,
+    plot_region,
+    plot_states,
+    region,
+    slip_states,
+)
 from .results import (
+    Cell,
     CheckResult,
     CrossCheck,
     Decision,
+    Decisions,
     Margin,
     ModelWarning,
     NearbyEquilibrium,
+    Outline,
+    Piece,
+    Region,
     Residual,
     SlipStates,
 )
+from .views import Picture
 
 __version__: str = _core.version
 
 __all__ = [
+    "Cell",
     "CheckResult",
     "ContractError",
     "CrossCheck",
     "Decision",
+    "Decisions",
     "Grasp",
     "InputError",
     "LimitReached",
     "Margin",
     "ModelWarning",
     "NearbyEquilibrium",
+    "Outline",
+    "Picture",
+    "PlacedGrasp",
+    "Piece",
+    "Region",
     "Residual",
     "SlipStates",
     "SnapResult",
@@ -48,6 +72,11 @@ __all__ = [
     "check",
     "crosscheck",
     "decide",
+    "export",
     "margin",
+    "plot_grasp",
+    "plot_region",
+    "plot_states",
+    "region",
     "slip_states",
 ]

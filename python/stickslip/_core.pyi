@@ -3,8 +3,12 @@
 from fractions import Fraction
 from typing import Any, Dict, List, Optional, Tuple, Union
 
+import numpy as np
+from numpy.typing import NDArray
+
 version: str
 
+def exact(value: Any, place: str) -> Fraction: ...
 def readable(value: Fraction) -> str: ...
 def readable_root(square: Fraction) -> str: ...
 
@@ -23,6 +27,7 @@ class GraspData:
     @staticmethod
     def parse(text: bytes, name: bytes) -> GraspData: ...
     def text(self) -> str: ...
+    def with_friction(self, friction: Any) -> GraspData: ...
     def size(self) -> int: ...
     def name(self) -> str: ...
     def positions(self) -> Tuple[Tuple[Fraction, Fraction], ...]: ...
@@ -35,6 +40,12 @@ class GraspData:
         self, within: Any
     ) -> Tuple[GraspData, Tuple[Tuple[int, Tuple[Fraction, Fraction], str], ...]]: ...
 
+class DecisionsData:
+    def size(self) -> int: ...
+    def at(self, i: int) -> Tuple[GraspData, Dict[str, Any]]: ...
+    def verdicts(self) -> List[str]: ...
+    def twists(self) -> NDArray[np.float64]: ...
+
 def decide(
     grasp: GraspData,
     wrench: Optional[List[Any]],
@@ -44,6 +55,39 @@ def decide(
     node_limit: int,
     warnings: bool,
 ) -> Dict[str, Any]: ...
+def decide_many(
+    count: int,
+    grasps: List[GraspData],
+    wrenches: List[List[Any]],
+    frictions: List[Any],
+    preloads: List[Any],
+    bilateral: bool,
+    engine: str,
+    node_limit: int,
+    threads: int,
+) -> DecisionsData: ...
+def region(
+    grasp: GraspData,
+    origin: List[Any],
+    u: List[Any],
+    v: List[Any],
+    preload: Any,
+    bilateral: bool,
+    mode_limit: int,
+    picture: bool,
+) -> Any: ...
+def plot_grasp(
+    grasp: GraspData,
+    wrench: Optional[List[Any]],
+    preload: Any,
+    bilateral: bool,
+    engine: str,
+    node_limit: int,
+) -> str: ...
+def plot_states(grasp: GraspData) -> str: ...
+def smtlib(
+    grasp: GraspData, wrench: Optional[List[Any]], preload: Any, bilateral: bool
+) -> str: ...
 def slip_states(grasp: GraspData, engine: str, list_states: bool, threads: int) -> Dict[str, Any]: ...
 def margin(
     grasp: GraspData,

@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import os
 from fractions import Fraction
-from typing import Any, NamedTuple, Tuple, Union
+from typing import Any, NamedTuple, Sequence, Tuple, Union
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
@@ -21,8 +22,13 @@ from .arguments import (
     as_wrench,
 )
 from .errors import InputError
-from .views import call_of, shown
+from .outline import has_doubles, place, polygons_of, unit_if_rational
+from .views import call_of, nearest_root, shown
 
+SNAPPED_WITHIN = "1e-12"
+"""How far a normal in doubles may move unasked."""
+
+Rows = Union[ArrayLike, Sequence[Sequence[Any]]]
 Pair = Tuple[Fraction, Fraction]
 Triple = Tuple[Fraction, Fraction, Fraction]
 
@@ -51,13 +57,14 @@ class Grasp:
     Fraction(1, 2)
     """
 
-    __slots__ = ("_data",)
+    __slots__ = ("_data", "_doubles")
     _data: _core.GraspData
+    _doubles: bool  # whether there are floats among the normals
 
     def __init__(
         self,
-        positions: ArrayLike,
-        normals: ArrayLike,
+        positions: Rows,
+        normals: Rows,
         friction: Any,
         stiffness: Any = None,
         preload: Any = 0,
@@ -67,9 +74,10 @@ class Grasp:
     ) -> None:
         rows = as_rows(positions)
         m = len(rows)
+        directions = as_list(normals, "normals", (m, 2), "one row x, y for each row of positions")
         data = _core.GraspData(
             rows,
-            as_list(normals, "normals", (m, 2), "one row x, y for each row of positions"),
+            directions,
             as_numbers(friction, "friction", m),
             as_numbers(1 if stiffness is None else stiffness, "stiffness", m),
             as_numbers(preload, "preload", m),
@@ -78,6 +86,81 @@ class Grasp:
             stiffness is None,
         )
         object.__setattr__(self, "_data", data)
+        object.__setattr__(self, "_doubles", any(
+            isinstance(entry, (float, np.floating)) for row in directions for entry in row))
+
+    @classmethod
+    def from_outline(
+        cls,
+        outline: Any,
+        points: Rows,
+        friction: Any,
+        stiffness: Any = None,
+        preload: Any = 0,
+        *,
+        tolerance: Any = None,
+        wrench: Any = (0, 0, 0),
+        name: str = "",
+    ) -> PlacedGrasp:
+        """The body with this outline, held at these points of it; normals are those of the edges.
+
+        Args:
+            outline: the corners of a polygon, (n, 2), in either sense; a list of rings, the outer
+                one first and then holes; a list of such lists; or a (multi)polygon of shapely.
+            points: (m, 2), on the outline.
+            tolerance: move points that are not on the outline to the nearest place on it, but
+                none further than this.
+            friction, stiffness, preload, wrench, name: as of a Grasp.
+
+        Raises:
+            InputError: as Grasp; a point that is off the outline, or nearest to a corner of it.
+
+        >>> plate = [[0, 0], [4, 0], [4, 3], [0, 3]]
+        >>> Grasp.from_outline(plate, [[0, 1], [4, 2]], "1/2").grasp.normals[1]
+        (Fraction(-1, 1), Fraction(0, 1))
+        """
+        placed = place(polygons_of(outline), points, tolerance)
+        contacts = [(one.position, unit_if_rational(one.normal)) for one in placed]
+        grasp = cls([position for position, _ in contacts], [normal for _, normal in contacts],
+                    friction, stiffness, preload, wrench=wrench, name=name)
+        object.__setattr__(grasp, "_doubles", has_doubles(outline))
+        return PlacedGrasp(grasp, tuple(nearest_root(one.squared_distance) for one in placed))
+
+    @classmethod
+    def gripper(
+        cls,
+        width: Any,
+        force: Any,
+        friction: Any,
+        *,
+        pad: Any = 0,
+        stiffness: Any = None,
+        wrench: Any = (0, 0, 0),
+        name: str = "",
+    ) -> Grasp:
+        """A body of this width between two parallel jaws, which close along x about the origin.
+
+        Args:
+            width: from jaw to jaw.
+            force: with which each jaw presses before the wrench is applied.
+            pad: length of a jaw along y; it touches the body at both ends, or in one point if 0.
+            friction, stiffness, wrench, name: as of a Grasp.
+
+        >>> Grasp.gripper(width=2, force=10, friction="1/2", pad=1).preload
+        (Fraction(5, 1), Fraction(5, 1), Fraction(5, 1), Fraction(5, 1))
+        """
+        x, y, press = (_core.exact(as_number(value, argument), argument) / 2
+                       for value, argument in ((width, "width"), (pad, "pad"), (force, "force")))
+        for value, argument, least in ((x, "width", "above 0"), (y, "pad", "0 or more"),
+                                       (press, "force", "0 or more")):
+            if value < 0 or (value == 0 and argument == "width"):
+                raise InputError("", argument, f"the value is {_core.readable(2 * value)}",
+                                 f"give a number {least}")
+        ends = [y, -y] if y != 0 else [y]
+        positions = [(side * x, end) for side in (-1, 1) for end in ends]
+        normals = [(-side, 0) for side in (-1, 1) for _ in ends]
+        return cls(positions, normals, friction, stiffness, 2 * press / len(ends), wrench=wrench,
+                   name=name)
 
     @classmethod
     def from_file(cls, path: Union[str, os.PathLike[str]]) -> Grasp:
@@ -93,10 +176,20 @@ class Grasp:
         return cls._of(_core.GraspData.parse(content, as_text(name, "name").encode()))
 
     @classmethod
-    def _of(cls, data: _core.GraspData) -> Grasp:
+    def _of(cls, data: _core.GraspData, doubles: bool = False) -> Grasp:
         grasp = cls.__new__(cls)
         object.__setattr__(grasp, "_data", data)
+        object.__setattr__(grasp, "_doubles", doubles)
         return grasp
+
+    def _asked(self, preload: Any = None) -> Tuple[Grasp, Tuple[SnappedNormal, ...]]:
+        """The grasp that a question with this preload is about, and what moved for that.
+
+        Unit vectors in doubles are rounded as it is, so that where a preloaded contact needs a
+        normal of rational length they are rounded to one unasked. Exact normals never are.
+        """
+        preloaded = any(self.preload) if preload is None else preload != 0
+        return self.snap(SNAPPED_WITHIN) if self._doubles and preloaded else (self, ())
 
     def to_text(self) -> str:
         """The text of a grasp file. Equal grasps give equal texts, and reading gives the grasp."""
@@ -160,11 +253,22 @@ class Grasp:
         return hash(self.to_text())
 
     def __reduce__(self) -> Tuple[Any, ...]:
-        return Grasp.from_text, (self.to_text(),)
+        return _restored, (self._data, self._doubles)
 
     def __repr__(self) -> str:
         return call_of("Grasp", [("name", self.name), ("contacts", len(self)),
                                  ("wrench", self.wrench)])
+
+
+def _restored(data: _core.GraspData, doubles: bool) -> Grasp:
+    return Grasp._of(data, doubles)
+
+
+class PlacedGrasp(NamedTuple):
+    """A grasp on an outline, and how far each of its points moved onto it."""
+
+    grasp: Grasp
+    moved: Tuple[float, ...]
 
 
 class SnappedNormal(NamedTuple):

@@ -1,17 +1,22 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What can be asked about a grasp. Every answer is exact.
 
-Long work runs without Python's global lock, so that other threads go on. Ctrl-C takes effect
-when the call returns; ``node_limit`` bounds it.
+Long work runs without Python's global lock, so that other threads go on. Ctrl-C breaks it off;
+``node_limit`` bounds it.
 """
 
 from __future__ import annotations
 
 import os
-from typing import Any, Union
+from decimal import Decimal
+from fractions import Fraction
+from typing import Any, Callable, List, Optional, Tuple, Union, overload
+
+import numpy as np
 
 from . import _core
 from .arguments import (
+    as_array,
     as_content,
     as_count,
     as_direction_or_none,
@@ -19,66 +24,122 @@ from .arguments import (
     as_list,
     as_number,
     as_number_or_none,
+    as_numbers,
     as_preload_direction_or_none,
+    as_wrench,
     as_wrench_or_none,
     found,
     is_bilateral,
     one_of,
 )
 from .errors import InputError, LimitReached
-from .grasp import Grasp
+from .grasp import Grasp, SnappedNormal
 from .results import (
+    Cell,
     CheckResult,
     CrossCheck,
     Decision,
+    Decisions,
     Margin,
     ModelWarning,
     NearbyEquilibrium,
+    Outline,
+    Piece,
+    Region,
     Residual,
     SlipStates,
 )
+from .views import Picture
+
+Number = Union[int, float, str, Fraction, Decimal]
 
 
+@overload
 def decide(
     grasp: Grasp,
+    wrench: Optional[Tuple[Any, Any, Any]] = None,
+    *,
+    friction: Optional[Number] = None,
+    preload: Optional[Number] = None,
+    normal_law: str = "unilateral",
+    engine: str = "auto",
+    node_limit: int = 0,
+    threads: int = 0,
+    warnings: bool = False,
+) -> Decision: ...
+
+
+@overload
+def decide(
+    grasp: Any,
     wrench: Any = None,
     *,
+    friction: Any = None,
     preload: Any = None,
     normal_law: str = "unilateral",
     engine: str = "auto",
     node_limit: int = 0,
+    threads: int = 0,
     warnings: bool = False,
-) -> Decision:
+) -> Union[Decision, Decisions]: ...
+
+
+def decide(
+    grasp: Any,
+    wrench: Any = None,
+    *,
+    friction: Any = None,
+    preload: Any = None,
+    normal_law: str = "unilateral",
+    engine: str = "auto",
+    node_limit: int = 0,
+    threads: int = 0,
+    warnings: bool = False,
+) -> Union[Decision, Decisions]:
     """Will the grasp hold its load passively? A verdict, with evidence.
 
+    Of ``grasp``, ``wrench``, ``friction`` and ``preload`` each may be one or n, as NumPy
+    broadcasts. If any is n, n questions are asked, on all cores, and the answer is a ``Decisions``.
+
     Args:
-        grasp: what is asked about.
-        wrench: (3,), force x, force y and torque about the origin, applied to the body; the
+        grasp: what is asked about, or a sequence of n grasps.
+        wrench: (3,) or (n, 3), force x, force y and torque about the origin, applied to the
+            body; the grasp's own if None.
+        friction: of every contact, one number or (n,); (n, m) gives each contact its own. The
             grasp's own if None.
-        preload: of every contact; the grasp's own if None.
+        preload: of every contact, one number or (n,); the grasp's own if None.
         normal_law: "unilateral", contacts may open, c_n = max(0, P - k N.d); or "bilateral", the
             paper's Eq. 4 literally, c_n = P - k N.d >= 0.
         engine: "states" solves the system of every slip state, "cone" is a branch and bound for
             many contacts, "auto" takes the one that suits. All are exact.
         node_limit: let the engine "cone" give up, undecided, after so many nodes; 0 is no limit.
+        threads: 0 is one a core. The answers do not depend on it.
         warnings: look for traps of the model as well, such as a large motion, or a preload that
-            does not balance (docs/model.md). Takes longer than most verdicts.
+            does not balance (docs/model.md). Takes longer than most verdicts; of one question.
 
     Raises:
         InputError: an argument is wrong, or a preloaded contact has a normal of irrational
             length (``Grasp.snap``).
     """
-    result = _core.decide(
-        _data(grasp),
-        as_wrench_or_none(wrench),
-        as_number_or_none(preload, "preload"),
+    how = (
         is_bilateral(normal_law),
         one_of("engine", engine, ("auto", "states", "cone")),
         as_count("node_limit", node_limit),
-        bool(warnings),
     )
+    at_once = as_count("threads", threads, 1024)
+    many = Questions(grasp, wrench, friction, preload)
+    if many.count is not None:
+        if warnings:
+            raise InputError("", "warnings", "these are many questions",
+                             "ask for the warnings of one question at a time")
+        return Decisions(_core.decide_many(many.count, *many.lists(), *how, at_once), many.snapped)
+    about, snapped = _asked(grasp, preload)
+    if friction is not None:
+        about = Grasp._of(about._data.with_friction(as_number(friction, "friction")))
+    result = _core.decide(about._data, as_wrench_or_none(wrench),
+                          as_number_or_none(preload, "preload"), *how, bool(warnings))
     result["warnings"] = tuple(ModelWarning(*w) for w in result["warnings"])
-    return Decision(**result)
+    return Decision(grasp=about, snapped=snapped, **result)
 
 
 def slip_states(
@@ -96,7 +157,84 @@ def slip_states(
     """
     engine = one_of("engine", engine, ("auto", "cgal", "sweep", "paper"))
     threads = as_count("threads", threads, 1024)
-    return SlipStates(**_core.slip_states(_data(grasp), engine, bool(list_states), threads))
+    fields = _core.slip_states(_data(grasp), engine, bool(list_states), threads)
+    return SlipStates(grasp=grasp, **fields)
+
+
+def region(
+    grasp: Grasp,
+    *,
+    torque: Any = None,
+    origin: Any = (0, 0, 0),
+    u: Any = (1, 0, 0),
+    v: Any = (0, 1, 0),
+    preload: Any = None,
+    normal_law: str = "unilateral",
+    mode_limit: int = 0,
+) -> Region:
+    """Which wrenches origin + s u + t v does the grasp resist? The exact set of (s, t).
+
+    By default the plane is that of forces at zero torque. The grasp's own wrench plays no part.
+
+    Args:
+        torque: short for the origin (0, 0, torque).
+        mode_limit: give up at more than so many contact modes; 0 is no limit.
+
+    Raises:
+        InputError: an argument is wrong; u and v are not independent.
+        LimitReached: ``mode_limit``.
+    """
+    about, snapped = _asked(grasp, preload)
+    fields = _region(about, torque, origin, u, v, preload, normal_law, mode_limit, False)
+    fields["areas"] = tuple(
+        tuple(Outline(*outline) for outline in outlines) for outlines in fields["areas"])
+    fields["curves"] = tuple(Cell(*curve) for curve in fields["curves"])
+    fields["pieces"] = tuple(
+        Piece(slip, closed, Cell(*cell)) for slip, closed, cell in fields["pieces"])
+    return Region(grasp=about, snapped=snapped, normal_law=normal_law, **fields)
+
+
+def plot_region(
+    grasp: Grasp,
+    *,
+    torque: Any = None,
+    origin: Any = (0, 0, 0),
+    u: Any = (1, 0, 0),
+    v: Any = (0, 1, 0),
+    preload: Any = None,
+    normal_law: str = "unilateral",
+    mode_limit: int = 0,
+) -> Picture:
+    """A picture of ``region``, as SVG."""
+    about, _ = _asked(grasp, preload)
+    return Picture(_region(about, torque, origin, u, v, preload, normal_law, mode_limit, True))
+
+
+def plot_grasp(
+    grasp: Grasp, wrench: Any = None, *, preload: Any = None, normal_law: str = "unilateral"
+) -> Picture:
+    """A picture of the verdict, as SVG: contacts, cones, load, and the forces and motion that
+    hold it, or the virtual twist that wins."""
+    return Picture(_core.plot_grasp(
+        _asked(grasp, preload)[0]._data, as_wrench_or_none(wrench),
+        as_number_or_none(preload, "preload"),
+        is_bilateral(normal_law), "auto", 0))
+
+
+def plot_states(grasp: Grasp) -> Picture:
+    """A picture of the slip states, as SVG: the sphere of motions, cut by one great circle a
+    contact."""
+    return Picture(_core.plot_states(_data(grasp)))
+
+
+def export(
+    grasp: Grasp, wrench: Any = None, *, preload: Any = None, normal_law: str = "unilateral"
+) -> str:
+    """The question for Z3, cvc5 and others: SMT-LIB 2, logic QF_LRA; sat means stable."""
+    return _core.smtlib(
+        _asked(grasp, preload)[0]._data, as_wrench_or_none(wrench),
+        as_number_or_none(preload, "preload"),
+        is_bilateral(normal_law))
 
 
 def margin(
@@ -131,12 +269,12 @@ def margin(
         InputError: an argument is wrong; nothing grows.
         LimitReached: at ``node_limit``.
     """
-    data = _data(grasp)
+    about, snapped = _asked(grasp, preload)
     if direction is None and preload_direction is None:
         raise InputError("", "direction", "nothing grows",
                          "give a direction such as (0, 1, 0), or a preload_direction")
     result = _core.margin(
-        data,
+        about._data,
         as_direction_or_none(direction),
         as_wrench_or_none(wrench),
         as_number_or_none(preload, "preload"),
@@ -148,7 +286,7 @@ def margin(
     if "limit" in result:
         raise LimitReached(result["limit"])
     result["warnings"] = tuple(ModelWarning(*w) for w in result["warnings"])
-    return Margin(**result)
+    return Margin(grasp=about, snapped=snapped, **result)
 
 
 def crosscheck(
@@ -177,13 +315,13 @@ def crosscheck(
         node_limit: for the verdict and for each margin; 0 is no limit.
         distances: find the distance to the threshold for right claims as well.
     """
-    data = _data(grasp)
+    about, snapped = _asked(grasp, preload)
     fields = _core.crosscheck(
-        data,
+        about._data,
         one_of("verdict", verdict, ("stable", "unstable")) == "stable",
         None if twist is None else as_list(twist, "twist", (3,), "motion x, y and rotation r"),
         None if forces is None
-        else as_list(forces, "forces", (data.size(), 2), "one vector for each contact"),
+        else as_list(forces, "forces", (len(about), 2), "one vector for each contact"),
         as_wrench_or_none(wrench),
         as_number_or_none(preload, "preload"),
         is_bilateral(normal_law),
@@ -192,7 +330,7 @@ def crosscheck(
         as_count("node_limit", node_limit),
         distances,
     )
-    fields["decision"] = Decision(**fields["decision"])
+    fields["decision"] = Decision(grasp=about, snapped=snapped, **fields["decision"])
     for name in ("cone", "normal_law", "dissipation"):
         if fields[name] is not None:
             fields[name] = Residual(*fields[name])
@@ -226,7 +364,8 @@ def check(
         InputError: the grasp or the certificate cannot be read, or the question not be asked.
     """
     if isinstance(grasp, Grasp):
-        grasp_bytes, grasp_name = grasp.to_text().encode(), b"<grasp>"
+        about, _ = grasp._asked(preload)
+        grasp_bytes, grasp_name = about.to_text().encode(), b"<grasp>"
     else:
         grasp_bytes, grasp_name = as_content(
             grasp, "grasp", "give a stickslip.Grasp, or the path of its file")
@@ -246,6 +385,87 @@ def check(
         grasp_name,
         name,
     ))
+
+
+def _region(
+    grasp: Grasp, torque: Any, origin: Any, u: Any, v: Any, preload: Any, normal_law: str,
+    mode_limit: int, picture: bool,
+) -> Any:
+    start = as_wrench(origin, "origin")
+    if torque is not None:
+        if any(entry != 0 for entry in start):
+            raise InputError("", "torque", "there is an origin as well", "give one of the two")
+        start = [0, 0, as_number(torque, "torque")]
+    found = _core.region(
+        grasp._data, start, as_wrench(u, "u"), as_wrench(v, "v"),
+        as_number_or_none(preload, "preload"), is_bilateral(normal_law),
+        as_count("mode_limit", mode_limit), picture)
+    if isinstance(found, dict) and "limit" in found:
+        raise LimitReached(found["limit"])
+    return found
+
+
+class Questions:
+    """What ``decide`` was given, one or n of each."""
+
+    def __init__(self, grasp: Any, wrench: Any, friction: Any, preload: Any) -> None:
+        self._grasps = grasp
+        self._given = {"wrench": wrench, "friction": friction, "preload": preload}
+        self.snapped: List[Tuple[SnappedNormal, ...]] = []
+        """Of each grasp, once they are in lists()."""
+        counts = {}
+        if isinstance(grasp, (list, tuple)) or (
+                isinstance(grasp, np.ndarray) and grasp.ndim == 1):
+            counts["grasp"] = len(grasp)
+        for name, value in self._given.items():
+            if value is None:
+                continue
+            array, alone = as_array(value, name), 1 if name == "wrench" else 0
+            rows = array.ndim == 1 and any(isinstance(row, (list, tuple)) for row in array)
+            if array.ndim > alone or rows:  # rows of several lengths are not one array
+                counts[name] = len(array)
+        several = {name: count for name, count in counts.items() if count != 1}
+        if len(set(several.values())) > 1:
+            raise InputError("", ", ".join(several), "their lengths are " + ", ".join(
+                map(str, several.values())), "give one or n of each")
+        self.count: Optional[int] = next(iter(several.values()), 1) if counts else None
+        """None if there is one of each, and so one question."""
+        self._counts = counts
+
+    def lists(self) -> Tuple[List[Any], List[Any], List[Any], List[Any]]:
+        """Grasps, wrenches, frictions and preloads: n or 1 of each, 0 if it was not given."""
+        given = list(self._grasps) if "grasp" in self._counts else [self._grasps]
+        preloads = self._numbers("preload", as_number)
+        largest = max((_core.exact(value, f"preload[{i}]") for i, value in enumerate(preloads)),
+                      default=None)
+        asked = [_asked(grasp, largest) for grasp in given]
+        self.snapped = [snapped for _, snapped in asked]
+        frictions = self._numbers("friction", lambda value, name: as_numbers(
+            value, name, len(given[0])))
+        wrenches: List[Any] = []
+        if "wrench" in self._counts:
+            wrenches = as_list(self._given["wrench"], "wrench", (self._counts["wrench"], 3),
+                               "force x, force y and torque in each row")
+        elif self._given["wrench"] is not None:
+            wrenches = [as_wrench(self._given["wrench"], "wrench")]
+        return [grasp._data for grasp, _ in asked], wrenches, frictions, preloads
+
+    def _numbers(self, name: str, convert: Callable[[Any, str], Any]) -> List[Any]:
+        value = self._given[name]
+        if value is None:
+            return []
+        if name not in self._counts:
+            return [as_number(value, name)]
+        return [convert(entry, f"{name}[{i}]")
+                for i, entry in enumerate(as_array(value, name).tolist())]
+
+
+def _asked(grasp: Any, preload: Any = None) -> Tuple[Grasp, Tuple[SnappedNormal, ...]]:
+    _data(grasp)
+    if preload is not None:
+        preload = _core.exact(as_number(preload, "preload"), "preload")
+    asked: Tuple[Grasp, Tuple[SnappedNormal, ...]] = grasp._asked(preload)
+    return asked
 
 
 def _data(grasp: Grasp) -> _core.GraspData:

@@ -6,13 +6,20 @@
 
 from __future__ import annotations
 
+import operator
 from dataclasses import dataclass, field
 from fractions import Fraction
-from typing import Dict, NamedTuple, Optional, Tuple, Union
+from typing import Any, Dict, Iterable, NamedTuple, Optional, Sequence, Tuple, Union, overload
+
+import numpy as np
+from numpy.typing import NDArray
 
 from . import _core
-from .grasp import Pair, Triple
-from .views import Answer, FloatArray, FloatView, nearest_root
+from .errors import LimitReached
+from .grasp import Grasp, Pair, SnappedNormal, Triple
+from .views import Answer, FloatArray, FloatView, Picture, doubles, nearest_root, table
+
+_MOST_CONTACTS_TO_SHOW = 100  # in a notebook, unasked
 
 
 class ModelWarning(NamedTuple):
@@ -31,6 +38,13 @@ class Decision(Answer):
     engine: str
     normal_law: str
     wrench: Triple
+    grasp: Grasp = field(repr=False)
+    """What was asked about, with the friction that was asked for."""
+    preload: Optional[Fraction] = None
+    """Set if it replaced the grasp's preloads."""
+    snapped: Tuple[SnappedNormal, ...] = ()
+    """Normals given in doubles that were rounded to ones of rational length, 1e-12 away or less;
+    ``grasp`` has them."""
     certificate: Optional[str] = field(default=None, repr=False)
     """The proof (certificate/FORMAT.md), for ``check`` and for both checkers. None if undecided."""
     twist: Optional[Triple] = None
@@ -56,6 +70,97 @@ class Decision(Answer):
     forces_float = FloatView[Optional[FloatArray]]("forces", -1, 2)
     coefficients_float = FloatView[Optional[FloatArray]]("coefficients", -1, 2)
 
+    def plot(self) -> Picture:
+        """The grasp, its load and the evidence, as ``plot_grasp`` draws them.
+
+        Raises:
+            LimitReached: undecided.
+        """
+        if self.limit is not None:
+            raise LimitReached(self.limit)
+        return Picture(_core.plot_grasp(
+            self.grasp._data, list(self.wrench), self.preload, self.normal_law == "bilateral",
+            self.engine, 0))
+
+    def check(self) -> CheckResult:
+        """What the independent checker says of the certificate, to the same question.
+
+        Raises:
+            LimitReached: undecided, and so without a certificate.
+        """
+        if self.certificate is None:
+            raise LimitReached(self.limit or "")
+        return CheckResult(**_core.check(
+            self.grasp.to_text().encode(), self.certificate.encode(), list(self.wrench),
+            self.preload, self.normal_law == "bilateral", None, b"<grasp>", b"<certificate>"))
+
+    def _picture(self) -> Optional[Picture]:
+        few = len(self.grasp) <= _MOST_CONTACTS_TO_SHOW
+        return self.plot() if few and self.limit is None else None
+
+
+class Decisions(Sequence[Decision]):
+    """The answers to many questions, in their order. Each becomes a Decision when it is looked at.
+
+    >>> from stickslip import Grasp, decide
+    >>> jaws = Grasp([[-1, 0], [1, 0]], [[1, 0], [-1, 0]], friction="1/2", preload=1)
+    >>> many = decide(jaws, [(0, 1, 0), (0, 2, 0)])
+    >>> many
+    Decisions(2 questions: 1 stable, 1 unstable)
+    >>> many.stable
+    array([ True, False])
+    >>> bool(many[1].check())
+    True
+    """
+
+    def __init__(self, data: _core.DecisionsData,
+                 snapped: Sequence[Tuple[SnappedNormal, ...]]) -> None:
+        self._data = data
+        self._snapped = snapped  # of all or of each
+        self.verdict: NDArray[np.str_] = np.array(data.verdicts(), dtype="<U9")
+        """(n,), "stable", "unstable" or "undecided"."""
+
+    @property
+    def stable(self) -> NDArray[np.bool_]:
+        """(n,), where the verdict is "stable"."""
+        return np.equal(self.verdict, "stable")
+
+    @property
+    def twist_float(self) -> FloatArray:
+        """(n, 3), the motions of the equilibria in the nearest doubles; NaN where there is none."""
+        return self._data.twists()
+
+    def __len__(self) -> int:
+        return self._data.size()
+
+    @overload
+    def __getitem__(self, index: int) -> Decision: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> Tuple[Decision, ...]: ...
+
+    def __getitem__(self, index: Union[int, slice]) -> Union[Decision, Tuple[Decision, ...]]:
+        if isinstance(index, slice):
+            return tuple(self[i] for i in range(*index.indices(len(self))))
+        i = operator.index(index)
+        if not -len(self) <= i < len(self):
+            raise IndexError(f"there are {len(self)} decisions")
+        grasp, fields = self._data.at(i % len(self))
+        snapped = self._snapped[0 if len(self._snapped) == 1 else i % len(self)]
+        return Decision(grasp=Grasp._of(grasp), snapped=snapped, **fields)
+
+    def _counts(self) -> Tuple[Tuple[str, int], ...]:
+        verdicts, counts = np.unique(self.verdict, return_counts=True)
+        return tuple(zip(verdicts.tolist(), counts.tolist()))
+
+    def __repr__(self) -> str:
+        counts = ", ".join(f"{count} {verdict}" for verdict, count in self._counts())
+        return f"Decisions({len(self)} questions{': ' if counts else ''}{counts})"
+
+    def _repr_html_(self) -> str:
+        return table([("questions", str(len(self)))] + [
+            (verdict, str(count)) for verdict, count in self._counts()])
+
 
 @dataclass(frozen=True, repr=False)
 class SlipStates(Answer):
@@ -72,8 +177,97 @@ class SlipStates(Answer):
     distinct_states: int
     """All-stick included; differs from ``cells``."""
     engine: str
+    grasp: Grasp = field(repr=False)
+    """Whose states they are."""
     states: Optional[Tuple[str, ...]] = field(default=None, repr=False)
     """Sorted; one character a contact: "+", "-" or "0". None if they were not asked for."""
+
+    def plot(self) -> Picture:
+        """The sphere of motions with its cells, as ``plot_states`` draws it."""
+        return Picture(_core.plot_states(self.grasp._data))
+
+    def _picture(self) -> Optional[Picture]:
+        return self.plot() if self.circles <= _MOST_CONTACTS_TO_SHOW else None
+
+
+class Cell(NamedTuple):
+    """The hull of points and directions of a plane: a polygon, a segment, a ray, ..."""
+
+    vertices: Tuple[Pair, ...]
+    """Counterclockwise."""
+    rays: Tuple[Pair, ...]
+    """Directions in which it has no end."""
+
+    @property
+    def vertices_float(self) -> FloatArray:
+        """(n, 2), in the nearest doubles."""
+        return doubles(self.vertices, -1, 2)
+
+
+class Outline(NamedTuple):
+    """A border of an area, which lies to its left."""
+
+    vertices: Tuple[Pair, ...]
+    start: Optional[Pair] = None
+    """The direction at infinity from which an open border comes; None if it is closed."""
+    end: Optional[Pair] = None
+    """The direction in which an open border goes."""
+
+    @property
+    def vertices_float(self) -> FloatArray:
+        """(n, 2), in the nearest doubles."""
+        return doubles(self.vertices, -1, 2)
+
+
+class Piece(NamedTuple):
+    """What is resisted in one contact mode."""
+
+    slip: str
+    """As in Decision."""
+    closed: Tuple[bool, ...]
+    cell: Cell
+
+
+@dataclass(frozen=True, repr=False)
+class Region(Answer):
+    """Exactly these wrenches origin + s u + t v are resisted, in coordinates (s, t)."""
+
+    areas: Tuple[Tuple[Outline, ...], ...]
+    """The interior in its connected parts, each by its borders; none for the whole plane."""
+    curves: Tuple[Cell, ...]
+    """Segments, rays and lines outside of the areas."""
+    points: Tuple[Pair, ...]
+    """Outside of the areas and curves."""
+    whole_plane: bool
+    origin: Triple
+    u: Triple
+    v: Triple
+    normal_law: str
+    grasp: Grasp = field(repr=False)
+    preload: Optional[Fraction] = None
+    """Set if it replaced the grasp's preloads."""
+    snapped: Tuple[SnappedNormal, ...] = ()
+    """Normals given in doubles that were rounded to ones of rational length, 1e-12 away or less;
+    ``grasp`` has them."""
+    pieces: Tuple[Piece, ...] = field(default=(), repr=False)
+    """The union of these is the region: one for each contact mode that resists something."""
+    stats: Dict[str, int] = field(default_factory=dict, repr=False, compare=False)
+
+    points_float = FloatView[FloatArray]("points", -1, 2)
+
+    def plot(self) -> Picture:
+        """As ``plot_region`` draws it."""
+        return Picture(_core.region(
+            self.grasp._data, list(self.origin), list(self.u), list(self.v), self.preload,
+            self.normal_law == "bilateral", 0, True))
+
+    def _picture(self) -> Optional[Picture]:
+        return self.plot()
+
+    def _shown_fields(self) -> Iterable[Tuple[str, Any]]:
+        """Polygons in place of the tuples that hold them."""
+        for name, value in super()._shown_fields():
+            yield name, len(value) if name in ("areas", "curves") else value
 
 
 @dataclass(frozen=True, repr=False)
@@ -86,12 +280,17 @@ class Margin(Answer):
     direction: Optional[Triple]
     wrench: Triple
     normal_law: str
+    grasp: Grasp = field(repr=False)
+    """What was asked about."""
     certificate: str = field(repr=False)
     """The proof (certificate/FORMAT.md, section 5)."""
     preload_direction: Union[str, Tuple[Fraction, ...], None] = None
     """"scale", or one number for each contact."""
     warnings: Tuple[ModelWarning, ...] = ()
     """What margin was asked to look for with ``warnings=True``."""
+    snapped: Tuple[SnappedNormal, ...] = ()
+    """Normals given in doubles that were rounded to ones of rational length, 1e-12 away or less;
+    ``grasp`` has them."""
     stats: Dict[str, int] = field(default_factory=dict, repr=False, compare=False)
 
     @property

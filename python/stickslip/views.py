@@ -4,9 +4,10 @@
 from __future__ import annotations
 
 import dataclasses
+import html
 import math
 from fractions import Fraction
-from typing import Any, Generic, Iterable, Optional, Tuple, Type, TypeVar, cast
+from typing import Any, Generic, Iterable, Optional, Sequence, Tuple, Type, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -49,7 +50,12 @@ class FloatView(Generic[View]):
         if answer is None:
             return cast(View, self)  # the class is asked, as help() does
         values = getattr(answer, self._name)
-        return cast(View, None if values is None else _doubles(values).reshape(self._shape))
+        return cast(View, None if values is None else doubles(values, *self._shape))
+
+
+def doubles(values: Any, *shape: int) -> FloatArray:
+    """Nested tuples of fractions as an array of the nearest doubles; None is infinity."""
+    return _doubles(values).reshape(shape)
 
 
 def _doubles(values: Any) -> FloatArray:
@@ -103,10 +109,45 @@ def call_of(name: str, fields: Iterable[Tuple[str, Any]]) -> str:
     return name + "(" + "\n".join(lines)[len(margin):].removesuffix(",") + ")"
 
 
+class Picture(str):
+    """An SVG document, which shows itself in a notebook.
+
+    ``pathlib.Path("grasp.svg").write_text(picture)`` keeps it.
+    """
+
+    def _repr_svg_(self) -> str:
+        return str(self)
+
+    def __repr__(self) -> str:
+        return f"<Picture: SVG of {len(self)} characters>"
+
+
 class Answer:
     """What all answers share: their text has the fields that are declared for it."""
 
+    def _shown_fields(self) -> Iterable[Tuple[str, Any]]:
+        return ((f.name, getattr(self, f.name))
+                for f in dataclasses.fields(cast(Any, self)) if f.repr)
+
+    def _picture(self) -> Optional[Picture]:
+        """What a notebook shows above the fields."""
+        return None
+
     def __repr__(self) -> str:
-        return call_of(type(self).__name__, (
-            (f.name, getattr(self, f.name))
-            for f in dataclasses.fields(self) if f.repr))
+        return call_of(type(self).__name__, self._shown_fields())
+
+    def _repr_svg_(self) -> Optional[str]:
+        return self._picture()
+
+    def _repr_html_(self) -> str:
+        rows = [(name, shown(value)) for name, value in self._shown_fields()
+                if value not in (None, (), "")]
+        return (self._picture() or "") + table(rows)
+
+
+def table(rows: Iterable[Sequence[str]]) -> str:
+    """In HTML; the first entry of each row heads it."""
+    return "<table>" + "".join(
+        "<tr><th style='text-align:left'>" + html.escape(row[0]) + "</th>" + "".join(
+            f"<td style='text-align:left'>{html.escape(entry)}</td>" for entry in row[1:])
+        + "</tr>" for row in rows) + "</table>"

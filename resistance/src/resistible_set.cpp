@@ -8,6 +8,7 @@
 
 #include "generated_cone.hpp"
 #include "stickslip/arrangement/sweep.hpp"
+#include "stickslip/core/cancellation.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/integer_vector.hpp"
 #include "stickslip/equilibrium/search/region.hpp"
@@ -124,6 +125,7 @@ class PieceFinder {
  private:
   /// Depth first over the separations from a contact on.
   bool separate(const Region& region, std::size_t contact) {
+    throw_if_cancelled();
     if (!has_motion(region)) return true;
     for (; contact < problem_.size(); ++contact) {
       const Separation separation = region.separation(problem_, ContactId(contact));

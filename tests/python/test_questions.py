@@ -396,7 +396,7 @@ def test_same_snapped_grasp_as_the_program(tmp_path):
     ("certificate", lambda g: check(g, Path(decide(g).certificate))),
     ("grasp", lambda g: check(g.to_text(), decide(g).certificate)),
     ("engine", lambda g: decide(g, engine=np.array(["cone", "states"]))),
-    ("preload", lambda g: decide(g, preload=[1, 2, 3])),
+    ("preload[0]", lambda g: decide(g, preload=[[1, 2, 3]])),
     ("preload", lambda g: margin(g, UP, preload=np.ma.masked)),
     ("preload", lambda g: decide(g, preload=10**20000)),
     ("wrench", lambda g: decide(g, "0,1,0")),

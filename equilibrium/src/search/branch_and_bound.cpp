@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "../few_shares.hpp"
+#include "stickslip/core/cancellation.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 #include "twist_search.hpp"
@@ -71,6 +72,7 @@ class Explorer {
  private:
   /// Closes or splits one node; nothing if it found a witness.
   std::optional<Step> examine(Node node, std::size_t depth) {
+    throw_if_cancelled();
     ++work_.nodes;
     work_.depth = std::max(work_.depth, depth);
     if (node.region.is_void()) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "stickslip/core/cancellation.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
@@ -292,6 +293,7 @@ VirtualWorkLeaf with_small_integers(const Problem& problem, const Region& region
 
 std::variant<RelaxedPoint, VirtualWorkLeaf> solve_region(const Problem& problem,
                                                          const Region& region, LpWork* work) {
+  throw_if_cancelled();
   LpWork total{0, 0, true, LpTier::kInt64, 0};
   auto outcome = ColumnGeneration(problem, region).solve(total);
   if (work != nullptr) *work = total;

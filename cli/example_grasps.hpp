@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The grasps of examples/grasps/ and paper_examples/grasps/, which CMake puts into the
+/// program.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace stickslip {
+
+struct ExampleGrasp {
+  std::string name;  ///< of the file, without .json
+  std::string text;
+};
+
+/// In the order of their names.
+const std::vector<ExampleGrasp>& example_grasps();
+
+}  // namespace stickslip

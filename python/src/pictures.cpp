@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pictures, resistible regions, and the question for other solvers.
+#include "bindings.hpp"
+#include "exact.hpp"
+#include "stickslip/certificate/smtlib.hpp"
+#include "stickslip/plot/grasp_plot.hpp"
+#include "stickslip/plot/region_plot.hpp"
+#include "stickslip/plot/states_plot.hpp"
+#include "stickslip/resistance/resistible_set.hpp"
+
+namespace stickslip::python {
+namespace {
+
+namespace py = pybind11;
+using py::literals::operator""_a;
+
+py::tuple point(const PlanePoint& p) {
+  return fractions(p[0], p[1]);
+}
+
+py::tuple direction(const PlaneDirection& d) {
+  return fractions(Rational(d[0]), Rational(d[1]));
+}
+
+template <class Values, class Convert>
+py::tuple tuple_of(const Values& values, Convert convert) {
+  py::tuple result(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) result[i] = convert(values[i]);
+  return result;
+}
+
+py::object direction_or_none(const std::optional<PlaneDirection>& d) {
+  return d ? py::object(direction(*d)) : py::object(py::none());
+}
+
+/// The arguments of results.Outline.
+py::tuple outline(const Outline& o) {
+  return py::make_tuple(tuple_of(o.vertices, point), direction_or_none(o.from),
+                        direction_or_none(o.to));
+}
+
+/// The arguments of results.Cell.
+py::tuple cell(const PlaneCell& c) {
+  return py::make_tuple(tuple_of(c.vertices(), point), tuple_of(c.rays(), direction));
+}
+
+/// The arguments of results.Piece.
+py::tuple piece(const ResistiblePiece& p) {
+  return py::make_tuple(
+      slips_text(p.modes),
+      tuple_of(p.modes, [](const ContactMode& mode) { return py::bool_(mode.closed); }),
+      cell(p.cell));
+}
+
+WrenchPlane plane(const py::list& origin, const py::list& u, const py::list& v) {
+  return {exact_wrench(origin, "origin"), exact_wrench(u, "u"), exact_wrench(v, "v")};
+}
+
+py::object region(const GraspFile& grasp, const py::list& origin, const py::list& u,
+                  const py::list& v, const py::object& preload, bool bilateral,
+                  std::size_t mode_limit, bool picture) {
+  struct Answer {
+    std::variant<std::vector<ResistiblePiece>, Undecided> found;
+    ResistibleWork work;
+    PlaneUnion united;
+    std::string picture;
+  };
+  const QuestionOptions asked = question_options(py::none(), preload, bilateral);
+  const WrenchPlane where = plane(origin, u, v);
+  const Answer answer = without_gil([&] {
+    const Question question = question_of(grasp, asked);
+    ResistibleOptions options;
+    options.mode_limit = mode_limit;
+    ResistibleWork work;
+    Answer result{
+        resistible_pieces(Problem(question.loaded, question.law), where, options, &work),
+        work,
+        {},
+        {}};
+    if (const auto* pieces = std::get_if<std::vector<ResistiblePiece>>(&result.found)) {
+      if (picture) {
+        std::vector<PlaneCell> cells;
+        for (const ResistiblePiece& part : *pieces) cells.push_back(part.cell);
+        result.picture = plot_region(question, where, cells);
+      } else {
+        result.united = unite(*pieces);
+      }
+    }
+    return result;
+  });
+  if (const auto* undecided = std::get_if<Undecided>(&answer.found)) {
+    return py::dict("limit"_a = undecided->limit);
+  }
+  if (picture) return text(answer.picture);
+  const PlaneUnion& all = answer.united;
+  py::dict result(
+      "areas"_a = tuple_of(
+          all.areas, [](const PlaneArea& area) { return tuple_of(area.outlines, outline); }),
+      "curves"_a = tuple_of(all.curves, cell), "points"_a = tuple_of(all.points, point),
+      "pieces"_a = tuple_of(std::get<std::vector<ResistiblePiece>>(answer.found), piece),
+      "origin"_a = fractions(where.origin()), "u"_a = fractions(where.u()),
+      "v"_a = fractions(where.v()), "whole_plane"_a = all.is_whole_plane(),
+      "stats"_a = py::dict("slip_states"_a = answer.work.slip_states,
+                           "modes"_a = answer.work.modes, "pieces"_a = answer.work.pieces));
+  if (asked.preload) result["preload"] = fraction(*asked.preload);
+  return std::move(result);
+}
+
+py::str grasp_picture(const GraspFile& grasp, const py::object& wrench,
+                      const py::object& preload, bool bilateral, const std::string& engine,
+                      std::size_t node_limit) {
+  const QuestionOptions asked = question_options(wrench, preload, bilateral);
+  return text(without_gil([&] {
+    const Question question = question_of(grasp, asked);
+    ConeOptions options;
+    options.node_limit = node_limit;
+    const Decision decision =
+        decide(Problem(question.loaded, question.law), engine_named(engine), options);
+    return plot_grasp(question, decision.verdict);
+  }));
+}
+
+py::str states_picture(const GraspFile& grasp) {
+  return text(without_gil([&] { return plot_states(grasp.content.grasp); }));
+}
+
+py::str smtlib(const GraspFile& grasp, const py::object& wrench, const py::object& preload,
+               bool bilateral) {
+  const QuestionOptions asked = question_options(wrench, preload, bilateral);
+  return text(without_gil([&] { return smtlib_text(question_of(grasp, asked)); }));
+}
+
+}  // namespace
+
+void bind_pictures(py::module_& module) {
+  module.def("region", &region);
+  module.def("plot_grasp", &grasp_picture);
+  module.def("plot_states", &states_picture);
+  module.def("smtlib", &smtlib);
+}
+
+}  // namespace stickslip::python

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Many questions in one call: the same answers as one at a time."""
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+from conftest import GOOD
+from stickslip import Decision, Decisions, Grasp, InputError, decide
+
+UP = (0, 1, 0)
+WRENCHES = [(0, 1, 0), (0, "11/10", 0), (1, 0, 0), (0, 0, 0.25), (-1, -1, "1/3")]
+
+
+def same(many, singles):
+    assert isinstance(many, Decisions)
+    assert len(many) == len(singles)
+    assert list(many) == singles
+    assert [d.certificate for d in many] == [d.certificate for d in singles]
+    assert many.verdict.tolist() == [d.verdict for d in singles]
+    assert many.stable.tolist() == [d.verdict == "stable" for d in singles]
+    rows = [d.twist_float if d.twist else np.full(3, np.nan) for d in singles]
+    np.testing.assert_array_equal(many.twist_float, np.array(rows).reshape(-1, 3))
+
+
+def test_wrenches(fig1):
+    same(decide(fig1, WRENCHES), [decide(fig1, w) for w in WRENCHES])
+    floats = np.random.default_rng(1).uniform(-2, 2, (200, 3))
+    many = decide(fig1, floats)
+    same(many, [decide(fig1, tuple(w)) for w in floats])
+    assert 0 < many.stable.sum() < 200
+    assert all(d.check() for d in many)
+
+
+@pytest.mark.parametrize("options", [
+    {"engine": "states"}, {"engine": "cone"}, {"normal_law": "bilateral"}, {"threads": 1},
+    {"threads": 7}, {"node_limit": 1}], ids=str)
+def test_options(fig1, options):
+    same(decide(fig1, WRENCHES, **options), [decide(fig1, w, **options) for w in WRENCHES])
+
+
+def test_frictions_and_preloads(fig1):
+    frictions = [0, "1/2", 0.3, Fraction(7, 5)]
+    same(decide(fig1, UP, friction=frictions), [decide(fig1, UP, friction=f) for f in frictions])
+    preloads = [0, 1, "3/2", 0.1]
+    same(decide(fig1, UP, preload=preloads), [decide(fig1, UP, preload=p) for p in preloads])
+    both = decide(fig1, UP, friction=frictions, preload=preloads)
+    same(both, [decide(fig1, UP, friction=f, preload=p) for f, p in zip(frictions, preloads)])
+    assert both[2].grasp.friction == (Fraction(0.3),) * 3
+    assert both[2].preload == Fraction(3, 2)
+    assert all(d.check() for d in both)
+    each = [[0, 1, 2], ["1/2", 0.25, 3]]
+    many = decide(fig1, UP, friction=np.array(each, dtype=object))
+    assert [d.grasp.friction for d in many] == [(0, 1, 2), (Fraction(1, 2), Fraction(1, 4), 3)]
+    assert all(d.check() for d in many)
+
+
+def test_grasps():
+    grasps = [Grasp.from_file(path) for path in sorted(GOOD.glob("*.json"))]
+    asked = []
+    for grasp in grasps:
+        try:
+            decide(grasp)
+        except InputError:  # a preloaded normal of irrational length
+            continue
+        asked.append(grasp)
+    assert len(asked) > 10
+    same(decide(asked), [decide(g) for g in asked])
+    same(decide(asked, UP), [decide(g, UP) for g in asked])
+    few = asked[:5]
+    same(decide(few, WRENCHES), [decide(g, w) for g, w in zip(few, WRENCHES)])
+    assert all(d.check() for d in decide(asked))
+
+
+def test_one_and_none(fig1):
+    same(decide([fig1]), [decide(fig1)])
+    same(decide(fig1, [UP]), [decide(fig1, UP)])
+    same(decide([fig1], WRENCHES), [decide(fig1, w) for w in WRENCHES])
+    for nothing in (decide(fig1, np.zeros((0, 3))), decide([]), decide(fig1, friction=[])):
+        assert len(nothing) == 0 and nothing.twist_float.shape == (0, 3)
+        assert repr(nothing) == "Decisions(0 questions)"
+
+
+def test_as_a_sequence(fig1):
+    many = decide(fig1, WRENCHES)
+    assert isinstance(many[0], Decision) and many[-1] == many[4]
+    assert many[1:3] == (many[1], many[2]) and many[::-1][0] == many[4]
+    for index in (5, -6):
+        with pytest.raises(IndexError, match="there are 5"):
+            many[index]
+    with pytest.raises(TypeError):
+        many["0"]
+    assert repr(many) == "Decisions(5 questions: 2 stable, 3 unstable)" or "stable" in repr(many)
+    assert "<td" in many._repr_html_()
+
+
+def test_errors_name_the_question(fig1):
+    round_grasp = Grasp([[0, 0]], [[1, 1]], 1, preload=1)
+    for call, place in (
+            (lambda: decide(fig1, [[0, 1, 0], [0, "x", 0]]), "wrench[1][1]"),
+            (lambda: decide(fig1, [[0, 1, 0], [0, 1]]), "wrench[1]"),
+            (lambda: decide(fig1, [[0, 1], [0, 1]]), "wrench"),
+            (lambda: decide(fig1, UP, friction=[1, -1]), "question 1, contacts[0].friction"),
+            (lambda: decide(fig1, UP, friction=[1, "nan"]), "friction[1]"),
+            (lambda: decide(fig1, UP, friction=[[1, 1, 1], [1, 1]]), "friction[1]"),
+            (lambda: decide(fig1, UP, preload=[1, -1]), "question 1, preload"),
+            (lambda: decide(fig1, UP, preload=[1, None]), "preload[1]"),
+            (lambda: decide(fig1, WRENCHES, friction=[1, 2]), "wrench, friction"),
+            (lambda: decide([fig1, 3]), "grasp"),
+            (lambda: decide([fig1, round_grasp]), "question 1, contacts[0].normal"),
+            (lambda: decide([fig1, fig1], WRENCHES), "grasp, wrench"),
+            (lambda: decide(fig1, WRENCHES, warnings=True), "warnings"),
+            (lambda: decide(fig1, WRENCHES, engine="best"), "engine")):
+        with pytest.raises(InputError) as caught:
+            call()
+        assert caught.value.place == place
+        assert caught.value.problem and caught.value.remedy

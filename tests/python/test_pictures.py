@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Regions, pictures and exports are those of the program, and answers show themselves."""
+
+import os
+import subprocess
+import xml.etree.ElementTree as ElementTree
+from fractions import Fraction
+
+import numpy as np
+import pytest
+import stickslip
+from conftest import program
+from stickslip import Grasp, InputError, LimitReached, Picture
+
+
+def printed(tmp_path, grasp, *words):
+    """What the program prints about the grasp."""
+    file = tmp_path / "grasp.json"
+    file.write_text(grasp.to_text())
+    at = words.index("GRASP")
+    result = subprocess.run([os.environ["STICKSLIP"], *words[:at], str(file), *words[at + 1:]],
+                            capture_output=True, text=True, check=False, timeout=300)
+    assert (result.returncode, result.stderr) == (0, "")
+    return result.stdout
+
+
+def test_pictures_are_those_of_the_program(tmp_path, fig1):
+    for picture, words in (
+            (stickslip.plot_grasp(fig1, (0, 1, 0)), ["grasp", "GRASP", "--wrench", "0,1,0"]),
+            (stickslip.plot_grasp(fig1, (0, 3, 0), preload=2, normal_law="bilateral"),
+             ["grasp", "GRASP", "--wrench", "0,3,0", "--preload", "2", "--normal-law",
+              "bilateral"]),
+            (stickslip.plot_states(fig1), ["states", "GRASP"]),
+            (stickslip.plot_region(fig1), ["region", "GRASP"]),
+            (stickslip.plot_region(fig1, torque="1/2"), ["region", "GRASP", "--torque", "1/2"]),
+            (stickslip.plot_region(fig1, u=(0, 0, 1), origin=(1, 0, 0)),
+             ["region", "GRASP", "--u", "0,0,1", "--origin", "1,0,0"])):
+        assert isinstance(picture, Picture)
+        assert picture == printed(tmp_path, fig1, "plot", *words)
+        assert picture._repr_svg_() == str(picture)
+        assert repr(picture) == f"<Picture: SVG of {len(picture)} characters>"
+        ElementTree.fromstring(picture)
+
+
+def test_export(tmp_path, fig1):
+    text = stickslip.export(fig1, (0, 1, 0), preload="1/2", normal_law="bilateral")
+    assert text == printed(tmp_path, fig1, "export", "GRASP", "--smt2", "--wrench", "0,1,0",
+                           "--preload", "1/2", "--normal-law", "bilateral")
+
+
+@pytest.mark.parametrize("options, words", [
+    ({}, []), ({"preload": 0}, ["--preload", "0"]), ({"torque": -1}, ["--torque", "-1"]),
+    ({"normal_law": "bilateral"}, ["--normal-law", "bilateral"]),
+    ({"u": (1, 0, 1), "v": (0, 1, "1/3")}, ["--u", "1,0,1", "--v", "0,1,1/3"])], ids=str)
+def test_region_is_that_of_the_program(tmp_path, fig1, options, words):
+    (tmp_path / "grasp.json").write_text(fig1.to_text())
+    said = program("region", tmp_path / "grasp.json", "--list", *words)
+    region = stickslip.region(fig1, **options)
+
+    def pairs(rows):
+        return tuple(tuple(map(Fraction, row)) for row in rows)
+
+    def optional(row):
+        return None if row is None else tuple(map(Fraction, row))
+
+    assert region.whole_plane == said["whole_plane"]
+    assert region.areas == tuple(
+        tuple((pairs(o["vertices"]), optional(o.get("from")), optional(o.get("to")))
+              for o in area["outlines"]) for area in said["areas"])
+    assert region.curves == tuple((pairs(c["vertices"]), pairs(c["rays"])) for c in said["curves"])
+    assert region.points == pairs(said["points"])
+    assert region.pieces == tuple(
+        (p["slip"], tuple(p["closed"]), (pairs(p["vertices"]), pairs(p["rays"])))
+        for p in said["pieces"])
+    assert region.stats == said["stats"]
+    assert (region.origin, region.u, region.v) == tuple(
+        optional(said["plane"][name]) for name in ("origin", "u", "v"))
+
+
+def test_fig7(fig1):
+    """The border of Fig. 7(c) is w_y = max(0, 1 - |w_x|/2)."""
+    ((outline,),) = stickslip.region(fig1).areas
+    assert outline.vertices_float.tolist() == [[2, 0], [0, 1], [-2, 0]]
+    assert (outline.start, outline.end) == ((1, 0), (-1, 0))
+
+
+def test_region_errors(fig1):
+    for options, place in (({"torque": 1, "origin": (1, 0, 0)}, "torque"),
+                           ({"torque": "x"}, "origin[2]"), ({"u": (0, 1)}, "u"),
+                           ({"u": (0, 2, 0)}, "plane"), ({"mode_limit": -1}, "mode_limit")):
+        with pytest.raises(InputError) as caught:
+            stickslip.region(fig1, **options)
+        assert caught.value.place == place
+    with pytest.raises(LimitReached):
+        stickslip.region(fig1, mode_limit=1)
+    with pytest.raises(LimitReached):
+        stickslip.plot_region(fig1, mode_limit=1)
+
+
+def test_answers_show_themselves(fig1):
+    answers = [stickslip.decide(fig1, (0, 1, 0)), stickslip.decide(fig1, (0, 2, 0)),
+               stickslip.slip_states(fig1), stickslip.region(fig1),
+               stickslip.margin(fig1, (0, 1, 0)),
+               stickslip.crosscheck(fig1, "stable", wrench=(0, 1, 0)),
+               stickslip.decide(fig1, (0, 1, 0)).check()]
+    for answer in answers:
+        html = answer._repr_html_()
+        page = ElementTree.fromstring(f"<div>{html}</div>")
+        assert page.find("table") is not None
+        svg = answer._repr_svg_()
+        assert html.startswith(svg or "<table>")
+        assert (svg is not None) == hasattr(answer, "plot")
+        if svg is not None:
+            assert svg == answer.plot()
+    assert answers[0].plot() == stickslip.plot_grasp(fig1, (0, 1, 0))
+    assert answers[3].plot() == stickslip.plot_region(fig1)
+
+
+def test_what_cannot_be_drawn(fig1):
+    undecided = stickslip.decide(fig1, (0, 2, 0), node_limit=1)
+    assert undecided.verdict == "undecided"
+    assert undecided._repr_svg_() is None and "undecided" in undecided._repr_html_()
+    for call in (undecided.plot, undecided.check):
+        with pytest.raises(LimitReached):
+            call()
+    angles = np.linspace(0, 6, 101)
+    many = np.round(1000 * np.column_stack([np.cos(angles), np.sin(angles)]))
+    crowd = Grasp(many, -many, 1)
+    assert stickslip.decide(crowd)._repr_svg_() is None
+    assert stickslip.slip_states(crowd, list_states=False)._repr_svg_() is None
+
+
+def test_names_are_escaped():
+    grasp = Grasp([[0, 0]], [[1, 0]], 1, name="<b> & \"c\"")
+    for answer in (stickslip.decide(grasp), stickslip.slip_states(grasp)):
+        ElementTree.fromstring(f"<div>{answer._repr_html_()}</div>")

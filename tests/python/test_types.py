@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The annotations are complete and right, as mypy sees them."""
+
+import importlib.util
+import subprocess
+import sys
+
+import pytest
+from conftest import ROOT
+
+USER = '''
+from fractions import Fraction
+from typing import Sequence, Union
+
+import numpy as np
+import stickslip
+from stickslip import Decision, Decisions, Grasp, Picture
+
+grasp = Grasp([[-1, 0], [1, 0]], np.array([[1, 0], [-1, 0]]), "1/2", preload=Fraction(1, 2))
+one: Decision = stickslip.decide(grasp, (0, 1, 0), friction=0.5, preload="1/3")
+many: Union[Decision, Decisions] = stickslip.decide(grasp, np.zeros((5, 3)))
+assert isinstance(many, Decisions)
+rows: Sequence[Decision] = many
+picture: Picture = rows[0].plot()
+text: str = stickslip.export(grasp)
+held: bool = bool(one.check()) and bool(many.stable.all())
+corners = stickslip.region(grasp).areas[0][0].vertices
+x: Fraction = corners[0][0]
+placed, moved = Grasp.from_outline([[0, 0], [1, 0], [0, 1]], [["1/2", 0]], 1, tolerance=0)
+distance: float = moved[0]
+'''
+
+
+@pytest.mark.skipif(importlib.util.find_spec("mypy") is None, reason="mypy is not installed")
+def test_types(tmp_path):
+    (tmp_path / "user.py").write_text(USER)
+
+    def mypy(*what):
+        return subprocess.run(
+            [sys.executable, "-m", "mypy", "--strict", "--cache-dir", tmp_path / "cache", *what],
+            capture_output=True, text=True, check=False, timeout=600, cwd=ROOT / "python")
+
+    good = mypy("stickslip", tmp_path / "user.py")
+    assert good.returncode == 0, good.stdout + good.stderr
+    (tmp_path / "wrong.py").write_text(USER.replace("x: Fraction", "x: str"))
+    assert "wrong.py:18: error" in mypy(tmp_path / "wrong.py").stdout

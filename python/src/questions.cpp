@@ -158,6 +158,7 @@ py::dict find_grasp_margin(const GraspFile& grasp, const py::object& direction,
                   "stats"_a = work);
   result["direction"] =
       question.direction ? py::object(fractions(*question.direction)) : py::object(py::none());
+  if (question.preload) result["preload"] = fraction(*question.preload);
   if (question.preload_direction) {
     result["preload_direction"] = preload_direction_of(*question.preload_direction);
   }

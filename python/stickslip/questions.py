@@ -269,7 +269,7 @@ def margin(
         InputError: an argument is wrong; nothing grows.
         LimitReached: at ``node_limit``.
     """
-    about, snapped = _asked(grasp, preload)
+    about, snapped = _asked(grasp, preload if preload_direction is None else 1)
     if direction is None and preload_direction is None:
         raise InputError("", "direction", "nothing grows",
                          "give a direction such as (0, 1, 0), or a preload_direction")
@@ -364,7 +364,7 @@ def check(
         InputError: the grasp or the certificate cannot be read, or the question not be asked.
     """
     if isinstance(grasp, Grasp):
-        about, _ = grasp._asked(preload)
+        about, _ = _asked(grasp, preload if preload_direction is None else 1)
         grasp_bytes, grasp_name = about.to_text().encode(), b"<grasp>"
     else:
         grasp_bytes, grasp_name = as_content(

@@ -92,7 +92,8 @@ class Decision(Answer):
             raise LimitReached(self.limit or "")
         return CheckResult(**_core.check(
             self.grasp.to_text().encode(), self.certificate.encode(), list(self.wrench),
-            self.preload, self.normal_law == "bilateral", None, b"<grasp>", b"<certificate>"))
+            self.preload, self.normal_law == "bilateral", None, None, b"<grasp>",
+            b"<certificate>"))
 
     def _picture(self) -> Optional[Picture]:
         few = len(self.grasp) <= _MOST_CONTACTS_TO_SHOW
@@ -284,6 +285,8 @@ class Margin(Answer):
     """What was asked about."""
     certificate: str = field(repr=False)
     """The proof (certificate/FORMAT.md, section 5)."""
+    preload: Optional[Fraction] = None
+    """Set if it replaced the grasp's preloads."""
     preload_direction: Union[str, Tuple[Fraction, ...], None] = None
     """"scale", or one number for each contact."""
     warnings: Tuple[ModelWarning, ...] = ()
@@ -292,6 +295,15 @@ class Margin(Answer):
     """Normals given in doubles that were rounded to ones of rational length, 1e-12 away or less;
     ``grasp`` has them."""
     stats: Dict[str, int] = field(default_factory=dict, repr=False, compare=False)
+
+    def check(self) -> CheckResult:
+        """What the independent checker says of the certificate, to the same question."""
+        along = self.preload_direction
+        return CheckResult(**_core.check(
+            self.grasp.to_text().encode(), self.certificate.encode(), list(self.wrench),
+            self.preload, self.normal_law == "bilateral",
+            None if self.direction is None else list(self.direction),
+            list(along) if isinstance(along, tuple) else along, b"<grasp>", b"<certificate>"))
 
     @property
     def least(self) -> Optional[Fraction]:

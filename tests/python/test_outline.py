@@ -139,6 +139,9 @@ def test_unit_normals_in_doubles_need_no_option():
     assert answer.check() and check(grasp, answer.certificate)
     along = margin(grasp, (0, 0, 1))
     assert along.snapped == moved and check(grasp, along.certificate, direction=(0, 0, 1))
+    growing = margin(grasp, preload_direction="scale")
+    assert along.check() and growing.snapped == moved and growing.check()
+    assert margin(grasp, (0, 0, 1), preload=2, preload_direction=(1, 0, 1)).check()
     assert region(grasp).snapped == moved
     many = decide(grasp, [(0, 0, 0.25), (0, 0, 9)])
     assert many[0].snapped == moved and many[0] == answer

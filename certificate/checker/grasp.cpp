@@ -12,7 +12,8 @@
 namespace stickslip_check {
 namespace {
 
-constexpr JsonLimits kLimits{std::uint64_t{1} << 28U, 32, std::uint64_t{1} << 28U, 256, true};
+constexpr JsonLimits kLimits{std::uint64_t{1} << 28U, 32, std::uint64_t{1} << 28U, 1U << 16U,
+                             true};
 constexpr std::size_t kMaxContacts = 1'000'000;
 
 using Names = std::vector<std::string>;
@@ -25,7 +26,8 @@ class GraspReader {
   Grasp read() {
     Names seen;
     while (const std::optional<std::string> key = json_.next_member()) {
-      allow(*key, {"format", "name", "defaults", "contacts", "wrench"}, "", json_.line());
+      allow(*key, {"format", "name", "defaults", "contacts", "wrench", "loads", "cases"}, "",
+            json_.line());
       seen.push_back(*key);
       if (*key == "contacts") {
         while (json_.next_element()) read_contact(json_.value());
@@ -33,12 +35,22 @@ class GraspReader {
         read_member(*key, json_.value());
       }
     }
-    for (const char* key : {"format", "contacts", "wrench"}) {
-      if (std::find(seen.begin(), seen.end(), key) == seen.end()) {
-        throw Malformed{json_.file(), "top level",
-                        std::string("the member \"") + key + "\" is missing"};
-      }
+    const auto has = [&](const char* key) {
+      return std::find(seen.begin(), seen.end(), key) != seen.end();
+    };
+    const auto check = [&](bool good, const std::string& problem) {
+      if (!good) throw Malformed{json_.file(), "top level", problem};
+    };
+    for (const char* key : {"format", "contacts"}) {
+      check(has(key), std::string("the member \"") + key + "\" is missing");
     }
+    for (const char* key : {"loads", "cases"}) {
+      check(version2_ || !has(key),
+            std::string("the member \"") + key + "\" needs \"format\": \"stickslip-grasp/2\"");
+    }
+    check(has("wrench") || has("loads") || has("cases"), "the member \"wrench\" is missing");
+    check(!has("wrench") || !has("loads"), "both \"wrench\" and \"loads\"; give one of them");
+    for (auto& [name, wrench] : grasp_.cases) add(wrench, grasp_.wrench);
     for (std::size_t i = 0; i < own_.size(); ++i) complete(i);
     return std::move(grasp_);
   }
@@ -46,15 +58,87 @@ class GraspReader {
  private:
   void read_member(const std::string& key, const Value& value) {
     if (key == "format") {
-      json_.expect(value.is_text("stickslip-grasp/1"), value, key, "\"stickslip-grasp/1\"");
+      version2_ = value.is_text("stickslip-grasp/2");
+      json_.expect(version2_ || value.is_text("stickslip-grasp/1"), value, key,
+                   "\"stickslip-grasp/1\" or \"stickslip-grasp/2\"");
     } else if (key == "name") {
       json_.expect(value.kind == Value::Kind::kString, value, key, "a string");
     } else if (key == "wrench") {
       grasp_.wrench = vector(value, key, 3);
+    } else if (key == "loads") {
+      grasp_.wrench = sum_of_loads(value, key);
+    } else if (key == "cases") {
+      read_cases(value);
     } else {
       expect_object(value, key, {"friction", "stiffness", "preload"});
       defaults_ = properties(value, key);
     }
+  }
+
+  static void add(Vector& sum, const Vector& term) {
+    for (std::size_t j = 0; j < sum.size(); ++j) sum[j] += term[j];
+  }
+
+  void read_cases(const Value& value) {
+    json_.expect(value.kind == Value::Kind::kArray && !value.items.empty(), value, "cases",
+                 "an array of one case or more");
+    for (std::size_t k = 0; k < value.items.size(); ++k) {
+      const Value& entry = value.items[k];
+      const std::string place = "cases[" + std::to_string(k) + "]";
+      expect_object(entry, place, {"name", "wrench", "loads"});
+      const Value& name = member(entry, place, "name");
+      json_.expect(name.kind == Value::Kind::kString && !name.text.empty(), name,
+                   place + ".name", "a string that is not empty");
+      const Value* wrench = entry.find("wrench");
+      const Value* loads = entry.find("loads");
+      if ((wrench == nullptr) == (loads == nullptr)) {
+        json_.fail(entry.line, place, R"(expected one of the members "wrench" and "loads")");
+      }
+      Vector own = wrench != nullptr ? vector(*wrench, place + ".wrench", 3)
+                                     : sum_of_loads(*loads, place + ".loads");
+      if (!grasp_.cases.emplace(name.text, std::move(own)).second) {
+        json_.fail(name.line, place, "the name " + quote(name.text) + " appears twice");
+      }
+    }
+  }
+
+  Vector sum_of_loads(const Value& value, const std::string& place) const {
+    json_.expect(value.kind == Value::Kind::kArray, value, place, "an array of loads");
+    Vector sum(3);
+    for (std::size_t k = 0; k < value.items.size(); ++k) {
+      add(sum, load(value.items[k], place + "[" + std::to_string(k) + "]"));
+    }
+    return sum;
+  }
+
+  /// The wrench of a force at a point, of a torque or of a weight.
+  Vector load(const Value& value, const std::string& place) const {
+    if (const Value* torque = value.find("torque")) {
+      expect_object(value, place, {"torque"});
+      return {0, 0, number(*torque, place + ".torque")};
+    }
+    Vector force;
+    if (const Value* weight = value.find("weight")) {
+      expect_object(value, place, {"weight", "at", "direction"});
+      force = pull(value, *weight, place);
+    } else {
+      expect_object(value, place, {"force", "at"});
+      force = vector(member(value, place, "force"), place + ".force", 2);
+    }
+    const Vector at = vector(member(value, place, "at"), place + ".at", 2);
+    return {force[0], force[1], Rational(at[0] * force[1] - at[1] * force[0])};
+  }
+
+  Vector pull(const Value& load, const Value& weight, const std::string& place) const {
+    const Rational size = number(weight, place + ".weight");
+    json_.expect(size >= 0, weight, place + ".weight", "a number of 0 or more");
+    const Value* direction = load.find("direction");
+    if (direction == nullptr) return {0, Rational(-size)};
+    const Vector d = vector(*direction, place + ".direction", 2);
+    const std::optional<Rational> length = exact_sqrt(dot(d, d));
+    json_.expect(length && *length > 0, *direction, place + ".direction",
+                 "a vector of rational length, not 0, such as [3, -4]");
+    return {Rational(size * d[0] / *length), Rational(size * d[1] / *length)};
   }
 
   void read_contact(const Value& value) {
@@ -154,7 +238,8 @@ class GraspReader {
   }
 
   JsonReader json_;
-  Grasp grasp_;
+  Grasp grasp_{{}, Vector(3)};
+  bool version2_ = false;
   std::vector<Properties> own_;
   Properties defaults_;
 };

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "loads.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/json.hpp"
@@ -29,7 +30,10 @@ namespace {
 using Properties = WrittenContact::Properties;
 using Kind = JsonNode::Kind;
 
-constexpr const char* kFormat = "stickslip-grasp/1";
+using Names = std::vector<std::string>;
+
+constexpr const char* kVersion1 = "stickslip-grasp/1";
+constexpr const char* kVersion2 = "stickslip-grasp/2";
 
 Vector2 read_vector2(const JsonNode& contact, const std::string& path, const char* key,
                      const char* remedy) {
@@ -75,14 +79,6 @@ Properties read_defaults(const JsonNode& root) {
   return read;
 }
 
-Wrench read_wrench(const JsonNode& root) {
-  constexpr const char* kForm = "an array of three numbers [force x, force y, torque]";
-  const JsonNode& node =
-      member(root, "", "wrench", "add \"wrench\": [x, y, torque]; no load is [0, 0, 0]");
-  const std::vector<Rational> v = read_vector(node, "wrench", 3, kForm);
-  return {v[0], v[1], v[2]};
-}
-
 std::string read_name(const JsonNode& root) {
   const JsonNode* node = root.find("name");
   if (node == nullptr) return {};
@@ -90,12 +86,34 @@ std::string read_name(const JsonNode& root) {
   return node->text;
 }
 
-void check_format(const JsonNode& root) {
-  const std::string remedy = std::string("write \"format\": \"") + kFormat + "\"";
+/// Whether the file is of version 2.
+bool read_format(const JsonNode& root) {
+  const std::string remedy =
+      std::string("write \"format\": \"") + kVersion1 + "\" or \"" + kVersion2 + "\"";
   const JsonNode& node = member(root, "", "format", remedy.c_str());
-  if (node.kind != Kind::kString || node.text != kFormat) {
-    fail_at("format", "found " + describe(node), remedy);
+  const bool known =
+      node.kind == Kind::kString && (node.text == kVersion1 || node.text == kVersion2);
+  if (!known) fail_at("format", "found " + describe(node), remedy);
+  return node.text == kVersion2;
+}
+
+/// What version 1 does not have.
+[[noreturn]] void fail_as_newer(const std::string& path, const std::string& key) {
+  fail_at(path, "unknown key " + quote(key),
+          std::string("write \"format\": \"") + kVersion2 + "\", which has it");
+}
+
+void check_keys(const JsonNode& root, bool version2) {
+  Names allowed{"format", "name", "defaults", "contacts", "wrench"};
+  for (const char* key : {"loads", "cases"}) {
+    if (version2) allowed.emplace_back(key);
+    if (!version2 && root.find(key) != nullptr) fail_as_newer("", key);
   }
+  if (root.find("normals") != nullptr) {
+    fail_at("", "unknown key \"normals\"",
+            "remove it; to snap normals, run stickslip snap GRASP -o FILE");
+  }
+  expect_object(root, "", allowed);
 }
 
 std::vector<Contact> with_defaults(std::vector<WrittenContact> written,
@@ -154,6 +172,10 @@ std::string write_numbers(std::initializer_list<const Rational*> values) {
   return text + "]";
 }
 
+std::string write_wrench(const Wrench& w) {
+  return write_numbers({&w.x, &w.y, &w.torque});
+}
+
 }  // namespace
 
 StreamedGrasp::StreamedGrasp() = default;
@@ -165,20 +187,24 @@ void StreamedGrasp::add_contact(std::size_t index, const JsonNode& node) {
 
 GraspFile StreamedGrasp::finish(const JsonNode& grasp) {
   expect(grasp, Kind::kObject, "", "an object {\"format\": ..., \"contacts\": [...], ...}");
-  check_format(grasp);
-  if (grasp.find("normals") != nullptr) {
-    fail_at("", "unknown key \"normals\"",
-            "remove it; to snap normals, run stickslip snap GRASP -o FILE");
-  }
-  expect_object(grasp, "", {"format", "name", "defaults", "contacts", "wrench"});
+  const bool version2 = read_format(grasp);
+  check_keys(grasp, version2);
   expect(member(grasp, "", "contacts", "add \"contacts\": [...], which may be empty"),
          Kind::kArray, "contacts", "an array of contacts [{...}, ...]");
   const Properties defaults = read_defaults(grasp);
-  Wrench wrench = read_wrench(grasp);
+  const std::optional<Wrench> wrench = read_load(grasp, "");
+  if (!wrench && grasp.find("cases") == nullptr) {
+    fail_at("", "the key \"wrench\" is missing",
+            std::string("add \"wrench\": [x, y, torque]") +
+                (version2 ? " or \"loads\": [...]" : "") + "; no load is [0, 0, 0]");
+  }
+  std::vector<NamedLoad> cases = read_cases(grasp, wrench.value_or(Wrench{}));
   std::vector<ContactId> assumed_stiffness;
   Grasp read(with_defaults(std::move(contacts_), defaults, assumed_stiffness),
              read_name(grasp));
-  return {{std::move(read), std::move(wrench)}, std::move(assumed_stiffness)};
+  return {{std::move(read), wrench.value_or(Wrench{})},
+          std::move(assumed_stiffness),
+          std::move(cases)};
 }
 
 GraspFile parse_grasp(std::string_view text, const std::string& file) {
@@ -208,7 +234,8 @@ std::string write_grasp(const LoadedGrasp& content) {
 
 std::string write_grasp_file(const GraspFile& file) {
   const Grasp& grasp = file.content.grasp;
-  std::string text = std::string("{\"format\": \"") + kFormat + "\",\n";
+  const char* format = file.cases.empty() ? kVersion1 : kVersion2;
+  std::string text = std::string("{\"format\": \"") + format + "\",\n";
   if (!grasp.name().empty()) text += " \"name\": " + json_string(grasp.name(), "name") + ",\n";
   text += " \"contacts\": [";
   const char* separator = "\n";
@@ -224,8 +251,16 @@ std::string write_grasp_file(const GraspFile& file) {
             ", \"preload\": " + write_number(c.preload) + "}";
     separator = ",\n";
   }
-  const Wrench& w = file.content.wrench;
-  return text + "],\n \"wrench\": " + write_numbers({&w.x, &w.y, &w.torque}) + "}\n";
+  const Wrench& common = file.content.wrench;
+  text += "],\n \"wrench\": " + write_wrench(common);
+  separator = ",\n \"cases\": [\n";
+  for (const NamedLoad& load : file.cases) {
+    text += separator;
+    text += "  {\"name\": " + json_string(load.name, "name") +
+            ", \"wrench\": " + write_wrench(load.wrench + Rational(-1) * common) + "}";
+    separator = ",\n";
+  }
+  return text + (file.cases.empty() ? "}\n" : "]}\n");
 }
 
 }  // namespace stickslip

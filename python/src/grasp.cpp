@@ -3,6 +3,7 @@
 
 #include "bindings.hpp"
 #include "exact.hpp"
+#include "stickslip/core/error.hpp"
 #include "stickslip/core/snap.hpp"
 
 namespace stickslip::python {
@@ -33,7 +34,7 @@ std::vector<Rational> numbers(const py::object& values, std::size_t contacts,
 GraspFile make_grasp(const py::list& positions, const py::list& normals,
                      const py::object& friction, const py::object& stiffness,
                      const py::object& preload, const py::list& wrench, const std::string& name,
-                     bool assumed_stiffness) {
+                     bool assumed_stiffness, const py::list& cases) {
   const std::size_t m = positions.size();
   const std::vector<Rational> frictions = numbers(friction, m, "friction");
   const std::vector<Rational> stiffnesses = numbers(stiffness, m, "stiffness");
@@ -47,7 +48,25 @@ GraspFile make_grasp(const py::list& positions, const py::list& normals,
   for (std::size_t i = 0; assumed_stiffness && i < m; ++i) {
     file.assumed_stiffness.emplace_back(i);
   }
+  for (const py::handle entry : cases) {
+    const auto named = entry.cast<py::tuple>();
+    const auto case_name = named[0].cast<std::string>();
+    file.cases.push_back({case_name, exact_wrench(named[1].cast<py::list>(),
+                                                  "cases[" + quote(case_name) + "]")});
+  }
   return file;
+}
+
+py::dict wrenches_of_cases(const GraspFile& file) {
+  py::dict result;
+  for (const NamedLoad& load : file.cases) result[text(load.name)] = fractions(load.wrench);
+  return result;
+}
+
+/// Every stiffness written out: equal grasps give equal texts.
+std::string text_of(GraspFile file) {
+  file.assumed_stiffness.clear();
+  return write_grasp_file(file);
 }
 
 /// The grasp with rational unit normals, and (contact, normal, moved at most) of each that
@@ -93,7 +112,7 @@ void bind_grasp(py::module_& module) {
                   [](const std::string& content, const std::string& name) {
                     return without_gil([&] { return parse_grasp(content, name); });
                   })
-      .def("text", [](const GraspFile& f) { return write_grasp(f.content); })
+      .def("text", &text_of)
       .def("size", [](const GraspFile& f) { return f.content.grasp.size(); })
       .def("name", [](const GraspFile& f) { return text(f.content.grasp.name()); })
       .def("positions", [](const GraspFile& f) { return vectors(f, &Contact::position); })
@@ -102,6 +121,7 @@ void bind_grasp(py::module_& module) {
       .def("stiffness", [](const GraspFile& f) { return scalars(f, &Contact::stiffness); })
       .def("preload", [](const GraspFile& f) { return scalars(f, &Contact::preload); })
       .def("wrench", [](const GraspFile& f) { return fractions(f.content.wrench); })
+      .def("cases", &wrenches_of_cases)
       .def("snap", &snapped);
 }
 

@@ -106,6 +106,12 @@ def as_text(value: Any, name: str, remedy: str = "give a str") -> str:
     return value
 
 
+def as_case_name(value: Any) -> str:
+    if as_text(value, "cases", "give names that are of type str") == "":
+        raise InputError("", "cases", "a name is empty", "give each case a name")
+    return str(value)
+
+
 def as_json(value: Any, name: str, remedy: str) -> bytes:
     text = as_text(value, name, remedy)
     if not looks_like_json(text):

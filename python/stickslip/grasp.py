@@ -5,12 +5,14 @@ from __future__ import annotations
 
 import os
 from fractions import Fraction
-from typing import Any, NamedTuple, Tuple, Union
+from types import MappingProxyType
+from typing import Any, Mapping, NamedTuple, Tuple, Union
 
 from numpy.typing import ArrayLike
 
 from . import _core
 from .arguments import (
+    as_case_name,
     as_content,
     as_json,
     as_list,
@@ -38,6 +40,8 @@ class Grasp:
         preload: normal force before the wrench is applied, >= 0.
         wrench: (3,), force x, force y and torque about the origin, applied *to* the body.
         name: for people.
+        cases: named loads, each a question of its own: a mapping of names to wrenches (3,), each
+            the whole load. ``decide(grasp, grasp.cases[name])`` asks about one.
 
     Numbers are taken exactly: a float as the dyadic rational that it is (0.1 is not 1/10), an
     int, a Fraction, a Decimal, and a string as it spells ("1/10", "0.1", "1e-3"). Arrays may mix
@@ -64,6 +68,7 @@ class Grasp:
         *,
         wrench: Any = (0, 0, 0),
         name: str = "",
+        cases: Mapping[str, Any] = MappingProxyType({}),
     ) -> None:
         rows = as_rows(positions)
         m = len(rows)
@@ -76,6 +81,8 @@ class Grasp:
             as_wrench(wrench, "wrench"),
             as_text(name, "name"),
             stiffness is None,
+            [(as_case_name(case), as_wrench(load, f"cases[{case!r}]"))
+             for case, load in cases.items()],
         )
         object.__setattr__(self, "_data", data)
 
@@ -128,7 +135,13 @@ class Grasp:
 
     @property
     def wrench(self) -> Triple:
+        """With ``cases``, what is common to them."""
         return self._data.wrench()
+
+    @property
+    def cases(self) -> Mapping[str, Triple]:
+        """The whole load of each case of a grasp file, by name; empty if it has none."""
+        return MappingProxyType(self._data.cases())
 
     @property
     def name(self) -> str:

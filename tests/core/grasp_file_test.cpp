@@ -32,6 +32,16 @@ void expect_same(const LoadedGrasp& a, const LoadedGrasp& b) {
   }
 }
 
+void expect_same(const GraspFile& a, const GraspFile& b) {
+  expect_same(a.content, b.content);
+  EXPECT_EQ(a.assumed_stiffness, b.assumed_stiffness);
+  ASSERT_EQ(a.cases.size(), b.cases.size());
+  for (std::size_t k = 0; k < a.cases.size(); ++k) {
+    EXPECT_EQ(a.cases[k].name, b.cases[k].name);
+    EXPECT_EQ(a.cases[k].wrench, b.cases[k].wrench);
+  }
+}
+
 TEST(ReadGrasp, Fig1) {
   const GraspFile file = read_good("fig1");
   EXPECT_EQ(file.content.grasp.name(), "fig1");
@@ -64,6 +74,24 @@ TEST(ReadGrasp, NumbersAreTheDecimalsTheySpell) {
   EXPECT_EQ(file.content.wrench.x, Rational(3, 2));
   EXPECT_EQ(file.content.wrench.y, parse_rational("0.3333333333333333333333333333333333"));
   EXPECT_EQ(file.content.wrench.torque, Rational(-5, 2));
+}
+
+TEST(ReadGrasp, LoadsAreSummedExactly) {
+  // (0, -10) at (1, 2), (3, -4) at (0, 1), (1, -2) at (3, 4/3), and the torque 1/3.
+  EXPECT_EQ(read_good("loads").content.wrench, (Wrench{4, -16, -20}));
+  EXPECT_TRUE(read_good("loads").cases.empty());
+}
+
+TEST(ReadGrasp, CasesHaveTheCommonLoad) {
+  const GraspFile file = read_good("cases");
+  EXPECT_EQ(file.content.wrench, (Wrench{0, -10, -20}));
+  ASSERT_EQ(file.cases.size(), 3U);
+  EXPECT_EQ(file.cases[0].name, "at rest");
+  EXPECT_EQ(file.cases[0].wrench, (Wrench{0, -10, -20}));
+  EXPECT_EQ(file.cases[1].name, "pushed");
+  EXPECT_EQ(file.cases[1].wrench, (Wrench{Rational(3, 2), -10, Rational(-49, 2)}));
+  EXPECT_EQ(file.cases[2].name, "lifted");
+  EXPECT_EQ(file.cases[2].wrench, (Wrench{0, 1, -19}));
 }
 
 TEST(ReadGrasp, DefaultsYieldToTheContactAndMayComeLast) {
@@ -135,6 +163,21 @@ TEST(WriteGrasp, Bytes) {
             " \"wrench\": [0, 0, 0]}\n");
 }
 
+TEST(WriteGrasp, CasesWithoutWhatIsCommon) {
+  EXPECT_EQ(write_grasp_file(read_good("cases")),
+            R"({"format": "stickslip-grasp/2",
+ "name": "shelf",
+ "contacts": [
+  {"position": [0, 0], "normal": [0, 1], "friction": "1/2", "preload": 0},
+  {"position": [4, 0], "normal": [0, 1], "friction": "1/2", "preload": 0}],
+ "wrench": [0, -10, -20],
+ "cases": [
+  {"name": "at rest", "wrench": [0, 0, 0]},
+  {"name": "pushed", "wrench": ["3/2", 0, "-9/2"]},
+  {"name": "lifted", "wrench": [0, 11, 1]}]}
+)");
+}
+
 TEST(WriteGrasp, AssumedStiffnessesStayAssumed) {
   const GraspFile file = parse_grasp(
       R"({"format": "stickslip-grasp/1", "wrench": [0, 0, 0], "defaults": {"friction": 1},
@@ -161,11 +204,12 @@ TEST(WriteGrasp, RoundTripsTheCorpus) {
   for (const auto& entry :
        std::filesystem::directory_iterator(STICKSLIP_GRASP_CORPUS "/good")) {
     SCOPED_TRACE(entry.path());
-    const LoadedGrasp content = read_grasp_file(entry.path().string()).content;
-    const std::string text = write_grasp(content);
-    const LoadedGrasp again = parse_grasp(text, "again").content;
-    expect_same(again, content);
-    EXPECT_EQ(write_grasp(again), text);
+    const GraspFile file = read_grasp_file(entry.path().string());
+    const std::string text = write_grasp_file(file);
+    const GraspFile again = parse_grasp(text, "again");
+    expect_same(again, file);
+    EXPECT_EQ(write_grasp_file(again), text);
+    expect_same(parse_grasp(write_grasp(file.content), "again").content, file.content);
     ++files;
   }
   EXPECT_GE(files, 11);

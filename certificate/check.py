@@ -400,13 +400,87 @@ def read_cases(source: Source, value: Any, common: Vector) -> Dict[str, Vector]:
     return cases
 
 
+class Edge(NamedTuple):
+    """Of the outline, in the sense of its ring."""
+    start: Vector
+    end: Vector
+    inwards: Vector  # the normal of contacts on it
+
+
+def depth_of(value: Any) -> int:
+    """Of arrays, first elements within first elements."""
+    depth = 0
+    while type(value) is list:
+        value, depth = value[0] if value else None, depth + 1
+    return depth
+
+
+def read_ring(source: Source, value: Any, place: str, hole: bool) -> List[Edge]:
+    """§1: the edges, and on which side of them the body is."""
+    ring = [source.vector(vertex, f"{place}[{i}]", 2)
+            for i, vertex in enumerate(source.array(value, place))]
+    if len(ring) < 3:
+        source.fail(place, "must have three vertices or more")
+    sides = list(zip(ring, ring[1:] + ring[:1]))
+    area = sum(a[0] * b[1] - a[1] * b[0] for a, b in sides)
+    if area == 0 or any(a == b for a, b in sides):
+        source.fail(place, "must have an area, and no vertex that is the same as the next")
+    side = -1 if (area > 0) == hole else 1
+    edges = []
+    for a, b in sides:
+        n = (side * (a[1] - b[1]), side * (b[0] - a[0]))
+        length = rational_root(dot(n, n)) or 1
+        edges.append(Edge(a, b, (n[0] / length, n[1] / length)))
+    return edges
+
+
+def read_outline(source: Source, value: Any) -> List[List[Edge]]:
+    """The edges of each polygon. A list of polygons, a list of rings, or a ring."""
+    depth = depth_of(value)
+    if depth < 2:
+        source.fail("outline", "must be a list of polygons [[[[x, y], ...]]]")
+    for _ in range(4 - depth):
+        value = [value]
+    outline = []
+    for j, polygon in enumerate(value):
+        place = f"outline[{j}]"
+        if not source.array(polygon, place):
+            source.fail(place, "must have one ring or more")
+        outline.append([edge for k, ring in enumerate(polygon)
+                        for edge in read_ring(source, ring, f"{place}[{k}]", k > 0)])
+    return outline
+
+
+def read_place(source: Source, value: Any, place: str,
+               outline: List[List[Edge]]) -> Tuple[Vector, Vector]:
+    """§1: position and normal of a contact on the outline."""
+    polygon = Fraction(0)
+    if type(value) is list:
+        edge, share = source.vector(value, place, 2)
+    else:
+        fields = source.members(value, place, "polygon? edge share")
+        if "polygon" in fields:
+            polygon = source.number(fields["polygon"], f"{place}.polygon")
+        edge, share = (source.number(fields[key], f"{place}.{key}") for key in ("edge", "share"))
+    if not 0 <= share <= 1:
+        source.fail(place, f"the share {show(share)} is not from 0 to 1")
+
+    def choose(entries: List[Any], index: Fraction, what: str) -> Any:
+        if index.denominator != 1 or not 0 <= index < len(entries):
+            source.fail(place, f"there is no {what} {show(index)}")
+        return entries[int(index)]
+
+    start, end, inwards = choose(choose(outline, polygon, "polygon"), edge, "edge")
+    return tuple(a + share * (b - a) for a, b in zip(start, end)), inwards
+
+
 def read_grasp(name: str) -> Grasp:
     """§1: what the grasp file says."""
     source = Source(name, GRASP)
     top = source.members(source.root, "",
-                         "format name? defaults? contacts wrench? loads? cases?")
+                         "format name? outline? defaults? contacts wrench? loads? cases?")
     source.check_format(top["format"])
-    for key in ("loads", "cases"):
+    for key in ("outline", "loads", "cases"):
         if key in top and top["format"] == GRASP.formats[0]:
             source.fail("", f"'{key}' needs \"format\": \"{GRASP.formats[1]}\"")
     if type(top.get("name", "")) is not str:
@@ -415,20 +489,30 @@ def read_grasp(name: str) -> Grasp:
                             "friction? stiffness? preload?")
     defaults = {"stiffness": Fraction(1), "preload": Fraction(0),
                 **coefficients(source, stated, "defaults")}
+    outline = read_outline(source, top["outline"]) if "outline" in top else []
     contacts = []
     if len(source.array(top["contacts"], "contacts")) > MAX_CONTACTS:
         source.fail("contacts", "too many contacts")
     for i, entry in enumerate(top["contacts"]):
         place = f"contacts[{i}]"
-        fields = source.members(entry, place, "position normal friction? stiffness? preload?")
+        where = "position normal "
+        if type(entry) is Members and any(key == "on" for key, _ in entry.pairs):
+            where = "on "  # and no position, no normal
+        fields = source.members(entry, place, where + "friction? stiffness? preload?")
         values = {**defaults, **coefficients(source, fields, place)}
         if "friction" not in values:
             source.fail(place, "'friction' is missing, here and in defaults")
-        normal = source.vector(fields["normal"], f"{place}.normal", 2)
+        if "on" in fields:
+            if top["format"] == GRASP.formats[0]:
+                source.fail(place, f"'on' needs \"format\": \"{GRASP.formats[1]}\"")
+            position, normal = read_place(source, fields["on"], f"{place}.on", outline)
+        else:
+            position = source.vector(fields["position"], f"{place}.position", 2)
+            normal = source.vector(fields["normal"], f"{place}.normal", 2)
         if not any(normal):
             source.fail(f"{place}.normal", "must not be zero")
-        contacts.append(Contact(source.vector(fields["position"], f"{place}.position", 2), normal,
-                                values["friction"], values["stiffness"], values["preload"]))
+        contacts.append(Contact(position, normal, values["friction"], values["stiffness"],
+                                values["preload"]))
     common = read_load(source, top, "", "cases" not in top)
     cases = read_cases(source, top["cases"], common) if "cases" in top else {}
     return Grasp(contacts, common, cases)

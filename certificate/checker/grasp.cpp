@@ -16,6 +16,36 @@ constexpr JsonLimits kLimits{std::uint64_t{1} << 28U, 32, std::uint64_t{1} << 28
                              true};
 constexpr std::size_t kMaxContacts = 1'000'000;
 
+/// Of the outline, in the sense of its ring.
+struct Edge {
+  Vector from;
+  Vector to;
+  Vector inwards;  ///< the normal of contacts on it
+};
+
+/// "on" of a contact.
+struct Place {
+  std::size_t line;
+  Rational polygon;
+  Rational edge;
+  Rational share;
+};
+
+/// Of arrays, first elements within first elements.
+std::size_t depth_of(const Value& value) {
+  if (value.kind != Value::Kind::kArray) return 0;
+  return 1 + (value.items.empty() ? 0 : depth_of(value.items.front()));
+}
+
+/// The value as the only element of an array.
+Value enclosed(Value value) {
+  Value array;
+  array.kind = Value::Kind::kArray;
+  array.line = value.line;
+  array.items.push_back(std::move(value));
+  return array;
+}
+
 using Names = std::vector<std::string>;
 using Properties = std::map<std::string, Rational>;  // friction, stiffness, preload
 
@@ -26,8 +56,9 @@ class GraspReader {
   Grasp read() {
     Names seen;
     while (const std::optional<std::string> key = json_.next_member()) {
-      allow(*key, {"format", "name", "defaults", "contacts", "wrench", "loads", "cases"}, "",
-            json_.line());
+      allow(*key,
+            {"format", "name", "outline", "defaults", "contacts", "wrench", "loads", "cases"},
+            "", json_.line());
       seen.push_back(*key);
       if (*key == "contacts") {
         while (json_.next_element()) read_contact(json_.value());
@@ -44,13 +75,14 @@ class GraspReader {
     for (const char* key : {"format", "contacts"}) {
       check(has(key), std::string("the member \"") + key + "\" is missing");
     }
-    for (const char* key : {"loads", "cases"}) {
+    for (const char* key : {"outline", "loads", "cases"}) {
       check(version2_ || !has(key),
             std::string("the member \"") + key + "\" needs \"format\": \"stickslip-grasp/2\"");
     }
     check(has("wrench") || has("loads") || has("cases"), "the member \"wrench\" is missing");
     check(!has("wrench") || !has("loads"), "both \"wrench\" and \"loads\"; give one of them");
     for (auto& [name, wrench] : grasp_.cases) add(wrench, grasp_.wrench);
+    for (const auto& [i, on] : places_) put_on_outline(i, on);
     for (std::size_t i = 0; i < own_.size(); ++i) complete(i);
     return std::move(grasp_);
   }
@@ -69,10 +101,95 @@ class GraspReader {
       grasp_.wrench = sum_of_loads(value, key);
     } else if (key == "cases") {
       read_cases(value);
+    } else if (key == "outline") {
+      read_outline(value);
     } else {
       expect_object(value, key, {"friction", "stiffness", "preload"});
       defaults_ = properties(value, key);
     }
+  }
+
+  /// A list of polygons, a list of rings, or a ring.
+  void read_outline(Value value) {
+    constexpr std::size_t kDepth = 4;
+    json_.expect(depth_of(value) > 1, value, "outline", "a list of polygons [[[[x, y], ...]]]");
+    while (depth_of(value) < kDepth) value = enclosed(std::move(value));
+    for (const Value& polygon : value.items) {
+      const std::string place = "outline[" + std::to_string(outline_.size()) + "]";
+      json_.expect(polygon.kind == Value::Kind::kArray && !polygon.items.empty(), polygon,
+                   place, "a list of rings, of one or more");
+      outline_.emplace_back();
+      for (std::size_t k = 0; k < polygon.items.size(); ++k) {
+        read_ring(polygon.items[k], place + "[" + std::to_string(k) + "]", k > 0);
+      }
+    }
+  }
+
+  /// FORMAT.md §1: the edges, and on which side of them the body is.
+  void read_ring(const Value& value, const std::string& place, bool hole) {
+    json_.expect(value.kind == Value::Kind::kArray && value.items.size() >= 3, value, place,
+                 "a ring of three vertices [x, y] or more");
+    std::vector<Vector> ring;
+    for (const Value& vertex : value.items) {
+      ring.push_back(vector(vertex, place + "[" + std::to_string(ring.size()) + "]", 2));
+    }
+    Rational area;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vector& to = ring[(i + 1) % ring.size()];
+      if (ring[i] == to) {
+        json_.fail(value.line, place,
+                   "vertex " + std::to_string(i) + " is the same as the next");
+      }
+      area += ring[i][0] * to[1] - ring[i][1] * to[0];
+    }
+    if (area == 0) json_.fail(value.line, place, "the ring has no area");
+    const int side = hole ? -sgn(area) : sgn(area);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vector& from = ring[i];
+      const Vector& to = ring[(i + 1) % ring.size()];
+      Vector n{Rational(side * (from[1] - to[1])), Rational(side * (to[0] - from[0]))};
+      const std::optional<Rational> length = exact_sqrt(dot(n, n));
+      if (length) {
+        for (Rational& c : n) c /= *length;
+      }
+      outline_.back().push_back({from, to, std::move(n)});
+    }
+  }
+
+  Place read_place(const Value& value, const std::string& place) const {
+    Place read{value.line, 0, 0, 0};
+    if (value.is_array(2)) {
+      read.edge = number(value.items[0], place + "[0]");
+      read.share = number(value.items[1], place + "[1]");
+    } else {
+      expect_object(value, place, {"polygon", "edge", "share"});
+      const Value* polygon = value.find("polygon");
+      if (polygon != nullptr) read.polygon = number(*polygon, place + ".polygon");
+      read.edge = number(member(value, place, "edge"), place + ".edge");
+      read.share = number(member(value, place, "share"), place + ".share");
+    }
+    json_.expect(read.share >= 0 && read.share <= 1, value, place, "a share from 0 to 1");
+    return read;
+  }
+
+  /// Contact i is where `on` says.
+  void put_on_outline(std::size_t i, const Place& on) {
+    const auto choose = [&](const auto& list, const Rational& index,
+                            const char* what) -> auto& {
+      const bool known = index.get_den() == 1 && index >= 0 && index < list.size();
+      if (!known || !version2_) {
+        json_.fail(on.line, "contacts[" + std::to_string(i) + "].on",
+                   !version2_ ? "it needs \"format\": \"stickslip-grasp/2\""
+                              : "there is no " + (what + (" " + show(index))));
+      }
+      return list[index.get_num().get_ui()];
+    };
+    const Edge& edge = choose(choose(outline_, on.polygon, "polygon"), on.edge, "edge");
+    Vector& position = grasp_.contacts[i].position;
+    for (std::size_t j = 0; j < 2; ++j) {
+      position.emplace_back(edge.from[j] + on.share * (edge.to[j] - edge.from[j]));
+    }
+    grasp_.contacts[i].normal = edge.inwards;
   }
 
   static void add(Vector& sum, const Vector& term) {
@@ -144,13 +261,21 @@ class GraspReader {
   void read_contact(const Value& value) {
     const std::string place = "contacts[" + std::to_string(own_.size()) + "]";
     if (own_.size() == kMaxContacts) json_.fail(value.line, "contacts", "too many contacts");
-    expect_object(value, place, {"position", "normal", "friction", "stiffness", "preload"});
+    expect_object(value, place,
+                  {"position", "normal", "on", "friction", "stiffness", "preload"});
     Contact contact;
-    contact.position = vector(member(value, place, "position"), place + ".position", 2);
-    contact.normal = vector(member(value, place, "normal"), place + ".normal", 2);
-    if (contact.normal == Vector(2)) {
-      json_.fail(value.line, place + ".normal",
-                 "the normal is (0, 0); give a vector into the object");
+    if (const Value* on = value.find("on")) {
+      if (value.find("position") != nullptr || value.find("normal") != nullptr) {
+        json_.fail(value.line, place, R"("on" stands in place of "position" and "normal")");
+      }
+      places_.emplace(own_.size(), read_place(*on, place + ".on"));
+    } else {
+      contact.position = vector(member(value, place, "position"), place + ".position", 2);
+      contact.normal = vector(member(value, place, "normal"), place + ".normal", 2);
+      if (contact.normal == Vector(2)) {
+        json_.fail(value.line, place + ".normal",
+                   "the normal is (0, 0); give a vector into the object");
+      }
     }
     grasp_.contacts.push_back(std::move(contact));
     own_.push_back(properties(value, place));
@@ -240,6 +365,8 @@ class GraspReader {
   JsonReader json_;
   Grasp grasp_{{}, Vector(3)};
   bool version2_ = false;
+  std::vector<std::vector<Edge>> outline_;  ///< by polygon
+  std::map<std::size_t, Place> places_;     ///< by contact
   std::vector<Properties> own_;
   Properties defaults_;
 };

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/outline.hpp"
 
 namespace stickslip {
 namespace {
@@ -22,7 +23,11 @@ const char* to_string(NormalLaw law) {
 }
 
 Grasp::Grasp(std::vector<Contact> contacts, std::string name)
-    : contacts_(std::move(contacts)), name_(std::move(name)) {
+    : Grasp(std::move(contacts), GraspDescription{std::move(name)}) {}
+
+Grasp::Grasp(std::vector<Contact> contacts, GraspDescription description)
+    : contacts_(std::move(contacts)), description_(std::move(description)) {
+  check_outline(description_.outline);
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     const Contact& c = contacts_[i];
     if (c.normal.x.is_zero() && c.normal.y.is_zero()) {
@@ -44,7 +49,7 @@ Grasp Grasp::with_preloads(const std::vector<Rational>& preloads) const {
   require(preloads.size() == size(), "one preload for each contact is needed");
   std::vector<Contact> contacts = contacts_;
   for (std::size_t i = 0; i < size(); ++i) contacts[i].preload = preloads[i];
-  return Grasp(std::move(contacts), name_);
+  return Grasp(std::move(contacts), description_);
 }
 
 }  // namespace stickslip

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "loads.hpp"
+#include "outline_file.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/json.hpp"
@@ -20,6 +21,7 @@ struct WrittenContact {
     std::optional<Rational> preload;
   };
 
+  std::optional<PlaceOnOutline> place;  ///< in place of position and normal
   Vector2 position;
   Vector2 normal;
   Properties own;
@@ -53,9 +55,17 @@ Properties read_properties(const JsonNode& object, const std::string& path) {
 }
 
 WrittenContact read_contact(const JsonNode& node, const std::string& path) {
-  expect_object(node, path, {"position", "normal", "friction", "stiffness", "preload"});
+  expect_object(node, path, {"position", "normal", "on", "friction", "stiffness", "preload"});
+  if (const JsonNode* on = node.find("on")) {
+    for (const char* key : {"position", "normal"}) {
+      if (node.find(key) == nullptr) continue;
+      fail_at(path, std::string("found both \"on\" and \"") + key + "\"",
+              "remove one: a place on the outline has a position and a normal");
+    }
+    return {read_place(*on, member_path(path, "on")), {}, {}, read_properties(node, path)};
+  }
   return {
-      read_vector2(node, path, "position", "add \"position\": [x, y]"),
+      std::nullopt, read_vector2(node, path, "position", "add \"position\": [x, y]"),
       read_vector2(node, path, "normal", "add \"normal\": [x, y], pointing into the object"),
       read_properties(node, path)};
 }
@@ -105,7 +115,7 @@ bool read_format(const JsonNode& root) {
 
 void check_keys(const JsonNode& root, bool version2) {
   Names allowed{"format", "name", "defaults", "contacts", "wrench"};
-  for (const char* key : {"loads", "cases"}) {
+  for (const char* key : {"outline", "loads", "cases"}) {
     if (version2) allowed.emplace_back(key);
     if (!version2 && root.find(key) != nullptr) fail_as_newer("", key);
   }
@@ -114,6 +124,21 @@ void check_keys(const JsonNode& root, bool version2) {
             "remove it; to snap normals, run stickslip snap GRASP -o FILE");
   }
   expect_object(root, "", allowed);
+}
+
+/// Gives contacts with a place on the outline their position and normal.
+void put_on_outline(std::vector<WrittenContact>& contacts, const std::vector<Polygon>& outline,
+                    bool version2) {
+  const std::vector<std::vector<OutlineEdge>> edges = outline_edges(outline);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    WrittenContact& contact = contacts[i];
+    if (!contact.place) continue;
+    const std::string path = element_path("contacts", i);
+    if (!version2) fail_as_newer(path, "on");
+    const OutlineEdge& edge = edge_at(edges, *contact.place, member_path(path, "on"));
+    contact.position = edge.at(contact.place->share);
+    contact.normal = edge.inwards;
+  }
 }
 
 std::vector<Contact> with_defaults(std::vector<WrittenContact> written,
@@ -172,6 +197,19 @@ std::string write_numbers(std::initializer_list<const Rational*> values) {
   return text + "]";
 }
 
+template <class Entry, class Write>
+std::string write_list(const std::vector<Entry>& entries, const char* separator, Write write) {
+  std::string text;
+  for (const Entry& entry : entries) text += (text.empty() ? "[" : separator) + write(entry);
+  return text + "]";
+}
+
+std::string write_polygon(const Polygon& polygon) {
+  const auto write_vertex = [](const Vector2& v) { return write_numbers({&v.x, &v.y}); };
+  return write_list(polygon, ", ",
+                    [&](const Ring& ring) { return write_list(ring, ", ", write_vertex); });
+}
+
 std::string write_wrench(const Wrench& w) {
   return write_numbers({&w.x, &w.y, &w.torque});
 }
@@ -199,9 +237,11 @@ GraspFile StreamedGrasp::finish(const JsonNode& grasp) {
                 (version2 ? " or \"loads\": [...]" : "") + "; no load is [0, 0, 0]");
   }
   std::vector<NamedLoad> cases = read_cases(grasp, wrench.value_or(Wrench{}));
+  std::vector<Polygon> outline = read_outline(grasp);
+  put_on_outline(contacts_, outline, version2);
   std::vector<ContactId> assumed_stiffness;
   Grasp read(with_defaults(std::move(contacts_), defaults, assumed_stiffness),
-             read_name(grasp));
+             GraspDescription{read_name(grasp), std::move(outline)});
   return {{std::move(read), wrench.value_or(Wrench{})},
           std::move(assumed_stiffness),
           std::move(cases)};
@@ -234,9 +274,13 @@ std::string write_grasp(const LoadedGrasp& content) {
 
 std::string write_grasp_file(const GraspFile& file) {
   const Grasp& grasp = file.content.grasp;
-  const char* format = file.cases.empty() ? kVersion1 : kVersion2;
+  const std::vector<Polygon>& outline = grasp.description().outline;
+  const char* format = file.cases.empty() && outline.empty() ? kVersion1 : kVersion2;
   std::string text = std::string("{\"format\": \"") + format + "\",\n";
   if (!grasp.name().empty()) text += " \"name\": " + json_string(grasp.name(), "name") + ",\n";
+  if (!outline.empty()) {
+    text += " \"outline\": " + write_list(outline, ",\n  ", write_polygon) + ",\n";
+  }
   text += " \"contacts\": [";
   const char* separator = "\n";
   const std::vector<ContactId>& assumed = file.assumed_stiffness;

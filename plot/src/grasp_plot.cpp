@@ -57,8 +57,10 @@ class GraspPlot {
  private:
   /// Chooses the view so that all ink is in the panel, and returns the panel's height.
   double choose_view() {
-    std::vector<InkPoint> ink = ink_.outline;
-    ink.insert(ink.end(), ink_.ghost.begin(), ink_.ghost.end());
+    std::vector<InkPoint> ink;
+    for (const auto* rings : {&ink_.outline, &ink_.ghost}) {
+      for (const auto& ring : *rings) ink.insert(ink.end(), ring.begin(), ring.end());
+    }
     for (const Arrow& arrow : ink_.arrows) ink.push_back(arrow.tip);
     if (ink_.pivot) ink.push_back(*ink_.pivot);
     for (const auto& cone : ink_.cones) ink.insert(ink.end(), cone.begin(), cone.end());
@@ -80,11 +82,9 @@ class GraspPlot {
 
   void draw_scene(Svg& svg, const Box& panel) {
     LabelPlacer labels(panel);
-    svg.path(SvgPath().polygon(on_page(view_, ink_.outline)), "body");
+    draw_body(svg, view_, ink_.outline, "body");
     draw_cones(svg);
-    if (!ink_.ghost.empty()) {
-      svg.path(SvgPath().polygon(on_page(view_, ink_.ghost)), ghost_class());
-    }
+    if (!ink_.ghost.empty()) draw_body(svg, view_, ink_.ghost, ghost_class());
     draw_fingers(svg, view_, ink_.contacts);
     draw_frame(svg);
     for (const Arrow& arrow : ink_.arrows) {
@@ -254,7 +254,7 @@ class GraspPlot {
       svg.path(SvgPath().polygon({at(4) + InkPoint{0, 7}, at(48) + InkPoint{0, 7},
                                   at(44) - InkPoint{0, 7}, at(8) - InkPoint{0, 7}}),
                "body");
-      row("body: hull of the contacts");
+      row(grasp_.description().outline.empty() ? "body: hull of the contacts" : "body");
     }
     svg.close();
     return y;

@@ -17,6 +17,24 @@ Vector2 vector2(const py::list& rows, std::size_t i, const char* name) {
   return {exact(row[0], place + "0]"), exact(row[1], place + "1]")};
 }
 
+/// From lists of polygons of rings of vertices.
+std::vector<Polygon> polygons(const py::list& outline) {
+  std::vector<Polygon> result;
+  for (const py::handle polygon : outline) {
+    const std::string place = "outline[" + std::to_string(result.size()) + "]";
+    result.emplace_back();
+    for (const py::handle vertices : polygon) {
+      const auto rows = vertices.cast<py::list>();
+      const std::string name = place + "[" + std::to_string(result.back().size()) + "]";
+      result.back().emplace_back();
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        result.back().back().push_back(vector2(rows, i, name.c_str()));
+      }
+    }
+  }
+  return result;
+}
+
 /// A number for each contact, from a list, or one for all of them.
 std::vector<Rational> numbers(const py::object& values, std::size_t contacts,
                               const std::string& name) {
@@ -34,7 +52,7 @@ std::vector<Rational> numbers(const py::object& values, std::size_t contacts,
 GraspFile make_grasp(const py::list& positions, const py::list& normals,
                      const py::object& friction, const py::object& stiffness,
                      const py::object& preload, const py::list& wrench, const std::string& name,
-                     bool assumed_stiffness, const py::list& cases) {
+                     bool assumed_stiffness, const py::list& cases, const py::list& outline) {
   const std::size_t m = positions.size();
   const std::vector<Rational> frictions = numbers(friction, m, "friction");
   const std::vector<Rational> stiffnesses = numbers(stiffness, m, "stiffness");
@@ -44,7 +62,8 @@ GraspFile make_grasp(const py::list& positions, const py::list& normals,
     contacts.push_back({vector2(positions, i, "positions"), vector2(normals, i, "normals"),
                         frictions[i], stiffnesses[i], preloads[i]});
   }
-  GraspFile file{{Grasp(std::move(contacts), name), exact_wrench(wrench, "wrench")}};
+  GraspFile file{{Grasp(std::move(contacts), GraspDescription{name, polygons(outline)}),
+                  exact_wrench(wrench, "wrench")}};
   for (std::size_t i = 0; assumed_stiffness && i < m; ++i) {
     file.assumed_stiffness.emplace_back(i);
   }
@@ -61,6 +80,18 @@ py::dict wrenches_of_cases(const GraspFile& file) {
   py::dict result;
   for (const NamedLoad& load : file.cases) result[text(load.name)] = fractions(load.wrench);
   return result;
+}
+
+py::tuple outline_of(const GraspFile& file) {
+  const auto tuple_of = [](const auto& list, auto convert) {
+    py::tuple result(list.size());
+    for (std::size_t i = 0; i < list.size(); ++i) result[i] = convert(list[i]);
+    return result;
+  };
+  const auto vertex = [](const Vector2& v) { return fractions(v.x, v.y); };
+  const auto ring = [&](const Ring& vertices) { return tuple_of(vertices, vertex); };
+  const auto polygon = [&](const Polygon& rings) { return tuple_of(rings, ring); };
+  return tuple_of(file.content.grasp.description().outline, polygon);
 }
 
 /// Every stiffness written out: equal grasps give equal texts.
@@ -122,6 +153,7 @@ void bind_grasp(py::module_& module) {
       .def("preload", [](const GraspFile& f) { return scalars(f, &Contact::preload); })
       .def("wrench", [](const GraspFile& f) { return fractions(f.content.wrench); })
       .def("cases", &wrenches_of_cases)
+      .def("outline", &outline_of)
       .def("snap", &snapped);
 }
 

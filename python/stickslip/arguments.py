@@ -106,6 +106,27 @@ def as_text(value: Any, name: str, remedy: str = "give a str") -> str:
     return value
 
 
+def as_outline(outline: Any) -> List[List[List[Any]]]:
+    """A list of polygons, also of one polygon or of one ring."""
+    form = "give a list of polygons, each a list of rings of rows x, y; or one polygon, or one ring"
+
+    def entries(value: Any, name: str) -> List[Any]:
+        if isinstance(value, (str, bytes)) or not hasattr(value, "__iter__"):
+            raise InputError("", name, f"this is {found(value)}", form)
+        return list(value)
+
+    polygons, depth = entries(outline, "outline"), 0
+    first: Any = polygons
+    while hasattr(first, "__len__") and not isinstance(first, (str, bytes)) and len(first) > 0:
+        first, depth = first[0], depth + 1
+    for _ in range(4 - depth if depth > 0 else 0):
+        polygons = [polygons]
+    return [[as_list(ring, f"outline[{j}][{k}]", (len(entries(ring, f"outline[{j}][{k}]")), 2),
+                     "one row x, y for each vertex")
+             for k, ring in enumerate(entries(polygon, f"outline[{j}]"))]
+            for j, polygon in enumerate(polygons)]
+
+
 def as_case_name(value: Any) -> str:
     if as_text(value, "cases", "give names that are of type str") == "":
         raise InputError("", "cases", "a name is empty", "give each case a name")

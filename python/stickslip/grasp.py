@@ -18,6 +18,7 @@ from .arguments import (
     as_list,
     as_number,
     as_numbers,
+    as_outline,
     as_rows,
     as_text,
     as_wrench,
@@ -42,6 +43,8 @@ class Grasp:
         name: for people.
         cases: named loads, each a question of its own: a mapping of names to wrenches (3,), each
             the whole load. ``decide(grasp, grasp.cases[name])`` asks about one.
+        outline: of the body, for pictures: a list of polygons, each a list of rings (the outer
+            one, then holes), each (n, 2); or one polygon, or one ring.
 
     Numbers are taken exactly: a float as the dyadic rational that it is (0.1 is not 1/10), an
     int, a Fraction, a Decimal, and a string as it spells ("1/10", "0.1", "1e-3"). Arrays may mix
@@ -69,6 +72,7 @@ class Grasp:
         wrench: Any = (0, 0, 0),
         name: str = "",
         cases: Mapping[str, Any] = MappingProxyType({}),
+        outline: Any = (),
     ) -> None:
         rows = as_rows(positions)
         m = len(rows)
@@ -83,6 +87,7 @@ class Grasp:
             stiffness is None,
             [(as_case_name(case), as_wrench(load, f"cases[{case!r}]"))
              for case, load in cases.items()],
+            as_outline(outline),
         )
         object.__setattr__(self, "_data", data)
 
@@ -137,6 +142,11 @@ class Grasp:
     def wrench(self) -> Triple:
         """With ``cases``, what is common to them."""
         return self._data.wrench()
+
+    @property
+    def outline(self) -> Tuple[Tuple[Tuple[Pair, ...], ...], ...]:
+        """Polygons of the body: each its outer ring, then those of holes. Empty if not given."""
+        return self._data.outline()
 
     @property
     def cases(self) -> Mapping[str, Triple]:

@@ -25,6 +25,7 @@ GraspFile read_good(const std::string& name) {
 
 void expect_same(const LoadedGrasp& a, const LoadedGrasp& b) {
   EXPECT_EQ(a.grasp.name(), b.grasp.name());
+  EXPECT_EQ(a.grasp.description().outline, b.grasp.description().outline);
   EXPECT_EQ(a.wrench, b.wrench);
   ASSERT_EQ(a.grasp.size(), b.grasp.size());
   for (std::size_t i = 0; i < a.grasp.size(); ++i) {
@@ -74,6 +75,37 @@ TEST(ReadGrasp, NumbersAreTheDecimalsTheySpell) {
   EXPECT_EQ(file.content.wrench.x, Rational(3, 2));
   EXPECT_EQ(file.content.wrench.y, parse_rational("0.3333333333333333333333333333333333"));
   EXPECT_EQ(file.content.wrench.torque, Rational(-5, 2));
+}
+
+TEST(ReadGrasp, ContactsOnTheOutline) {
+  const GraspFile frame = read_good("outline");
+  const std::vector<Contact>& c = frame.content.grasp.contacts();
+  const Rational half(1, 2);
+  ASSERT_EQ(c.size(), 5U);
+  EXPECT_TRUE(same(c[0], {{2, 0}, {0, 1}, half, 1, 1}));
+  EXPECT_TRUE(same(c[1], {{3, 3}, {0, -1}, half, 1, 1}));
+  EXPECT_TRUE(same(c[2], {{2, 1}, {0, -1}, half, 1, 1}));  // in the hole
+  EXPECT_TRUE(same(c[3], {{1, 1}, {-1, 0}, half, 1, 1}));
+  EXPECT_TRUE(same(c[4], {{0, 1}, {1, 0}, half, 1, 1}));
+  const std::vector<Contact>& d = read_good("outlines").content.grasp.contacts();
+  ASSERT_EQ(d.size(), 2U);
+  EXPECT_TRUE(same(d[0], {{Rational(4, 3), 2}, {Rational(-3, 5), Rational(-4, 5)}, 1, 1, 2}));
+  EXPECT_TRUE(same(d[1], {{Rational(11, 2), half}, {-1, -1}, 0, 1, 0}));  // not scaled
+}
+
+TEST(ReadGrasp, OutlinesAsTheyAreWritten) {
+  const auto outline_of = [](const std::string& name) {
+    return read_good(name).content.grasp.description().outline;
+  };
+  const Ring square{{0, 0}, {4, 0}, {4, 3}, {0, 3}};
+  const Ring hole{{1, 1}, {3, 1}, {3, 2}, {1, 2}};
+  EXPECT_EQ(outline_of("outline"), (std::vector<Polygon>{Polygon{square, hole}}));
+  EXPECT_EQ(outline_of("outlines"),
+            (std::vector<Polygon>{Polygon{Ring{{0, 0}, {0, 3}, {4, 0}}},
+                                  Polygon{Ring{{5, 0}, {6, 0}, {5, 1}}}}));
+  EXPECT_EQ(outline_of("ring"),
+            (std::vector<Polygon>{Polygon{Ring{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}}}));
+  EXPECT_TRUE(outline_of("fig1").empty());
 }
 
 TEST(ReadGrasp, LoadsAreSummedExactly) {
@@ -175,6 +207,19 @@ TEST(WriteGrasp, CasesWithoutWhatIsCommon) {
   {"name": "at rest", "wrench": [0, 0, 0]},
   {"name": "pushed", "wrench": ["3/2", 0, "-9/2"]},
   {"name": "lifted", "wrench": [0, 11, 1]}]}
+)");
+}
+
+TEST(WriteGrasp, Outlines) {
+  EXPECT_EQ(write_grasp(read_good("outlines").content),
+            R"({"format": "stickslip-grasp/2",
+ "name": "two triangles",
+ "outline": [[[[0, 0], [0, 3], [4, 0]]],
+  [[[5, 0], [6, 0], [5, 1]]]],
+ "contacts": [
+  {"position": ["4/3", 2], "normal": ["-3/5", "-4/5"], "friction": 1, "stiffness": 1, "preload": 2},
+  {"position": ["11/2", "1/2"], "normal": [-1, -1], "friction": 0, "stiffness": 1, "preload": 0}],
+ "wrench": [0, 0, 0]}
 )");
 }
 

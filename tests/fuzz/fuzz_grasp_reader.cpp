@@ -47,7 +47,9 @@ void expect_round_trip(const stickslip::GraspFile& file) {
   const stickslip::Grasp& before = file.content.grasp;
   const stickslip::Grasp& after = again.content.grasp;
   const bool equal = file.content.wrench == again.content.wrench &&
-                     before.name() == after.name() && same(file.cases, again.cases) &&
+                     before.name() == after.name() &&
+                     before.description().outline == after.description().outline &&
+                     same(file.cases, again.cases) &&
                      file.assumed_stiffness == again.assumed_stiffness &&
                      same(before.contacts(), after.contacts());
   if (!equal) broken("another grasp is read back");

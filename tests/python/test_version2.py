@@ -2,7 +2,9 @@
 """Grasp files of version 2: loads, and cases, each a question of its own."""
 
 import pickle
+from fractions import Fraction
 
+import numpy as np
 import pytest
 from conftest import GOOD
 from stickslip import Grasp, InputError, check, decide, margin
@@ -68,3 +70,51 @@ def test_bad_cases(cases, message):
 def test_cases_do_not_change(shelf):
     with pytest.raises(TypeError):
         shelf.cases["at rest"] = (0, 0, 0)
+
+
+SQUARE = [[0, 0], [2, 0], [2, 2], [0, 2]]
+HOLE = [["1/2", "1/2"], [1, "1/2"], ["1/2", 1]]
+TRIANGLE = [[5, 0], [6, 0], [5, 1]]
+
+
+def with_outline(outline, **more):
+    return Grasp([[1, 0]], [[0, 1]], 1, outline=outline, **more)
+
+
+def fractions(ring):
+    return tuple(tuple(map(Fraction, vertex)) for vertex in ring)
+
+
+@pytest.mark.parametrize("given, meant", [
+    (SQUARE, [[SQUARE]]), (np.array(SQUARE), [[SQUARE]]), ([SQUARE, HOLE], [[SQUARE, HOLE]]),
+    ([[SQUARE, HOLE], [TRIANGLE]], [[SQUARE, HOLE], [TRIANGLE]]),
+    (np.array([SQUARE]), [[SQUARE]]), ([np.array(SQUARE), np.array(HOLE, dtype=object)], [[SQUARE, HOLE]]),
+    ((), []), ([], []),
+])
+def test_outlines(given, meant):
+    grasp = with_outline(given)
+    assert grasp.outline == tuple(tuple(map(fractions, polygon)) for polygon in meant)
+    for again in (Grasp.from_text(grasp.to_text()), pickle.loads(pickle.dumps(grasp)),
+                  grasp.snap().grasp, with_outline(grasp.outline)):
+        assert again == grasp
+        assert again.outline == grasp.outline
+    assert (with_outline([[9, 9], [8, 9], [9, 8]]) == grasp) is False
+
+
+@pytest.mark.parametrize("outline, place", [
+    ("square", "outline"), (4, "outline"), (None, "outline"), ([0, 1, 2], r"outline\[0\]\[0\]"),
+    ([[0, 0], [1, 0], [2]], r"outline\[0\]\[0\]\[2\]"), ([[0, 0], [1, 0], [2, 0]], r"outline\[0\]\[0\].*no area"),
+    ([[0, 0], [1, 0], [1, 1], [0, 0]], r"outline\[0\]\[0\]\[3\].*closes by itself"),
+    ([SQUARE, 3], r"outline\[0\]\[1\]"), ([[SQUARE], 3], r"outline\[1\]"),
+    ([[0, 0], [1, 0], [1, "x"]], r"outline\[0\]\[0\]\[2, 1\]"), ([[[[SQUARE]]]], "outline"),
+])
+def test_bad_outlines(outline, place):
+    with pytest.raises(InputError, match=place):
+        with_outline(outline)
+
+
+def test_contacts_on_the_outline():
+    grasp = Grasp.from_file(GOOD / "outline.json")
+    assert grasp.positions == ((2, 0), (3, 3), (2, 1), (1, 1), (0, 1))
+    assert grasp.normals == ((0, 1), (0, -1), (0, -1), (-1, 0), (1, 0))
+    assert len(grasp.outline[0]) == 2

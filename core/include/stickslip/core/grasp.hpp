@@ -28,6 +28,17 @@ struct Vector2 {
   }
 };
 
+/// A closed line: edge i goes from vertex i to the next one, the last to the first.
+using Ring = std::vector<Vector2>;
+/// An outer ring, and then those of its holes, each in either sense.
+using Polygon = std::vector<Ring>;
+
+/// What is known of a grasp for people and pictures; no answer depends on it.
+struct GraspDescription {
+  std::string name;                ///< may be empty
+  std::vector<Polygon> outline{};  ///< of the body; empty if nobody gave it
+};
+
 /// One frictional point contact. The normal need not have length 1: only its direction
 /// has meaning. `preload` is the normal force before any load is applied.
 struct Contact {
@@ -55,10 +66,13 @@ class Grasp {
   Grasp() = default;
   /// Throws InputError naming "contacts[i].<member>" when a requirement fails.
   explicit Grasp(std::vector<Contact> contacts, std::string name = {});
+  /// Throws also as check_outline does (core/outline.hpp).
+  Grasp(std::vector<Contact> contacts, GraspDescription description);
 
-  const std::string& name() const { return name_; }  ///< for people; may be empty
-  const std::vector<Contact>& contacts() const { return contacts_; }  ///< by ContactId
-  std::size_t size() const { return contacts_.size(); }               ///< number of contacts
+  const std::string& name() const { return description_.name; }  ///< for people; may be empty
+  const GraspDescription& description() const { return description_; }  ///< name and outline
+  const std::vector<Contact>& contacts() const { return contacts_; }    ///< by ContactId
+  std::size_t size() const { return contacts_.size(); }                 ///< number of contacts
   /// Throws std::out_of_range when there is no such contact.
   const Contact& operator[](ContactId id) const { return contacts_.at(id.index()); }
 
@@ -69,7 +83,7 @@ class Grasp {
 
  private:
   std::vector<Contact> contacts_;
-  std::string name_;
+  GraspDescription description_;
 };
 
 /// A grasp and the wrench applied to the object: the content of a grasp file.

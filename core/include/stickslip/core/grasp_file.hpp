@@ -27,7 +27,9 @@ struct NamedLoad {
 
 /// What a grasp file says.
 struct GraspFile {
-  LoadedGrasp content;  ///< contacts as written, and the load: what is common to all cases
+  /// The contacts; and the load, of cases what is common to them. Places on the outline and
+  /// loads at points are positions, normals and a wrench.
+  LoadedGrasp content;
   /// The contacts whose stiffness is 1 because nothing gives it; increasing.
   std::vector<ContactId> assumed_stiffness{};
   std::vector<NamedLoad> cases{};  ///< with different names; none: `content` has the only load
@@ -60,9 +62,10 @@ GraspFile read_grasp_file(const std::string& path);
 
 /// The grasp as a file's text, one contact a line, ending in a newline. Reading it gives the
 /// same grasp, and the same grasp gives the same bytes. Loads are written as the wrench that
-/// they sum to. Integers below 2^53 are written as JSON numbers, all others as strings "3/5",
-/// so that no JSON reader rounds them. Throws InputError for what a file cannot hold: a name
-/// that is not UTF-8, a number longer than kMaxNumberLength.
+/// they sum to, and contacts with their positions and normals. Integers below 2^53 are written
+/// as JSON numbers, all others as strings "3/5", so that no JSON reader rounds them. Throws
+/// InputError for what a file cannot hold: a name that is not UTF-8, a number longer than
+/// kMaxNumberLength.
 std::string write_grasp(const LoadedGrasp& content);
 /// The same with the cases and without the stiffnesses that were assumed: reading it gives
 /// `file` again.

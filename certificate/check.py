@@ -478,13 +478,17 @@ def read_grasp(name: str) -> Grasp:
     """§1: what the grasp file says."""
     source = Source(name, GRASP)
     top = source.members(source.root, "",
-                         "format name? outline? defaults? contacts wrench? loads? cases?")
+                         "format name? units? outline? defaults? contacts wrench? loads? cases?")
     source.check_format(top["format"])
-    for key in ("outline", "loads", "cases"):
+    for key in ("units", "outline", "loads", "cases"):
         if key in top and top["format"] == GRASP.formats[0]:
             source.fail("", f"'{key}' needs \"format\": \"{GRASP.formats[1]}\"")
     if type(top.get("name", "")) is not str:
         source.fail("name", "must be a string")
+    if "units" in top:
+        for key, unit in source.members(top["units"], "units", "length force").items():
+            if type(unit) is not str or not 1 <= len(unit.encode("utf-8")) <= 16:
+                source.fail(f"units.{key}", "must be a string of 1 to 16 bytes")
     stated = source.members(top.get("defaults", Members([])), "defaults",
                             "friction? stiffness? preload?")
     defaults = {"stiffness": Fraction(1), "preload": Fraction(0),

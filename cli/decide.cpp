@@ -71,6 +71,7 @@ Json to_json(const Answer& answer) {
   json["verdict"] = name_of(verdict);
   json["name"] = question.loaded.grasp.name();
   if (!question.case_name.empty()) json["case"] = question.case_name;
+  add_units(json, question.loaded.grasp);
   json["engine"] = decision.engine();
   json["normal_law"] = to_string(question.law);
   json["wrench"] = number_json(coordinates(problem.wrench()));
@@ -156,7 +157,7 @@ void print_text(const Answer& answer, const NumberOptions& output) {
     std::cout << "\nGiven up at " << std::get<Undecided>(verdict).limit
               << "; nothing is known about the verdict.\n";
   }
-  std::cout << text.note() << engine_text(answer);
+  std::cout << text.note() << units_text(question.loaded.grasp) << engine_text(answer);
   print(warnings);
 }
 
@@ -193,7 +194,8 @@ void print_cases_text(const std::vector<Answer>& answers, const NumberOptions& o
             << "\n\n"
             << format_table(rows, Align::kLeft)
             << "\nForces and motions, or why there are none: --case NAME.\n"
-            << text.note() << engine_text(answers.front());
+            << text.note() << units_text(answers.front().question.loaded.grasp)
+            << engine_text(answers.front());
   for (const auto& [warning, names] : warnings) {
     std::cout << "Warning, " << names << ": " << warning << ".\n";
   }

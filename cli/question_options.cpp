@@ -60,6 +60,13 @@ std::string heading(const Question& question) {
   return both.empty() ? both : both + ": ";
 }
 
+std::string units_text(const Grasp& grasp) {
+  const std::optional<Units>& units = grasp.description().units;
+  if (!units) return "";
+  return "Units: force " + units->force + ", length " + units->length + ", torque " +
+         units->torque() + ".\n";
+}
+
 std::string law_text(NormalLaw law) {
   return to_string(law) + std::string(law == NormalLaw::kUnilateral
                                           ? " (contacts may detach)"

@@ -69,6 +69,9 @@ Question ask_with_options(const GraspFile& file, const QuestionOptions& options,
 /// For people: "name, case: ", or what there is of it.
 std::string heading(const Question& question);
 
+/// For people, a line: "Units: force N, length mm, torque N mm."; nothing if nobody gave them.
+std::string units_text(const Grasp& grasp);
+
 /// For people: "unilateral (contacts may detach)".
 std::string law_text(NormalLaw law);
 

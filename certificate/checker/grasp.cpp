@@ -57,7 +57,8 @@ class GraspReader {
     Names seen;
     while (const std::optional<std::string> key = json_.next_member()) {
       allow(*key,
-            {"format", "name", "outline", "defaults", "contacts", "wrench", "loads", "cases"},
+            {"format", "name", "units", "outline", "defaults", "contacts", "wrench", "loads",
+             "cases"},
             "", json_.line());
       seen.push_back(*key);
       if (*key == "contacts") {
@@ -75,7 +76,7 @@ class GraspReader {
     for (const char* key : {"format", "contacts"}) {
       check(has(key), std::string("the member \"") + key + "\" is missing");
     }
-    for (const char* key : {"outline", "loads", "cases"}) {
+    for (const char* key : {"units", "outline", "loads", "cases"}) {
       check(version2_ || !has(key),
             std::string("the member \"") + key + "\" needs \"format\": \"stickslip-grasp/2\"");
     }
@@ -103,9 +104,23 @@ class GraspReader {
       read_cases(value);
     } else if (key == "outline") {
       read_outline(value);
+    } else if (key == "units") {
+      read_units(value);
     } else {
       expect_object(value, key, {"friction", "stiffness", "preload"});
       defaults_ = properties(value, key);
+    }
+  }
+
+  /// They have no meaning here.
+  void read_units(const Value& value) const {
+    constexpr std::size_t kMostBytes = 16;
+    expect_object(value, "units", {"length", "force"});
+    for (const char* key : {"length", "force"}) {
+      const Value& unit = member(value, "units", key);
+      const bool is_unit = unit.kind == Value::Kind::kString && !unit.text.empty() &&
+                           unit.text.size() <= kMostBytes;
+      json_.expect(is_unit, unit, std::string("units.") + key, "a string of 1 to 16 bytes");
     }
   }
 

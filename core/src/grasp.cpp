@@ -16,6 +16,13 @@ void check(bool good, std::size_t contact, const char* member, const Rational& v
                    "the value is " + to_string(value), remedy);
 }
 
+void check_unit(const char* place, const std::string& unit) {
+  if (!unit.empty() && unit.size() <= kMaxUnitLength) return;
+  throw InputError(
+      "", place, "the unit is " + quote(unit),
+      "a unit is short, such as \"mm\": 1 to " + std::to_string(kMaxUnitLength) + " bytes");
+}
+
 }  // namespace
 
 const char* to_string(NormalLaw law) {
@@ -28,6 +35,10 @@ Grasp::Grasp(std::vector<Contact> contacts, std::string name)
 Grasp::Grasp(std::vector<Contact> contacts, GraspDescription description)
     : contacts_(std::move(contacts)), description_(std::move(description)) {
   check_outline(description_.outline);
+  if (description_.units) {
+    check_unit("units.length", description_.units->length);
+    check_unit("units.force", description_.units->force);
+  }
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     const Contact& c = contacts_[i];
     if (c.normal.x.is_zero() && c.normal.y.is_zero()) {

@@ -89,6 +89,19 @@ Properties read_defaults(const JsonNode& root) {
   return read;
 }
 
+std::optional<Units> read_units(const JsonNode& root) {
+  const JsonNode* node = root.find("units");
+  if (node == nullptr) return std::nullopt;
+  expect_object(*node, "units", {"length", "force"});
+  const auto unit = [&](const char* key) {
+    const JsonNode& name =
+        member(*node, "units", key, R"(give both, as in {"length": "mm", "force": "N"})");
+    expect(name, Kind::kString, member_path("units", key), "a string, such as \"mm\" or \"N\"");
+    return name.text;
+  };
+  return Units{unit("length"), unit("force")};
+}
+
 std::string read_name(const JsonNode& root) {
   const JsonNode* node = root.find("name");
   if (node == nullptr) return {};
@@ -115,7 +128,7 @@ bool read_format(const JsonNode& root) {
 
 void check_keys(const JsonNode& root, bool version2) {
   Names allowed{"format", "name", "defaults", "contacts", "wrench"};
-  for (const char* key : {"outline", "loads", "cases"}) {
+  for (const char* key : {"units", "outline", "loads", "cases"}) {
     if (version2) allowed.emplace_back(key);
     if (!version2 && root.find(key) != nullptr) fail_as_newer("", key);
   }
@@ -241,7 +254,7 @@ GraspFile StreamedGrasp::finish(const JsonNode& grasp) {
   put_on_outline(contacts_, outline, version2);
   std::vector<ContactId> assumed_stiffness;
   Grasp read(with_defaults(std::move(contacts_), defaults, assumed_stiffness),
-             GraspDescription{read_name(grasp), std::move(outline)});
+             GraspDescription{read_name(grasp), std::move(outline), read_units(grasp)});
   return {{std::move(read), wrench.value_or(Wrench{})},
           std::move(assumed_stiffness),
           std::move(cases)};
@@ -275,9 +288,15 @@ std::string write_grasp(const LoadedGrasp& content) {
 std::string write_grasp_file(const GraspFile& file) {
   const Grasp& grasp = file.content.grasp;
   const std::vector<Polygon>& outline = grasp.description().outline;
-  const char* format = file.cases.empty() && outline.empty() ? kVersion1 : kVersion2;
+  const std::optional<Units>& units = grasp.description().units;
+  const bool version1 = file.cases.empty() && outline.empty() && !units;
+  const char* format = version1 ? kVersion1 : kVersion2;
   std::string text = std::string("{\"format\": \"") + format + "\",\n";
   if (!grasp.name().empty()) text += " \"name\": " + json_string(grasp.name(), "name") + ",\n";
+  if (units) {
+    text += " \"units\": {\"length\": " + json_string(units->length, "units") +
+            ", \"force\": " + json_string(units->force, "units") + "},\n";
+  }
   if (!outline.empty()) {
     text += " \"outline\": " + write_list(outline, ",\n  ", write_polygon) + ",\n";
   }

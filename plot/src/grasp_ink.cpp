@@ -97,7 +97,12 @@ class GraspReader {
              ? ""
              : ", drawn at " + short_tuple({ink_.frame.centre.x, ink_.frame.centre.y}) +
                    ", where its torque is " + short_text(ink_.torque)) +
-        ". Normal law: " + to_string(question_.law) + ".");
+        ". Normal law: " + to_string(question_.law) + "." + units_text());
+  }
+
+  std::string units_text() const {
+    if (!grasp_.description().units) return "";
+    return " Units:" + force_unit(grasp_) + "," + length_unit(grasp_) + ".";
   }
 
   /// Adds an arrow for the motion of each contact and the body's ghost; returns the factor of

@@ -34,12 +34,13 @@ class GraspPlot {
  public:
   GraspPlot(const Question& question, const Verdict& verdict)
       : grasp_(question.loaded.grasp),
+        case_(question.case_name.empty() ? "" : ", " + question.case_name),
         verdict_(name_of(verdict)),
         ink_(grasp_ink(question, verdict)) {}
 
   std::string draw() {
     const double panel_bottom = kPanelTop + choose_view();
-    const std::string name = grasp_.name().empty() ? "Grasp" : grasp_.name();
+    const std::string name = (grasp_.name().empty() ? "Grasp" : grasp_.name()) + case_;
     const std::string verdict = ": " + verdict_;
     Svg svg(kWidth, 0, name + verdict, stylesheet());
     const double room = kWidth - 2 * kMargin - text_width("title", verdict);
@@ -183,7 +184,8 @@ class GraspPlot {
         .move(right - up)
         .line(right + up);
     svg.path(bar, "rule scale", {{"data-value", to_string(force)}});
-    svg.text(right + InkPoint{8, 4.5}, "legend", "force " + short_text(force));
+    svg.text(right + InkPoint{8, 4.5}, "legend",
+             "force " + short_text(force) + force_unit(grasp_));
   }
 
   /// Explains what is in the picture. Returns the y of its lower end.
@@ -225,7 +227,7 @@ class GraspPlot {
                                                   short_text(ink_.load_factor));
     if (!ink_.torque.is_zero()) {
       draw_torque(svg, at(26), 9, ink_.torque.sign() > 0);
-      row("torque " + short_text(ink_.torque));
+      row("torque " + short_text(ink_.torque) + torque_unit(grasp_));
     }
     if (!ink_.force_unit.is_zero()) {
       y += 4;
@@ -261,6 +263,7 @@ class GraspPlot {
   }
 
   const Grasp& grasp_;
+  std::string case_;
   std::string verdict_;
   GraspInk ink_;
   View view_;

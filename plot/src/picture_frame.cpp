@@ -103,4 +103,19 @@ std::string short_tuple(const std::vector<Rational>& values) {
   return text + ")";
 }
 
+std::string force_unit(const Grasp& grasp) {
+  const std::optional<Units>& units = grasp.description().units;
+  return units ? " " + units->force : "";
+}
+
+std::string length_unit(const Grasp& grasp) {
+  const std::optional<Units>& units = grasp.description().units;
+  return units ? " " + units->length : "";
+}
+
+std::string torque_unit(const Grasp& grasp) {
+  const std::optional<Units>& units = grasp.description().units;
+  return units ? " " + units->torque() : "";
+}
+
 }  // namespace stickslip::plot_detail

@@ -41,6 +41,10 @@ Rational round_down(const Rational& value);
 std::string short_text(const Rational& value);
 /// "(0, 1, \u22121/2)"
 std::string short_tuple(const std::vector<Rational>& values);
+/// Names of units behind a number, with a blank before; nothing if nobody gave them.
+std::string force_unit(const Grasp& grasp);
+std::string length_unit(const Grasp& grasp);
+std::string torque_unit(const Grasp& grasp);
 /// The same with '-' as U+2212.
 std::string typeset(std::string text);
 

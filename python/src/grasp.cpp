@@ -52,7 +52,8 @@ std::vector<Rational> numbers(const py::object& values, std::size_t contacts,
 GraspFile make_grasp(const py::list& positions, const py::list& normals,
                      const py::object& friction, const py::object& stiffness,
                      const py::object& preload, const py::list& wrench, const std::string& name,
-                     bool assumed_stiffness, const py::list& cases, const py::list& outline) {
+                     bool assumed_stiffness, const py::list& cases, const py::list& outline,
+                     const py::list& units) {
   const std::size_t m = positions.size();
   const std::vector<Rational> frictions = numbers(friction, m, "friction");
   const std::vector<Rational> stiffnesses = numbers(stiffness, m, "stiffness");
@@ -62,8 +63,12 @@ GraspFile make_grasp(const py::list& positions, const py::list& normals,
     contacts.push_back({vector2(positions, i, "positions"), vector2(normals, i, "normals"),
                         frictions[i], stiffnesses[i], preloads[i]});
   }
-  GraspFile file{{Grasp(std::move(contacts), GraspDescription{name, polygons(outline)}),
-                  exact_wrench(wrench, "wrench")}};
+  GraspDescription description{name, polygons(outline)};
+  if (!units.empty()) {
+    description.units = Units{units[0].cast<std::string>(), units[1].cast<std::string>()};
+  }
+  GraspFile file{
+      {Grasp(std::move(contacts), std::move(description)), exact_wrench(wrench, "wrench")}};
   for (std::size_t i = 0; assumed_stiffness && i < m; ++i) {
     file.assumed_stiffness.emplace_back(i);
   }
@@ -92,6 +97,15 @@ py::tuple outline_of(const GraspFile& file) {
   const auto ring = [&](const Ring& vertices) { return tuple_of(vertices, vertex); };
   const auto polygon = [&](const Polygon& rings) { return tuple_of(rings, ring); };
   return tuple_of(file.content.grasp.description().outline, polygon);
+}
+
+py::dict units_of(const GraspFile& file) {
+  py::dict result;
+  if (const std::optional<Units>& units = file.content.grasp.description().units) {
+    result["length"] = text(units->length);
+    result["force"] = text(units->force);
+  }
+  return result;
 }
 
 /// Every stiffness written out: equal grasps give equal texts.
@@ -154,6 +168,7 @@ void bind_grasp(py::module_& module) {
       .def("wrench", [](const GraspFile& f) { return fractions(f.content.wrench); })
       .def("cases", &wrenches_of_cases)
       .def("outline", &outline_of)
+      .def("units", &units_of)
       .def("snap", &snapped);
 }
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import operator
 import os
 import reprlib
-from typing import Any, List, Optional, Sequence, Tuple, Union
+from typing import Any, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -125,6 +125,16 @@ def as_outline(outline: Any) -> List[List[List[Any]]]:
                      "one row x, y for each vertex")
              for k, ring in enumerate(entries(polygon, f"outline[{j}]"))]
             for j, polygon in enumerate(polygons)]
+
+
+def as_units(units: Mapping[str, str]) -> List[str]:
+    """Of length and of force; empty if there are none."""
+    if len(units) == 0:
+        return []
+    if set(units) != {"length", "force"}:
+        raise InputError("", "units", f"the keys are {found(list(units))}",
+                         'give both, as in {"length": "mm", "force": "N"}')
+    return [as_text(units[key], f"units[{key!r}]") for key in ("length", "force")]
 
 
 def as_case_name(value: Any) -> str:

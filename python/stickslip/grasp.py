@@ -21,6 +21,7 @@ from .arguments import (
     as_outline,
     as_rows,
     as_text,
+    as_units,
     as_wrench,
 )
 from .errors import InputError
@@ -45,6 +46,7 @@ class Grasp:
             the whole load. ``decide(grasp, grasp.cases[name])`` asks about one.
         outline: of the body, for pictures: a list of polygons, each a list of rings (the outer
             one, then holes), each (n, 2); or one polygon, or one ring.
+        units: names for people, {"length": "mm", "force": "N"}. Nothing is converted.
 
     Numbers are taken exactly: a float as the dyadic rational that it is (0.1 is not 1/10), an
     int, a Fraction, a Decimal, and a string as it spells ("1/10", "0.1", "1e-3"). Arrays may mix
@@ -73,6 +75,7 @@ class Grasp:
         name: str = "",
         cases: Mapping[str, Any] = MappingProxyType({}),
         outline: Any = (),
+        units: Mapping[str, str] = MappingProxyType({}),
     ) -> None:
         rows = as_rows(positions)
         m = len(rows)
@@ -88,6 +91,7 @@ class Grasp:
             [(as_case_name(case), as_wrench(load, f"cases[{case!r}]"))
              for case, load in cases.items()],
             as_outline(outline),
+            as_units(units),
         )
         object.__setattr__(self, "_data", data)
 
@@ -147,6 +151,11 @@ class Grasp:
     def outline(self) -> Tuple[Tuple[Tuple[Pair, ...], ...], ...]:
         """Polygons of the body: each its outer ring, then those of holes. Empty if not given."""
         return self._data.outline()
+
+    @property
+    def units(self) -> Mapping[str, str]:
+        """Of "length" and "force"; empty if not given."""
+        return MappingProxyType(self._data.units())
 
     @property
     def cases(self) -> Mapping[str, Triple]:

@@ -3,7 +3,7 @@
 
 import unittest
 
-from test_cli import BAD_INPUT, CHECK, CHECK_PY, DONE, STABLE, UNDECIDED, UNSTABLE, Case, run, stickslip
+from test_cli import BAD_INPUT, CHECK, CHECK_PY, DONE, STABLE, UNDECIDED, UNSTABLE, Case, read, run, stickslip
 
 SHELF = {
     "format": "stickslip-grasp/2", "name": "shelf", "defaults": {"friction": "1/2", "stiffness": 1},
@@ -149,6 +149,64 @@ class Cases(Case):
         self.fails("decide", self.grasp, "--case", "lifted", "--wrench", "0,0,0", naming=["--case", "--wrench"])
         version1 = self.write("v1.json", {**SHELF, "format": "stickslip-grasp/1"})
         self.fails("decide", version1, naming=['unknown key "loads"', '"format": "stickslip-grasp/2"'])
+
+    def test_units_are_told_and_change_nothing(self):
+        units = {"length": "mm", "force": "N"}
+        told = "\nUnits: force N, length mm, torque N mm.\n"
+        grasp = self.write("units.json", {**SHELF, "units": units})
+        for words in (["decide", "--case", "pushed"], ["decide"], ["compare", "--case", "pushed"],
+                      ["margin", "--direction", "0,-1,0"], ["region"]):
+            plain, with_units = self.json(*words, self.grasp), self.json(*words, grasp)
+            self.assertNotIn("units", plain)
+            if "cases" in with_units:
+                for answer in with_units["cases"]:
+                    self.assertEqual(answer.pop("units"), units)
+            else:
+                self.assertEqual(with_units.pop("units"), units)
+            self.assertEqual(with_units, plain)
+            self.assertIn(told, stickslip(*words, grasp)[1])
+            self.assertNotIn("Units", stickslip(*words, self.grasp)[1])
+
+    def test_contacts_on_the_outline(self):
+        """A proof about them is one about their positions and normals, and about no others."""
+        outline = [[[0, 0], [4, 0], [8, 3], [0, 3]], [[1, 1], [3, 1], [1, 2]]]
+        contacts = [{"on": [0, "1/2"]}, {"on": [1, 0.2]}, {"on": [2, "1/3"]}, {"on": [4, "3/4"]}]
+        plain = [{"position": [2, 0], "normal": [0, 1]},
+                 {"position": ["24/5", "3/5"], "normal": ["-3/5", "4/5"]},
+                 {"position": ["16/3", 3], "normal": [0, -1]},
+                 {"position": ["5/2", 1], "normal": [0, -1]}]
+        rest = {"wrench": ["1/2", "-1/3", "1/5"], "defaults": {"friction": "1/2", "preload": 1}}
+        on = {"format": "stickslip-grasp/2", "outline": outline, "contacts": contacts, **rest}
+        files = [self.write("on.json", on),
+                 self.write("plain.json", {"format": "stickslip-grasp/1", "contacts": plain, **rest})]
+        moved = [self.write(f"moved{i}.json", {**on, "contacts": [
+            {"on": [c["on"][0], "1/7"] if i == j else c["on"]} for j, c in enumerate(contacts)]})
+            for i in range(len(contacts))]
+        for wrench in ("1/2,-1/3,1/5", "0,40,0", "0,0,0"):
+            proofs = []
+            for i, file in enumerate(files):
+                proofs.append(self.path(f"proof{i}.json"))
+                stickslip("decide", file, "--wrench", wrench, "--certificate", proofs[-1])
+            for checker in ([CHECK], ["/usr/bin/env", "python3", CHECK_PY]):
+                for file in files:
+                    for proof in proofs:
+                        self.assertEqual(run(*checker, file, proof, "--wrench", wrench)[0], 0)
+            answers = [run(CHECK, file, proofs[0], "--wrench", wrench)[0] for file in moved]
+            self.assertEqual(answers, [run("/usr/bin/env", "python3", CHECK_PY, file, proofs[0],
+                                           "--wrench", wrench)[0] for file in moved])
+            if wrench.startswith("1/2"):
+                self.assertIn(1, answers)
+
+    def test_irrational_edges_need_snap_under_preload(self):
+        grasp = {"format": "stickslip-grasp/2", "name": "wedge", "wrench": [0, 0, 0],
+                 "outline": [[0, 0], [2, 0], [1, 1]], "defaults": {"friction": 1, "preload": 1},
+                 "contacts": [{"on": [0, "1/2"]}, {"on": [1, "1/2"]}], "units": {"length": "m", "force": "N"}}
+        wedge, snapped = self.write("wedge.json", grasp), self.path("snapped.json")
+        self.fails("decide", wedge, naming=["contacts[1].normal", "stickslip snap GRASP -o FILE"])
+        self.assertEqual(stickslip("decide", wedge, "--preload", "0")[0], DONE)
+        self.assertEqual(stickslip("snap", wedge, "-o", snapped)[0], DONE)
+        self.assertEqual(self.json("decide", snapped)["units"], grasp["units"])
+        self.assertIn('"outline": [[[[0, 0], [2, 0], [1, 1]]]]', read(snapped))
 
     def test_snap_keeps_cases(self):
         grasp = {**SHELF, "contacts": [{"position": [0, 0], "normal": [1, 1], "preload": 1},

@@ -149,6 +149,14 @@ const BadFile kBadFiles[] = {
     {"on_edge_too_large", "contacts[0].on", "the value is 4", "polygon 0 has 4 edges, 0 to 3"},
     {"on_edge_negative", "contacts[0].on", "the value is -1", "4 edges, 0 to 3"},
     {"on_polygon_too_large", "contacts[0].on", "the value is 1", "1 polygon, number 0"},
+    // Units.
+    {"units_in_version_1", "top level", "unknown key \"units\"", "\"stickslip-grasp/2\""},
+    {"units_string", "units", "the string \"mm, N\"", "an object"},
+    {"units_without_force", "units", "\"force\" is missing", "give both"},
+    {"units_unknown_key", "units", "unknown key \"mass\"", "length, force"},
+    {"units_number", "units.length", "the number 1", "such as \"mm\""},
+    {"units_empty", "units.force", "the unit is \"\"", "1 to 16 bytes"},
+    {"units_long", "units.length", "the unit is", "1 to 16 bytes"},
     // Contacts.
     {"contacts_object", "contacts", "an object of 0 values", "an array of contacts"},
     {"contact_array", "contacts[0]", "an array of 2 values", "expected an object"},

@@ -26,6 +26,7 @@ GraspFile read_good(const std::string& name) {
 void expect_same(const LoadedGrasp& a, const LoadedGrasp& b) {
   EXPECT_EQ(a.grasp.name(), b.grasp.name());
   EXPECT_EQ(a.grasp.description().outline, b.grasp.description().outline);
+  EXPECT_EQ(a.grasp.description().units, b.grasp.description().units);
   EXPECT_EQ(a.wrench, b.wrench);
   ASSERT_EQ(a.grasp.size(), b.grasp.size());
   for (std::size_t i = 0; i < a.grasp.size(); ++i) {
@@ -106,6 +107,17 @@ TEST(ReadGrasp, OutlinesAsTheyAreWritten) {
   EXPECT_EQ(outline_of("ring"),
             (std::vector<Polygon>{Polygon{Ring{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}}}));
   EXPECT_TRUE(outline_of("fig1").empty());
+}
+
+TEST(ReadGrasp, Units) {
+  const GraspFile file = read_good("units");
+  EXPECT_EQ(file.content.grasp.description().units, (Units{"\u00b5m", "kN"}));
+  EXPECT_EQ(file.content.grasp.description().units->torque(), "kN \u00b5m");
+  EXPECT_EQ(write_grasp(file.content),
+            "{\"format\": \"stickslip-grasp/2\",\n"
+            " \"units\": {\"length\": \"\u00b5m\", \"force\": \"kN\"},\n"
+            " \"contacts\": [],\n \"wrench\": [0, 0, 0]}\n");
+  EXPECT_EQ(read_good("fig1").content.grasp.description().units, std::nullopt);
 }
 
 TEST(ReadGrasp, LoadsAreSummedExactly) {

@@ -49,6 +49,7 @@ void expect_round_trip(const stickslip::GraspFile& file) {
   const bool equal = file.content.wrench == again.content.wrench &&
                      before.name() == after.name() &&
                      before.description().outline == after.description().outline &&
+                     before.description().units == after.description().units &&
                      same(file.cases, again.cases) &&
                      file.assumed_stiffness == again.assumed_stiffness &&
                      same(before.contacts(), after.contacts());

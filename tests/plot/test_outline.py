@@ -83,6 +83,26 @@ class Outlines(unittest.TestCase):
         for command in ("grasp", "states"):
             self.assertEqual(len(subpaths(self.drawn(command, "-", contacts=[]).all("body")[0])), 3)
 
+    def test_title_names_the_case(self):
+        picture = self.drawn("grasp", "-", "--case", "up & away", name="jaw",
+                             cases=[{"name": "up & away", "loads": []}])
+        title, = picture.all("title")
+        self.assertEqual(title.text, f"jaw, up & away: {title.get('data-verdict')}")
+
+    def test_units(self):
+        units = {"length": "mm", "force": "kN"}
+        region = ("region", "-", "--v", "0,0,1")
+        texts = [" ".join(self.drawn(*words, units=units, wrench=[0, -1, "1/2"]).texts())
+                 for words in (("grasp", "-"), ("states", "-"), region)]
+        self.assertRegex(texts[0], r"force \S+ kN ")
+        self.assertRegex(texts[0], r"torque \S+ kN mm ")
+        self.assertIn("Units: kN, mm.", texts[0])
+        self.assertIn("at distance 6 mm from", texts[1])
+        self.assertIn("applied force along x / kN", texts[2])
+        self.assertIn("applied torque / kN mm", texts[2])
+        for words in (("grasp", "-"), ("states", "-"), region):
+            self.assertNotIn("kN", " ".join(self.drawn(*words).texts()))
+
     def test_written_by_snap(self):
         contacts = [{"on": {"polygon": 1, "edge": 2, "share": "1/3"}}]
         out = stickslip("snap", "-", "-o", "-", stdin=json.dumps({**FRAME, "contacts": contacts}))[1]

@@ -118,3 +118,21 @@ def test_contacts_on_the_outline():
     assert grasp.positions == ((2, 0), (3, 3), (2, 1), (1, 1), (0, 1))
     assert grasp.normals == ((0, 1), (0, -1), (0, -1), (-1, 0), (1, 0))
     assert len(grasp.outline[0]) == 2
+
+
+def test_units():
+    units = {"length": "mm", "force": "N"}
+    grasp = Grasp([], [], 1, units=units)
+    assert grasp.units == units
+    assert Grasp.from_text(grasp.to_text()).units == grasp.snap().grasp.units == units
+    assert grasp != Grasp([], [], 1)
+    assert not Grasp([], [], 1).units
+
+
+@pytest.mark.parametrize("units, message", [
+    ({"length": "mm"}, "give both"), ({"length": "mm", "force": 1}, r"units\['force'\]"),
+    ({"length": "", "force": "N"}, "1 to 16 bytes"), ({"length": "m" * 17, "force": "N"}, "1 to 16"),
+])
+def test_bad_units(units, message):
+    with pytest.raises(InputError, match=message):
+        Grasp([], [], 1, units=units)

@@ -16,6 +16,11 @@ void check(bool good, std::size_t contact, const char* member, const Rational& v
                    "the value is " + to_string(value), remedy);
 }
 
+void check_preload(std::size_t contact, const Rational& preload) {
+  check(preload.sign() >= 0, contact, "preload", preload,
+        "a preload is a normal force and must be 0 or more");
+}
+
 void check_unit(const char* place, const std::string& unit) {
   if (!unit.empty() && unit.size() <= kMaxUnitLength) return;
   throw InputError(
@@ -47,8 +52,7 @@ Grasp::Grasp(std::vector<Contact> contacts, GraspDescription description)
     }
     check(c.friction.sign() >= 0, i, "friction", c.friction, "friction must be 0 or more");
     check(c.stiffness.sign() > 0, i, "stiffness", c.stiffness, "stiffness must be above 0");
-    check(c.preload.sign() >= 0, i, "preload", c.preload,
-          "a preload is a normal force and must be 0 or more");
+    check_preload(i, c.preload);
   }
 }
 
@@ -58,9 +62,12 @@ Grasp Grasp::with_preload(const Rational& preload) const {
 
 Grasp Grasp::with_preloads(const std::vector<Rational>& preloads) const {
   require(preloads.size() == size(), "one preload for each contact is needed");
-  std::vector<Contact> contacts = contacts_;
-  for (std::size_t i = 0; i < size(); ++i) contacts[i].preload = preloads[i];
-  return Grasp(std::move(contacts), description_);
+  Grasp result = *this;
+  for (std::size_t i = 0; i < size(); ++i) {
+    check_preload(i, preloads[i]);
+    result.contacts_[i].preload = preloads[i];
+  }
+  return result;
 }
 
 }  // namespace stickslip

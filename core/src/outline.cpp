@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "simple_polygon.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/json.hpp"
 
@@ -56,6 +57,7 @@ void check_outline(const std::vector<Polygon>& outline) {
     for (std::size_t k = 0; k < outline[j].size(); ++k) {
       check_ring(outline[j][k], element_path(path, k));
     }
+    check_simple(outline[j], path);
   }
 }
 

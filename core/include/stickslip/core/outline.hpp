@@ -21,7 +21,9 @@ struct OutlineEdge {
 };
 
 /// Throws InputError at "outline[j][k]", ring k of polygon j, unless each polygon has a ring,
-/// and each ring has at least three vertices, none of them like the next, and an area.
+/// and each ring has at least three vertices, none of them like the next, and an area; and at
+/// "outline[j]" if rings of a polygon cross or touch themselves or each other, or its holes are
+/// not inside.
 void check_outline(const std::vector<Polygon>& outline);
 
 /// The edges of each polygon: those of its rings, one ring after another. Requires what

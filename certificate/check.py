@@ -10,14 +10,15 @@ no floating point occurs. Exit codes: 0 accepted, 1 rejected, 2 malformed or wro
 
 from __future__ import annotations
 
+import functools
 import json
 import math
+import operator
 import os
 import re
 import signal
 import sys
 from fractions import Fraction
-from operator import mul
 from typing import Any, Callable, Dict, List, NamedTuple, NoReturn, Optional, Sequence, Tuple, Union
 
 Vector = Tuple[Fraction, ...]
@@ -59,7 +60,7 @@ def printable(text: str) -> str:
 
 def dot(a: Sequence[Any], b: Sequence[Any]) -> Any:
     """The sum of products of as many coordinates as the shorter of the two has."""
-    return sum(map(mul, a, b))
+    return sum(map(operator.mul, a, b))
 
 
 def pairwise_sum(terms: List[Sequence[Fraction]]) -> Vector:
@@ -85,7 +86,7 @@ class Members(NamedTuple):
 
 class FileKind(NamedTuple):
     """§2, Limits."""
-    format: str
+    formats: Tuple[str, ...]
     byte_order_mark: bool  # may the file begin with one?
     max_bytes: int
     max_depth: int
@@ -97,11 +98,12 @@ class FileKind(NamedTuple):
     number: "re.Pattern[str]"  # [0-9], because \d and int() take other scripts' digits too
 
 
-GRASP = FileKind("stickslip-grasp/1", True, 1 << 28, 32, 1 << 28, 16_384, 16_384, 256,
-                 ("contacts",), re.compile(
+GRASP = FileKind(("stickslip-grasp/1", "stickslip-grasp/2"), True, 1 << 28, 32, 1 << 28, 16_384,
+                 16_384, 1 << 16, ("contacts",), re.compile(
                      r"([+-]?[0-9]+)(?:/([0-9]+)|(?:\.([0-9]+))?(?:[eE]([+-]?[0-9]+))?)"))
-CERTIFICATE = FileKind("stickslip-certificate/2", False, 1 << 30, 8, 65_536, 4_000, 65_536, 1 << 22,
-                       ("segments", "tree"), re.compile(r"(-?[0-9]+)(?:/([0-9]+))?()()"))
+CERTIFICATE = FileKind(("stickslip-certificate/2",), False, 1 << 30, 8, 65_536, 4_000, 65_536,
+                       1 << 22, ("segments", "tree"),
+                       re.compile(r"(-?[0-9]+)(?:/([0-9]+))?()()"))
 MAX_EXPONENT = 4096
 BEYOND_NUMERALS = 2 ** 16384 - 2 ** 16319  # what rounds to 2^16384 with a mantissa of 64 bits
 MAX_CONTACTS = 1_000_000
@@ -233,8 +235,9 @@ class Source:
 
     def check_format(self, value: Any) -> None:
         """§9: a version that is not known is malformed."""
-        if type(value) is not str or value != self.kind.format:
-            self.fail("format", f"must be \"{self.kind.format}\", the only one known here")
+        if type(value) is not str or value not in self.kind.formats:
+            known = " or ".join(f'"{name}"' for name in self.kind.formats)
+            self.fail("format", f"must be {known}; no other is known here")
 
     def choice(self, value: Any, place: str, words: Tuple[str, ...]) -> str:
         if type(value) is not str or value not in words:
@@ -290,6 +293,12 @@ class Contact(NamedTuple):
     preload: Fraction
 
 
+class Grasp(NamedTuple):
+    contacts: List[Contact]
+    wrench: Vector            # with cases, what is common to them
+    cases: Dict[str, Vector]  # the wrench of each, by name
+
+
 class Options(NamedTuple):
     """What whoever asks chooses; None leaves the grasp file's own values."""
     wrench: Optional[Vector] = None
@@ -297,6 +306,7 @@ class Options(NamedTuple):
     law: str = LAWS[0]
     direction: Optional[Vector] = None
     preload_direction: Union[None, str, Vector] = None  # "scale", or a number for each contact
+    case: Optional[str] = None  # whose wrench is asked about, if none is given
 
     def margin(self) -> bool:
         return self.direction is not None or self.preload_direction is not None
@@ -317,6 +327,11 @@ class Question(NamedTuple):
     rows: List[Row]
 
 
+def rational_root(square: Fraction) -> Optional[Fraction]:
+    root = Fraction(math.isqrt(square.numerator), math.isqrt(square.denominator))
+    return root if root * root == square else None
+
+
 def coefficients(source: Source, fields: Dict[str, Any], place: str) -> Dict[str, Fraction]:
     """Those of μ ≥ 0, k > 0 and P ≥ 0 that an object of the grasp file states."""
     found = {}
@@ -329,37 +344,182 @@ def coefficients(source: Source, fields: Dict[str, Any], place: str) -> Dict[str
     return found
 
 
-def read_grasp(name: str) -> Tuple[List[Contact], Vector]:
-    """§1: the contacts and the wrench."""
+def add(a: Vector, b: Vector) -> Vector:
+    return tuple(map(operator.add, a, b))
+
+
+def read_one_load(source: Source, value: Any, place: str) -> Vector:
+    """The wrench of a force at a point, of a torque or of a weight."""
+    kinds = [key for key, _ in value.pairs] if type(value) is Members else []
+    if "torque" in kinds:
+        torque = source.members(value, place, "torque")["torque"]
+        return (Fraction(0), Fraction(0), source.number(torque, f"{place}.torque"))
+    if "weight" in kinds:
+        fields = source.members(value, place, "weight at direction?")
+        weight = source.number(fields["weight"], f"{place}.weight")
+        if weight < 0:
+            source.fail(f"{place}.weight", f"{show(weight)} is out of range, must be >= 0")
+        dx, dy = source.vector(fields.get("direction", [Numeral("0"), Numeral("-1")]),
+                               f"{place}.direction", 2)
+        length = rational_root(dx * dx + dy * dy)
+        if not length:
+            source.fail(f"{place}.direction",
+                        "must have a rational length that is not 0, as [3, -4] has")
+        fx, fy = weight * dx / length, weight * dy / length
+    else:
+        fields = source.members(value, place, "force at")
+        fx, fy = source.vector(fields["force"], f"{place}.force", 2)
+    px, py = source.vector(fields["at"], f"{place}.at", 2)
+    return (fx, fy, px * fy - py * fx)
+
+
+def read_load(source: Source, fields: Dict[str, Any], place: str, needed: bool) -> Vector:
+    """§1: "wrench", or the sum of "loads"."""
+    given = [key for key in ("wrench", "loads") if key in fields]
+    if len(given) > 1 or (needed and not given):
+        source.fail(place.rstrip("."), "both 'wrench' and 'loads'; give one of them" if given else
+                                       "'wrench' is missing (in version 2, that or 'loads')")
+    if "wrench" in fields:
+        return source.vector(fields["wrench"], place + "wrench", D)
+    loads = source.array(fields.get("loads", []), place + "loads")
+    return functools.reduce(add, (read_one_load(source, load, f"{place}loads[{k}]")
+                                  for k, load in enumerate(loads)), NOWHERE)
+
+
+def read_cases(source: Source, value: Any, common: Vector) -> Dict[str, Vector]:
+    cases: Dict[str, Vector] = {}
+    for k, entry in enumerate(source.array(value, "cases")):
+        place = f"cases[{k}]"
+        fields = source.members(entry, place, "name wrench? loads?")
+        name = fields["name"]
+        if type(name) is not str or not name or name in cases:
+            source.fail(f"{place}.name", "must be a string, not empty, and of this case alone")
+        cases[name] = add(common, read_load(source, fields, place + ".", True))
+    if not cases:
+        source.fail("cases", "must not be empty")
+    return cases
+
+
+class Edge(NamedTuple):
+    """Of the outline, in the sense of its ring."""
+    start: Vector
+    end: Vector
+    inwards: Vector  # the normal of contacts on it
+
+
+def depth_of(value: Any) -> int:
+    """Of arrays, first elements within first elements."""
+    depth = 0
+    while type(value) is list:
+        value, depth = value[0] if value else None, depth + 1
+    return depth
+
+
+def read_ring(source: Source, value: Any, place: str, hole: bool) -> List[Edge]:
+    """§1: the edges, and on which side of them the body is."""
+    ring = [source.vector(vertex, f"{place}[{i}]", 2)
+            for i, vertex in enumerate(source.array(value, place))]
+    if len(ring) < 3:
+        source.fail(place, "must have three vertices or more")
+    sides = list(zip(ring, ring[1:] + ring[:1]))
+    area = sum(a[0] * b[1] - a[1] * b[0] for a, b in sides)
+    if area == 0 or any(a == b for a, b in sides):
+        source.fail(place, "must have an area, and no vertex that is the same as the next")
+    side = -1 if (area > 0) == hole else 1
+    edges = []
+    for a, b in sides:
+        n = (side * (a[1] - b[1]), side * (b[0] - a[0]))
+        length = rational_root(dot(n, n)) or 1
+        edges.append(Edge(a, b, (n[0] / length, n[1] / length)))
+    return edges
+
+
+def read_outline(source: Source, value: Any) -> List[List[Edge]]:
+    """The edges of each polygon. A list of polygons, a list of rings, or a ring."""
+    depth = depth_of(value)
+    if depth < 2:
+        source.fail("outline", "must be a list of polygons [[[[x, y], ...]]]")
+    for _ in range(4 - depth):
+        value = [value]
+    outline = []
+    for j, polygon in enumerate(value):
+        place = f"outline[{j}]"
+        if not source.array(polygon, place):
+            source.fail(place, "must have one ring or more")
+        outline.append([edge for k, ring in enumerate(polygon)
+                        for edge in read_ring(source, ring, f"{place}[{k}]", k > 0)])
+    return outline
+
+
+def read_place(source: Source, value: Any, place: str,
+               outline: List[List[Edge]]) -> Tuple[Vector, Vector]:
+    """§1: position and normal of a contact on the outline."""
+    polygon = Fraction(0)
+    if type(value) is list:
+        edge, share = source.vector(value, place, 2)
+    else:
+        fields = source.members(value, place, "polygon? edge share")
+        if "polygon" in fields:
+            polygon = source.number(fields["polygon"], f"{place}.polygon")
+        edge, share = (source.number(fields[key], f"{place}.{key}") for key in ("edge", "share"))
+    if not 0 <= share <= 1:
+        source.fail(place, f"the share {show(share)} is not from 0 to 1")
+
+    def choose(entries: List[Any], index: Fraction, what: str) -> Any:
+        if index.denominator != 1 or not 0 <= index < len(entries):
+            source.fail(place, f"there is no {what} {show(index)}")
+        return entries[int(index)]
+
+    start, end, inwards = choose(choose(outline, polygon, "polygon"), edge, "edge")
+    return tuple(a + share * (b - a) for a, b in zip(start, end)), inwards
+
+
+def read_grasp(name: str) -> Grasp:
+    """§1: what the grasp file says."""
     source = Source(name, GRASP)
-    top = source.members(source.root, "", "format name? defaults? contacts wrench")
+    top = source.members(source.root, "",
+                         "format name? units? outline? defaults? contacts wrench? loads? cases?")
     source.check_format(top["format"])
+    for key in ("units", "outline", "loads", "cases"):
+        if key in top and top["format"] == GRASP.formats[0]:
+            source.fail("", f"'{key}' needs \"format\": \"{GRASP.formats[1]}\"")
     if type(top.get("name", "")) is not str:
         source.fail("name", "must be a string")
+    if "units" in top:
+        for key, unit in source.members(top["units"], "units", "length force").items():
+            if type(unit) is not str or not 1 <= len(unit.encode("utf-8")) <= 16:
+                source.fail(f"units.{key}", "must be a string of 1 to 16 bytes")
     stated = source.members(top.get("defaults", Members([])), "defaults",
                             "friction? stiffness? preload?")
     defaults = {"stiffness": Fraction(1), "preload": Fraction(0),
                 **coefficients(source, stated, "defaults")}
+    outline = read_outline(source, top["outline"]) if "outline" in top else []
     contacts = []
     if len(source.array(top["contacts"], "contacts")) > MAX_CONTACTS:
         source.fail("contacts", "too many contacts")
     for i, entry in enumerate(top["contacts"]):
         place = f"contacts[{i}]"
-        fields = source.members(entry, place, "position normal friction? stiffness? preload?")
+        where = "position normal "
+        if type(entry) is Members and any(key == "on" for key, _ in entry.pairs):
+            where = "on "  # and no position, no normal
+        fields = source.members(entry, place, where + "friction? stiffness? preload?")
         values = {**defaults, **coefficients(source, fields, place)}
         if "friction" not in values:
             source.fail(place, "'friction' is missing, here and in defaults")
-        normal = source.vector(fields["normal"], f"{place}.normal", 2)
+        if "on" in fields:
+            if top["format"] == GRASP.formats[0]:
+                source.fail(place, f"'on' needs \"format\": \"{GRASP.formats[1]}\"")
+            position, normal = read_place(source, fields["on"], f"{place}.on", outline)
+        else:
+            position = source.vector(fields["position"], f"{place}.position", 2)
+            normal = source.vector(fields["normal"], f"{place}.normal", 2)
         if not any(normal):
             source.fail(f"{place}.normal", "must not be zero")
-        contacts.append(Contact(source.vector(fields["position"], f"{place}.position", 2), normal,
-                                values["friction"], values["stiffness"], values["preload"]))
-    return contacts, source.vector(top["wrench"], "wrench", D)
-
-
-def rational_root(square: Fraction) -> Optional[Fraction]:
-    root = Fraction(math.isqrt(square.numerator), math.isqrt(square.denominator))
-    return root if root * root == square else None
+        contacts.append(Contact(position, normal, values["friction"], values["stiffness"],
+                                values["preload"]))
+    common = read_load(source, top, "", "cases" not in top)
+    cases = read_cases(source, top["cases"], common) if "cases" in top else {}
+    return Grasp(contacts, common, cases)
 
 
 def make_row(contact: Contact, preload: Fraction, growth: Fraction) -> Optional[Row]:
@@ -375,9 +535,28 @@ def make_row(contact: Contact, preload: Fraction, growth: Fraction) -> Optional[
                tuple(-stiffness / square * c for c in normal) + (preload / length, growth / length))
 
 
+def wrench_asked(grasp: Grasp, asked: Options) -> Vector:
+    """§1, the table: w."""
+    if asked.wrench is not None:
+        if asked.case is not None:
+            raise Malformed("the question", "case", "a wrench is given as well")
+        return asked.wrench
+    if asked.case is not None:
+        if asked.case not in grasp.cases:
+            raise Malformed("the question", "case", f"the grasp has no case '{show(asked.case)}'")
+        return grasp.cases[asked.case]
+    if asked.direction is not None:
+        return NOWHERE
+    if grasp.cases:
+        raise Malformed("the question", "case", f"the grasp has {len(grasp.cases)} cases, and none "
+                                                "is chosen; give the name of one")
+    return grasp.wrench
+
+
 def pose(grasp_file: str, asked: Options) -> Question:
     """§1, the table: the question, if it can be asked."""
-    contacts, wrench = read_grasp(grasp_file)
+    grasp = read_grasp(grasp_file)
+    contacts = grasp.contacts
     m = len(contacts)
     base = tuple(c.preload if asked.preload is None else asked.preload for c in contacts)
     if asked.preload is not None and asked.preload < 0:
@@ -402,8 +581,7 @@ def pose(grasp_file: str, asked: Options) -> Question:
                             "is no exact question; run stickslip snap GRASP -o FILE, and ask about "
                             "FILE")
         table.append(row)
-    start = wrench if asked.direction is None else NOWHERE
-    return Question(asked, start if asked.wrench is None else asked.wrench, u, table)
+    return Question(asked, wrench_asked(grasp, asked), u, table)
 
 
 # ---- §2 Syntax --------------------------------------------------------------------------------
@@ -925,10 +1103,11 @@ USAGE = """check.py GRASP CERTIFICATE [options]
 Checks a stickslip certificate, as FORMAT.md says. GRASP is the grasp file, CERTIFICATE the proof;
 one of them may be - for standard input. Give the same options as to the program that made it:
   --wrench WX,WY,T         replaces the file's
+  --case NAME              the wrench of this case of the grasp file
   --preload P              one preload for all contacts
   --normal-law LAW         unilateral (the default) or bilateral
   --direction WX,WY,T      ask for the margin: all factors f >= 0 for which the grasp is stable under
-                           wrench + f direction, with wrench 0 unless given by --wrench
+                           wrench + f direction, with wrench 0 unless given by --wrench or --case
   --preload-direction D    ask for the margin along preloads: P0,P1,..., of which f times is added to
                            the preloads; or scale: f times the preloads
   --json                   answer as one JSON object
@@ -980,7 +1159,7 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
             ended, as_json = ended or word == "--", as_json or word == "--json"
             continue
         name, equals, value = word.partition("=") if word.startswith("--") else (word, "", "")
-        if name not in ("--wrench", "--preload", "--normal-law", "--direction",
+        if name not in ("--wrench", "--case", "--preload", "--normal-law", "--direction",
                         "--preload-direction"):
             raise UsageError(f"unknown option '{show(word)}'")
         if not equals:
@@ -991,6 +1170,8 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
             options = options._replace(wrench=list_option(name, value, D))
         elif name == "--direction":
             options = options._replace(direction=list_option(name, value, D))
+        elif name == "--case":
+            options = options._replace(case=value)
         elif name == "--preload":
             options = options._replace(preload=number_option(name, value))
         elif name == "--preload-direction":

@@ -81,6 +81,7 @@ class Batch {
     spell(w ? std::optional(w->y) : std::nullopt);
     spell(w ? std::optional(w->torque) : std::nullopt);
     spell(options_.preload);
+    if (options_.case_name) options_text_ += *options_.case_name + ";";
     options_text_ += std::string(to_string(options_.law)) + ";" +
                      std::to_string(arguments.node_limit) + "\n";
     const auto size = std::filesystem::file_size(arguments_.file, ignored_);

@@ -32,6 +32,7 @@ void print_json(const Question& question, const Rational& length,
             {"normal_law", to_string(question.law)},
             {"wrench", number_json(coordinates(question.loaded.wrench))},
             {"length", number_json(length)}};
+  add_units(json, question.loaded.grasp);
   Json& methods = json["methods"] = Json::array();
   for (const MethodRow& row : rows) {
     methods.push_back({{"method", row.method},
@@ -63,7 +64,7 @@ void print_text(const Question& question, const Rational& length,
   std::cout << format_table(table, Align::kLeft)
             << "\nAll methods are exact. Normal law of the passive model: "
             << law_text(question.law) << ".\n"
-            << text.note();
+            << units_text(question.loaded.grasp) << text.note();
 }
 
 int compare(const CompareArguments& arguments) {

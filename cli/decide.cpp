@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/equilibrium/decide.hpp"
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -8,6 +9,7 @@
 #include "commands.hpp"
 #include "question_options.hpp"
 #include "stickslip/certificate/certificate.hpp"
+#include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/sign.hpp"
 #include "stickslip/equilibrium/contact_mode.hpp"
@@ -53,12 +55,23 @@ Json stats_json(const Decision& decision) {
   return json;
 }
 
-void print_json(const Question& question, const Problem& problem, const Decision& decision,
-                const Warnings& warnings, const NumberOptions& output) {
+struct Answer {
+  Question question;
+  Problem problem;
+  Decision decision;
+  Warnings warnings;
+
+  const Verdict& verdict() const { return decision.verdict; }
+};
+
+Json to_json(const Answer& answer) {
+  const auto& [question, problem, decision, warnings] = answer;
   Json json;
-  const Verdict& verdict = decision.verdict;
+  const Verdict& verdict = answer.verdict();
   json["verdict"] = name_of(verdict);
   json["name"] = question.loaded.grasp.name();
+  if (!question.case_name.empty()) json["case"] = question.case_name;
+  add_units(json, question.loaded.grasp);
   json["engine"] = decision.engine();
   json["normal_law"] = to_string(question.law);
   json["wrench"] = number_json(coordinates(problem.wrench()));
@@ -80,6 +93,10 @@ void print_json(const Question& question, const Problem& problem, const Decision
   }
   if (warnings) json["warnings"] = warnings_json(*warnings);
   json["stats"] = stats_json(decision);
+  return json;
+}
+
+void print_json(const Json& json, const NumberOptions& output) {
   std::cout << finished(json, output.floats).dump(1) << '\n';
 }
 
@@ -104,13 +121,17 @@ void explain(const RefutationSummary& summary, NumberText& text) {
   std::cout << "  twist " << twist << "\n\n";
 }
 
-void print_text(const Question& question, const Problem& problem, const Decision& decision,
-                const Warnings& warnings, const NumberOptions& output) {
+std::string engine_text(const Answer& answer) {
+  return std::string("Engine: ") + answer.decision.engine() +
+         "; normal law: " + law_text(answer.question.law) + ".\n";
+}
+
+void print_text(const Answer& answer, const NumberOptions& output) {
+  const auto& [question, problem, decision, warnings] = answer;
   NumberText text(output);
-  const Verdict& verdict = decision.verdict;
-  const std::string& name = question.loaded.grasp.name();
+  const Verdict& verdict = answer.verdict();
   const Wrench& w = problem.wrench();
-  std::cout << (name.empty() ? "" : name + ": ") << name_of(verdict) << "\n\n"
+  std::cout << heading(question) << name_of(verdict) << "\n\n"
             << "  load w    " << text(coordinates(w)) << '\n';
   if (const auto* stable = std::get_if<Stable>(&verdict)) {
     const Twist& d = stable->witness.twist;
@@ -136,9 +157,48 @@ void print_text(const Question& question, const Problem& problem, const Decision
     std::cout << "\nGiven up at " << std::get<Undecided>(verdict).limit
               << "; nothing is known about the verdict.\n";
   }
-  std::cout << text.note() << "Engine: " << decision.engine()
-            << "; normal law: " << law_text(question.law) << ".\n";
+  std::cout << text.note() << units_text(question.loaded.grasp) << engine_text(answer);
   print(warnings);
+}
+
+void print_cases_json(const std::vector<Answer>& answers, const NumberOptions& output) {
+  Json json{{"name", answers.front().question.loaded.grasp.name()}, {"cases", Json::array()}};
+  for (const Answer& answer : answers) json["cases"].push_back(to_json(answer));
+  print_json(json, output);
+}
+
+/// A line each; and each warning once, with the cases that it is about.
+void print_cases_text(const std::vector<Answer>& answers, const NumberOptions& output) {
+  NumberText text(output);
+  std::vector<std::vector<std::string>> rows{{"case", "verdict", "load w"}};
+  std::vector<std::pair<std::string, std::string>> warnings;  // and their cases
+  for (const Answer& answer : answers) {
+    const std::string& name = answer.question.case_name;
+    rows.push_back(
+        {name, name_of(answer.verdict()), text(coordinates(answer.problem.wrench()))});
+    if (!answer.warnings) continue;
+    for (const ModelWarning& warning : *answer.warnings) {
+      const auto known = std::find_if(warnings.begin(), warnings.end(), [&](const auto& other) {
+        return other.first == warning.text;
+      });
+      if (known == warnings.end()) {
+        warnings.emplace_back(warning.text, name);
+      } else {
+        known->second += ", " + name;
+      }
+    }
+  }
+  const std::string& grasp = answers.front().question.loaded.grasp.name();
+  const std::size_t n = answers.size();
+  std::cout << (grasp.empty() ? "" : grasp + ": ") << n << (n == 1 ? " case" : " cases")
+            << "\n\n"
+            << format_table(rows, Align::kLeft)
+            << "\nForces and motions, or why there are none: --case NAME.\n"
+            << text.note() << units_text(answers.front().question.loaded.grasp)
+            << engine_text(answers.front());
+  for (const auto& [warning, names] : warnings) {
+    std::cout << "Warning, " << names << ": " << warning << ".\n";
+  }
 }
 
 struct DecideArguments {
@@ -151,27 +211,58 @@ struct DecideArguments {
   bool answer_by_exit_code = false;
 };
 
-int decide(const DecideArguments& arguments) {
-  const Question question = arguments.question.question();
-  const Problem problem(question.loaded, question.law);
+Answer answer_to(Question question, const DecideArguments& arguments) {
+  Problem problem(question.loaded, question.law);
   const Engine engine = arguments.engine == "states" ? Engine::kStates : Engine::kCone;
   ConeOptions options;
   options.node_limit = arguments.node_limit;
-  const Decision decision = stickslip::decide(problem, engine, options);
-  const Verdict& verdict = decision.verdict;
-  if (!arguments.certificate.empty() && !std::holds_alternative<Undecided>(verdict)) {
-    write_whole_file(arguments.certificate,
-                     certificate_text(question, verdict,
-                                      std::string("stickslip " STICKSLIP_VERSION ", engine ") +
-                                          decision.engine()));
-  }
+  Decision decision = stickslip::decide(problem, engine, options);
   Warnings warnings;
-  if (!arguments.no_warnings) warnings = model_warnings(question, verdict);
-  (arguments.output.json ? print_json : print_text)(question, problem, decision, warnings,
-                                                    arguments.output);
-  if (std::holds_alternative<Undecided>(verdict)) return kUndecidedWithinLimit;
-  if (!arguments.answer_by_exit_code) return kDone;
-  return std::holds_alternative<Stable>(verdict) ? kAnswerStable : kAnswerUnstable;
+  if (!arguments.no_warnings) warnings = model_warnings(question, decision.verdict);
+  return {std::move(question), std::move(problem), std::move(decision), std::move(warnings)};
+}
+
+void write_certificate(const Answer& answer, const std::string& file) {
+  if (file.empty() || std::holds_alternative<Undecided>(answer.verdict())) return;
+  write_whole_file(file,
+                   certificate_text(answer.question, answer.verdict(),
+                                    std::string("stickslip " STICKSLIP_VERSION ", engine ") +
+                                        answer.decision.engine()));
+}
+
+/// That of the worst answer: unstable, then undecided, then stable.
+int exit_code(const std::vector<Answer>& answers, bool answer_by_exit_code) {
+  const auto any = [&](auto is) { return std::any_of(answers.begin(), answers.end(), is); };
+  const bool unstable =
+      any([](const Answer& a) { return std::holds_alternative<Unstable>(a.verdict()); });
+  const bool undecided =
+      any([](const Answer& a) { return std::holds_alternative<Undecided>(a.verdict()); });
+  if (answer_by_exit_code && unstable) return kAnswerUnstable;
+  if (undecided) return kUndecidedWithinLimit;
+  return answer_by_exit_code ? kAnswerStable : kDone;
+}
+
+int decide(const DecideArguments& arguments) {
+  std::vector<Question> questions = arguments.question.questions();
+  const bool by_case =
+      !questions.front().case_name.empty() && !arguments.question.chooses_case();
+  if (by_case && !arguments.certificate.empty()) {
+    throw InputError("", "--certificate", "the grasp has cases, and a file holds one proof",
+                     "choose the case with --case NAME");
+  }
+  std::vector<Answer> answers;
+  for (Question& question : questions) {
+    answers.push_back(answer_to(std::move(question), arguments));
+  }
+  const bool json = arguments.output.json;
+  if (by_case) {
+    (json ? print_cases_json : print_cases_text)(answers, arguments.output);
+  } else {
+    const Answer& answer = answers.front();
+    write_certificate(answer, arguments.certificate);
+    json ? print_json(to_json(answer), arguments.output) : print_text(answer, arguments.output);
+  }
+  return exit_code(answers, arguments.answer_by_exit_code);
 }
 
 }  // namespace
@@ -197,12 +288,14 @@ void add_decide_command(CLI::App& app, int& exit_code) {
   arguments->output.add_to(*command);
   add_no_warnings_option(*command, arguments->no_warnings);
   command->add_flag("--exit-code", arguments->answer_by_exit_code,
-                    "Exit with 10 if stable, 20 if unstable, instead of 0");
-  command->footer(
-      footer_text("What the model says and does not say, and its warnings: docs/model.md.\n",
-                  "0 done (with --exit-code 10 stable, 20 unstable), 2 bad input or usage,\n"
-                  "3 undecided within a limit",
-                  "stickslip decide fig1.json --wrench 0,-11/10,0 --preload 0"));
+                    "Exit with 10 if stable, 20 if unstable, instead of 0; of cases, if one is "
+                    "unstable 20, if one is undecided 3, else 10");
+  command->footer(footer_text(
+      "What the model says and does not say, and its warnings: docs/model.md. A grasp\n"
+      "file with cases is answered with a table, unless --case or --wrench is given.\n",
+      "0 done (with --exit-code 10 stable, 20 unstable), 2 bad input or usage,\n"
+      "3 undecided within a limit",
+      "stickslip decide fig1.json --wrench 0,-11/10,0 --preload 0"));
   command->callback([arguments, &exit_code] { exit_code = decide(*arguments); });
 }
 

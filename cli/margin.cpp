@@ -46,6 +46,7 @@ void print_json(const Question& question, const Margin& margin, const MarginWork
                 const Warnings& warnings, bool floats) {
   Json json;
   json["name"] = question.loaded.grasp.name();
+  add_units(json, question.loaded.grasp);
   json["normal_law"] = to_string(question.law);
   json["wrench"] = number_json(coordinates(question.loaded.wrench));
   if (question.direction) json["direction"] = number_json(coordinates(*question.direction));
@@ -146,7 +147,7 @@ void print_text(const Question& question, const Margin& margin, NumberText& text
                                     : ", and by case trees of " + count(nodes, "node") +
                                           " that nothing else is resisted")
             << ".\nNormal law: " << law_text(question.law) << ".\n"
-            << text.note();
+            << units_text(question.loaded.grasp) << text.note();
 }
 
 void print_least(const Margin& margin, NumberText& text) {

@@ -53,6 +53,20 @@ Rational number_option(const std::string& option, const std::string& value) {
   }
 }
 
+std::string heading(const Question& question) {
+  const std::string& name = question.loaded.grasp.name();
+  const std::string& of_case = question.case_name;
+  const std::string both = name + (name.empty() || of_case.empty() ? "" : ", ") + of_case;
+  return both.empty() ? both : both + ": ";
+}
+
+std::string units_text(const Grasp& grasp) {
+  const std::optional<Units>& units = grasp.description().units;
+  if (!units) return "";
+  return "Units: force " + units->force + ", length " + units->length + ", torque " +
+         units->torque() + ".\n";
+}
+
 std::string law_text(NormalLaw law) {
   return to_string(law) + std::string(law == NormalLaw::kUnilateral
                                           ? " (contacts may detach)"
@@ -100,17 +114,23 @@ void QuestionArguments::add_to(CLI::App& command) {
 }
 
 void QuestionArguments::add_options_to(CLI::App& command) {
-  command
-      .add_option("--wrench", wrench_,
-                  "Wrench applied to the object: force x, force y and torque about the origin "
-                  "(replaces the file's)")
-      ->type_name("WX,WY,T");
+  CLI::Option* wrench =
+      command
+          .add_option(
+              "--wrench", wrench_,
+              "Wrench applied to the object: force x, force y and torque about the origin "
+              "(replaces the file's)")
+          ->type_name("WX,WY,T");
+  command.add_option("--case", case_, "The case of the file whose load is applied")
+      ->type_name("NAME")
+      ->excludes(wrench);
   add_model_options_to(command);
 }
 
 void QuestionArguments::add_without_wrench_to(CLI::App& command) {
   add_grasp_argument(command, file_);
   add_model_options_to(command);
+  has_no_wrench_ = true;
 }
 
 void QuestionArguments::add_model_options_to(CLI::App& command) {
@@ -134,9 +154,9 @@ void QuestionArguments::add_with_directions_to(CLI::App& command) {
   add_to(command);
   command.get_option("--wrench")
       ->description(
-          "Wrench w to start from: force x, force y and torque about the origin. If not given "
-          "it "
-          "is 0,0,0 with --direction, and the file's without");
+          "Wrench w to start from: force x, force y and torque about the origin. If neither it "
+          "nor a case is given, it is 0,0,0 with --direction, and the file's without");
+  command.get_option("--case")->description("The case of the file whose load is w");
   command
       .add_option("--direction", direction_,
                   "Wrench u: which multiples l >= 0 are resisted under the wrench w + l u?")
@@ -152,6 +172,8 @@ void QuestionArguments::add_with_directions_to(CLI::App& command) {
 QuestionOptions QuestionArguments::options() const {
   QuestionOptions options;
   if (!wrench_.empty()) options.wrench = wrench_option("--wrench", wrench_);
+  if (!case_.empty()) options.case_name = case_;
+  if (has_no_wrench_) options.wrench = Wrench{};
   if (!preload_.empty()) options.preload = number_option("--preload", preload_);
   if (!direction_.empty()) options.direction = wrench_option("--direction", direction_);
   if (preload_direction_ == "scale") {
@@ -165,7 +187,21 @@ QuestionOptions QuestionArguments::options() const {
 }
 
 Question QuestionArguments::question() const {
-  return ask_with_options(read_grasp_file(file_), options(), file_ == "-" ? "<stdin>" : file_);
+  return ask_with_options(read_grasp_file(file_), options(), name_of_file());
+}
+
+std::vector<Question> QuestionArguments::questions() const {
+  const GraspFile file = read_grasp_file(file_);
+  QuestionOptions asked = options();
+  if (file.cases.empty() || asked.case_name || asked.wrench) {
+    return {ask_with_options(file, asked, name_of_file())};
+  }
+  std::vector<Question> questions;
+  for (const NamedLoad& load : file.cases) {
+    asked.case_name = load.name;
+    questions.push_back(ask_with_options(file, asked, name_of_file()));
+  }
+  return questions;
 }
 
 void NumberOptions::add_to(CLI::App& command, const std::string& json_description) {
@@ -189,6 +225,9 @@ Question ask_with_options(const GraspFile& file, const QuestionOptions& options,
       std::string place = option.substr(2);
       std::replace(place.begin(), place.end(), '-', '_');
       if (error.place() == place) throw InputError("", option, error.problem(), error.remedy());
+    }
+    if (error.place() == "case") {
+      throw InputError(name, "--case", error.problem(), error.remedy());
     }
     throw error.in_file(name);
   }

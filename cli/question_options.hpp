@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "stickslip/core/number_text.hpp"
 #include "stickslip/equilibrium/question.hpp"
@@ -17,27 +18,34 @@ namespace stickslip {
 
 class QuestionArguments {
  public:
-  /// Adds GRASP, --wrench, --preload and --normal-law.
+  /// Adds GRASP, --wrench, --case, --preload and --normal-law.
   void add_to(CLI::App& command);
   /// The same, and --direction and --preload-direction, for a command that asks about a margin.
   void add_with_directions_to(CLI::App& command);
   /// The same but GRASP, for commands that read many.
   void add_options_to(CLI::App& command);
-  /// The same but --wrench, for what does not depend on a load.
+  /// The same but --wrench and --case, for what does not depend on a load.
   void add_without_wrench_to(CLI::App& command);
 
   /// What to replace. Throws InputError naming the option.
   QuestionOptions options() const;
   /// Reads the file and replaces what was asked. Throws InputError naming the file or option.
   Question question() const;
+  /// The same; but of a file with cases, if no load is chosen, the question of each.
+  std::vector<Question> questions() const;
+  /// Whether --case is given.
+  bool chooses_case() const { return !case_.empty(); }
 
  private:
   void add_model_options_to(CLI::App& command);
+  std::string name_of_file() const { return file_ == "-" ? "<stdin>" : file_; }
 
   std::string file_;
   std::string wrench_;
+  std::string case_;
   std::string preload_;
   std::string law_ = "unilateral";
+  bool has_no_wrench_ = false;
   std::string direction_;
   std::string preload_direction_;
 };
@@ -57,6 +65,12 @@ struct NumberOptions {
 /// and those of a contact name the grasp `name`.
 Question ask_with_options(const GraspFile& file, const QuestionOptions& options,
                           const std::string& name);
+
+/// For people: "name, case: ", or what there is of it.
+std::string heading(const Question& question);
+
+/// For people, a line: "Units: force N, length mm, torque N mm."; nothing if nobody gave them.
+std::string units_text(const Grasp& grasp);
 
 /// For people: "unilateral (contacts may detach)".
 std::string law_text(NormalLaw law);

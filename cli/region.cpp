@@ -87,6 +87,7 @@ void print_json(const Question& question, const WrenchPlane& plane, const Region
              {{"origin", number_json(coordinates(plane.origin()))},
               {"u", number_json(coordinates(plane.u()))},
               {"v", number_json(coordinates(plane.v()))}}}};
+  add_units(json, question.loaded.grasp);
   if (report.undecided) {
     json["limit"] = report.undecided->limit;
   } else {
@@ -165,7 +166,7 @@ void print_text(const Question& question, const WrenchPlane& plane, const Region
             << report.work.slip_states << " slip states, " << report.work.modes
             << " contact modes, " << report.work.pieces
             << " of them in the plane; normal law: " << law_text(question.law) << ".\n"
-            << text.note();
+            << units_text(question.loaded.grasp) << text.note();
 }
 
 /// All but the union: a picture makes its own.

@@ -12,8 +12,39 @@
 namespace stickslip_check {
 namespace {
 
-constexpr JsonLimits kLimits{std::uint64_t{1} << 28U, 32, std::uint64_t{1} << 28U, 256, true};
+constexpr JsonLimits kLimits{std::uint64_t{1} << 28U, 32, std::uint64_t{1} << 28U, 1U << 16U,
+                             true};
 constexpr std::size_t kMaxContacts = 1'000'000;
+
+/// Of the outline, in the sense of its ring.
+struct Edge {
+  Vector from;
+  Vector to;
+  Vector inwards;  ///< the normal of contacts on it
+};
+
+/// "on" of a contact.
+struct Place {
+  std::size_t line;
+  Rational polygon;
+  Rational edge;
+  Rational share;
+};
+
+/// Of arrays, first elements within first elements.
+std::size_t depth_of(const Value& value) {
+  if (value.kind != Value::Kind::kArray) return 0;
+  return 1 + (value.items.empty() ? 0 : depth_of(value.items.front()));
+}
+
+/// The value as the only element of an array.
+Value enclosed(Value value) {
+  Value array;
+  array.kind = Value::Kind::kArray;
+  array.line = value.line;
+  array.items.push_back(std::move(value));
+  return array;
+}
 
 using Names = std::vector<std::string>;
 using Properties = std::map<std::string, Rational>;  // friction, stiffness, preload
@@ -25,7 +56,10 @@ class GraspReader {
   Grasp read() {
     Names seen;
     while (const std::optional<std::string> key = json_.next_member()) {
-      allow(*key, {"format", "name", "defaults", "contacts", "wrench"}, "", json_.line());
+      allow(*key,
+            {"format", "name", "units", "outline", "defaults", "contacts", "wrench", "loads",
+             "cases"},
+            "", json_.line());
       seen.push_back(*key);
       if (*key == "contacts") {
         while (json_.next_element()) read_contact(json_.value());
@@ -33,12 +67,23 @@ class GraspReader {
         read_member(*key, json_.value());
       }
     }
-    for (const char* key : {"format", "contacts", "wrench"}) {
-      if (std::find(seen.begin(), seen.end(), key) == seen.end()) {
-        throw Malformed{json_.file(), "top level",
-                        std::string("the member \"") + key + "\" is missing"};
-      }
+    const auto has = [&](const char* key) {
+      return std::find(seen.begin(), seen.end(), key) != seen.end();
+    };
+    const auto check = [&](bool good, const std::string& problem) {
+      if (!good) throw Malformed{json_.file(), "top level", problem};
+    };
+    for (const char* key : {"format", "contacts"}) {
+      check(has(key), std::string("the member \"") + key + "\" is missing");
     }
+    for (const char* key : {"units", "outline", "loads", "cases"}) {
+      check(version2_ || !has(key),
+            std::string("the member \"") + key + "\" needs \"format\": \"stickslip-grasp/2\"");
+    }
+    check(has("wrench") || has("loads") || has("cases"), "the member \"wrench\" is missing");
+    check(!has("wrench") || !has("loads"), "both \"wrench\" and \"loads\"; give one of them");
+    for (auto& [name, wrench] : grasp_.cases) add(wrench, grasp_.wrench);
+    for (const auto& [i, on] : places_) put_on_outline(i, on);
     for (std::size_t i = 0; i < own_.size(); ++i) complete(i);
     return std::move(grasp_);
   }
@@ -46,27 +91,206 @@ class GraspReader {
  private:
   void read_member(const std::string& key, const Value& value) {
     if (key == "format") {
-      json_.expect(value.is_text("stickslip-grasp/1"), value, key, "\"stickslip-grasp/1\"");
+      version2_ = value.is_text("stickslip-grasp/2");
+      json_.expect(version2_ || value.is_text("stickslip-grasp/1"), value, key,
+                   "\"stickslip-grasp/1\" or \"stickslip-grasp/2\"");
     } else if (key == "name") {
       json_.expect(value.kind == Value::Kind::kString, value, key, "a string");
     } else if (key == "wrench") {
       grasp_.wrench = vector(value, key, 3);
+    } else if (key == "loads") {
+      grasp_.wrench = sum_of_loads(value, key);
+    } else if (key == "cases") {
+      read_cases(value);
+    } else if (key == "outline") {
+      read_outline(value);
+    } else if (key == "units") {
+      read_units(value);
     } else {
       expect_object(value, key, {"friction", "stiffness", "preload"});
       defaults_ = properties(value, key);
     }
   }
 
+  /// They have no meaning here.
+  void read_units(const Value& value) const {
+    constexpr std::size_t kMostBytes = 16;
+    expect_object(value, "units", {"length", "force"});
+    for (const char* key : {"length", "force"}) {
+      const Value& unit = member(value, "units", key);
+      const bool is_unit = unit.kind == Value::Kind::kString && !unit.text.empty() &&
+                           unit.text.size() <= kMostBytes;
+      json_.expect(is_unit, unit, std::string("units.") + key, "a string of 1 to 16 bytes");
+    }
+  }
+
+  /// A list of polygons, a list of rings, or a ring.
+  void read_outline(Value value) {
+    constexpr std::size_t kDepth = 4;
+    json_.expect(depth_of(value) > 1, value, "outline", "a list of polygons [[[[x, y], ...]]]");
+    while (depth_of(value) < kDepth) value = enclosed(std::move(value));
+    for (const Value& polygon : value.items) {
+      const std::string place = "outline[" + std::to_string(outline_.size()) + "]";
+      json_.expect(polygon.kind == Value::Kind::kArray && !polygon.items.empty(), polygon,
+                   place, "a list of rings, of one or more");
+      outline_.emplace_back();
+      for (std::size_t k = 0; k < polygon.items.size(); ++k) {
+        read_ring(polygon.items[k], place + "[" + std::to_string(k) + "]", k > 0);
+      }
+    }
+  }
+
+  /// FORMAT.md §1: the edges, and on which side of them the body is.
+  void read_ring(const Value& value, const std::string& place, bool hole) {
+    json_.expect(value.kind == Value::Kind::kArray && value.items.size() >= 3, value, place,
+                 "a ring of three vertices [x, y] or more");
+    std::vector<Vector> ring;
+    for (const Value& vertex : value.items) {
+      ring.push_back(vector(vertex, place + "[" + std::to_string(ring.size()) + "]", 2));
+    }
+    Rational area;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vector& to = ring[(i + 1) % ring.size()];
+      if (ring[i] == to) {
+        json_.fail(value.line, place,
+                   "vertex " + std::to_string(i) + " is the same as the next");
+      }
+      area += ring[i][0] * to[1] - ring[i][1] * to[0];
+    }
+    if (area == 0) json_.fail(value.line, place, "the ring has no area");
+    const int side = hole ? -sgn(area) : sgn(area);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vector& from = ring[i];
+      const Vector& to = ring[(i + 1) % ring.size()];
+      Vector n{Rational(side * (from[1] - to[1])), Rational(side * (to[0] - from[0]))};
+      const std::optional<Rational> length = exact_sqrt(dot(n, n));
+      if (length) {
+        for (Rational& c : n) c /= *length;
+      }
+      outline_.back().push_back({from, to, std::move(n)});
+    }
+  }
+
+  Place read_place(const Value& value, const std::string& place) const {
+    Place read{value.line, 0, 0, 0};
+    if (value.is_array(2)) {
+      read.edge = number(value.items[0], place + "[0]");
+      read.share = number(value.items[1], place + "[1]");
+    } else {
+      expect_object(value, place, {"polygon", "edge", "share"});
+      const Value* polygon = value.find("polygon");
+      if (polygon != nullptr) read.polygon = number(*polygon, place + ".polygon");
+      read.edge = number(member(value, place, "edge"), place + ".edge");
+      read.share = number(member(value, place, "share"), place + ".share");
+    }
+    json_.expect(read.share >= 0 && read.share <= 1, value, place, "a share from 0 to 1");
+    return read;
+  }
+
+  /// Contact i is where `on` says.
+  void put_on_outline(std::size_t i, const Place& on) {
+    const auto choose = [&](const auto& list, const Rational& index,
+                            const char* what) -> auto& {
+      const bool known = index.get_den() == 1 && index >= 0 && index < list.size();
+      if (!known || !version2_) {
+        json_.fail(on.line, "contacts[" + std::to_string(i) + "].on",
+                   !version2_ ? "it needs \"format\": \"stickslip-grasp/2\""
+                              : "there is no " + (what + (" " + show(index))));
+      }
+      return list[index.get_num().get_ui()];
+    };
+    const Edge& edge = choose(choose(outline_, on.polygon, "polygon"), on.edge, "edge");
+    Vector& position = grasp_.contacts[i].position;
+    for (std::size_t j = 0; j < 2; ++j) {
+      position.emplace_back(edge.from[j] + on.share * (edge.to[j] - edge.from[j]));
+    }
+    grasp_.contacts[i].normal = edge.inwards;
+  }
+
+  static void add(Vector& sum, const Vector& term) {
+    for (std::size_t j = 0; j < sum.size(); ++j) sum[j] += term[j];
+  }
+
+  void read_cases(const Value& value) {
+    json_.expect(value.kind == Value::Kind::kArray && !value.items.empty(), value, "cases",
+                 "an array of one case or more");
+    for (std::size_t k = 0; k < value.items.size(); ++k) {
+      const Value& entry = value.items[k];
+      const std::string place = "cases[" + std::to_string(k) + "]";
+      expect_object(entry, place, {"name", "wrench", "loads"});
+      const Value& name = member(entry, place, "name");
+      json_.expect(name.kind == Value::Kind::kString && !name.text.empty(), name,
+                   place + ".name", "a string that is not empty");
+      const Value* wrench = entry.find("wrench");
+      const Value* loads = entry.find("loads");
+      if ((wrench == nullptr) == (loads == nullptr)) {
+        json_.fail(entry.line, place, R"(expected one of the members "wrench" and "loads")");
+      }
+      Vector own = wrench != nullptr ? vector(*wrench, place + ".wrench", 3)
+                                     : sum_of_loads(*loads, place + ".loads");
+      if (!grasp_.cases.emplace(name.text, std::move(own)).second) {
+        json_.fail(name.line, place, "the name " + quote(name.text) + " appears twice");
+      }
+    }
+  }
+
+  Vector sum_of_loads(const Value& value, const std::string& place) const {
+    json_.expect(value.kind == Value::Kind::kArray, value, place, "an array of loads");
+    Vector sum(3);
+    for (std::size_t k = 0; k < value.items.size(); ++k) {
+      add(sum, load(value.items[k], place + "[" + std::to_string(k) + "]"));
+    }
+    return sum;
+  }
+
+  /// The wrench of a force at a point, of a torque or of a weight.
+  Vector load(const Value& value, const std::string& place) const {
+    if (const Value* torque = value.find("torque")) {
+      expect_object(value, place, {"torque"});
+      return {0, 0, number(*torque, place + ".torque")};
+    }
+    Vector force;
+    if (const Value* weight = value.find("weight")) {
+      expect_object(value, place, {"weight", "at", "direction"});
+      force = pull(value, *weight, place);
+    } else {
+      expect_object(value, place, {"force", "at"});
+      force = vector(member(value, place, "force"), place + ".force", 2);
+    }
+    const Vector at = vector(member(value, place, "at"), place + ".at", 2);
+    return {force[0], force[1], Rational(at[0] * force[1] - at[1] * force[0])};
+  }
+
+  Vector pull(const Value& load, const Value& weight, const std::string& place) const {
+    const Rational size = number(weight, place + ".weight");
+    json_.expect(size >= 0, weight, place + ".weight", "a number of 0 or more");
+    const Value* direction = load.find("direction");
+    if (direction == nullptr) return {0, Rational(-size)};
+    const Vector d = vector(*direction, place + ".direction", 2);
+    const std::optional<Rational> length = exact_sqrt(dot(d, d));
+    json_.expect(length && *length > 0, *direction, place + ".direction",
+                 "a vector of rational length, not 0, such as [3, -4]");
+    return {Rational(size * d[0] / *length), Rational(size * d[1] / *length)};
+  }
+
   void read_contact(const Value& value) {
     const std::string place = "contacts[" + std::to_string(own_.size()) + "]";
     if (own_.size() == kMaxContacts) json_.fail(value.line, "contacts", "too many contacts");
-    expect_object(value, place, {"position", "normal", "friction", "stiffness", "preload"});
+    expect_object(value, place,
+                  {"position", "normal", "on", "friction", "stiffness", "preload"});
     Contact contact;
-    contact.position = vector(member(value, place, "position"), place + ".position", 2);
-    contact.normal = vector(member(value, place, "normal"), place + ".normal", 2);
-    if (contact.normal == Vector(2)) {
-      json_.fail(value.line, place + ".normal",
-                 "the normal is (0, 0); give a vector into the object");
+    if (const Value* on = value.find("on")) {
+      if (value.find("position") != nullptr || value.find("normal") != nullptr) {
+        json_.fail(value.line, place, R"("on" stands in place of "position" and "normal")");
+      }
+      places_.emplace(own_.size(), read_place(*on, place + ".on"));
+    } else {
+      contact.position = vector(member(value, place, "position"), place + ".position", 2);
+      contact.normal = vector(member(value, place, "normal"), place + ".normal", 2);
+      if (contact.normal == Vector(2)) {
+        json_.fail(value.line, place + ".normal",
+                   "the normal is (0, 0); give a vector into the object");
+      }
     }
     grasp_.contacts.push_back(std::move(contact));
     own_.push_back(properties(value, place));
@@ -154,7 +378,10 @@ class GraspReader {
   }
 
   JsonReader json_;
-  Grasp grasp_;
+  Grasp grasp_{{}, Vector(3)};
+  bool version2_ = false;
+  std::vector<std::vector<Edge>> outline_;  ///< by polygon
+  std::map<std::size_t, Place> places_;     ///< by contact
   std::vector<Properties> own_;
   Properties defaults_;
 };

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The grasp file, `stickslip-grasp/1` (FORMAT.md §1, docs/grasp_file.md).
+/// The grasp file, `stickslip-grasp/1` or `/2` (FORMAT.md §1, docs/grasp_file.md).
 #pragma once
 
 #include <istream>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,8 @@ struct Contact {
 
 struct Grasp {
   std::vector<Contact> contacts;
-  Vector wrench;
+  Vector wrench;                             ///< with cases, what is common to them
+  std::map<std::string, Vector> cases = {};  ///< the wrench of each, by name
 };
 
 /// Throws Malformed, with `file` in it.

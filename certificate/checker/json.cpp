@@ -11,6 +11,8 @@ namespace stickslip_check {
 namespace {
 
 constexpr int kEnd = std::istream::traits_type::eof();
+/// No object of either file may have so many members.
+constexpr std::size_t kTooManyMembers = 32;
 
 bool is_digit(int c) {
   return c >= '0' && c <= '9';
@@ -178,6 +180,7 @@ Value JsonReader::nested(std::size_t& count) {
         if (value.find(name) != nullptr) {
           fail_here("the member " + quote(name) + " appears twice; keep one of them");
         }
+        if (value.keys.size() == kTooManyMembers) fail_here("too many members in one object");
         value.keys.push_back(std::move(name));
       }
       value.items.push_back(nested(count));

@@ -32,11 +32,12 @@ rebuilds every contact row and recomputes every bound in exact arithmetic.
 The question is that of the grasp file unless replaced here. Give the same options as to
 the program that produced the certificate:
   --wrench WX,WY,T         wrench applied to the object: force x, force y, torque
+  --case NAME              the wrench of this case of the grasp file
   --preload P              one preload for all contacts
   --normal-law LAW         unilateral (contacts may open; the default) or bilateral
   --direction WX,WY,T      ask for the margin: all factors f >= 0 for which the grasp is
                            stable under wrench + f direction, where the wrench is 0 unless
-                           given by --wrench
+                           given by --wrench or --case
   --preload-direction D    ask for the margin along preloads: D is P0,P1,..., one number for
                            each contact, which f times is added to its preload; or the word
                            scale: f times the preloads, that is, which multiples of them hold

@@ -12,6 +12,27 @@ namespace {
   throw Malformed{"the question", part, problem};
 }
 
+/// w: that of the options, or of the case that they name, or the file's unless a direction asks
+/// about others.
+Vector wrench_asked(const Grasp& grasp, const Options& options) {
+  if (options.wrench && options.case_name) {
+    refuse("case", "a wrench is given as well; expected one of them");
+  }
+  if (options.wrench) return *options.wrench;
+  if (options.case_name) {
+    const auto found = grasp.cases.find(*options.case_name);
+    if (found != grasp.cases.end()) return found->second;
+    refuse("case", "the grasp has no case " + quote(*options.case_name));
+  }
+  if (options.direction) return Vector(kDimension);
+  if (!grasp.cases.empty()) {
+    refuse("case", "the grasp has " + std::to_string(grasp.cases.size()) +
+                       " cases, and none is chosen; expected the name of one, such as " +
+                       quote(grasp.cases.begin()->first));
+  }
+  return grasp.wrench;
+}
+
 bool below_zero(const Rational& x) {
   return x < 0;
 }
@@ -76,8 +97,7 @@ Question pose(const Grasp& grasp, const Options& options, const std::string& fil
   Question question;
   question.asked = options;
   question.growth = options.direction.value_or(Vector(kDimension));
-  question.wrench =
-      options.wrench.value_or(options.direction ? Vector(kDimension) : grasp.wrench);
+  question.wrench = wrench_asked(grasp, options);
   if (options.margin() && question.growth == Vector(kDimension) && growth == Vector(m)) {
     refuse("direction",
            "neither the wrench nor a preload changes; expected a direction other "

@@ -37,6 +37,7 @@ struct Options {
   bool bilateral = false;           ///< the normal law
   std::optional<Vector> direction;  ///< of wrenches
   std::optional<PreloadDirection> preload_direction;
+  std::optional<std::string> case_name;  ///< whose wrench is asked about, if none is given
 
   /// Whether the margin along a direction is asked for, and not one verdict.
   bool margin() const { return direction || preload_direction; }

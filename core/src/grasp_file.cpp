@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "loads.hpp"
+#include "outline_file.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/json.hpp"
@@ -19,6 +21,7 @@ struct WrittenContact {
     std::optional<Rational> preload;
   };
 
+  std::optional<PlaceOnOutline> place;  ///< in place of position and normal
   Vector2 position;
   Vector2 normal;
   Properties own;
@@ -29,7 +32,10 @@ namespace {
 using Properties = WrittenContact::Properties;
 using Kind = JsonNode::Kind;
 
-constexpr const char* kFormat = "stickslip-grasp/1";
+using Names = std::vector<std::string>;
+
+constexpr const char* kVersion1 = "stickslip-grasp/1";
+constexpr const char* kVersion2 = "stickslip-grasp/2";
 
 Vector2 read_vector2(const JsonNode& contact, const std::string& path, const char* key,
                      const char* remedy) {
@@ -49,9 +55,17 @@ Properties read_properties(const JsonNode& object, const std::string& path) {
 }
 
 WrittenContact read_contact(const JsonNode& node, const std::string& path) {
-  expect_object(node, path, {"position", "normal", "friction", "stiffness", "preload"});
+  expect_object(node, path, {"position", "normal", "on", "friction", "stiffness", "preload"});
+  if (const JsonNode* on = node.find("on")) {
+    for (const char* key : {"position", "normal"}) {
+      if (node.find(key) == nullptr) continue;
+      fail_at(path, std::string("found both \"on\" and \"") + key + "\"",
+              "remove one: a place on the outline has a position and a normal");
+    }
+    return {read_place(*on, member_path(path, "on")), {}, {}, read_properties(node, path)};
+  }
   return {
-      read_vector2(node, path, "position", "add \"position\": [x, y]"),
+      std::nullopt, read_vector2(node, path, "position", "add \"position\": [x, y]"),
       read_vector2(node, path, "normal", "add \"normal\": [x, y], pointing into the object"),
       read_properties(node, path)};
 }
@@ -75,12 +89,17 @@ Properties read_defaults(const JsonNode& root) {
   return read;
 }
 
-Wrench read_wrench(const JsonNode& root) {
-  constexpr const char* kForm = "an array of three numbers [force x, force y, torque]";
-  const JsonNode& node =
-      member(root, "", "wrench", "add \"wrench\": [x, y, torque]; no load is [0, 0, 0]");
-  const std::vector<Rational> v = read_vector(node, "wrench", 3, kForm);
-  return {v[0], v[1], v[2]};
+std::optional<Units> read_units(const JsonNode& root) {
+  const JsonNode* node = root.find("units");
+  if (node == nullptr) return std::nullopt;
+  expect_object(*node, "units", {"length", "force"});
+  const auto unit = [&](const char* key) {
+    const JsonNode& name =
+        member(*node, "units", key, R"(give both, as in {"length": "mm", "force": "N"})");
+    expect(name, Kind::kString, member_path("units", key), "a string, such as \"mm\" or \"N\"");
+    return name.text;
+  };
+  return Units{unit("length"), unit("force")};
 }
 
 std::string read_name(const JsonNode& root) {
@@ -90,11 +109,48 @@ std::string read_name(const JsonNode& root) {
   return node->text;
 }
 
-void check_format(const JsonNode& root) {
-  const std::string remedy = std::string("write \"format\": \"") + kFormat + "\"";
+/// Whether the file is of version 2.
+bool read_format(const JsonNode& root) {
+  const std::string remedy =
+      std::string("write \"format\": \"") + kVersion1 + "\" or \"" + kVersion2 + "\"";
   const JsonNode& node = member(root, "", "format", remedy.c_str());
-  if (node.kind != Kind::kString || node.text != kFormat) {
-    fail_at("format", "found " + describe(node), remedy);
+  const bool known =
+      node.kind == Kind::kString && (node.text == kVersion1 || node.text == kVersion2);
+  if (!known) fail_at("format", "found " + describe(node), remedy);
+  return node.text == kVersion2;
+}
+
+/// What version 1 does not have.
+[[noreturn]] void fail_as_newer(const std::string& path, const std::string& key) {
+  fail_at(path, "unknown key " + quote(key),
+          std::string("write \"format\": \"") + kVersion2 + "\", which has it");
+}
+
+void check_keys(const JsonNode& root, bool version2) {
+  Names allowed{"format", "name", "defaults", "contacts", "wrench"};
+  for (const char* key : {"units", "outline", "loads", "cases"}) {
+    if (version2) allowed.emplace_back(key);
+    if (!version2 && root.find(key) != nullptr) fail_as_newer("", key);
+  }
+  if (root.find("normals") != nullptr) {
+    fail_at("", "unknown key \"normals\"",
+            "remove it; to snap normals, run stickslip snap GRASP -o FILE");
+  }
+  expect_object(root, "", allowed);
+}
+
+/// Gives contacts with a place on the outline their position and normal.
+void put_on_outline(std::vector<WrittenContact>& contacts, const std::vector<Polygon>& outline,
+                    bool version2) {
+  const std::vector<std::vector<OutlineEdge>> edges = outline_edges(outline);
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    WrittenContact& contact = contacts[i];
+    if (!contact.place) continue;
+    const std::string path = element_path("contacts", i);
+    if (!version2) fail_as_newer(path, "on");
+    const OutlineEdge& edge = edge_at(edges, *contact.place, member_path(path, "on"));
+    contact.position = edge.at(contact.place->share);
+    contact.normal = edge.inwards;
   }
 }
 
@@ -154,6 +210,23 @@ std::string write_numbers(std::initializer_list<const Rational*> values) {
   return text + "]";
 }
 
+template <class Entry, class Write>
+std::string write_list(const std::vector<Entry>& entries, const char* separator, Write write) {
+  std::string text;
+  for (const Entry& entry : entries) text += (text.empty() ? "[" : separator) + write(entry);
+  return text + "]";
+}
+
+std::string write_polygon(const Polygon& polygon) {
+  const auto write_vertex = [](const Vector2& v) { return write_numbers({&v.x, &v.y}); };
+  return write_list(polygon, ", ",
+                    [&](const Ring& ring) { return write_list(ring, ", ", write_vertex); });
+}
+
+std::string write_wrench(const Wrench& w) {
+  return write_numbers({&w.x, &w.y, &w.torque});
+}
+
 }  // namespace
 
 StreamedGrasp::StreamedGrasp() = default;
@@ -165,20 +238,26 @@ void StreamedGrasp::add_contact(std::size_t index, const JsonNode& node) {
 
 GraspFile StreamedGrasp::finish(const JsonNode& grasp) {
   expect(grasp, Kind::kObject, "", "an object {\"format\": ..., \"contacts\": [...], ...}");
-  check_format(grasp);
-  if (grasp.find("normals") != nullptr) {
-    fail_at("", "unknown key \"normals\"",
-            "remove it; to snap normals, run stickslip snap GRASP -o FILE");
-  }
-  expect_object(grasp, "", {"format", "name", "defaults", "contacts", "wrench"});
+  const bool version2 = read_format(grasp);
+  check_keys(grasp, version2);
   expect(member(grasp, "", "contacts", "add \"contacts\": [...], which may be empty"),
          Kind::kArray, "contacts", "an array of contacts [{...}, ...]");
   const Properties defaults = read_defaults(grasp);
-  Wrench wrench = read_wrench(grasp);
+  const std::optional<Wrench> wrench = read_load(grasp, "");
+  if (!wrench && grasp.find("cases") == nullptr) {
+    fail_at("", "the key \"wrench\" is missing",
+            std::string("add \"wrench\": [x, y, torque]") +
+                (version2 ? " or \"loads\": [...]" : "") + "; no load is [0, 0, 0]");
+  }
+  std::vector<NamedLoad> cases = read_cases(grasp, wrench.value_or(Wrench{}));
+  std::vector<Polygon> outline = read_outline(grasp);
+  put_on_outline(contacts_, outline, version2);
   std::vector<ContactId> assumed_stiffness;
   Grasp read(with_defaults(std::move(contacts_), defaults, assumed_stiffness),
-             read_name(grasp));
-  return {{std::move(read), std::move(wrench)}, std::move(assumed_stiffness)};
+             GraspDescription{read_name(grasp), std::move(outline), read_units(grasp)});
+  return {{std::move(read), wrench.value_or(Wrench{})},
+          std::move(assumed_stiffness),
+          std::move(cases)};
 }
 
 GraspFile parse_grasp(std::string_view text, const std::string& file) {
@@ -208,8 +287,19 @@ std::string write_grasp(const LoadedGrasp& content) {
 
 std::string write_grasp_file(const GraspFile& file) {
   const Grasp& grasp = file.content.grasp;
-  std::string text = std::string("{\"format\": \"") + kFormat + "\",\n";
+  const std::vector<Polygon>& outline = grasp.description().outline;
+  const std::optional<Units>& units = grasp.description().units;
+  const bool version1 = file.cases.empty() && outline.empty() && !units;
+  const char* format = version1 ? kVersion1 : kVersion2;
+  std::string text = std::string("{\"format\": \"") + format + "\",\n";
   if (!grasp.name().empty()) text += " \"name\": " + json_string(grasp.name(), "name") + ",\n";
+  if (units) {
+    text += " \"units\": {\"length\": " + json_string(units->length, "units") +
+            ", \"force\": " + json_string(units->force, "units") + "},\n";
+  }
+  if (!outline.empty()) {
+    text += " \"outline\": " + write_list(outline, ",\n  ", write_polygon) + ",\n";
+  }
   text += " \"contacts\": [";
   const char* separator = "\n";
   const std::vector<ContactId>& assumed = file.assumed_stiffness;
@@ -224,8 +314,16 @@ std::string write_grasp_file(const GraspFile& file) {
             ", \"preload\": " + write_number(c.preload) + "}";
     separator = ",\n";
   }
-  const Wrench& w = file.content.wrench;
-  return text + "],\n \"wrench\": " + write_numbers({&w.x, &w.y, &w.torque}) + "}\n";
+  const Wrench& common = file.content.wrench;
+  text += "],\n \"wrench\": " + write_wrench(common);
+  separator = ",\n \"cases\": [\n";
+  for (const NamedLoad& load : file.cases) {
+    text += separator;
+    text += "  {\"name\": " + json_string(load.name, "name") +
+            ", \"wrench\": " + write_wrench(load.wrench + Rational(-1) * common) + "}";
+    separator = ",\n";
+  }
+  return text + (file.cases.empty() ? "}\n" : "]}\n");
 }
 
 }  // namespace stickslip

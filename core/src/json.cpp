@@ -156,6 +156,11 @@ class Builder : public nlohmann::json_sax<Json> {
       throw InputError("", place_name(path(open_.size() - 1)),
                        "the key " + quote(name) + " appears twice", "keep one of them");
     }
+    if (keys.size() == kMaxJsonKeys) {
+      throw InputError("", place_name(path(open_.size() - 1)),
+                       "more than " + std::to_string(kMaxJsonKeys) + " members in one object",
+                       "no object here has so many");
+    }
     keys.push_back(std::move(name));
     return true;
   }
@@ -198,11 +203,20 @@ class Builder : public nlohmann::json_sax<Json> {
     return found == streams_.end() ? nullptr : &*found;
   }
 
+  /// Whether the value at hand has the limit for itself: a member of the text's object, or a
+  /// streamed element.
+  bool begins_place() const {
+    return !open_.empty() &&
+           (open_.back().elements != nullptr ||
+            (open_.size() == 1 && open_.back().node.kind == JsonNode::Kind::kObject));
+  }
+
   void count_node() {
+    if (begins_place()) nodes_ = 0;
     if (++nodes_ > kMaxJsonNodes) {
       throw InputError("", place_name(path(open_.size())),
                        "more than " + std::to_string(kMaxJsonNodes) + " values in one place",
-                       "only the lists of contacts and forces may be long");
+                       "only the lists of contacts and forces may be that long");
     }
   }
 
@@ -239,10 +253,10 @@ class Builder : public nlohmann::json_sax<Json> {
     Open& parent = open_.back();
     if (parent.elements != nullptr) {
       parent.elements->sink(parent.count, node);
-      nodes_ = nodes_before;
     } else {
       parent.node.children.push_back(std::move(node));
     }
+    if (begins_place()) nodes_ = nodes_before;
     ++parent.count;
     return true;
   }
@@ -250,7 +264,7 @@ class Builder : public nlohmann::json_sax<Json> {
   std::string_view text_;
   const std::vector<JsonStream>& streams_;
   std::vector<Open> open_;
-  std::size_t nodes_ = 0;  ///< kept in the tree
+  std::size_t nodes_ = 0;  ///< of the place at hand
   JsonNode root_;
 };
 

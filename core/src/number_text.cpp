@@ -118,4 +118,9 @@ Json finished(const Json& tree, bool floats) {
   return result;
 }
 
+void add_units(Json& json, const Grasp& grasp) {
+  const std::optional<Units>& units = grasp.description().units;
+  if (units) json["units"] = {{"length", units->length}, {"force", units->force}};
+}
+
 }  // namespace stickslip

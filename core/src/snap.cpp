@@ -123,7 +123,7 @@ SnapResult snap_normals(const Grasp& grasp, const Rational& tolerance) {
     contacts[i].normal = after;
     snapped.push_back({ContactId(i), n, after, target.distance_bound(u)});
   }
-  return {Grasp(std::move(contacts), grasp.name()), std::move(snapped)};
+  return {Grasp(std::move(contacts), grasp.description()), std::move(snapped)};
 }
 
 }  // namespace stickslip

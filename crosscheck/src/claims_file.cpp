@@ -53,10 +53,14 @@ QuestionOptions read_options(const JsonNode& line) {
   QuestionOptions options;
   const JsonNode* node = line.find("options");
   if (node == nullptr) return options;
-  expect_object(*node, "options", {"wrench", "preload", "normal_law"});
+  expect_object(*node, "options", {"wrench", "case", "preload", "normal_law"});
   if (const JsonNode* wrench = node->find("wrench")) {
     const auto w = read_vector(*wrench, "options.wrench", 3, kThreeNumbers);
     options.wrench = Wrench{w[0], w[1], w[2]};
+  }
+  if (const JsonNode* name = node->find("case")) {
+    expect(*name, Kind::kString, "options.case", "the name of a case of the grasp");
+    options.case_name = name->text;
   }
   if (const JsonNode* preload = node->find("preload")) {
     options.preload = read_number(*preload, "options.preload");

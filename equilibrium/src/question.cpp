@@ -7,8 +7,37 @@
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
-
 namespace {
+
+/// The names, of many the first; and which may have been meant.
+std::string choice_of_case(const std::vector<NamedLoad>& cases, const std::string& meant) {
+  constexpr std::size_t kMostNamed = 12;
+  std::vector<std::string> names;
+  for (const NamedLoad& load : cases) names.push_back(load.name);
+  std::string text = did_you_mean(meant, names) + "its cases are ";
+  for (std::size_t i = 0; i < std::min(names.size(), kMostNamed); ++i) {
+    text += (i == 0 ? "" : ", ") + quote(names[i]);
+  }
+  return text + (names.size() > kMostNamed ? ", ..." : "");
+}
+
+Wrench wrench_asked(const GraspFile& file, const QuestionOptions& options) {
+  const std::optional<std::string>& name = options.case_name;
+  if (options.wrench && name) {
+    throw InputError("", "case", "a wrench is given as well", "give one of them");
+  }
+  if (options.wrench) return *options.wrench;
+  if (!name && options.direction) return {};
+  if (!name && file.cases.empty()) return file.content.wrench;
+  const auto found = std::find_if(file.cases.begin(), file.cases.end(),
+                                  [&](const NamedLoad& load) { return load.name == name; });
+  if (found != file.cases.end()) return found->wrench;
+  throw InputError("", "case",
+                   name ? "the grasp has no case " + quote(*name)
+                        : "the grasp has cases, and none is chosen",
+                   file.cases.empty() ? "it has no cases at all"
+                                      : choice_of_case(file.cases, name.value_or("")));
+}
 
 /// P^u, from the preloads that the question has without it.
 std::vector<Rational> growth_of(const Grasp& grasp, const PreloadDirection& direction) {
@@ -58,11 +87,15 @@ void require_growth(const Question& question) {
 }  // namespace
 
 Question ask(const GraspFile& file, const QuestionOptions& options) {
-  Question question{file.content,           options.law,       options.preload,
-                    file.assumed_stiffness, options.direction, options.preload_direction};
+  Question question{{file.content.grasp, wrench_asked(file, options)},
+                    options.law,
+                    options.preload,
+                    file.assumed_stiffness,
+                    options.direction,
+                    options.preload_direction,
+                    {},
+                    options.case_name.value_or("")};
   Grasp& grasp = question.loaded.grasp;
-  if (options.direction) question.loaded.wrench = {};
-  if (options.wrench) question.loaded.wrench = *options.wrench;
   if (options.preload) {
     if (options.preload->sign() < 0) {
       throw InputError("", "preload", "the value is " + to_string(*options.preload),

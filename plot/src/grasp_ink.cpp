@@ -42,7 +42,7 @@ class GraspReader {
   GraspInk read() {
     ink_.frame = picture_frame(grasp_);
     ink_.contacts = contact_ink(grasp_, ink_.frame);
-    ink_.outline = body_outline(ink_.contacts);
+    ink_.outline = body_outline(grasp_, ink_.frame, ink_.contacts);
     ink_.marks.assign(grasp_.size(), ContactMark::kUnknown);
     for (std::size_t i = 0; i < grasp_.size(); ++i) ink_.cones.push_back(cone(i));
     choose_force_unit();
@@ -97,7 +97,12 @@ class GraspReader {
              ? ""
              : ", drawn at " + short_tuple({ink_.frame.centre.x, ink_.frame.centre.y}) +
                    ", where its torque is " + short_text(ink_.torque)) +
-        ". Normal law: " + to_string(question_.law) + ".");
+        ". Normal law: " + to_string(question_.law) + "." + units_text());
+  }
+
+  std::string units_text() const {
+    if (!grasp_.description().units) return "";
+    return " Units:" + force_unit(grasp_) + "," + length_unit(grasp_) + ".";
   }
 
   /// Adds an arrow for the motion of each contact and the body's ghost; returns the factor of
@@ -148,12 +153,15 @@ class GraspReader {
   }
 
   /// The outline as the motion moves it: linear in d, as the model is.
-  std::vector<InkPoint> moved_outline(const Twist& d, const Rational& factor) const {
+  std::vector<std::vector<InkPoint>> moved_outline(const Twist& d,
+                                                   const Rational& factor) const {
     const Vector2 shift = displacement(ink_.frame.centre, d);
     const InkPoint move = ratio({factor * shift.x, factor * shift.y}, ink_.frame.radius);
     const double turn = to_double(factor * d.r);
-    std::vector<InkPoint> moved = ink_.outline;
-    for (InkPoint& p : moved) p = p + move + turn * quarter_turn(p);
+    std::vector<std::vector<InkPoint>> moved = ink_.outline;
+    for (std::vector<InkPoint>& ring : moved) {
+      for (InkPoint& p : ring) p = p + move + turn * quarter_turn(p);
+    }
     return moved;
   }
 

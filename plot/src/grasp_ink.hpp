@@ -25,10 +25,10 @@ struct Arrow {
 struct GraspInk {
   PictureFrame frame;
   std::vector<ContactInk> contacts;
-  std::vector<ContactMark> marks;            ///< by contact
-  std::vector<std::vector<InkPoint>> cones;  ///< by contact: a sector, apex first
-  std::vector<InkPoint> outline;             ///< of what stands for the body
-  std::vector<InkPoint> ghost;    ///< the outline after the motion or the virtual twist
+  std::vector<ContactMark> marks;              ///< by contact
+  std::vector<std::vector<InkPoint>> cones;    ///< by contact: a sector, apex first
+  std::vector<std::vector<InkPoint>> outline;  ///< rings of the body
+  std::vector<std::vector<InkPoint>> ghost;    ///< after the motion or the virtual twist
   std::optional<InkPoint> pivot;  ///< the centre of rotation of the virtual twist, if near
   std::vector<Arrow> arrows;      ///< some may have no length
   Rational force_unit{0};         ///< the largest force, 0 if there is none; drawn this long:

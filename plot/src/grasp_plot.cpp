@@ -34,12 +34,13 @@ class GraspPlot {
  public:
   GraspPlot(const Question& question, const Verdict& verdict)
       : grasp_(question.loaded.grasp),
+        case_(question.case_name.empty() ? "" : ", " + question.case_name),
         verdict_(name_of(verdict)),
         ink_(grasp_ink(question, verdict)) {}
 
   std::string draw() {
     const double panel_bottom = kPanelTop + choose_view();
-    const std::string name = grasp_.name().empty() ? "Grasp" : grasp_.name();
+    const std::string name = (grasp_.name().empty() ? "Grasp" : grasp_.name()) + case_;
     const std::string verdict = ": " + verdict_;
     Svg svg(kWidth, 0, name + verdict, stylesheet());
     const double room = kWidth - 2 * kMargin - text_width("title", verdict);
@@ -57,8 +58,10 @@ class GraspPlot {
  private:
   /// Chooses the view so that all ink is in the panel, and returns the panel's height.
   double choose_view() {
-    std::vector<InkPoint> ink = ink_.outline;
-    ink.insert(ink.end(), ink_.ghost.begin(), ink_.ghost.end());
+    std::vector<InkPoint> ink;
+    for (const auto* rings : {&ink_.outline, &ink_.ghost}) {
+      for (const auto& ring : *rings) ink.insert(ink.end(), ring.begin(), ring.end());
+    }
     for (const Arrow& arrow : ink_.arrows) ink.push_back(arrow.tip);
     if (ink_.pivot) ink.push_back(*ink_.pivot);
     for (const auto& cone : ink_.cones) ink.insert(ink.end(), cone.begin(), cone.end());
@@ -80,11 +83,9 @@ class GraspPlot {
 
   void draw_scene(Svg& svg, const Box& panel) {
     LabelPlacer labels(panel);
-    svg.path(SvgPath().polygon(on_page(view_, ink_.outline)), "body");
+    draw_body(svg, view_, ink_.outline, "body");
     draw_cones(svg);
-    if (!ink_.ghost.empty()) {
-      svg.path(SvgPath().polygon(on_page(view_, ink_.ghost)), ghost_class());
-    }
+    if (!ink_.ghost.empty()) draw_body(svg, view_, ink_.ghost, ghost_class());
     draw_fingers(svg, view_, ink_.contacts);
     draw_frame(svg);
     for (const Arrow& arrow : ink_.arrows) {
@@ -183,7 +184,8 @@ class GraspPlot {
         .move(right - up)
         .line(right + up);
     svg.path(bar, "rule scale", {{"data-value", to_string(force)}});
-    svg.text(right + InkPoint{8, 4.5}, "legend", "force " + short_text(force));
+    svg.text(right + InkPoint{8, 4.5}, "legend",
+             "force " + short_text(force) + force_unit(grasp_));
   }
 
   /// Explains what is in the picture. Returns the y of its lower end.
@@ -225,7 +227,7 @@ class GraspPlot {
                                                   short_text(ink_.load_factor));
     if (!ink_.torque.is_zero()) {
       draw_torque(svg, at(26), 9, ink_.torque.sign() > 0);
-      row("torque " + short_text(ink_.torque));
+      row("torque " + short_text(ink_.torque) + torque_unit(grasp_));
     }
     if (!ink_.force_unit.is_zero()) {
       y += 4;
@@ -254,13 +256,14 @@ class GraspPlot {
       svg.path(SvgPath().polygon({at(4) + InkPoint{0, 7}, at(48) + InkPoint{0, 7},
                                   at(44) - InkPoint{0, 7}, at(8) - InkPoint{0, 7}}),
                "body");
-      row("body: hull of the contacts");
+      row(grasp_.description().outline.empty() ? "body: hull of the contacts" : "body");
     }
     svg.close();
     return y;
   }
 
   const Grasp& grasp_;
+  std::string case_;
   std::string verdict_;
   GraspInk ink_;
   View view_;

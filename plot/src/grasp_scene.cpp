@@ -40,18 +40,7 @@ std::vector<InkPoint> convex_hull(std::vector<InkPoint> points) {
   return hull;
 }
 
-}  // namespace
-
-std::vector<ContactInk> contact_ink(const Grasp& grasp, const PictureFrame& frame) {
-  std::vector<ContactInk> contacts;
-  for (const Contact& c : grasp.contacts()) {
-    const InkPoint normal = direction(c.normal);
-    contacts.push_back({frame.place(c.position), normal, quarter_turn(normal)});
-  }
-  return contacts;
-}
-
-std::vector<InkPoint> body_outline(const std::vector<ContactInk>& contacts) {
+std::vector<InkPoint> hull_of(const std::vector<ContactInk>& contacts) {
   std::vector<InkPoint> points;
   for (const ContactInk& c : contacts) points.push_back(c.at);
   const auto is_behind = [](InkPoint p, const ContactInk& c) {
@@ -68,12 +57,45 @@ std::vector<InkPoint> body_outline(const std::vector<ContactInk>& contacts) {
       }
     }
   }
-  return points.empty() ? points : convex_hull(std::move(points));
+  return convex_hull(std::move(points));
+}
+
+}  // namespace
+
+std::vector<ContactInk> contact_ink(const Grasp& grasp, const PictureFrame& frame) {
+  std::vector<ContactInk> contacts;
+  for (const Contact& c : grasp.contacts()) {
+    const InkPoint normal = direction(c.normal);
+    contacts.push_back({frame.place(c.position), normal, quarter_turn(normal)});
+  }
+  return contacts;
+}
+
+std::vector<std::vector<InkPoint>> body_outline(const Grasp& grasp, const PictureFrame& frame,
+                                                const std::vector<ContactInk>& contacts) {
+  std::vector<std::vector<InkPoint>> rings;
+  for (const Polygon& polygon : grasp.description().outline) {
+    for (const Ring& ring : polygon) {
+      rings.emplace_back();
+      for (const Vector2& vertex : ring) rings.back().push_back(frame.place(vertex));
+    }
+  }
+  if (rings.empty() && !contacts.empty()) rings.push_back(hull_of(contacts));
+  return rings;
 }
 
 std::vector<InkPoint> on_page(const View& view, std::vector<InkPoint> scene) {
   for (InkPoint& p : scene) p = view(p);
   return scene;
+}
+
+void draw_body(Svg& svg, const View& view, const std::vector<std::vector<InkPoint>>& rings,
+               const std::string& css_class) {
+  SvgPath path;
+  for (const std::vector<InkPoint>& ring : rings) path.polygon(on_page(view, ring));
+  Svg::Attributes attributes;
+  if (rings.size() > 1) attributes.emplace_back("fill-rule", "evenodd");
+  svg.path(path, css_class, attributes);
 }
 
 InkPoint on_page_direction(InkPoint scene) {

@@ -19,11 +19,17 @@ struct ContactInk {
 
 std::vector<ContactInk> contact_ink(const Grasp& grasp, const PictureFrame& frame);
 
-/// Stands for the body, which nobody gave: the convex hull of the contacts and of points a
-/// little inside of them that are behind no contact. Counterclockwise; empty without contacts.
-std::vector<InkPoint> body_outline(const std::vector<ContactInk>& contacts);
+/// The rings of the body's outline. Where nobody gave one, what stands for it: the convex hull
+/// of the contacts and of points a little inside of them that are behind no contact; empty
+/// without contacts.
+std::vector<std::vector<InkPoint>> body_outline(const Grasp& grasp, const PictureFrame& frame,
+                                                const std::vector<ContactInk>& contacts);
 
 std::vector<InkPoint> on_page(const View& view, std::vector<InkPoint> scene);
+
+/// What is within an odd number of rings, which may be holes.
+void draw_body(Svg& svg, const View& view, const std::vector<std::vector<InkPoint>>& rings,
+               const std::string& css_class);
 
 /// A direction of the scene on the page.
 InkPoint on_page_direction(InkPoint scene);

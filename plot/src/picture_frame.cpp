@@ -31,31 +31,41 @@ InkPoint PictureFrame::place(const Vector2& point) const {
 }
 
 Grasp PictureFrame::in_scene(const Grasp& grasp) const {
+  const auto move = [&](Vector2& point) {
+    point = difference(point, centre);
+    point.x /= radius;
+    point.y /= radius;
+  };
   std::vector<Contact> contacts = grasp.contacts();
-  for (Contact& c : contacts) {
-    c.position = difference(c.position, centre);
-    c.position.x /= radius;
-    c.position.y /= radius;
+  for (Contact& c : contacts) move(c.position);
+  GraspDescription description = grasp.description();
+  for (Polygon& polygon : description.outline) {
+    for (Ring& ring : polygon) std::for_each(ring.begin(), ring.end(), move);
   }
-  return Grasp(std::move(contacts), grasp.name());
+  return Grasp(std::move(contacts), std::move(description));
 }
 
 PictureFrame picture_frame(const Grasp& grasp) {
   PictureFrame frame;
-  if (grasp.size() == 0) return frame;
-  Vector2 low = grasp.contacts().front().position;
+  std::vector<Vector2> points;
+  for (const Contact& c : grasp.contacts()) points.push_back(c.position);
+  for (const Polygon& polygon : grasp.description().outline) {
+    for (const Ring& ring : polygon) points.insert(points.end(), ring.begin(), ring.end());
+  }
+  if (points.empty()) return frame;
+  Vector2 low = points.front();
   Vector2 high = low;
-  for (const Contact& c : grasp.contacts()) {
-    low = {std::min(low.x, c.position.x), std::min(low.y, c.position.y)};
-    high = {std::max(high.x, c.position.x), std::max(high.y, c.position.y)};
+  for (const Vector2& p : points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
   }
   const Vector2 middle{(low.x + high.x) / 2, (low.y + high.y) / 2};
   const Rational size = largest_entry(difference(high, middle));
   const bool in_one_place = size.is_zero();
   if (!in_one_place && largest_entry(middle) > kFarAway * size) frame.centre = middle;
   Rational radius = 0;
-  for (const Contact& c : grasp.contacts()) {
-    radius = std::max(radius, largest_entry(difference(c.position, frame.centre)));
+  for (const Vector2& p : points) {
+    radius = std::max(radius, largest_entry(difference(p, frame.centre)));
   }
   if (!radius.is_zero()) frame.radius = radius;
   return frame;
@@ -91,6 +101,21 @@ std::string short_tuple(const std::vector<Rational>& values) {
     text += (text.empty() ? "(" : ", ") + short_text(value);
   }
   return text + ")";
+}
+
+std::string force_unit(const Grasp& grasp) {
+  const std::optional<Units>& units = grasp.description().units;
+  return units ? " " + units->force : "";
+}
+
+std::string length_unit(const Grasp& grasp) {
+  const std::optional<Units>& units = grasp.description().units;
+  return units ? " " + units->length : "";
+}
+
+std::string torque_unit(const Grasp& grasp) {
+  const std::optional<Units>& units = grasp.description().units;
+  return units ? " " + units->torque() : "";
 }
 
 }  // namespace stickslip::plot_detail

@@ -13,7 +13,7 @@
 namespace stickslip::plot_detail {
 
 /// Where a grasp lies. The scene has its origin in `centre`, the unit `radius`, and the axes of
-/// the object frame (y up): contacts lie in [-1, 1]^2.
+/// the object frame (y up): contacts and outline lie in [-1, 1]^2.
 struct PictureFrame {
   Vector2 centre;
   Rational radius{1};
@@ -24,7 +24,7 @@ struct PictureFrame {
 };
 
 /// Centred in the origin of the object frame, unless that is far away compared with the size of
-/// the grasp; then in the middle of the contacts.
+/// the grasp; then in the middle of contacts and outline.
 PictureFrame picture_frame(const Grasp& grasp);
 
 /// (x, y) / size, for |x|, |y| up to about size > 0.
@@ -41,6 +41,10 @@ Rational round_down(const Rational& value);
 std::string short_text(const Rational& value);
 /// "(0, 1, \u22121/2)"
 std::string short_tuple(const std::vector<Rational>& values);
+/// Names of units behind a number, with a blank before; nothing if nobody gave them.
+std::string force_unit(const Grasp& grasp);
+std::string length_unit(const Grasp& grasp);
+std::string torque_unit(const Grasp& grasp);
 /// The same with '-' as U+2212.
 std::string typeset(std::string text);
 

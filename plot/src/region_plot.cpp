@@ -169,10 +169,14 @@ class RegionPlot {
     svg.close();
   }
 
-  static std::string axis_name(const Wrench& direction, const std::string& coordinate) {
-    if (direction == Wrench{1, 0, 0}) return "applied force along x";
-    if (direction == Wrench{0, 1, 0}) return "applied force along y";
-    if (direction == Wrench{0, 0, 1}) return "applied torque";
+  std::string axis_name(const Wrench& direction, const std::string& coordinate) const {
+    const Grasp& grasp = question_.loaded.grasp;
+    const auto with = [](const std::string& name, const std::string& unit) {
+      return unit.empty() ? name : name + " /" + unit;
+    };
+    if (direction == Wrench{1, 0, 0}) return with("applied force along x", force_unit(grasp));
+    if (direction == Wrench{0, 1, 0}) return with("applied force along y", force_unit(grasp));
+    if (direction == Wrench{0, 0, 1}) return with("applied torque", torque_unit(grasp));
     return coordinate + ", multiples of the wrench " + tuple(direction);
   }
 
@@ -246,9 +250,15 @@ class RegionPlot {
     y = draw_lines(svg, {left_, y}, "small muted",
                    std::string(at_zero ? "Other wrench coordinates 0"
                                        : "Wrench at (0, 0): " + tuple(plane_.origin())) +
-                       "; normal law: " + to_string(question_.law) + preload_text() + ".",
+                       "; normal law: " + to_string(question_.law) + preload_text() +
+                       units_text() + ".",
                    room);
     svg.set_height(y);
+  }
+
+  std::string units_text() const {
+    const std::optional<Units>& units = question_.loaded.grasp.description().units;
+    return units ? "; units: " + units->force + ", " + units->length : "";
   }
 
   std::string preload_text() const {

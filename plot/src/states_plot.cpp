@@ -50,7 +50,7 @@ std::size_t draw_grasp_panel(Svg& svg, const Grasp& grasp) {
   svg.close();
   svg.text(kGraspView.origin - InkPoint{0, kDiscRadius + 28}, "middle", "grasp");
   svg.open("g", {{"class", "grasp"}});
-  svg.path(SvgPath().polygon(on_page(kGraspView, body_outline(contacts))), "body");
+  draw_body(svg, kGraspView, body_outline(grasp, {}, contacts), "body");
   svg.open("g", {{"clip-path", "url(#stickslip-grasp)"}});
   for (const ContactInk& c : contacts) {
     svg.line(kGraspView(c.at - 6.0 * c.tangent), kGraspView(c.at + 6.0 * c.tangent), "axis");
@@ -297,7 +297,8 @@ class StatesPlot {
         "A point is the motion that turns the object about it; one place in both discs is d "
         "and \u2212d. On the rim: translations (arrows). Dotted ring: centres of rotation at "
         "distance " +
-        short_text(frame_.radius) + " from " + short_tuple({frame_.centre.x, frame_.centre.y}) +
+        short_text(frame_.radius) + length_unit(grasp_) + " from " +
+        short_tuple({frame_.centre.x, frame_.centre.y}) +
         ", the middle of the discs. Equal areas of the discs are equal shares of the sphere.");
     if (c.planes > 0) {
       line(

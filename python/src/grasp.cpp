@@ -3,6 +3,7 @@
 
 #include "bindings.hpp"
 #include "exact.hpp"
+#include "stickslip/core/error.hpp"
 #include "stickslip/core/snap.hpp"
 
 namespace stickslip::python {
@@ -16,11 +17,30 @@ Vector2 vector2(const py::list& rows, std::size_t i, const char* name) {
   return {exact(row[0], place + "0]"), exact(row[1], place + "1]")};
 }
 
+/// From lists of polygons of rings of vertices.
+std::vector<Polygon> polygons(const py::list& outline) {
+  std::vector<Polygon> result;
+  for (const py::handle polygon : outline) {
+    const std::string place = "outline[" + std::to_string(result.size()) + "]";
+    result.emplace_back();
+    for (const py::handle vertices : polygon) {
+      const auto rows = vertices.cast<py::list>();
+      const std::string name = place + "[" + std::to_string(result.back().size()) + "]";
+      result.back().emplace_back();
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        result.back().back().push_back(vector2(rows, i, name.c_str()));
+      }
+    }
+  }
+  return result;
+}
+
 /// The package has checked the lengths.
 GraspFile make_grasp(const py::list& positions, const py::list& normals,
                      const py::object& friction, const py::object& stiffness,
                      const py::object& preload, const py::list& wrench, const std::string& name,
-                     bool assumed_stiffness) {
+                     bool assumed_stiffness, const py::list& cases, const py::list& outline,
+                     const py::list& units) {
   const std::size_t m = positions.size();
   const std::vector<Rational> frictions = numbers(friction, m, "friction");
   const std::vector<Rational> stiffnesses = numbers(stiffness, m, "stiffness");
@@ -30,11 +50,55 @@ GraspFile make_grasp(const py::list& positions, const py::list& normals,
     contacts.push_back({vector2(positions, i, "positions"), vector2(normals, i, "normals"),
                         frictions[i], stiffnesses[i], preloads[i]});
   }
-  GraspFile file{{Grasp(std::move(contacts), name), exact_wrench(wrench, "wrench")}};
+  GraspDescription description{name, polygons(outline)};
+  if (!units.empty()) {
+    description.units = Units{units[0].cast<std::string>(), units[1].cast<std::string>()};
+  }
+  GraspFile file{
+      {Grasp(std::move(contacts), std::move(description)), exact_wrench(wrench, "wrench")}};
   for (std::size_t i = 0; assumed_stiffness && i < m; ++i) {
     file.assumed_stiffness.emplace_back(i);
   }
+  for (const py::handle entry : cases) {
+    const auto named = entry.cast<py::tuple>();
+    const auto case_name = named[0].cast<std::string>();
+    file.cases.push_back({case_name, exact_wrench(named[1].cast<py::list>(),
+                                                  "cases[" + quote(case_name) + "]")});
+  }
   return file;
+}
+
+py::dict wrenches_of_cases(const GraspFile& file) {
+  py::dict result;
+  for (const NamedLoad& load : file.cases) result[text(load.name)] = fractions(load.wrench);
+  return result;
+}
+
+py::tuple outline_of(const GraspFile& file) {
+  const auto tuple_of = [](const auto& list, auto convert) {
+    py::tuple result(list.size());
+    for (std::size_t i = 0; i < list.size(); ++i) result[i] = convert(list[i]);
+    return result;
+  };
+  const auto vertex = [](const Vector2& v) { return fractions(v.x, v.y); };
+  const auto ring = [&](const Ring& vertices) { return tuple_of(vertices, vertex); };
+  const auto polygon = [&](const Polygon& rings) { return tuple_of(rings, ring); };
+  return tuple_of(file.content.grasp.description().outline, polygon);
+}
+
+py::dict units_of(const GraspFile& file) {
+  py::dict result;
+  if (const std::optional<Units>& units = file.content.grasp.description().units) {
+    result["length"] = text(units->length);
+    result["force"] = text(units->force);
+  }
+  return result;
+}
+
+/// Every stiffness written out: equal grasps give equal texts.
+std::string text_of(GraspFile file) {
+  file.assumed_stiffness.clear();
+  return write_grasp_file(file);
 }
 
 /// The grasp with rational unit normals, and (contact, normal, moved at most) of each that
@@ -89,7 +153,7 @@ GraspFile with_friction(const GraspFile& file, const std::vector<Rational>& fric
   std::vector<Contact> contacts = file.content.grasp.contacts();
   for (std::size_t i = 0; i < contacts.size(); ++i) contacts[i].friction = friction[i];
   GraspFile result = file;
-  result.content.grasp = Grasp(std::move(contacts), file.content.grasp.name());
+  result.content.grasp = Grasp(std::move(contacts), file.content.grasp.description());
   return result;
 }
 
@@ -100,7 +164,7 @@ void bind_grasp(py::module_& module) {
                   [](const std::string& content, const std::string& name) {
                     return without_gil([&] { return parse_grasp(content, name); });
                   })
-      .def("text", [](const GraspFile& f) { return write_grasp(f.content); })
+      .def("text", &text_of)
       .def("with_friction",
            [](const GraspFile& f, const py::object& friction) {
              return with_friction(f, numbers(friction, f.content.grasp.size(), "friction"));
@@ -113,6 +177,9 @@ void bind_grasp(py::module_& module) {
       .def("stiffness", [](const GraspFile& f) { return scalars(f, &Contact::stiffness); })
       .def("preload", [](const GraspFile& f) { return scalars(f, &Contact::preload); })
       .def("wrench", [](const GraspFile& f) { return fractions(f.content.wrench); })
+      .def("cases", &wrenches_of_cases)
+      .def("outline", &outline_of)
+      .def("units", &units_of)
       .def("snap", &snapped)
       .def(py::pickle(
           [](const GraspFile& f) { return py::make_tuple(py::bytes(write_grasp_file(f))); },

@@ -232,6 +232,11 @@ QuestionOptions question_options(const py::object& wrench, const py::object& pre
 }
 
 Question question_of(const GraspFile& grasp, const QuestionOptions& options) {
+  if (!options.wrench && !options.direction && !grasp.cases.empty()) {
+    throw InputError(
+        "", "wrench", "the grasp has cases, and none is chosen",
+        "give the wrench of one, such as grasp.cases[" + quote(grasp.cases.front().name) + "]");
+  }
   Question question = ask(grasp, options);
   try {
     problem_of(question);

@@ -9,7 +9,7 @@ from __future__ import annotations
 import operator
 import os
 import reprlib
-from typing import Any, List, Optional, Sequence, Tuple, Union
+from typing import Any, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -104,6 +104,50 @@ def as_text(value: Any, name: str, remedy: str = "give a str") -> str:
         raise InputError("", name, f"character {error.start}, {value[error.start]!a}, is half of a "
                          "surrogate pair", "give text that UTF-8 can hold") from None
     return value
+
+
+def as_outline(outline: Any) -> List[List[List[Any]]]:
+    """A list of polygons, also of one polygon or of one ring, or of a geometry of shapely."""
+    form = ("give a list of polygons, each a list of rings of rows x, y; or one polygon, or one ring; "
+            "or a polygon of shapely")
+    if hasattr(outline, "exterior") or hasattr(outline, "geoms"):  # its rings repeat their start
+        parts = getattr(outline, "geoms", [outline])
+        if not all(hasattr(part, "exterior") for part in parts):
+            raise InputError("", "outline", f"this is {found(outline)}", form)
+        return [[list(map(list, ring.coords[:-1])) for ring in (part.exterior, *part.interiors)]
+                for part in parts]
+
+    def entries(value: Any, name: str) -> List[Any]:
+        if isinstance(value, (str, bytes)) or not hasattr(value, "__iter__"):
+            raise InputError("", name, f"this is {found(value)}", form)
+        return list(value)
+
+    polygons, depth = entries(outline, "outline"), 0
+    first: Any = polygons
+    while hasattr(first, "__len__") and not isinstance(first, (str, bytes)) and len(first) > 0:
+        first, depth = first[0], depth + 1
+    for _ in range(4 - depth if depth > 0 else 0):
+        polygons = [polygons]
+    return [[as_list(ring, f"outline[{j}][{k}]", (len(entries(ring, f"outline[{j}][{k}]")), 2),
+                     "one row x, y for each vertex")
+             for k, ring in enumerate(entries(polygon, f"outline[{j}]"))]
+            for j, polygon in enumerate(polygons)]
+
+
+def as_units(units: Mapping[str, str]) -> List[str]:
+    """Of length and of force; empty if there are none."""
+    if len(units) == 0:
+        return []
+    if set(units) != {"length", "force"}:
+        raise InputError("", "units", f"the keys are {found(list(units))}",
+                         'give both, as in {"length": "mm", "force": "N"}')
+    return [as_text(units[key], f"units[{key!r}]") for key in ("length", "force")]
+
+
+def as_case_name(value: Any) -> str:
+    if as_text(value, "cases", "give names that are of type str") == "":
+        raise InputError("", "cases", "a name is empty", "give each case a name")
+    return str(value)
 
 
 def as_json(value: Any, name: str, remedy: str) -> bytes:

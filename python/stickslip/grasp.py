@@ -5,20 +5,24 @@ from __future__ import annotations
 
 import os
 from fractions import Fraction
-from typing import Any, NamedTuple, Sequence, Tuple, Union
+from types import MappingProxyType
+from typing import Any, Mapping, NamedTuple, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _core
 from .arguments import (
+    as_case_name,
     as_content,
     as_json,
     as_list,
     as_number,
     as_numbers,
+    as_outline,
     as_rows,
     as_text,
+    as_units,
     as_wrench,
 )
 from .errors import InputError
@@ -44,6 +48,11 @@ class Grasp:
         preload: normal force before the wrench is applied, >= 0.
         wrench: (3,), force x, force y and torque about the origin, applied *to* the body.
         name: for people.
+        cases: named loads, each a question of its own: a mapping of names to wrenches (3,), each
+            the whole load. ``decide(grasp, grasp.cases[name])`` asks about one.
+        outline: of the body, for pictures: a list of polygons, each a list of rings (the outer
+            one, then holes), each (n, 2); or one polygon, or one ring.
+        units: names for people, {"length": "mm", "force": "N"}. Nothing is converted.
 
     Numbers are taken exactly: a float as the dyadic rational that it is (0.1 is not 1/10), an
     int, a Fraction, a Decimal, and a string as it spells ("1/10", "0.1", "1e-3"). Arrays may mix
@@ -71,6 +80,9 @@ class Grasp:
         *,
         wrench: Any = (0, 0, 0),
         name: str = "",
+        cases: Mapping[str, Any] = MappingProxyType({}),
+        outline: Any = (),
+        units: Mapping[str, str] = MappingProxyType({}),
     ) -> None:
         rows = as_rows(positions)
         m = len(rows)
@@ -84,6 +96,10 @@ class Grasp:
             as_wrench(wrench, "wrench"),
             as_text(name, "name"),
             stiffness is None,
+            [(as_case_name(case), as_wrench(load, f"cases[{case!r}]"))
+             for case, load in cases.items()],
+            as_outline(outline),
+            as_units(units),
         )
         object.__setattr__(self, "_data", data)
         object.__setattr__(self, "_doubles", any(
@@ -119,10 +135,11 @@ class Grasp:
         >>> Grasp.from_outline(plate, [[0, 1], [4, 2]], "1/2").grasp.normals[1]
         (Fraction(-1, 1), Fraction(0, 1))
         """
-        placed = place(polygons_of(outline), points, tolerance)
+        polygons = polygons_of(outline)
+        placed = place(polygons, points, tolerance)
         contacts = [(one.position, unit_if_rational(one.normal)) for one in placed]
         grasp = cls([position for position, _ in contacts], [normal for _, normal in contacts],
-                    friction, stiffness, preload, wrench=wrench, name=name)
+                    friction, stiffness, preload, wrench=wrench, name=name, outline=polygons)
         object.__setattr__(grasp, "_doubles", has_doubles(outline))
         return PlacedGrasp(grasp, tuple(nearest_root(one.squared_distance) for one in placed))
 
@@ -221,7 +238,23 @@ class Grasp:
 
     @property
     def wrench(self) -> Triple:
+        """With ``cases``, what is common to them."""
         return self._data.wrench()
+
+    @property
+    def outline(self) -> Tuple[Tuple[Tuple[Pair, ...], ...], ...]:
+        """Polygons of the body: each its outer ring, then those of holes. Empty if not given."""
+        return self._data.outline()
+
+    @property
+    def units(self) -> Mapping[str, str]:
+        """Of "length" and "force"; empty if not given."""
+        return MappingProxyType(self._data.units())
+
+    @property
+    def cases(self) -> Mapping[str, Triple]:
+        """The whole load of each case of a grasp file, by name; empty if it has none."""
+        return MappingProxyType(self._data.cases())
 
     @property
     def name(self) -> str:

@@ -10,7 +10,7 @@ from typing import Any, Iterator, List, NamedTuple, Sequence, Tuple
 import numpy as np
 
 from . import _core
-from .arguments import as_array, as_list, as_number, as_rows, found
+from .arguments import as_list, as_number, as_outline, as_rows
 from .errors import InputError
 from .views import nearest_root
 
@@ -30,13 +30,9 @@ class Placed(NamedTuple):
 
 
 def polygons_of(outline: Any) -> List[List[Ring]]:
-    """Of each polygon its rings, the outer one first and counterclockwise, holes clockwise.
-
-    An (n, 2) array, a list of rings, a list of such lists, or a geometry of shapely.
-    """
-    polygons = [[_oriented(ring, f"{place}[{k}]" if len(rings) > 1 else place, k > 0)
-                 for k, ring in enumerate(rings)]
-                for place, rings in _written(outline)]
+    """Of each polygon its rings, the outer one first and counterclockwise, holes clockwise."""
+    polygons = [[_oriented(ring, f"outline[{j}][{k}]", k > 0) for k, ring in enumerate(rings)]
+                for j, rings in enumerate(as_outline(outline))]
     if not polygons:
         raise InputError("", "outline", "there is no polygon", "give at least three corners x, y")
     return polygons
@@ -57,41 +53,8 @@ def unit_if_rational(normal: Point) -> Point:
     return (normal[0] / length, normal[1] / length) if length * length == squared else normal
 
 
-def _written(outline: Any) -> List[Tuple[str, List[Any]]]:
-    """The rings of each polygon as they were given, and the name of the polygon."""
-    if hasattr(outline, "geoms"):  # shapely's MultiPolygon
-        return [(f"outline[{i}]", _rings(part)) for i, part in enumerate(outline.geoms)]
-    if hasattr(outline, "exterior"):
-        return [("outline", _rings(outline))]
-    depth = _depth(outline)
-    if depth == 2:
-        return [("outline", [outline])]
-    if depth == 3:
-        return [("outline", list(outline))]
-    if depth == 4:
-        return [(f"outline[{i}]", list(rings)) for i, rings in enumerate(outline)]
-    raise InputError("", "outline", f"this is {found(outline)}",
-                     "give an (n, 2) array of corners, a list of such rings, or a polygon of shapely")
-
-
-def _rings(polygon: Any) -> List[Any]:
-    """Of a geometry of shapely, whose rings repeat their first corner."""
-    if not hasattr(polygon, "exterior"):
-        raise InputError("", "outline", f"this is {found(polygon)}", "give polygons")
-    return [list(ring.coords)[:-1] for ring in (polygon.exterior, *polygon.interiors)]
-
-
-def _depth(values: Any) -> int:
-    depth = 0
-    while isinstance(values, (list, tuple)) or getattr(values, "ndim", 0) > 0:
-        if len(values) == 0:
-            return 0
-        depth, values = depth + 1, values[0]
-    return depth
-
-
 def exact_points(values: Any, name: str) -> List[Point]:
-    rows = as_list(as_array(values, name), name, (len(values), 2), "one row x, y for each point")
+    rows = as_list(values, name, (len(values), 2), "one row x, y for each point")
     return [(_core.exact(x, f"{name}[{i}, 0]"), _core.exact(y, f"{name}[{i}, 1]"))
             for i, (x, y) in enumerate(rows)]
 

@@ -229,7 +229,7 @@ class GraspFileTest(Case):
         self.assertIsNotNone(self.wrench('"0.' + "1" * 16_382 + '"'))
 
     def test_structure(self):
-        self.bad("format", self.file(format="stickslip-grasp/2"))
+        self.bad("format", self.file(format="stickslip-grasp/3"))
         self.bad("'wrench' is missing", {k: v for k, v in self.file().items() if k != "wrench"})
         self.bad("'contacts' is missing", {k: v for k, v in self.file().items() if k != "contacts"})
         self.bad("unknown member 'frictoin'", self.file(frictoin=1))
@@ -276,12 +276,65 @@ class GraspFileTest(Case):
             self.bad("stickslip snap GRASP -o FILE", self.file(normals=value))
 
     def test_values_in_one_place(self):
-        self.bad("wrench: must be an array of 3", self.file(wrench=[0] * 255))
-        self.bad("more than 256 values in one place", self.file(wrench=[0] * 256))
-        contact = {**self.CONTACT, "position": [0] * 255}
-        self.bad("more than 256 values in one place", self.file(contacts=[contact]))
+        most = 1 << 16
+        self.bad("wrench: must be an array of 3", self.file(wrench=[0] * (most - 1)))
+        self.bad("more than 65536 values in one place", self.file(wrench=[0] * most))
+        contact = {**self.CONTACT, "position": [0] * (most - 6)}
+        self.bad("position: must be an array of 2", self.file(contacts=[contact]))
+        contact["position"].append(0)
+        self.bad("more than 65536 values in one place", self.file(contacts=[contact]))
         self.accepts(self.file(contacts=[self.CONTACT] * 300),
                      certificate(300, [0, 1, 0], tree=[["leaf", 0, -1, 0]]))
+
+
+class LoadsTest(Case):
+    """§1: loads and cases of version 2, as the checkers sum them."""
+
+    LOADS = [{"weight": 10, "at": [1, 2]}, {"weight": 5, "at": [0, 1], "direction": [3, -4]},
+             {"force": [1, "-2"], "at": [3, "4/3"]}, {"torque": "1/3"}]  # (4, -16, -20)
+
+    def wrench(self, members, *options):
+        """What is asked about, by its certificate; or None if that is malformed."""
+        file = {"format": "stickslip-grasp/2", "contacts": [], **members}
+        code, report, _, _ = self.run_both(file, certificate(1, [0, 0, 0], tree=[]), *options)
+        if code == 2:
+            return None
+        self.assertEqual(report["rule"], "question-contacts")
+        # No contact and no load is stable, and that of no other wrench.
+        for guess in ([0, 0, 0], [4, -16, -20], [0, -10, -20], ["3/2", -10, "-49/2"]):
+            _, report, _, _ = self.run_both(file, certificate(0, guess, twist=[0, 0, 0]), *options)
+            if report["rule"] != "question-wrench":
+                return guess
+        return report["found"]
+
+    def test_sums(self):
+        self.assertEqual(self.wrench({"loads": []}), [0, 0, 0])
+        self.assertEqual(self.wrench({"loads": self.LOADS}), [4, -16, -20])
+        self.assertEqual(self.wrench({"loads": self.LOADS}, "--direction", "1,0,0"), [0, 0, 0])
+
+    def test_cases(self):
+        members = {"loads": [{"weight": 10, "at": [2, 1]}],
+                   "cases": [{"name": "-", "loads": []},
+                             {"name": "p u", "loads": [{"force": ["3/2", 0], "at": [2, 3]}]},
+                             {"name": "up", "wrench": [0, 10, "20"]}]}
+        for name, wrench in (("-", [0, -10, -20]), ("p u", ["3/2", -10, "-49/2"]),
+                             ("up", [0, 0, 0])):
+            self.assertEqual(self.wrench(members, "--case", name), wrench)
+            self.assertEqual(self.wrench(members, "--case=" + name, "--direction", "1,0,0"), wrench)
+        self.assertEqual(self.wrench(members, "--wrench", "0,0,0"), [0, 0, 0])
+        self.assertEqual(self.wrench(members, "--direction", "1,0,0"), [0, 0, 0])
+        for options in ((), ("--case", "down"), ("--case", ""), ("--case", "up", "--wrench", "0,0,0"),
+                        ("--preload-direction", "scale")):
+            self.assertIsNone(self.wrench(members, *options), options)
+        self.assertIsNone(self.wrench({"wrench": [0, 0, 0]}, "--case", "up"))
+        del members["loads"]
+        self.assertEqual(self.wrench(members, "--case", "-"), [0, 0, 0])
+
+    def test_only_in_version_2(self):
+        for members in ({"loads": []}, {"wrench": [0, 0, 0], "cases": [{"name": "a", "loads": []}]}):
+            self.assertIsNotNone(self.wrench(members, "--wrench", "0,0,0"))
+            file = {"format": "stickslip-grasp/1", "contacts": [], **members}
+            self.malformed("needs \"format\": \"stickslip-grasp/2\"", file, up())
 
 
 class SpoofTest(Case):

@@ -75,7 +75,7 @@ const BadFile kBadFiles[] = {
     {"not_an_object", "top level", "an array of 2 values", "expected an object"},
     {"number_alone", "top level", "the number 3", "expected an object"},
     {"missing_format", "top level", "\"format\" is missing", "\"stickslip-grasp/1\""},
-    {"wrong_format", "format", "\"stickslip-grasp/2\"", "\"stickslip-grasp/1\""},
+    {"wrong_format", "format", "\"stickslip-grasp/3\"", "\"stickslip-grasp/2\""},
     {"format_number", "format", "the number 1", "\"stickslip-grasp/1\""},
     {"missing_contacts", "top level", "\"contacts\" is missing", "may be empty"},
     {"missing_wrench", "top level", "\"wrench\" is missing", "no load is [0, 0, 0]"},
@@ -85,7 +85,6 @@ const BadFile kBadFiles[] = {
     {"duplicate_key", "top level", "\"name\" appears twice", "keep one"},
     {"duplicate_contacts", "top level", "\"contacts\" appears twice", "keep one"},
     {"name_number", "name", "the number 1", "expected a string"},
-    {"too_many_values", "wrench[252]", "more than 256 values", "only the lists of contacts"},
     {"deep_nesting",
      "contacts[0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0][0]"
      "[0]"
@@ -98,6 +97,66 @@ const BadFile kBadFiles[] = {
     {"tiny_exponent", "wrench[1]", "\"1e-999999999\" exceeds 4096", ""},
     {"huge_exponent_string", "wrench[1]", "\"1e999999999\" exceeds 4096", ""},
     {"exponent_4097", "wrench[1]", "\"1e4097\" exceeds 4096", ""},
+    // Loads and cases.
+    {"loads_in_version_1", "top level", "unknown key \"loads\"", "\"stickslip-grasp/2\""},
+    {"cases_in_version_1", "top level", "unknown key \"cases\"", "\"stickslip-grasp/2\""},
+    {"missing_loads", "top level", "\"wrench\" is missing", "or \"loads\": [...]"},
+    {"wrench_and_loads", "top level", "both \"wrench\" and \"loads\"", "give one of them"},
+    {"loads_object", "loads", "an object of 1 value", "an array of loads"},
+    {"load_number", "loads[0]", "the number 3", "an object such as {\"force\": [x, y]"},
+    {"load_empty", "loads[1]", "an object of 0 values", "{\"torque\": t}"},
+    {"load_without_point", "loads[0]", "\"at\" is missing", "add \"at\": [x, y]"},
+    {"load_misspelt", "loads[0]", "unknown key \"forse\"", "did you mean \"force\"?"},
+    {"load_of_two_kinds", "loads[0]", "unknown key \"force\"", "keys allowed here are torque"},
+    {"torque_vector", "loads[0].torque", "an array of 2 values", "expected a number"},
+    {"force_number", "loads[0].force", "the number 1", "two numbers [x, y]"},
+    {"negative_weight", "loads[0].weight", "the value is -1", "\"direction\": [x, y]"},
+    {"weight_direction_zero", "loads[0].direction", "its length is 0", "such as [3, -4]"},
+    {"weight_direction_irrational", "loads[0].direction", "irrational", "such as [3, -4]"},
+    {"cases_object", "cases", "an object of 1 value", "an array of cases"},
+    {"cases_empty", "cases", "the list is empty", "give a case, or no list"},
+    {"case_without_name", "cases[0]", "\"name\" is missing", "add \"name\""},
+    {"case_name_number", "cases[0].name", "the number 1", "expected a string"},
+    {"case_name_empty", "cases[0].name", "the name is empty", "--case"},
+    {"case_name_twice", "cases[1].name", "\"lift\" appears twice", "a name of its own"},
+    {"case_without_load", "cases[0]", "neither \"wrench\" nor \"loads\"", "\"loads\": []"},
+    {"case_with_both", "cases[0]", "both \"wrench\" and \"loads\"", "give one of them"},
+    {"case_unknown_key", "cases[0]", "unknown key \"load\"", "did you mean \"loads\"?"},
+    {"case_bad_load", "cases[1].loads[0].at[1]", "found null", "expected a number"},
+    // The outline, and contacts on it.
+    {"outline_in_version_1", "top level", "unknown key \"outline\"", "\"stickslip-grasp/2\""},
+    {"outline_number", "outline", "the number 4", "a list of polygons"},
+    {"outline_empty", "outline", "the list is empty", "give a polygon"},
+    {"outline_of_numbers", "outline[0]", "the number 0", "two numbers [x, y]"},
+    {"outline_polygon_empty", "outline[1]", "a polygon without a ring", "outer ring"},
+    {"outline_two_vertices", "outline[0][0]", "a ring of 2 vertices", "at least three"},
+    {"outline_no_area", "outline[0][0]", "the ring has no area", "in their order"},
+    {"outline_same_vertex", "outline[0][0][1]", "the same as the next", "leave one"},
+    {"outline_closed", "outline[0][0][3]", "the same as the first", "a ring closes by itself"},
+    {"outline_bad_vertex", "outline[1][1]", "an array of 1 value", "two numbers [x, y]"},
+    {"outline_too_deep", "outline[0][0][0][0][0]", "an array of 2 values", "expected a number"},
+    {"outline_hole_number", "outline[1]", "the number 7", "a ring is [[x, y], ...]"},
+    {"on_in_version_1", "contacts[0]", "unknown key \"on\"", "\"stickslip-grasp/2\""},
+    {"on_without_outline", "contacts[0].on", "no outline", "add \"outline\""},
+    {"on_and_normal", "contacts[0]", "both \"on\" and \"normal\"", "remove one"},
+    {"on_string", "contacts[0].on", "the string \"0, 1/2\"", "[edge, share]"},
+    {"on_short", "contacts[0].on", "an array of 1 value", "[edge, share]"},
+    {"on_unknown_key", "contacts[0].on", "unknown key \"shar\"", "did you mean \"share\"?"},
+    {"on_without_share", "contacts[0].on", "\"share\" is missing", "\"share\": \"1/2\""},
+    {"on_share_above_1", "contacts[0].on[1]", "101/100", "from 0, where it begins, to 1"},
+    {"on_share_negative", "contacts[0].on.share", "-1", "from 0, where it begins, to 1"},
+    {"on_edge_fraction", "contacts[0].on", "the value is 1/2", "4 edges, 0 to 3"},
+    {"on_edge_too_large", "contacts[0].on", "the value is 4", "polygon 0 has 4 edges, 0 to 3"},
+    {"on_edge_negative", "contacts[0].on", "the value is -1", "4 edges, 0 to 3"},
+    {"on_polygon_too_large", "contacts[0].on", "the value is 1", "1 polygon, number 0"},
+    // Units.
+    {"units_in_version_1", "top level", "unknown key \"units\"", "\"stickslip-grasp/2\""},
+    {"units_string", "units", "the string \"mm, N\"", "an object"},
+    {"units_without_force", "units", "\"force\" is missing", "give both"},
+    {"units_unknown_key", "units", "unknown key \"mass\"", "length, force"},
+    {"units_number", "units.length", "the number 1", "such as \"mm\""},
+    {"units_empty", "units.force", "the unit is \"\"", "1 to 16 bytes"},
+    {"units_long", "units.length", "the unit is", "1 to 16 bytes"},
     // Contacts.
     {"contacts_object", "contacts", "an object of 0 values", "an array of contacts"},
     {"contact_array", "contacts[0]", "an array of 2 values", "expected an object"},
@@ -106,7 +165,7 @@ const BadFile kBadFiles[] = {
     {"missing_normal", "contacts[0]", "\"normal\" is missing", "into the object"},
     {"missing_friction", "contacts[1]", "\"friction\" is missing", "\"defaults\""},
     {"unknown_contact_key", "contacts[0]", "unknown key \"frictoin\"",
-     "did you mean \"friction\"? the keys allowed here are position, normal, friction"},
+     "did you mean \"friction\"? the keys allowed here are position, normal, on, friction"},
     {"duplicate_contact_key", "contacts[0]", "\"friction\" appears twice", "keep one"},
     {"short_position", "contacts[0].position", "an array of 1 value", "two numbers [x, y]"},
     {"long_normal", "contacts[0].normal", "an array of 3 values", "two numbers [x, y]"},
@@ -230,6 +289,31 @@ TEST(BadGraspFile, NestedMillionsDeepIsRefusedAtTheLimit) {
     EXPECT_THAT(error_of([&] { parse_grasp(text, "deep"); }).problem(),
                 HasSubstr("levels deep"));
   }
+}
+
+TEST(BadGraspFile, WithTooManyValuesInOnePlace) {
+  // An array and its elements, itself included; a contact's likewise.
+  const auto zeros = [](std::size_t n) {
+    std::string text = "[0";
+    for (std::size_t i = 1; i < n; ++i) text += ", 0";
+    return text + "]";
+  };
+  const auto problem = [](const std::string& text) {
+    return error_of([&] { parse_grasp(text, "many"); }).problem();
+  };
+  const std::string head = R"({"format": "stickslip-grasp/1", "contacts": [)";
+  const std::string contact = R"({"friction": 1, "normal": [0, 1], "position": )";
+  const std::string limit = "more than 65536 values in one place";
+  EXPECT_THAT(problem(head + "], \"wrench\": " + zeros(kMaxJsonNodes - 1) + "}"),
+              HasSubstr("an array of 65535 values"));
+  EXPECT_EQ(problem(head + "], \"wrench\": " + zeros(kMaxJsonNodes) + "}"), limit);
+  EXPECT_THAT(problem(head + contact + zeros(kMaxJsonNodes - 6) + "}], \"wrench\": [0, 0, 0]}"),
+              HasSubstr("an array of 65530 values"));
+  EXPECT_EQ(problem(head + contact + zeros(kMaxJsonNodes - 5) + "}], \"wrench\": [0, 0, 0]}"),
+            limit);
+  std::string keys = "{\"k\": 0";
+  for (std::size_t i = 0; i < kMaxJsonKeys; ++i) keys += ", \"k" + std::to_string(i) + "\": 0";
+  EXPECT_THAT(problem(keys + "}"), HasSubstr("more than 32 members"));
 }
 
 TEST(BadGraspFile, LongTokensGiveShortMessages) {

@@ -25,10 +25,22 @@ GraspFile read_good(const std::string& name) {
 
 void expect_same(const LoadedGrasp& a, const LoadedGrasp& b) {
   EXPECT_EQ(a.grasp.name(), b.grasp.name());
+  EXPECT_EQ(a.grasp.description().outline, b.grasp.description().outline);
+  EXPECT_EQ(a.grasp.description().units, b.grasp.description().units);
   EXPECT_EQ(a.wrench, b.wrench);
   ASSERT_EQ(a.grasp.size(), b.grasp.size());
   for (std::size_t i = 0; i < a.grasp.size(); ++i) {
     EXPECT_TRUE(same(a.grasp.contacts()[i], b.grasp.contacts()[i])) << i;
+  }
+}
+
+void expect_same(const GraspFile& a, const GraspFile& b) {
+  expect_same(a.content, b.content);
+  EXPECT_EQ(a.assumed_stiffness, b.assumed_stiffness);
+  ASSERT_EQ(a.cases.size(), b.cases.size());
+  for (std::size_t k = 0; k < a.cases.size(); ++k) {
+    EXPECT_EQ(a.cases[k].name, b.cases[k].name);
+    EXPECT_EQ(a.cases[k].wrench, b.cases[k].wrench);
   }
 }
 
@@ -64,6 +76,66 @@ TEST(ReadGrasp, NumbersAreTheDecimalsTheySpell) {
   EXPECT_EQ(file.content.wrench.x, Rational(3, 2));
   EXPECT_EQ(file.content.wrench.y, parse_rational("0.3333333333333333333333333333333333"));
   EXPECT_EQ(file.content.wrench.torque, Rational(-5, 2));
+}
+
+TEST(ReadGrasp, ContactsOnTheOutline) {
+  const GraspFile frame = read_good("outline");
+  const std::vector<Contact>& c = frame.content.grasp.contacts();
+  const Rational half(1, 2);
+  ASSERT_EQ(c.size(), 5U);
+  EXPECT_TRUE(same(c[0], {{2, 0}, {0, 1}, half, 1, 1}));
+  EXPECT_TRUE(same(c[1], {{3, 3}, {0, -1}, half, 1, 1}));
+  EXPECT_TRUE(same(c[2], {{2, 1}, {0, -1}, half, 1, 1}));  // in the hole
+  EXPECT_TRUE(same(c[3], {{1, 1}, {-1, 0}, half, 1, 1}));
+  EXPECT_TRUE(same(c[4], {{0, 1}, {1, 0}, half, 1, 1}));
+  const std::vector<Contact>& d = read_good("outlines").content.grasp.contacts();
+  ASSERT_EQ(d.size(), 2U);
+  EXPECT_TRUE(same(d[0], {{Rational(4, 3), 2}, {Rational(-3, 5), Rational(-4, 5)}, 1, 1, 2}));
+  EXPECT_TRUE(same(d[1], {{Rational(11, 2), half}, {-1, -1}, 0, 1, 0}));  // not scaled
+}
+
+TEST(ReadGrasp, OutlinesAsTheyAreWritten) {
+  const auto outline_of = [](const std::string& name) {
+    return read_good(name).content.grasp.description().outline;
+  };
+  const Ring square{{0, 0}, {4, 0}, {4, 3}, {0, 3}};
+  const Ring hole{{1, 1}, {3, 1}, {3, 2}, {1, 2}};
+  EXPECT_EQ(outline_of("outline"), (std::vector<Polygon>{Polygon{square, hole}}));
+  EXPECT_EQ(outline_of("outlines"),
+            (std::vector<Polygon>{Polygon{Ring{{0, 0}, {0, 3}, {4, 0}}},
+                                  Polygon{Ring{{5, 0}, {6, 0}, {5, 1}}}}));
+  EXPECT_EQ(outline_of("ring"),
+            (std::vector<Polygon>{Polygon{Ring{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}}}));
+  EXPECT_TRUE(outline_of("fig1").empty());
+}
+
+TEST(ReadGrasp, Units) {
+  const GraspFile file = read_good("units");
+  EXPECT_EQ(file.content.grasp.description().units, (Units{"\u00b5m", "kN"}));
+  EXPECT_EQ(file.content.grasp.description().units->torque(), "kN \u00b5m");
+  EXPECT_EQ(write_grasp(file.content),
+            "{\"format\": \"stickslip-grasp/2\",\n"
+            " \"units\": {\"length\": \"\u00b5m\", \"force\": \"kN\"},\n"
+            " \"contacts\": [],\n \"wrench\": [0, 0, 0]}\n");
+  EXPECT_EQ(read_good("fig1").content.grasp.description().units, std::nullopt);
+}
+
+TEST(ReadGrasp, LoadsAreSummedExactly) {
+  // (0, -10) at (1, 2), (3, -4) at (0, 1), (1, -2) at (3, 4/3), and the torque 1/3.
+  EXPECT_EQ(read_good("loads").content.wrench, (Wrench{4, -16, -20}));
+  EXPECT_TRUE(read_good("loads").cases.empty());
+}
+
+TEST(ReadGrasp, CasesHaveTheCommonLoad) {
+  const GraspFile file = read_good("cases");
+  EXPECT_EQ(file.content.wrench, (Wrench{0, -10, -20}));
+  ASSERT_EQ(file.cases.size(), 3U);
+  EXPECT_EQ(file.cases[0].name, "at rest");
+  EXPECT_EQ(file.cases[0].wrench, (Wrench{0, -10, -20}));
+  EXPECT_EQ(file.cases[1].name, "pushed");
+  EXPECT_EQ(file.cases[1].wrench, (Wrench{Rational(3, 2), -10, Rational(-49, 2)}));
+  EXPECT_EQ(file.cases[2].name, "lifted");
+  EXPECT_EQ(file.cases[2].wrench, (Wrench{0, 1, -19}));
 }
 
 TEST(ReadGrasp, DefaultsYieldToTheContactAndMayComeLast) {
@@ -135,6 +207,34 @@ TEST(WriteGrasp, Bytes) {
             " \"wrench\": [0, 0, 0]}\n");
 }
 
+TEST(WriteGrasp, CasesWithoutWhatIsCommon) {
+  EXPECT_EQ(write_grasp_file(read_good("cases")),
+            R"({"format": "stickslip-grasp/2",
+ "name": "shelf",
+ "contacts": [
+  {"position": [0, 0], "normal": [0, 1], "friction": "1/2", "preload": 0},
+  {"position": [4, 0], "normal": [0, 1], "friction": "1/2", "preload": 0}],
+ "wrench": [0, -10, -20],
+ "cases": [
+  {"name": "at rest", "wrench": [0, 0, 0]},
+  {"name": "pushed", "wrench": ["3/2", 0, "-9/2"]},
+  {"name": "lifted", "wrench": [0, 11, 1]}]}
+)");
+}
+
+TEST(WriteGrasp, Outlines) {
+  EXPECT_EQ(write_grasp(read_good("outlines").content),
+            R"({"format": "stickslip-grasp/2",
+ "name": "two triangles",
+ "outline": [[[[0, 0], [0, 3], [4, 0]]],
+  [[[5, 0], [6, 0], [5, 1]]]],
+ "contacts": [
+  {"position": ["4/3", 2], "normal": ["-3/5", "-4/5"], "friction": 1, "stiffness": 1, "preload": 2},
+  {"position": ["11/2", "1/2"], "normal": [-1, -1], "friction": 0, "stiffness": 1, "preload": 0}],
+ "wrench": [0, 0, 0]}
+)");
+}
+
 TEST(WriteGrasp, AssumedStiffnessesStayAssumed) {
   const GraspFile file = parse_grasp(
       R"({"format": "stickslip-grasp/1", "wrench": [0, 0, 0], "defaults": {"friction": 1},
@@ -161,11 +261,12 @@ TEST(WriteGrasp, RoundTripsTheCorpus) {
   for (const auto& entry :
        std::filesystem::directory_iterator(STICKSLIP_GRASP_CORPUS "/good")) {
     SCOPED_TRACE(entry.path());
-    const LoadedGrasp content = read_grasp_file(entry.path().string()).content;
-    const std::string text = write_grasp(content);
-    const LoadedGrasp again = parse_grasp(text, "again").content;
-    expect_same(again, content);
-    EXPECT_EQ(write_grasp(again), text);
+    const GraspFile file = read_grasp_file(entry.path().string());
+    const std::string text = write_grasp_file(file);
+    const GraspFile again = parse_grasp(text, "again");
+    expect_same(again, file);
+    EXPECT_EQ(write_grasp_file(again), text);
+    expect_same(parse_grasp(write_grasp(file.content), "again").content, file.content);
     ++files;
   }
   EXPECT_GE(files, 11);

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The readers of grasp files. An input is a grasp file. Whatever core reads, it writes and
 // reads back as the same grasp and the same bytes; and core and the checker, which share no
-// code, take and refuse the same.
+// code, take and refuse the same, and read the same numbers.
+#include <algorithm>
+#include <initializer_list>
+#include <map>
 #include <sstream>
 #include <string_view>
+#include <vector>
 
 #include "answer.hpp"
 #include "fuzz_target.hpp"
@@ -20,44 +24,100 @@ bool same(const stickslip::Contact& a, const stickslip::Contact& b) {
          a.stiffness == b.stiffness && a.preload == b.preload;
 }
 
-void expect_round_trip(const stickslip::LoadedGrasp& grasp) {
+bool same(const stickslip::NamedLoad& a, const stickslip::NamedLoad& b) {
+  return a.name == b.name && a.wrench == b.wrench;
+}
+
+template <class Entry>
+bool same(const std::vector<Entry>& a, const std::vector<Entry>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const Entry& x, const Entry& y) { return same(x, y); });
+}
+
+void expect_round_trip(const stickslip::GraspFile& file) {
   std::string text;
   try {
-    text = write_grasp(grasp);
+    text = write_grasp_file(file);
   } catch (const stickslip::InputError& error) {
     // "1e4096" fits into a file, and its digits may not.
     if (std::string(error.what()).find("characters") == std::string::npos) throw;
     return;
   }
-  const stickslip::LoadedGrasp again = stickslip::parse_grasp(text, "written").content;
-  const auto& before = grasp.grasp.contacts();
-  const auto& after = again.grasp.contacts();
-  bool equal = grasp.wrench == again.wrench && grasp.grasp.name() == again.grasp.name() &&
-               before.size() == after.size();
-  for (std::size_t i = 0; equal && i < before.size(); ++i) equal = same(before[i], after[i]);
+  const stickslip::GraspFile again = stickslip::parse_grasp(text, "written");
+  const stickslip::Grasp& before = file.content.grasp;
+  const stickslip::Grasp& after = again.content.grasp;
+  const bool equal =
+      file.content.wrench == again.content.wrench && before.name() == after.name() &&
+      before.description().outline == after.description().outline &&
+      before.description().units == after.description().units &&
+      same(file.cases, again.cases) && file.assumed_stiffness == again.assumed_stiffness &&
+      same(before.contacts(), after.contacts());
   if (!equal) broken("another grasp is read back");
-  if (write_grasp(again) != text) broken("other bytes are written the second time");
+  if (write_grasp_file(again) != text) broken("other bytes are written the second time");
 }
 
-/// Why core refuses the text; empty if it does not.
-std::string refusal_of_core(std::string_view text) {
+/// The numbers that decide, in one order.
+std::vector<std::string> numbers(const stickslip::GraspFile& file) {
+  std::vector<std::string> all;
+  const auto add = [&](std::initializer_list<const stickslip::Rational*> values) {
+    for (const stickslip::Rational* value : values) all.push_back(stickslip::to_string(*value));
+  };
+  for (const stickslip::Contact& c : file.content.grasp.contacts()) {
+    add({&c.position.x, &c.position.y, &c.normal.x, &c.normal.y, &c.friction, &c.stiffness,
+         &c.preload});
+  }
+  const stickslip::Wrench& w = file.content.wrench;
+  add({&w.x, &w.y, &w.torque});
+  std::map<std::string, const stickslip::Wrench*> cases;
+  for (const stickslip::NamedLoad& load : file.cases) cases[load.name] = &load.wrench;
+  for (const auto& [name, wrench] : cases) {
+    all.push_back(name);
+    add({&wrench->x, &wrench->y, &wrench->torque});
+  }
+  return all;
+}
+
+std::vector<std::string> numbers(const stickslip_check::Grasp& grasp) {
+  std::vector<std::string> all;
+  const auto add = [&](const stickslip_check::Vector& values) {
+    for (const stickslip_check::Rational& value : values) all.push_back(value.get_str());
+  };
+  for (const stickslip_check::Contact& c : grasp.contacts) {
+    add(c.position);
+    add(c.normal);
+    add({c.friction, c.stiffness, c.preload});
+  }
+  add(grasp.wrench);
+  for (const auto& [name, wrench] : grasp.cases) {
+    all.push_back(name);
+    add(wrench);
+  }
+  return all;
+}
+
+struct Reading {
+  std::vector<std::string> numbers;
+  std::string refusal;  ///< why the text is refused; empty if it is not
+};
+
+Reading by_core(std::string_view text) {
   try {
-    expect_round_trip(stickslip::parse_grasp(text, "fuzz").content);
+    const stickslip::GraspFile file = stickslip::parse_grasp(text, "fuzz");
+    expect_round_trip(file);
+    return {numbers(file), {}};
   } catch (const stickslip::InputError& error) {
     stickslip::fuzz::expect_useful(error, text);
-    return error.what();
+    return {{}, error.what()};
   }
-  return {};
 }
 
-std::string refusal_of_checker(const std::string& text) {
+Reading by_checker(const std::string& text) {
   std::istringstream in(text);
   try {
-    stickslip_check::read_grasp(in, "fuzz");
+    return {numbers(stickslip_check::read_grasp(in, "fuzz")), {}};
   } catch (const stickslip_check::Malformed& malformed) {
-    return malformed.place + ": " + malformed.problem;
+    return {{}, malformed.place + ": " + malformed.problem};
   }
-  return {};
 }
 
 }  // namespace
@@ -65,11 +125,17 @@ std::string refusal_of_checker(const std::string& text) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(data, data + size);
   try {
-    const std::string core = refusal_of_core(text);
-    const std::string checker = refusal_of_checker(text);
-    if (core.empty() != checker.empty()) {
-      broken("core says \"" + core + "\", the checker \"" + checker + "\"");
+    const Reading core = by_core(text);
+    const Reading checker = by_checker(text);
+    // How rings lie to each other plays no part in a question; core refuses what is no body.
+    const auto says = [&](const char* words) {
+      return core.refusal.find(words) != std::string::npos;
+    };
+    if (says(" meet; ") || says("the hole is ")) return 0;
+    if (core.refusal.empty() != checker.refusal.empty()) {
+      broken("core says \"" + core.refusal + "\", the checker \"" + checker.refusal + "\"");
     }
+    if (core.numbers != checker.numbers) broken("core and the checker read other numbers");
   } catch (const std::exception& error) {
     broken(std::string("an exception: ") + error.what());
   }

@@ -22,6 +22,7 @@ def test_sides_of_a_plate():
         assert grasp.positions == ((1, 0), (4, 1), (Fraction(1, 3), 3), (0, 2))
         assert moved == (0, 0, 0, 0)
         assert decide(grasp).verdict == "stable"
+        assert sorted(grasp.outline[0][0]) == sorted(map(tuple, PLATE))
 
 
 def test_holes_are_held_from_inside():
@@ -76,10 +77,11 @@ def test_the_nearest_edge_is_found_exactly():
 
 @pytest.mark.parametrize("outline, points, place", [
     (3, [[0, 0]], "outline"), ([], [[0, 0]], "outline"), ("plate", [[0, 0]], "outline"),
-    ([[0, 0], [1, 0]], [[0, 0]], "outline"), ([[0, 0], [1, 1], [2, 2]], [[0, 0]], "outline"),
-    ([[0, 0], [0, 0], [1, 0], [0, 1]], [[0, 0]], "outline[1]"),
-    ([[0, 0], [1, "x"], [0, 1]], [[0, 0]], "outline[1, 1]"),
-    ([PLATE, [[1, 1], [2, float("nan")], [1, 2]]], [[0, 1]], "outline[1][1, 1]"),
+    ([[0, 0], [1, 0]], [[0, 0]], "outline[0][0]"),
+    ([[0, 0], [1, 1], [2, 2]], [[0, 0]], "outline[0][0]"),
+    ([[0, 0], [0, 0], [1, 0], [0, 1]], [[0, 0]], "outline[0][0][1]"),
+    ([[0, 0], [1, "x"], [0, 1]], [[0, 0]], "outline[0][0][1, 1]"),
+    ([PLATE, [[1, 1], [2, float("nan")], [1, 2]]], [[0, 1]], "outline[0][1][1, 1]"),
     (PLATE, [[0, 0]], "points[0]"), (PLATE, [[-1, -1]], "points[0]"), (PLATE, [1, 0], "positions[0]"),
     (PLATE, [[2, "?"]], "points[0, 1]")])
 def test_errors(outline, points, place):
@@ -98,7 +100,7 @@ def test_shapely():
     apart = geometry.MultiPolygon([plate, geometry.Polygon([[5, 0], [6, 0], [6, 1], [5, 1]])])
     grasp, _ = Grasp.from_outline(apart, [[6, 0.5], [0, 1]], 1)
     assert grasp.normals == ((-1, 0), (1, 0))
-    with pytest.raises(InputError, match="give polygons"):
+    with pytest.raises(InputError, match="a polygon of shapely"):
         Grasp.from_outline(geometry.MultiPoint([[0, 0], [1, 1]]), [[0, 0]], 1)
 
 

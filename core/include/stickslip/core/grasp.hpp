@@ -7,6 +7,7 @@
 /// 2018, Section III and Fig. 2.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,6 +27,31 @@ struct Vector2 {
   friend bool operator==(const Vector2& a, const Vector2& b) {
     return a.x == b.x && a.y == b.y;
   }
+};
+
+/// A closed line: edge i goes from vertex i to the next one, the last to the first.
+using Ring = std::vector<Vector2>;
+/// An outer ring, and then those of its holes, each in either sense.
+using Polygon = std::vector<Ring>;
+
+/// The units that the numbers of a grasp are in. They are shown and never converted.
+struct Units {
+  std::string length;  ///< of positions: "mm"
+  std::string force;   ///< of preloads and loads: "N"; a stiffness is a force per length
+
+  /// A force times a length: "N mm".
+  std::string torque() const { return force + " " + length; }
+  /// The same spelling.
+  friend bool operator==(const Units& a, const Units& b) {
+    return a.length == b.length && a.force == b.force;
+  }
+};
+
+/// What is known of a grasp for people and pictures; no answer depends on it.
+struct GraspDescription {
+  std::string name;                ///< may be empty
+  std::vector<Polygon> outline{};  ///< of the body; empty if nobody gave it
+  std::optional<Units> units{};    ///< nothing if nobody gave them
 };
 
 /// One frictional point contact. The normal need not have length 1: only its direction
@@ -48,6 +74,9 @@ enum class NormalLaw {
 /// "unilateral", "bilateral".
 const char* to_string(NormalLaw law);
 
+/// Bytes of the name of a unit: axes have room for so many.
+inline constexpr std::size_t kMaxUnitLength = 16;
+
 /// Contacts that satisfy the requirements stated at Contact. Immutable.
 class Grasp {
  public:
@@ -55,10 +84,14 @@ class Grasp {
   Grasp() = default;
   /// Throws InputError naming "contacts[i].<member>" when a requirement fails.
   explicit Grasp(std::vector<Contact> contacts, std::string name = {});
+  /// Throws also as check_outline does (core/outline.hpp), and if a unit has not 1 to
+  /// kMaxUnitLength bytes.
+  Grasp(std::vector<Contact> contacts, GraspDescription description);
 
-  const std::string& name() const { return name_; }  ///< for people; may be empty
-  const std::vector<Contact>& contacts() const { return contacts_; }  ///< by ContactId
-  std::size_t size() const { return contacts_.size(); }               ///< number of contacts
+  const std::string& name() const { return description_.name; }  ///< for people; may be empty
+  const GraspDescription& description() const { return description_; }  ///< name and the rest
+  const std::vector<Contact>& contacts() const { return contacts_; }    ///< by ContactId
+  std::size_t size() const { return contacts_.size(); }                 ///< number of contacts
   /// Throws std::out_of_range when there is no such contact.
   const Contact& operator[](ContactId id) const { return contacts_.at(id.index()); }
 
@@ -69,7 +102,7 @@ class Grasp {
 
  private:
   std::vector<Contact> contacts_;
-  std::string name_;
+  GraspDescription description_;
 };
 
 /// A grasp and the wrench applied to the object: the content of a grasp file.

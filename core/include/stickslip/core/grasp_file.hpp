@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Reading and writing grasp files (format "stickslip-grasp/1", docs/grasp_file.md).
+/// Reading and writing grasp files (formats "stickslip-grasp/1" and "stickslip-grasp/2",
+/// docs/grasp_file.md).
 ///
 /// Numbers are exact: a JSON number is the decimal it spells, taken from its own
 /// characters, never through a double; a string may be "3/5", "-0.25" or "1e-3".
@@ -18,11 +19,20 @@ struct JsonNode;
 /// A contact in which "defaults" may have to be filled in.
 struct WrittenContact;
 
+/// A load with a name: a question of its own.
+struct NamedLoad {
+  std::string name;  ///< not empty
+  Wrench wrench;     ///< all of it, with what is common to all cases
+};
+
 /// What a grasp file says.
 struct GraspFile {
-  LoadedGrasp content;  ///< contacts as written, and the load
+  /// The contacts; and the load, of cases what is common to them. Places on the outline and
+  /// loads at points are positions, normals and a wrench.
+  LoadedGrasp content;
   /// The contacts whose stiffness is 1 because nothing gives it; increasing.
   std::vector<ContactId> assumed_stiffness{};
+  std::vector<NamedLoad> cases{};  ///< with different names; none: `content` has the only load
 };
 
 /// Reads a grasp that is part of a JSON text: the contacts while the text is parsed, by a
@@ -51,12 +61,14 @@ GraspFile parse_grasp(std::string_view text, const std::string& file);
 GraspFile read_grasp_file(const std::string& path);
 
 /// The grasp as a file's text, one contact a line, ending in a newline. Reading it gives the
-/// same grasp, and the same grasp gives the same bytes. Integers below 2^53 are written as JSON
-/// numbers, all others as strings "3/5", so that no JSON reader rounds them. Throws InputError
-/// for what a file cannot hold: a name that is not UTF-8, a number longer than
+/// same grasp, and the same grasp gives the same bytes. Loads are written as the wrench that
+/// they sum to, and contacts with their positions and normals. Integers below 2^53 are written
+/// as JSON numbers, all others as strings "3/5", so that no JSON reader rounds them. Throws
+/// InputError for what a file cannot hold: a name that is not UTF-8, a number longer than
 /// kMaxNumberLength.
 std::string write_grasp(const LoadedGrasp& content);
-/// The same without the stiffnesses that were assumed: reading it gives `file` again.
+/// The same with the cases and without the stiffnesses that were assumed: reading it gives
+/// `file` again.
 std::string write_grasp_file(const GraspFile& file);
 
 }  // namespace stickslip

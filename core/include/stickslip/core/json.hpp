@@ -44,7 +44,10 @@ std::string place_name(const std::string& path);
 /// \{ Limits on what is read, so that hostile input ends in an error and not in an hour.
 inline constexpr std::size_t kMaxJsonBytes = std::size_t{1} << 28;
 inline constexpr std::size_t kMaxJsonDepth = 32;
-inline constexpr std::size_t kMaxJsonNodes = 256;  // in a streamed element, and in the rest
+/// Values in one member of the top level but for streamed elements, and in each of these.
+inline constexpr std::size_t kMaxJsonNodes = std::size_t{1} << 16;
+/// Members of one object.
+inline constexpr std::size_t kMaxJsonKeys = 32;
 /// \}
 
 /// An array that may be long: its elements are handed over one by one as they are parsed, and

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The loads of a grasp file: wrenches, forces at points, torques and weights, summed exactly
+/// to wrenches about the origin.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "stickslip/core/grasp_file.hpp"
+#include "stickslip/core/json.hpp"
+
+namespace stickslip {
+
+/// What an object gives as "wrench" or as "loads"; nothing if it has neither.
+std::optional<Wrench> read_load(const JsonNode& object, const std::string& path);
+
+/// The elements of "cases", each with the common load; none if there is no such key.
+std::vector<NamedLoad> read_cases(const JsonNode& root, const Wrench& common);
+
+}  // namespace stickslip

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The outline of a grasp file, and contacts by their place on it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "stickslip/core/json.hpp"
+#include "stickslip/core/outline.hpp"
+
+namespace stickslip {
+
+/// "on" of a contact: a point of an edge, as the file gives it.
+struct PlaceOnOutline {
+  Rational polygon{0};
+  Rational edge;
+  Rational share;
+};
+
+/// Throws InputError where it is no place on any outline.
+PlaceOnOutline read_place(const JsonNode& node, const std::string& path);
+
+/// The value of "outline", checked; empty if there is none.
+std::vector<Polygon> read_outline(const JsonNode& root);
+
+/// The edge of this place, whose path is that of "on". Throws InputError if there is none.
+const OutlineEdge& edge_at(const std::vector<std::vector<OutlineEdge>>& edges,
+                           const PlaceOnOutline& place, const std::string& path);
+
+}  // namespace stickslip

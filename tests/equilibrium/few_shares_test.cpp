@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "both_checkers.hpp"
+#include "family.hpp"
 #include "judged.hpp"
 #include "shares.hpp"
 #include "stickslip/equilibrium/margin.hpp"
@@ -212,7 +213,27 @@ TEST(FewShares, BilateralMotionsThatPullAreRefused) {
   EXPECT_FALSE(find_forces(Problem({grasp, {3, 0, 0}}, NormalLaw::kBilateral), {1, 0, 0}));
 }
 
-// Beyond rest all but two contacts slip, and each that turns round sticks for a while.
+void expect_joined(const Question& question) {
+  const Problem family = problem_of(question);
+  const auto result = find_margin(family);
+  const Margin& margin = std::get<Margin>(result);
+  test::expect_accepted_by_both(question, margin);
+  EXPECT_GT(margin.segments.size(), 5u);
+  std::size_t joints = 0;
+  for (std::size_t k = 0; k < margin.segments.size(); ++k) {
+    const LoadSegment& segment = margin.segments[k];
+    EXPECT_LE(shares_of(family, segment.start.witness).fractional, 3u) << k;
+    EXPECT_LE(shares_of(family, segment.end).fractional, 3u) << k;
+    if (k == 0) continue;
+    const LoadSegment& before = margin.segments[k - 1];
+    if (before.high != segment.start.multiple) continue;
+    ++joints;
+    EXPECT_EQ(find_difference(before.end, segment.start.witness), std::nullopt) << k;
+  }
+  EXPECT_GT(joints, 4u);
+}
+
+// Beyond rest nearly all contacts slip, and each that turns round sticks for a while.
 TEST(FewShares, SegmentsOfAMarginMeetInOnePoint) {
   std::vector<Contact> contacts = facing_pairs(8);
   for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -221,25 +242,11 @@ TEST(FewShares, SegmentsOfAMarginMeetInOnePoint) {
   }
   contacts.push_back({{0, -2}, {0, 1}, kHalf, 1, 1});
   contacts.push_back({{0, 9}, {0, -1}, kHalf, 1, 1});
-  const LoadedGrasp loaded{Grasp(contacts), {}};
-  const Problem problem(loaded, NormalLaw::kUnilateral);
-  const Wrench direction{Rational(1, 8), Rational(1), Rational(1, 3)};
-  const auto result = find_margin(problem, direction);
-  const Margin& margin = std::get<Margin>(result);
-  test::expect_accepted_by_both(Question{loaded, NormalLaw::kUnilateral, std::nullopt}, margin);
-  EXPECT_GT(margin.segments.size(), 5u);
-  std::size_t joints = 0;
-  for (std::size_t k = 0; k < margin.segments.size(); ++k) {
-    const LoadSegment& segment = margin.segments[k];
-    EXPECT_LE(shares_of(problem, segment.start.witness).fractional, 3u) << k;
-    EXPECT_LE(shares_of(problem, segment.end).fractional, 3u) << k;
-    if (k == 0) continue;
-    const LoadSegment& before = margin.segments[k - 1];
-    if (before.high != segment.start.multiple) continue;
-    ++joints;
-    EXPECT_EQ(find_difference(before.end, segment.start.witness), std::nullopt) << k;
-  }
-  EXPECT_GT(joints, 4u);
+  const Wrench pull{Rational(1, 8), 1, Rational(1, 3)};
+  expect_joined(test::margin_question({Grasp(contacts), {}}, NormalLaw::kUnilateral, pull));
+  expect_joined(test::margin_question({Grasp(contacts), Rational(6) * pull},
+                                      NormalLaw::kUnilateral, std::nullopt,
+                                      PreloadDirection{true, {}}));
 }
 
 }  // namespace

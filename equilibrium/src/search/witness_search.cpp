@@ -52,6 +52,8 @@ class ModeSystem {
 
   /// Three independent slips are 0 only where nothing moves.
   bool is_at_rest() const { return basic_.size() == 3; }
+  /// All contacts that stick and can have friction.
+  bool all_are_basic() const { return all_are_basic_; }
 
   /// Nothing if there is no solution, or several. With `near` several will do: what they leave
   /// open stays as it is there.
@@ -97,6 +99,7 @@ class ModeSystem {
       if (tangents.empty()       ? t == zero
           : tangents.size() == 1 ? cross(tangents[0], t) == zero
                                  : dot(cross(tangents[0], tangents[1]), t).is_zero()) {
+        all_are_basic_ = false;
         continue;
       }
       tangents.push_back(t);
@@ -179,6 +182,7 @@ class ModeSystem {
   const Problem& problem_;
   const std::vector<ModeGuess>& guesses_;
   std::vector<std::size_t> basic_;
+  bool all_are_basic_ = true;  ///< unless at rest, where it does not matter
   std::vector<Rational> shares_;
 };
 
@@ -201,7 +205,7 @@ std::optional<Witness> complete_exactly(const Problem& problem,
   } else {
     witness = system.solve(near);
     // The motion does not depend on the friction of the sticking contacts that are not basic.
-    if (near == nullptr && witness && find_violation(problem, *witness)) {
+    if (near == nullptr && witness && !system.all_are_basic()) {
       witness = find_forces(problem, witness->twist);
     }
   }

@@ -111,7 +111,7 @@ class MarginSearch {
       return a.high && (!b.high || *a.high < *b.high);
     });
     drop_idle_points();
-    shorten(segments_, problem_, direction_);
+    shorten(segments_, family_);
     for (const LoadSegment& segment : segments_) {
       require_equilibrium(segment.start.multiple, segment.start.witness);
       if (segment.high) require_equilibrium(*segment.high, segment.end);

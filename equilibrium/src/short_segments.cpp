@@ -38,18 +38,18 @@ bool are_opposite(const Problem& problem, const Witness& witness, const Signs& s
 
 }  // namespace
 
-void shorten(std::vector<LoadSegment>& segments, const Problem& problem,
-             const Wrench& direction) {
+void shorten(std::vector<LoadSegment>& segments, const Problem& family) {
   const auto few = [&](const Witness& witness, const std::optional<Rational>& multiple,
                        const Signs& slips) {
-    const Wrench load = multiple ? problem.wrench() + *multiple * direction : direction;
-    return with_few_shares(problem.rows(), load, slips, witness);
+    const Wrench& u = family.load_growth();
+    const Wrench load = multiple ? family.wrench() + *multiple * u : u;
+    return with_few_shares(family.rows(), load, slips, witness);
   };
   // Friction at the ends of a segment is that of its inside.
   std::vector<Signs> slips;
   for (const LoadSegment& segment : segments) {
     slips.push_back(
-        inside(slips_of(problem, segment.start.witness), slips_of(problem, segment.end)));
+        inside(slips_of(family, segment.start.witness), slips_of(family, segment.end)));
   }
   bool starts_as_other_ends = false;
   for (std::size_t k = 0; k < segments.size(); ++k) {
@@ -64,7 +64,7 @@ void shorten(std::vector<LoadSegment>& segments, const Problem& problem,
     LoadSegment* next = k + 1 < segments.size() ? &segments[k + 1] : nullptr;
     if (next != nullptr && high == next->start.multiple &&
         end.twist == next->start.witness.twist &&
-        !are_opposite(problem, end, slips[k], slips[k + 1])) {
+        !are_opposite(family, end, slips[k], slips[k + 1])) {
       if (auto found = few(end, high, inside(slips[k], slips[k + 1]))) {
         end = next->start.witness = std::move(*found);
         starts_as_other_ends = true;

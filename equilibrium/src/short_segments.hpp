@@ -11,7 +11,6 @@ namespace stickslip {
 
 /// The same motions, with few shares of friction (few_shares.hpp) at both ends of each segment,
 /// and where one ends as the next begins the same, so that it need be checked once only.
-void shorten(std::vector<LoadSegment>& segments, const Problem& problem,
-             const Wrench& direction);
+void shorten(std::vector<LoadSegment>& segments, const Problem& family);
 
 }  // namespace stickslip

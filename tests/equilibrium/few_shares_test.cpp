@@ -8,6 +8,7 @@
 #include <iostream>
 
 #include "both_checkers.hpp"
+#include "family.hpp"
 #include "judged.hpp"
 #include "shares.hpp"
 #include "stickslip/equilibrium/margin.hpp"
@@ -224,9 +225,10 @@ TEST(FewShares, SegmentsOfAMarginMeetInOnePoint) {
   const LoadedGrasp loaded{Grasp(contacts), {}};
   const Problem problem(loaded, NormalLaw::kUnilateral);
   const Wrench direction{Rational(1, 8), Rational(1), Rational(1, 3)};
-  const auto result = find_margin(problem, direction);
+  const Question question = test::margin_question(loaded, NormalLaw::kUnilateral, direction);
+  const auto result = find_margin(problem_of(question));
   const Margin& margin = std::get<Margin>(result);
-  test::expect_accepted_by_both(Question{loaded, NormalLaw::kUnilateral, std::nullopt}, margin);
+  test::expect_accepted_by_both(question, margin);
   EXPECT_GT(margin.segments.size(), 5u);
   std::size_t joints = 0;
   for (std::size_t k = 0; k < margin.segments.size(); ++k) {

@@ -86,7 +86,9 @@ class MarginMutations {
     if (!asked) return;
     Json edited = json_;
     edited["question"].erase("preload_direction");
-    add("no direction of preloads", edited, rule("question-preload-direction"));
+    add("no direction of preloads", edited,
+        original_.input.options.direction ? rule("question-preload-direction")
+                                          : Expectation::malformed());
     CheckerInput input = original_.input;
     PreloadDirection& growth = *input.options.preload_direction;
     if (growth.scale) {

@@ -163,7 +163,8 @@ std::vector<Row> rows_of(const Report& report) {
 void report_targets(Report& report) {
   std::printf(
       "| m | verdict | ended | decide + certificate, ms | read, ms | check, ms | check / (read "
-      "+ decide + certificate) | slowest, ms | nodes | leaves | searches | support points | filter hits | "
+      "+ decide + certificate) | slowest, ms | nodes | leaves | searches | support points | "
+      "filter hits | "
       "misses, max | exact LPs, max | twist bits, max | certificate, KiB |\n"
       "|--:|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|\n");
   std::vector<std::pair<double, double>> medians;

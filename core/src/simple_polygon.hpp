@@ -10,8 +10,8 @@
 namespace stickslip {
 
 /// Throws InputError at `path`, unless no two edges of the rings meet but neighbours where one
-/// ends and the other begins, and every hole lies inside the outer ring and outside of all other
-/// holes. Requires rings of three vertices or more, each unlike the next. Takes time
+/// ends and the other begins, and every hole lies inside the outer ring and outside of all
+/// other holes. Requires rings of three vertices or more, each unlike the next. Takes time
 /// proportional to the pairs of edges whose ranges of x overlap.
 void check_simple(const Polygon& polygon, const std::string& path);
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stickslip/equilibrium/decide.hpp"
-
 #include <algorithm>
 #include <map>
 
 #include "few_shares.hpp"
 #include "stickslip/arrangement/slip_states.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/equilibrium/decide.hpp"
 #include "stickslip/equilibrium/search/region_program.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 

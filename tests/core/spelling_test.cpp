@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stickslip/core/error.hpp"
-
 #include <gtest/gtest.h>
+
+#include "stickslip/core/error.hpp"
 
 namespace stickslip {
 namespace {

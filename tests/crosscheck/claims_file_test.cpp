@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stickslip/crosscheck/claim.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,6 +8,7 @@
 #include "paper_grasps.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/json.hpp"
+#include "stickslip/crosscheck/claim.hpp"
 
 namespace stickslip {
 namespace {

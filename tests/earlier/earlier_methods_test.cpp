@@ -7,10 +7,10 @@
 #include "random_grasps.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/earlier/compliance.hpp"
-#include "stickslip/equilibrium/decide.hpp"
 #include "stickslip/earlier/form_closure.hpp"
 #include "stickslip/earlier/friction_cones.hpp"
 #include "stickslip/earlier/load_classes.hpp"
+#include "stickslip/equilibrium/decide.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 
 namespace stickslip {

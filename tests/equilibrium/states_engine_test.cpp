@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Small grasps whose verdict can be derived by hand, and random ones whose evidence is judged.
-#include "stickslip/equilibrium/decide.hpp"
-
 #include <gtest/gtest.h>
 
 #include "judged.hpp"
 #include "paper_grasps.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/equilibrium/decide.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 
 namespace stickslip {

@@ -14,9 +14,9 @@
 #include "fuzz_target.hpp"
 #include "print.hpp"
 #include "spool.hpp"
-#include "stickslip/equilibrium/search/branch_and_bound.hpp"
 #include "stickslip/equilibrium/margin.hpp"
 #include "stickslip/equilibrium/question.hpp"
+#include "stickslip/equilibrium/search/branch_and_bound.hpp"
 
 namespace {
 

@@ -26,7 +26,7 @@ struct QuestionOptions {
   NormalLaw law = NormalLaw::kUnilateral;               ///< a file does not say; this does
   std::optional<Wrench> direction{};                    ///< of the load
   std::optional<PreloadDirection> preload_direction{};  ///< of the preloads
-  std::optional<std::string> case_name{};               ///< of the file, whose wrench is applied
+  std::optional<std::string> case_name{};  ///< of the file, whose wrench is applied
 };
 
 /// Is `loaded` stable under `law`? Or, with a direction, for which multiples is it, if load and
@@ -49,8 +49,8 @@ struct Question {
 /// The file's grasp and load with what the options replace; what a margin starts from is in
 /// certificate/FORMAT.md, section 1: with a direction of the load no wrench, and with preloads
 /// in proportion no preload. Throws InputError when something is not allowed, with the place
-/// "preload", "direction" or "preload_direction"; and with the place "case" when the wrench of a
-/// file with cases is needed and the options give neither one of them nor a wrench.
+/// "preload", "direction" or "preload_direction"; and with the place "case" when the wrench of
+/// a file with cases is needed and the options give neither one of them nor a wrench.
 Question ask(const GraspFile& file, const QuestionOptions& options);
 
 /// What an engine answers; of a margin, the family. Throws InputError ("contacts[i].normal")

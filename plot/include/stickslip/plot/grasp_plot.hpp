@@ -11,8 +11,9 @@
 namespace stickslip {
 
 /// An SVG document: contacts (from 0), normals, friction cones and preloads; the applied wrench
-/// as a force and a torque arc; and the verdict, in the title, with the case if there is one. Where the grasp has no outline, the hull of the
-/// contacts and of points a little inside of them stands for the body.
+/// as a force and a torque arc; and the verdict, in the title, with the case if there is one.
+/// Where the grasp has no outline, the hull of the contacts and of points a little inside of
+/// them stands for the body.
 ///
 /// - Stable: the witness. Contact forces to scale, whether each contact sticks, slips + or -
 ///   (forwards or backwards along its tangent), or is open, and the motion, enlarged by a

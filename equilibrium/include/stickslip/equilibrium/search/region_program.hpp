@@ -13,10 +13,10 @@
 /// rows, and columns made only when needed (Dantzig and Wolfe 1960). When the columns at hand
 /// do not suffice, the Farkas vector's part on the balance is a virtual twist y, and the corner
 /// of each ray that does the most work on y is the only one to try: sigma_i = sign y.T_i. If
-/// none of them would help, y satisfies leaf-bound (certificate/FORMAT.md). With an objective, the
-/// optimal dual takes the Farkas vector's place. A strict end of a family's range asks for
-/// l - low h > 0: that takes the place of h in the fourth row. Every round adds a corner that was
-/// not there, so the rounds end; in practice after a few tens. Each costs O(m) rational
+/// none of them would help, y satisfies leaf-bound (certificate/FORMAT.md). With an objective,
+/// the optimal dual takes the Farkas vector's place. A strict end of a family's range asks for
+/// l - low h > 0: that takes the place of h in the fourth row. Every round adds a corner that
+/// was not there, so the rounds end; in practice after a few tens. Each costs O(m) rational
 /// operations and three per ray for a contact that changes edge.
 #pragma once
 

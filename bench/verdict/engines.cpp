@@ -47,13 +47,11 @@ Instance short_numbers(std::size_t contacts, std::size_t k) {
 
 /// Milliseconds of the fastest of three, and the verdict.
 std::pair<double, std::string> timed(const Problem& problem, Engine engine) {
-  ConeOptions options;
-  options.threads = 1;
   double best = INFINITY;
   std::string verdict;
   for (int run = 0; run < 3; ++run) {
     const auto start = std::chrono::steady_clock::now();
-    verdict = name_of(decide(problem, engine, options).verdict);
+    verdict = name_of(decide(problem, engine).verdict);
     const std::chrono::duration<double, std::milli> took =
         std::chrono::steady_clock::now() - start;
     best = std::min(best, took.count());

@@ -88,7 +88,7 @@ TEST(ReadGrasp, ContactsOnTheOutline) {
   EXPECT_TRUE(same(c[2], {{2, 1}, {0, -1}, half, 1, 1}));  // in the hole
   EXPECT_TRUE(same(c[3], {{1, 1}, {-1, 0}, half, 1, 1}));
   EXPECT_TRUE(same(c[4], {{0, 1}, {1, 0}, half, 1, 1}));
-  const std::vector<Contact>& d = read_good("outlines").content.grasp.contacts();
+  const std::vector<Contact> d = read_good("outlines").content.grasp.contacts();
   ASSERT_EQ(d.size(), 2U);
   EXPECT_TRUE(same(d[0], {{Rational(4, 3), 2}, {Rational(-3, 5), Rational(-4, 5)}, 1, 1, 2}));
   EXPECT_TRUE(same(d[1], {{Rational(11, 2), half}, {-1, -1}, 0, 1, 0}));  // not scaled

@@ -46,6 +46,7 @@ void print_json(const Question& question, const Margin& margin, const MarginWork
                 const Warnings& warnings, bool floats) {
   Json json;
   json["name"] = question.loaded.grasp.name();
+  if (!question.case_name.empty()) json["case"] = question.case_name;
   add_units(json, question.loaded.grasp);
   json["normal_law"] = to_string(question.law);
   json["wrench"] = number_json(coordinates(question.loaded.wrench));
@@ -88,8 +89,7 @@ std::string preloads_text(const std::vector<Rational>& preloads, NumberText& tex
 }
 
 std::string head_text(const Question& question, NumberText& text) {
-  const std::string& name = question.loaded.grasp.name();
-  std::string head = (name.empty() ? "" : name + ": ") + family_text(question) + "\n\n" +
+  std::string head = heading(question) + family_text(question) + "\n\n" +
                      "  wrench w     " + text(coordinates(question.loaded.wrench)) + '\n';
   if (question.direction) {
     head += "  direction u  " + text(coordinates(*question.direction)) + '\n';

@@ -111,10 +111,18 @@ class Cases(Case):
         options = ("--direction", "1,0,0", "--certificate", self.path("margin.json"))
         for name, wrench in WRENCHES.items():
             answer = self.json("margin", self.grasp, *options, "--case", name)
+            self.assertEqual(answer.pop("case"), name)
             self.assertEqual(answer, self.json("margin", self.grasp, *options, "--wrench", wrench))
+            out = stickslip("margin", self.grasp, *options, "--case", name)[1]
+            self.assertTrue(out.startswith(f"shelf, {name}: loads w + l u"), out)
             self.assertEqual(run(CHECK, self.grasp, self.path("margin.json"), "--direction", "1,0,0",
                                  "--case", name)[0], 0)
         self.assertEqual(self.json("margin", self.grasp, *options)["wrench"], ["0", "0", "0"])
+        # Along preloads alone the load is the file's, and so that of a case.
+        preloads = ("--preload", "1", "--preload-direction", "scale")
+        self.fails("margin", self.grasp, *preloads, naming=["--case", "none is chosen"])
+        answer = self.json("margin", self.grasp, *preloads, "--case", "pushed")
+        self.assertEqual(",".join(answer["wrench"]), WRENCHES["pushed"])
 
     def test_commands_that_need_a_load_ask_for_the_case(self):
         for command in (["plot", "grasp"], ["export", "--smt2"], ["compare"]):

@@ -134,7 +134,7 @@ const BadFile kBadFiles[] = {
     {"outline_same_vertex", "outline[0][0][1]", "the same as the next", "leave one"},
     {"outline_closed", "outline[0][0][3]", "the same as the first", "a ring closes by itself"},
     {"outline_bad_vertex", "outline[1][1]", "an array of 1 value", "two numbers [x, y]"},
-    {"outline_too_deep", "outline[0][0][0][0][0]", "an array of 2 values", "expected a number"},
+    {"outline_too_deep", "outline[0][0][0]", "an array of 3 values", "two numbers [x, y]"},
     {"outline_hole_number", "outline[1]", "the number 7", "a ring is [[x, y], ...]"},
     {"on_in_version_1", "contacts[0]", "unknown key \"on\"", "\"stickslip-grasp/2\""},
     {"on_without_outline", "contacts[0].on", "no outline", "add \"outline\""},

@@ -93,11 +93,13 @@ TEST(PictureFrame, TheOriginIsTheCentreUnlessFarAway) {
 }
 
 TEST(BodyOutline, TouchesTheContactsOfAConvexBody) {
-  std::vector<ContactInk> contacts;
-  for (const InkPoint n : {InkPoint{1, 0}, {0, 1}, {-1, 0}, {0, -1}}) {
-    contacts.push_back({-1 * n, n, quarter_turn(n)});
-  }
-  const std::vector<InkPoint> outline = body_outline(contacts);
+  const Grasp grasp(std::vector<Contact>{
+      {{-1, 0}, {1, 0}}, {{0, -1}, {0, 1}}, {{1, 0}, {-1, 0}}, {{0, 1}, {0, -1}}});
+  const PictureFrame frame = picture_frame(grasp);
+  const std::vector<ContactInk> contacts = contact_ink(grasp, frame);
+  const auto rings = body_outline(grasp, frame, contacts);
+  ASSERT_EQ(rings.size(), 1U);
+  const std::vector<InkPoint>& outline = rings[0];
   double twice_area = 0;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const InkPoint a = outline[i];
@@ -110,7 +112,23 @@ TEST(BodyOutline, TouchesTheContactsOfAConvexBody) {
     EXPECT_TRUE(std::any_of(outline.begin(), outline.end(),
                             [&](InkPoint p) { return length(p - c.at) == 0; }));
   }
-  EXPECT_TRUE(body_outline({}).empty());
+  EXPECT_TRUE(body_outline(Grasp(), picture_frame(Grasp()), {}).empty());
+}
+
+TEST(BodyOutline, IsTheOneThatWasGiven) {
+  const Polygon square{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}},
+                       {{0, 0}, {0, Rational(1, 2)}, {Rational(1, 2), 0}}};
+  const Grasp grasp(std::vector<Contact>{{{-1, 0}, {1, 0}}},
+                    GraspDescription{"", {square}, {}});
+  const PictureFrame frame = picture_frame(grasp);
+  const auto rings = body_outline(grasp, frame, contact_ink(grasp, frame));
+  ASSERT_EQ(rings.size(), 2U);
+  for (std::size_t k = 0; k < rings.size(); ++k) {
+    ASSERT_EQ(rings[k].size(), square[k].size());
+    for (std::size_t i = 0; i < rings[k].size(); ++i) {
+      EXPECT_EQ(length(rings[k][i] - frame.place(square[k][i])), 0);
+    }
+  }
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ Json stats_json(const Decision& decision) {
   return json;
 }
 
-struct Answer {
+struct CaseAnswer {
   Question question;
   Problem problem;
   Decision decision;
@@ -64,7 +64,7 @@ struct Answer {
   const Verdict& verdict() const { return decision.verdict; }
 };
 
-Json to_json(const Answer& answer) {
+Json to_json(const CaseAnswer& answer) {
   const auto& [question, problem, decision, warnings] = answer;
   Json json;
   const Verdict& verdict = answer.verdict();
@@ -121,12 +121,12 @@ void explain(const RefutationSummary& summary, NumberText& text) {
   std::cout << "  twist " << twist << "\n\n";
 }
 
-std::string engine_text(const Answer& answer) {
+std::string engine_text(const CaseAnswer& answer) {
   return std::string("Engine: ") + answer.decision.engine() +
          "; normal law: " + law_text(answer.question.law) + ".\n";
 }
 
-void print_text(const Answer& answer, const NumberOptions& output) {
+void print_text(const CaseAnswer& answer, const NumberOptions& output) {
   const auto& [question, problem, decision, warnings] = answer;
   NumberText text(output);
   const Verdict& verdict = answer.verdict();
@@ -161,18 +161,18 @@ void print_text(const Answer& answer, const NumberOptions& output) {
   print(warnings);
 }
 
-void print_cases_json(const std::vector<Answer>& answers, const NumberOptions& output) {
+void print_cases_json(const std::vector<CaseAnswer>& answers, const NumberOptions& output) {
   Json json{{"name", answers.front().question.loaded.grasp.name()}, {"cases", Json::array()}};
-  for (const Answer& answer : answers) json["cases"].push_back(to_json(answer));
+  for (const CaseAnswer& answer : answers) json["cases"].push_back(to_json(answer));
   print_json(json, output);
 }
 
 /// A line each; and each warning once, with the cases that it is about.
-void print_cases_text(const std::vector<Answer>& answers, const NumberOptions& output) {
+void print_cases_text(const std::vector<CaseAnswer>& answers, const NumberOptions& output) {
   NumberText text(output);
   std::vector<std::vector<std::string>> rows{{"case", "verdict", "load w"}};
   std::vector<std::pair<std::string, std::string>> warnings;  // and their cases
-  for (const Answer& answer : answers) {
+  for (const CaseAnswer& answer : answers) {
     const std::string& name = answer.question.case_name;
     rows.push_back(
         {name, name_of(answer.verdict()), text(coordinates(answer.problem.wrench()))});
@@ -211,7 +211,7 @@ struct DecideArguments {
   bool answer_by_exit_code = false;
 };
 
-Answer answer_to(Question question, const DecideArguments& arguments) {
+CaseAnswer answer_to(Question question, const DecideArguments& arguments) {
   Problem problem(question.loaded, question.law);
   const Engine engine = arguments.engine == "states" ? Engine::kStates : Engine::kCone;
   ConeOptions options;
@@ -222,7 +222,7 @@ Answer answer_to(Question question, const DecideArguments& arguments) {
   return {std::move(question), std::move(problem), std::move(decision), std::move(warnings)};
 }
 
-void write_certificate(const Answer& answer, const std::string& file) {
+void write_certificate(const CaseAnswer& answer, const std::string& file) {
   if (file.empty() || std::holds_alternative<Undecided>(answer.verdict())) return;
   write_whole_file(file,
                    certificate_text(answer.question, answer.verdict(),
@@ -231,12 +231,12 @@ void write_certificate(const Answer& answer, const std::string& file) {
 }
 
 /// That of the worst answer: unstable, then undecided, then stable.
-int exit_code(const std::vector<Answer>& answers, bool answer_by_exit_code) {
+int exit_code(const std::vector<CaseAnswer>& answers, bool answer_by_exit_code) {
   const auto any = [&](auto is) { return std::any_of(answers.begin(), answers.end(), is); };
   const bool unstable =
-      any([](const Answer& a) { return std::holds_alternative<Unstable>(a.verdict()); });
+      any([](const CaseAnswer& a) { return std::holds_alternative<Unstable>(a.verdict()); });
   const bool undecided =
-      any([](const Answer& a) { return std::holds_alternative<Undecided>(a.verdict()); });
+      any([](const CaseAnswer& a) { return std::holds_alternative<Undecided>(a.verdict()); });
   if (answer_by_exit_code && unstable) return kAnswerUnstable;
   if (undecided) return kUndecidedWithinLimit;
   return answer_by_exit_code ? kAnswerStable : kDone;
@@ -250,7 +250,7 @@ int decide(const DecideArguments& arguments) {
     throw InputError("", "--certificate", "the grasp has cases, and a file holds one proof",
                      "choose the case with --case NAME");
   }
-  std::vector<Answer> answers;
+  std::vector<CaseAnswer> answers;
   for (Question& question : questions) {
     answers.push_back(answer_to(std::move(question), arguments));
   }
@@ -258,7 +258,7 @@ int decide(const DecideArguments& arguments) {
   if (by_case) {
     (json ? print_cases_json : print_cases_text)(answers, arguments.output);
   } else {
-    const Answer& answer = answers.front();
+    const CaseAnswer& answer = answers.front();
     write_certificate(answer, arguments.certificate);
     json ? print_json(to_json(answer), arguments.output) : print_text(answer, arguments.output);
   }

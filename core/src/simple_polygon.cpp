@@ -8,7 +8,7 @@
 namespace stickslip {
 namespace {
 
-struct Side {
+struct RingEdge {
   const Vector2* from;
   const Vector2* to;
   std::size_t number;    ///< in the polygon
@@ -21,8 +21,8 @@ struct Side {
   const Rational& high_y() const { return std::max(from->y, to->y); }
 };
 
-std::vector<Side> sides_of(const Polygon& polygon) {
-  std::vector<Side> sides;
+std::vector<RingEdge> sides_of(const Polygon& polygon) {
+  std::vector<RingEdge> sides;
   for (const Ring& ring : polygon) {
     const std::size_t first = sides.size();
     const std::size_t n = ring.size();
@@ -39,13 +39,13 @@ int side_of(const Vector2& a, const Vector2& b, const Vector2& p) {
   return Rational((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x)).sign();
 }
 
-bool ranges_overlap(const Side& a, const Side& b) {
+bool ranges_overlap(const RingEdge& a, const RingEdge& b) {
   return a.low_x() <= b.high_x() && b.low_x() <= a.high_x() && a.low_y() <= b.high_y() &&
          b.low_y() <= a.high_y();
 }
 
 /// `next` begins where `side` ends: whether it goes back along it.
-bool turns_back(const Side& side, const Side& next) {
+bool turns_back(const RingEdge& side, const RingEdge& next) {
   const Vector2& a = *side.from;
   const Vector2& b = *side.to;
   const Vector2& c = *next.to;
@@ -54,7 +54,7 @@ bool turns_back(const Side& side, const Side& next) {
 }
 
 /// Of sides whose ranges overlap.
-bool meet(const Side& a, const Side& b) {
+bool meet(const RingEdge& a, const RingEdge& b) {
   if (a.next == b.number) return turns_back(a, b);
   if (b.next == a.number) return turns_back(b, a);
   // Neither lies on one side of the other's line. On one line, their ranges decide.
@@ -78,9 +78,9 @@ bool is_inside(const Vector2& p, const Ring& ring) {
 }  // namespace
 
 void check_simple(const Polygon& polygon, const std::string& path) {
-  std::vector<Side> sides = sides_of(polygon);
+  std::vector<RingEdge> sides = sides_of(polygon);
   std::sort(sides.begin(), sides.end(),
-            [](const Side& a, const Side& b) { return a.low_x() < b.low_x(); });
+            [](const RingEdge& a, const RingEdge& b) { return a.low_x() < b.low_x(); });
   for (auto a = sides.begin(); a != sides.end(); ++a) {
     for (auto b = a + 1; b != sides.end() && b->low_x() <= a->high_x(); ++b) {
       if (!ranges_overlap(*a, *b) || !meet(*a, *b)) continue;

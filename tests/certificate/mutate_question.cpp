@@ -143,7 +143,7 @@ void mutate_grasp(RandomSource& random, const Certified& original, Mutants& muta
   Json edited = grasp;
   edited["name"] = "another name";
   add("rename the grasp", edited, Expectation::accepted());
-  edited["format"] = "stickslip-grasp/2";
+  edited["format"] = "stickslip-grasp/3";
   add("wrong version of the grasp", edited, Expectation::malformed());
   if (!original.about.options.wrench) {
     edited = grasp;

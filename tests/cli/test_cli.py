@@ -770,7 +770,7 @@ class Export(Case):
 
 class BadInput(Case):
     def test_usage(self):
-        for words in ((), ("decides", FIG1), ("decide",), ("decide", FIG1, "--what"),
+        for words in (("decides", FIG1), ("decide",), ("decide", FIG1, "--what"),
                       ("decide", FIG1, FIG4), ("decide", FIG1, "--engine", "guess"),
                       ("decide", FIG1, "--normal-law", "both"),
                       ("decide", FIG1, "--node-limit", "-1"), ("states", FIG1, "--threads", "-1"),

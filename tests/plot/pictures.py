@@ -28,12 +28,42 @@ def exact(value):
     return value if isinstance(value, Fraction) else Fraction(str(value))
 
 
+def depth(value):
+    return 1 + depth(value[0]) if isinstance(value, list) else 0
+
+
+def on_outline(outline, place):
+    """The point, and a normal into the body (docs/grasp_file.md)."""
+    for _ in range(4 - depth(outline)):
+        outline = [outline]
+    if isinstance(place, list):
+        place = dict(zip(("edge", "share"), place))
+    edges = []
+    for k, ring in enumerate(outline[place.get("polygon", 0)]):
+        ring = [tuple(map(exact, vertex)) for vertex in ring]
+        pairs = list(zip(ring, ring[1:] + ring[:1]))
+        area = sum(a[0] * b[1] - a[1] * b[0] for a, b in pairs)
+        edges += [(a, b, (area > 0) == (k == 0)) for a, b in pairs]
+    (ax, ay), (bx, by), body_is_left = edges[place["edge"]]
+    share, side = exact(place["share"]), 1 if body_is_left else -1
+    return (ax + share * (bx - ax), ay + share * (by - ay)), (side * (ay - by), side * (bx - ax))
+
+
+def case_options(grasp):
+    """The first case, where there are any."""
+    return ("--case", grasp["cases"][0]["name"]) if "cases" in grasp else ()
+
+
 class Contact:
     """With exact numbers, as a grasp file has it."""
 
-    def __init__(self, entry, defaults):
-        self.position = tuple(map(exact, entry["position"]))
-        self.normal = tuple(map(exact, entry["normal"]))
+    def __init__(self, entry, grasp):
+        defaults = grasp.get("defaults", {})
+        if "on" in entry:
+            self.position, self.normal = on_outline(grasp["outline"], entry["on"])
+        else:
+            self.position = tuple(map(exact, entry["position"]))
+            self.normal = tuple(map(exact, entry["normal"]))
         get = lambda key, other: exact(entry.get(key, defaults.get(key, other)))
         self.preload, self.friction = get("preload", 0), get("friction", 0)
 
@@ -44,7 +74,7 @@ class Contact:
 
 
 def contacts_of(grasp):
-    return [Contact(entry, grasp.get("defaults", {})) for entry in grasp["contacts"]]
+    return [Contact(entry, grasp) for entry in grasp["contacts"]]
 
 
 class Picture:

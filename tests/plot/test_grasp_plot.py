@@ -31,7 +31,8 @@ QUESTIONS = [
     (FIG4, ("--wrench", "1e500,0,0")),
     (FIG4, ("--wrench", "1e-500,0,0")),
     (FIG4, ()),
-] + [(os.path.join(CORPUS, name), ()) for name in sorted(os.listdir(CORPUS))]
+] + [(path, pictures.case_options(pictures.load(path)))
+     for path in sorted(os.path.join(CORPUS, name) for name in os.listdir(CORPUS))]
 
 
 def grasp_of(contacts, wrench, name=None, **defaults):

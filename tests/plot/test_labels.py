@@ -8,6 +8,7 @@ import os
 import random
 import unittest
 
+import pictures
 from pictures import Picture, arrow, stickslip, subpaths, text_boxes
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -77,6 +78,10 @@ def corpus():
         yield name, json.dumps(content)
 
 
+def cases(text):
+    return pictures.case_options(json.loads(text)) if '"cases"' in text else ()
+
+
 def questions():
     for name, text in corpus():
         for kind in ("grasp", "states", "region"):
@@ -84,7 +89,7 @@ def questions():
                 continue  # slow: its cells are many, or have 4,000 digits
             if kind == "states" and text.count('"position"') > 100:
                 continue
-            yield (name, kind), text, ()
+            yield (name, kind), text, cases(text) if kind == "grasp" else ()
         if name.startswith("nine digits"):
             for options in (("--v", "0.123456789,0.987654321,-0.111111111"), ("--torque", "0.123456789")):
                 yield (name, "region", *options), text, options
@@ -135,12 +140,13 @@ class Labels(unittest.TestCase):
 
     def test_few_contacts_are_all_numbered(self):
         for name, text in corpus():
-            count = text.count('"position"')
+            count = text.count('"position"') + text.count('"on"')
             if count > 8:
                 continue
             for kind in ("grasp", "states"):
+                options = cases(text) if kind == "grasp" else ()
                 with self.subTest((name, kind)):
-                    picture = Picture(stickslip("plot", kind, "-", stdin=text)[1])
+                    picture = Picture(stickslip("plot", kind, "-", *options, stdin=text)[1])
                     numbers = {n for t in picture.root.iter() if "number" in t.get("class", "").split()
                                for n in t.text.split(", ")}
                     if "\u2026" not in numbers:

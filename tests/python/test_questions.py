@@ -59,6 +59,13 @@ def test_the_paper(fig1, engine, wrench, preload, verdict):
 @pytest.mark.parametrize("engine", ["states", "cone"])
 def test_same_answer_as_the_program(path, law, engine):
     grasp = Grasp.from_file(path)
+    if grasp.cases:
+        with pytest.raises(InputError, match="none is chosen"):
+            decide(grasp)
+        together = program("decide", path, "--normal-law", law, "--engine", engine)["cases"]
+        answers = decide(grasp, list(grasp.cases.values()), normal_law=law, engine=engine)
+        assert [answer["verdict"] for answer in together] == answers.verdict.tolist()
+        return
     words = ("decide", path, "--normal-law", law, "--engine", engine)
     expected = program(*words)
     decision = decide(grasp, normal_law=law, engine=engine)

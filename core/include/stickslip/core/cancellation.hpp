@@ -17,6 +17,7 @@ namespace stickslip {
 /// Thrown where work is broken off.
 class Cancelled : public std::exception {
  public:
+  /// "cancelled"
   const char* what() const noexcept override { return "cancelled"; }
 };
 
@@ -48,6 +49,7 @@ class Cancellation {
 /// take `shared` from Cancellation::current() of the thread that starts them.
 class SharedCancellation {
  public:
+  /// Nothing is in force if it is null.
   explicit SharedCancellation(Cancellation* shared);
   ~SharedCancellation();
   SharedCancellation(const SharedCancellation&) = delete;

@@ -39,12 +39,12 @@ def on_outline(outline, place):
     if isinstance(place, list):
         place = dict(zip(("edge", "share"), place))
     edges = []
-    for k, ring in enumerate(outline[place.get("polygon", 0)]):
+    for k, ring in enumerate(outline[int(place.get("polygon", 0))]):
         ring = [tuple(map(exact, vertex)) for vertex in ring]
         pairs = list(zip(ring, ring[1:] + ring[:1]))
         area = sum(a[0] * b[1] - a[1] * b[0] for a, b in pairs)
         edges += [(a, b, (area > 0) == (k == 0)) for a, b in pairs]
-    (ax, ay), (bx, by), body_is_left = edges[place["edge"]]
+    (ax, ay), (bx, by), body_is_left = edges[int(place["edge"])]
     share, side = exact(place["share"]), 1 if body_is_left else -1
     return (ax + share * (bx - ax), ay + share * (by - ay)), (side * (ay - by), side * (bx - ax))
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures, resistible regions, and the question for other solvers.
+// Pictures, resistible regions, other methods, and the question for other solvers.
 #include "bindings.hpp"
 #include "exact.hpp"
 #include "stickslip/certificate/smtlib.hpp"
+#include "stickslip/core/error.hpp"
+#include "stickslip/earlier/comparison.hpp"
 #include "stickslip/plot/grasp_plot.hpp"
 #include "stickslip/plot/region_plot.hpp"
 #include "stickslip/plot/states_plot.hpp"
@@ -130,6 +132,30 @@ py::str smtlib(const GraspFile& grasp, const py::object& wrench, const py::objec
   return text(without_gil([&] { return smtlib_text(question_of(grasp, asked)); }));
 }
 
+/// The fields of results.Method for each, the evidence as JSON.
+py::list compare(const GraspFile& grasp, const py::object& wrench, const py::object& preload,
+                 bool bilateral, const py::object& length) {
+  const QuestionOptions asked = question_options(wrench, preload, bilateral);
+  const Rational divisor = exact(length, "length");
+  if (divisor.sign() <= 0) {
+    throw InputError("", "length", "the value is " + to_string(divisor),
+                     "a characteristic length must be above 0");
+  }
+  const std::vector<MethodRow> rows = without_gil([&] {
+    const Question question = question_of(grasp, asked);
+    NumberText text{NumberOptions{}};
+    return compare_methods(Problem(question.loaded, question.law), divisor, text);
+  });
+  py::list result;
+  for (const MethodRow& row : rows) {
+    result.append(py::make_tuple(text(row.method), text(row.source), row.about_the_load,
+                                 text(row.verdict),
+                                 row.agrees ? py::object(py::bool_(*row.agrees)) : py::none(),
+                                 text(row.why), text(finished(row.evidence, false).dump())));
+  }
+  return result;
+}
+
 }  // namespace
 
 void bind_pictures(py::module_& module) {
@@ -137,6 +163,7 @@ void bind_pictures(py::module_& module) {
   module.def("plot_grasp", &grasp_picture);
   module.def("plot_states", &states_picture);
   module.def("smtlib", &smtlib);
+  module.def("compare", &compare);
 }
 
 }  // namespace stickslip::python

@@ -90,6 +90,9 @@ def plot_grasp(
     engine: str,
     node_limit: int,
 ) -> str: ...
+def compare(
+    grasp: GraspData, wrench: Optional[List[Any]], preload: Any, bilateral: bool, length: Any
+) -> List[Tuple[str, str, bool, str, Optional[bool], str, str]]: ...
 def plot_states(grasp: GraspData) -> str: ...
 def smtlib(
     grasp: GraspData, wrench: Optional[List[Any]], preload: Any, bilateral: bool

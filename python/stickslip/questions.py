@@ -7,6 +7,7 @@ Long work runs without Python's global lock, so that other threads go on. Ctrl-C
 
 from __future__ import annotations
 
+import json
 import os
 from decimal import Decimal
 from fractions import Fraction
@@ -37,10 +38,12 @@ from .grasp import Grasp, SnappedNormal
 from .results import (
     Cell,
     CheckResult,
+    Comparison,
     CrossCheck,
     Decision,
     Decisions,
     Margin,
+    Method,
     ModelWarning,
     NearbyEquilibrium,
     Outline,
@@ -225,6 +228,24 @@ def plot_states(grasp: Grasp) -> Picture:
     """A picture of the slip states, as SVG: the sphere of motions, cut by one great circle a
     contact."""
     return Picture(_core.plot_states(_data(grasp)))
+
+
+def compare(
+    grasp: Grasp, wrench: Any = None, *, preload: Any = None, normal_law: str = "unilateral",
+    length: Any = 1,
+) -> Comparison:
+    """What earlier methods say of the same question as ``decide``, and why they differ.
+
+    Args:
+        grasp, wrench, preload, normal_law: as of ``decide``, for one question.
+        length: characteristic of the object: grasp wrench spaces divide torques by it, and it is
+            the radius of gyration about the origin, which strong stability needs.
+    """
+    about, snapped = _asked(grasp, preload)
+    rows = _core.compare(
+        about._data, as_wrench_or_none(wrench), as_number_or_none(preload, "preload"),
+        is_bilateral(normal_law), as_number(length, "length"))
+    return Comparison(tuple(Method(*row[:-1], json.loads(row[-1])) for row in rows), about, snapped)
 
 
 def export(

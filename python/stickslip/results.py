@@ -382,6 +382,49 @@ class CrossCheck(Answer):
     balance_float = FloatView[Optional[FloatArray]]("balance", 3)
 
 
+class Method(NamedTuple):
+    """What one method says of the question."""
+
+    method: str
+    source: str
+    """Who proposed it."""
+    about_the_load: bool
+    """Else it asks about the grasp, whatever the load."""
+    verdict: str
+    """In the method's own terms, or "not computed" where that would take too long."""
+    agrees: Optional[bool]
+    """Whether it says of the load what the passive model says; None where that has no meaning."""
+    why: str
+    evidence: Any
+    """As in ``stickslip compare --json``; rationals are strings."""
+
+
+@dataclass(frozen=True, repr=False)
+class Comparison(Answer):
+    """The passive model, first, and earlier methods on one question; all of them exact."""
+
+    methods: Tuple[Method, ...]
+    grasp: Grasp = field(repr=False)
+    snapped: Tuple[SnappedNormal, ...] = ()
+    """Normals given in doubles that were rounded to ones of rational length, 1e-12 away or less;
+    ``grasp`` has them."""
+
+    def __getitem__(self, method: str) -> Method:
+        """By its name."""
+        for row in self.methods:
+            if row.method == method:
+                return row
+        raise KeyError(method)
+
+    def __repr__(self) -> str:
+        return "\n".join(f"{row.method}: {row.verdict}; {row.why}" for row in self.methods)
+
+    def _repr_html_(self) -> str:
+        agrees = {True: "yes", False: "no", None: ""}
+        return table([("method", "verdict", "agrees", "why")] + [
+            (row.method, row.verdict, agrees[row.agrees], row.why) for row in self.methods])
+
+
 @dataclass(frozen=True, repr=False)
 class CheckResult(Answer):
     """What the independent checker says of a certificate. True in a condition iff accepted."""

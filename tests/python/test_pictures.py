@@ -97,6 +97,26 @@ def test_region_errors(fig1):
         stickslip.plot_region(fig1, mode_limit=1)
 
 
+@pytest.mark.parametrize("options, words", [
+    ({}, []), ({"wrench": (0, 1, 0), "preload": 0}, ["--wrench", "0,1,0", "--preload", "0"]),
+    ({"normal_law": "bilateral", "length": "1/3"},
+     ["--normal-law", "bilateral", "--length", "1/3"])], ids=str)
+def test_comparison_is_that_of_the_program(tmp_path, fig1, options, words):
+    (tmp_path / "grasp.json").write_text(fig1.to_text())
+    said = program("compare", tmp_path / "grasp.json", *words)["methods"]
+    comparison = stickslip.compare(fig1, **options)
+    assert [row._asdict() for row in comparison.methods] == [
+        {**{key: row[key] for key in ("method", "source", "verdict", "agrees", "why", "evidence")},
+         "about_the_load": row["about"] == "load"} for row in said]
+    assert comparison["form closure"] in comparison.methods
+    assert len(repr(comparison).splitlines()) == len(said)
+    ElementTree.fromstring(comparison._repr_html_())
+    with pytest.raises(KeyError):
+        comparison["best"]
+    with pytest.raises(InputError, match="above 0"):
+        stickslip.compare(fig1, length=0)
+
+
 def test_answers_show_themselves(fig1):
     answers = [stickslip.decide(fig1, (0, 1, 0)), stickslip.decide(fig1, (0, 2, 0)),
                stickslip.slip_states(fig1), stickslip.region(fig1),

@@ -143,8 +143,8 @@ py::list compare(const GraspFile& grasp, const py::object& wrench, const py::obj
   }
   const std::vector<MethodRow> rows = without_gil([&] {
     const Question question = question_of(grasp, asked);
-    NumberText text{NumberOptions{}};
-    return compare_methods(Problem(question.loaded, question.law), divisor, text);
+    NumberText readable(false);
+    return compare_methods(Problem(question.loaded, question.law), divisor, readable);
   });
   py::list result;
   for (const MethodRow& row : rows) {

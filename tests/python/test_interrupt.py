@@ -18,10 +18,10 @@ def crowd(m):
     return stickslip.Grasp(points, -random.integers(-10**6, 10**6, (m, 2)), "1/3")
 
 calls = {
-    "decide by states": lambda: stickslip.decide(crowd(60), (1, 2, 3), engine="states"),
-    "many": lambda: stickslip.decide([crowd(60)], np.ones((10**4, 3)), engine="states"),
+    "decide by states": lambda: stickslip.decide(crowd(200), (1, 2, 3), engine="states"),
+    "many": lambda: stickslip.decide([crowd(200)], np.ones((10**4, 3)), engine="states"),
     "margin": lambda: [stickslip.margin(crowd(400), (0, 1, 0)) for _ in range(10**6)],
-    "region": lambda: stickslip.region(crowd(60)),
+    "region": lambda: stickslip.region(crowd(200)),
     "states by cgal": lambda: stickslip.slip_states(crowd(2000), engine="cgal"),
     "states by sweep": lambda: stickslip.slip_states(crowd(60000), list_states=False),
 }

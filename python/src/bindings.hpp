@@ -57,6 +57,14 @@ pybind11::dict decision_fields(const Question& question, const Problem& problem,
 /// Force vectors in the frame of the body.
 pybind11::tuple force_vectors(const Grasp& grasp, const std::vector<ContactForce>& forces);
 
+/// convert(value) of each value.
+template <class Values, class Convert>
+pybind11::tuple tuple_of(const Values& values, Convert convert) {
+  pybind11::tuple result(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) result[i] = convert(values[i]);
+  return result;
+}
+
 /// Runs `work`, which must not touch Python, while other Python threads run. On the main thread
 /// a signal whose handler raises, as that of Ctrl-C does, breaks it off.
 template <class Work>

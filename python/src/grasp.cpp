@@ -75,11 +75,6 @@ py::dict wrenches_of_cases(const GraspFile& file) {
 }
 
 py::tuple outline_of(const GraspFile& file) {
-  const auto tuple_of = [](const auto& list, auto convert) {
-    py::tuple result(list.size());
-    for (std::size_t i = 0; i < list.size(); ++i) result[i] = convert(list[i]);
-    return result;
-  };
   const auto vertex = [](const Vector2& v) { return fractions(v.x, v.y); };
   const auto ring = [&](const Ring& vertices) { return tuple_of(vertices, vertex); };
   const auto polygon = [&](const Polygon& rings) { return tuple_of(rings, ring); };
@@ -118,10 +113,7 @@ py::tuple snapped(const GraspFile& file, const py::object& within) {
 /// One value a contact.
 template <class Value>
 py::tuple by_contact(const GraspFile& file, Value value) {
-  const std::vector<Contact>& contacts = file.content.grasp.contacts();
-  py::tuple result(contacts.size());
-  for (std::size_t i = 0; i < contacts.size(); ++i) result[i] = value(contacts[i]);
-  return result;
+  return tuple_of(file.content.grasp.contacts(), value);
 }
 
 py::tuple scalars(const GraspFile& file, Rational Contact::*member) {

@@ -24,13 +24,6 @@ py::tuple direction(const PlaneDirection& d) {
   return fractions(Rational(d[0]), Rational(d[1]));
 }
 
-template <class Values, class Convert>
-py::tuple tuple_of(const Values& values, Convert convert) {
-  py::tuple result(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i) result[i] = convert(values[i]);
-  return result;
-}
-
 py::object direction_or_none(const std::optional<PlaneDirection>& d) {
   return d ? py::object(direction(*d)) : py::object(py::none());
 }
@@ -109,15 +102,12 @@ py::object region(const GraspFile& grasp, const py::list& origin, const py::list
 }
 
 py::str grasp_picture(const GraspFile& grasp, const py::object& wrench,
-                      const py::object& preload, bool bilateral, const std::string& engine,
-                      std::size_t node_limit) {
+                      const py::object& preload, bool bilateral, const std::string& engine) {
   const QuestionOptions asked = question_options(wrench, preload, bilateral);
   return text(without_gil([&] {
     const Question question = question_of(grasp, asked);
-    ConeOptions options;
-    options.node_limit = node_limit;
     const Decision decision =
-        decide(Problem(question.loaded, question.law), engine_named(engine), options);
+        decide(Problem(question.loaded, question.law), engine_named(engine));
     return plot_grasp(question, decision.verdict);
   }));
 }

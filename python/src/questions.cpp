@@ -103,10 +103,7 @@ py::dict slip_states(const GraspFile& grasp, const std::string& engine, bool lis
 
 py::object preload_direction_of(const PreloadDirection& direction) {
   if (direction.scale) return py::str("scale");
-  py::tuple rates(direction.rates.size());
-  for (std::size_t i = 0; i < direction.rates.size(); ++i)
-    rates[i] = fraction(direction.rates[i]);
-  return std::move(rates);
+  return tuple_of(direction.rates, fraction);
 }
 
 py::dict find_grasp_margin(const GraspFile& grasp, const py::object& direction,

@@ -88,7 +88,6 @@ def plot_grasp(
     preload: Any,
     bilateral: bool,
     engine: str,
-    node_limit: int,
 ) -> str: ...
 def compare(
     grasp: GraspData, wrench: Optional[List[Any]], preload: Any, bilateral: bool, length: Any

@@ -221,7 +221,7 @@ def plot_grasp(
     return Picture(_core.plot_grasp(
         _asked(grasp, preload)[0]._data, as_wrench_or_none(wrench),
         as_number_or_none(preload, "preload"),
-        is_bilateral(normal_law), "auto", 0))
+        is_bilateral(normal_law), "auto"))
 
 
 def plot_states(grasp: Grasp) -> Picture:

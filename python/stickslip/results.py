@@ -80,7 +80,7 @@ class Decision(Answer):
             raise LimitReached(self.limit)
         return Picture(_core.plot_grasp(
             self.grasp._data, list(self.wrench), self.preload, self.normal_law == "bilateral",
-            self.engine, 0))
+            self.engine))
 
     def check(self) -> CheckResult:
         """What the independent checker says of the certificate, to the same question.

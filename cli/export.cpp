@@ -3,7 +3,7 @@
 
 #include "commands.hpp"
 #include "question_options.hpp"
-#include "stickslip/certificate/smtlib.hpp"
+#include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/file.hpp"
 
 namespace stickslip {

@@ -7,28 +7,15 @@
 //   - all circles at once: inserting them one by one gives wrong arrangements that its own
 //     is_valid() accepts;
 //   - circles that are distinct, and in generic position with respect to the poles and the
-//     meridian where it cuts the sphere (in_generic_position). Otherwise preconditions of its
-//     geometry traits fail, on two thirds of the grasps with axis-aligned normals; a release
-//     build does not look at them and is right by luck at most.
+//     meridian where it cuts the sphere (in_generic_position, filtered_normals.hpp). Otherwise
+//     preconditions of its geometry traits fail, on two thirds of the grasps with axis-aligned
+//     normals; a release build does not look at them and is right by luck at most.
 // CGAL cuts every circle in two, at points of the plane y = 0. These artificial vertices are
 // not vertices of the arrangement of circles and are skipped: in generic position they are
 // exactly the vertices where all halfedges are of one circle.
 //
 // Signs need no arithmetic. Left of an arc that runs counterclockwise about the normal of its
 // circle that circle's sign is +, and crossing an edge changes one sign.
-//
-// The generic position: why the search for it ends. Let M have the rows b x a, b, a with
-// a.b = 0, a, b != 0. The rows are orthogonal, so det M != 0. The two requirements become
-//   z of Mn           = a.n                             != 0 for every normal n,
-//   y of Mn x Mn'     = (row 3 x row 1).(n x n')        != 0 for every two normals,
-// the latter because row 2 of the cofactor matrix is row 3 x row 1 = a x (b x a) = |a|^2 b,
-// so it says b.(n x n') != 0. Choose a first, then b:
-//   a = (1, s, s^2), a pole on no circle (find_pole);
-//   b = (s, -1, 0) + t (0, s, -1), a basis of the plane orthogonal to a: b.c is linear in t,
-//     and every vertex direction c = n x n' excludes at most one t. It does not exclude all:
-//     c orthogonal to both basis vectors would be parallel to a, and a.n = 0.
-#include "cgal_enumerator.hpp"
-
 #include <CGAL/Arr_curve_data_traits_2.h>
 #include <CGAL/Arr_extended_dcel.h>
 #include <CGAL/Arr_geodesic_arc_on_sphere_traits_2.h>
@@ -342,42 +329,7 @@ void enumerate_cells(const GreatCircles& circles, StateList& cells, ArrangementC
   CellReader(sphere, normals, circles, cells).read(counts);
 }
 
-bool clear_of_meridian(const IntegerVector3& b, const std::vector<IntegerVector3>& normals) {
-  for (std::size_t i = 0; i < normals.size(); ++i) {
-    const IntegerVector3 b_cross_n = cross(b, normals[i]);
-    for (std::size_t j = i + 1; j < normals.size(); ++j) {
-      if (dot(b_cross_n, normals[j]).is_zero()) return false;
-    }
-  }
-  return true;
-}
-
 }  // namespace
-
-namespace arrangement_detail {
-
-std::vector<IntegerVector3> in_generic_position(const std::vector<IntegerVector3>& normals) {
-  const IntegerVector3 a = find_pole(normals);
-  const Integer& s = a[1];
-  const std::size_t k = normals.size();
-  // Any start is right.
-  constexpr int kFirstT = 3;
-  Integer t = kFirstT;
-  while (!clear_of_meridian({s, s * t - 1, -t}, normals)) {
-    ++t;
-    require(t <= kFirstT + k * k / 2, "in_generic_position: two normals are parallel");
-  }
-  const IntegerVector3 b = {s, s * t - 1, -t};
-  const IntegerVector3 b_cross_a = cross(b, a);
-  std::vector<IntegerVector3> mapped;
-  mapped.reserve(k);
-  for (const IntegerVector3& n : normals) {
-    mapped.push_back({dot(b_cross_a, n), dot(b, n), dot(a, n)});
-  }
-  return mapped;
-}
-
-}  // namespace arrangement_detail
 
 SlipStates enumerate_slip_states_cgal(const std::vector<Vector3>& plane_normals) {
   const GreatCircles circles = merge_planes(plane_normals);

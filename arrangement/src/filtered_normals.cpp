@@ -78,6 +78,16 @@ Int128 minor_of(const FilteredNormals::Small& a, const FilteredNormals::Small& b
   return Int128{a[p]} * b[q] - Int128{a[q]} * b[p];
 }
 
+bool clear_of_meridian(const IntegerVector3& b, const std::vector<IntegerVector3>& normals) {
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    const IntegerVector3 b_cross_n = cross(b, normals[i]);
+    for (std::size_t j = i + 1; j < normals.size(); ++j) {
+      if (dot(b_cross_n, normals[j]).is_zero()) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 IntegerVector3 find_pole(const std::vector<IntegerVector3>& normals) {
@@ -90,6 +100,37 @@ IntegerVector3 find_pole(const std::vector<IntegerVector3>& normals) {
     ++s;
   } while (std::any_of(normals.begin(), normals.end(), is_on_pole));
   return pole;
+}
+
+// Why the search ends. Let M have the rows b x a, b, a with
+// a.b = 0, a, b != 0. The rows are orthogonal, so det M != 0. The two requirements become
+//   z of Mn           = a.n                             != 0 for every normal n,
+//   y of Mn x Mn'     = (row 3 x row 1).(n x n')        != 0 for every two normals,
+// the latter because row 2 of the cofactor matrix is row 3 x row 1 = a x (b x a) = |a|^2 b,
+// so it says b.(n x n') != 0. Choose a first, then b:
+//   a = (1, s, s^2), a pole on no circle (find_pole);
+//   b = (s, -1, 0) + t (0, s, -1), a basis of the plane orthogonal to a: b.c is linear in t,
+//     and every vertex direction c = n x n' excludes at most one t. It does not exclude all:
+//     c orthogonal to both basis vectors would be parallel to a, and a.n = 0.
+std::vector<IntegerVector3> in_generic_position(const std::vector<IntegerVector3>& normals) {
+  const IntegerVector3 a = find_pole(normals);
+  const Integer& s = a[1];
+  const std::size_t k = normals.size();
+  // Any start is right.
+  constexpr int kFirstT = 3;
+  Integer t = kFirstT;
+  while (!clear_of_meridian({s, s * t - 1, -t}, normals)) {
+    ++t;
+    require(t <= kFirstT + k * k / 2, "in_generic_position: two normals are parallel");
+  }
+  const IntegerVector3 b = {s, s * t - 1, -t};
+  const IntegerVector3 b_cross_a = cross(b, a);
+  std::vector<IntegerVector3> mapped;
+  mapped.reserve(k);
+  for (const IntegerVector3& n : normals) {
+    mapped.push_back({dot(b_cross_a, n), dot(b, n), dot(a, n)});
+  }
+  return mapped;
 }
 
 FilteredNormals::FilteredNormals(std::vector<IntegerVector3> normals)

@@ -24,6 +24,17 @@ namespace stickslip::arrangement_detail {
 /// s, so one of the first 2k + 1 is found. Throws ContractError if a normal is zero.
 IntegerVector3 find_pole(const std::vector<IntegerVector3>& normals);
 
+/// The normals Mn of distinct circles, in the same order, for an integer matrix M with
+/// det M != 0 such that, exactly,
+///   - every mapped normal has z != 0: no circle passes through a pole;
+///   - every cross product of two mapped normals has y != 0: no vertex lies on the plane y = 0.
+/// So an algorithm that cuts the sphere along a meridian from pole to pole, as CGAL's, meets
+/// none of its special cases; and for any regular M, n.d = (Mn).(M^-T d), so the circles have
+/// the same cells with the same signs. Deterministic. O(k^2) operations for each matrix tried,
+/// and the first usually serves. Throws ContractError if a normal is zero or two are parallel:
+/// then no matrix serves.
+std::vector<IntegerVector3> in_generic_position(const std::vector<IntegerVector3>& normals);
+
 class FilteredNormals {
  public:
   /// The normals, each reversed if need be, so that all are positive on the pole (find_pole).

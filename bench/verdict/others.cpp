@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "limited.hpp"
-#include "stickslip/certificate/smtlib.hpp"
+#include "stickslip/certificate/certificate.hpp"
 #include "stickslip/equilibrium/decide.hpp"
 
 #ifdef STICKSLIP_HAVE_GLPK

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stickslip/certificate/smtlib.hpp"
+#include "stickslip/certificate/certificate.hpp"
 
 #include <algorithm>
 #include <array>

@@ -30,6 +30,12 @@ double head_of(const std::string& css_class) {
   return css_class == "force" || css_class == "load" ? kHead : kSmallHead;
 }
 
+/// A bar across `along`, of length 1.
+void draw_bar(Svg& svg, InkPoint at, InkPoint along, Svg::Attributes attributes = {}) {
+  const InkPoint across = 8 * quarter_turn(along);
+  svg.line(at - across, at + across, "preload", std::move(attributes));
+}
+
 class GraspPlot {
  public:
   GraspPlot(const Question& question, const Verdict& verdict)
@@ -142,7 +148,7 @@ class GraspPlot {
       if (preload.is_zero()) continue;
       const ContactInk& c = ink_.contacts[i];
       draw_bar(svg, view_(c.at + ink_.force_length(preload) * c.normal),
-               on_page_direction(c.normal), 8, "preload",
+               on_page_direction(c.normal),
                {{"data-contact", std::to_string(i)}, {"data-value", to_string(preload)}});
     }
   }
@@ -218,7 +224,7 @@ class GraspPlot {
     }
     if (std::any_of(grasp_.contacts().begin(), grasp_.contacts().end(),
                     [](const Contact& c) { return !c.preload.is_zero(); })) {
-      draw_bar(svg, at(26), {1, 0}, 8, "preload");
+      draw_bar(svg, at(26), {1, 0});
       row("preload P, on the normal");
     }
     arrow_row("force", "contact force");

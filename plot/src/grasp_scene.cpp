@@ -60,6 +60,20 @@ std::vector<InkPoint> hull_of(const std::vector<ContactInk>& contacts) {
   return convex_hull(std::move(points));
 }
 
+/// What holds a contact: a short hatched line behind it. `inwards` has length 1.
+void draw_finger(Svg& svg, InkPoint at, InkPoint inwards) {
+  constexpr double kHalfLength = 13;
+  const InkPoint along = quarter_turn(inwards);
+  const InkPoint base = at - 5.0 * inwards;
+  SvgPath path;
+  path.move(base - kHalfLength * along).line(base + kHalfLength * along);
+  for (int i = -2; i <= 2; ++i) {
+    const InkPoint from = base + (5.0 * i + 2) * along;
+    path.move(from).line(from - 6.0 * inwards - 4.0 * along);
+  }
+  svg.path(path, "finger");
+}
+
 }  // namespace
 
 std::vector<ContactInk> contact_ink(const Grasp& grasp, const PictureFrame& frame) {

@@ -41,19 +41,6 @@ void draw_torque(Svg& svg, InkPoint centre, double radius, bool counterclockwise
   svg.path(SvgPath().polygon({tip, neck + side, neck - side}), "load");
 }
 
-void draw_finger(Svg& svg, InkPoint at, InkPoint inwards) {
-  constexpr double kHalfLength = 13;
-  const InkPoint along = quarter_turn(inwards);
-  const InkPoint base = at - 5.0 * inwards;
-  SvgPath path;
-  path.move(base - kHalfLength * along).line(base + kHalfLength * along);
-  for (int i = -2; i <= 2; ++i) {
-    const InkPoint from = base + (5.0 * i + 2) * along;
-    path.move(from).line(from - 6.0 * inwards - 4.0 * along);
-  }
-  svg.path(path, "finger");
-}
-
 const char* name_of(ContactMark mark) {
   constexpr const char* kNames[] = {"", "0", "+", "-", "open", "loses", "cannot oppose"};
   return kNames[static_cast<int>(mark)];
@@ -93,12 +80,6 @@ void draw_contact(Svg& svg, InkPoint at, InkPoint tangent, ContactMark mark,
   const bool is_hollow = mark == ContactMark::kSlipMinus || mark == ContactMark::kOpen ||
                          mark == ContactMark::kCannotOppose;
   svg.path(path, is_hollow ? "hollow" : "full", std::move(attributes), tooltip);
-}
-
-void draw_bar(Svg& svg, InkPoint at, InkPoint along, double half_length,
-              const std::string& css_class, Svg::Attributes attributes) {
-  const InkPoint across = half_length * quarter_turn(along);
-  svg.line(at - across, at + across, css_class, std::move(attributes));
 }
 
 }  // namespace stickslip::plot_detail

@@ -22,9 +22,6 @@ void draw_arrow(Svg& svg, InkPoint tail, InkPoint tip, const std::string& css_cl
 void draw_torque(Svg& svg, InkPoint centre, double radius, bool counterclockwise,
                  Svg::Attributes attributes = {});
 
-/// What holds a contact: a short hatched line behind it. `inwards` has length 1.
-void draw_finger(Svg& svg, InkPoint at, InkPoint inwards);
-
 /// What a contact does in an equilibrium; or, where there is none, whether it opposes the
 /// virtual twist that proves so.
 enum class ContactMark {
@@ -44,9 +41,5 @@ const char* name_of(ContactMark mark);
 /// `tangent` is the contact's, on the page, of length 1.
 void draw_contact(Svg& svg, InkPoint at, InkPoint tangent, ContactMark mark,
                   Svg::Attributes attributes = {}, std::string_view tooltip = {});
-
-/// A bar across `along` (of length 1).
-void draw_bar(Svg& svg, InkPoint at, InkPoint along, double half_length,
-              const std::string& css_class, Svg::Attributes attributes = {});
 
 }  // namespace stickslip::plot_detail

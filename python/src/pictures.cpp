@@ -2,7 +2,7 @@
 // Pictures, resistible regions, other methods, and the question for other solvers.
 #include "bindings.hpp"
 #include "exact.hpp"
-#include "stickslip/certificate/smtlib.hpp"
+#include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/earlier/comparison.hpp"
 #include "stickslip/plot/grasp_plot.hpp"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "assemble_states.hpp"
-#include "cgal_enumerator.hpp"
+#include "filtered_normals.hpp"
 #include "families.hpp"
 #include "stickslip/arrangement/sweep.hpp"
 #include "stickslip/core/error.hpp"

@@ -7,7 +7,7 @@
 
 #include "cases.hpp"
 #include "smt_solver.hpp"
-#include "stickslip/certificate/smtlib.hpp"
+#include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {

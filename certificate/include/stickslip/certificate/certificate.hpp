@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
 /// Writing certificates in the format of certificate/FORMAT.md. The checkers that read them
-/// share no code with this.
+/// share no code with this. And the question for other solvers.
 #pragma once
 
 #include <string>
@@ -21,5 +21,12 @@ std::string certificate_text(const Question& question, const Verdict& verdict,
 /// The certificate of the margin of problem_of(question) (FORMAT.md, section 5).
 std::string margin_certificate_text(const Question& question, const Margin& margin,
                                     const std::string& producer);
+
+/// The whole question as an SMT-LIB 2 problem in the logic QF_LRA, for solvers such as Z3 and
+/// cvc5. A complete script: declarations, the conditions of problem.hpp with their
+/// disjunctions, (check-sat). `sat` means stable, `unsat` unstable. Variables dx, dy, dr and,
+/// per contact i, a_i and b_i (force coefficients of the contact's own normal and tangent).
+/// Throws InputError when a preloaded contact has a normal of irrational length.
+std::string smtlib_text(const Question& question);
 
 }  // namespace stickslip

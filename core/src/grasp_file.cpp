@@ -13,6 +13,8 @@
 
 namespace stickslip {
 
+using namespace core_detail;
+
 struct WrittenContact {
   /// What "defaults" may give.
   struct Properties {

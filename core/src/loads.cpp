@@ -5,7 +5,7 @@
 
 #include "stickslip/core/error.hpp"
 
-namespace stickslip {
+namespace stickslip::core_detail {
 namespace {
 
 using Kind = JsonNode::Kind;
@@ -120,4 +120,4 @@ std::vector<NamedLoad> read_cases(const JsonNode& root, const Wrench& common) {
   return cases;
 }
 
-}  // namespace stickslip
+}  // namespace stickslip::core_detail

@@ -11,7 +11,7 @@
 #include "stickslip/core/grasp_file.hpp"
 #include "stickslip/core/json.hpp"
 
-namespace stickslip {
+namespace stickslip::core_detail {
 
 /// What an object gives as "wrench" or as "loads"; nothing if it has neither.
 std::optional<Wrench> read_load(const JsonNode& object, const std::string& path);
@@ -19,4 +19,4 @@ std::optional<Wrench> read_load(const JsonNode& object, const std::string& path)
 /// The elements of "cases", each with the common load; none if there is no such key.
 std::vector<NamedLoad> read_cases(const JsonNode& root, const Wrench& common);
 
-}  // namespace stickslip
+}  // namespace stickslip::core_detail

@@ -9,6 +9,9 @@
 #include "stickslip/core/json.hpp"
 
 namespace stickslip {
+
+using namespace core_detail;
+
 namespace {
 
 const Vector2& next(const Ring& ring, std::size_t i) {

@@ -3,7 +3,7 @@
 
 #include "stickslip/core/error.hpp"
 
-namespace stickslip {
+namespace stickslip::core_detail {
 namespace {
 
 using Kind = JsonNode::Kind;
@@ -116,4 +116,4 @@ const OutlineEdge& edge_at(const std::vector<std::vector<OutlineEdge>>& edges,
       "polygon " + std::to_string(j) + " has " + numbered(of_polygon.size(), "edge", "edges"))];
 }
 
-}  // namespace stickslip
+}  // namespace stickslip::core_detail

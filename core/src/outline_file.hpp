@@ -9,7 +9,7 @@
 #include "stickslip/core/json.hpp"
 #include "stickslip/core/outline.hpp"
 
-namespace stickslip {
+namespace stickslip::core_detail {
 
 /// "on" of a contact: a point of an edge, as the file gives it.
 struct PlaceOnOutline {
@@ -28,4 +28,4 @@ std::vector<Polygon> read_outline(const JsonNode& root);
 const OutlineEdge& edge_at(const std::vector<std::vector<OutlineEdge>>& edges,
                            const PlaceOnOutline& place, const std::string& path);
 
-}  // namespace stickslip
+}  // namespace stickslip::core_detail

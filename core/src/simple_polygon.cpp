@@ -5,7 +5,7 @@
 
 #include "stickslip/core/json.hpp"
 
-namespace stickslip {
+namespace stickslip::core_detail {
 namespace {
 
 struct RingEdge {
@@ -103,4 +103,4 @@ void check_simple(const Polygon& polygon, const std::string& path) {
   }
 }
 
-}  // namespace stickslip
+}  // namespace stickslip::core_detail

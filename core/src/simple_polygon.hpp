@@ -7,7 +7,7 @@
 
 #include "stickslip/core/grasp.hpp"
 
-namespace stickslip {
+namespace stickslip::core_detail {
 
 /// Throws InputError at `path`, unless no two edges of the rings meet but neighbours where one
 /// ends and the other begins, and every hole lies inside the outer ring and outside of all
@@ -15,4 +15,4 @@ namespace stickslip {
 /// proportional to the pairs of edges whose ranges of x overlap.
 void check_simple(const Polygon& polygon, const std::string& path);
 
-}  // namespace stickslip
+}  // namespace stickslip::core_detail

@@ -12,7 +12,7 @@
 #include "search/nearest_point.hpp"
 #include "stickslip/core/integer_vector.hpp"
 
-namespace stickslip {
+namespace stickslip::equilibrium_detail {
 namespace {
 
 template <class Number>
@@ -392,4 +392,4 @@ std::optional<Witness> find_forces(const Problem& problem, const Twist& d) {
   return with_few_shares(problem.rows(), problem.wrench(), slips, std::move(witness));
 }
 
-}  // namespace stickslip
+}  // namespace stickslip::equilibrium_detail

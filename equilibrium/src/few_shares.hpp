@@ -21,7 +21,7 @@
 #include "stickslip/core/sign.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 
-namespace stickslip {
+namespace stickslip::equilibrium_detail {
 
 /// An equilibrium with the motion d under the problem's one load; nothing if none is found, as
 /// where there is none.
@@ -33,4 +33,4 @@ std::optional<Witness> find_forces(const Problem& problem, const Twist& d);
 std::optional<Witness> with_few_shares(const std::vector<ContactRow>& rows, const Wrench& load,
                                        const std::vector<Sign>& slips, Witness witness);
 
-}  // namespace stickslip
+}  // namespace stickslip::equilibrium_detail

@@ -8,7 +8,7 @@
 
 #include "stickslip/equilibrium/problem.hpp"
 
-namespace stickslip {
+namespace stickslip::equilibrium_detail {
 
 /// The sum of rationals in pairs, so that long numbers meet only at the end.
 inline Rational sum_in_pairs(std::vector<Rational> terms) {
@@ -42,4 +42,4 @@ struct ScaledTwist {
   }
 };
 
-}  // namespace stickslip
+}  // namespace stickslip::equilibrium_detail

@@ -10,6 +10,9 @@
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
+
+using namespace equilibrium_detail;
+
 namespace {
 
 class MarginSearch {

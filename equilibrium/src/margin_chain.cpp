@@ -6,7 +6,7 @@
 
 #include "stickslip/core/error.hpp"
 
-namespace stickslip {
+namespace stickslip::equilibrium_detail {
 namespace {
 
 /// first + factor * second
@@ -131,4 +131,4 @@ std::vector<LoadSegment> LoadModes::chain_through(const LoadPoint& point, const 
   return chain;
 }
 
-}  // namespace stickslip
+}  // namespace stickslip::equilibrium_detail

@@ -11,7 +11,7 @@
 #include "stickslip/equilibrium/margin.hpp"
 #include "stickslip/equilibrium/search/region_program.hpp"
 
-namespace stickslip {
+namespace stickslip::equilibrium_detail {
 
 /// A mode as a set of motions: closed means v >= 0 on all of it, and where there is friction
 /// slip has the sign throughout.
@@ -48,4 +48,4 @@ class LoadModes {
   std::function<void()> count_;
 };
 
-}  // namespace stickslip
+}  // namespace stickslip::equilibrium_detail

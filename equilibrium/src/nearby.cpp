@@ -8,6 +8,9 @@
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
+
+using namespace equilibrium_detail;
+
 namespace {
 
 /// One contact of the approximation in double precision, in units of force and length.

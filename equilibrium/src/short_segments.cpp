@@ -5,7 +5,7 @@
 #include "long_rationals.hpp"
 #include "stickslip/core/error.hpp"
 
-namespace stickslip {
+namespace stickslip::equilibrium_detail {
 namespace {
 
 using Signs = std::vector<Sign>;
@@ -75,4 +75,4 @@ void shorten(std::vector<LoadSegment>& segments, const Problem& family) {
   }
 }
 
-}  // namespace stickslip
+}  // namespace stickslip::equilibrium_detail

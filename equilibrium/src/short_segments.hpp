@@ -7,10 +7,10 @@
 
 #include "stickslip/equilibrium/margin.hpp"
 
-namespace stickslip {
+namespace stickslip::equilibrium_detail {
 
 /// The same motions, with few shares of friction (few_shares.hpp) at both ends of each segment,
 /// and where one ends as the next begins the same, so that it need be checked once only.
 void shorten(std::vector<LoadSegment>& segments, const Problem& family);
 
-}  // namespace stickslip
+}  // namespace stickslip::equilibrium_detail

@@ -10,6 +10,9 @@
 #include "stickslip/equilibrium/verdict.hpp"
 
 namespace stickslip {
+
+using namespace equilibrium_detail;
+
 namespace {
 
 class StatesEngine {

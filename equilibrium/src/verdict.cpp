@@ -9,6 +9,9 @@
 #include "stickslip/equilibrium/search/region.hpp"
 
 namespace stickslip {
+
+using namespace equilibrium_detail;
+
 namespace {
 
 std::string at_contact(const char* condition, std::size_t contact) {

@@ -15,6 +15,9 @@
 #include "stickslip/lp/linear_program.hpp"
 
 namespace stickslip {
+
+using namespace equilibrium_detail;
+
 namespace {
 
 using test::RandomSource;

@@ -61,7 +61,7 @@ class Layout(unittest.TestCase):
                 self.assertEqual(local, [], path)
 
     def test_private_headers_declare_in_a_namespace_of_their_own(self):
-        for module in ("lp", "arrangement", "resistance", "earlier", "plot"):
+        for module in ("core", "lp", "arrangement", "equilibrium", "resistance", "earlier", "plot"):
             private = {path: text for path, text in sources(os.path.join(module, "src"))
                        if path.endswith(".hpp")}
             self.assertGreater(len(private), 0, module)

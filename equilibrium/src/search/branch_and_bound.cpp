@@ -13,6 +13,9 @@
 #include "witness_search.hpp"
 
 namespace stickslip {
+
+using namespace equilibrium_detail;
+
 namespace {
 
 /// A node of the tree, and the nodes that it still needs.

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-namespace stickslip {
+namespace stickslip::equilibrium_detail {
 
 bool NearestPoint::affine_minimum(std::array<double, 4>& weights) const {
   // Lagrange: the Gram matrix of the points, bordered by ones, against (0, ..., 0, 1).
@@ -73,4 +73,4 @@ bool NearestPoint::add(const Double3& point) {
   return first || dot(nearest_, nearest_) < before;
 }
 
-}  // namespace stickslip
+}  // namespace stickslip::equilibrium_detail

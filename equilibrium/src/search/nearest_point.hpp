@@ -8,7 +8,11 @@
 #include <array>
 #include <cstddef>
 
-namespace stickslip {
+#include "stickslip/core/integer_vector.hpp"
+
+namespace stickslip::equilibrium_detail {
+
+using stickslip::dot;  // of exact numbers, beside that of doubles
 
 using Double3 = std::array<double, 3>;
 
@@ -42,4 +46,4 @@ class NearestPoint {
   Double3 nearest_{};
 };
 
-}  // namespace stickslip
+}  // namespace stickslip::equilibrium_detail

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace stickslip {
+namespace stickslip::equilibrium_detail {
 
 double DoubleModel::read(const Rational& value) {
   constexpr double kLargest = 0x1p200;
@@ -194,4 +194,4 @@ void RayTable::find_slip_sign(const Problem& problem, const DoubleModel& model,
   }
 }
 
-}  // namespace stickslip
+}  // namespace stickslip::equilibrium_detail

@@ -12,7 +12,7 @@
 #include "stickslip/core/sign.hpp"
 #include "stickslip/equilibrium/search/region.hpp"
 
-namespace stickslip {
+namespace stickslip::equilibrium_detail {
 
 using Double5 = std::array<double, 5>;
 
@@ -135,4 +135,4 @@ class RayTable {
   std::vector<const Ray*> zero_rays_;
 };
 
-}  // namespace stickslip
+}  // namespace stickslip::equilibrium_detail

@@ -199,7 +199,7 @@ namespace {
 
 std::vector<Rational> work_bounds_on(const std::vector<Ray>& generators, const Problem& problem,
                                      const Region& region, const VirtualWorkLeaf& leaf) {
-  const Twist y{Rational(leaf.twist[0]), Rational(leaf.twist[1]), Rational(leaf.twist[2])};
+  const Twist y = twist_of(leaf.twist);
   Vector5 linear{0, 0, 0, power(problem.wrench(), y), power(problem.load_growth(), y)};
   struct Kink {  // alpha max(0, v)
     Rational alpha;

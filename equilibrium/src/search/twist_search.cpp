@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace stickslip {
+namespace stickslip::equilibrium_detail {
 namespace {
 
 /// The normal coefficient that counts at a ray of v v: v if closed; max(0, v) if mixed and
@@ -323,4 +323,4 @@ std::optional<VirtualWorkLeaf> TwistSearch::confirm(const Problem& problem, cons
   return std::nullopt;
 }
 
-}  // namespace stickslip
+}  // namespace stickslip::equilibrium_detail

@@ -12,7 +12,7 @@
 #include "stickslip/equilibrium/search/branch_and_bound.hpp"
 #include "stickslip/equilibrium/search/region_program.hpp"
 
-namespace stickslip {
+namespace stickslip::equilibrium_detail {
 
 /// A virtual twist along which every wrench of the region does negative work, or a relaxed
 /// equilibrium.
@@ -71,4 +71,4 @@ class TwistSearch {
   std::vector<double> scales_;  ///< by ray: comparable sizes of wrenches
 };
 
-}  // namespace stickslip
+}  // namespace stickslip::equilibrium_detail

@@ -11,7 +11,7 @@
 #include "../few_shares.hpp"
 #include "../long_rationals.hpp"
 
-namespace stickslip {
+namespace stickslip::equilibrium_detail {
 namespace {
 
 using ExactMatrix = Eigen::Matrix<Rational, Eigen::Dynamic, Eigen::Dynamic>;
@@ -337,4 +337,4 @@ std::optional<Witness> find_witness_near(const Problem& problem, const DoubleMod
   return complete_exactly(problem, balance.guesses(d));
 }
 
-}  // namespace stickslip
+}  // namespace stickslip::equilibrium_detail

@@ -10,7 +10,7 @@
 #include "node.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 
-namespace stickslip {
+namespace stickslip::equilibrium_detail {
 
 /// What an approximate equilibrium says of one contact.
 struct ModeGuess {
@@ -43,4 +43,4 @@ std::optional<Witness> find_witness_from_rest(const Problem& problem, const Doub
 std::optional<Witness> find_witness_near(const Problem& problem, const DoubleModel& model,
                                          Double3 start);
 
-}  // namespace stickslip
+}  // namespace stickslip::equilibrium_detail

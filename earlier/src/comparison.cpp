@@ -18,17 +18,17 @@ namespace {
 constexpr std::size_t kMostContactsForWrenchSpace = 64;
 
 /// What a method says: verdict, reason, evidence.
-struct Answer {
+struct MethodAnswer {
   std::string verdict;
   std::string why;
   Json evidence{};
 };
 
-Answer of_load(bool accepts, std::string why, Json evidence) {
+MethodAnswer of_load(bool accepts, std::string why, Json evidence) {
   return {accepts ? "stable" : "unstable", std::move(why), std::move(evidence)};
 }
 
-Answer given_up(const Undecided& undecided) {
+MethodAnswer given_up(const Undecided& undecided) {
   return {kNotComputed, "given up at " + undecided.limit, {{"limit", undecided.limit}}};
 }
 
@@ -45,7 +45,7 @@ Json motion_json(const Twist& d) {
 }
 
 /// `why`, and in parentheses how many cases were refuted.
-Answer refuted(const Refutation& refutation, const std::string& why) {
+MethodAnswer refuted(const Refutation& refutation, const std::string& why) {
   const RefutationSummary summary = summarize(refutation);
   return of_load(false, why + " " + cases_refuted(summary.leaves),
                  {{"refutation", {{"nodes", summary.nodes}, {"leaves", summary.leaves}}}});
@@ -70,7 +70,7 @@ class Comparison {
       const char* name;
       const char* source;
       bool about_the_load;
-      Answer (Comparison::*answer)();
+      MethodAnswer (Comparison::*answer)();
     } methods[] = {
         {"passive equilibrium", "Haas-Heger et al. 2018", true, &Comparison::passive},
         {"form closure", "Liu 1999", false, &Comparison::closure},
@@ -85,7 +85,7 @@ class Comparison {
     };
     std::vector<MethodRow> rows;
     for (const auto& method : methods) {
-      Answer a = (this->*method.answer)();
+      MethodAnswer a = (this->*method.answer)();
       std::optional<bool> agrees;
       if (!rows.empty() && method.about_the_load && a.verdict != kNotComputed &&
           !passive_undecided_) {
@@ -98,7 +98,7 @@ class Comparison {
   }
 
  private:
-  Answer passive() {
+  MethodAnswer passive() {
     const Verdict verdict = decide(problem_).verdict;
     if (const auto* stable = std::get_if<Stable>(&verdict)) {
       passive_stable_ = true;
@@ -124,7 +124,7 @@ class Comparison {
     }
   }
 
-  Answer closure() {
+  MethodAnswer closure() {
     const auto result = form_closure(problem_);
     if (const auto* found = std::get_if<FormClosure>(&result)) {
       Json evidence{{"multipliers", Json::array()}, {"spanning", Json::array()}};
@@ -142,13 +142,13 @@ class Comparison {
             motion_json(d)};
   }
 
-  Answer frictionless() {
+  MethodAnswer frictionless() {
     return load_class(frictionless_stable_load(problem_),
                       "normal forces alone balance the load",
                       "without friction no contact opposes the load along ", true);
   }
 
-  Answer weak() {
+  MethodAnswer weak() {
     const LoadClass result = weakly_stable_load(problem_);
     const auto* found = std::get_if<BalancingForces>(&result);
     return load_class(
@@ -156,8 +156,8 @@ class Comparison {
         "no force in the cones opposes the load along ", false);
   }
 
-  Answer load_class(const LoadClass& result, const std::string& balanced,
-                    const std::string& unopposed, bool without_friction) {
+  MethodAnswer load_class(const LoadClass& result, const std::string& balanced,
+                          const std::string& unopposed, bool without_friction) {
     if (const auto* found = std::get_if<BalancingForces>(&result)) {
       return of_load(true, balanced + unless_passive(),
                      {{"forces", forces_json(found->forces)}});
@@ -171,7 +171,7 @@ class Comparison {
     return of_load(false, std::move(why), motion_json(d));
   }
 
-  Answer strong() {
+  MethodAnswer strong() {
     const auto result = strongly_stable_load(problem_, {{0, 0}, length_ * length_});
     if (const auto* limit = std::get_if<Undecided>(&result)) return given_up(*limit);
     if (const auto* found = std::get_if<StronglyStable>(&result)) {
@@ -194,11 +194,11 @@ class Comparison {
                     {"forces", forces_json(a.forces)}});
   }
 
-  Answer wrench_space_l1() { return wrench_space(ForceBound::kL1); }
-  Answer wrench_space_linf() { return wrench_space(ForceBound::kLinf); }
+  MethodAnswer wrench_space_l1() { return wrench_space(ForceBound::kL1); }
+  MethodAnswer wrench_space_linf() { return wrench_space(ForceBound::kLinf); }
 
   /// Not computed also when a normal has an irrational length.
-  Answer wrench_space(ForceBound bound) {
+  MethodAnswer wrench_space(ForceBound bound) {
     if (problem_.size() > kMostContactsForWrenchSpace) {
       const std::string limit = std::to_string(kMostContactsForWrenchSpace) + " contacts";
       return {kNotComputed, "beyond " + limit, {{"limit", limit}}};
@@ -238,7 +238,7 @@ class Comparison {
             std::move(evidence)};
   }
 
-  Answer linear() {
+  MethodAnswer linear() {
     const auto result = linear_compliance(problem_);
     if (const auto* motion = std::get_if<UnresistedMotion>(&result)) {
       return of_load(false,
@@ -272,7 +272,7 @@ class Comparison {
            " of the normal force on " + here + beyond;
   }
 
-  Answer three_states() {
+  MethodAnswer three_states() {
     const auto result = three_state_compliance(problem_);
     if (const auto* limit = std::get_if<Undecided>(&result)) return given_up(*limit);
     if (const auto* found = std::get_if<SpringStates>(&result)) {
@@ -303,7 +303,7 @@ class Comparison {
     return of_load(false, std::move(why), {{"combinations", count}});
   }
 
-  Answer cones() {
+  MethodAnswer cones() {
     const ConesVerdict result = friction_cones_alone(problem_);
     if (const auto* limit = std::get_if<Undecided>(&result)) return given_up(*limit);
     if (const auto* witness = std::get_if<Witness>(&result)) {

@@ -12,13 +12,7 @@
 
 namespace stickslip::equilibrium_detail {
 
-using stickslip::dot;  // of exact numbers, beside that of doubles
-
 using Double3 = std::array<double, 3>;
-
-inline double dot(const Double3& a, const Double3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 class NearestPoint {
  public:

@@ -16,10 +16,6 @@ namespace stickslip::equilibrium_detail {
 
 using Double5 = std::array<double, 5>;
 
-inline double dot(const Double5& a, const Double5& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3] + a[4] * b[4];
-}
-
 /// One contact; every entry is within one unit roundoff of the exact value if that is moderate.
 struct ContactDoubles {
   Double3 normal;      ///< N

@@ -17,7 +17,7 @@ using IntegerVector = std::array<Integer, n>;
 /// A plane by its normal, or a motion up to a positive factor, in coordinates (x, y, r).
 using IntegerVector3 = IntegerVector<3>;
 
-/// The sum of a_j b_j, of integers or rationals.
+/// The sum of a_j b_j, of numbers of any kind.
 template <class Number, std::size_t n>
 Number dot(const std::array<Number, n>& a, const std::array<Number, n>& b) {
   Number sum = 0;

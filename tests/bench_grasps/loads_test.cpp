@@ -8,6 +8,7 @@
 
 #include "check.hpp"
 #include "hard.hpp"
+#include "shares.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/grasp_file.hpp"
 #include "stickslip/equilibrium/decide.hpp"
@@ -46,6 +47,30 @@ TEST(StableInstances, AreStableByBothEngines) {
     EXPECT_EQ(instance.expected, Expected::kStable);
     EXPECT_EQ(verdict_of(instance.question, Engine::kCone), "stable") << text_of(instance);
     EXPECT_EQ(verdict_of(instance.question, Engine::kStates), "stable") << text_of(instance);
+  }
+}
+
+// On a threshold every contact has to give all its friction; else one to three shares do,
+// however many contacts stick (a third of those along straight edges).
+TEST(StableInstances, AreStatedInFewWords) {
+  for (std::size_t family = 0; family < kStableFamilies; ++family) {
+    for (const std::size_t contacts : {30, 300}) {
+      const Instance instance = make_stable(family, contacts, 1);
+      SCOPED_TRACE(instance.family + ' ' + std::to_string(contacts));
+      const Problem problem(instance.question.loaded, instance.question.law);
+      const Verdict verdict = decide_by_cones(problem);
+      const Witness& witness = std::get<Stable>(verdict).witness;
+      const test::ShareCount shares = test::shares_of(problem, witness);
+      const bool on_threshold = family >= 8;
+      EXPECT_LE(shares.fractional, on_threshold ? 0u : 3u);
+      if (on_threshold) {
+        EXPECT_EQ(shares.nonzero, contacts);
+      } else {
+        EXPECT_LE(shares.nonzero, 3u);
+      }
+      const std::size_t bytes = certificate_text(instance.question, verdict, "test").size();
+      EXPECT_LE(bytes, 500 + (on_threshold ? 10 * contacts : 0));
+    }
   }
 }
 

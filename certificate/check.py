@@ -647,9 +647,12 @@ def read_certificate(name: str) -> Certificate:
         resisted.append((source.number(low, f"resisted[{k}]"),
                          None if high is None else source.number(high, f"resisted[{k}]")))
     for k, entry in enumerate(source.array(top["segments"], "segments")):
-        first, second = source.array(entry, f"segments[{k}]", 2)
-        segments.append((read_point(source, first, f"segments[{k}]", False),
-                         read_point(source, second, f"segments[{k}]", True)))
+        place = f"segments[{k}]"
+        if len(source.array(entry, place)) == 1 and segments and segments[-1][1].x[D]:
+            begin = segments[-1][1]
+        else:
+            begin = read_point(source, source.array(entry, place, 2)[0], place, False)
+        segments.append((begin, read_point(source, entry[-1], place, True)))
     return Certificate(claim, verdict, None, tree, resisted, segments)
 
 

@@ -70,8 +70,12 @@ std::optional<std::pair<Witness, Witness>> CertificateReader::next_segment() {
   if (!next_element("segments")) return std::nullopt;
   const std::string place = "segments[" + std::to_string(elements_ - 1) + "]";
   const Value value = json_.value();
-  json_.expect(value.is_array(2), value, place, "an array of two points");
-  return std::pair(point(value.items[0], false, place), point(value.items[1], true, place));
+  const bool goes_on = value.is_array(1) && end_ && end_->x[kDimension] != 0;
+  json_.expect(goes_on || value.is_array(2), value, place,
+               "two points, or one where the segment before ended with a number");
+  Witness begin = goes_on ? std::move(*end_) : point(value.items[0], false, place);
+  end_ = point(value.items.back(), true, place);
+  return std::pair(std::move(begin), *end_);
 }
 
 std::optional<Node> CertificateReader::next_node() {

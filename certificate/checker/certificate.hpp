@@ -63,6 +63,7 @@ class CertificateReader {
   bool margin_ = false;    ///< the question has a direction
   std::string open_list_;  ///< whose elements are being taken
   std::size_t elements_ = 0;
+  std::optional<Witness> end_;  ///< of the last segment
 };
 
 }  // namespace stickslip_check

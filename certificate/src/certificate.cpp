@@ -130,10 +130,13 @@ std::string margin_certificate_text(const Question& question, const Margin& marg
   }
   text += "],\n \"segments\": [";
   separator = "\n  ";
+  std::string end;
   for (const LoadSegment& segment : margin.segments) {
-    text += separator + "[" +
-            point_text(family.rows(), segment.start.multiple, segment.start.witness) +
-            ",\n   " + point_text(family.rows(), segment.high, segment.end) + "]";
+    const std::string begin =
+        point_text(family.rows(), segment.start.multiple, segment.start.witness);
+    text += separator + "[" + (begin == end ? "" : begin + ",\n   ");
+    end = point_text(family.rows(), segment.high, segment.end);
+    text += end + "]";
     separator = ",\n  ";
   }
   text += "],\n \"tree\": [";

@@ -129,7 +129,7 @@ class MarginMutations {
       add("no interval", edited, bad);
     }
     for (const char* segment :
-         {"[]", "[[0, [0, 0, 0], []]]", "0", "[[0, [0, 0, 0], []], [0, [0, 0, 0]]]",
+         {"[]", "[[true, [0, 0, 0], []]]", "0", "[[0, [0, 0, 0], []], [0, [0, 0, 0]]]",
           "[[null, [0, 0, 0], []], [null, [0, 0, 0], []]]",
           "[[0, [0, 0, 0], [[0]]], [0, [0, 0, 0], []]]",
           "[[0, [0, 0], []], [0, [0, 0, 0], []]]", "[[0, [0, 0, 0], 0], [0, [0, 0, 0], []]]",
@@ -196,6 +196,7 @@ class MarginMutations {
       const Json& last = json_["resisted"].back();
       const bool endless = last[1].is_null() && number_of(list[k][0][0]) >= number_of(last[0]);
       const char* too_far = endless ? "witness-balance" : "segment-chain";
+      one_point(k);
       Json edited = json_;
       edited["segments"].erase(k);
       add("a segment less", edited, rule("segment-chain"));
@@ -242,6 +243,29 @@ class MarginMutations {
         });
       }
     }
+  }
+
+  /// A segment that begins with the last point of the one before.
+  void one_point(std::size_t k) {
+    const Json& list = json_["segments"];
+    Json edited = json_;
+    edited["segments"][k].erase(0);
+    if (k == 0 || is_ray(list[k - 1])) {
+      add("one point without another", edited, Expectation::malformed());
+    } else if (list[k - 1][1] == list[k][0]) {
+      add("one point of two", edited, Expectation::accepted());
+      edited["segments"][k].clear();
+      add("no point of two", edited, Expectation::malformed());
+    } else {
+      add("one point that is another", edited);
+    }
+    edited = json_;
+    edited["segments"][k].push_back(list[k][1]);
+    add("three points", edited, Expectation::malformed());
+    edited = json_;
+    edited["segments"].push_back({list.back()[1]});
+    add("one point more", edited,
+        is_ray(list.back()) ? Expectation::malformed() : rule("segment-chain"));
   }
 
   void trees() {

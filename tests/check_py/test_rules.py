@@ -545,6 +545,12 @@ class MarginTest(Case):
             self.rule(rule, "segment 1, first point",
                       segments=[[rest, rest], [[*rest[:2], shares], limit]])
         self.accepts(FIG1, self.margin(segments=[[rest, rest], [rest, limit]]), *self.ASKED)
+        # With one point they begin with the last.
+        self.accepts(FIG1, self.margin(segments=[[rest, rest], [limit]]), *self.ASKED)
+        self.accepts(FIG1, self.margin(segments=[[rest, rest], [rest], [limit]]), *self.ASKED)
+        self.rule("segment-chain", "segment 1", segments=[[rest, limit], [limit]])
+        self.rule("witness-balance", "segment 1, second point",
+                  segments=[[rest, rest], [[1, [0, "1/2", 0], []]]])
         bilateral = self.margin(segments=[[rest, [1, [0, 2, 0], []]]])
         bilateral["question"]["normal_law"] = "bilateral"
         self.rejects("witness-normal", FIG1, bilateral, *self.ASKED, "--normal-law", "bilateral",

@@ -124,7 +124,9 @@ class MalformedTest(Case):
             bad("resisted", resisted=value)
         for value in ({}, [point], [[point]], [[point, point, point]], [[0, point]],
                       [[[None, *point[1:]], point]], [[point, point[:2]]], [[point, [*point, 0]]],
-                      [[point, [0, [0, 0], []]]], [[point, [0, [0, 0, 0], [0]]]]):
+                      [[point, [0, [0, 0], []]]], [[point, [0, [0, 0, 0], [0]]]],
+                      [[point, point], []], [[point, point], [point[:2]]],
+                      [[point, [None, *point[1:]]], [point]]):
             bad("segments", segments=value)
         for node in (["plane", 0, 0, 0, 1], ["plane", 0, 0, 0, 1, 0, 0]):
             bad("tree[0]", tree=[node])

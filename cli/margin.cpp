@@ -55,7 +55,7 @@ void print_json(const Question& question, const Margin& margin, const MarginWork
     json["preload_direction"] = preload_direction_json(*question.preload_direction);
   }
   json["resisted"] = Json::array();
-  for (const LoadInterval& interval : margin.resisted) {
+  for (const MarginInterval& interval : margin.resisted) {
     json["resisted"].push_back({number_json(interval.low), number_or_null(interval.high)});
   }
   json["least"] = number_or_null(least(margin));
@@ -109,7 +109,7 @@ std::string head_text(const Question& question, NumberText& text) {
 /// "[1, 5/4] and from 15/4".
 std::string multiples_text(const Margin& margin, NumberText& text) {
   std::string result;
-  for (const LoadInterval& interval : margin.resisted) {
+  for (const MarginInterval& interval : margin.resisted) {
     if (!result.empty()) result += &interval == &margin.resisted.back() ? " and " : ", ";
     if (!interval.high) {
       result += "from " + text(interval.low);
@@ -127,12 +127,15 @@ void print_text(const Question& question, const Margin& margin, NumberText& text
   if (margin.resisted.empty()) {
     std::cout << "No l is resisted.\n";
   } else if (question.preload_direction) {
-    std::cout << "Holds at multiples " << multiples_text(margin, text)
+    const MarginInterval& first = margin.resisted.front();
+    const bool at_all = first.low.is_zero() && !first.high;
+    std::cout << "Holds at "
+              << (at_all ? "every multiple" : "multiples " + multiples_text(margin, text))
               << (question.preload_direction->scale && !question.direction ? " of the preloads"
                                                                            : "")
               << ".\n";
   } else {
-    for (const LoadInterval& interval : margin.resisted) {
+    for (const MarginInterval& interval : margin.resisted) {
       std::cout << "Resisted: l in [" << text(interval.low) << ", "
                 << (interval.high ? text(*interval.high) + "]" : "oo)") << '\n';
     }

@@ -123,7 +123,7 @@ std::string margin_certificate_text(const Question& question, const Margin& marg
   const Problem family = problem_of(question);
   std::string text = head(question, producer) + "\"margin\",\n \"resisted\": [";
   std::string separator;
-  for (const LoadInterval& interval : margin.resisted) {
+  for (const MarginInterval& interval : margin.resisted) {
     text += separator + "[" + number(interval.low) + "," +
             (interval.high ? number(*interval.high) : "null") + "]";
     separator = ",";
@@ -131,7 +131,7 @@ std::string margin_certificate_text(const Question& question, const Margin& marg
   text += "],\n \"segments\": [";
   separator = "\n  ";
   std::string end;
-  for (const LoadSegment& segment : margin.segments) {
+  for (const MarginSegment& segment : margin.segments) {
     const std::string begin =
         point_text(family.rows(), segment.start.multiple, segment.start.witness);
     text += separator + "[" + (begin == end ? "" : begin + ",\n   ");

@@ -49,7 +49,7 @@ ThresholdDistance threshold_distance(const Problem& problem, const Grasp& grasp,
   const Wrench& load = problem.wrench();
   if (!(load == Wrench{})) {
     if (const auto found = margin(problem.with_wrench({}), load)) {
-      for (const LoadInterval& interval : found->resisted) {
+      for (const MarginInterval& interval : found->resisted) {
         // 0 is where the multiples begin, and not where resistance does.
         if (interval.low.sign() > 0) lower(result.along_load, abs(interval.low - 1));
         if (interval.high) lower(result.along_load, abs(*interval.high - 1));
@@ -63,7 +63,7 @@ ThresholdDistance threshold_distance(const Problem& problem, const Grasp& grasp,
       const Wrench direction = Rational(sign) * axis;
       const auto found = margin(problem, direction);
       if (!found || found->resisted.empty()) continue;
-      const LoadInterval& first = found->resisted.front();
+      const MarginInterval& first = found->resisted.front();
       // The nearest change: the end of what holds, or the beginning of what would.
       const bool holds = first.low.is_zero();
       if (holds && !first.high) continue;

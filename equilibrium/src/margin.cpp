@@ -49,7 +49,7 @@ class MarginSearch {
         refuted.emplace_back(gap.low, std::move(refutation->refutation));
         continue;
       }
-      take(std::get<LoadPoint>(found), gap);
+      take(std::get<MarginPoint>(found), gap);
     }
     return assemble(std::move(refuted));
   }
@@ -61,8 +61,8 @@ class MarginSearch {
   }
 
   /// Follows the modes from an equilibrium within the gap; what they do not reach stays open.
-  void take(const LoadPoint& point, const MultipleRange& gap) {
-    const std::vector<LoadSegment> chain = modes_.chain_through(point, gap.low, gap.high);
+  void take(const MarginPoint& point, const MultipleRange& gap) {
+    const std::vector<MarginSegment> chain = modes_.chain_through(point, gap.low, gap.high);
     const Rational& first = chain.front().start.multiple;
     if (first > gap.low) open_.push_back({gap.low, first, gap.has_low});
     const std::optional<Rational>& last = chain.back().high;
@@ -70,7 +70,7 @@ class MarginSearch {
     segments_.insert(segments_.end(), chain.begin(), chain.end());
   }
 
-  std::variant<LoadPoint, Unstable, Undecided> search(const MultipleRange& gap) {
+  std::variant<MarginPoint, Unstable, Undecided> search(const MultipleRange& gap) {
     ConeOptions options = options_;
     if (options.node_limit != 0) {
       if (work_.cone.nodes >= options.node_limit) {
@@ -80,7 +80,7 @@ class MarginSearch {
     }
     count(work_.ranges);
     ConeWork cone;
-    auto found = search_loads(family_.within(gap), options, &cone);
+    auto found = search_family(family_.within(gap), options, &cone);
     work_.cone += cone;
     return found;
   }
@@ -88,7 +88,7 @@ class MarginSearch {
   /// A mode that resists one multiple alone adds nothing to a segment that begins or ends
   /// there.
   void drop_idle_points() {
-    std::vector<LoadSegment> kept;
+    std::vector<MarginSegment> kept;
     for (std::size_t k = 0; k < segments_.size(); ++k) {
       const Rational& start = segments_[k].start.multiple;
       const bool is_point = segments_[k].high == start;
@@ -115,7 +115,7 @@ class MarginSearch {
     });
     drop_idle_points();
     shorten(segments_, family_);
-    for (const LoadSegment& segment : segments_) {
+    for (const MarginSegment& segment : segments_) {
       require_equilibrium(segment.start.multiple, segment.start.witness);
       if (segment.high) require_equilibrium(*segment.high, segment.end);
       const bool continues =
@@ -134,9 +134,9 @@ class MarginSearch {
   const ConeOptions& options_;
   MarginWork& work_;
   const Progress& progress_;
-  LoadModes modes_;
+  FamilyModes modes_;
   std::list<MultipleRange> open_;
-  std::vector<LoadSegment> segments_;
+  std::vector<MarginSegment> segments_;
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ Witness sum(const Witness& first, const Rational& factor, const Witness& second)
 
 }  // namespace
 
-Witness LoadModes::Piece::at(const Rational& multiple) const {
+Witness FamilyModes::Piece::at(const Rational& multiple) const {
   const Rational rise = multiple - lowest.multiple;
   if (rise.is_zero()) return lowest.witness;
   if (!high) return sum(lowest.witness, rise, end);
@@ -32,15 +32,15 @@ Witness LoadModes::Piece::at(const Rational& multiple) const {
   return sum(sum(lowest.witness, -share, lowest.witness), share, end);
 }
 
-LoadSegment LoadModes::Piece::part(const Rational& from,
-                                   const std::optional<Rational>& to) const {
+MarginSegment FamilyModes::Piece::part(const Rational& from,
+                                       const std::optional<Rational>& to) const {
   const Rational start = std::max(from, lowest.multiple);
   if (!high && !to) return {{start, at(start)}, std::nullopt, end};
   const Rational stop = !high ? *to : !to ? *high : std::min(*high, *to);
   return {{start, at(start)}, stop, at(stop)};
 }
 
-std::optional<LoadModes::Piece> LoadModes::piece_of(const LoadMode& mode) {
+std::optional<FamilyModes::Piece> FamilyModes::piece_of(const FamilyMode& mode) {
   Region region = Region::root(family_);
   for (std::size_t i = 0; i < mode.size(); ++i) {
     const ContactId contact(i);
@@ -53,7 +53,7 @@ std::optional<LoadModes::Piece> LoadModes::piece_of(const LoadMode& mode) {
     }
   }
   count_();
-  std::optional<LoadExtent> extent = load_extent(family_, region);
+  std::optional<MultipleExtent> extent = multiple_extent(family_, region);
   if (!extent) return std::nullopt;
   require(!extent->lowest.broken && !extent->highest.broken, "a mode has nothing to split");
   std::optional<Rational> high;
@@ -64,14 +64,14 @@ std::optional<LoadModes::Piece> LoadModes::piece_of(const LoadMode& mode) {
                std::move(extent->highest.witness)};
 }
 
-std::optional<LoadModes::Piece> LoadModes::next_piece(const LoadMode& mode,
-                                                      const LoadPoint& point, bool up) {
+std::optional<FamilyModes::Piece> FamilyModes::next_piece(const FamilyMode& mode,
+                                                          const MarginPoint& point, bool up) {
   // What ends the mode here: all changes together, and a few by themselves. Where none of these
   // leads on, the search finds what does.
   constexpr std::size_t kMostAlone = 8;
   const Problem problem = family_.at(point.multiple);
-  LoadMode all = mode;
-  std::vector<LoadMode> candidates;
+  FamilyMode all = mode;
+  std::vector<FamilyMode> candidates;
   const auto change = [&](std::size_t contact, ContactMode state) {
     all[contact] = state;
     if (candidates.size() == kMostAlone) return;
@@ -95,7 +95,7 @@ std::optional<LoadModes::Piece> LoadModes::next_piece(const LoadMode& mode,
     }
   }
   if (candidates.size() > 1) candidates.insert(candidates.begin(), all);
-  for (const LoadMode& candidate : candidates) {
+  for (const FamilyMode& candidate : candidates) {
     std::optional<Piece> piece = piece_of(candidate);
     if (!piece) continue;
     const bool begins_below = piece->lowest.multiple <= point.multiple;
@@ -107,22 +107,23 @@ std::optional<LoadModes::Piece> LoadModes::next_piece(const LoadMode& mode,
   return std::nullopt;
 }
 
-std::vector<LoadSegment> LoadModes::chain_through(const LoadPoint& point, const Rational& low,
-                                                  const std::optional<Rational>& high) {
+std::vector<MarginSegment> FamilyModes::chain_through(const MarginPoint& point,
+                                                      const Rational& low,
+                                                      const std::optional<Rational>& high) {
   std::optional<Piece> piece =
       piece_of(modes_of(family_.at(point.multiple), point.witness.twist));
   require(piece.has_value(), "an equilibrium lies in its own mode");
-  std::vector<LoadSegment> chain{piece->part(low, high)};
-  const LoadMode middle = piece->mode;
+  std::vector<MarginSegment> chain{piece->part(low, high)};
+  const FamilyMode middle = piece->mode;
   while (chain.back().high && (!high || *chain.back().high < *high)) {
-    const LoadPoint top{*chain.back().high, chain.back().end};
+    const MarginPoint top{*chain.back().high, chain.back().end};
     piece = next_piece(piece->mode, top, true);
     if (!piece) break;
     chain.push_back(piece->part(top.multiple, high));
   }
-  LoadMode mode = middle;
+  FamilyMode mode = middle;
   while (chain.front().start.multiple > low) {
-    const LoadPoint bottom = chain.front().start;
+    const MarginPoint bottom = chain.front().start;
     piece = next_piece(mode, bottom, false);
     if (!piece) break;
     mode = piece->mode;

@@ -15,34 +15,34 @@ namespace stickslip::equilibrium_detail {
 
 /// A mode as a set of motions: closed means v >= 0 on all of it, and where there is friction
 /// slip has the sign throughout.
-using LoadMode = std::vector<ContactMode>;
+using FamilyMode = std::vector<ContactMode>;
 
-class LoadModes {
+class FamilyModes {
  public:
   /// A family for all l >= 0. `count` is called before each linear program.
-  LoadModes(Problem family, std::function<void()> count)
+  FamilyModes(Problem family, std::function<void()> count)
       : family_(std::move(family)), count_(std::move(count)) {}
 
   /// Segments, each beginning where the one before ends, that contain the point and go as far
   /// down to `low` and up to `high` as the modes next to each other reach.
-  std::vector<LoadSegment> chain_through(const LoadPoint& point, const Rational& low,
-                                         const std::optional<Rational>& high);
+  std::vector<MarginSegment> chain_through(const MarginPoint& point, const Rational& low,
+                                           const std::optional<Rational>& high);
 
  private:
   /// All that one mode resists, and the mode.
   struct Piece {
-    LoadMode mode;
-    LoadPoint lowest;
+    FamilyMode mode;
+    MarginPoint lowest;
     std::optional<Rational> high;
     Witness end;
 
     Witness at(const Rational& multiple) const;
-    LoadSegment part(const Rational& low, const std::optional<Rational>& high) const;
+    MarginSegment part(const Rational& low, const std::optional<Rational>& high) const;
   };
 
-  std::optional<Piece> piece_of(const LoadMode& mode);
+  std::optional<Piece> piece_of(const FamilyMode& mode);
   /// A mode next to this one at the point that goes further, up or down.
-  std::optional<Piece> next_piece(const LoadMode& mode, const LoadPoint& point, bool up);
+  std::optional<Piece> next_piece(const FamilyMode& mode, const MarginPoint& point, bool up);
 
   Problem family_;
   std::function<void()> count_;

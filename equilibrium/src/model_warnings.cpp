@@ -215,7 +215,7 @@ std::vector<ModelWarning> model_warnings(const Question& question, const Margin&
     if (!is_preloaded(problem)) return;
     warnings.add(ModelTrap::kLostPreload, at_multiple(lost_preload(problem, witness)));
   };
-  for (const LoadSegment& segment : margin.segments) {
+  for (const MarginSegment& segment : margin.segments) {
     look_at(segment.start.multiple, segment.start.witness);
     if (segment.high) look_at(*segment.high, segment.end);
   }

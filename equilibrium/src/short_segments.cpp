@@ -38,7 +38,7 @@ bool are_opposite(const Problem& problem, const Witness& witness, const Signs& s
 
 }  // namespace
 
-void shorten(std::vector<LoadSegment>& segments, const Problem& family) {
+void shorten(std::vector<MarginSegment>& segments, const Problem& family) {
   const auto few = [&](const Witness& witness, const std::optional<Rational>& multiple,
                        const Signs& slips) {
     const Wrench load =
@@ -47,7 +47,7 @@ void shorten(std::vector<LoadSegment>& segments, const Problem& family) {
   };
   // Friction at the ends of a segment is that of its inside.
   std::vector<Signs> slips;
-  for (const LoadSegment& segment : segments) {
+  for (const MarginSegment& segment : segments) {
     slips.push_back(
         inside(slips_of(family, segment.start.witness), slips_of(family, segment.end)));
   }
@@ -61,7 +61,7 @@ void shorten(std::vector<LoadSegment>& segments, const Problem& family) {
         start = std::move(*found);
     }
     starts_as_other_ends = false;
-    LoadSegment* next = k + 1 < segments.size() ? &segments[k + 1] : nullptr;
+    MarginSegment* next = k + 1 < segments.size() ? &segments[k + 1] : nullptr;
     if (next != nullptr && high == next->start.multiple &&
         end.twist == next->start.witness.twist &&
         !are_opposite(family, end, slips[k], slips[k + 1])) {

@@ -11,6 +11,6 @@ namespace stickslip::equilibrium_detail {
 
 /// The same motions, with few shares of friction (few_shares.hpp) at both ends of each segment,
 /// and where one ends as the next begins the same, so that it need be checked once only.
-void shorten(std::vector<LoadSegment>& segments, const Problem& family);
+void shorten(std::vector<MarginSegment>& segments, const Problem& family);
 
 }  // namespace stickslip::equilibrium_detail

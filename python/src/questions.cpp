@@ -141,7 +141,7 @@ py::dict find_grasp_margin(const GraspFile& grasp, const py::object& direction,
   const auto& margin = std::get<Margin>(answer.result);
   py::tuple resisted(margin.resisted.size());
   for (std::size_t i = 0; i < resisted.size(); ++i) {
-    const LoadInterval& interval = margin.resisted[i];
+    const MarginInterval& interval = margin.resisted[i];
     resisted[i] =
         py::make_tuple(fraction(interval.low),
                        interval.high ? fraction(*interval.high) : py::object(py::none()));

@@ -379,6 +379,14 @@ class Margin(Case):
         both = margin("--preload", 0, "--preload-direction", "1,0,1", "--direction", "0,1,0")
         self.assertEqual((both["resisted"], both["least"]), ([], None))
 
+    def test_preloads_in_text(self):
+        words = ("margin", FIG1, "--preload", 2, "--preload-direction")
+        for more, holds in ((("scale", "--wrench", "0,1,0"), "multiples from 1/2 of the preloads"),
+                            (("scale", "--wrench", "0,-1,0"), "every multiple of the preloads"),
+                            (("1,0,1", "--wrench", "0,3,0"), "multiples from 1"),
+                            (("1,0,1", "--direction", "0,1,0"), "every multiple")):
+            self.assertIn(f"Holds at {holds}.\n", stickslip(*words, *more)[1])
+
     def test_the_wrench_is_the_files_unless_the_load_grows(self):
         words = ("margin", FIG1, "--preload", 1, "--preload-direction", "scale")
         self.assertEqual(self.json(*words)["wrench"], ["0", "-11/10", "0"])

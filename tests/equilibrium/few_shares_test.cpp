@@ -224,11 +224,11 @@ void expect_joined(const Question& question) {
   EXPECT_GT(margin.segments.size(), 5u);
   std::size_t joints = 0;
   for (std::size_t k = 0; k < margin.segments.size(); ++k) {
-    const LoadSegment& segment = margin.segments[k];
+    const MarginSegment& segment = margin.segments[k];
     EXPECT_LE(shares_of(family, segment.start.witness).fractional, 3u) << k;
     EXPECT_LE(shares_of(family, segment.end).fractional, 3u) << k;
     if (k == 0) continue;
-    const LoadSegment& before = margin.segments[k - 1];
+    const MarginSegment& before = margin.segments[k - 1];
     if (before.high != segment.start.multiple) continue;
     ++joints;
     EXPECT_EQ(find_difference(before.end, segment.start.witness), std::nullopt) << k;

@@ -20,9 +20,9 @@ namespace {
 using test::LoadCase;
 using test::RandomSource;
 
-std::string describe(const std::vector<LoadInterval>& resisted) {
+std::string describe(const std::vector<MarginInterval>& resisted) {
   std::string text;
-  for (const LoadInterval& interval : resisted) {
+  for (const MarginInterval& interval : resisted) {
     text += "[" + to_string(interval.low) + ", " +
             (interval.high ? to_string(*interval.high) : "oo") + "] ";
   }
@@ -81,15 +81,15 @@ TEST(Margin, StopsAtTheNodeLimit) {
   EXPECT_LE(work.cone.nodes, 3U);
 }
 
-bool contains(const std::vector<LoadInterval>& resisted, const Rational& multiple) {
-  for (const LoadInterval& interval : resisted) {
+bool contains(const std::vector<MarginInterval>& resisted, const Rational& multiple) {
+  for (const MarginInterval& interval : resisted) {
     if (multiple >= interval.low && (!interval.high || multiple <= *interval.high)) return true;
   }
   return false;
 }
 
 /// Ends, points just beside them, middles, and round numbers.
-std::set<Rational> interesting_multiples(const std::vector<LoadInterval>& resisted) {
+std::set<Rational> interesting_multiples(const std::vector<MarginInterval>& resisted) {
   const Rational tiny = parse_rational("1e-15");
   std::set<Rational> multiples{0, tiny, Rational(1, 3), 1, 2, 5, 1000000};
   Rational before = 0;
@@ -98,7 +98,7 @@ std::set<Rational> interesting_multiples(const std::vector<LoadInterval>& resist
     if (end > tiny) multiples.insert(end - tiny);
     before = end;
   };
-  for (const LoadInterval& interval : resisted) {
+  for (const MarginInterval& interval : resisted) {
     add_end(interval.low);
     if (interval.high) add_end(*interval.high);
   }
@@ -127,7 +127,7 @@ void expect_exact(const Question& question, Tally& tally) {
     ++tally.verdicts;
   }
   ++tally.intervals[std::min<std::size_t>(margin.resisted.size(), 3)];
-  for (const LoadInterval& interval : margin.resisted) {
+  for (const MarginInterval& interval : margin.resisted) {
     tally.unbounded += interval.high ? 0 : 1;
     tally.points += interval.high == interval.low && !interval.low.is_zero() ? 1 : 0;
   }
@@ -197,7 +197,7 @@ TEST(Margin, ScalesWithTheDirectionAndShiftsWithTheBase) {
         {{grasp, base + Rational(-1) * shift * direction}, NormalLaw::kUnilateral}, direction);
     ASSERT_EQ(scaled.resisted.size(), margin.resisted.size());
     for (std::size_t k = 0; k < margin.resisted.size(); ++k) {
-      const LoadInterval& interval = margin.resisted[k];
+      const MarginInterval& interval = margin.resisted[k];
       EXPECT_EQ(scaled.resisted[k].low * scale, interval.low);
       ASSERT_EQ(scaled.resisted[k].high.has_value(), interval.high.has_value());
       if (interval.high) {

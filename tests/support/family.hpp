@@ -31,7 +31,7 @@ inline LoadedGrasp member(const Question& margin, const Rational& multiple) {
 inline std::vector<MultipleRange> gaps_of(const Margin& margin) {
   std::vector<MultipleRange> gaps;
   MultipleRange rest;
-  for (const LoadInterval& interval : margin.resisted) {
+  for (const MarginInterval& interval : margin.resisted) {
     rest.high = interval.low;
     if (rest.low < interval.low) gaps.push_back(rest);
     if (!interval.high) return gaps;

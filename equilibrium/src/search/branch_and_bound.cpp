@@ -230,15 +230,15 @@ Verdict decide_by_cones(const Problem& problem, const ConeOptions& options, Cone
   return verdict;
 }
 
-std::variant<LoadPoint, Unstable, Undecided> search_loads(const Problem& family,
-                                                          const ConeOptions& options,
-                                                          ConeWork* work) {
+std::variant<MarginPoint, Unstable, Undecided> search_family(const Problem& family,
+                                                             const ConeOptions& options,
+                                                             ConeWork* work) {
   const DoubleModel model(family);
   Explorer explorer(family, model, options);
   auto tree = explorer.explore();
   if (work != nullptr) *work = explorer.work();
   if (auto& witness = explorer.witness()) {
-    return LoadPoint{explorer.multiple(), std::move(*witness)};
+    return MarginPoint{explorer.multiple(), std::move(*witness)};
   }
   if (!tree) return limit_reached(options);
   return Unstable{std::move(*tree)};

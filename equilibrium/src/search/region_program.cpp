@@ -304,12 +304,12 @@ std::variant<RelaxedPoint, VirtualWorkLeaf> solve_region(const Problem& problem,
   return outcome;
 }
 
-std::optional<LoadExtent> load_extent(const Problem& problem, const Region& region) {
+std::optional<MultipleExtent> multiple_extent(const Problem& problem, const Region& region) {
   ColumnGeneration program(problem, region);
   LpWork work;
   std::optional<RelaxedPoint> lowest = program.extreme(-1, work);
   if (!lowest) return std::nullopt;
-  return LoadExtent{std::move(*lowest), *program.extreme(1, work)};
+  return MultipleExtent{std::move(*lowest), *program.extreme(1, work)};
 }
 
 }  // namespace stickslip

@@ -9,7 +9,7 @@
 /// finite union of closed intervals with rational ends, the last of which may have no upper
 /// end.
 ///
-/// **Method.** Branch and bound with l as one more unknown (`search_loads`) finds an
+/// **Method.** Branch and bound with l as one more unknown (`search_family`) finds an
 /// equilibrium in a range not yet settled, or proves that there is none. An equilibrium is
 /// extended to all of its mode's interval by two exact linear programs, and from the ends of
 /// that into the modes next to it, where a contact begins to slip, to stick, to open or to
@@ -28,7 +28,7 @@
 namespace stickslip {
 
 /// The multiples from low to high, both included; all from low on if there is no high.
-struct LoadInterval {
+struct MarginInterval {
   Rational low;                  ///< >= 0
   std::optional<Rational> high;  ///< >= low
 };
@@ -36,17 +36,17 @@ struct LoadInterval {
 /// Two equilibria of one mode: between them every multiple is resisted, by a combination of the
 /// two. Without `high`, `end` is what may be added to the first without end, for the
 /// family's sake alone (FORMAT.md, section 5: a ray).
-struct LoadSegment {
-  LoadPoint start;               ///< at its low end
+struct MarginSegment {
+  MarginPoint start;             ///< at its low end
   std::optional<Rational> high;  ///< the multiple at its high end
   Witness end;                   ///< for the multiple at its high end, or a ray
 };
 
 /// With the evidence of certificate/FORMAT.md, section 5.
 struct Margin {
-  std::vector<LoadInterval> resisted;  ///< increasing, disjoint
+  std::vector<MarginInterval> resisted;  ///< increasing, disjoint
   /// Increasing; each begins where one ends or an interval begins.
-  std::vector<LoadSegment> segments;
+  std::vector<MarginSegment> segments;
   std::vector<Refutation> gaps;  ///< one tree for each gap between the intervals, increasing
 };
 

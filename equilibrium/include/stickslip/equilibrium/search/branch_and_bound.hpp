@@ -57,7 +57,7 @@ Verdict decide_by_cones(const Problem& problem, const ConeOptions& options = {},
                         ConeWork* work = nullptr);
 
 /// An equilibrium of one member of a family.
-struct LoadPoint {
+struct MarginPoint {
   Rational multiple;  ///< l
   Witness witness;    ///< for that multiple
 };
@@ -65,8 +65,8 @@ struct LoadPoint {
 /// A multiple in the family's range for which the grasp is stable, or a proof that there is
 /// none, by the same search with the multiple as one more unknown. Undecided only when the node
 /// limit is reached.
-std::variant<LoadPoint, Unstable, Undecided> search_loads(const Problem& family,
-                                                          const ConeOptions& options = {},
-                                                          ConeWork* work = nullptr);
+std::variant<MarginPoint, Unstable, Undecided> search_family(const Problem& family,
+                                                             const ConeOptions& options = {},
+                                                             ConeWork* work = nullptr);
 
 }  // namespace stickslip

@@ -48,13 +48,13 @@ std::variant<RelaxedPoint, VirtualWorkLeaf> solve_region(const Problem& problem,
 
 /// The smallest and the largest multiple of the relaxed system; `highest` is a ray if there is
 /// no largest.
-struct LoadExtent {
+struct MultipleExtent {
   RelaxedPoint lowest;   ///< at the smallest multiple
   RelaxedPoint highest;  ///< at the largest, or a ray
 };
 
 /// Over all multiples between the ends of a family's range; nothing if the system has no
 /// solution there.
-std::optional<LoadExtent> load_extent(const Problem& problem, const Region& region);
+std::optional<MultipleExtent> multiple_extent(const Problem& problem, const Region& region);
 
 }  // namespace stickslip

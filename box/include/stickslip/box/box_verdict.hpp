@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Verdicts about every grasp in a box, with proofs that certificate/FORMAT.md, section 6,
+/// explains; and how they are found.
+#pragma once
+
+#include <array>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "stickslip/box/parameter_box.hpp"
+#include "stickslip/equilibrium/decide.hpp"
+
+namespace stickslip {
+
+/// A node of a tree about a box: those of section 4, and cuts of the box.
+using BoxNode =
+    std::variant<SlipSplit, SeparationSplit, PlaneSplit, VirtualWorkLeaf, PartSplit>;
+/// Trees in preorder, one after another.
+using BoxTrees = std::vector<BoxNode>;
+
+/// 3 x 3, by rows.
+using Matrix3 = std::array<Vector3, 3>;
+
+/// Every grasp of a part of the box has an equilibrium in the parallelepiped
+/// K = {d : |E_j.(d - d0)| <= 1}.
+struct DegreeProof {
+  Twist twist;        ///< d0
+  Matrix3 walls;      ///< E
+  Matrix3 direction;  ///< A
+  BoxTrees trees;     ///< list 1, then list 2: six trees each
+};
+
+/// Cuts and proofs in preorder.
+using StabilityProof = std::vector<std::variant<PartSplit, DegreeProof>>;
+
+/// Stable for every grasp in the box.
+struct StableThroughout {
+  StabilityProof parts;  ///< the proof
+};
+/// Unstable for every grasp in the box.
+struct UnstableThroughout {
+  BoxTrees tree;  ///< the proof
+};
+/// Two grasps in the box have opposite verdicts.
+struct Fragile {
+  LoadedGrasp stable;    ///< a grasp in the box
+  LoadedGrasp unstable;  ///< another one
+};
+/// The answer about a box, which owns its evidence. The grasps of Fragile have certificates of
+/// their own, by decide() or, with normals of irrational length, decide_box().
+using BoxVerdict = std::variant<StableThroughout, UnstableThroughout, Fragile, Undecided>;
+
+/// "stable", "unstable", "fragile", "undecided".
+const char* name_of(const BoxVerdict& verdict);
+
+/// How much to try.
+struct BoxOptions {
+  std::size_t node_limit = 0;  ///< of each tree search; 0: one that suits most questions
+  /// Of the enclosure of irrational lengths: doubled from this until there is an answer, to the
+  /// limit.
+  unsigned bits = ParameterBox::kDefaultBits;
+  unsigned most_bits = 1024;  ///< the limit
+};
+
+/// What it took; reproducible.
+struct BoxWork {
+  std::size_t nodes = 0;     ///< of all trees, whether they were completed or given up
+  std::size_t proofs = 0;    ///< parallelepipeds tried
+  std::size_t examples = 0;  ///< grasps decided one by one
+  std::size_t parts = 0;     ///< pieces of the box with a proof of their own
+};
+
+/// The answer, and what it took.
+struct BoxDecision {
+  BoxVerdict verdict;                           ///< with its evidence
+  BoxWork work;                                 ///< to find it
+  unsigned bits = ParameterBox::kDefaultBits;   ///< of the proof's enclosure
+};
+
+/// Whether every grasp in the box is stable, none is, or some are. Deterministic. Undecided when
+/// no proof and no pair of grasps was found within the limits: the verdicts of a box with a
+/// threshold on its border, for instance, have neither.
+BoxDecision decide_box(const GraspBox& box, NormalLaw law, const BoxOptions& options = {});
+
+}  // namespace stickslip

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "long_rationals.hpp"
-#include "search/nearest_point.hpp"
+#include "stickslip/equilibrium/search/nearest_point.hpp"
 #include "stickslip/core/integer_vector.hpp"
 
 namespace stickslip::equilibrium_detail {

@@ -8,7 +8,10 @@
 namespace stickslip {
 
 Problem::Problem(const LoadedGrasp& loaded, NormalLaw law)
-    : rows_(contact_rows(loaded.grasp)), wrench_(loaded.wrench), law_(law) {
+    : Problem(contact_rows(loaded.grasp), loaded.wrench, law) {}
+
+Problem::Problem(std::vector<ContactRow> rows, const Wrench& wrench, NormalLaw law)
+    : rows_(std::move(rows)), wrench_(wrench), law_(law) {
   for (const ContactRow& row : rows_) {
     const Wrench& n = row.normal;
     const Wrench& t = row.tangent;

@@ -230,6 +230,11 @@ Verdict decide_by_cones(const Problem& problem, const ConeOptions& options, Cone
   return verdict;
 }
 
+std::vector<Witness> find_equilibria(const Problem& problem, std::size_t starts) {
+  require(!problem.is_family(), "equilibria are those of one member of a family");
+  return find_witnesses_around(problem, DoubleModel(problem), starts);
+}
+
 std::variant<MarginPoint, Unstable, Undecided> search_family(const Problem& family,
                                                              const ConeOptions& options,
                                                              ConeWork* work) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "nearest_point.hpp"
+#include "stickslip/equilibrium/search/nearest_point.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

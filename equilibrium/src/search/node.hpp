@@ -8,8 +8,8 @@
 #include <optional>
 #include <vector>
 
-#include "nearest_point.hpp"
 #include "stickslip/core/sign.hpp"
+#include "stickslip/equilibrium/search/nearest_point.hpp"
 #include "stickslip/equilibrium/search/region.hpp"
 
 namespace stickslip::equilibrium_detail {

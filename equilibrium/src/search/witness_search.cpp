@@ -6,6 +6,7 @@
 #include <array>
 #include <boost/multiprecision/eigen.hpp>
 #include <cmath>
+#include <random>
 #include <utility>
 
 #include "../few_shares.hpp"
@@ -335,6 +336,37 @@ std::optional<Witness> find_witness_near(const Problem& problem, const DoubleMod
   }
   if (!(balance.solve(d, kSteps) <= 1e-6 * model.force)) return std::nullopt;
   return complete_exactly(problem, balance.guesses(d));
+}
+
+std::vector<Witness> find_witnesses_around(const Problem& problem, const DoubleModel& model,
+                                           std::size_t starts) {
+  double stiffness = 0;
+  for (const ContactDoubles& c : model.contacts) stiffness += c.stiffness;
+  std::vector<Witness> found;
+  if (!(stiffness > 0)) return found;
+  const double travel = model.force / stiffness * static_cast<double>(model.contacts.size());
+  SmoothBalance balance(model);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> within(-1, 1);
+  for (std::size_t start = 0; start < starts; ++start) {
+    const double reach = travel * std::pow(10.0, 1.5 * within(random));
+    Eigen::Vector3d d(reach * within(random), reach * within(random),
+                      reach * within(random) / model.length);
+    constexpr int kSteps = 30;
+    double size = HUGE_VAL;
+    for (const double shrink : {1e-1, 1e-3, 1e-5, 1e-7, 1e-9}) {
+      balance.set_epsilon(shrink * travel);
+      size = balance.solve(d, kSteps);
+    }
+    if (!(size <= 1e-6 * model.force)) continue;
+    auto witness = complete_exactly(problem, balance.guesses(d));
+    if (!witness) continue;
+    const bool is_new = std::none_of(found.begin(), found.end(), [&](const Witness& other) {
+      return other.twist == witness->twist;
+    });
+    if (is_new) found.push_back(std::move(*witness));
+  }
+  return found;
 }
 
 }  // namespace stickslip::equilibrium_detail

@@ -43,4 +43,9 @@ std::optional<Witness> find_witness_from_rest(const Problem& problem, const Doub
 std::optional<Witness> find_witness_near(const Problem& problem, const DoubleModel& model,
                                          Double3 start);
 
+/// Different equilibria, by the same method from this many motions at random (always the same);
+/// not all that there are, and maybe none.
+std::vector<Witness> find_witnesses_around(const Problem& problem, const DoubleModel& model,
+                                           std::size_t starts);
+
 }  // namespace stickslip::equilibrium_detail

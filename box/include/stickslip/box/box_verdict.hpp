@@ -74,14 +74,14 @@ struct BoxWork {
 
 /// The answer, and what it took.
 struct BoxDecision {
-  BoxVerdict verdict;                           ///< with its evidence
-  BoxWork work;                                 ///< to find it
-  unsigned bits = ParameterBox::kDefaultBits;   ///< of the proof's enclosure
+  BoxVerdict verdict;                          ///< with its evidence
+  BoxWork work;                                ///< to find it
+  unsigned bits = ParameterBox::kDefaultBits;  ///< of the proof's enclosure
 };
 
-/// Whether every grasp in the box is stable, none is, or some are. Deterministic. Undecided when
-/// no proof and no pair of grasps was found within the limits: the verdicts of a box with a
-/// threshold on its border, for instance, have neither.
+/// Whether every grasp in the box is stable, none is, or some are. Deterministic. Undecided
+/// when no proof and no pair of grasps was found within the limits: the verdicts of a box with
+/// a threshold on its border, for instance, have neither.
 BoxDecision decide_box(const GraspBox& box, NormalLaw law, const BoxOptions& options = {});
 
 }  // namespace stickslip

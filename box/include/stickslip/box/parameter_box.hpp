@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The enlarged box of certificate/FORMAT.md, section 6, of which the proofs speak: intervals of
-/// parameters in which N, T, v, tau and alpha are multilinear.
+/// The enlarged box of certificate/FORMAT.md, section 6, of which the proofs speak: intervals
+/// of parameters in which N, T, v, tau and alpha are multilinear.
 #pragma once
 
 #include <array>
-#include <optional>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
@@ -63,8 +63,6 @@ class ParameterBox {
   ParameterBox middle() const;
 
  private:
-  Interval& interval(Parameter parameter, std::size_t index);
-
   std::vector<ParameterContact> contacts_;
   WrenchBox wrench_;
   NormalLaw law_;

@@ -57,6 +57,8 @@ class Problem {
   Problem() = default;
   /// Throws InputError when a preloaded contact has a normal of irrational length.
   Problem(const LoadedGrasp& loaded, NormalLaw law);
+  /// The same by rows that may belong to no grasp file.
+  Problem(std::vector<ContactRow> rows, const Wrench& wrench, NormalLaw law);
 
   const std::vector<ContactRow>& rows() const { return rows_; }  ///< by ContactId
   std::size_t size() const { return rows_.size(); }              ///< m, number of contacts

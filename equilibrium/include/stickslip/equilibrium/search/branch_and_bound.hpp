@@ -22,6 +22,7 @@
 
 #include <cstddef>
 #include <variant>
+#include <vector>
 
 #include "stickslip/equilibrium/verdict.hpp"
 
@@ -55,6 +56,10 @@ struct ConeOptions {
 /// Deterministic: verdict, evidence and work. Undecided only when the node limit is reached.
 Verdict decide_by_cones(const Problem& problem, const ConeOptions& options = {},
                         ConeWork* work = nullptr);
+
+/// Some of the equilibria, those with different motions; found by Newton's method from this
+/// many motions. Empty if the grasp is unstable, and maybe if not. Deterministic.
+std::vector<Witness> find_equilibria(const Problem& problem, std::size_t starts);
 
 /// An equilibrium of one member of a family.
 struct MarginPoint {

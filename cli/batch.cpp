@@ -234,7 +234,7 @@ class Batch {
       const Question question = ask_with_options(parse_grasp(item.text, ""), options_, "");
       ConeOptions options;
       options.node_limit = arguments_.node_limit;
-      const Problem problem(question.loaded, question.law);
+      const Problem problem = problem_of(question);
       const Verdict verdict = decide_by_cones(problem, options);
       json["name"] = question.loaded.grasp.name();
       json["verdict"] = name_of(verdict);

@@ -72,7 +72,7 @@ int compare(const CompareArguments& arguments) {
   const Question question = arguments.question.question();
   NumberText text(arguments.output);
   const std::vector<MethodRow> rows =
-      compare_methods(Problem(question.loaded, question.law), length, text);
+      compare_methods(problem_of(question), length, text);
   if (arguments.output.json) {
     print_json(question, length, rows, arguments.output.floats);
   } else {

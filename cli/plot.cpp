@@ -26,7 +26,7 @@ void add_grasp_plot(CLI::App& plot, int& exit_code) {
       footer_text("", kExitCodes, "stickslip plot grasp fig1.json --wrench 0,1,0 -o fig1.svg"));
   command->callback([arguments, &exit_code] {
     const Question question = arguments->question.question();
-    const Decision decision = decide(Problem(question.loaded, question.law));
+    const Decision decision = decide(problem_of(question));
     write_whole_file(arguments->output, plot_grasp(question, decision.verdict));
     exit_code = kDone;
   });

@@ -172,7 +172,7 @@ void print_text(const Question& question, const WrenchPlane& plane, const Region
 /// All but the union: a picture makes its own.
 RegionReport find_region(const RegionArguments& arguments, const Question& question,
                          const WrenchPlane& plane, Progress& progress) {
-  const Problem problem(question.loaded, question.law);
+  const Problem problem = problem_of(question);
   RegionReport report;
   ResistibleOptions options;
   options.mode_limit = arguments.mode_limit;

@@ -35,6 +35,13 @@ std::string indexed(const char* kind, ContactId contact) {
   return std::string("[\"") + kind + "\"," + std::to_string(contact.index()) + "]";
 }
 
+/// Brackets around brackets.
+std::string rows(const Matrix3& matrix) {
+  std::string text;
+  for (const Vector3& row : matrix) text += (text.empty() ? "[[" : ",[") + list(row) + "]";
+  return text + "]";
+}
+
 struct NodeText {
   bool margin;  ///< whose planes see the multiple as well
 
@@ -50,14 +57,47 @@ struct NodeText {
   std::string operator()(const VirtualWorkLeaf& node) const {
     return "[\"leaf\"," + list(node.twist) + "]";
   }
+  std::string operator()(const PartSplit& node) const {
+    return std::string("[\"part\",\"") + to_string(node.parameter) + "\"," +
+           std::to_string(node.index) + "," + number(node.value) + "]";
+  }
 };
+
+/// `"uncertain": {...}` of what was asked for.
+std::string tolerances_text(const Tolerances& tolerances) {
+  std::string text;
+  const auto add = [&](const char* kind, const std::optional<Tolerance>& tolerance) {
+    if (!tolerance) return;
+    text += std::string(text.empty() ? "\"" : ", \"") + kind + "\": " +
+            (tolerance->relative ? '"' + to_string(Rational(100 * tolerance->amount)) + "%\""
+                                 : number(tolerance->amount));
+  };
+  add("friction", tolerances.friction);
+  add("stiffness", tolerances.stiffness);
+  add("preload", tolerances.preload);
+  add("position", tolerances.position);
+  add("normal", tolerances.normal);
+  add("wrench", tolerances.wrench);
+  return "\"uncertain\": {" + text + "}";
+}
+
+std::string wrench_text(const Question& question) {
+  if (!question.uncertain_wrench) return list(coordinates(question.loaded.wrench));
+  std::string text;
+  for (const Interval& w : *question.uncertain_wrench) {
+    text += text.empty() ? "" : ",";
+    text += w.is_point() ? number(w.low)
+                         : "{\"min\": " + number(w.low) + ", \"max\": " + number(w.high) + "}";
+  }
+  return text;
+}
 
 /// All up to the verdict.
 std::string head(const Question& question, const std::string& producer) {
   std::string text = "{\"format\": \"stickslip-certificate/2\",\n \"producer\": " +
                      nlohmann::json(producer).dump() + ",\n \"question\": {\"contacts\": " +
                      std::to_string(question.loaded.grasp.size()) + ", \"wrench\": [" +
-                     list(coordinates(question.loaded.wrench)) + "]";
+                     wrench_text(question) + "]";
   if (question.preload) text += ", \"preload\": " + number(*question.preload);
   text += std::string(", \"normal_law\": \"") + to_string(question.law) + "\"";
   if (question.direction) {
@@ -67,8 +107,11 @@ std::string head(const Question& question, const std::string& producer) {
     text += ", \"preload_direction\": " +
             (direction->scale ? "\"scale\"" : "[" + list(direction->rates) + "]");
   }
-  return text + "},\n \"verdict\": ";
+  if (question.uncertain.any()) text += ", " + tolerances_text(question.uncertain);
+  return text + "},\n ";
 }
+
+const char kVerdict[] = "\"verdict\": ";
 
 /// The shares of friction that are not implied: where a contact sticks under load, with
 /// friction.
@@ -83,13 +126,30 @@ std::string shares_text(const std::vector<ContactRow>& rows, const Witness& witn
   return text + "]";
 }
 
-void append_nodes(std::string& text, const Refutation& refutation, bool margin,
-                  std::string& separator) {
-  for (const RefutationNode& node : refutation) {
+template <class Nodes>
+void append_nodes(std::string& text, const Nodes& nodes, bool margin, std::string& separator) {
+  for (const auto& node : nodes) {
     text += separator + std::visit(NodeText{margin}, node);
     separator = ",\n  ";
   }
 }
+
+template <class Nodes>
+std::string tree_text(const Nodes& nodes) {
+  std::string text = " \"tree\": [";
+  std::string separator = "\n  ";
+  append_nodes(text, nodes, false, separator);
+  return text + "]";
+}
+
+struct PartText {
+  std::string operator()(const PartSplit& cut) const { return NodeText{false}(cut); }
+  std::string operator()(const DegreeProof& proof) const {
+    return "{\"twist\": [" + list(coordinates(proof.twist)) +
+           "],\n \"walls\": " + rows(proof.walls) +
+           ",\n \"direction\": " + rows(proof.direction) + ",\n" + tree_text(proof.trees) + "}";
+  }
+};
 
 std::string point_text(const std::vector<ContactRow>& rows,
                        const std::optional<Rational>& multiple, const Witness& witness) {
@@ -104,24 +164,43 @@ std::string certificate_text(const Question& question, const Verdict& verdict,
   require(!std::holds_alternative<Undecided>(verdict),
           "an undecided question has no certificate");
   require(!question.is_margin(), "a verdict is on one member of a family");
-  std::string text = head(question, producer) + "\"" + name_of(verdict) + "\",\n";
+  std::string text = head(question, producer) + kVerdict + "\"" + name_of(verdict) + "\",\n";
   if (const auto* stable = std::get_if<Stable>(&verdict)) {
     text += " \"twist\": [" + list(coordinates(stable->witness.twist)) + "],\n \"shares\": " +
             shares_text(contact_rows(question.loaded.grasp), stable->witness);
   } else {
-    std::string separator = "\n  ";
-    text += " \"tree\": [";
-    append_nodes(text, std::get<Unstable>(verdict).refutation, false, separator);
-    text += "]";
+    text += tree_text(std::get<Unstable>(verdict).refutation);
   }
   return text + "}\n";
+}
+
+std::string box_certificate_text(const Question& question, const BoxDecision& decision,
+                                 const std::string& producer) {
+  require(question.box.has_value(), "only a box has a certificate of its own kind");
+  std::string text = head(question, producer);
+  if (decision.bits != ParameterBox::kDefaultBits && needs_enclosure(*question.box)) {
+    text += "\"bits\": " + std::to_string(decision.bits) + ",\n ";
+  }
+  text += std::string(kVerdict) + "\"" + name_of(decision.verdict) + "\",\n";
+  if (const auto* unstable = std::get_if<UnstableThroughout>(&decision.verdict)) {
+    return text + tree_text(unstable->tree) + "}\n";
+  }
+  const auto* stable = std::get_if<StableThroughout>(&decision.verdict);
+  require(stable != nullptr, "a box that is neither stable nor unstable has no certificate");
+  text += " \"parts\": [";
+  std::string separator = "\n  ";
+  for (const auto& part : stable->parts) {
+    text += separator + std::visit(PartText{}, part);
+    separator = ",\n  ";
+  }
+  return text + "]}\n";
 }
 
 std::string margin_certificate_text(const Question& question, const Margin& margin,
                                     const std::string& producer) {
   require(question.is_margin(), "the certificate of a margin states its direction");
   const Problem family = problem_of(question);
-  std::string text = head(question, producer) + "\"margin\",\n \"resisted\": [";
+  std::string text = head(question, producer) + kVerdict + "\"margin\",\n \"resisted\": [";
   std::string separator;
   for (const MarginInterval& interval : margin.resisted) {
     text += separator + "[" + number(interval.low) + "," +

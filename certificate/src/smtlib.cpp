@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stickslip/certificate/certificate.hpp"
-
 #include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
+
+#include "stickslip/certificate/certificate.hpp"
 
 namespace stickslip {
 namespace {
@@ -50,7 +50,7 @@ std::string line(const std::string& condition) {
 }  // namespace
 
 std::string smtlib_text(const Question& question) {
-  const Problem problem(question.loaded, question.law);
+  const Problem problem = problem_of(question);
   std::string name = question.loaded.grasp.name();
   // What ends a line ends a comment, for some solvers also a carriage return.
   std::replace_if(

@@ -1,31 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/core/grasp_file.hpp"
 
-#include <algorithm>
+#include <memory>
 #include <optional>
 #include <utility>
 
+#include "grasp_format.hpp"
+#include "intervals.hpp"
 #include "loads.hpp"
 #include "outline_file.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/json.hpp"
+#include "uncertain_contact.hpp"
 
 namespace stickslip {
 
 using namespace core_detail;
 
+/// A number; or an interval, which is rare and kept apart.
+struct WrittenNumber {
+  Rational middle{0};
+  std::shared_ptr<const Interval> interval{};  ///< unless it is one number
+
+  Interval ends() const { return interval ? *interval : point_interval(middle); }
+};
+
 struct WrittenContact {
   /// What "defaults" may give.
   struct Properties {
-    std::optional<Rational> friction;
-    std::optional<Rational> stiffness;
-    std::optional<Rational> preload;
+    std::optional<WrittenNumber> friction;
+    std::optional<WrittenNumber> stiffness;
+    std::optional<WrittenNumber> preload;
   };
 
   std::optional<PlaceOnOutline> place;  ///< in place of position and normal
-  Vector2 position;
+  WrittenNumber x;
+  WrittenNumber y;
   Vector2 normal;
+  std::optional<Rational> slope;  ///< of the normal, unless it is 0
   Properties own;
 };
 
@@ -36,59 +49,123 @@ using Kind = JsonNode::Kind;
 
 using Names = std::vector<std::string>;
 
-constexpr const char* kVersion1 = "stickslip-grasp/1";
-constexpr const char* kVersion2 = "stickslip-grasp/2";
+WrittenNumber written(const Interval& interval) {
+  if (interval.is_point()) return {interval.low};
+  return {interval.middle(), std::make_shared<const Interval>(interval)};
+}
 
-Vector2 read_vector2(const JsonNode& contact, const std::string& path, const char* key,
-                     const char* remedy) {
-  const JsonNode& node = member(contact, path, key, remedy);
-  const std::vector<Rational> v =
-      read_vector(node, member_path(path, key), 2, "an array of two numbers [x, y]");
+Vector2 read_direction(const JsonNode& node, const std::string& path) {
+  const std::vector<Rational> v = read_vector(node, path, 2, "an array of two numbers [x, y]");
   return {v[0], v[1]};
 }
 
-Properties read_properties(const JsonNode& object, const std::string& path) {
-  const auto number = [&](const char* key) -> std::optional<Rational> {
+void read_position(const JsonNode& node, const std::string& path, IntervalReader& read,
+                   WrittenContact& contact) {
+  const JsonNode& position = member(node, path, "position", "add \"position\": [x, y]");
+  const std::vector<Interval> v = read.numbers(position, member_path(path, "position"), 2,
+                                               "an array of two numbers [x, y]");
+  contact.x = written(v[0]);
+  contact.y = written(v[1]);
+}
+
+/// [x, y], or {"direction": [x, y], "slope": E}.
+void read_normal(const JsonNode& node, const std::string& path, IntervalReader& read,
+                 WrittenContact& contact) {
+  const JsonNode& normal =
+      member(node, path, "normal", "add \"normal\": [x, y], pointing into the object");
+  const std::string place = member_path(path, "normal");
+  if (normal.kind != Kind::kObject) {
+    contact.normal = read_direction(normal, place);
+    return;
+  }
+  read.note(place);
+  expect_object(normal, place, {"direction", "slope"});
+  constexpr const char* kForm = R"(write {"direction": [x, y], "slope": E})";
+  contact.normal = read_direction(member(normal, place, "direction", kForm),
+                                  member_path(place, "direction"));
+  contact.slope =
+      read_number(member(normal, place, "slope", kForm), member_path(place, "slope"));
+  if (contact.slope->is_zero()) contact.slope.reset();
+}
+
+Properties read_properties(const JsonNode& object, const std::string& path,
+                           IntervalReader& read) {
+  const auto number = [&](const char* key) -> std::optional<WrittenNumber> {
     const JsonNode* node = object.find(key);
     if (node == nullptr) return std::nullopt;
-    return read_number(*node, member_path(path, key));
+    return written(read.number(*node, member_path(path, key)));
   };
   return {number("friction"), number("stiffness"), number("preload")};
 }
 
-WrittenContact read_contact(const JsonNode& node, const std::string& path) {
+WrittenContact read_contact(const JsonNode& node, const std::string& path,
+                            IntervalReader& read) {
   expect_object(node, path, {"position", "normal", "on", "friction", "stiffness", "preload"});
+  WrittenContact contact;
   if (const JsonNode* on = node.find("on")) {
     for (const char* key : {"position", "normal"}) {
       if (node.find(key) == nullptr) continue;
       fail_at(path, std::string("found both \"on\" and \"") + key + "\"",
               "remove one: a place on the outline has a position and a normal");
     }
-    return {read_place(*on, member_path(path, "on")), {}, {}, read_properties(node, path)};
+    contact.place = read_place(*on, member_path(path, "on"));
+  } else {
+    read_position(node, path, read, contact);
+    read_normal(node, path, read, contact);
   }
-  return {
-      std::nullopt, read_vector2(node, path, "position", "add \"position\": [x, y]"),
-      read_vector2(node, path, "normal", "add \"normal\": [x, y], pointing into the object"),
-      read_properties(node, path)};
+  contact.own = read_properties(node, path, read);
+  return contact;
 }
 
-Properties read_defaults(const JsonNode& root) {
+/// The contact, with 1 and 0 for what is not given.
+Contact middle_of(const WrittenContact& c) {
+  const auto value = [](const std::optional<WrittenNumber>& number, int otherwise) {
+    return number ? number->middle : Rational(otherwise);
+  };
+  return {{c.x.middle, c.y.middle},
+          c.normal,
+          value(c.own.friction, 0),
+          value(c.own.stiffness, 1),
+          value(c.own.preload, 0)};
+}
+
+/// Its intervals, if it has any; checked, with errors at `path`.
+std::optional<UncertainContact> uncertain_of(const WrittenContact& c, const std::string& path) {
+  bool is_point = !c.slope && !c.x.interval && !c.y.interval;
+  for (const auto* number : {&c.own.friction, &c.own.stiffness, &c.own.preload}) {
+    is_point = is_point && !(*number && (*number)->interval);
+  }
+  if (is_point) return std::nullopt;
+  const auto ends = [](const std::optional<WrittenNumber>& number, int otherwise) {
+    return number ? number->ends() : point_interval(otherwise);
+  };
+  UncertainContact contact{c.x.ends(),
+                           c.y.ends(),
+                           c.normal,
+                           c.slope.value_or(0),
+                           ends(c.own.friction, 0),
+                           ends(c.own.stiffness, 1),
+                           ends(c.own.preload, 0)};
+  check_uncertain(contact, path);
+  return contact;
+}
+
+Properties read_defaults(const JsonNode& root, IntervalReader& read) {
   const JsonNode* node = root.find("defaults");
   if (node == nullptr) return {};
   expect_object(*node, "defaults", {"friction", "stiffness", "preload"});
-  Properties read = read_properties(*node, "defaults");
+  WrittenContact probe;
+  probe.normal = {1, 0};
+  probe.own = read_properties(*node, "defaults", read);
   // The requirements on values are Grasp's own, even where no contact uses the default.
+  uncertain_of(probe, "defaults");
   try {
-    const Grasp probe({{{},
-                        {1, 0},
-                        read.friction.value_or(0),
-                        read.stiffness.value_or(1),
-                        read.preload.value_or(0)}});
+    const Grasp grasp({middle_of(probe)});
   } catch (const InputError& error) {
     fail_at("defaults" + error.place().substr(error.place().find('.')), error.problem(),
             error.remedy());
   }
-  return read;
+  return std::move(probe.own);
 }
 
 std::optional<Units> read_units(const JsonNode& root) {
@@ -151,31 +228,34 @@ void put_on_outline(std::vector<WrittenContact>& contacts, const std::vector<Pol
     const std::string path = element_path("contacts", i);
     if (!version2) fail_as_newer(path, "on");
     const OutlineEdge& edge = edge_at(edges, *contact.place, member_path(path, "on"));
-    contact.position = edge.at(contact.place->share);
+    const Vector2 position = edge.at(contact.place->share);
+    contact.x.middle = position.x;
+    contact.y.middle = position.y;
     contact.normal = edge.inwards;
   }
 }
 
-std::vector<Contact> with_defaults(std::vector<WrittenContact> written,
-                                   const Properties& defaults,
-                                   std::vector<ContactId>& assumed_stiffness) {
-  std::vector<Contact> contacts;
-  contacts.reserve(written.size());
-  for (WrittenContact& w : written) {
-    std::optional<Rational>& friction = w.own.friction;
-    if (!friction) friction = defaults.friction;
-    if (!friction) {
-      fail_at(element_path("contacts", contacts.size()), "the key \"friction\" is missing",
-              "add it here, or for all contacts in \"defaults\"");
-    }
-    if (!w.own.stiffness && !defaults.stiffness) {
-      assumed_stiffness.push_back(ContactId(contacts.size()));
-    }
-    contacts.push_back({std::move(w.position), std::move(w.normal), std::move(*friction),
-                        w.own.stiffness.value_or(defaults.stiffness.value_or(1)),
-                        w.own.preload.value_or(defaults.preload.value_or(0))});
+void fill_in(std::vector<WrittenContact>& contacts, const Properties& defaults) {
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    Properties& own = contacts[i].own;
+    if (!own.friction) own.friction = defaults.friction;
+    if (!own.stiffness) own.stiffness = defaults.stiffness;
+    if (!own.preload) own.preload = defaults.preload;
+    if (own.friction) continue;
+    fail_at(element_path("contacts", i), "the key \"friction\" is missing",
+            "add it here, or for all contacts in \"defaults\"");
   }
-  return contacts;
+}
+
+void refuse_intervals(const std::string& first, bool version2, Intervals intervals) {
+  if (first.empty()) return;
+  if (!version2) {
+    fail_at(first, "an interval, or a normal with a slope",
+            std::string("write \"format\": \"") + kVersion2 + "\", which has them");
+  }
+  if (intervals == Intervals::kAllowed) return;
+  fail_at(first, "the number is uncertain",
+          "only stickslip decide answers for all numbers of an interval: give one here");
 }
 
 std::string read_all(std::istream& in, const std::string& file) {
@@ -191,141 +271,81 @@ std::string read_all(std::istream& in, const std::string& file) {
   return text;
 }
 
-/// Exact: an integer that every JSON reader keeps, else a string. Throws InputError for a
-/// number that parse_rational would not read back.
-std::string write_number(const Rational& value) {
-  constexpr std::int64_t kExactInDouble = std::int64_t{1} << 53;
-  std::string text = to_string(value);
-  if (text.size() > kMaxNumberLength) {
-    throw InputError("", "", "a number of " + std::to_string(text.size()) + " characters",
-                     "grasp files hold numbers of at most " + std::to_string(kMaxNumberLength));
-  }
-  const bool plain =
-      boost::multiprecision::denominator(value) == 1 && abs(value) < kExactInDouble;
-  return plain ? text : "\"" + text + "\"";
-}
-
-std::string write_numbers(std::initializer_list<const Rational*> values) {
-  std::string text;
-  for (const Rational* value : values)
-    text += (text.empty() ? "[" : ", ") + write_number(*value);
-  return text + "]";
-}
-
-template <class Entry, class Write>
-std::string write_list(const std::vector<Entry>& entries, const char* separator, Write write) {
-  std::string text;
-  for (const Entry& entry : entries) text += (text.empty() ? "[" : separator) + write(entry);
-  return text + "]";
-}
-
-std::string write_polygon(const Polygon& polygon) {
-  const auto write_vertex = [](const Vector2& v) { return write_numbers({&v.x, &v.y}); };
-  return write_list(polygon, ", ",
-                    [&](const Ring& ring) { return write_list(ring, ", ", write_vertex); });
-}
-
-std::string write_wrench(const Wrench& w) {
-  return write_numbers({&w.x, &w.y, &w.torque});
-}
-
 }  // namespace
 
 StreamedGrasp::StreamedGrasp() = default;
 StreamedGrasp::~StreamedGrasp() = default;
 
 void StreamedGrasp::add_contact(std::size_t index, const JsonNode& node) {
-  contacts_.push_back(read_contact(node, element_path("contacts", index)));
+  IntervalReader read(first_interval_);
+  contacts_.push_back(read_contact(node, element_path("contacts", index), read));
 }
 
-GraspFile StreamedGrasp::finish(const JsonNode& grasp) {
+GraspFile StreamedGrasp::finish(const JsonNode& grasp, Intervals intervals) {
   expect(grasp, Kind::kObject, "", "an object {\"format\": ..., \"contacts\": [...], ...}");
   const bool version2 = read_format(grasp);
   check_keys(grasp, version2);
   expect(member(grasp, "", "contacts", "add \"contacts\": [...], which may be empty"),
          Kind::kArray, "contacts", "an array of contacts [{...}, ...]");
-  const Properties defaults = read_defaults(grasp);
-  const std::optional<Wrench> wrench = read_load(grasp, "");
-  if (!wrench && grasp.find("cases") == nullptr) {
+  IntervalReader read(first_interval_);
+  const Properties defaults = read_defaults(grasp, read);
+  const std::optional<WrenchBox> load = read_load(grasp, "", read);
+  if (!load && grasp.find("cases") == nullptr) {
     fail_at("", "the key \"wrench\" is missing",
             std::string("add \"wrench\": [x, y, torque]") +
                 (version2 ? " or \"loads\": [...]" : "") + "; no load is [0, 0, 0]");
   }
-  std::vector<NamedLoad> cases = read_cases(grasp, wrench.value_or(Wrench{}));
+  const WrenchBox wrench = load.value_or(WrenchBox{});
+  GraspFile file;
+  file.cases = read_cases(grasp, wrench, read);
   std::vector<Polygon> outline = read_outline(grasp);
   put_on_outline(contacts_, outline, version2);
-  std::vector<ContactId> assumed_stiffness;
-  Grasp read(with_defaults(std::move(contacts_), defaults, assumed_stiffness),
-             GraspDescription{read_name(grasp), std::move(outline), read_units(grasp)});
-  return {{std::move(read), wrench.value_or(Wrench{})},
-          std::move(assumed_stiffness),
-          std::move(cases)};
+  fill_in(contacts_, defaults);
+  refuse_intervals(first_interval_, version2, intervals);
+
+  std::vector<std::pair<std::size_t, UncertainContact>> uncertain;
+  std::vector<Contact> contacts;
+  contacts.reserve(contacts_.size());
+  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+    const WrittenContact& contact = contacts_[i];
+    if (auto box = uncertain_of(contact, element_path("contacts", i))) {
+      uncertain.emplace_back(i, std::move(*box));
+    }
+    if (!contact.own.stiffness) file.assumed_stiffness.emplace_back(i);
+    contacts.push_back(middle_of(contact));
+  }
+  contacts_.clear();
+  file.content = {
+      Grasp(std::move(contacts),
+            GraspDescription{read_name(grasp), std::move(outline), read_units(grasp)}),
+      middle(wrench)};
+  if (uncertain.empty() && !is_uncertain(wrench)) return file;
+  file.box = box_of(file.content);
+  file.box->wrench = wrench;
+  for (auto& [i, contact] : uncertain) file.box->contacts[i] = std::move(contact);
+  return file;
 }
 
-GraspFile parse_grasp(std::string_view text, const std::string& file) {
+GraspFile parse_grasp(std::string_view text, const std::string& file, Intervals intervals) {
   try {
     if (text.size() > kMaxJsonBytes) {
       fail_at("", "more than " + std::to_string(kMaxJsonBytes) + " bytes",
               "split the grasp file; larger ones are not read");
     }
     StreamedGrasp reader;
-    return reader.finish(
-        parse_json(text, {{{"contacts"}, [&](std::size_t index, const JsonNode& contact) {
-                             reader.add_contact(index, contact);
-                           }}}));
+    return reader.finish(parse_json(text, {{{"contacts"},
+                                            [&](std::size_t index, const JsonNode& contact) {
+                                              reader.add_contact(index, contact);
+                                            }}}),
+                         intervals);
   } catch (const InputError& error) {
     throw error.in_file(file);
   }
 }
 
-GraspFile read_grasp_file(const std::string& path) {
+GraspFile read_grasp_file(const std::string& path, Intervals intervals) {
   InputFile file(path, "a grasp file");
-  return parse_grasp(read_all(file.stream(), file.name()), file.name());
-}
-
-std::string write_grasp(const LoadedGrasp& content) {
-  return write_grasp_file({content});
-}
-
-std::string write_grasp_file(const GraspFile& file) {
-  const Grasp& grasp = file.content.grasp;
-  const std::vector<Polygon>& outline = grasp.description().outline;
-  const std::optional<Units>& units = grasp.description().units;
-  const bool version1 = file.cases.empty() && outline.empty() && !units;
-  const char* format = version1 ? kVersion1 : kVersion2;
-  std::string text = std::string("{\"format\": \"") + format + "\",\n";
-  if (!grasp.name().empty()) text += " \"name\": " + json_string(grasp.name(), "name") + ",\n";
-  if (units) {
-    text += " \"units\": {\"length\": " + json_string(units->length, "units") +
-            ", \"force\": " + json_string(units->force, "units") + "},\n";
-  }
-  if (!outline.empty()) {
-    text += " \"outline\": " + write_list(outline, ",\n  ", write_polygon) + ",\n";
-  }
-  text += " \"contacts\": [";
-  const char* separator = "\n";
-  const std::vector<ContactId>& assumed = file.assumed_stiffness;
-  for (std::size_t i = 0; i < grasp.size(); ++i) {
-    const Contact& c = grasp.contacts()[i];
-    const bool given = !std::binary_search(assumed.begin(), assumed.end(), ContactId(i));
-    text += separator;
-    text += "  {\"position\": " + write_numbers({&c.position.x, &c.position.y}) +
-            ", \"normal\": " + write_numbers({&c.normal.x, &c.normal.y}) +
-            ", \"friction\": " + write_number(c.friction) +
-            (given ? ", \"stiffness\": " + write_number(c.stiffness) : "") +
-            ", \"preload\": " + write_number(c.preload) + "}";
-    separator = ",\n";
-  }
-  const Wrench& common = file.content.wrench;
-  text += "],\n \"wrench\": " + write_wrench(common);
-  separator = ",\n \"cases\": [\n";
-  for (const NamedLoad& load : file.cases) {
-    text += separator;
-    text += "  {\"name\": " + json_string(load.name, "name") +
-            ", \"wrench\": " + write_wrench(load.wrench + Rational(-1) * common) + "}";
-    separator = ",\n";
-  }
-  return text + (file.cases.empty() ? "}\n" : "]}\n");
+  return parse_grasp(read_all(file.stream(), file.name()), file.name(), intervals);
 }
 
 }  // namespace stickslip

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "loads.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include "stickslip/core/error.hpp"
@@ -77,17 +78,23 @@ std::string read_case_name(const JsonNode& entry, const std::string& path,
 
 }  // namespace
 
-std::optional<Wrench> read_load(const JsonNode& object, const std::string& path) {
+bool is_uncertain(const WrenchBox& wrench) {
+  return std::any_of(wrench.begin(), wrench.end(),
+                     [](const Interval& component) { return !component.is_point(); });
+}
+
+std::optional<WrenchBox> read_load(const JsonNode& object, const std::string& path,
+                                   IntervalReader& read) {
   const JsonNode* wrench = object.find("wrench");
   const JsonNode* loads = object.find("loads");
   if (wrench != nullptr && loads != nullptr) {
     fail_at(path, "found both \"wrench\" and \"loads\"", "give one of them");
   }
   if (wrench != nullptr) {
-    const std::vector<Rational> v =
-        read_vector(*wrench, member_path(path, "wrench"), 3,
-                    "an array of three numbers [force x, force y, torque]");
-    return Wrench{v[0], v[1], v[2]};
+    const std::vector<Interval> v =
+        read.numbers(*wrench, member_path(path, "wrench"), 3,
+                     "an array of three numbers [force x, force y, torque]");
+    return WrenchBox{v[0], v[1], v[2]};
   }
   if (loads == nullptr) return std::nullopt;
   const std::string place = member_path(path, "loads");
@@ -96,10 +103,11 @@ std::optional<Wrench> read_load(const JsonNode& object, const std::string& path)
   for (std::size_t i = 0; i < loads->children.size(); ++i) {
     sum += read_one_load(loads->children[i], element_path(place, i));
   }
-  return sum;
+  return box_of(sum);
 }
 
-std::vector<NamedLoad> read_cases(const JsonNode& root, const Wrench& common) {
+std::vector<NamedLoad> read_cases(const JsonNode& root, const WrenchBox& common,
+                                  IntervalReader& read) {
   const JsonNode* node = root.find("cases");
   if (node == nullptr) return {};
   expect(*node, Kind::kArray, "cases", "an array of cases [{\"name\": ...}, ...]");
@@ -110,12 +118,18 @@ std::vector<NamedLoad> read_cases(const JsonNode& root, const Wrench& common) {
     const std::string path = element_path("cases", cases.size());
     expect_object(entry, path, {"name", "wrench", "loads"});
     std::string name = read_case_name(entry, path, names);
-    const std::optional<Wrench> own = read_load(entry, path);
-    if (!own) {
+    std::optional<WrenchBox> load = read_load(entry, path, read);
+    if (!load) {
       fail_at(path, "neither \"wrench\" nor \"loads\" is there",
               "add one of them; \"loads\": [] adds nothing to what is common to all cases");
     }
-    cases.push_back({std::move(name), common + *own});
+    for (std::size_t j = 0; j < common.size(); ++j) {
+      (*load)[j].low += common[j].low;
+      (*load)[j].high += common[j].high;
+    }
+    const Wrench wrench = middle(*load);
+    if (!is_uncertain(*load)) load.reset();
+    cases.push_back({std::move(name), wrench, std::move(load)});
   }
   return cases;
 }

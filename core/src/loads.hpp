@@ -8,15 +8,21 @@
 #include <string>
 #include <vector>
 
+#include "intervals.hpp"
 #include "stickslip/core/grasp_file.hpp"
 #include "stickslip/core/json.hpp"
 
 namespace stickslip::core_detail {
 
 /// What an object gives as "wrench" or as "loads"; nothing if it has neither.
-std::optional<Wrench> read_load(const JsonNode& object, const std::string& path);
+std::optional<WrenchBox> read_load(const JsonNode& object, const std::string& path,
+                                   IntervalReader& read);
 
 /// The elements of "cases", each with the common load; none if there is no such key.
-std::vector<NamedLoad> read_cases(const JsonNode& root, const Wrench& common);
+std::vector<NamedLoad> read_cases(const JsonNode& root, const WrenchBox& common,
+                                  IntervalReader& read);
+
+/// Whether some component is no number.
+bool is_uncertain(const WrenchBox& wrench);
 
 }  // namespace stickslip::core_detail

@@ -56,7 +56,7 @@ const char* name_of(ClaimClass claim_class) {
 
 ClaimReport judge_claim(const Question& question, const Claim& claim,
                         const ClaimOptions& options) {
-  const Problem problem(question.loaded, question.law);
+  const Problem problem = problem_of(question);
   const ApproximateEquilibrium& solution = claim.solution;
   if (solution.forces && solution.forces->size() != problem.size()) {
     throw InputError("", "", std::to_string(solution.forces->size()) + " forces are claimed",

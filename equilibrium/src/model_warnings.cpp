@@ -183,7 +183,7 @@ void add_unbalanced_preload(const Problem& problem, Warnings& warnings) {
 }  // namespace
 
 std::vector<ModelWarning> model_warnings(const Question& question, const Verdict& verdict) {
-  const Problem problem(question.loaded, question.law);
+  const Problem problem = problem_of(question);
   const auto* stable = std::get_if<Stable>(&verdict);
   Warnings warnings;
   if (stable != nullptr) {

@@ -21,17 +21,19 @@ std::string choice_of_case(const std::vector<NamedLoad>& cases, const std::strin
   return text + (names.size() > kMostNamed ? ", ..." : "");
 }
 
-Wrench wrench_asked(const GraspFile& file, const QuestionOptions& options) {
+WrenchBox wrench_asked(const GraspFile& file, const QuestionOptions& options) {
   const std::optional<std::string>& name = options.case_name;
   if (options.wrench && name) {
     throw InputError("", "case", "a wrench is given as well", "give one of them");
   }
-  if (options.wrench) return *options.wrench;
+  if (options.wrench) return box_of(*options.wrench);
   if (!name && options.direction) return {};
-  if (!name && file.cases.empty()) return file.content.wrench;
+  if (!name && file.cases.empty()) {
+    return file.box ? file.box->wrench : box_of(file.content.wrench);
+  }
   const auto found = std::find_if(file.cases.begin(), file.cases.end(),
                                   [&](const NamedLoad& load) { return load.name == name; });
-  if (found != file.cases.end()) return found->wrench;
+  if (found != file.cases.end()) return found->box.value_or(box_of(found->wrench));
   throw InputError("", "case",
                    name ? "the grasp has no case " + quote(*name)
                         : "the grasp has cases, and none is chosen",
@@ -84,17 +86,56 @@ void require_growth(const Question& question) {
                        : "give a number above 0 to a contact whose preload grows");
 }
 
+bool has_irrational_preload(const GraspBox& box) {
+  return std::any_of(box.contacts.begin(), box.contacts.end(), [](const UncertainContact& c) {
+    return c.preload.high.sign() > 0 &&
+           !exact_sqrt(c.normal.x * c.normal.x + c.normal.y * c.normal.y);
+  });
+}
+
+bool has_irrational_preload(const Grasp& grasp) {
+  return std::any_of(grasp.contacts().begin(), grasp.contacts().end(), [](const Contact& c) {
+    return !c.preload.is_zero() &&
+           !exact_sqrt(c.normal.x * c.normal.x + c.normal.y * c.normal.y);
+  });
+}
+
+/// Sets the box of a question that is one.
+void enclose(Question& question, const GraspFile& file, const WrenchBox& wrench) {
+  const bool certain = !file.box && wrench == box_of(question.loaded.wrench);
+  if (question.is_margin()) {
+    if (certain && !question.uncertain.any()) return;
+    throw InputError("", "uncertain", "a margin needs numbers, and some are uncertain",
+                     "give one number for each, or ask only whether the load is held");
+  }
+  if (certain && !question.uncertain.any() && !has_irrational_preload(question.loaded.grasp)) {
+    return;
+  }
+  GraspBox box = file.box ? *file.box : box_of(question.loaded);
+  if (question.preload) {
+    for (UncertainContact& c : box.contacts) c.preload = point_interval(*question.preload);
+  }
+  box.wrench = wrench;
+  box = box.widened(question.uncertain);
+  if (box.is_point() && !has_irrational_preload(box)) return;
+  question.loaded = box.middle(question.loaded.grasp.description());
+  if (!(wrench == box_of(question.loaded.wrench))) question.uncertain_wrench = wrench;
+  question.box = std::move(box);
+}
+
 }  // namespace
 
 Question ask(const GraspFile& file, const QuestionOptions& options) {
-  Question question{{file.content.grasp, wrench_asked(file, options)},
+  const WrenchBox wrench = wrench_asked(file, options);
+  Question question{{file.content.grasp, middle(wrench)},
                     options.law,
                     options.preload,
                     file.assumed_stiffness,
                     options.direction,
                     options.preload_direction,
                     {},
-                    options.case_name.value_or("")};
+                    options.case_name.value_or(""),
+                    options.uncertain};
   Grasp& grasp = question.loaded.grasp;
   if (options.preload) {
     if (options.preload->sign() < 0) {
@@ -108,10 +149,16 @@ Question ask(const GraspFile& file, const QuestionOptions& options) {
     if (options.preload_direction->scale) grasp = grasp.with_preload(0);
   }
   if (question.is_margin()) require_growth(question);
+  enclose(question, file, wrench);
   return question;
 }
 
 Problem problem_of(const Question& question) {
+  if (question.box && !question.box->is_point()) {
+    throw InputError("", "", "some numbers are uncertain, and this needs one grasp",
+                     "give one number for each; only whether the load is held can be asked of "
+                     "all grasps in a box");
+  }
   const Problem base(question.loaded, question.law);
   if (!question.is_margin()) return base;
   Growth growth{question.direction.value_or(Wrench{})};

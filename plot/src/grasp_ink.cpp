@@ -37,7 +37,7 @@ class GraspReader {
         verdict_(verdict),
         grasp_(question.loaded.grasp),
         wrench_(question.loaded.wrench),
-        problem_(question.loaded, question.law) {}
+        problem_(problem_of(question)) {}
 
   GraspInk read() {
     ink_.frame = picture_frame(grasp_);

@@ -13,9 +13,10 @@ ALLOWED = {
     "lp": {"core"},
     "arrangement": {"core", "lp"},
     "equilibrium": {"core", "lp", "arrangement"},
+    "box": {"core", "lp", "equilibrium"},
     "resistance": {"core", "arrangement", "equilibrium"},
     "earlier": {"core", "lp", "equilibrium"},
-    "certificate": {"core", "equilibrium"},
+    "certificate": {"core", "equilibrium", "box"},
     "crosscheck": {"core", "equilibrium"},
     "plot": {"core", "arrangement", "equilibrium", "resistance"},
 }

@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "stickslip/box/box_verdict.hpp"
 #include "stickslip/equilibrium/margin.hpp"
 #include "stickslip/equilibrium/question.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
@@ -17,6 +18,11 @@ namespace stickslip {
 /// for a question whose normals were replaced.
 std::string certificate_text(const Question& question, const Verdict& verdict,
                              const std::string& producer);
+
+/// The certificate of a box (FORMAT.md, section 6). Throws ContractError unless `question` is
+/// one, and for Fragile and Undecided, which it cannot say.
+std::string box_certificate_text(const Question& question, const BoxDecision& decision,
+                                 const std::string& producer);
 
 /// The certificate of the margin of problem_of(question) (FORMAT.md, section 5).
 std::string margin_certificate_text(const Question& question, const Margin& margin,

@@ -73,9 +73,7 @@ struct Tolerances {
   std::optional<Tolerance> wrench{};     ///< of each component
 
   /// Whether any is given.
-  bool any() const {
-    return friction || stiffness || preload || position || normal || wrench;
-  }
+  bool any() const { return friction || stiffness || preload || position || normal || wrench; }
   /// The same tolerances.
   friend bool operator==(const Tolerances& a, const Tolerances& b) {
     return a.friction == b.friction && a.stiffness == b.stiffness && a.preload == b.preload &&
@@ -95,8 +93,8 @@ struct GraspBox {
   /// Whether every interval is one number and every slope 0.
   bool is_point() const;
   /// Widened by the tolerances, and checked: throws InputError naming "contacts[i].<member>" or
-  /// "wrench[j]" for a friction coefficient or preload that may be below 0, a stiffness that may
-  /// be 0 or below, a slope of 1 or more, or an interval whose ends are exchanged.
+  /// "wrench[j]" for a friction coefficient or preload that may be below 0, a stiffness that
+  /// may be 0 or below, a slope of 1 or more, or an interval whose ends are exchanged.
   GraspBox widened(const Tolerances& tolerances) const;
   /// Each interval shrunk or grown about the value in `centre` (inside it): its ends are
   /// centre + factor (end - centre); slopes times factor. factor >= 0. Throws as widened does.
@@ -105,7 +103,13 @@ struct GraspBox {
   LoadedGrasp middle(const GraspDescription& description = {}) const;
 };
 
-/// The box of one grasp.
+/// The wrench in the middle of every interval.
+Wrench middle(const WrenchBox& wrench);
+
+/// \{ The box of one grasp, contact or wrench.
 GraspBox box_of(const LoadedGrasp& loaded);
+UncertainContact box_of(const Contact& contact);
+WrenchBox box_of(const Wrench& wrench);
+/// \}
 
 }  // namespace stickslip

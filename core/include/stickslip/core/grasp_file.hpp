@@ -7,10 +7,12 @@
 /// characters, never through a double; a string may be "3/5", "-0.25" or "1e-3".
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "stickslip/core/box.hpp"
 #include "stickslip/core/grasp.hpp"
 
 namespace stickslip {
@@ -23,6 +25,8 @@ struct WrittenContact;
 struct NamedLoad {
   std::string name;  ///< not empty
   Wrench wrench;     ///< all of it, with what is common to all cases
+  /// If some component is an interval: what it is; then `wrench` is its middle.
+  std::optional<WrenchBox> box{};
 };
 
 /// What a grasp file says.
@@ -33,7 +37,13 @@ struct GraspFile {
   /// The contacts whose stiffness is 1 because nothing gives it; increasing.
   std::vector<ContactId> assumed_stiffness{};
   std::vector<NamedLoad> cases{};  ///< with different names; none: `content` has the only load
+  /// If some number of `content` is an interval: what they are; then `content` is its middle.
+  std::optional<GraspBox> box{};
 };
+
+/// Whether a reader takes files with intervals. What does not answer for all grasps in a box
+/// must not: it would take the middle for the answer.
+enum class Intervals { kRefused, kAllowed };
 
 /// Reads a grasp that is part of a JSON text: the contacts while the text is parsed, by a
 /// JsonStream of its "contacts", and then the rest. Throws InputError with JSON paths that
@@ -46,19 +56,23 @@ class StreamedGrasp {
   StreamedGrasp& operator=(const StreamedGrasp&) = delete;
 
   void add_contact(std::size_t index, const JsonNode& node);  ///< the sink of the stream
-  GraspFile finish(const JsonNode& grasp);  ///< the object whose contacts were streamed
+  /// The object whose contacts were streamed.
+  GraspFile finish(const JsonNode& grasp, Intervals intervals = Intervals::kRefused);
 
  private:
   std::vector<WrittenContact> contacts_;
+  std::string first_interval_;  ///< its place; empty if there is none
 };
 
 /// Reads one grasp. `file` is the name used in errors. Throws InputError with file, JSON
-/// path or line:column, what is wrong, and what would be right.
-GraspFile parse_grasp(std::string_view text, const std::string& file);
+/// path or line:column, what is wrong, and what would be right; so for intervals that are
+/// refused.
+GraspFile parse_grasp(std::string_view text, const std::string& file,
+                      Intervals intervals = Intervals::kRefused);
 
 /// Reads a file; "-" is standard input. Throws InputError as parse_grasp, and when the file
 /// cannot be read.
-GraspFile read_grasp_file(const std::string& path);
+GraspFile read_grasp_file(const std::string& path, Intervals intervals = Intervals::kRefused);
 
 /// The grasp as a file's text, one contact a line, ending in a newline. Reading it gives the
 /// same grasp, and the same grasp gives the same bytes. Loads are written as the wrench that
@@ -67,8 +81,8 @@ GraspFile read_grasp_file(const std::string& path);
 /// InputError for what a file cannot hold: a name that is not UTF-8, a number longer than
 /// kMaxNumberLength.
 std::string write_grasp(const LoadedGrasp& content);
-/// The same with the cases and without the stiffnesses that were assumed: reading it gives
-/// `file` again.
+/// The same with the cases and intervals, and without the stiffnesses that were assumed:
+/// reading it gives `file` again.
 std::string write_grasp_file(const GraspFile& file);
 
 }  // namespace stickslip

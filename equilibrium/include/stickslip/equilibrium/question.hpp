@@ -27,19 +27,28 @@ struct QuestionOptions {
   std::optional<Wrench> direction{};                    ///< of the load
   std::optional<PreloadDirection> preload_direction{};  ///< of the preloads
   std::optional<std::string> case_name{};  ///< of the file, whose wrench is applied
+  Tolerances uncertain{};                  ///< of what is left when all is replaced
 };
 
 /// Is `loaded` stable under `law`? Or, with a direction, for which multiples is it, if load and
 /// preloads grow from these by `growth`? With a record of how it came from a grasp file.
+///
+/// Or, if it is a *box* (certificate/FORMAT.md, section 6): is every grasp in it stable?
 struct Question {
-  LoadedGrasp loaded;                      ///< with everything replaced; the base of a margin
-  NormalLaw law = NormalLaw::kUnilateral;  ///< of every contact
-  std::optional<Rational> preload;         ///< set if it replaced the file's preloads
-  std::vector<ContactId> assumed_stiffness{};           ///< as in the GraspFile
-  std::optional<Wrench> direction{};                    ///< as asked, of a margin
+  /// With everything replaced; the base of a margin, the middle of a box.
+  LoadedGrasp loaded;
+  NormalLaw law = NormalLaw::kUnilateral;      ///< of every contact
+  std::optional<Rational> preload;             ///< set if it replaced the file's preloads
+  std::vector<ContactId> assumed_stiffness{};  ///< as in the GraspFile
+  std::optional<Wrench> direction{};           ///< as asked, of a margin
   std::optional<PreloadDirection> preload_direction{};  ///< as asked, of a margin
   std::vector<Rational> preload_growth{};  ///< P^u by contact; empty if no preload grows
   std::string case_name{};                 ///< whose wrench it is; may be empty
+  Tolerances uncertain{};                  ///< as asked
+  /// With everything replaced and widened, if some interval has A < B, some normal a slope, or
+  /// a contact that may have a preload a normal of irrational length.
+  std::optional<GraspBox> box{};
+  std::optional<WrenchBox> uncertain_wrench{};  ///< of a box whose file's w has intervals: w
 
   bool is_margin() const {
     return direction || preload_direction;
@@ -50,11 +59,13 @@ struct Question {
 /// certificate/FORMAT.md, section 1: with a direction of the load no wrench, and with preloads
 /// in proportion no preload. Throws InputError when something is not allowed, with the place
 /// "preload", "direction" or "preload_direction"; and with the place "case" when the wrench of
-/// a file with cases is needed and the options give neither one of them nor a wrench.
+/// a file with cases is needed and the options give neither one of them nor a wrench. Of a box
+/// also as GraspBox::widened; and with the place "uncertain" if a margin is asked about.
 Question ask(const GraspFile& file, const QuestionOptions& options);
 
 /// What an engine answers; of a margin, the family. Throws InputError ("contacts[i].normal")
-/// when a contact whose preload is not 0 or grows has a normal of irrational length.
+/// when a contact whose preload is not 0 or grows has a normal of irrational length, and if the
+/// question is a box otherwise, about which decide_box() can be asked.
 Problem problem_of(const Question& question);
 
 }  // namespace stickslip

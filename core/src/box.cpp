@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/core/box.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "stickslip/core/error.hpp"
+#include "uncertain_contact.hpp"
+
+namespace stickslip {
+
+using namespace core_detail;
+
+namespace core_detail {
+
+namespace {
+
+std::string ends_text(const Interval& interval) {
+  return "[" + to_readable_string(interval.low) + ", " + to_readable_string(interval.high) +
+         "]";
+}
+
+void check_low(bool good, const Interval& interval, const std::string& place,
+               const char* remedy) {
+  if (good) return;
+  throw InputError("", place,
+                   interval.is_point() ? "the value is " + to_readable_string(interval.low)
+                                       : "the interval is " + ends_text(interval),
+                   remedy);
+}
+
+}  // namespace
+
+void check_ends(const Interval& interval, const std::string& place) {
+  if (interval.low <= interval.high) return;
+  throw InputError("", place,
+                   "the interval from " + to_readable_string(interval.low) + " to " +
+                       to_readable_string(interval.high) + " is empty",
+                   "its min must be at most its max");
+}
+
+void check_uncertain(const UncertainContact& contact, const std::string& path) {
+  check_ends(contact.x, path + ".position[0]");
+  check_ends(contact.y, path + ".position[1]");
+  check_ends(contact.friction, path + ".friction");
+  check_ends(contact.stiffness, path + ".stiffness");
+  check_ends(contact.preload, path + ".preload");
+  check_low(contact.friction.low.sign() >= 0, contact.friction, path + ".friction",
+            "friction must be 0 or more everywhere in the box");
+  check_low(contact.stiffness.low.sign() > 0, contact.stiffness, path + ".stiffness",
+            "stiffness must be above 0 everywhere in the box");
+  check_low(contact.preload.low.sign() >= 0, contact.preload, path + ".preload",
+            "a preload is a normal force and must be 0 or more everywhere in the box");
+  if (contact.slope.sign() >= 0 && contact.slope < 1) return;
+  throw InputError("", path + ".normal", "the slope is " + to_readable_string(contact.slope),
+                   "a normal turns to either side by 0 or more and less than 1, which is 45 "
+                   "degrees");
+}
+
+}  // namespace core_detail
+
+namespace {
+
+struct Kind {
+  const char* name;
+  std::optional<Tolerance> Tolerances::*tolerance;
+};
+
+constexpr Kind kKinds[] = {
+    {"friction", &Tolerances::friction}, {"stiffness", &Tolerances::stiffness},
+    {"preload", &Tolerances::preload},   {"position", &Tolerances::position},
+    {"normal", &Tolerances::normal},     {"wrench", &Tolerances::wrench}};
+
+[[noreturn]] void fail(const std::string& problem, const std::string& remedy) {
+  throw InputError("", "uncertain", problem, remedy);
+}
+
+const Kind& kind_named(const std::string& name) {
+  std::vector<std::string> names;
+  for (const Kind& kind : kKinds) {
+    if (name == kind.name) return kind;
+    names.emplace_back(kind.name);
+  }
+  fail("there is no kind of number " + quote(name), choice_of(name, names, "the kinds are "));
+}
+
+Tolerance parse_tolerance(const std::string& name, std::string_view text) {
+  Tolerance tolerance;
+  tolerance.relative = !text.empty() && text.back() == '%';
+  if (tolerance.relative) text.remove_suffix(1);
+  try {
+    tolerance.amount = parse_rational(text);
+  } catch (const NumberError& error) {
+    fail("of " + name + ": " + error.what(),
+         "write a number, or a percentage such as 10%, as in " + name + "=0.01");
+  }
+  if (tolerance.amount.sign() < 0) {
+    fail("the tolerance of " + name + " is " + to_string(tolerance.amount),
+         "it goes both ways: give 0 or more");
+  }
+  if (tolerance.relative) tolerance.amount /= 100;
+  if (tolerance.relative && name == "normal") {
+    fail("a percentage of a normal",
+         "give a slope, the tangent of the angle by which it may turn, such as 0.0175 for a "
+         "degree");
+  }
+  return tolerance;
+}
+
+bool is_point(const WrenchBox& wrench) {
+  return std::all_of(wrench.begin(), wrench.end(),
+                     [](const Interval& component) { return component.is_point(); });
+}
+
+bool is_point(const UncertainContact& c) {
+  return c.x.is_point() && c.y.is_point() && c.slope.is_zero() && c.friction.is_point() &&
+         c.stiffness.is_point() && c.preload.is_point();
+}
+
+void check(const GraspBox& box) {
+  for (std::size_t i = 0; i < box.contacts.size(); ++i) {
+    check_uncertain(box.contacts[i], "contacts[" + std::to_string(i) + "]");
+  }
+  for (std::size_t j = 0; j < box.wrench.size(); ++j) {
+    check_ends(box.wrench[j], "wrench[" + std::to_string(j) + "]");
+  }
+}
+
+}  // namespace
+
+Interval Tolerance::widen(const Interval& interval) const {
+  const auto off = [&](const Rational& end) {
+    return relative ? Rational(amount * abs(end)) : amount;
+  };
+  return {interval.low - off(interval.low), interval.high + off(interval.high)};
+}
+
+Tolerances parse_tolerances(std::string_view text) {
+  Tolerances tolerances;
+  for (bool last = false; !last;) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    const std::string_view entry = text.substr(0, comma);
+    const std::size_t equals = entry.find('=');
+    if (equals == std::string_view::npos) {
+      fail("found " + quote(entry),
+           "write kinds and their tolerances, as in friction=10%,"
+           "position=0.001");
+    }
+    const std::string name(entry.substr(0, equals));
+    std::optional<Tolerance>& tolerance = tolerances.*kind_named(name).tolerance;
+    if (tolerance) fail("the tolerance of " + name + " is given twice", "give it once");
+    tolerance = parse_tolerance(name, entry.substr(equals + 1));
+    last = comma == text.size();
+    if (!last) text.remove_prefix(comma + 1);
+  }
+  return tolerances;
+}
+
+bool GraspBox::is_point() const {
+  return std::all_of(contacts.begin(), contacts.end(),
+                     [](const UncertainContact& c) { return stickslip::is_point(c); }) &&
+         stickslip::is_point(wrench);
+}
+
+GraspBox GraspBox::widened(const Tolerances& tolerances) const {
+  check(*this);
+  GraspBox box = *this;
+  const auto widen = [](const std::optional<Tolerance>& tolerance, Interval& interval) {
+    if (tolerance) interval = tolerance->widen(interval);
+  };
+  for (UncertainContact& c : box.contacts) {
+    widen(tolerances.position, c.x);
+    widen(tolerances.position, c.y);
+    widen(tolerances.friction, c.friction);
+    widen(tolerances.stiffness, c.stiffness);
+    widen(tolerances.preload, c.preload);
+    if (tolerances.normal) {
+      require(!tolerances.normal->relative, "the tolerance of normals is not relative");
+      c.slope += tolerances.normal->amount;
+    }
+  }
+  for (Interval& component : box.wrench) widen(tolerances.wrench, component);
+  check(box);
+  return box;
+}
+
+GraspBox GraspBox::scaled(const LoadedGrasp& centre, const Rational& factor) const {
+  require(centre.grasp.size() == contacts.size(), "the centre has other contacts");
+  require(factor.sign() >= 0, "a box is scaled by 0 or more");
+  const auto scale = [&](Interval& interval, const Rational& middle) {
+    require(interval.contains(middle), "the centre is not in the box");
+    interval = {middle + factor * (interval.low - middle),
+                middle + factor * (interval.high - middle)};
+  };
+  GraspBox box = *this;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    UncertainContact& c = box.contacts[i];
+    const Contact& at = centre.grasp.contacts()[i];
+    scale(c.x, at.position.x);
+    scale(c.y, at.position.y);
+    scale(c.friction, at.friction);
+    scale(c.stiffness, at.stiffness);
+    scale(c.preload, at.preload);
+    c.slope *= factor;
+  }
+  const Vector3 w = coordinates(centre.wrench);
+  for (std::size_t j = 0; j < w.size(); ++j) scale(box.wrench[j], w[j]);
+  check(box);
+  return box;
+}
+
+LoadedGrasp GraspBox::middle(const GraspDescription& description) const {
+  std::vector<Contact> middles;
+  middles.reserve(contacts.size());
+  for (const UncertainContact& c : contacts) {
+    middles.push_back({{c.x.middle(), c.y.middle()},
+                       c.normal,
+                       c.friction.middle(),
+                       c.stiffness.middle(),
+                       c.preload.middle()});
+  }
+  return {Grasp(std::move(middles), description), stickslip::middle(wrench)};
+}
+
+Wrench middle(const WrenchBox& wrench) {
+  return {wrench[0].middle(), wrench[1].middle(), wrench[2].middle()};
+}
+
+WrenchBox box_of(const Wrench& wrench) {
+  return {point_interval(wrench.x), point_interval(wrench.y), point_interval(wrench.torque)};
+}
+
+UncertainContact box_of(const Contact& contact) {
+  return {point_interval(contact.position.x),
+          point_interval(contact.position.y),
+          contact.normal,
+          0,
+          point_interval(contact.friction),
+          point_interval(contact.stiffness),
+          point_interval(contact.preload)};
+}
+
+GraspBox box_of(const LoadedGrasp& loaded) {
+  GraspBox box;
+  box.contacts.reserve(loaded.grasp.size());
+  for (const Contact& contact : loaded.grasp.contacts()) {
+    box.contacts.push_back(box_of(contact));
+  }
+  box.wrench = box_of(loaded.wrench);
+  return box;
+}
+
+}  // namespace stickslip

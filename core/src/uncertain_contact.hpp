@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// What the numbers of a box must satisfy.
+#pragma once
+
+#include <string>
+
+#include "stickslip/core/box.hpp"
+
+namespace stickslip::core_detail {
+
+/// Throws InputError naming `place` if the ends are exchanged.
+void check_ends(const Interval& interval, const std::string& place);
+
+/// The requirements stated at UncertainContact. Throws InputError naming "<path>.<member>".
+void check_uncertain(const UncertainContact& contact, const std::string& path);
+
+}  // namespace stickslip::core_detail

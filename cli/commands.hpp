@@ -17,6 +17,7 @@ enum ExitCode : int {
   kUndecidedWithinLimit = 3,
   kAnswerStable = 10,  ///< decide --exit-code, as SAT solvers answer
   kAnswerUnstable = 20,
+  kAnswerFragile = 30,
   kInternalError = 70  ///< a broken promise of the program's own
 };
 

@@ -71,8 +71,7 @@ int compare(const CompareArguments& arguments) {
   const Rational length = positive_length(arguments.length);
   const Question question = arguments.question.question();
   NumberText text(arguments.output);
-  const std::vector<MethodRow> rows =
-      compare_methods(problem_of(question), length, text);
+  const std::vector<MethodRow> rows = compare_methods(problem_of(question), length, text);
   if (arguments.output.json) {
     print_json(question, length, rows, arguments.output.floats);
   } else {

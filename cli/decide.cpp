@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "box_answer.hpp"
 #include "commands.hpp"
 #include "question_options.hpp"
 #include "stickslip/certificate/certificate.hpp"
@@ -122,8 +123,7 @@ void explain(const RefutationSummary& summary, NumberText& text) {
 }
 
 std::string engine_text(const CaseAnswer& answer) {
-  return std::string("Engine: ") + answer.decision.engine() +
-         "; normal law: " + law_text(answer.question.law) + ".\n";
+  return engine_text(answer.decision.engine(), answer.question.law);
 }
 
 void print_text(const CaseAnswer& answer, const NumberOptions& output) {
@@ -161,23 +161,45 @@ void print_text(const CaseAnswer& answer, const NumberOptions& output) {
   print(warnings);
 }
 
-void print_cases_json(const std::vector<CaseAnswer>& answers, const NumberOptions& output) {
-  Json json{{"name", answers.front().question.loaded.grasp.name()}, {"cases", Json::array()}};
-  for (const CaseAnswer& answer : answers) json["cases"].push_back(to_json(answer));
+/// Of one question.
+using Answer = std::variant<CaseAnswer, BoxAnswer>;
+
+const Question& question_of(const Answer& answer) {
+  return std::visit([](const auto& a) -> const Question& { return a.question; }, answer);
+}
+
+const char* name_of(const Answer& answer) {
+  return std::visit([](const auto& a) { return stickslip::name_of(a.decision.verdict); },
+                    answer);
+}
+
+std::string load_text(const CaseAnswer& answer, NumberText& text) {
+  return text(coordinates(answer.problem.wrench()));
+}
+
+void print_cases_json(const std::vector<Answer>& answers, const NumberOptions& output) {
+  const std::string& name = question_of(answers.front()).loaded.grasp.name();
+  Json json{{"name", name}, {"cases", Json::array()}};
+  for (const Answer& answer : answers) {
+    json["cases"].push_back(std::visit([](const auto& a) { return to_json(a); }, answer));
+  }
   print_json(json, output);
 }
 
 /// A line each; and each warning once, with the cases that it is about.
-void print_cases_text(const std::vector<CaseAnswer>& answers, const NumberOptions& output) {
+void print_cases_text(const std::vector<Answer>& answers, const NumberOptions& output) {
   NumberText text(output);
   std::vector<std::vector<std::string>> rows{{"case", "verdict", "load w"}};
   std::vector<std::pair<std::string, std::string>> warnings;  // and their cases
-  for (const CaseAnswer& answer : answers) {
-    const std::string& name = answer.question.case_name;
-    rows.push_back(
-        {name, name_of(answer.verdict()), text(coordinates(answer.problem.wrench()))});
-    if (!answer.warnings) continue;
-    for (const ModelWarning& warning : *answer.warnings) {
+  std::string engine;
+  for (const Answer& each : answers) {
+    const std::string& name = question_of(each).case_name;
+    rows.push_back({name, name_of(each),
+                    std::visit([&](const auto& a) { return load_text(a, text); }, each)});
+    const auto* answer = std::get_if<CaseAnswer>(&each);
+    if (answer != nullptr && engine.empty()) engine = engine_text(*answer);
+    if (answer == nullptr || !answer->warnings) continue;
+    for (const ModelWarning& warning : *answer->warnings) {
       const auto known = std::find_if(warnings.begin(), warnings.end(), [&](const auto& other) {
         return other.first == warning.text;
       });
@@ -188,14 +210,15 @@ void print_cases_text(const std::vector<CaseAnswer>& answers, const NumberOption
       }
     }
   }
-  const std::string& grasp = answers.front().question.loaded.grasp.name();
+  const Question& question = question_of(answers.front());
+  if (engine.empty()) engine = engine_text("box", question.law);
+  const std::string& grasp = question.loaded.grasp.name();
   const std::size_t n = answers.size();
   std::cout << (grasp.empty() ? "" : grasp + ": ") << n << (n == 1 ? " case" : " cases")
             << "\n\n"
             << format_table(rows, Align::kLeft)
             << "\nForces and motions, or why there are none: --case NAME.\n"
-            << text.note() << units_text(answers.front().question.loaded.grasp)
-            << engine_text(answers.front());
+            << text.note() << units_text(question.loaded.grasp) << engine;
   for (const auto& [warning, names] : warnings) {
     std::cout << "Warning, " << names << ": " << warning << ".\n";
   }
@@ -205,21 +228,30 @@ struct DecideArguments {
   QuestionArguments question;
   std::string engine = "auto";
   std::string certificate;
+  std::string examples;
   std::size_t node_limit = 0;
   NumberOptions output;
   bool no_warnings = false;
   bool answer_by_exit_code = false;
 };
 
-CaseAnswer answer_to(Question question, const DecideArguments& arguments) {
-  Problem problem(question.loaded, question.law);
+Answer answer_to(Question question, const DecideArguments& arguments) {
+  if (question.box) {
+    if (arguments.engine != "auto") {
+      throw InputError("", "--engine", "the question is a box, about all grasps in it at once",
+                       "leave the option out: boxes have a method of their own");
+    }
+    return answer_box(std::move(question), arguments.node_limit);
+  }
+  Problem problem = problem_of(question);
   const Engine engine = arguments.engine == "states" ? Engine::kStates : Engine::kCone;
   ConeOptions options;
   options.node_limit = arguments.node_limit;
   Decision decision = stickslip::decide(problem, engine, options);
   Warnings warnings;
   if (!arguments.no_warnings) warnings = model_warnings(question, decision.verdict);
-  return {std::move(question), std::move(problem), std::move(decision), std::move(warnings)};
+  return CaseAnswer{std::move(question), std::move(problem), std::move(decision),
+                    std::move(warnings)};
 }
 
 void write_certificate(const CaseAnswer& answer, const std::string& file) {
@@ -230,15 +262,26 @@ void write_certificate(const CaseAnswer& answer, const std::string& file) {
                                         answer.decision.engine()));
 }
 
-/// That of the worst answer: unstable, then undecided, then stable.
-int exit_code(const std::vector<CaseAnswer>& answers, bool answer_by_exit_code) {
-  const auto any = [&](auto is) { return std::any_of(answers.begin(), answers.end(), is); };
-  const bool unstable =
-      any([](const CaseAnswer& a) { return std::holds_alternative<Unstable>(a.verdict()); });
-  const bool undecided =
-      any([](const CaseAnswer& a) { return std::holds_alternative<Undecided>(a.verdict()); });
-  if (answer_by_exit_code && unstable) return kAnswerUnstable;
-  if (undecided) return kUndecidedWithinLimit;
+void write_examples(const CaseAnswer& answer, const std::string& /*folder*/) {
+  std::cerr << "stickslip: --examples: nothing is written: the question is about one grasp, "
+               "which is "
+            << stickslip::name_of(answer.verdict()) << "\n";
+}
+
+void print_text(const CaseAnswer& answer, const NumberOptions& output,
+                const std::string& /*examples*/) {
+  print_text(answer, output);
+}
+
+/// That of the worst answer: unstable, then fragile, then undecided, then stable.
+int exit_code(const std::vector<Answer>& answers, bool answer_by_exit_code) {
+  const auto any = [&](const std::string& verdict) {
+    return std::any_of(answers.begin(), answers.end(),
+                       [&](const Answer& a) { return name_of(a) == verdict; });
+  };
+  if (answer_by_exit_code && any("unstable")) return kAnswerUnstable;
+  if (answer_by_exit_code && any("fragile")) return kAnswerFragile;
+  if (any("undecided")) return kUndecidedWithinLimit;
   return answer_by_exit_code ? kAnswerStable : kDone;
 }
 
@@ -246,11 +289,13 @@ int decide(const DecideArguments& arguments) {
   std::vector<Question> questions = arguments.question.questions();
   const bool by_case =
       !questions.front().case_name.empty() && !arguments.question.chooses_case();
-  if (by_case && !arguments.certificate.empty()) {
-    throw InputError("", "--certificate", "the grasp has cases, and a file holds one proof",
+  for (const auto& [option, value] : {std::pair{"--certificate", &arguments.certificate},
+                                      std::pair{"--examples", &arguments.examples}}) {
+    if (!by_case || value->empty()) continue;
+    throw InputError("", option, "the grasp has cases, and this is about the proof of one",
                      "choose the case with --case NAME");
   }
-  std::vector<CaseAnswer> answers;
+  std::vector<Answer> answers;
   for (Question& question : questions) {
     answers.push_back(answer_to(std::move(question), arguments));
   }
@@ -258,9 +303,14 @@ int decide(const DecideArguments& arguments) {
   if (by_case) {
     (json ? print_cases_json : print_cases_text)(answers, arguments.output);
   } else {
-    const CaseAnswer& answer = answers.front();
-    write_certificate(answer, arguments.certificate);
-    json ? print_json(to_json(answer), arguments.output) : print_text(answer, arguments.output);
+    std::visit(
+        [&](const auto& answer) {
+          write_certificate(answer, arguments.certificate);
+          if (!arguments.examples.empty()) write_examples(answer, arguments.examples);
+          json ? print_json(to_json(answer), arguments.output)
+               : print_text(answer, arguments.output, arguments.examples);
+        },
+        answers.front());
   }
   return exit_code(answers, arguments.answer_by_exit_code);
 }
@@ -271,7 +321,7 @@ void add_decide_command(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<DecideArguments>();
   CLI::App* command = app.add_subcommand(
       "decide", "Will the grasp hold its load passively? An exact verdict, with evidence");
-  arguments->question.add_to(*command);
+  arguments->question.add_with_uncertain_to(*command);
   command
       ->add_option(
           "--engine", arguments->engine,
@@ -284,17 +334,27 @@ void add_decide_command(CLI::App& app, int& exit_code) {
       ->add_option("--certificate", arguments->certificate,
                    "Write a proof of the verdict for stickslip-check (certificate/FORMAT.md)")
       ->type_name("FILE");
+  command
+      ->add_option("--examples", arguments->examples,
+                   "If the box is fragile, write two of its grasps there, stable.json and "
+                   "unstable.json, each with its certificate")
+      ->type_name("DIR");
   add_node_limit_option(*command, arguments->node_limit);
   arguments->output.add_to(*command);
   add_no_warnings_option(*command, arguments->no_warnings);
-  command->add_flag("--exit-code", arguments->answer_by_exit_code,
-                    "Exit with 10 if stable, 20 if unstable, instead of 0; of cases, if one is "
-                    "unstable 20, if one is undecided 3, else 10");
+  command->add_flag(
+      "--exit-code", arguments->answer_by_exit_code,
+      "Exit with 10 if stable, 20 if unstable, 30 if fragile, instead of 0; of "
+      "cases, if one is unstable 20, if one is fragile 30, if one is undecided 3, "
+      "else 10");
   command->footer(footer_text(
       "What the model says and does not say, and its warnings: docs/model.md. A grasp\n"
-      "file with cases is answered with a table, unless --case or --wrench is given.\n",
-      "0 done (with --exit-code 10 stable, 20 unstable), 2 bad input or usage,\n"
-      "3 undecided within a limit",
+      "file with cases is answered with a table, unless --case or --wrench is given.\n"
+      "If numbers are uncertain, by --uncertain or in the file, the verdict is about every\n"
+      "grasp in the box: stable or unstable throughout, or fragile, some one and some the "
+      "other.\n",
+      "0 done (with --exit-code 10 stable, 20 unstable, 30 fragile),\n"
+      "2 bad input or usage, 3 undecided within a limit",
       "stickslip decide fig1.json --wrench 0,-11/10,0 --preload 0"));
   command->callback([arguments, &exit_code] { exit_code = decide(*arguments); });
 }

@@ -89,8 +89,8 @@ std::string preloads_text(const std::vector<Rational>& preloads, NumberText& tex
 }
 
 std::string head_text(const Question& question, NumberText& text) {
-  std::string head = heading(question) + family_text(question) + "\n\n" +
-                     "  wrench w     " + text(coordinates(question.loaded.wrench)) + '\n';
+  std::string head = heading(question) + family_text(question) + "\n\n" + "  wrench w     " +
+                     text(coordinates(question.loaded.wrench)) + '\n';
   if (question.direction) {
     head += "  direction u  " + text(coordinates(*question.direction)) + '\n';
   }

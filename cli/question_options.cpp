@@ -73,6 +73,10 @@ std::string law_text(NormalLaw law) {
                                           : " (contacts may not detach)");
 }
 
+std::string engine_text(const std::string& engine, NormalLaw law) {
+  return "Engine: " + engine + "; normal law: " + law_text(law) + ".\n";
+}
+
 void add_grasp_argument(CLI::App& command, std::string& file) {
   command.add_option("GRASP", file, "Grasp file (docs/grasp_file.md); - is standard input")
       ->type_name("FILE")
@@ -111,6 +115,18 @@ void add_node_limit_option(CLI::App& command, std::size_t& node_limit) {
 void QuestionArguments::add_to(CLI::App& command) {
   add_grasp_argument(command, file_);
   add_options_to(command);
+}
+
+void QuestionArguments::add_with_uncertain_to(CLI::App& command) {
+  add_to(command);
+  takes_boxes_ = true;
+  command
+      .add_option(
+          "--uncertain", uncertain_,
+          "How far numbers may be off: friction, stiffness, preload, position, normal "
+          "or wrench, by a number or of all but normals by a percentage; a normal turns "
+          "by a slope. Asks about all grasps in the box (docs/uncertainty.md)")
+      ->type_name("KIND=T,...");
 }
 
 void QuestionArguments::add_options_to(CLI::App& command) {
@@ -182,24 +198,40 @@ QuestionOptions QuestionArguments::options() const {
     options.preload_direction =
         PreloadDirection{false, numbers_option("--preload-direction", preload_direction_)};
   }
+  if (!uncertain_.empty()) {
+    try {
+      options.uncertain = parse_tolerances(uncertain_);
+    } catch (const InputError& error) {
+      throw InputError("", "--uncertain", error.problem(), error.remedy());
+    }
+  }
   options.law = law_ == "bilateral" ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
   return options;
 }
 
+GraspFile QuestionArguments::read() const {
+  return read_grasp_file(file_, takes_boxes_ ? Intervals::kAllowed : Intervals::kRefused);
+}
+
+Question QuestionArguments::ask_about(const GraspFile& file,
+                                      const QuestionOptions& options) const {
+  return ask_with_options(file, options, name_of_file(), takes_boxes_);
+}
+
 Question QuestionArguments::question() const {
-  return ask_with_options(read_grasp_file(file_), options(), name_of_file());
+  return ask_about(read(), options());
 }
 
 std::vector<Question> QuestionArguments::questions() const {
-  const GraspFile file = read_grasp_file(file_);
+  const GraspFile file = read();
   QuestionOptions asked = options();
   if (file.cases.empty() || asked.case_name || asked.wrench) {
-    return {ask_with_options(file, asked, name_of_file())};
+    return {ask_about(file, asked)};
   }
   std::vector<Question> questions;
   for (const NamedLoad& load : file.cases) {
     asked.case_name = load.name;
-    questions.push_back(ask_with_options(file, asked, name_of_file()));
+    questions.push_back(ask_about(file, asked));
   }
   return questions;
 }
@@ -215,9 +247,10 @@ void NumberOptions::add_to(CLI::App& command, const std::string& json_descriptio
 }
 
 Question ask_with_options(const GraspFile& file, const QuestionOptions& options,
-                          const std::string& name) {
+                          const std::string& name, bool takes_boxes) {
   try {
     Question question = ask(file, options);
+    if (takes_boxes && question.box) return question;
     problem_of(question);  // as every answer will: here the options are known
     return question;
   } catch (const InputError& error) {

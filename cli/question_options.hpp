@@ -20,7 +20,11 @@ class QuestionArguments {
  public:
   /// Adds GRASP, --wrench, --case, --preload and --normal-law.
   void add_to(CLI::App& command);
-  /// The same, and --direction and --preload-direction, for a command that asks about a margin.
+  /// As add_to, and --uncertain, for a command that answers questions that are boxes: of
+  /// others, question() and questions() refuse them.
+  void add_with_uncertain_to(CLI::App& command);
+  /// As add_to, and --direction and --preload-direction, for a command that asks about a
+  /// margin.
   void add_with_directions_to(CLI::App& command);
   /// The same but GRASP, for commands that read many.
   void add_options_to(CLI::App& command);
@@ -38,6 +42,8 @@ class QuestionArguments {
 
  private:
   void add_model_options_to(CLI::App& command);
+  GraspFile read() const;
+  Question ask_about(const GraspFile& file, const QuestionOptions& options) const;
   std::string name_of_file() const { return file_ == "-" ? "<stdin>" : file_; }
 
   std::string file_;
@@ -46,6 +52,8 @@ class QuestionArguments {
   std::string preload_;
   std::string law_ = "unilateral";
   bool has_no_wrench_ = false;
+  bool takes_boxes_ = false;
+  std::string uncertain_;
   std::string direction_;
   std::string preload_direction_;
 };
@@ -62,9 +70,9 @@ struct NumberOptions {
 };
 
 /// ask(), and the rows that every answer needs: errors are in the words of the command line,
-/// and those of a contact name the grasp `name`.
+/// and those of a contact name the grasp `name`. Refuses a box unless the command takes them.
 Question ask_with_options(const GraspFile& file, const QuestionOptions& options,
-                          const std::string& name);
+                          const std::string& name, bool takes_boxes = false);
 
 /// For people: "name, case: ", or what there is of it.
 std::string heading(const Question& question);
@@ -74,6 +82,9 @@ std::string units_text(const Grasp& grasp);
 
 /// For people: "unilateral (contacts may detach)".
 std::string law_text(NormalLaw law);
+
+/// For people, a line: which engine answered under which law.
+std::string engine_text(const std::string& engine, NormalLaw law);
 
 /// The GRASP argument alone.
 void add_grasp_argument(CLI::App& command, std::string& file);

@@ -191,11 +191,13 @@ std::string enclosure_text(const BoxAnswer& answer) {
     names += (i == 0 ? "" : ", ") + std::to_string(contacts[i]);
   }
   if (contacts.size() > kMostNamed) names += ", ...";
-  return "The normal of contact " + names +
-         " has an irrational length |n|: its P/|n| was enclosed to 2^-" +
-         std::to_string(answer.decision.bits) +
-         " of\nitself, and the verdict holds for all "
-         "numbers in there.\n";
+  const bool proved = !std::holds_alternative<Undecided>(answer.decision.verdict);
+  return (contacts.size() == 1 ? "The normal of contact " : "The normals of contacts ") +
+         names +
+         (contacts.size() == 1 ? " has an irrational length" : " have irrational lengths") +
+         " |n|: P/|n| was enclosed to 2^-" + std::to_string(answer.decision.bits) +
+         " of itself" +
+         (proved ? ",\nand the verdict is proved for all numbers in there.\n" : ".\n");
 }
 
 /// The grasp as its file, and the certificate that it has this verdict.

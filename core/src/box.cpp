@@ -91,7 +91,7 @@ Tolerance parse_tolerance(const std::string& name, std::string_view text) {
   try {
     tolerance.amount = parse_rational(text);
   } catch (const NumberError& error) {
-    fail("of " + name + ": " + error.what(),
+    fail("the tolerance of " + name + ": " + error.what(),
          "write a number, or a percentage such as 10%, as in " + name + "=0.01");
   }
   if (tolerance.amount.sign() < 0) {

@@ -164,6 +164,7 @@ std::string certificate_text(const Question& question, const Verdict& verdict,
   require(!std::holds_alternative<Undecided>(verdict),
           "an undecided question has no certificate");
   require(!question.is_margin(), "a verdict is on one member of a family");
+  require(!question.box, "a box has certificates of its own");
   std::string text = head(question, producer) + kVerdict + "\"" + name_of(verdict) + "\",\n";
   if (const auto* stable = std::get_if<Stable>(&verdict)) {
     text += " \"twist\": [" + list(coordinates(stable->witness.twist)) + "],\n \"shares\": " +

@@ -87,6 +87,25 @@ void read_json_number(const std::string& text) {
   expect_same(spelled(value), spelled(parsed(bare)), "in JSON");
 }
 
+/// The number as it is and in percent.
+void read_tolerances(const std::string& text) {
+  std::optional<Rational> number = parsed(text);
+  if (number && number->sign() < 0) number.reset();
+  for (const bool relative : {false, true}) {
+    std::optional<Rational> read;
+    try {
+      const stickslip::Tolerances all =
+          stickslip::parse_tolerances("friction=" + text + (relative ? "%" : ""));
+      read = all.friction->amount;
+    } catch (const stickslip::InputError& error) {
+      stickslip::fuzz::expect_useful(error, text);
+    }
+    if (number && read != (relative ? Rational(*number / 100) : *number)) {
+      broken("another tolerance is read");
+    }
+  }
+}
+
 std::string wrench_of_stickslip(const std::string& text) {
   try {
     const stickslip::Wrench w = stickslip::wrench_option("--wrench", text);
@@ -116,6 +135,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     read_number(text);
     read_json_number(text);
+    read_tolerances(text);
     expect_same(wrench_of_stickslip(text), wrench_of_checker(text), "as a wrench");
   } catch (const std::exception& error) {
     broken(std::string("an exception: ") + error.what());

@@ -14,8 +14,7 @@
 namespace stickslip {
 
 /// The certificate of a verdict, ending in a newline; one node a line. `producer` is a remark
-/// without meaning. Throws ContractError for Undecided, which proves nothing, and InputError
-/// for a question whose normals were replaced.
+/// without meaning. Throws ContractError for Undecided, which proves nothing, and for a box.
 std::string certificate_text(const Question& question, const Verdict& verdict,
                              const std::string& producer);
 

@@ -195,8 +195,7 @@ std::string enclosure_text(const BoxAnswer& answer) {
   return (contacts.size() == 1 ? "The normal of contact " : "The normals of contacts ") +
          names +
          (contacts.size() == 1 ? " has an irrational length" : " have irrational lengths") +
-         " |n|: P/|n| was enclosed to 2^-" + std::to_string(answer.decision.bits) +
-         " of itself" +
+         " |n|: P/|n| was enclosed to " + std::to_string(answer.decision.bits) + " bits" +
          (proved ? ",\nand the verdict is proved for all numbers in there.\n" : ".\n");
 }
 

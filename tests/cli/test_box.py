@@ -233,7 +233,7 @@ class Answers(Case):
         answer = self.answer("stable", grasp)
         self.assertEqual((answer["uncertain"], answer["enclosed"]), ([], [0, 1]))
         self.assertGreaterEqual(answer["bits"], 128)
-        self.assertIn("have irrational lengths |n|: P/|n| was enclosed to 2^-128 of itself",
+        self.assertIn("have irrational lengths |n|: P/|n| was enclosed to 128 bits",
                       stickslip("decide", grasp)[1])
         self.answer("unstable", grasp, "--wrench", "100,0,0")
         self.answer("stable", grasp, "--normal-law", "bilateral")

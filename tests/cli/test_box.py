@@ -180,8 +180,10 @@ class Answers(Case):
             self.answer(verdict, grasp)
             sentence = "Every grasp in the box holds" if verdict == "stable" else "No grasp in the box"
             self.assertIn(sentence, stickslip("decide", grasp)[1])
-        self.answer("stable", A, "--uncertain", "friction=5%")
+        self.answer("stable", A, "--uncertain", "friction=0.001,wrench=0.001")
         self.answer("stable", FIG1, "--uncertain", "friction=5%,wrench=1%")
+        self.answer("stable", FIG1, "--uncertain",
+                    "friction=2%,stiffness=2%,preload=2%,position=0.002,normal=0.002,wrench=1%")
 
     def test_fragile(self):
         grasp = self.write("g.json", with_friction(between("2/5", "3/5")))
@@ -206,6 +208,8 @@ class Answers(Case):
             self.judged(example, os.path.join(folder, f"{verdict}.certificate.json"))
             given = answer["examples"][verdict]["contacts"][2]["friction"]
             self.assertEqual(Fraction(given), friction)
+        # All frictions at once: less of the others breaks it as well.
+        self.assertEqual(self.json("decide", A, "--uncertain", "friction=5%")["verdict"], "fragile")
         # One certificate cannot say it.
         code, _, err = stickslip("decide", grasp, "--certificate", proof)
         self.assertEqual(code, DONE)

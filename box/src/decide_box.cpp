@@ -4,11 +4,21 @@
 
 #include "box_search.hpp"
 #include "degree.hpp"
+#include "examples.hpp"
+#include "prove.hpp"
 #include "stickslip/box/box_verdict.hpp"
 
 namespace stickslip {
 
 using namespace box_detail;
+
+BoxWork& BoxWork::operator+=(const BoxWork& part) {
+  nodes += part.nodes;
+  proofs += part.proofs;
+  examples += part.examples;
+  parts += part.parts;
+  return *this;
+}
 
 const char* name_of(const BoxVerdict& verdict) {
   constexpr const char* kNames[] = {"stable", "unstable", "fragile", "undecided"};
@@ -17,20 +27,18 @@ const char* name_of(const BoxVerdict& verdict) {
 
 namespace {
 
-/// Proofs about a box and its parts, until one fails or two middles disagree.
+/// Proofs about a box and its parts, until one fails or two middles differ.
 class Decider {
  public:
   Decider(std::size_t node_limit, std::size_t most_parts, BoxWork& work)
       : node_limit_(node_limit), parts_left_(most_parts), work_(work) {}
 
-  /// Proves what the middle of the box is of all of it; false if that failed, and then
-  /// `disagree` says whether two middles differ.
+  /// Proves what the middle of the box is of all of it; false if that failed.
   bool prove(const ParameterBox& box) {
     const Verdict there = decide_by_cones(problem_at(box.middle()));
     const bool stable = std::holds_alternative<Stable>(there);
     if (!first_) first_ = stable;
     if (*first_ != stable) {
-      disagree_ = true;
       return false;
     }
     ++work_.parts;
@@ -62,7 +70,6 @@ class Decider {
     return prove(low) && prove(high);
   }
 
-  bool disagree() const { return disagree_; }
   std::optional<bool> first() const { return first_; }
 
   StabilityProof parts;
@@ -75,7 +82,6 @@ class Decider {
   std::size_t parts_left_;
   BoxWork& work_;
   std::optional<bool> first_;
-  bool disagree_ = false;
 };
 
 /// The middle of the interval that matters most: of its contact's force, or of the load.
@@ -117,21 +123,93 @@ std::optional<PartSplit> Decider::widest(const ParameterBox& box, const Verdict&
 
 }  // namespace
 
-BoxDecision decide_box(const GraspBox& box, NormalLaw law, const BoxOptions& options) {
-  BoxDecision decision{Undecided{"no proof was found"}, {}, options.bits};
-  const ParameterBox parameters(box, law, options.bits);
+namespace {
+
+/// Two grasps in the box with opposite verdicts, if the suspects are right.
+std::optional<Fragile> find_examples(const GraspBox& box, NormalLaw law, bool middle_is_stable,
+                                     BoxWork& work) {
+  const Examples examples(box, law);
+  std::optional<LoadedGrasp> same;
+  std::optional<LoadedGrasp> other;
+  const auto look = [&](const Place& place) {
+    ++work.examples;
+    LoadedGrasp grasp = examples.at(place);
+    const std::optional<bool> stable = is_stable(grasp, law);
+    if (stable) (*stable == middle_is_stable ? same : other) = std::move(grasp);
+  };
+  for (const Place& place : examples.suspects(middle_is_stable)) {
+    if (!other) look(place);
+  }
+  if (!other) return std::nullopt;
+  look(examples.middle());
+  if (!same) return std::nullopt;
+  return middle_is_stable ? Fragile{std::move(*same), std::move(*other)}
+                          : Fragile{std::move(*other), std::move(*same)};
+}
+
+/// With the lengths enclosed to these bits.
+BoxDecision prove_with_bits(const GraspBox& box, NormalLaw law, const BoxOptions& options,
+                            std::size_t most_parts, unsigned bits) {
+  BoxDecision decision{Undecided{}, {}, bits};
+  const ParameterBox parameters(box, law, bits);
   const std::size_t limit =
       options.node_limit != 0 ? options.node_limit : 500 + 50 * parameters.size();
-  constexpr std::size_t kMostParts = 32;
-  Decider decider(limit, kMostParts, decision.work);
-  if (decider.prove(parameters)) {
-    if (*decider.first()) {
-      decision.verdict = StableThroughout{std::move(decider.parts)};
-    } else {
-      decision.verdict = UnstableThroughout{std::move(decider.tree)};
-    }
+  Decider decider(limit, most_parts, decision.work);
+  if (!decider.prove(parameters)) {
+    decision.verdict = Undecided{"no proof was found within " + std::to_string(limit) +
+                                 " nodes a tree, and no two grasps that differ"};
+  } else if (*decider.first()) {
+    decision.verdict = StableThroughout{std::move(decider.parts)};
+  } else {
+    decision.verdict = UnstableThroughout{std::move(decider.tree)};
   }
   return decision;
+}
+
+}  // namespace
+
+namespace box_detail {
+
+BoxDecision prove_box(const GraspBox& box, NormalLaw law, const BoxOptions& options,
+                      std::size_t most_parts) {
+  BoxWork work;
+  for (unsigned bits = options.bits;; bits *= 2) {
+    BoxDecision decision = prove_with_bits(box, law, options, most_parts, bits);
+    work += decision.work;
+    decision.work = work;
+    const bool finer_may_help = std::holds_alternative<Undecided>(decision.verdict) &&
+                                box.is_point() && 2 * bits <= options.most_bits;
+    if (!finer_may_help) return decision;
+  }
+}
+
+std::optional<bool> is_stable(const LoadedGrasp& loaded, NormalLaw law) {
+  const GraspBox box = box_of(loaded);
+  if (!needs_enclosure(box)) {
+    return std::holds_alternative<Stable>(decide_by_cones(Problem(loaded, law)));
+  }
+  const BoxDecision decision = decide_box(box, law);
+  if (std::holds_alternative<StableThroughout>(decision.verdict)) return true;
+  if (std::holds_alternative<UnstableThroughout>(decision.verdict)) return false;
+  return std::nullopt;
+}
+
+}  // namespace box_detail
+
+BoxDecision decide_box(const GraspBox& box, NormalLaw law, const BoxOptions& options) {
+  BoxDecision decision = prove_box(box, law, options, 0);
+  if (box.is_point() || !std::holds_alternative<Undecided>(decision.verdict)) return decision;
+  const ParameterBox parameters(box, law, options.bits);
+  const bool stable =
+      std::holds_alternative<Stable>(decide_by_cones(problem_at(parameters.middle())));
+  if (auto fragile = find_examples(box, law, stable, decision.work)) {
+    decision.verdict = std::move(*fragile);
+    return decision;
+  }
+  constexpr std::size_t kMostParts = 32;
+  BoxDecision pieces = prove_box(box, law, options, kMostParts);
+  pieces.work += decision.work;
+  return pieces;
 }
 
 }  // namespace stickslip

@@ -70,13 +70,16 @@ struct BoxWork {
   std::size_t proofs = 0;    ///< parallelepipeds tried
   std::size_t examples = 0;  ///< grasps decided one by one
   std::size_t parts = 0;     ///< pieces of the box with a proof of their own
+
+  /// Sums.
+  BoxWork& operator+=(const BoxWork& part);
 };
 
 /// The answer, and what it took.
 struct BoxDecision {
   BoxVerdict verdict;                          ///< with its evidence
   BoxWork work;                                ///< to find it
-  unsigned bits = ParameterBox::kDefaultBits;  ///< of the proof's enclosure
+  unsigned bits = ParameterBox::kDefaultBits;  ///< of the proof
 };
 
 /// Whether every grasp in the box is stable, none is, or some are. Deterministic. Undecided

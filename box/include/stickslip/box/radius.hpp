@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// How robust a verdict is: by which factor tolerances may grow.
+#pragma once
+
+#include <functional>
+#include <optional>
+
+#include "stickslip/box/box_verdict.hpp"
+
+namespace stickslip {
+
+/// What a search for a radius may do.
+struct RadiusOptions {
+  BoxOptions box;             ///< of each proof
+  Rational accuracy{1, 100};  ///< stops when the two radii differ by this part of the larger
+  Rational most{64};          ///< no factor beyond this is tried
+};
+
+/// For factors of the tolerances, about the grasp in the centre.
+struct Radius {
+  BoxDecision centre;  ///< of the grasp itself: the factor 0
+  Rational proved{0};  ///< the largest factor with a proof of the centre's verdict; 0: none
+  std::optional<BoxDecision> proof{};    ///< its proof, unless it is 0
+  std::optional<Rational> refuted{};     ///< the smallest factor with a counterexample
+  std::optional<LoadedGrasp> example{};  ///< the counterexample
+  Rational limit{0};                     ///< no larger factor leaves a box that is valid
+};
+
+/// The radii of `centre` in the tolerances that `box` gives it: proved < refuted. Between them
+/// nothing is known. If the verdict of the centre itself is undecided, so is the radius, and
+/// `proved` is 0. `progress` is called with the radii so far.
+Radius find_radius(const LoadedGrasp& centre, const GraspBox& box, NormalLaw law,
+                   const RadiusOptions& options = {},
+                   const std::function<void(const Radius&)>& progress = {});
+
+}  // namespace stickslip

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Single grasps of a box, decided one by one: a verdict that differs from the middle's says
+/// that the box has no verdict. They are looked for where the margin of the load shrinks.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "stickslip/box/box_verdict.hpp"
+
+namespace stickslip::box_detail {
+
+/// A grasp in a box: where each uncertain number lies, -1 at its low end, 0 in the middle, 1 at
+/// its high end.
+using Place = std::vector<int>;
+
+class Examples {
+ public:
+  /// `box` must outlive this.
+  Examples(const GraspBox& box, NormalLaw law);
+
+  /// The grasp at this place, with normals of rational length where the file's normal has one
+  /// and the contact is preloaded: turned by at most the slope.
+  LoadedGrasp at(const Place& place) const;
+  /// Places that are likely to have the verdict that the middle does not have, best first: by
+  /// how the multiples of the load that are resisted change with each number. O(numbers)
+  /// margins.
+  std::vector<Place> suspects(bool middle_is_stable) const;
+  Place middle() const { return Place(numbers_.size(), 0); }
+
+ private:
+  struct Number {
+    Parameter parameter;
+    std::size_t index;
+  };
+
+  std::optional<double> distance(const Place& place) const;
+
+  const GraspBox& box_;
+  NormalLaw law_;
+  std::vector<Number> numbers_;
+};
+
+/// Whether this grasp is stable, by decide(), or decide_box() where a length is irrational;
+/// nothing if it is undecided.
+std::optional<bool> is_stable(const LoadedGrasp& loaded, NormalLaw law);
+
+}  // namespace stickslip::box_detail

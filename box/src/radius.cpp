@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/box/radius.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "examples.hpp"
+#include "prove.hpp"
+
+namespace stickslip {
+
+using namespace box_detail;
+
+namespace {
+
+/// The largest factor that leaves the box valid, or `most`.
+Rational valid_limit(const LoadedGrasp& centre, const GraspBox& box, const Rational& most) {
+  Rational limit = most;
+  // Where an end must stay above 0, and not reach it.
+  const Rational inside(1023, 1024);
+  const auto keep = [&](const Rational& at, const Rational& low, bool may_reach) {
+    if (low >= at) return;
+    const Rational factor = at / (at - low);
+    limit = std::min(limit, may_reach ? factor : Rational(factor * inside));
+  };
+  for (std::size_t i = 0; i < box.contacts.size(); ++i) {
+    const UncertainContact& c = box.contacts[i];
+    const Contact& at = centre.grasp.contacts()[i];
+    keep(at.friction, c.friction.low, true);
+    keep(at.preload, c.preload.low, true);
+    keep(at.stiffness, c.stiffness.low, false);
+    if (!c.slope.is_zero()) limit = std::min(limit, Rational(inside / c.slope));
+  }
+  return limit;
+}
+
+std::optional<bool> throughout(const BoxDecision& decision) {
+  if (std::holds_alternative<StableThroughout>(decision.verdict)) return true;
+  if (std::holds_alternative<UnstableThroughout>(decision.verdict)) return false;
+  return std::nullopt;
+}
+
+/// A number of few bits near (a + b) / 2, between them.
+Rational short_middle(const Rational& a, const Rational& b) {
+  const Rational exact = (a + b) / 2;
+  for (int bits = 4; bits <= 40; bits += 4) {
+    const Rational unit = (b - a) / (Integer(1) << static_cast<unsigned>(bits));
+    // The binary grain just below that unit.
+    const Integer scale =
+        Integer(1) + numerator(Rational(1) / unit) / denominator(Rational(1) / unit);
+    Integer power = 1;
+    while (power < scale) power *= 2;
+    const Rational scaled = exact * Rational(power);
+    const Rational rounded =
+        Rational(numerator(scaled) / denominator(scaled)) / Rational(power);
+    if (a < rounded && rounded < b) return rounded;
+  }
+  return exact;
+}
+
+class RadiusSearch {
+ public:
+  RadiusSearch(const LoadedGrasp& centre, const GraspBox& box, NormalLaw law,
+               const RadiusOptions& options, const std::function<void(const Radius&)>& progress)
+      : centre_(centre), box_(box), law_(law), options_(options), progress_(progress) {}
+
+  Radius run() {
+    result_.limit = valid_limit(centre_, box_, options_.most);
+    result_.centre = decide_box(box_of(centre_), law_, options_.box);
+    const std::optional<bool> stable = throughout(result_.centre);
+    if (!stable) return result_;
+    stable_ = *stable;
+    refute();
+    prove(0);
+    constexpr std::size_t kMostParts = 16;
+    prove(kMostParts);
+    return result_;
+  }
+
+ private:
+  /// Whether the grasp at a place of the box of this factor has the other verdict; if so, it is
+  /// remembered when the factor is smaller than what was known.
+  bool differs(const Place& place, const Rational& factor) {
+    const GraspBox box = box_.scaled(centre_, factor);
+    LoadedGrasp grasp = Examples(box, law_).at(place);
+    const std::optional<bool> stable = is_stable(grasp, law_);
+    if (!stable || *stable == stable_) return false;
+    if (!result_.refuted || factor < *result_.refuted) {
+      result_.refuted = factor;
+      result_.example = std::move(grasp);
+      report();
+    }
+    return true;
+  }
+
+  void refute() {
+    for (const Rational& size : {Rational(1, 8), Rational(1), Rational(8)}) {
+      const Rational first = std::min(size, result_.limit);
+      if (result_.refuted && *result_.refuted < first) return;
+      const GraspBox box = box_.scaled(centre_, first);
+      for (const Place& place : Examples(box, law_).suspects(stable_)) {
+        // Outwards to the first box where this corner differs, and then inwards to its edge.
+        Rational low = 0;
+        Rational high = first;
+        bool found = differs(place, high);
+        while (!found && high < bound()) {
+          low = high;
+          high = std::min(Rational(2 * high), bound());
+          found = differs(place, high);
+        }
+        while (found && high - low > options_.accuracy / 8 * high) {
+          const Rational middle = short_middle(low, high);
+          (differs(place, middle) ? high : low) = middle;
+        }
+      }
+    }
+  }
+
+  /// No factor from here on is of interest.
+  Rational bound() const { return result_.refuted ? *result_.refuted : result_.limit; }
+
+  bool try_to_prove(const Rational& factor, std::size_t parts) {
+    BoxDecision decision = prove_box(box_.scaled(centre_, factor), law_, options_.box, parts);
+    if (throughout(decision) != stable_) return false;
+    result_.proved = factor;
+    result_.proof = std::move(decision);
+    report();
+    return true;
+  }
+
+  /// By bisection, which assumes that boxes without a proof have none that are larger: it may
+  /// miss some, and what it finds is proved.
+  void prove(std::size_t parts) {
+    Rational high = bound();
+    if (!result_.refuted) {
+      if (result_.proved == high || try_to_prove(high, parts)) return;
+    } else if (result_.proved.is_zero()) {
+      const Rational near = high * (1 - options_.accuracy / 2);
+      if (try_to_prove(short_middle(near, high), parts)) return;
+    }
+    constexpr int kMostSteps = 10;
+    for (int step = 0; step < kMostSteps; ++step) {
+      if (high - result_.proved <= options_.accuracy * high) return;
+      const Rational middle = short_middle(result_.proved, high);
+      if (!try_to_prove(middle, parts)) high = middle;
+    }
+  }
+
+  void report() const {
+    if (progress_) progress_(result_);
+  }
+
+  const LoadedGrasp& centre_;
+  const GraspBox& box_;
+  NormalLaw law_;
+  const RadiusOptions& options_;
+  const std::function<void(const Radius&)>& progress_;
+  Radius result_;
+  bool stable_ = false;
+};
+
+}  // namespace
+
+Radius find_radius(const LoadedGrasp& centre, const GraspBox& box, NormalLaw law,
+                   const RadiusOptions& options,
+                   const std::function<void(const Radius&)>& progress) {
+  return RadiusSearch(centre, box, law, options, progress).run();
+}
+
+}  // namespace stickslip

@@ -66,10 +66,8 @@ class RadiusSearch {
 
   Radius run() {
     result_.limit = valid_limit(centre_, box_, options_.most);
-    result_.centre = decide_box(box_of(centre_), law_, options_.box);
-    const std::optional<bool> stable = throughout(result_.centre);
-    if (!stable) return result_;
-    stable_ = *stable;
+    result_.stable = is_stable(centre_, law_);
+    if (!result_.stable) return result_;
     refute();
     prove(0);
     constexpr std::size_t kMostParts = 16;
@@ -84,7 +82,7 @@ class RadiusSearch {
     const GraspBox box = box_.scaled(centre_, factor);
     LoadedGrasp grasp = Examples(box, law_).at(place);
     const std::optional<bool> stable = is_stable(grasp, law_);
-    if (!stable || *stable == stable_) return false;
+    if (!stable || stable == result_.stable) return false;
     if (!result_.refuted || factor < *result_.refuted) {
       result_.refuted = factor;
       result_.example = std::move(grasp);
@@ -98,7 +96,7 @@ class RadiusSearch {
       const Rational first = std::min(size, result_.limit);
       if (result_.refuted && *result_.refuted < first) return;
       const GraspBox box = box_.scaled(centre_, first);
-      for (const Place& place : Examples(box, law_).suspects(stable_)) {
+      for (const Place& place : Examples(box, law_).suspects(*result_.stable)) {
         // Outwards to the first box where this corner differs, and then inwards to its edge.
         Rational low = 0;
         Rational high = first;
@@ -121,7 +119,7 @@ class RadiusSearch {
 
   bool try_to_prove(const Rational& factor, std::size_t parts) {
     BoxDecision decision = prove_box(box_.scaled(centre_, factor), law_, options_.box, parts);
-    if (throughout(decision) != stable_) return false;
+    if (throughout(decision) != result_.stable) return false;
     result_.proved = factor;
     result_.proof = std::move(decision);
     report();
@@ -156,7 +154,6 @@ class RadiusSearch {
   const RadiusOptions& options_;
   const std::function<void(const Radius&)>& progress_;
   Radius result_;
-  bool stable_ = false;
 };
 
 }  // namespace

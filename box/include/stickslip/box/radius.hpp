@@ -19,7 +19,7 @@ struct RadiusOptions {
 
 /// For factors of the tolerances, about the grasp in the centre.
 struct Radius {
-  BoxDecision centre;  ///< of the grasp itself: the factor 0
+  std::optional<bool> stable;  ///< the centre's verdict: the factor 0; nothing if undecided
   Rational proved{0};  ///< the largest factor with a proof of the centre's verdict; 0: none
   std::optional<BoxDecision> proof{};    ///< its proof, unless it is 0
   std::optional<Rational> refuted{};     ///< the smallest factor with a counterexample
@@ -28,8 +28,8 @@ struct Radius {
 };
 
 /// The radii of `centre` in the tolerances that `box` gives it: proved < refuted. Between them
-/// nothing is known. If the verdict of the centre itself is undecided, so is the radius, and
-/// `proved` is 0. `progress` is called with the radii so far.
+/// nothing is known. If the verdict of the centre itself is undecided, `proved` is 0.
+/// `progress` is called with the radii so far.
 Radius find_radius(const LoadedGrasp& centre, const GraspBox& box, NormalLaw law,
                    const RadiusOptions& options = {},
                    const std::function<void(const Radius&)>& progress = {});

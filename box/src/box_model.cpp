@@ -154,6 +154,34 @@ BoxModel::BoxModel(const ParameterBox& box) : wrench(box.wrench()), law(box.law(
     largest = std::max({largest, std::fabs(load[j][0]), std::fabs(load[j][1])});
   }
   if (largest > 0 && std::isfinite(largest)) force = largest;
+  const auto check = [&](double entry) {
+    constexpr double kLeast = 0x1p-200;
+    constexpr double kMost = 0x1p200;
+    const double size = std::fabs(entry);
+    if (size != 0 && !(size >= kLeast && size <= kMost)) is_moderate = false;
+  };
+  // What a rational number that is not 0 has become.
+  const auto check_exact = [&](const Rational& value) {
+    const double entry = to_double(value);
+    if (entry == 0 && !value.is_zero()) is_moderate = false;
+    check(entry);
+  };
+  check(length);
+  for (const Interval& component : wrench) {
+    check_exact(component.low);
+    check_exact(component.high);
+  }
+  for (const ParameterContact& contact : box.contacts()) {
+    for (const Interval& range : contact.parameters) {
+      check_exact(range.low);
+      check_exact(range.high);
+    }
+    for (const Contact& corner : corners_of(contact)) {
+      for (const Wrench& w : {normal_row(corner), tangent_row(corner)}) {
+        for (const Rational& entry : coordinates(w)) check_exact(entry);
+      }
+    }
+  }
 }
 
 }  // namespace stickslip::box_detail

@@ -110,6 +110,16 @@ class ContactWork {
   }
 
   const Number& slope(std::size_t s) const { return slopes_[s]; }
+  /// Whether alpha is further from 0 than `error` at all corners, if its sign matters.
+  bool is_clear(const Number& error) const {
+    if (!mixed_) return true;
+    for (std::size_t s = 0; s < slope_count_; ++s) {
+      for (const Number& alpha : alpha_[s]) {
+        if (!(alpha > error || alpha < -error)) return false;
+      }
+    }
+    return true;
+  }
   const CornerPairs& pairs() const { return pairs_; }
 
  private:
@@ -175,6 +185,8 @@ struct BoxModel {
   double length = 1;  ///< a typical distance, over which torques and forces are compared
   std::array<std::array<double, 2>, 3> load{};  ///< ends; torque over `length`
   double force = 1;                             ///< a typical force
+  /// Whether all entries are 0 or between 2^-200 and 2^200: otherwise doubles decide nothing.
+  bool is_moderate = true;
 };
 
 }  // namespace stickslip::box_detail

@@ -57,6 +57,9 @@ class BoxSearch::Wolfe {
   bool run();
   const Double3& twist() const { return twist_; }
   const Relaxed& relaxed() const { return relaxed_; }
+  /// The rule of the leaf for this twist by rounded numbers and a bound on their errors;
+  /// nothing if they do not decide.
+  std::optional<bool> certainly_refuted(const IntegerVector3& twist) const;
   /// The two rays that take most part, as (d, h) of norm 1; nothing if there is one only.
   std::optional<std::pair<Double4, Double4>> widest() const;
 
@@ -65,6 +68,7 @@ class BoxSearch::Wolfe {
     Double4 x;                  ///< (d, h), torques and rotations by length
     std::vector<double> rises;  ///< N.d by contact and corner
     double scale;               ///< of its wrenches
+    std::vector<double> sizes;  ///< at least |v| by acting contact, and without cancellation
     Double3 against{};          ///< -A(d - h d0) over its norm, of list 2
   };
   /// What a point adds to the hull: its wrench, and its forces.
@@ -91,11 +95,12 @@ class BoxSearch::Wolfe {
   equilibrium_detail::NearestPoint hull_;
   Double3 twist_{};
   Relaxed relaxed_;
+  bool is_moderate_;
 };
 
 BoxSearch::Wolfe::Wolfe(const BoxModel& model, const BoxRegion& region,
                         const Direction* direction)
-    : model_(model), region_(region), direction_(direction) {
+    : model_(model), region_(region), direction_(direction), is_moderate_(model.is_moderate) {
   std::size_t corners = 0;
   for (std::size_t i = 0; i < model.contacts.size(); ++i) {
     if (region.separation(i) == Separation::kOpen) continue;
@@ -104,7 +109,11 @@ BoxSearch::Wolfe::Wolfe(const BoxModel& model, const BoxRegion& region,
     corners += model.contacts[i].rounded.normals.size();
   }
   for (const IntegerVector5& exact : region.points()) {
-    Point point{shortened<4>(exact), {}, 0};
+    Point point{shortened<4>(exact), {}, 0, {}};
+    for (std::size_t j = 0; j < 4; ++j) {
+      constexpr std::size_t kMostBits = 200;
+      is_moderate_ = is_moderate_ && (exact[j].is_zero() || msb(abs(exact[j])) < kMostBits);
+    }
     Double4& x = point.x;
     x[2] *= model.length;
     const double size = std::sqrt(dot(x, x));
@@ -114,6 +123,7 @@ BoxSearch::Wolfe::Wolfe(const BoxModel& model, const BoxRegion& region,
     point.scale = std::fabs(x[3]) * model.force;
     for (const std::size_t i : acting_) {
       const ContactNumbers<double>& c = model.contacts[i].rounded;
+      double size_of_rise = 0;
       for (std::size_t corner = 0; corner < c.normals.size(); ++corner) {
         const Double3& n = c.normals[corner];
         double rise = dot(n, d);
@@ -124,10 +134,13 @@ BoxSearch::Wolfe::Wolfe(const BoxModel& model, const BoxRegion& region,
           if (dot(model.contacts[i].exact.normals[corner], motion).is_zero()) rise = 0;
         }
         point.rises.push_back(rise);
+        size_of_rise = std::max(size_of_rise, std::fabs(n[0] * d[0]) + std::fabs(n[1] * d[1]) +
+                                                  std::fabs(n[2] * d[2]));
         point.scale +=
             std::max(0.0, x[3] * c.preloads[1] - c.stiffnesses[1] * point.rises.back()) /
             static_cast<double>(c.normals.size());
       }
+      point.sizes.push_back(x[3] * c.preloads[1] + c.stiffnesses[1] * size_of_rise);
     }
     if (direction != nullptr) {
       // Exactly, as d - h d0 may be small beside d.
@@ -160,6 +173,61 @@ double BoxSearch::Wolfe::bound(const Point& point,
     sum += strongest.bound / static_cast<double>(works[k].pairs().corners);
   }
   return sum;
+}
+
+std::optional<bool> BoxSearch::Wolfe::certainly_refuted(const IntegerVector3& twist) const {
+  if (!is_moderate_) return std::nullopt;
+  Double3 y{};
+  for (std::size_t j = 0; j < 3; ++j) y[j] = twist[j].convert_to<double>();
+  y[2] *= model_.length;
+  // Every number is within four roundings of the exact one, up to the factors of the rays; a
+  // term has fewer than ten factors and sums, of which a mean over the corners has 64 at most.
+  // What underflows is far below kUnderflow.
+  constexpr double kUnitRoundoff = 1.2e-16;
+  constexpr double kUnderflow = 1e-250;
+  const double roundings = kUnitRoundoff * (300 + static_cast<double>(acting_.size()));
+  std::vector<ContactWork<double>> works;
+  works.reserve(acting_.size());
+  std::vector<double> alphas;
+  for (const std::size_t i : acting_) {
+    const ContactNumbers<double>& c = model_.contacts[i].rounded;
+    double alpha = 0;
+    for (std::size_t corner = 0; corner < c.normals.size(); ++corner) {
+      double size = 0;
+      for (std::size_t j = 0; j < 3; ++j) {
+        size += std::fabs(y[j]) * (std::fabs(c.normals[corner][j]) +
+                                   c.frictions[1] * std::fabs(c.tangents[corner][j]));
+      }
+      alpha = std::max(alpha, size);
+    }
+    alphas.push_back(alpha);
+    works.emplace_back(c, y, region_.slip(i), region_.separation(i));
+    if (!works.back().is_clear(roundings * alpha)) return std::nullopt;
+  }
+  bool certain = true;
+  for (const Point& point : points_) {
+    if (direction_ != nullptr) {
+      const double against = dot(point.against, y);
+      const double size = roundings * norm(y);
+      if (against > size) return false;
+      if (!(against < -size)) certain = false;
+    }
+    bool acts = false;
+    const double work = bound(point, works, y, acts);
+    // Where nothing acts, g and h are 0: the ray is barred.
+    if (!acts) continue;
+    double error = 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+      error += point.x[3] * std::fabs(y[j]) *
+               std::max(std::fabs(model_.load[j][0]), std::fabs(model_.load[j][1]));
+    }
+    for (std::size_t k = 0; k < works.size(); ++k) error += alphas[k] * point.sizes[k];
+    error = roundings * error + kUnderflow;
+    if (work > error) return false;
+    if (!(work < -error)) certain = false;
+  }
+  if (certain) return true;
+  return std::nullopt;
 }
 
 BoxSearch::Wolfe::Support BoxSearch::Wolfe::support(
@@ -287,14 +355,17 @@ std::optional<std::pair<Double4, Double4>> BoxSearch::Wolfe::widest() const {
 }
 
 std::optional<IntegerVector3> BoxSearch::confirm(const BoxRegion& region,
-                                                 const Double3& y) const {
+                                                 const Wolfe& found) const {
+  const Double3& y = found.twist();
   const Double3 twist{y[0], y[1], y[2] / model_.length};
   IntegerVector3 before{};
   for (const int bits : {3, 6, 10, 16, 24, 36, 50}) {
     const IntegerVector3 candidate = rounded<3>(twist, bits);
     if (candidate == before || is_zero(candidate)) continue;
-    if (region.is_refuted(model_, candidate, direction_)) return candidate;
     before = candidate;
+    const std::optional<bool> certain = found.certainly_refuted(candidate);
+    if (certain.value_or(false)) return candidate;
+    if (!certain && region.is_refuted(model_, candidate, direction_)) return candidate;
   }
   return std::nullopt;
 }
@@ -430,7 +501,7 @@ bool BoxSearch::visit(const BoxRegion& region, BoxTrees& trees, std::size_t dept
   }
   Wolfe wolfe(model_, region, direction_);
   if (wolfe.run()) {
-    if (const auto y = confirm(region, wolfe.twist())) {
+    if (const auto y = confirm(region, wolfe)) {
       trees.push_back(VirtualWorkLeaf{*y});
       return true;
     }

@@ -41,8 +41,7 @@ class BoxSearch {
   class Wolfe;
 
   bool visit(const BoxRegion& region, BoxTrees& trees, std::size_t depth);
-  std::optional<IntegerVector3> confirm(const BoxRegion& region,
-                                        const std::array<double, 3>& y) const;
+  std::optional<IntegerVector3> confirm(const BoxRegion& region, const Wolfe& found) const;
   std::optional<Split> split(const BoxRegion& region, const Wolfe& found) const;
 
   const BoxModel& model_;

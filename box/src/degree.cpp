@@ -393,7 +393,9 @@ std::optional<DegreeProof> prove_stable(const ParameterBox& box, const Witness& 
   const BoxModel middle(box.middle());
   Walls walls(box, model, middle, witness);
   if (!walls.is_sound()) return std::nullopt;
-  constexpr std::size_t kMostGrowths = 60;
+  constexpr std::size_t kMostGrowths = 40;
+  constexpr std::size_t kMostPulls = 4;  // growing seldom mends what list 2 refuses
+  std::size_t pulls = 0;
   for (std::size_t growth = 0; growth <= kMostGrowths; ++growth) {
     ++work.proofs;
     DegreeProof proof = walls.proof();
@@ -422,6 +424,7 @@ std::optional<DegreeProof> prove_stable(const ParameterBox& box, const Witness& 
           walls.grow(wall, sign);
         }
       }
+      if (failed && second && ++pulls > kMostPulls) return std::nullopt;
     }
     if (!failed) return proof;
   }

@@ -174,10 +174,10 @@ struct Meaning {
            "the\ncontacts can take up.\n";
   }
   std::string operator()(const Undecided& undecided) const {
-    return "Given up at " + undecided.limit + ": " +
-           (wide ? "neither a proof for the whole box nor two grasps with opposite\nverdicts "
-                   "were found.\n"
-                 : "no proof was found.\n");
+    return "Not decided: " + undecided.limit + ".\n" +
+           (wide ? "Neither is the whole box proved, nor are two grasps with opposite verdicts "
+                   "known.\n"
+                 : "");
   }
   std::string operator()(const Fragile& /*fragile*/) const { return ""; }
 };

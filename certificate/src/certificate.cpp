@@ -86,8 +86,7 @@ std::string wrench_text(const Question& question) {
   std::string text;
   for (const Interval& w : *question.uncertain_wrench) {
     text += text.empty() ? "" : ",";
-    text += w.is_point() ? number(w.low)
-                         : "{\"min\": " + number(w.low) + ", \"max\": " + number(w.high) + "}";
+    text += w.is_point() ? number(w.low) : "[" + number(w.low) + "," + number(w.high) + "]";
   }
   return text;
 }

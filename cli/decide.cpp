@@ -211,13 +211,15 @@ void print_cases_text(const std::vector<Answer>& answers, const NumberOptions& o
     }
   }
   const Question& question = question_of(answers.front());
-  if (engine.empty()) engine = engine_text("box", question.law);
+  const bool all_boxes = engine.empty();
+  if (all_boxes) engine = engine_text("box", question.law);
   const std::string& grasp = question.loaded.grasp.name();
   const std::size_t n = answers.size();
   std::cout << (grasp.empty() ? "" : grasp + ": ") << n << (n == 1 ? " case" : " cases")
             << "\n\n"
             << format_table(rows, Align::kLeft)
-            << "\nForces and motions, or why there are none: --case NAME.\n"
+            << (all_boxes ? "\nWhat is uncertain, and what the verdict means: --case NAME.\n"
+                          : "\nForces and motions, or why there are none: --case NAME.\n")
             << text.note() << units_text(question.loaded.grasp) << engine;
   for (const auto& [warning, names] : warnings) {
     std::cout << "Warning, " << names << ": " << warning << ".\n";

@@ -433,11 +433,19 @@ std::optional<BoxSearch::Split> BoxSearch::split(const BoxRegion& region,
     }
   }
   constexpr double kNoticeable = 1e-9;  // of the energy; only chooses between splits
+  // Where the rotation has one sign, few corners matter: the others are never the extreme.
+  const auto split_of_rotation = [&]() -> std::optional<Split> {
+    const IntegerVector5 rotation{0, 0, 1, 0, 0};
+    const BoxRegion::Signs signs = region.signs(rotation);
+    if (!signs.positive || !signs.negative) return std::nullopt;
+    return Split{PlaneSplit{rotation}, rotation};
+  };
   if (separation_gap > kNoticeable * energy) {
     const std::vector<IntegerVector5>& planes = model_.contacts[separation].separations;
     if (planes.size() == 1) {
       return Split{SeparationSplit{ContactId(separation)}, planes.front()};
     }
+    if (const auto rotation = split_of_rotation()) return rotation;
     const int side = sign_of_all(planes);
     const IntegerVector5* nearest = nullptr;
     double least = HUGE_VAL;
@@ -453,6 +461,7 @@ std::optional<BoxSearch::Split> BoxSearch::split(const BoxRegion& region,
   if (slip_gap > kNoticeable * energy) {
     const std::vector<IntegerVector5>& planes = model_.contacts[slip].slips;
     if (planes.size() == 1) return Split{SlipSplit{ContactId(slip)}, planes.front(), true};
+    if (const auto rotation = split_of_rotation()) return rotation;
     const int side = sign_of_all(planes);
     const IntegerVector5* nearest = nullptr;
     double least = HUGE_VAL;

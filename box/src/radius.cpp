@@ -91,25 +91,31 @@ class RadiusSearch {
     return true;
   }
 
+  /// Suspects near the centre, and then those at the edge of the box that these give.
   void refute() {
-    for (const Rational& size : {Rational(1, 8), Rational(1), Rational(8)}) {
-      const Rational first = std::min(size, result_.limit);
-      if (result_.refuted && *result_.refuted < first) return;
-      const GraspBox box = box_.scaled(centre_, first);
-      for (const Place& place : Examples(box, law_).suspects(*result_.stable)) {
-        // Outwards to the first box where this corner differs, and then inwards to its edge.
-        Rational low = 0;
-        Rational high = first;
-        bool found = differs(place, high);
-        while (!found && high < bound()) {
-          low = high;
-          high = std::min(Rational(2 * high), bound());
-          found = differs(place, high);
-        }
-        while (found && high - low > options_.accuracy / 8 * high) {
-          const Rational middle = short_middle(low, high);
-          (differs(place, middle) ? high : low) = middle;
-        }
+    suspect(std::min(Rational(1, 8), result_.limit));
+    if (result_.refuted) {
+      suspect(*result_.refuted);
+    } else {
+      suspect(std::min(Rational(1), result_.limit));
+    }
+  }
+
+  void suspect(const Rational& size) {
+    const GraspBox box = box_.scaled(centre_, size);
+    for (const Place& place : Examples(box, law_).suspects(*result_.stable)) {
+      // Outwards to the first box where this corner differs, and then inwards to its edge.
+      Rational low = 0;
+      Rational high = std::min(size, bound());
+      bool found = differs(place, high);
+      while (!found && high < bound()) {
+        low = high;
+        high = std::min(Rational(2 * high), bound());
+        found = differs(place, high);
+      }
+      while (found && high - low > options_.accuracy / 8 * high) {
+        const Rational middle = short_middle(low, high);
+        (differs(place, middle) ? high : low) = middle;
       }
     }
   }

@@ -12,19 +12,23 @@
 
 namespace stickslip::equilibrium_detail {
 
+/// A point or direction in double precision.
 using Double3 = std::array<double, 3>;
 
+/// The hull of the points added so far, by at most four of them.
 class NearestPoint {
  public:
   /// Adds a point and moves to the nearest point of the hull of the points now in use. Returns
   /// false if rounding left no progress.
   bool add(const Double3& point);
 
-  const Double3& nearest() const { return nearest_; }
-  std::size_t size() const { return size_; }
+  const Double3& nearest() const { return nearest_; }  ///< the point of least norm
+  std::size_t size() const { return size_; }           ///< number of points in use
   /// The points in use, by the order number of their addition (from 0), and their weights.
+  /// \{ Of the k-th of them.
   std::size_t order(std::size_t k) const { return order_[k]; }
   double weight(std::size_t k) const { return weight_[k]; }
+  /// \}
 
  private:
   /// Weights of sum 1, of any sign, of the point of least norm in the affine hull.

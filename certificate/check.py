@@ -11,6 +11,7 @@ no floating point occurs. Exit codes: 0 accepted, 1 rejected, 2 malformed or wro
 from __future__ import annotations
 
 import functools
+import itertools
 import json
 import math
 import operator
@@ -28,7 +29,7 @@ D = 3  # §1: of motions and wrenches
 
 
 class Malformed(Exception):
-    """§6, exit 2: a file that is not what it should be, or a question that cannot be asked."""
+    """§7, exit 2: a file that is not what it should be, or a question that cannot be asked."""
 
     def __init__(self, file: str, place: str, problem: str) -> None:
         super().__init__(": ".join(part for part in (file, place, problem) if part))
@@ -36,7 +37,7 @@ class Malformed(Exception):
 
 
 class Rejected(Exception):
-    """§6, exit 1: a rule that the certificate fails, where, and what was found."""
+    """§7, exit 1: a rule that the certificate fails, where, and what was found."""
 
     def __init__(self, rule: str, found: str, path: Optional[str] = None,
                  node: Optional[int] = None) -> None:
@@ -46,14 +47,16 @@ class Rejected(Exception):
 
 def show(value: Any) -> str:
     """A number, vector or name for a message, shortened if long."""
-    if isinstance(value, tuple):
+    if type(value) is tuple:
         return "(" + ", ".join(map(show, value[:8])) + (", ...)" if len(value) > 8 else ")")
+    if isinstance(value, dict):
+        value = ", ".join(f"{key}={entry}" for key, entry in value.items())
     text = "none" if value is None else str(value)
     return text if len(text) <= 80 else f"{text[:40]}...{text[-20:]} ({len(text)} characters)"
 
 
 def printable(text: str) -> str:
-    """§6: every byte that is not printable ASCII as \\xNN."""
+    """§7: every byte that is not printable ASCII as \\xNN."""
     return "".join(chr(byte) if 32 <= byte < 127 else f"\\x{byte:02x}"
                    for byte in text.encode("utf-8", "surrogateescape"))
 
@@ -102,7 +105,7 @@ GRASP = FileKind(("stickslip-grasp/1", "stickslip-grasp/2"), True, 1 << 28, 32, 
                  16_384, 1 << 16, ("contacts",), re.compile(
                      r"([+-]?[0-9]+)(?:/([0-9]+)|(?:\.([0-9]+))?(?:[eE]([+-]?[0-9]+))?)"))
 CERTIFICATE = FileKind(("stickslip-certificate/2",), False, 1 << 30, 8, 65_536, 4_000, 65_536,
-                       1 << 22, ("segments", "tree"),
+                       1 << 22, ("segments", "tree", "parts"),
                        re.compile(r"(-?[0-9]+)(?:/([0-9]+))?()()"))
 MAX_EXPONENT = 4096
 BEYOND_NUMERALS = 2 ** 16384 - 2 ** 16319  # what rounds to 2^16384 with a mantissa of 64 bits
@@ -149,6 +152,7 @@ class Source:
 
     def __init__(self, name: str, kind: FileKind) -> None:
         self.name, self.kind = "<stdin>" if name == "-" else name, kind
+        self.uncertain = ""  # where an interval or a slope was found first
         text = self.read(name)
         self.limit(text)
         try:
@@ -234,7 +238,7 @@ class Source:
         return found
 
     def check_format(self, value: Any) -> None:
-        """§9: a version that is not known is malformed."""
+        """§10: a version that is not known is malformed."""
         if type(value) is not str or value not in self.kind.formats:
             known = " or ".join(f'"{name}"' for name in self.kind.formats)
             self.fail("format", f"must be {known}; no other is known here")
@@ -284,19 +288,61 @@ LAWS = ("unilateral", "bilateral")
 NOWHERE = (Fraction(0),) * D
 
 
+class Bounds(NamedTuple):
+    """The numbers from low to high."""
+    low: Fraction
+    high: Fraction
+
+    @property
+    def certain(self) -> bool:
+        return self.low == self.high
+
+    @property
+    def middle(self) -> "Bounds":
+        return exactly((self.low + self.high) / 2)
+
+    def __str__(self) -> str:
+        return str(self.low) if self.certain else f"[{self.low}, {self.high}]"
+
+
+def exactly(number: Fraction) -> Bounds:
+    return Bounds(number, number)
+
+
+Wrench = Tuple[Bounds, ...]
+NO_WRENCH: Wrench = (exactly(Fraction(0)),) * D
+
+
 class Contact(NamedTuple):
-    """A contact as the grasp file gives it; its normal has any length but 0."""
-    position: Vector
+    """A contact as the grasp file gives it; its normal n⁰ has any length but 0."""
+    position: Tuple[Bounds, ...]
     normal: Vector
-    friction: Fraction
-    stiffness: Fraction
-    preload: Fraction
+    slope: Fraction
+    friction: Bounds
+    stiffness: Bounds
+    preload: Bounds
 
 
 class Grasp(NamedTuple):
     contacts: List[Contact]
-    wrench: Vector            # with cases, what is common to them
-    cases: Dict[str, Vector]  # the wrench of each, by name
+    wrench: Wrench            # with cases, what is common to them
+    cases: Dict[str, Wrench]  # the wrench of each, by name
+
+
+KINDS = ("friction", "stiffness", "preload", "position", "normal", "wrench")
+
+
+class Tolerance(NamedTuple):
+    size: Fraction
+    percent: bool
+
+    def __str__(self) -> str:
+        return f"{self.size}{'%' * self.percent}"
+
+    def widen(self, number: Bounds) -> Bounds:
+        """§6, the question."""
+        below, above = (self.size * abs(end) / 100 if self.percent else self.size for end in number)
+        return Bounds(number.low - below, number.high + above)
 
 
 class Options(NamedTuple):
@@ -307,6 +353,7 @@ class Options(NamedTuple):
     direction: Optional[Vector] = None
     preload_direction: Union[None, str, Vector] = None  # "scale", or a number for each contact
     case: Optional[str] = None  # whose wrench is asked about, if none is given
+    uncertain: Optional[Dict[str, Tolerance]] = None  # by kind
 
     def margin(self) -> bool:
         return self.direction is not None or self.preload_direction is not None
@@ -321,10 +368,18 @@ class Row(NamedTuple):
 
 
 class Question(NamedTuple):
+    """About one grasp, or about a box (§6), and then without rows."""
     asked: Options
-    wrench: Vector  # w
-    growth: Vector  # u
+    wrench: Wrench            # w, before it is widened
+    widened: Wrench           # w
+    growth: Vector            # u
+    contacts: List[Contact]   # with what was replaced and widened
     rows: List[Row]
+    is_box: bool
+
+    def w(self) -> Vector:
+        """Of one grasp."""
+        return tuple(entry.low for entry in self.widened)
 
 
 def rational_root(square: Fraction) -> Optional[Fraction]:
@@ -332,28 +387,58 @@ def rational_root(square: Fraction) -> Optional[Fraction]:
     return root if root * root == square else None
 
 
-def coefficients(source: Source, fields: Dict[str, Any], place: str) -> Dict[str, Fraction]:
+def read_bounds(source: Source, value: Any, place: str) -> Bounds:
+    """A number, or an INTERVAL of §6."""
+    if type(value) is not Members:
+        return exactly(source.number(value, place))
+    source.uncertain = source.uncertain or place
+    fields = source.members(value, place, "min max")
+    low, high = (source.number(fields[key], f"{place}.{key}") for key in ("min", "max"))
+    if low > high:
+        source.fail(place, f"min {show(low)} is above max {show(high)}, must be min <= max")
+    return Bounds(low, high)
+
+
+def read_vector_of_bounds(source: Source, value: Any, place: str, length: int) -> Wrench:
+    return tuple(read_bounds(source, entry, f"{place}[{j}]")
+                 for j, entry in enumerate(source.array(value, place, length)))
+
+
+def read_normal(source: Source, value: Any, place: str) -> Tuple[Vector, Fraction]:
+    """n⁰ and the slope."""
+    if type(value) is not Members:
+        return source.vector(value, place, 2), Fraction(0)
+    source.uncertain = source.uncertain or place
+    fields = source.members(value, place, "direction slope")
+    slope = source.number(fields["slope"], f"{place}.slope")
+    if not 0 <= slope < 1:
+        source.fail(f"{place}.slope", f"{show(slope)} is out of range, must be >= 0 and < 1")
+    return source.vector(fields["direction"], f"{place}.direction", 2), slope
+
+
+def coefficients(source: Source, fields: Dict[str, Any], place: str) -> Dict[str, Bounds]:
     """Those of μ ≥ 0, k > 0 and P ≥ 0 that an object of the grasp file states."""
     found = {}
     for key in ("friction", "stiffness", "preload"):
         if key in fields:
-            found[key] = source.number(fields[key], f"{place}.{key}")
-            if found[key] < 0 or (key == "stiffness" and found[key] == 0):
-                source.fail(f"{place}.{key}", f"{show(found[key])} is out of range, must be "
+            found[key] = read_bounds(source, fields[key], f"{place}.{key}")
+            low = found[key].low
+            if low < 0 or (key == "stiffness" and low == 0):
+                source.fail(f"{place}.{key}", f"{show(low)} is out of range, must be "
                                               + ("> 0" if key == "stiffness" else ">= 0"))
     return found
 
 
-def add(a: Vector, b: Vector) -> Vector:
-    return tuple(map(operator.add, a, b))
+def add(a: Wrench, b: Wrench) -> Wrench:
+    return tuple(Bounds(x.low + y.low, x.high + y.high) for x, y in zip(a, b))
 
 
-def read_one_load(source: Source, value: Any, place: str) -> Vector:
+def read_one_load(source: Source, value: Any, place: str) -> Wrench:
     """The wrench of a force at a point, of a torque or of a weight."""
     kinds = [key for key, _ in value.pairs] if type(value) is Members else []
     if "torque" in kinds:
         torque = source.members(value, place, "torque")["torque"]
-        return (Fraction(0), Fraction(0), source.number(torque, f"{place}.torque"))
+        return (*NO_WRENCH[:2], exactly(source.number(torque, f"{place}.torque")))
     if "weight" in kinds:
         fields = source.members(value, place, "weight at direction?")
         weight = source.number(fields["weight"], f"{place}.weight")
@@ -370,24 +455,24 @@ def read_one_load(source: Source, value: Any, place: str) -> Vector:
         fields = source.members(value, place, "force at")
         fx, fy = source.vector(fields["force"], f"{place}.force", 2)
     px, py = source.vector(fields["at"], f"{place}.at", 2)
-    return (fx, fy, px * fy - py * fx)
+    return tuple(map(exactly, (fx, fy, px * fy - py * fx)))
 
 
-def read_load(source: Source, fields: Dict[str, Any], place: str, needed: bool) -> Vector:
+def read_load(source: Source, fields: Dict[str, Any], place: str, needed: bool) -> Wrench:
     """§1: "wrench", or the sum of "loads"."""
     given = [key for key in ("wrench", "loads") if key in fields]
     if len(given) > 1 or (needed and not given):
         source.fail(place.rstrip("."), "both 'wrench' and 'loads'; give one of them" if given else
                                        "'wrench' is missing (in version 2, that or 'loads')")
     if "wrench" in fields:
-        return source.vector(fields["wrench"], place + "wrench", D)
+        return read_vector_of_bounds(source, fields["wrench"], place + "wrench", D)
     loads = source.array(fields.get("loads", []), place + "loads")
     return functools.reduce(add, (read_one_load(source, load, f"{place}loads[{k}]")
-                                  for k, load in enumerate(loads)), NOWHERE)
+                                  for k, load in enumerate(loads)), NO_WRENCH)
 
 
-def read_cases(source: Source, value: Any, common: Vector) -> Dict[str, Vector]:
-    cases: Dict[str, Vector] = {}
+def read_cases(source: Source, value: Any, common: Wrench) -> Dict[str, Wrench]:
+    cases: Dict[str, Wrench] = {}
     for k, entry in enumerate(source.array(value, "cases")):
         place = f"cases[{k}]"
         fields = source.members(entry, place, "name wrench? loads?")
@@ -491,7 +576,7 @@ def read_grasp(name: str) -> Grasp:
                 source.fail(f"units.{key}", "must be a string of 1 to 16 bytes")
     stated = source.members(top.get("defaults", Members([])), "defaults",
                             "friction? stiffness? preload?")
-    defaults = {"stiffness": Fraction(1), "preload": Fraction(0),
+    defaults = {"stiffness": exactly(Fraction(1)), "preload": exactly(Fraction(0)),
                 **coefficients(source, stated, "defaults")}
     outline = read_outline(source, top["outline"]) if "outline" in top else []
     contacts = []
@@ -509,79 +594,135 @@ def read_grasp(name: str) -> Grasp:
         if "on" in fields:
             if top["format"] == GRASP.formats[0]:
                 source.fail(place, f"'on' needs \"format\": \"{GRASP.formats[1]}\"")
-            position, normal = read_place(source, fields["on"], f"{place}.on", outline)
+            point, normal = read_place(source, fields["on"], f"{place}.on", outline)
+            position, slope = tuple(map(exactly, point)), Fraction(0)
         else:
-            position = source.vector(fields["position"], f"{place}.position", 2)
-            normal = source.vector(fields["normal"], f"{place}.normal", 2)
+            position = read_vector_of_bounds(source, fields["position"], f"{place}.position", 2)
+            normal, slope = read_normal(source, fields["normal"], f"{place}.normal")
         if not any(normal):
             source.fail(f"{place}.normal", "must not be zero")
-        contacts.append(Contact(position, normal, values["friction"], values["stiffness"],
+        contacts.append(Contact(position, normal, slope, values["friction"], values["stiffness"],
                                 values["preload"]))
     common = read_load(source, top, "", "cases" not in top)
     cases = read_cases(source, top["cases"], common) if "cases" in top else {}
+    if source.uncertain and top["format"] == GRASP.formats[0]:
+        source.fail(source.uncertain, f"an object here needs \"format\": \"{GRASP.formats[1]}\"")
     return Grasp(contacts, common, cases)
 
 
-def make_row(contact: Contact, preload: Fraction, growth: Fraction) -> Optional[Row]:
-    """§1, Rows; None if the length of the normal is irrational and needed."""
-    (px, py), (nx, ny), friction, stiffness, _ = contact
+def make_row(contact: Contact, preload: Fraction, growth: Fraction) -> Row:
+    """§1, Rows, of a contact without uncertainty."""
+    (px, _), (py, _) = contact.position
+    nx, ny = contact.normal
     square = nx * nx + ny * ny
     length = rational_root(square) if preload or growth else Fraction(1)
-    if length is None:
-        return None
+    assert length is not None
     tx, ty = -ny, nx
     normal = (nx, ny, px * ny - py * nx)
-    return Row(normal, (tx, ty, px * ty - py * tx), friction,
-               tuple(-stiffness / square * c for c in normal) + (preload / length, growth / length))
+    return Row(normal, (tx, ty, px * ty - py * tx), contact.friction.low,
+               tuple(-contact.stiffness.low / square * c for c in normal)
+               + (preload / length, growth / length))
 
 
-def wrench_asked(grasp: Grasp, asked: Options) -> Vector:
+def wrench_asked(grasp: Grasp, asked: Options) -> Wrench:
     """§1, the table: w."""
     if asked.wrench is not None:
         if asked.case is not None:
             raise Malformed("the question", "case", "a wrench is given as well")
-        return asked.wrench
+        return tuple(map(exactly, asked.wrench))
     if asked.case is not None:
         if asked.case not in grasp.cases:
             raise Malformed("the question", "case", f"the grasp has no case '{show(asked.case)}'")
         return grasp.cases[asked.case]
     if asked.direction is not None:
-        return NOWHERE
+        return NO_WRENCH
     if grasp.cases:
         raise Malformed("the question", "case", f"the grasp has {len(grasp.cases)} cases, and none "
                                                 "is chosen; give the name of one")
     return grasp.wrench
 
 
+def check_tolerances(asked: Options) -> None:
+    """§6: what cannot be asked, whatever the grasp."""
+    for kind, tolerance in (asked.uncertain or {}).items():
+        problem = ("a margin is about one grasp" if asked.margin() else
+                   "must be >= 0" if tolerance.size < 0 else
+                   "must be a slope, such as 0.01" if kind == "normal" and tolerance.percent else "")
+        if problem:
+            raise Malformed("the question", "uncertain", f"{kind}={show(tolerance)}: {problem}")
+
+
+def widened(contact: Contact, asked: Options) -> Contact:
+    """§6: with the tolerances, after what was replaced."""
+    if asked.preload is not None:
+        contact = contact._replace(preload=exactly(asked.preload))
+    for kind, tolerance in (asked.uncertain or {}).items():
+        if kind == "normal":
+            contact = contact._replace(slope=contact.slope + tolerance.size)
+        elif kind == "position":
+            contact = contact._replace(position=tuple(map(tolerance.widen, contact.position)))
+        elif kind != "wrench":
+            contact = contact._replace(**{kind: tolerance.widen(getattr(contact, kind))})
+    return contact
+
+
+def check_contact(grasp_file: str, place: str, contact: Contact, grows: bool, margin: bool) -> bool:
+    """§6: what cannot be asked of a contact; and whether it makes the question a box."""
+    numbers = {"friction": contact.friction, "stiffness": contact.stiffness,
+               "preload": contact.preload, "position[0]": contact.position[0],
+               "position[1]": contact.position[1], "normal": Bounds(-contact.slope, contact.slope)}
+    if contact.slope >= 1:
+        raise Malformed(grasp_file, place + "normal", f"slope {show(contact.slope)}, must be < 1")
+    for name in ("friction", "stiffness", "preload"):
+        low = numbers[name].low
+        if low < 0 or (name == "stiffness" and low == 0):
+            raise Malformed(grasp_file, place + name, f"it may be {show(low)}, must be "
+                                                      + ("> 0" if name == "stiffness" else ">= 0"))
+    if margin:
+        for name, number in numbers.items():
+            if not number.certain:
+                raise Malformed(grasp_file, place + name, f"found {show(number)}, but a margin is "
+                                                          "about one grasp; give a number")
+    irrational = (contact.preload.high or grows) and not rational_root(dot(contact.normal,
+                                                                           contact.normal))
+    if irrational and margin:
+        raise Malformed(grasp_file, place + "normal",
+                        "the contact has a preload and a normal of irrational length, so there "
+                        "is no exact question; run stickslip snap GRASP -o FILE, and ask about FILE")
+    return bool(irrational) or not all(number.certain for number in numbers.values())
+
+
 def pose(grasp_file: str, asked: Options) -> Question:
     """§1, the table: the question, if it can be asked."""
     grasp = read_grasp(grasp_file)
-    contacts = grasp.contacts
-    m = len(contacts)
-    base = tuple(c.preload if asked.preload is None else asked.preload for c in contacts)
+    m = len(grasp.contacts)
     if asked.preload is not None and asked.preload < 0:
         raise Malformed("the question", "preload", f"found {show(asked.preload)}, must be >= 0")
+    check_tolerances(asked)
+    contacts = [widened(contact, asked) for contact in grasp.contacts]
     growth: Vector = (Fraction(0),) * m
-    if asked.preload_direction == "scale":
-        base, growth = growth, base
-    elif asked.preload_direction is not None:
+    if asked.preload_direction not in (None, "scale"):
         growth = asked.preload_direction
     if len(growth) != m or any(p < 0 for p in growth):
         raise Malformed("the question", "preload direction",
                         f"found {show(growth)}, must be {m} numbers >= 0, one for each contact")
+    wrench = wrench_asked(grasp, asked)
+    tolerance = (asked.uncertain or {}).get("wrench")
+    loads = tuple(map(tolerance.widen, wrench)) if tolerance else wrench
+    is_box = not all(load.certain for load in loads)
+    if is_box and asked.margin():
+        raise Malformed(grasp_file, "wrench", f"found {show(loads)}, but a margin is about one "
+                                              "grasp; give numbers")
+    for i, (contact, grown) in enumerate(zip(contacts, growth)):
+        is_box |= check_contact(grasp_file, f"contacts[{i}].", contact, bool(grown), asked.margin())
+    base = tuple(contact.preload.low for contact in contacts)
+    if asked.preload_direction == "scale":
+        base, growth = growth, base
     u = asked.direction or NOWHERE
     if asked.margin() and not any(u) and not any(growth):
         raise Malformed("the question", "direction", "neither the wrench nor a preload changes")
-    table = []
-    for i, contact in enumerate(contacts):
-        row = make_row(contact, base[i], growth[i])
-        if row is None:
-            raise Malformed(grasp_file, f"contacts[{i}].normal",
-                            "the contact has a preload and a normal of irrational length, so there "
-                            "is no exact question; run stickslip snap GRASP -o FILE, and ask about "
-                            "FILE")
-        table.append(row)
-    return Question(asked, wrench_asked(grasp, asked), u, table)
+    rows = [] if is_box else [make_row(*one) for one in zip(contacts, base, growth)]
+    return Question(asked, wrench, loads, u, contacts, rows, is_box)
 
 
 # ---- §2 Syntax --------------------------------------------------------------------------------
@@ -590,14 +731,25 @@ def pose(grasp_file: str, asked: Options) -> Question:
 class Claim(NamedTuple):
     """The member `question` of a certificate."""
     contacts: int
-    asked: Options
+    wrench: Wrench
+    asked: Options  # the rest
 
 
 class Node(NamedTuple):
-    """§4: slip and separation have a contact, plane has numbers a, leaf has numbers y."""
+    """§4: slip and separation have a contact, plane has numbers a, leaf has numbers y; §6: part has
+    a name, an index (`contact`) and a number."""
     kind: str
     contact: int = -1
     numbers: Vector = ()
+    name: str = ""
+
+
+class DegreeProof(NamedTuple):
+    """§6, a PART that is not cut."""
+    twist: Vector            # d⁰
+    walls: List[Vector]      # E
+    direction: List[Vector]  # A
+    tree: List[Node]
 
 
 class Witness(NamedTuple):
@@ -616,6 +768,13 @@ class Certificate(NamedTuple):
     tree: List[Node] = []       # of "unstable" and "margin"
     resisted: List[Interval] = []      # of "margin", as is the next
     segments: List[Tuple[Witness, Witness]] = []
+    bits: int = 128
+    parts: Optional[List[Union[Node, DegreeProof]]] = None  # of "stable", if there is no witness
+
+    def trees(self) -> List[Node]:
+        """All nodes."""
+        return self.tree + [node for part in self.parts or [] if isinstance(part, DegreeProof)
+                            for node in part.tree]
 
 
 def read_certificate(name: str) -> Certificate:
@@ -624,23 +783,32 @@ def read_certificate(name: str) -> Certificate:
     claimed = dict(source.root.pairs) if type(source.root) is Members else {}
     if "format" in claimed:
         source.check_format(claimed["format"])
-    evidence = {"stable": "twist shares", "margin": "resisted segments tree"}.get(
+    evidence = {"stable": "parts" if "parts" in claimed else "twist shares", "margin": "resisted segments tree"}.get(
         claimed["verdict"] if type(claimed.get("verdict")) is str else "", "tree")
-    top = source.members(source.root, "", "format producer? question verdict " + evidence, True)
+    top = source.members(source.root, "", "format producer? question bits? verdict " + evidence,
+                         True)
     if type(top.get("producer", "")) is not str:
         source.fail("producer", "must be a string")
     claim = read_claim(source, top["question"])
     margin = claim.asked.margin()
+    bits = source.index(top["bits"], "bits") if "bits" in top else 128
+    if margin and "bits" in top:
+        source.fail("bits", "not where the question has a direction")
+    if not 64 <= bits <= 4096:
+        source.fail("bits", "must be from 64 to 4096")
     verdict = source.choice(top["verdict"], "verdict",
                             ("margin",) if margin else ("stable", "unstable"))
+    if "parts" in top:
+        parts = [read_part(source, part, f"parts[{k}]")
+                 for k, part in enumerate(source.array(top["parts"], "parts"))]
+        return Certificate(claim, verdict, bits=bits, parts=parts)
     if verdict == "stable":
         witness = Witness(source.vector(top["twist"], "twist", D) + (Fraction(1), Fraction(0)),
                           read_shares(source, top["shares"], "shares"))
-        return Certificate(claim, verdict, witness)
-    tree = [read_node(source, node, f"tree[{k}]", margin)
-            for k, node in enumerate(source.array(top["tree"], "tree"))]
+        return Certificate(claim, verdict, witness, bits=bits)
+    tree = read_tree(source, top["tree"], "tree", margin)
     if verdict == "unstable":
-        return Certificate(claim, verdict, None, tree)
+        return Certificate(claim, verdict, None, tree, bits=bits)
     resisted, segments = [], []
     for k, entry in enumerate(source.array(top["resisted"], "resisted")):
         low, high = source.array(entry, f"resisted[{k}]", 2)
@@ -658,7 +826,8 @@ def read_certificate(name: str) -> Certificate:
 
 def read_claim(source: Source, value: Any) -> Claim:
     fields = source.members(
-        value, "question", "contacts wrench preload? normal_law direction? preload_direction?", True)
+        value, "question", "contacts wrench preload? normal_law direction? preload_direction? "
+                           "uncertain?", True)
     preload = direction = growth = None
     if "preload" in fields:
         preload = source.number(fields["preload"], "question.preload")
@@ -668,10 +837,35 @@ def read_claim(source: Source, value: Any) -> Claim:
         growth = fields["preload_direction"]
         if type(growth) is not str or growth != "scale":
             growth = source.vector(growth, "question.preload_direction")
-    return Claim(source.index(fields["contacts"], "question.contacts"),
-                 Options(source.vector(fields["wrench"], "question.wrench", D), preload,
+    uncertain = None
+    if "uncertain" in fields:
+        uncertain = read_tolerances(source, fields["uncertain"], "question.uncertain")
+    wrench = [read_load_entry(source, entry, "question.wrench")
+              for entry in source.array(fields["wrench"], "question.wrench", D)]
+    return Claim(source.index(fields["contacts"], "question.contacts"), tuple(wrench),
+                 Options(None, preload,
                          source.choice(fields["normal_law"], "question.normal_law", LAWS),
-                         direction, growth))
+                         direction, growth, None, uncertain))
+
+
+def read_load_entry(source: Source, value: Any, place: str) -> Bounds:
+    """§6: a NUMBER, or an interval of the grasp file."""
+    if type(value) is not list:
+        return exactly(source.number(value, place))
+    return Bounds(*source.vector(value, place, 2))
+
+
+def read_tolerances(source: Source, value: Any, place: str) -> Dict[str, Tolerance]:
+    """TOLERANCE of each kind."""
+    found = {}
+    for kind, size in source.members(value, place, " ".join(f"{kind}?" for kind in KINDS),
+                                     True).items():
+        percent = type(size) is str and size.endswith("%")
+        number = source.number(size[:-1] if percent else size, f"{place}.{kind}")
+        found[kind] = Tolerance(number, percent)
+    if not found:
+        source.fail(place, "must not be empty")
+    return found
 
 
 def read_shares(source: Source, value: Any, place: str) -> List[Tuple[int, Fraction]]:
@@ -690,9 +884,36 @@ def read_point(source: Source, value: Any, place: str, may_be_ray: bool) -> Witn
     return Witness(source.vector(twist, place, D) + ends, read_shares(source, shares, place))
 
 
+PARAMETERS = ("x", "y", "turn", "friction", "preload", "stiffness")  # of a contact
+
+
+def read_tree(source: Source, value: Any, place: str, margin: bool) -> List[Node]:
+    return [read_node(source, node, f"{place}[{k}]", margin)
+            for k, node in enumerate(source.array(value, place))]
+
+
+def read_part(source: Source, value: Any, place: str) -> Union[Node, DegreeProof]:
+    """PART."""
+    if type(value) is list:
+        node = read_node(source, value, place, False)
+        if node.kind != "part":
+            source.fail(place, "must be a part")
+        return node
+    fields = source.members(value, place, "twist walls direction tree", True)
+    walls, direction = ([source.vector(row, f"{place}.{key}", D)
+                         for row in source.array(fields[key], f"{place}.{key}", D)]
+                        for key in ("walls", "direction"))
+    return DegreeProof(source.vector(fields["twist"], f"{place}.twist", D), walls, direction,
+                       read_tree(source, fields["tree"], f"{place}.tree", False))
+
+
 def read_node(source: Source, value: Any, place: str, margin: bool) -> Node:
-    """§4, the table of nodes."""
+    """§4, the table of nodes, and §6."""
     kind, *rest = source.array(value, place) or [None]
+    if kind == "part" and not margin:
+        name, i, cut = source.array(rest, place, 3)
+        return Node(kind, source.index(i, place), (source.number(cut, place),),
+                    source.choice(name, place, PARAMETERS + ("wrench",)))
     if kind in ("slip", "separation") and len(rest) == 1:
         return Node(kind, source.index(rest[0], place))
     if kind == "plane" and len(rest) == D + 1 + margin:
@@ -709,13 +930,14 @@ def read_node(source: Source, value: Any, place: str, margin: bool) -> Node:
 def check_question(question: Question, claim: Claim) -> None:
     """`question-...`."""
     said, asked = claim.asked, question.asked
-    for rule, found, wanted in (("contacts", claim.contacts, len(question.rows)),
-                                ("wrench", said.wrench, question.wrench),
+    for rule, found, wanted in (("contacts", claim.contacts, len(question.contacts)),
+                                ("wrench", claim.wrench, question.wrench),
                                 ("preload", said.preload, asked.preload),
                                 ("law", said.law, asked.law),
                                 ("direction", said.direction, asked.direction),
                                 ("preload-direction", said.preload_direction,
-                                 asked.preload_direction)):
+                                 asked.preload_direction),
+                                ("uncertain", said.uncertain, asked.uncertain)):
         if found != wanted:
             raise Rejected(f"question-{rule}", f"the certificate says {show(found)}, asked was "
                                                f"{show(wanted)}")
@@ -735,6 +957,8 @@ def sign(x: Union[int, Fraction]) -> int:
 
 def check_witness(question: Question, witness: Witness) -> List[ContactForce]:
     """`witness-...`. Returns the forces, one for each contact."""
+    if question.is_box:
+        raise Rejected("witness-box", "an equilibrium of one grasp, but the question is about a box")
     forces = []
     for row in question.rows:
         v, slip = dot(row.v, witness.x), dot(row.T, witness.x)
@@ -752,7 +976,7 @@ def check_witness(question: Question, witness: Witness) -> List[ContactForce]:
         if question.asked.law == "bilateral" and force.v < 0:
             raise Rejected("witness-normal", f"contact {i}: v = {show(force.v)} is below 0")
     h, load = witness.x[D:]
-    total = pairwise_sum([tuple(h * w + load * u for w, u in zip(question.wrench, question.growth))]
+    total = pairwise_sum([tuple(h * w + load * u for w, u in zip(question.w(), question.growth))]
                          + [tuple(force.a * n + force.b * t for n, t in zip(row.N, row.T))
                             for row, force in zip(question.rows, forces) if force.a])
     if any(total):
@@ -835,17 +1059,157 @@ class Cone:
         return Cone(self.lines, rays, self.cuts + 1)
 
 
-class Terms:
-    """The rows of a contact in integers: positive multiples of v_i, τ_i, and, with one factor,
-    N_i − μ_i T_i and N_i + μ_i T_i; α_i v_i(x) = weight·(y·plus or y·minus)(v·x)."""
+class Parameters(NamedTuple):
+    """§6: of one contact, and its preload's growth in a margin."""
+    normal: Vector             # n⁰
+    bounds: Dict[str, Bounds]  # by PARAMETERS
+    growth: Fraction           # Pᵘ'
 
-    def __init__(self, row: Row) -> None:
-        self.v, v_factor = integers(row.v)
-        self.slip = integers(row.T)[0] + (0, 0)
-        edges, factor = integers([n - row.friction * t for n, t in zip(row.N, row.T)]
-                                 + [n + row.friction * t for n, t in zip(row.N, row.T)])
-        self.plus, self.minus = edges[:D], edges[D:]
-        self.weight = Fraction(1, v_factor * factor)
+
+class Terms:
+    """What trees need of a contact: v_i and τ_i in integers, up to positive factors, at all corners
+    (of one that is certain, there is one); and what goes into the bounds of a leaf."""
+
+    def __init__(self, c: Parameters) -> None:
+        (nx, ny), x, preload, stiffness = c.normal, c.bounds, c.bounds["preload"], \
+            c.bounds["stiffness"]
+        self.friction = x["friction"]
+        self.certain = all(number.certain for number in x.values())
+        # Corners of p_x, p_y, e: as 0s and 1s, without those that are certain.
+        uncertain = [name for name in PARAMETERS[:3] if not x[name].certain]
+        self.corners = list(itertools.product((0, 1), repeat=len(uncertain)))
+        normals, tangents = [], []
+        for corner in self.corners:
+            px, py, e = (x[name][corner[uncertain.index(name)] if name in uncertain else 0]
+                         for name in PARAMETERS[:3])
+            n = (nx - e * ny, ny + e * nx)
+            t = (-n[1], n[0])
+            normals.append((*n, px * n[1] - py * n[0]))
+            tangents.append((*t, px * t[1] - py * t[0]))
+        values = [times(-k, n) + (p, c.growth) for n in normals for k in set(stiffness)
+                  for p in set(preload)]
+        self.v = list(dict.fromkeys(reduced(integers(v)[0]) for v in values))
+        self.slip = list(dict.fromkeys(reduced(integers(t)[0]) + (0, 0) for t in tangents))
+        # N + s T by corner, for the ends of ±μ: all by one factor.
+        ends = {s: [plus(n, s, t) for n, t in zip(normals, tangents)]
+                for s in (-x["friction"].high, -x["friction"].low, *x["friction"])}
+        edge_factor = integers([z for edges in ends.values() for edge in edges for z in edge])[1]
+        self.edges = {s: [tuple(int(z * edge_factor) for z in edge) for edge in edges]
+                      for s, edges in ends.items()}
+        if self.certain:  # α_i v_i(x) = weight·(y·edge)(v·x)
+            v_factor = next(Fraction(b) / a for a, b in zip(values[0], self.v[0]) if a)
+            self.weight = 1 / (v_factor * edge_factor)
+            return
+        self.normals, normal_factor = [], integers([z for n in normals for z in n])[1]
+        self.normals = [tuple(int(z * normal_factor) for z in n) for n in normals]
+        (*scaled, _), factor = integers([*preload, *stiffness, Fraction(1)])
+        self.preload = [p * normal_factor for p in scaled[:2]]
+        self.stiffness = scaled[2:]
+        self.weight = Fraction(1, edge_factor * normal_factor * factor * len(self.corners))
+        # For each k = c + c' the pairs of corners (their numbers), and what makes means of sums.
+        pairs: Dict[Integers, List[Tuple[int, int]]] = {}
+        for (a, c1), (b, c2) in itertools.product(enumerate(self.corners), repeat=2):
+            pairs.setdefault(tuple(map(operator.add, c1, c2)), []).append((a, b))
+        self.pairs = [(found, len(self.corners) // len(found)) for found in pairs.values()]
+
+    def bound(self, y: Integers, sign_: int, mixed: bool, points: Sequence[Integers]) -> List[Fraction]:
+        """§6: the bound b_i(r) on each ray, where y is a multiple without denominators."""
+        low, high = self.friction
+        best: List[int] = []
+        for s in {1: (-low, -high), -1: (low, high), 0: (-high, high)}[sign_]:
+            alpha = [dot(y, edge) for edge in self.edges[s]]
+            if mixed and max(alpha) <= 0:
+                found = [0] * len(points)
+            else:
+                # Σ α(c) over the pairs of each k, times the end of P' that makes it large.
+                pushes = [max(p * sum(alpha[a] for a, _ in pairs) for p in self.preload)
+                          for pairs, _ in self.pairs]
+                found = [self.largest(alpha, pushes, x) for x in points]
+                if mixed:
+                    found = [max(0, value) for value in found]
+            best = list(map(max, best, found)) if best else found
+        return [self.weight * value for value in best]
+
+    def largest(self, alpha: Sequence[int], pushes: Sequence[int], x: Integers) -> int:
+        """U_s(r), times the denominator of the weight."""
+        height = [dot(n, x) for n in self.normals]  # N·d
+        found = []
+        for (pairs, repeat), push in zip(self.pairs, pushes):
+            pull = sum(alpha[a] * height[b] for a, b in pairs)
+            found.append(repeat * (x[D] * push + max(-k * pull for k in self.stiffness)))
+        return max(found)
+
+
+class Box:
+    """§6: intervals of all parameters; and §1, of one grasp. A part of a box shares its Terms."""
+
+    def __init__(self, contacts: List[Parameters], wrench: Wrench, growth: Vector,
+                 terms: Optional[List[Terms]] = None) -> None:
+        self.contacts, self.wrench, self.growth = contacts, wrench, growth
+        self.terms = list(map(Terms, contacts)) if terms is None else terms
+        self.most_depth = 2 * len(contacts) + MORE_DEPTH
+
+    def halves(self, part: Node) -> Tuple[Box, Box]:
+        """`part-contact`, `part-inside`."""
+        i, (cut,) = part.contact, part.numbers
+        if i >= (D if part.name == "wrench" else len(self.contacts)):
+            raise Rejected("part-contact", f"there is no {part.name} {show(i)}")
+        whole = self.wrench[i] if part.name == "wrench" else self.contacts[i].bounds[part.name]
+        if not whole.low < cut < whole.high:
+            raise Rejected("part-inside", f"{show(cut)} is not inside {show(whole)}")
+        return (self.with_bounds(part.name, i, Bounds(whole.low, cut)),
+                self.with_bounds(part.name, i, Bounds(cut, whole.high)))
+
+    def with_bounds(self, name: str, i: int, bounds: Bounds) -> Box:
+        if name == "wrench":
+            wrench = self.wrench[:i] + (bounds,) + self.wrench[i + 1:]
+            return Box(self.contacts, wrench, self.growth, self.terms)
+        contacts, terms = list(self.contacts), list(self.terms)
+        contacts[i] = contacts[i]._replace(bounds={**contacts[i].bounds, name: bounds})
+        terms[i] = Terms(contacts[i])
+        return Box(contacts, self.wrench, self.growth, terms)
+
+    def middle(self) -> Box:
+        """q⁰."""
+        return Box([contact._replace(bounds={name: number.middle
+                                             for name, number in contact.bounds.items()})
+                    for contact in self.contacts],
+                   tuple(load.middle for load in self.wrench), self.growth)
+
+
+def inverse_root(square: Fraction, bits: int) -> Bounds:
+    """§6: 1/L, or ℓ⁻ and ℓ⁺, where L² is given."""
+    length = rational_root(square)
+    if length:
+        return exactly(1 / length)
+    s = bits + (square.numerator.bit_length() - square.denominator.bit_length()) // 2 - 2
+    while True:
+        scaled = Fraction(4) ** s / square
+        j = math.isqrt(scaled.numerator // scaled.denominator)
+        if j >= 1 << (bits - 1):
+            return Bounds(j / Fraction(2) ** s, (j + 1) / Fraction(2) ** s)
+        s += 1
+
+
+def enlarged(question: Question, bits: int) -> Box:
+    """§6, the enlarged box; or the box of one grasp."""
+    contacts = []
+    for i, contact in enumerate(question.contacts):
+        square = dot(contact.normal, contact.normal)
+        preload, growth = contact.preload, Fraction(0)
+        if question.rows:  # of one grasp: P' and Pᵘ' are known
+            preload, growth, inverse = exactly(question.rows[i].v[D]), question.rows[i].v[D + 1], \
+                exactly(Fraction(1))
+        else:
+            inverse = inverse_root(square, bits) if preload.high else exactly(Fraction(1))
+        turned = contact.slope ** 2
+        bounds = (*contact.position, Bounds(-contact.slope, contact.slope), contact.friction,
+                  Bounds(preload.low * (1 - turned / 2) * inverse.low,
+                         preload.high * inverse.high),
+                  Bounds(contact.stiffness.low * (1 - turned) / square,
+                         contact.stiffness.high / square))
+        contacts.append(Parameters(contact.normal, dict(zip(PARAMETERS, bounds)), growth))
+    return Box(contacts, question.widened, question.growth)
 
 
 def short_above(x: Fraction) -> Fraction:
@@ -857,24 +1221,39 @@ def short_above(x: Fraction) -> Fraction:
     return Fraction(-(-(x.numerator << shift) // x.denominator), 1 << shift)
 
 
+Condition = Tuple[Sequence[Fraction], bool, bool]  # a; is it a·x = 0, not ≥; is a·x strict?
+
+
+class Root(NamedTuple):
+    """Where a tree begins."""
+    box: Box
+    conditions: List[Condition]
+    bilateral: bool = False       # cut also by v_i ≥ 0, where that is certain
+    path: str = ""                # that leads here
+    direction: Sequence[Vector] = ()  # of list 2 (§6): A(d − h d⁰), by rows
+
+
 class Region:
     """A node's region and its strict functions: a set (bits, as in Cone) of cuts, each being the
     condition of its cut up to its sign. The cone is computed when the node's turn has come."""
 
-    def __init__(self, parent: Optional[Region], step: str, row: Sequence[Fraction],
-                 equality: bool = False, strict: bool = False) -> None:
+    def __init__(self, parent: Optional[Region], step: str, row: Sequence[Fraction] = (),
+                 equality: bool = False, strict: bool = False, box: Optional[Box] = None) -> None:
         self.parent = parent
         self.step = step          # the last step of the path from the root
-        self.row = row            # the condition: row·x ≥ 0, or = 0
+        self.row = row            # the condition: row·x ≥ 0, or = 0; none in a part of the box
         self.equality = equality
         self.adds_strict = strict  # is row·x a new strict function?
         self.depth = parent.depth + 1 if parent else 0
         self.strict = 0
+        if parent:
+            self.box, self.direction = box or parent.box, parent.direction
 
     def open(self) -> None:
         assert self.parent is not None
-        self.cone = self.parent.cone.cut(integers(self.row)[0], self.equality)
-        self.strict = self.parent.strict | self.adds_strict << self.parent.cone.cuts
+        cone = self.parent.cone
+        self.cone = cone.cut(integers(self.row)[0], self.equality) if self.row else cone
+        self.strict = self.parent.strict | self.adds_strict << cone.cuts
 
     def bars(self, rays: Sequence[Tuple[Integers, int]]) -> bool:
         """§4, barred: is some strict function zero on all of these rays?"""
@@ -888,21 +1267,35 @@ class Region:
         while region.parent is not None:
             steps.append(region.step)
             region = region.parent
-        return ", ".join(reversed(steps)) or "root"
+        return ", ".join([region.step] * bool(region.step) + steps[::-1]) or "root"
 
 
-def root(question: Question, loads: Range) -> Region:
-    region = Region(None, "root", ())
-    region.cone = Cone([tuple(int(j == k) for k in range(D + 2)) for j in range(D + 2)], [], 0)
-    conditions = [(H, True), (plus(L, -loads.low, H), not loads.contains_low)]
-    if loads.high is not None:
-        conditions.append((plus(times(loads.high, H), Fraction(-1), L), not loads.contains_high))
-    if question.asked.law == "bilateral":
-        conditions += [(row.v, False) for row in question.rows]
-    for row, strict in conditions:
+def all_points() -> Cone:
+    return Cone([tuple(int(j == k) for k in range(D + 2)) for j in range(D + 2)], [], 0)
+
+
+def begin(root: Root) -> Region:
+    region = Region(None, root.path)
+    region.box, region.direction, region.cone = root.box, root.direction, all_points()
+    conditions = list(root.conditions)
+    if root.bilateral:
+        conditions += [(term.v[0], False, False) for term in root.box.terms if len(term.v) == 1]
+    for row, equality, strict in conditions:
         region.strict |= strict << region.cone.cuts
-        region.cone = region.cone.cut(integers(row)[0])
+        region.cone = region.cone.cut(integers(row)[0], equality)
     return region
+
+
+def roots(question: Question, box: Box, ranges: Sequence[Range]) -> List[Root]:
+    """§4, of an unstable verdict or a margin."""
+    found = []
+    for loads in ranges:
+        conditions = [(H, False, True), (plus(L, -loads.low, H), False, not loads.contains_low)]
+        if loads.high is not None:
+            conditions.append((plus(times(loads.high, H), Fraction(-1), L), False,
+                               not loads.contains_high))
+        found.append(Root(box, conditions, question.asked.law == "bilateral"))
+    return found
 
 
 def times(factor: Fraction, a: Sequence[Fraction]) -> Vector:
@@ -913,42 +1306,60 @@ def plus(a: Sequence[Fraction], factor: Fraction, b: Sequence[Fraction]) -> Vect
     return tuple(x + factor * y for x, y in zip(a, b))
 
 
-def side(values: Sequence[int]) -> int:
+def extremes(forms: Sequence[Integers], points: Sequence[Integers]) -> Tuple[List[int], List[int]]:
+    """The signs, at least, of the least and of the largest on each point."""
+    lows = highs = [dot(forms[0], x) for x in points]
+    for form in forms[1:]:
+        values = [dot(form, x) for x in points]
+        lows, highs = list(map(min, lows, values)), list(map(max, highs, values))
+    return lows, highs
+
+
+def side(lows: Sequence[int], highs: Sequence[int]) -> int:
     """+1 if all are ≥ 0, else −1 if all are ≤ 0, else 0."""
-    return 1 if min(values) >= 0 else -1 if max(values) <= 0 else 0
+    return 1 if min(lows) >= 0 else -1 if max(highs) <= 0 else 0
 
 
-def leaf_refusal(region: Region, y: Vector, question: Question, terms: Sequence[Terms],
+def leaf_refusal(region: Region, y: Vector,
                  shorten: Callable[[Fraction], Fraction]) -> Optional[str]:
-    """`leaf-bound`: why it does not hold, or None. g grows with every α_i, so if it holds with
-    each replaced by something that is not smaller, `shorten`, then it holds."""
-    rays = region.cone.generators
+    """`leaf-bound`: why it does not hold, or None. g grows with every α_i and b_i, so if it holds
+    with each replaced by something that is not smaller, `shorten`, then it holds."""
+    rays, box = region.cone.generators, region.box
     if region.bars(rays):
         return None
     points = [x for x, _ in rays]
-    ends = (Fraction(dot(y, question.wrench)), Fraction(dot(y, question.growth)))
-    linear = [(Fraction(0),) * D + ends]  # terms of g, and `bends`: factor·max(0, v_i(x))
-    bends = []
-    for term in terms:
-        values = [dot(term.v, x) for x in points]
-        v_side = side(values)
+    work = sum(max(c * end for end in load) for c, load in zip(y, box.wrench))
+    # Terms of g, `bends`: factor·max(0, v_i(x)), and the bounds of contacts that are uncertain.
+    linear = [(Fraction(0),) * D + (Fraction(work), Fraction(dot(y, box.growth)))]
+    bends, bounds = [], []
+    scaled, factor = integers(y)
+    for term in box.terms:
+        lows, highs = extremes(term.v, points)
+        v_side = side(lows, highs)
         if v_side < 0:
             continue  # max(0, v_i) = 0
-        slips = [dot(term.slip, x) for x in points]
-        slip = side(slips)
-        if slip and not region.bars([ray for ray, t in zip(rays, slips) if t == 0]):
-            slip = 0
-        work = {1: (term.plus,), -1: (term.minus,), 0: (term.plus, term.minus)}[slip]
-        factor = shorten(term.weight * max(dot(y, edge) for edge in work))
+        slips = extremes(term.slip, points)
+        sign_ = side(*slips)
+        zeros = slips[0 if sign_ > 0 else 1]
+        if sign_ and not region.bars([ray for ray, t in zip(rays, zeros) if t == 0]):
+            sign_ = 0
+        if not term.certain:
+            bounds.append([shorten(b / factor)
+                           for b in term.bound(scaled, sign_, v_side == 0, points)])
+            continue
+        ends = {1: (-1,), -1: (1,), 0: (-1, 1)}[sign_]
+        alpha = max(dot(scaled, term.edges[s * term.friction.low][0]) for s in ends)
+        weight = shorten(term.weight * alpha / factor)
         if v_side > 0:
-            linear.append(tuple(factor * c for c in term.v))
-        elif factor > 0:
-            bends.append((factor, values))
+            linear.append(tuple(weight * c for c in term.v[0]))
+        elif weight > 0:
+            bends.append((weight, lows))
     form, scale = integers(pairwise_sum(linear))
     flat = []  # the rays with g = 0
     for k, x in enumerate(points):
         g = Fraction(dot(form, x), scale) + sum(f * values[k] for f, values in bends
                                                 if values[k] > 0)
+        g += sum(values[k] for values in bounds)
         if g > 0:
             return f"g = {show(g)} at {show(x)}"
         if g == 0:
@@ -956,63 +1367,81 @@ def leaf_refusal(region: Region, y: Vector, question: Question, terms: Sequence[
     return None if region.bars(flat) else "g = 0 on rays that are not barred together"
 
 
-def children(region: Region, node: Node, question: Question) -> List[Region]:
-    """The table of nodes: the children in order."""
-    i = node.contact
+def check_leaf(region: Region, y: Vector) -> None:
+    """`leaf-bound`, and §6, `leaf-direction`."""
+    for shorten in (short_above, lambda x: x):
+        found = leaf_refusal(region, y, shorten)
+        if found is None:
+            break
+    else:
+        raise Rejected("leaf-bound", found or "")
+    if not region.direction or region.bars(region.cone.generators):
+        return
+    pull = [sum(c * row[k] for c, row in zip(y, region.direction)) for k in range(D + 1)]
+    for x, _ in region.cone.generators:
+        if dot(pull, x) < 0:
+            raise Rejected("leaf-direction", f"y.A(d - h d0) = {show(dot(pull, x))} at {show(x)}")
+
+
+def children(region: Region, node: Node) -> List[Region]:
+    """The table of nodes, and §6, parts: the children in order."""
+    i, box = node.contact, region.box
+    if node.kind == "part":
+        return [Region(region, f"{node.name} {i} {name}", box=half)
+                for name, half in zip(("low", "high"), box.halves(node))]
     if node.kind == "plane":
         row, steps = node.numbers, ("plane +", "plane -")
-    elif i >= len(question.rows):
-        raise Rejected("node-contact", f"contact {show(i)}, the grasp has {len(question.rows)}")
-    elif node.kind == "separation":
-        row, steps = question.rows[i].v, (f"separation {i} closed", f"separation {i} open")
-    else:
-        row = question.rows[i].T + (Fraction(0), Fraction(0))
-        return [Region(region, f"slip {i} +", row, strict=True),
-                Region(region, f"slip {i} 0", row, equality=True),
-                Region(region, f"slip {i} -", times(Fraction(-1), row), strict=True)]
-    return [Region(region, steps[0], row),
-            Region(region, steps[1], times(Fraction(-1), row), strict=True)]
+        return [Region(region, steps[0], row),
+                Region(region, steps[1], times(Fraction(-1), row), strict=True)]
+    if i >= len(box.terms):
+        raise Rejected("node-contact", f"contact {show(i)}, the grasp has {len(box.terms)}")
+    corners = box.terms[i].v if node.kind == "separation" else box.terms[i].slip
+    if len(corners) > 1:
+        raise Rejected("node-certain", f"contact {i} is uncertain there")
+    row, below = corners[0], negated(corners[0])
+    if node.kind == "separation":
+        return [Region(region, f"separation {i} closed", row),
+                Region(region, f"separation {i} open", below, strict=True)]
+    return [Region(region, f"slip {i} +", row, strict=True),
+            Region(region, f"slip {i} 0", row, equality=True),
+            Region(region, f"slip {i} -", below, strict=True)]
 
 
-def check_node(region: Region, node: Node, question: Question,
-               terms: Sequence[Terms]) -> List[Region]:
+def check_node(region: Region, node: Node) -> List[Region]:
     """The rules of one node, whose children are returned."""
-    if region.depth > 2 * len(question.rows) + MORE_DEPTH:
+    if region.depth > region.box.most_depth:
         raise Rejected("node-depth", f"{region.depth} nodes stand above this one")
     if node.kind != "leaf":
-        return children(region, node, question)
-    for shorten in (short_above, lambda x: x):
-        found = leaf_refusal(region, node.numbers, question, terms, shorten)
-        if found is None:
-            return []
-    raise Rejected("leaf-bound", found)
+        return children(region, node)
+    check_leaf(region, node.numbers)
+    return []
 
 
-def check_tree(tree: Sequence[Node], question: Question,
-               ranges: Sequence[Range] = (VERDICT,)) -> None:
-    """One tree for each of the ranges. `waiting` holds the regions whose nodes are still to come,
-    the next one last."""
-    terms = [Terms(row) for row in question.rows]
+def check_tree(tree: Sequence[Node], beginnings: Sequence[Root], place: Optional[str] = None) -> None:
+    """One tree for each of the roots; `place` is where the list is. `waiting` holds the regions
+    whose nodes are still to come, the next one last."""
     waiting: List[Region] = []
     begun = 0
     for number, node in enumerate(tree):
         if waiting:
             region = waiting.pop()
             region.open()
-        elif begun < len(ranges):
-            region = root(question, ranges[begun])
+        elif begun < len(beginnings):
+            region = begin(beginnings[begun])
             begun += 1
         else:
-            raise Rejected("tree-long", f"{len(tree) - number} nodes after the end", None, number)
+            raise Rejected("tree-long", f"{len(tree) - number} nodes after the end", place, number)
         try:
-            waiting += reversed(check_node(region, node, question, terms))
+            waiting += reversed(check_node(region, node))
         except Rejected as failure:
             failure.node, failure.path = number, region.path()
             raise
-    if waiting or begun < len(ranges):
-        missing = f"{len(waiting)} children" if waiting else f"{len(ranges) - begun} trees"
-        raise Rejected("tree-short", f"{missing} are missing",
-                       waiting[-1].path() if waiting else "root", len(tree))
+    if waiting:
+        raise Rejected("tree-short", f"{len(waiting)} children are missing", waiting[-1].path(),
+                       len(tree))
+    if begun < len(beginnings):
+        raise Rejected("tree-short", f"{len(beginnings) - begun} trees are missing",
+                       beginnings[begun].path or "root", len(tree))
 
 
 # ---- §5 Margins -------------------------------------------------------------------------------
@@ -1099,7 +1528,76 @@ def gaps(resisted: Sequence[Interval]) -> List[Range]:
     return found + [Range(low, None, contained, False)]
 
 
-# ---- §6 What a checker answers ----------------------------------------------------------------
+# ---- §6 Stable: by degree ---------------------------------------------------------------------
+
+
+def determinant(m: Sequence[Vector]) -> Fraction:
+    (a, b, c), (d, e, f), (g, h, i) = m
+    return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
+
+
+def about(twist: Vector, row: Vector, more: int = 0) -> Vector:
+    """row·(d − h d⁰) + more·h as a function of points."""
+    return row + (more - dot(row, twist), Fraction(0))
+
+
+def cone_over(part: DegreeProof, wall: Optional[int] = None, sign_: int = 0) -> List[Condition]:
+    """The cone over K, or over a wall of it."""
+    conditions: List[Condition] = [(L, True, False), (H, False, True)]
+    for k, row in enumerate(part.walls):
+        if k == wall:
+            conditions.append((about(part.twist, row, -sign_), True, False))
+        else:
+            conditions += [(about(part.twist, row, 1), False, False),
+                           (about(part.twist, times(Fraction(-1), row), 1), False, False)]
+    return conditions
+
+
+def check_degree(part: DegreeProof, box: Box, bilateral: bool, place: str) -> None:
+    """A part that is not cut."""
+    for rule, matrix in (("walls", part.walls), ("direction", part.direction)):
+        if determinant(matrix) == 0:
+            raise Rejected(f"degree-{rule}", "the determinant is 0", place)
+    if bilateral:
+        region = begin(Root(box, cone_over(part)))
+        for i, term in enumerate(box.terms):
+            lows, _ = extremes(term.v, [x for x, _ in region.cone.generators])
+            if min(lows) < 0:
+                raise Rejected("degree-law", f"v of contact {i} may be below 0", place)
+    direction = [about(part.twist, row) for row in part.direction]
+    walls = [(j, sign_) for j in range(D) for sign_ in (1, -1)]
+    lists = (("wall", box, ()), ("middle wall", box.middle(), direction))
+    check_tree(part.tree, [Root(where, cone_over(part, j, sign_), False,
+                                f"{place}, {name} {j + 1} {'+' if sign_ > 0 else '-'}", pull)
+                           for name, where, pull in lists for j, sign_ in walls], place)
+
+
+def check_parts(parts: Sequence[Union[Node, DegreeProof]], box: Box, bilateral: bool) -> None:
+    """`waiting` holds the boxes that are still to come, with their paths and depths."""
+    waiting = [(box, "", 0)]
+    for k, part in enumerate(parts):
+        if not waiting:
+            raise Rejected("tree-long", f"{len(parts) - k} parts after the end", f"part {k}")
+        here, path, depth = waiting.pop()
+        place = f"part {k}{path}"
+        if depth > here.most_depth:
+            raise Rejected("node-depth", f"{depth} parts stand above this one", place)
+        if isinstance(part, DegreeProof):
+            check_degree(part, here, bilateral, place)
+            continue
+        try:
+            low, high = here.halves(part)
+        except Rejected as failure:
+            failure.path = place
+            raise
+        path += f", {part.name} {part.contact} "
+        waiting += [(high, path + "high", depth + 1), (low, path + "low", depth + 1)]
+    if waiting:
+        raise Rejected("tree-short", f"{len(waiting)} parts are missing",
+                       f"part {len(parts)}{waiting[-1][1]}")
+
+
+# ---- §7 What a checker answers ----------------------------------------------------------------
 
 USAGE = """check.py GRASP CERTIFICATE [options]
 
@@ -1113,6 +1611,10 @@ one of them may be - for standard input. Give the same options as to the program
                            wrench + f direction, with wrench 0 unless given by --wrench or --case
   --preload-direction D    ask for the margin along preloads: P0,P1,..., of which f times is added to
                            the preloads; or scale: f times the preloads
+  --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be off,
+                           such as friction=10%,stiffness=10%,preload=5%,position=0.001,
+                           normal=0.0175,wrench=2%; any of them, absolute or in percent, for
+                           normals the slope by which they may be turned
   --json                   answer as one JSON object
   -h, --help               this text, if it comes before GRASP
   --                       no options follow
@@ -1144,6 +1646,18 @@ def list_option(name: str, text: str, length: Optional[int] = None) -> Vector:
     return tuple(number_option(name, part) for part in parts)
 
 
+def tolerances_option(name: str, text: str) -> Dict[str, Tolerance]:
+    found: Dict[str, Tolerance] = {}
+    for part in text.split(","):
+        kind, equals, size = part.partition("=")
+        if kind not in KINDS or not equals or kind in found:
+            raise UsageError(f"{name}: '{show(part)}' is not KIND=TOLERANCE, such as friction=10%, "
+                             f"where KIND is one of {', '.join(KINDS)}, each at most once")
+        percent = size.endswith("%")
+        found[kind] = Tolerance(number_option(name, size[:-1] if percent else size), percent)
+    return found
+
+
 def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
     """None if help is asked for: before the first file only, and after -- nothing is an option, so
     that no file's name makes the program end with success."""
@@ -1163,7 +1677,7 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
             continue
         name, equals, value = word.partition("=") if word.startswith("--") else (word, "", "")
         if name not in ("--wrench", "--case", "--preload", "--normal-law", "--direction",
-                        "--preload-direction"):
+                        "--preload-direction", "--uncertain"):
             raise UsageError(f"unknown option '{show(word)}'")
         if not equals:
             if not waiting:
@@ -1180,6 +1694,8 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
         elif name == "--preload-direction":
             options = options._replace(preload_direction="scale" if value == "scale" else
                                        list_option(name, value))
+        elif name == "--uncertain":
+            options = options._replace(uncertain=tolerances_option(name, value))
         elif value in LAWS:
             options = options._replace(law=value)
         else:
@@ -1195,6 +1711,16 @@ def listed(vector: Optional[Vector]) -> Optional[List[str]]:
     return None if vector is None else list(map(str, vector))
 
 
+def listed_wrench(wrench: Wrench) -> List[Union[str, List[str]]]:
+    return [str(load.low) if load.certain else list(map(str, load)) for load in wrench]
+
+
+def tolerances(asked: Options) -> Dict[str, str]:
+    """In the order of §6."""
+    given = asked.uncertain or {}
+    return {kind: str(given[kind]) for kind in KINDS if kind in given}
+
+
 def accepted_text(certificate: Certificate, question: Question, leaves: int, trees: int) -> str:
     asked, margin = question.asked, certificate.verdict == "margin"
     growth = asked.preload_direction
@@ -1204,13 +1730,20 @@ def accepted_text(certificate: Certificate, question: Question, leaves: int, tre
     preload += "as in the grasp file" if asked.preload is None else f"{asked.preload} at all contacts"
     if growth is not None and growth != "scale":
         preload += f" + f ({', '.join(map(str, growth))})"
-    tree = f"{len(certificate.tree)} nodes: {leaves} leaves"
+    tree = f"{len(certificate.trees())} nodes: {leaves} leaves"
+    proofs = sum(isinstance(part, DegreeProof) for part in certificate.parts or [])
     lines = ["accepted", f"resisted    {intervals or 'no multiple'}" if margin
-             else f"verdict     {certificate.verdict}", f"contacts    {len(question.rows)}",
+             else f"verdict     {certificate.verdict}"
+             + ", for every grasp in the box" * question.is_box,
+             f"contacts    {len(question.contacts)}",
              f"wrench      ({', '.join(map(str, question.wrench))})"]
     if asked.direction is not None:
         lines.append(f"direction   ({', '.join(map(str, asked.direction))})")
-    lines += [f"preload     {preload}", f"normal law  {asked.law}", "proof       " + (
+    lines += [f"preload     {preload}", f"normal law  {asked.law}"]
+    if asked.uncertain:
+        lines.append("uncertain   " + ", ".join(map(" ".join, tolerances(asked).items())))
+    lines += ["proof       " + (
+        f"by degree, parts: {proofs}; trees of {tree}" if proofs else
         f"segments: {len(certificate.segments)}; trees: {trees}, of {tree}" if margin else
         "an equilibrium" if certificate.witness else f"a tree of {tree}")]
     return "\n".join(lines) + "\n"
@@ -1219,20 +1752,24 @@ def accepted_text(certificate: Certificate, question: Question, leaves: int, tre
 def answer(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
     """The answer as an object, in which every key is there, and as text; and the exit code."""
     report: Dict[str, Any] = dict.fromkeys(("result", "rule", "node", "path", "found", "verdict",
-                                            "nodes", "leaves", "resisted", "question"))
+                                            "box", "nodes", "leaves", "resisted", "question"))
     try:
         question = pose(arguments.files[0], arguments.options)
         certificate = read_certificate(arguments.files[1])
         check_question(question, certificate.question)
         ranges = [VERDICT]
+        bilateral = question.asked.law == "bilateral"
         if certificate.verdict == "margin":
             check_resisted(certificate.resisted)
             check_segments(certificate.segments, certificate.resisted, question)
             ranges = gaps(certificate.resisted)
         if certificate.witness:
             check_witness(question, certificate.witness)
+        elif certificate.parts is not None:
+            check_parts(certificate.parts, enlarged(question, certificate.bits), bilateral)
         else:
-            check_tree(certificate.tree, question, ranges)
+            check_tree(certificate.tree,
+                       roots(question, enlarged(question, certificate.bits), ranges))
     except Rejected as failure:
         found = printable(failure.found)
         report.update(result="rejected", rule=failure.rule, node=failure.node, path=failure.path,
@@ -1245,15 +1782,16 @@ def answer(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
         report.update(result="malformed", path=printable(failure.place) or None,
                       found=printable(failure.problem))
         return report, printable(str(failure)) + "\n", 2
-    leaves = sum(node.kind == "leaf" for node in certificate.tree)
+    leaves = sum(node.kind == "leaf" for node in certificate.trees())
     asked, growth = question.asked, question.asked.preload_direction
-    report.update(result="accepted", verdict=certificate.verdict, question={
-        "contacts": len(question.rows), "wrench": listed(question.wrench),
+    report.update(result="accepted", verdict=certificate.verdict, box=question.is_box, question={
+        "contacts": len(question.contacts), "wrench": listed_wrench(question.wrench),
         "preload": None if asked.preload is None else str(asked.preload), "normal_law": asked.law,
         "direction": listed(asked.direction),
-        "preload_direction": growth if growth == "scale" else listed(growth)})
+        "preload_direction": growth if growth == "scale" else listed(growth),
+        "uncertain": tolerances(asked) or None})
     if not certificate.witness:
-        report.update(nodes=len(certificate.tree), leaves=leaves)
+        report.update(nodes=len(certificate.trees()), leaves=leaves)
     if certificate.verdict == "margin":
         report["resisted"] = [[str(low), high if high is None else str(high)]
                               for low, high in certificate.resisted]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What the checker answers (FORMAT.md §6).
+/// What the checker answers (FORMAT.md §7).
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,8 @@ struct Accepted {
   std::vector<Interval> resisted;  ///< of a margin: exactly these multiples
   std::uint64_t segments = 0;      ///< of a margin
   std::size_t trees = 0;           ///< of a margin, one for each gap
-  std::uint64_t nodes = 0;         ///< of the tree or trees; 0 for a witness
+  std::uint64_t parts = 0;         ///< of a proof by degree, those that are not cut
+  std::uint64_t nodes = 0;         ///< of all trees; 0 for a witness
   std::uint64_t leaves = 0;
 };
 
@@ -35,7 +36,8 @@ struct Rejected {
   std::string rule;                   ///< as FORMAT.md spells it
   std::optional<std::uint64_t> node;  ///< its number in the list, for trees
   std::string path;                   ///< from the root, such as "slip 3 +, separation 0 open";
-                                      ///< or such as "segment 3, first point", "interval 0"
+                                      ///< or such as "segment 3, first point", "interval 0",
+                                      ///< "part 0, wall 1 +, slip 3 -"
   std::string found;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "arguments.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "number.hpp"
@@ -33,6 +34,30 @@ Vector parse_wrench(const std::string& option, const std::string& text) {
     throw UsageError{option + ": " + quote(text) + " is not WX,WY,T, such as 0,-11/10,0"};
   }
   return values;
+}
+
+std::map<std::string, Tolerance> parse_tolerances(const std::string& option,
+                                                  const std::string& text) {
+  std::map<std::string, Tolerance> result;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t comma = std::min(text.find(',', begin), text.size());
+    const std::string part = text.substr(begin, comma - begin);
+    const std::size_t equals = std::min(part.find('='), part.size());
+    const std::string kind = part.substr(0, equals);
+    const bool known = std::find(kUncertainKinds.begin(), kUncertainKinds.end(), kind) !=
+                       kUncertainKinds.end();
+    if (!known || equals == part.size() || result.count(kind) != 0) {
+      throw UsageError{option + ": " + quote(part) +
+                       " is not KIND=TOLERANCE, such as friction=10%, where KIND is friction, "
+                       "stiffness, preload, position, normal or wrench, each at most once"};
+    }
+    std::string number = part.substr(equals + 1);
+    const bool percent = !number.empty() && number.back() == '%';
+    if (percent) number.pop_back();
+    result[kind] = {parse_number(option, number), percent};
+    begin = comma + 1;
+  }
+  return result;
 }
 
 }  // namespace
@@ -80,6 +105,8 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
       options.preload_direction.emplace();
       options.preload_direction->scale = growth == "scale";
       if (growth != "scale") options.preload_direction->values = parse_list(word, growth);
+    } else if (word == "--uncertain") {
+      options.uncertain = parse_tolerances(word, value());
     } else if (!attached && word == "--json") {
       arguments.json = true;
     } else if (!attached && word == "--") {

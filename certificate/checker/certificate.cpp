@@ -30,13 +30,26 @@ Claim CertificateReader::claim() {
   }
   const Value question = json_.value();
   json_.expect(question.kind == Value::Kind::kObject, question, *name, "an object {...}");
-  const Options stated = asked(question);
-  margin_ = stated.margin();
-  return {index(*question.find("contacts"), "question.contacts"), stated};
+  Claim claim = claim_of(question);
+  margin_ = claim.asked.margin();
+  return claim;
 }
 
 std::string CertificateReader::verdict() {
-  const Value verdict = take("verdict");
+  constexpr unsigned kLeastBits = 64;
+  constexpr unsigned kMostBits = 4096;
+  std::optional<std::string> name = json_.next_member();
+  if (name == "bits" && !margin_) {
+    const Value value = json_.value();
+    const Rational bits = value.kind == Value::Kind::kNumber ? number(value, "bits") : 0;
+    json_.expect(
+        bits >= kLeastBits && bits <= kMostBits, value, "bits",
+        "an integer from " + std::to_string(kLeastBits) + " to " + std::to_string(kMostBits));
+    bits_ = static_cast<unsigned>(bits.get_num().get_ui());
+    name = json_.next_member();
+  }
+  expect_name(name, "verdict");
+  const Value verdict = json_.value();
   if (margin_) {
     json_.expect(verdict.is_text("margin"), verdict, "verdict",
                  "\"margin\", as the question has a direction");
@@ -47,9 +60,21 @@ std::string CertificateReader::verdict() {
   return verdict.text;
 }
 
+bool CertificateReader::has_parts() {
+  const std::optional<std::string> name = json_.next_member();
+  if (name != "parts") expect_name(name, "twist");
+  if (name == "parts") open_list_ = "parts";
+  return name == "parts";
+}
+
+std::optional<Part> CertificateReader::next_part() {
+  if (!next_element("parts")) return std::nullopt;
+  return part(json_.value(), "parts[" + std::to_string(elements_ - 1) + "]");
+}
+
 Witness CertificateReader::witness() {
   Witness witness;
-  witness.x = numbers(take("twist"), "twist", 0, kDimension);
+  witness.x = numbers(json_.value(), "twist", 0, kDimension);
   witness.x.insert(witness.x.end(), {1, 0});
   witness.shares = shares(take("shares"), "shares");
   return witness;
@@ -88,7 +113,11 @@ void CertificateReader::finish() {
 }
 
 void CertificateReader::expect_member(const std::string& name) {
-  const std::optional<std::string> found = json_.next_member();
+  expect_name(json_.next_member(), name);
+}
+
+void CertificateReader::expect_name(const std::optional<std::string>& found,
+                                    const std::string& name) const {
   if (found != name) {
     json_.fail(json_.line(), "top level",
                (found ? "found the member " + quote(*found) : std::string("the object ends")) +
@@ -153,29 +182,45 @@ const std::vector<Value>& CertificateReader::list(const Value& value, const std:
   return value.items;
 }
 
-Options CertificateReader::asked(const Value& value) const {
-  const std::vector<std::string> order{"contacts",   "wrench",    "preload",
-                                       "normal_law", "direction", "preload_direction"};
-  auto next = order.begin();
+/// Members that are there must be among `names`, in their order.
+void CertificateReader::expect_order(const Value& value, const std::string& place,
+                                     const std::vector<const char*>& names) const {
+  auto next = names.begin();
   for (const std::string& key : value.keys) {
-    next = std::find(next, order.end(), key);
-    if (next == order.end()) {
-      json_.fail(value.line, "question",
-                 "the member " + quote(key) + " is unknown or out of order");
+    next = std::find(next, names.end(), key);
+    if (next == names.end()) {
+      json_.fail(value.line, place, "the member " + quote(key) + " is unknown or out of order");
     }
     ++next;
   }
-  for (const char* key : {"contacts", "wrench", "normal_law"}) {
-    if (value.find(key) == nullptr) {
-      json_.fail(value.line, "question", std::string("the member \"") + key + "\" is missing");
-    }
+}
+
+const Value& CertificateReader::member(const Value& value, const std::string& place,
+                                       const std::string& name) const {
+  const Value* found = value.find(name);
+  if (found == nullptr) {
+    json_.fail(value.line, place, "the member \"" + name + "\" is missing");
   }
-  Options asked;
-  asked.wrench = numbers(*value.find("wrench"), "question.wrench", 0, kDimension);
+  return *found;
+}
+
+Claim CertificateReader::claim_of(const Value& value) const {
+  expect_order(value, "question",
+               {"contacts", "wrench", "preload", "normal_law", "direction", "preload_direction",
+                "uncertain"});
+  Claim claim;
+  claim.contacts = index(member(value, "question", "contacts"), "question.contacts");
+  const std::string at_wrench = "question.wrench";
+  const Value& wrench = member(value, "question", "wrench");
+  json_.expect(wrench.is_array(kDimension), wrench, at_wrench, "an array of 3");
+  for (const Value& entry : wrench.items) {
+    claim.wrench.push_back(wrench_component(entry, at_wrench));
+  }
+  Options& asked = claim.asked;
   if (const Value* preload = value.find("preload")) {
     asked.preload = number(*preload, "question.preload");
   }
-  const Value& law = *value.find("normal_law");
+  const Value& law = member(value, "question", "normal_law");
   asked.bilateral = law.is_text("bilateral");
   json_.expect(asked.bilateral || law.is_text("unilateral"), law, "question.normal_law",
                R"("unilateral" or "bilateral")");
@@ -192,7 +237,62 @@ Options CertificateReader::asked(const Value& value) const {
       }
     }
   }
-  return asked;
+  if (const Value* uncertain = value.find("uncertain")) {
+    asked.uncertain = tolerances(*uncertain);
+  }
+  return claim;
+}
+
+/// A NUMBER, or an interval of the grasp file.
+Bounds CertificateReader::wrench_component(const Value& value, const std::string& place) const {
+  if (value.kind != Value::Kind::kArray) return number(value, place);
+  const Vector ends = numbers(value, place, 0, 2);
+  return {ends[0], ends[1]};
+}
+
+/// TOLERANCE.
+std::map<std::string, Tolerance> CertificateReader::tolerances(const Value& value) const {
+  const std::string place = "question.uncertain";
+  json_.expect(value.kind == Value::Kind::kObject && !value.items.empty(), value, place,
+               "an object of one tolerance or more");
+  expect_order(value, place, {kUncertainKinds.begin(), kUncertainKinds.end()});
+  std::map<std::string, Tolerance> result;
+  for (std::size_t k = 0; k < value.items.size(); ++k) {
+    Value size = value.items[k];
+    const bool percent =
+        size.kind == Value::Kind::kString && !size.text.empty() && size.text.back() == '%';
+    if (percent) size.text.pop_back();
+    result[value.keys[k]] = {number(size, place + "." + value.keys[k]), percent};
+  }
+  return result;
+}
+
+std::vector<Vector> CertificateReader::matrix(const Value& value,
+                                              const std::string& place) const {
+  json_.expect(value.is_array(kDimension), value, place, "a matrix of 3 rows");
+  std::vector<Vector> rows;
+  for (const Value& row : value.items) rows.push_back(numbers(row, place, 0, kDimension));
+  return rows;
+}
+
+/// PART.
+Part CertificateReader::part(const Value& value, const std::string& place) const {
+  Part part;
+  part.cut = value.kind == Value::Kind::kArray;
+  if (part.cut) {
+    part.by = node(value, place);
+    json_.expect(part.by.kind == NodeKind::kPart, value, place, "a part");
+    return part;
+  }
+  json_.expect(value.kind == Value::Kind::kObject, value, place, "a part");
+  expect_order(value, place, {"twist", "walls", "direction", "tree"});
+  part.twist = numbers(member(value, place, "twist"), place + ".twist", 0, kDimension);
+  part.walls = matrix(member(value, place, "walls"), place + ".walls");
+  part.direction = matrix(member(value, place, "direction"), place + ".direction");
+  for (const Value& entry : list(member(value, place, "tree"), place + ".tree", "an array")) {
+    part.tree.push_back(node(entry, place + ".tree[" + std::to_string(part.tree.size()) + "]"));
+  }
+  return part;
 }
 
 std::vector<std::pair<Integer, Rational>> CertificateReader::shares(
@@ -232,9 +332,20 @@ Node CertificateReader::node(const Value& value, const std::string& place) const
     node.kind = NodeKind::kPlane;
     node.numbers = numbers(value, place, 1, kDimension + (margin_ ? 2 : 1));
     node.numbers.resize(kDimension + 2);
+  } else if (kind == "part" && !margin_) {
+    node.kind = NodeKind::kPart;
+    json_.expect(value.is_array(4), value, place, "part, a name, an index and a number");
+    const auto name = std::find_if(kParameterNames.begin(), kParameterNames.end(),
+                                   [&](auto known) { return value.items[1].is_text(known); });
+    json_.expect(name != kParameterNames.end(), value.items[1], place,
+                 "x, y, turn, friction, preload, stiffness or wrench");
+    node.parameter = static_cast<Parameter>(name - kParameterNames.begin());
+    node.contact = index(value.items[2], place);
+    node.numbers = {number(value.items[3], place)};
   } else {
-    json_.expect(kind == "slip" || kind == "separation", value.items[0], place,
-                 "slip, separation, plane or leaf");
+    json_.expect(
+        kind == "slip" || kind == "separation", value.items[0], place,
+        margin_ ? "slip, separation, plane or leaf" : "slip, separation, plane, part or leaf");
     node.kind = kind == "slip" ? NodeKind::kSlip : NodeKind::kSeparation;
     json_.expect(value.is_array(2), value, place, "a kind and a contact");
     node.contact = index(value.items[1], place);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "answer.hpp"
+#include "degree.hpp"
 #include "json.hpp"
 #include "tree.hpp"
 #include "witness.hpp"
@@ -19,19 +20,24 @@ namespace stickslip_check {
 /// The member `question`: what whoever made the certificate was asked.
 struct Claim {
   Integer contacts;
-  Options asked;  ///< the wrench always, the rest if stated
+  Wrench wrench;
+  Options asked;  ///< the rest, if stated
 };
 
 class CertificateReader {
  public:
   CertificateReader(std::istream& in, const std::string& file);
 
-  /// All up to the member `verdict`.
+  /// All up to the member `question`.
   Claim claim();
   /// "stable", "unstable" or "margin".
   std::string verdict();
+  /// Of lengths that are irrational; known with the verdict.
+  unsigned bits() const { return bits_; }
 
-  // stable
+  // stable: by parts, or else by a witness
+  bool has_parts();
+  std::optional<Part> next_part();
   Witness witness();
 
   // unstable, margin
@@ -44,6 +50,7 @@ class CertificateReader {
 
  private:
   void expect_member(const std::string& name);
+  void expect_name(const std::optional<std::string>& found, const std::string& name) const;
   bool next_element(const char* list);
   Value take(const std::string& name);
   Rational number(const Value& value, const std::string& place) const;
@@ -51,16 +58,25 @@ class CertificateReader {
   Integer index(const Value& value, const std::string& place) const;
   Vector numbers(const Value& value, const std::string& place, std::size_t skipped,
                  std::size_t size) const;
+  void expect_order(const Value& value, const std::string& place,
+                    const std::vector<const char*>& names) const;
+  const Value& member(const Value& value, const std::string& place,
+                      const std::string& name) const;
   const std::vector<Value>& list(const Value& value, const std::string& place,
                                  const std::string& what) const;
-  Options asked(const Value& value) const;
+  Claim claim_of(const Value& value) const;
+  Bounds wrench_component(const Value& value, const std::string& place) const;
+  std::map<std::string, Tolerance> tolerances(const Value& value) const;
+  std::vector<Vector> matrix(const Value& value, const std::string& place) const;
+  Part part(const Value& value, const std::string& place) const;
   std::vector<std::pair<Integer, Rational>> shares(const Value& value,
                                                    const std::string& place) const;
   Witness point(const Value& value, bool may_be_ray, const std::string& place) const;
   Node node(const Value& value, const std::string& place) const;
 
   JsonReader json_;
-  bool margin_ = false;    ///< the question has a direction
+  bool margin_ = false;  ///< the question has a direction
+  unsigned bits_ = kDefaultBits;
   std::string open_list_;  ///< whose elements are being taken
   std::size_t elements_ = 0;
   std::optional<Witness> end_;  ///< of the last segment

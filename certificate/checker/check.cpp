@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "certificate.hpp"
+#include "degree.hpp"
 #include "margin.hpp"
 
 namespace stickslip_check {
@@ -23,6 +24,15 @@ std::string in_words(const std::optional<Rational>& preload) {
   return preload ? "the preload " + show(*preload) : "the file's own preloads";
 }
 
+std::string in_words(const std::map<std::string, Tolerance>& uncertain) {
+  std::string text;
+  for (const auto& [kind, tolerance] : uncertain) {
+    text += (text.empty() ? "" : ", ") + kind + "=" + show(tolerance.size) +
+            (tolerance.percent ? "%" : "");
+  }
+  return text.empty() ? "no tolerances" : "the tolerances " + text;
+}
+
 /// The rules `question-...`.
 void check_question(const Claim& claim, const Question& question) {
   const auto compare = [](const char* rule, bool equal, const std::string& claimed,
@@ -33,9 +43,10 @@ void check_question(const Claim& claim, const Question& question) {
   };
   const Options& said = claim.asked;
   const Options& asked = question.asked;
-  compare("question-contacts", claim.contacts == question.rows.size(),
-          show(Rational(claim.contacts)) + " contacts", std::to_string(question.rows.size()));
-  compare("question-wrench", said.wrench == question.wrench, show(*said.wrench),
+  compare("question-contacts", claim.contacts == question.contacts.size(),
+          show(Rational(claim.contacts)) + " contacts",
+          std::to_string(question.contacts.size()));
+  compare("question-wrench", claim.wrench == question.wrench, show(claim.wrench),
           show(question.wrench));
   compare("question-preload", said.preload == asked.preload, in_words(said.preload),
           in_words(asked.preload));
@@ -45,6 +56,8 @@ void check_question(const Claim& claim, const Question& question) {
           in_words(asked.direction));
   compare("question-preload-direction", said.preload_direction == asked.preload_direction,
           in_words(said.preload_direction), in_words(asked.preload_direction));
+  compare("question-uncertain", said.uncertain == asked.uncertain, in_words(said.uncertain),
+          in_words(asked.uncertain));
 }
 
 /// A rule that fails is remembered, and the rest of the file is still read: what is malformed
@@ -70,11 +83,20 @@ Answer read_and_check(CertificateReader& certificate, Question question) {
   rejection.unless_rejected([&] { check_question(claim, question); });
   Accepted accepted;
   accepted.verdict = certificate.verdict();
+  if (question.is_box) enlarge(question, certificate.bits());
   std::vector<Range> ranges{{0, 0}};  // of one verdict
-  if (accepted.verdict == "stable") {
+  if (accepted.verdict == "stable" && certificate.has_parts()) {
+    PartWalk walk(question.asked.bilateral, question.box);
+    while (const std::optional<Part> part = certificate.next_part()) {
+      rejection.unless_rejected([&] { walk.visit(*part); });
+    }
+    rejection.unless_rejected([&] { walk.finish(); });
+    accepted.parts = walk.proofs();
+    accepted.nodes = walk.nodes();
+    accepted.leaves = walk.leaves();
+  } else if (accepted.verdict == "stable") {
     const Witness witness = certificate.witness();
     rejection.unless_rejected([&] { check_witness(question, witness); });
-    ranges.clear();
   } else if (accepted.verdict == "margin") {
     accepted.resisted = certificate.resisted();
     rejection.unless_rejected([&] { check_order(accepted.resisted); });
@@ -88,7 +110,7 @@ Answer read_and_check(CertificateReader& certificate, Question question) {
     accepted.trees = ranges.size();
   }
   if (accepted.verdict != "stable") {
-    TreeWalk walk(question, ranges);
+    TreeWalk walk(roots_of(question, ranges));
     while (const std::optional<Node> node = certificate.next_node()) {
       rejection.unless_rejected([&] { walk.visit(*node); });
     }

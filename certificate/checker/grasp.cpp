@@ -15,6 +15,7 @@ namespace {
 constexpr JsonLimits kLimits{std::uint64_t{1} << 28U, 32, std::uint64_t{1} << 28U, 1U << 16U,
                              true};
 constexpr std::size_t kMaxContacts = 1'000'000;
+constexpr const char* kNeeds2 = R"(it needs "format": "stickslip-grasp/2")";
 
 /// Of the outline, in the sense of its ring.
 struct Edge {
@@ -47,7 +48,7 @@ Value enclosed(Value value) {
 }
 
 using Names = std::vector<std::string>;
-using Properties = std::map<std::string, Rational>;  // friction, stiffness, preload
+using Properties = std::map<std::string, Bounds>;  // friction, stiffness, preload
 
 class GraspReader {
  public:
@@ -77,11 +78,11 @@ class GraspReader {
       check(has(key), std::string("the member \"") + key + "\" is missing");
     }
     for (const char* key : {"units", "outline", "loads", "cases"}) {
-      check(version2_ || !has(key),
-            std::string("the member \"") + key + "\" needs \"format\": \"stickslip-grasp/2\"");
+      check(version2_ || !has(key), std::string("the member \"") + key + "\": " + kNeeds2);
     }
     check(has("wrench") || has("loads") || has("cases"), "the member \"wrench\" is missing");
     check(!has("wrench") || !has("loads"), "both \"wrench\" and \"loads\"; give one of them");
+    if (uncertain_ && !version2_) json_.fail(uncertain_->first, uncertain_->second, kNeeds2);
     for (auto& [name, wrench] : grasp_.cases) add(wrench, grasp_.wrench);
     for (const auto& [i, on] : places_) put_on_outline(i, on);
     for (std::size_t i = 0; i < own_.size(); ++i) complete(i);
@@ -97,7 +98,7 @@ class GraspReader {
     } else if (key == "name") {
       json_.expect(value.kind == Value::Kind::kString, value, key, "a string");
     } else if (key == "wrench") {
-      grasp_.wrench = vector(value, key, 3);
+      grasp_.wrench = uncertain_vector(value, key, 3);
     } else if (key == "loads") {
       grasp_.wrench = sum_of_loads(value, key);
     } else if (key == "cases") {
@@ -194,21 +195,23 @@ class GraspReader {
       const bool known = index.get_den() == 1 && index >= 0 && index < list.size();
       if (!known || !version2_) {
         json_.fail(on.line, "contacts[" + std::to_string(i) + "].on",
-                   !version2_ ? "it needs \"format\": \"stickslip-grasp/2\""
-                              : "there is no " + (what + (" " + show(index))));
+                   !version2_ ? kNeeds2 : "there is no " + (what + (" " + show(index))));
       }
       return list[index.get_num().get_ui()];
     };
     const Edge& edge = choose(choose(outline_, on.polygon, "polygon"), on.edge, "edge");
-    Vector& position = grasp_.contacts[i].position;
     for (std::size_t j = 0; j < 2; ++j) {
-      position.emplace_back(edge.from[j] + on.share * (edge.to[j] - edge.from[j]));
+      const Rational p = edge.from[j] + on.share * (edge.to[j] - edge.from[j]);
+      grasp_.contacts[i].position.emplace_back(p);
     }
     grasp_.contacts[i].normal = edge.inwards;
   }
 
-  static void add(Vector& sum, const Vector& term) {
-    for (std::size_t j = 0; j < sum.size(); ++j) sum[j] += term[j];
+  static void add(Wrench& sum, const Wrench& term) {
+    for (std::size_t j = 0; j < sum.size(); ++j) {
+      sum[j].low += term[j].low;
+      sum[j].high += term[j].high;
+    }
   }
 
   void read_cases(const Value& value) {
@@ -226,7 +229,7 @@ class GraspReader {
       if ((wrench == nullptr) == (loads == nullptr)) {
         json_.fail(entry.line, place, R"(expected one of the members "wrench" and "loads")");
       }
-      Vector own = wrench != nullptr ? vector(*wrench, place + ".wrench", 3)
+      Wrench own = wrench != nullptr ? uncertain_vector(*wrench, place + ".wrench", 3)
                                      : sum_of_loads(*loads, place + ".loads");
       if (!grasp_.cases.emplace(name.text, std::move(own)).second) {
         json_.fail(name.line, place, "the name " + quote(name.text) + " appears twice");
@@ -234,9 +237,9 @@ class GraspReader {
     }
   }
 
-  Vector sum_of_loads(const Value& value, const std::string& place) const {
+  Wrench sum_of_loads(const Value& value, const std::string& place) const {
     json_.expect(value.kind == Value::Kind::kArray, value, place, "an array of loads");
-    Vector sum(3);
+    Wrench sum(3);
     for (std::size_t k = 0; k < value.items.size(); ++k) {
       add(sum, load(value.items[k], place + "[" + std::to_string(k) + "]"));
     }
@@ -244,7 +247,7 @@ class GraspReader {
   }
 
   /// The wrench of a force at a point, of a torque or of a weight.
-  Vector load(const Value& value, const std::string& place) const {
+  Wrench load(const Value& value, const std::string& place) const {
     if (const Value* torque = value.find("torque")) {
       expect_object(value, place, {"torque"});
       return {0, 0, number(*torque, place + ".torque")};
@@ -285,8 +288,9 @@ class GraspReader {
       }
       places_.emplace(own_.size(), read_place(*on, place + ".on"));
     } else {
-      contact.position = vector(member(value, place, "position"), place + ".position", 2);
-      contact.normal = vector(member(value, place, "normal"), place + ".normal", 2);
+      const Value& position = member(value, place, "position");
+      contact.position = uncertain_vector(position, place + ".position", 2);
+      read_normal(member(value, place, "normal"), place + ".normal", contact);
       if (contact.normal == Vector(2)) {
         json_.fail(value.line, place + ".normal",
                    "the normal is (0, 0); give a vector into the object");
@@ -294,6 +298,21 @@ class GraspReader {
     }
     grasp_.contacts.push_back(std::move(contact));
     own_.push_back(properties(value, place));
+  }
+
+  /// [x, y], or with a slope.
+  void read_normal(const Value& value, const std::string& place, Contact& contact) {
+    if (value.kind != Value::Kind::kObject) {
+      contact.normal = vector(value, place, 2);
+      return;
+    }
+    found_uncertain(value, place);
+    expect_object(value, place, {"direction", "slope"});
+    contact.normal = vector(member(value, place, "direction"), place + ".direction", 2);
+    const Value& slope = member(value, place, "slope");
+    contact.slope = number(slope, place + ".slope");
+    json_.expect(contact.slope >= 0 && contact.slope < 1, slope, place + ".slope",
+                 "a number of 0 or more and below 1");
   }
 
   /// What a contact does not say itself, defaults say, and else 1 and 0.
@@ -359,17 +378,48 @@ class GraspReader {
     return result;
   }
 
-  Properties properties(const Value& object, const std::string& place) const {
+  /// Version 1 has no intervals and slopes; the version may be stated later.
+  void found_uncertain(const Value& value, const std::string& place) {
+    if (!uncertain_) uncertain_.emplace(value.line, place);
+  }
+
+  /// A number or an INTERVAL (FORMAT.md §6).
+  Bounds bounds(const Value& value, const std::string& place) {
+    if (value.kind != Value::Kind::kObject) return number(value, place);
+    found_uncertain(value, place);
+    expect_object(value, place, {"min", "max"});
+    const Bounds read(number(member(value, place, "min"), place + ".min"),
+                      number(member(value, place, "max"), place + ".max"));
+    if (read.low > read.high) {
+      json_.fail(value.line, place,
+                 "found min " + show(read.low) + " above max " + show(read.high) +
+                     ", expected min <= max");
+    }
+    return read;
+  }
+
+  std::vector<Bounds> uncertain_vector(const Value& value, const std::string& place,
+                                       std::size_t size) {
+    json_.expect(value.is_array(size), value, place,
+                 size == 2 ? "an array [x, y]" : "an array [force x, force y, torque]");
+    std::vector<Bounds> result;
+    for (std::size_t j = 0; j < size; ++j) {
+      result.push_back(bounds(value.items[j], place + "[" + std::to_string(j) + "]"));
+    }
+    return result;
+  }
+
+  Properties properties(const Value& object, const std::string& place) {
     Properties result;
     for (const char* key : {"friction", "stiffness", "preload"}) {
       const Value* value = object.find(key);
       if (value == nullptr) continue;
       const std::string where = place + "." + key;
-      const Rational read = number(*value, where);
+      const Bounds read = bounds(*value, where);
       const bool above = std::string(key) == "stiffness";
-      if (read < 0 || (above && read == 0)) {
+      if (read.low < 0 || (above && read.low == 0)) {
         json_.fail(value->line, where,
-                   "found " + show(read) + ", expected a number " +
+                   "found " + show(read.low) + ", expected a number " +
                        (above ? "above 0" : "of 0 or more"));
       }
       result.emplace(key, read);
@@ -378,10 +428,11 @@ class GraspReader {
   }
 
   JsonReader json_;
-  Grasp grasp_{{}, Vector(3)};
+  Grasp grasp_{{}, Wrench(3)};
   bool version2_ = false;
-  std::vector<std::vector<Edge>> outline_;  ///< by polygon
-  std::map<std::size_t, Place> places_;     ///< by contact
+  std::optional<std::pair<std::size_t, std::string>> uncertain_;  ///< line and place, the first
+  std::vector<std::vector<Edge>> outline_;                        ///< by polygon
+  std::map<std::size_t, Place> places_;                           ///< by contact
   std::vector<Properties> own_;
   Properties defaults_;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The grasp file, `stickslip-grasp/1` or `/2` (FORMAT.md §1, docs/grasp_file.md).
+/// The grasp file, `stickslip-grasp/1` or `/2` (FORMAT.md §1 and §6, docs/grasp_file.md).
 #pragma once
 
 #include <istream>
@@ -12,19 +12,22 @@
 
 namespace stickslip_check {
 
-/// A contact as the grasp file gives it.
+using Wrench = std::vector<Bounds>;  ///< its components
+
+/// A contact as the grasp file gives it; what it gives as one number is certain.
 struct Contact {
-  Vector position;
-  Vector normal;  ///< of any length but 0
-  Rational friction;
-  Rational stiffness;
-  Rational preload;
+  std::vector<Bounds> position;
+  Vector normal;  ///< n0, of any length but 0
+  Bounds friction;
+  Bounds stiffness;
+  Bounds preload;
+  Rational slope = 0;  ///< the most that n = n0 + e t0 is turned
 };
 
 struct Grasp {
   std::vector<Contact> contacts;
-  Vector wrench;                             ///< with cases, what is common to them
-  std::map<std::string, Vector> cases = {};  ///< the wrench of each, by name
+  Wrench wrench;                             ///< with cases, what is common to them
+  std::map<std::string, Wrench> cases = {};  ///< the wrench of each, by name
 };
 
 /// Throws Malformed, with `file` in it.

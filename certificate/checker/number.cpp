@@ -188,6 +188,17 @@ std::string show(const Vector& v) {
   return "(" + text + (v.size() > kMaxShown ? ", ...)" : ")");
 }
 
+std::string show(const Bounds& bounds) {
+  if (bounds.certain()) return show(bounds.low);
+  return "[" + show(bounds.low) + ", " + show(bounds.high) + "]";
+}
+
+std::string show(const std::vector<Bounds>& v) {
+  std::string text;
+  for (const Bounds& bounds : v) text += (text.empty() ? "" : ", ") + show(bounds);
+  return "(" + text + ")";
+}
+
 std::string printable(const std::string& text) {
   constexpr char kDigits[] = "0123456789abcdef";
   std::string shown;

@@ -11,6 +11,8 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace stickslip_check {
@@ -18,6 +20,24 @@ namespace stickslip_check {
 using Integer = mpz_class;
 using Rational = mpq_class;  ///< always in lowest terms, denominator > 0
 using Vector = std::vector<Rational>;
+
+/// The numbers from low to high, both included.
+struct Bounds {
+  Rational low;
+  Rational high;
+
+  Bounds() = default;
+  /// One number.
+  template <typename Number,
+            typename = std::enable_if_t<std::is_convertible_v<Number, Rational>>>
+  Bounds(const Number& value) : low(value), high(low) {}
+  Bounds(Rational from, Rational to) : low(std::move(from)), high(std::move(to)) {}
+
+  bool certain() const { return low == high; }
+  friend bool operator==(const Bounds& a, const Bounds& b) {
+    return a.low == b.low && a.high == b.high;
+  }
+};
 
 /// A number of a grasp file (FORMAT.md §1): [+-] digits [. digits] [(e|E) [+-] digits], or
 /// [+-] digits / digits. Nothing if `text` is not one, divides by zero, or exceeds a limit.
@@ -60,6 +80,9 @@ class PairwiseSum {
 /// For messages: the number, or its beginning if it is very long.
 std::string show(const Rational& x);
 std::string show(const Vector& v);
+/// The number, or both ends: [1, 2].
+std::string show(const Bounds& bounds);
+std::string show(const std::vector<Bounds>& v);
 
 /// For messages: the text with every byte that is not printable ASCII as \xNN.
 std::string printable(const std::string& text);

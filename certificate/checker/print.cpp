@@ -25,6 +25,37 @@ std::string list(const Vector& v, const char* open, const char* close, bool quot
   return open + text + close;
 }
 
+std::string text_of(const Wrench& wrench) {
+  std::string text;
+  for (const Bounds& w : wrench) {
+    text += text.empty() ? "" : ", ";
+    text += w.certain() ? w.low.get_str() : list({w.low, w.high}, "[", "]", false);
+  }
+  return "(" + text + ")";
+}
+
+std::string json_wrench(const Wrench& wrench) {
+  std::string text;
+  for (const Bounds& w : wrench) {
+    text += text.empty() ? "" : ", ";
+    text += w.certain() ? json_string(w.low.get_str()) : list({w.low, w.high}, "[", "]", true);
+  }
+  return "[" + text + "]";
+}
+
+/// All tolerances that were given, each after its kind and `between`, in their order.
+std::string tolerances(const Options& asked, const char* between, bool quoted) {
+  std::string text;
+  for (const char* kind : kUncertainKinds) {
+    const auto found = asked.uncertain.find(kind);
+    if (found == asked.uncertain.end()) continue;
+    const std::string size = found->second.size.get_str() + (found->second.percent ? "%" : "");
+    text += text.empty() ? "" : ", ";
+    text += quoted ? json_string(kind) + between + json_string(size) : kind + (between + size);
+  }
+  return text;
+}
+
 std::string in_words(const std::vector<Interval>& intervals) {
   std::string text;
   for (const auto& [low, high] : intervals) {
@@ -46,15 +77,16 @@ std::string json_intervals(const std::vector<Interval>& intervals) {
 std::string json_question(const Question& question) {
   const Options& asked = question.asked;
   const auto& growth = asked.preload_direction;
-  return R"({"contacts": )" + std::to_string(question.rows.size()) + R"(, "wrench": )" +
-         list(question.wrench, "[", "]", true) + R"(, "preload": )" +
+  return R"({"contacts": )" + std::to_string(question.contacts.size()) + R"(, "wrench": )" +
+         json_wrench(question.wrench) + R"(, "preload": )" +
          (asked.preload ? json_string(asked.preload->get_str()) : "null") +
          R"(, "normal_law": )" + json_string(law_name(asked.bilateral)) + R"(, "direction": )" +
          (asked.direction ? list(*asked.direction, "[", "]", true) : "null") +
          R"(, "preload_direction": )" +
          (!growth ? "null"
                   : (growth->scale ? "\"scale\"" : list(growth->values, "[", "]", true))) +
-         "}";
+         R"(, "uncertain": )" +
+         (asked.uncertain.empty() ? "null" : "{" + tolerances(asked, ": ", true) + "}") + "}";
 }
 
 std::string text_of(const Accepted& a) {
@@ -63,20 +95,25 @@ std::string text_of(const Accepted& a) {
   const bool margin = a.verdict == "margin";
   std::string text = "accepted\n";
   text += margin ? "resisted    " + in_words(a.resisted) : "verdict     " + a.verdict;
-  text += "\ncontacts    " + std::to_string(a.question.rows.size());
-  text += "\nwrench      " + list(a.question.wrench, "(", ")", false);
+  if (a.question.is_box) text += ", for every grasp in the box";
+  text += "\ncontacts    " + std::to_string(a.question.contacts.size());
+  text += "\nwrench      " + text_of(a.question.wrench);
   if (asked.direction) text += "\ndirection   " + list(*asked.direction, "(", ")", false);
   text += "\npreload     ";
   if (growth && growth->scale) text += "f times ";
   text +=
       asked.preload ? asked.preload->get_str() + " at all contacts" : "as in the grasp file";
   if (growth && !growth->scale) text += " + f " + list(growth->values, "(", ")", false);
-  text += "\nnormal law  " + law_name(asked.bilateral) + "\nproof       ";
+  text += "\nnormal law  " + law_name(asked.bilateral);
+  if (!asked.uncertain.empty()) text += "\nuncertain   " + tolerances(asked, " ", false);
+  text += "\nproof       ";
   const std::string tree =
       std::to_string(a.nodes) + " nodes: " + std::to_string(a.leaves) + " leaves";
   if (margin) {
     text += "segments: " + std::to_string(a.segments) + "; trees: " + std::to_string(a.trees) +
             ", of " + tree;
+  } else if (a.parts > 0) {
+    text += "by degree, parts: " + std::to_string(a.parts) + "; trees of " + tree;
   } else {
     text += a.verdict == "stable" ? "an equilibrium" : "a tree of " + tree;
   }
@@ -100,7 +137,7 @@ std::string as_json(const Answer& answer) {
   const auto* a = std::get_if<Accepted>(&answer);
   const auto* r = std::get_if<Rejected>(&answer);
   const auto* m = std::get_if<Malformed>(&answer);
-  const bool tree = a != nullptr && a->verdict != "stable";
+  const bool tree = a != nullptr && (a->verdict != "stable" || a->parts > 0);
   const std::string path = r != nullptr ? r->path : (m != nullptr ? m->place : "");
   const auto text = [](bool present, const std::string& content) {
     return present ? json_string(content) : "null";
@@ -115,6 +152,7 @@ std::string as_json(const Answer& answer) {
          R"(, "path": )" + text(!path.empty(), path) + R"(, "found": )" +
          text(a == nullptr, r != nullptr ? r->found : (m != nullptr ? m->problem : "")) +
          R"(, "verdict": )" + text(a != nullptr, a != nullptr ? a->verdict : "") +
+         R"(, "box": )" + (a == nullptr ? "null" : (a->question.is_box ? "true" : "false")) +
          R"(, "nodes": )" + number(tree, tree ? a->nodes : 0) + R"(, "leaves": )" +
          number(tree, tree ? a->leaves : 0) + R"(, "resisted": )" +
          (a != nullptr && a->verdict == "margin" ? json_intervals(a->resisted) : "null") +

@@ -2,6 +2,8 @@
 #include "question.hpp"
 
 #include <algorithm>
+#include <cstdlib>
+#include <utility>
 
 #include "answer.hpp"
 
@@ -14,17 +16,17 @@ namespace {
 
 /// w: that of the options, or of the case that they name, or the file's unless a direction asks
 /// about others.
-Vector wrench_asked(const Grasp& grasp, const Options& options) {
+Wrench wrench_asked(const Grasp& grasp, const Options& options) {
   if (options.wrench && options.case_name) {
     refuse("case", "a wrench is given as well; expected one of them");
   }
-  if (options.wrench) return *options.wrench;
+  if (options.wrench) return {options.wrench->begin(), options.wrench->end()};
   if (options.case_name) {
     const auto found = grasp.cases.find(*options.case_name);
     if (found != grasp.cases.end()) return found->second;
     refuse("case", "the grasp has no case " + quote(*options.case_name));
   }
-  if (options.direction) return Vector(kDimension);
+  if (options.direction) return Wrench(kDimension);
   if (!grasp.cases.empty()) {
     refuse("case", "the grasp has " + std::to_string(grasp.cases.size()) +
                        " cases, and none is chosen; expected the name of one, such as " +
@@ -37,83 +39,174 @@ bool below_zero(const Rational& x) {
   return x < 0;
 }
 
-/// N, T, and v_i(x) = P' h + P^u' l - k' N.d. Nothing if the length of the normal is irrational
-/// and needed.
-std::optional<Row> make_row(const Contact& contact, const Rational& preload,
-                            const Rational& growth) {
-  const Vector& p = contact.position;
-  const Vector& n = contact.normal;
-  const Vector t{Rational(-n[1]), n[0]};
-  const Rational square = dot(n, n);
-  std::optional<Rational> length = 1;
-  if (preload != 0 || growth != 0) length = exact_sqrt(square);
-  if (!length) return std::nullopt;
-  Row row;
-  row.normal = {n[0], n[1], Rational(p[0] * n[1] - p[1] * n[0])};
-  row.tangent = {t[0], t[1], Rational(p[0] * t[1] - p[1] * t[0])};
-  row.friction = contact.friction;
-  for (const Rational& c : row.normal) row.v.emplace_back(-contact.stiffness / square * c);
-  row.v.emplace_back(preload / *length);
-  row.v.emplace_back(growth / *length);
-  Rational v_scale;
-  Rational edge_scale;
-  row.v_form = make_form(row.v, &v_scale);
-  row.slip_form = make_form(row.tangent);
-  row.slip_form.resize(row.v.size());
-  Vector edges;
-  for (const int sigma : {-1, 1}) {
-    for (std::size_t j = 0; j < kDimension; ++j) {
-      edges.emplace_back(row.normal[j] + sigma * row.friction * row.tangent[j]);
+/// The numbers of each kind, widened.
+void widen(Bounds& bounds, const Tolerance& tolerance) {
+  const auto by = [&](const Rational& end) {
+    return tolerance.percent ? Rational(tolerance.size * abs(end) / 100) : tolerance.size;
+  };
+  bounds = Bounds(bounds.low - by(bounds.low), bounds.high + by(bounds.high));
+}
+
+void widen(Contact& contact, const std::string& kind, const Tolerance& tolerance) {
+  if (kind == "friction") widen(contact.friction, tolerance);
+  if (kind == "stiffness") widen(contact.stiffness, tolerance);
+  if (kind == "preload") widen(contact.preload, tolerance);
+  if (kind == "normal") contact.slope += tolerance.size;
+  if (kind != "position") return;
+  for (Bounds& p : contact.position) widen(p, tolerance);
+}
+
+/// After `wrench` and `contacts` are as in the file or replaced.
+void apply_uncertain(Question& question) {
+  const Options& asked = question.asked;
+  for (const auto& [kind, tolerance] : asked.uncertain) {
+    const std::string found =
+        kind + "=" + show(tolerance.size) + (tolerance.percent ? "%" : "");
+    if (asked.margin()) {
+      refuse("uncertain", "found " + found + ", but a margin is about one grasp; expected no " +
+                              "uncertainty");
+    }
+    if (tolerance.size < 0) refuse("uncertain", "found " + found + ", expected 0 or more");
+    if (kind == "normal" && tolerance.percent) {
+      refuse("uncertain", "found " + found + ", expected a slope, such as 0.01");
+    }
+    for (Contact& contact : question.contacts) widen(contact, kind, tolerance);
+    for (Bounds& w : question.widened) {
+      if (kind == "wrench") widen(w, tolerance);
     }
   }
-  const Form both = make_form(edges, &edge_scale);
-  row.edges[0].assign(both.begin(), both.begin() + kDimension);
-  row.edges[1].assign(both.begin() + kDimension, both.end());
-  row.weight = v_scale * edge_scale;
-  return row;
+}
+
+/// What FORMAT.md §6 does not allow; and whether the question is a box.
+void check_uncertain(Question& question, const std::string& file) {
+  const auto check = [&](const Bounds& bounds, const std::string& place) {
+    if (!bounds.certain()) question.is_box = true;
+    if (bounds.certain() || !question.asked.margin()) return;
+    throw Malformed{file, place,
+                    "found the interval " + show(bounds) +
+                        ", but a margin is about one grasp; expected a number"};
+  };
+  for (std::size_t i = 0; i < question.contacts.size(); ++i) {
+    const Contact& contact = question.contacts[i];
+    const std::string place = "contacts[" + std::to_string(i) + "].";
+    const auto require = [&](bool good, const char* name, const Rational& found,
+                             const char* expected) {
+      if (good) return;
+      throw Malformed{file, place + name,
+                      "it may be " + show(found) + ", expected " + expected};
+    };
+    require(contact.friction.low >= 0, "friction", contact.friction.low, "0 or more");
+    require(contact.preload.low >= 0, "preload", contact.preload.low, "0 or more");
+    require(contact.stiffness.low > 0, "stiffness", contact.stiffness.low, "above 0");
+    require(contact.slope < 1, "normal.slope", contact.slope, "a slope below 1");
+    check(contact.friction, place + "friction");
+    check(contact.preload, place + "preload");
+    check(contact.stiffness, place + "stiffness");
+    for (const Bounds& p : contact.position) check(p, place + "position");
+    check(Bounds(-contact.slope, contact.slope), place + "normal.slope");
+    const bool loaded = contact.preload.high != 0 || question.preload_growth[i] != 0;
+    if (!loaded || exact_sqrt(dot(contact.normal, contact.normal))) continue;
+    question.is_box = true;
+    if (question.asked.margin()) {
+      throw Malformed{
+          file, place + "normal",
+          "the contact has a preload and a normal of irrational length, so there is "
+          "no exact question; run stickslip snap GRASP -o FILE, and ask about FILE"};
+    }
+  }
+  for (const Bounds& w : question.widened) check(w, "wrench");
+}
+
+/// An enclosure of 1 / sqrt(square): FORMAT.md §6.
+Bounds inverse_root(const Rational& square, unsigned bits) {
+  if (const auto length = exact_sqrt(square)) return Rational(1 / *length);
+  // j is the integer part of 2^s / L, that is of the root of 4^s / L^2; it has one bit for two.
+  const auto integer_part = [&](long s) {
+    const Integer power = Integer(1) << static_cast<unsigned long>(2 * std::abs(s));
+    const Rational scaled = s < 0 ? Rational(1 / (square * power)) : Rational(power / square);
+    return Integer(sqrt(Integer(scaled.get_num() / scaled.get_den())));
+  };
+  const auto size = [](const Integer& x) {
+    return static_cast<long>(mpz_sizeinbase(x.get_mpz_t(), 2));
+  };
+  long s = static_cast<long>(bits) + (size(square.get_num()) - size(square.get_den())) / 2;
+  while (integer_part(s) < Integer(1) << (bits - 1)) ++s;
+  while (integer_part(s) >= Integer(1) << bits) --s;
+  const Integer j = integer_part(s);
+  const Integer power = Integer(1) << static_cast<unsigned long>(std::abs(s));
+  const auto over = [&](const Integer& x) {
+    return s < 0 ? Rational(x * power) : Rational(Rational(x) / power);
+  };
+  return {over(j), over(j + 1)};
+}
+
+ContactBox enlarged(const Contact& contact, const Rational& growth, unsigned bits) {
+  const Rational square = dot(contact.normal, contact.normal);
+  const Rational turned = contact.slope * contact.slope;
+  const bool loaded = contact.preload.high != 0 || growth != 0;
+  const Bounds inverse = loaded ? inverse_root(square, bits) : Bounds(1);
+  ContactBox box;
+  box.normal = contact.normal;
+  box.bounds = {
+      contact.position[0],
+      contact.position[1],
+      Bounds(-contact.slope, contact.slope),
+      contact.friction,
+      Bounds(contact.preload.low * (1 - turned / 2) * inverse.low,
+             contact.preload.high * inverse.high),
+      Bounds(contact.stiffness.low * (1 - turned) / square, contact.stiffness.high / square)};
+  box.growth = growth * inverse.low;
+  return box;
 }
 
 }  // namespace
 
 Question pose(const Grasp& grasp, const Options& options, const std::string& file) {
   const std::size_t m = grasp.contacts.size();
-  Vector base;
-  for (const Contact& contact : grasp.contacts) {
-    base.push_back(options.preload.value_or(contact.preload));
-  }
+  Question question;
+  question.asked = options;
+  question.contacts = grasp.contacts;
+  question.preload_growth.resize(m);
   if (options.preload && *options.preload < 0) {
     refuse("preload", "found " + show(*options.preload) + ", expected 0 or more");
   }
-  Vector growth(m);
-  if (options.preload_direction && options.preload_direction->scale) {
-    std::swap(base, growth);
-  } else if (options.preload_direction) {
-    growth = options.preload_direction->values;
+  for (Contact& contact : question.contacts) {
+    if (options.preload) contact.preload = *options.preload;
   }
+  question.wrench = wrench_asked(grasp, options);
+  question.widened = question.wrench;
+  apply_uncertain(question);
+  Vector& growth = question.preload_growth;
+  const bool scaled = options.preload_direction && options.preload_direction->scale;
+  if (options.preload_direction && !scaled) growth = options.preload_direction->values;
   if (growth.size() != m || std::any_of(growth.begin(), growth.end(), below_zero)) {
     refuse("preload direction", "found " + show(growth) + ", expected " + std::to_string(m) +
                                     " numbers of 0 or more, one for each contact");
   }
-  Question question;
-  question.asked = options;
+  check_uncertain(question, file);
+  for (std::size_t i = 0; scaled && i < m; ++i) {
+    growth[i] = question.contacts[i].preload.low;
+    question.contacts[i].preload = Bounds(0);
+  }
   question.growth = options.direction.value_or(Vector(kDimension));
-  question.wrench = wrench_asked(grasp, options);
   if (options.margin() && question.growth == Vector(kDimension) && growth == Vector(m)) {
     refuse("direction",
            "neither the wrench nor a preload changes; expected a direction other "
            "than 0, or to scale preloads some of which are not 0");
   }
-  for (std::size_t i = 0; i < m; ++i) {
-    std::optional<Row> row = make_row(grasp.contacts[i], base[i], growth[i]);
-    if (!row) {
-      throw Malformed{
-          file, "contacts[" + std::to_string(i) + "].normal",
-          "the contact has a preload and a normal of irrational length, so there is "
-          "no exact question; run stickslip snap GRASP -o FILE, and ask about FILE"};
-    }
-    question.rows.push_back(std::move(*row));
-  }
+  if (!question.is_box) enlarge(question);
   return question;
+}
+
+void enlarge(Question& question, unsigned bits) {
+  auto box = std::make_shared<Box>();
+  box->wrench = question.widened;
+  box->growth = question.growth;
+  for (std::size_t i = 0; i < question.contacts.size(); ++i) {
+    box->contacts.push_back(enlarged(question.contacts[i], question.preload_growth[i], bits));
+    box->rows.push_back(make_row(box->contacts.back()));
+  }
+  question.box = std::move(box);
 }
 
 }  // namespace stickslip_check

@@ -1,23 +1,40 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The question (FORMAT.md §1): what the grasp file says, what whoever asks replaces, and the
-/// rows that follow from it. The certificate plays no part here.
+/// The question (FORMAT.md §1 and §6): what the grasp file says, what whoever asks replaces,
+/// and the box that follows from it. The certificate plays no part here.
 ///
 /// A *point* x = (d, h, l) is a motion d with two more coordinates, h = 1 and l = lambda. All
 /// conditions are homogeneous in it; a point of a verdict has l = 0.
 #pragma once
 
+#include <array>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "box.hpp"
 #include "grasp.hpp"
 #include "number.hpp"
 
 namespace stickslip_check {
 
-/// The number of coordinates of twists and wrenches: translation x, y and rotation.
-inline constexpr std::size_t kDimension = 3;
+/// The kinds of numbers that the option `uncertain` may widen.
+inline constexpr std::array<const char*, 6> kUncertainKinds{"friction", "stiffness", "preload",
+                                                            "position", "normal",    "wrench"};
+
+/// The bits of an enclosure, unless a certificate says.
+inline constexpr unsigned kDefaultBits = 128;
+
+struct Tolerance {
+  Rational size;
+  bool percent = false;
+
+  bool operator==(const Tolerance& other) const {
+    return size == other.size && percent == other.percent;
+  }
+};
 
 /// How the preloads grow: by these numbers, one for each contact, or in proportion to
 /// themselves.
@@ -38,34 +55,27 @@ struct Options {
   std::optional<Vector> direction;  ///< of wrenches
   std::optional<PreloadDirection> preload_direction;
   std::optional<std::string> case_name;  ///< whose wrench is asked about, if none is given
+  std::map<std::string, Tolerance> uncertain;  ///< by kind; empty if not given
 
   /// Whether the margin along a direction is asked for, and not one verdict.
   bool margin() const { return direction || preload_direction; }
 };
 
-/// What is known of one contact.
-struct Row {
-  Vector normal;   ///< N
-  Vector tangent;  ///< T
-  Rational friction;
-  Vector v;  ///< of a point: v_i(x) = v.x
-
-  // The same in integers, up to positive factors; `weight` is the product of those of v_form
-  // and of both edges, so that v_i(x) (N -+ mu T) = weight (v_form.x) edge.
-  Form v_form;
-  Form slip_form;  ///< of a point: tau_i
-  Form edges[2];   ///< N - mu T, N + mu T
-  Rational weight;
-};
-
 struct Question {
   Options asked;
-  Vector wrench;  ///< w
-  Vector growth;  ///< u; 0 for one verdict
-  std::vector<Row> rows;
+  std::vector<Contact> contacts;   ///< with what was replaced and widened
+  Wrench wrench;                   ///< w, before it was widened
+  Wrench widened;                  ///< w
+  Vector growth;                   ///< u; 0 for one verdict
+  Vector preload_growth;           ///< P^u
+  bool is_box = false;             ///< FORMAT.md §6
+  std::shared_ptr<const Box> box;  ///< what trees are about; of a box, by enlarge()
 };
 
 /// Throws Malformed, with "the question" or with `file`, if it cannot be asked of this grasp.
 Question pose(const Grasp& grasp, const Options& options, const std::string& file);
+
+/// Sets `question.box` to the enlarged box, with so many bits for lengths that are irrational.
+void enlarge(Question& question, unsigned bits = kDefaultBits);
 
 }  // namespace stickslip_check

@@ -50,32 +50,229 @@ class Barring {
   Set common_;
 };
 
-/// 1 if f >= 0 on all generators, else -1 if f <= 0 on all, else 0. `zero` are those with f =
-/// 0.
-int side(const Cone& cone, const Form& f, Barring* zero = nullptr) {
-  int found = 0;
-  const bool one_sided = all_generators(cone, [&](const Form& x, const Ray* ray) {
-    const int sign = sign_of_dot(f, x);
-    if (sign != 0 && sign == -found) return false;
-    if (sign != 0) found = sign;
-    if (sign == 0 && zero != nullptr) zero->add(ray);
-    return true;
+/// 1 if the least of the functions is >= 0 on all generators, else -1 if the largest is <= 0 on
+/// all, else 0. `*barred` is then whether those are that have the least, or largest, 0.
+int side(const Cone& cone, const std::vector<Form>& functions, const Set& strict = {},
+         bool* barred = nullptr) {
+  Barring zero[2]{Barring(strict), Barring(strict)};  // of the least and of the largest
+  bool possible[2]{true, true};
+  all_generators(cone, [&](const Form& x, const Ray* ray) {
+    int ends[2]{1, 1};  // signs of the least, and of minus the largest
+    for (const Form& f : functions) {
+      const int sign = sign_of_dot(f, x);
+      ends[0] = std::min(ends[0], sign);
+      ends[1] = std::min(ends[1], -sign);
+    }
+    for (const int end : {0, 1}) {
+      possible[end] = possible[end] && ends[end] >= 0;
+      if (ends[end] == 0 && barred != nullptr) zero[end].add(ray);
+    }
+    return possible[0] || possible[1];
   });
-  if (!one_sided) return 0;
-  return found == 0 ? 1 : found;
+  if (!possible[0] && !possible[1]) return 0;
+  if (barred != nullptr) *barred = zero[possible[0] ? 0 : 1].barred();
+  return possible[0] ? 1 : -1;
+}
+
+/// U_s of FORMAT.md §6 as the largest of linear functions of (d, h), up to a factor: adds
+/// them. `alpha` is alpha_s by corner.
+void add_bounds(const Row& row, const std::vector<Integer>& alpha, std::vector<Form>& bounds) {
+  // Corners are numbered in binary, sums of two corners, k, by the same digits in base 3.
+  const std::size_t corners = alpha.size();
+  std::vector<std::size_t> digits{0};
+  for (std::size_t unit = 1; digits.size() < corners; unit *= 3) {
+    const std::size_t half = digits.size();
+    for (std::size_t c = 0; c < half; ++c) digits.push_back(digits[c] + unit);
+  }
+  for (const std::vector<Form>& pulls : row.pulls) {
+    if (pulls.empty()) continue;
+    std::vector<Form> sums(digits.back() * 2 + 1, Form(kDimension + 1));
+    std::vector<unsigned> pairs(sums.size());
+    for (std::size_t c = 0; c < corners; ++c) {
+      for (std::size_t other = 0; other < corners; ++other) {
+        const std::size_t k = digits[c] + digits[other];
+        for (std::size_t j = 0; j < kDimension; ++j) sums[k][j] += alpha[c] * pulls[other][j];
+        sums[k][kDimension] += alpha[c];
+        ++pairs[k];
+      }
+    }
+    for (std::size_t k = 0; k < sums.size(); ++k) {
+      Integer& last = sums[k].back();
+      last *= row.preloads[last >= 0 ? 1 : 0];
+      for (Integer& c : sums[k]) c *= static_cast<unsigned>(corners) / pairs[k];
+      bounds.push_back(std::move(sums[k]));
+    }
+  }
+}
+
+/// factor max_k bounds_k.x, or if it is larger and the contact is mixed, 0.
+struct Bend {
+  Rational factor;
+  std::vector<Form> bounds;
+  bool mixed;
+};
+
+/// g of a leaf: linear terms, bends, and factor max(0, v.x) of certain contacts that are mixed.
+struct Bound {
+  Rational unit;
+  Form linear;  ///< 1/unit times the linear terms
+  std::vector<std::pair<Rational, const Form*>> kinks;
+  std::vector<Bend> bends;
+};
+
+/// Of an uncertain contact with this sign.
+void add_uncertain(const Row& row, int sign, bool mixed, const Form& y, const Rational& scale,
+                   Bound& bound) {
+  Bend bend{scale * row.weight / static_cast<unsigned>(row.pulls[0].size()), {}, mixed};
+  const std::size_t ends[]{sign < 0 ? 2U : 0U, sign > 0 ? 1U : 3U};
+  for (const std::size_t s : ends) {
+    std::vector<Integer> alpha;
+    for (const Form& edge : row.corner_edges[s]) alpha.push_back(dot(edge, y));
+    const bool works = std::any_of(alpha.begin(), alpha.end(), [](auto& a) { return a > 0; });
+    if (works || !mixed) add_bounds(row, alpha, bend.bounds);
+  }
+  if (!bend.bounds.empty()) bound.bends.push_back(std::move(bend));
+}
+
+/// The largest y.w.
+Rational most_work(const Vector& y, const std::vector<Bounds>& wrench) {
+  Rational work;
+  for (std::size_t j = 0; j < kDimension; ++j) {
+    work += y[j] * (y[j] > 0 ? wrench[j].high : wrench[j].low);
+  }
+  return work;
+}
+
+/// g. It grows with every alpha_i; with `rounded` each is replaced by something shorter that is
+/// not smaller, so that nothing is as good as it stands.
+Bound bound_of(const Box& box, const Cone& cone, const Set& strict, const Vector& twist,
+               bool rounded) {
+  Rational scale;
+  const Form y = make_form(twist, &scale);
+  Bound bound;
+  PairwiseSum terms;
+  Vector work(kCoordinates);
+  work[kDimension] = most_work(twist, box.wrench);
+  work[kDimension + 1] = dot(twist, box.growth);
+  terms.add(work);
+  for (const auto& pointer : box.rows) {
+    const Row& row = *pointer;
+    const int v_side = side(cone, row.v);
+    if (v_side < 0) continue;  // max(0, v_i) = 0
+    bool barred = false;
+    const int slip = side(cone, row.slip, strict, &barred);
+    const int sign = barred ? slip : 0;
+    if (!row.certain) {
+      add_uncertain(row, sign, v_side == 0, y, scale, bound);
+      continue;
+    }
+    const Integer plus = dot(row.edges[0], y);
+    const Integer minus = dot(row.edges[1], y);
+    const Integer alpha = sign > 0 || (sign == 0 && plus > minus) ? plus : minus;
+    const Rational exact = scale * row.weight * alpha;
+    const Rational factor = rounded ? short_above(exact) : exact;
+    if (v_side > 0) {
+      for (std::size_t j = 0; j < kCoordinates; ++j) work[j] = factor * row.v[0][j];
+      terms.add(work);
+    } else if (factor > 0) {
+      bound.kinks.emplace_back(factor, &row.v[0]);
+    }
+  }
+  bound.linear = make_form(terms.total(), &bound.unit);
+  return bound;
+}
+
+Rational value_at(const Bound& bound, const Form& x, bool rounded) {
+  Rational g = bound.unit * dot(bound.linear, x);
+  for (const auto& [factor, v] : bound.kinks) {
+    const Integer at = dot(*v, x);
+    if (at > 0) g += factor * at;
+  }
+  for (const Bend& bend : bound.bends) {
+    Integer most = dot(bend.bounds[0], x);
+    for (const Form& f : bend.bounds) most = std::max(most, dot(f, x));
+    if (bend.mixed && most <= 0) continue;
+    const Rational exact = bend.factor * most;
+    g += rounded ? short_above(exact) : exact;
+  }
+  return g;
+}
+
+/// `leaf-bound`: why it does not hold, or nothing.
+std::optional<std::string> refusal(const Box& box, const Cone& cone, const Set& strict,
+                                   const Vector& twist, bool rounded) {
+  const Bound bound = bound_of(box, cone, strict, twist, rounded);
+  Barring flat(strict);  // where g = 0
+  std::optional<std::string> found;
+  all_generators(cone, [&](const Form& x, const Ray* ray) {
+    const Rational g = value_at(bound, x, rounded);
+    if (g > 0) found = "g = " + show(g) + " at " + show(Vector(x.begin(), x.end()));
+    if (g == 0) flat.add(ray);
+    if (!flat.barred()) found = "g = 0 on rays that are not barred together";
+    return !found;
+  });
+  return found;
+}
+
+/// A v_i or tau_i that a node splits, up to a positive factor.
+const Form* certain_one(const std::vector<Form>& corners) {
+  return corners.size() == 1 ? &corners[0] : nullptr;
 }
 
 }  // namespace
 
-TreeWalk::TreeWalk(const Question& question, std::vector<Range> ranges)
-    : question_(question), ranges_(std::move(ranges)) {}
+std::size_t most_depth(const Box& box) {
+  return 2 * box.rows.size() + kMoreDepth;
+}
+
+Halves cut_in_two(const Box& box, const Node& part) {
+  const Bounds* bounds = box.find(part.parameter, part.contact);
+  const std::string name = kParameterNames[static_cast<std::size_t>(part.parameter)];
+  if (bounds == nullptr) {
+    throw Rejected{"part-contact", std::nullopt, "",
+                   "there is no " + name + " " + show(Rational(part.contact))};
+  }
+  const Rational& c = part.numbers[0];
+  if (c <= bounds->low || c >= bounds->high) {
+    throw Rejected{
+        "part-inside", std::nullopt, "",
+        show(c) + " is not inside " + show(bounds->low) + " to " + show(bounds->high)};
+  }
+  const std::size_t index = part.contact.get_ui();
+  const auto half = [&](const Rational& low, const Rational& high) {
+    return std::make_shared<const Box>(box.with(part.parameter, index, Bounds(low, high)));
+  };
+  return {half(bounds->low, c), half(c, bounds->high)};
+}
+
+std::string half_name(const Node& part, bool high) {
+  return std::string(kParameterNames[static_cast<std::size_t>(part.parameter)]) + " " +
+         part.contact.get_str() + (high ? " high" : " low");
+}
+
+std::vector<Root> roots_of(const Question& question, const std::vector<Range>& ranges) {
+  std::vector<Root> roots;
+  for (const Range& range : ranges) {
+    Root root{question.box, {}, question.asked.bilateral};
+    root.conditions = {{{0, 0, 0, 1, 0}, false, true},
+                       {{0, 0, 0, Rational(-range.low), 1}, false, range.open_low}};
+    if (range.high) {
+      root.conditions.push_back({{0, 0, 0, *range.high, -1}, false, range.open_high});
+    }
+    roots.push_back(std::move(root));
+  }
+  return roots;
+}
+
+TreeWalk::TreeWalk(std::vector<Root> roots, std::string place)
+    : roots_(std::move(roots)), place_(std::move(place)) {}
 
 void TreeWalk::visit(const Node& node) {
-  if (stack_.empty() && trees_ == ranges_.size()) {
-    throw Rejected{"tree-long", nodes_, "", "everything was complete before this node"};
+  if (stack_.empty() && trees_ == roots_.size()) {
+    throw Rejected{"tree-long", nodes_, place_, "everything was complete before this node"};
   }
-  Region region = stack_.empty() ? root(ranges_[trees_++]) : child();
-  const std::size_t most = 2 * question_.rows.size() + kMoreDepth;
+  Region region = stack_.empty() ? begin(roots_[trees_++]) : child();
+  const std::size_t most = most_depth(*region.box);
   if (stack_.size() > most) {
     throw rejection("node-depth",
                     "more than " + std::to_string(most) + " nodes above this one");
@@ -85,9 +282,11 @@ void TreeWalk::visit(const Node& node) {
     push(node, std::move(region));
   } else {
     ++leaves_;
-    std::optional<std::string> found = refusal(region, node.numbers, true);
-    if (found) found = refusal(region, node.numbers, false);
-    if (found) rejected = rejection("leaf-bound", *found);
+    try {
+      check_leaf(region, node.numbers);
+    } catch (const Rejected& leaf) {
+      rejected = leaf;
+    }
   }
   ++nodes_;
   while (!stack_.empty() && stack_.back().next == stack_.back().children) stack_.pop_back();
@@ -95,24 +294,21 @@ void TreeWalk::visit(const Node& node) {
 }
 
 void TreeWalk::finish() const {
-  if (trees_ < ranges_.size() || !stack_.empty()) {
+  if (trees_ < roots_.size() || !stack_.empty()) {
     throw Rejected{"tree-short", nodes_, path(1), "the list ends before this node"};
   }
 }
 
-/// The region {h >= 0, low h <= l <= high h}, and the bilateral law's conditions.
-TreeWalk::Region TreeWalk::root(const Range& range) const {
-  Region region{Cone(kCoordinates), {}};
-  const auto cut = [&](Vector a, bool strict) {
-    if (strict) insert(region.strict, region.cone.cuts());
-    a.insert(a.begin(), kDimension, 0);
-    region.cone = region.cone.cut(make_form(a));
-  };
-  cut({1, 0}, true);
-  cut({Rational(-range.low), 1}, range.open_low);
-  if (range.high) cut({*range.high, -1}, range.open_high);
-  if (question_.asked.bilateral) {
-    for (const Row& row : question_.rows) region.cone = region.cone.cut(row.v_form);
+TreeWalk::Region TreeWalk::begin(const Root& root) const {
+  Region region{Cone(kCoordinates), {}, root.box};
+  for (const Condition& condition : root.conditions) {
+    if (condition.strict) insert(region.strict, region.cone.cuts());
+    region.cone = region.cone.cut(make_form(condition.a), condition.equality);
+  }
+  if (root.bilateral) {
+    for (const auto& row : root.box->rows) {
+      if (const Form* v = certain_one(row->v)) region.cone = region.cone.cut(*v);
+    }
   }
   return region;
 }
@@ -121,83 +317,64 @@ TreeWalk::Region TreeWalk::root(const Range& range) const {
 TreeWalk::Region TreeWalk::child() {
   Frame& parent = stack_.back();
   const unsigned which = parent.next++;
+  if (parent.node.kind == NodeKind::kPart) {
+    return {parent.region.cone, parent.region.strict,
+            which == 0 ? parent.halves.low : parent.halves.high};
+  }
   const bool middle = parent.children == 3 && which == 1;
   Region region{which == 0 || middle ? parent.region.cone.cut(parent.cut, middle)
                                      : parent.region.cone.cut(negative(parent.cut)),
-                parent.region.strict};
+                parent.region.strict, parent.region.box};
   const bool strict = parent.children == 3 ? !middle : which == 1;
   if (strict) insert(region.strict, parent.region.cone.cuts());
   return region;
 }
 
-/// `leaf-bound`: why it does not hold, or nothing. g grows with every alpha_i; with `rounded`
-/// each is replaced by something shorter that is not smaller, so that nothing is as good as it
-/// stands.
-std::optional<std::string> TreeWalk::refusal(const Region& region, const Vector& twist,
-                                             bool rounded) const {
+/// `leaf-bound`, `leaf-direction`.
+void TreeWalk::check_leaf(const Region& region, const Vector& y) const {
+  const Cone& cone = region.cone;
   Barring all(region.strict);
-  for (const auto& ray : region.cone.rays()) all.add(ray.get());
-  if (all.barred()) return std::nullopt;
-
-  Rational scale;
-  const Form y = make_form(twist, &scale);
-  // g is the sum of linear terms and of `bends`, factor max(0, v.x).
-  PairwiseSum terms;
-  Vector work(kCoordinates);
-  work[kDimension] = dot(twist, question_.wrench);
-  work[kDimension + 1] = dot(twist, question_.growth);
-  terms.add(work);
-  std::vector<std::pair<Rational, const Form*>> bends;
-  for (const Row& row : question_.rows) {
-    const int v_side = side(region.cone, row.v_form);
-    if (v_side < 0) continue;  // max(0, v_i) = 0
-    Barring zero(region.strict);
-    const int slip = side(region.cone, row.slip_form, &zero);
-    const int sign = zero.barred() ? slip : 0;
-    const Integer plus = dot(row.edges[0], y);
-    const Integer minus = dot(row.edges[1], y);
-    const Integer alpha = sign > 0 || (sign == 0 && plus > minus) ? plus : minus;
-    const Rational exact = scale * row.weight * alpha;
-    const Rational factor = rounded ? short_above(exact) : exact;
-    if (v_side > 0) {
-      for (std::size_t j = 0; j < kCoordinates; ++j) work[j] = factor * row.v_form[j];
-      terms.add(work);
-    } else if (factor > 0) {
-      bends.emplace_back(factor, &row.v_form);
-    }
+  for (const auto& ray : cone.rays()) all.add(ray.get());
+  if (all.barred()) return;
+  std::optional<std::string> found = refusal(*region.box, cone, region.strict, y, true);
+  if (found) found = refusal(*region.box, cone, region.strict, y, false);
+  if (found) throw rejection("leaf-bound", *found);
+  const std::vector<Vector>& direction = roots_[trees_ - 1].direction;
+  if (direction.empty()) return;
+  Vector pull(kCoordinates);
+  for (std::size_t j = 0; j < kDimension; ++j) {
+    for (std::size_t k = 0; k < kCoordinates; ++k) pull[k] += y[j] * direction[j][k];
   }
-  Rational unit;  // g = unit (linear.x) but for the bends
-  const Form linear = make_form(terms.total(), &unit);
-  Barring flat(region.strict);  // where g = 0
-  std::optional<std::string> found;
-  all_generators(region.cone, [&](const Form& x, const Ray* ray) {
-    Rational g = unit * dot(linear, x);
-    for (const auto& [factor, v] : bends) {
-      const Integer at = dot(*v, x);
-      if (at > 0) g += factor * at;
-    }
-    if (g > 0) found = "g = " + show(g) + " at " + show(Vector(x.begin(), x.end()));
-    if (g == 0) flat.add(ray);
-    if (!flat.barred()) found = "g = 0 on rays that are not barred together";
-    return !found;
-  });
-  return found;
+  if (side(cone, {make_form(pull)}) <= 0) {
+    throw rejection("leaf-direction", "y.A(d - h d0) is below 0 somewhere");
+  }
 }
 
 void TreeWalk::push(const Node& node, Region region) {
-  Frame frame{node.kind, 0, {}, std::move(region), 2, 0};
+  Frame frame{node, {}, {}, std::move(region), 2, 0};
+  const Box& box = *frame.region.box;
   if (node.kind == NodeKind::kPlane) {
     frame.cut = make_form(node.numbers);
+  } else if (node.kind == NodeKind::kPart) {
+    try {
+      frame.halves = cut_in_two(box, node);
+    } catch (const Rejected& rejected) {
+      throw rejection(rejected.rule.c_str(), rejected.found);
+    }
   } else {
-    if (node.contact >= question_.rows.size()) {
+    if (node.contact >= box.rows.size()) {
       throw rejection("node-contact", "contact " + show(Rational(node.contact)) +
                                           ", but the grasp has " +
-                                          std::to_string(question_.rows.size()));
+                                          std::to_string(box.rows.size()));
     }
-    frame.contact = node.contact.get_ui();
-    const Row& row = question_.rows[frame.contact];
+    const Row& row = *box.rows[node.contact.get_ui()];
     const bool slip = node.kind == NodeKind::kSlip;
-    frame.cut = slip ? row.slip_form : row.v_form;
+    const Form* cut = certain_one(slip ? row.slip : row.v);
+    if (cut == nullptr) {
+      throw rejection("node-certain", (slip ? "T of contact " : "v of contact ") +
+                                          node.contact.get_str() + " is uncertain");
+    }
+    frame.cut = *cut;
     if (slip) frame.children = 3;
   }
   stack_.push_back(std::move(frame));
@@ -205,16 +382,19 @@ void TreeWalk::push(const Node& node, Region region) {
 
 /// The path to the child that the innermost node has come to, or with `ahead` = 1 will come to.
 std::string TreeWalk::path(unsigned ahead) const {
-  std::string result;
+  const std::size_t begun = stack_.empty() ? trees_ + ahead : trees_;
+  std::string result = roots_[begun - 1].path;
   for (const Frame& frame : stack_) {
     const unsigned child = frame.next - 1 + (&frame == &stack_.back() ? ahead : 0);
-    const std::string contact = std::to_string(frame.contact);
     const char* sign = child == 0 ? "+" : (frame.children == 3 && child == 1 ? "0" : "-");
     if (!result.empty()) result += ", ";
-    if (frame.kind == NodeKind::kSlip) {
-      result += "slip " + contact + " " + sign;
-    } else if (frame.kind == NodeKind::kSeparation) {
-      result += "separation " + contact + (child == 0 ? " closed" : " open");
+    if (frame.node.kind == NodeKind::kSlip) {
+      result += "slip " + frame.node.contact.get_str() + " " + sign;
+    } else if (frame.node.kind == NodeKind::kSeparation) {
+      result +=
+          "separation " + frame.node.contact.get_str() + (child == 0 ? " closed" : " open");
+    } else if (frame.node.kind == NodeKind::kPart) {
+      result += half_name(frame.node, child == 1);
     } else {
       result += std::string("plane ") + sign;
     }

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The walk over the nodes of trees (FORMAT.md §4), in their order. Memory grows with the
-/// depth, not with the trees.
+/// The walk over the nodes of trees (FORMAT.md §4 and §6), in their order. Memory grows with
+/// the depth, not with the trees.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,22 +23,55 @@ struct Range {
   bool open_high = false;  ///< nor is high
 };
 
-enum class NodeKind : std::int8_t { kSlip, kSeparation, kPlane, kLeaf };
+enum class NodeKind : std::int8_t { kSlip, kSeparation, kPlane, kLeaf, kPart };
 
 /// A node as the certificate states it; only its shape has been checked.
 struct Node {
   NodeKind kind = NodeKind::kLeaf;
-  Integer contact;  ///< of slip and separation
-  Vector numbers;   ///< a of a plane, one for each coordinate of a point; y of a leaf
+  Integer contact;  ///< of slip and separation; of a part, or the component of the wrench
+  Vector
+      numbers;  ///< a of a plane, one for each coordinate of a point; y of a leaf; c of a part
+  Parameter parameter = Parameter::kWrench;  ///< of a part
 };
+
+/// The two halves of a box.
+struct Halves {
+  std::shared_ptr<const Box> low;
+  std::shared_ptr<const Box> high;
+};
+/// Cut by a part. Throws Rejected (`part-contact`, `part-inside`), without a place.
+Halves cut_in_two(const Box& box, const Node& part);
+/// Such as "friction 2 low".
+std::string half_name(const Node& part, bool high);
+
+/// a.x >= 0, or = 0, where the points of a tree begin.
+struct Condition {
+  Vector a;
+  bool equality = false;
+  bool strict = false;  ///< a.x is a strict function
+};
+
+/// Where a tree begins.
+struct Root {
+  std::shared_ptr<const Box> box;
+  std::vector<Condition> conditions;
+  bool bilateral = false;  ///< cut also by the v_i >= 0 that are certain
+  std::string path = {};   ///< that leads here
+  /// Of list 2, A (d - h d0) as rows of functions of points: `leaf-direction` is asked for.
+  std::vector<Vector> direction = {};
+};
+/// The most nodes above one: `node-depth`.
+std::size_t most_depth(const Box& box);
+/// One for each range.
+std::vector<Root> roots_of(const Question& question, const std::vector<Range>& ranges);
 
 class TreeWalk {
  public:
-  /// One tree for each range. `question` must outlive this.
-  TreeWalk(const Question& question, std::vector<Range> ranges);
+  /// One tree for each root. `place` is where the list is, if that has a name.
+  explicit TreeWalk(std::vector<Root> roots, std::string place = "");
 
-  /// The next node of the list. Throws Rejected; after `leaf-bound` the walk may go on, as if
-  /// the leaf were right.
+  /// The next node of the list. Throws Rejected; after a rule about a leaf the walk may go on,
+  /// as if the leaf were right.
   void visit(const Node& node);
   /// The list has ended. Throws Rejected (`tree-short`).
   void finish() const;
@@ -49,26 +83,27 @@ class TreeWalk {
   struct Region {
     Cone cone;
     Set strict;  ///< the conditions of the cone that are strict functions
+    std::shared_ptr<const Box> box;
   };
   /// An inner node whose children are not all done.
   struct Frame {
-    NodeKind kind;
-    std::size_t contact;
-    Form cut;  ///< tau_i, v_i or a
+    Node node;
+    Form cut;       ///< tau_i, v_i or a
+    Halves halves;  ///< of a part
     Region region;
     unsigned children;
     unsigned next;  ///< child to come
   };
 
-  Region root(const Range& range) const;
+  Region begin(const Root& root) const;
   Region child();
-  std::optional<std::string> refusal(const Region& region, const Vector& y, bool rounded) const;
+  void check_leaf(const Region& region, const Vector& y) const;
   void push(const Node& node, Region region);
   std::string path(unsigned ahead) const;
   Rejected rejection(const char* rule, std::string found) const;
 
-  const Question& question_;
-  std::vector<Range> ranges_;
+  std::vector<Root> roots_;
+  std::string place_;
   std::vector<Frame> stack_;
   std::size_t trees_ = 0;  ///< begun
   std::uint64_t nodes_ = 0;

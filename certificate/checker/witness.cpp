@@ -19,14 +19,18 @@ std::string name_of(const Integer& contact) {
 }  // namespace
 
 std::vector<ContactForce> check_witness(const Question& question, const Witness& witness) {
+  if (question.is_box) {
+    reject("witness-box", "an equilibrium of one grasp, but the question is about a box");
+  }
   // All conditions are homogeneous, so a multiple of the point without denominators serves.
   const Form x = make_form(witness.x);
-  const std::size_t m = question.rows.size();
+  const Box& box = *question.box;
+  const std::size_t m = box.rows.size();
   std::vector<ContactForce> forces;
   forces.reserve(m);
-  for (const Row& row : question.rows) {
-    const Integer slip = dot(row.slip_form, x);
-    forces.push_back({dot(row.v_form, x), slip, -sgn(slip)});
+  for (const auto& row : box.rows) {
+    const Integer slip = dot(row->slip[0], x);
+    forces.push_back({dot(row->v[0], x), slip, -sgn(slip)});
   }
   Integer above = -1;
   for (const auto& [contact, share] : witness.shares) {
@@ -49,12 +53,12 @@ std::vector<ContactForce> check_witness(const Question& question, const Witness&
   PairwiseSum sum;
   Vector term(kDimension);
   for (std::size_t j = 0; j < kDimension; ++j) {
-    term[j] = x[kDimension] * question.wrench[j] + x[kDimension + 1] * question.growth[j];
+    term[j] = x[kDimension] * box.wrench[j].low + x[kDimension + 1] * box.growth[j];
   }
   sum.add(term);
   for (std::size_t i = 0; i < m; ++i) {
     if (forces[i].v <= 0) continue;
-    const Row& row = question.rows[i];
+    const Row& row = *box.rows[i];
     const Rational a = row.weight * forces[i].v;
     const Rational less = a * (1 - forces[i].share) / 2;  // along the edge N - mu T
     const Rational more = a - less;
@@ -76,11 +80,11 @@ std::optional<std::string> mode_refusal(const Question& question,
                                         const std::vector<ContactForce>& first,
                                         const std::vector<ContactForce>& second) {
   const auto opposite = [](const Integer& x, const Integer& y) { return sgn(x) * sgn(y) < 0; };
-  for (std::size_t i = 0; i < question.rows.size(); ++i) {
+  for (std::size_t i = 0; i < question.box->rows.size(); ++i) {
     const ContactForce& p = first[i];
     const ContactForce& q = second[i];
     if (opposite(p.v, q.v)) return name_of(i) + "v has opposite signs";
-    if (question.rows[i].friction == 0 || (p.v <= 0 && q.v <= 0)) continue;
+    if (question.box->rows[i]->frictionless || (p.v <= 0 && q.v <= 0)) continue;
     if (opposite(p.slip, q.slip)) return name_of(i) + "T.d has opposite signs";
     const int slip = sgn(p.slip) + sgn(q.slip);
     for (const ContactForce* end : {&p, &q}) {

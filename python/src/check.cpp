@@ -41,10 +41,15 @@ struct ToDict {
     const auto wrench = [&](const stickslip_check::Vector& w) {
       return py::make_tuple(number(w[0]), number(w[1]), number(w[2]));
     };
-    py::dict result("accepted"_a = true, "verdict"_a = text(a.verdict),
-                    "contacts"_a = q.rows.size(),
-                    "normal_law"_a = text(stickslip_check::law_name(q.asked.bilateral)),
-                    "wrench"_a = wrench(q.wrench), "nodes"_a = a.nodes, "leaves"_a = a.leaves);
+    const auto entry = [&](const stickslip_check::Bounds& w) {
+      return w.certain() ? number(w.low)
+                         : py::object(py::make_tuple(number(w.low), number(w.high)));
+    };
+    py::dict result(
+        "accepted"_a = true, "verdict"_a = text(a.verdict), "contacts"_a = q.contacts.size(),
+        "normal_law"_a = text(stickslip_check::law_name(q.asked.bilateral)),
+        "wrench"_a = py::make_tuple(entry(q.wrench[0]), entry(q.wrench[1]), entry(q.wrench[2])),
+        "nodes"_a = a.nodes, "leaves"_a = a.leaves);
     if (q.asked.preload) result["preload"] = number(*q.asked.preload);
     if (q.asked.direction) result["direction"] = wrench(*q.asked.direction);
     if (const auto& growth = q.asked.preload_direction) {

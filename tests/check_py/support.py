@@ -34,7 +34,7 @@ FIG4 = grasp([[-1, 1], [-1, -1], [1, -1], [1, 1]], [[1, 0], [1, 0], [-1, 0], [-1
 
 
 def certificate(m, wrench, preload=None, law="unilateral", direction=None, preload_direction=None,
-                **evidence):
+                uncertain=None, **evidence):
     question = {"contacts": m, "wrench": wrench}
     if preload is not None:
         question["preload"] = preload
@@ -43,6 +43,8 @@ def certificate(m, wrench, preload=None, law="unilateral", direction=None, prelo
         question["direction"] = direction
     if preload_direction is not None:
         question["preload_direction"] = preload_direction
+    if uncertain is not None:
+        question["uncertain"] = uncertain
     verdict = "margin" if "resisted" in evidence else "unstable" if "tree" in evidence else "stable"
     if verdict == "stable":
         evidence = {"twist": evidence["twist"], "shares": evidence.get("shares", [])}

@@ -88,25 +88,27 @@ class CommandLineTest(Case):
         self.both([*UP, "--json", "--", self.g, self.c], 0, '{"result": "accepted"')
 
     def test_json_reports(self):
-        keys = ["result", "rule", "node", "path", "found", "verdict", "nodes", "leaves", "resisted",
-                "question"]
+        keys = ["result", "rule", "node", "path", "found", "verdict", "box", "nodes", "leaves",
+                "resisted", "question"]
         question = {"contacts": 3, "wrench": ["0", "11/10", "0"], "preload": "1",
-                    "normal_law": "unilateral", "direction": None, "preload_direction": None}
+                    "normal_law": "unilateral", "direction": None, "preload_direction": None,
+                    "uncertain": None}
         for out in self.both([self.g, self.c, *UP, "--json"], 0):
             self.assertEqual(list(json.loads(out).items()), list(zip(
-                keys, ["accepted", None, None, None, None, "unstable", 5, 3, None, question])))
+                keys, ["accepted", None, None, None, None, "unstable", False, 5, 3, None,
+                       question])))
         short = self.write("short.json", up(UP_TREE[:-1]))
         for out in self.both([self.g, short, *UP, "--json"], 1):
             report = json.loads(out)
             self.assertTrue(report.pop("found"))
             self.assertEqual(list(report.values()), ["rejected", "tree-short", 4,
-                                                     "separation 0 open", *[None] * 5])
+                                                     "separation 0 open", *[None] * 6])
         bad = self.write("bad.json", up([["slip", "0"]]))
         for out in self.both([self.g, bad, *UP, "--json"], 2):
             report = json.loads(out)
             self.assertIn("tree[0]", report.pop("path"))
             self.assertTrue(report.pop("found"))
-            self.assertEqual(list(report.values()), ["malformed", *[None] * 7])
+            self.assertEqual(list(report.values()), ["malformed", *[None] * 8])
 
     def test_answers_that_cannot_be_written(self):
         for program in PROGRAMS:
@@ -208,10 +210,14 @@ class ExchangeTest(Case):
         kept = {k: v for k, v in file.items() if k != "normals"}
         for proof in (stable, unstable):
             self.malformed("stickslip snap GRASP -o FILE", file, proof)
-            self.malformed("stickslip snap GRASP -o FILE", kept, proof)
-            for newer in ({**proof, "format": "stickslip-certificate/2"},
-                          {**proof, "format": "stickslip-certificate/2", "question": question}):
-                self.malformed("stickslip snap GRASP -o FILE", kept, newer)
+            self.malformed("format: must be", kept, proof)
+            self.malformed("question", kept, {**proof, "format": "stickslip-certificate/2"})
+        # Now P / |n| is enclosed (§6), and nobody chooses.
+        w = file["wrench"]
+        self.rejects("witness-box", kept, certificate(1, w, twist=[0, 0, 0]))
+        self.rejects("leaf-bound", kept, certificate(1, w, tree=[["leaf", 1, -1, 0]]), node=0,
+                     path="root")
+        self.accepts(kept, certificate(1, w, tree=[["leaf", -1, 1, 0]]))
         # What the command would write has one verdict.
         for u, verdict in (((20, 21), "stable"), ((21, 20), "unstable")):
             snapped = {**kept, "contacts": [{**kept["contacts"][0],

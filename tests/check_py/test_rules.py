@@ -137,12 +137,13 @@ class QuestionTest(Case):
             self.malformed(needle, FIG1, up(), *options)
 
     def test_normals_of_irrational_length(self):
-        """Refused where the length is needed, with the remedy."""
+        """In margins refused where the length is needed, with the remedy."""
         two = grasp([[0, 0], [1, 0]], [[0, 1], [1, 1]], wrench=[0, -1, 0])
         plain = certificate(2, [0, -1, 0], tree=[["leaf", 0, 0, 0]])
         self.rejects("leaf-bound", two, plain, node=0, path="root")
         remedy = "stickslip snap GRASP -o FILE"
-        for options in (("--preload", "1"), ("--preload-direction", "0,1"),
+        self.rejects("question-preload", two, plain, "--preload", "1")
+        for options in (("--preload-direction", "0,1"),
                         ("--preload", "1", "--preload-direction", "scale")):
             self.malformed(remedy, two, plain, *options)
             self.malformed("contacts[1].normal", two, plain, *options)

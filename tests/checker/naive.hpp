@@ -19,19 +19,50 @@ namespace stickslip_check {
 
 constexpr std::size_t kN = kDimension + 2;
 
-struct NaiveQuestion {
-  Question question;
-  Range range{0, 0};
+/// FORMAT.md §1, of a contact without uncertainty.
+struct NaiveRow {
+  Vector normal;   ///< N
+  Vector tangent;  ///< T
+  Rational friction;
+  Vector v;
 
-  std::size_t size() const { return question.rows.size(); }
-  Vector v(std::size_t i) const { return question.rows[i].v; }
+  explicit NaiveRow(const ContactBox& c) : friction(c[Parameter::kFriction].low) {
+    const Rational& px = c[Parameter::kX].low;
+    const Rational& py = c[Parameter::kY].low;
+    const Vector& n = c.normal;
+    normal = {n[0], n[1], Rational(px * n[1] - py * n[0])};
+    tangent = {Rational(-n[1]), n[0], Rational(px * n[0] + py * n[1])};
+    for (const Rational& entry : normal) v.emplace_back(-c[Parameter::kStiffness].low * entry);
+    v.insert(v.end(), {c[Parameter::kPreload].low, c.growth});
+  }
+};
+
+struct NaiveQuestion {
+  explicit NaiveQuestion(Question asked, Range of = {0, 0})
+      : question(std::move(asked)), range(std::move(of)) {
+    for (const ContactBox& contact : question.box->contacts) rows.emplace_back(contact);
+    for (const Bounds& w : question.box->wrench) wrench.push_back(w.low);
+  }
+
+  Question question;
+  Range range;
+  std::vector<NaiveRow> rows;
+  Vector wrench;
+
+  std::size_t size() const { return rows.size(); }
+  Vector v(std::size_t i) const { return rows[i].v; }
   Vector tau(std::size_t i) const {
-    Vector tau = question.rows[i].tangent;
+    Vector tau = rows[i].tangent;
     tau.resize(kN);
     return tau;
   }
   Rational power(const Vector& y, const Vector& x) const {
-    return x[3] * dot(y, question.wrench) + x[4] * dot(y, question.growth);
+    return x[3] * dot(y, wrench) + x[4] * dot(y, question.growth);
+  }
+  void set_wrench(const Vector& w) {
+    wrench = w;
+    question.widened = {w.begin(), w.end()};
+    enlarge(question);
   }
 };
 
@@ -107,7 +138,7 @@ struct NaiveRegion {
     std::vector<Rational> g;
     for (const Vector& r : all) g.push_back(q->power(y, r));
     for (std::size_t i = 0; i < q->size(); ++i) {
-      const Row& row = q->question.rows[i];
+      const NaiveRow& row = q->rows[i];
       const Rational plus = dot(y, row.normal) - row.friction * dot(y, row.tangent);
       const Rational minus = dot(y, row.normal) + row.friction * dot(y, row.tangent);
       const char s = sign(i);
@@ -190,7 +221,7 @@ class Prover {
 
 /// The walk over the tree of a question, which must outlive it.
 inline TreeWalk walk_of(const NaiveQuestion& q) {
-  return TreeWalk(q.question, {q.range});
+  return TreeWalk(roots_of(q.question, {q.range}));
 }
 
 /// A small random contact: degenerate cases are frequent.

@@ -45,8 +45,8 @@ TEST(Question, PrecedenceOfValues) {
                  {"normal": [0, 2], "position": [0, 0], "friction": 0, "stiffness": 3,
                   "preload": 0}],
     "defaults": {"friction": "1/2", "preload": 7}})");
-  EXPECT_EQ(q.wrench, (Vector{Rational(1, 10), Rational(1, 1000), Rational(-2)}));
-  EXPECT_EQ(q.contacts[0].position, (Vector{Rational(1, 3), Rational(1, 2)}));
+  EXPECT_EQ(q.wrench, (Wrench{Rational(1, 10), Rational(1, 1000), Rational(-2)}));
+  EXPECT_EQ(q.contacts[0].position, (Wrench{Rational(1, 3), Rational(1, 2)}));
   EXPECT_EQ(q.contacts[0].friction, Rational(1, 2));
   EXPECT_EQ(q.contacts[0].stiffness, 1);
   EXPECT_EQ(q.contacts[0].preload, 7);
@@ -58,9 +58,9 @@ TEST(Question, PrecedenceOfValues) {
 /// The preload coefficients and those of their growth, for unit normals the values themselves.
 std::pair<Vector, Vector> preloads(const Question& question) {
   std::pair<Vector, Vector> result;
-  for (const Row& row : question.rows) {
-    result.first.push_back(row.v[3]);
-    result.second.push_back(row.v[4]);
+  for (const ContactBox& contact : question.box->contacts) {
+    result.first.push_back(contact[Parameter::kPreload].low);
+    result.second.push_back(contact.growth);
   }
   return result;
 }
@@ -89,14 +89,14 @@ TEST(Question, TheBasePoint) {
     if (c.direction) options.direction = u;
     options.preload_direction = c.growth;
     Question question = ask_of(text, options);
-    EXPECT_EQ(question.wrench, c.w);
+    EXPECT_EQ(question.wrench, Wrench(c.w.begin(), c.w.end()));
     EXPECT_EQ(question.growth, c.direction ? u : zero);
     EXPECT_EQ(preloads(question), std::pair(c.p, c.p_u));
     // What replaces them.
     options.wrench = Vector{7, 7, 7};
     options.preload = Rational(1, 2);
     question = ask_of(text, options);
-    EXPECT_EQ(question.wrench, *options.wrench);
+    EXPECT_EQ(question.wrench, Wrench(3, 7));
     const Vector halves(3, Rational(1, 2));
     EXPECT_EQ(preloads(question).first, c.p == threes ? halves : c.p);
     EXPECT_EQ(preloads(question).second, c.p_u == threes ? halves : c.p_u);
@@ -138,24 +138,32 @@ TEST(Question, ErrorsNameFileAndPlace) {
 
 TEST(Question, RowsOfAnyLength) {
   const Contact contact{{2, 5}, {3, 4}, Rational(1, 2), 7, 10};
-  const Grasp grasp{{contact}, Vector(3)};
+  const Grasp grasp{{contact}, Wrench(3)};
   Options options;
   options.preload_direction = PreloadDirection{false, {15}};
-  const Row row = pose(grasp, options, "grasp").rows[0];
-  EXPECT_EQ(row.normal, (Vector{3, 4, 2 * 4 - 5 * 3}));
-  EXPECT_EQ(row.tangent, (Vector{-4, 3, 2 * 3 + 5 * 4}));
-  EXPECT_EQ(row.v, (Vector{Rational(-21, 25), Rational(-28, 25), Rational(49, 25), 2, 3}));
+  const Question question = pose(grasp, options, "grasp");
+  const Row& row = *question.box->rows[0];
+  ASSERT_TRUE(row.certain);
+  // N = (3, 4, 2 * 4 - 5 * 3), T = (-4, 3, 2 * 3 + 5 * 4), v = (-7/25 N, 2, 3).
+  EXPECT_EQ(row.v, (std::vector<Form>{{-21, -28, 49, 50, 75}}));
+  EXPECT_EQ(row.slip, (std::vector<Form>{{-4, 3, 26, 0, 0}}));
+  EXPECT_EQ(row.edges[0], (Form{10, 5, -40}));  // 2 N - T
+  EXPECT_EQ(row.edges[1], (Form{2, 11, 12}));
+  EXPECT_EQ(row.weight, Rational(1, 50));
 }
 
 TEST(Question, IrrationalLengthsWhereTheyAreNeeded) {
-  Grasp grasp{{{{0, 0}, {1, 1}, 0, 7, 0}}, Vector(3)};
+  Grasp grasp{{{{0, 0}, {1, 1}, 0, 7, 0}}, Wrench(3)};
   Options options;
-  EXPECT_EQ(pose(grasp, options, "grasp").rows[0].v[0], Rational(-7, 2));
-  options.preload_direction = PreloadDirection{false, {1}};
-  EXPECT_THROW(pose(grasp, options, "grasp"), Malformed);
+  const Question plain = pose(grasp, options, "grasp");
+  EXPECT_FALSE(plain.is_box);
+  EXPECT_EQ(plain.box->contacts[0][Parameter::kStiffness], Rational(7, 2));
   grasp.contacts[0].preload = 1;
+  EXPECT_TRUE(pose(grasp, options, "grasp").is_box);
+  grasp.contacts[0].preload = 0;
+  options.preload_direction = PreloadDirection{false, {1}};
   try {
-    pose(grasp, {}, "grasp");
+    pose(grasp, options, "grasp");
     FAIL();
   } catch (const Malformed& error) {
     EXPECT_EQ(error.file, "grasp");

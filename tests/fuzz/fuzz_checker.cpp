@@ -127,7 +127,9 @@ void run(const Input& input) {
   expect_well_said(answer);
   if (!arguments.help && !arguments.json) leave_for_python(input, answer);
   const auto* accepted = std::get_if<Accepted>(&answer);
-  if (accepted == nullptr || accepted->question.rows.size() > 6) return;
+  if (accepted == nullptr || accepted->question.contacts.size() > 6 ||
+      accepted->question.is_box)
+    return;
   const std::string found = truth(input, arguments.options);
   if (!found.empty() && found != claim_of(*accepted)) {
     broken("accepted: " + claim_of(*accepted) + ", but true is: " + found);

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "degree.hpp"
+
+#include <utility>
+
+namespace stickslip_check {
+namespace {
+
+Rational determinant(const std::vector<Vector>& m) {
+  Rational sum;
+  for (std::size_t j = 0; j < kDimension; ++j) {
+    const std::size_t k = (j + 1) % kDimension;
+    const std::size_t l = (j + 2) % kDimension;
+    sum += m[0][j] * (m[1][k] * m[2][l] - m[1][l] * m[2][k]);
+  }
+  return sum;
+}
+
+/// row.(d - h d0) as a function of points, plus h times `more`.
+Vector about(const Vector& twist, const Vector& row, int more = 0) {
+  Vector a = row;
+  a.emplace_back(more - dot(row, twist));
+  a.emplace_back(0);
+  return a;
+}
+
+/// The cone over K, or over the wall E_j.(d - h d0) = sign h of it.
+std::vector<Condition> conditions_of(const Part& part, std::size_t wall, int sign) {
+  std::vector<Condition> conditions{{{0, 0, 0, 0, 1}, true}, {{0, 0, 0, 1, 0}, false, true}};
+  for (std::size_t k = 0; k < kDimension; ++k) {
+    if (k == wall) {
+      conditions.push_back({about(part.twist, part.walls[k], -sign), true});
+      continue;
+    }
+    Vector below = part.walls[k];
+    for (Rational& c : below) c = -c;
+    conditions.push_back({about(part.twist, part.walls[k], 1)});
+    conditions.push_back({about(part.twist, below, 1)});
+  }
+  return conditions;
+}
+
+/// `degree-law`: the contact whose v_i may be below 0 in K, or nothing.
+std::optional<std::size_t> opening(const Part& part, const Box& box) {
+  Cone cone(kDimension + 2);
+  for (const Condition& condition : conditions_of(part, kDimension, 0)) {
+    cone = cone.cut(make_form(condition.a), condition.equality);
+  }
+  for (std::size_t i = 0; i < box.rows.size(); ++i) {
+    for (const Form& v : box.rows[i]->v) {
+      for (const auto& ray : cone.rays()) {
+        if (sign_of_dot(v, ray->x) < 0) return i;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+PartWalk::PartWalk(bool bilateral, const std::shared_ptr<const Box>& box)
+    : bilateral_(bilateral), awaited_{{box, "", 0}} {}
+
+void PartWalk::visit(const Part& part) {
+  std::string place = "part " + std::to_string(parts_++);
+  if (awaited_.empty()) {
+    throw Rejected{"tree-long", std::nullopt, place, "everything was complete before this"};
+  }
+  const Awaited here = std::move(awaited_.back());
+  awaited_.pop_back();
+  place += here.path;
+  if (here.depth > most_depth(*here.box)) {
+    throw Rejected{"node-depth", std::nullopt, place,
+                   "more than " + std::to_string(most_depth(*here.box)) + " parts above this"};
+  }
+  if (!part.cut) {
+    check_proof(part, here, place);
+    return;
+  }
+  try {
+    Halves halves = cut_in_two(*here.box, part.by);
+    const std::string path = here.path + ", ";
+    awaited_.push_back({halves.high, path + half_name(part.by, true), here.depth + 1});
+    awaited_.push_back({halves.low, path + half_name(part.by, false), here.depth + 1});
+  } catch (const Rejected& rejected) {
+    throw Rejected{rejected.rule, std::nullopt, place, rejected.found};
+  }
+}
+
+void PartWalk::finish() const {
+  if (awaited_.empty()) return;
+  throw Rejected{"tree-short", std::nullopt,
+                 "part " + std::to_string(parts_) + awaited_.back().path,
+                 "the list ends before this part"};
+}
+
+void PartWalk::check_proof(const Part& part, const Awaited& here, const std::string& place) {
+  const auto require = [&](bool good, const char* rule, const std::string& found) {
+    if (!good) throw Rejected{rule, std::nullopt, place, found};
+  };
+  require(determinant(part.walls) != 0, "degree-walls", "det E = 0");
+  require(determinant(part.direction) != 0, "degree-direction", "det A = 0");
+  if (bilateral_) {
+    const auto i = opening(part, *here.box);
+    require(
+        !i, "degree-law",
+        "v of contact " + std::to_string(i.value_or(0)) + " may be below 0 at a vertex of K");
+  }
+  std::vector<Vector> direction;
+  for (const Vector& row : part.direction) direction.push_back(about(part.twist, row));
+  const auto middle = std::make_shared<const Box>(here.box->middle());
+  std::vector<Root> roots;
+  for (const bool second : {false, true}) {
+    for (std::size_t j = 0; j < kDimension; ++j) {
+      for (const int sign : {1, -1}) {
+        roots.push_back({second ? middle : here.box, conditions_of(part, j, sign), false,
+                         place + (second ? ", middle wall " : ", wall ") +
+                             std::to_string(j + 1) + (sign > 0 ? " +" : " -"),
+                         second ? direction : std::vector<Vector>{}});
+      }
+    }
+  }
+  TreeWalk walk(std::move(roots), place);
+  for (const Node& node : part.tree) walk.visit(node);
+  walk.finish();
+  ++proofs_;
+  nodes_ += walk.nodes();
+  leaves_ += walk.leaves();
+}
+
+}  // namespace stickslip_check

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+/// \file
+/// Proofs that every grasp in a box is stable (FORMAT.md §6, "Stable: by degree").
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tree.hpp"
+
+namespace stickslip_check {
+
+/// A part as the certificate states it; only its shape has been checked.
+struct Part {
+  bool cut = false;
+  Node by;  ///< if cut
+
+  // If not:
+  Vector twist;                   ///< d0
+  std::vector<Vector> walls;      ///< E
+  std::vector<Vector> direction;  ///< A
+  std::vector<Node> tree;
+};
+
+/// The walk over the list of parts, in their order.
+class PartWalk {
+ public:
+  PartWalk(bool bilateral, const std::shared_ptr<const Box>& box);
+
+  /// The next part of the list. Throws Rejected.
+  void visit(const Part& part);
+  /// The list has ended. Throws Rejected (`tree-short`).
+  void finish() const;
+
+  std::uint64_t proofs() const { return proofs_; }  ///< parts that are not cut
+  std::uint64_t nodes() const { return nodes_; }
+  std::uint64_t leaves() const { return leaves_; }
+
+ private:
+  /// A part that is to come.
+  struct Awaited {
+    std::shared_ptr<const Box> box;
+    std::string path;  ///< empty, or ", friction 2 low" and so on
+    std::size_t depth;
+  };
+
+  void check_proof(const Part& part, const Awaited& here, const std::string& place);
+
+  bool bilateral_;
+  std::vector<Awaited> awaited_;  ///< the next one last
+  std::uint64_t parts_ = 0;
+  std::uint64_t proofs_ = 0;
+  std::uint64_t nodes_ = 0;
+  std::uint64_t leaves_ = 0;
+};
+
+}  // namespace stickslip_check

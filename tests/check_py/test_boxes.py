@@ -1,0 +1,611 @@
+# SPDX-License-Identifier: MIT
+"""Boxes (certificate/FORMAT.md, section 6): the syntax, every rule made to fail alone, a twin, and
+proofs that a search for small grasps finds. Both checkers.
+"""
+
+import itertools
+import json
+import os
+import random
+import tempfile
+import unittest
+import unittest.mock
+from fractions import Fraction
+
+import naive_box
+from support import Case, certificate, check
+
+
+def interval(low, high):
+    return {"min": low, "max": high}
+
+
+def box_file(*contacts, **members):
+    return {"format": "stickslip-grasp/2", "contacts": list(contacts), "wrench": [0, 0, 0], **members}
+
+
+# A body on a floor, pulled up: unstable. Friction does no work on (0, -1, 0).
+FLOOR = {"position": [0, 0], "normal": [0, 1], "friction": interval("1/10", "1/2")}
+PULLED = box_file(FLOOR, wrench=[interval("-1/8", "1/8"), interval(1, 2), 0])
+PULL = [["-1/8", "1/8"], [1, 2], 0]
+UP = [["leaf", 0, -1, 0]]
+
+
+def pulled(tree=None, wrench=None, **changes):
+    return certificate(1, PULL if wrench is None else wrench, tree=UP if tree is None else tree,
+                       **changes)
+
+
+class QuestionTest(Case):
+    def test_intervals(self):
+        text = self.accepts(PULLED, pulled())
+        self.assertEqual(text.split("\n")[1:4], ["verdict     unstable, for every grasp in the box",
+                                                 "contacts    1",
+                                                 "wrench      ([-1/8, 1/8], [1, 2], 0)"])
+        _, report, _, _ = self.run_both(PULLED, pulled())
+        self.assertIs(report["box"], True)
+        self.assertEqual(report["question"]["wrench"], [["-1/8", "1/8"], ["1", "2"], "0"])
+        self.accepts(PULLED, certificate(1, [0, 1, 0], tree=UP), "--wrench", "0,1,0")
+        one = {**PULLED, "contacts": [{**FLOOR, "friction": interval(1, "2/2")}], "wrench": [0, 1, 0]}
+        _, report, _, _ = self.run_both(one, certificate(1, [0, [1, 1], 0], tree=UP))
+        self.assertIs(report["box"], False)
+        everywhere = {**PULLED, "defaults": {"friction": interval(0, 1), "preload": interval(0, 1),
+                                             "stiffness": interval("1/2", 2)},
+                      "contacts": [{"position": [interval(0, 1), interval("-1/2", 0)],
+                                    "normal": {"direction": [0, 1], "slope": "1/100"}}]}
+        self.accepts(everywhere, pulled())
+
+    def test_cases_add_up(self):
+        file = box_file(FLOOR, wrench=[0, interval(1, 2), 0], cases=[
+            {"name": "a", "wrench": [interval(0, 1), interval(3, 5), 0]}, {"name": "b", "loads": []}])
+        self.accepts(file, pulled(wrench=[[0, 1], [4, 7], 0]), "--case", "a")
+        self.accepts(file, pulled(wrench=[0, [1, 2], 0]), "--case", "b")
+        self.rejects("question-wrench", file, pulled(wrench=[0, [1, 2], 0]), "--case", "a")
+
+    def test_grasp_syntax(self):
+        def bad(needle, **contact):
+            self.malformed(needle, {**PULLED, "contacts": [{**FLOOR, **contact}]}, pulled())
+
+        for value in ({}, {"min": 1}, {"max": 1}, {"min": 0, "max": 1, "mean": 0}, interval(0, [1]),
+                      interval(0, True), interval(1, "1/2"), interval("-1/9", 1), interval(0, None)):
+            bad("contacts[0].friction", friction=value)
+        bad("contacts[0].stiffness", stiffness=interval(0, 1))
+        bad("contacts[0].preload", preload=interval(-1, 1))
+        bad("contacts[0].position[1]", position=[0, interval(2, 1)])
+        bad("contacts[0].position", position=interval(1, 2))
+        for value in ({"direction": [0, 1]}, {"slope": 0}, {"direction": [0, 0], "slope": 0},
+                      {"direction": [0, 1], "slope": -1}, {"direction": [0, 1], "slope": 1},
+                      {"direction": [0, interval(0, 1)], "slope": 0},
+                      {"direction": [0, 1], "slope": interval(0, "1/2")},
+                      [interval(0, 1), 1], interval(0, 1)):
+            bad("contacts[0].normal", normal=value)
+        self.malformed("wrench[2]", {**PULLED, "wrench": [0, 0, interval(1, 0)]}, pulled())
+        self.malformed("defaults.preload", {**PULLED, "defaults": {"preload": interval(1, 0)}},
+                       pulled())
+        self.malformed("loads", box_file(FLOOR, loads=[{"torque": interval(0, 1)}], wrench=[0, 0, 0]),
+                       pulled())
+        torque = {key: value for key, value in PULLED.items() if key != "wrench"}
+        self.malformed("loads[0].torque", {**torque, "loads": [{"torque": interval(0, 1)}]}, pulled())
+
+    def test_version_1_has_no_intervals(self):
+        for members in ({"friction": interval(0, 1)}, {"position": [0, interval(0, 1)]},
+                        {"normal": {"direction": [0, 1], "slope": 0}}):
+            file = {**box_file({**FLOOR, "friction": 1, **members}), "format": "stickslip-grasp/1"}
+            self.malformed("stickslip-grasp/2", file, pulled())
+        self.malformed("stickslip-grasp/2", {**box_file(), "format": "stickslip-grasp/1",
+                                             "wrench": [0, 0, interval(0, 1)]}, pulled())
+
+    FIXED = box_file({**FLOOR, "friction": "1/2", "preload": 1}, wrench=[0, 3, 0])
+
+    def test_uncertain(self):
+        asked = "wrench=2%,preload=5%,normal=0.0175,friction=10%,stiffness=1/10,position=1e-3"
+        said = {"friction": "10%", "stiffness": "1/10", "preload": "5%", "position": "1/1000",
+                "normal": "7/400", "wrench": "2%"}
+        proof = certificate(1, [0, 3, 0], tree=UP, uncertain=said)
+        text = self.accepts(self.FIXED, proof, "--uncertain", asked)
+        self.assertIn("\nuncertain   friction 10%, stiffness 1/10, preload 5%, position 1/1000, "
+                      "normal 7/400, wrench 2%\n", text)
+        _, report, _, _ = self.run_both(self.FIXED, proof, "--uncertain=" + asked)
+        self.assertEqual(report["question"]["uncertain"], said)
+        rule = "question-uncertain"
+        self.rejects(rule, self.FIXED, proof)
+        self.rejects(rule, self.FIXED, certificate(1, [0, 3, 0], tree=UP), "--uncertain", "wrench=0")
+        for kind in said:
+            options = ",".join(part for part in asked.split(",") if not part.startswith(kind))
+            self.rejects(rule, self.FIXED, proof, "--uncertain", options)
+        fraction = certificate(1, [0, 3, 0], tree=UP, uncertain={"friction": "1/10"})
+        self.rejects(rule, self.FIXED, fraction, "--uncertain", "friction=10%")
+        self.accepts(self.FIXED, fraction, "--uncertain", "friction=0.1")
+
+    def test_what_cannot_be_asked(self):
+        for asked, needle in (("friction=101%", "contacts[0].friction"), ("friction=0.6", "friction"),
+                              ("stiffness=1", "stiffness"), ("stiffness=100%", "stiffness"),
+                              ("preload=2", "preload"), ("normal=1", "normal"),
+                              ("normal=1%", "the question: uncertain"),
+                              ("wrench=-1", "the question: uncertain"),
+                              ("friction=-1%", "the question: uncertain")):
+            self.malformed(needle, self.FIXED, pulled(), "--uncertain", asked)
+        self.malformed("the question: uncertain", self.FIXED, pulled(), "--uncertain", "wrench=0",
+                       "--direction", "0,1,0")
+        margin = ("--direction", "0,1,0", "--wrench", "0,0,0")
+        self.malformed("contacts[0].friction", PULLED, pulled(), *margin)
+        self.malformed("wrench", box_file(wrench=[0, 0, interval(0, 1)]), pulled(),
+                       "--preload-direction", "scale")
+        self.malformed("contacts[0].normal", box_file({**FLOOR, "friction": 1, "normal": {
+            "direction": [0, 1], "slope": "1/10"}}), pulled(), *margin)
+
+    def test_option_syntax(self):
+        for text in ("", "friction", "friction=", "friction=%", "friction=x", "mass=1",
+                     "friction=1,friction=1", "friction=1,", ",friction=1", "friction=10 %",
+                     "friction=1/0%", "=1"):
+            code, _, _, err = self.usage("--uncertain", text)
+            self.assertEqual(code, 2, text)
+            self.assertIn("--uncertain", err)
+
+    def usage(self, *options):
+        from support import STICKSLIP_CHECK, in_process, start
+        code, _, err = in_process(["g", "c", *options])
+        if STICKSLIP_CHECK:
+            other = start([STICKSLIP_CHECK], ["g", "c", *options])
+            self.assertEqual(other[0], code)
+            self.assertIn("--uncertain", other[2])
+        return code, None, None, err
+
+    def test_what_is_a_box(self):
+        """No interval has a width, but the length of the normal is irrational."""
+        file = box_file({**FLOOR, "friction": 0, "normal": [1, 1], "preload": 1}, wrench=[-1, 1, 0])
+        proof = certificate(1, [-1, 1, 0], tree=[["leaf", 1, -1, 0]])
+        self.assertIn("for every grasp in the box", self.accepts(file, proof))
+        for options, is_box in (((), True), (("--preload", "0"), False),
+                                (("--uncertain", "preload=0"), True),
+                                (("--preload", "0", "--uncertain", "preload=1/1000"), True)):
+            said = certificate(1, [-1, 1, 0], 0 if "--preload" in options else None,
+                               tree=[["leaf", 1, -1, 0]])
+            if "--uncertain" in options:
+                kind, size = options[-1].split("=")
+                said["question"]["uncertain"] = {kind: size}
+            if "preload=1/1000" in options:
+                self.malformed("preload", file, said, *options)
+                continue
+            _, report, _, _ = self.run_both(file, said, *options)
+            self.assertIs(report["box"], is_box, options)
+
+
+class SyntaxTest(Case):
+    def bad(self, needle, proof):
+        self.malformed(needle, PULLED, proof)
+
+    def test_question(self):
+        def bad(needle, **question):
+            proof = pulled()
+            self.bad(needle, {**proof, "question": {**proof["question"], **question}})
+
+        for value in ({}, [], "10%", None, {"friction": "%"}, {"friction": "1e2"}, {"friction": 0.5},
+                      {"mass": 1}, {"stiffness": 1, "friction": 1}, {"friction": "0.1%"},
+                      {"friction": None}):
+            bad("question.uncertain", uncertain=value)
+        for value in ([0, 0], [0, [1], 0], [0, [1, 2, 3], 0], [0, [1, [2]], 0], [0, "1%", 0]):
+            bad("question.wrench", wrench=value)
+
+    def test_bits(self):
+        for bits, good in ((64, True), (4096, True), (63, False), (4097, False), ("128", False),
+                           (128.5, False), (-128, False), (None, False)):
+            proof = pulled()
+            proof = {"format": proof["format"], "question": proof["question"], "bits": bits,
+                     "verdict": "unstable", "tree": UP}
+            if good:
+                self.accepts(PULLED, proof)
+            else:
+                self.bad("bits", proof)
+        self.bad("bits", {**pulled(), "bits": 128})  # out of order
+        margin = certificate(1, [0, 0, 0], direction=[0, 1, 0], resisted=[], segments=[], tree=[])
+        margin = {"format": margin["format"], "question": margin["question"], "bits": 128,
+                  **{key: margin[key] for key in ("verdict", "resisted", "segments", "tree")}}
+        self.malformed("", PULLED, margin, "--wrench", "0,1,0")
+
+    def test_parts(self):
+        for node in (["part"], ["part", "friction", 0], ["part", "friction", 0, 1, 1],
+                     ["part", "mass", 0, 1], ["part", 0, 0, 1], ["part", "friction", "0", 1],
+                     ["part", "friction", -1, 1], ["part", "friction", 0, None]):
+            self.bad("tree[0]", pulled([node]))
+        for part in (0, [], ["leaf", 0, 0, 0], {}, {**PROOF, "tree": 0}, {**PROOF, "twist": [0, 0]},
+                     {**PROOF, "walls": [[1, 0, 0]]}, {**PROOF, "direction": [[0, 0]] * 3},
+                     {**PROOF, "tree": [["leaf"]]}, {**PROOF, "more": 0},
+                     {key: PROOF[key] for key in ("twist", "walls", "direction")},
+                     {key: PROOF[key] for key in ("walls", "twist", "direction", "tree")}):
+            self.bad("parts[0]", stable(1, PULL, [part]))
+        self.bad("", {**stable(1, PULL, []), "tree": []})
+        self.bad("", {**stable(1, PULL, []), "verdict": "unstable"})
+        margin = certificate(1, [0, 0, 0], direction=[0, 1, 0], resisted=[], segments=[],
+                             tree=[["part", "friction", 0, 1]])
+        self.malformed("tree[0]", box_file({**FLOOR, "friction": 1}), margin, "--direction", "0,1,0")
+
+
+UNIT = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
+PROOF = {"twist": [0, 0, 0], "walls": UNIT, "direction": UNIT, "tree": []}
+
+
+def stable(m, wrench, parts, **question):
+    proof = certificate(m, wrench, twist=[0, 0, 0], **question)
+    del proof["twist"], proof["shares"]
+    return {**proof, "parts": parts}
+
+
+class TreeRulesTest(Case):
+    def test_parts_of_the_box(self):
+        """Half of the floor's friction, half of the load, and below the last bound nothing."""
+        halves = [["part", "friction", 0, "1/4"], *UP, ["part", "wrench", 1, "3/2"], *UP, *UP]
+        text = self.accepts(PULLED, pulled(halves))
+        self.assertIn("proof       a tree of 5 nodes: 3 leaves", text)
+        halves[-1] = ["leaf", 0, 1, 0]
+        self.rejects("leaf-bound", PULLED, pulled(halves), node=4,
+                     path="friction 0 high, wrench 1 high")
+        self.rejects("tree-short", PULLED, pulled(halves[:2]), node=2, path="friction 0 high")
+        self.rejects("tree-short", PULLED, pulled([]), node=0, path="root")
+        self.rejects("tree-long", PULLED, pulled(UP + UP), node=1)
+
+    def test_part_contact_and_inside(self):
+        for name in naive_box.NAMES:
+            self.rejects("part-contact", PULLED, pulled([["part", name, 1, 0]]), node=0, path="root")
+        self.rejects("part-contact", PULLED, pulled([["part", "wrench", 3, 0]]), node=0, path="root")
+        for name, cut in (("friction", "1/10"), ("friction", "1/2"), ("friction", 2), ("x", 0),
+                          ("turn", 0), ("preload", 0), ("stiffness", 1)):
+            self.rejects("part-inside", PULLED, pulled([["part", name, 0, cut]]), node=0, path="root")
+        self.rejects("part-inside", PULLED, pulled([["part", "wrench", 2, 0]]), node=0, path="root")
+        twice = [["part", "wrench", 1, "3/2"], ["part", "wrench", 1, "7/4"]]
+        self.rejects("part-inside", PULLED, pulled(twice), node=1, path="wrench 1 low")
+        exact = box_file({**FLOOR, "friction": 1})
+        self.rejects("part-inside", exact, pulled([["part", "friction", 0, 1]], [0, 0, 0]), node=0,
+                     path="root")
+
+    def test_node_certain(self):
+        """Position along the normal moves no N, across it no T but ..."""
+        def file(**changes):
+            return box_file({**FLOOR, **changes}, wrench=[0, 1, 0])
+
+        def split(kind, rule, **changes):
+            proof = certificate(1, [0, 1, 0], tree=[[kind, 0]])
+            if rule:
+                self.rejects(rule, file(**changes), proof, node=0, path="root")
+            else:
+                first = "slip 0 +" if kind == "slip" else "separation 0 closed"
+                self.rejects("tree-short", file(**changes), proof, node=1, path=first)
+
+        along, across = {"position": [0, interval(0, 1)]}, {"position": [interval(0, 1), 0]}
+        turned = {"normal": {"direction": [0, 1], "slope": "1/10"}}
+        k, p = {"stiffness": interval(1, 2)}, {"preload": interval(0, 1)}
+        wrong = "node-certain"
+        for changes, slip, separation in (({}, None, None), (along, wrong, None), (across, None, wrong),
+                                          (turned, wrong, wrong), (k, None, None), (p, None, wrong),
+                                          ({**k, "preload": 1}, None, wrong),
+                                          ({**along, **k}, wrong, None),
+                                          ({"normal": [1, 1], "preload": 1}, None, wrong)):
+            split("slip", slip, **changes)
+            split("separation", separation, **changes)
+        self.rejects("node-contact", PULLED, pulled([["slip", 1]]), node=0, path="root")
+
+    def test_witness_box(self):
+        proof = certificate(1, PULL, twist=[0, 0, 0], shares=[[7, 9]])
+        self.rejects("witness-box", PULLED, proof)
+
+    def test_bilateral_roots_are_cut_where_certain(self):
+        """Turned over: without contact nothing holds against w_y = 1; v = -k y >= 0 is known if k
+        alone is uncertain, and then y = (0, 1, 0) finds a >= 0."""
+        for preload, good in ((0, True), (interval(0, "1/8"), False)):
+            file = box_file({**FLOOR, "friction": 0, "stiffness": interval(1, 2), "preload": preload},
+                            wrench=[0, 1, 0])
+            proof = certificate(1, [0, 1, 0], None, "bilateral", tree=[
+                ["plane", 0, 1, 0, -1], ["leaf", 0, 0, 0], ["leaf", 0, -1, 0]])
+            if good:  # y >= 1 and -k y >= 0: only h = 0 is left, which is barred
+                self.accepts(file, proof, "--normal-law", "bilateral")
+            else:
+                self.rejects("leaf-bound", file, proof, "--normal-law", "bilateral", node=1,
+                             path="plane +")
+
+    def test_bits_decide(self):
+        """a = P/sqrt(2) pushes against a load of 0.7071... 30 digits; 64 bits do not tell."""
+        digits = "7071067811865475244008443621048490392848"  # of sqrt(1/2)
+        # Along (1, 1) a force a pushes with a sqrt(2) = P; at d = 0 that is 1.
+        for size, accepted in ((digits[:18], {64: False, 128: True}),):
+            load = "-" + str(Fraction(int(size) + 1, 10 ** len(size)))
+            self.assertLess(Fraction(load), 0)
+        file = box_file({**FLOOR, "normal": [1, 1], "friction": 0, "preload": 1},
+                        wrench=["-7071067811865475244008444/10000000000000000000000000"] * 2 + [0])
+        # y = -(1, 1, 0) on {N.d >= 0}, where a <= P / sqrt(2): 2 a < -2 w.
+        tree = [["plane", 1, 1, 0, 0], ["leaf", 1, 1, 0], ["leaf", 0, 0, 0]]
+        for bits, node in ((64, 1), (128, 2)):
+            proof = certificate(1, file["wrench"], tree=tree)
+            proof = {"format": proof["format"], "question": proof["question"], "bits": bits,
+                     "verdict": "unstable", "tree": tree}
+            self.rejects("leaf-bound", file, proof, node=node, path="plane +" if node == 1 else
+                         "plane -")
+
+
+def random_interval(rng, low, high, uncertain):
+    a, b = sorted(Fraction(rng.randint(4 * low, 4 * high), 4) for _ in range(2))
+    return (a, b) if uncertain else (a, a)
+
+
+def random_box(rng, m, law):
+    contacts = []
+    for _ in range(m):
+        def uncertain():
+            return rng.random() < 0.4
+        normal = rng.choice([(1, 0), (0, 1), (-1, 0), (0, -2), (3, 4), (1, 1), (1, -2)])
+        slope = Fraction(rng.randint(1, 3), 8) if uncertain() else 0
+        contacts.append(naive_box.Contact(
+            normal, slope, random_interval(rng, -1, 1, uncertain()),
+            random_interval(rng, -1, 1, uncertain()), random_interval(rng, 0, 1, uncertain()),
+            tuple(k + Fraction(1, 2) for k in random_interval(rng, 0, 2, uncertain())),
+            random_interval(rng, 0, 1, uncertain())))
+    wrench = [random_interval(rng, -1, 1, uncertain()) for _ in range(3)] if m else [(1, 1)] * 3
+    return naive_box.Box(contacts, wrench, law)
+
+
+def file_of(box):
+    def written(ends):
+        low, high = map(str, ends)
+        return low if low == high else interval(low, high)
+
+    contacts = [{"position": [written(c.given["x"]), written(c.given["y"])],
+                 "normal": {"direction": list(map(str, c.normal)), "slope": str(c.slope)},
+                 **{key: written(c.given[key]) for key in ("friction", "stiffness", "preload")}}
+                for c in box.contacts]
+    return box_file(*contacts, wrench=list(map(written, box.wrench)))
+
+
+def said(box):
+    return [list(map(str, ends)) if ends[0] != ends[1] else str(ends[0]) for ends in box.wrench]
+
+
+EASY = [y for y in itertools.product((-1, 0, 1), repeat=3) if any(y)]
+
+
+class TwinTest(Case):
+    def test_random_trees(self):
+        """First children only, down to a leaf, which fails; or holds, and the next node is missing.
+        Nodes that may not stand there are rejected."""
+        rng = random.Random(11)
+        tally = {"holds": 0, "fails": 0, "node-certain": 0}
+        while min(tally.values()) < 25:
+            law = rng.choice(["unilateral", "unilateral", "bilateral"])
+            box = random_box(rng, rng.randint(1, 2), law)
+            tree, here, place = [], box, box.root()
+            file, options = file_of(box), ("--normal-law", law)
+            rule = None
+            for _ in range(rng.randint(0, 4)):
+                i = rng.randrange(len(box.contacts))
+                kind = rng.choice(["slip", "separation", "part", "part", "plane", "plane"])
+                if kind == "part":
+                    name = rng.choice(naive_box.NAMES)
+                    low, high = here.contacts[i].ends[name]
+                    if low == high:
+                        continue
+                    middle = (2 * low + high) / 3
+                    tree.append([kind, name, i, str(middle)])
+                    here = here.cut(name, i, low, middle)
+                    continue
+                if kind == "plane":
+                    row = tuple(Fraction(rng.randint(-2, 2)) for _ in range(4)) + (Fraction(0),)
+                    tree.append([kind, *map(str, row[:4])])
+                else:
+                    tree.append([kind, i])
+                    row = here.plane(kind, i)
+                    if row is None:
+                        rule = "node-certain"
+                        break
+                place = naive_box.Place(place.conditions + [(row, False)],
+                                        place.strict + [row] * (kind == "slip"))
+            if rule is None:
+                y = rng.choice(EASY)
+                tree.append(["leaf", *y])
+                rule = "holds" if here.leaf_holds(place, y) else "fails"
+                if rule == "fails" and rng.random() < 0.8:  # rather one that does
+                    good = [y for y in rng.sample(EASY, 5) if here.leaf_holds(place, y)]
+                    if good:
+                        tree[-1], rule = ["leaf", *rng.choice(good)], "holds"
+            tally[rule] += 1
+            proof = certificate(len(box.contacts), said(box), None, law, tree=tree)
+            code, report, _, _ = self.run_both(file, proof, *options)
+            wanted = {"holds": "accepted" if len(tree) == 1 else "tree-short", "fails": "leaf-bound",
+                      "node-certain": "node-certain"}[rule]
+            self.assertEqual("accepted" if code == 0 else report["rule"], wanted, (file, proof))
+            if code:
+                self.assertEqual(report["node"], len(tree) - (wanted != "tree-short"))
+
+    def test_bounds_are_bounds(self):
+        """At random points of the box no product exceeds its bound."""
+        rng = random.Random(12)
+        for _ in range(60):
+            contact = random_box(rng, 1, "unilateral").contacts[0]
+            y = tuple(Fraction(rng.randint(-3, 3)) for _ in range(3))
+            r = tuple(Fraction(rng.randint(-3, 3)) for _ in range(3)) + (Fraction(rng.randint(0, 2)), 0)
+            for s in {-contact.ends["friction"][1], contact.ends["friction"][0]}:
+                most = contact.greatest(s, y, r)
+                for _ in range(20):
+                    q = {name: low + Fraction(rng.randint(0, 6), 6) * (high - low)
+                         for name, (low, high) in contact.ends.items()}
+                    self.assertLessEqual(contact.alpha(q, s, y) * contact.v(q, r), most)
+
+    def test_enclosures(self):
+        for square, bits in itertools.product((Fraction(2), Fraction(1, 3), Fraction(5, 10**40),
+                                               Fraction(10**41), Fraction(4, 9)), (64, 65, 128)):
+            self.assertEqual(tuple(check.inverse_root(square, bits)),
+                             naive_box.inverse_length(square, bits))
+
+
+# ---- Stable: by degree ------------------------------------------------------------------------
+
+FOUR = box_file(*({"position": p, "normal": [n, 0]} for p, n in
+                  (([-1, 1], 1), ([-1, -1], 1), ([1, -1], -1), ([1, 1], -1))),
+                defaults={"friction": "1/2", "preload": 1})
+ASKED = ("--uncertain", "friction=10%,stiffness=5%,preload=2%,position=0.01,normal=0.01,wrench=0.01")
+SAID = {"friction": "10%", "stiffness": "5%", "preload": "2%", "position": "1/100",
+        "normal": "1/100", "wrench": "1/100"}
+
+
+def search(root, most_depth=12):
+    """The nodes of a tree of one root: a leaf where one of some twists holds, else the region is
+    halved across its longest side."""
+    nodes = []
+
+    def visit(region):
+        rays = [x for x, _ in region.cone.generators]
+        points = [[Fraction(c, x[3]) for c in x[:3]] for x in rays] or [[Fraction(0)] * 3]
+        mean = [sum(column) / len(points) for column in zip(*points)]
+        largest = max(map(abs, mean)) or 1
+        pushed = tuple(Fraction(round(8 * c / largest), 8) for c in mean)
+        for y in ((Fraction(0),) * 3, pushed, *(tuple(map(Fraction, y)) for y in EASY)):
+            try:
+                check.check_leaf(region, y)
+            except check.Rejected:
+                continue
+            nodes.append(["leaf", *map(str, y)])
+            return
+        if region.depth == most_depth:
+            raise LookupError
+        j = max(range(3), key=lambda j: max(p[j] for p in points) - min(p[j] for p in points))
+        at = Fraction(round(mean[j] * 1024), 1024)
+        row = [Fraction(int(k == j)) for k in range(3)] + [-at]
+        nodes.append(["plane", *map(str, row)])
+        for child in check.children(region, check.Node("plane", -1, (*row, Fraction(0)))):
+            child.open()
+            visit(child)
+
+    visit(check.begin(root))
+    return nodes
+
+
+def box_of(file, options):
+    with tempfile.TemporaryDirectory() as folder:
+        name = os.path.join(folder, "g.json")
+        with open(name, "w", encoding="utf-8") as out:
+            json.dump(file, out)
+        asked = check.parse_arguments([name, name, *options]).options
+        return check.enlarged(check.pose(name, asked), 128)
+
+
+def prove(box, sizes):
+    """A part that is not cut, for K about 0 with these half widths."""
+    walls = [[str(1 / Fraction(s)) if j == k else 0 for k in range(3)] for j, s in enumerate(sizes)]
+    part = {"twist": [0, 0, 0], "walls": walls, "direction": UNIT}
+    proof = check.DegreeProof((Fraction(0),) * 3, *(
+        [tuple(map(Fraction, row)) for row in part[key]] for key in ("walls", "direction")), [])
+    tree = []
+    with unittest.mock.patch.object(check, "check_tree", lambda _, roots, __: tree.extend(
+            node for root in roots for node in search(root))):
+        check.check_degree(proof, box, False, "")
+    return {**part, "tree": tree}
+
+
+class DegreeTest(Case):
+    @classmethod
+    def setUpClass(cls):
+        cls.sizes = ["1/8"] * 3
+        cls.box = box_of(FOUR, ASKED)
+        cls.part = prove(cls.box, cls.sizes)
+
+    def proof(self, parts=None, law="unilateral", **changes):
+        return stable(4, [0, 0, 0], [{**self.part, **changes}] if parts is None else parts, law=law,
+                      uncertain=SAID)
+
+    def fails(self, rule, proof, node=None, path="part 0", options=()):
+        self.rejects(rule, FOUR, proof, *ASKED, *options, node=node, path=path)
+
+    def test_accepted(self):
+        text = self.accepts(FOUR, self.proof(), *ASKED)
+        self.assertIn("verdict     stable, for every grasp in the box\n", text)
+        self.assertIn("by degree, parts: 1; trees of ", text)
+        _, report, _, _ = self.run_both(FOUR, self.proof(), *ASKED)
+        self.assertEqual(report["nodes"], len(self.part["tree"]))
+        self.accepts(FOUR, self.proof(law="bilateral"), *ASKED, "--normal-law", "bilateral")
+        exact = self.proof()  # the same proof for a grasp in the middle
+        del exact["question"]["uncertain"]
+        self.assertIn("verdict     stable\n", self.accepts(FOUR, exact))
+
+    def test_cut_parts(self):
+        def halves(box, part):
+            return box.halves(check.Node("part", part[2], (Fraction(part[3]),), part[1]))
+
+        first, second = ["part", "friction", 2, "1/2"], ["part", "wrench", 0, 0]
+        low, high = halves(self.box, first)
+        parts = [first, prove(low, self.sizes), second, *(prove(box, self.sizes)
+                                                          for box in halves(high, second))]
+        text = self.accepts(FOUR, self.proof(parts), *ASKED)
+        self.assertIn("by degree, parts: 3; trees of ", text)
+        self.fails("tree-short", self.proof(parts[:3]), path="part 3, friction 2 high, wrench 0 low")
+        self.fails("tree-short", self.proof([]), path="part 0")
+        self.fails("tree-long", self.proof([self.part] * 2), path="part 1")
+        self.fails("part-inside", self.proof([parts[0], ["part", "friction", 2, 1]]),
+                   path="part 1, friction 2 low")
+        self.fails("part-contact", self.proof([["part", "x", 4, 0]]))
+        deep = [["part", "wrench", 0, f"{k}/100000"] for k in range(300, 0, -1)]
+        self.fails("node-depth", self.proof(deep),
+                   path="part 265" + ", wrench 0 low" * 265)
+
+    def test_determinants(self):
+        flat = [[1, 0, 0], [0, 1, 0], [1, 1, 0]]
+        self.fails("degree-walls", self.proof(walls=flat, direction=flat))
+        self.fails("degree-direction", self.proof(direction=flat, tree=[]))
+
+    def test_law(self):
+        wide = [["1/4", 0, 0], [0, 1, 0], [0, 0, 1]]
+        bilateral = ("--normal-law", "bilateral")
+        self.fails("degree-law", self.proof(walls=wide, law="bilateral"), options=bilateral)
+        # v = P - k (x + y) with x = 1/8 at the most; with preloads of 1/10 that is too much.
+        loose = {**FOUR, "defaults": {"friction": "1/2", "preload": "1/10"}}
+        self.rejects("degree-law", loose, self.proof(law="bilateral"), *ASKED, *bilateral,
+                     path="part 0")
+
+    def test_trees(self):
+        tree = self.part["tree"]
+        self.fails("tree-short", self.proof(tree=[]), node=0, path="part 0, wall 1 +")
+        self.fails("tree-short", self.proof(tree=tree[:-1]), node=len(tree) - 1,
+                   path=self.path_of(len(tree) - 1))
+        self.fails("tree-long", self.proof(tree=tree + tree[:1]), node=len(tree))
+        void = [["leaf", 0, 0, 0]]
+        self.fails("leaf-bound", self.proof(tree=void + tree[1:]), node=0, path="part 0, wall 1 +")
+        self.fails("node-contact", self.proof(tree=[["slip", 4]]), node=0, path="part 0, wall 1 +")
+        self.fails("node-certain", self.proof(tree=[["slip", 3]]), node=0, path="part 0, wall 1 +")
+        deeper = [["part", "friction", 0, "1/2"], ["slip", 3]]
+        self.fails("node-certain", self.proof(tree=deeper), node=1,
+                   path="part 0, wall 1 +, friction 0 low")
+
+    def path_of(self, number):
+        """Of a node of the proof, by taking it away."""
+        _, report, _, _ = self.run_both(FOUR, self.proof(tree=self.part["tree"][:number]), *ASKED)
+        return report["path"]
+
+    def test_list_2(self):
+        """Where A is turned over, y.A(d - d0) < 0; and q0 has no parts."""
+        turned = [[-1, 0, 0], [0, -1, 0], [0, 0, -1]]
+        _, report, _, _ = self.run_both(FOUR, self.proof(direction=turned), *ASKED)
+        self.assertEqual((report["rule"], report["path"].split(", ")[:2]),
+                         ("leaf-direction", ["part 0", "middle wall 1 +"]))
+        first = report["node"]
+        cut = self.part["tree"][:first]
+        while not self.path_of(len(cut)).endswith("middle wall 1 +"):
+            cut.pop()
+        self.fails("part-inside", self.proof(tree=[*cut, ["part", "friction", 0, "1/2"]]),
+                   node=len(cut), path="part 0, middle wall 1 +")
+        # There every T is certain.
+        code, report, _, _ = self.run_both(FOUR, self.proof(tree=[*cut, ["slip", 3]]), *ASKED)
+        self.assertEqual((code, report["rule"], report["path"]),
+                         (1, "tree-short", "part 0, middle wall 1 +, slip 3 +"))
+
+    def test_wider_boxes_and_other_places_fail(self):
+        """Mutations: what the proof does not show."""
+        for options in (("--uncertain", ASKED[1].replace("preload=2%", "preload=30%")),
+                        ("--uncertain", ASKED[1].replace("wrench=0.01", "wrench=4"))):
+            proof = self.proof()
+            proof["question"]["uncertain"] = {**SAID, "preload": "30%"} if "30%" in options[1] else {
+                **SAID, "wrench": 4}
+            code, report, _, _ = self.run_both(FOUR, proof, *options)
+            self.assertEqual((code, report["rule"]), (1, "leaf-bound"), options)
+        for changes in ({"twist": [1, 0, 0]}, {"walls": [["1000", 0, 0], [0, "1000", 0], [0, 0, 1000]]}):
+            code, report, _, _ = self.run_both(FOUR, self.proof(**changes), *ASKED)
+            self.assertEqual((code, report["rule"]), (1, "leaf-bound"), changes)
+
+
+if __name__ == "__main__":
+    unittest.main()

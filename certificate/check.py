@@ -1120,6 +1120,11 @@ class Terms:
             alpha = [dot(y, edge) for edge in self.edges[s]]
             if mixed and max(alpha) <= 0:
                 found = [0] * len(points)
+            elif mixed and min(alpha) < 0:
+                most = max(alpha) * len(self.corners)
+                found = [most * max(0, *(x[D] * max(self.preload) - k * dot(n, x)
+                                         for n in self.normals for k in self.stiffness))
+                         for x in points]
             else:
                 # Σ α(c) over the pairs of each k, times the end of P' that makes it large.
                 pushes = [max(p * sum(alpha[a] for a, _ in pairs) for p in self.preload)
@@ -1338,10 +1343,9 @@ def leaf_refusal(region: Region, y: Vector,
         v_side = side(lows, highs)
         if v_side < 0:
             continue  # max(0, v_i) = 0
-        slips = extremes(term.slip, points)
-        sign_ = side(*slips)
-        zeros = slips[0 if sign_ > 0 else 1]
-        if sign_ and not region.bars([ray for ray, t in zip(rays, zeros) if t == 0]):
+        sign_ = side(*extremes(term.slip, points))
+        if sign_ and not all(region.bars([ray for ray in rays if dot(slip, ray[0]) == 0])
+                             for slip in term.slip):
             sign_ = 0
         if not term.certain:
             bounds.append([shorten(b / factor)

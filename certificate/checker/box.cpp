@@ -34,17 +34,20 @@ Vector moment_row(const Vector& p, const Vector& n) {
   return {n[0], n[1], Rational(p[0] * n[1] - p[1] * n[0])};
 }
 
+Vector ends(const Bounds& bounds) {
+  return bounds.certain() ? Vector{bounds.low} : Vector{bounds.low, bounds.high};
+}
+
 /// N and T at the corners.
 std::pair<std::vector<Vector>, std::vector<Vector>> rows_at_corners(const ContactBox& c) {
   std::vector<Vector> corners{{}};  // of p_x, p_y and e
   for (const Parameter name : {Parameter::kX, Parameter::kY, Parameter::kTurn}) {
     std::vector<Vector> longer;
     for (const Vector& corner : corners) {
-      longer.push_back(corner);
-      longer.back().push_back(c[name].low);
-      if (c[name].certain()) continue;
-      longer.push_back(corner);
-      longer.back().push_back(c[name].high);
+      for (const Rational& end : ends(c[name])) {
+        longer.push_back(corner);
+        longer.back().push_back(end);
+      }
     }
     corners = std::move(longer);
   }
@@ -89,10 +92,10 @@ std::shared_ptr<const Row> make_row(const ContactBox& c) {
   }
   Vector v;
   for (const Vector& n : normals) {
-    for (const Rational* k : {&stiffness.low, &stiffness.high}) {
-      for (const Rational* p : {&preload.low, &preload.high}) {
-        v = multiple(-*k, n);
-        v.insert(v.end(), {*p, c.growth});
+    for (const Rational& k : ends(stiffness)) {
+      for (const Rational& p : ends(preload)) {
+        v = multiple(-k, n);
+        v.insert(v.end(), {p, c.growth});
         add_new(row.v, v);
       }
     }

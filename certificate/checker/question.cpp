@@ -120,7 +120,7 @@ void check_uncertain(Question& question, const std::string& file) {
 /// An enclosure of 1 / sqrt(square): FORMAT.md §6.
 Bounds inverse_root(const Rational& square, unsigned bits) {
   if (const auto length = exact_sqrt(square)) return Rational(1 / *length);
-  // j is the integer part of 2^s / L, that is of the root of 4^s / L^2; it has one bit for two.
+  // j is the integer part of 2^s / L, that is of the root of 4^s / L^2.
   const auto integer_part = [&](long s) {
     const Integer power = Integer(1) << static_cast<unsigned long>(2 * std::abs(s));
     const Rational scaled = s < 0 ? Rational(1 / (square * power)) : Rational(power / square);

@@ -50,27 +50,25 @@ class Barring {
   Set common_;
 };
 
-/// 1 if the least of the functions is >= 0 on all generators, else -1 if the largest is <= 0 on
-/// all, else 0. `*barred` is then whether those are that have the least, or largest, 0.
+/// 1 if all functions are >= 0 on all generators, else -1 if all are <= 0, else 0. `*barred` is
+/// then whether for each of them the generators on which it is 0 are.
 int side(const Cone& cone, const std::vector<Form>& functions, const Set& strict = {},
          bool* barred = nullptr) {
-  Barring zero[2]{Barring(strict), Barring(strict)};  // of the least and of the largest
+  std::vector<Barring> zeros(functions.size(), Barring(strict));
   bool possible[2]{true, true};
   all_generators(cone, [&](const Form& x, const Ray* ray) {
-    int ends[2]{1, 1};  // signs of the least, and of minus the largest
-    for (const Form& f : functions) {
-      const int sign = sign_of_dot(f, x);
-      ends[0] = std::min(ends[0], sign);
-      ends[1] = std::min(ends[1], -sign);
-    }
-    for (const int end : {0, 1}) {
-      possible[end] = possible[end] && ends[end] >= 0;
-      if (ends[end] == 0 && barred != nullptr) zero[end].add(ray);
+    for (std::size_t k = 0; k < functions.size(); ++k) {
+      const int sign = sign_of_dot(functions[k], x);
+      if (sign < 0) possible[0] = false;
+      if (sign > 0) possible[1] = false;
+      if (sign == 0) zeros[k].add(ray);
     }
     return possible[0] || possible[1];
   });
   if (!possible[0] && !possible[1]) return 0;
-  if (barred != nullptr) *barred = zero[possible[0] ? 0 : 1].barred();
+  if (barred != nullptr) {
+    *barred = std::all_of(zeros.begin(), zeros.end(), [](auto& zero) { return zero.barred(); });
+  }
   return possible[0] ? 1 : -1;
 }
 
@@ -105,6 +103,20 @@ void add_bounds(const Row& row, const std::vector<Integer>& alpha, std::vector<F
   }
 }
 
+/// The same for the product of the largest alpha_s and the largest v_i.
+void add_products(const Row& row, const std::vector<Integer>& alpha, std::vector<Form>& bounds) {
+  const Integer most = *std::max_element(alpha.begin(), alpha.end()) *
+                       static_cast<unsigned>(alpha.size());
+  for (const std::vector<Form>& pulls : row.pulls) {
+    for (const Form& pull : pulls) {
+      Form product;
+      for (const Integer& c : pull) product.emplace_back(most * c);
+      product.emplace_back(most * row.preloads[1]);
+      bounds.push_back(std::move(product));
+    }
+  }
+}
+
 /// factor max_k bounds_k.x, or if it is larger and the contact is mixed, 0.
 struct Bend {
   Rational factor;
@@ -129,7 +141,9 @@ void add_uncertain(const Row& row, int sign, bool mixed, const Form& y, const Ra
     std::vector<Integer> alpha;
     for (const Form& edge : row.corner_edges[s]) alpha.push_back(dot(edge, y));
     const bool works = std::any_of(alpha.begin(), alpha.end(), [](auto& a) { return a > 0; });
-    if (works || !mixed) add_bounds(row, alpha, bend.bounds);
+    const bool resists = std::any_of(alpha.begin(), alpha.end(), [](auto& a) { return a < 0; });
+    if (!mixed || (works && !resists)) add_bounds(row, alpha, bend.bounds);
+    if (mixed && works && resists) add_products(row, alpha, bend.bounds);
   }
   if (!bend.bounds.empty()) bound.bends.push_back(std::move(bend));
 }

@@ -67,8 +67,10 @@ class QuestionMutations {
     add("other law", "normal_law", bilateral ? "unilateral" : "bilateral", "question-law");
   }
 
-  /// Not with a preload at a normal of irrational length.
+  /// Not a margin with a preload at a normal of irrational length; of one verdict that is a
+  /// box.
   bool can_be_asked(const QuestionOptions& options) const {
+    if (!options.direction && !options.preload_direction) return true;
     try {
       const Question question = stickslip::ask(parse_grasp(original_.about.grasp, ""), options);
       problem_of(question);

@@ -165,17 +165,25 @@ class Box:
             low, high = contact.ends["friction"]
             ends = (-high, high)
             if (all(min(t) >= 0 for t in tau)
-                    and place.barred([r for r, t in zip(rays, tau) if min(t) == 0])):
+                    and all(place.barred([r for r, t in zip(rays, tau) if t[q] == 0])
+                            for q in range(len(tau[0])))):
                 ends = (-low, -high)
             elif (all(max(t) <= 0 for t in tau)
-                    and place.barred([r for r, t in zip(rays, tau) if max(t) == 0])):
+                    and all(place.barred([r for r, t in zip(rays, tau) if t[q] == 0])
+                            for q in range(len(tau[0])))):
                 ends = (low, high)
             for k, r in enumerate(rays):
                 bounds = []
                 for s in ends:
-                    works = any(contact.alpha(q, s, y) > 0 for q in contact.corners())
-                    bounds.append(contact.greatest(s, y, r) if closed else
-                                  max(0, contact.greatest(s, y, r)) if works else 0)
+                    alpha = [contact.alpha(q, s, y) for q in contact.corners()]
+                    if closed:
+                        bounds.append(contact.greatest(s, y, r))
+                    elif max(alpha) <= 0:
+                        bounds.append(0)
+                    elif min(alpha) >= 0:
+                        bounds.append(max(0, contact.greatest(s, y, r)))
+                    else:
+                        bounds.append(max(alpha) * max(0, *v[k]))
                 g[k] += max(bounds)
         return (all(value <= 0 for value in g)
                 and place.barred([r for r, value in zip(rays, g) if value == 0]))

@@ -303,15 +303,11 @@ class TreeRulesTest(Case):
                              path="plane +")
 
     def test_bits_decide(self):
-        """a = P/sqrt(2) pushes against a load of 0.7071... 30 digits; 64 bits do not tell."""
-        digits = "7071067811865475244008443621048490392848"  # of sqrt(1/2)
-        # Along (1, 1) a force a pushes with a sqrt(2) = P; at d = 0 that is 1.
-        for size, accepted in ((digits[:18], {64: False, 128: True}),):
-            load = "-" + str(Fraction(int(size) + 1, 10 ** len(size)))
-            self.assertLess(Fraction(load), 0)
+        """At d = 0 the contact pushes with a N = (1, 1) / sqrt(2), and 128 bits tell that the load is
+        a little more; 64 do not."""
         file = box_file({**FLOOR, "normal": [1, 1], "friction": 0, "preload": 1},
                         wrench=["-7071067811865475244008444/10000000000000000000000000"] * 2 + [0])
-        # y = -(1, 1, 0) on {N.d >= 0}, where a <= P / sqrt(2): 2 a < -2 w.
+        # On {N.d >= 0}, a <= P / sqrt(2). (The other leaf is void, and fails in any case.)
         tree = [["plane", 1, 1, 0, 0], ["leaf", 1, 1, 0], ["leaf", 0, 0, 0]]
         for bits, node in ((64, 1), (128, 2)):
             proof = certificate(1, file["wrench"], tree=tree)
@@ -426,6 +422,66 @@ class TwinTest(Case):
                     q = {name: low + Fraction(rng.randint(0, 6), 6) * (high - low)
                          for name, (low, high) in contact.ends.items()}
                     self.assertLessEqual(contact.alpha(q, s, y) * contact.v(q, r), most)
+
+    def test_nothing_refutes_the_home_of_an_equilibrium(self):
+        """An equilibrium of one grasp of a box, by construction: no leaf holds where it is at home."""
+        rng = random.Random(13)
+        mixed = 0
+        for trial in range(400):
+            law = rng.choice(check.LAWS)
+            box, q, d = random_box(rng, rng.randint(1, 3), law), [], None
+            for contact in box.contacts:
+                q.append({name: low + Fraction(rng.randint(0, 4), 4) * (high - low)
+                          for name, (low, high) in contact.ends.items()})
+            d = [Fraction(rng.randint(-2, 2), 2) for _ in range(3)]
+            x, wrench = (*d, Fraction(1), Fraction(0)), [Fraction(0)] * 3
+            if law == "bilateral" and any(c.v(at, x) < 0 for c, at in zip(box.contacts, q)):
+                continue
+            for contact, at in zip(box.contacts, q):
+                slip, a = contact.tau(at, x), max(0, contact.v(at, x))
+                share = -check.sign(slip) if slip else Fraction(rng.randint(-2, 2), 2)
+                n, t = contact.rows(at["x"], at["y"], at["turn"])
+                wrench = [w - a * (n[j] + share * at["friction"] * t[j])
+                          for j, w in enumerate(wrench)]
+            loads = [check.Bounds(w - rng.choice([0, 0, Fraction(1, 4)]), w) for w in wrench]
+            here = check.Box([check.Parameters(c.normal, {
+                name: check.Bounds(*ends) for name, ends in c.ends.items()}, Fraction(0))
+                for c in box.contacts], tuple(loads), check.NOWHERE)
+            region = check.begin(check.Root(here, [((0, 0, 0, 1, 0), False, True),
+                                                   ((0, 0, 0, 0, 1), True, False)],
+                                            law == "bilateral"))
+            for _ in range(rng.randint(0, 6)):
+                kind = rng.choice(["slip", "separation", "plane", "part"])
+                i = rng.randrange(len(q))
+                if kind == "part":
+                    name = rng.choice(naive_box.NAMES)
+                    bounds = region.box.contacts[i].bounds[name]
+                    if bounds.certain:
+                        continue
+                    cut = bounds.middle.low
+                    child = int(q[i][name] > cut)
+                    node = check.Node(kind, i, (cut,), name)
+                elif kind == "plane":
+                    row = tuple(Fraction(rng.randint(-2, 2)) for _ in range(4)) + (Fraction(0),)
+                    child = int(check.dot(row, x) < 0)
+                    node = check.Node(kind, -1, row)
+                else:
+                    term = region.box.terms[i]
+                    corners = term.slip if kind == "slip" else term.v
+                    if len(corners) > 1:
+                        continue
+                    at = check.dot(corners[0], x)
+                    child = 1 - check.sign(at) if kind == "slip" else int(at < 0)
+                    node = check.Node(kind, i)
+                region = check.children(region, node)[child]
+                region.open()
+            points = [r for r, _ in region.cone.generators]
+            mixed += any(check.side(*check.extremes(term.v, points)) == 0 and not term.certain
+                         for term in region.box.terms)
+            for y in [(0, 0, 0), *EASY]:
+                with self.assertRaises(check.Rejected, msg=(trial, y)):
+                    check.check_leaf(region, tuple(map(Fraction, y)))
+        self.assertGreater(mixed, 20)
 
     def test_enclosures(self):
         for square, bits in itertools.product((Fraction(2), Fraction(1, 3), Fraction(5, 10**40),

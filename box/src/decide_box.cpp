@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -31,7 +32,10 @@ namespace {
 class Decider {
  public:
   Decider(std::size_t node_limit, std::size_t most_parts, BoxWork& work)
-      : node_limit_(node_limit), parts_left_(most_parts), work_(work) {}
+      : node_limit_(node_limit),
+        wall_limit_(std::max<std::size_t>(node_limit / 8, 1)),
+        parts_left_(most_parts),
+        work_(work) {}
 
   /// Proves what the middle of the box is of all of it; false if that failed.
   bool prove(const ParameterBox& box) {
@@ -45,8 +49,10 @@ class Decider {
     if (const auto* found = std::get_if<Stable>(&there)) {
       std::vector<Witness> equilibria = find_equilibria(problem_at(box.middle()), 40);
       equilibria.insert(equilibria.begin(), found->witness);
+      constexpr std::size_t kMostTried = 4;
+      equilibria.resize(std::min(equilibria.size(), kMostTried));
       for (const Witness& equilibrium : equilibria) {
-        if (auto proof = prove_stable(box, equilibrium, node_limit_, work_)) {
+        if (auto proof = prove_stable(box, equilibrium, wall_limit_, work_)) {
           parts.push_back(std::move(*proof));
           return true;
         }
@@ -79,6 +85,7 @@ class Decider {
   std::optional<PartSplit> widest(const ParameterBox& box, const Verdict& there) const;
 
   std::size_t node_limit_;
+  std::size_t wall_limit_;  ///< of one of the twelve trees of a part
   std::size_t parts_left_;
   BoxWork& work_;
   std::optional<bool> first_;

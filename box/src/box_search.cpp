@@ -387,13 +387,14 @@ std::optional<BoxSearch::Split> BoxSearch::split(const BoxRegion& region,
     p[2] /= model_.length;
     return dot(p, x) / std::sqrt(dot(p, p));
   };
+  const double least_clear = 1e-12 * std::sqrt(dot(x, x));
   const auto sign_of_all = [&](const std::vector<IntegerVector5>& planes) {
     bool plus = true;
     bool minus = true;
     for (const IntegerVector5& plane : planes) {
       const double at = value(plane);
-      plus = plus && at > 0;
-      minus = minus && at < 0;
+      plus = plus && at > least_clear;
+      minus = minus && at < -least_clear;
     }
     return plus ? 1 : minus ? -1 : 0;
   };
@@ -451,7 +452,7 @@ std::optional<BoxSearch::Split> BoxSearch::split(const BoxRegion& region,
     double least = HUGE_VAL;
     for (const IntegerVector5& plane : planes) {
       const BoxRegion::Signs signs = region.signs(plane);
-      if (!(side > 0 ? signs.negative : signs.positive)) continue;
+      if (!signs.negative || !signs.positive) continue;
       if (side * value(plane) >= least) continue;
       least = side * value(plane);
       nearest = &plane;
@@ -467,6 +468,7 @@ std::optional<BoxSearch::Split> BoxSearch::split(const BoxRegion& region,
     double least = HUGE_VAL;
     for (const IntegerVector5& plane : planes) {
       const BoxRegion::Signs signs = region.signs(plane);
+      if (!(side > 0 ? signs.positive : signs.negative)) continue;
       if (!(side > 0 ? signs.negative : signs.positive) && signs.zeros_barred) continue;
       if (side * value(plane) >= least) continue;
       least = side * value(plane);

@@ -21,6 +21,7 @@ measure lp lp_bench 400
 measure sweep sweep_bench
 measure table2 table2
 measure margin margin_bench 1000
+measure box box_bench --grasps 60
 measure batch batch_bench "$build/bin/stickslip"
 measure float float_study --instances 960
 for part in targets side-by-side engines growth; do

@@ -6,69 +6,15 @@
 #include <utility>
 #include <vector>
 
+#include "box_numbers.hpp"
 #include "stickslip/certificate/certificate.hpp"
-#include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
-#include "stickslip/equilibrium/decide.hpp"
 #include "terminal.hpp"
 
 namespace stickslip {
 namespace {
 
 constexpr const char* kProducer = "stickslip " STICKSLIP_VERSION ", engine box";
-
-/// A number of the box that is an interval, under its name in a grasp file.
-struct UncertainNumber {
-  std::string place;
-  Interval interval;
-  bool is_slope = false;  ///< of a normal: the interval is [-E, E]
-};
-
-std::vector<UncertainNumber> uncertain_numbers(const GraspBox& box) {
-  std::vector<UncertainNumber> all;
-  const auto add = [&](const std::string& place, const Interval& interval,
-                       bool is_slope = false) {
-    if (!interval.is_point()) all.push_back({place, interval, is_slope});
-  };
-  for (std::size_t i = 0; i < box.contacts.size(); ++i) {
-    const UncertainContact& c = box.contacts[i];
-    const std::string contact = "contacts[" + std::to_string(i) + "].";
-    add(contact + "position[0]", c.x);
-    add(contact + "position[1]", c.y);
-    add(contact + "normal", {-c.slope, c.slope}, true);
-    add(contact + "friction", c.friction);
-    add(contact + "stiffness", c.stiffness);
-    add(contact + "preload", c.preload);
-  }
-  for (std::size_t j = 0; j < box.wrench.size(); ++j) {
-    add("wrench[" + std::to_string(j) + "]", box.wrench[j]);
-  }
-  return all;
-}
-
-/// The value of each uncertain number, in their order, in a grasp of the box.
-std::vector<Rational> values_in(const GraspBox& box, const LoadedGrasp& loaded) {
-  std::vector<Rational> values;
-  const auto add = [&](const Interval& interval, const Rational& value) {
-    if (!interval.is_point()) values.push_back(value);
-  };
-  for (std::size_t i = 0; i < box.contacts.size(); ++i) {
-    const UncertainContact& c = box.contacts[i];
-    const Contact& at = loaded.grasp.contacts()[i];
-    const Vector2& n = c.normal;
-    const Rational along = n.x * at.normal.x + n.y * at.normal.y;
-    const Rational across = n.x * at.normal.y - n.y * at.normal.x;
-    add(c.x, at.position.x);
-    add(c.y, at.position.y);
-    add({-c.slope, c.slope}, across / along);
-    add(c.friction, at.friction);
-    add(c.stiffness, at.stiffness);
-    add(c.preload, at.preload);
-  }
-  const Vector3 w = coordinates(loaded.wrench);
-  for (std::size_t j = 0; j < w.size(); ++j) add(box.wrench[j], w[j]);
-  return values;
-}
 
 /// A number in which two grasps differ.
 struct Difference {
@@ -105,11 +51,6 @@ std::vector<std::size_t> enclosed_contacts(const GraspBox& box) {
   return contacts;
 }
 
-Json interval_json(const Interval& interval) {
-  if (interval.is_point()) return number_json(interval.low);
-  return Json::array({number_json(interval.low), number_json(interval.high)});
-}
-
 std::size_t count_parts(const StabilityProof& proof) {
   return static_cast<std::size_t>(std::count_if(
       proof.begin(), proof.end(),
@@ -120,31 +61,11 @@ std::string in_words(std::size_t n, const char* what) {
   return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
 }
 
-/// The first rows of a table, its heading not counted.
-std::string short_table(std::vector<std::vector<std::string>> rows) {
-  constexpr std::size_t kMostRows = 12;
-  const std::size_t left_out = rows.size() - 1 > kMostRows ? rows.size() - 1 - kMostRows : 0;
-  rows.resize(rows.size() - left_out);
-  std::string text;
-  std::string table = format_table(rows, Align::kLeft);
-  for (std::size_t begin = 0; begin < table.size();) {
-    const std::size_t end = table.find('\n', begin) + 1;
-    text += "  " + table.substr(begin, end - begin);
-    begin = end;
-  }
-  if (left_out > 0) text += "  and " + std::to_string(left_out) + " more, which --json lists\n";
-  return text;
-}
-
-std::string label(const UncertainNumber& number) {
-  return number.place + (number.is_slope ? ", slope" : "");
-}
-
 std::string fragile_text(const BoxAnswer& answer, const Fragile& fragile, NumberText& text,
                          const std::string& examples) {
   std::vector<std::vector<std::string>> rows{{"differs", "stable", "unstable"}};
   for (const Difference& d : differences(*answer.question.box, fragile)) {
-    rows.push_back({label(d.number), text(d.stable), text(d.unstable)});
+    rows.push_back({d.number.label(), text(d.stable), text(d.unstable)});
   }
   return "Some grasps in the box hold the load and some do not. Two of them, what differs most "
          "first:\n\n" +
@@ -199,31 +120,6 @@ std::string enclosure_text(const BoxAnswer& answer) {
          (proved ? ",\nand the verdict is proved for all numbers in there.\n" : ".\n");
 }
 
-/// The grasp as its file, and the certificate that it has this verdict.
-std::pair<std::string, std::string> example_files(const BoxAnswer& answer,
-                                                  const LoadedGrasp& loaded,
-                                                  const char* verdict) {
-  const LoadedGrasp named{
-      Grasp(loaded.grasp.contacts(), answer.question.loaded.grasp.description()),
-      loaded.wrench};
-  QuestionOptions options;
-  options.law = answer.question.law;
-  const Question question = ask({named}, options);
-  std::string found;
-  std::string certificate;
-  if (question.box) {
-    const BoxDecision decision = decide_box(*question.box, question.law);
-    found = name_of(decision.verdict);
-    if (found == verdict) certificate = box_certificate_text(question, decision, kProducer);
-  } else {
-    const Decision decision = decide(problem_of(question));
-    found = name_of(decision.verdict);
-    if (found == verdict) certificate = certificate_text(question, decision.verdict, kProducer);
-  }
-  require(found == verdict, "the example of a fragile box has another verdict");
-  return {write_grasp(named), certificate};
-}
-
 }  // namespace
 
 BoxAnswer answer_box(Question question, std::size_t node_limit) {
@@ -231,15 +127,6 @@ BoxAnswer answer_box(Question question, std::size_t node_limit) {
   options.node_limit = node_limit;
   BoxDecision decision = decide_box(*question.box, question.law, options);
   return {std::move(question), std::move(decision)};
-}
-
-std::string load_text(const BoxAnswer& answer, NumberText& text) {
-  std::string result;
-  for (const Interval& w : answer.question.box->wrench) {
-    result += (result.empty() ? "(" : ", ") +
-              (w.is_point() ? text(w.low) : "[" + text(w.low) + ", " + text(w.high) + "]");
-  }
-  return result + ")";
 }
 
 Json to_json(const BoxAnswer& answer) {
@@ -255,13 +142,7 @@ Json to_json(const BoxAnswer& answer) {
   json["normal_law"] = to_string(question.law);
   json["wrench"] = Json::array();
   for (const Interval& w : box.wrench) json["wrench"].push_back(interval_json(w));
-  json["uncertain"] = Json::array();
-  for (const UncertainNumber& number : uncertain_numbers(box)) {
-    json["uncertain"].push_back({{"place", number.place},
-                                 {number.is_slope ? "slope" : "interval",
-                                  number.is_slope ? number_json(number.interval.high)
-                                                  : interval_json(number.interval)}});
-  }
+  json["uncertain"] = uncertain_json(box);
   if (needs_enclosure(box)) {
     json["enclosed"] = enclosed_contacts(box);
     json["bits"] = decision.bits;
@@ -296,11 +177,11 @@ void print_text(const BoxAnswer& answer, const NumberOptions& output,
   NumberText text(output);
   const std::vector<UncertainNumber> uncertain = uncertain_numbers(*question.box);
   std::cout << heading(question) << name_of(decision.verdict) << "\n\n"
-            << "  load w    " << load_text(answer, text) << "\n\n";
+            << "  load w    " << load_text(*question.box, text) << "\n\n";
   if (!uncertain.empty()) {
     std::vector<std::vector<std::string>> rows{{"uncertain", "from", "to"}};
     for (const UncertainNumber& number : uncertain) {
-      rows.push_back({label(number), text(number.interval.low), text(number.interval.high)});
+      rows.push_back({number.label(), text(number.interval.low), text(number.interval.high)});
     }
     std::cout << short_table(rows) << '\n';
   }
@@ -321,16 +202,14 @@ void write_examples(const BoxAnswer& answer, const std::string& folder) {
               << ", and only one that is fragile has two examples\n";
     return;
   }
-  std::vector<std::pair<std::string, std::string>> files;  // names and contents
-  for (const auto& [verdict, loaded] :
-       {std::pair{"stable", &fragile->stable}, std::pair{"unstable", &fragile->unstable}}) {
-    auto [grasp, certificate] = example_files(answer, *loaded, verdict);
-    files.emplace_back(std::string(verdict) + ".json", std::move(grasp));
-    files.emplace_back(std::string(verdict) + ".certificate.json", std::move(certificate));
-  }
-  make_folder("--examples", folder);
-  const FileWrite all;
-  for (const auto& [name, content] : files) write_whole_file(folder + "/" + name, content);
+  const Question& question = answer.question;
+  const auto proved = [&](const LoadedGrasp& grasp, bool stable) {
+    return proved_grasp(grasp, question.loaded.grasp.description(), question.law, stable,
+                        kProducer);
+  };
+  write_proved_files("--examples", folder,
+                     {{"stable", proved(fragile->stable, true)},
+                      {"unstable", proved(fragile->unstable, false)}});
 }
 
 void write_certificate(const BoxAnswer& answer, const std::string& file) {

@@ -18,9 +18,6 @@ struct BoxAnswer {
 
 BoxAnswer answer_box(Question question, std::size_t node_limit);
 
-/// The load w, of which components may be intervals, "[-1, 1]".
-std::string load_text(const BoxAnswer& answer, NumberText& text);
-
 Json to_json(const BoxAnswer& answer);
 /// `examples`: the folder to which those of a fragile box are written; may be empty.
 void print_text(const BoxAnswer& answer, const NumberOptions& output,

@@ -35,6 +35,7 @@ inline std::string footer_text(const std::string& notes, const std::string& exit
 void add_decide_command(CLI::App& app, int& exit_code);
 void add_states_command(CLI::App& app, int& exit_code);
 void add_margin_command(CLI::App& app, int& exit_code);
+void add_radius_command(CLI::App& app, int& exit_code);
 void add_compare_command(CLI::App& app, int& exit_code);
 void add_region_command(CLI::App& app, int& exit_code);
 void add_batch_command(CLI::App& app, int& exit_code);

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "box_answer.hpp"
+#include "box_numbers.hpp"
 #include "commands.hpp"
 #include "question_options.hpp"
 #include "stickslip/certificate/certificate.hpp"
@@ -175,6 +176,10 @@ const char* name_of(const Answer& answer) {
 
 std::string load_text(const CaseAnswer& answer, NumberText& text) {
   return text(coordinates(answer.problem.wrench()));
+}
+
+std::string load_text(const BoxAnswer& answer, NumberText& text) {
+  return load_text(*answer.question.box, text);
 }
 
 void print_cases_json(const std::vector<Answer>& answers, const NumberOptions& output) {

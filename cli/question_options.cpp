@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/file.hpp"
 
 namespace stickslip {
 
@@ -42,6 +43,16 @@ void make_folder(const std::string& option, const std::string& folder) {
   if (error) {
     throw InputError(folder, option, "the folder cannot be made: " + error.message(),
                      "name a folder that you may write to");
+  }
+}
+
+void write_proved_files(const std::string& option, const std::string& folder,
+                        const std::vector<std::pair<std::string, ProvedFiles>>& files) {
+  make_folder(option, folder);
+  const FileWrite all;
+  for (const auto& [name, proved] : files) {
+    write_whole_file(folder + "/" + name + ".json", proved.grasp);
+    write_whole_file(folder + "/" + name + ".certificate.json", proved.certificate);
   }
 }
 

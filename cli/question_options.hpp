@@ -9,8 +9,10 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "stickslip/certificate/proved_files.hpp"
 #include "stickslip/core/number_text.hpp"
 #include "stickslip/equilibrium/question.hpp"
 
@@ -111,6 +113,10 @@ void add_node_limit_option(CLI::App& command, std::size_t& node_limit);
 
 /// Makes the folder that an option names, if it is not there. Throws InputError naming both.
 void make_folder(const std::string& option, const std::string& folder);
+
+/// Writes NAME.json and NAME.certificate.json for each name into that folder.
+void write_proved_files(const std::string& option, const std::string& folder,
+                        const std::vector<std::pair<std::string, ProvedFiles>>& files);
 
 /// The number in an option's value. Throws InputError naming the option.
 Rational number_option(const std::string& option, const std::string& value);

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Grasps and boxes as files of their own, each with the certificate of its verdict: what a
+/// checker needs and nothing else, under the normal law.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "stickslip/box/radius.hpp"
+#include "stickslip/equilibrium/question.hpp"
+
+namespace stickslip {
+
+/// Two files that belong together.
+struct ProvedFiles {
+  std::string grasp;        ///< a grasp file, of a box one with intervals
+  std::string certificate;  ///< of its verdict
+};
+
+/// Of one grasp, decided here once more. `producer` is a remark without meaning. Requires that
+/// the verdict is stable, or unstable, as `stable` says.
+ProvedFiles proved_grasp(const LoadedGrasp& loaded, const GraspDescription& description,
+                         NormalLaw law, bool stable, const std::string& producer);
+
+/// Of a box that is stable or unstable throughout, as `decision` proves.
+ProvedFiles proved_box(const GraspBox& box, const GraspDescription& description, NormalLaw law,
+                       const BoxDecision& decision, const std::string& producer);
+
+/// Of find_radius() for the box of `question`: the largest box that is proved, or the grasp in
+/// the centre if there is none; and then the counterexample, if there is one. Requires that the
+/// centre is decided.
+std::vector<ProvedFiles> proved_radius(const Question& question, const Radius& radius,
+                                       const std::string& producer);
+
+}  // namespace stickslip

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The numbers of a box, under their names in a grasp file, as answers show them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "stickslip/core/box.hpp"
+#include "stickslip/core/number_text.hpp"
+
+namespace stickslip {
+
+/// A number of the box that is an interval, under its name in a grasp file.
+struct UncertainNumber {
+  std::string place;
+  Interval interval;
+  bool is_slope = false;  ///< of a normal: the interval is [-E, E]
+
+  /// For people.
+  std::string label() const { return place + (is_slope ? ", slope" : ""); }
+};
+
+std::vector<UncertainNumber> uncertain_numbers(const GraspBox& box);
+
+/// The value of each uncertain number, in their order, in a grasp of the box.
+std::vector<Rational> values_in(const GraspBox& box, const LoadedGrasp& loaded);
+
+/// A number, or two.
+Json interval_json(const Interval& interval);
+/// A list of places and intervals.
+Json uncertain_json(const GraspBox& box);
+
+/// The load w, of which components may be intervals, "[-1, 1]".
+std::string load_text(const GraspBox& box, NumberText& text);
+
+/// The first rows of a table, its heading not counted.
+std::string short_table(std::vector<std::vector<std::string>> rows);
+
+}  // namespace stickslip

@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How far numbers may be off: both checkers judge all that `stickslip radius` writes."""
+
+import json
+import os
+import unittest
+from fractions import Fraction
+
+from test_box import A, EXAMPLES, between, with_friction
+from test_cli import BAD_INPUT, CHECK, CHECK_PY, DONE, FIG1, Case, read, run, stickslip
+
+QUICK = ("--uncertain", "friction=10%", "--accuracy", "10%")
+C = os.path.join(EXAMPLES, "more-friction-breaks-no-preload.json")
+
+
+def friction(contact):
+    """Its interval in a grasp file."""
+    value = contact["friction"]
+    ends = (value["min"], value["max"]) if isinstance(value, dict) else (value, value)
+    return tuple(map(Fraction, ends))
+
+
+class Radius(Case):
+    def judged(self, folder, name, verdict):
+        """The grasp file, of which both checkers accept the certificate."""
+        grasp = os.path.join(folder, f"{name}.json")
+        for checker in ((CHECK,), ("/usr/bin/env", "python3", CHECK_PY)):
+            code, out, err = run(*checker, grasp, os.path.join(folder, f"{name}.certificate.json"))
+            self.assertEqual((code, out.split("\n")[0]), (DONE, "accepted"), out + err)
+            self.assertRegex(out, rf"verdict +{verdict}\b")
+        return json.loads(read(grasp))
+
+    def radius(self, grasp, *words):
+        """The answer; what it writes is checked, and against the factors."""
+        folder = self.path("proofs")
+        if "--accuracy" not in words:
+            words += ("--accuracy", "10%")  # which is quick
+        answer = self.json("radius", grasp, *words, "--certificates", folder)
+        verdict = answer["verdict"]
+        self.assertIn(verdict, ("stable", "unstable"))
+        proved = self.judged(folder, "proved", verdict)
+        names = {"proved.json", "proved.certificate.json"}
+        if answer["refuted"] is not None:
+            self.assertLess(Fraction(answer["proved"]), Fraction(answer["refuted"]))
+            other = "unstable" if verdict == "stable" else "stable"
+            refuted = self.judged(folder, "refuted", other)
+            self.assertEqual(refuted["contacts"], answer["counterexample"]["contacts"])
+            names |= {"refuted.json", "refuted.certificate.json"}
+        self.assertEqual(set(os.listdir(folder)), names)
+        for name in names:
+            os.remove(os.path.join(folder, name))
+        return answer, proved
+
+    def test_one_friction(self):
+        # Stable up to 1/2: the middle 2/5 of the interval is half its half-width below.
+        grasp = self.write("g.json", with_friction(between("1/5", "3/5")))
+        answer, proved = self.radius(grasp, "--accuracy", "1%")
+        self.assertEqual(answer["verdict"], "stable")
+        self.assertEqual(answer["uncertain"],
+                         [{"place": "contacts[2].friction", "interval": ["1/5", "3/5"]}])
+        factor, refuted = Fraction(answer["proved"]), Fraction(answer["refuted"])
+        self.assertLess(factor, Fraction(1, 2))
+        self.assertGreater(refuted, Fraction(1, 2))
+        self.assertLess(refuted, Fraction(51, 100))
+        self.assertGreater(factor, Fraction(98, 100) * refuted)
+        self.assertEqual(friction(proved["contacts"][2]),
+                         (Fraction(2, 5) - factor / 5, Fraction(2, 5) + factor / 5))
+        found = Fraction(answer["counterexample"]["contacts"][2]["friction"])
+        self.assertEqual(found, Fraction(2, 5) + refuted / 5)
+
+    def test_unstable_centre(self):
+        grasp = self.write("g.json", with_friction(between("3/5", "3/5")))
+        answer, proved = self.radius(grasp, "--uncertain", "friction=10%")
+        self.assertEqual(answer["verdict"], "unstable")
+        for contact in proved["contacts"]:
+            low, high = friction(contact)
+            self.assertEqual((high - low) / (high + low), Fraction(answer["proved"]) / 10)
+
+    def test_tolerances(self):
+        for grasp in (A, C):
+            answer, proved = self.radius(grasp, "--uncertain", "friction=10%")
+            factor = Fraction(answer["proved"])
+            for contact, given in zip(proved["contacts"], json.loads(read(grasp))["contacts"]):
+                mu = Fraction(given["friction"])
+                self.assertEqual(friction(contact), (mu * (1 - factor / 10), mu * (1 + factor / 10)))
+        wrench, _ = self.radius(FIG1, "--preload", "2", "--wrench", "0,1/2,0", "--normal-law",
+                                "unilateral", "--uncertain", "wrench=10%")
+        self.assertEqual((wrench["verdict"], wrench["wrench"]), ("stable", ["0", "1/2", "0"]))
+
+    def test_accuracy(self):
+        grasp = self.write("g.json", with_friction(between("1/5", "3/5")))
+        rough = self.json("radius", grasp, "--accuracy", "0.5")
+        fine = self.json("radius", grasp, "--accuracy", "0.1%")
+        gap = [1 - Fraction(a["proved"]) / Fraction(a["refuted"]) for a in (fine, rough)]
+        self.assertLess(gap[0], Fraction(1, 1000))
+        self.assertLess(gap[0], gap[1])
+
+    def test_no_counterexample(self):
+        # Whatever the friction, nothing moves where there is no load.
+        grasp = self.write("g.json", {
+            "format": "stickslip-grasp/1", "wrench": [0, 0, 0],
+            "contacts": [{"position": [-1, 0], "normal": [1, 0], "friction": 1, "preload": 1},
+                         {"position": [1, 0], "normal": [-1, 0], "friction": 1, "preload": 1}]})
+        answer, _ = self.radius(grasp, "--uncertain", "friction=50%")
+        self.assertEqual((answer["refuted"], answer["limit"]), (None, "2"))
+        self.assertGreater(Fraction(answer["proved"]), 1)
+        self.assertNotIn("counterexample", answer)
+        text = stickslip("radius", grasp, "--uncertain", "friction=50%")[1]
+        self.assertIn("No counterexample is known: at factor 2 the box reaches numbers", text)
+
+    def test_text(self):
+        folder = self.path("proofs")
+        code, out, err = stickslip("radius", A, *QUICK, "--certificates", folder)
+        self.assertEqual((code, err), (DONE, ""))
+        self.assertEqual(out.split("\n")[0], "more friction breaks it: stable")
+        self.assertRegex(out, r"asked +1 +10 %\n")
+        self.assertRegex(out, r"proved +0\.\d+ +\d\.\d+ %\n")
+        self.assertIn("Every grasp within the proved tolerances holds the load", out)
+        self.assertIn("Within the refuted tolerances one does not hold it.", out)
+        self.assertRegex(out, r"contacts\[0\]\.friction +2/5 ")
+        self.assertIn(f"Proofs: in {folder}.", out)
+        # What is rounded stays true.
+        answer = self.json("radius", A, *QUICK)
+        rows = {line.split()[0]: line.split() for line in out.split("\n") if " %" in line}
+        self.assertLessEqual(Fraction(rows["proved"][1]), Fraction(answer["proved"]))
+        self.assertGreaterEqual(Fraction(rows["refuted"][1]), Fraction(answer["refuted"]))
+        exact = stickslip("radius", A, *QUICK, "--exact")[1]
+        self.assertIn(f" {answer['proved']} ", exact)
+
+    def test_irrational_lengths(self):
+        grasp = self.write("g.json", {
+            "format": "stickslip-grasp/1", "wrench": [0, "-3/10", 0],
+            "defaults": {"friction": "1/2", "preload": 1},
+            "contacts": [{"position": [-1, -1], "normal": [1, 1]},
+                         {"position": [1, -1], "normal": [-1, 1]},
+                         {"position": [0, 1], "normal": [0, -1]}]})
+        self.assertEqual(self.radius(grasp, "--uncertain", "friction=10%")[0]["verdict"], "stable")
+
+    def test_errors(self):
+        for words in ((), ("--uncertain", "friction=0")):
+            self.fails("radius", A, *words, naming=["--uncertain: nothing is uncertain", "friction=10%"])
+        for accuracy in ("0", "100%", "-1%", "1", "x%", ""):
+            self.fails("radius", A, "--uncertain", "friction=10%", "--accuracy", accuracy,
+                       naming=["--accuracy"])
+        self.fails("radius", A, "--uncertain", "friction=101%", naming=[A, "contacts[0].friction"])
+        taken = self.write("taken", "")
+        self.fails("radius", A, *QUICK, "--certificates", taken,
+                   naming=["--certificates", taken])
+        self.assertEqual(stickslip("radius", A, "--uncertain", "mu=1")[0], BAD_INPUT)
+
+
+if __name__ == "__main__":
+    unittest.main()

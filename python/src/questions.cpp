@@ -2,7 +2,9 @@
 #include "bindings.hpp"
 #include "exact.hpp"
 #include "stickslip/arrangement/slip_states.hpp"
+#include "stickslip/box/radius.hpp"
 #include "stickslip/certificate/certificate.hpp"
+#include "stickslip/certificate/proved_files.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/equilibrium/contact_mode.hpp"
 #include "stickslip/equilibrium/decide.hpp"
@@ -14,6 +16,13 @@ namespace {
 
 namespace py = pybind11;
 using py::literals::operator""_a;
+
+void require_load(const GraspFile& grasp, const QuestionOptions& options) {
+  if (options.wrench || options.direction || grasp.cases.empty()) return;
+  throw InputError(
+      "", "wrench", "the grasp has cases, and none is chosen",
+      "give the wrench of one, such as grasp.cases[" + quote(grasp.cases.front().name) + "]");
+}
 
 template <class Work>
 py::dict stats(const Work& work) {
@@ -162,6 +171,110 @@ py::dict find_grasp_margin(const GraspFile& grasp, const py::object& direction,
   return result;
 }
 
+/// A grasp file, of a box one with intervals, and its certificate.
+py::tuple files(const ProvedFiles& proved) {
+  return py::make_tuple(proved.grasp, proved.certificate);
+}
+
+/// The question about a grasp of which `uncertain`, as in --uncertain, says what may be off.
+Question box_question(const GraspFile& grasp, QuestionOptions asked,
+                      const std::string& uncertain) {
+  asked.uncertain = parse_tolerances(uncertain);
+  require_load(grasp, asked);
+  Question question = ask(grasp, asked);
+  if (question.box && !question.box->is_point()) return question;
+  throw InputError("", "uncertain", "nothing is uncertain",
+                   "say how far numbers may be off, as in {\"friction\": \"10%\"}");
+}
+
+/// The fields that answers about a box have in common.
+py::dict box_fields(const Question& question, const char* verdict) {
+  py::dict result("verdict"_a = verdict, "normal_law"_a = to_string(question.law),
+                  "wrench"_a = fractions(question.loaded.wrench));
+  if (question.preload) result["preload"] = fraction(*question.preload);
+  return result;
+}
+
+const std::string kBoxProducer = "stickslip " STICKSLIP_VERSION ", engine box";
+
+py::dict decide_grasp_box(const GraspFile& grasp, const std::string& uncertain,
+                          const py::object& wrench, const py::object& preload, bool bilateral,
+                          std::size_t node_limit) {
+  struct Answer {
+    Question question;
+    BoxDecision decision;
+    std::vector<ProvedFiles> files;  ///< the proof, or two examples
+  };
+  const QuestionOptions asked = question_options(wrench, preload, bilateral);
+  const Answer answer = without_gil([&] {
+    Question question = box_question(grasp, asked, uncertain);
+    BoxOptions options;
+    options.node_limit = node_limit;
+    BoxDecision decision = decide_box(*question.box, question.law, options);
+    const GraspDescription& description = question.loaded.grasp.description();
+    std::vector<ProvedFiles> found;
+    if (const auto* fragile = std::get_if<Fragile>(&decision.verdict)) {
+      for (const bool stable : {true, false}) {
+        found.push_back(proved_grasp(stable ? fragile->stable : fragile->unstable, description,
+                                     question.law, stable, kBoxProducer));
+      }
+    } else if (!std::holds_alternative<Undecided>(decision.verdict)) {
+      found.push_back(
+          proved_box(*question.box, description, question.law, decision, kBoxProducer));
+    }
+    return Answer{std::move(question), std::move(decision), std::move(found)};
+  });
+  py::dict result = box_fields(answer.question, name_of(answer.decision.verdict));
+  if (answer.files.size() == 1) result["proof"] = files(answer.files[0]);
+  if (answer.files.size() == 2) {
+    result["examples"] = py::make_tuple(files(answer.files[0]), files(answer.files[1]));
+  }
+  if (const auto* undecided = std::get_if<Undecided>(&answer.decision.verdict)) {
+    result["limit"] = undecided->limit;
+  }
+  const BoxWork& work = answer.decision.work;
+  result["stats"] = py::dict("nodes"_a = work.nodes, "proofs"_a = work.proofs,
+                             "examples"_a = work.examples, "parts"_a = work.parts);
+  return result;
+}
+
+py::dict find_grasp_radius(const GraspFile& grasp, const std::string& uncertain,
+                           const py::object& wrench, const py::object& preload, bool bilateral,
+                           const py::object& accuracy, std::size_t node_limit) {
+  struct Answer {
+    Question question;
+    Radius radius;
+    std::vector<ProvedFiles> files;  ///< the proof, and the counterexample if there is one
+  };
+  const QuestionOptions asked = question_options(wrench, preload, bilateral);
+  RadiusOptions options;
+  options.box.node_limit = node_limit;
+  options.accuracy = exact(accuracy, "accuracy");
+  if (options.accuracy.sign() <= 0 || options.accuracy >= 1) {
+    throw InputError("", "accuracy", "the value is " + to_string(options.accuracy),
+                     "it is a part of the radius: give more than 0 and less than 1");
+  }
+  const Answer answer = without_gil([&] {
+    Question question = box_question(grasp, asked, uncertain);
+    Radius radius = find_radius(question.loaded, *question.box, question.law, options);
+    std::vector<ProvedFiles> found;
+    if (radius.stable) found = proved_radius(question, radius, kBoxProducer);
+    return Answer{std::move(question), std::move(radius), std::move(found)};
+  });
+  const Radius& radius = answer.radius;
+  py::dict result = box_fields(answer.question, !radius.stable   ? "undecided"
+                                                : *radius.stable ? "stable"
+                                                                 : "unstable");
+  result["proved"] = fraction(radius.proved);
+  result["limit"] = fraction(radius.limit);
+  if (!answer.files.empty()) result["proof"] = files(answer.files[0]);
+  if (radius.refuted) {
+    result["refuted"] = fraction(*radius.refuted);
+    result["counterexample"] = files(answer.files[1]);
+  }
+  return result;
+}
+
 }  // namespace
 
 std::string certificate_of(const Question& question, const Decision& decision) {
@@ -229,11 +342,7 @@ QuestionOptions question_options(const py::object& wrench, const py::object& pre
 }
 
 Question question_of(const GraspFile& grasp, const QuestionOptions& options) {
-  if (!options.wrench && !options.direction && !grasp.cases.empty()) {
-    throw InputError(
-        "", "wrench", "the grasp has cases, and none is chosen",
-        "give the wrench of one, such as grasp.cases[" + quote(grasp.cases.front().name) + "]");
-  }
+  require_load(grasp, options);
   Question question = ask(grasp, options);
   try {
     problem_of(question);
@@ -247,6 +356,8 @@ void bind_questions(py::module_& module) {
   module.def("decide", &decide_grasp);
   module.def("slip_states", &slip_states);
   module.def("margin", &find_grasp_margin);
+  module.def("decide_box", &decide_grasp_box);
+  module.def("radius", &find_grasp_radius);
 }
 
 }  // namespace stickslip::python

@@ -26,10 +26,12 @@ from .questions import (
     plot_grasp,
     plot_region,
     plot_states,
+    radius,
     region,
     slip_states,
 )
 from .results import (
+    BoxDecision,
     Cell,
     CheckResult,
     Comparison,
@@ -42,6 +44,8 @@ from .results import (
     NearbyEquilibrium,
     Outline,
     Piece,
+    Proof,
+    Radius,
     Region,
     Residual,
     SlipStates,
@@ -51,6 +55,7 @@ from .views import Picture
 __version__: str = _core.version
 
 __all__ = [
+    "BoxDecision",
     "Cell",
     "CheckResult",
     "Comparison",
@@ -69,6 +74,8 @@ __all__ = [
     "Picture",
     "Piece",
     "PlacedGrasp",
+    "Proof",
+    "Radius",
     "Region",
     "Residual",
     "SlipStates",
@@ -83,6 +90,7 @@ __all__ = [
     "plot_grasp",
     "plot_region",
     "plot_states",
+    "radius",
     "region",
     "slip_states",
 ]

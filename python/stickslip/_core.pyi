@@ -61,6 +61,23 @@ def decide(
     node_limit: int,
     warnings: bool,
 ) -> Dict[str, Any]: ...
+def decide_box(
+    grasp: GraspData,
+    uncertain: str,
+    wrench: Optional[List[Any]],
+    preload: Any,
+    bilateral: bool,
+    node_limit: int,
+) -> Dict[str, Any]: ...
+def radius(
+    grasp: GraspData,
+    uncertain: str,
+    wrench: Optional[List[Any]],
+    preload: Any,
+    bilateral: bool,
+    accuracy: Any,
+    node_limit: int,
+) -> Dict[str, Any]: ...
 def decide_many(
     count: int,
     grasps: List[GraspData],

@@ -13,6 +13,7 @@ from typing import Any, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
+from . import _core
 from .errors import InputError
 
 _ENOUGH_BYTES = 2**30 + 1  # more than a grasp file or a certificate may have
@@ -93,6 +94,19 @@ def as_preload_direction_or_none(values: Any) -> Union[str, List[Any], None]:
     if isinstance(values, str):
         return one_of(name, values, ("scale",))
     return as_list(values, name, as_array(values, name).shape[:1], "one number for each contact")
+
+
+def as_uncertain(value: Any) -> str:
+    """As on the command line, "friction=10%,wrench=1/100"."""
+    if isinstance(value, str):
+        return value
+    if not isinstance(value, Mapping):
+        raise InputError("", "uncertain", f"this is {found(value)}",
+                         'give kinds and their tolerances, as in {"friction": "10%"}')
+    return ",".join(
+        f"{kind}=" + (size if isinstance(size, str)
+                      else str(_core.exact(as_number(size, place), place)))
+        for kind, size in value.items() for place in [f"uncertain[{kind!r}]"])
 
 
 def as_text(value: Any, name: str, remedy: str = "give a str") -> str:

@@ -11,7 +11,7 @@ import json
 import os
 from decimal import Decimal
 from fractions import Fraction
-from typing import Any, Callable, List, Optional, Tuple, Union, overload
+from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple, Union, overload
 
 import numpy as np
 
@@ -27,6 +27,7 @@ from .arguments import (
     as_number_or_none,
     as_numbers,
     as_preload_direction_or_none,
+    as_uncertain,
     as_wrench,
     as_wrench_or_none,
     found,
@@ -36,6 +37,7 @@ from .arguments import (
 from .errors import InputError, LimitReached
 from .grasp import Grasp, SnappedNormal
 from .results import (
+    BoxDecision,
     Cell,
     CheckResult,
     Comparison,
@@ -48,6 +50,8 @@ from .results import (
     NearbyEquilibrium,
     Outline,
     Piece,
+    Proof,
+    Radius,
     Region,
     Residual,
     SlipStates,
@@ -74,6 +78,22 @@ def decide(
 
 @overload
 def decide(
+    grasp: Grasp,
+    wrench: Any = None,
+    *,
+    uncertain: Union[str, Mapping[str, Number]],
+    friction: Optional[Number] = None,
+    preload: Optional[Number] = None,
+    normal_law: str = "unilateral",
+    engine: str = "auto",
+    node_limit: int = 0,
+    threads: int = 0,
+    warnings: bool = False,
+) -> BoxDecision: ...
+
+
+@overload
+def decide(
     grasp: Any,
     wrench: Any = None,
     *,
@@ -91,6 +111,7 @@ def decide(
     grasp: Any,
     wrench: Any = None,
     *,
+    uncertain: Any = None,
     friction: Any = None,
     preload: Any = None,
     normal_law: str = "unilateral",
@@ -98,7 +119,7 @@ def decide(
     node_limit: int = 0,
     threads: int = 0,
     warnings: bool = False,
-) -> Union[Decision, Decisions]:
+) -> Union[Decision, Decisions, BoxDecision]:
     """Will the grasp hold its load passively? A verdict, with evidence.
 
     Of ``grasp``, ``wrench``, ``friction`` and ``preload`` each may be one or n, as NumPy
@@ -108,6 +129,9 @@ def decide(
         grasp: what is asked about, or a sequence of n grasps.
         wrench: (3,) or (n, 3), force x, force y and torque about the origin, applied to the
             body; the grasp's own if None.
+        uncertain: how far numbers may be off, by kind, such as {"friction": "10%", "wrench": 0.1}
+            or "friction=10%": the verdict is then a ``BoxDecision`` about all grasps in the box
+            (docs/uncertainty.md). Of one question; the engine is one for boxes.
         friction: of every contact, one number or (n,); (n, m) gives each contact its own. The
             grasp's own if None.
         preload: of every contact, one number or (n,); the grasp's own if None.
@@ -124,6 +148,16 @@ def decide(
         InputError: an argument is wrong, or a preloaded contact has a normal of irrational
             length (``Grasp.snap``).
     """
+    if uncertain is not None:
+        one_of("engine", engine, ("auto",))
+        about = _with_friction(grasp, friction)
+        tolerances = as_uncertain(uncertain)
+        result = _core.decide_box(
+            about._data, tolerances, as_wrench_or_none(wrench),
+            as_number_or_none(preload, "preload"), is_bilateral(normal_law),
+            as_count("node_limit", node_limit))
+        return BoxDecision(grasp=about, uncertain=tolerances,
+                           **_with_proofs(result, "proof", "examples"))
     how = (
         is_bilateral(normal_law),
         one_of("engine", engine, ("auto", "states", "cone")),
@@ -137,12 +171,39 @@ def decide(
                              "ask for the warnings of one question at a time")
         return Decisions(_core.decide_many(many.count, *many.lists(), *how, at_once), many.snapped)
     about, snapped = _asked(grasp, preload)
-    if friction is not None:
-        about = Grasp._of(about._data.with_friction(as_number(friction, "friction")))
+    about = _with_friction(about, friction)
     result = _core.decide(about._data, as_wrench_or_none(wrench),
                           as_number_or_none(preload, "preload"), *how, bool(warnings))
     result["warnings"] = tuple(ModelWarning(*w) for w in result["warnings"])
     return Decision(grasp=about, snapped=snapped, **result)
+
+
+def radius(
+    grasp: Grasp,
+    wrench: Any = None,
+    *,
+    uncertain: Union[str, Mapping[str, Number]],
+    friction: Optional[Number] = None,
+    preload: Optional[Number] = None,
+    normal_law: str = "unilateral",
+    accuracy: Number = "1/100",
+    node_limit: int = 0,
+) -> Radius:
+    """By which factor may all tolerances grow before the verdict is another? With proofs.
+
+    Args:
+        grasp, wrench, uncertain, friction, preload, normal_law: as of ``decide``.
+        accuracy: stop when what is proved and what is refuted differ by this part of it.
+        node_limit: let each proof give up after so many nodes; 0: one that suits most questions.
+    """
+    about = _with_friction(grasp, friction)
+    tolerances = as_uncertain(uncertain)
+    result = _core.radius(
+        about._data, tolerances, as_wrench_or_none(wrench), as_number_or_none(preload, "preload"),
+        is_bilateral(normal_law), as_number(accuracy, "accuracy"),
+        as_count("node_limit", node_limit))
+    return Radius(grasp=about, uncertain=tolerances,
+                  **_with_proofs(result, "proof", "counterexample"))
 
 
 def slip_states(
@@ -487,6 +548,27 @@ def _asked(grasp: Any, preload: Any = None) -> Tuple[Grasp, Tuple[SnappedNormal,
         preload = _core.exact(as_number(preload, "preload"), "preload")
     asked: Tuple[Grasp, Tuple[SnappedNormal, ...]] = grasp._asked(preload)
     return asked
+
+
+def _with_friction(grasp: Grasp, friction: Any) -> Grasp:
+    data = _data(grasp)
+    if friction is None:
+        return grasp
+    return Grasp._of(data.with_friction(as_number(friction, "friction")))
+
+
+def _with_proofs(fields: Dict[str, Any], *names: str) -> Dict[str, Any]:
+    """The pairs of texts, or pairs of these, become proofs."""
+    def proof(texts: Tuple[str, str]) -> Proof:
+        grasp, certificate = texts
+        return Proof(grasp, certificate, fields["normal_law"])
+
+    for name in names:
+        if name in fields:
+            value = fields[name]
+            fields[name] = (proof(value) if isinstance(value[0], str)
+                            else tuple(proof(texts) for texts in value))
+    return fields
 
 
 def _data(grasp: Grasp) -> _core.GraspData:

@@ -100,6 +100,99 @@ class Decision(Answer):
         return self.plot() if few and self.limit is None else None
 
 
+class Proof(NamedTuple):
+    """A question and the proof of its answer, each as a file's text."""
+
+    grasp: str
+    """A grasp file, of a box one with intervals."""
+    certificate: str
+    """The proof (certificate/FORMAT.md)."""
+    normal_law: str
+
+    def check(self) -> CheckResult:
+        """What the independent checker says of the two."""
+        return CheckResult(**_core.check(
+            self.grasp.encode(), self.certificate.encode(), None, None,
+            self.normal_law == "bilateral", None, None, b"<grasp>", b"<certificate>"))
+
+    def __repr__(self) -> str:
+        return f"Proof({len(self.certificate)} characters)"
+
+
+@dataclass(frozen=True, repr=False)
+class BoxDecision(Answer):
+    """A verdict about every grasp in a box, with its evidence."""
+
+    verdict: str
+    """"stable" or "unstable" throughout; "fragile", some are and some are not; or "undecided"."""
+    normal_law: str
+    wrench: Triple
+    """In the middle."""
+    uncertain: str
+    """What was asked, as on the command line."""
+    grasp: Grasp = field(repr=False)
+    """In the middle."""
+    preload: Optional[Fraction] = None
+    """Set if it replaced the grasp's preloads."""
+    proof: Optional[Proof] = None
+    """Of "stable" and "unstable"."""
+    examples: Optional[Tuple[Proof, Proof]] = None
+    """If fragile: a grasp of the box that is stable, and one that is not."""
+    limit: Optional[str] = None
+    """Why there is no answer, if undecided."""
+    stats: Dict[str, int] = field(default_factory=dict, repr=False, compare=False)
+    """Work counters of the engine; reproducible."""
+
+    wrench_float = FloatView[FloatArray]("wrench", 3)
+
+    @property
+    def certificate(self) -> Optional[str]:
+        """The proof. None of a fragile box, whose examples have one each, and if undecided."""
+        return None if self.proof is None else self.proof.certificate
+
+    def check(self) -> CheckResult:
+        """What the independent checker says of the proof; of a fragile box, of its examples: the
+        last, or the first one that is rejected.
+
+        Raises:
+            LimitReached: undecided, and so without a proof.
+        """
+        if self.examples is not None:
+            stable = self.examples[0].check()
+            return self.examples[1].check() if stable else stable
+        if self.proof is None:
+            raise LimitReached(self.limit or "")
+        return self.proof.check()
+
+
+@dataclass(frozen=True, repr=False)
+class Radius(Answer):
+    """By which factor tolerances may grow before the verdict is another."""
+
+    verdict: str
+    """Of the grasp in the middle: "stable", "unstable", or "undecided"."""
+    proved: Fraction
+    """The largest factor with a proof for the whole box; 0 if there is none."""
+    limit: Fraction
+    """No larger factor was tried."""
+    normal_law: str
+    wrench: Triple
+    uncertain: str
+    """What was asked, as on the command line."""
+    grasp: Grasp = field(repr=False)
+    """In the middle."""
+    refuted: Optional[Fraction] = None
+    """The smallest factor with a counterexample. Between the two nothing is known."""
+    preload: Optional[Fraction] = None
+    """Set if it replaced the grasp's preloads."""
+    proof: Optional[Proof] = None
+    """Of the box scaled by ``proved``. None if undecided."""
+    counterexample: Optional[Proof] = None
+    """A grasp of the box scaled by ``refuted``, and the proof of its verdict."""
+
+    wrench_float = FloatView[FloatArray]("wrench", 3)
+
+
 class Decisions(Sequence[Decision]):
     """The answers to many questions, in their order. Each becomes a Decision when it is looked at.
 

@@ -28,6 +28,8 @@ corners = stickslip.region(grasp).areas[0][0].vertices
 x: Fraction = corners[0][0]
 placed, moved = Grasp.from_outline([[0, 0], [1, 0], [0, 1]], [["1/2", 0]], 1, tolerance=0)
 distance: float = moved[0]
+box: stickslip.BoxDecision = stickslip.decide(grasp, (0, 1, 0), uncertain={"friction": "10%"})
+factor: Fraction = stickslip.radius(grasp, (0, 1, 0), uncertain="friction=10%").proved
 '''
 
 

@@ -254,8 +254,9 @@ void refuse_intervals(const std::string& first, bool version2, Intervals interva
             std::string("write \"format\": \"") + kVersion2 + "\", which has them");
   }
   if (intervals == Intervals::kAllowed) return;
-  fail_at(first, "the number is uncertain",
-          "only stickslip decide answers for all numbers of an interval: give one here");
+  fail_at(
+      first, "the number is uncertain",
+      "only stickslip decide and radius answer for all numbers of an interval: give one here");
 }
 
 std::string read_all(std::istream& in, const std::string& file) {

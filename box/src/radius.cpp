@@ -99,6 +99,31 @@ class RadiusSearch {
     } else {
       suspect(std::min(Rational(1), result_.limit));
     }
+    try_all_corners();
+  }
+
+  /// Of few numbers.
+  void try_all_corners() {
+    const std::size_t numbers = Examples(box_, law_).middle().size();
+    constexpr std::size_t kFew = 6;
+    if (numbers > kFew) return;
+    for (std::size_t corner = 0; corner < std::size_t{1} << numbers; ++corner) {
+      Place place;
+      for (std::size_t n = 0; n < numbers; ++n)
+        place.push_back((corner >> n & 1) == 0 ? -1 : 1);
+      const Rational near = bound() * (1 - options_.accuracy / 4);
+      if (differs(place, near)) close_in(place, 0, near);
+    }
+  }
+
+  /// To where this corner begins to differ, which it does at `high`.
+  void close_in(const Place& place, Rational low, Rational high) {
+    // At a centre on a threshold every factor has a counterexample.
+    const Rational kLeast(1, 1 << 20);
+    while (high - low > options_.accuracy / 8 * high && high > kLeast) {
+      const Rational middle = short_middle(low, high);
+      (differs(place, middle) ? high : low) = middle;
+    }
   }
 
   void suspect(const Rational& size) {
@@ -113,10 +138,7 @@ class RadiusSearch {
         high = std::min(Rational(2 * high), bound());
         found = differs(place, high);
       }
-      while (found && high - low > options_.accuracy / 8 * high) {
-        const Rational middle = short_middle(low, high);
-        (differs(place, middle) ? high : low) = middle;
-      }
+      if (found) close_in(place, low, high);
     }
   }
 

@@ -355,8 +355,7 @@ def test_preloads_along_irrational_normals():
     decision = decide(near)
     assert check(near, decision.certificate)
     assert check(nearer, decide(nearer).certificate)
-    with pytest.raises(InputError, match="stickslip snap"):
-        check(grasp, decision.certificate)
+    assert not check(grasp, decision.certificate)  # of the grasp before it is a proof about a box
 
 
 def test_same_snapped_grasp_as_the_program(tmp_path):

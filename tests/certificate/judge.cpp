@@ -123,6 +123,7 @@ std::optional<CheckerAnswer> third_opinion(const CheckerInput& input) {
       throw NoOpinion{};
     }
     if (const auto answer = judge_question(question, certificate.at("question"))) return answer;
+    if (input.options.uncertain.any()) return rejected("question-uncertain");
     const Problem problem(question.loaded, question.law);
     return certificate.at("verdict") == "stable" ? judge_witness(problem, certificate)
                                                  : judge_tree(problem, certificate);

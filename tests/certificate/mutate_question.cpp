@@ -97,6 +97,9 @@ class QuestionMutations {
     other.law =
         options.law == NormalLaw::kBilateral ? NormalLaw::kUnilateral : NormalLaw::kBilateral;
     ask("ask another law", other, "question-law");
+    other = options;
+    other.uncertain.friction = Tolerance{};
+    ask("ask with a tolerance", other, "question-uncertain");
   }
 
   /// Members of other questions: with a direction there is another kind of verdict.

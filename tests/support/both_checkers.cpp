@@ -44,6 +44,26 @@ std::string with_commas(const Wrench& w) {
   return with_commas(std::vector<Rational>{w.x, w.y, w.torque});
 }
 
+/// By the name of their kind.
+std::vector<std::pair<std::string, Tolerance>> named(const Tolerances& tolerances) {
+  std::vector<std::pair<std::string, Tolerance>> result;
+  const auto add = [&](const char* kind, const std::optional<Tolerance>& tolerance) {
+    if (tolerance) result.emplace_back(kind, *tolerance);
+  };
+  add("friction", tolerances.friction);
+  add("stiffness", tolerances.stiffness);
+  add("preload", tolerances.preload);
+  add("position", tolerances.position);
+  add("normal", tolerances.normal);
+  add("wrench", tolerances.wrench);
+  return result;
+}
+
+/// As it is spelled: of 10 %, 10.
+Rational size_of(const Tolerance& tolerance) {
+  return tolerance.relative ? Rational(100 * tolerance.amount) : tolerance.amount;
+}
+
 std::string json_line(const CheckerInput& input, const std::string& expected) {
   return spool_line(input.grasp, input.certificate, command_line(input.options), expected);
 }
@@ -99,6 +119,9 @@ CheckerAnswer ask_cpp_checker(const CheckerInput& input) {
   }
   if (input.options.preload) options.preload = checker_number(*input.options.preload);
   options.bilateral = input.options.law == NormalLaw::kBilateral;
+  for (const auto& [kind, tolerance] : named(input.options.uncertain)) {
+    options.uncertain[kind] = {checker_number(size_of(tolerance)), tolerance.relative};
+  }
   std::istringstream grasp(input.grasp);
   std::istringstream certificate(input.certificate);
   const stickslip_check::Answer answer = stickslip_check::check(grasp, certificate, options);
@@ -160,6 +183,12 @@ std::vector<std::string> command_line(const QuestionOptions& options) {
     words.insert(words.end(),
                  {"--preload-direction", growth->scale ? "scale" : with_commas(growth->rates)});
   }
+  std::string uncertain;
+  for (const auto& [kind, tolerance] : named(options.uncertain)) {
+    uncertain += (uncertain.empty() ? "" : ",") + kind + "=" + to_string(size_of(tolerance)) +
+                 (tolerance.relative ? "%" : "");
+  }
+  if (!uncertain.empty()) words.insert(words.end(), {"--uncertain", uncertain});
   return words;
 }
 
@@ -177,13 +206,13 @@ CheckerInput input_of(const Question& question) {
   return input;
 }
 
+}  // namespace
+
 void expect_accepted_by_both(const CheckerInput& input) {
   const CheckerAnswer answer = ask_cpp_checker(input);
   EXPECT_EQ(answer.result, "accepted") << describe(answer) << "\n" << describe(input);
   EXPECT_TRUE(append_to_spool(json_line(input, "accepted"))) << "cannot write to the spool";
 }
-
-}  // namespace
 
 CheckerInput input_of(const Question& question, const Verdict& verdict) {
   CheckerInput input = input_of(question);
@@ -198,6 +227,12 @@ CheckerInput input_of(const Question& question, const Margin& margin) {
   input.options.preload_direction = question.preload_direction;
   input.certificate = margin_certificate_text(question, margin, "tests");
   return input;
+}
+
+CheckerInput input_of(const std::string& grasp, const QuestionOptions& options,
+                      const BoxDecision& decision) {
+  const Question question = ask(parse_grasp(grasp, "grasp", Intervals::kAllowed), options);
+  return {grasp, box_certificate_text(question, decision, "tests"), options};
 }
 
 void expect_accepted_by_both(const Question& question, const Margin& margin) {

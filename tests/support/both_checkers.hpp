@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "stickslip/box/box_verdict.hpp"
 #include "stickslip/equilibrium/margin.hpp"
 #include "stickslip/equilibrium/question.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
@@ -50,6 +51,9 @@ std::vector<std::string> command_line(const QuestionOptions& options);
 CheckerInput input_of(const Question& question, const Verdict& verdict);
 /// The same of a margin.
 CheckerInput input_of(const Question& question, const Margin& margin);
+/// The same of a box: of this grasp file, asked with these options.
+CheckerInput input_of(const std::string& grasp, const QuestionOptions& options,
+                      const BoxDecision& decision);
 
 /// Fails the running test unless the C++ checker accepts, and leaves the files for check.py in
 /// the folder named by the environment variable STICKSLIP_SPOOL, which the ctest
@@ -57,6 +61,7 @@ CheckerInput input_of(const Question& question, const Margin& margin);
 /// (stickslip_fills_spool in CMakeLists.txt).
 void expect_accepted_by_both(const Question& question, const Verdict& verdict);
 void expect_accepted_by_both(const Question& question, const Margin& margin);
+void expect_accepted_by_both(const CheckerInput& input);
 
 /// The same for a grasp and a normal law, with nothing replaced.
 void expect_accepted_by_both(const LoadedGrasp& loaded, NormalLaw law, const Verdict& verdict);

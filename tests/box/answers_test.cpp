@@ -91,14 +91,15 @@ TEST(RandomBoxes, IrrationalLengths) {
 }
 
 // Turned by 45 degrees and grown by sqrt 2, preloads alone hold or do not hold as before; but
-// all lengths have become irrational.
+// all lengths have become irrational. (Where contacts may open, all of them open is an
+// equilibrium.)
 TEST(IrrationalLengths, AGraspTurnedHasTheSameVerdict) {
   RandomSource random(6);
   Tally tally;
-  for (int round = 0; round < 30; ++round) {
+  for (int round = 0; round < 60; ++round) {
     const Grasp grasp =
-        test::generic_grasp(random, static_cast<std::size_t>(random.between(2, 5)));
-    const NormalLaw law = round % 2 == 0 ? NormalLaw::kUnilateral : NormalLaw::kBilateral;
+        test::generic_grasp(random, static_cast<std::size_t>(random.between(3, 5)));
+    const NormalLaw law = NormalLaw::kBilateral;
     const auto turned = [](const Vector2& v) { return Vector2{v.x - v.y, v.x + v.y}; };
     std::vector<Contact> contacts = grasp.contacts();
     for (Contact& c : contacts) {

@@ -385,7 +385,7 @@ std::optional<BoxSearch::Split> BoxSearch::split(const BoxRegion& region,
   const auto value = [&](const IntegerVector5& plane) {
     Double4 p = shortened<4>(plane);
     p[2] /= model_.length;
-    return dot(p, x) / std::sqrt(dot(p, p));
+    return dot(p, x) / std::sqrt(dot(p, p));  // 0 where nothing moves
   };
   const double least_clear = 1e-12 * std::sqrt(dot(x, x));
   const auto sign_of_all = [&](const std::vector<IntegerVector5>& planes) {
@@ -397,6 +397,10 @@ std::optional<BoxSearch::Split> BoxSearch::split(const BoxRegion& region,
       minus = minus && at < -least_clear;
     }
     return plus ? 1 : minus ? -1 : 0;
+  };
+  const bool stands_still = !(dot(x, x) > 0);
+  const auto is_clear = [&](const std::vector<IntegerVector5>& planes) {
+    return planes.size() == 1 || stands_still || sign_of_all(planes) != 0;
   };
   for (std::size_t i = 0; i < model_.contacts.size(); ++i) {
     const BoxContact& contact = model_.contacts[i];
@@ -411,7 +415,7 @@ std::optional<BoxSearch::Split> BoxSearch::split(const BoxRegion& region,
       }
       lawful = std::max(0.0, lawful);
       const double gap = std::fabs(a - lawful) * std::max(a, lawful) / stiffness;
-      if (gap > separation_gap && sign_of_all(contact.separations) != 0) {
+      if (gap > separation_gap && is_clear(contact.separations)) {
         separation_gap = gap;
         separation = i;
       }
@@ -421,7 +425,7 @@ std::optional<BoxSearch::Split> BoxSearch::split(const BoxRegion& region,
       for (const Double3& t : c.tangents)
         tau += dot(t, d) / static_cast<double>(c.normals.size());
       const double gap = a * c.frictions[0] * std::fabs(tau) + relaxed.tangential[i] * tau;
-      if (gap > slip_gap && sign_of_all(contact.slips) != 0) {
+      if (gap > slip_gap && is_clear(contact.slips)) {
         const bool cuts = contact.slips.size() > 1 || [&] {
           const BoxRegion::Signs signs = region.signs(contact.slips.front());
           return signs.positive || signs.negative;
@@ -447,7 +451,7 @@ std::optional<BoxSearch::Split> BoxSearch::split(const BoxRegion& region,
       return Split{SeparationSplit{ContactId(separation)}, planes.front()};
     }
     if (const auto rotation = split_of_rotation()) return rotation;
-    const int side = sign_of_all(planes);
+    const int side = stands_still ? 1 : sign_of_all(planes);
     const IntegerVector5* nearest = nullptr;
     double least = HUGE_VAL;
     for (const IntegerVector5& plane : planes) {
@@ -463,7 +467,7 @@ std::optional<BoxSearch::Split> BoxSearch::split(const BoxRegion& region,
     const std::vector<IntegerVector5>& planes = model_.contacts[slip].slips;
     if (planes.size() == 1) return Split{SlipSplit{ContactId(slip)}, planes.front(), true};
     if (const auto rotation = split_of_rotation()) return rotation;
-    const int side = sign_of_all(planes);
+    const int side = stands_still ? 1 : sign_of_all(planes);
     const IntegerVector5* nearest = nullptr;
     double least = HUGE_VAL;
     for (const IntegerVector5& plane : planes) {

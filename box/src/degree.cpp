@@ -59,17 +59,18 @@ class Walls {
 
   /// Whether the shape is one: three walls that enclose.
   bool is_sound() const { return sound_; }
-  /// Moves a wall outwards.
+  /// Moves a wall outwards: by a quarter of its distance, and in larger steps later.
   void grow(std::size_t wall, int sign) {
-    (sign > 0 ? above_ : below_)[static_cast<Eigen::Index>(wall)] *= kGrowth;
+    const auto j = static_cast<Eigen::Index>(wall);
+    constexpr int kSmallSteps = 6;
+    int& steps = steps_[2 * wall + (sign > 0 ? 1 : 0)];
+    (sign > 0 ? above_ : below_)[j] *= steps++ < kSmallSteps ? 1.25 : 1.6;
   }
 
   /// d0, E and A in few bits.
   DegreeProof proof() const;
 
  private:
-  static constexpr double kGrowth = 1.25;
-
   struct Contact {
     Vector normal;
     Vector tangent;
@@ -94,7 +95,8 @@ class Walls {
   Matrix stiffness_ = Matrix::Zero();  ///< C
   Matrix rows_ = Matrix::Zero();       ///< E, up to the widths
   Vector below_ = Vector::Ones();      ///< widths: of rows_ (d - motion_) from -below_
-  Vector above_ = Vector::Ones();      ///< to above_
+  std::array<int, 6> steps_{};
+  Vector above_ = Vector::Ones();  ///< to above_
   bool sound_ = false;
 };
 

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/box/map.hpp"
+
+#include <mpfr.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "degree.hpp"
+#include "prove.hpp"
+#include "stickslip/core/error.hpp"
+
+namespace stickslip {
+
+using namespace box_detail;
+
+namespace {
+
+struct AxisName {
+  const char* name;
+  AxisKind kind;
+  bool of_contacts;  ///< may have the index of one
+};
+
+constexpr AxisName kNames[] = {
+    {"friction", AxisKind::kFriction, true}, {"stiffness", AxisKind::kStiffness, true},
+    {"preload", AxisKind::kPreload, true},   {"wrench", AxisKind::kWrench, false},
+    {"load", AxisKind::kLoad, false},        {"direction", AxisKind::kDirection, false}};
+
+/// cos of an angle in degrees, to within 2^-100.
+Interval cosine(const Rational& degrees) {
+  constexpr mpfr_prec_t kPrecision = 192;
+  // |degrees| <= 360: the angle is off by less than 2^-180, and the cosine changes no faster.
+  const Rational turns = degrees / 360;
+  Integer whole = numerator(turns) / denominator(turns);
+  const Rational rest = degrees - 360 * Rational(whole);
+  mpfr_t angle;
+  mpfr_t pi;
+  mpfr_init2(angle, kPrecision);
+  mpfr_init2(pi, kPrecision);
+  mpfr_const_pi(pi, MPFR_RNDN);
+  mpfr_set_q(angle, rest.backend().data(), MPFR_RNDN);
+  mpfr_mul(angle, angle, pi, MPFR_RNDN);
+  mpfr_div_ui(angle, angle, 180, MPFR_RNDN);
+  mpfr_cos(angle, angle, MPFR_RNDN);
+  constexpr unsigned long kBits = 110;
+  mpfr_mul_2ui(angle, angle, kBits, MPFR_RNDN);
+  Integer scaled;
+  mpfr_get_z(scaled.backend().data(), angle, MPFR_RNDN);
+  mpfr_clear(angle);
+  mpfr_clear(pi);
+  const Integer unit = Integer(1) << kBits;
+  return {Rational(scaled - 2, unit), Rational(scaled + 2, unit)};
+}
+
+/// cos over an interval of degrees: extremes at its ends and at multiples of 180 inside.
+Interval cosine(const Interval& degrees) {
+  const Interval first = cosine(degrees.low);
+  const Interval last = cosine(degrees.high);
+  Interval range{std::min(first.low, last.low), std::max(first.high, last.high)};
+  const Rational from = degrees.low / 180;
+  Integer half_turns = numerator(from) / denominator(from) - 1;
+  for (; Rational(180 * half_turns) <= degrees.high; ++half_turns) {
+    if (Rational(180 * half_turns) < degrees.low) continue;
+    (half_turns % 2 == 0 ? range.high : range.low) = half_turns % 2 == 0 ? 1 : -1;
+  }
+  return {std::max(range.low, Rational(-1)), std::min(range.high, Rational(1))};
+}
+
+Interval product(const Interval& a, const Interval& b) {
+  const std::array<Rational, 4> ends{a.low * b.low, a.low * b.high, a.high * b.low,
+                                     a.high * b.high};
+  return {*std::min_element(ends.begin(), ends.end()),
+          *std::max_element(ends.begin(), ends.end())};
+}
+
+/// sqrt(square), or a decimal interval around it.
+Interval root(const Rational& square) {
+  if (const auto exact = exact_sqrt(square)) return point_interval(*exact);
+  constexpr int kDigits = 40;
+  const DecimalEnclosure near = enclose_sqrt(1, square, kDigits);
+  return {parse_rational(near.lower), parse_rational(near.upper)};
+}
+
+void apply(const MapAxis& axis, const Interval& range, GraspBox& box) {
+  const auto vary = [&](Interval UncertainContact::*number) {
+    for (std::size_t i = 0; i < box.contacts.size(); ++i) {
+      Interval& interval = box.contacts[i].*number;
+      if (!axis.index) interval = product(interval, range);
+      if (axis.index == i) interval = range;
+    }
+  };
+  WrenchBox& w = box.wrench;
+  switch (axis.kind) {
+    case AxisKind::kFriction:
+      return vary(&UncertainContact::friction);
+    case AxisKind::kStiffness:
+      return vary(&UncertainContact::stiffness);
+    case AxisKind::kPreload:
+      return vary(&UncertainContact::preload);
+    case AxisKind::kWrench:
+      w[*axis.index] = range;
+      return;
+    case AxisKind::kLoad:
+      for (Interval& component : w) component = product(component, range);
+      return;
+    case AxisKind::kDirection: {
+      const Rational square = w[0].low * w[0].low + w[1].low * w[1].low;
+      const Interval size = root(square);
+      w[0] = product(size, cosine(range));
+      w[1] = product(size, cosine(Interval{range.low - 90, range.high - 90}));
+    }
+  }
+}
+
+/// A direction turns the wrench of the grasp as it is: before anything else.
+bool goes_first(const MapAxis& axis) {
+  return axis.kind == AxisKind::kDirection;
+}
+
+class Quadtree {
+ public:
+  Quadtree(const LoadedGrasp& grasp, NormalLaw law, const MapAxis& x_axis,
+           const MapAxis& y_axis, const MapOptions& options,
+           const std::function<void(MapCell)>& take,
+           const std::function<void(double)>& progress)
+      : grasp_(grasp),
+        law_(law),
+        x_axis_(x_axis),
+        y_axis_(y_axis),
+        options_(options),
+        take_(take),
+        progress_(progress) {}
+
+  void visit(const Interval& x, const Interval& y, unsigned depth) {
+    std::optional<BoxDecision> decision;
+    // Verdicts that differ inside of the cell need no search for a proof.
+    if (agree(x, y)) {
+      decision = prove_box(box_of_cell(grasp_, x_axis_, y_axis_, x, y), law_, options_.box, 0);
+      if (std::holds_alternative<Undecided>(decision->verdict)) decision.reset();
+    }
+    if (!decision && depth < options_.depth) {
+      const Rational mx = x.middle();
+      const Rational my = y.middle();
+      for (const Interval& upper : {Interval{y.low, my}, Interval{my, y.high}}) {
+        for (const Interval& right : {Interval{x.low, mx}, Interval{mx, x.high}}) {
+          visit(right, upper, depth + 1);
+        }
+      }
+      return;
+    }
+    if (!decision) decision = BoxDecision{Undecided{"no proof in the finest cell"}, {}};
+    done_ += 1.0 / static_cast<double>(std::size_t{1} << (2 * depth));
+    take_({x, y, std::move(*decision)});
+    if (progress_) progress_(done_);
+  }
+
+ private:
+  bool is_stable_at(const Rational& x, const Rational& y) const {
+    const GraspBox box =
+        box_of_cell(grasp_, x_axis_, y_axis_, point_interval(x), point_interval(y));
+    return std::holds_alternative<Stable>(
+        decide_by_cones(problem_at(ParameterBox(box, law_).middle())));
+  }
+
+  bool agree(const Interval& x, const Interval& y) const {
+    const bool first = is_stable_at(x.middle(), y.middle());
+    for (const Rational& px : {x.low, x.high}) {
+      for (const Rational& py : {y.low, y.high}) {
+        if (is_stable_at(px, py) != first) return false;
+      }
+    }
+    return true;
+  }
+
+  const LoadedGrasp& grasp_;
+  NormalLaw law_;
+  const MapAxis& x_axis_;
+  const MapAxis& y_axis_;
+  const MapOptions& options_;
+  const std::function<void(MapCell)>& take_;
+  const std::function<void(double)>& progress_;
+  double done_ = 0;
+};
+
+}  // namespace
+
+MapAxis parse_axis(const LoadedGrasp& grasp, std::string_view text, const std::string& axis) {
+  const auto fail = [&](const std::string& problem, const std::string& remedy) {
+    throw InputError("", axis, problem, remedy);
+  };
+  const std::size_t equals = text.find('=');
+  const std::size_t colon = text.find(':', std::min(equals, text.size()));
+  if (equals == std::string_view::npos || colon == std::string_view::npos) {
+    fail("found " + quote(std::string(text)), "write NAME=FROM:TO, as in friction=0:1");
+  }
+  MapAxis result;
+  result.name = std::string(text.substr(0, equals));
+  const std::size_t bracket = std::min(result.name.find('['), result.name.size());
+  const std::string word = result.name.substr(0, bracket);
+  std::vector<std::string> names;
+  const AxisName* found = nullptr;
+  for (const AxisName& name : kNames) {
+    names.emplace_back(name.name);
+    if (word == name.name) found = &name;
+  }
+  if (found == nullptr) {
+    fail("there is nothing called " + quote(word), choice_of(word, names, "the names are "));
+  }
+  result.kind = found->kind;
+  const bool of_wrench = found->kind == AxisKind::kWrench;
+  const std::size_t count = of_wrench ? 3 : grasp.grasp.size();
+  const std::string index =
+      bracket < result.name.size() ? result.name.substr(bracket) : std::string();
+  if (!index.empty() && (found->of_contacts || of_wrench)) {
+    for (std::size_t i = 0; i < count; ++i) {
+      if (index == "[" + std::to_string(i) + "]") result.index = i;
+    }
+  }
+  if (!result.index && (of_wrench || !index.empty())) {
+    fail("found " + quote(result.name),
+         of_wrench            ? "write wrench[0], wrench[1] or wrench[2], which is the torque"
+         : found->of_contacts ? "contacts are counted from 0: the last is " + word + "[" +
+                                    std::to_string(count - 1) + "]"
+                              : word + " has no parts");
+  }
+  try {
+    result.range = {parse_rational(text.substr(equals + 1, colon - equals - 1)),
+                    parse_rational(text.substr(colon + 1))};
+  } catch (const NumberError& error) {
+    fail(std::string("its range: ") + error.what(), "write two numbers, as in 0:1 or 1/2:3/2");
+  }
+  if (!(result.range.low < result.range.high)) {
+    fail("its range is empty", "give the lower end first");
+  }
+  const bool is_positive = result.kind == AxisKind::kStiffness;
+  const bool is_nonnegative =
+      is_positive || result.kind == AxisKind::kFriction || result.kind == AxisKind::kPreload;
+  if (is_nonnegative && result.range.low.sign() < (is_positive ? 1 : 0)) {
+    fail("it begins at " + to_readable_string(result.range.low),
+         is_positive ? "a stiffness is above 0" : "it is 0 or more");
+  }
+  const Rational most = 720;
+  if (result.kind == AxisKind::kDirection &&
+      (result.range.high - result.range.low > most || abs(result.range.low) > most)) {
+    fail("its range is beyond two turns", "give degrees, as in direction=0:360");
+  }
+  return result;
+}
+
+GraspBox box_of_cell(const LoadedGrasp& grasp, const MapAxis& x_axis, const MapAxis& y_axis,
+                     const Interval& x, const Interval& y) {
+  GraspBox box = box_of(grasp);
+  const bool y_first = goes_first(y_axis);
+  apply(y_first ? y_axis : x_axis, y_first ? y : x, box);
+  apply(y_first ? x_axis : y_axis, y_first ? x : y, box);
+  return box;
+}
+
+void map_verdicts(const LoadedGrasp& grasp, NormalLaw law, const MapAxis& x_axis,
+                  const MapAxis& y_axis, const MapOptions& options,
+                  const std::function<void(MapCell)>& take,
+                  const std::function<void(double)>& progress) {
+  const bool same_kind = x_axis.kind == y_axis.kind;
+  const auto turns_wrench = [](const MapAxis& axis) {
+    return axis.kind == AxisKind::kDirection || axis.kind == AxisKind::kWrench;
+  };
+  const bool clash =
+      (same_kind && (x_axis.index == y_axis.index || !x_axis.index || !y_axis.index)) ||
+      (!same_kind && turns_wrench(x_axis) && turns_wrench(y_axis));
+  if (clash) {
+    throw InputError("", "y", "both axes vary " + x_axis.name,
+                     "choose two numbers that do not depend on each other");
+  }
+  Quadtree(grasp, law, x_axis, y_axis, options, take, progress)
+      .visit(x_axis.range, y_axis.range, 0);
+}
+
+}  // namespace stickslip

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/box/map.hpp"
+
+#include <array>
+#include <iostream>
+#include <memory>
+
+#include "commands.hpp"
+#include "question_options.hpp"
+#include "stickslip/core/error.hpp"
+#include "stickslip/core/file.hpp"
+#include "stickslip/plot/map_plot.hpp"
+#include "terminal.hpp"
+
+namespace stickslip {
+namespace {
+
+struct MapArguments {
+  QuestionArguments question;
+  std::string x;
+  std::string y;
+  unsigned depth = MapOptions().depth;
+  std::string svg;
+  std::string certificates;
+  std::size_t node_limit = 0;
+  NumberOptions output;
+};
+
+Json ends_json(const Interval& interval) {
+  return Json::array({number_json(interval.low), number_json(interval.high)});
+}
+
+/// The part of the rectangle that has this verdict.
+Rational share_of(const std::vector<MapCell>& cells, std::size_t verdict, const MapAxis& x,
+                  const MapAxis& y) {
+  const auto area = [](const Interval& a, const Interval& b) -> Rational {
+    return (a.high - a.low) * (b.high - b.low);
+  };
+  Rational sum = 0;
+  for (const MapCell& cell : cells) {
+    if (cell.decision.verdict.index() == verdict) sum += area(cell.x, cell.y);
+  }
+  return sum / area(x.range, y.range);
+}
+
+void print_json(const Question& question, const MapAxis& x, const MapAxis& y,
+                const std::vector<MapCell>& cells, bool floats) {
+  Json json;
+  json["name"] = question.loaded.grasp.name();
+  json["normal_law"] = to_string(question.law);
+  json["x"] = {{"name", x.name}, {"range", ends_json(x.range)}};
+  json["y"] = {{"name", y.name}, {"range", ends_json(y.range)}};
+  Json& list = json["cells"] = Json::array();
+  for (const MapCell& cell : cells) {
+    list.push_back({{"x", ends_json(cell.x)},
+                    {"y", ends_json(cell.y)},
+                    {"verdict", name_of(cell.decision.verdict)}});
+  }
+  std::cout << finished(json, floats).dump(1) << '\n';
+}
+
+void print_text(const Question& question, const MapAxis& x, const MapAxis& y,
+                const std::vector<MapCell>& cells) {
+  std::cout << heading(question) << "a map of " << cells.size() << " cells over " << x.name
+            << " and " << y.name << "\n\n";
+  std::vector<std::vector<std::string>> rows{{"proved", "part of the area"}};
+  std::size_t verdict = 0;
+  for (const char* words : {"stable", "unstable", "", "nothing"}) {
+    const Rational share = share_of(cells, verdict++, x, y);
+    if (*words != '\0') rows.push_back({words, to_readable_string(100 * share) + " %"});
+  }
+  std::cout << format_table(rows) << '\n' << engine_text("box", question.law);
+}
+
+int map(const MapArguments& arguments) {
+  const Question question = arguments.question.question();
+  if (question.box) {
+    throw InputError("", "GRASP", "some of its numbers are uncertain already",
+                     "a map is about one grasp, whose numbers its axes vary: give numbers, "
+                     "and preloaded contacts normals of rational length");
+  }
+  const MapAxis x = parse_axis(question.loaded, arguments.x, "--x");
+  const MapAxis y = parse_axis(question.loaded, arguments.y, "--y");
+  MapOptions options;
+  options.depth = arguments.depth;
+  options.box.node_limit = arguments.node_limit;
+  if (!arguments.certificates.empty()) make_folder("--certificates", arguments.certificates);
+  std::vector<MapCell> cells;
+  Progress progress;
+  map_verdicts(
+      question.loaded, question.law, x, y, options,
+      [&](MapCell cell) {
+        const bool proved = !std::holds_alternative<Undecided>(cell.decision.verdict);
+        if (proved && !arguments.certificates.empty()) {
+          const std::string producer = "stickslip " STICKSLIP_VERSION ", map";
+          const GraspBox box = box_of_cell(question.loaded, x, y, cell.x, cell.y);
+          const GraspDescription& description = question.loaded.grasp.description();
+          // Of a factor on nothing there is but one grasp.
+          const bool stable = std::holds_alternative<StableThroughout>(cell.decision.verdict);
+          const ProvedFiles files =
+              box.is_point()
+                  ? proved_grasp(box.middle(), description, question.law, stable, producer)
+                  : proved_box(box, description, question.law, cell.decision, producer);
+          write_proved_files("--certificates", arguments.certificates,
+                             {{"cell" + std::to_string(cells.size()), files}});
+        }
+        // A proof that is written, or that nobody wants, is not kept.
+        if (proved && std::holds_alternative<StableThroughout>(cell.decision.verdict)) {
+          cell.decision.verdict = StableThroughout{};
+        } else if (proved) {
+          cell.decision.verdict = UnstableThroughout{};
+        }
+        cells.push_back(std::move(cell));
+      },
+      [&](double done) {
+        progress.show("map: " + std::to_string(static_cast<int>(100 * done)) + " %, " +
+                      std::to_string(cells.size()) + " cells");
+      });
+  progress.clear();
+  if (!arguments.svg.empty()) {
+    write_whole_file(arguments.svg, plot_map(question.loaded.grasp.name(), x, y, cells));
+  }
+  if (arguments.output.json) {
+    print_json(question, x, y, cells, arguments.output.floats);
+  } else {
+    print_text(question, x, y, cells);
+  }
+  return kDone;
+}
+
+}  // namespace
+
+void add_map_command(CLI::App& app, int& exit_code) {
+  auto arguments = std::make_shared<MapArguments>();
+  CLI::App* command = app.add_subcommand(
+      "map", "Where in a plane of two numbers does it hold? Proved cell by cell");
+  arguments->question.add_to(*command);
+  for (auto& [option, value, words] :
+       std::array<std::tuple<const char*, std::string*, const char*>, 2>{
+           {{"--x", &arguments->x, "What grows to the right"},
+            {"--y", &arguments->y, "What grows upwards"}}}) {
+    command->add_option(option, *value, words)->type_name("NAME=FROM:TO")->required();
+  }
+  constexpr std::uint64_t kMostDepth = 12;
+  add_count_option(*command, "--depth", arguments->depth,
+                   "The finest cells are a 2^N-th of an axis", kMostDepth);
+  command->add_option("--svg", arguments->svg, "Draw the map")->type_name("FILE");
+  command
+      ->add_option("--certificates", arguments->certificates,
+                   "Write each proved cell there, cell0.json and so on, with its certificate "
+                   "for stickslip-check")
+      ->type_name("DIR");
+  add_node_limit_option(*command, arguments->node_limit);
+  arguments->output.add_to(*command);
+  command->footer(footer_text(
+      "NAME is friction, stiffness or preload (a factor on those of all contacts), one of "
+      "them\n"
+      "with [I] (the value of contact I), wrench[J] (a component), load (a factor on the\n"
+      "wrench), or direction (of its force, in degrees from the x axis).\n",
+      kExitCodes,
+      "stickslip map fig1.json --preload 1 --x friction=0:2 --y load=0:2 --svg map.svg"));
+  command->callback([arguments, &exit_code] { exit_code = map(*arguments); });
+}
+
+}  // namespace stickslip

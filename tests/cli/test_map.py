@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Maps of verdicts: cells that tile, that both checkers accept, and that samples agree with."""
+
+import json
+import os
+import random
+import unittest
+import xml.etree.ElementTree as ET
+from fractions import Fraction
+
+from test_box import A
+from test_cli import BAD_INPUT, CHECK, CHECK_PY, DONE, FIG1, Case, read, run, stickslip
+from test_radius import C
+
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+AXES = ("--x", "friction[2]=0:1", "--y", "friction[0]=1/5:3/5")
+
+
+def ends(interval):
+    return tuple(map(Fraction, interval))
+
+
+class Map(Case):
+    def cells(self, *words):
+        answer = self.json("map", *words)
+        found = [(ends(c["x"]), ends(c["y"]), c["verdict"]) for c in answer["cells"]]
+        whole = [ends(answer[axis]["range"]) for axis in "xy"]
+        area = sum((x[1] - x[0]) * (y[1] - y[0]) for x, y, _ in found)
+        self.assertEqual(area, (whole[0][1] - whole[0][0]) * (whole[1][1] - whole[1][0]))
+        for k, (x, y, _) in enumerate(found):
+            for u, v, _ in found[:k]:
+                self.assertFalse(x[0] < u[1] and u[0] < x[1] and y[0] < v[1] and v[0] < y[1])
+        return found
+
+    def test_cells_tile_and_agree_with_samples(self):
+        cells = self.cells(A, *AXES, "--depth", "4")
+        self.assertEqual({"stable", "unstable", "undecided"}, {c[2] for c in cells})
+        grasp = json.loads(read(A))
+        source = random.Random(1)
+        for x, y, verdict in source.sample(cells, 25):
+            if verdict == "undecided":
+                continue
+            places = [Fraction(source.randint(0, 4), 4) for _ in "xy"]
+            for contact, (low, high), place in zip((2, 0), (x, y), places):
+                grasp["contacts"][contact]["friction"] = str(low + place * (high - low))
+            asked = self.write("sample.json", json.dumps(grasp))
+            self.assertEqual(self.json("decide", asked)["verdict"], verdict)
+
+    def test_both_checkers_accept_every_cell(self):
+        folder = self.path("cells")
+        svg = self.path("map.svg")
+        cells = self.cells(A, *AXES, "--depth", "3", "--certificates", folder, "--svg", svg)
+        proved = [k for k, cell in enumerate(cells) if cell[2] != "undecided"]
+        names = {f"cell{k}{end}" for k in proved for end in (".json", ".certificate.json")}
+        self.assertEqual(set(os.listdir(folder)), names)
+        for k in proved:
+            grasp = os.path.join(folder, f"cell{k}.json")
+            friction = [c["friction"] for c in json.loads(read(grasp))["contacts"]]
+            for contact, interval in ((2, cells[k][0]), (0, cells[k][1])):
+                self.assertEqual((Fraction(friction[contact]["min"]),
+                                  Fraction(friction[contact]["max"])), interval)
+            for checker in ((CHECK,), ("/usr/bin/env", "python3", CHECK_PY)):
+                code, out, err = run(*checker, grasp, os.path.join(folder, f"cell{k}.certificate.json"))
+                self.assertEqual((code, out.split("\n")[0]), (DONE, "accepted"), out + err)
+                self.assertRegex(out, rf"verdict +{cells[k][2]}\b")
+        drawn = [(r.get("data-x"), r.get("data-y"), r.get("data-verdict"))
+                 for r in ET.fromstring(read(svg)).iter("{http://www.w3.org/2000/svg}rect")
+                 if r.get("data-verdict")]
+        self.assertEqual([(ends(x.split(",")), ends(y.split(",")), v) for x, y, v in drawn], cells)
+
+    def test_every_axis(self):
+        for name in ("friction=1/2:3/2", "stiffness=1/2:2", "preload=1/2:2", "friction[1]=0:1",
+                     "stiffness[0]=1/2:2", "preload[2]=0:2", "wrench[2]=-3:3",
+                     "direction=100:190"):
+            cells = self.cells(A, "--x", name, "--y", "load=1/2:1", "--depth", "2")
+            self.assertGreaterEqual(len(cells), 1, name)
+
+    def test_a_direction_is_enclosed(self):
+        # The load points up at 90 degrees; with the torque 0 it holds as --wrench says.
+        grasp = (FIG1, "--preload", "1", "--wrench", "1,0,0")
+        folder = self.path("turned")
+        cells = self.cells(*grasp, "--x", "direction=80:100", "--y", "load=1/8:1/4", "--depth", "1",
+                           "--certificates", folder)
+        self.assertTrue(any(c[2] == "stable" for c in cells))
+        for name in os.listdir(folder):
+            if name.endswith(".certificate.json"):
+                continue
+            x, y, _ = json.loads(read(os.path.join(folder, name)))["wrench"]
+            # |F| is between 1/8 and 1/4, and cos 80 degrees is about 0.17.
+            self.assertLessEqual(Fraction(y["max"]), Fraction(1, 4))
+            self.assertGreaterEqual(Fraction(y["min"]), Fraction(12, 100))
+            self.assertLess(abs(Fraction(x["min"])), Fraction(5, 100))
+
+    def test_more_friction_breaks_without_preload(self):
+        cells = self.cells(C, "--x", "friction[1]=1/10:3/10", "--y", "load=9/10:11/10", "--depth", "3")
+        row = [c for c in cells if c[1][0] <= 1 <= c[1][1]]
+        self.assertEqual(row[0][2], "stable")
+        self.assertEqual(row[-1][2], "unstable")
+
+    def test_pictures_of_the_documentation(self):
+        for name, grasp, x, depth in (("A", A, "friction[2]=0:1", "7"),
+                                      ("C", C, "friction[1]=0:1/2", "6")):
+            svg = self.path("again.svg")
+            self.cells(grasp, "--x", x, "--y", x.replace("2]", "0]").replace("1]", "0]"),
+                       "--depth", depth, "--svg", svg)
+            committed = os.path.join(ROOT, "docs", "maps", f"{name}.svg")
+            self.assertEqual(read(svg), read(committed))
+
+    def test_errors(self):
+        for words, part in (
+                (("--x", "frction=0:1", "--y", "load=0:1"), "did you mean \"friction\""),
+                (("--x", "friction=1:0", "--y", "load=0:1"), "its range is empty"),
+                (("--x", "friction=-1:1", "--y", "load=0:1"), "it is 0 or more"),
+                (("--x", "stiffness=0:1", "--y", "load=0:1"), "a stiffness is above 0"),
+                (("--x", "friction[9]=0:1", "--y", "load=0:1"), "the last is friction[2]"),
+                (("--x", "wrench=0:1", "--y", "load=0:1"), "wrench[2], which is the torque"),
+                (("--x", "load[1]=0:1", "--y", "friction=0:1"), "load has no parts"),
+                (("--x", "load=0", "--y", "friction=0:1"), "write NAME=FROM:TO"),
+                (("--x", "load=0:x", "--y", "friction=0:1"), "its range"),
+                (("--x", "friction=0:1", "--y", "friction[1]=0:1"), "both axes vary"),
+                (("--x", "direction=0:9", "--y", "wrench[0]=0:1"), "both axes vary")):
+            code, out, err = stickslip("map", A, *words)
+            self.assertEqual((code, out), (BAD_INPUT, ""), words)
+            self.assertIn(part, err)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -93,14 +93,9 @@ int map(const MapArguments& arguments) {
         const bool proved = !std::holds_alternative<Undecided>(cell.decision.verdict);
         if (proved && !arguments.certificates.empty()) {
           const std::string producer = "stickslip " STICKSLIP_VERSION ", map";
-          const GraspBox box = box_of_cell(question.loaded, x, y, cell.x, cell.y);
-          const GraspDescription& description = question.loaded.grasp.description();
-          // Of a factor on nothing there is but one grasp.
-          const bool stable = std::holds_alternative<StableThroughout>(cell.decision.verdict);
-          const ProvedFiles files =
-              box.is_point()
-                  ? proved_grasp(box.middle(), description, question.law, stable, producer)
-                  : proved_box(box, description, question.law, cell.decision, producer);
+          const ProvedFiles files = proved_box(
+              box_of_cell(question.loaded, x, y, cell.x, cell.y),
+              question.loaded.grasp.description(), question.law, cell.decision, producer);
           write_proved_files("--certificates", arguments.certificates,
                              {{"cell" + std::to_string(cells.size()), files}});
         }

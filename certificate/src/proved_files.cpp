@@ -40,6 +40,10 @@ ProvedFiles proved_grasp(const LoadedGrasp& loaded, const GraspDescription& desc
 
 ProvedFiles proved_box(const GraspBox& box, const GraspDescription& description, NormalLaw law,
                        const BoxDecision& decision, const std::string& producer) {
+  if (box.is_point()) {
+    const bool stable = std::holds_alternative<StableThroughout>(decision.verdict);
+    return proved_grasp(box.middle(), description, law, stable, producer);
+  }
   const GraspFile file{box.middle(description), {}, {}, box};
   return {write_grasp_file(file), box_certificate_text(about(file, law), decision, producer)};
 }

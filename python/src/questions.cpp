@@ -2,6 +2,7 @@
 #include "bindings.hpp"
 #include "exact.hpp"
 #include "stickslip/arrangement/slip_states.hpp"
+#include "stickslip/box/map.hpp"
 #include "stickslip/box/radius.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/certificate/proved_files.hpp"
@@ -10,6 +11,7 @@
 #include "stickslip/equilibrium/decide.hpp"
 #include "stickslip/equilibrium/margin.hpp"
 #include "stickslip/equilibrium/model_warnings.hpp"
+#include "stickslip/plot/map_plot.hpp"
 
 namespace stickslip::python {
 namespace {
@@ -275,6 +277,59 @@ py::dict find_grasp_radius(const GraspFile& grasp, const std::string& uncertain,
   return result;
 }
 
+/// The arguments of results.MapCell, but the proof's law.
+py::tuple map_cell(const MapCell& cell, const std::optional<ProvedFiles>& proof) {
+  const auto ends = [](const Interval& interval) {
+    return fractions(interval.low, interval.high);
+  };
+  return py::make_tuple(ends(cell.x), ends(cell.y), name_of(cell.decision.verdict),
+                        proof ? py::object(files(*proof)) : py::object(py::none()));
+}
+
+py::dict map_grasp(const GraspFile& grasp, const std::string& x_text, const std::string& y_text,
+                   const py::object& wrench, const py::object& preload, bool bilateral,
+                   unsigned depth, std::size_t node_limit, bool proofs) {
+  struct Answer {
+    Question question;
+    std::vector<MapCell> cells;
+    std::vector<std::optional<ProvedFiles>> files;  ///< by cell
+    std::string picture;
+  };
+  const QuestionOptions asked = question_options(wrench, preload, bilateral);
+  const Answer answer = without_gil([&] {
+    require_load(grasp, asked);
+    Answer found{ask(grasp, asked), {}, {}, {}};
+    const LoadedGrasp& loaded = found.question.loaded;
+    problem_of(found.question);  // refuses what is a box already
+    const MapAxis x = parse_axis(loaded, x_text, "x");
+    const MapAxis y = parse_axis(loaded, y_text, "y");
+    MapOptions options;
+    options.depth = depth;
+    options.box.node_limit = node_limit;
+    map_verdicts(loaded, found.question.law, x, y, options, [&](MapCell cell) {
+      const bool proved = !std::holds_alternative<Undecided>(cell.decision.verdict);
+      found.files.emplace_back();
+      if (proofs && proved) {
+        found.files.back() =
+            proved_box(box_of_cell(loaded, x, y, cell.x, cell.y), loaded.grasp.description(),
+                       found.question.law, cell.decision, kBoxProducer);
+      }
+      found.cells.push_back(std::move(cell));
+    });
+    found.picture = plot_map(loaded.grasp.name(), x, y, found.cells);
+    return found;
+  });
+  py::tuple cells(answer.cells.size());
+  for (std::size_t k = 0; k < cells.size(); ++k) {
+    cells[k] = map_cell(answer.cells[k], answer.files[k]);
+  }
+  py::dict result("cells"_a = cells, "picture"_a = answer.picture,
+                  "normal_law"_a = to_string(answer.question.law),
+                  "wrench"_a = fractions(answer.question.loaded.wrench));
+  if (answer.question.preload) result["preload"] = fraction(*answer.question.preload);
+  return result;
+}
+
 }  // namespace
 
 std::string certificate_of(const Question& question, const Decision& decision) {
@@ -358,6 +413,7 @@ void bind_questions(py::module_& module) {
   module.def("margin", &find_grasp_margin);
   module.def("decide_box", &decide_grasp_box);
   module.def("radius", &find_grasp_radius);
+  module.def("stability_map", &map_grasp);
 }
 
 }  // namespace stickslip::python

@@ -29,6 +29,7 @@ from .questions import (
     radius,
     region,
     slip_states,
+    stability_map,
 )
 from .results import (
     BoxDecision,
@@ -38,6 +39,7 @@ from .results import (
     CrossCheck,
     Decision,
     Decisions,
+    MapCell,
     Margin,
     Method,
     ModelWarning,
@@ -49,6 +51,7 @@ from .results import (
     Region,
     Residual,
     SlipStates,
+    StabilityMap,
 )
 from .views import Picture
 
@@ -66,6 +69,7 @@ __all__ = [
     "Grasp",
     "InputError",
     "LimitReached",
+    "MapCell",
     "Margin",
     "Method",
     "ModelWarning",
@@ -81,6 +85,7 @@ __all__ = [
     "SlipStates",
     "SnapResult",
     "SnappedNormal",
+    "StabilityMap",
     "check",
     "compare",
     "crosscheck",
@@ -93,4 +98,5 @@ __all__ = [
     "radius",
     "region",
     "slip_states",
+    "stability_map",
 ]

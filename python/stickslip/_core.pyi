@@ -78,6 +78,17 @@ def radius(
     accuracy: Any,
     node_limit: int,
 ) -> Dict[str, Any]: ...
+def stability_map(
+    grasp: GraspData,
+    x: str,
+    y: str,
+    wrench: Optional[List[Any]],
+    preload: Any,
+    bilateral: bool,
+    depth: int,
+    node_limit: int,
+    proofs: bool,
+) -> Dict[str, Any]: ...
 def decide_many(
     count: int,
     grasps: List[GraspData],

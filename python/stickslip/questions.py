@@ -44,6 +44,7 @@ from .results import (
     CrossCheck,
     Decision,
     Decisions,
+    MapCell,
     Margin,
     Method,
     ModelWarning,
@@ -55,6 +56,7 @@ from .results import (
     Region,
     Residual,
     SlipStates,
+    StabilityMap,
 )
 from .views import Picture
 
@@ -204,6 +206,42 @@ def radius(
         as_count("node_limit", node_limit))
     return Radius(grasp=about, uncertain=tolerances,
                   **_with_proofs(result, "proof", "counterexample"))
+
+
+def stability_map(
+    grasp: Grasp,
+    x: str,
+    y: str,
+    wrench: Any = None,
+    *,
+    friction: Optional[Number] = None,
+    preload: Optional[Number] = None,
+    normal_law: str = "unilateral",
+    depth: int = 6,
+    node_limit: int = 0,
+    proofs: bool = False,
+) -> StabilityMap:
+    """Where in a plane of two numbers does it hold? Proved cell by cell.
+
+    Args:
+        grasp, wrench, friction, preload, normal_law: as of ``decide``.
+        x, y: "NAME=FROM:TO", as in "friction=0:1"; the names are those of ``stickslip map``.
+        depth: the finest cells are a 2**depth-th of an axis.
+        node_limit: let each proof give up after so many nodes; 0: one that suits most questions.
+        proofs: keep the proof of each cell.
+    """
+    about = _with_friction(grasp, friction)
+    result = _core.stability_map(
+        about._data, str(x), str(y), as_wrench_or_none(wrench),
+        as_number_or_none(preload, "preload"), is_bilateral(normal_law),
+        as_count("depth", depth, 12), as_count("node_limit", node_limit), bool(proofs))
+    law = result["normal_law"]
+    result["cells"] = tuple(
+        MapCell(along_x, along_y, verdict,
+                None if texts is None else Proof(texts[0], texts[1], law))
+        for along_x, along_y, verdict, texts in result["cells"])
+    result["picture"] = Picture(result["picture"])
+    return StabilityMap(grasp=about, x=str(x), y=str(y), **result)
 
 
 def slip_states(

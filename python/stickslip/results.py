@@ -193,6 +193,39 @@ class Radius(Answer):
     wrench_float = FloatView[FloatArray]("wrench", 3)
 
 
+class MapCell(NamedTuple):
+    """A rectangle of a map, with one verdict for all grasps in it."""
+
+    x: Tuple[Fraction, Fraction]
+    """From and to, along the first axis."""
+    y: Tuple[Fraction, Fraction]
+    """Along the second axis."""
+    verdict: str
+    """"stable" or "unstable" throughout; or "undecided", where the finest cells have no proof."""
+    proof: Optional[Proof] = None
+    """If proofs were asked for, unless undecided."""
+
+
+@dataclass(frozen=True, repr=False)
+class StabilityMap(Answer):
+    """Where in a plane of two numbers a grasp holds, proved cell by cell."""
+
+    x: str
+    """The axes, as they were asked for."""
+    y: str
+    normal_law: str
+    wrench: Triple
+    grasp: Grasp = field(repr=False)
+    cells: Tuple[MapCell, ...] = field(repr=False)
+    """They tile the rectangle of the axes."""
+    picture: Picture = field(repr=False)
+    preload: Optional[Fraction] = None
+    """Set if it replaced the grasp's preloads."""
+
+    def _picture(self) -> Optional[Picture]:
+        return self.picture
+
+
 class Decisions(Sequence[Decision]):
     """The answers to many questions, in their order. Each becomes a Decision when it is looked at.
 

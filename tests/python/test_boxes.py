@@ -9,7 +9,7 @@ from fractions import Fraction
 import pytest
 import stickslip
 from conftest import CHECK_PY, ROOT, program
-from stickslip import Grasp, InputError, decide, radius
+from stickslip import Grasp, InputError, decide, radius, stability_map
 
 # More friction breaks it: stable up to 1/2 at contact 2, unstable above.
 A = ROOT / "examples" / "grasps" / "more-friction-breaks.json"
@@ -101,3 +101,24 @@ def test_arguments(fig1):
         decide(fig1, LOAD, uncertain="friction=101%")
     with pytest.raises(InputError, match="wrench"):
         decide(fig1, [LOAD, LOAD], uncertain="friction=1%")
+
+
+def test_map_is_that_of_the_program(fig1, tmp_path):
+    path, svg = tmp_path / "g.json", tmp_path / "map.svg"
+    path.write_text(fig1.to_text())
+    axes = "friction[0]=0:1", "load=1/2:2"
+    expected = program("map", path, "--wrench", "0,1/2,0", "--x", axes[0], "--y", axes[1],
+                       "--depth", "3", "--svg", svg)
+    found = stability_map(fig1, *axes, LOAD, depth=3, proofs=True)
+    assert svg.read_text() == found.picture == found._repr_svg_()
+    assert [(list(c.x), list(c.y), c.verdict) for c in found.cells] == [
+        (list(map(Fraction, c["x"])), list(map(Fraction, c["y"])), c["verdict"])
+        for c in expected["cells"]]
+    for cell in found.cells:
+        assert (cell.proof is None) == (cell.verdict == "undecided")
+        if cell.proof is not None:
+            assert cell.proof.check().verdict == cell.verdict
+    assert stability_map(fig1, *axes, LOAD, depth=3).cells[0].proof is None
+    with pytest.raises(InputError) as error:
+        stability_map(fig1, "friction=1:0", "load=0:1", LOAD)
+    assert error.value.place == "x"

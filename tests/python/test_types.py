@@ -10,7 +10,7 @@ from conftest import ROOT
 
 USER = '''
 from fractions import Fraction
-from typing import Sequence, Union
+from typing import Sequence, Tuple, Union
 
 import numpy as np
 import stickslip
@@ -29,6 +29,8 @@ x: Fraction = corners[0][0]
 placed, moved = Grasp.from_outline([[0, 0], [1, 0], [0, 1]], [["1/2", 0]], 1, tolerance=0)
 distance: float = moved[0]
 box: stickslip.BoxDecision = stickslip.decide(grasp, (0, 1, 0), uncertain={"friction": "10%"})
+cells: Tuple[stickslip.MapCell, ...] = stickslip.stability_map(
+    grasp, "load=0:1", "friction=0:1", (0, 1, 0), depth=1).cells
 factor: Fraction = stickslip.radius(grasp, (0, 1, 0), uncertain="friction=10%").proved
 '''
 

@@ -23,7 +23,8 @@ struct ProvedFiles {
 ProvedFiles proved_grasp(const LoadedGrasp& loaded, const GraspDescription& description,
                          NormalLaw law, bool stable, const std::string& producer);
 
-/// Of a box that is stable or unstable throughout, as `decision` proves.
+/// Of a box that is stable or unstable throughout, as `decision` proves. A box of one grasp has
+/// that grasp's files.
 ProvedFiles proved_box(const GraspBox& box, const GraspDescription& description, NormalLaw law,
                        const BoxDecision& decision, const std::string& producer);
 

@@ -9,6 +9,7 @@
 
 #include "box_cases.hpp"
 #include "cases.hpp"
+#include "rounds.hpp"
 #include "stickslip/equilibrium/decide.hpp"
 
 namespace stickslip {
@@ -63,7 +64,8 @@ void expect_right(Uncertain uncertain, std::uint64_t seed, int boxes, const char
                   int samples = 12) {
   RandomSource random(seed);
   Tally tally;
-  for (int round = 0; round < boxes && !::testing::Test::HasFatalFailure(); ++round) {
+  for (int round = 0; round < test::rounds(boxes) && !::testing::Test::HasFatalFailure();
+       ++round) {
     const BoxCase about = test::random_box(random, uncertain);
     const BoxDecision decision = about.decide();
     tally.count(decision);
@@ -96,7 +98,7 @@ TEST(RandomBoxes, IrrationalLengths) {
 TEST(IrrationalLengths, AGraspTurnedHasTheSameVerdict) {
   RandomSource random(6);
   Tally tally;
-  for (int round = 0; round < 60; ++round) {
+  for (int round = 0; round < test::rounds(60); ++round) {
     const Grasp grasp =
         test::generic_grasp(random, static_cast<std::size_t>(random.between(3, 5)));
     const NormalLaw law = NormalLaw::kBilateral;
@@ -115,7 +117,7 @@ TEST(IrrationalLengths, AGraspTurnedHasTheSameVerdict) {
         << write_grasp(other);
   }
   tally.print("turned by 45 degrees");
-  EXPECT_GE(tally.of("stable") + tally.of("unstable"), 10u);
+  EXPECT_GE(tally.of("stable") + tally.of("unstable"), test::rounds(10u));
 }
 
 /// The file's grasp, with its own loads and under both laws: a box of one point.

@@ -12,6 +12,7 @@
 #include "family.hpp"
 #include "judged.hpp"
 #include "paper_grasps.hpp"
+#include "rounds.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
@@ -19,6 +20,7 @@ namespace {
 
 using test::LoadCase;
 using test::RandomSource;
+using test::rounds;
 
 std::string describe(const std::vector<MarginInterval>& resisted) {
   std::string text;
@@ -143,7 +145,7 @@ void print(const char* family, const Tally& tally) {
 TEST(Margin, EveryEndAgainstVerdictsOnDegenerateGrasps) {
   RandomSource random(611);
   Tally tally;
-  for (int round = 0; round < 120; ++round) {
+  for (int round = 0; round < rounds(120); ++round) {
     const auto contacts = static_cast<std::size_t>(random.between(0, 4));
     LoadCase load_case;
     load_case.law = random.one_in(3) ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
@@ -154,15 +156,15 @@ TEST(Margin, EveryEndAgainstVerdictsOnDegenerateGrasps) {
     expect_exact(test::margin_question(load_case.loaded, load_case.law, direction), tally);
   }
   print("degenerate", tally);
-  EXPECT_GT(tally.intervals[0], 10U);
-  EXPECT_GT(tally.intervals[1], 10U);
-  EXPECT_GT(tally.unbounded, 10U);
+  EXPECT_GT(tally.intervals[0], rounds(10U));
+  EXPECT_GT(tally.intervals[1], rounds(10U));
+  EXPECT_GT(tally.unbounded, rounds(10U));
 }
 
 TEST(Margin, EveryEndAgainstVerdictsOnGenericGrasps) {
   RandomSource random(612);
   Tally tally;
-  for (int round = 0; round < 80; ++round) {
+  for (int round = 0; round < rounds(80); ++round) {
     const auto contacts = static_cast<std::size_t>(random.between(2, 6));
     LoadCase load_case;
     load_case.law = random.one_in(3) ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
@@ -179,12 +181,12 @@ TEST(Margin, EveryEndAgainstVerdictsOnGenericGrasps) {
     expect_exact(test::margin_question(load_case.loaded, load_case.law, direction), tally);
   }
   print("generic", tally);
-  EXPECT_GT(tally.intervals[1], 20U);
+  EXPECT_GT(tally.intervals[1], rounds(20U));
 }
 
 TEST(Margin, ScalesWithTheDirectionAndShiftsWithTheBase) {
   RandomSource random(613);
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < rounds(40); ++round) {
     const Grasp grasp = test::generic_grasp(random, 4);
     const Wrench base = test::planted_wrench(random, grasp, NormalLaw::kUnilateral);
     Wrench direction = test::small_wrench(random);
@@ -277,7 +279,7 @@ std::optional<Question> random_preload_margin(RandomSource& random, const Loaded
 TEST(Margin, EveryEndAgainstVerdictsAlongPreloadsOfDegenerateGrasps) {
   RandomSource random(614);
   Tally tally;
-  for (int round = 0; round < 160; ++round) {
+  for (int round = 0; round < rounds(160); ++round) {
     const auto contacts = static_cast<std::size_t>(random.between(1, 4));
     const NormalLaw law = random.one_in(3) ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
     const LoadedGrasp loaded{test::degenerate_grasp(random, contacts),
@@ -286,15 +288,15 @@ TEST(Margin, EveryEndAgainstVerdictsAlongPreloadsOfDegenerateGrasps) {
     if (question) expect_exact(*question, tally);
   }
   print("degenerate, preloads", tally);
-  EXPECT_GT(tally.intervals[0], 10U);
-  EXPECT_GT(tally.intervals[1], 10U);
-  EXPECT_GT(tally.unbounded, 10U);
+  EXPECT_GT(tally.intervals[0], rounds(10U));
+  EXPECT_GT(tally.intervals[1], rounds(10U));
+  EXPECT_GT(tally.unbounded, rounds(10U));
 }
 
 TEST(Margin, EveryEndAgainstVerdictsAlongPreloadsOfGenericGrasps) {
   RandomSource random(615);
   Tally tally;
-  for (int round = 0; round < 80; ++round) {
+  for (int round = 0; round < rounds(80); ++round) {
     const auto contacts = static_cast<std::size_t>(random.between(2, 6));
     const NormalLaw law = random.one_in(3) ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
     const Grasp grasp = test::generic_grasp(random, contacts);
@@ -303,7 +305,7 @@ TEST(Margin, EveryEndAgainstVerdictsAlongPreloadsOfGenericGrasps) {
     if (question) expect_exact(*question, tally);
   }
   print("generic, preloads", tally);
-  EXPECT_GT(tally.intervals[1], 20U);
+  EXPECT_GT(tally.intervals[1], rounds(20U));
 }
 
 // An equilibrium under w with the preloads l P is, scaled by 1/l, one under w/l with P. The one
@@ -311,7 +313,7 @@ TEST(Margin, EveryEndAgainstVerdictsAlongPreloadsOfGenericGrasps) {
 TEST(Margin, MorePreloadIsAsLessLoad) {
   RandomSource random(616);
   std::size_t ends = 0;
-  for (int round = 0; round < 150; ++round) {
+  for (int round = 0; round < rounds(150); ++round) {
     const auto contacts = static_cast<std::size_t>(random.between(1, 5));
     const NormalLaw law = random.one_in(3) ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
     Grasp grasp = random.one_in(2) ? test::generic_grasp(random, contacts)
@@ -343,7 +345,7 @@ TEST(Margin, MorePreloadIsAsLessLoad) {
       EXPECT_EQ(error.place(), "contacts[0].normal");
     }
   }
-  EXPECT_GT(ends, 1000U);
+  EXPECT_GT(ends, rounds(1000U));
 }
 
 }  // namespace

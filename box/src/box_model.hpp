@@ -110,6 +110,8 @@ class ContactWork {
   }
 
   const Number& slope(std::size_t s) const { return slopes_[s]; }
+  /// Whether some alpha is above 0.
+  bool pushes() const { return rises_[0] || rises_[1]; }
   /// Whether alpha is further from 0 than `error` at all corners, if its sign matters.
   bool is_clear(const Number& error) const {
     if (!mixed_) return true;

@@ -36,9 +36,13 @@ std::array<double, n> shortened(const IntegerVector5& x) {
 template <std::size_t n>
 IntegerVector<n> rounded(const std::array<double, n>& a, int bits) {
   double largest = 0;
-  for (const double entry : a) largest = std::max(largest, std::fabs(entry));
+  bool finite = true;
+  for (const double entry : a) {
+    largest = std::max(largest, std::fabs(entry));
+    finite = finite && std::isfinite(entry);
+  }
   IntegerVector<n> result{};
-  if (!(largest > 0) || !std::isfinite(largest)) return result;
+  if (!finite || !(largest > 0)) return result;
   for (std::size_t j = 0; j < n; ++j) {
     result[j] = std::llround(std::ldexp(a[j] / largest, bits));
   }
@@ -80,6 +84,7 @@ class BoxSearch::Wolfe {
     std::vector<double> tangential;
   };
 
+  bool is_idle(const Point& point, const std::vector<ContactWork<double>>& works) const;
   double bound(const Point& point, const std::vector<ContactWork<double>>& works,
                const Double3& y, bool& acts) const;
   Support support(std::size_t point, const std::vector<ContactWork<double>>& works,
@@ -131,7 +136,11 @@ BoxSearch::Wolfe::Wolfe(const BoxModel& model, const BoxRegion& region,
         constexpr double kDoubtful = 1e-12;
         if (std::fabs(rise) < kDoubtful * norm(n)) {
           const IntegerVector3 motion{exact[0], exact[1], exact[2]};
-          if (dot(model.contacts[i].exact.normals[corner], motion).is_zero()) rise = 0;
+          if (dot(model.contacts[i].exact.normals[corner], motion).is_zero()) {
+            rise = 0;
+          } else {
+            is_moderate_ = false;  // its sign may be wrong
+          }
         }
         point.rises.push_back(rise);
         size_of_rise = std::max(size_of_rise, std::fabs(n[0] * d[0]) + std::fabs(n[1] * d[1]) +
@@ -175,6 +184,20 @@ double BoxSearch::Wolfe::bound(const Point& point,
   return sum;
 }
 
+/// Whether h is 0 and so is every bound, by what is exact: zeros, and signs that are clear.
+bool BoxSearch::Wolfe::is_idle(const Point& point,
+                               const std::vector<ContactWork<double>>& works) const {
+  if (point.x[3] != 0) return false;
+  for (std::size_t k = 0; k < works.size(); ++k) {
+    const bool mixed = region_.separation(acting_[k]) == Separation::kMixed;
+    for (std::size_t c = 0; c < works[k].pairs().corners; ++c) {
+      const double rise = point.rises[first_[k] + c];
+      if (mixed ? rise < 0 && works[k].pushes() : rise != 0) return false;
+    }
+  }
+  return true;
+}
+
 std::optional<bool> BoxSearch::Wolfe::certainly_refuted(const IntegerVector3& twist) const {
   if (!is_moderate_) return std::nullopt;
   Double3 y{};
@@ -212,10 +235,9 @@ std::optional<bool> BoxSearch::Wolfe::certainly_refuted(const IntegerVector3& tw
       if (against > size) return false;
       if (!(against < -size)) certain = false;
     }
+    if (is_idle(point, works)) continue;  // g and h are 0: the ray is barred
     bool acts = false;
     const double work = bound(point, works, y, acts);
-    // Where nothing acts, g and h are 0: the ray is barred.
-    if (!acts) continue;
     double error = 0;
     for (std::size_t j = 0; j < 3; ++j) {
       error += point.x[3] * std::fabs(y[j]) *
@@ -507,7 +529,9 @@ std::optional<BoxSearch::Split> BoxSearch::split(const BoxRegion& region,
 
 bool BoxSearch::visit(const BoxRegion& region, BoxTrees& trees, std::size_t depth) {
   throw_if_cancelled();
-  if (nodes_left_ == 0 || depth > 2 * model_.contacts.size() + 250) return false;
+  // Below the depth that the format allows, by more than the parts of a box above this tree.
+  const std::size_t deepest = 2 * model_.contacts.size() + 200;
+  if (nodes_left_ == 0 || depth > deepest) return false;
   --nodes_left_;
   ++nodes_;
   if (region.is_barred()) {
@@ -520,14 +544,10 @@ bool BoxSearch::visit(const BoxRegion& region, BoxTrees& trees, std::size_t dept
       trees.push_back(VirtualWorkLeaf{*y});
       return true;
     }
-    relaxed_ = {};
     return false;
   }
   const auto chosen = split(region, wolfe);
-  if (!chosen) {
-    relaxed_ = wolfe.relaxed();
-    return false;
-  }
+  if (!chosen) return false;
   trees.push_back(chosen->node);
   const auto go = [&](Side side, bool strict) {
     return visit(region.child(model_, chosen->plane, side, strict), trees, depth + 1);

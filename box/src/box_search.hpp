@@ -23,16 +23,13 @@ class BoxSearch {
 
   std::size_t nodes() const { return nodes_; }
 
-  /// Where the last search that failed gave up: friction slopes and normal forces by contact of
-  /// a relaxed equilibrium, and its motion (d, h) in rounded numbers.
+ private:
+  /// A relaxed equilibrium in rounded numbers: its motion (d, h), and forces by contact.
   struct Relaxed {
     std::array<double, 4> motion{};
     std::vector<double> normal;
     std::vector<double> tangential;
   };
-  const Relaxed& relaxed() const { return relaxed_; }
-
- private:
   struct Split {
     BoxNode node;
     IntegerVector5 plane;
@@ -48,7 +45,6 @@ class BoxSearch {
   const Direction* direction_;
   std::size_t nodes_left_;
   std::size_t nodes_ = 0;
-  Relaxed relaxed_;
 };
 
 }  // namespace stickslip::box_detail

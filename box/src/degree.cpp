@@ -94,9 +94,9 @@ class Walls {
   std::vector<Vector> generators_;     ///< how far the total wrench moves with each parameter
   Matrix stiffness_ = Matrix::Zero();  ///< C
   Matrix rows_ = Matrix::Zero();       ///< E, up to the widths
-  Vector below_ = Vector::Ones();      ///< widths: of rows_ (d - motion_) from -below_
-  std::array<int, 6> steps_{};
-  Vector above_ = Vector::Ones();  ///< to above_
+  Vector below_ = Vector::Ones();      ///< rows_ (d - motion_) goes from -below_
+  Vector above_ = Vector::Ones();      ///< to above_
+  std::array<int, 6> steps_{};         ///< by which each wall has grown
   bool sound_ = false;
 };
 
@@ -346,6 +346,7 @@ DegreeProof Walls::proof() const {
     }
   }
   const Vector centre = motion_ + shift;
+  if (!centre.allFinite()) return {};  // no walls at all
   Vector3 d{rational_from_double(centre[0]), rational_from_double(centre[1]),
             rational_from_double(centre[2] / length_)};
   result.twist = rounded_motion(d, result.walls);

@@ -59,8 +59,7 @@ std::string Report::factor(const Rational& factor, Round round) const {
 std::string Report::tolerances_table() const {
   std::vector<std::vector<std::string>> rows{{""}, {"asked"}, {"proved"}, {"refuted"}};
   const auto add = [&](const std::string& name, const Tolerance& tolerance) {
-    const Rational size =
-        tolerance.relative ? Rational(100 * tolerance.amount) : tolerance.amount;
+    const Rational size = tolerance.spelled();
     const std::string unit = tolerance.relative ? " %" : "";
     rows[0].push_back(name);
     rows[1].push_back(factor(size, Round::kDown) + unit);
@@ -69,13 +68,7 @@ std::string Report::tolerances_table() const {
                                       : "-");
   };
   add("factor", {1, false});
-  const Tolerances& asked = question_.uncertain;
-  for (const auto& [name, tolerance] :
-       {std::pair{"friction", &asked.friction}, std::pair{"stiffness", &asked.stiffness},
-        std::pair{"preload", &asked.preload}, std::pair{"position", &asked.position},
-        std::pair{"normal", &asked.normal}, std::pair{"wrench", &asked.wrench}}) {
-    if (*tolerance) add(name, **tolerance);
-  }
+  for (const auto& [kind, tolerance] : given(question_.uncertain)) add(kind, tolerance);
   return short_table(rows);
 }
 

@@ -56,11 +56,10 @@ const Interval& interval(const ParameterContact& contact, Parameter parameter) {
 /// The contact at each corner of its geometry: x, y and turn, the last of these slowest.
 std::vector<Contact> corners_of(const ParameterContact& contact) {
   std::vector<Contact> corners;
-  const Vector2& n = contact.normal;
   for (const Rational& e : ends(interval(contact, Parameter::kTurn))) {
     for (const Rational& y : ends(interval(contact, Parameter::kY))) {
       for (const Rational& x : ends(interval(contact, Parameter::kX))) {
-        corners.push_back({{x, y}, {n.x - e * n.y, n.y + e * n.x}});
+        corners.push_back({{x, y}, turned(contact.normal, e)});
       }
     }
   }

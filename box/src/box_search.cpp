@@ -467,6 +467,18 @@ std::optional<BoxSearch::Split> BoxSearch::split(const BoxRegion& region,
     if (!signs.positive || !signs.negative) return std::nullopt;
     return Split{PlaneSplit{rotation}, rotation};
   };
+  // The corner plane nearest to the motion, of those that serve the split to this side.
+  const auto nearest_of = [&](const std::vector<IntegerVector5>& planes, int side,
+                              const auto& serves) {
+    const IntegerVector5* nearest = nullptr;
+    double least = HUGE_VAL;
+    for (const IntegerVector5& plane : planes) {
+      if (!serves(region.signs(plane)) || side * value(plane) >= least) continue;
+      least = side * value(plane);
+      nearest = &plane;
+    }
+    return nearest;
+  };
   if (separation_gap > kNoticeable * energy) {
     const std::vector<IntegerVector5>& planes = model_.contacts[separation].separations;
     if (planes.size() == 1) {
@@ -474,15 +486,8 @@ std::optional<BoxSearch::Split> BoxSearch::split(const BoxRegion& region,
     }
     if (const auto rotation = split_of_rotation()) return rotation;
     const int side = stands_still ? 1 : sign_of_all(planes);
-    const IntegerVector5* nearest = nullptr;
-    double least = HUGE_VAL;
-    for (const IntegerVector5& plane : planes) {
-      const BoxRegion::Signs signs = region.signs(plane);
-      if (!signs.negative || !signs.positive) continue;
-      if (side * value(plane) >= least) continue;
-      least = side * value(plane);
-      nearest = &plane;
-    }
+    const IntegerVector5* nearest = nearest_of(
+        planes, side, [](const auto& signs) { return signs.negative && signs.positive; });
     if (nearest != nullptr) return Split{PlaneSplit{*nearest}, *nearest};
   }
   if (slip_gap > kNoticeable * energy) {
@@ -490,16 +495,11 @@ std::optional<BoxSearch::Split> BoxSearch::split(const BoxRegion& region,
     if (planes.size() == 1) return Split{SlipSplit{ContactId(slip)}, planes.front(), true};
     if (const auto rotation = split_of_rotation()) return rotation;
     const int side = stands_still ? 1 : sign_of_all(planes);
-    const IntegerVector5* nearest = nullptr;
-    double least = HUGE_VAL;
-    for (const IntegerVector5& plane : planes) {
-      const BoxRegion::Signs signs = region.signs(plane);
-      if (!(side > 0 ? signs.positive : signs.negative)) continue;
-      if (!(side > 0 ? signs.negative : signs.positive) && signs.zeros_barred) continue;
-      if (side * value(plane) >= least) continue;
-      least = side * value(plane);
-      nearest = &plane;
-    }
+    const IntegerVector5* nearest = nearest_of(planes, side, [side](const auto& signs) {
+      const bool here = side > 0 ? signs.positive : signs.negative;
+      const bool beyond = side > 0 ? signs.negative : signs.positive;
+      return here && (beyond || !signs.zeros_barred);
+    });
     if (nearest != nullptr) {
       // The strict side is that of the second child.
       const IntegerVector5 plane = side > 0 ? negated(*nearest) : *nearest;

@@ -39,15 +39,14 @@ class Decider {
 
   /// Proves what the middle of the box is of all of it; false if that failed.
   bool prove(const ParameterBox& box) {
-    const Verdict there = decide_by_cones(problem_at(box.middle()));
+    const Problem middle = problem_at(box.middle());
+    const Verdict there = decide_by_cones(middle);
     const bool stable = std::holds_alternative<Stable>(there);
     if (!first_) first_ = stable;
-    if (*first_ != stable) {
-      return false;
-    }
+    if (*first_ != stable) return false;
     ++work_.parts;
     if (const auto* found = std::get_if<Stable>(&there)) {
-      std::vector<Witness> equilibria = find_equilibria(problem_at(box.middle()), 40);
+      std::vector<Witness> equilibria = find_equilibria(middle, 40);
       equilibria.insert(equilibria.begin(), found->witness);
       constexpr std::size_t kMostTried = 4;
       equilibria.resize(std::min(equilibria.size(), kMostTried));
@@ -128,10 +127,6 @@ std::optional<PartSplit> Decider::widest(const ParameterBox& box, const Verdict&
   return best;
 }
 
-}  // namespace
-
-namespace {
-
 /// Two grasps in the box with opposite verdicts, if the suspects are right.
 std::optional<Fragile> find_examples(const GraspBox& box, NormalLaw law, bool middle_is_stable,
                                      BoxWork& work) {
@@ -190,15 +185,18 @@ BoxDecision prove_box(const GraspBox& box, NormalLaw law, const BoxOptions& opti
   }
 }
 
+std::optional<bool> throughout(const BoxDecision& decision) {
+  if (std::holds_alternative<StableThroughout>(decision.verdict)) return true;
+  if (std::holds_alternative<UnstableThroughout>(decision.verdict)) return false;
+  return std::nullopt;
+}
+
 std::optional<bool> is_stable(const LoadedGrasp& loaded, NormalLaw law) {
   const GraspBox box = box_of(loaded);
   if (!needs_enclosure(box)) {
     return std::holds_alternative<Stable>(decide_by_cones(Problem(loaded, law)));
   }
-  const BoxDecision decision = decide_box(box, law);
-  if (std::holds_alternative<StableThroughout>(decision.verdict)) return true;
-  if (std::holds_alternative<UnstableThroughout>(decision.verdict)) return false;
-  return std::nullopt;
+  return throughout(decide_box(box, law));
 }
 
 }  // namespace box_detail

@@ -189,14 +189,17 @@ void Walls::choose_rows(const BoxModel& model) {
   std::vector<Vector> basis;
   std::vector<std::size_t> chosen;
   std::vector<bool> used(contacts_.size(), false);
+  const auto beyond_basis = [&](Vector v) {
+    for (const Vector& b : basis) v -= b.dot(v) * b;
+    return v;
+  };
   while (chosen.size() < 3) {
     double best = 0;
     std::size_t which = contacts_.size();
     for (std::size_t k = 0; k < contacts_.size(); ++k) {
       const Contact& c = contacts_[k];
       if (!c.sticks || used[k]) continue;
-      Vector rest = c.tangent;
-      for (const Vector& b : basis) rest -= b.dot(rest) * b;
+      const Vector rest = beyond_basis(c.tangent);
       constexpr double kIndependent = 1e-3;
       if (rest.norm() <= kIndependent * c.tangent.norm()) continue;
       const double spare =
@@ -208,9 +211,7 @@ void Walls::choose_rows(const BoxModel& model) {
     }
     if (which == contacts_.size()) break;
     used[which] = true;
-    Vector rest = contacts_[which].tangent;
-    for (const Vector& b : basis) rest -= b.dot(rest) * b;
-    basis.push_back(rest.normalized());
+    basis.push_back(beyond_basis(contacts_[which].tangent).normalized());
     chosen.push_back(which);
   }
   // Virtual twists on which these contacts' friction does no work.
@@ -219,24 +220,20 @@ void Walls::choose_rows(const BoxModel& model) {
     int axis = 0;
     double most = 0;
     for (int k = 0; k < 3; ++k) {
-      Vector unit = Vector::Unit(k);
-      for (const Vector& b : basis) unit -= b.dot(unit) * b;
-      if (unit.norm() > most) {
-        most = unit.norm();
+      const double rest = beyond_basis(Vector::Unit(k)).norm();
+      if (rest > most) {
+        most = rest;
         axis = k;
       }
     }
-    Vector unit = Vector::Unit(axis);
-    for (const Vector& b : basis) unit -= b.dot(unit) * b;
-    basis.push_back(unit.normalized());
+    basis.push_back(beyond_basis(Vector::Unit(axis)).normalized());
     free.push_back(basis.back());
   }
-  double scale = 0;  // a typical motion
   double largest_force = 0;
   for (const Contact& c : contacts_) {
     largest_force = std::max(largest_force, c.normal.norm() * c.stiffness * c.normal.norm());
   }
-  scale = largest_force > 0 ? force_ / largest_force : 1;
+  const double scale = largest_force > 0 ? force_ / largest_force : 1;  // a typical motion
   // Walls that enclose the motions that the generators cause, as tightly as three pairs can:
   // virtual twists dual to the three that move the object farthest.
   const auto count = static_cast<Eigen::Index>(free.size());
@@ -379,10 +376,8 @@ Problem problem_at(const ParameterBox& point) {
     const auto at = [&](Parameter parameter) -> const Rational& {
       return c.parameters[static_cast<std::size_t>(parameter)].low;
     };
-    const Vector2& n = c.normal;
-    const Rational& e = at(Parameter::kTurn);
     const Contact contact{{at(Parameter::kX), at(Parameter::kY)},
-                          {n.x - e * n.y, n.y + e * n.x}};
+                          turned(c.normal, at(Parameter::kTurn))};
     rows.push_back({normal_row(contact), tangent_row(contact), at(Parameter::kFriction),
                     at(Parameter::kPreload), at(Parameter::kStiffness)});
   }

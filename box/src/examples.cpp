@@ -78,7 +78,7 @@ LoadedGrasp Examples::at(const Place& place) const {
         !c.preload.high.is_zero() && exact_sqrt(n.x * n.x + n.y * n.y).has_value();
     const Rational e = keeps_length ? with_rational_length(turns[i]) : turns[i];
     contacts.push_back({{c.x.middle(), c.y.middle()},
-                        {n.x - e * n.y, n.y + e * n.x},
+                        turned(n, e),
                         c.friction.middle(),
                         c.stiffness.middle(),
                         c.preload.middle()});

@@ -34,12 +34,6 @@ Rational valid_limit(const LoadedGrasp& centre, const GraspBox& box, const Ratio
   return limit;
 }
 
-std::optional<bool> throughout(const BoxDecision& decision) {
-  if (std::holds_alternative<StableThroughout>(decision.verdict)) return true;
-  if (std::holds_alternative<UnstableThroughout>(decision.verdict)) return false;
-  return std::nullopt;
-}
-
 /// A number of few bits near (a + b) / 2, between them.
 Rational short_middle(const Rational& a, const Rational& b) {
   const Rational exact = (a + b) / 2;

@@ -66,18 +66,11 @@ struct NodeText {
 /// `"uncertain": {...}` of what was asked for.
 std::string tolerances_text(const Tolerances& tolerances) {
   std::string text;
-  const auto add = [&](const char* kind, const std::optional<Tolerance>& tolerance) {
-    if (!tolerance) return;
+  for (const auto& [kind, tolerance] : given(tolerances)) {
     text += std::string(text.empty() ? "\"" : ", \"") + kind + "\": " +
-            (tolerance->relative ? '"' + to_string(Rational(100 * tolerance->amount)) + "%\""
-                                 : number(tolerance->amount));
-  };
-  add("friction", tolerances.friction);
-  add("stiffness", tolerances.stiffness);
-  add("preload", tolerances.preload);
-  add("position", tolerances.position);
-  add("normal", tolerances.normal);
-  add("wrench", tolerances.wrench);
+            (tolerance.relative ? '"' + to_string(tolerance.spelled()) + "%\""
+                                : number(tolerance.amount));
+  }
   return "\"uncertain\": {" + text + "}";
 }
 

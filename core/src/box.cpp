@@ -135,6 +135,19 @@ Interval Tolerance::widen(const Interval& interval) const {
   return {interval.low - off(interval.low), interval.high + off(interval.high)};
 }
 
+std::vector<NamedTolerance> given(const Tolerances& tolerances) {
+  std::vector<NamedTolerance> result;
+  for (const Kind& kind : kKinds) {
+    const std::optional<Tolerance>& tolerance = tolerances.*kind.tolerance;
+    if (tolerance) result.push_back({kind.name, *tolerance});
+  }
+  return result;
+}
+
+Vector2 turned(const Vector2& normal, const Rational& slope) {
+  return {normal.x - slope * normal.y, normal.y + slope * normal.x};
+}
+
 Tolerances parse_tolerances(std::string_view text) {
   Tolerances tolerances;
   for (bool last = false; !last;) {

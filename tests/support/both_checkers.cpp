@@ -44,26 +44,6 @@ std::string with_commas(const Wrench& w) {
   return with_commas(std::vector<Rational>{w.x, w.y, w.torque});
 }
 
-/// By the name of their kind.
-std::vector<std::pair<std::string, Tolerance>> named(const Tolerances& tolerances) {
-  std::vector<std::pair<std::string, Tolerance>> result;
-  const auto add = [&](const char* kind, const std::optional<Tolerance>& tolerance) {
-    if (tolerance) result.emplace_back(kind, *tolerance);
-  };
-  add("friction", tolerances.friction);
-  add("stiffness", tolerances.stiffness);
-  add("preload", tolerances.preload);
-  add("position", tolerances.position);
-  add("normal", tolerances.normal);
-  add("wrench", tolerances.wrench);
-  return result;
-}
-
-/// As it is spelled: of 10 %, 10.
-Rational size_of(const Tolerance& tolerance) {
-  return tolerance.relative ? Rational(100 * tolerance.amount) : tolerance.amount;
-}
-
 std::string json_line(const CheckerInput& input, const std::string& expected) {
   return spool_line(input.grasp, input.certificate, command_line(input.options), expected);
 }
@@ -119,8 +99,8 @@ CheckerAnswer ask_cpp_checker(const CheckerInput& input) {
   }
   if (input.options.preload) options.preload = checker_number(*input.options.preload);
   options.bilateral = input.options.law == NormalLaw::kBilateral;
-  for (const auto& [kind, tolerance] : named(input.options.uncertain)) {
-    options.uncertain[kind] = {checker_number(size_of(tolerance)), tolerance.relative};
+  for (const auto& [kind, tolerance] : given(input.options.uncertain)) {
+    options.uncertain[kind] = {checker_number(tolerance.spelled()), tolerance.relative};
   }
   std::istringstream grasp(input.grasp);
   std::istringstream certificate(input.certificate);
@@ -184,9 +164,9 @@ std::vector<std::string> command_line(const QuestionOptions& options) {
                  {"--preload-direction", growth->scale ? "scale" : with_commas(growth->rates)});
   }
   std::string uncertain;
-  for (const auto& [kind, tolerance] : named(options.uncertain)) {
-    uncertain += (uncertain.empty() ? "" : ",") + kind + "=" + to_string(size_of(tolerance)) +
-                 (tolerance.relative ? "%" : "");
+  for (const auto& [kind, tolerance] : given(options.uncertain)) {
+    uncertain += std::string(uncertain.empty() ? "" : ",") + kind + "=" +
+                 to_string(tolerance.spelled()) + (tolerance.relative ? "%" : "");
   }
   if (!uncertain.empty()) words.insert(words.end(), {"--uncertain", uncertain});
   return words;

@@ -56,6 +56,8 @@ struct Tolerance {
 
   /// The interval widened at both ends: [A - t, B + t] or [A - t|A|, B + t|B|].
   Interval widen(const Interval& interval) const;
+  /// As it is spelled: of 10 %, 10.
+  Rational spelled() const { return relative ? Rational(100 * amount) : amount; }
   /// The same meaning.
   friend bool operator==(const Tolerance& a, const Tolerance& b) {
     return a.amount == b.amount && a.relative == b.relative;
@@ -81,6 +83,15 @@ struct Tolerances {
   }
 };
 
+/// A tolerance and the kind of number that it is of: "friction".
+struct NamedTolerance {
+  const char* kind;     ///< as in parse_tolerances
+  Tolerance tolerance;  ///< of each number of that kind
+};
+
+/// Those that are given, in the order of the members of Tolerances.
+std::vector<NamedTolerance> given(const Tolerances& tolerances);
+
 /// "friction=10%,normal=0.0175": decimals or fractions, each kind at most once. Throws
 /// InputError with the place "uncertain".
 Tolerances parse_tolerances(std::string_view text);
@@ -105,6 +116,9 @@ struct GraspBox {
 
 /// The wrench in the middle of every interval.
 Wrench middle(const WrenchBox& wrench);
+
+/// n + slope t, with t = (-n_y, n_x).
+Vector2 turned(const Vector2& normal, const Rational& slope);
 
 /// \{ The box of one grasp, contact or wrench.
 GraspBox box_of(const LoadedGrasp& loaded);

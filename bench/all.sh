@@ -5,7 +5,7 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../scripts/common.sh"
 install_packages "${build_packages[@]}" "${test_packages[@]}"
-step "Configuring" configure cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release \
+step "Configuring" configure cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release $together \
   -DSTICKSLIP_BUILD_TESTS=ON -DSTICKSLIP_BUILD_BENCH=ON
 step "Building (several minutes the first time)" build cmake --build "$build" -j "$(jobs_for_build)"
 

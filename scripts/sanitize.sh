@@ -16,7 +16,7 @@ case ${1-} in
 esac
 
 install_packages "${build_packages[@]}" "${test_packages[@]}" gcovr
-step "Configuring with sanitizers" configure cmake --preset asan -S "$root" -B "$build" \
+step "Configuring with sanitizers" configure cmake --preset asan -S "$root" -B "$build" $together \
   -DSTICKSLIP_BUILD_BENCH=OFF -DSTICKSLIP_COVERAGE=ON
 step "Building with sanitizers (several minutes the first time)" build \
   cmake --build "$build" -j "$(jobs_for_build)"

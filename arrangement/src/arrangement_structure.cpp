@@ -24,15 +24,6 @@ namespace {
 
 constexpr std::uint32_t kUnset = 0xFFFFFFFF;
 
-/// What is kept of a circle's order until the vertices are numbered.
-struct CircleRecord {
-  std::uint32_t half_points = 0;
-  /// For each point of the first half whose lowest circle this is: the point, the number t of
-  /// circles, and these by slope.
-  std::vector<std::uint32_t> owned_points;
-  std::size_t owned_count = 0;
-};
-
 }  // namespace
 
 class ArrangementStructure::Builder {
@@ -48,6 +39,15 @@ class ArrangementStructure::Builder {
   }
 
  private:
+  /// What is kept of a circle's order until the vertices are numbered.
+  struct CircleRecord {
+    std::uint32_t half_points = 0;
+    /// For each point of the first half whose lowest circle this is: the point, the number t of
+    /// circles, and these by slope.
+    std::vector<std::uint32_t> owned_points;
+    std::size_t owned_count = 0;
+  };
+
   void order_circles(unsigned threads) {
     records_.resize(k_);
     point_on_.assign(k_ * k_, kUnset);

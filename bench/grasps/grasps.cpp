@@ -12,10 +12,6 @@ namespace {
 
 constexpr int kGridSteps = 1000;
 
-Vector2 turned(const Vector2& v, const Vector2& by) {
-  return {v.x * by.x - v.y * by.y, v.x * by.y + v.y * by.x};
-}
-
 bool is_upper(const Vector2& v) {
   return v.y.sign() > 0 || (v.y.is_zero() && v.x.sign() > 0);
 }
@@ -30,13 +26,13 @@ std::vector<Vector2> make_unit_directions() {
   const std::vector<Vector2> quarters{{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
   const auto powers = [](const Vector2& u) {
     const Vector2 back{u.x, -u.y};
-    return std::vector<Vector2>{turned(back, back), back, {1, 0}, u, turned(u, u)};
+    return std::vector<Vector2>{rotated(back, back), back, {1, 0}, u, rotated(u, u)};
   };
   std::vector<Vector2> result;
   for (const Vector2& a : quarters) {
     for (const Vector2& b : powers({Rational(3, 5), Rational(4, 5)})) {
       for (const Vector2& c : powers({Rational(5, 13), Rational(12, 13)})) {
-        result.push_back(turned(turned(a, b), c));
+        result.push_back(rotated(rotated(a, b), c));
       }
     }
   }
@@ -102,8 +98,8 @@ std::vector<Contact> on_edges(RandomSource& random, std::size_t contacts, bool p
     const Rational along(random.between(-900, 900), kGridSteps);
     const Vector2 p{edge.foot.x - along * edge.normal.y, edge.foot.y + along * edge.normal.x};
     // Positions are exact, or the contacts would not share their edge's circle.
-    c.position = turned(p, turn);
-    c.normal = turned(edge.normal, turn);
+    c.position = rotated(p, turn);
+    c.normal = rotated(edge.normal, turn);
     result.push_back(std::move(c));
   }
   return result;
@@ -166,6 +162,10 @@ std::vector<Contact> on_disc(RandomSource& random, std::size_t pairs, bool prelo
 }
 
 }  // namespace
+
+Vector2 rotated(const Vector2& v, const Vector2& by) {
+  return {v.x * by.x - v.y * by.y, v.x * by.y + v.y * by.x};
+}
 
 Rational floor_to_grid(const Rational& value, int steps) {
   const Rational scaled = value * steps;

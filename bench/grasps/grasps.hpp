@@ -33,6 +33,9 @@ Grasp make_grasp(Layout layout, std::size_t contacts, bool preloaded, std::uint6
 /// The hundred unit vectors, by angle from 0 (1, 0) counter-clockwise.
 const std::vector<Vector2>& unit_directions();
 
+/// The product of complex numbers: v turned by the unit vector `by`.
+Vector2 rotated(const Vector2& v, const Vector2& by);
+
 /// The largest multiple of 1/steps that is not above `value`.
 Rational floor_to_grid(const Rational& value, int steps);
 

@@ -13,10 +13,6 @@ namespace {
 
 const Rational kNano(1, 1000000000);
 
-Vector2 turned(const Vector2& v, const Vector2& by) {
-  return {v.x * by.x - v.y * by.y, v.x * by.y + v.y * by.x};
-}
-
 /// The unit vector at about 2 t from (1, 0).
 Vector2 turn_by(const Rational& t) {
   const Rational scale = 1 + t * t;
@@ -98,7 +94,7 @@ std::vector<Contact> make_contacts(HardFamily family, RandomSource& random,
     case HardFamily::kNearlyParallel:
       result = floor(random, contacts);
       for (Contact& c : result) {
-        c.normal = turned(c.normal, turn_by(random.between(-8, 8) * kNano / 8));
+        c.normal = rotated(c.normal, turn_by(random.between(-8, 8) * kNano / 8));
         c.position.y += random.between(-8, 8) * kNano;
       }
       return result;

@@ -14,6 +14,8 @@
 namespace stickslip::bench {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 /// For one family at one size: no further load is tried after the first, the process ends at
 /// the second.
 constexpr double kSearchSeconds = 2;
@@ -31,7 +33,6 @@ struct Worst {
 struct TimeIsUp {};
 
 Worst search_threshold(HardFamily family, std::size_t contacts, NormalLaw law) {
-  using Clock = std::chrono::steady_clock;
   Worst worst;
   const Clock::time_point begin = Clock::now();
   const auto is_stable = [&](const Question& question) {

@@ -18,12 +18,13 @@
 namespace stickslip::bench {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr int kMostRepetitions = 20;
 
 /// Milliseconds of the fastest of a few calls.
 template <class Work>
 double fastest_ms(double patience_ms, Work work) {
-  using Clock = std::chrono::steady_clock;
   double best = 0;
   double total = 0;
   for (int k = 0; k < kMostRepetitions && (k == 0 || total < patience_ms); ++k) {

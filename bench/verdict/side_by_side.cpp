@@ -10,7 +10,7 @@
 namespace stickslip::bench {
 namespace {
 
-constexpr double kLimitSeconds = 20;
+constexpr double kAnswerSeconds = 20;
 
 /// Nobody but the cone engine, and the weaker question, is asked about more contacts.
 constexpr std::size_t kMostContactsForOthers = 24;
@@ -44,7 +44,7 @@ std::string show(const Column& column, std::size_t asked) {
   const double ratio = median(ratios);
   char text[64];
   if (std::isinf(ms)) {
-    std::snprintf(text, sizeof text, "> %.0f (%zu of %zu answered)", kLimitSeconds * 1e3,
+    std::snprintf(text, sizeof text, "> %.0f (%zu of %zu answered)", kAnswerSeconds * 1e3,
                   column.ms.size() - static_cast<std::size_t>(column.unanswered), asked);
     return text;
   }
@@ -84,7 +84,7 @@ void report_side_by_side(Report& report) {
       const std::string expected =
           instance.expected == Expected::kStable ? "stable" : "unstable";
       const auto ours =
-          measure_limited(kLimitSeconds, contacts <= 100 ? 5 : 0, [&] { return instance; });
+          measure_limited(kAnswerSeconds, contacts <= 100 ? 5 : 0, [&] { return instance; });
       cone.push_back(ours ? ours->decide_ms : beyond_limit());
       nlohmann::json json{
           {"contacts", contacts}, {"family", instance.family}, {"expected", expected}};
@@ -92,7 +92,7 @@ void report_side_by_side(Report& report) {
       for (std::size_t k = 0; k < others.size(); ++k) {
         Column& column = columns[k];
         if (is_out[k] || column.unanswered >= kPatience) continue;
-        const OtherAnswer other = others[k].answer(instance.question, kLimitSeconds);
+        const OtherAnswer other = others[k].answer(instance.question, kAnswerSeconds);
         if (other.answer.empty()) {
           ++column.unanswered;
           column.ms.push_back(beyond_limit());
@@ -116,7 +116,7 @@ void report_side_by_side(Report& report) {
       }
       report.json["side_by_side"].push_back(std::move(json));
     }
-    std::printf("| %zu | %s |", contacts, show_ms(median(cone), kLimitSeconds * 1e3).c_str());
+    std::printf("| %zu | %s |", contacts, show_ms(median(cone), kAnswerSeconds * 1e3).c_str());
     for (std::size_t k = 0; k < others.size(); ++k) {
       std::printf(" %s |", is_out[k] ? "-" : show(columns[k], instances.size()).c_str());
       if (columns[k].unanswered >= kPatience) is_out[k] = true;

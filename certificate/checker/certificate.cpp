@@ -6,14 +6,15 @@
 namespace stickslip_check {
 namespace {
 
-constexpr JsonLimits kLimits{std::uint64_t{1} << 30U, 8, 65536, std::uint64_t{1} << 22U, false};
+constexpr JsonLimits kCertificateLimits{std::uint64_t{1} << 30U, 8, 65536,
+                                        std::uint64_t{1} << 22U, false};
 constexpr std::size_t kMaxJsonInteger = 4000;
 constexpr const char* kFormat = "stickslip-certificate/2";
 
 }  // namespace
 
 CertificateReader::CertificateReader(std::istream& in, const std::string& file)
-    : json_(in, file, kLimits) {}
+    : json_(in, file, kCertificateLimits) {}
 
 Claim CertificateReader::claim() {
   const Value format = take("format");

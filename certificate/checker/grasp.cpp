@@ -12,8 +12,8 @@
 namespace stickslip_check {
 namespace {
 
-constexpr JsonLimits kLimits{std::uint64_t{1} << 28U, 32, std::uint64_t{1} << 28U, 1U << 16U,
-                             true};
+constexpr JsonLimits kGraspLimits{std::uint64_t{1} << 28U, 32, std::uint64_t{1} << 28U,
+                                  1U << 16U, true};
 constexpr std::size_t kMaxContacts = 1'000'000;
 constexpr const char* kNeeds2 = R"(it needs "format": "stickslip-grasp/2")";
 
@@ -52,7 +52,7 @@ using Properties = std::map<std::string, Bounds>;  // friction, stiffness, prelo
 
 class GraspReader {
  public:
-  GraspReader(std::istream& in, const std::string& file) : json_(in, file, kLimits) {}
+  GraspReader(std::istream& in, const std::string& file) : json_(in, file, kGraspLimits) {}
 
   Grasp read() {
     Names seen;

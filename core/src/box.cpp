@@ -61,12 +61,12 @@ void check_uncertain(const UncertainContact& contact, const std::string& path) {
 
 namespace {
 
-struct Kind {
+struct Tolerated {
   const char* name;
   std::optional<Tolerance> Tolerances::*tolerance;
 };
 
-constexpr Kind kKinds[] = {
+constexpr Tolerated kTolerated[] = {
     {"friction", &Tolerances::friction}, {"stiffness", &Tolerances::stiffness},
     {"preload", &Tolerances::preload},   {"position", &Tolerances::position},
     {"normal", &Tolerances::normal},     {"wrench", &Tolerances::wrench}};
@@ -75,9 +75,9 @@ constexpr Kind kKinds[] = {
   throw InputError("", "uncertain", problem, remedy);
 }
 
-const Kind& kind_named(const std::string& name) {
+const Tolerated& kind_named(const std::string& name) {
   std::vector<std::string> names;
-  for (const Kind& kind : kKinds) {
+  for (const Tolerated& kind : kTolerated) {
     if (name == kind.name) return kind;
     names.emplace_back(kind.name);
   }
@@ -137,7 +137,7 @@ Interval Tolerance::widen(const Interval& interval) const {
 
 std::vector<NamedTolerance> given(const Tolerances& tolerances) {
   std::vector<NamedTolerance> result;
-  for (const Kind& kind : kKinds) {
+  for (const Tolerated& kind : kTolerated) {
     const std::optional<Tolerance>& tolerance = tolerances.*kind.tolerance;
     if (tolerance) result.push_back({kind.name, *tolerance});
   }

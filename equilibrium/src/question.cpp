@@ -64,14 +64,14 @@ std::vector<Rational> growth_of(const Grasp& grasp, const PreloadDirection& dire
   return direction.rates;
 }
 
-bool is_zero(const std::vector<Rational>& values) {
+bool all_zero(const std::vector<Rational>& values) {
   return std::all_of(values.begin(), values.end(),
                      [](const Rational& value) { return value.is_zero(); });
 }
 
 void require_growth(const Question& question) {
   if (!(question.direction.value_or(Wrench{}) == Wrench{}) ||
-      !is_zero(question.preload_growth)) {
+      !all_zero(question.preload_growth)) {
     return;
   }
   if (!question.preload_direction) {

@@ -13,7 +13,6 @@ using namespace plot_detail;
 namespace {
 
 // In pixels. The scene is on the left, the legend on the right, the caption below.
-constexpr double kMargin = 24;
 constexpr double kPanelTop = 52;
 constexpr double kPanelWidth = 470;
 constexpr double kMostPanelHeight = 440;
@@ -21,8 +20,7 @@ constexpr double kAroundScene = 38;  ///< for fingers and numbers
 constexpr double kLegendLeft = kMargin + kPanelWidth + 24;
 constexpr double kLegendText = kLegendLeft + 62;
 constexpr double kRow = 25;
-constexpr double kLine = 19;  ///< of a legend with more than one line
-constexpr double kWidth = 800;
+constexpr double kGraspWidth = 800;
 constexpr double kLongestBar = 120;
 constexpr double kTorqueRadius = 26;
 
@@ -48,14 +46,14 @@ class GraspPlot {
     const double panel_bottom = kPanelTop + choose_view();
     const std::string name = (grasp_.name().empty() ? "Grasp" : grasp_.name()) + case_;
     const std::string verdict = ": " + verdict_;
-    Svg svg(kWidth, 0, name + verdict, stylesheet());
-    const double room = kWidth - 2 * kMargin - text_width("title", verdict);
+    Svg svg(kGraspWidth, 0, name + verdict, stylesheet());
+    const double room = kGraspWidth - 2 * kMargin - text_width("title", verdict);
     svg.text({kMargin, 34}, "title", fit(name, "title", room) + verdict,
              {{"data-verdict", verdict_}});
     draw_scene(svg, {{kMargin, kPanelTop - 10}, {kMargin + kPanelWidth, panel_bottom + 10}});
     double y = std::max(panel_bottom, draw_legend(svg)) + 26;
     for (const std::string& paragraph : ink_.caption) {
-      y = draw_lines(svg, {kMargin, y}, "caption", paragraph, kWidth - 2 * kMargin);
+      y = draw_lines(svg, {kMargin, y}, "caption", paragraph, kGraspWidth - 2 * kMargin);
     }
     svg.set_height(y);
     return svg.finish();
@@ -199,7 +197,7 @@ class GraspPlot {
     double y = kPanelTop + 18;
     const auto row = [&](const std::string& text) {
       const double below = draw_lines(svg, {kLegendText, y + 4.5}, "legend", text,
-                                      kWidth - kMargin - kLegendText);
+                                      kGraspWidth - kMargin - kLegendText);
       y = below - 4.5 + kRow - kLine;
     };
     const InkPoint left{kLegendLeft, 0};

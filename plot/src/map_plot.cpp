@@ -13,16 +13,13 @@ using namespace plot_detail;
 
 namespace {
 
-constexpr double kPanel = 480;
-constexpr double kTop = 64;
+constexpr double kMapSide = 480;
 constexpr double kLeft = 96;
-constexpr double kMargin = 24;
-constexpr double kLine = 19;
 
-/// From an axis to the panel, 0 to kPanel.
+/// From an axis to the panel, 0 to kMapSide.
 double along(const MapAxis& axis, const Rational& value) {
   const Rational length = axis.range.high - axis.range.low;
-  return kPanel * to_double((value - axis.range.low) / length);
+  return kMapSide * to_double((value - axis.range.low) / length);
 }
 
 struct Look {
@@ -67,15 +64,15 @@ std::string ends_text(const Interval& interval) {
 
 std::string plot_map(const std::string& name, const MapAxis& x_axis, const MapAxis& y_axis,
                      const std::vector<MapCell>& cells) {
-  const double width = kLeft + kPanel + kMargin;
-  const double bottom = kTop + kPanel;
+  const double width = kLeft + kMapSide + kMargin;
+  const double bottom = kTop + kMapSide;
   const std::string what = ": where it holds";
   const std::string title = name.empty() ? "Grasp" : name;
   Svg svg(width, bottom + 6 * kLine + kMargin, title + what, stylesheet());
   define_hatching(svg);
   const double room = width - kLeft - kMargin - text_width("title", what);
   svg.text({kLeft, 34}, "title", fit(title, "title", room) + what);
-  draw_rectangle(svg, {kLeft, kTop}, {kLeft + kPanel, bottom}, "paper", {});
+  draw_rectangle(svg, {kLeft, kTop}, {kLeft + kMapSide, bottom}, "paper", {});
   for (const MapCell& cell : cells) {
     const std::size_t verdict = cell.decision.verdict.index();
     draw_rectangle(svg,
@@ -99,9 +96,9 @@ std::string plot_map(const std::string& name, const MapAxis& x_axis, const MapAx
   }
   SvgPath frame;
   frame.polygon(
-      {{kLeft, kTop}, {kLeft + kPanel, kTop}, {kLeft + kPanel, bottom}, {kLeft, bottom}});
+      {{kLeft, kTop}, {kLeft + kMapSide, kTop}, {kLeft + kMapSide, bottom}, {kLeft, bottom}});
   svg.path(frame, "frame");
-  svg.text({kLeft + kPanel / 2, bottom + 2 * kLine}, "middle", x_axis.name);
+  svg.text({kLeft + kMapSide / 2, bottom + 2 * kLine}, "middle", x_axis.name);
   svg.text({kLeft, kTop - 8}, "middle", y_axis.name);
   double y = bottom + 3 * kLine;
   for (const Look& look : kLooks) {

@@ -15,10 +15,7 @@ using namespace plot_detail;
 
 namespace {
 
-constexpr double kPanel = 520;  ///< side of the window
-constexpr double kTop = 64;
-constexpr double kMargin = 24;
-constexpr double kLine = 19;
+constexpr double kRegionSide = 520;  ///< side of the window
 constexpr std::size_t kMostLabels = 12;
 constexpr int kSamples = 32;  ///< of the region in each direction, that labels avoid
 
@@ -40,9 +37,9 @@ class RegionPlot {
     }
     visible_ = unite(visible);
     find_ticks();
-    t_name_ = wrap(axis_name(plane_.v(), "t"), "", kPanel);
+    t_name_ = wrap(axis_name(plane_.v(), "t"), "", kRegionSide);
     left_ = kMargin + kLine * static_cast<double>(t_name_.size()) + 15 + widest_tick_;
-    width_ = left_ + kPanel + 2 * kMargin;
+    width_ = left_ + kRegionSide + 2 * kMargin;
   }
 
   std::string draw() {
@@ -77,7 +74,7 @@ class RegionPlot {
       widest_tick_ = std::max(widest_tick_, text_width("small", ticks_.back().text));
     }
     // Every line, every second, ... but always the origin's.
-    const double apart = kPanel / 2 * to_double(step / half_);
+    const double apart = kRegionSide / 2 * to_double(step / half_);
     std::size_t every = 1;
     while (static_cast<double>(every) * apart < widest_tick_ + 8) ++every;
     const std::size_t origin = ticks_.size() / 2;
@@ -106,7 +103,7 @@ class RegionPlot {
 
   InkPoint place(const PlanePoint& point) const {
     const InkPoint share = ratio({point[0], point[1]}, half_);
-    return {left_ + kPanel / 2 * (1 + share.x), kTop + kPanel / 2 * (1 - share.y)};
+    return {left_ + kRegionSide / 2 * (1 + share.x), kTop + kRegionSide / 2 * (1 - share.y)};
   }
 
   bool on_frame(const PlanePoint& point) const {
@@ -123,9 +120,9 @@ class RegionPlot {
 
   void draw_areas(Svg& svg) const {
     svg.path(SvgPath().polygon({{left_, kTop},
-                                {left_ + kPanel, kTop},
-                                {left_ + kPanel, kTop + kPanel},
-                                {left_, kTop + kPanel}}),
+                                {left_ + kRegionSide, kTop},
+                                {left_ + kRegionSide, kTop + kRegionSide},
+                                {left_, kTop + kRegionSide}}),
              "paper");
     for (const PlaneArea& area : visible_.areas) {
       SvgPath path;
@@ -155,14 +152,14 @@ class RegionPlot {
     }
     svg.close();
     svg.path(SvgPath().polygon({{left_, kTop},
-                                {left_ + kPanel, kTop},
-                                {left_ + kPanel, kTop + kPanel},
-                                {left_, kTop + kPanel}}),
+                                {left_ + kRegionSide, kTop},
+                                {left_ + kRegionSide, kTop + kRegionSide},
+                                {left_, kTop + kRegionSide}}),
              "frame");
-    draw_lines(svg, {left_ + kPanel / 2, kTop + kPanel + 44}, "middle",
-               axis_name(plane_.u(), "s"), kPanel);
+    draw_lines(svg, {left_ + kRegionSide / 2, kTop + kRegionSide + 44}, "middle",
+               axis_name(plane_.u(), "s"), kRegionSide);
     svg.open("g", {{"transform", "translate(" + svg_number(kMargin) + " " +
-                                     svg_number(kTop + kPanel / 2) + ") rotate(-90)"}});
+                                     svg_number(kTop + kRegionSide / 2) + ") rotate(-90)"}});
     for (std::size_t k = 0; k < t_name_.size(); ++k) {
       svg.text({0, kLine * static_cast<double>(k)}, "middle", t_name_[k]);
     }
@@ -211,7 +208,7 @@ class RegionPlot {
 
   void draw_labels(Svg& svg) {
     if (corners_.size() > kMostLabels) return;
-    LabelPlacer labels({{left_, kTop}, {left_ + kPanel, kTop + kPanel}});
+    LabelPlacer labels({{left_, kTop}, {left_ + kRegionSide, kTop + kRegionSide}});
     for (int i = 0; i < kSamples; ++i) {
       for (int j = 0; j < kSamples; ++j) {
         const auto middle = [&](int k) -> Rational {
@@ -244,8 +241,8 @@ class RegionPlot {
       text += "; at the frame it goes on without end";
     if (left_out_ > 0) text += "; no room for the labels of " + std::to_string(left_out_);
     const double room = width_ - left_ - kMargin;
-    const auto s_lines = wrap(axis_name(plane_.u(), "s"), "", kPanel).size();
-    double y = kTop + kPanel + 51 + kLine * static_cast<double>(s_lines);
+    const auto s_lines = wrap(axis_name(plane_.u(), "s"), "", kRegionSide).size();
+    double y = kTop + kRegionSide + 51 + kLine * static_cast<double>(s_lines);
     y = draw_lines(svg, {left_, y}, "caption", text + ".", room);
     y = draw_lines(svg, {left_, y}, "small muted",
                    std::string(at_zero ? "Other wrench coordinates 0"

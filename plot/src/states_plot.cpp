@@ -18,8 +18,7 @@ using namespace plot_detail;
 
 namespace {
 
-constexpr double kWidth = 920;
-constexpr double kMargin = 24;
+constexpr double kStatesWidth = 920;
 constexpr double kDiscMiddle = 238;  ///< y of the discs and of the grasp
 constexpr double kDiscRadius = 148;
 
@@ -117,9 +116,9 @@ class StatesPlot {
   std::string draw() {
     const std::string name = grasp_.name().empty() ? "Grasp" : grasp_.name();
     const std::string what = ": slip states";
-    Svg svg(kWidth, 0, name + what, stylesheet());
+    Svg svg(kStatesWidth, 0, name + what, stylesheet());
     define_hatching(svg);
-    const double room = kWidth - 2 * kMargin - text_width("title", what);
+    const double room = kStatesWidth - 2 * kMargin - text_width("title", what);
     svg.text({kMargin, 34}, "title", fit(name, "title", room) + what);
     left_out_ = draw_grasp_panel(svg, grasp_);
     svg.open("g",
@@ -289,7 +288,7 @@ class StatesPlot {
   void draw_caption(Svg& svg) const {
     double y = kDiscMiddle + kDiscRadius + 42;
     const auto line = [&](const std::string& text) {
-      y = draw_lines(svg, {kMargin, y}, "caption", text, kWidth - 2 * kMargin);
+      y = draw_lines(svg, {kMargin, y}, "caption", text, kStatesWidth - 2 * kMargin);
     };
     const ArrangementCounts& c = cells_.counts();
     line(counts_text(c));
@@ -327,7 +326,7 @@ class StatesPlot {
       x += 10;
       text = "0 to " + std::to_string(grasp_.size()) + " contacts slip +, the others \u2212";
     }
-    y = draw_lines(svg, {x, y}, "caption", text, kWidth - kMargin - x);
+    y = draw_lines(svg, {x, y}, "caption", text, kStatesWidth - kMargin - x);
   }
 
   PictureFrame frame_;

@@ -50,7 +50,7 @@ bool fits_a_file(const Rational& value) {
 }
 
 /// Throws NumberError, or what Python raises.
-Rational exact(py::handle value) {
+Rational read_exact(py::handle value) {
   if (PyFloat_Check(value.ptr())) return rational_from_double(PyFloat_AS_DOUBLE(value.ptr()));
   if (PyUnicode_Check(value.ptr())) return parse_rational(utf8(value));
   if (!PyBool_Check(value.ptr()) && !is_instance(value, "numpy", "bool_")) {
@@ -71,7 +71,7 @@ Rational exact(py::handle value) {
 Rational exact(py::handle value, const std::string& place) {
   std::string problem;
   try {
-    const Rational number = exact(value);
+    const Rational number = read_exact(value);
     if (fits_a_file(number)) return number;
     throw InputError("", place, "the number is too long",
                      "numbers are written with at most " + std::to_string(kMaxNumberLength) +

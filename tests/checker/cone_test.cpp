@@ -13,13 +13,13 @@ namespace {
 
 using Row5 = Vector;
 using Image = std::vector<Integer>;
-constexpr std::size_t kN = 5;
+constexpr std::size_t kColumns = 5;
 
 /// A basis of {x : a.x = 0 for all rows a}, by Gaussian elimination.
 std::vector<Row5> kernel(std::vector<Row5> rows) {
   std::vector<std::size_t> pivots;
   std::size_t rank = 0;
-  for (std::size_t column = 0; column < kN && rank < rows.size(); ++column) {
+  for (std::size_t column = 0; column < kColumns && rank < rows.size(); ++column) {
     std::size_t k = rank;
     while (k < rows.size() && rows[k][column] == 0) ++k;
     if (k == rows.size()) continue;
@@ -29,15 +29,15 @@ std::vector<Row5> kernel(std::vector<Row5> rows) {
     for (std::size_t other = 0; other < rows.size(); ++other) {
       if (other == rank) continue;
       const Rational factor = rows[other][column];
-      for (std::size_t j = 0; j < kN; ++j) rows[other][j] -= factor * rows[rank][j];
+      for (std::size_t j = 0; j < kColumns; ++j) rows[other][j] -= factor * rows[rank][j];
     }
     pivots.push_back(column);
     ++rank;
   }
   std::vector<Row5> basis;
-  for (std::size_t free = 0; free < kN; ++free) {
+  for (std::size_t free = 0; free < kColumns; ++free) {
     if (std::find(pivots.begin(), pivots.end(), free) != pivots.end()) continue;
-    Row5 x(kN);
+    Row5 x(kColumns);
     x[free] = 1;
     for (std::size_t i = 0; i < pivots.size(); ++i) x[pivots[i]] = -rows[i][free];
     basis.push_back(x);
@@ -46,7 +46,7 @@ std::vector<Row5> kernel(std::vector<Row5> rows) {
 }
 
 std::size_t rank(const std::vector<Row5>& rows) {
-  return kN - kernel(rows).size();
+  return kColumns - kernel(rows).size();
 }
 
 /// (a.x for all rows a) up to a positive factor: what x is modulo the cone's lines.
@@ -103,7 +103,7 @@ Row5 row_of(const Form& x) {
 }
 
 TEST(Cone, HalfSpace) {
-  const Cone cone = Cone(kN).cut({0, 0, 0, 1, 0});
+  const Cone cone = Cone(kColumns).cut({0, 0, 0, 1, 0});
   EXPECT_EQ(cone.lines().size(), 4U);
   ASSERT_EQ(cone.rays().size(), 1U);
   EXPECT_EQ(cone.rays()[0]->x[3], 1);
@@ -117,13 +117,13 @@ TEST(Cone, AgreesWithBruteForce) {
   std::size_t degenerate = 0;
   for (int trial = 0; trial < 1500; ++trial) {
     std::vector<Row5> rows{{0, 0, 0, 1, 0}};
-    Cone cone = Cone(kN).cut({0, 0, 0, 1, 0});
+    Cone cone = Cone(kColumns).cut({0, 0, 0, 1, 0});
     std::vector<Row5> conditions = rows;  // by their numbers in the cone
     const int cuts = between(random, 0, 6);
     const int width = between(random, 2, 5);
     const int reach = trial % 3 == 0 ? 40000 : (trial % 3 == 1 ? 1 : 3);
     for (int k = 0; k < cuts; ++k) {
-      Row5 a(kN);
+      Row5 a(kColumns);
       for (int j = 0; j < width; ++j)
         a[static_cast<std::size_t>(j)] = between(random, -reach, reach);
       const bool equality = between(random, 0, 5) == 0;

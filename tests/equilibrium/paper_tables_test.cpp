@@ -14,10 +14,7 @@ namespace {
 using test::fig1_grasp;
 using test::fig4_grasp;
 using test::judged_verdict;
-
-Rational q(const char* text) {
-  return parse_rational(text);
-}
+using test::q;
 
 struct Row {
   Wrench wrench;

@@ -13,11 +13,8 @@ namespace {
 
 using test::judged_verdict;
 using test::judged_verdicts;
+using test::q;
 using test::RandomSource;
-
-Rational q(const char* text) {
-  return parse_rational(text);
-}
 
 /// Contact i of `contacts` with mu = 1/2, k = 1 and preload P.
 Grasp grasp_of(const std::vector<std::pair<Vector2, Vector2>>& contacts,

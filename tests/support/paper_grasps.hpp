@@ -4,8 +4,14 @@
 #pragma once
 
 #include "stickslip/core/grasp.hpp"
+#include "stickslip/core/number.hpp"
 
 namespace stickslip::test {
+
+/// A number as the paper prints it.
+inline Rational q(const char* text) {
+  return parse_rational(text);
+}
 
 /// Contacts at (-1, 0), (0, -1), (1, 0) with normals towards the origin.
 Grasp fig1_grasp(const Rational& preload);

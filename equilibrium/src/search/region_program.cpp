@@ -32,7 +32,7 @@ struct Column {
 };
 
 /// Which positive function of a solution is made 1: h, or a strict function of the multiples.
-enum class Normalizer { kHeight, kAboveLow, kBelowHigh };
+enum class Normalizer { kHeight, kFromLow, kToHigh };
 
 void add(LpWork& sum, const LpWork& part) {
   sum.double_pivots += part.double_pivots;
@@ -118,8 +118,8 @@ class ColumnGeneration {
     if (!problem_.is_family()) return {Normalizer::kHeight};
     const MultipleRange& range = problem_.multiples();
     std::vector<Normalizer> scales;
-    if (!range.has_low) scales.push_back(Normalizer::kAboveLow);
-    if (range.high) scales.push_back(Normalizer::kBelowHigh);
+    if (!range.has_low) scales.push_back(Normalizer::kFromLow);
+    if (range.high) scales.push_back(Normalizer::kToHigh);
     // Between two finite ends h > 0 follows.
     if (scales.empty() || !range.high) scales.push_back(Normalizer::kHeight);
     return scales;
@@ -128,7 +128,7 @@ class ColumnGeneration {
   Rational value_of(Normalizer scale, const Vector5& x) const {
     const MultipleRange& range = problem_.multiples();
     if (scale == Normalizer::kHeight) return x[3];
-    if (scale == Normalizer::kAboveLow) return x[4] - range.low * x[3];
+    if (scale == Normalizer::kFromLow) return x[4] - range.low * x[3];
     return *range.high * x[3] - x[4];
   }
 

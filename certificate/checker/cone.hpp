@@ -51,10 +51,12 @@ class Cone {
   /// Shared with the cones this one was cut from.
   const std::vector<std::shared_ptr<const Ray>>& rays() const { return rays_; }
 
+ protected:
+  void add(Form x, Set zero);
+
  private:
   Cone() = default;
   Cone cut_line(const Form& a, bool equality, std::size_t line) const;
-  void add(Form x, Set zero);
 
   std::vector<Form> lines_;
   std::vector<std::shared_ptr<const Ray>> rays_;

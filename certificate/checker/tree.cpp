@@ -104,9 +104,10 @@ void add_bounds(const Row& row, const std::vector<Integer>& alpha, std::vector<F
 }
 
 /// The same for the product of the largest alpha_s and the largest v_i.
-void add_products(const Row& row, const std::vector<Integer>& alpha, std::vector<Form>& bounds) {
-  const Integer most = *std::max_element(alpha.begin(), alpha.end()) *
-                       static_cast<unsigned>(alpha.size());
+void add_products(const Row& row, const std::vector<Integer>& alpha,
+                  std::vector<Form>& bounds) {
+  const Integer most =
+      *std::max_element(alpha.begin(), alpha.end()) * static_cast<unsigned>(alpha.size());
   for (const std::vector<Form>& pulls : row.pulls) {
     for (const Form& pull : pulls) {
       Form product;
@@ -235,6 +236,12 @@ const Form* certain_one(const std::vector<Form>& corners) {
 
 }  // namespace
 
+std::optional<std::string> leaf_refusal(const Box& box, const Cone& cone, const Set& strict,
+                                        const Vector& y) {
+  const auto found = refusal(box, cone, strict, y, true);
+  return found ? refusal(box, cone, strict, y, false) : std::nullopt;
+}
+
 std::size_t most_depth(const Box& box) {
   return 2 * box.rows.size() + kMoreDepth;
 }
@@ -350,9 +357,9 @@ void TreeWalk::check_leaf(const Region& region, const Vector& y) const {
   Barring all(region.strict);
   for (const auto& ray : cone.rays()) all.add(ray.get());
   if (all.barred()) return;
-  std::optional<std::string> found = refusal(*region.box, cone, region.strict, y, true);
-  if (found) found = refusal(*region.box, cone, region.strict, y, false);
-  if (found) throw rejection("leaf-bound", *found);
+  if (const auto found = leaf_refusal(*region.box, cone, region.strict, y)) {
+    throw rejection("leaf-bound", *found);
+  }
   const std::vector<Vector>& direction = roots_[trees_ - 1].direction;
   if (direction.empty()) return;
   Vector pull(kCoordinates);

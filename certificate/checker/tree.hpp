@@ -60,6 +60,10 @@ struct Root {
   /// Of list 2, A (d - h d0) as rows of functions of points: `leaf-direction` is asked for.
   std::vector<Vector> direction = {};
 };
+/// `leaf-bound`, of the part of a cone where some conditions are strict: why it does not hold,
+/// or nothing.
+std::optional<std::string> leaf_refusal(const Box& box, const Cone& cone, const Set& strict,
+                                        const Vector& y);
 /// The most nodes above one: `node-depth`.
 std::size_t most_depth(const Box& box);
 /// One for each range.

@@ -178,13 +178,14 @@ py::tuple files(const ProvedFiles& proved) {
   return py::make_tuple(proved.grasp, proved.certificate);
 }
 
-/// The question about a grasp of which `uncertain`, as in --uncertain, says what may be off.
+/// The question about a grasp of which `uncertain`, as in --uncertain, says what may be off;
+/// may be nothing if `lengths` that are irrational are enough.
 Question box_question(const GraspFile& grasp, QuestionOptions asked,
-                      const std::string& uncertain) {
-  asked.uncertain = parse_tolerances(uncertain);
+                      const std::string& uncertain, bool lengths = false) {
+  if (!uncertain.empty() || !lengths) asked.uncertain = parse_tolerances(uncertain);
   require_load(grasp, asked);
   Question question = ask(grasp, asked);
-  if (question.box && !question.box->is_point()) return question;
+  if (question.box && (lengths || !question.box->is_point())) return question;
   throw InputError("", "uncertain", "nothing is uncertain",
                    "say how far numbers may be off, as in {\"friction\": \"10%\"}");
 }
@@ -209,7 +210,7 @@ py::dict decide_grasp_box(const GraspFile& grasp, const std::string& uncertain,
   };
   const QuestionOptions asked = question_options(wrench, preload, bilateral);
   const Answer answer = without_gil([&] {
-    Question question = box_question(grasp, asked, uncertain);
+    Question question = box_question(grasp, asked, uncertain, true);
     BoxOptions options;
     options.node_limit = node_limit;
     BoxDecision decision = decide_box(*question.box, question.law, options);

@@ -133,7 +133,8 @@ def decide(
             body; the grasp's own if None.
         uncertain: how far numbers may be off, by kind, such as {"friction": "10%", "wrench": 0.1}
             or "friction=10%": the verdict is then a ``BoxDecision`` about all grasps in the box
-            (docs/uncertainty.md). Of one question; the engine is one for boxes.
+            (docs/uncertainty.md). {} encloses the irrational lengths of preloaded normals, and
+            nothing else is off. Of one question; the engine is one for boxes.
         friction: of every contact, one number or (n,); (n, m) gives each contact its own. The
             grasp's own if None.
         preload: of every contact, one number or (n,); the grasp's own if None.
@@ -148,7 +149,7 @@ def decide(
 
     Raises:
         InputError: an argument is wrong, or a preloaded contact has a normal of irrational
-            length (``Grasp.snap``).
+            length (``Grasp.snap``, or ``uncertain={}``).
     """
     if uncertain is not None:
         one_of("engine", engine, ("auto",))

@@ -91,6 +91,25 @@ TEST(RandomBoxes, IrrationalLengths) {
   expect_right(Uncertain::kLengths, 5, 16, "lengths", 0);
 }
 
+TEST(RandomBoxes, AHundredThousandGraspsInsideProvedOnes) {
+  if (test::kSanitized) GTEST_SKIP() << "nothing new is run";
+  constexpr std::size_t kOfEach = 25000;
+  RandomSource random(7);
+  for (const Uncertain uncertain :
+       {Uncertain::kFriction, Uncertain::kAll, Uncertain::kWrench, Uncertain::kInFile}) {
+    Tally tally;
+    while (tally.samples < kOfEach && !HasFailure()) {
+      const BoxCase about = test::random_box(random, uncertain);
+      const BoxDecision decision = about.decide();
+      tally.count(decision);
+      expect_right(random, about, decision, 500, tally);
+    }
+    tally.print("many");
+    EXPECT_GE(tally.of("stable"), 5u);
+    EXPECT_GE(tally.of("unstable"), 5u);
+  }
+}
+
 // Turned by 45 degrees and grown by sqrt 2, preloads alone hold or do not hold as before; but
 // all lengths have become irrational. (Where contacts may open, all of them open is an
 // equilibrium.)

@@ -149,11 +149,11 @@ class Box:
         contacts = [c.cut(name, low, high) if j == i else c for j, c in enumerate(self.contacts)]
         return Box(contacts, self.wrench, self.law)
 
-    def leaf_holds(self, place, y):
-        """`leaf-bound`, word for word."""
-        if place.barred(place.rays):
+    def leaf_holds(self, place, y, rays=None):
+        """`leaf-bound`, word for word; of other rays that span the place, if there are some."""
+        rays = place.rays if rays is None else rays
+        if place.barred(rays):
             return True
-        rays = place.rays
         g = [r[3] * sum(max(c * end for end in ends) for c, ends in zip(y, self.wrench))
              for r in rays]
         for contact in self.contacts:

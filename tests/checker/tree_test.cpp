@@ -180,6 +180,64 @@ TEST(Tree, RefutationsOfRandomGraspsAreAccepted) {
   EXPECT_GT(proved, 60U);
 }
 
+/// With sums of rays among the rays.
+class Redundant : public Cone {
+ public:
+  Redundant(Random& random, const Cone& cone) : Cone(cone) {
+    const auto extreme = cone.rays();
+    for (int k = between(random, 1, 4); k > 0 && !extreme.empty(); --k) {
+      Form x(kN);
+      std::optional<Set> zero;
+      for (int terms = between(random, 1, 3); terms > 0; --terms) {
+        const Ray& ray =
+            *extreme[static_cast<std::size_t>(between(random, 0, int(extreme.size()) - 1))];
+        const int weight = between(random, 1, 5);
+        for (std::size_t j = 0; j < kN; ++j) x[j] += weight * ray.x[j];
+        zero = zero ? intersection(*zero, ray.zero) : ray.zero;
+      }
+      add(x, *zero);
+    }
+  }
+};
+
+TEST(Tree, RedundantRaysChangeNoLeaf) {
+  Random random(2718);
+  std::size_t tally[2]{};
+  for (int trial = 0; trial < 3000; ++trial) {
+    const NaiveQuestion q = random_question(random, 3);
+    Box box = *q.question.box;
+    for (std::size_t i = 0; i < q.size(); ++i) {
+      for (const Parameter name : {Parameter::kX, Parameter::kTurn, Parameter::kFriction,
+                                   Parameter::kPreload, Parameter::kStiffness}) {
+        if (between(random, 0, 2) > 0) continue;
+        const Rational& low = box.contacts[i][name].low;
+        box = box.with(name, i, Bounds(low, low + Rational(between(random, 1, 3)) / 8));
+      }
+    }
+    Cone cone(kN);
+    Set strict;
+    insert(strict, 0);
+    cone = cone.cut(make_form({0, 0, 0, 1, 0})).cut(make_form({0, 0, 0, 0, 1}), true);
+    for (int cuts = between(random, 0, 5); cuts > 0; --cuts) {
+      Vector a;
+      for (std::size_t j = 0; j < kN; ++j) a.emplace_back(between(random, -1, 1));
+      const std::size_t i = static_cast<std::size_t>(between(random, 0, 3));
+      if (i < q.size() && box.rows[i]->slip.size() == 1) a = q.tau(i);
+      if (between(random, 0, 1) == 0) insert(strict, cone.cuts());
+      cone = cone.cut(make_form(a));
+    }
+    const Redundant more(random, cone);
+    for (int leaves = 0; leaves < 5; ++leaves) {
+      const Vector y = leaf(random).numbers;
+      const bool holds = !leaf_refusal(box, cone, strict, y);
+      ++tally[holds ? 1 : 0];
+      EXPECT_EQ(!leaf_refusal(box, more, strict, y), holds) << "trial " << trial;
+    }
+  }
+  EXPECT_GT(tally[0], 1000U);
+  EXPECT_GT(tally[1], 1000U);
+}
+
 TEST(Tree, EachRangeHasItsTree) {
   // Without contacts nothing resists but the load 0, at lambda = 1.
   Options options;

@@ -47,6 +47,21 @@ def test_decide(fig1, tmp_path):
     assert judged(tmp_path, far.proof) == "unstable" == far.verdict
 
 
+def test_irrational_lengths(fig1, tmp_path):
+    turned = Grasp([[-1, -1], [1, -1], [0, 1]], [[1, 1], [-1, 1], [0, -1]], 1, preload=1,
+                   wrench=(0, "1/10", 0))
+    path = tmp_path / "turned.json"
+    path.write_text(turned.to_text())
+    answer = decide(turned, uncertain={})
+    found = program("decide", path)
+    assert (answer.verdict, answer.stats) == (found["verdict"], found["stats"])
+    assert answer.uncertain == "" and judged(tmp_path, answer.proof) == "stable"
+    for ask in (lambda: decide(fig1, uncertain={}), lambda: radius(turned, uncertain={})):
+        with pytest.raises(InputError) as error:
+            ask()
+        assert error.value.place == "uncertain"
+
+
 def test_same_as_the_program(fig1, tmp_path):
     path = tmp_path / "fig1.json"
     path.write_text(fig1.to_text())

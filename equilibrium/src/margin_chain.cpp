@@ -84,12 +84,33 @@ std::optional<FamilyModes::Piece> FamilyModes::next_piece(const FamilyMode& mode
   return std::nullopt;
 }
 
-MarginSegment FamilyModes::segment_of(const Piece& piece) const {
-  MarginSegment segment{
-      {piece.low.x[4], witness_at(family_, piece.mode, piece.low)}, std::nullopt, {}};
-  if (piece.has_high()) segment.high = piece.high.x[4];
-  segment.end = witness_at(family_, piece.mode, piece.high);
-  return segment;
+ShortWitness FamilyModes::witness_at(const FamilyMode& mode, const ModePoint& point) {
+  ShortWitness witness{{point.x[0], point.x[1], point.x[2]}, {}};
+  signs_.go_to(point.x);
+  auto friction = point.friction.begin();
+  for (std::size_t i = 0; i < mode.size(); ++i) {
+    const ContactId contact(i);
+    const Rational& mu = family_.row(contact).friction;
+    if (!mode[i].closed || mu.is_zero()) continue;
+    Rational share = -to_int(mode[i].slip);
+    if (mode[i].slip == Sign::kZero) {
+      const Rational& b = (friction++)->second;
+      if (b.is_zero()) continue;
+      share = b / (mu * dot(family_.separation(contact), point.x));
+    } else if (signs_.of(signs_.slip(i)) != Sign::kZero ||
+               signs_.of(signs_.separation(i)) == Sign::kZero) {
+      continue;
+    }
+    witness.shares.emplace_back(contact, std::move(share));
+  }
+  return witness;
+}
+
+MarginSegment FamilyModes::segment_of(const Piece& piece) {
+  std::optional<Rational> high;
+  if (piece.has_high()) high = piece.high.x[4];
+  return {piece.low.x[4], witness_at(piece.mode, piece.low), std::move(high),
+          witness_at(piece.mode, piece.high)};
 }
 
 std::vector<MarginSegment> FamilyModes::chain_through(const MarginPoint& point,

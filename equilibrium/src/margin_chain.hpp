@@ -44,7 +44,8 @@ class FamilyModes {
   std::optional<Piece> piece_of(const FamilyMode& mode);
   /// A mode next to this one at the point that goes further, up or down.
   std::optional<Piece> next_piece(const FamilyMode& mode, const ModePoint& point, bool up);
-  MarginSegment segment_of(const Piece& piece) const;
+  ShortWitness witness_at(const FamilyMode& mode, const ModePoint& point);
+  MarginSegment segment_of(const Piece& piece);
 
   Problem family_;
   std::function<void()> count_;

@@ -64,22 +64,6 @@ IntegerVector5 circle_of(const IntegerVector5& slip_plane) {
 
 }  // namespace
 
-Witness witness_at(const Problem& family, const FamilyMode& mode, const ModePoint& point) {
-  Witness witness{{point.x[0], point.x[1], point.x[2]}, {}};
-  witness.forces.resize(mode.size());
-  for (std::size_t i = 0; i < mode.size(); ++i) {
-    if (!mode[i].closed) continue;
-    ContactForce& force = witness.forces[i];
-    force.normal = dot(family.separation(ContactId(i)), point.x);
-    const int edge = edge_of(family, mode, i);
-    if (edge != 0) {
-      force.tangential = Rational(edge) * family.row(ContactId(i)).friction * force.normal;
-    }
-  }
-  for (const auto& [contact, b] : point.friction) witness.forces[contact].tangential = b;
-  return witness;
-}
-
 std::optional<ModeEnds> ends_by_programs(const Problem& family, const FamilyMode& mode) {
   Region region = Region::root(family);
   for (std::size_t i = 0; i < mode.size(); ++i) {
@@ -107,14 +91,14 @@ std::optional<ModeEnds> ends_by_programs(const Problem& family, const FamilyMode
   return ModeEnds{point_of(extent->lowest), point_of(extent->highest)};
 }
 
-void ModeLines::go_to(const FamilyMode& mode) {
-  if (mode_.empty()) mode_.assign(mode.size(), {false, Sign::kZero});
+const std::array<Vector5, 3>& ForceSum::of(const FamilyMode& mode) {
+  mode_.resize(mode.size(), {false, Sign::kZero});
   const auto add = [&](int sign, const FamilyMode& from, std::size_t i) {
     if (!from[i].closed) return;
     const ContactId contact(i);
     const Vector3 wrench = coordinates(family_.edge_wrench(contact, edge_of(family_, from, i)));
     for (std::size_t j = 0; j < 3; ++j) {
-      forces_[j] = sum(std::move(forces_[j]), sign * wrench[j], family_.separation(contact));
+      sum_[j] = sum(std::move(sum_[j]), sign * wrench[j], family_.separation(contact));
     }
   };
   for (std::size_t i = 0; i < mode.size(); ++i) {
@@ -123,9 +107,10 @@ void ModeLines::go_to(const FamilyMode& mode) {
     add(1, mode, i);
   }
   mode_ = mode;
+  return sum_;
 }
 
-std::optional<ModeLines::Line> ModeLines::line_of(const FamilyMode& mode) const {
+std::optional<ModeLines::Line> ModeLines::line_of(const FamilyMode& mode) {
   Line line;
   for (std::size_t i = 0; i < mode.size(); ++i) {
     if (!sticks(family_, mode, i)) continue;
@@ -145,17 +130,18 @@ std::optional<ModeLines::Line> ModeLines::line_of(const FamilyMode& mode) const 
     circle->limit = sum(std::move(circle->limit), scale, family_.separation(contact));
   }
   // Unknown: d and F. Right sides: at h = 1, l = 0; and at h = 0, l = 1.
+  const std::array<Vector5, 3>& forces = forces_.of(mode);
   const std::size_t unknowns = 3 + line.circles.size();
   std::vector<std::vector<Rational>> rows(unknowns, std::vector<Rational>(unknowns + 2));
   const Vector3 load = coordinates(family_.wrench());
   const Vector3 growth = coordinates(family_.load_growth());
   for (std::size_t j = 0; j < 3; ++j) {
-    for (std::size_t k = 0; k < 3; ++k) rows[j][k] = forces_[j][k];
+    for (std::size_t k = 0; k < 3; ++k) rows[j][k] = forces[j][k];
     for (std::size_t c = 0; c < line.circles.size(); ++c) {
       rows[j][3 + c] = rows[3 + c][j] = Rational(line.circles[c].plane[j]);
     }
-    rows[j][unknowns] = -(load[j] + forces_[j][3]);
-    rows[j][unknowns + 1] = -(growth[j] + forces_[j][4]);
+    rows[j][unknowns] = -(load[j] + forces[j][3]);
+    rows[j][unknowns + 1] = -(growth[j] + forces[j][4]);
   }
   if (!eliminate(rows)) return std::nullopt;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -248,7 +234,6 @@ ModePoint ModeLines::point_at(const Line& line, const Vector5& x) const {
 }
 
 std::optional<ModeEnds> ModeLines::ends(const FamilyMode& mode) {
-  go_to(mode);
   const std::optional<Line> line = line_of(mode);
   was_line_ = line.has_value();
   return line ? ends_of(mode, *line) : ends_by_programs(family_, mode);

@@ -32,7 +32,7 @@ namespace stickslip::equilibrium_detail {
 /// slip has the sign throughout.
 using FamilyMode = std::vector<ContactMode>;
 
-/// An equilibrium of a mode, or what may be added to one without end.
+/// An equilibrium of a mode with its multiple, or what may be added to one without end.
 struct ModePoint {
   Vector5 x;  ///< with h = 1; or h = 0, l = 1
   /// b where contacts stick, by contact; all other forces follow from x.
@@ -50,8 +50,19 @@ inline bool sticks(const Problem& family, const FamilyMode& mode, std::size_t co
          !family.row(ContactId(contact)).friction.is_zero();
 }
 
-/// Motion and all forces.
-Witness witness_at(const Problem& family, const FamilyMode& mode, const ModePoint& point);
+/// S of one mode after another, from which it changes only by the contacts that do.
+class ForceSum {
+ public:
+  explicit ForceSum(const Problem& family) : family_(family) {}
+
+  /// The wrench of the forces at x, but for friction where contacts stick, is S x.
+  const std::array<Vector5, 3>& of(const FamilyMode& mode);
+
+ private:
+  const Problem& family_;
+  FamilyMode mode_;  ///< of which sum_ is the sum
+  std::array<Vector5, 3> sum_{};
+};
 
 /// The ends of a mode by two linear programs over its region; nothing if it resists nothing.
 std::optional<ModeEnds> ends_by_programs(const Problem& family, const FamilyMode& mode);
@@ -60,7 +71,8 @@ std::optional<ModeEnds> ends_by_programs(const Problem& family, const FamilyMode
 class ModeLines {
  public:
   /// A family for all l >= 0, which has to outlive this.
-  explicit ModeLines(const Problem& family) : family_(family), signs_(family) {}
+  explicit ModeLines(const Problem& family)
+      : family_(family), signs_(family), forces_(family) {}
 
   std::optional<ModeEnds> ends(const FamilyMode& mode);
 
@@ -85,8 +97,7 @@ class ModeLines {
     Sign failing;  ///< the sign that it must not have
   };
 
-  void go_to(const FamilyMode& mode);
-  std::optional<Line> line_of(const FamilyMode& mode) const;
+  std::optional<Line> line_of(const FamilyMode& mode);
   std::optional<Vector5> within(const std::vector<Condition>& conditions, const Line& line,
                                 bool from_above);
   std::optional<ModeEnds> ends_of(const FamilyMode& mode, const Line& line);
@@ -94,8 +105,7 @@ class ModeLines {
 
   const Problem& family_;
   PointSigns signs_;
-  FamilyMode mode_;                ///< of which forces_ is the sum
-  std::array<Vector5, 3> forces_;  ///< S
+  ForceSum forces_;
   bool was_line_ = false;
 };
 

@@ -6,14 +6,10 @@
 #include <cstdio>
 #include <optional>
 
-#include "long_rationals.hpp"
 #include "stickslip/equilibrium/decide.hpp"
 #include "stickslip/equilibrium/search/region_program.hpp"
 
 namespace stickslip {
-
-using namespace equilibrium_detail;
-
 namespace {
 
 std::string rounded(double value) {
@@ -91,17 +87,24 @@ bool preloads_balance(const Problem& problem) {
   return std::holds_alternative<RelaxedPoint>(outcome);
 }
 
-std::optional<std::string> lost_preload(const Problem& problem, const Twist& d) {
-  const ScaledTwist scaled(d);
+/// Of a family at its multiple.
+std::optional<std::string> lost_preload(const Problem& problem, const Twist& d,
+                                        const Rational& multiple = 0) {
+  const IntegerVector5 point = primitive_multiple<5>({d.x, d.y, d.r, 1, multiple});
+  Vector5 x;
+  std::copy(point.begin(), point.end(), x.begin());
+  bool any = false;
   Rational largest_share = 0;
   for (std::size_t i = 0; i < problem.size(); ++i) {
-    const ContactRow& row = problem.rows()[i];
-    if (!is_preloaded(row)) continue;
-    const Rational kept = scaled.normal_coefficient(row);
-    const Rational all = scaled.scale * row.preload;
-    if (kLeastPartOfPreload * kept >= all) return std::nullopt;
-    largest_share = std::max(largest_share, Rational(kept / all));
+    const Vector5& v = problem.separation(ContactId(i));
+    const Rational preload = v[3] * x[3] + v[4] * x[4];
+    if (preload.is_zero()) continue;
+    any = true;
+    const Rational kept = dot(v, x);
+    if (kLeastPartOfPreload * kept >= preload) return std::nullopt;
+    largest_share = std::max(largest_share, Rational(kept / preload));
   }
+  if (!any) return std::nullopt;
   return "the preload is all but gone in this equilibrium: no contact keeps more than " +
          rounded(to_double(100 * largest_share)) + " % of its own";
 }
@@ -197,7 +200,7 @@ std::vector<ModelWarning> model_warnings(const Question& question, const Verdict
     warnings.add(ModelTrap::kLargeMotion, large_motion(question, stable->witness.twist));
   }
   add_unbalanced_preload(problem, warnings);
-  if (stable != nullptr && is_preloaded(problem)) {
+  if (stable != nullptr) {
     warnings.add(ModelTrap::kLostPreload, lost_preload(problem, stable->witness.twist));
   }
   if (!std::holds_alternative<Undecided>(verdict)) {
@@ -218,9 +221,7 @@ std::vector<ModelWarning> model_warnings(const Question& question, const Margin&
       warnings.add(ModelTrap::kLargeMotion, at_multiple(large_motion(question, d)));
     }
     if (warnings.has(ModelTrap::kLostPreload)) return;
-    const Problem problem = family.at(multiple);
-    if (!is_preloaded(problem)) return;
-    warnings.add(ModelTrap::kLostPreload, at_multiple(lost_preload(problem, d)));
+    warnings.add(ModelTrap::kLostPreload, at_multiple(lost_preload(family, d, multiple)));
   };
   for (const MarginSegment& segment : margin.segments) {
     look_at(segment.low, segment.start.twist);

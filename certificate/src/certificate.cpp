@@ -105,15 +105,11 @@ std::string head(const Question& question, const std::string& producer) {
 
 const char kVerdict[] = "\"verdict\": ";
 
-/// The shares of friction that are not implied: where a contact sticks under load, with
-/// friction.
-std::string shares_text(const std::vector<ContactRow>& rows, const Witness& witness) {
+std::string shares_text(const ShortWitness& witness) {
   std::string text = "[";
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const ContactForce& force = witness.forces[i];
-    if (force.tangential == 0 || power(rows[i].tangent, witness.twist) != 0) continue;
-    const Rational share = force.tangential / (rows[i].friction * force.normal);
-    text += (text.size() == 1 ? "[" : ",[") + std::to_string(i) + "," + number(share) + "]";
+  for (const auto& [contact, share] : witness.shares) {
+    text += (text.size() == 1 ? "[" : ",[") + std::to_string(contact.index()) + "," +
+            number(share) + "]";
   }
   return text + "]";
 }
@@ -143,10 +139,9 @@ struct PartText {
   }
 };
 
-std::string point_text(const std::vector<ContactRow>& rows,
-                       const std::optional<Rational>& multiple, const Witness& witness) {
+std::string point_text(const std::optional<Rational>& multiple, const ShortWitness& witness) {
   return "[" + (multiple ? number(*multiple) : "null") + ",[" +
-         list(coordinates(witness.twist)) + "]," + shares_text(rows, witness) + "]";
+         list(coordinates(witness.twist)) + "]," + shares_text(witness) + "]";
 }
 
 }  // namespace
@@ -160,7 +155,7 @@ std::string certificate_text(const Question& question, const Verdict& verdict,
   std::string text = head(question, producer) + kVerdict + "\"" + name_of(verdict) + "\",\n";
   if (const auto* stable = std::get_if<Stable>(&verdict)) {
     text += " \"twist\": [" + list(coordinates(stable->witness.twist)) + "],\n \"shares\": " +
-            shares_text(contact_rows(question.loaded.grasp), stable->witness);
+            shares_text(in_short(contact_rows(question.loaded.grasp), stable->witness));
   } else {
     text += tree_text(std::get<Unstable>(verdict).refutation);
   }
@@ -192,7 +187,6 @@ std::string box_certificate_text(const Question& question, const BoxDecision& de
 std::string margin_certificate_text(const Question& question, const Margin& margin,
                                     const std::string& producer) {
   require(question.is_margin(), "the certificate of a margin states its direction");
-  const Problem family = problem_of(question);
   std::string text = head(question, producer) + kVerdict + "\"margin\",\n \"resisted\": [";
   std::string separator;
   for (const MarginInterval& interval : margin.resisted) {
@@ -204,10 +198,9 @@ std::string margin_certificate_text(const Question& question, const Margin& marg
   separator = "\n  ";
   std::string end;
   for (const MarginSegment& segment : margin.segments) {
-    const std::string begin =
-        point_text(family.rows(), segment.start.multiple, segment.start.witness);
+    const std::string begin = point_text(segment.low, segment.start);
     text += separator + "[" + (begin == end ? "" : begin + ",\n   ");
-    end = point_text(family.rows(), segment.high, segment.end);
+    end = point_text(segment.high, segment.end);
     text += end + "]";
     separator = ",\n  ";
   }

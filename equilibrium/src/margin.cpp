@@ -15,6 +15,46 @@ using namespace equilibrium_detail;
 
 namespace {
 
+/// Checks one end of a segment after another.
+class FamilyJudge {
+ public:
+  explicit FamilyJudge(const Problem& family)
+      : family_(family), signs_(family), forces_(family) {}
+
+  /// Of the member with the multiple; without one, a ray.
+  void require_equilibrium(const std::optional<Rational>& multiple,
+                           const ShortWitness& witness) {
+    const Twist& d = witness.twist;
+    const Vector5 x{d.x, d.y, d.r, multiple ? 1 : 0, multiple.value_or(Rational(1))};
+    signs_.go_to(x);
+    FamilyMode mode;
+    for (std::size_t i = 0; i < family_.size(); ++i) {
+      const Sign v = signs_.of(signs_.separation(i));
+      require(v != Sign::kNegative || family_.law() == NormalLaw::kUnilateral,
+              "a contact pulls at the end of a segment");
+      mode.push_back({v == Sign::kPositive, signs_.of(signs_.slip(i))});
+    }
+    Vector3 total = coordinates(x[3] * family_.wrench() + x[4] * family_.load_growth());
+    const std::array<Vector5, 3>& forces = forces_.of(mode);
+    for (std::size_t j = 0; j < 3; ++j) total[j] += dot(forces[j], x);
+    for (const auto& [contact, share] : witness.shares) {
+      const ContactMode& at = mode[contact.index()];
+      require(at.closed && at.slip == Sign::kZero && abs(share) <= 1,
+              "no share of friction is that of a contact at the end of a segment");
+      const ContactRow& row = family_.row(contact);
+      const Rational b = share * row.friction * dot(family_.separation(contact), x);
+      const Vector3 friction = coordinates(b * row.tangent);
+      for (std::size_t j = 0; j < 3; ++j) total[j] += friction[j];
+    }
+    require(total == Vector3{}, "the end of a segment is not an equilibrium");
+  }
+
+ private:
+  const Problem& family_;
+  PointSigns signs_;
+  ForceSum forces_;
+};
+
 class MarginSearch {
  public:
   using Progress = std::function<void(const MarginWork&)>;
@@ -63,7 +103,7 @@ class MarginSearch {
   /// Follows the modes from an equilibrium within the gap; what they do not reach stays open.
   void take(const MarginPoint& point, const MultipleRange& gap) {
     const std::vector<MarginSegment> chain = modes_.chain_through(point, gap.low, gap.high);
-    const Rational& first = chain.front().start.multiple;
+    const Rational& first = chain.front().low;
     if (first > gap.low) open_.push_back({gap.low, first, gap.has_low});
     const std::optional<Rational>& last = chain.back().high;
     if (last && (!gap.high || *last < *gap.high)) open_.push_back({*last, gap.high, false});
@@ -90,37 +130,32 @@ class MarginSearch {
   void drop_idle_points() {
     std::vector<MarginSegment> kept;
     for (std::size_t k = 0; k < segments_.size(); ++k) {
-      const Rational& start = segments_[k].start.multiple;
+      const Rational& start = segments_[k].low;
       const bool is_point = segments_[k].high == start;
       const bool after_another = !kept.empty() && kept.back().high == start;
-      const bool before_another =
-          k + 1 < segments_.size() && segments_[k + 1].start.multiple == start;
+      const bool before_another = k + 1 < segments_.size() && segments_[k + 1].low == start;
       if (is_point && (after_another || before_another)) continue;
       kept.push_back(std::move(segments_[k]));
     }
     segments_ = std::move(kept);
   }
 
-  void require_equilibrium(const Rational& multiple, const Witness& witness) const {
-    require(!find_violation(family_.at(multiple), witness),
-            "the end of a segment is not an equilibrium");
-  }
-
   Margin assemble(std::vector<std::pair<Rational, Refutation>> refuted) {
     Margin margin;
     std::sort(segments_.begin(), segments_.end(), [](const auto& a, const auto& b) {
       // A point that is alone comes before what may begin at it.
-      if (a.start.multiple != b.start.multiple) return a.start.multiple < b.start.multiple;
+      if (a.low != b.low) return a.low < b.low;
       return a.high && (!b.high || *a.high < *b.high);
     });
     drop_idle_points();
     shorten(segments_, family_);
+    FamilyJudge judge(family_);
     for (const MarginSegment& segment : segments_) {
-      require_equilibrium(segment.start.multiple, segment.start.witness);
-      if (segment.high) require_equilibrium(*segment.high, segment.end);
+      judge.require_equilibrium(segment.low, segment.start);
+      judge.require_equilibrium(segment.high, segment.end);
       const bool continues =
-          !margin.resisted.empty() && margin.resisted.back().high == segment.start.multiple;
-      if (!continues) margin.resisted.push_back({segment.start.multiple, std::nullopt});
+          !margin.resisted.empty() && margin.resisted.back().high == segment.low;
+      if (!continues) margin.resisted.push_back({segment.low, std::nullopt});
       margin.resisted.back().high = segment.high;
     }
     margin.segments = std::move(segments_);

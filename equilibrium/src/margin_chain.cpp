@@ -7,69 +7,43 @@
 #include "stickslip/core/error.hpp"
 
 namespace stickslip::equilibrium_detail {
-namespace {
 
-/// first + factor * second
-Witness sum(const Witness& first, const Rational& factor, const Witness& second) {
-  Witness result = first;
-  result.twist.x += factor * second.twist.x;
-  result.twist.y += factor * second.twist.y;
-  result.twist.r += factor * second.twist.r;
-  for (std::size_t i = 0; i < result.forces.size(); ++i) {
-    result.forces[i].normal += factor * second.forces[i].normal;
-    result.forces[i].tangential += factor * second.forces[i].tangential;
+ModePoint FamilyModes::Piece::at(const Rational& multiple) const {
+  const Rational rise = multiple - low.x[4];
+  if (rise.is_zero()) return low;
+  if (has_high() && multiple == high.x[4]) return high;
+  // A ray is added to the low end, between ends there is a combination of both.
+  const Rational share = has_high() ? rise / (high.x[4] - low.x[4]) : rise;
+  ModePoint point = low;
+  const auto move = [&](Rational& from, const Rational& to) {
+    from += share * (has_high() ? to - from : to);
+  };
+  for (std::size_t j = 0; j < 5; ++j) move(point.x[j], high.x[j]);
+  for (std::size_t k = 0; k < point.friction.size(); ++k) {
+    move(point.friction[k].second, high.friction[k].second);
   }
-  return result;
+  return point;
 }
 
-}  // namespace
-
-Witness FamilyModes::Piece::at(const Rational& multiple) const {
-  const Rational rise = multiple - lowest.multiple;
-  if (rise.is_zero()) return lowest.witness;
-  if (!high) return sum(lowest.witness, rise, end);
-  const Rational share = rise / (*high - lowest.multiple);
-  return sum(sum(lowest.witness, -share, lowest.witness), share, end);
-}
-
-MarginSegment FamilyModes::Piece::part(const Rational& from,
-                                       const std::optional<Rational>& to) const {
-  const Rational start = std::max(from, lowest.multiple);
-  if (!high && !to) return {{start, at(start)}, std::nullopt, end};
-  const Rational stop = !high ? *to : !to ? *high : std::min(*high, *to);
-  return {{start, at(start)}, stop, at(stop)};
+FamilyModes::Piece FamilyModes::Piece::part(const Rational& from,
+                                            const std::optional<Rational>& to) const {
+  const ModePoint start = at(std::max(from, low.x[4]));
+  if (!to) return {mode, start, high};
+  return {mode, start, at(has_high() ? std::min(high.x[4], *to) : *to)};
 }
 
 std::optional<FamilyModes::Piece> FamilyModes::piece_of(const FamilyMode& mode) {
-  Region region = Region::root(family_);
-  for (std::size_t i = 0; i < mode.size(); ++i) {
-    const ContactId contact(i);
-    if (family_.law() == NormalLaw::kUnilateral) {
-      region = std::move(region).separation_child(
-          family_, contact, mode[i].closed ? Separation::kClosed : Separation::kOpen);
-    }
-    if (mode[i].closed && !family_.row(contact).friction.is_zero()) {
-      region = std::move(region).slip_child(family_, contact, mode[i].slip);
-    }
-  }
   count_();
-  std::optional<MultipleExtent> extent = multiple_extent(family_, region);
-  if (!extent) return std::nullopt;
-  require(!extent->lowest.broken && !extent->highest.broken, "a mode has nothing to split");
-  std::optional<Rational> high;
-  if (!extent->highest.is_ray) high = extent->highest.multiple;
-  return Piece{mode,
-               {extent->lowest.multiple, std::move(extent->lowest.witness)},
-               std::move(high),
-               std::move(extent->highest.witness)};
+  std::optional<ModeEnds> ends = lines_.ends(mode);
+  if (!ends) return std::nullopt;
+  return Piece{mode, std::move(ends->low), std::move(ends->high)};
 }
 
 std::optional<FamilyModes::Piece> FamilyModes::next_piece(const FamilyMode& mode,
-                                                          const MarginPoint& point, bool up) {
+                                                          const ModePoint& point, bool up) {
   // What ends the mode here: all changes together, and a few by themselves. Where none of these
   // leads on, the search finds what does.
   constexpr std::size_t kMostAlone = 8;
-  const Problem problem = family_.at(point.multiple);
   FamilyMode all = mode;
   std::vector<FamilyMode> candidates;
   const auto change = [&](std::size_t contact, ContactMode state) {
@@ -78,58 +52,91 @@ std::optional<FamilyModes::Piece> FamilyModes::next_piece(const FamilyMode& mode
     candidates.push_back(mode);
     candidates.back()[contact] = state;
   };
+  signs_.go_to(point.x);
+  auto friction = point.friction.begin();
   for (std::size_t i = 0; i < mode.size(); ++i) {
-    const ContactRow& row = problem.rows()[i];
-    const ContactForce& force = point.witness.forces[i];
-    const Sign slip = mode_of(problem, ContactId(i), point.witness.twist).slip;
-    const bool touches = row.normal_coefficient(point.witness.twist).is_zero();
+    const bool touches = signs_.of(signs_.separation(i)) == Sign::kZero;
     if (touches && family_.law() == NormalLaw::kUnilateral) {
-      change(i, {!mode[i].closed, slip});
-    } else if (mode[i].closed && !row.friction.is_zero()) {
-      const Rational limit = row.friction * force.normal;
-      if (mode[i].slip != Sign::kZero && slip == Sign::kZero) {
-        change(i, {true, Sign::kZero});
-      } else if (mode[i].slip == Sign::kZero && abs(force.tangential) == limit) {
-        change(i, {true, sign_of_int(-force.tangential.sign())});
+      change(i, {!mode[i].closed, signs_.of(signs_.slip(i))});
+    } else if (sticks(family_, mode, i)) {
+      while (friction->first != i) ++friction;
+      const Rational& b = friction->second;
+      const ContactId contact(i);
+      if (abs(b) == family_.row(contact).friction * dot(family_.separation(contact), point.x)) {
+        change(i, {true, sign_of_int(-b.sign())});
       }
+    } else if (mode[i].closed && !family_.row(ContactId(i)).friction.is_zero() &&
+               signs_.of(signs_.slip(i)) == Sign::kZero) {
+      change(i, {true, Sign::kZero});
     }
   }
   if (candidates.size() > 1) candidates.insert(candidates.begin(), all);
   for (const FamilyMode& candidate : candidates) {
     std::optional<Piece> piece = piece_of(candidate);
     if (!piece) continue;
-    const bool begins_below = piece->lowest.multiple <= point.multiple;
-    const bool ends_above = !piece->high || *piece->high >= point.multiple;
-    const bool goes_on = up ? !piece->high || *piece->high > point.multiple
-                            : piece->lowest.multiple < point.multiple;
+    const Rational& multiple = point.x[4];
+    const bool begins_below = piece->low.x[4] <= multiple;
+    const bool ends_above = !piece->has_high() || piece->high.x[4] >= multiple;
+    const bool goes_on =
+        up ? !piece->has_high() || piece->high.x[4] > multiple : piece->low.x[4] < multiple;
     if (begins_below && ends_above && goes_on) return piece;
   }
   return std::nullopt;
 }
 
+ShortWitness FamilyModes::witness_at(const FamilyMode& mode, const ModePoint& point) {
+  ShortWitness witness{{point.x[0], point.x[1], point.x[2]}, {}};
+  signs_.go_to(point.x);
+  auto friction = point.friction.begin();
+  for (std::size_t i = 0; i < mode.size(); ++i) {
+    const ContactId contact(i);
+    const Rational& mu = family_.row(contact).friction;
+    if (!mode[i].closed || mu.is_zero()) continue;
+    Rational share = -to_int(mode[i].slip);
+    if (mode[i].slip == Sign::kZero) {
+      const Rational& b = (friction++)->second;
+      if (b.is_zero()) continue;
+      share = b / (mu * dot(family_.separation(contact), point.x));
+    } else if (signs_.of(signs_.slip(i)) != Sign::kZero ||
+               signs_.of(signs_.separation(i)) == Sign::kZero) {
+      continue;
+    }
+    witness.shares.emplace_back(contact, std::move(share));
+  }
+  return witness;
+}
+
+MarginSegment FamilyModes::segment_of(const Piece& piece) {
+  std::optional<Rational> high;
+  if (piece.has_high()) high = piece.high.x[4];
+  return {piece.low.x[4], witness_at(piece.mode, piece.low), std::move(high),
+          witness_at(piece.mode, piece.high)};
+}
+
 std::vector<MarginSegment> FamilyModes::chain_through(const MarginPoint& point,
                                                       const Rational& low,
                                                       const std::optional<Rational>& high) {
-  std::optional<Piece> piece =
+  const std::optional<Piece> middle =
       piece_of(modes_of(family_.at(point.multiple), point.witness.twist));
-  require(piece.has_value(), "an equilibrium lies in its own mode");
-  std::vector<MarginSegment> chain{piece->part(low, high)};
-  const FamilyMode middle = piece->mode;
-  while (chain.back().high && (!high || *chain.back().high < *high)) {
-    const MarginPoint top{*chain.back().high, chain.back().end};
-    piece = next_piece(piece->mode, top, true);
-    if (!piece) break;
-    chain.push_back(piece->part(top.multiple, high));
+  require(middle.has_value(), "an equilibrium lies in its own mode");
+  std::vector<Piece> downwards{middle->part(low, high)};
+  while (downwards.back().low.x[4] > low) {
+    const Piece& last = downwards.back();
+    const std::optional<Piece> next = next_piece(last.mode, last.low, false);
+    if (!next) break;
+    downwards.push_back(next->part(low, last.low.x[4]));
   }
-  FamilyMode mode = middle;
-  while (chain.front().start.multiple > low) {
-    const MarginPoint bottom = chain.front().start;
-    piece = next_piece(mode, bottom, false);
-    if (!piece) break;
-    mode = piece->mode;
-    chain.insert(chain.begin(), piece->part(low, bottom.multiple));
+  std::vector<Piece> chain(std::make_move_iterator(downwards.rbegin()),
+                           std::make_move_iterator(downwards.rend()));
+  while (chain.back().has_high() && (!high || chain.back().high.x[4] < *high)) {
+    const Piece& last = chain.back();
+    const std::optional<Piece> next = next_piece(last.mode, last.high, true);
+    if (!next) break;
+    chain.push_back(next->part(last.high.x[4], high));
   }
-  return chain;
+  std::vector<MarginSegment> segments;
+  for (const Piece& piece : chain) segments.push_back(segment_of(piece));
+  return segments;
 }
 
 }  // namespace stickslip::equilibrium_detail

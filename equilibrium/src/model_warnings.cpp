@@ -87,14 +87,24 @@ bool preloads_balance(const Problem& problem) {
   return std::holds_alternative<RelaxedPoint>(outcome);
 }
 
-std::optional<std::string> lost_preload(const Problem& problem, const Witness& witness) {
+/// Of a family at its multiple.
+std::optional<std::string> lost_preload(const Problem& problem, const Twist& d,
+                                        const Rational& multiple = 0) {
+  const IntegerVector5 point = primitive_multiple<5>({d.x, d.y, d.r, 1, multiple});
+  Vector5 x;
+  std::copy(point.begin(), point.end(), x.begin());
+  bool any = false;
   Rational largest_share = 0;
   for (std::size_t i = 0; i < problem.size(); ++i) {
-    const ContactRow& row = problem.rows()[i];
-    if (!is_preloaded(row)) continue;
-    largest_share = std::max(largest_share, Rational(witness.forces[i].normal / row.preload));
+    const Vector5& v = problem.separation(ContactId(i));
+    const Rational preload = v[3] * x[3] + v[4] * x[4];
+    if (preload.is_zero()) continue;
+    any = true;
+    const Rational kept = dot(v, x);
+    if (kLeastPartOfPreload * kept >= preload) return std::nullopt;
+    largest_share = std::max(largest_share, Rational(kept / preload));
   }
-  if (kLeastPartOfPreload * largest_share >= 1) return std::nullopt;
+  if (!any) return std::nullopt;
   return "the preload is all but gone in this equilibrium: no contact keeps more than " +
          rounded(to_double(100 * largest_share)) + " % of its own";
 }
@@ -190,8 +200,8 @@ std::vector<ModelWarning> model_warnings(const Question& question, const Verdict
     warnings.add(ModelTrap::kLargeMotion, large_motion(question, stable->witness.twist));
   }
   add_unbalanced_preload(problem, warnings);
-  if (stable != nullptr && is_preloaded(problem)) {
-    warnings.add(ModelTrap::kLostPreload, lost_preload(problem, stable->witness));
+  if (stable != nullptr) {
+    warnings.add(ModelTrap::kLostPreload, lost_preload(problem, stable->witness.twist));
   }
   if (!std::holds_alternative<Undecided>(verdict)) {
     warnings.add(ModelTrap::kAssumedStiffness, assumed_stiffness(question, stable != nullptr));
@@ -202,22 +212,20 @@ std::vector<ModelWarning> model_warnings(const Question& question, const Verdict
 std::vector<ModelWarning> model_warnings(const Question& question, const Margin& margin) {
   const Problem family = problem_of(question);
   Warnings warnings;
-  const auto look_at = [&](const Rational& multiple, const Witness& witness) {
+  const auto look_at = [&](const Rational& multiple, const Twist& d) {
     const auto at_multiple = [&](std::optional<std::string> text) {
       if (text) *text = "at the multiple " + to_readable_string(multiple) + " " + *text;
       return text;
     };
     if (!warnings.has(ModelTrap::kLargeMotion)) {
-      warnings.add(ModelTrap::kLargeMotion, at_multiple(large_motion(question, witness.twist)));
+      warnings.add(ModelTrap::kLargeMotion, at_multiple(large_motion(question, d)));
     }
     if (warnings.has(ModelTrap::kLostPreload)) return;
-    const Problem problem = family.at(multiple);
-    if (!is_preloaded(problem)) return;
-    warnings.add(ModelTrap::kLostPreload, at_multiple(lost_preload(problem, witness)));
+    warnings.add(ModelTrap::kLostPreload, at_multiple(lost_preload(family, d, multiple)));
   };
   for (const MarginSegment& segment : margin.segments) {
-    look_at(segment.start.multiple, segment.start.witness);
-    if (segment.high) look_at(*segment.high, segment.end);
+    look_at(segment.low, segment.start.twist);
+    if (segment.high) look_at(*segment.high, segment.end.twist);
   }
   const Problem base = family.at(0);
   add_unbalanced_preload(is_preloaded(base) ? base : family.at(1), warnings);

@@ -20,6 +20,16 @@ std::string at_contact(const char* condition, std::size_t contact) {
 
 }  // namespace
 
+ShortWitness in_short(const std::vector<ContactRow>& rows, const Witness& witness) {
+  ShortWitness result{witness.twist, {}};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const auto& [a, b] = witness.forces[i];
+    if (b.is_zero() || !power(rows[i].tangent, witness.twist).is_zero()) continue;
+    result.shares.emplace_back(ContactId(i), b / (rows[i].friction * a));
+  }
+  return result;
+}
+
 std::optional<std::string> find_violation(const Problem& problem, const Witness& witness) {
   require(!problem.is_family(), "an equilibrium is of one member of a family");
   if (witness.forces.size() != problem.size()) return "one force per contact is needed";

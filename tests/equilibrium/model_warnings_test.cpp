@@ -171,16 +171,23 @@ TEST(UnbalancedPreload, AgreesWithTheNaiveProgram) {
   EXPECT_GT(unbalanced, 20U);
 }
 
+/// Two contacts with the rows N = (0, 1, 1) and (0, -1, 1), stiff, which a turn frees at once
+/// and whose friction balances their torque.
+Grasp pinwheel(const Rational& preload) {
+  return Grasp({{{1, 1}, {0, 1}, 1, 1000, preload}, {{-1, -1}, {0, -1}, 1, 1000, preload}});
+}
+
 TEST(LostPreload, BeginsBelowOneHundredthAtEveryContact) {
-  const Question asked = question(pinch(5));
+  const Question asked = question(pinwheel(5));
+  // v = 5 - 1000 (r + y) and 5 - 1000 (r - y).
   const auto keeping = [](const Rational& a, const Rational& b) {
-    return Stable{{{}, {{a, 0}, {b, 0}}}};
+    return Stable{{{0, (b - a) / 2000, (10 - a - b) / 2000}, {{a, 0}, {b, 0}}}};
   };
   const Rational least(5, 100);
   EXPECT_THAT(traps(asked, keeping(0, least)), IsEmpty());
   EXPECT_THAT(traps(asked, keeping(least - kTiny, 0)), ElementsAre(ModelTrap::kLostPreload));
   EXPECT_THAT(traps(asked, keeping(0, 0)), ElementsAre(ModelTrap::kLostPreload));
-  EXPECT_THAT(traps(question(pinch(0)), keeping(0, 0)), IsEmpty());
+  EXPECT_THAT(traps(question(pinwheel(0)), keeping(0, 0)), IsEmpty());
   EXPECT_EQ(model_warnings(asked, keeping(Rational(1, 50), 0))[0].text,
             "the preload is all but gone in this equilibrium: no contact keeps more than 0.4 % "
             "of its own");

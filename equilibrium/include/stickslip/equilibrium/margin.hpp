@@ -11,10 +11,11 @@
 ///
 /// **Method.** Branch and bound with l as one more unknown (`search_family`) finds an
 /// equilibrium in a range not yet settled, or proves that there is none. An equilibrium is
-/// extended to all of its mode's interval by two exact linear programs, and from the ends of
-/// that into the modes next to it, where a contact begins to slip, to stick, to open or to
-/// close; what is left of the range is searched again. Nothing is bisected: every end is a
-/// vertex of some linear program. Every search settles a range or adds a mode's interval, of
+/// extended to all of its mode's interval by an exact ratio test, or two exact linear programs
+/// where the multiple does not fix the motion, and from the ends of that into the modes next to
+/// it, where a contact begins to slip, to stick, to open or to close; what is left of the range
+/// is searched again. Nothing is bisected: every end is where a condition of some mode has its
+/// zero. Every search settles a range or adds a mode's interval, of
 /// which there are finitely many.
 #pragma once
 
@@ -37,9 +38,10 @@ struct MarginInterval {
 /// two. Without `high`, `end` is what may be added to the first without end, for the
 /// family's sake alone (FORMAT.md, section 5: a ray).
 struct MarginSegment {
-  MarginPoint start;             ///< at its low end
+  Rational low;                  ///< the multiple at its low end
+  ShortWitness start;            ///< for that multiple
   std::optional<Rational> high;  ///< the multiple at its high end
-  Witness end;                   ///< for the multiple at its high end, or a ray
+  ShortWitness end;              ///< for that multiple, or a ray
 };
 
 /// With the evidence of certificate/FORMAT.md, section 5.
@@ -53,7 +55,7 @@ struct Margin {
 /// What the search for a margin did; reproducible.
 struct MarginWork {
   std::size_t ranges = 0;  ///< searched
-  std::size_t modes = 0;   ///< linear programs over one mode
+  std::size_t modes = 0;   ///< whose ends were looked for
   ConeWork cone;           ///< of all searches
 };
 

@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -30,6 +31,22 @@ struct Witness {
   Twist twist;                       ///< the motion d
   std::vector<ContactForce> forces;  ///< by ContactId
 };
+
+/// What has to be said of an equilibrium: all else follows from it (certificate/FORMAT.md,
+/// section 3).
+struct ShortWitness {
+  Twist twist;  ///< the motion d
+  /// b / (mu a) of contacts that stick under load, with friction; increasing. 0 is left out.
+  std::vector<std::pair<ContactId, Rational>> shares;
+
+  /// Exact.
+  friend bool operator==(const ShortWitness& a, const ShortWitness& b) {
+    return a.twist == b.twist && a.shares == b.shares;
+  }
+};
+
+/// What has to be said of this one, by contact rows whose preloads do not matter.
+ShortWitness in_short(const std::vector<ContactRow>& rows, const Witness& witness);
 
 /// Which condition of problem.hpp fails first, and where; nothing for an equilibrium. Not of a
 /// family.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "random_numbers.hpp"
+#include "rounds.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/snap.hpp"
 
@@ -179,7 +180,7 @@ TEST(Outline, SmallWorldOfRings) {
 
 TEST(Outline, ManyVertices) {
   Ring comb;  // edges that overlap in x, and in y with few
-  constexpr int kTeeth = 2500;
+  constexpr int kTeeth = test::kSanitized ? 250 : 2500;
   for (int i = 0; i < kTeeth; ++i) {
     comb.push_back({0, 2 * i});
     comb.push_back({100, 2 * i});

@@ -7,6 +7,7 @@
 #include <functional>
 
 #include "judged.hpp"
+#include "rounds.hpp"
 
 namespace stickslip {
 namespace {
@@ -36,7 +37,7 @@ void expect_invariant(std::uint64_t seed, const Change& change,
                       const std::function<LoadedGrasp(LoadedGrasp)>& prepare = {}) {
   RandomSource random(seed);
   int stable = 0;
-  constexpr int kRounds = 30;
+  constexpr int kRounds = test::rounds(30);
   for (int round = 0; round < kRounds; ++round) {
     LoadedGrasp before = random_load(random, round);
     if (prepare) before = prepare(std::move(before));
@@ -47,8 +48,8 @@ void expect_invariant(std::uint64_t seed, const Change& change,
     stable += verdict == "unstable" ? 0 : 1;
   }
   // Else nothing was tested.
-  EXPECT_GE(stable, 5);
-  EXPECT_LE(stable, kRounds - 5);
+  EXPECT_GE(stable, kRounds / 6);
+  EXPECT_LE(stable, kRounds - kRounds / 6);
 }
 
 LoadedGrasp change_contacts(const LoadedGrasp& loaded,

@@ -74,16 +74,14 @@ class ContactWork {
     }
     slope_count_ = slopes_[0] == slopes_[1] ? 1 : 2;
     for (std::size_t s = 0; s < slope_count_; ++s) {
-      std::vector<Number>& alpha = alpha_[s];
+      std::array<Number, 8>& alpha = alpha_[s];
       for (std::size_t c = 0; c < pairs_.corners; ++c) {
-        alpha.push_back(contact.cone * dot(y, contact.normals[c]) +
-                        slopes_[s] * dot(y, contact.tangents[c]));
+        alpha[c] = contact.cone * dot(y, contact.normals[c]) +
+                   slopes_[s] * dot(y, contact.tangents[c]);
+        if (alpha[c] > alpha[largest_[s]]) largest_[s] = c;
+        falls_[s] = falls_[s] || alpha[c] < 0;
       }
-      largest_[s] = static_cast<std::size_t>(std::max_element(alpha.begin(), alpha.end()) -
-                                             alpha.begin());
       rises_[s] = alpha[largest_[s]] > 0;
-      falls_[s] = *std::min_element(alpha.begin(), alpha.end()) < 0;
-      sums_[s].assign(pairs_.cells, Number(0));
       for (std::size_t pair = 0; pair < pairs_.cell.size(); ++pair) {
         sums_[s][pairs_.cell[pair]] += alpha[pair / pairs_.corners];
       }
@@ -116,7 +114,8 @@ class ContactWork {
   bool is_clear(const Number& error) const {
     if (!mixed_) return true;
     for (std::size_t s = 0; s < slope_count_; ++s) {
-      for (const Number& alpha : alpha_[s]) {
+      for (std::size_t c = 0; c < pairs_.corners; ++c) {
+        const Number& alpha = alpha_[s][c];
         if (!(alpha > error || alpha < -error)) return false;
       }
     }
@@ -156,8 +155,8 @@ class ContactWork {
   bool mixed_;
   std::size_t slope_count_ = 0;
   std::array<Number, 2> slopes_;
-  std::array<std::vector<Number>, 2> alpha_;
-  std::array<std::vector<Number>, 2> sums_;
+  std::array<std::array<Number, 8>, 2> alpha_{};  ///< by corner
+  std::array<std::array<Number, 27>, 2> sums_{};  ///< of alpha over the pairs, by cell
   std::array<std::size_t, 2> largest_{};
   std::array<bool, 2> rises_{};
   std::array<bool, 2> falls_{};

@@ -141,6 +141,7 @@ bool BoxRegion::is_refuted(const BoxModel& model, const IntegerVector3& y,
     load += Rational(y[j]) * (y[j].sign() > 0 ? model.wrench[j].high : model.wrench[j].low);
   }
   std::vector<ContactWork<Integer>> works;
+  works.reserve(model.contacts.size());
   std::vector<const BoxContact*> acting;
   for (std::size_t i = 0; i < model.contacts.size(); ++i) {
     if (separations_[i] == Separation::kOpen) continue;

@@ -304,6 +304,7 @@ bool BoxSearch::Wolfe::run() {
   constexpr double kVanishing = 1e-22;  // of squared lengths; a proposal, not a decision
   for (std::size_t step = 0; step < kMostSteps; ++step) {
     std::vector<ContactWork<double>> works;
+    works.reserve(acting_.size());
     for (const std::size_t i : acting_) {
       const Sign slip = region_.slip(i);
       works.emplace_back(model_.contacts[i].rounded, y, slip, region_.separation(i));

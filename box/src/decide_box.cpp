@@ -35,6 +35,7 @@ class Decider {
       : node_limit_(node_limit),
         wall_limit_(std::max<std::size_t>(node_limit / 8, 1)),
         parts_left_(most_parts),
+        most_nodes_(kMostSearches * node_limit),
         work_(work) {}
 
   /// Proves what the middle of the box is of all of it; false if that failed.
@@ -65,7 +66,7 @@ class Decider {
       if (done) return true;
       tree.erase(tree.begin() + static_cast<std::ptrdiff_t>(before), tree.end());
     }
-    if (parts_left_ == 0) return false;
+    if (parts_left_ == 0 || work_.nodes > most_nodes_) return false;
     --parts_left_;
     const auto split = widest(box, there);
     if (!split) return false;
@@ -86,6 +87,9 @@ class Decider {
   std::size_t node_limit_;
   std::size_t wall_limit_;  ///< of one of the twelve trees of a part
   std::size_t parts_left_;
+  /// Of all trees together, beyond which the box is cut no more: failures must be quick, too.
+  static constexpr std::size_t kMostSearches = 8;
+  std::size_t most_nodes_;
   BoxWork& work_;
   std::optional<bool> first_;
 };
@@ -128,8 +132,10 @@ std::optional<PartSplit> Decider::widest(const ParameterBox& box, const Verdict&
 }
 
 /// Two grasps in the box with opposite verdicts, if the suspects are right.
-std::optional<Fragile> find_examples(const GraspBox& box, NormalLaw law, bool middle_is_stable,
+std::optional<Fragile> find_examples(const GraspBox& box, NormalLaw law, const Verdict& middle,
                                      BoxWork& work) {
+  const auto* equilibrium = std::get_if<Stable>(&middle);
+  const bool middle_is_stable = equilibrium != nullptr;
   const Examples examples(box, law);
   std::optional<LoadedGrasp> same;
   std::optional<LoadedGrasp> other;
@@ -139,8 +145,17 @@ std::optional<Fragile> find_examples(const GraspBox& box, NormalLaw law, bool mi
     const std::optional<bool> stable = is_stable(grasp, law);
     if (stable) (*stable == middle_is_stable ? same : other) = std::move(grasp);
   };
-  for (const Place& place : examples.suspects(middle_is_stable)) {
-    if (!other) look(place);
+  if (equilibrium != nullptr) {
+    constexpr std::size_t kMostTried = 8;
+    std::size_t tried = 0;
+    for (const auto& [place, part] : examples.without(equilibrium->witness)) {
+      if (!other && tried++ < kMostTried) look(place);
+    }
+  }
+  if (!other) {
+    for (const Place& place : examples.suspects(middle_is_stable)) {
+      if (!other) look(place);
+    }
   }
   if (!other) return std::nullopt;
   look(examples.middle());
@@ -205,9 +220,8 @@ BoxDecision decide_box(const GraspBox& box, NormalLaw law, const BoxOptions& opt
   BoxDecision decision = prove_box(box, law, options, 0);
   if (box.is_point() || !std::holds_alternative<Undecided>(decision.verdict)) return decision;
   const ParameterBox parameters(box, law, options.bits);
-  const bool stable =
-      std::holds_alternative<Stable>(decide_by_cones(problem_at(parameters.middle())));
-  if (auto fragile = find_examples(box, law, stable, decision.work)) {
+  const Verdict middle = decide_by_cones(problem_at(parameters.middle()));
+  if (auto fragile = find_examples(box, law, middle, decision.work)) {
     decision.verdict = std::move(*fragile);
     return decision;
   }

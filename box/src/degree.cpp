@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "degree.hpp"
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <utility>
 
 #include "box_search.hpp"
+#include "moving_equilibrium.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip::box_detail {
@@ -54,8 +54,9 @@ Twist rounded_motion(const Vector3& exact, const Matrix3& walls) {
 class Walls {
  public:
   /// Of the model of the middle, and of the box, around an equilibrium.
+  /// They enclose the equilibrium where it goes farthest, or as far as the first order says.
   Walls(const ParameterBox& box, const BoxModel& model, const BoxModel& middle,
-        const Witness& witness);
+        const Witness& witness, bool first_order);
 
   /// Whether the shape is one: three walls that enclose.
   bool is_sound() const { return sound_; }
@@ -71,27 +72,23 @@ class Walls {
   DegreeProof proof() const;
 
  private:
-  struct Contact {
-    Vector normal;
+  struct Sticking {
     Vector tangent;
-    double preload;
-    double stiffness;
-    double slope;         ///< mu
-    double normal_force;  ///< a, at the equilibrium
-    double share;         ///< b / (mu a)
-    bool sticks;
+    double spare;  ///< friction that is not used
+    double off;    ///< the largest slip at motion_ that the box has
   };
 
-  void find_generators(const ParameterBox& box);
-  void choose_rows(const BoxModel& model);
-  Vector force_at(const Vector& shift) const;
+  void choose_rows(const std::vector<Vector>& moves);
+  std::vector<Vector> extremes();
+  void enclose(const std::vector<Vector>& moves);
 
   double length_;
   double force_;  ///< a typical one
   Vector motion_;
-  std::vector<Contact> contacts_;
-  Vector load_;
-  std::vector<Vector> generators_;     ///< how far the total wrench moves with each parameter
+  MovingEquilibrium moving_;
+  std::vector<Sticking> sticking_;
+  std::vector<std::size_t> chosen_;    ///< of these, whose slips are the first rows
+  double scale_ = 1;                   ///< a typical motion
   Matrix stiffness_ = Matrix::Zero();  ///< C
   Matrix rows_ = Matrix::Zero();       ///< E, up to the widths
   Vector below_ = Vector::Ones();      ///< rows_ (d - motion_) goes from -below_
@@ -101,118 +98,107 @@ class Walls {
 };
 
 Walls::Walls(const ParameterBox& box, const BoxModel& model, const BoxModel& middle,
-             const Witness& witness)
+             const Witness& witness, bool first_order)
     : length_(middle.length),
       force_(middle.force),
       motion_(to_double(witness.twist.x), to_double(witness.twist.y),
-              to_double(witness.twist.r) * middle.length) {
+              to_double(witness.twist.r) * middle.length),
+      moving_(box, middle, witness) {
+  double stiffest = 0;
   for (std::size_t i = 0; i < middle.contacts.size(); ++i) {
     const ContactForce& force = witness.forces[i];
     const ContactNumbers<double>& c = middle.contacts[i].rounded;
-    Contact contact{as_vector(c.normals.front()),
-                    as_vector(c.tangents.front()),
-                    c.preloads[0],
-                    c.stiffnesses[0],
-                    c.frictions[0],
-                    to_double(force.normal),
-                    0,
-                    false};
-    const double friction = contact.slope * contact.normal_force;
-    if (friction > 0) {
-      contact.share = to_double(force.tangential) / friction;
-      const IntegerVector5& plane = middle.contacts[i].slips.front();
-      const Rational slip = Rational(plane[0]) * witness.twist.x +
-                            Rational(plane[1]) * witness.twist.y +
-                            Rational(plane[2]) * witness.twist.r;
-      contact.sticks = slip.is_zero();
+    const Vector normal = as_vector(c.normals.front());
+    const Vector tangent = as_vector(c.tangents.front());
+    stiffest = std::max(stiffest, c.stiffnesses[0] * normal.squaredNorm());
+    if (force.normal.sign() <= 0) continue;
+    const double normal_force = to_double(force.normal);
+    const double friction = to_double(force.tangential);
+    stiffness_ +=
+        c.stiffnesses[0] * (normal + friction / normal_force * tangent) * normal.transpose();
+    const IntegerVector5& plane = middle.contacts[i].slips.front();
+    const Rational slip = Rational(plane[0]) * witness.twist.x +
+                          Rational(plane[1]) * witness.twist.y +
+                          Rational(plane[2]) * witness.twist.r;
+    const double most = c.frictions[0] * normal_force;
+    if (!slip.is_zero() || !(most > 0)) continue;
+    Sticking contact{tangent, most * 1.0000001 - std::fabs(friction), 0};
+    for (const auto& corner : model.contacts[i].rounded.tangents) {
+      contact.off = std::max(contact.off, std::fabs(as_vector(corner).dot(motion_)));
     }
-    if (force.normal.sign() > 0) {
-      stiffness_ += contact.stiffness *
-                    (contact.normal + contact.slope * contact.share * contact.tangent) *
-                    contact.normal.transpose();
+    sticking_.push_back(contact);
+  }
+  if (stiffest > 0) scale_ = force_ / stiffest;
+  std::vector<Vector> moves;
+  const Eigen::Matrix3Xd each = moving_.moves(moving_.middle(), moving_.start());
+  for (Eigen::Index n = 0; n < each.cols(); ++n) moves.emplace_back(each.col(n));
+  choose_rows(moves);
+  if (first_order) {
+    // All at once, whichever way is farthest.
+    for (Eigen::Index row = 0; row < 3; ++row) {
+      const Vector all = each * (rows_.row(row) * each).transpose().cwiseSign();
+      moves.push_back(all);
+      moves.push_back(-all);
     }
-    contacts_.push_back(contact);
+  } else {
+    moves = extremes();
+    choose_rows(moves);
   }
-  for (std::size_t j = 0; j < 3; ++j) {
-    load_[static_cast<Eigen::Index>(j)] = middle.load[j][0];
-  }
-  find_generators(box);
-  choose_rows(model);
+  enclose(moves);
+  double product = 1;
+  for (Eigen::Index j = 0; j < 3; ++j) product *= rows_.row(j).norm();
+  sound_ = product > 0 && std::fabs(rows_.determinant()) > 1e-9 * product;
 }
 
-/// At the equilibrium, to first order: half the difference between the ends of each interval.
-void Walls::find_generators(const ParameterBox& box) {
-  for (std::size_t i = 0; i < contacts_.size(); ++i) {
-    const ParameterContact& contact = box.contacts()[i];
-    std::array<double, 6> low{};
-    std::array<double, 6> high{};
-    std::array<double, 6> middle{};
-    for (std::size_t p = 0; p < middle.size(); ++p) {
-      const Interval& interval = contact.parameters[p];
-      low[p] = to_double(interval.low);
-      high[p] = to_double(interval.high);
-      middle[p] = to_double(interval.middle());
-    }
-    const double share = contacts_[i].share;
-    const auto wrench = [&](const std::array<double, 6>& at) -> Vector {
-      const double x = at[0] / length_;
-      const double y = at[1] / length_;
-      const double e = at[2];
-      const double nx = to_double(contact.normal.x);
-      const double ny = to_double(contact.normal.y);
-      const Vector normal(nx - e * ny, ny + e * nx, x * (ny + e * nx) - y * (nx - e * ny));
-      const Vector tangent(-normal[1], normal[0], x * normal[0] + y * normal[1]);
-      const double a = at[4] - at[5] * normal.dot(motion_);
-      return std::max(0.0, a) * (normal + share * at[3] * tangent);
-    };
-    for (std::size_t p = 0; p < middle.size(); ++p) {
-      if (!(high[p] > low[p])) continue;
-      std::array<double, 6> below = middle;
-      std::array<double, 6> above = middle;
-      below[p] = low[p];
-      above[p] = high[p];
-      generators_.push_back((wrench(above) - wrench(below)) / 2);
+/// Where the equilibrium is when it has gone as far as it can beyond each wall.
+std::vector<Vector> Walls::extremes() {
+  std::vector<Vector> moves;
+  for (int wall = 0; wall < 6; ++wall) {
+    const Vector out = (wall % 2 == 0 ? 1 : -1) * rows_.row(wall / 2).transpose();
+    MovingEquilibrium::Place place = moving_.middle();
+    Equilibrium at = moving_.start();
+    constexpr int kRounds = 3;
+    for (int round = 0; round < kRounds; ++round) {
+      const MovingEquilibrium::Place to =
+          (moving_.moves(place, at).transpose() * out).cwiseSign();
+      if (to == place) break;
+      const EquilibriumPath path = moving_.follow(to);
+      for (const Equilibrium& e : path.equilibria) moves.push_back(e.motion - motion_);
+      if (path.part < 1) break;
+      place = to;
+      at = path.equilibria.back();
     }
   }
-  for (std::size_t j = 0; j < 3; ++j) {
-    const Interval& interval = box.wrench()[j];
-    const double half = to_double(interval.high - interval.low) / 2;
-    if (half > 0) {
-      generators_.push_back(half / (j == 2 ? length_ : 1) *
-                            Vector::Unit(static_cast<Eigen::Index>(j)));
-    }
-  }
+  return moves;
 }
 
-void Walls::choose_rows(const BoxModel& model) {
+/// Walls that enclose these moves as tightly as three pairs can.
+void Walls::choose_rows(const std::vector<Vector>& moves) {
   // Sticking contacts whose slips are independent, those with most friction to spare first.
   std::vector<Vector> basis;
-  std::vector<std::size_t> chosen;
-  std::vector<bool> used(contacts_.size(), false);
+  std::vector<bool> used(sticking_.size(), false);
   const auto beyond_basis = [&](Vector v) {
     for (const Vector& b : basis) v -= b.dot(v) * b;
     return v;
   };
-  while (chosen.size() < 3) {
+  chosen_.clear();
+  while (chosen_.size() < 3) {
     double best = 0;
-    std::size_t which = contacts_.size();
-    for (std::size_t k = 0; k < contacts_.size(); ++k) {
-      const Contact& c = contacts_[k];
-      if (!c.sticks || used[k]) continue;
+    std::size_t which = sticking_.size();
+    for (std::size_t k = 0; k < sticking_.size(); ++k) {
+      const Sticking& c = sticking_[k];
       const Vector rest = beyond_basis(c.tangent);
       constexpr double kIndependent = 1e-3;
-      if (rest.norm() <= kIndependent * c.tangent.norm()) continue;
-      const double spare =
-          c.slope * c.normal_force * (1.0000001 - std::fabs(c.share)) * rest.norm();
-      if (spare > best) {
-        best = spare;
+      if (used[k] || rest.norm() <= kIndependent * c.tangent.norm()) continue;
+      if (c.spare * rest.norm() > best) {
+        best = c.spare * rest.norm();
         which = k;
       }
     }
-    if (which == contacts_.size()) break;
+    if (which == sticking_.size()) break;
     used[which] = true;
-    basis.push_back(beyond_basis(contacts_[which].tangent).normalized());
-    chosen.push_back(which);
+    basis.push_back(beyond_basis(sticking_[which].tangent).normalized());
+    chosen_.push_back(which);
   }
   // Virtual twists on which these contacts' friction does no work.
   std::vector<Vector> free;
@@ -229,13 +215,7 @@ void Walls::choose_rows(const BoxModel& model) {
     basis.push_back(beyond_basis(Vector::Unit(axis)).normalized());
     free.push_back(basis.back());
   }
-  double largest_force = 0;
-  for (const Contact& c : contacts_) {
-    largest_force = std::max(largest_force, c.normal.norm() * c.stiffness * c.normal.norm());
-  }
-  const double scale = largest_force > 0 ? force_ / largest_force : 1;  // a typical motion
-  // Walls that enclose the motions that the generators cause, as tightly as three pairs can:
-  // virtual twists dual to the three that move the object farthest.
+  // Dual to the forces at the three that move the object farthest.
   const auto count = static_cast<Eigen::Index>(free.size());
   Eigen::MatrixXd frame(3, count);
   for (Eigen::Index k = 0; k < count; ++k) frame.col(k) = free[static_cast<std::size_t>(k)];
@@ -244,9 +224,9 @@ void Walls::choose_rows(const BoxModel& model) {
     const Eigen::MatrixXd compliance = reduced.inverse();
     std::vector<Eigen::VectorXd> forces;
     std::vector<Eigen::VectorXd> motions;
-    for (const Vector& g : generators_) {
-      forces.push_back(frame.transpose() * g);
-      motions.push_back(compliance * forces.back());
+    for (const Vector& move : moves) {
+      motions.push_back(frame.transpose() * move);
+      forces.push_back(reduced * motions.back());
     }
     for (Eigen::Index k = 0; k < count; ++k) {
       forces.push_back(1e-3 * force_ * Eigen::VectorXd::Unit(count, k));
@@ -269,46 +249,32 @@ void Walls::choose_rows(const BoxModel& model) {
       }
     }
   }
-  const auto spread = [&](const Vector& y) {
-    double sum = 0;
-    for (const Vector& g : generators_) sum += std::fabs(y.dot(g));
-    return sum;
-  };
-  constexpr double kLeast = 1e-3;
   Eigen::Index row = 0;
-  for (const std::size_t contact : chosen) {
-    const Vector& t = contacts_[contact].tangent;
-    rows_.row(row) = t.transpose();
-    double off = 0;
-    for (const auto& corner : model.contacts[contact].rounded.tangents) {
-      off = std::max(off, std::fabs(as_vector(corner).dot(motion_)));
-    }
-    above_[row++] = 1.5 * off + kLeast * scale * t.norm();
-  }
-  for (const Vector& y : free) {
-    rows_.row(row) = (stiffness_.transpose() * y).transpose();
-    above_[row++] = 1.1 * spread(y) + kLeast * force_;
-  }
-  below_ = above_;
-  double product = 1;
-  for (Eigen::Index j = 0; j < 3; ++j) product *= rows_.row(j).norm();
-  sound_ = product > 0 && std::fabs(rows_.determinant()) > 1e-9 * product;
+  for (const std::size_t k : chosen_) rows_.row(row++) = sticking_[k].tangent.transpose();
+  for (const Vector& y : free) rows_.row(row++) = (stiffness_.transpose() * y).transpose();
 }
 
-/// The sum of all wrenches on the middle at motion_ + shift. Where a contact sticks there, the
-/// share of friction is that of the equilibrium.
-Vector Walls::force_at(const Vector& shift) const {
-  Vector sum = load_;
-  for (const Contact& c : contacts_) {
-    const double a = c.preload - c.stiffness * c.normal.dot(motion_ + shift);
-    if (!(a > 0)) continue;
-    const double slip = c.tangent.dot(c.sticks ? shift : Vector(motion_ + shift));
-    constexpr double kStill = 1e-9;
-    const bool sticks = c.sticks && std::fabs(slip) <= kStill * c.tangent.norm() * shift.norm();
-    const double share = sticks ? c.share : slip > 0 ? -1 : 1;
-    sum += a * (c.normal + c.slope * share * c.tangent);
+/// A little beyond these moves.
+void Walls::enclose(const std::vector<Vector>& moves) {
+  constexpr double kLeast = 1e-3;
+  for (Eigen::Index row = 0; row < 3; ++row) {
+    double low = 0;
+    double high = 0;
+    for (const Vector& move : moves) {
+      const double at = rows_.row(row).dot(move);
+      low = std::min(low, at);
+      high = std::max(high, at);
+    }
+    double least = kLeast * force_;
+    const auto k = static_cast<std::size_t>(row);
+    if (k < chosen_.size()) {
+      const Sticking& contact = sticking_[chosen_[k]];
+      least = 1.5 * contact.off + kLeast * scale_ * contact.tangent.norm();
+    }
+    const double margin = 0.1 * (high - low);
+    above_[row] = high + margin + least;
+    below_[row] = -low + margin + least;
   }
-  return sum;
 }
 
 DegreeProof Walls::proof() const {
@@ -317,21 +283,47 @@ DegreeProof Walls::proof() const {
   const Matrix inverse = rows_.inverse();
   const Vector shift = inverse * (above_ - below_) / 2;
   const Vector halves = (above_ + below_) / 2;
-  // The linear function that is most nearly against the force on the walls.
-  Matrix moments = Matrix::Zero();
-  Matrix pulls = Matrix::Zero();
-  for (int p = 0; p < 27; ++p) {
-    const Vector place(p % 3 - 1, p / 3 % 3 - 1, p / 9 - 1);
-    if (p == 13) continue;
-    const Vector from = inverse * place.cwiseProduct(halves);
-    const Vector force = force_at(shift + from);
-    const double size = force.squaredNorm();
-    if (!(size > 0)) continue;
-    moments += place * place.transpose() / size;
-    pulls -= force * place.transpose() / size;
+  // A linear function that is against the force on the walls: by least squares of directions,
+  // again and again with more weight where it is least so.
+  struct Pull {
+    Vector place;  ///< on the walls, in halves of K
+    Vector direction;
+    double weight;
+  };
+  std::vector<Pull> pulls;
+  constexpr int kPlaces = 5;  // along an edge
+  for (int p = 0; p < kPlaces * kPlaces * kPlaces; ++p) {
+    const Vector place = Vector(p % kPlaces, p / kPlaces % kPlaces, p / (kPlaces * kPlaces)) *
+                             2 / (kPlaces - 1) -
+                         Vector::Ones();
+    if (place.lpNorm<Eigen::Infinity>() < 1) continue;
+    const Vector force = moving_.force(motion_ + shift + inverse * place.cwiseProduct(halves));
+    if (force.norm() > 0) pulls.push_back({place, -force.normalized(), 1});
+  }
+  Matrix best = Matrix::Identity();
+  double most = -2;
+  constexpr int kRounds = 30;
+  for (int round = 0; round < kRounds; ++round) {
+    Matrix moments = Matrix::Zero();
+    Matrix sums = Matrix::Zero();
+    for (const Pull& p : pulls) {
+      moments += p.weight * p.place * p.place.transpose();
+      sums += p.weight * p.direction * p.place.transpose();
+    }
+    const Matrix pull = sums * moments.inverse();
+    double least = 2;
+    for (Pull& p : pulls) {
+      const double along = p.direction.dot((pull * p.place).normalized());
+      p.weight *= std::exp(-along);
+      least = std::min(least, along);
+    }
+    if (least > most) {
+      most = least;
+      best = pull;
+    }
   }
   const Matrix walls = halves.cwiseInverse().asDiagonal() * rows_;
-  const Matrix pull = pulls * moments.inverse() * walls;
+  const Matrix pull = best * walls;
   for (Eigen::Index j = 0; j < 3; ++j) {
     for (Eigen::Index k = 0; k < 3; ++k) {
       const double column = k == 2 ? length_ : 1;
@@ -368,29 +360,10 @@ bool all_closed_inside(const BoxModel& model, const DegreeProof& proof) {
   return true;
 }
 
-}  // namespace
-
-Problem problem_at(const ParameterBox& point) {
-  std::vector<ContactRow> rows;
-  for (const ParameterContact& c : point.contacts()) {
-    const auto at = [&](Parameter parameter) -> const Rational& {
-      return c.parameters[static_cast<std::size_t>(parameter)].low;
-    };
-    const Contact contact{{at(Parameter::kX), at(Parameter::kY)},
-                          turned(c.normal, at(Parameter::kTurn))};
-    rows.push_back({normal_row(contact), tangent_row(contact), at(Parameter::kFriction),
-                    at(Parameter::kPreload), at(Parameter::kStiffness)});
-  }
-  const WrenchBox& w = point.wrench();
-  return Problem(std::move(rows), {w[0].low, w[1].low, w[2].low}, point.law());
-}
-
-std::optional<DegreeProof> prove_stable(const ParameterBox& box, const Witness& witness,
-                                        std::size_t node_limit, BoxWork& work) {
-  const BoxModel model(box);
-  const BoxModel middle(box.middle());
-  Walls walls(box, model, middle, witness);
-  if (!walls.is_sound()) return std::nullopt;
+/// Lets the walls grow until they are refuted.
+std::optional<DegreeProof> prove_within(Walls walls, const BoxModel& model,
+                                        const BoxModel& middle, std::size_t node_limit,
+                                        BoxWork& work) {
   // Equilibria that a box moves much farther than the first order says are lost at a fold.
   constexpr std::size_t kMostGrowths = 18;
   constexpr std::size_t kMostPulls = 4;  // growing seldom mends what list 2 refuses
@@ -426,6 +399,36 @@ std::optional<DegreeProof> prove_stable(const ParameterBox& box, const Witness& 
       if (failed && second && ++pulls > kMostPulls) return std::nullopt;
     }
     if (!failed) return proof;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Problem problem_at(const ParameterBox& point) {
+  std::vector<ContactRow> rows;
+  for (const ParameterContact& c : point.contacts()) {
+    const auto at = [&](Parameter parameter) -> const Rational& {
+      return c.parameters[static_cast<std::size_t>(parameter)].low;
+    };
+    const Contact contact{{at(Parameter::kX), at(Parameter::kY)},
+                          turned(c.normal, at(Parameter::kTurn))};
+    rows.push_back({normal_row(contact), tangent_row(contact), at(Parameter::kFriction),
+                    at(Parameter::kPreload), at(Parameter::kStiffness)});
+  }
+  const WrenchBox& w = point.wrench();
+  return Problem(std::move(rows), {w[0].low, w[1].low, w[2].low}, point.law());
+}
+
+std::optional<DegreeProof> prove_stable(const ParameterBox& box, const Witness& witness,
+                                        std::size_t node_limit, BoxWork& work) {
+  const BoxModel model(box);
+  const BoxModel middle(box.middle());
+  for (const bool first_order : {false, true}) {
+    Walls walls(box, model, middle, witness, first_order);
+    if (!walls.is_sound()) continue;
+    auto proof = prove_within(std::move(walls), model, middle, node_limit, work);
+    if (proof) return proof;
   }
   return std::nullopt;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "degree.hpp"
+#include "moving_equilibrium.hpp"
 #include "stickslip/equilibrium/margin.hpp"
 
 namespace stickslip::box_detail {
@@ -85,6 +86,25 @@ LoadedGrasp Examples::at(const Place& place) const {
   }
   const WrenchBox& w = chosen.wrench;
   return {Grasp(std::move(contacts)), {w[0].middle(), w[1].middle(), w[2].middle()}};
+}
+
+std::vector<std::pair<Place, double>> Examples::without(const Witness& equilibrium) const {
+  const ParameterBox box(box_, law_);
+  const MovingEquilibrium moving(box, BoxModel(box.middle()), equilibrium);
+  std::vector<std::pair<Place, double>> result;
+  for (const LostWay& way : moving.ways_out()) {
+    Place place = middle();
+    for (std::size_t n = 0; n < numbers_.size(); ++n) {
+      for (std::size_t k = 0; k < moving.numbers().size(); ++k) {
+        const UncertainNumber& number = moving.numbers()[k];
+        if (number.parameter == numbers_[n].parameter && number.index == numbers_[n].index) {
+          place[n] = static_cast<int>(way.to[static_cast<Eigen::Index>(k)]);
+        }
+      }
+    }
+    result.emplace_back(std::move(place), way.part);
+  }
+  return result;
 }
 
 /// How far the load is from the nearest multiple of it at which the verdict changes: below 0 if

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "stickslip/box/box_verdict.hpp"
@@ -23,6 +24,9 @@ class Examples {
   /// The grasp at this place, with normals of rational length where the file's normal has one
   /// and the contact is preloaded: turned by at most the slope.
   LoadedGrasp at(const Place& place) const;
+  /// Corners at which this equilibrium of the middle is lost, soonest first, and after which
+  /// part of the way.
+  std::vector<std::pair<Place, double>> without(const Witness& equilibrium) const;
   /// Places that are likely to have the verdict that the middle does not have, best first: by
   /// how the multiples of the load that are resisted change with each number. O(numbers)
   /// margins.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "degree.hpp"
 #include "examples.hpp"
 #include "prove.hpp"
 
@@ -87,6 +88,8 @@ class RadiusSearch {
 
   /// Suspects near the centre, and then those at the edge of the box that these give.
   void refute() {
+    if (*result_.stable) follow();
+    if (result_.refuted) return;
     suspect(std::min(Rational(1, 8), result_.limit));
     if (result_.refuted) {
       suspect(*result_.refuted);
@@ -94,6 +97,28 @@ class RadiusSearch {
       suspect(std::min(Rational(1), result_.limit));
     }
     try_all_corners();
+  }
+
+  /// To where an equilibrium of the centre is lost.
+  void follow() {
+    const ParameterBox point = ParameterBox(box_of(centre_), law_).middle();
+    const Verdict verdict = decide_by_cones(problem_at(point));
+    const auto* stable = std::get_if<Stable>(&verdict);
+    if (stable == nullptr) return;
+    Rational size(1, 16);
+    for (;;) {
+      size = std::min(Rational(4 * size), bound());
+      const GraspBox box = box_.scaled(centre_, size);
+      const auto lost = Examples(box, law_).without(stable->witness);
+      std::size_t tried = 0;
+      for (const auto& [place, part] : lost) {
+        constexpr std::size_t kMostTried = 4;
+        if (tried++ == kMostTried) break;
+        const Rational near = size * rational_from_double(std::min(1.0, part + 1.0 / 64));
+        if (near < bound() && differs(place, near)) close_in(place, 0, near);
+      }
+      if (size == bound() || !lost.empty()) return;
+    }
   }
 
   /// Of few numbers.
@@ -148,8 +173,9 @@ class RadiusSearch {
     return true;
   }
 
-  /// By bisection, which assumes that boxes without a proof have none that are larger: it may
-  /// miss some, and what it finds is proved.
+  /// From near the bound downwards, and then by bisection between the largest that is proved
+  /// and the bound. Boxes without a proof may be part of larger ones that have one: it may miss
+  /// some, and what it finds is proved.
   void prove(std::size_t parts) {
     Rational high = bound();
     if (!result_.refuted) {
@@ -157,6 +183,12 @@ class RadiusSearch {
     } else if (result_.proved.is_zero()) {
       const Rational near = high * (1 - options_.accuracy / 2);
       if (try_to_prove(short_middle(near, high), parts)) return;
+      // A smaller box may have no proof where a larger one has.
+      for (const int percent : {95, 90, 80, 65}) {
+        const Rational below = bound() * Rational(percent, 100);
+        const Rational factor = short_middle(below, bound() * Rational(percent + 1, 100));
+        if (try_to_prove(factor, parts)) break;
+      }
     }
     constexpr int kMostSteps = 10;
     for (int step = 0; step < kMostSteps; ++step) {

@@ -3,7 +3,7 @@
 // largest proved and the smallest refuted factor of the tolerances, and the answers of the box
 // itself. Exit code 1 if a proved factor is not below a refuted one.
 //
-//     box_bench [--grasps N, default 20]
+//     box_bench [--grasps N, default 20] [--seed S]
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
@@ -71,9 +71,9 @@ double quantile(std::vector<double> values, double part) {
   return values[static_cast<std::size_t>(part * static_cast<double>(values.size() - 1))];
 }
 
-Summary measure(const char* tolerances, std::size_t grasps) {
+Summary measure(const char* tolerances, std::size_t grasps, std::uint64_t seed) {
   Summary summary;
-  RandomSource random(1);
+  RandomSource random(seed);
   while (summary.ratios.size() < grasps) {
     const auto loaded = random_load(random);
     if (!loaded) continue;
@@ -100,7 +100,7 @@ Summary measure(const char* tolerances, std::size_t grasps) {
   return summary;
 }
 
-int run(std::size_t grasps) {
+int run(std::size_t grasps, std::uint64_t seed) {
   bool contradiction = false;
   constexpr std::array<const char*, 2> kTolerances{
       "friction=10%",
@@ -108,7 +108,7 @@ int run(std::size_t grasps) {
   std::vector<Summary> summaries;
   for (const char* tolerances : kTolerances) {
     std::printf("%s\n", tolerances);
-    summaries.push_back(measure(tolerances, grasps));
+    summaries.push_back(measure(tolerances, grasps, seed));
     contradiction = contradiction || summaries.back().contradiction;
   }
   std::puts(
@@ -133,6 +133,8 @@ int main(int argc, char** argv) {
   CLI::App app{"Boxes: how much of the tolerance that can be proved is proved"};
   std::size_t grasps = 20;
   app.add_option("--grasps", grasps, "for each set of tolerances")->capture_default_str();
+  std::uint64_t seed = 1;
+  app.add_option("--seed", seed, "of the grasps")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
-  return stickslip::bench::run(grasps);
+  return stickslip::bench::run(grasps, seed);
 }

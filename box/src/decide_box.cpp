@@ -152,6 +152,9 @@ std::optional<Fragile> find_examples(const GraspBox& box, NormalLaw law, const V
       if (!other && tried++ < kMostTried) look(place);
     }
   }
+  for (const Place& place : examples.extremes()) {
+    if (!other) look(place);
+  }
   if (!other) {
     for (const Place& place : examples.suspects(middle_is_stable)) {
       if (!other) look(place);

@@ -107,6 +107,20 @@ std::vector<std::pair<Place, double>> Examples::without(const Witness& equilibri
   return result;
 }
 
+std::vector<Place> Examples::extremes() const {
+  Place better = middle();
+  Place worse = middle();
+  for (std::size_t n = 0; n < numbers_.size(); ++n) {
+    const auto [parameter, index] = numbers_[n];
+    if (parameter == Parameter::kFriction || parameter == Parameter::kPreload) better[n] = 1;
+    if (parameter == Parameter::kWrench) {
+      better[n] = box_.wrench[index].middle().sign() > 0 ? -1 : 1;
+    }
+    worse[n] = -better[n];
+  }
+  return {std::move(better), std::move(worse)};
+}
+
 /// How far the load is from the nearest multiple of it at which the verdict changes: below 0 if
 /// the grasp is unstable. Nothing if no multiple changes it.
 std::optional<double> Examples::distance(const Place& place) const {

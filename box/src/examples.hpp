@@ -27,6 +27,9 @@ class Examples {
   /// Corners at which this equilibrium of the middle is lost, soonest first, and after which
   /// part of the way.
   std::vector<std::pair<Place, double>> without(const Witness& equilibrium) const;
+  /// All held better, or worse, as one would think: more friction and preload under less load,
+  /// and the reverse. They cost nothing to find.
+  std::vector<Place> extremes() const;
   /// Places that are likely to have the verdict that the middle does not have, best first: by
   /// how the multiples of the load that are resisted change with each number. O(numbers)
   /// margins.

@@ -96,7 +96,7 @@ std::vector<std::pair<Place, double>> Examples::without(const Witness& equilibri
     Place place = middle();
     for (std::size_t n = 0; n < numbers_.size(); ++n) {
       for (std::size_t k = 0; k < moving.numbers().size(); ++k) {
-        const UncertainNumber& number = moving.numbers()[k];
+        const ParameterId& number = moving.numbers()[k];
         if (number.parameter == numbers_[n].parameter && number.index == numbers_[n].index) {
           place[n] = static_cast<int>(way.to[static_cast<Eigen::Index>(k)]);
         }

@@ -37,16 +37,11 @@ class Examples {
   Place middle() const { return Place(numbers_.size(), 0); }
 
  private:
-  struct Number {
-    Parameter parameter;
-    std::size_t index;
-  };
-
   std::optional<double> distance(const Place& place) const;
 
   const GraspBox& box_;
   NormalLaw law_;
-  std::vector<Number> numbers_;
+  std::vector<ParameterId> numbers_;
 };
 
 /// Whether this grasp is stable, by decide(), or decide_box() where a length is irrational;

@@ -13,12 +13,6 @@
 
 namespace stickslip::box_detail {
 
-/// An uncertain number of a box.
-struct UncertainNumber {
-  Parameter parameter;
-  std::size_t index;  ///< of the contact, or of the component of the wrench
-};
-
 /// An equilibrium in doubles.
 struct Equilibrium {
   Eigen::Vector3d motion;
@@ -48,7 +42,7 @@ class MovingEquilibrium {
   /// Of an equilibrium of the middle, of which this is the model.
   MovingEquilibrium(const ParameterBox& box, const BoxModel& middle, const Witness& witness);
 
-  const std::vector<UncertainNumber>& numbers() const { return numbers_; }
+  const std::vector<ParameterId>& numbers() const { return numbers_; }
   const Equilibrium& start() const { return start_; }  ///< in the middle
   Place middle() const { return Place::Zero(static_cast<Eigen::Index>(numbers_.size())); }
 
@@ -95,7 +89,7 @@ class MovingEquilibrium {
   double force_;
   double travel_ = 1;  ///< a typical motion
   Equilibrium start_;
-  std::vector<UncertainNumber> numbers_;
+  std::vector<ParameterId> numbers_;
   std::vector<std::array<Eigen::Index, 6>> places_;  ///< of a contact's numbers; -1: certain
   std::array<Eigen::Index, 3> load_places_;
   std::vector<std::array<Range, 6>> ranges_;

@@ -27,6 +27,12 @@ enum class Parameter {
 /// "x", "y", "turn", "friction", "preload", "stiffness", "wrench".
 const char* to_string(Parameter parameter);
 
+/// A parameter of one contact, or a component of the wrench.
+struct ParameterId {
+  Parameter parameter;
+  std::size_t index;  ///< of the contact, or of the component
+};
+
 /// A parameter of this contact, or this component of the wrench, is cut at this value: two
 /// children, low and high, with the parameter <= value and >= value.
 struct PartSplit {

@@ -251,6 +251,7 @@ Eigen::Matrix3Xd MovingEquilibrium::moves(const Place& place, const Equilibrium&
     };
     force = (wrench_at(1) - wrench_at(-1)) / 2;
   }
+  if (numbers_.empty()) return forces;  // Eigen's solve() looks into no column
   return -derivative(at(place), here.motion, here.shares, here.sticks)
               .partialPivLu()
               .solve(forces);

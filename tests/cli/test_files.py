@@ -169,12 +169,12 @@ class WhatIsWrong(Case):
                       ("batch", lines, "-o"), ("completion", "bash", "-o")):
             self.fails(*words, "/dev/full", naming=["/dev/full", full, "make room"])
         self.write("fig1.json", CLAIMED_GRASP)
-        claims = self.write("c.jsonl", 500 * (json.dumps(TIE) + "\n"))  # more than a buffer
+        claims = self.write("c.jsonl", 200 * (json.dumps(TIE) + "\n"))  # more than a buffer
         for words in (("decide", FIG1), ("batch", lines), ("states", FIG1), ("--help",),
                       ("help", "decide"), ("decide", "--help"), ("crosscheck", claims, "--json")):
             with open("/dev/full", "w", encoding="utf-8") as stdout:
                 found = subprocess.run([STICKSLIP, *words], stdout=stdout, stderr=subprocess.PIPE,
-                                       text=True, check=False, timeout=120)
+                                       text=True, check=False, timeout=300)
             self.assertEqual(found.returncode, BAD_INPUT, words)
             self.assertIn(f"<stdout>: the file cannot be written: {full}", found.stderr, words)
 

@@ -29,8 +29,8 @@ const char* to_string(Parameter parameter);
 
 /// A parameter of one contact, or a component of the wrench.
 struct ParameterId {
-  Parameter parameter;
-  std::size_t index;  ///< of the contact, or of the component
+  Parameter parameter;  ///< of which contact: index
+  std::size_t index;    ///< of the contact, or of the component
 };
 
 /// A parameter of this contact, or this component of the wrench, is cut at this value: two

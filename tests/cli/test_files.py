@@ -174,7 +174,7 @@ class WhatIsWrong(Case):
                       ("help", "decide"), ("decide", "--help"), ("crosscheck", claims, "--json")):
             with open("/dev/full", "w", encoding="utf-8") as stdout:
                 found = subprocess.run([STICKSLIP, *words], stdout=stdout, stderr=subprocess.PIPE,
-                                       text=True, check=False, timeout=300)
+                                       text=True, check=False, timeout=120)
             self.assertEqual(found.returncode, BAD_INPUT, words)
             self.assertIn(f"<stdout>: the file cannot be written: {full}", found.stderr, words)
 

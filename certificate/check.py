@@ -29,7 +29,7 @@ D = 3  # §1: of motions and wrenches
 
 
 class Malformed(Exception):
-    """§7, exit 2: a file that is not what it should be, or a question that cannot be asked."""
+    """§8, exit 2: a file that is not what it should be, or a question that cannot be asked."""
 
     def __init__(self, file: str, place: str, problem: str) -> None:
         super().__init__(": ".join(part for part in (file, place, problem) if part))
@@ -37,7 +37,7 @@ class Malformed(Exception):
 
 
 class Rejected(Exception):
-    """§7, exit 1: a rule that the certificate fails, where, and what was found."""
+    """§8, exit 1: a rule that the certificate fails, where, and what was found."""
 
     def __init__(self, rule: str, found: str, path: Optional[str] = None,
                  node: Optional[int] = None) -> None:
@@ -56,7 +56,7 @@ def show(value: Any) -> str:
 
 
 def printable(text: str) -> str:
-    """§7: every byte that is not printable ASCII as \\xNN."""
+    """§8: every byte that is not printable ASCII as \\xNN."""
     return "".join(chr(byte) if 32 <= byte < 127 else f"\\x{byte:02x}"
                    for byte in text.encode("utf-8", "surrogateescape"))
 
@@ -238,7 +238,7 @@ class Source:
         return found
 
     def check_format(self, value: Any) -> None:
-        """§10: a version that is not known is malformed."""
+        """§11: a version that is not known is malformed."""
         if type(value) is not str or value not in self.kind.formats:
             known = " or ".join(f'"{name}"' for name in self.kind.formats)
             self.fail("format", f"must be {known}; no other is known here")
@@ -1601,7 +1601,7 @@ def check_parts(parts: Sequence[Union[Node, DegreeProof]], box: Box, bilateral: 
                        f"part {len(parts)}{waiting[-1][1]}")
 
 
-# ---- §7 What a checker answers ----------------------------------------------------------------
+# ---- §8 What a checker answers ----------------------------------------------------------------
 
 USAGE = """check.py GRASP CERTIFICATE [options]
 

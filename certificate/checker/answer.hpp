@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What the checker answers (FORMAT.md §7).
+/// What the checker answers (FORMAT.md §8).
 #pragma once
 
 #include <cstdint>

@@ -12,7 +12,7 @@
 
 namespace stickslip_check {
 
-/// Reads both files and answers (FORMAT.md §7). The names are for messages. Throws nothing but
+/// Reads both files and answers (FORMAT.md §8). The names are for messages. Throws nothing but
 /// what the machine does (no memory).
 Answer check(std::istream& grasp, std::istream& certificate, const Options& options,
              const std::string& grasp_name = "grasp",

@@ -12,33 +12,10 @@ Rational length_squared(const Vector2& n) {
   return n.x * n.x + n.y * n.y;
 }
 
-/// The greatest j / 2^s <= sqrt(square) with j of this many bits, and (j + 1) / 2^s.
-Interval enclosed_root(const Rational& square, unsigned bits) {
-  const Integer& num = numerator(square);
-  const Integer& den = denominator(square);
-  // 2^s sqrt(square) has j as its whole part: s such that j has the right number of bits is at
-  // most one off the difference of the lengths.
-  long s = static_cast<long>(bits) -
-           (static_cast<long>(msb(num)) - static_cast<long>(msb(den))) / 2 - 1;
-  const auto whole = [&](long shift) -> Integer {
-    const auto by = static_cast<unsigned long>(std::labs(2 * shift));
-    return sqrt(Integer(shift >= 0 ? Integer(num << by) / den : num / Integer(den << by)));
-  };
-  Integer j = whole(s);
-  while (msb(j) + 1 < bits) j = whole(++s);
-  while (msb(j) + 1 > bits) j = whole(--s);
-  const Integer unit = Integer(1) << static_cast<unsigned long>(std::labs(s));
-  const auto scaled = [&](const Integer& n) {
-    return s >= 0 ? Rational(n, unit) : Rational(n * unit);
-  };
-  return {scaled(j), scaled(j + 1)};
-}
-
 /// 1/|n|, or what it lies between.
 Interval inverse_length(const Vector2& normal, unsigned bits) {
-  const Rational square = 1 / length_squared(normal);
-  if (const auto root = exact_sqrt(square)) return {*root, *root};
-  return enclosed_root(square, bits);
+  const auto [lower, upper] = short_sqrt(1 / length_squared(normal), bits);
+  return {lower, upper};
 }
 
 ParameterContact parameters_of(const UncertainContact& c, unsigned bits) {

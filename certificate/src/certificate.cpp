@@ -36,9 +36,10 @@ std::string indexed(const char* kind, ContactId contact) {
 }
 
 /// Brackets around brackets.
-std::string rows(const Matrix3& matrix) {
+template <class Matrix>
+std::string rows(const Matrix& matrix) {
   std::string text;
-  for (const Vector3& row : matrix) text += (text.empty() ? "[[" : ",[") + list(row) + "]";
+  for (const auto& row : matrix) text += (text.empty() ? "[[" : ",[") + list(row) + "]";
   return text + "]";
 }
 
@@ -53,6 +54,14 @@ struct NodeText {
     const IntegerVector5& p = node.plane;
     if (margin) return "[\"plane\"," + list(p) + "]";
     return "[\"plane\"," + list(IntegerVector<4>{p[0], p[1], p[2], p[3]}) + "]";
+  }
+  std::string operator()(const SpatialPlaneSplit& node) const {
+    const IntegerVector<8>& p = node.plane;
+    return "[\"plane\"," +
+           list(IntegerVector<7>{p[0], p[1], p[2], p[3], p[4], p[5], p[6]}) + "]";
+  }
+  std::string operator()(const SpatialLeaf& node) const {
+    return "[\"leaf\"," + list(node.twist) + "]";
   }
   std::string operator()(const VirtualWorkLeaf& node) const {
     return "[\"leaf\"," + list(node.twist) + "]";
@@ -74,24 +83,34 @@ std::string tolerances_text(const Tolerances& tolerances) {
   return "\"uncertain\": {" + text + "}";
 }
 
-std::string wrench_text(const Question& question) {
-  if (!question.uncertain_wrench) return list(coordinates(question.loaded.wrench));
+template <class Wrench>
+std::string wrench_text(const Wrench& wrench) {
   std::string text;
-  for (const Interval& w : *question.uncertain_wrench) {
+  for (const Interval& w : wrench) {
     text += text.empty() ? "" : ",";
     text += w.is_point() ? number(w.low) : "[" + number(w.low) + "," + number(w.high) + "]";
   }
   return text;
 }
 
-/// All up to the verdict.
-std::string head(const Question& question, const std::string& producer) {
+/// What questions in the plane and in space have in common, but the brace at the end.
+template <class AnyQuestion>
+std::string head(const AnyQuestion& question, std::size_t contacts, const std::string& wrench,
+                 const std::string& producer) {
   std::string text = "{\"format\": \"stickslip-certificate/2\",\n \"producer\": " +
                      nlohmann::json(producer).dump() + ",\n \"question\": {\"contacts\": " +
-                     std::to_string(question.loaded.grasp.size()) + ", \"wrench\": [" +
-                     wrench_text(question) + "]";
+                     std::to_string(contacts) + ", \"wrench\": [" + wrench + "]";
   if (question.preload) text += ", \"preload\": " + number(*question.preload);
-  text += std::string(", \"normal_law\": \"") + to_string(question.law) + "\"";
+  return text + ", \"normal_law\": \"" + to_string(question.law) + "\"";
+}
+
+/// All up to the verdict.
+std::string head(const Question& question, const std::string& producer) {
+  std::string text = head(question, question.loaded.grasp.size(),
+                          question.uncertain_wrench
+                              ? wrench_text(*question.uncertain_wrench)
+                              : list(coordinates(question.loaded.wrench)),
+                          producer);
   if (question.direction) {
     text += ", \"direction\": [" + list(coordinates(*question.direction)) + "]";
   }
@@ -130,12 +149,16 @@ std::string tree_text(const Nodes& nodes) {
   return text + "]";
 }
 
+template <class Proof, class Motion>
+std::string degree_text(const Proof& proof, const Motion& twist) {
+  return "{\"twist\": [" + list(twist) + "],\n \"walls\": " + rows(proof.walls) +
+         ",\n \"direction\": " + rows(proof.direction) + ",\n" + tree_text(proof.trees) + "}";
+}
+
 struct PartText {
   std::string operator()(const PartSplit& cut) const { return NodeText{false}(cut); }
   std::string operator()(const DegreeProof& proof) const {
-    return "{\"twist\": [" + list(coordinates(proof.twist)) +
-           "],\n \"walls\": " + rows(proof.walls) +
-           ",\n \"direction\": " + rows(proof.direction) + ",\n" + tree_text(proof.trees) + "}";
+    return degree_text(proof, coordinates(proof.twist));
   }
 };
 
@@ -180,6 +203,37 @@ std::string box_certificate_text(const Question& question, const BoxDecision& de
   for (const auto& part : stable->parts) {
     text += separator + std::visit(PartText{}, part);
     separator = ",\n  ";
+  }
+  return text + "]}\n";
+}
+
+std::string spatial_certificate_text(const SpatialQuestion& question,
+                                     const SpatialDecision& decision,
+                                     const std::string& producer) {
+  const SpatialGrasp& grasp = question.grasp;
+  std::string text =
+      head(question, grasp.contacts.size(), wrench_text(question.wrench), producer);
+  if (question.uncertain.any()) text += ", " + tolerances_text(question.uncertain);
+  text += "},\n ";
+  constexpr unsigned kDefaultBits = 128;  // FORMAT.md, section 6
+  if (decision.bits != kDefaultBits) {
+    text += "\"bits\": " + std::to_string(decision.bits) + ",\n ";
+  }
+  text += std::string(kVerdict) + "\"" + name_of(decision.verdict) + "\",\n";
+  if (const auto* unstable = std::get_if<SpatiallyUnstable>(&decision.verdict)) {
+    return text + tree_text(unstable->tree) + "}\n";
+  }
+  const auto* stable = std::get_if<SpatiallyStable>(&decision.verdict);
+  require(stable != nullptr, "an undecided question has no certificate");
+  if (const auto* proof = std::get_if<SpatialDegreeProof>(&stable->proof)) {
+    return text + " \"parts\": [\n  " + degree_text(*proof, proof->twist) + "]}\n";
+  }
+  const auto& witness = std::get<SpatialWitness>(stable->proof);
+  text += " \"twist\": [" + list(witness.twist) + "],\n \"shares\": [";
+  std::string separator;
+  for (const auto& [contact, share] : witness.shares) {
+    text += separator + "[" + std::to_string(contact.index()) + ",[" + list(share) + "]]";
+    separator = ",";
   }
   return text + "]}\n";
 }

@@ -39,18 +39,23 @@ void check_ends(const Interval& interval, const std::string& place) {
                    "its min must be at most its max");
 }
 
+void check_laws(const Interval& friction, const Interval& stiffness, const Interval& preload,
+                const std::string& path) {
+  check_ends(friction, path + ".friction");
+  check_ends(stiffness, path + ".stiffness");
+  check_ends(preload, path + ".preload");
+  check_low(friction.low.sign() >= 0, friction, path + ".friction",
+            "friction must be 0 or more everywhere in the box");
+  check_low(stiffness.low.sign() > 0, stiffness, path + ".stiffness",
+            "stiffness must be above 0 everywhere in the box");
+  check_low(preload.low.sign() >= 0, preload, path + ".preload",
+            "a preload is a normal force and must be 0 or more everywhere in the box");
+}
+
 void check_uncertain(const UncertainContact& contact, const std::string& path) {
   check_ends(contact.x, path + ".position[0]");
   check_ends(contact.y, path + ".position[1]");
-  check_ends(contact.friction, path + ".friction");
-  check_ends(contact.stiffness, path + ".stiffness");
-  check_ends(contact.preload, path + ".preload");
-  check_low(contact.friction.low.sign() >= 0, contact.friction, path + ".friction",
-            "friction must be 0 or more everywhere in the box");
-  check_low(contact.stiffness.low.sign() > 0, contact.stiffness, path + ".stiffness",
-            "stiffness must be above 0 everywhere in the box");
-  check_low(contact.preload.low.sign() >= 0, contact.preload, path + ".preload",
-            "a preload is a normal force and must be 0 or more everywhere in the box");
+  check_laws(contact.friction, contact.stiffness, contact.preload, path);
   if (contact.slope.sign() >= 0 && contact.slope < 1) return;
   throw InputError("", path + ".normal", "the slope is " + to_readable_string(contact.slope),
                    "a normal turns to either side by 0 or more and less than 1, which is 45 "

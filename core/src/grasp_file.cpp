@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/core/grasp_file.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/json.hpp"
+#include "stickslip/core/spatial_grasp.hpp"
 #include "uncertain_contact.hpp"
 
 namespace stickslip {
@@ -37,7 +39,9 @@ struct WrittenContact {
   std::optional<PlaceOnOutline> place;  ///< in place of position and normal
   WrittenNumber x;
   WrittenNumber y;
+  WrittenNumber z;  ///< in space only
   Vector2 normal;
+  Rational normal_z{0};           ///< in space only
   std::optional<Rational> slope;  ///< of the normal, unless it is 0
   Properties own;
 };
@@ -53,6 +57,8 @@ WrittenNumber written(const Interval& interval) {
   if (interval.is_point()) return {interval.low};
   return {interval.middle(), std::make_shared<const Interval>(interval)};
 }
+
+constexpr const char* kThreeNumbers = "an array of three numbers [x, y, z]";
 
 Vector2 read_direction(const JsonNode& node, const std::string& path) {
   const std::vector<Rational> v = read_vector(node, path, 2, "an array of two numbers [x, y]");
@@ -88,6 +94,23 @@ void read_normal(const JsonNode& node, const std::string& path, IntervalReader& 
   if (contact.slope->is_zero()) contact.slope.reset();
 }
 
+/// A contact is in space, or not, as the first one is.
+void read_place_in_space(const JsonNode& node, const std::string& path, IntervalReader& read,
+                         WrittenContact& contact) {
+  const JsonNode& position = member(node, path, "position", "add \"position\": [x, y, z]");
+  const std::vector<Interval> p =
+      read.numbers(position, member_path(path, "position"), 3, kThreeNumbers);
+  contact.x = written(p[0]);
+  contact.y = written(p[1]);
+  contact.z = written(p[2]);
+  const JsonNode& normal =
+      member(node, path, "normal", "add \"normal\": [x, y, z], pointing into the object");
+  const std::vector<Rational> n =
+      read_vector(normal, member_path(path, "normal"), 3, kThreeNumbers);
+  contact.normal = {n[0], n[1]};
+  contact.normal_z = n[2];
+}
+
 Properties read_properties(const JsonNode& object, const std::string& path,
                            IntervalReader& read) {
   const auto number = [&](const char* key) -> std::optional<WrittenNumber> {
@@ -98,11 +121,18 @@ Properties read_properties(const JsonNode& object, const std::string& path,
   return {number("friction"), number("stiffness"), number("preload")};
 }
 
-WrittenContact read_contact(const JsonNode& node, const std::string& path,
-                            IntervalReader& read) {
+WrittenContact read_contact(const JsonNode& node, const std::string& path, IntervalReader& read,
+                            bool in_space) {
   expect_object(node, path, {"position", "normal", "on", "friction", "stiffness", "preload"});
   WrittenContact contact;
-  if (const JsonNode* on = node.find("on")) {
+  const JsonNode* on = node.find("on");
+  if (in_space) {
+    if (on != nullptr) {
+      fail_at(member_path(path, "on"), "a place on an outline, but the grasp is in space",
+              "give \"position\": [x, y, z] and \"normal\": [x, y, z]");
+    }
+    read_place_in_space(node, path, read, contact);
+  } else if (on != nullptr) {
     for (const char* key : {"position", "normal"}) {
       if (node.find(key) == nullptr) continue;
       fail_at(path, std::string("found both \"on\" and \"") + key + "\"",
@@ -199,10 +229,13 @@ bool read_format(const JsonNode& root) {
   return node.text == kVersion2;
 }
 
+std::string newer_format() {
+  return std::string("write \"format\": \"") + kVersion2 + "\", which has it";
+}
+
 /// What version 1 does not have.
 [[noreturn]] void fail_as_newer(const std::string& path, const std::string& key) {
-  fail_at(path, "unknown key " + quote(key),
-          std::string("write \"format\": \"") + kVersion2 + "\", which has it");
+  fail_at(path, "unknown key " + quote(key), newer_format());
 }
 
 void check_keys(const JsonNode& root, bool version2) {
@@ -216,6 +249,23 @@ void check_keys(const JsonNode& root, bool version2) {
             "remove it; to snap normals, run stickslip snap GRASP -o FILE");
   }
   expect_object(root, "", allowed);
+}
+
+void check_members(const JsonNode& root, bool version2) {
+  check_keys(root, version2);
+  expect(member(root, "", "contacts", "add \"contacts\": [...], which may be empty"),
+         Kind::kArray, "contacts", "an array of contacts [{...}, ...]");
+}
+
+/// The load; of cases, what is common to them.
+template <std::size_t n>
+LoadBox<n> read_whole_load(const JsonNode& root, IntervalReader& read,
+                           const std::string& remedy) {
+  const std::optional<LoadBox<n>> load = read_load<n>(root, "", read);
+  if (!load && root.find("cases") == nullptr) {
+    fail_at("", "the key \"wrench\" is missing", remedy);
+  }
+  return load.value_or(LoadBox<n>{});
 }
 
 /// Gives contacts with a place on the outline their position and normal.
@@ -274,31 +324,62 @@ std::string read_all(std::istream& in, const std::string& file) {
 
 }  // namespace
 
+std::size_t case_named(const std::vector<std::string>& cases,
+                       const std::optional<std::string>& name) {
+  const auto found = std::find(cases.begin(), cases.end(), name);
+  if (found != cases.end()) return static_cast<std::size_t>(found - cases.begin());
+  // The names, of many the first; and which may have been meant.
+  constexpr std::size_t kMostNamed = 12;
+  std::string choice = did_you_mean(name.value_or(""), cases) + "its cases are ";
+  for (std::size_t i = 0; i < std::min(cases.size(), kMostNamed); ++i) {
+    choice += (i == 0 ? "" : ", ") + quote(cases[i]);
+  }
+  if (cases.size() > kMostNamed) choice += ", ...";
+  throw InputError("", "case",
+                   name ? "the grasp has no case " + quote(*name)
+                        : "the grasp has cases, and none is chosen",
+                   cases.empty() ? "it has no cases at all" : choice);
+}
+
 StreamedGrasp::StreamedGrasp() = default;
 StreamedGrasp::~StreamedGrasp() = default;
 
 void StreamedGrasp::add_contact(std::size_t index, const JsonNode& node) {
   IntervalReader read(first_interval_);
-  contacts_.push_back(read_contact(node, element_path("contacts", index), read));
+  if (index == 0) {
+    const JsonNode* position = node.find("position");
+    in_space_ =
+        position != nullptr && position->kind == Kind::kArray && position->children.size() == 3;
+  }
+  contacts_.push_back(read_contact(node, element_path("contacts", index), read, in_space_));
+}
+
+bool StreamedGrasp::in_space(const JsonNode& grasp) const {
+  if (!contacts_.empty()) return in_space_;
+  const JsonNode* wrench = grasp.find("wrench");
+  return wrench != nullptr && wrench->kind == Kind::kArray && wrench->children.size() == 6;
 }
 
 GraspFile StreamedGrasp::finish(const JsonNode& grasp, Intervals intervals) {
   expect(grasp, Kind::kObject, "", "an object {\"format\": ..., \"contacts\": [...], ...}");
   const bool version2 = read_format(grasp);
-  check_keys(grasp, version2);
-  expect(member(grasp, "", "contacts", "add \"contacts\": [...], which may be empty"),
-         Kind::kArray, "contacts", "an array of contacts [{...}, ...]");
+  check_members(grasp, version2);
+  if (in_space(grasp)) {
+    fail_at(contacts_.empty() ? "wrench" : "contacts[0].position", "the grasp is in space",
+            version2 ? "this is done in the plane only; stickslip decide answers in space"
+                     : newer_format());
+  }
   IntervalReader read(first_interval_);
   const Properties defaults = read_defaults(grasp, read);
-  const std::optional<WrenchBox> load = read_load(grasp, "", read);
-  if (!load && grasp.find("cases") == nullptr) {
-    fail_at("", "the key \"wrench\" is missing",
-            std::string("add \"wrench\": [x, y, torque]") +
-                (version2 ? " or \"loads\": [...]" : "") + "; no load is [0, 0, 0]");
-  }
-  const WrenchBox wrench = load.value_or(WrenchBox{});
+  const WrenchBox wrench = read_whole_load<2>(grasp, read,
+                                              std::string("add \"wrench\": [x, y, torque]") +
+                                                  (version2 ? " or \"loads\": [...]" : "") +
+                                                  "; no load is [0, 0, 0]");
   GraspFile file;
-  file.cases = read_cases(grasp, wrench, read);
+  for (ReadCase<2>& one : read_cases<2>(grasp, wrench, read)) {
+    file.cases.push_back({std::move(one.name), middle(one.load), std::nullopt});
+    if (is_uncertain(one.load)) file.cases.back().box = one.load;
+  }
   std::vector<Polygon> outline = read_outline(grasp);
   put_on_outline(contacts_, outline, version2);
   fill_in(contacts_, defaults);
@@ -327,26 +408,92 @@ GraspFile StreamedGrasp::finish(const JsonNode& grasp, Intervals intervals) {
   return file;
 }
 
-GraspFile parse_grasp(std::string_view text, const std::string& file, Intervals intervals) {
+SpatialGrasp StreamedGrasp::finish_in_space(const JsonNode& grasp) {
+  const bool version2 = read_format(grasp);
+  check_members(grasp, version2);
+  if (!version2) fail_at("contacts[0].position", "three coordinates", newer_format());
+  if (grasp.find("outline") != nullptr) {
+    fail_at("outline", "an outline, but the grasp is in space", "remove it");
+  }
+  IntervalReader read(first_interval_);
+  const Properties defaults = read_defaults(grasp, read);
+  SpatialGrasp result;
+  result.wrench = read_whole_load<3>(
+      grasp, read,
+      "add \"wrench\": [force x, y, z, torque x, y, z] or \"loads\": [...]; no load is [0, 0, "
+      "0, 0, 0, 0]");
+  for (ReadCase<3>& one : read_cases<3>(grasp, result.wrench, read)) {
+    result.cases.push_back({std::move(one.name), one.load});
+  }
+  fill_in(contacts_, defaults);
+  for (const WrittenContact& c : contacts_) {
+    const auto ends = [](const std::optional<WrittenNumber>& number, int otherwise) {
+      return number ? number->ends() : point_interval(otherwise);
+    };
+    if (!c.own.stiffness) result.assumed_stiffness.emplace_back(result.contacts.size());
+    result.contacts.push_back({{c.x.ends(), c.y.ends(), c.z.ends()},
+                               {c.normal.x, c.normal.y, c.normal_z},
+                               ends(c.own.friction, 0),
+                               ends(c.own.stiffness, 1),
+                               ends(c.own.preload, 0)});
+  }
+  contacts_.clear();
+  // The requirements on units are Grasp's own.
+  const Grasp described({}, GraspDescription{read_name(grasp), {}, read_units(grasp)});
+  result.name = described.name();
+  result.units = described.description().units;
+  if (!first_interval_.empty()) result.first_interval = first_interval_;
+  check(result);
+  return result;
+}
+
+namespace {
+
+/// What `finish` makes of the text, with `file` in errors.
+template <class Finish>
+auto parse_with(std::string_view text, const std::string& file, const Finish& finish) {
   try {
     if (text.size() > kMaxJsonBytes) {
       fail_at("", "more than " + std::to_string(kMaxJsonBytes) + " bytes",
               "split the grasp file; larger ones are not read");
     }
     StreamedGrasp reader;
-    return reader.finish(parse_json(text, {{{"contacts"},
-                                            [&](std::size_t index, const JsonNode& contact) {
-                                              reader.add_contact(index, contact);
-                                            }}}),
-                         intervals);
+    const JsonNode grasp =
+        parse_json(text, {{{"contacts"}, [&](std::size_t index, const JsonNode& contact) {
+                             reader.add_contact(index, contact);
+                           }}});
+    return finish(reader, grasp);
   } catch (const InputError& error) {
     throw error.in_file(file);
   }
 }
 
+}  // namespace
+
+GraspFile parse_grasp(std::string_view text, const std::string& file, Intervals intervals) {
+  return parse_with(text, file, [&](StreamedGrasp& reader, const JsonNode& grasp) {
+    return reader.finish(grasp, intervals);
+  });
+}
+
+AnyGraspFile parse_any_grasp(std::string_view text, const std::string& file) {
+  return parse_with(text, file,
+                    [&](StreamedGrasp& reader, const JsonNode& grasp) -> AnyGraspFile {
+                      if (grasp.kind == Kind::kObject && reader.in_space(grasp)) {
+                        return reader.finish_in_space(grasp);
+                      }
+                      return reader.finish(grasp, Intervals::kAllowed);
+                    });
+}
+
 GraspFile read_grasp_file(const std::string& path, Intervals intervals) {
   InputFile file(path, "a grasp file");
   return parse_grasp(read_all(file.stream(), file.name()), file.name(), intervals);
+}
+
+AnyGraspFile read_any_grasp_file(const std::string& path) {
+  InputFile file(path, "a grasp file");
+  return parse_any_grasp(read_all(file.stream(), file.name()), file.name());
 }
 
 }  // namespace stickslip

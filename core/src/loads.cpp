@@ -11,56 +11,109 @@ namespace {
 
 using Kind = JsonNode::Kind;
 
-Vector2 read_pair(const JsonNode& object, const std::string& path, const char* key) {
-  const std::string remedy = std::string("add \"") + key + "\": [x, y]";
+/// How loads are written, in the plane (n = 2) and in space.
+template <std::size_t n>
+struct Forms;
+template <>
+struct Forms<2> {
+  static constexpr const char* kPoint = "[x, y]";
+  static constexpr const char* kPointInWords = "an array of two numbers [x, y]";
+  static constexpr const char* kWrench = "an array of three numbers [force x, force y, torque]";
+  static constexpr const char* kDirection =
+      "give a direction of rational length, such as "
+      "[3, -4]; or a \"force\" in place of the weight";
+  static constexpr const char* kTorque = "t";
+};
+template <>
+struct Forms<3> {
+  static constexpr const char* kPoint = "[x, y, z]";
+  static constexpr const char* kPointInWords = "an array of three numbers [x, y, z]";
+  static constexpr const char* kWrench =
+      "an array of six numbers [force x, y, z, torque x, y, z]";
+  static constexpr const char* kDirection =
+      "give a direction of rational length, such as [2, 1, -2]; or a \"force\" in place of the "
+      "weight";
+  static constexpr const char* kTorque = "[x, y, z]";
+};
+
+template <std::size_t n>
+using Coordinates = std::array<Rational, n>;
+template <std::size_t n>
+using Load = std::array<Rational, n == 2 ? 3 : 6>;
+
+template <std::size_t n>
+Coordinates<n> read_coordinates(const JsonNode& object, const std::string& path,
+                                const char* key) {
+  const std::string remedy = std::string("add \"") + key + "\": " + Forms<n>::kPoint;
   const JsonNode& node = member(object, path, key, remedy.c_str());
   const std::vector<Rational> v =
-      read_vector(node, member_path(path, key), 2, "an array of two numbers [x, y]");
-  return {v[0], v[1]};
+      read_vector(node, member_path(path, key), n, Forms<n>::kPointInWords);
+  Coordinates<n> result;
+  std::copy(v.begin(), v.end(), result.begin());
+  return result;
 }
 
-Wrench force_at(const Vector2& force, const Vector2& point) {
-  return {force.x, force.y, point.x * force.y - point.y * force.x};
+Load<2> force_at(const Coordinates<2>& f, const Coordinates<2>& p) {
+  return {f[0], f[1], p[0] * f[1] - p[1] * f[0]};
 }
 
-/// Along -y unless it has a direction of its own.
-Vector2 read_weight(const JsonNode& load, const std::string& path) {
+Load<3> force_at(const Coordinates<3>& f, const Coordinates<3>& p) {
+  const Coordinates<3> torque = cross(p, f);
+  return {f[0], f[1], f[2], torque[0], torque[1], torque[2]};
+}
+
+/// Along the last axis, downwards, unless it has a direction of its own.
+template <std::size_t n>
+Coordinates<n> read_weight(const JsonNode& load, const std::string& path) {
   const std::string place = member_path(path, "weight");
   const Rational weight = read_number(*load.find("weight"), place);
   if (weight.sign() < 0) {
     fail_at(place, "the value is " + to_string(weight),
-            "a weight is a force of 0 or more; \"direction\": [x, y] says where it pulls");
+            std::string("a weight is a force of 0 or more; \"direction\": ") +
+                Forms<n>::kPoint + " says where it pulls");
   }
-  if (load.find("direction") == nullptr) return {0, -weight};
-  const Vector2 d = read_pair(load, path, "direction");
-  const std::optional<Rational> length = exact_sqrt(d.x * d.x + d.y * d.y);
+  Coordinates<n> d{};
+  d[n - 1] = -1;
+  if (load.find("direction") != nullptr) d = read_coordinates<n>(load, path, "direction");
+  const std::optional<Rational> length = exact_sqrt(dot(d, d));
   if (!length || length->is_zero()) {
     fail_at(member_path(path, "direction"),
             std::string("its length is ") + (length ? "0" : "irrational"),
-            "give a direction of rational length, such as [3, -4]; or a \"force\" in place of "
-            "the weight");
+            Forms<n>::kDirection);
   }
-  return {weight * d.x / *length, weight * d.y / *length};
+  for (Rational& entry : d) entry *= weight / *length;
+  return d;
 }
 
-Wrench read_one_load(const JsonNode& load, const std::string& path) {
-  expect(load, Kind::kObject, path, "an object such as {\"force\": [x, y], \"at\": [x, y]}");
+template <std::size_t n>
+Load<n> read_one_load(const JsonNode& load, const std::string& path) {
+  const std::string point = Forms<n>::kPoint;
+  const std::string example = "{\"force\": " + point + ", \"at\": " + point + "}";
+  expect(load, Kind::kObject, path, ("an object such as " + example).c_str());
   if (const JsonNode* torque = load.find("torque")) {
     expect_object(load, path, {"torque"});
-    return {0, 0, read_number(*torque, member_path(path, "torque"))};
+    Load<n> result{};
+    if constexpr (n == 2) {
+      result[2] = read_number(*torque, member_path(path, "torque"));
+    } else {
+      const Coordinates<n> t = read_coordinates<n>(load, path, "torque");
+      std::copy(t.begin(), t.end(), result.begin() + n);
+    }
+    return result;
   }
   if (load.find("weight") != nullptr) {
     expect_object(load, path, {"weight", "at", "direction"});
-    return force_at(read_weight(load, path), read_pair(load, path, "at"));
+    return force_at(read_weight<n>(load, path), read_coordinates<n>(load, path, "at"));
   }
   if (load.find("force") != nullptr) {
     expect_object(load, path, {"force", "at"});
-    return force_at(read_pair(load, path, "force"), read_pair(load, path, "at"));
+    return force_at(read_coordinates<n>(load, path, "force"),
+                    read_coordinates<n>(load, path, "at"));
   }
   expect_object(load, path, {"force", "at", "torque", "weight", "direction"});
-  fail_at(
-      path, "found " + describe(load) + " that is no load",
-      R"(give {"force": [x, y], "at": [x, y]}, {"torque": t} or {"weight": w, "at": [x, y]})");
+  fail_at(path, "found " + describe(load) + " that is no load",
+          "give " + example + ", {\"torque\": " + Forms<n>::kTorque +
+              "} or {\"weight\": w, \"at\": " + point + "}");
 }
 
 std::string read_case_name(const JsonNode& entry, const std::string& path,
@@ -83,8 +136,10 @@ bool is_uncertain(const WrenchBox& wrench) {
                      [](const Interval& component) { return !component.is_point(); });
 }
 
-std::optional<WrenchBox> read_load(const JsonNode& object, const std::string& path,
-                                   IntervalReader& read) {
+template <std::size_t n>
+std::optional<LoadBox<n>> read_load(const JsonNode& object, const std::string& path,
+                                    IntervalReader& read) {
+  LoadBox<n> sum{};
   const JsonNode* wrench = object.find("wrench");
   const JsonNode* loads = object.find("loads");
   if (wrench != nullptr && loads != nullptr) {
@@ -92,33 +147,36 @@ std::optional<WrenchBox> read_load(const JsonNode& object, const std::string& pa
   }
   if (wrench != nullptr) {
     const std::vector<Interval> v =
-        read.numbers(*wrench, member_path(path, "wrench"), 3,
-                     "an array of three numbers [force x, force y, torque]");
-    return WrenchBox{v[0], v[1], v[2]};
+        read.numbers(*wrench, member_path(path, "wrench"), sum.size(), Forms<n>::kWrench);
+    std::copy(v.begin(), v.end(), sum.begin());
+    return sum;
   }
   if (loads == nullptr) return std::nullopt;
   const std::string place = member_path(path, "loads");
   expect(*loads, Kind::kArray, place, "an array of loads [{...}, ...]");
-  Wrench sum;
   for (std::size_t i = 0; i < loads->children.size(); ++i) {
-    sum += read_one_load(loads->children[i], element_path(place, i));
+    const Load<n> load = read_one_load<n>(loads->children[i], element_path(place, i));
+    for (std::size_t j = 0; j < sum.size(); ++j) {
+      sum[j] = point_interval(Rational(sum[j].low + load[j]));
+    }
   }
-  return box_of(sum);
+  return sum;
 }
 
-std::vector<NamedLoad> read_cases(const JsonNode& root, const WrenchBox& common,
-                                  IntervalReader& read) {
+template <std::size_t n>
+std::vector<ReadCase<n>> read_cases(const JsonNode& root, const LoadBox<n>& common,
+                                    IntervalReader& read) {
   const JsonNode* node = root.find("cases");
   if (node == nullptr) return {};
   expect(*node, Kind::kArray, "cases", "an array of cases [{\"name\": ...}, ...]");
   if (node->children.empty()) fail_at("cases", "the list is empty", "give a case, or no list");
-  std::vector<NamedLoad> cases;
+  std::vector<ReadCase<n>> cases;
   std::set<std::string> names;
   for (const JsonNode& entry : node->children) {
     const std::string path = element_path("cases", cases.size());
     expect_object(entry, path, {"name", "wrench", "loads"});
     std::string name = read_case_name(entry, path, names);
-    std::optional<WrenchBox> load = read_load(entry, path, read);
+    std::optional<LoadBox<n>> load = read_load<n>(entry, path, read);
     if (!load) {
       fail_at(path, "neither \"wrench\" nor \"loads\" is there",
               "add one of them; \"loads\": [] adds nothing to what is common to all cases");
@@ -127,11 +185,18 @@ std::vector<NamedLoad> read_cases(const JsonNode& root, const WrenchBox& common,
       (*load)[j].low += common[j].low;
       (*load)[j].high += common[j].high;
     }
-    const Wrench wrench = middle(*load);
-    if (!is_uncertain(*load)) load.reset();
-    cases.push_back({std::move(name), wrench, std::move(load)});
+    cases.push_back({std::move(name), std::move(*load)});
   }
   return cases;
 }
+
+template std::optional<LoadBox<2>> read_load<2>(const JsonNode&, const std::string&,
+                                                IntervalReader&);
+template std::optional<LoadBox<3>> read_load<3>(const JsonNode&, const std::string&,
+                                                IntervalReader&);
+template std::vector<ReadCase<2>> read_cases<2>(const JsonNode&, const LoadBox<2>&,
+                                                IntervalReader&);
+template std::vector<ReadCase<3>> read_cases<3>(const JsonNode&, const LoadBox<3>&,
+                                                IntervalReader&);
 
 }  // namespace stickslip::core_detail

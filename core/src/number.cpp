@@ -186,6 +186,28 @@ std::optional<Rational> exact_sqrt(const Rational& value) {
   return Rational(boost::multiprecision::sqrt(num), boost::multiprecision::sqrt(den));
 }
 
+ShortRoot short_sqrt(const Rational& square, unsigned bits) {
+  if (const auto root = exact_sqrt(square)) return {*root, *root};
+  const Integer& num = numerator(square);
+  const Integer& den = denominator(square);
+  // 2^s sqrt(square) has j as its whole part: s such that j has the right number of bits is at
+  // most one off the difference of the lengths.
+  long s = static_cast<long>(bits) -
+           (static_cast<long>(msb(num)) - static_cast<long>(msb(den))) / 2 - 1;
+  const auto whole = [&](long shift) -> Integer {
+    const auto by = static_cast<unsigned long>(std::labs(2 * shift));
+    return sqrt(Integer(shift >= 0 ? Integer(num << by) / den : num / Integer(den << by)));
+  };
+  Integer j = whole(s);
+  while (msb(j) + 1 < bits) j = whole(++s);
+  while (msb(j) + 1 > bits) j = whole(--s);
+  const Integer unit = Integer(1) << static_cast<unsigned long>(std::labs(s));
+  const auto scaled = [&](const Integer& n) {
+    return s >= 0 ? Rational(n, unit) : Rational(n * unit);
+  };
+  return {scaled(j), scaled(j + 1)};
+}
+
 DecimalEnclosure enclose_sqrt(const Rational& factor, const Rational& radicand, int digits) {
   require(radicand.sign() >= 0, "enclose_sqrt of a negative number");
   const Rational square = factor * factor * radicand;

@@ -9,18 +9,6 @@
 namespace stickslip {
 namespace {
 
-/// The names, of many the first; and which may have been meant.
-std::string choice_of_case(const std::vector<NamedLoad>& cases, const std::string& meant) {
-  constexpr std::size_t kMostNamed = 12;
-  std::vector<std::string> names;
-  for (const NamedLoad& load : cases) names.push_back(load.name);
-  std::string text = did_you_mean(meant, names) + "its cases are ";
-  for (std::size_t i = 0; i < std::min(names.size(), kMostNamed); ++i) {
-    text += (i == 0 ? "" : ", ") + quote(names[i]);
-  }
-  return text + (names.size() > kMostNamed ? ", ..." : "");
-}
-
 WrenchBox wrench_asked(const GraspFile& file, const QuestionOptions& options) {
   const std::optional<std::string>& name = options.case_name;
   if (options.wrench && name) {
@@ -31,14 +19,10 @@ WrenchBox wrench_asked(const GraspFile& file, const QuestionOptions& options) {
   if (!name && file.cases.empty()) {
     return file.box ? file.box->wrench : box_of(file.content.wrench);
   }
-  const auto found = std::find_if(file.cases.begin(), file.cases.end(),
-                                  [&](const NamedLoad& load) { return load.name == name; });
-  if (found != file.cases.end()) return found->box.value_or(box_of(found->wrench));
-  throw InputError("", "case",
-                   name ? "the grasp has no case " + quote(*name)
-                        : "the grasp has cases, and none is chosen",
-                   file.cases.empty() ? "it has no cases at all"
-                                      : choice_of_case(file.cases, name.value_or("")));
+  std::vector<std::string> names;
+  for (const NamedLoad& load : file.cases) names.push_back(load.name);
+  const NamedLoad& chosen = file.cases[case_named(names, name)];
+  return chosen.box.value_or(box_of(chosen.wrench));
 }
 
 /// P^u, from the preloads that the question has without it.

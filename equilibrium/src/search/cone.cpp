@@ -9,14 +9,16 @@ namespace stickslip {
 namespace {
 
 /// The primitive positive multiple of p * a - q * b.
-IntegerVector5 combine(const Integer& p, const IntegerVector5& a, const Integer& q,
-                       const IntegerVector5& b) {
-  IntegerVector5 result;
-  for (std::size_t j = 0; j < 5; ++j) result[j] = p * a[j] - q * b[j];
+template <std::size_t n>
+IntegerVector<n> combine(const Integer& p, const IntegerVector<n>& a, const Integer& q,
+                         const IntegerVector<n>& b) {
+  IntegerVector<n> result;
+  for (std::size_t j = 0; j < n; ++j) result[j] = p * a[j] - q * b[j];
   return primitive(std::move(result));
 }
 
-std::vector<ConstraintIndex> common(const Ray& a, const Ray& b) {
+template <std::size_t n>
+std::vector<ConstraintIndex> common(const RayIn<n>& a, const RayIn<n>& b) {
   std::vector<ConstraintIndex> result;
   std::set_intersection(a.tight.begin(), a.tight.end(), b.tight.begin(), b.tight.end(),
                         std::back_inserter(result));
@@ -30,38 +32,47 @@ bool keeps(Side side, int sign) {
 
 }  // namespace
 
-Cone::Cone(Multiples multiples)
-    : lines_({{1, 0, 0, 0, 0}, {0, 1, 0, 0, 0}, {0, 0, 1, 0, 0}}),
-      rays_({{{0, 0, 0, 1, 0}, {}}}) {
-  if (multiples == Multiples::kAny) lines_.push_back({0, 0, 0, 0, 1});
+template <std::size_t n>
+ConeIn<n>::ConeIn(Multiples multiples) : dimension_(multiples == Multiples::kAny ? n : n - 1) {
+  const auto unit = [](std::size_t j) {
+    IntegerVector<n> x{};
+    x[j] = 1;
+    return x;
+  };
+  for (std::size_t j = 0; j + 2 < n; ++j) lines_.push_back(unit(j));
+  rays_.push_back({unit(n - 2), {}});
+  if (multiples == Multiples::kAny) lines_.push_back(unit(n - 1));
 }
 
-std::vector<IntegerVector5> Cone::directions() const {
-  std::vector<IntegerVector5> result;
+template <std::size_t n>
+std::vector<IntegerVector<n>> ConeIn<n>::directions() const {
+  std::vector<IntegerVector<n>> result;
   result.reserve(2 * lines_.size() + rays_.size());
-  for (const IntegerVector5& line : lines_) {
+  for (const IntegerVector<n>& line : lines_) {
     result.push_back(line);
     result.push_back(negated(line));
   }
-  for (const Ray& ray : rays_) result.push_back(ray.x);
+  for (const RayIn<n>& ray : rays_) result.push_back(ray.x);
   return result;
 }
 
 /// If the plane is not 0 on some line, that line becomes a ray (or goes, for kZero) and all
 /// else moves along it into the plane.
-bool Cone::cut_along_a_line(const IntegerVector5& plane, Side side) {
+template <std::size_t n>
+bool ConeIn<n>::cut_along_a_line(const IntegerVector<n>& plane, Side side) {
   std::size_t chosen = 0;
   while (chosen < lines_.size() && dot(plane, lines_[chosen]).is_zero()) ++chosen;
   if (chosen == lines_.size()) return false;
-  IntegerVector5 line = std::move(lines_[chosen]);
+  IntegerVector<n> line = std::move(lines_[chosen]);
   lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(chosen));
   Integer height = dot(plane, line);
   if (height.sign() < 0) {
     line = negated(line);
     height = -height;
   }
-  for (IntegerVector5& other : lines_) other = combine(height, other, dot(plane, other), line);
-  for (Ray& ray : rays_) {
+  for (IntegerVector<n>& other : lines_)
+    other = combine(height, other, dot(plane, other), line);
+  for (RayIn<n>& ray : rays_) {
     ray.x = combine(height, ray.x, dot(plane, ray.x), line);
     ray.tight.push_back(constraint_count_);
   }
@@ -74,9 +85,12 @@ bool Cone::cut_along_a_line(const IntegerVector5& plane, Side side) {
 }
 
 /// Two extreme rays span a face of dimension 2 iff no third one lies on all the constraints
-/// that both lie on (Fukuda and Prodon 1996, Proposition 7).
-bool Cone::adjacent(std::size_t a, std::size_t b) const {
+/// that both lie on (Fukuda and Prodon 1996, Proposition 7); and then these are at least as
+/// many as leave 2 dimensions beside the lines.
+template <std::size_t n>
+bool ConeIn<n>::adjacent(std::size_t a, std::size_t b) const {
   const std::vector<ConstraintIndex> shared = common(rays_[a], rays_[b]);
+  if (shared.size() + 2 + lines_.size() < dimension_) return false;
   for (std::size_t c = 0; c < rays_.size(); ++c) {
     if (c != a && c != b &&
         std::includes(rays_[c].tight.begin(), rays_[c].tight.end(), shared.begin(),
@@ -87,18 +101,19 @@ bool Cone::adjacent(std::size_t a, std::size_t b) const {
   return true;
 }
 
-void Cone::cut(const IntegerVector5& plane, Side side) {
+template <std::size_t n>
+void ConeIn<n>::cut(const IntegerVector<n>& plane, Side side) {
   if (!cut_along_a_line(plane, side)) {
     std::vector<Integer> heights;
     heights.reserve(rays_.size());
-    for (const Ray& ray : rays_) heights.push_back(dot(plane, ray.x));
-    std::vector<Ray> kept;
+    for (const RayIn<n>& ray : rays_) heights.push_back(dot(plane, ray.x));
+    std::vector<RayIn<n>> kept;
     for (std::size_t p = 0; p < rays_.size(); ++p) {
       if (heights[p].sign() <= 0) continue;
-      for (std::size_t n = 0; n < rays_.size(); ++n) {
-        if (heights[n].sign() >= 0 || !adjacent(p, n)) continue;
-        Ray between{combine(heights[p], rays_[n].x, heights[n], rays_[p].x),
-                    common(rays_[p], rays_[n])};
+      for (std::size_t q = 0; q < rays_.size(); ++q) {
+        if (heights[q].sign() >= 0 || !adjacent(p, q)) continue;
+        RayIn<n> between{combine(heights[p], rays_[q].x, heights[q], rays_[p].x),
+                         common(rays_[p], rays_[q])};
         between.tight.push_back(constraint_count_);
         kept.push_back(std::move(between));
       }
@@ -112,6 +127,9 @@ void Cone::cut(const IntegerVector5& plane, Side side) {
   }
   ++constraint_count_;
 }
+
+template class ConeIn<5>;
+template class ConeIn<8>;
 
 SignRange signs_on(const Cone& cone, const IntegerVector5& plane) {
   SignRange range;

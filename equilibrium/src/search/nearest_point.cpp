@@ -8,49 +8,53 @@
 
 namespace stickslip::equilibrium_detail {
 
-bool NearestPoint::affine_minimum(std::array<double, 4>& weights) const {
+template <std::size_t n>
+bool NearestPointIn<n>::affine_minimum(std::array<double, n + 1>& weights) const {
   // Lagrange: the Gram matrix of the points, bordered by ones, against (0, ..., 0, 1).
-  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 5, 5>;
-  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 5, 1>;
-  const auto n = static_cast<Eigen::Index>(size_);
-  Matrix m = Matrix::Ones(n + 1, n + 1);
-  m(n, n) = 0;
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, n + 2, n + 2>;
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, n + 2, 1>;
+  const auto used = static_cast<Eigen::Index>(size_);
+  Matrix m = Matrix::Ones(used + 1, used + 1);
+  m(used, used) = 0;
   for (std::size_t i = 0; i < size_; ++i) {
     for (std::size_t j = 0; j < size_; ++j) {
       m(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
           dot(points_[i], points_[j]);
     }
   }
-  const Vector solution = m.partialPivLu().solve(Vector(Vector::Unit(n + 1, n)));
+  const Vector solution = m.partialPivLu().solve(Vector(Vector::Unit(used + 1, used)));
   std::copy_n(solution.data(), size_, weights.begin());
   return solution.allFinite();
 }
 
-void NearestPoint::remove(std::size_t k) {
+template <std::size_t n>
+void NearestPointIn<n>::remove(std::size_t k) {
   --size_;
   points_[k] = points_[size_];
   weight_[k] = weight_[size_];
   order_[k] = order_[size_];
 }
 
-void NearestPoint::update_nearest() {
+template <std::size_t n>
+void NearestPointIn<n>::update_nearest() {
   nearest_ = {};
   for (std::size_t k = 0; k < size_; ++k) {
-    for (std::size_t j = 0; j < 3; ++j) nearest_[j] += weight_[k] * points_[k][j];
+    for (std::size_t j = 0; j < n; ++j) nearest_[j] += weight_[k] * points_[k][j];
   }
 }
 
-bool NearestPoint::add(const Double3& point) {
-  if (size_ == 4) return false;  // the origin is inside already
+template <std::size_t n>
+bool NearestPointIn<n>::add(const Point& point) {
+  if (size_ == n + 1) return false;  // the origin is inside already
   points_[size_] = point;
   weight_[size_] = size_ == 0 ? 1.0 : 0.0;
   order_[size_] = added_++;
   ++size_;
   const double before = dot(nearest_, nearest_);
   const bool first = size_ == 1;
-  // Each pass removes a point, so there are at most four.
+  // Each pass removes a point, so there are at most n + 1.
   while (true) {
-    std::array<double, 4> target{};
+    std::array<double, n + 1> target{};
     if (!affine_minimum(target)) return false;
     double step = 1;
     for (std::size_t k = 0; k < size_; ++k) {
@@ -72,5 +76,8 @@ bool NearestPoint::add(const Double3& point) {
   update_nearest();
   return first || dot(nearest_, nearest_) < before;
 }
+
+template class NearestPointIn<3>;
+template class NearestPointIn<6>;
 
 }  // namespace stickslip::equilibrium_detail

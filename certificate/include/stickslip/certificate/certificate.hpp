@@ -10,6 +10,7 @@
 #include "stickslip/equilibrium/margin.hpp"
 #include "stickslip/equilibrium/question.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
+#include "stickslip/space/spatial_verdict.hpp"
 
 namespace stickslip {
 
@@ -22,6 +23,12 @@ std::string certificate_text(const Question& question, const Verdict& verdict,
 /// one, and for Fragile and Undecided, which it cannot say.
 std::string box_certificate_text(const Question& question, const BoxDecision& decision,
                                  const std::string& producer);
+
+/// The certificate of a verdict in space (FORMAT.md, section 7). Throws ContractError for
+/// Undecided.
+std::string spatial_certificate_text(const SpatialQuestion& question,
+                                     const SpatialDecision& decision,
+                                     const std::string& producer);
 
 /// The certificate of the margin of problem_of(question) (FORMAT.md, section 5).
 std::string margin_certificate_text(const Question& question, const Margin& margin,

@@ -18,6 +18,7 @@
 namespace stickslip {
 
 struct JsonNode;
+struct SpatialGrasp;
 /// A contact in which "defaults" may have to be filled in.
 struct WrittenContact;
 
@@ -45,6 +46,11 @@ struct GraspFile {
 /// must not: it would take the middle for the answer.
 enum class Intervals { kRefused, kAllowed };
 
+/// The index of a case of a file, by the names of all. Throws InputError with the place "case"
+/// if it has none of that name, and if no name is given.
+std::size_t case_named(const std::vector<std::string>& cases,
+                       const std::optional<std::string>& name);
+
 /// Reads a grasp that is part of a JSON text: the contacts while the text is parsed, by a
 /// JsonStream of its "contacts", and then the rest. Throws InputError with JSON paths that
 /// begin at the grasp.
@@ -56,11 +62,16 @@ class StreamedGrasp {
   StreamedGrasp& operator=(const StreamedGrasp&) = delete;
 
   void add_contact(std::size_t index, const JsonNode& node);  ///< the sink of the stream
-  /// The object whose contacts were streamed.
+  /// Whether the contacts so far are in space, or, if there are none, the wrench.
+  bool in_space(const JsonNode& grasp) const;
+  /// The object whose contacts were streamed. Refuses one in space.
   GraspFile finish(const JsonNode& grasp, Intervals intervals = Intervals::kRefused);
+  /// The same of one in space.
+  SpatialGrasp finish_in_space(const JsonNode& grasp);
 
  private:
   std::vector<WrittenContact> contacts_;
+  bool in_space_ = false;
   std::string first_interval_;  ///< its place; empty if there is none
 };
 

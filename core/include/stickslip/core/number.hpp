@@ -53,6 +53,15 @@ double to_double(const Rational& value);
 /// sqrt(value) if it is rational, nothing otherwise. Requires value >= 0.
 std::optional<Rational> exact_sqrt(const Rational& value);
 
+/// \{ sqrt(square), both times, if it is rational; else the greatest j / 2^s <= sqrt(square) with
+/// integers s and 2^(bits - 1) <= j < 2^bits, and (j + 1) / 2^s. Requires square >= 0.
+struct ShortRoot {
+  Rational lower;  ///< <= sqrt(square)
+  Rational upper;  ///< >= sqrt(square)
+};
+ShortRoot short_sqrt(const Rational& square, unsigned bits);
+/// \}
+
 /// A closed decimal interval around an irrational number, both ends with as many significant
 /// digits, rounded outward.
 struct DecimalEnclosure {

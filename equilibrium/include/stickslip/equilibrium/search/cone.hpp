@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Polyhedral cones of points x = (d_x, d_y, d_r, h, l) (problem.hpp), kept by generators and
-/// cut by one plane at a time: the double description method (Motzkin, Raiffa, Thompson,
-/// Thrall, 1953; Fukuda and Prodon, "Double description method revisited", 1996), in integers.
+/// Polyhedral cones of points x = (d, h, l) (problem.hpp), with motions d of 3 coordinates in
+/// the plane and 6 in space, kept by generators and cut by one plane at a time: the double
+/// description method (Motzkin, Raiffa, Thompson, Thrall, 1953; Fukuda and Prodon, "Double
+/// description method revisited", 1996), in integers.
 #pragma once
 
 #include <cstdint>
@@ -17,44 +18,56 @@ namespace stickslip {
 using ConstraintIndex = std::uint32_t;
 
 /// A generator of a cone, of which nonnegative multiples count.
-struct Ray {
-  IntegerVector5 x;                    ///< primitive
+template <std::size_t n>
+struct RayIn {
+  IntegerVector<n> x;                  ///< primitive
   std::vector<ConstraintIndex> tight;  ///< the constraints that are 0 at x, increasing
 };
+
+/// In the plane.
+using Ray = RayIn<5>;
 
 /// Which side of a plane to keep, the plane included: plane.x >= 0, = 0 or <= 0.
 enum class Side { kPositive, kZero, kNegative };
 
 /// { sum of nonnegative multiples of rays and any multiples of lines }. The lines are a basis
 /// of the lineality space, and the rays one for each extreme ray modulo it. All constraints are
-/// 0 on the lines.
-class Cone {
+/// 0 on the lines. n = D + 2 for motions of D coordinates.
+template <std::size_t n>
+class ConeIn {
  public:
   /// The multiples of a new cone: l = 0, or any.
   enum class Multiples { kZero, kAny };
 
   /// {h >= 0}; this is constraint 0.
-  explicit Cone(Multiples multiples = Multiples::kZero);
+  explicit ConeIn(Multiples multiples = Multiples::kZero);
 
-  const std::vector<IntegerVector5>& lines() const { return lines_; }     ///< primitive
-  const std::vector<Ray>& rays() const { return rays_; }                  ///< modulo the lines
+  const std::vector<IntegerVector<n>>& lines() const { return lines_; }   ///< primitive
+  const std::vector<RayIn<n>>& rays() const { return rays_; }             ///< modulo the lines
   ConstraintIndex constraint_count() const { return constraint_count_; }  ///< cuts, plus 1
 
   /// The rays' directions, and each line both ways.
-  std::vector<IntegerVector5> directions() const;
+  std::vector<IntegerVector<n>> directions() const;
 
   /// Keeps the part with plane.x >= 0, = 0 or <= 0; this is the next constraint.
   /// O(R^3) for R rays in the worst case (the adjacency test), O(R) when no ray changes side.
-  void cut(const IntegerVector5& plane, Side side);
+  void cut(const IntegerVector<n>& plane, Side side);
 
  private:
-  bool cut_along_a_line(const IntegerVector5& plane, Side side);
-  bool adjacent(std::size_t a, std::size_t b) const;
+  bool cut_along_a_line(const IntegerVector<n>& plane, Side side);
+  bool adjacent(std::size_t a, std::size_t b) const;  ///< of rays
 
-  std::vector<IntegerVector5> lines_;
-  std::vector<Ray> rays_;
+  std::size_t dimension_;  ///< of the space of points
+  std::vector<IntegerVector<n>> lines_;
+  std::vector<RayIn<n>> rays_;
   ConstraintIndex constraint_count_ = 1;
 };
+
+/// In the plane.
+using Cone = ConeIn<5>;
+
+extern template class ConeIn<5>;
+extern template class ConeIn<8>;
 
 /// The signs that a linear function takes on a cone.
 struct SignRange {

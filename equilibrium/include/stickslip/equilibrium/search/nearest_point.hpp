@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The point of least norm in the convex hull of points of R^3, kept as a combination of at
-/// most four of them: Wolfe's algorithm (Math. Programming 11, 1976), in double precision. It
+/// The point of least norm in the convex hull of points of R^n, kept as a combination of at
+/// most n + 1 of them: Wolfe's algorithm (Math. Programming 11, 1976), in double precision. It
 /// only proposes; what it finds is judged elsewhere.
 #pragma once
 
@@ -15,15 +15,19 @@ namespace stickslip::equilibrium_detail {
 /// A point or direction in double precision.
 using Double3 = std::array<double, 3>;
 
-/// The hull of the points added so far, by at most four of them.
-class NearestPoint {
+/// The hull of the points added so far, by at most n + 1 of them.
+template <std::size_t n>
+class NearestPointIn {
  public:
+  /// A point.
+  using Point = std::array<double, n>;
+
   /// Adds a point and moves to the nearest point of the hull of the points now in use. Returns
   /// false if rounding left no progress.
-  bool add(const Double3& point);
+  bool add(const Point& point);
 
-  const Double3& nearest() const { return nearest_; }  ///< the point of least norm
-  std::size_t size() const { return size_; }           ///< number of points in use
+  const Point& nearest() const { return nearest_; }  ///< the point of least norm
+  std::size_t size() const { return size_; }         ///< number of points in use
   /// The points in use, by the order number of their addition (from 0), and their weights.
   /// \{ Of the k-th of them.
   std::size_t order(std::size_t k) const { return order_[k]; }
@@ -32,16 +36,22 @@ class NearestPoint {
 
  private:
   /// Weights of sum 1, of any sign, of the point of least norm in the affine hull.
-  bool affine_minimum(std::array<double, 4>& weights) const;
+  bool affine_minimum(std::array<double, n + 1>& weights) const;
   void remove(std::size_t k);
   void update_nearest();
 
-  std::array<Double3, 4> points_{};
-  std::array<double, 4> weight_{};
-  std::array<std::size_t, 4> order_{};
+  std::array<Point, n + 1> points_{};
+  std::array<double, n + 1> weight_{};
+  std::array<std::size_t, n + 1> order_{};
   std::size_t size_ = 0;
   std::size_t added_ = 0;
-  Double3 nearest_{};
+  Point nearest_{};
 };
+
+/// In the plane, of wrenches and twists.
+using NearestPoint = NearestPointIn<3>;
+
+extern template class NearestPointIn<3>;
+extern template class NearestPointIn<6>;
 
 }  // namespace stickslip::equilibrium_detail

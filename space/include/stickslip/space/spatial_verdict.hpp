@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Verdicts on grasps in space, with proofs that certificate/FORMAT.md, section 7, explains;
+/// and how they are found.
+///
+/// **Method.** An equilibrium is sought by Newton's method in doubles, and made exact if it has
+/// a rational witness; else a parallelepiped around it is proved to hold one by degree. If
+/// there is none, a branch and bound over regions of motions refutes them one by one: each by
+/// the point of least norm of its wrenches (Wolfe's method), or it is cut where the relaxed
+/// equilibrium breaks a law with the most energy. Doubles propose; a leaf is confirmed exactly.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "stickslip/equilibrium/verdict.hpp"
+#include "stickslip/space/spatial_question.hpp"
+
+namespace stickslip {
+
+/// An equilibrium: all other forces follow from it.
+struct SpatialWitness {
+  Vector6 twist;  ///< the motion d
+  /// sigma, with the friction mu a sigma, of contacts that stick; increasing. 0 is left out.
+  std::vector<std::pair<ContactId, Vector3>> shares;
+};
+
+/// Two children: plane.x >= 0, plane.x <= 0, of points x = (d, h, 0).
+struct SpatialPlaneSplit {
+  IntegerVector<8> plane;  ///< nonzero
+};
+/// A virtual twist on which no force of the region makes up for the load; 0 where it is void.
+struct SpatialLeaf {
+  IntegerVector<6> twist;  ///< y
+};
+/// Of a slip split two children: s_i = 0, and s_i strict.
+using SpatialNode = std::variant<SlipSplit, SeparationSplit, SpatialPlaneSplit, SpatialLeaf>;
+/// Trees in preorder, one after another.
+using SpatialTrees = std::vector<SpatialNode>;
+
+/// 6 x 6, by rows.
+using Matrix6 = std::array<Vector6, 6>;
+
+/// Every grasp of the box has an equilibrium in {d : |E_j.(d - d0)| <= 1}.
+struct SpatialDegreeProof {
+  Vector6 twist;       ///< d0
+  Matrix6 walls;       ///< E
+  Matrix6 direction;   ///< A
+  SpatialTrees trees;  ///< list 1, unless the box is one point, then list 2: twelve trees each
+};
+
+/// An equilibrium exists, for every grasp in the box.
+struct SpatiallyStable {
+  std::variant<SpatialWitness, SpatialDegreeProof> proof;  ///< a witness proves one grasp only
+  Vector6 motion;                                          ///< near an equilibrium; for people
+};
+/// No equilibrium exists, for any grasp in the box.
+struct SpatiallyUnstable {
+  SpatialTrees tree;  ///< the proof
+};
+/// The answer, which owns its evidence.
+using SpatialVerdict = std::variant<SpatiallyStable, SpatiallyUnstable, Undecided>;
+
+/// "stable", "unstable", "undecided".
+const char* name_of(const SpatialVerdict& verdict);
+
+/// How much to try.
+struct SpatialSearchOptions {
+  /// Of each tree; 0: one with which an answer takes about a minute at most for 12 contacts.
+  std::size_t node_limit = 0;
+  /// Of the enclosure of irrational lengths.
+  unsigned bits = 128;
+};
+
+/// What it took; reproducible.
+struct SpatialWork {
+  std::size_t nodes = 0;         ///< of all trees, whether they were completed or given up
+  std::size_t leaves = 0;        ///< that were confirmed
+  std::size_t rays = 0;          ///< generators of all regions, lines counted twice
+  std::size_t most_rays = 0;     ///< of one region
+  std::size_t ray_bits = 0;      ///< of the largest entry of any ray
+  std::size_t twist_bits = 0;    ///< of the largest entry of a leaf's twist
+  std::size_t exact_checks = 0;  ///< of leaves, those that doubles could not turn down included
+  std::size_t proofs = 0;        ///< parallelepipeds tried
+
+  /// Sums, and the larger of what is the largest.
+  SpatialWork& operator+=(const SpatialWork& part);
+};
+
+/// The answer, and what it took.
+struct SpatialDecision {
+  SpatialVerdict verdict;  ///< with its evidence
+  SpatialWork work;        ///< to find it
+  unsigned bits = 128;     ///< of the proof
+};
+
+/// Whether every grasp in the box is stable, or none. Deterministic. Undecided when no proof
+/// was found within the limits; on a threshold none need exist.
+SpatialDecision decide(const SpatialQuestion& question,
+                       const SpatialSearchOptions& options = {});
+
+}  // namespace stickslip

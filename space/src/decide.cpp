@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <utility>
+
+#include "equilibria.hpp"
+#include "space_search.hpp"
+#include "spatial_degree.hpp"
+#include "stickslip/space/spatial_verdict.hpp"
+
+namespace stickslip {
+
+using namespace space_detail;
+
+const char* name_of(const SpatialVerdict& verdict) {
+  constexpr const char* kNames[] = {"stable", "unstable", "undecided"};
+  return kNames[verdict.index()];
+}
+
+SpatialWork& SpatialWork::operator+=(const SpatialWork& part) {
+  nodes += part.nodes;
+  leaves += part.leaves;
+  rays += part.rays;
+  most_rays = std::max(most_rays, part.most_rays);
+  ray_bits = std::max(ray_bits, part.ray_bits);
+  twist_bits = std::max(twist_bits, part.twist_bits);
+  exact_checks += part.exact_checks;
+  proofs += part.proofs;
+  return *this;
+}
+
+namespace {
+
+Vector6 motion_of(const SpaceModel& model, const NearEquilibrium& equilibrium) {
+  Vector6 motion;
+  for (std::size_t j = 0; j < 6; ++j) {
+    motion[j] = rational_from_double(equilibrium.motion[static_cast<Eigen::Index>(j)] /
+                                     (j < 3 ? 1 : model.length));
+  }
+  return motion;
+}
+
+}  // namespace
+
+SpatialDecision decide(const SpatialQuestion& question, const SpatialSearchOptions& options) {
+  SpatialDecision decision{Undecided{}, {}, options.bits};
+  const SpaceModel model(question, options.bits);
+  const SpaceModel middle = model.middle();
+  const bool is_point = model.is_point();
+  constexpr std::size_t kDefaultLimit = 20000;
+  const std::size_t limit = options.node_limit != 0 ? options.node_limit : kDefaultLimit;
+  const NewtonMethod newton(middle);
+  const auto prove = [&](const NearEquilibrium& near) {
+    if (is_point && !question.is_box) {
+      if (auto witness = exact_witness(model, near)) {
+        const Vector6 motion = witness->twist;
+        decision.verdict = SpatiallyStable{std::move(*witness), motion};
+        return true;
+      }
+    }
+    const std::size_t wall_limit = std::max<std::size_t>(limit / 24, 1);
+    auto proof = prove_stable(model, near, wall_limit, decision.work);
+    if (proof) decision.verdict = SpatiallyStable{std::move(*proof), motion_of(model, near)};
+    return proof.has_value();
+  };
+  constexpr std::size_t kStarts = 3;
+  for (const NearEquilibrium& near : newton.solve_from(kStarts)) {
+    if (prove(near)) return decision;
+  }
+  SpatialTrees tree;
+  SpaceSearch search(model, nullptr, limit, decision.work);
+  search.on_candidate([&](const NearEquilibrium& relaxed) {
+    const auto near = newton.polish(relaxed);
+    return near && prove(*near);
+  });
+  if (search.refute(SpaceRegion::root(model), tree)) {
+    decision.verdict = SpatiallyUnstable{std::move(tree)};
+    return decision;
+  }
+  if (std::holds_alternative<SpatiallyStable>(decision.verdict)) return decision;
+  decision.verdict =
+      Undecided{"no proof was found within " + std::to_string(limit) + " nodes a tree"};
+  return decision;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Equilibria of one grasp in space: near ones in doubles, and exact ones from these.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "space_model.hpp"
+#include "stickslip/space/spatial_verdict.hpp"
+
+namespace stickslip::space_detail {
+
+using EigenVector6 = Eigen::Matrix<double, 6, 1>;
+using EigenMatrix6 = Eigen::Matrix<double, 6, 6>;
+
+/// A motion at which forces nearly balance the load, in the model's units.
+struct NearEquilibrium {
+  EigenVector6 motion;            ///< d
+  std::vector<double> normal;     ///< a by contact
+  std::vector<Double3> friction;  ///< f by contact
+  std::vector<char> sticks;       ///< whether the slip is nearly 0, of contacts that are closed
+};
+
+/// All functions are of a model of one point, or of the middle of a box.
+class NewtonMethod {
+ public:
+  explicit NewtonMethod(const SpaceModel& model);
+
+  /// From a motion, with friction smoothed over slips that become smaller and smaller; nothing
+  /// if that does not converge.
+  std::optional<NearEquilibrium> solve(const EigenVector6& start) const;
+  /// By Newton's method with the modes of one that is near: what sticks there sticks.
+  std::optional<NearEquilibrium> polish(NearEquilibrium near) const;
+  /// From rest, and from motions at random, always the same: those that differ.
+  std::vector<NearEquilibrium> solve_from(std::size_t starts) const;
+  /// How far an object moves under a typical force.
+  double reach() const { return reach_; }
+
+ private:
+  /// Load and forces with friction smoothed over slips of this size, and the derivative.
+  EigenVector6 force(const EigenVector6& motion, double smooth, EigenMatrix6* derivative) const;
+
+  const SpaceModel& model_;
+  double reach_ = 1;
+};
+
+/// An exact equilibrium with these modes, if there is one: none may slip where friction acts.
+std::optional<SpatialWitness> exact_witness(const SpaceModel& model,
+                                            const NearEquilibrium& near);
+
+}  // namespace stickslip::space_detail

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "space_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace stickslip::space_detail {
+namespace {
+
+std::vector<Rational> ends_of(const Interval& interval) {
+  if (interval.is_point()) return {interval.low};
+  return {interval.low, interval.high};
+}
+
+std::array<double, 2> rounded(const Interval& interval) {
+  return {to_double(interval.low), to_double(interval.high)};
+}
+
+/// |n|^2 S for a contact at p, by rows: |n|^2 u - (n.u) n with u = (d1, d2, d3) + omega x p.
+std::array<Vector6, 3> slip_rows(const Vector3& p, const Vector3& n, const Vector6& normal) {
+  const Rational square = dot(n, n);
+  std::array<Vector6, 3> rows{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    Vector3 axis{};
+    axis[k] = 1;
+    const Vector3 moment = cross(p, axis);
+    for (std::size_t j = 0; j < 3; ++j) {
+      rows[k][j] = square * axis[j] - n[k] * normal[j];
+      rows[k][j + 3] = square * moment[j] - n[k] * normal[j + 3];
+    }
+  }
+  return rows;
+}
+
+CornerRow row_at(const Vector3& p, const Vector3& n) {
+  CornerRow row{};
+  const Vector3 moment = cross(p, n);
+  row.normal = {n[0], n[1], n[2], moment[0], moment[1], moment[2]};
+  const std::array<Vector6, 3> slip = slip_rows(p, n, row.normal);
+  Integer common = 1;
+  for (const Vector6& r : slip) {
+    for (const Rational& entry : r) common = lcm(common, denominator(entry));
+  }
+  row.slip_factor = Rational(common) * dot(n, n);
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t j = 0; j < 6; ++j) {
+      row.slip[k][j] = numerator(slip[k][j]) * (common / denominator(slip[k][j]));
+      row.slip_planes[k][j] = row.slip[k][j];
+    }
+  }
+  return row;
+}
+
+void add_separations(SpaceContact& contact) {
+  contact.separations.clear();
+  contact.separation_factors.clear();
+  for (const CornerRow& corner : contact.corners) {
+    for (const Rational& k : ends_of(contact.stiffness)) {
+      for (const Rational& preload : ends_of(contact.preload)) {
+        std::array<Rational, 8> v{};
+        for (std::size_t j = 0; j < 6; ++j) v[j] = -k * corner.normal[j];
+        v[6] = preload;
+        Point plane = primitive_multiple<8>(v);
+        std::size_t j = 0;
+        while (plane[j].is_zero()) ++j;  // n is not 0
+        Rational factor = v[j] / Rational(plane[j]);
+        contact.separations.push_back(std::move(plane));
+        contact.separation_factors.push_back(std::move(factor));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+SpaceModel::SpaceModel(const SpatialQuestion& question, unsigned bits)
+    : wrench(question.grasp.wrench), law(question.law) {
+  for (const SpatialContact& c : question.grasp.contacts) {
+    SpaceContact contact{};
+    contact.normal = c.normal;
+    contact.axis = primitive_multiple<3>(c.normal);
+    contact.squared_length = dot(c.normal, c.normal);
+    contact.friction = c.friction;
+    if (!c.preload.high.is_zero()) {
+      const auto [lower, upper] = short_sqrt(1 / contact.squared_length, bits);
+      contact.preload = {c.preload.low * lower, c.preload.high * upper};
+    }
+    contact.stiffness = {c.stiffness.low / contact.squared_length,
+                         c.stiffness.high / contact.squared_length};
+    for (const Rational& x : ends_of(c.position[0])) {
+      for (const Rational& y : ends_of(c.position[1])) {
+        for (const Rational& z : ends_of(c.position[2])) {
+          contact.corners.push_back(row_at({x, y, z}, c.normal));
+        }
+      }
+    }
+    contacts.push_back(std::move(contact));
+  }
+  complete();
+}
+
+/// What follows from the parameters.
+void SpaceModel::complete() {
+  // A corner's moment arm, |p x n| / |n|, is as large as distances that matter.
+  double farthest = 0;
+  for (const SpaceContact& c : contacts) {
+    for (const CornerRow& row : c.corners) {
+      double arm = 0;
+      for (std::size_t j = 3; j < 6; ++j) arm = std::hypot(arm, to_double(row.normal[j]));
+      farthest = std::max(farthest, arm / std::sqrt(to_double(c.squared_length)));
+    }
+  }
+  length = farthest > 0 && std::isfinite(farthest) ? farthest : 1;
+  double largest = 0;
+  for (SpaceContact& c : contacts) {
+    c.geometry_is_certain = c.corners.size() == 1;
+    add_separations(c);
+    const double size = std::sqrt(to_double(c.squared_length));
+    c.slopes = {to_double(c.friction.low) * size, to_double(c.friction.high) * size};
+    c.preloads = rounded(c.preload);
+    c.stiffnesses = rounded(c.stiffness);
+    largest = std::max(largest, c.preloads[1] * size);
+    Double3 n{};
+    for (std::size_t j = 0; j < 3; ++j) n[j] = to_double(c.normal[j]) / size;
+    std::size_t least = 0;
+    for (std::size_t j = 1; j < 3; ++j) {
+      if (std::fabs(n[j]) < std::fabs(n[least])) least = j;
+    }
+    Double3 unit{};
+    unit[least] = 1;
+    c.tangents[0] = cross(n, unit);
+    const double across = std::sqrt(dot(c.tangents[0], c.tangents[0]));
+    for (double& entry : c.tangents[0]) entry /= across;
+    c.tangents[1] = cross(n, c.tangents[0]);
+    for (CornerRow& row : c.corners) {
+      const double factor = to_double(row.slip_factor);
+      for (std::size_t j = 0; j < 6; ++j) {
+        const double scale = j < 3 ? 1 : length;
+        row.normal_rounded[j] = to_double(row.normal[j]) / scale;
+        for (std::size_t k = 0; k < 3; ++k) {
+          row.slip_rounded[k][j] = to_double(Rational(row.slip[k][j])) / factor / scale;
+        }
+      }
+    }
+  }
+  for (std::size_t j = 0; j < 6; ++j) {
+    const double scale = j < 3 ? 1 : length;
+    load[j] = {to_double(wrench[j].low) / scale, to_double(wrench[j].high) / scale};
+    largest = std::max({largest, std::fabs(load[j][0]), std::fabs(load[j][1])});
+  }
+  if (largest > 0 && std::isfinite(largest)) force = largest;
+}
+
+SpaceModel SpaceModel::middle() const {
+  SpaceModel result = *this;
+  const auto shrink = [](Interval& interval) { interval = point_interval(interval.middle()); };
+  for (SpaceContact& c : result.contacts) {
+    shrink(c.friction);
+    shrink(c.preload);
+    shrink(c.stiffness);
+    if (c.corners.size() == 1) continue;
+    // The middle of the position is that of its corners, and p x n that of theirs.
+    const Rational count(c.corners.size());
+    Vector6 normal{};
+    std::array<Vector6, 3> slip{};
+    for (const CornerRow& row : c.corners) {
+      for (std::size_t j = 0; j < 6; ++j) {
+        normal[j] += row.normal[j] / count;
+        for (std::size_t k = 0; k < 3; ++k) {
+          slip[k][j] += Rational(row.slip[k][j]) / (row.slip_factor * count);
+        }
+      }
+    }
+    CornerRow middle{};
+    middle.normal = normal;
+    Integer common = 1;
+    for (const Vector6& r : slip) {
+      for (const Rational& entry : r) common = lcm(common, denominator(entry));
+    }
+    middle.slip_factor = common;
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t j = 0; j < 6; ++j) {
+        middle.slip[k][j] = numerator(slip[k][j]) * (common / denominator(slip[k][j]));
+        middle.slip_planes[k][j] = middle.slip[k][j];
+      }
+    }
+    c.corners = {middle};
+  }
+  for (Interval& component : result.wrench) shrink(component);
+  result.complete();
+  return result;
+}
+
+bool SpaceModel::is_point() const {
+  return std::all_of(contacts.begin(), contacts.end(),
+                     [](const SpaceContact& c) {
+                       return c.geometry_is_certain && c.friction.is_point() &&
+                              c.preload.is_point() && c.stiffness.is_point();
+                     }) &&
+         std::all_of(wrench.begin(), wrench.end(),
+                     [](const Interval& component) { return component.is_point(); });
+}
+
+}  // namespace stickslip::space_detail

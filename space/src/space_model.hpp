@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// A box of grasps in space: rows of its contacts at the corners of their positions, exactly
+/// and in doubles (certificate/FORMAT.md, section 7).
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "stickslip/core/integer_vector.hpp"
+#include "stickslip/space/spatial_question.hpp"
+
+namespace stickslip::space_detail {
+
+/// x = (d, h, 0), or a linear function of it.
+using Point = IntegerVector<8>;
+using Double3 = std::array<double, 3>;
+using Double6 = std::array<double, 6>;
+
+/// N and S with the contact at a corner of its position.
+struct CornerRow {
+  Vector6 normal;                        ///< N
+  std::array<IntegerVector<6>, 3> slip;  ///< S times slip_factor, by rows
+  Rational slip_factor;                  ///< > 0
+  std::array<Point, 3> slip_planes;      ///< the same, as functions of points
+  Double6 normal_rounded;                ///< N
+  std::array<Double6, 3> slip_rounded;   ///< S
+};
+
+struct SpaceContact {
+  std::vector<CornerRow> corners;
+  Vector3 normal;            ///< n
+  IntegerVector3 axis;       ///< the same direction
+  Rational squared_length;   ///< L^2
+  Interval friction;         ///< mu
+  Interval preload;          ///< P'
+  Interval stiffness;        ///< k'
+  bool geometry_is_certain;  ///< one corner
+
+  /// v at all corners of all parameters, without repetition: positive multiples, and factors
+  /// that make them v.
+  std::vector<Point> separations;
+  std::vector<Rational> separation_factors;
+
+  /// \{ In doubles. Slopes are mu L.
+  std::array<double, 2> slopes;
+  std::array<double, 2> preloads;
+  std::array<double, 2> stiffnesses;
+  std::array<Double3, 2> tangents;  ///< of length 1, across n
+  /// \}
+};
+
+/// In doubles rotations are times `length`, and torques over it.
+struct SpaceModel {
+  /// Of the box that the question is, with lengths enclosed to these bits.
+  SpaceModel(const SpatialQuestion& question, unsigned bits);
+
+  /// The one point in the middle of the box.
+  SpaceModel middle() const;
+  /// Whether the box, lengths of normals included, is one point.
+  bool is_point() const;
+
+  std::vector<SpaceContact> contacts;
+  SpatialWrench wrench;
+  NormalLaw law;
+  double length = 1;                            ///< a typical distance
+  double force = 1;                             ///< a typical force
+  std::array<std::array<double, 2>, 6> load{};  ///< ends
+
+ private:
+  void complete();
+};
+
+}  // namespace stickslip::space_detail

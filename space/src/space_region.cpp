@@ -1,0 +1,483 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "space_region.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace stickslip::space_detail {
+namespace {
+
+/// The sign of plane.x: by doubles where these are certain.
+int sign_at(const Point& plane, const Point& x) {
+  return dot(plane, x).sign();
+}
+
+/// The entries over a power of two, so that they are moderate in doubles.
+std::array<double, 8> shortened(const Point& x) {
+  std::size_t bits = 0;
+  for (const Integer& entry : x) {
+    if (!entry.is_zero()) bits = std::max<std::size_t>(bits, msb(abs(entry)) + 1);
+  }
+  const std::size_t shift = bits > 900 ? bits - 900 : 0;
+  std::array<double, 8> result{};
+  for (std::size_t j = 0; j < 8; ++j) {
+    result[j] =
+        shift == 0 ? x[j].convert_to<double>() : Integer(x[j] >> shift).convert_to<double>();
+  }
+  return result;
+}
+
+Generator generator_of(const Point& exact, double length) {
+  const std::array<double, 8> x = shortened(exact);
+  Generator result{exact, {}, x[6]};
+  double size = x[6] * x[6];
+  for (std::size_t j = 0; j < 6; ++j) {
+    result.motion[j] = j < 3 ? x[j] : x[j] * length;
+    size += result.motion[j] * result.motion[j];
+  }
+  size = std::sqrt(size);
+  for (double& entry : result.motion) entry /= size;
+  result.height /= size;
+  return result;
+}
+
+IntegerVector3 exact_slip(const CornerRow& row, const Point& x) {
+  return {dot(row.slip_planes[0], x), dot(row.slip_planes[1], x), dot(row.slip_planes[2], x)};
+}
+
+/// The sign of (a x b).n: whether b is to the left of a, seen against n.
+int turn(const IntegerVector3& a, const IntegerVector3& b, const IntegerVector3& n) {
+  return dot(cross(a, b), n).sign();
+}
+
+/// Whether u, not 0 and across n, is a sum of nonnegative multiples of these.
+bool is_in_cone(const IntegerVector3& u, const std::vector<IntegerVector3>& directions,
+                const IntegerVector3& n) {
+  const IntegerVector3* left = nullptr;  // the nearest to u of those to the left
+  const IntegerVector3* right = nullptr;
+  for (const IntegerVector3& s : directions) {
+    const int side = turn(u, s, n);
+    if (side == 0) {
+      if (dot(u, s).sign() > 0) return true;
+    } else if (side > 0) {
+      if (left == nullptr || turn(s, *left, n) > 0) left = &s;
+    } else if (right == nullptr || turn(*right, s, n) > 0) {
+      right = &s;
+    }
+  }
+  return left != nullptr && right != nullptr && turn(*right, *left, n) > 0;
+}
+
+}  // namespace
+
+Point SpatialDirection::form(const IntegerVector<6>& y) const {
+  std::array<Rational, 8> form{};
+  for (std::size_t k = 0; k < 6; ++k) {
+    for (std::size_t j = 0; j < 6; ++j) form[k] += Rational(y[j]) * matrix[j][k];
+    form[6] -= form[k] * twist[k];
+  }
+  return primitive_multiple<8>(form);
+}
+
+SpaceRegion SpaceRegion::root(const SpaceModel& model) {
+  SpaceRegion region(model.contacts.size());
+  if (model.law == NormalLaw::kBilateral) {
+    for (const SpaceContact& contact : model.contacts) {
+      const auto& planes = contact.separations;
+      if (std::all_of(planes.begin(), planes.end(),
+                      [&](const Point& plane) { return plane == planes.front(); })) {
+        region.cone_.cut(planes.front(), Side::kPositive);
+      }
+    }
+  }
+  region.update(model);
+  return region;
+}
+
+SpaceRegion SpaceRegion::wall(const SpaceModel& model, const Matrix6& walls,
+                              const Vector6& twist, std::size_t wall, int sign) {
+  SpaceRegion region(model.contacts.size());
+  const auto plane = [&](std::size_t j, int height) {
+    std::array<Rational, 8> a{};
+    std::copy(walls[j].begin(), walls[j].end(), a.begin());
+    a[6] = -dot(walls[j], twist) - height;
+    return primitive_multiple<8>(a);
+  };
+  region.cone_.cut(plane(wall, sign), Side::kZero);
+  for (std::size_t j = 0; j < 6; ++j) {
+    if (j == wall) continue;
+    region.cone_.cut(plane(j, 1), Side::kNegative);
+    region.cone_.cut(plane(j, -1), Side::kPositive);
+  }
+  region.update(model);
+  return region;
+}
+
+SpaceRegion SpaceRegion::half(const SpaceModel& model, const Point& plane, Side side) const {
+  SpaceRegion region = *this;
+  if (side == Side::kNegative) region.strict_.push_back(cone_.constraint_count());
+  region.cone_.cut(plane, side);
+  region.update(model);
+  return region;
+}
+
+SpaceRegion SpaceRegion::sticking(const SpaceModel& model, std::size_t contact) const {
+  SpaceRegion region = *this;
+  for (const Point& plane : model.contacts[contact].corners.front().slip_planes) {
+    region.cone_.cut(plane, Side::kZero);
+  }
+  region.still_[contact] = 1;
+  region.update(model);
+  return region;
+}
+
+SpaceRegion SpaceRegion::slipping(const SpaceModel& model, std::size_t contact) const {
+  SpaceRegion region = *this;
+  region.strict_slips_[contact] = 1;
+  region.update(model);
+  return region;
+}
+
+/// Some strict function is 0 on all of these generators.
+bool SpaceRegion::bars(const SpaceModel& model, const std::vector<std::size_t>& zeros) const {
+  const std::size_t lines = 2 * cone_.lines().size();
+  const bool barred = std::any_of(strict_.begin(), strict_.end(), [&](ConstraintIndex strict) {
+    return std::all_of(zeros.begin(), zeros.end(), [&](std::size_t g) {
+      if (g < lines) return true;  // all constraints are 0 on lines
+      const std::vector<ConstraintIndex>& tight = cone_.rays()[g - lines].tight;
+      return std::binary_search(tight.begin(), tight.end(), strict);
+    });
+  });
+  if (barred) return true;
+  for (std::size_t i = 0; i < strict_slips_.size(); ++i) {
+    if (!strict_slips_[i]) continue;
+    if (std::all_of(zeros.begin(), zeros.end(), [&](std::size_t g) {
+          const Double3& s = slip(model, i, g, 0);
+          return s[0] == 0 && s[1] == 0 && s[2] == 0;
+        })) {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool SpaceRegion::is_barred() const {
+  return barred_;
+}
+
+bool SpaceRegion::is_cut_by(const Point& plane) const {
+  bool positive = false;
+  bool negative = false;
+  for (const Generator& g : generators_) {
+    const int sign = sign_at(plane, g.exact);
+    positive = positive || sign > 0;
+    negative = negative || sign < 0;
+    if (positive && negative) return true;
+  }
+  return false;
+}
+
+void SpaceRegion::update(const SpaceModel& model) {
+  generators_.clear();
+  for (const Point& x : cone_.directions()) {
+    generators_.push_back(generator_of(x, model.length));
+  }
+  const std::size_t m = model.contacts.size();
+  high_.assign(m * generators_.size(), 0);
+  low_.assign(m * generators_.size(), 0);
+  for (std::size_t i = 0; i < m; ++i) find_separation(model, i);
+  first_slip_.assign(m, 0);
+  std::size_t values = 0;
+  for (std::size_t i = 0; i < m; ++i) {
+    first_slip_[i] = values;
+    values += generators_.size() * model.contacts[i].corners.size();
+  }
+  slip_values_.assign(values, Double3{});
+  for (std::size_t i = 0; i < m; ++i) {
+    const bool matters = strict_slips_[i] != 0 || (separations_[i] != Separation::kOpen &&
+                                                   !model.contacts[i].friction.high.is_zero());
+    if (matters && still_[i] == 0) compute_slips(model, i);
+  }
+  std::vector<std::size_t> all(generators_.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  barred_ = bars(model, all);
+  if (barred_) return;
+  for (std::size_t i = 0; i < m; ++i) find_slips(model, i);
+}
+
+void SpaceRegion::compute_slips(const SpaceModel& model, std::size_t contact) {
+  const std::vector<CornerRow>& corners = model.contacts[contact].corners;
+  for (std::size_t g = 0; g < generators_.size(); ++g) {
+    const Generator& at = generators_[g];
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+      const CornerRow& row = corners[c];
+      Double3 s{};
+      double size = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        s[k] = dot(row.slip_rounded[k], at.motion);
+        for (std::size_t j = 0; j < 6; ++j) {
+          size = std::max(size, std::fabs(row.slip_rounded[k][j] * at.motion[j]));
+        }
+      }
+      // Where much is lost to cancellation the direction is that of the exact slip.
+      constexpr double kLost = 1e-5;
+      if (!(dot(s, s) > kLost * kLost * size * size)) {
+        const IntegerVector3 exact = exact_slip(row, at.exact);
+        Integer most = 0;
+        for (const Integer& entry : exact) most = std::max(most, Integer(abs(entry)));
+        const double before = std::sqrt(dot(s, s));
+        for (std::size_t k = 0; k < 3; ++k) {
+          s[k] = most.is_zero() ? 0 : to_double(Rational(exact[k], most));
+        }
+        if (!most.is_zero()) {
+          const double to = std::max(before, 1e-300) / std::sqrt(dot(s, s));
+          for (double& entry : s) entry *= to;
+        }
+      }
+      slip_values_[first_slip_[contact] + g * corners.size() + c] = s;
+    }
+  }
+}
+
+void SpaceRegion::find_separation(const SpaceModel& model, std::size_t contact) {
+  const SpaceContact& c = model.contacts[contact];
+  bool closed = true;
+  bool open = true;
+  for (std::size_t g = 0; g < generators_.size(); ++g) {
+    const Generator& at = generators_[g];
+    double high = -HUGE_VAL;
+    double low = HUGE_VAL;
+    const auto take = [&](double value, double magnitude, const auto& exact_sign) {
+      constexpr double kClear = 1e-13;
+      if (!(std::fabs(value) > kClear * magnitude)) {
+        const int sign = exact_sign();
+        if (sign == 0) value = 0;
+        if (sign * value < 0 || (sign != 0 && value == 0)) value = sign * 1e-300;
+      }
+      high = std::max(high, value);
+      low = std::min(low, value);
+    };
+    std::size_t plane = 0;
+    for (const CornerRow& row : c.corners) {
+      double rise = 0;
+      double size = 0;
+      for (std::size_t j = 0; j < 6; ++j) {
+        const double term = row.normal_rounded[j] * at.motion[j];
+        rise += term;
+        size += std::fabs(term);
+      }
+      for (std::size_t k = 0; k < (c.stiffness.is_point() ? 1U : 2U); ++k) {
+        for (std::size_t p = 0; p < (c.preload.is_point() ? 1U : 2U); ++p) {
+          const Point& exact = c.separations[plane++];
+          take(c.preloads[p] * at.height - c.stiffnesses[k] * rise,
+               c.preloads[p] * at.height + c.stiffnesses[k] * size,
+               [&] { return sign_at(exact, at.exact); });
+        }
+      }
+    }
+    high_[contact * generators_.size() + g] = high;
+    low_[contact * generators_.size() + g] = low;
+    closed = closed && low >= 0;
+    open = open && high <= 0;
+  }
+  separations_[contact] = closed ? Separation::kClosed
+                          : open ? Separation::kOpen
+                                 : Separation::kMixed;
+}
+
+/// The directions of slip by their angles around n: the cone is pointed if there is a gap of
+/// more than half a turn between two of them.
+void SpaceRegion::find_slips(const SpaceModel& model, std::size_t contact) {
+  SlipCone& cone = slips_[contact];
+  cone = {};
+  const SpaceContact& c = model.contacts[contact];
+  if (separations_[contact] == Separation::kOpen || c.friction.high.is_zero()) return;
+  struct Direction {
+    double angle;
+    std::size_t generator;
+    std::size_t corner;
+  };
+  std::vector<Direction> directions;
+  std::vector<std::vector<std::size_t>> still(c.corners.size());  // where s = 0
+  for (std::size_t g = 0; g < generators_.size(); ++g) {
+    for (std::size_t k = 0; k < c.corners.size(); ++k) {
+      const Double3& s = slip(model, contact, g, k);
+      if (s[0] == 0 && s[1] == 0 && s[2] == 0) {
+        still[k].push_back(g);
+      } else {
+        directions.push_back({std::atan2(dot(s, c.tangents[1]), dot(s, c.tangents[0])), g, k});
+      }
+    }
+  }
+  cone.moves = strict_slips_[contact] != 0;
+  if (directions.empty()) return;
+  std::sort(directions.begin(), directions.end(),
+            [](const Direction& a, const Direction& b) { return a.angle < b.angle; });
+  constexpr double kPi = 3.14159265358979323846;
+  double gap = 0;
+  std::size_t after = 0;  // the first direction after the gap
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    const double before = k == 0 ? directions.back().angle - 2 * kPi : directions[k - 1].angle;
+    if (directions[k].angle - before > gap) {
+      gap = directions[k].angle - before;
+      after = k;
+    }
+  }
+  constexpr double kClose = 1e-7;
+  if (gap < kPi - kClose) {
+    cone.whole = true;  // and where it is, all slips have their negative in it
+    return;
+  }
+  const bool may_be_half = gap < kPi + kClose;
+  const double first = directions[after].angle;
+  const double last = first + 2 * kPi - gap;
+  for (const Direction& d : directions) {
+    const double angle = d.angle < first ? d.angle + 2 * kPi : d.angle;
+    if (may_be_half || angle < first + kClose || angle > last - kClose) {
+      cone.sides.emplace_back(d.generator, d.corner);
+    }
+  }
+  if (cone.moves) return;
+  if (may_be_half) {
+    std::vector<IntegerVector3> sides;
+    for (const auto& [g, k] : cone.sides) {
+      sides.push_back(exact_slip(c.corners[k], generators_[g].exact));
+    }
+    for (const auto& [g, k] : cone.sides) {
+      const IntegerVector3 s = exact_slip(c.corners[k], generators_[g].exact);
+      if (is_in_cone(negated(s), sides, c.axis)) still[k].push_back(g);
+    }
+  }
+  cone.moves = std::all_of(still.begin(), still.end(),
+                           [&](const auto& zeros) { return bars(model, zeros); });
+}
+
+/// alpha of the format.
+Rational SpaceRegion::most_work(const SpaceModel& model, std::size_t contact,
+                                const IntegerVector<6>& y) const {
+  const SpaceContact& c = model.contacts[contact];
+  const SlipCone& cone = slips_[contact];
+  std::vector<IntegerVector3> sides;
+  if (cone.moves && !cone.whole) {
+    for (const auto& [g, k] : cone.sides) {
+      sides.push_back(exact_slip(c.corners[k], generators_[g].exact));
+    }
+  }
+  constexpr unsigned kBits = 64;
+  std::optional<Rational> most;
+  for (const CornerRow& row : c.corners) {
+    Rational normal = 0;
+    for (std::size_t j = 0; j < 6; ++j) normal += Rational(y[j]) * row.normal[j];
+    const auto consider = [&](Rational alpha) {
+      if (!most || alpha > *most) most = std::move(alpha);
+    };
+    if (c.friction.high.is_zero()) {
+      consider(normal);
+      continue;
+    }
+    const IntegerVector3 slid{dot(row.slip[0], y), dot(row.slip[1], y), dot(row.slip[2], y)};
+    int sign = 1;
+    Rational square = Rational(dot(slid, slid)) / (row.slip_factor * row.slip_factor);
+    if (cone.moves && !cone.whole && !square.is_zero() && !sides.empty() &&
+        !is_in_cone(negated(slid), sides, c.axis)) {
+      bool first = true;
+      Rational best = 0;  // with its sign
+      for (const IntegerVector3& s : sides) {
+        const Integer work = -dot(s, slid);
+        const Rational signed_square(Integer(work * abs(work)), dot(s, s));
+        if (first || signed_square > best) best = signed_square;
+        first = false;
+      }
+      sign = best.sign();
+      square = abs(best) / (row.slip_factor * row.slip_factor);
+    }
+    for (const Rational& mu : {c.friction.low, c.friction.high}) {
+      const Rational q = mu * mu * c.squared_length * square;
+      if (q.is_zero()) {
+        consider(normal);
+        continue;
+      }
+      const ShortRoot root = short_sqrt(q, kBits);
+      consider(sign > 0 ? Rational(normal + root.upper) : Rational(normal - root.lower));
+    }
+  }
+  return *most;
+}
+
+bool SpaceRegion::is_refuted(const SpaceModel& model, const IntegerVector<6>& y,
+                             const SpatialDirection* direction) const {
+  if (barred_) return true;
+  if (direction != nullptr) {
+    const Point form = direction->form(y);
+    for (const Generator& g : generators_) {
+      if (sign_at(form, g.exact) < 0) return false;
+    }
+  }
+  // g(r) = linear.r + sum of kinks, all times a common factor.
+  struct Kink {
+    Rational alpha;
+    std::size_t contact;
+  };
+  std::array<Rational, 8> linear{};
+  for (std::size_t j = 0; j < 6; ++j) {
+    linear[6] +=
+        Rational(y[j]) * (y[j].sign() > 0 ? model.wrench[j].high : model.wrench[j].low);
+  }
+  std::vector<Kink> kinks;
+  for (std::size_t i = 0; i < model.contacts.size(); ++i) {
+    if (separations_[i] == Separation::kOpen) continue;
+    const SpaceContact& c = model.contacts[i];
+    Rational alpha = most_work(model, i, y);
+    const bool closed = separations_[i] == Separation::kClosed;
+    if (!closed && alpha.sign() <= 0) continue;
+    if (closed && c.separations.size() == 1) {
+      const Rational weight = alpha * c.separation_factors.front();
+      for (std::size_t j = 0; j < 7; ++j) {
+        linear[j] += weight * Rational(c.separations.front()[j]);
+      }
+    } else {
+      kinks.push_back({std::move(alpha), i});
+    }
+  }
+  Integer common = 1;
+  for (const Rational& entry : linear) common = lcm(common, denominator(entry));
+  std::vector<std::vector<Rational>> weights;
+  for (const Kink& kink : kinks) {
+    weights.emplace_back();
+    for (const Rational& factor : model.contacts[kink.contact].separation_factors) {
+      weights.back().push_back(kink.alpha * factor);
+      common = lcm(common, denominator(weights.back().back()));
+    }
+  }
+  const auto whole = [&](const Rational& value) {
+    return Integer(numerator(value) * (common / denominator(value)));
+  };
+  Point form{};
+  for (std::size_t j = 0; j < 8; ++j) form[j] = whole(linear[j]);
+  std::vector<std::vector<Integer>> factors;
+  for (const auto& list : weights) {
+    factors.emplace_back();
+    for (const Rational& value : list) factors.back().push_back(whole(value));
+  }
+  std::vector<std::size_t> zeros;
+  for (std::size_t g = 0; g < generators_.size(); ++g) {
+    const Point& x = generators_[g].exact;
+    Integer sum = dot(form, x);
+    for (std::size_t k = 0; k < kinks.size(); ++k) {
+      const std::size_t i = kinks[k].contact;
+      const std::vector<Point>& planes = model.contacts[i].separations;
+      std::optional<Integer> most;
+      for (std::size_t p = 0; p < planes.size(); ++p) {
+        Integer work = factors[k][p] * dot(planes[p], x);
+        if (!most || work > *most) most = std::move(work);
+      }
+      if (separations_[i] == Separation::kClosed || most->sign() > 0) sum += *most;
+    }
+    if (sum.sign() > 0) return false;
+    if (sum.is_zero()) zeros.push_back(g);
+  }
+  return bars(model, zeros);
+}
+
+}  // namespace stickslip::space_detail

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spatial_degree.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <Eigen/SVD>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "space_search.hpp"
+
+namespace stickslip::space_detail {
+namespace {
+
+EigenVector6 as_vector(const Double6& a) {
+  return EigenVector6(a.data());
+}
+
+/// A number of few bits near x.
+Rational of_few_bits(double x, int bits) {
+  if (x == 0 || !std::isfinite(x)) return 0;
+  int exponent = 0;
+  const double mantissa = std::frexp(x, &exponent);
+  return rational_from_double(
+      std::ldexp(std::round(std::ldexp(mantissa, bits)), exponent - bits));
+}
+
+Rational determinant(Matrix6 m) {
+  Rational product = 1;
+  for (std::size_t k = 0; k < 6; ++k) {
+    std::size_t pivot = k;
+    while (pivot < 6 && m[pivot][k].is_zero()) ++pivot;
+    if (pivot == 6) return 0;
+    if (pivot != k) {
+      std::swap(m[pivot], m[k]);
+      product = -product;
+    }
+    product *= m[k][k];
+    for (std::size_t r = k + 1; r < 6; ++r) {
+      const Rational factor = m[r][k] / m[k][k];
+      for (std::size_t j = k; j < 6; ++j) m[r][j] -= factor * m[k][j];
+    }
+  }
+  return product;
+}
+
+/// Where the walls are to be, and which way the grasp in the middle pulls, in doubles.
+///
+/// On the walls E_j.(d - d0) = +-1 of the slip of a sticking contact its friction is against
+/// that slip, and a virtual twist Y_j that moves nothing else that sticks sees it. The other
+/// rows are forces on virtual twists on which what sticks does no work. A is such that
+/// Y_j.A(d - d0) is E_j.(d - d0).
+class SpatialWalls {
+ public:
+  SpatialWalls(const SpaceModel& middle, const NearEquilibrium& equilibrium, double size);
+
+  bool is_sound() const { return sound_; }
+  /// d0, E and A in few bits.
+  SpatialDegreeProof proof() const;
+
+ private:
+  const SpaceModel& model_;
+  EigenVector6 motion_;
+  EigenMatrix6 rows_ = EigenMatrix6::Zero();    ///< E
+  EigenMatrix6 twists_ = EigenMatrix6::Zero();  ///< Y, by columns
+  bool sound_ = false;
+};
+
+SpatialWalls::SpatialWalls(const SpaceModel& middle, const NearEquilibrium& equilibrium,
+                           double size)
+    : model_(middle), motion_(equilibrium.motion) {
+  // Small beside what would change a mode.
+  double width = NewtonMethod(middle).reach();
+  for (std::size_t i = 0; i < middle.contacts.size(); ++i) {
+    const SpaceContact& c = middle.contacts[i];
+    const CornerRow& row = c.corners.front();
+    const double v =
+        c.preloads[0] - c.stiffnesses[0] * as_vector(row.normal_rounded).dot(motion_);
+    const double stretch =
+        std::fabs(v) / (c.stiffnesses[0] * std::sqrt(to_double(c.squared_length)));
+    if (stretch > 0) width = std::min(width, stretch);
+    if (!(v > 0) || equilibrium.sticks[i] != 0 || !(c.slopes[0] > 0)) continue;
+    double slip = 0;
+    for (const Double6& s : row.slip_rounded)
+      slip = std::hypot(slip, as_vector(s).dot(motion_));
+    width = std::min(width, slip);
+  }
+  width *= size;
+  // How forces answer motion, but for sticking friction.
+  EigenMatrix6 stiffness = EigenMatrix6::Zero();
+  struct Candidate {
+    EigenVector6 row;
+    double spare;
+    double width;
+  };
+  std::vector<Candidate> candidates;
+  for (std::size_t i = 0; i < middle.contacts.size(); ++i) {
+    const SpaceContact& c = middle.contacts[i];
+    const CornerRow& row = c.corners.front();
+    const double a = equilibrium.normal[i];
+    if (!(a > 0)) continue;
+    Eigen::Matrix<double, 3, 6> slip;
+    for (int k = 0; k < 3; ++k) {
+      slip.row(k) = as_vector(row.slip_rounded[static_cast<std::size_t>(k)]);
+    }
+    const Eigen::Vector3d friction(equilibrium.friction[i].data());
+    const EigenVector6 normal = as_vector(row.normal_rounded);
+    stiffness +=
+        c.stiffnesses[0] * (normal + slip.transpose() * friction / a) * normal.transpose();
+    const double most = c.slopes[0] * a;
+    if (!(most > 0)) continue;
+    if (equilibrium.sticks[i] == 0) {
+      const Eigen::Vector3d s = slip * motion_;
+      const double speed = s.norm();
+      stiffness += most / speed *
+                   (slip.transpose() *
+                    (Eigen::Matrix3d::Identity() - s * s.transpose() / (speed * speed)) * slip);
+      continue;
+    }
+    const Eigen::Vector3d first(c.tangents[0].data());
+    const Eigen::Vector3d second(c.tangents[1].data());
+    const double share = std::min(friction.norm() / most, 0.999999);
+    const Eigen::Vector3d along = share > 1e-3 ? friction.normalized() : first;
+    const Eigen::Vector3d across = first.cross(second).cross(along).normalized();
+    // Beside a slip of `width` along the friction one across it that leaves enough against it.
+    const double aspect = std::min(1.0, 0.5 * std::sqrt(1 / (share * share) - 1));
+    candidates.push_back({slip.transpose() * along, most - friction.norm(), width});
+    candidates.push_back({slip.transpose() * across, most, width * aspect});
+  }
+  // Sticking contacts whose slips are independent, those with most friction to spare first.
+  std::vector<EigenVector6> basis;
+  const auto beyond = [&](EigenVector6 v) {
+    for (const EigenVector6& b : basis) v -= b.dot(v) * b;
+    return v;
+  };
+  Eigen::Index count = 0;
+  while (count < 6) {
+    double best = 0;
+    const Candidate* chosen = nullptr;
+    for (const Candidate& candidate : candidates) {
+      const double rest = beyond(candidate.row).norm();
+      constexpr double kIndependent = 1e-2;
+      if (rest <= kIndependent * candidate.row.norm()) continue;
+      if (candidate.spare * rest > best) {
+        best = candidate.spare * rest;
+        chosen = &candidate;
+      }
+    }
+    if (chosen == nullptr) break;
+    basis.push_back(beyond(chosen->row).normalized());
+    rows_.row(count++) = chosen->row / chosen->width;
+  }
+  const Eigen::Index sticking = count;
+  // Virtual twists on which these contacts' friction does no work.
+  while (basis.size() < 6) {
+    EigenVector6 best = EigenVector6::Zero();
+    for (Eigen::Index k = 0; k < 6; ++k) {
+      const EigenVector6 rest = beyond(EigenVector6::Unit(k));
+      if (rest.norm() > best.norm()) best = rest;
+    }
+    basis.push_back(best.normalized());
+  }
+  // Those whose forces answer the motions across one another (a singular value decomposition).
+  const Eigen::Index free = 6 - sticking;
+  Eigen::MatrixXd frame(6, free);
+  for (Eigen::Index k = 0; k < free; ++k) {
+    frame.col(k) = basis[static_cast<std::size_t>(sticking + k)];
+  }
+  const Eigen::JacobiSVD<Eigen::MatrixXd> answers(frame.transpose() * stiffness * frame,
+                                                  Eigen::ComputeFullU | Eigen::ComputeFullV);
+  for (Eigen::Index k = 0; k < free; ++k) {
+    const double strength = answers.singularValues()[k];
+    if (!(strength > 0)) return;
+    twists_.col(count) = frame * answers.matrixU().col(k);
+    rows_.row(count) = stiffness.transpose() * twists_.col(count) / (strength * width);
+    ++count;
+  }
+  double product = 1;
+  for (Eigen::Index j = 0; j < 6; ++j) product *= rows_.row(j).norm();
+  constexpr double kFlat = 1e-12;
+  if (!(product > 0) || !(std::fabs(rows_.determinant()) > kFlat * product)) return;
+  const EigenMatrix6 inverse = rows_.inverse();
+  for (Eigen::Index j = 0; j < sticking; ++j) twists_.col(j) = inverse.col(j).normalized();
+  for (Eigen::Index j = 0; j < 6; ++j) twists_.col(j).normalize();
+  sound_ = std::fabs(twists_.determinant()) > kFlat;
+}
+
+SpatialDegreeProof SpatialWalls::proof() const {
+  constexpr int kBits = 14;
+  SpatialDegreeProof result{};
+  const EigenMatrix6 pull = twists_.transpose().inverse() * rows_;
+  if (!rows_.allFinite() || !pull.allFinite() || !motion_.allFinite()) return result;
+  const double finest = 1 / rows_.cwiseAbs().maxCoeff();
+  const double largest = pull.cwiseAbs().maxCoeff();
+  for (Eigen::Index j = 0; j < 6; ++j) {
+    for (Eigen::Index k = 0; k < 6; ++k) {
+      const double column = k < 3 ? 1 : model_.length;
+      const auto row = static_cast<std::size_t>(j);
+      const auto entry = static_cast<std::size_t>(k);
+      result.walls[row][entry] = of_few_bits(rows_(j, k) * column, kBits);
+      result.direction[row][entry] =
+          of_few_bits(pull(j, k) / largest * column * (j < 3 ? 1 : model_.length), kBits);
+    }
+    const double scale = j < 3 ? 1 : model_.length;
+    const double grain = std::ldexp(1.0, std::ilogb(finest / scale) - 10);
+    result.twist[static_cast<std::size_t>(j)] =
+        rational_from_double(std::round(motion_[j] / scale / grain) * grain);
+  }
+  return result;
+}
+
+/// `degree-law`.
+bool all_closed_inside(const SpaceModel& model, const SpatialDegreeProof& proof) {
+  for (std::size_t wall = 0; wall < 6; ++wall) {
+    for (const int sign : {1, -1}) {
+      const SpaceRegion region = SpaceRegion::wall(model, proof.walls, proof.twist, wall, sign);
+      for (std::size_t i = 0; i < model.contacts.size(); ++i) {
+        if (region.separation(i) != Separation::kClosed) return false;
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<SpatialDegreeProof> prove_stable(const SpaceModel& model,
+                                               const NearEquilibrium& equilibrium,
+                                               std::size_t node_limit, SpatialWork& work) {
+  const SpaceModel middle = model.middle();
+  const bool is_point = model.is_point();
+  struct Attempt {
+    double size;
+    std::size_t limit;
+  };
+  constexpr std::size_t kFew = 40;
+  for (const auto& [size, limit] : {Attempt{3e-2, kFew},
+                                    {3e-3, kFew},
+                                    {3e-4, kFew},
+                                    {3e-5, kFew},
+                                    {3e-2, node_limit},
+                                    {1e-3, node_limit},
+                                    {3e-1, node_limit}}) {
+    const SpatialWalls walls(middle, equilibrium, size);
+    if (!walls.is_sound()) return std::nullopt;
+    ++work.proofs;
+    SpatialDegreeProof proof = walls.proof();
+    if (determinant(proof.walls).is_zero() || determinant(proof.direction).is_zero()) continue;
+    if (model.law == NormalLaw::kBilateral && !all_closed_inside(model, proof)) continue;
+    const SpatialDirection direction{proof.direction, proof.twist};
+    const auto refute_all = [&](bool second) {
+      const SpaceModel& about = second ? middle : model;
+      for (std::size_t wall = 0; wall < 6; ++wall) {
+        for (const int sign : {1, -1}) {
+          SpaceSearch search(about, second ? &direction : nullptr, limit, work);
+          if (!search.refute(SpaceRegion::wall(about, proof.walls, proof.twist, wall, sign),
+                             proof.trees)) {
+            return false;
+          }
+        }
+      }
+      return true;
+    };
+    if ((is_point || refute_all(false)) && refute_all(true)) return proof;
+  }
+  return std::nullopt;
+}
+
+}  // namespace stickslip::space_detail

@@ -190,7 +190,7 @@ void print_text(const BoxAnswer& answer, const NumberOptions& output,
   } else {
     std::cout << std::visit(Meaning{!uncertain.empty()}, decision.verdict);
   }
-  std::cout << enclosure_text(answer) << text.note() << units_text(question.loaded.grasp)
+  std::cout << enclosure_text(answer) << text.note() << units_text(question.loaded.grasp.description().units)
             << engine_text("box", question.law);
 }
 

@@ -10,6 +10,7 @@
 #include "box_numbers.hpp"
 #include "commands.hpp"
 #include "question_options.hpp"
+#include "space_answer.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
@@ -158,15 +159,36 @@ void print_text(const CaseAnswer& answer, const NumberOptions& output) {
     std::cout << "\nGiven up at " << std::get<Undecided>(verdict).limit
               << "; nothing is known about the verdict.\n";
   }
-  std::cout << text.note() << units_text(question.loaded.grasp) << engine_text(answer);
+  std::cout << text.note() << units_text(question.loaded.grasp.description().units)
+            << engine_text(answer);
   print(warnings);
 }
 
 /// Of one question.
-using Answer = std::variant<CaseAnswer, BoxAnswer>;
+using Answer = std::variant<CaseAnswer, BoxAnswer, SpaceAnswer>;
 
-const Question& question_of(const Answer& answer) {
-  return std::visit([](const auto& a) -> const Question& { return a.question; }, answer);
+/// What answers to all kinds of question have.
+struct Subject {
+  std::string name;  ///< of the grasp
+  std::string case_name;
+  NormalLaw law;
+  std::optional<Units> units;
+};
+
+template <class PlanarAnswer>
+Subject subject_of(const PlanarAnswer& answer) {
+  const Question& question = answer.question;
+  const Grasp& grasp = question.loaded.grasp;
+  return {grasp.name(), question.case_name, question.law, grasp.description().units};
+}
+
+Subject subject_of(const SpaceAnswer& answer) {
+  const SpatialQuestion& question = answer.question;
+  return {question.grasp.name, question.case_name, question.law, question.grasp.units};
+}
+
+Subject subject_of(const Answer& answer) {
+  return std::visit([](const auto& a) { return subject_of(a); }, answer);
 }
 
 const char* name_of(const Answer& answer) {
@@ -183,7 +205,7 @@ std::string load_text(const BoxAnswer& answer, NumberText& text) {
 }
 
 void print_cases_json(const std::vector<Answer>& answers, const NumberOptions& output) {
-  const std::string& name = question_of(answers.front()).loaded.grasp.name();
+  const std::string name = subject_of(answers.front()).name;
   Json json{{"name", name}, {"cases", Json::array()}};
   for (const Answer& answer : answers) {
     json["cases"].push_back(std::visit([](const auto& a) { return to_json(a); }, answer));
@@ -198,7 +220,7 @@ void print_cases_text(const std::vector<Answer>& answers, const NumberOptions& o
   std::vector<std::pair<std::string, std::string>> warnings;  // and their cases
   std::string engine;
   for (const Answer& each : answers) {
-    const std::string& name = question_of(each).case_name;
+    const std::string name = subject_of(each).case_name;
     rows.push_back({name, name_of(each),
                     std::visit([&](const auto& a) { return load_text(a, text); }, each)});
     const auto* answer = std::get_if<CaseAnswer>(&each);
@@ -215,17 +237,18 @@ void print_cases_text(const std::vector<Answer>& answers, const NumberOptions& o
       }
     }
   }
-  const Question& question = question_of(answers.front());
-  const bool all_boxes = engine.empty();
-  if (all_boxes) engine = engine_text("box", question.law);
-  const std::string& grasp = question.loaded.grasp.name();
+  const Subject subject = subject_of(answers.front());
+  const bool in_space = std::holds_alternative<SpaceAnswer>(answers.front());
+  const bool all_boxes = engine.empty() && !in_space;
+  if (engine.empty()) engine = engine_text(in_space ? "space" : "box", subject.law);
+  const std::string& grasp = subject.name;
   const std::size_t n = answers.size();
   std::cout << (grasp.empty() ? "" : grasp + ": ") << n << (n == 1 ? " case" : " cases")
             << "\n\n"
             << format_table(rows, Align::kLeft)
             << (all_boxes ? "\nWhat is uncertain, and what the verdict means: --case NAME.\n"
                           : "\nForces and motions, or why there are none: --case NAME.\n")
-            << text.note() << units_text(question.loaded.grasp) << engine;
+            << text.note() << units_text(subject.units) << engine;
   for (const auto& [warning, names] : warnings) {
     std::cout << "Warning, " << names << ": " << warning << ".\n";
   }
@@ -292,10 +315,20 @@ int exit_code(const std::vector<Answer>& answers, bool answer_by_exit_code) {
   return answer_by_exit_code ? kAnswerStable : kDone;
 }
 
+Answer answer_to(SpatialQuestion question, const DecideArguments& arguments) {
+  if (arguments.engine != "auto") {
+    throw InputError("", "--engine", "the grasp is in space, for which there is one engine",
+                     "leave the option out");
+  }
+  return answer_in_space(std::move(question), arguments.node_limit);
+}
+
 int decide(const DecideArguments& arguments) {
-  std::vector<Question> questions = arguments.question.questions();
+  auto all_questions = arguments.question.any_questions();
   const bool by_case =
-      !questions.front().case_name.empty() && !arguments.question.chooses_case();
+      std::visit([](const auto& list) { return !list.front().case_name.empty(); },
+                 all_questions) &&
+      !arguments.question.chooses_case();
   for (const auto& [option, value] : {std::pair{"--certificate", &arguments.certificate},
                                       std::pair{"--examples", &arguments.examples}}) {
     if (!by_case || value->empty()) continue;
@@ -303,9 +336,13 @@ int decide(const DecideArguments& arguments) {
                      "choose the case with --case NAME");
   }
   std::vector<Answer> answers;
-  for (Question& question : questions) {
-    answers.push_back(answer_to(std::move(question), arguments));
-  }
+  std::visit(
+      [&](auto& questions) {
+        for (auto& question : questions) {
+          answers.push_back(answer_to(std::move(question), arguments));
+        }
+      },
+      all_questions);
   const bool json = arguments.output.json;
   if (by_case) {
     (json ? print_cases_json : print_cases_text)(answers, arguments.output);

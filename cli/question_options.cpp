@@ -71,8 +71,7 @@ std::string heading(const Question& question) {
   return both.empty() ? both : both + ": ";
 }
 
-std::string units_text(const Grasp& grasp) {
-  const std::optional<Units>& units = grasp.description().units;
+std::string units_text(const std::optional<Units>& units) {
   if (!units) return "";
   return "Units: force " + units->force + ", length " + units->length + ", torque " +
          units->torque() + ".\n";
@@ -146,7 +145,7 @@ void QuestionArguments::add_options_to(CLI::App& command) {
           .add_option(
               "--wrench", wrench_,
               "Wrench applied to the object: force x, force y and torque about the origin "
-              "(replaces the file's)")
+              "(replaces the file's); of a grasp in space, force x, y, z and torque x, y, z")
           ->type_name("WX,WY,T");
   command.add_option("--case", case_, "The case of the file whose load is applied")
       ->type_name("NAME")
@@ -234,7 +233,56 @@ Question QuestionArguments::question() const {
 }
 
 std::vector<Question> QuestionArguments::questions() const {
-  const GraspFile file = read();
+  return questions_about(read());
+}
+
+std::variant<std::vector<Question>, std::vector<SpatialQuestion>>
+QuestionArguments::any_questions() const {
+  const AnyGraspFile file = read_any_grasp_file(file_);
+  if (const auto* grasp = std::get_if<SpatialGrasp>(&file)) return questions_about(*grasp);
+  return questions_about(std::get<GraspFile>(file));
+}
+
+std::vector<SpatialQuestion> QuestionArguments::questions_about(
+    const SpatialGrasp& grasp) const {
+  SpatialOptions asked;
+  if (!wrench_.empty()) {
+    const std::vector<Rational> numbers = numbers_option("--wrench", wrench_);
+    if (numbers.size() != 6) {
+      throw InputError("", "--wrench",
+                       quote(wrench_) + " has " + std::to_string(numbers.size()) + " numbers",
+                       "the grasp is in space: give force x, y, z and torque x, y, z");
+    }
+    std::copy(numbers.begin(), numbers.end(), asked.wrench.emplace().begin());
+  }
+  // The rest is said as in the plane.
+  QuestionArguments others = *this;
+  others.wrench_.clear();
+  const QuestionOptions options = others.options();
+  asked.preload = options.preload;
+  asked.law = options.law;
+  asked.case_name = options.case_name;
+  asked.uncertain = options.uncertain;
+  const auto ask_one = [&] {
+    try {
+      return ask(grasp, asked);
+    } catch (const InputError& error) {
+      if (error.place() != "case" && error.place() != "uncertain") {
+        throw error.in_file(name_of_file());
+      }
+      throw InputError(name_of_file(), "--" + error.place(), error.problem(), error.remedy());
+    }
+  };
+  if (grasp.cases.empty() || asked.case_name || asked.wrench) return {ask_one()};
+  std::vector<SpatialQuestion> questions;
+  for (const SpatialCase& load : grasp.cases) {
+    asked.case_name = load.name;
+    questions.push_back(ask_one());
+  }
+  return questions;
+}
+
+std::vector<Question> QuestionArguments::questions_about(const GraspFile& file) const {
   QuestionOptions asked = options();
   if (file.cases.empty() || asked.case_name || asked.wrench) {
     return {ask_about(file, asked)};

@@ -10,11 +10,13 @@
 #include <limits>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "stickslip/certificate/proved_files.hpp"
 #include "stickslip/core/number_text.hpp"
 #include "stickslip/equilibrium/question.hpp"
+#include "stickslip/space/spatial_question.hpp"
 
 namespace stickslip {
 
@@ -39,12 +41,16 @@ class QuestionArguments {
   Question question() const;
   /// The same; but of a file with cases, if no load is chosen, the question of each.
   std::vector<Question> questions() const;
+  /// The same of a grasp in the plane or in space.
+  std::variant<std::vector<Question>, std::vector<SpatialQuestion>> any_questions() const;
   /// Whether --case is given.
   bool chooses_case() const { return !case_.empty(); }
 
  private:
   void add_model_options_to(CLI::App& command);
   GraspFile read() const;
+  std::vector<Question> questions_about(const GraspFile& file) const;
+  std::vector<SpatialQuestion> questions_about(const SpatialGrasp& grasp) const;
   Question ask_about(const GraspFile& file, const QuestionOptions& options) const;
   std::string name_of_file() const { return file_ == "-" ? "<stdin>" : file_; }
 
@@ -80,7 +86,7 @@ Question ask_with_options(const GraspFile& file, const QuestionOptions& options,
 std::string heading(const Question& question);
 
 /// For people, a line: "Units: force N, length mm, torque N mm."; nothing if nobody gave them.
-std::string units_text(const Grasp& grasp);
+std::string units_text(const std::optional<Units>& units);
 
 /// For people: "unilateral (contacts may detach)".
 std::string law_text(NormalLaw law);

@@ -113,7 +113,7 @@ void Report::print() {
   } else {
     std::cout << "The grasp in the centre is not decided, and so is nothing about it.\n";
   }
-  std::cout << text_.note() << units_text(question_.loaded.grasp)
+  std::cout << text_.note() << units_text(question_.loaded.grasp.description().units)
             << engine_text("box", question_.law);
 }
 

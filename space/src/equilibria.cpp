@@ -126,6 +126,7 @@ std::optional<NearEquilibrium> NewtonMethod::polish(NearEquilibrium near) const 
     constexpr double kBalanced = 1e-13;
     constexpr double kStalled = 1e-9;
     if (error <= kBalanced || (error <= kStalled && error > last / 2)) {
+      share_out(near);
       for (const std::size_t i : sticking) {
         const Double3& f = near.friction[i];
         const double most = model_.contacts[i].slopes[0] * near.normal[i];
@@ -143,6 +144,57 @@ std::optional<NearEquilibrium> NewtonMethod::polish(NearEquilibrium near) const 
     }
   }
   return std::nullopt;
+}
+
+/// By least squares, again and again with more weight where the share is large.
+void NewtonMethod::share_out(NearEquilibrium& near) const {
+  std::vector<std::size_t> sticking;
+  std::vector<double> most;
+  for (std::size_t i = 0; i < near.sticks.size(); ++i) {
+    if (near.sticks[i] == 0) continue;
+    sticking.push_back(i);
+    most.push_back(model_.contacts[i].slopes[0] * near.normal[i]);
+  }
+  const auto count = static_cast<Eigen::Index>(sticking.size());
+  if (count == 0) return;
+  Eigen::MatrixXd wrenches(6, 3 * count);  // of unit shares
+  Eigen::VectorXd shares(3 * count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    wrenches.block<6, 3>(0, 3 * k) =
+        most[at] * slip_matrix(model_.contacts[sticking[at]].corners.front()).transpose();
+    shares.segment<3>(3 * k) = Eigen::Vector3d(near.friction[sticking[at]].data()) / most[at];
+  }
+  const EigenVector6 sum = wrenches * shares;
+  const auto largest = [&](const Eigen::VectorXd& of) {
+    double result = 0;
+    for (Eigen::Index k = 0; k < count; ++k) {
+      result = std::max(result, of.segment<3>(3 * k).norm());
+    }
+    return result;
+  };
+  Eigen::VectorXd weights = Eigen::VectorXd::Ones(3 * count);
+  Eigen::VectorXd best = shares;
+  constexpr int kRounds = 20;
+  for (int round = 0; round < kRounds; ++round) {
+    const Eigen::MatrixXd weighted = wrenches * weights.asDiagonal();
+    const Eigen::VectorXd next =
+        weights.asDiagonal() * weighted.completeOrthogonalDecomposition().solve(sum).eval();
+    // What is off by rounding is not to be kept.
+    constexpr double kBalanced = 1e-12;
+    if (!next.allFinite() || !((wrenches * next - sum).norm() <= kBalanced * model_.force))
+      break;
+    if (largest(next) < largest(best)) best = next;
+    for (Eigen::Index k = 0; k < count; ++k) {
+      weights.segment<3>(3 * k) /= 0.3 + next.segment<3>(3 * k).norm() / largest(next);
+    }
+  }
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const auto at = static_cast<std::size_t>(k);
+    for (std::size_t j = 0; j < 3; ++j) {
+      near.friction[sticking[at]][j] = most[at] * best[3 * k + static_cast<Eigen::Index>(j)];
+    }
+  }
 }
 
 std::optional<NearEquilibrium> NewtonMethod::solve(const EigenVector6& start) const {

@@ -33,6 +33,9 @@ class NewtonMethod {
   std::optional<NearEquilibrium> solve(const EigenVector6& start) const;
   /// By Newton's method with the modes of one that is near: what sticks there sticks.
   std::optional<NearEquilibrium> polish(NearEquilibrium near) const;
+  /// Friction where it sticks, with the same sum: the largest share of what there may be is
+  /// made small, so that it holds with some to spare.
+  void share_out(NearEquilibrium& near) const;
   /// From rest, and from motions at random, always the same: those that differ.
   std::vector<NearEquilibrium> solve_from(std::size_t starts) const;
   /// How far an object moves under a typical force.

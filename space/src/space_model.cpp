@@ -74,6 +74,11 @@ void add_separations(SpaceContact& contact) {
 
 }  // namespace
 
+bool SpaceContact::has_certain_separation() const {
+  return std::all_of(separations.begin(), separations.end(),
+                     [&](const Point& plane) { return plane == separations.front(); });
+}
+
 SpaceModel::SpaceModel(const SpatialQuestion& question, unsigned bits)
     : wrench(question.grasp.wrench), law(question.law) {
   for (const SpatialContact& c : question.grasp.contacts) {

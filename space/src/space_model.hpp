@@ -41,6 +41,8 @@ struct SpaceContact {
   /// that make them v.
   std::vector<Point> separations;
   std::vector<Rational> separation_factors;
+  /// v is one function up to positive factors.
+  bool has_certain_separation() const;
 
   /// \{ In doubles. Slopes are mu L.
   std::array<double, 2> slopes;

@@ -84,10 +84,8 @@ SpaceRegion SpaceRegion::root(const SpaceModel& model) {
   SpaceRegion region(model.contacts.size());
   if (model.law == NormalLaw::kBilateral) {
     for (const SpaceContact& contact : model.contacts) {
-      const auto& planes = contact.separations;
-      if (std::all_of(planes.begin(), planes.end(),
-                      [&](const Point& plane) { return plane == planes.front(); })) {
-        region.cone_.cut(planes.front(), Side::kPositive);
+      if (contact.has_certain_separation()) {
+        region.cone_.cut(contact.separations.front(), Side::kPositive);
       }
     }
   }

@@ -390,10 +390,7 @@ bool SpaceSearch::split(const SpaceRegion& region, const SpatialSearchResult& fo
       }
       lawful = std::max(0.0, lawful);
       const double gap = std::fabs(a - lawful) * std::max(a, lawful) / stiffness;
-      const bool is_certain =
-          std::all_of(c.separations.begin(), c.separations.end(),
-                      [&](const Point& plane) { return plane == c.separations.front(); });
-      if (gap > separation_gap && is_certain) {
+      if (gap > separation_gap) {
         separation_gap = gap;
         separation = i;
       }
@@ -420,9 +417,33 @@ bool SpaceSearch::split(const SpaceRegion& region, const SpatialSearchResult& fo
   if ((is_near || is_due) && is_candidate(region, found)) return false;
   constexpr double kNoticeable = 1e-12;  // of the energy; only chooses between splits
   if (separation_gap > kNoticeable * energy) {
-    const Point& plane = model_.contacts[separation].separations.front();
-    trees.push_back(SeparationSplit{ContactId(separation)});
-    return cut(region, plane, trees, depth);
+    const SpaceContact& c = model_.contacts[separation];
+    if (c.has_certain_separation()) {
+      trees.push_back(SeparationSplit{ContactId(separation)});
+      return cut(region, c.separations.front(), trees, depth);
+    }
+    // The corner's plane that is nearest to the motion, of those that cut the region.
+    const Point* nearest = nullptr;
+    double least = HUGE_VAL;
+    for (const Point& plane : c.separations) {
+      double value = plane[6].convert_to<double>() * found.height;
+      double size = std::fabs(value);
+      for (std::size_t j = 0; j < 6; ++j) {
+        const double term =
+            plane[j].convert_to<double>() / (j < 3 ? 1 : model_.length) * found.motion[j];
+        value += term;
+        size += std::fabs(term);
+      }
+      value = std::fabs(value) / size;
+      if (value < least && region.is_cut_by(plane)) {
+        least = value;
+        nearest = &plane;
+      }
+    }
+    if (nearest != nullptr) {
+      trees.push_back(SpatialPlaneSplit{*nearest});
+      return cut(region, *nearest, trees, depth);
+    }
   }
   for (const auto& [slip_gap, contact] : slips) {
     if (!(slip_gap > kNoticeable * energy)) break;

@@ -167,8 +167,11 @@ SpatialWalls::SpatialWalls(const SpaceModel& middle, const NearEquilibrium& equi
   for (Eigen::Index k = 0; k < free; ++k) {
     frame.col(k) = basis[static_cast<std::size_t>(sticking + k)];
   }
-  const Eigen::JacobiSVD<Eigen::MatrixXd> answers(frame.transpose() * stiffness * frame,
-                                                  Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::JacobiSVD<Eigen::MatrixXd> answers;
+  if (free > 0) {
+    answers.compute(frame.transpose() * stiffness * frame,
+                    Eigen::ComputeFullU | Eigen::ComputeFullV);
+  }
   for (Eigen::Index k = 0; k < free; ++k) {
     const double strength = answers.singularValues()[k];
     if (!(strength > 0)) return;

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "space_answer.hpp"
+
+#include <algorithm>
+#include <iostream>
+#include <utility>
+#include <vector>
+
+#include "box_numbers.hpp"
+#include "stickslip/certificate/certificate.hpp"
+#include "stickslip/core/file.hpp"
+#include "terminal.hpp"
+
+namespace stickslip {
+namespace {
+
+constexpr const char* kProducer = "stickslip " STICKSLIP_VERSION ", engine space";
+
+/// One contact of a stable verdict with a witness.
+struct SpatialReport {
+  Rational normal;          ///< a, of a n
+  Rational length_squared;  ///< |n|^2
+  Vector3 friction;
+  Vector3 force;
+  bool closed;
+  bool sticks;
+};
+
+/// The forces that follow from a witness: only what sticks has friction.
+std::vector<SpatialReport> report_contacts(const SpatialGrasp& grasp,
+                                           const SpatialWitness& witness) {
+  std::vector<SpatialReport> reports;
+  for (const SpatialContact& c : grasp.contacts) {
+    const Vector3 p{c.position[0].low, c.position[1].low, c.position[2].low};
+    const Vector3 moment = cross(p, c.normal);
+    Rational rise = 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+      rise += c.normal[j] * witness.twist[j] + moment[j] * witness.twist[j + 3];
+    }
+    SpatialReport report{};
+    report.length_squared = dot(c.normal, c.normal);
+    if (!c.preload.low.is_zero()) {
+      report.normal = c.preload.low / *exact_sqrt(report.length_squared);
+    }
+    report.normal -= c.stiffness.low / report.length_squared * rise;
+    report.closed = report.normal.sign() > 0;
+    if (!report.closed) report.normal = 0;
+    for (std::size_t j = 0; j < 3; ++j) report.force[j] = report.normal * c.normal[j];
+    reports.push_back(std::move(report));
+  }
+  for (const auto& [contact, share] : witness.shares) {
+    SpatialReport& report = reports[contact.index()];
+    const Rational& mu = grasp.contacts[contact.index()].friction.low;
+    report.sticks = true;
+    for (std::size_t j = 0; j < 3; ++j) {
+      report.friction[j] = mu * report.normal * share[j];
+      report.force[j] += report.friction[j];
+    }
+  }
+  return reports;
+}
+
+std::vector<UncertainNumber> uncertain_numbers(const SpatialGrasp& grasp) {
+  std::vector<UncertainNumber> numbers;
+  const auto add = [&](const std::string& place, const Interval& interval) {
+    if (!interval.is_point()) numbers.push_back({place, interval});
+  };
+  for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
+    const SpatialContact& c = grasp.contacts[i];
+    const std::string path = "contacts[" + std::to_string(i) + "].";
+    for (std::size_t j = 0; j < 3; ++j) {
+      add(path + "position[" + std::to_string(j) + "]", c.position[j]);
+    }
+    add(path + "friction", c.friction);
+    add(path + "stiffness", c.stiffness);
+    add(path + "preload", c.preload);
+  }
+  for (std::size_t j = 0; j < 6; ++j) {
+    add("wrench[" + std::to_string(j) + "]", grasp.wrench[j]);
+  }
+  return numbers;
+}
+
+struct SpatialMeaning {
+  bool wide;  ///< some number is an interval
+
+  std::string operator()(const SpatiallyStable& stable) const {
+    if (std::holds_alternative<SpatialWitness>(stable.proof)) {
+      return "These forces balance the load, lie in their friction cones and oppose slip; "
+             "checked exactly.\n";
+    }
+    return (wide ? "Every grasp in the box holds the load. Proved for all of them at once"
+                 : std::string("The grasp holds the load. Proved")) +
+           ": the forces on the walls\nof a box of motions around this one leave no way out "
+           "but "
+           "an equilibrium inside.\n";
+  }
+  std::string operator()(const SpatiallyUnstable& unstable) const {
+    const auto leaves = std::count_if(
+        unstable.tree.begin(), unstable.tree.end(),
+        [](const SpatialNode& node) { return std::holds_alternative<SpatialLeaf>(node); });
+    return std::string(wide ? "No grasp in the box holds the load: no"
+                            : "The grasp does not hold the load: no") +
+           " motion and forces satisfy all conditions.\nProved in " + std::to_string(leaves) +
+           (leaves == 1 ? " case" : " cases, which together cover all motions: in each") +
+           ", along some virtual twist, the\nload does more work than the contacts can take "
+           "up.\n";
+  }
+  std::string operator()(const Undecided& undecided) const {
+    return "Not decided: " + undecided.limit + ". Nothing is known about the verdict" +
+           (wide ? ", which need\nnot be the same for all grasps in the box.\n"
+                 : "; on a threshold\nthere need not be a proof at all.\n");
+  }
+};
+
+}  // namespace
+
+SpaceAnswer answer_in_space(SpatialQuestion question, std::size_t node_limit) {
+  SpatialSearchOptions options;
+  options.node_limit = node_limit;
+  SpatialDecision decision = decide(question, options);
+  return {std::move(question), std::move(decision)};
+}
+
+Json to_json(const SpaceAnswer& answer) {
+  const auto& [question, decision] = answer;
+  Json json;
+  json["verdict"] = name_of(decision.verdict);
+  if (question.is_box) json["box"] = true;
+  json["name"] = question.grasp.name;
+  if (!question.case_name.empty()) json["case"] = question.case_name;
+  if (const auto& units = question.grasp.units) {
+    json["units"] = {{"length", units->length}, {"force", units->force}};
+  }
+  json["engine"] = "space";
+  json["normal_law"] = to_string(question.law);
+  json["wrench"] = Json::array();
+  for (const Interval& w : question.grasp.wrench) json["wrench"].push_back(interval_json(w));
+  if (const auto* stable = std::get_if<SpatiallyStable>(&decision.verdict)) {
+    if (const auto* witness = std::get_if<SpatialWitness>(&stable->proof)) {
+      json["twist"] = number_json(witness->twist);
+      Json& contacts = json["contacts"] = Json::array();
+      for (const SpatialReport& c : report_contacts(question.grasp, *witness)) {
+        contacts.push_back({{"force", number_json(c.force)},
+                            {"friction", number_json(c.friction)},
+                            {"closed", c.closed}});
+      }
+    } else {
+      const auto& proof = std::get<SpatialDegreeProof>(stable->proof);
+      json["near"] = number_json(stable->motion);
+      json["proof"] = {{"nodes", proof.trees.size()}};
+    }
+  } else if (const auto* unstable = std::get_if<SpatiallyUnstable>(&decision.verdict)) {
+    json["refutation"] = {{"nodes", unstable->tree.size()}};
+  } else {
+    json["limit"] = std::get<Undecided>(decision.verdict).limit;
+  }
+  const SpatialWork& work = decision.work;
+  json["stats"] = {{"nodes", work.nodes},
+                   {"leaves", work.leaves},
+                   {"rays", work.rays},
+                   {"most_rays", work.most_rays},
+                   {"ray_bits", work.ray_bits},
+                   {"twist_bits", work.twist_bits},
+                   {"exact_checks", work.exact_checks},
+                   {"proofs", work.proofs}};
+  return json;
+}
+
+std::string load_text(const SpaceAnswer& answer, NumberText& text) {
+  std::string list;
+  for (const Interval& w : answer.question.grasp.wrench) {
+    list += list.empty() ? "(" : ", ";
+    list += w.is_point() ? text(w.low) : "[" + text(w.low) + ", " + text(w.high) + "]";
+  }
+  return list + ")";
+}
+
+void print_text(const SpaceAnswer& answer, const NumberOptions& output,
+                const std::string& /*examples*/) {
+  const auto& [question, decision] = answer;
+  NumberText text(output);
+  const std::string& name = question.grasp.name;
+  const std::string both =
+      name + (name.empty() || question.case_name.empty() ? "" : ", ") + question.case_name;
+  std::cout << both << (both.empty() ? "" : ": ") << name_of(decision.verdict) << "\n\n"
+            << "  load w    " << load_text(answer, text) << '\n';
+  const auto* stable = std::get_if<SpatiallyStable>(&decision.verdict);
+  const auto* witness =
+      stable != nullptr ? std::get_if<SpatialWitness>(&stable->proof) : nullptr;
+  if (stable != nullptr) {
+    std::cout << "  motion d  " << (witness != nullptr ? "" : "near ") << text(stable->motion)
+              << '\n';
+  }
+  std::cout << '\n';
+  if (witness != nullptr) {
+    std::vector<std::vector<std::string>> rows{{"contact", "normal", "friction", "force", ""}};
+    for (const SpatialReport& c : report_contacts(question.grasp, *witness)) {
+      rows.push_back({std::to_string(rows.size() - 1), text.root(c.normal, c.length_squared),
+                      text(c.friction), text(c.force), c.closed ? "closed" : "open"});
+    }
+    std::cout << format_table(rows) << '\n';
+  }
+  const std::vector<UncertainNumber> uncertain = uncertain_numbers(question.grasp);
+  if (!uncertain.empty()) {
+    std::vector<std::vector<std::string>> rows{{"uncertain", "from", "to"}};
+    for (const UncertainNumber& number : uncertain) {
+      rows.push_back({number.label(), text(number.interval.low), text(number.interval.high)});
+    }
+    std::cout << short_table(rows) << '\n';
+  }
+  std::cout << std::visit(SpatialMeaning{!uncertain.empty()}, decision.verdict)
+            << "Load: force x, y, z, torque x, y, z. Motion: x, y, z, rotation x, y, z in "
+               "radians.\n"
+            << text.note() << units_text(question.grasp.units)
+            << engine_text("space", question.law);
+}
+
+void write_examples(const SpaceAnswer& answer, const std::string& /*folder*/) {
+  std::cerr
+      << "stickslip: --examples: nothing is written: two grasps with opposite verdicts are "
+         "sought in the plane only; this is "
+      << name_of(answer.decision.verdict) << "\n";
+}
+
+void write_certificate(const SpaceAnswer& answer, const std::string& file) {
+  if (file.empty() || std::holds_alternative<Undecided>(answer.decision.verdict)) return;
+  write_whole_file(file, spatial_certificate_text(answer.question, answer.decision, kProducer));
+}
+
+}  // namespace stickslip

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// How `decide` answers a question about a grasp in space.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "question_options.hpp"
+#include "stickslip/space/spatial_verdict.hpp"
+
+namespace stickslip {
+
+struct SpaceAnswer {
+  SpatialQuestion question;
+  SpatialDecision decision;
+};
+
+SpaceAnswer answer_in_space(SpatialQuestion question, std::size_t node_limit);
+
+Json to_json(const SpaceAnswer& answer);
+void print_text(const SpaceAnswer& answer, const NumberOptions& output,
+                const std::string& examples);
+
+/// "(1, [2, 3], ...)" of the load w.
+std::string load_text(const SpaceAnswer& answer, NumberText& text);
+
+/// Says on standard error that in space there are none.
+void write_examples(const SpaceAnswer& answer, const std::string& folder);
+
+/// If the verdict has one.
+void write_certificate(const SpaceAnswer& answer, const std::string& file);
+
+}  // namespace stickslip

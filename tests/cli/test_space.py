@@ -1,0 +1,348 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Grasps in space: every verdict through both checkers, thresholds in closed form from both sides,
+invariance, and Newton's method from everywhere where there is to be no equilibrium."""
+
+import json
+import os
+import random
+import unittest
+from fractions import Fraction as F
+
+import numpy as np
+
+from test_cli import (BAD_INPUT, CHECK, CHECK_PY, DONE, STABLE, UNDECIDED, UNSTABLE, Case, read, run,
+                      stickslip)
+
+EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "examples", "grasps")
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+
+
+def contact(position, normal, **laws):
+    return {"position": [str(F(x)) for x in position], "normal": [str(F(x)) for x in normal],
+            **{key: value if isinstance(value, dict) else str(F(value))
+               for key, value in laws.items()}}
+
+
+def grasp(contacts, wrench):
+    return {"format": "stickslip-grasp/2", "contacts": contacts,
+            "wrench": [w if isinstance(w, dict) else str(F(w)) for w in wrench]}
+
+
+def force_at(force, point):
+    return [*force, *cross(point, force)]
+
+
+def about(value, part):
+    """Just below and just above a threshold, which may be irrational."""
+    return [F(value * (1 - part)).limit_denominator(10**6),
+            F(value * (1 + part)).limit_denominator(10**6)]
+
+
+class Space(Case):
+    def decide(self, content, *words):
+        """The answer; its certificate is accepted by both checkers and says the same."""
+        file, proof = self.write("g.json", content), self.path("c.json")
+        if os.path.exists(proof):
+            os.remove(proof)
+        code, out, err = stickslip("decide", file, "--json", "--certificate", proof, *words)
+        self.assertIn(code, (DONE, UNDECIDED), err)
+        answer = json.loads(out)
+        self.assertEqual(answer["engine"], "space")
+        if answer["verdict"] == "undecided":
+            self.assertFalse(os.path.exists(proof))
+            return answer
+        for checker in ([CHECK], ["python3", "-B", CHECK_PY]):
+            code, out, err = run(*checker, file, proof, *words)
+            self.assertEqual(code, 0, out + err)
+            self.assertRegex(out, rf"verdict +{answer['verdict']}\b")
+        return answer
+
+    def verdict(self, *words):
+        return self.decide(*words)["verdict"]
+
+    def assert_threshold(self, grasp_at, value, part=0.001):
+        low, high = about(value, part)
+        self.assertEqual([self.verdict(grasp_at(low)), self.verdict(grasp_at(high))],
+                         ["stable", "unstable"], value)
+
+
+class ClosedForms(Space):
+    def test_a_body_on_a_tilted_table_slides_beyond_the_slope_mu(self):
+        for mu in (F(1, 5), F(1, 2), F(4, 5)):
+            feet = [contact((x, y, -F(1, 2)), (0, 0, 1), friction=mu)
+                    for x, y in ((3, 2), (3, -2), (-3, 0))]
+            self.assert_threshold(
+                lambda slope, feet=feet: grasp(feet, force_at((slope, 0, -1), (0, 0, 0))), mu)
+
+    def test_a_disc_with_four_contacts_turned_on_a_table(self):
+        feet = [contact((x, y, 0), (0, 0, 1), friction="2/5")
+                for x, y in ((1, 0), (0, 1), (-1, 0), (0, -1))]
+        self.assert_threshold(lambda t: grasp(feet, (0, 0, -3, 0, 0, t)), F(6, 5))
+
+    def test_three_contacts_turn_about_the_point_with_the_least_sum_of_distances(self):
+        points = [(2, 0), (-1, 2), (-1, -1)]
+        feet = [contact((*p, 0), (0, 0, 1), friction="1/2", preload=1) for p in points]
+        load = [0, 0, -3, -sum(p[1] for p in points), sum(p[0] for p in points), 0]
+        center = np.zeros(2)
+        for _ in range(1000):  # Weiszfeld
+            far = [np.hypot(*(center - p)) for p in points]
+            center = sum(np.array(p) / d for p, d in zip(points, far)) / sum(1 / d for d in far)
+        least = sum(np.hypot(*(center - p)) for p in points)
+        self.assert_threshold(lambda t: grasp(feet, [*load[:5], t]), float(least) / 2)
+
+    def test_a_pinch_holds_what_its_friction_does(self):
+        hands = [contact((side * 2, 0, 0), (-side, 0, 0), friction="3/10", preload=4)
+                 for side in (-1, 1)]
+        self.assert_threshold(lambda w: grasp(hands, (0, 0, -w, 0, 0, 0)), F(12, 5))
+
+    def test_a_box_wedged_between_walls_is_turned(self):
+        # Friction of four contacts at the distance 5 from the axis.
+        hands = [contact((side * 2, y, z), (-side, 0, 0), friction="1/4", preload=2)
+                 for side, y, z in ((-1, 3, 4), (-1, -3, -4), (1, 3, 4), (1, -3, -4))]
+        self.assert_threshold(lambda t: grasp(hands, (0, 0, 0, t, 0, 0)), 10)
+
+    def test_without_friction_the_normals_alone(self):
+        feet = [contact((x, y, 0), (0, 0, 1), friction=0) for x, y in ((1, 0), (-1, 1), (-1, -1))]
+        self.assertEqual(self.verdict(grasp(feet, force_at((0, 0, -1), (F(99, 100), 0, 5)))), "stable")
+        self.assertEqual(self.verdict(grasp(feet, force_at((0, 0, -1), (F(101, 100), 0, 5)))),
+                         "unstable")
+        self.assertEqual(self.verdict(grasp(feet, (F(1, 100), 0, -1, 0, 0, 0))), "unstable")
+
+
+def unit_normal(rng):
+    a, b = (F(rng.randint(-6, 6), 6) for _ in range(2))
+    s = 1 + a * a + b * b
+    n = [2 * a / s, 2 * b / s, (1 - a * a - b * b) / s]
+    rng.shuffle(n)
+    return [x * rng.choice((-1, 1)) for x in n]
+
+
+def random_grasp(rng, m, scale):
+    contacts = []
+    for _ in range(m):
+        n = unit_normal(rng)
+        p = [-x + F(rng.randint(-2, 2), 8) for x in n]
+        contacts.append({"p": p, "n": n, "friction": F(rng.randint(4, 18), 20),
+                         "stiffness": F(rng.randint(2, 6), 4), "preload": F(rng.randint(0, 8), 4)})
+    return contacts, [scale * F(rng.randint(-8, 8), 8) for _ in range(6)]
+
+
+def written(contacts, wrench):
+    return grasp([contact(c["p"], c["n"], friction=c["friction"], stiffness=c["stiffness"],
+                          preload=c["preload"]) for c in contacts], wrench)
+
+
+def turned(vector, quaternion):
+    """By the rotation of a quaternion of any length."""
+    w, *v = quaternion
+    norm = w * w + sum(x * x for x in v)
+    t = cross(v, vector)
+    return [x + (2 * w * a + 2 * b) / norm for x, a, b in zip(vector, t, cross(v, t))]
+
+
+def equilibria(contacts, wrench, starts, rng):
+    """By a semismooth Newton method, of its own: how many of the starts lead to one."""
+    rows = []
+    for c in contacts:
+        p, n = (np.array([float(x) for x in c[key]]) for key in "pn")
+        velocity = np.hstack([np.eye(3), -np.array([[0, -p[2], p[1]], [p[2], 0, -p[0]],
+                                                    [-p[1], p[0], 0]])])
+        rows.append((np.concatenate([n, np.cross(p, n)]), (np.eye(3) - np.outer(n, n)) @ velocity,
+                     float(c["friction"]), float(c["stiffness"]), float(c["preload"])))
+    w = np.array([float(x) for x in wrench])
+    d = rng.normal(size=(starts, 6)) * rng.choice([0.3, 2, 10], size=(starts, 1))
+
+    def force(d, smooth):
+        total, slope = np.tile(w, (len(d), 1)), np.zeros((len(d), 6, 6)) - 1e-10 * np.eye(6)
+        for normal, slip, mu, k, preload in rows:
+            a = np.maximum(0, preload - k * d @ normal)
+            s = d @ slip.T
+            over = np.maximum(np.linalg.norm(s, axis=1), smooth)
+            unit = s / over[:, None]
+            wrenches = normal - mu * unit @ slip
+            change = np.eye(3) - (over > smooth)[:, None, None] * unit[:, :, None] * unit[:, None, :]
+            total += a[:, None] * wrenches
+            slope -= k * (a > 0)[:, None, None] * wrenches[:, :, None] * normal
+            slope -= (a * mu / over)[:, None, None] * (slip.T @ change @ slip)
+        return total, slope
+
+    for smooth in 8.0 ** -np.arange(-1, 9):
+        for _ in range(12):
+            total, slope = force(d, smooth)
+            move = np.linalg.solve(slope, -total[:, :, None])[:, :, 0]
+            best, least = d, np.linalg.norm(total, axis=1)
+            for part in (1, 0.5, 0.1, 0.01):
+                there = np.linalg.norm(force(d + part * move, smooth)[0], axis=1)
+                better = there < least
+                best = np.where(better[:, None], d + part * move, best)
+                least = np.where(better, there, least)
+            d = best
+    return int(np.sum(np.linalg.norm(force(d, smooth)[0], axis=1) < 1e-6))
+
+
+class Random(Space):
+    def test_where_a_tree_says_unstable_newton_finds_nothing(self):
+        # By hand with 10,000 starts a grasp: nothing in 40 unstable ones.
+        rng = random.Random(5)
+        verdicts = {"stable": 0, "unstable": 0, "undecided": 0}
+        found_in_stable = 0
+        for k in range(12):
+            contacts, wrench = random_grasp(rng, 3 + k % 3, F(1, 2))
+            verdict = self.verdict(written(contacts, wrench))
+            verdicts[verdict] += 1
+            count = equilibria(contacts, wrench, 200, np.random.default_rng(k))
+            if verdict == "unstable":
+                self.assertEqual(count, 0, (contacts, wrench))
+            elif verdict == "stable":
+                found_in_stable += count > 0
+        self.assertGreaterEqual(min(verdicts["stable"], verdicts["unstable"]), 3, verdicts)
+        self.assertLessEqual(verdicts["undecided"], 1, verdicts)
+        self.assertGreater(found_in_stable, 0)  # or it could find none anywhere
+
+    def test_rotations_permutations_units_and_lengths_of_normals_change_nothing(self):
+        rng = random.Random(8)
+        verdicts = set()
+        for k in range(4):
+            contacts, wrench = random_grasp(rng, 4, F(1, 2))
+            verdict = self.verdict(written(contacts, wrench))
+            if verdict == "undecided":
+                continue
+            verdicts.add(verdict)
+            quaternion = [rng.randint(1, 4) for _ in range(4)]
+            others = []
+            for c in rng.sample(contacts, len(contacts)):
+                # Longer normals, a force ten times as large, and millimetres.
+                n = [x * (k + 2) for x in turned(c["n"], quaternion)]
+                others.append({**c, "p": [1000 * x for x in turned(c["p"], quaternion)], "n": n,
+                               "preload": 10 * c["preload"], "stiffness": c["stiffness"] / 100})
+            load = [*(10 * x for x in turned(wrench[:3], quaternion)),
+                    *(10000 * x for x in turned(wrench[3:], quaternion))]
+            self.assertEqual(self.verdict(written(others, load)), verdict)
+        self.assertEqual(verdicts, {"stable", "unstable"})
+
+    def test_what_is_stable_in_the_plane_is_in_space(self):
+        rng = random.Random(2)
+        stable = 0
+        units = [(F(3, 5), F(4, 5)), (F(-3, 5), F(4, 5)), (F(0), F(-1)), (F(1), F(0)),
+                 (F(-4, 5), F(-3, 5)), (F(5, 13), F(-12, 13))]
+        for _ in range(8):
+            chosen = rng.sample(units, 4)
+            rows = [([-n[0] * 2, -n[1] * 2 + F(rng.randint(-4, 4), 4)], n, F(rng.randint(2, 8), 10),
+                     F(rng.randint(0, 4), 2)) for n in chosen]
+            x, y, t = (F(rng.randint(-4, 4), 4) for _ in range(3))
+            flat = {"format": "stickslip-grasp/2", "wrench": [str(x), str(y), str(t)],
+                    "contacts": [contact(p, n, friction=mu, preload=preload)
+                                 for p, n, mu, preload in rows]}
+            if self.json("decide", self.write("flat.json", flat))["verdict"] != "stable":
+                continue
+            stable += 1
+            spatial = grasp([contact((*p, 0), (*n, 0), friction=mu, preload=preload)
+                             for p, n, mu, preload in rows], (x, y, 0, 0, 0, t))
+            self.assertNotEqual(self.verdict(spatial), "unstable", flat)
+        self.assertGreaterEqual(stable, 3)
+
+
+class Boxes(Space):
+    def feet(self, friction):
+        return [contact((x, y, -F(1, 2)), (0, 0, 1), friction=friction)
+                for x, y in ((3, 2), (3, -2), (-3, 0))]
+
+    def test_uncertain_numbers_and_tolerances(self):
+        load = force_at((F(2, 5), 0, -1), (0, 0, 0))
+        between = {"min": "1/2", "max": "3/5"}
+        answer = self.decide(grasp(self.feet(between), load))
+        self.assertEqual((answer["verdict"], answer["box"]), ("stable", True))
+        self.assertEqual(self.verdict(grasp(self.feet({"min": "1/5", "max": "3/10"}), load)), "unstable")
+        words = ("--uncertain", "friction=10%,wrench=1%")
+        self.assertEqual(self.verdict(grasp(self.feet("3/5"), load), *words), "stable")
+        self.assertEqual(self.verdict(grasp(self.feet("1/4"), load), *words), "unstable")
+        self.assertEqual(self.verdict(grasp(self.feet("2/5"), load), *words), "undecided")
+
+    def test_uncertain_positions_of_what_must_slide(self):
+        feet = self.feet("1/5")
+        for foot in feet:
+            x = F(foot["position"][0])
+            foot["position"][0] = {"min": str(x - F(1, 10)), "max": str(x + F(1, 10))}
+        self.assertEqual(self.verdict(grasp(feet, force_at((1, 0, -1), (0, 0, 0)))), "unstable")
+
+    def test_normals_of_irrational_length_with_preload(self):
+        # Four contacts of 4 N on two faces whose normals have the length sqrt 3.
+        hands = [contact((side * 2 + t, side * 2 - t, side * 2), (-side, -side, -side),
+                         friction="3/10", preload=4) for side in (-1, 1) for t in (-1, 1)]
+        for w, verdict in ((F(19, 10), "stable"), (2, "unstable")):  # sqrt 6 w is 24/5 between
+            answer = self.decide(grasp(hands, (w, w, -2 * w, 0, 0, 0)))
+            self.assertEqual(answer["verdict"], verdict)
+            self.assertTrue(answer["box"])
+
+
+class Files(Space):
+    def test_examples_say_what_they_do(self):
+        for name, verdicts in (("cup", ["stable"]), ("corner", ["stable"]),
+                               ("book", ["stable", "stable", "unstable", "unstable"])):
+            content = json.loads(read(os.path.join(EXAMPLES, f"space-{name}.json")))
+            cases = [("--case", case["name"]) for case in content.get("cases", [])] or [()]
+            self.assertEqual([self.verdict(content, *words) for words in cases], verdicts, name)
+
+    def test_loads_and_cases(self):
+        content = grasp([contact((0, 0, 0), (0, 0, 1), friction=1)], [0] * 6)
+        del content["wrench"]
+        content["loads"] = [{"weight": 3, "at": [1, 2, 0]}, {"torque": [1, 0, "-1/2"]},
+                            {"force": [1, 0, 0], "at": [0, 0, 2]},
+                            {"weight": 3, "at": [0, 0, 0], "direction": [1, 2, 2]}]
+        self.assertEqual(self.decide(content)["wrench"], ["2", "2", "-1", "-5", "5", "-1/2"])
+        content["cases"] = [{"name": "more", "loads": [{"weight": 1, "at": [0, 0, 0]}]}]
+        self.assertEqual(self.decide(content, "--case", "more")["wrench"][2], "-2")
+        both = self.json("decide", self.write("g.json", content))
+        self.assertEqual([case["case"] for case in both["cases"]], ["more"])
+
+    def test_errors_name_the_contact(self):
+        feet = [contact((0, 0, 0), (0, 0, 1), friction=1) for _ in range(3)]
+        load = [0, 0, -1, 0, 0, 0]
+
+        def changed(change, wrench=None):
+            content = grasp(json.loads(json.dumps(feet)), wrench or load)
+            change(content)
+            return self.write("g.json", content)
+
+        def set_in(index, key, value):
+            return lambda content: content["contacts"][index].__setitem__(key, value)
+
+        for change, naming in (
+                (set_in(2, "position", [0, 0]), ["contacts[2].position", "three numbers"]),
+                (set_in(0, "position", [0, 0]), ["contacts[0].normal"]),
+                (set_in(1, "normal", [0, 1]), ["contacts[1].normal", "three numbers"]),
+                (set_in(1, "normal", [0, 0, 0]), ["contacts[1].normal", "(0, 0, 0)"]),
+                (set_in(1, "friction", -1), ["contacts[1].friction"]),
+                (set_in(1, "on", [0, 0]), ["contacts[1].on", "in space"]),
+                (lambda c: c.update(outline=[[0, 0], [1, 0], [0, 1]]), ["outline", "in space"]),
+                (lambda c: c.update(format="stickslip-grasp/1"), ["contacts[0].position"]),
+                (lambda c: c.update(wrench=[0, 0, 0]), ["wrench", "six numbers"])):
+            self.fails("decide", changed(change), naming=naming)
+        good = changed(lambda content: None)
+        self.fails("decide", good, "--wrench", "0,0,0", naming=["--wrench", "in space"])
+        self.fails("decide", good, "--engine", "cone", naming=["--engine", "in space"])
+        self.fails("decide", good, "--uncertain", "normal=1/100", naming=["--uncertain", "in space"])
+        self.fails("decide", good, "--case", "x", naming=["--case", "no case"])
+        for command in ("states", "margin --direction 0,0,1", "region", "compare", "radius --uncertain friction=1%"):
+            self.fails(*command.split(), good, naming=["contacts[0].position", "in space"])
+
+    def test_answers_in_words_and_by_exit_code(self):
+        file = self.write("g.json", grasp(
+            [contact((side * 2, 0, 0), (-side, 0, 0), friction="1/2", preload=4) for side in (-1, 1)],
+            [0, 0, -1, 0, 0, 0]))
+        code, out, err = stickslip("decide", file, "--exit-code")
+        self.assertEqual((code, err), (STABLE, ""))
+        self.assertRegex(out, r"^stable\n\n  load w    \(0, 0, -1, 0, 0, 0\)\n  motion d  \(0")
+        self.assertIn("in their friction cones", out)
+        code, out, _ = stickslip("decide", file, "--exit-code", "--wrench", "0,0,-5,0,0,0")
+        self.assertEqual(code, UNSTABLE)
+        self.assertRegex(out, r"Proved in \d+ cases?")
+        code, out, _ = stickslip("decide", file, "--exit-code", "--node-limit", "1", "--wrench", "1,2,-3,1,2,1")
+        self.assertIn(code, (UNDECIDED, UNSTABLE))
+
+
+if __name__ == "__main__":
+    unittest.main()

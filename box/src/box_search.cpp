@@ -17,36 +17,9 @@ double norm(const Double3& a) {
   return std::sqrt(dot(a, a));
 }
 
-/// The entries as doubles, over the largest: they may be beyond the range of doubles.
-template <std::size_t n>
-std::array<double, n> shortened(const IntegerVector5& x) {
-  std::size_t bits = 0;
-  for (std::size_t j = 0; j < n; ++j) {
-    if (!x[j].is_zero()) bits = std::max<std::size_t>(bits, msb(abs(x[j])) + 1);
-  }
-  const std::size_t shift = bits > 900 ? bits - 900 : 0;
-  std::array<double, n> result{};
-  for (std::size_t j = 0; j < n; ++j) {
-    result[j] = Integer(x[j] >> shift).convert_to<double>();
-  }
-  return result;
-}
-
-/// The integer vector nearest to a multiple of `a` of this many bits.
-template <std::size_t n>
-IntegerVector<n> rounded(const std::array<double, n>& a, int bits) {
-  double largest = 0;
-  bool finite = true;
-  for (const double entry : a) {
-    largest = std::max(largest, std::fabs(entry));
-    finite = finite && std::isfinite(entry);
-  }
-  IntegerVector<n> result{};
-  if (!finite || !(largest > 0)) return result;
-  for (std::size_t j = 0; j < n; ++j) {
-    result[j] = std::llround(std::ldexp(a[j] / largest, bits));
-  }
-  return primitive(std::move(result));
+/// (d, h), in doubles.
+Double4 shortened(const IntegerVector5& x) {
+  return in_doubles(IntegerVector<4>{x[0], x[1], x[2], x[3]});
 }
 
 }  // namespace
@@ -114,7 +87,7 @@ BoxSearch::Wolfe::Wolfe(const BoxModel& model, const BoxRegion& region,
     corners += model.contacts[i].rounded.normals.size();
   }
   for (const IntegerVector5& exact : region.points()) {
-    Point point{shortened<4>(exact), {}, 0, {}};
+    Point point{shortened(exact), {}, 0, {}};
     for (std::size_t j = 0; j < 4; ++j) {
       constexpr std::size_t kMostBits = 200;
       is_moderate_ = is_moderate_ && (exact[j].is_zero() || msb(abs(exact[j])) < kMostBits);
@@ -383,7 +356,7 @@ std::optional<IntegerVector3> BoxSearch::confirm(const BoxRegion& region,
   const Double3 twist{y[0], y[1], y[2] / model_.length};
   IntegerVector3 before{};
   for (const int bits : {3, 6, 10, 16, 24, 36, 50}) {
-    const IntegerVector3 candidate = rounded<3>(twist, bits);
+    const IntegerVector3 candidate = in_bits(twist, bits);
     if (candidate == before || is_zero(candidate)) continue;
     before = candidate;
     const std::optional<bool> certain = found.certainly_refuted(candidate);
@@ -406,7 +379,7 @@ std::optional<BoxSearch::Split> BoxSearch::split(const BoxRegion& region,
   std::size_t separation = model_.contacts.size();
   std::size_t slip = model_.contacts.size();
   const auto value = [&](const IntegerVector5& plane) {
-    Double4 p = shortened<4>(plane);
+    Double4 p = shortened(plane);
     p[2] /= model_.length;
     return dot(p, x) / std::sqrt(dot(p, p));  // 0 where nothing moves
   };
@@ -521,7 +494,7 @@ std::optional<BoxSearch::Split> BoxSearch::split(const BoxRegion& region,
   const double along = dot(across, x) / size;
   for (std::size_t j = 0; j < 4; ++j) across[j] -= along * x[j];
   across[2] *= model_.length;
-  const IntegerVector<4> plane4 = rounded<4>(across, 12);
+  const IntegerVector<4> plane4 = in_bits(across, 12);
   const IntegerVector5 plane{plane4[0], plane4[1], plane4[2], plane4[3], 0};
   const BoxRegion::Signs signs = region.signs(plane);
   if (!signs.positive || !signs.negative) return std::nullopt;

@@ -18,15 +18,6 @@ Vector as_vector(const std::array<double, 3>& a) {
   return {a[0], a[1], a[2]};
 }
 
-/// A number of few bits near x.
-Rational short_number(double x, int bits) {
-  if (x == 0 || !std::isfinite(x)) return 0;
-  int exponent = 0;
-  const double mantissa = std::frexp(x, &exponent);
-  return rational_from_double(
-      std::ldexp(std::round(std::ldexp(mantissa, bits)), exponent - bits));
-}
-
 /// d rounded to a small part of the parallelepiped.
 Twist rounded_motion(const Vector3& exact, const Matrix3& walls) {
   Vector3 result;
@@ -329,9 +320,9 @@ DegreeProof Walls::proof() const {
       const double column = k == 2 ? length_ : 1;
       const auto row = static_cast<std::size_t>(j);
       const auto entry = static_cast<std::size_t>(k);
-      result.walls[row][entry] = short_number(walls(j, k) * column, kBits);
+      result.walls[row][entry] = rational_in_bits(walls(j, k) * column, kBits);
       result.direction[row][entry] =
-          short_number(pull(j, k) * column * (j == 2 ? length_ : 1), kBits);
+          rational_in_bits(pull(j, k) * column * (j == 2 ? length_ : 1), kBits);
     }
   }
   const Vector centre = motion_ + shift;

@@ -159,6 +159,14 @@ Rational rational_from_double(double value) {
   return result;
 }
 
+Rational rational_in_bits(double value, int bits) {
+  if (value == 0 || !std::isfinite(value)) return 0;
+  int exponent = 0;
+  const double mantissa = std::frexp(value, &exponent);
+  return rational_from_double(
+      std::ldexp(std::round(std::ldexp(mantissa, bits)), exponent - bits));
+}
+
 double to_double(const Rational& value) {
   using Double = std::numeric_limits<double>;
   mpfr_t rounded;

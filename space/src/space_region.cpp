@@ -8,28 +8,8 @@
 namespace stickslip::space_detail {
 namespace {
 
-/// The sign of plane.x: by doubles where these are certain.
-int sign_at(const Point& plane, const Point& x) {
-  return dot(plane, x).sign();
-}
-
-/// The entries over a power of two, so that they are moderate in doubles.
-std::array<double, 8> shortened(const Point& x) {
-  std::size_t bits = 0;
-  for (const Integer& entry : x) {
-    if (!entry.is_zero()) bits = std::max<std::size_t>(bits, msb(abs(entry)) + 1);
-  }
-  const std::size_t shift = bits > 900 ? bits - 900 : 0;
-  std::array<double, 8> result{};
-  for (std::size_t j = 0; j < 8; ++j) {
-    result[j] =
-        shift == 0 ? x[j].convert_to<double>() : Integer(x[j] >> shift).convert_to<double>();
-  }
-  return result;
-}
-
 Generator generator_of(const Point& exact, double length) {
-  const std::array<double, 8> x = shortened(exact);
+  const std::array<double, 8> x = in_doubles(exact);
   Generator result{exact, {}, x[6]};
   double size = x[6] * x[6];
   for (std::size_t j = 0; j < 6; ++j) {
@@ -168,7 +148,7 @@ bool SpaceRegion::is_cut_by(const Point& plane) const {
   bool positive = false;
   bool negative = false;
   for (const Generator& g : generators_) {
-    const int sign = sign_at(plane, g.exact);
+    const int sign = dot(plane, g.exact).sign();
     positive = positive || sign > 0;
     negative = negative || sign < 0;
     if (positive && negative) return true;
@@ -270,7 +250,7 @@ void SpaceRegion::find_separation(const SpaceModel& model, std::size_t contact) 
           const Point& exact = c.separations[plane++];
           take(c.preloads[p] * at.height - c.stiffnesses[k] * rise,
                c.preloads[p] * at.height + c.stiffnesses[k] * size,
-               [&] { return sign_at(exact, at.exact); });
+               [&] { return dot(exact, at.exact).sign(); });
         }
       }
     }
@@ -409,7 +389,7 @@ bool SpaceRegion::is_refuted(const SpaceModel& model, const IntegerVector<6>& y,
   if (direction != nullptr) {
     const Point form = direction->form(y);
     for (const Generator& g : generators_) {
-      if (sign_at(form, g.exact) < 0) return false;
+      if (dot(form, g.exact).sign() < 0) return false;
     }
   }
   // g(r) = linear.r + sum of kinks, all times a common factor.

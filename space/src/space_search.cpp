@@ -15,23 +15,6 @@ double norm(const Double3& a) {
   return std::sqrt(dot(a, a));
 }
 
-/// The integer vector nearest to a multiple of `a` of this many bits; 0 if there is none.
-template <std::size_t n>
-IntegerVector<n> in_bits(const std::array<double, n>& a, int bits) {
-  double largest = 0;
-  bool finite = true;
-  for (const double entry : a) {
-    largest = std::max(largest, std::fabs(entry));
-    finite = finite && std::isfinite(entry);
-  }
-  IntegerVector<n> result{};
-  if (!finite || !(largest > 0)) return result;
-  for (std::size_t j = 0; j < n; ++j) {
-    result[j] = std::llround(std::ldexp(a[j] / largest, bits));
-  }
-  return primitive(std::move(result));
-}
-
 /// What a contact can do on a virtual twist, per unit of normal coefficient.
 struct Action {
   double alpha = 0;    ///< the most work
@@ -510,6 +493,13 @@ bool SpaceSearch::visit(const SpaceRegion& region, SpatialTrees& trees, std::siz
   ++work_.nodes;
   work_.rays += region.generators().size();
   work_.most_rays = std::max(work_.most_rays, region.generators().size());
+  for (const Generator& g : region.generators()) {
+    for (const Integer& entry : g.exact) {
+      if (!entry.is_zero()) {
+        work_.ray_bits = std::max<std::size_t>(work_.ray_bits, msb(abs(entry)) + 1);
+      }
+    }
+  }
   if (region.is_barred()) {
     trees.push_back(SpatialLeaf{});
     return true;

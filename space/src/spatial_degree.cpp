@@ -17,15 +17,6 @@ EigenVector6 as_vector(const Double6& a) {
   return EigenVector6(a.data());
 }
 
-/// A number of few bits near x.
-Rational of_few_bits(double x, int bits) {
-  if (x == 0 || !std::isfinite(x)) return 0;
-  int exponent = 0;
-  const double mantissa = std::frexp(x, &exponent);
-  return rational_from_double(
-      std::ldexp(std::round(std::ldexp(mantissa, bits)), exponent - bits));
-}
-
 Rational determinant(Matrix6 m) {
   Rational product = 1;
   for (std::size_t k = 0; k < 6; ++k) {
@@ -201,9 +192,9 @@ SpatialDegreeProof SpatialWalls::proof() const {
       const double column = k < 3 ? 1 : model_.length;
       const auto row = static_cast<std::size_t>(j);
       const auto entry = static_cast<std::size_t>(k);
-      result.walls[row][entry] = of_few_bits(rows_(j, k) * column, kBits);
+      result.walls[row][entry] = rational_in_bits(rows_(j, k) * column, kBits);
       result.direction[row][entry] =
-          of_few_bits(pull(j, k) / largest * column * (j < 3 ? 1 : model_.length), kBits);
+          rational_in_bits(pull(j, k) / largest * column * (j < 3 ? 1 : model_.length), kBits);
     }
     const double scale = j < 3 ? 1 : model_.length;
     const double grain = std::ldexp(1.0, std::ilogb(finest / scale) - 10);

@@ -3,7 +3,9 @@
 /// Vectors of integers: directions and planes, where only the ratios matter.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -70,6 +72,41 @@ IntegerVector<n> primitive_multiple(const std::array<Rational, n>& a) {
     scaled[j] = numerator(a[j]) * (common / denominator(a[j]));
   }
   return primitive(std::move(scaled));
+}
+
+/// The primitive integer vector nearest to a multiple of `a` with entries of this many bits; 0
+/// for 0 and for what is not finite.
+template <std::size_t n>
+IntegerVector<n> in_bits(const std::array<double, n>& a, int bits) {
+  double largest = 0;
+  bool finite = true;
+  for (const double entry : a) {
+    largest = std::max(largest, std::fabs(entry));
+    finite = finite && std::isfinite(entry);
+  }
+  IntegerVector<n> result{};
+  if (!finite || !(largest > 0)) return result;
+  for (std::size_t j = 0; j < n; ++j) {
+    result[j] = std::llround(std::ldexp(a[j] / largest, bits));
+  }
+  return primitive(std::move(result));
+}
+
+/// The entries as doubles, over a power of two where they are beyond the range of doubles.
+template <std::size_t n>
+std::array<double, n> in_doubles(const IntegerVector<n>& a) {
+  std::size_t bits = 0;
+  for (const Integer& entry : a) {
+    if (!entry.is_zero()) bits = std::max<std::size_t>(bits, msb(abs(entry)) + 1);
+  }
+  constexpr std::size_t kMostBits = 900;
+  const std::size_t shift = bits > kMostBits ? bits - kMostBits : 0;
+  std::array<double, n> result{};
+  for (std::size_t j = 0; j < n; ++j) {
+    result[j] = shift == 0 ? a[j].template convert_to<double>()
+                           : Integer(a[j] >> shift).template convert_to<double>();
+  }
+  return result;
 }
 
 }  // namespace stickslip

@@ -46,6 +46,10 @@ std::string to_string(const Rational& value);
 /// The dyadic rational that a finite double is. Throws NumberError for NaN and infinities.
 Rational rational_from_double(double value);
 
+/// A number near `value` with a numerator of at most this many bits over or times a power of
+/// two; 0 for NaN and infinities.
+Rational rational_in_bits(double value, int bits);
+
 /// The double nearest to `value`, ties to even; ±infinity or 0 beyond the range. For display
 /// and for proposals that exact arithmetic then judges.
 double to_double(const Rational& value);
@@ -53,8 +57,8 @@ double to_double(const Rational& value);
 /// sqrt(value) if it is rational, nothing otherwise. Requires value >= 0.
 std::optional<Rational> exact_sqrt(const Rational& value);
 
-/// \{ sqrt(square), both times, if it is rational; else the greatest j / 2^s <= sqrt(square) with
-/// integers s and 2^(bits - 1) <= j < 2^bits, and (j + 1) / 2^s. Requires square >= 0.
+/// \{ sqrt(square), both times, if it is rational; else the greatest j / 2^s <= sqrt(square)
+/// with integers s and 2^(bits - 1) <= j < 2^bits, and (j + 1) / 2^s. Requires square >= 0.
 struct ShortRoot {
   Rational lower;  ///< <= sqrt(square)
   Rational upper;  ///< >= sqrt(square)

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Verdicts in space on random grasps, with the load just before and just beyond a threshold:
+// the time to decide and to write the certificate, and the work. A threshold is where the
+// answer stops being stable as the load grows, by bisection.
+//
+//     space_bench [--contacts M, default 4] [--on sphere|box] [--grasps N, default 6]
+//                 [--gap PART, default 0.01] [--digits D] [--seed S] [--node-limit N]
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "random_source.hpp"
+#include "statistics.hpp"
+#include "stickslip/certificate/certificate.hpp"
+#include "stickslip/space/spatial_verdict.hpp"
+
+namespace stickslip::bench {
+namespace {
+
+struct SpaceBenchOptions {
+  int contacts = 4;
+  std::string on = "sphere";
+  std::size_t grasps = 6;
+  double gap = 0.01;
+  int digits = 0;
+  std::uint64_t seed = 1;
+  std::size_t node_limit = 0;
+};
+
+/// A rational point of the unit sphere.
+Vector3 unit_vector(RandomSource& random) {
+  const Rational a(random.between(-8, 8), 8);
+  const Rational b(random.between(-8, 8), 8);
+  const Rational s = 1 + a * a + b * b;
+  Vector3 n{2 * a / s, 2 * b / s, (1 - a * a - b * b) / s};
+  if (random.one_in(2)) n[2] = -n[2];
+  std::swap(n[0], n[static_cast<std::size_t>(random.between(0, 2))]);
+  return n;
+}
+
+/// Contacts on the unit sphere, or on the faces of the cube around it, and the load's
+/// direction.
+std::pair<SpatialGrasp, Vector6> random_grasp(const SpaceBenchOptions& options,
+                                              RandomSource& random) {
+  const auto ragged = [&](Rational value) {  // to so many digits
+    if (options.digits > 0) {
+      int most = 1;
+      for (int k = 0; k < options.digits; ++k) most *= 10;
+      value += Rational(random.between(-most / 100, most / 100), most);
+    }
+    return value;
+  };
+  SpatialGrasp grasp;
+  for (int i = 0; i < options.contacts; ++i) {
+    Vector3 normal{};
+    Vector3 position{};
+    if (options.on == "sphere") {
+      normal = unit_vector(random);
+      for (std::size_t j = 0; j < 3; ++j) position[j] = ragged(-normal[j]);
+    } else {
+      const auto axis = static_cast<std::size_t>(random.between(0, 2));
+      const int side = random.one_in(2) ? 1 : -1;
+      for (Rational& x : position) x = ragged(Rational(random.between(-8, 8), 8));
+      position[axis] = side;
+      normal[axis] = -side;
+    }
+    SpatialContact contact{{}, normal, point_interval(Rational(random.between(4, 18), 20))};
+    for (std::size_t j = 0; j < 3; ++j) contact.position[j] = point_interval(position[j]);
+    contact.friction = point_interval(ragged(contact.friction.low));
+    contact.preload = point_interval(Rational(random.between(0, 8), 4));
+    grasp.contacts.push_back(std::move(contact));
+  }
+  Vector6 direction;
+  for (Rational& u : direction) u = ragged(Rational(random.between(-8, 8), 8));
+  return {std::move(grasp), direction};
+}
+
+class Measurement {
+ public:
+  Measurement(const SpaceBenchOptions& options, SpatialGrasp grasp, Vector6 direction)
+      : options_(options), grasp_(std::move(grasp)), direction_(std::move(direction)) {}
+
+  SpatialDecision decide_at(double multiple) {
+    constexpr double kSteps = 1e6;
+    const Rational l(std::llround(multiple * kSteps), std::llround(kSteps));
+    for (std::size_t j = 0; j < 6; ++j) {
+      grasp_.wrench[j] = point_interval(Rational(l * direction_[j]));
+    }
+    question_ = ask(grasp_, {});
+    return decide(question_, {options_.node_limit});
+  }
+  bool is_stable(double multiple) {
+    return std::holds_alternative<SpatiallyStable>(decide_at(multiple).verdict);
+  }
+  /// Below and above; nothing if there is none between 0.01 and 20.
+  std::optional<std::pair<double, double>> threshold() {
+    constexpr double kLeast = 0.01;
+    constexpr double kMost = 20;
+    if (!is_stable(kLeast)) return std::nullopt;
+    double high = 2 * kLeast;
+    while (high < kMost && is_stable(high)) high *= 2;
+    if (high >= kMost) return std::nullopt;
+    double low = high / 2;
+    while (high - low > options_.gap / 20 * high) {
+      const double middle = (low + high) / 2;
+      (is_stable(middle) ? low : high) = middle;
+    }
+    return std::pair(low, high);
+  }
+  const SpatialQuestion& question() const { return question_; }
+
+ private:
+  const SpaceBenchOptions& options_;
+  SpatialGrasp grasp_;
+  Vector6 direction_;
+  SpatialQuestion question_;
+};
+
+int run(const SpaceBenchOptions& options) {
+  RandomSource random(options.seed);
+  std::vector<double> seconds;
+  std::vector<double> bytes;
+  std::vector<double> nodes;
+  std::size_t undecided = 0;
+  std::size_t wrong_side = 0;
+  SpatialWork total;
+  for (std::size_t count = 0; count < options.grasps;) {
+    auto [grasp, direction] = random_grasp(options, random);
+    Measurement measurement(options, std::move(grasp), direction);
+    const auto threshold = measurement.threshold();
+    if (!threshold) continue;
+    ++count;
+    for (const bool beyond : {false, true}) {
+      const double at =
+          beyond ? threshold->second * (1 + options.gap) : threshold->first * (1 - options.gap);
+      const auto start = std::chrono::steady_clock::now();
+      const SpatialDecision decision = measurement.decide_at(at);
+      std::size_t size = 0;
+      if (std::holds_alternative<Undecided>(decision.verdict)) {
+        ++undecided;
+      } else {
+        size = spatial_certificate_text(measurement.question(), decision, "bench").size();
+      }
+      const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
+      seconds.push_back(time.count());
+      bytes.push_back(static_cast<double>(size));
+      nodes.push_back(static_cast<double>(decision.work.nodes));
+      total += decision.work;
+      // Verdicts are not monotone: this is possible, and rare.
+      if (std::holds_alternative<SpatiallyStable>(decision.verdict) == beyond) ++wrong_side;
+      std::printf("  load %.6f %s %.3f s nodes %zu rays %zu checks %zu proofs %zu bytes %zu\n",
+                  at, name_of(decision.verdict), time.count(), decision.work.nodes,
+                  decision.work.rays, decision.work.exact_checks, decision.work.proofs, size);
+      std::fflush(stdout);
+    }
+  }
+  std::puts(
+      "\n| m | on | gap | verdicts | undecided | not as before and beyond | s, median | "
+      "slowest "
+      "| nodes, median | most | bytes, median | most | rays a region | most | bits of rays |");
+  std::puts("|--:|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|");
+  const auto most = [](const std::vector<double>& values) {
+    return *std::max_element(values.begin(), values.end());
+  };
+  std::printf(
+      "| %d | %s | %g %% | %zu | %zu | %zu | %.3f | %.3f | %.0f | %.0f | %.0f | %.0f | %.1f | "
+      "%zu "
+      "| %zu |\n",
+      options.contacts, options.on.c_str(), 100 * options.gap, seconds.size(), undecided,
+      wrong_side, median(seconds), most(seconds), median(nodes), most(nodes), median(bytes),
+      most(bytes),
+      static_cast<double>(total.rays) /
+          static_cast<double>(std::max<std::size_t>(total.nodes, 1)),
+      total.most_rays, total.ray_bits);
+  return 0;
+}
+
+}  // namespace
+}  // namespace stickslip::bench
+
+int main(int argc, char** argv) {
+  CLI::App app{"Verdicts in space near thresholds"};
+  stickslip::bench::SpaceBenchOptions options;
+  app.add_option("--contacts", options.contacts)->capture_default_str();
+  app.add_option("--on", options.on)
+      ->check(CLI::IsMember({"sphere", "box"}))
+      ->capture_default_str();
+  app.add_option("--grasps", options.grasps)->capture_default_str();
+  app.add_option("--gap", options.gap, "from the threshold, relative")->capture_default_str();
+  app.add_option("--digits", options.digits,
+                 "of positions, friction and load beyond small fractions")
+      ->check(CLI::Range(0, 9))
+      ->capture_default_str();
+  app.add_option("--seed", options.seed)->capture_default_str();
+  app.add_option("--node-limit", options.node_limit)->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  return stickslip::bench::run(options);
+}

@@ -57,7 +57,7 @@ class GraspReader {
 
   Grasp read() {
     Names seen;
-    std::map<std::string, Value> members;  // all but the contacts, which say the dimension
+    std::map<std::string, Value> members;  // what the contacts decide how to read
     while (const std::optional<std::string> key = json_.next_member()) {
       allow(*key,
             {"format", "name", "units", "outline", "defaults", "contacts", "wrench", "loads",
@@ -66,12 +66,14 @@ class GraspReader {
       seen.push_back(*key);
       if (*key == "contacts") {
         while (json_.next_element()) read_contact(json_.value());
+      } else if (*key == "format") {
+        read_member(*key, json_.value());
       } else {
         members.emplace(*key, json_.value());
       }
     }
     const auto load = members.find("wrench");
-    if (own_.empty() && load != members.end() && load->second.is_array(kSpatial)) {
+    if (version2_ && own_.empty() && load != members.end() && load->second.is_array(kSpatial)) {
       put_in_space(load->second, "wrench");
     }
     grasp_.wrench = Wrench(dimension_);
@@ -307,7 +309,9 @@ class GraspReader {
                   {"position", "normal", "on", "friction", "stiffness", "preload"});
     Contact contact;
     const Value* first = own_.empty() ? value.find("position") : nullptr;
-    if (first != nullptr && first->is_array(3)) put_in_space(*first, place + ".position");
+    if (version2_ && first != nullptr && first->is_array(3)) {
+      put_in_space(*first, place + ".position");
+    }
     if (const Value* on = value.find("on")) {
       json_.expect(dimension_ == kPlanar, *on, place + ".on",
                    "a position and a normal, as the grasp is in space");
@@ -469,7 +473,7 @@ class GraspReader {
   JsonReader json_;
   Grasp grasp_;
   std::size_t dimension_ = kPlanar;
-  bool version2_ = false;
+  bool version2_ = true;                                      ///< until the file says
   std::optional<std::pair<std::size_t, std::string>> newer_;  ///< line and place, the first
   std::vector<std::vector<Edge>> outline_;                    ///< by polygon
   std::map<std::size_t, Place> places_;                       ///< by contact

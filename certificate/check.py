@@ -1885,18 +1885,19 @@ USAGE = """check.py GRASP CERTIFICATE [options]
 
 Checks a stickslip certificate, as FORMAT.md says. GRASP is the grasp file, CERTIFICATE the proof;
 one of them may be - for standard input. Give the same options as to the program that made it:
-  --wrench WX,WY,T         replaces the file's
+  --wrench WX,WY,T         replaces the file's; in space WX,WY,WZ,TX,TY,TZ
   --case NAME              the wrench of this case of the grasp file
   --preload P              one preload for all contacts
   --normal-law LAW         unilateral (the default) or bilateral
   --direction WX,WY,T      ask for the margin: all factors f >= 0 for which the grasp is stable under
-                           wrench + f direction, with wrench 0 unless given by --wrench or --case
+                           wrench + f direction, with wrench 0 unless given by --wrench or --case;
+                           in the plane only, as is the next
   --preload-direction D    ask for the margin along preloads: P0,P1,..., of which f times is added to
                            the preloads; or scale: f times the preloads
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be off,
                            such as friction=10%,stiffness=10%,preload=5%,position=0.001,
                            normal=0.0175,wrench=2%; any of them, absolute or in percent, for
-                           normals the slope by which they may be turned
+                           normals (in the plane) the slope by which they may be turned
   --json                   answer as one JSON object
   -h, --help               this text, if it comes before GRASP
   --                       no options follow

@@ -92,17 +92,20 @@ void add_planar(const Functions& at, const Bounds& friction, Row& row) {
     t.resize(kPlanar + 2);
     add_new(row.tau, t);
   }
+  // If all is certain there are two edges.
+  const std::size_t step = row.certain ? 3 : 1;
+  const Rational ends[]{Rational(-friction.high), Rational(-friction.low), friction.low,
+                        friction.high};
   std::vector<Vector> edges;
-  for (const Rational& s :
-       {Rational(-friction.high), Rational(-friction.low), friction.low, friction.high}) {
+  for (std::size_t s = 0; s < 4; s += step) {
     for (std::size_t k = 0; k < at.normals.size(); ++k) {
       edges.push_back(at.normals[k]);
-      for (std::size_t j = 0; j < kPlanar; ++j) edges.back()[j] += s * at.slips[k][j];
+      for (std::size_t j = 0; j < kPlanar; ++j) edges.back()[j] += ends[s] * at.slips[k][j];
     }
   }
   const std::vector<Form> forms = make_forms(edges, &edge_scale);
   for (std::size_t k = 0; k < forms.size(); ++k) {
-    row.edges[k / at.normals.size()].push_back(forms[k]);
+    row.edges[step * (k / at.normals.size())].push_back(forms[k]);
   }
   row.weight *= edge_scale;
 }

@@ -82,7 +82,8 @@ struct Row {
 
   // In the plane:
   std::vector<Form> tau;  ///< at all corners, up to positive factors: one form if certain
-  /// N + s T at each corner, for s = -mu_max, -mu_min, mu_min, mu_max.
+  /// N + s T at each corner, for s = -mu_max, -mu_min, mu_min, mu_max; if all is certain, for
+  /// the first and the last.
   std::vector<Form> edges[4];
 
   /// In the plane, v_i(x) (N + s T) is the product of what stands for them here by this; in

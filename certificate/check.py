@@ -25,7 +25,7 @@ from typing import Any, Callable, Dict, List, NamedTuple, NoReturn, Optional, Se
 Vector = Tuple[Fraction, ...]
 Integers = Tuple[int, ...]
 
-D = 3  # §1: of motions and wrenches
+PLANE, SPACE = 3, 6  # §1, §7: D, the dimension of motions and wrenches
 
 
 class Malformed(Exception):
@@ -59,6 +59,18 @@ def printable(text: str) -> str:
     """§8: every byte that is not printable ASCII as \\xNN."""
     return "".join(chr(byte) if 32 <= byte < 127 else f"\\x{byte:02x}"
                    for byte in text.encode("utf-8", "surrogateescape"))
+
+
+def coordinates(dimension: int) -> int:
+    """Of positions, normals and points."""
+    return 2 if dimension == PLANE else 3
+
+
+def at(point: Sequence[Fraction], force: Sequence[Fraction]) -> Vector:
+    """The wrench of a force at a point."""
+    if len(point) == 2:
+        return (*force, point[0] * force[1] - point[1] * force[0])
+    return (*force, *(point[j - 2] * force[j - 1] - point[j - 1] * force[j - 2] for j in range(3)))
 
 
 def dot(a: Sequence[Any], b: Sequence[Any]) -> Any:
@@ -153,6 +165,7 @@ class Source:
     def __init__(self, name: str, kind: FileKind) -> None:
         self.name, self.kind = "<stdin>" if name == "-" else name, kind
         self.uncertain = ""  # where an interval or a slope was found first
+        self.dimension = PLANE
         text = self.read(name)
         self.limit(text)
         try:
@@ -285,7 +298,6 @@ class Source:
 # ---- §1 The question --------------------------------------------------------------------------
 
 LAWS = ("unilateral", "bilateral")
-NOWHERE = (Fraction(0),) * D
 
 
 class Bounds(NamedTuple):
@@ -309,8 +321,15 @@ def exactly(number: Fraction) -> Bounds:
     return Bounds(number, number)
 
 
+def zeros(count: int) -> Vector:
+    return (Fraction(0),) * count
+
+
 Wrench = Tuple[Bounds, ...]
-NO_WRENCH: Wrench = (exactly(Fraction(0)),) * D
+
+
+def exact_wrench(wrench: Sequence[Fraction]) -> Wrench:
+    return tuple(map(exactly, wrench))
 
 
 class Contact(NamedTuple):
@@ -327,6 +346,10 @@ class Grasp(NamedTuple):
     contacts: List[Contact]
     wrench: Wrench            # with cases, what is common to them
     cases: Dict[str, Wrench]  # the wrench of each, by name
+
+    @property
+    def dimension(self) -> int:
+        return len(self.wrench)
 
 
 KINDS = ("friction", "stiffness", "preload", "position", "normal", "wrench")
@@ -362,9 +385,10 @@ class Options(NamedTuple):
 class Row(NamedTuple):
     """What is known of one contact."""
     N: Vector
-    T: Vector
+    slip: List[Vector]  # T, or the three rows of S; friction acts along them
     friction: Fraction
     v: Vector  # v_i(x) = v·x for a point x = (d, h, ℓ)
+    normal: Vector
 
 
 class Question(NamedTuple):
@@ -406,14 +430,19 @@ def read_vector_of_bounds(source: Source, value: Any, place: str, length: int) -
 
 def read_normal(source: Source, value: Any, place: str) -> Tuple[Vector, Fraction]:
     """n⁰ and the slope."""
-    if type(value) is not Members:
-        return source.vector(value, place, 2), Fraction(0)
+    if type(value) is not Members or source.dimension == SPACE:
+        return read_point_of(source, value, place), Fraction(0)
     source.uncertain = source.uncertain or place
     fields = source.members(value, place, "direction slope")
     slope = source.number(fields["slope"], f"{place}.slope")
     if not 0 <= slope < 1:
         source.fail(f"{place}.slope", f"{show(slope)} is out of range, must be >= 0 and < 1")
     return source.vector(fields["direction"], f"{place}.direction", 2), slope
+
+
+def read_point_of(source: Source, value: Any, place: str) -> Vector:
+    """So many numbers as a point has."""
+    return source.vector(value, place, coordinates(source.dimension))
 
 
 def coefficients(source: Source, fields: Dict[str, Any], place: str) -> Dict[str, Bounds]:
@@ -438,24 +467,26 @@ def read_one_load(source: Source, value: Any, place: str) -> Wrench:
     kinds = [key for key, _ in value.pairs] if type(value) is Members else []
     if "torque" in kinds:
         torque = source.members(value, place, "torque")["torque"]
-        return (*NO_WRENCH[:2], exactly(source.number(torque, f"{place}.torque")))
+        place = f"{place}.torque"
+        found = ((source.number(torque, place),) if source.dimension == PLANE else
+                 source.vector(torque, place, 3))
+        return exact_wrench(zeros(source.dimension - len(found)) + found)
     if "weight" in kinds:
         fields = source.members(value, place, "weight at direction?")
         weight = source.number(fields["weight"], f"{place}.weight")
         if weight < 0:
             source.fail(f"{place}.weight", f"{show(weight)} is out of range, must be >= 0")
-        dx, dy = source.vector(fields.get("direction", [Numeral("0"), Numeral("-1")]),
-                               f"{place}.direction", 2)
-        length = rational_root(dx * dx + dy * dy)
+        down = [Numeral("0")] * (coordinates(source.dimension) - 1) + [Numeral("-1")]
+        direction = read_point_of(source, fields.get("direction", down), f"{place}.direction")
+        length = rational_root(dot(direction, direction))
         if not length:
             source.fail(f"{place}.direction",
                         "must have a rational length that is not 0, as [3, -4] has")
-        fx, fy = weight * dx / length, weight * dy / length
+        force = tuple(weight * c / length for c in direction)
     else:
         fields = source.members(value, place, "force at")
-        fx, fy = source.vector(fields["force"], f"{place}.force", 2)
-    px, py = source.vector(fields["at"], f"{place}.at", 2)
-    return tuple(map(exactly, (fx, fy, px * fy - py * fx)))
+        force = read_point_of(source, fields["force"], f"{place}.force")
+    return exact_wrench(at(read_point_of(source, fields["at"], f"{place}.at"), force))
 
 
 def read_load(source: Source, fields: Dict[str, Any], place: str, needed: bool) -> Wrench:
@@ -465,10 +496,10 @@ def read_load(source: Source, fields: Dict[str, Any], place: str, needed: bool) 
         source.fail(place.rstrip("."), "both 'wrench' and 'loads'; give one of them" if given else
                                        "'wrench' is missing (in version 2, that or 'loads')")
     if "wrench" in fields:
-        return read_vector_of_bounds(source, fields["wrench"], place + "wrench", D)
+        return read_vector_of_bounds(source, fields["wrench"], place + "wrench", source.dimension)
     loads = source.array(fields.get("loads", []), place + "loads")
     return functools.reduce(add, (read_one_load(source, load, f"{place}loads[{k}]")
-                                  for k, load in enumerate(loads)), NO_WRENCH)
+                                  for k, load in enumerate(loads)), exact_wrench(zeros(source.dimension)))
 
 
 def read_cases(source: Source, value: Any, common: Wrench) -> Dict[str, Wrench]:
@@ -559,6 +590,18 @@ def read_place(source: Source, value: Any, place: str,
     return tuple(a + share * (b - a) for a, b in zip(start, end)), inwards
 
 
+def show_dimension(source: Source, top: Dict[str, Any]) -> None:
+    """§7: which grasps are in space."""
+    contacts, wrench = top["contacts"], top.get("wrench")
+    shown, length = wrench, SPACE
+    if contacts:
+        first = contacts[0] if type(contacts) is list else None
+        length = 3
+        shown = dict(first.pairs).get("position") if type(first) is Members else None
+    if top["format"] == GRASP.formats[1] and type(shown) is list and len(shown) == length:
+        source.dimension = SPACE
+
+
 def read_grasp(name: str) -> Grasp:
     """§1: what the grasp file says."""
     source = Source(name, GRASP)
@@ -578,6 +621,9 @@ def read_grasp(name: str) -> Grasp:
                             "friction? stiffness? preload?")
     defaults = {"stiffness": exactly(Fraction(1)), "preload": exactly(Fraction(0)),
                 **coefficients(source, stated, "defaults")}
+    show_dimension(source, top)
+    if "outline" in top and source.dimension == SPACE:
+        source.fail("outline", "the grasp is in space, and has none")
     outline = read_outline(source, top["outline"]) if "outline" in top else []
     contacts = []
     if len(source.array(top["contacts"], "contacts")) > MAX_CONTACTS:
@@ -592,12 +638,15 @@ def read_grasp(name: str) -> Grasp:
         if "friction" not in values:
             source.fail(place, "'friction' is missing, here and in defaults")
         if "on" in fields:
+            if source.dimension == SPACE:
+                source.fail(f"{place}.on", "the grasp is in space; give position and normal")
             if top["format"] == GRASP.formats[0]:
                 source.fail(place, f"'on' needs \"format\": \"{GRASP.formats[1]}\"")
             point, normal = read_place(source, fields["on"], f"{place}.on", outline)
             position, slope = tuple(map(exactly, point)), Fraction(0)
         else:
-            position = read_vector_of_bounds(source, fields["position"], f"{place}.position", 2)
+            position = read_vector_of_bounds(source, fields["position"], f"{place}.position",
+                                             coordinates(source.dimension))
             normal, slope = read_normal(source, fields["normal"], f"{place}.normal")
         if not any(normal):
             source.fail(f"{place}.normal", "must not be zero")
@@ -612,16 +661,22 @@ def read_grasp(name: str) -> Grasp:
 
 def make_row(contact: Contact, preload: Fraction, growth: Fraction) -> Row:
     """§1, Rows, of a contact without uncertainty."""
-    (px, _), (py, _) = contact.position
-    nx, ny = contact.normal
-    square = nx * nx + ny * ny
+    point, n = tuple(p.low for p in contact.position), contact.normal
+    square = dot(n, n)
     length = rational_root(square) if preload or growth else Fraction(1)
     assert length is not None
-    tx, ty = -ny, nx
-    normal = (nx, ny, px * ny - py * nx)
-    return Row(normal, (tx, ty, px * ty - py * tx), contact.friction.low,
-               tuple(-contact.stiffness.low / square * c for c in normal)
-               + (preload / length, growth / length))
+    normal = at(point, n)
+    return Row(normal, [at(point, t) for t in across(n)], contact.friction.low,
+               times(-contact.stiffness.low / square, normal) + (preload / length, growth / length),
+               n)
+
+
+def across(n: Vector) -> List[Vector]:
+    """What the slip of §1 and §7 is measured along: t, or the rows of the projection across n."""
+    if len(n) == 2:
+        return [(-n[1], n[0])]
+    square = dot(n, n)
+    return [tuple((j == k) - n[j] * n[k] / square for k in range(3)) for j in range(3)]
 
 
 def wrench_asked(grasp: Grasp, asked: Options) -> Wrench:
@@ -629,17 +684,30 @@ def wrench_asked(grasp: Grasp, asked: Options) -> Wrench:
     if asked.wrench is not None:
         if asked.case is not None:
             raise Malformed("the question", "case", "a wrench is given as well")
-        return tuple(map(exactly, asked.wrench))
+        return exact_wrench(asked.wrench)
     if asked.case is not None:
         if asked.case not in grasp.cases:
             raise Malformed("the question", "case", f"the grasp has no case '{show(asked.case)}'")
         return grasp.cases[asked.case]
     if asked.direction is not None:
-        return NO_WRENCH
+        return exact_wrench(zeros(grasp.dimension))
     if grasp.cases:
         raise Malformed("the question", "case", f"the grasp has {len(grasp.cases)} cases, and none "
                                                 "is chosen; give the name of one")
     return grasp.wrench
+
+
+def check_dimension(asked: Options, dimension: int) -> None:
+    """§7: so many numbers as the grasp has, and what cannot be asked in space."""
+    for part, vector in (("wrench", asked.wrench), ("direction", asked.direction)):
+        if vector is not None and len(vector) != dimension:
+            raise Malformed("the question", part, f"found {len(vector)} numbers, must be "
+                                                  f"{dimension} as the grasp has")
+    if dimension == SPACE:
+        if asked.margin():
+            raise Malformed("the question", "direction", "in space there are no margins")
+        if "normal" in (asked.uncertain or {}):
+            raise Malformed("the question", "uncertain", "normals in space are certain")
 
 
 def check_tolerances(asked: Options) -> None:
@@ -669,8 +737,8 @@ def widened(contact: Contact, asked: Options) -> Contact:
 def check_contact(grasp_file: str, place: str, contact: Contact, grows: bool, margin: bool) -> bool:
     """§6: what cannot be asked of a contact; and whether it makes the question a box."""
     numbers = {"friction": contact.friction, "stiffness": contact.stiffness,
-               "preload": contact.preload, "position[0]": contact.position[0],
-               "position[1]": contact.position[1], "normal": Bounds(-contact.slope, contact.slope)}
+               "preload": contact.preload, "normal": Bounds(-contact.slope, contact.slope),
+               **{f"position[{j}]": p for j, p in enumerate(contact.position)}}
     if contact.slope >= 1:
         raise Malformed(grasp_file, place + "normal", f"slope {show(contact.slope)}, must be < 1")
     for name in ("friction", "stiffness", "preload"):
@@ -698,9 +766,10 @@ def pose(grasp_file: str, asked: Options) -> Question:
     m = len(grasp.contacts)
     if asked.preload is not None and asked.preload < 0:
         raise Malformed("the question", "preload", f"found {show(asked.preload)}, must be >= 0")
+    check_dimension(asked, grasp.dimension)
     check_tolerances(asked)
     contacts = [widened(contact, asked) for contact in grasp.contacts]
-    growth: Vector = (Fraction(0),) * m
+    growth = zeros(m)
     if asked.preload_direction not in (None, "scale"):
         growth = asked.preload_direction
     if len(growth) != m or any(p < 0 for p in growth):
@@ -718,7 +787,7 @@ def pose(grasp_file: str, asked: Options) -> Question:
     base = tuple(contact.preload.low for contact in contacts)
     if asked.preload_direction == "scale":
         base, growth = growth, base
-    u = asked.direction or NOWHERE
+    u = asked.direction or zeros(grasp.dimension)
     if asked.margin() and not any(u) and not any(growth):
         raise Malformed("the question", "direction", "neither the wrench nor a preload changes")
     rows = [] if is_box else [make_row(*one) for one in zip(contacts, base, growth)]
@@ -755,7 +824,7 @@ class DegreeProof(NamedTuple):
 class Witness(NamedTuple):
     """§3: a point (d, 1, λ), or (d, 0, 1) for a ray, and the shares of friction."""
     x: Vector
-    shares: List[Tuple[int, Fraction]]
+    shares: List[Tuple[int, Vector]]  # of one number, in space of three
 
 
 Interval = Tuple[Fraction, Optional[Fraction]]  # None for ∞
@@ -777,9 +846,10 @@ class Certificate(NamedTuple):
                             for node in part.tree]
 
 
-def read_certificate(name: str) -> Certificate:
+def read_certificate(name: str, dimension: int) -> Certificate:
     """All of the syntax comes before any rule."""
     source = Source(name, CERTIFICATE)
+    source.dimension = dimension
     claimed = dict(source.root.pairs) if type(source.root) is Members else {}
     if "format" in claimed:
         source.check_format(claimed["format"])
@@ -803,7 +873,8 @@ def read_certificate(name: str) -> Certificate:
                  for k, part in enumerate(source.array(top["parts"], "parts"))]
         return Certificate(claim, verdict, bits=bits, parts=parts)
     if verdict == "stable":
-        witness = Witness(source.vector(top["twist"], "twist", D) + (Fraction(1), Fraction(0)),
+        witness = Witness(source.vector(top["twist"], "twist", dimension)
+                          + (Fraction(1), Fraction(0)),
                           read_shares(source, top["shares"], "shares"))
         return Certificate(claim, verdict, witness, bits=bits)
     tree = read_tree(source, top["tree"], "tree", margin)
@@ -816,7 +887,7 @@ def read_certificate(name: str) -> Certificate:
                          None if high is None else source.number(high, f"resisted[{k}]")))
     for k, entry in enumerate(source.array(top["segments"], "segments")):
         place = f"segments[{k}]"
-        if len(source.array(entry, place)) == 1 and segments and segments[-1][1].x[D]:
+        if len(source.array(entry, place)) == 1 and segments and segments[-1][1].x[dimension]:
             begin = segments[-1][1]
         else:
             begin = read_point(source, source.array(entry, place, 2)[0], place, False)
@@ -832,16 +903,18 @@ def read_claim(source: Source, value: Any) -> Claim:
     if "preload" in fields:
         preload = source.number(fields["preload"], "question.preload")
     if "direction" in fields:
-        direction = source.vector(fields["direction"], "question.direction", D)
+        direction = source.vector(fields["direction"], "question.direction", source.dimension)
     if "preload_direction" in fields:
         growth = fields["preload_direction"]
         if type(growth) is not str or growth != "scale":
             growth = source.vector(growth, "question.preload_direction")
+    if source.dimension == SPACE and (direction is not None or growth is not None):
+        source.fail("question", "a direction, but in space there are no margins")
     uncertain = None
     if "uncertain" in fields:
         uncertain = read_tolerances(source, fields["uncertain"], "question.uncertain")
     wrench = [read_load_entry(source, entry, "question.wrench")
-              for entry in source.array(fields["wrench"], "question.wrench", D)]
+              for entry in source.array(fields["wrench"], "question.wrench", source.dimension)]
     return Claim(source.index(fields["contacts"], "question.contacts"), tuple(wrench),
                  Options(None, preload,
                          source.choice(fields["normal_law"], "question.normal_law", LAWS),
@@ -868,11 +941,13 @@ def read_tolerances(source: Source, value: Any, place: str) -> Dict[str, Toleran
     return found
 
 
-def read_shares(source: Source, value: Any, place: str) -> List[Tuple[int, Fraction]]:
+def read_shares(source: Source, value: Any, place: str) -> List[Tuple[int, Vector]]:
     shares = []
     for entry in source.array(value, place):
         i, share = source.array(entry, place, 2)
-        shares.append((source.index(i, place), source.number(share, place)))
+        shares.append((source.index(i, place),
+                       source.vector(share, place, 3) if source.dimension == SPACE else
+                       (source.number(share, place),)))
     return shares
 
 
@@ -881,10 +956,12 @@ def read_point(source: Source, value: Any, place: str, may_be_ray: bool) -> Witn
     load, twist, shares = source.array(value, place, 3)
     ray = may_be_ray and load is None
     ends = (Fraction(0), Fraction(1)) if ray else (Fraction(1), source.number(load, place))
-    return Witness(source.vector(twist, place, D) + ends, read_shares(source, shares, place))
+    return Witness(source.vector(twist, place, source.dimension) + ends, read_shares(source, shares, place))
 
 
-PARAMETERS = ("x", "y", "turn", "friction", "preload", "stiffness")  # of a contact
+GEOMETRY = {PLANE: ("x", "y", "turn"), SPACE: ("x", "y", "z")}
+PARAMETERS = {dimension: names + ("friction", "preload", "stiffness")  # of a contact
+              for dimension, names in GEOMETRY.items()}
 
 
 def read_tree(source: Source, value: Any, place: str, margin: bool) -> List[Node]:
@@ -900,28 +977,30 @@ def read_part(source: Source, value: Any, place: str) -> Union[Node, DegreeProof
             source.fail(place, "must be a part")
         return node
     fields = source.members(value, place, "twist walls direction tree", True)
-    walls, direction = ([source.vector(row, f"{place}.{key}", D)
-                         for row in source.array(fields[key], f"{place}.{key}", D)]
+    walls, direction = ([source.vector(row, f"{place}.{key}", source.dimension)
+                         for row in source.array(fields[key], f"{place}.{key}", source.dimension)]
                         for key in ("walls", "direction"))
-    return DegreeProof(source.vector(fields["twist"], f"{place}.twist", D), walls, direction,
+    twist = source.vector(fields["twist"], f"{place}.twist", source.dimension)
+    return DegreeProof(twist, walls, direction,
                        read_tree(source, fields["tree"], f"{place}.tree", False))
 
 
 def read_node(source: Source, value: Any, place: str, margin: bool) -> Node:
     """§4, the table of nodes, and §6."""
     kind, *rest = source.array(value, place) or [None]
+    dimension = source.dimension
     if kind == "part" and not margin:
         name, i, cut = source.array(rest, place, 3)
         return Node(kind, source.index(i, place), (source.number(cut, place),),
-                    source.choice(name, place, PARAMETERS + ("wrench",)))
+                    source.choice(name, place, PARAMETERS[dimension] + ("wrench",)))
     if kind in ("slip", "separation") and len(rest) == 1:
         return Node(kind, source.index(rest[0], place))
-    if kind == "plane" and len(rest) == D + 1 + margin:
+    if kind == "plane" and len(rest) == dimension + 1 + margin:
         return Node(kind, numbers=source.vector(rest, place) + (Fraction(0),) * (not margin))
-    if kind == "leaf" and len(rest) == D:
+    if kind == "leaf" and len(rest) == dimension:
         return Node(kind, numbers=source.vector(rest, place))
     source.fail(place, "must be [\"slip\", i], [\"separation\", i], [\"plane\", a1, ...] with "
-                       f"{D + 1 + margin} numbers or [\"leaf\", y1, ...] with {D}")
+                       f"{dimension + 1 + margin} numbers or [\"leaf\", y1, ...] with {dimension}")
 
 
 # ---- §3 The question agrees, and the stable verdict -------------------------------------------
@@ -946,9 +1025,9 @@ def check_question(question: Question, claim: Claim) -> None:
 class ContactForce(NamedTuple):
     """What follows from a witness for one contact."""
     v: Fraction
-    slip: Fraction  # τ_i
+    slip: Vector  # τ_i, or s_i
     a: Fraction
-    b: Fraction
+    b: Vector     # the friction b_i, or f_i
 
 
 def sign(x: Union[int, Fraction]) -> int:
@@ -961,23 +1040,34 @@ def check_witness(question: Question, witness: Witness) -> List[ContactForce]:
         raise Rejected("witness-box", "an equilibrium of one grasp, but the question is about a box")
     forces = []
     for row in question.rows:
-        v, slip = dot(row.v, witness.x), dot(row.T, witness.x)
-        a = max(Fraction(0), v)
-        forces.append(ContactForce(v, slip, a, -sign(slip) * row.friction * a))
+        v, slip = dot(row.v, witness.x), tuple(dot(s, witness.x) for s in row.slip)
+        forces.append(ContactForce(v, slip, max(Fraction(0), v), zeros(len(slip))))
     last = -1
     for i, share in witness.shares:
-        if not last < i < len(forces) or abs(share) > 1:
-            raise Rejected("witness-share", f"contact {show(i)}, share {show(share)}")
-        if forces[i].slip != 0:
-            raise Rejected("witness-share", f"contact {i} slips, T.d = {show(forces[i].slip)}")
-        forces[i] = forces[i]._replace(b=share * question.rows[i].friction * forces[i].a)
-        last = i
+        if not last < i < len(forces):
+            raise Rejected("witness-share", f"contact {show(i)}, which is not there or not in order")
+        row, last = question.rows[i], i
+        if any(forces[i].slip):
+            raise Rejected("witness-share", f"contact {i} slips: {show(forces[i].slip)}")
+        longest = dot(row.normal, row.normal) if len(share) == 3 else 1
+        if dot(share, share) > longest or (len(share) == 3 and dot(share, row.normal) != 0):
+            raise Rejected("witness-share", f"contact {i}, share {show(share)}")
+        forces[i] = forces[i]._replace(b=times(row.friction * forces[i].a, share))
     for i, force in enumerate(forces):
         if question.asked.law == "bilateral" and force.v < 0:
             raise Rejected("witness-normal", f"contact {i}: v = {show(force.v)} is below 0")
-    h, load = witness.x[D:]
+    for i, (row, force) in enumerate(zip(question.rows, forces)):
+        if any(force.slip) and row.friction * force.a:
+            longest = Fraction(1) if len(force.slip) == 1 else dot(row.normal, row.normal)
+            ratio = rational_root(longest / dot(force.slip, force.slip))
+            if ratio is None:
+                raise Rejected("witness-root", f"contact {i} slips by {show(force.slip)}, and the "
+                                               "ratio of its normal's length to that is irrational")
+            forces[i] = force._replace(b=times(-row.friction * force.a * ratio, force.slip))
+    *_, h, load = witness.x
     total = pairwise_sum([tuple(h * w + load * u for w, u in zip(question.w(), question.growth))]
-                         + [tuple(force.a * n + force.b * t for n, t in zip(row.N, row.T))
+                         + [tuple(force.a * n + dot(force.b, rows)
+                                  for n, *rows in zip(row.N, *row.slip))
                             for row, force in zip(question.rows, forces) if force.a])
     if any(total):
         raise Rejected("witness-balance", f"load and forces add up to {show(total)}, not to 0")
@@ -987,7 +1077,6 @@ def check_witness(question: Question, witness: Witness) -> List[ContactForce]:
 # ---- §4 Trees ---------------------------------------------------------------------------------
 
 MORE_DEPTH = 256
-H, L = (Fraction(0),) * D + (Fraction(1), Fraction(0)), (Fraction(0),) * (D + 1) + (Fraction(1),)
 
 
 class Range(NamedTuple):
@@ -999,6 +1088,12 @@ class Range(NamedTuple):
 
 
 VERDICT = Range(Fraction(0), Fraction(0), True, True)
+
+
+def h_and_load(dimension: int) -> Tuple[Vector, Vector]:
+    """h and ℓ as functions of points."""
+    return (zeros(dimension) + (Fraction(1), Fraction(0)),
+            zeros(dimension + 1) + (Fraction(1),))
 
 
 def integers(vector: Sequence[Fraction]) -> Tuple[Integers, int]:
@@ -1049,11 +1144,14 @@ class Cone:
         heights = [(x, zero, dot(a, x)) for x, zero in self.rays]
         rays = [(x, zero if height else zero | bit) for x, zero, height in heights
                 if height == 0 or (height > 0 and not equality)]
+        # The face that two rays span is given by so many conditions at least.
+        least = len(a) - len(self.lines) - 2
         for p, p_zero, up in heights:
             for q, q_zero, down in heights:
                 if up > 0 > down:
                     both = p_zero & q_zero
-                    if all(zero & both != both or x is p or x is q for x, zero in self.rays):
+                    if bin(both).count("1") >= least and all(
+                            zero & both != both or x is p or x is q for x, zero in self.rays):
                         rays.append((reduced(tuple(up * c - down * e for c, e in zip(q, p))),
                                      both | bit))
         return Cone(self.lines, rays, self.cuts + 1)
@@ -1062,43 +1160,72 @@ class Cone:
 class Parameters(NamedTuple):
     """§6: of one contact, and its preload's growth in a margin."""
     normal: Vector             # n⁰
-    bounds: Dict[str, Bounds]  # by PARAMETERS
+    bounds: Dict[str, Bounds]  # by PARAMETERS of the dimension
     growth: Fraction           # Pᵘ'
+
+    def geometry(self) -> Tuple[str, ...]:
+        return GEOMETRY[PLANE if len(self.normal) == 2 else SPACE]
 
 
 class Terms:
-    """What trees need of a contact: v_i and τ_i in integers, up to positive factors, at all corners
-    (of one that is certain, there is one); and what goes into the bounds of a leaf."""
+    """What trees need of a contact: N and the slip at all corners (of one that is certain, there is
+    one), v_i in integers, up to positive factors; and what goes into the bounds of a leaf."""
 
     def __init__(self, c: Parameters) -> None:
-        (nx, ny), x, preload, stiffness = c.normal, c.bounds, c.bounds["preload"], \
-            c.bounds["stiffness"]
-        self.friction = x["friction"]
+        x = c.bounds
+        self.normal, self.friction = c.normal, x["friction"]
         self.certain = all(number.certain for number in x.values())
-        # Corners of p_x, p_y, e: as 0s and 1s, without those that are certain.
-        uncertain = [name for name in PARAMETERS[:3] if not x[name].certain]
+        # Corners of positions and e: as 0s and 1s, without those that are certain.
+        uncertain = [name for name in c.geometry() if not x[name].certain]
         self.corners = list(itertools.product((0, 1), repeat=len(uncertain)))
-        normals, tangents = [], []
+        self.N: List[Vector] = []
+        self.rows: List[List[Vector]] = []  # of the slip
         for corner in self.corners:
-            px, py, e = (x[name][corner[uncertain.index(name)] if name in uncertain else 0]
-                         for name in PARAMETERS[:3])
-            n = (nx - e * ny, ny + e * nx)
-            t = (-n[1], n[0])
-            normals.append((*n, px * n[1] - py * n[0]))
-            tangents.append((*t, px * t[1] - py * t[0]))
-        values = [times(-k, n) + (p, c.growth) for n in normals for k in set(stiffness)
-                  for p in set(preload)]
-        self.v = list(dict.fromkeys(reduced(integers(v)[0]) for v in values))
-        self.slip = list(dict.fromkeys(reduced(integers(t)[0]) + (0, 0) for t in tangents))
+            here = [x[name][corner[uncertain.index(name)] if name in uncertain else 0]
+                    for name in c.geometry()]
+            n = c.normal
+            if len(n) == 2:
+                e = here.pop()
+                n = (n[0] - e * n[1], n[1] + e * n[0])
+            self.N.append(at(here, n))
+            self.rows.append([at(here, t) for t in across(n)])
+        values = [times(-k, n) + (p, c.growth) for n in self.N for k in set(x["stiffness"])
+                  for p in set(x["preload"])]
+        forms, self.v_factor = integers([entry for value in values for entry in value])
+        self.all_v = [forms[k:k + len(values[0])] for k in range(0, len(forms), len(values[0]))]
+        self.v = list(dict.fromkeys(map(reduced, self.all_v)))
+        self.slip = [[integers(row)[0] + (0, 0) for row in rows] for rows in self.rows]
+
+    def slip_rows(self) -> Optional[List[Integers]]:
+        """What a node splits, or None where that is uncertain."""
+        raise NotImplementedError
+
+    def stuck(self, x: Integers) -> bool:
+        """Whether the slip, which is certain, is zero."""
+        return not any(dot(row, x) for row in self.slip[0])
+
+    def work(self, region: Region, points: Sequence[Integers], y: Vector,
+             mixed: bool) -> Union[Fraction, List[Fraction]]:
+        """α_i of a contact without uncertainty; of others the bounds b_i, one for each point."""
+        raise NotImplementedError
+
+
+class PlanarTerms(Terms):
+    """§4, §6."""
+
+    def __init__(self, c: Parameters) -> None:
+        super().__init__(c)
+        x, preload, stiffness = c.bounds, c.bounds["preload"], c.bounds["stiffness"]
+        normals, tangents = self.N, [rows[0] for rows in self.rows]
+        self.tau = list(dict.fromkeys(reduced(integers(t)[0]) + (0, 0) for t in tangents))
         # N + s T by corner, for the ends of ±μ: all by one factor.
         ends = {s: [plus(n, s, t) for n, t in zip(normals, tangents)]
                 for s in (-x["friction"].high, -x["friction"].low, *x["friction"])}
         edge_factor = integers([z for edges in ends.values() for edge in edges for z in edge])[1]
         self.edges = {s: [tuple(int(z * edge_factor) for z in edge) for edge in edges]
                       for s, edges in ends.items()}
-        if self.certain:  # α_i v_i(x) = weight·(y·edge)(v·x)
-            v_factor = next(Fraction(b) / a for a, b in zip(values[0], self.v[0]) if a)
-            self.weight = 1 / (v_factor * edge_factor)
+        self.edge_factor = edge_factor
+        if self.certain:
             return
         self.normals, normal_factor = [], integers([z for n in normals for z in n])[1]
         self.normals = [tuple(int(z * normal_factor) for z in n) for n in normals]
@@ -1112,6 +1239,27 @@ class Terms:
             pairs.setdefault(tuple(map(operator.add, c1, c2)), []).append((a, b))
         self.pairs = [(found, len(self.corners) // len(found)) for found in pairs.values()]
 
+    def slip_rows(self) -> Optional[List[Integers]]:
+        return self.tau if len(self.tau) == 1 else None
+
+    def sign(self, region: Region, points: Sequence[Integers]) -> int:
+        """+1, −1, or 0 for none."""
+        sign_ = side(*extremes(self.tau, points))
+        rays = region.generators()
+        barred = sign_ and all(region.bars([ray for ray in rays if dot(tau, ray[0]) == 0])
+                               for tau in self.tau)
+        return sign_ if barred else 0
+
+    def work(self, region: Region, points: Sequence[Integers], y: Vector,
+             mixed: bool) -> Union[Fraction, List[Fraction]]:
+        sign_ = self.sign(region, points)
+        scaled, factor = integers(y)
+        if not self.certain:
+            return [b / factor for b in self.bound(scaled, sign_, mixed, points)]
+        ends = {1: (-1,), -1: (1,), 0: (-1, 1)}[sign_]
+        alpha = max(dot(scaled, self.edges[s * self.friction.low][0]) for s in ends)
+        return Fraction(alpha, self.edge_factor * factor)
+
     def bound(self, y: Integers, sign_: int, mixed: bool, points: Sequence[Integers]) -> List[Fraction]:
         """§6: the bound b_i(r) on each ray, where y is a multiple without denominators."""
         low, high = self.friction
@@ -1122,7 +1270,7 @@ class Terms:
                 found = [0] * len(points)
             elif mixed and min(alpha) < 0:
                 most = max(alpha) * len(self.corners)
-                found = [most * max(0, *(x[D] * max(self.preload) - k * dot(n, x)
+                found = [most * max(0, *(x[PLANE] * max(self.preload) - k * dot(n, x)
                                          for n in self.normals for k in self.stiffness))
                          for x in points]
             else:
@@ -1141,8 +1289,112 @@ class Terms:
         found = []
         for (pairs, repeat), push in zip(self.pairs, pushes):
             pull = sum(alpha[a] * height[b] for a, b in pairs)
-            found.append(repeat * (x[D] * push + max(-k * pull for k in self.stiffness)))
+            found.append(repeat * (x[PLANE] * push + max(-k * pull for k in self.stiffness)))
         return max(found)
+
+
+class SlipCone:
+    """§7: C_i, of slips s with n·s = 0. Seen along n, their directions are sorted by angle; between
+    two neighbours that are half a turn apart or more there is none of C_i."""
+
+    def __init__(self, normal: Vector, slips: Sequence[Integers]) -> None:
+        # Two coordinates tell, if the third component of n is not 0.
+        left_out = next(j for j in range(3) if normal[j])
+        self.seen = [j for j in range(3) if j != left_out]
+        self.directions = sorted(set(map(reduced, filter(any, slips))),
+                                 key=functools.cmp_to_key(self.compare))
+        follow = self.directions[1:] + self.directions[:1]
+        self.gaps = [(a, b) for a, b in zip(self.directions, follow)
+                     if self.turn(a, b) < 0 or (self.turn(a, b) == 0 and (a is b or dot(a, b) < 0))]
+
+    def turn(self, a: Integers, b: Integers) -> int:
+        """Above 0 if b is at the left of a, by less than half a turn."""
+        j, k = self.seen
+        return a[j] * b[k] - a[k] * b[j]
+
+    def compare(self, a: Integers, b: Integers) -> int:
+        """By angle, from 0 to a full turn."""
+        def upper(s: Integers) -> bool:
+            return (s[self.seen[1]], s[self.seen[0]]) > (0, 0)
+
+        return upper(b) - upper(a) or -sign(self.turn(a, b))
+
+    def contains(self, s: Integers) -> bool:
+        if not any(s) or not self.directions:
+            return not any(s)
+        if len(self.directions) == 1 and dot(s, self.directions[0]) < 0:
+            return False
+        return all(self.turn(a, s) <= 0 <= self.turn(b, s) for a, b in self.gaps)
+
+
+def root_bounds(square: Fraction, bits: int) -> Bounds:
+    """§6: the root, or ℓ⁻ and ℓ⁺."""
+    root = rational_root(square)
+    if root is not None:
+        return exactly(root)
+    s = bits + (square.denominator.bit_length() - square.numerator.bit_length()) // 2 - 2
+    while True:
+        scaled = Fraction(4) ** s * square
+        j = math.isqrt(scaled.numerator // scaled.denominator)
+        if j >= 1 << (bits - 1):
+            return Bounds(j / Fraction(2) ** s, (j + 1) / Fraction(2) ** s)
+        s += 1
+
+
+ROOT_BITS = 64
+
+
+def root_above(signed_square: Fraction) -> Fraction:
+    """§7: the bound of √q, or where q < 0 is given, of −√−q."""
+    if signed_square >= 0:
+        return root_bounds(signed_square, ROOT_BITS).high
+    return -root_bounds(-signed_square, ROOT_BITS).low
+
+
+class SpatialTerms(Terms):
+    """§7."""
+
+    def __init__(self, c: Parameters) -> None:
+        super().__init__(c)
+        # S at all corners by one factor.
+        flat, _ = integers([entry for rows in self.rows for row in rows for entry in row])
+        self.S = [[flat[k:k + SPACE] for k in range(start, start + 3 * SPACE, SPACE)]
+                  for start in range(0, len(flat), 3 * SPACE)]
+
+    def slip_rows(self) -> Optional[List[Integers]]:
+        return self.slip[0] if len(self.corners) == 1 else None
+
+    def work(self, region: Region, points: Sequence[Integers], y: Vector,
+             mixed: bool) -> Union[Fraction, List[Fraction]]:
+        alpha = self.alpha(region, points, y)
+        if self.certain:
+            return alpha
+        found = [max(alpha * dot(v, x) for v in self.all_v) / self.v_factor for x in points]
+        if mixed:
+            found = [max(Fraction(0), alpha) * max(0, *(dot(v, x) for v in self.all_v))
+                     / self.v_factor for x in points]
+        return found
+
+    def alpha(self, region: Region, points: Sequence[Integers], y: Vector) -> Fraction:
+        slips = [[tuple(dot(row, x) for row in rows) for x in points] for rows in self.S]
+        cone = SlipCone(self.normal, [s for at_corner in slips for s in at_corner])
+        moves = self in region.moving() or all(
+            region.bars([ray for ray, s in zip(region.generators(), at_corner)
+                         if cone.contains(negated(s))]) for at_corner in slips)
+        found = []
+        for n, rows in zip(self.N, self.rows):
+            z = tuple(dot(row, y) for row in rows)  # S_i y
+            signed_square = dot(z, z)
+            if moves and not cone.contains(integers(times(Fraction(-1), z))[0]):
+                along = [(-dot(s, z), dot(s, s)) for s in cone.directions]
+                signed_square = max(c * abs(c) / square for c, square in along)
+            found += [dot(y, n) + root_above(mu * mu * dot(self.normal, self.normal) * signed_square)
+                      for mu in set(self.friction)]
+        return max(found)
+
+
+def terms_of(c: Parameters) -> Terms:
+    return PlanarTerms(c) if len(c.normal) == 2 else SpatialTerms(c)
 
 
 class Box:
@@ -1151,13 +1403,20 @@ class Box:
     def __init__(self, contacts: List[Parameters], wrench: Wrench, growth: Vector,
                  terms: Optional[List[Terms]] = None) -> None:
         self.contacts, self.wrench, self.growth = contacts, wrench, growth
-        self.terms = list(map(Terms, contacts)) if terms is None else terms
+        self.terms = list(map(terms_of, contacts)) if terms is None else terms
         self.most_depth = 2 * len(contacts) + MORE_DEPTH
+        self.dimension = len(wrench)
+
+    @property
+    def certain(self) -> bool:
+        """Is it one point?"""
+        return (all(term.certain for term in self.terms)
+                and all(load.certain for load in self.wrench))
 
     def halves(self, part: Node) -> Tuple[Box, Box]:
         """`part-contact`, `part-inside`."""
         i, (cut,) = part.contact, part.numbers
-        if i >= (D if part.name == "wrench" else len(self.contacts)):
+        if i >= (self.dimension if part.name == "wrench" else len(self.contacts)):
             raise Rejected("part-contact", f"there is no {part.name} {show(i)}")
         whole = self.wrench[i] if part.name == "wrench" else self.contacts[i].bounds[part.name]
         if not whole.low < cut < whole.high:
@@ -1171,7 +1430,7 @@ class Box:
             return Box(self.contacts, wrench, self.growth, self.terms)
         contacts, terms = list(self.contacts), list(self.terms)
         contacts[i] = contacts[i]._replace(bounds={**contacts[i].bounds, name: bounds})
-        terms[i] = Terms(contacts[i])
+        terms[i] = terms_of(contacts[i])
         return Box(contacts, self.wrench, self.growth, terms)
 
     def middle(self) -> Box:
@@ -1182,20 +1441,6 @@ class Box:
                    tuple(load.middle for load in self.wrench), self.growth)
 
 
-def inverse_root(square: Fraction, bits: int) -> Bounds:
-    """§6: 1/L, or ℓ⁻ and ℓ⁺, where L² is given."""
-    length = rational_root(square)
-    if length:
-        return exactly(1 / length)
-    s = bits + (square.numerator.bit_length() - square.denominator.bit_length()) // 2 - 2
-    while True:
-        scaled = Fraction(4) ** s / square
-        j = math.isqrt(scaled.numerator // scaled.denominator)
-        if j >= 1 << (bits - 1):
-            return Bounds(j / Fraction(2) ** s, (j + 1) / Fraction(2) ** s)
-        s += 1
-
-
 def enlarged(question: Question, bits: int) -> Box:
     """§6, the enlarged box; or the box of one grasp."""
     contacts = []
@@ -1203,17 +1448,19 @@ def enlarged(question: Question, bits: int) -> Box:
         square = dot(contact.normal, contact.normal)
         preload, growth = contact.preload, Fraction(0)
         if question.rows:  # of one grasp: P' and Pᵘ' are known
-            preload, growth, inverse = exactly(question.rows[i].v[D]), question.rows[i].v[D + 1], \
-                exactly(Fraction(1))
+            *_, own, growth = question.rows[i].v
+            preload, inverse = exactly(own), exactly(Fraction(1))
         else:
-            inverse = inverse_root(square, bits) if preload.high else exactly(Fraction(1))
+            inverse = root_bounds(1 / square, bits) if preload.high else exactly(Fraction(1))
         turned = contact.slope ** 2
-        bounds = (*contact.position, Bounds(-contact.slope, contact.slope), contact.friction,
+        turn = (Bounds(-contact.slope, contact.slope),) * (len(contact.position) == 2)
+        bounds = (*contact.position, *turn, contact.friction,
                   Bounds(preload.low * (1 - turned / 2) * inverse.low,
                          preload.high * inverse.high),
                   Bounds(contact.stiffness.low * (1 - turned) / square,
                          contact.stiffness.high / square))
-        contacts.append(Parameters(contact.normal, dict(zip(PARAMETERS, bounds)), growth))
+        names = PARAMETERS[len(question.wrench)]
+        contacts.append(Parameters(contact.normal, dict(zip(names, bounds)), growth))
     return Box(contacts, question.widened, question.growth)
 
 
@@ -1240,29 +1487,47 @@ class Root(NamedTuple):
 
 class Region:
     """A node's region and its strict functions: a set (bits, as in Cone) of cuts, each being the
-    condition of its cut up to its sign. The cone is computed when the node's turn has come."""
+    condition of its cut up to its sign; and in space the slips of some contacts, which are no
+    conditions. The cone is computed when the node's turn has come."""
 
-    def __init__(self, parent: Optional[Region], step: str, row: Sequence[Fraction] = (),
-                 equality: bool = False, strict: bool = False, box: Optional[Box] = None) -> None:
+    def __init__(self, parent: Optional[Region], step: str, rows: Sequence[Sequence[Fraction]] = (),
+                 equality: bool = False, strict: bool = False, box: Optional[Box] = None,
+                 slips: Tuple[int, ...] = ()) -> None:
         self.parent = parent
         self.step = step          # the last step of the path from the root
-        self.row = row            # the condition: row·x ≥ 0, or = 0; none in a part of the box
+        self.rows = rows          # the conditions: row·x ≥ 0, or = 0
         self.equality = equality
         self.adds_strict = strict  # is row·x a new strict function?
         self.depth = parent.depth + 1 if parent else 0
         self.strict = 0
+        self.slips = slips        # the contacts whose slips are strict
         if parent:
             self.box, self.direction = box or parent.box, parent.direction
+            self.slips += parent.slips
 
     def open(self) -> None:
         assert self.parent is not None
         cone = self.parent.cone
-        self.cone = cone.cut(integers(self.row)[0], self.equality) if self.row else cone
         self.strict = self.parent.strict | self.adds_strict << cone.cuts
+        for row in self.rows:
+            cone = cone.cut(integers(row)[0], self.equality)
+        self.cone = cone
+
+    def moving(self) -> List[Terms]:
+        return [self.box.terms[i] for i in self.slips]
+
+    def generators(self) -> List[Tuple[Integers, int]]:
+        """Those of the cone. Behind the bits of its cuts come those of the slips."""
+        if not self.slips:
+            return self.cone.generators
+        cuts, moving = self.cone.cuts, self.moving()
+        return [(x, zero & ((1 << cuts) - 1)
+                 | sum(term.stuck(x) << (cuts + k) for k, term in enumerate(moving)))
+                for x, zero in self.cone.generators]
 
     def bars(self, rays: Sequence[Tuple[Integers, int]]) -> bool:
         """§4, barred: is some strict function zero on all of these rays?"""
-        common = self.strict
+        common = self.strict | ((1 << len(self.slips)) - 1) << self.cone.cuts
         for _, zero in rays:
             common &= zero
         return common != 0
@@ -1275,13 +1540,15 @@ class Region:
         return ", ".join([region.step] * bool(region.step) + steps[::-1]) or "root"
 
 
-def all_points() -> Cone:
-    return Cone([tuple(int(j == k) for k in range(D + 2)) for j in range(D + 2)], [], 0)
+def all_points(dimension: int) -> Cone:
+    n = dimension + 2
+    return Cone([tuple(int(j == k) for k in range(n)) for j in range(n)], [], 0)
 
 
 def begin(root: Root) -> Region:
     region = Region(None, root.path)
-    region.box, region.direction, region.cone = root.box, root.direction, all_points()
+    region.box, region.direction = root.box, root.direction
+    region.cone = all_points(root.box.dimension)
     conditions = list(root.conditions)
     if root.bilateral:
         conditions += [(term.v[0], False, False) for term in root.box.terms if len(term.v) == 1]
@@ -1294,10 +1561,11 @@ def begin(root: Root) -> Region:
 def roots(question: Question, box: Box, ranges: Sequence[Range]) -> List[Root]:
     """§4, of an unstable verdict or a margin."""
     found = []
+    h, load = h_and_load(box.dimension)
     for loads in ranges:
-        conditions = [(H, False, True), (plus(L, -loads.low, H), False, not loads.contains_low)]
+        conditions = [(h, False, True), (plus(load, -loads.low, h), False, not loads.contains_low)]
         if loads.high is not None:
-            conditions.append((plus(times(loads.high, H), Fraction(-1), L), False,
+            conditions.append((plus(times(loads.high, h), Fraction(-1), load), False,
                                not loads.contains_high))
         found.append(Root(box, conditions, question.asked.law == "bilateral"))
     return found
@@ -1329,35 +1597,29 @@ def leaf_refusal(region: Region, y: Vector,
                  shorten: Callable[[Fraction], Fraction]) -> Optional[str]:
     """`leaf-bound`: why it does not hold, or None. g grows with every α_i and b_i, so if it holds
     with each replaced by something that is not smaller, `shorten`, then it holds."""
-    rays, box = region.cone.generators, region.box
+    rays, box = region.generators(), region.box
     if region.bars(rays):
         return None
     points = [x for x, _ in rays]
     work = sum(max(c * end for end in load) for c, load in zip(y, box.wrench))
     # Terms of g, `bends`: factor·max(0, v_i(x)), and the bounds of contacts that are uncertain.
-    linear = [(Fraction(0),) * D + (Fraction(work), Fraction(dot(y, box.growth)))]
+    linear = [zeros(box.dimension) + (Fraction(work), Fraction(dot(y, box.growth)))]
     bends, bounds = [], []
-    scaled, factor = integers(y)
     for term in box.terms:
         lows, highs = extremes(term.v, points)
         v_side = side(lows, highs)
         if v_side < 0:
             continue  # max(0, v_i) = 0
-        sign_ = side(*extremes(term.slip, points))
-        if sign_ and not all(region.bars([ray for ray in rays if dot(slip, ray[0]) == 0])
-                             for slip in term.slip):
-            sign_ = 0
-        if not term.certain:
-            bounds.append([shorten(b / factor)
-                           for b in term.bound(scaled, sign_, v_side == 0, points)])
+        found = term.work(region, points, y, v_side == 0)
+        if isinstance(found, list):
+            bounds.append(list(map(shorten, found)))
             continue
-        ends = {1: (-1,), -1: (1,), 0: (-1, 1)}[sign_]
-        alpha = max(dot(scaled, term.edges[s * term.friction.low][0]) for s in ends)
-        weight = shorten(term.weight * alpha / factor)
+        v = term.all_v[0]
+        weight = shorten(found / term.v_factor)
         if v_side > 0:
-            linear.append(tuple(weight * c for c in term.v[0]))
+            linear.append(tuple(weight * c for c in v))
         elif weight > 0:
-            bends.append((weight, lows))
+            bends.append((weight, [dot(v, x) for x in points]))
     form, scale = integers(pairwise_sum(linear))
     flat = []  # the rays with g = 0
     for k, x in enumerate(points):
@@ -1379,9 +1641,9 @@ def check_leaf(region: Region, y: Vector) -> None:
             break
     else:
         raise Rejected("leaf-bound", found or "")
-    if not region.direction or region.bars(region.cone.generators):
+    if not region.direction or region.bars(region.generators()):
         return
-    pull = [sum(c * row[k] for c, row in zip(y, region.direction)) for k in range(D + 1)]
+    pull = [sum(c * row[k] for c, row in zip(y, region.direction)) for k in range(len(y) + 1)]
     for x, _ in region.cone.generators:
         if dot(pull, x) < 0:
             raise Rejected("leaf-direction", f"y.A(d - h d0) = {show(dot(pull, x))} at {show(x)}")
@@ -1395,19 +1657,25 @@ def children(region: Region, node: Node) -> List[Region]:
                 for name, half in zip(("low", "high"), box.halves(node))]
     if node.kind == "plane":
         row, steps = node.numbers, ("plane +", "plane -")
-        return [Region(region, steps[0], row),
-                Region(region, steps[1], times(Fraction(-1), row), strict=True)]
+        return [Region(region, steps[0], [row]),
+                Region(region, steps[1], [times(Fraction(-1), row)], strict=True)]
     if i >= len(box.terms):
         raise Rejected("node-contact", f"contact {show(i)}, the grasp has {len(box.terms)}")
-    corners = box.terms[i].v if node.kind == "separation" else box.terms[i].slip
-    if len(corners) > 1:
-        raise Rejected("node-certain", f"contact {i} is uncertain there")
-    row, below = corners[0], negated(corners[0])
+    term = box.terms[i]
+    rows = term.slip_rows()
     if node.kind == "separation":
-        return [Region(region, f"separation {i} closed", row),
+        rows = term.v if len(term.v) == 1 else None
+    if rows is None:
+        raise Rejected("node-certain", f"contact {i} is uncertain there")
+    below = [negated(rows[0])]
+    if node.kind == "separation":
+        return [Region(region, f"separation {i} closed", rows),
                 Region(region, f"separation {i} open", below, strict=True)]
-    return [Region(region, f"slip {i} +", row, strict=True),
-            Region(region, f"slip {i} 0", row, equality=True),
+    if box.dimension == SPACE:
+        return [Region(region, f"slip {i} 0", rows, equality=True),
+                Region(region, f"slip {i} not 0", slips=(i,))]
+    return [Region(region, f"slip {i} +", rows, strict=True),
+            Region(region, f"slip {i} 0", rows, equality=True),
             Region(region, f"slip {i} -", below, strict=True)]
 
 
@@ -1463,7 +1731,7 @@ def check_resisted(resisted: Sequence[Interval]) -> None:
 
 def multiple(point: Witness) -> Optional[Fraction]:
     """λ; None for a ray."""
-    return point.x[D + 1] if point.x[D] else None
+    return point.x[PLANE + 1] if point.x[PLANE] else None
 
 
 def check_segments(segments: Sequence[Tuple[Witness, Witness]], resisted: Sequence[Interval],
@@ -1511,11 +1779,12 @@ def check_mode(question: Question, first: Sequence[ContactForce], second: Sequen
             raise Rejected("segment-mode", f"contact {i}: v = {show(p.v)} and {show(q.v)}", place)
         if row.friction == 0 or p.a + q.a == 0:
             continue
-        if p.slip < 0 < q.slip or q.slip < 0 < p.slip:
-            raise Rejected("segment-mode", f"contact {i}: T.d = {show(p.slip)} and {show(q.slip)}",
+        (slip, other), (b, other_b) = p.slip + q.slip, p.b + q.b
+        if slip < 0 < other or other < 0 < slip:
+            raise Rejected("segment-mode", f"contact {i}: T.d = {show(slip)} and {show(other)}",
                            place)
-        edge = -sign(p.slip + q.slip) * row.friction
-        if edge and (p.b != edge * p.a or q.b != edge * q.a):
+        edge = -sign(slip + other) * row.friction
+        if edge and (b != edge * p.a or other_b != edge * q.a):
             raise Rejected("segment-mode", f"contact {i} slips at one end, and at the other its "
                                            "friction is not the same full share", place)
 
@@ -1536,8 +1805,16 @@ def gaps(resisted: Sequence[Interval]) -> List[Range]:
 
 
 def determinant(m: Sequence[Vector]) -> Fraction:
-    (a, b, c), (d, e, f), (g, h, i) = m
-    return a * (e * i - f * h) - b * (d * i - f * g) + c * (d * h - e * g)
+    """By elimination."""
+    found, rows = Fraction(1), list(m)
+    while rows:
+        pivot = next((row for row in rows if row[0]), None)
+        if pivot is None:
+            return Fraction(0)
+        found *= pivot[0]
+        rows = [tuple(c - row[0] / pivot[0] * p for c, p in zip(row[1:], pivot[1:]))
+                for row in rows if row is not pivot]
+    return found  # up to its sign
 
 
 def about(twist: Vector, row: Vector, more: int = 0) -> Vector:
@@ -1547,7 +1824,8 @@ def about(twist: Vector, row: Vector, more: int = 0) -> Vector:
 
 def cone_over(part: DegreeProof, wall: Optional[int] = None, sign_: int = 0) -> List[Condition]:
     """The cone over K, or over a wall of it."""
-    conditions: List[Condition] = [(L, True, False), (H, False, True)]
+    h, load = h_and_load(len(part.twist))
+    conditions: List[Condition] = [(load, True, False), (h, False, True)]
     for k, row in enumerate(part.walls):
         if k == wall:
             conditions.append((about(part.twist, row, -sign_), True, False))
@@ -1569,8 +1847,8 @@ def check_degree(part: DegreeProof, box: Box, bilateral: bool, place: str) -> No
             if min(lows) < 0:
                 raise Rejected("degree-law", f"v of contact {i} may be below 0", place)
     direction = [about(part.twist, row) for row in part.direction]
-    walls = [(j, sign_) for j in range(D) for sign_ in (1, -1)]
-    lists = (("wall", box, ()), ("middle wall", box.middle(), direction))
+    walls = [(j, sign_) for j in range(box.dimension) for sign_ in (1, -1)]
+    lists = (("wall", box, ()), ("middle wall", box.middle(), direction))[box.certain:]
     check_tree(part.tree, [Root(where, cone_over(part, j, sign_), False,
                                 f"{place}, {name} {j + 1} {'+' if sign_ > 0 else '-'}", pull)
                            for name, where, pull in lists for j, sign_ in walls], place)
@@ -1607,18 +1885,19 @@ USAGE = """check.py GRASP CERTIFICATE [options]
 
 Checks a stickslip certificate, as FORMAT.md says. GRASP is the grasp file, CERTIFICATE the proof;
 one of them may be - for standard input. Give the same options as to the program that made it:
-  --wrench WX,WY,T         replaces the file's
+  --wrench WX,WY,T         replaces the file's; in space WX,WY,WZ,TX,TY,TZ
   --case NAME              the wrench of this case of the grasp file
   --preload P              one preload for all contacts
   --normal-law LAW         unilateral (the default) or bilateral
   --direction WX,WY,T      ask for the margin: all factors f >= 0 for which the grasp is stable under
-                           wrench + f direction, with wrench 0 unless given by --wrench or --case
+                           wrench + f direction, with wrench 0 unless given by --wrench or --case;
+                           in the plane only, as is the next
   --preload-direction D    ask for the margin along preloads: P0,P1,..., of which f times is added to
                            the preloads; or scale: f times the preloads
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be off,
                            such as friction=10%,stiffness=10%,preload=5%,position=0.001,
                            normal=0.0175,wrench=2%; any of them, absolute or in percent, for
-                           normals the slope by which they may be turned
+                           normals (in the plane) the slope by which they may be turned
   --json                   answer as one JSON object
   -h, --help               this text, if it comes before GRASP
   --                       no options follow
@@ -1643,10 +1922,11 @@ def number_option(name: str, text: str) -> Fraction:
         raise UsageError(f"{name}: {error}") from None
 
 
-def list_option(name: str, text: str, length: Optional[int] = None) -> Vector:
+def list_option(name: str, text: str, lengths: Sequence[int] = ()) -> Vector:
     parts = text.split(",")
-    if length is not None and len(parts) != length:
-        raise UsageError(f"{name}: '{show(text)}' is not WX,WY,T, such as 0,-11/10,0")
+    if lengths and len(parts) not in lengths:
+        raise UsageError(f"{name}: '{show(text)}' is not WX,WY,T, such as 0,-11/10,0, or in space "
+                         "WX,WY,WZ,TX,TY,TZ")
     return tuple(number_option(name, part) for part in parts)
 
 
@@ -1688,9 +1968,9 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
                 raise UsageError(f"{name} needs a value")
             value = waiting.pop()
         if name == "--wrench":
-            options = options._replace(wrench=list_option(name, value, D))
+            options = options._replace(wrench=list_option(name, value, (PLANE, SPACE)))
         elif name == "--direction":
-            options = options._replace(direction=list_option(name, value, D))
+            options = options._replace(direction=list_option(name, value, (PLANE, SPACE)))
         elif name == "--case":
             options = options._replace(case=value)
         elif name == "--preload":
@@ -1759,7 +2039,7 @@ def answer(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
                                             "box", "nodes", "leaves", "resisted", "question"))
     try:
         question = pose(arguments.files[0], arguments.options)
-        certificate = read_certificate(arguments.files[1])
+        certificate = read_certificate(arguments.files[1], len(question.wrench))
         check_question(question, certificate.question)
         ranges = [VERDICT]
         bilateral = question.asked.law == "bilateral"

@@ -30,8 +30,9 @@ Vector parse_list(const std::string& option, const std::string& text) {
 
 Vector parse_wrench(const std::string& option, const std::string& text) {
   Vector values = parse_list(option, text);
-  if (values.size() != kDimension) {
-    throw UsageError{option + ": " + quote(text) + " is not WX,WY,T, such as 0,-11/10,0"};
+  if (values.size() != kPlanar && values.size() != kSpatial) {
+    throw UsageError{option + ": " + quote(text) +
+                     " is not WX,WY,T, such as 0,-11/10,0, or in space WX,WY,WZ,TX,TY,TZ"};
   }
   return values;
 }

@@ -30,18 +30,20 @@ void add_new(std::vector<Form>& forms, const Vector& v) {
   }
 }
 
-Vector moment_row(const Vector& p, const Vector& n) {
-  return {n[0], n[1], Rational(p[0] * n[1] - p[1] * n[0])};
-}
-
 Vector ends(const Bounds& bounds) {
   return bounds.certain() ? Vector{bounds.low} : Vector{bounds.low, bounds.high};
 }
 
-/// N and T at the corners.
-std::pair<std::vector<Vector>, std::vector<Vector>> rows_at_corners(const ContactBox& c) {
-  std::vector<Vector> corners{{}};  // of p_x, p_y and e
-  for (const Parameter name : {Parameter::kX, Parameter::kY, Parameter::kTurn}) {
+Vector multiple(const Rational& factor, const Vector& v) {
+  Vector result;
+  for (const Rational& c : v) result.emplace_back(factor * c);
+  return result;
+}
+
+/// Position and e, the box of which has these corners.
+std::vector<Vector> corners_of(const ContactBox& c) {
+  std::vector<Vector> corners{{}};
+  for (const Parameter name : {Parameter::kX, Parameter::kY, Parameter::kZ, Parameter::kTurn}) {
     std::vector<Vector> longer;
     for (const Vector& corner : corners) {
       for (const Rational& end : ends(c[name])) {
@@ -51,92 +53,128 @@ std::pair<std::vector<Vector>, std::vector<Vector>> rows_at_corners(const Contac
     }
     corners = std::move(longer);
   }
-  std::pair<std::vector<Vector>, std::vector<Vector>> rows;
-  for (const Vector& corner : corners) {
-    const Rational& e = corner[2];
-    const Vector n{Rational(c.normal[0] - e * c.normal[1]),
-                   Rational(c.normal[1] + e * c.normal[0])};
-    rows.first.push_back(moment_row(corner, n));
-    rows.second.push_back(moment_row(corner, {Rational(-n[1]), n[0]}));
+  return corners;
+}
+
+/// N and the rows of the slip at the corners: directions across n, taken to the point.
+struct Functions {
+  std::vector<Vector> normals;
+  std::vector<Vector> slips;  ///< of all corners, one after another
+};
+
+Functions functions_of(const ContactBox& c) {
+  Functions rows;
+  for (Vector p : corners_of(c)) {
+    Vector n = c.normal;
+    std::vector<Vector> across;
+    if (n.size() == 2) {
+      const Rational& e = p[3];
+      n = {Rational(c.normal[0] - e * c.normal[1]), Rational(c.normal[1] + e * c.normal[0])};
+      across = {{Rational(-n[1]), n[0]}};
+    } else {
+      const Rational square = dot(n, n);
+      for (std::size_t j = 0; j < 3; ++j) {
+        across.push_back(multiple(-n[j] / square, n));
+        across.back()[j] += 1;
+      }
+    }
+    p.resize(n.size());
+    rows.normals.push_back(at_point(p, n));
+    for (const Vector& t : across) rows.slips.push_back(at_point(p, t));
   }
   return rows;
 }
 
-Vector edge(const Vector& normal, const Vector& tangent, const Rational& s) {
-  Vector result;
-  for (std::size_t j = 0; j < kDimension; ++j) {
-    result.emplace_back(normal[j] + s * tangent[j]);
+/// What only signs of slip need: tau_i, and the edges of the friction cone.
+void add_planar(const Functions& at, const Bounds& friction, Row& row) {
+  Rational edge_scale;
+  for (Vector t : at.slips) {
+    t.resize(kPlanar + 2);
+    add_new(row.tau, t);
   }
-  return result;
+  // If all is certain there are two edges.
+  const std::size_t step = row.certain ? 3 : 1;
+  const Rational ends[]{Rational(-friction.high), Rational(-friction.low), friction.low,
+                        friction.high};
+  std::vector<Vector> edges;
+  for (std::size_t s = 0; s < 4; s += step) {
+    for (std::size_t k = 0; k < at.normals.size(); ++k) {
+      edges.push_back(at.normals[k]);
+      for (std::size_t j = 0; j < kPlanar; ++j) edges.back()[j] += ends[s] * at.slips[k][j];
+    }
+  }
+  const std::vector<Form> forms = make_forms(edges, &edge_scale);
+  for (std::size_t k = 0; k < forms.size(); ++k) {
+    row.edges[step * (k / at.normals.size())].push_back(forms[k]);
+  }
+  row.weight *= edge_scale;
 }
 
-Vector multiple(const Rational& factor, const Vector& v) {
-  Vector result;
-  for (const Rational& c : v) result.emplace_back(factor * c);
-  return result;
+/// v_i at each corner as a pull and a preload, all by one factor.
+void add_pulls(const Functions& at, const Bounds& preload, const Bounds& stiffness, Row& row) {
+  std::vector<Vector> parts{{preload.low, preload.high}};
+  for (const Rational& k : ends(stiffness)) {
+    for (const Vector& n : at.normals) parts.push_back(multiple(-k, n));
+  }
+  const std::vector<Form> forms = make_forms(parts, &row.weight);
+  row.preloads[0] = forms[0][0];
+  row.preloads[1] = forms[0][1];
+  for (std::size_t k = 0; k + 1 < forms.size(); ++k) {
+    row.pulls[k / at.normals.size()].push_back(forms[k + 1]);
+  }
 }
 
 }  // namespace
 
+Vector at_point(const Vector& p, const Vector& f) {
+  if (p.size() == 2) return {f[0], f[1], Rational(p[0] * f[1] - p[1] * f[0])};
+  Vector wrench = f;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const std::size_t k = (j + 1) % 3;
+    const std::size_t l = (j + 2) % 3;
+    wrench.emplace_back(p[k] * f[l] - p[l] * f[k]);
+  }
+  return wrench;
+}
+
 std::shared_ptr<const Row> make_row(const ContactBox& c) {
-  const auto [normals, tangents] = rows_at_corners(c);
-  const Bounds& friction = c[Parameter::kFriction];
+  const Functions at = functions_of(c);
   const Bounds& preload = c[Parameter::kPreload];
   const Bounds& stiffness = c[Parameter::kStiffness];
   Row row;
-  row.frictionless = friction == Bounds(0);
   row.certain = std::all_of(c.bounds.begin(), c.bounds.end(),
                             [](const Bounds& bounds) { return bounds.certain(); });
-  for (const Vector& t : tangents) {
-    add_new(row.slip, {t[0], t[1], t[2], 0, 0});
+  const std::size_t corners = at.normals.size();
+  std::vector<Vector> all = at.normals;
+  all.insert(all.end(), at.slips.begin(), at.slips.end());
+  const std::vector<Form> forms = make_forms(all, &row.scale);
+  row.slips.resize(corners);
+  for (std::size_t k = 0; k < forms.size(); ++k) {
+    if (k < corners) {
+      row.normals.push_back(forms[k]);
+    } else {
+      row.slips[(k - corners) / (at.slips.size() / corners)].push_back(forms[k]);
+    }
   }
-  Vector v;
-  for (const Vector& n : normals) {
+  for (const Vector& n : at.normals) {
     for (const Rational& k : ends(stiffness)) {
       for (const Rational& p : ends(preload)) {
-        v = multiple(-k, n);
+        Vector v = multiple(-k, n);
         v.insert(v.end(), {p, c.growth});
+        if (row.v.empty()) make_form(v, &row.v_scale);
         add_new(row.v, v);
       }
     }
   }
-  Rational v_scale;
-  Rational edge_scale;
-  if (row.certain) {
-    const std::vector<Form> edges =
-        make_forms({edge(normals[0], tangents[0], Rational(-friction.high)),
-                    edge(normals[0], tangents[0], friction.high)},
-                   &edge_scale);
-    row.edges[0] = edges[0];
-    row.edges[1] = edges[1];
-    make_form(v, &v_scale);
-  } else {
-    std::vector<Vector> edges;
-    for (const Rational& s :
-         {Rational(-friction.high), Rational(-friction.low), friction.low, friction.high}) {
-      for (std::size_t k = 0; k < normals.size(); ++k) {
-        edges.push_back(edge(normals[k], tangents[k], s));
-      }
-    }
-    std::vector<Vector> parts{{preload.low, preload.high}};
-    for (const Vector& n : normals) parts.push_back(multiple(-stiffness.low, n));
-    for (const Vector& n : normals) parts.push_back(multiple(-stiffness.high, n));
-    const auto part_of = [&](const std::vector<Form>& forms, std::size_t begin) {
-      const auto first = forms.begin() + static_cast<std::ptrdiff_t>(begin);
-      return std::vector<Form>(first, first + static_cast<std::ptrdiff_t>(normals.size()));
-    };
-    const std::vector<Form> edge_forms = make_forms(edges, &edge_scale);
-    for (std::size_t s = 0; s < 4; ++s) {
-      row.corner_edges[s] = part_of(edge_forms, s * normals.size());
-    }
-    const std::vector<Form> forms = make_forms(parts, &v_scale);
-    row.preloads[0] = forms[0][0];
-    row.preloads[1] = forms[0][1];
-    row.pulls[0] = part_of(forms, 1);
-    if (!stiffness.certain()) row.pulls[1] = part_of(forms, 1 + normals.size());
-  }
-  row.weight = v_scale * edge_scale;
+  row.weight = row.v_scale;
+  if (!row.certain) add_pulls(at, preload, stiffness, row);
+  if (c.normal.size() == 2) add_planar(at, c[Parameter::kFriction], row);
   return std::make_shared<const Row>(std::move(row));
+}
+
+bool Box::certain() const {
+  return std::all_of(rows.begin(), rows.end(), [](const auto& row) { return row->certain; }) &&
+         std::all_of(wrench.begin(), wrench.end(), [](auto& w) { return w.certain(); });
 }
 
 const Bounds* Box::find(Parameter name, const Integer& index) const {

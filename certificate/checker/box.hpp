@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The box of parameters that trees are about (FORMAT.md §6), and what they need of each
+/// The box of parameters that trees are about (FORMAT.md §6, §7), and what they need of each
 /// contact: its functions at the corners of the box, of which a contact without uncertainty has
-/// one (§1, Rows).
+/// one (§1 and §7, Rows).
+///
+/// The dimension D of twists and wrenches is 3 in the plane and 6 in space. There is no other
+/// difference between the two than how many coordinates positions have, and slips: 2 and 1, or
+/// 3 and 3.
 #pragma once
 
 #include <array>
@@ -16,16 +20,37 @@
 
 namespace stickslip_check {
 
-/// The number of coordinates of twists and wrenches: translation x, y and rotation.
-inline constexpr std::size_t kDimension = 3;
+inline constexpr std::size_t kPlanar = 3;   ///< D of translation x, y and rotation
+inline constexpr std::size_t kSpatial = 6;  ///< D of translation x, y, z and rotation x, y, z
 
-/// FORMAT.md §6, the table; kWrench is of no contact.
-enum class Parameter : std::int8_t { kX, kY, kTurn, kFriction, kPreload, kStiffness, kWrench };
-inline constexpr std::array<const char*, 7> kParameterNames{
-    "x", "y", "turn", "friction", "preload", "stiffness", "wrench"};
-inline constexpr std::size_t kContactParameters = 6;
+/// The coordinates of positions, normals and points where twists have so many.
+constexpr std::size_t coordinates(std::size_t dimension) {
+  return dimension == kSpatial ? 3 : 2;
+}
 
-/// The parameters of a contact.
+/// The wrench, or the twist row, of a force at a point.
+Vector at_point(const Vector& point, const Vector& force);
+
+/// FORMAT.md §6, the table, and §7; kWrench is of no contact.
+enum class Parameter : std::int8_t {
+  kX,
+  kY,
+  kZ,
+  kTurn,
+  kFriction,
+  kPreload,
+  kStiffness,
+  kWrench
+};
+inline constexpr std::array<const char*, 8> kParameterNames{
+    "x", "y", "z", "turn", "friction", "preload", "stiffness", "wrench"};
+inline constexpr std::size_t kContactParameters = 7;
+/// Whether there is such a parameter in this dimension.
+constexpr bool is_parameter(Parameter name, std::size_t dimension) {
+  return name != (dimension == kSpatial ? Parameter::kTurn : Parameter::kZ);
+}
+
+/// The parameters of a contact; one that there is not is 0.
 struct ContactBox {
   Vector normal;                                  ///< n0
   std::array<Bounds, kContactParameters> bounds;  ///< by Parameter
@@ -36,25 +61,34 @@ struct ContactBox {
   }
 };
 
-/// What follows for one contact. A *corner* is one of the box of p_x, p_y and e, of which those
-/// that are certain do not count. All forms are of points.
+/// What follows for one contact. A *corner* is one of the box of the position and e, of which
+/// those that are certain do not count. All forms are of points.
 struct Row {
-  /// v_i and tau_i at all corners, those of P' and k' included, and up to positive factors: one
-  /// form each if they are certain.
-  std::vector<Form> v;
-  std::vector<Form> slip;
-
   bool certain = true;  ///< all parameters are
-  Rational weight;      ///< of the products of what follows
 
-  // If certain: v_i(x) (N -+ mu T) = weight (v.x) edge.
-  Form edges[2];      ///< N - mu T, N + mu T
-  bool frictionless;  ///< mu = 0
+  /// At each corner N, and the rows of the slip: T in the plane, the three of S in space.
+  std::vector<Form> normals;
+  std::vector<std::vector<Form>> slips;
+  Rational scale;  ///< both are multiples of these by it
 
-  // If not: (N + s T) v_i(x) = weight (edge) (pull.d + preload h), at each corner.
-  std::vector<Form> corner_edges[4];  ///< s = -mu_max, -mu_min, mu_min, mu_max
+  /// v_i at all corners, those of P' and k' included, up to positive factors: one form if it is
+  /// certain.
+  std::vector<Form> v;
+  Rational v_scale;  ///< if all is certain, v_i is a multiple of v[0] by this
+
+  // If not, at each corner v_i(x) is a multiple of pull.d + preload h, all by one factor.
   std::vector<Form> pulls[2];  ///< for k'_min, k'_max; the last is empty if k' is certain
   Integer preloads[2];         ///< for P'_min, P'_max
+
+  // In the plane:
+  std::vector<Form> tau;  ///< at all corners, up to positive factors: one form if certain
+  /// N + s T at each corner, for s = -mu_max, -mu_min, mu_min, mu_max; if all is certain, for
+  /// the first and the last.
+  std::vector<Form> edges[4];
+
+  /// In the plane, v_i(x) (N + s T) is the product of what stands for them here by this; in
+  /// space, v_i(x) alone is.
+  Rational weight;
 };
 
 std::shared_ptr<const Row> make_row(const ContactBox& contact);
@@ -66,6 +100,9 @@ struct Box {
   Vector growth;               ///< u; 0 unless of a margin
   std::vector<std::shared_ptr<const Row>> rows;
 
+  std::size_t dimension() const { return wrench.size(); }
+  /// Whether it is one point.
+  bool certain() const;
   /// The interval of a parameter, or nothing if there is no such contact or component.
   const Bounds* find(Parameter name, const Integer& index) const;
   /// The part with another interval of a parameter that there is.

@@ -13,8 +13,9 @@ constexpr const char* kFormat = "stickslip-certificate/2";
 
 }  // namespace
 
-CertificateReader::CertificateReader(std::istream& in, const std::string& file)
-    : json_(in, file, kCertificateLimits) {}
+CertificateReader::CertificateReader(std::istream& in, const std::string& file,
+                                     std::size_t dimension)
+    : json_(in, file, kCertificateLimits), dimension_(dimension) {}
 
 Claim CertificateReader::claim() {
   const Value format = take("format");
@@ -75,7 +76,7 @@ std::optional<Part> CertificateReader::next_part() {
 
 Witness CertificateReader::witness() {
   Witness witness;
-  witness.x = numbers(json_.value(), "twist", 0, kDimension);
+  witness.x = numbers(json_.value(), "twist", 0, dimension_);
   witness.x.insert(witness.x.end(), {1, 0});
   witness.shares = shares(take("shares"), "shares");
   return witness;
@@ -96,7 +97,7 @@ std::optional<std::pair<Witness, Witness>> CertificateReader::next_segment() {
   if (!next_element("segments")) return std::nullopt;
   const std::string place = "segments[" + std::to_string(elements_ - 1) + "]";
   const Value value = json_.value();
-  const bool goes_on = value.is_array(1) && end_ && end_->x[kDimension] != 0;
+  const bool goes_on = value.is_array(1) && end_ && end_->x[dimension_] != 0;
   json_.expect(goes_on || value.is_array(2), value, place,
                "two points, or one where the segment before ended with a number");
   Witness begin = goes_on ? std::move(*end_) : point(value.items[0], false, place);
@@ -213,7 +214,8 @@ Claim CertificateReader::claim_of(const Value& value) const {
   claim.contacts = index(member(value, "question", "contacts"), "question.contacts");
   const std::string at_wrench = "question.wrench";
   const Value& wrench = member(value, "question", "wrench");
-  json_.expect(wrench.is_array(kDimension), wrench, at_wrench, "an array of 3");
+  json_.expect(wrench.is_array(dimension_), wrench, at_wrench,
+               "an array of " + std::to_string(dimension_));
   for (const Value& entry : wrench.items) {
     claim.wrench.push_back(wrench_component(entry, at_wrench));
   }
@@ -226,7 +228,7 @@ Claim CertificateReader::claim_of(const Value& value) const {
   json_.expect(asked.bilateral || law.is_text("unilateral"), law, "question.normal_law",
                R"("unilateral" or "bilateral")");
   if (const Value* direction = value.find("direction")) {
-    asked.direction = numbers(*direction, "question.direction", 0, kDimension);
+    asked.direction = numbers(*direction, "question.direction", 0, dimension_);
   }
   if (const Value* growth = value.find("preload_direction")) {
     asked.preload_direction.emplace();
@@ -237,6 +239,9 @@ Claim CertificateReader::claim_of(const Value& value) const {
         asked.preload_direction->values.push_back(number(entry, place));
       }
     }
+  }
+  if (asked.margin() && dimension_ == kSpatial) {
+    json_.fail(value.line, "question", "a direction, but in space there are no margins");
   }
   if (const Value* uncertain = value.find("uncertain")) {
     asked.uncertain = tolerances(*uncertain);
@@ -270,9 +275,10 @@ std::map<std::string, Tolerance> CertificateReader::tolerances(const Value& valu
 
 std::vector<Vector> CertificateReader::matrix(const Value& value,
                                               const std::string& place) const {
-  json_.expect(value.is_array(kDimension), value, place, "a matrix of 3 rows");
+  json_.expect(value.is_array(dimension_), value, place,
+               "a matrix of " + std::to_string(dimension_) + " rows");
   std::vector<Vector> rows;
-  for (const Value& row : value.items) rows.push_back(numbers(row, place, 0, kDimension));
+  for (const Value& row : value.items) rows.push_back(numbers(row, place, 0, dimension_));
   return rows;
 }
 
@@ -287,7 +293,7 @@ Part CertificateReader::part(const Value& value, const std::string& place) const
   }
   json_.expect(value.kind == Value::Kind::kObject, value, place, "a part");
   expect_order(value, place, {"twist", "walls", "direction", "tree"});
-  part.twist = numbers(member(value, place, "twist"), place + ".twist", 0, kDimension);
+  part.twist = numbers(member(value, place, "twist"), place + ".twist", 0, dimension_);
   part.walls = matrix(member(value, place, "walls"), place + ".walls");
   part.direction = matrix(member(value, place, "direction"), place + ".direction");
   for (const Value& entry : list(member(value, place, "tree"), place + ".tree", "an array")) {
@@ -296,12 +302,15 @@ Part CertificateReader::part(const Value& value, const std::string& place) const
   return part;
 }
 
-std::vector<std::pair<Integer, Rational>> CertificateReader::shares(
+std::vector<std::pair<Integer, Vector>> CertificateReader::shares(
     const Value& value, const std::string& place) const {
-  std::vector<std::pair<Integer, Rational>> result;
+  std::vector<std::pair<Integer, Vector>> result;
   for (const Value& entry : list(value, place, "an array [[contact, share], ...]")) {
     json_.expect(entry.is_array(2), entry, place, "[contact, share]");
-    result.emplace_back(index(entry.items[0], place), number(entry.items[1], place));
+    const Value& share = entry.items[1];
+    result.emplace_back(index(entry.items[0], place), dimension_ == kSpatial
+                                                          ? numbers(share, place, 0, 3)
+                                                          : Vector{number(share, place)});
   }
   return result;
 }
@@ -313,7 +322,7 @@ Witness CertificateReader::point(const Value& value, bool may_be_ray,
   const std::optional<Rational> lambda =
       may_be_ray ? number_or_null(value.items[0], place) : number(value.items[0], place);
   Witness witness;
-  witness.x = numbers(value.items[1], place, 0, kDimension);
+  witness.x = numbers(value.items[1], place, 0, dimension_);
   witness.x.push_back(lambda ? 1 : 0);
   witness.x.push_back(lambda.value_or(1));
   witness.shares = shares(value.items[2], place);
@@ -328,19 +337,21 @@ Node CertificateReader::node(const Value& value, const std::string& place) const
   const std::string& kind = value.items[0].text;
   Node node;
   if (kind == "leaf") {
-    node.numbers = numbers(value, place, 1, kDimension);
+    node.numbers = numbers(value, place, 1, dimension_);
   } else if (kind == "plane") {
     node.kind = NodeKind::kPlane;
-    node.numbers = numbers(value, place, 1, kDimension + (margin_ ? 2 : 1));
-    node.numbers.resize(kDimension + 2);
+    node.numbers = numbers(value, place, 1, dimension_ + (margin_ ? 2 : 1));
+    node.numbers.resize(dimension_ + 2);
   } else if (kind == "part" && !margin_) {
     node.kind = NodeKind::kPart;
     json_.expect(value.is_array(4), value, place, "part, a name, an index and a number");
     const auto name = std::find_if(kParameterNames.begin(), kParameterNames.end(),
                                    [&](auto known) { return value.items[1].is_text(known); });
-    json_.expect(name != kParameterNames.end(), value.items[1], place,
-                 "x, y, turn, friction, preload, stiffness or wrench");
     node.parameter = static_cast<Parameter>(name - kParameterNames.begin());
+    json_.expect(name != kParameterNames.end() && is_parameter(node.parameter, dimension_),
+                 value.items[1], place,
+                 std::string("x, y, ") + (dimension_ == kSpatial ? "z" : "turn") +
+                     ", friction, preload, stiffness or wrench");
     node.contact = index(value.items[2], place);
     node.numbers = {number(value.items[3], place)};
   } else {

@@ -26,7 +26,8 @@ struct Claim {
 
 class CertificateReader {
  public:
-  CertificateReader(std::istream& in, const std::string& file);
+  /// `dimension` is that of the question: so many numbers are in a twist.
+  CertificateReader(std::istream& in, const std::string& file, std::size_t dimension);
 
   /// All up to the member `question`.
   Claim claim();
@@ -69,12 +70,13 @@ class CertificateReader {
   std::map<std::string, Tolerance> tolerances(const Value& value) const;
   std::vector<Vector> matrix(const Value& value, const std::string& place) const;
   Part part(const Value& value, const std::string& place) const;
-  std::vector<std::pair<Integer, Rational>> shares(const Value& value,
-                                                   const std::string& place) const;
+  std::vector<std::pair<Integer, Vector>> shares(const Value& value,
+                                                 const std::string& place) const;
   Witness point(const Value& value, bool may_be_ray, const std::string& place) const;
   Node node(const Value& value, const std::string& place) const;
 
   JsonReader json_;
+  std::size_t dimension_;
   bool margin_ = false;  ///< the question has a direction
   unsigned bits_ = kDefaultBits;
   std::string open_list_;  ///< whose elements are being taken

@@ -130,7 +130,7 @@ Answer check(std::istream& grasp, std::istream& certificate, const Options& opti
              const std::string& grasp_name, const std::string& certificate_name) {
   try {
     Question question = pose(read_grasp(grasp, grasp_name), options, grasp_name);
-    CertificateReader reader(certificate, certificate_name);
+    CertificateReader reader(certificate, certificate_name, question.dimension());
     return read_and_check(reader, std::move(question));
   } catch (const Malformed& malformed) {
     return malformed;

@@ -2,6 +2,7 @@
 #include "cone.hpp"
 
 #include <algorithm>
+#include <bitset>
 #include <utility>
 
 namespace stickslip_check {
@@ -25,6 +26,15 @@ bool includes(const Set& set, const Set& part) {
     if ((part[k] & ~(k < set.size() ? set[k] : 0)) != 0) return false;
   }
   return true;
+}
+
+/// The number of conditions in both.
+std::size_t common_size(const Set& a, const Set& b) {
+  std::size_t size = 0;
+  for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) {
+    size += std::bitset<kWordBits>(a[k] & b[k]).count();
+  }
+  return size;
 }
 
 }  // namespace
@@ -94,9 +104,13 @@ Cone Cone::cut(const Form& a, bool equality) const {
     insert(zero, cuts_);
     result.add(rays_[i]->x, std::move(zero));
   }
+  // A pair that is adjacent spans, with the lines, all that is zero in its common conditions.
+  const std::size_t n = rays_.empty() ? 0 : rays_.front()->x.size();
+  const std::size_t least = n - std::min(n, lines_.size() + 2);
   for (std::size_t i = 0; i < rays_.size(); ++i) {
     for (std::size_t j = 0; j < rays_.size(); ++j) {
       if (height[i] <= 0 || height[j] >= 0) continue;
+      if (common_size(rays_[i]->zero, rays_[j]->zero) < least) continue;
       Set common = intersection(rays_[i]->zero, rays_[j]->zero);
       std::size_t holders = 0;  // of all common zeros; the two themselves are
       for (std::size_t k = 0; k < rays_.size() && holders <= 2; ++k) {

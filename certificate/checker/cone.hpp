@@ -16,7 +16,7 @@
 ///  - Else the rays with a.r >= 0 stay, and each adjacent pair r, s with a.r > 0 > a.s adds the
 ///    ray of its span on the plane, (a.r) s - (a.s) r. Two extreme rays are *adjacent* iff all
 ///    conditions that are zero on both are zero together on no third ray (the combinatorial
-///    test, Fukuda & Prodon, Proposition 7).
+///    test, Fukuda & Prodon, Proposition 7), of which there are n - 2 or more, less the lines.
 /// A cut by a.x = 0 keeps only what lies on the plane.
 #pragma once
 

@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "degree.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace stickslip_check {
 namespace {
 
-Rational determinant(const std::vector<Vector>& m) {
-  Rational sum;
-  for (std::size_t j = 0; j < kDimension; ++j) {
-    const std::size_t k = (j + 1) % kDimension;
-    const std::size_t l = (j + 2) % kDimension;
-    sum += m[0][j] * (m[1][k] * m[2][l] - m[1][l] * m[2][k]);
+/// Whether the determinant is 0: by elimination.
+bool singular(std::vector<Vector> m) {
+  for (std::size_t j = 0; j < m.size(); ++j) {
+    const auto pivot = std::find_if(m.begin() + static_cast<std::ptrdiff_t>(j), m.end(),
+                                    [&](const Vector& row) { return row[j] != 0; });
+    if (pivot == m.end()) return true;
+    std::swap(*pivot, m[j]);
+    for (std::size_t i = j + 1; i < m.size(); ++i) {
+      const Rational factor = m[i][j] / m[j][j];
+      for (std::size_t k = j; k < m.size(); ++k) m[i][k] -= factor * m[j][k];
+    }
   }
-  return sum;
+  return false;
 }
 
 /// row.(d - h d0) as a function of points, plus h times `more`.
@@ -26,8 +32,12 @@ Vector about(const Vector& twist, const Vector& row, int more = 0) {
 
 /// The cone over K, or over the wall E_j.(d - h d0) = sign h of it.
 std::vector<Condition> conditions_of(const Part& part, std::size_t wall, int sign) {
-  std::vector<Condition> conditions{{{0, 0, 0, 0, 1}, true}, {{0, 0, 0, 1, 0}, false, true}};
-  for (std::size_t k = 0; k < kDimension; ++k) {
+  const std::size_t dimension = part.walls.size();
+  Vector h(dimension + 2);
+  Vector l(dimension + 2);
+  h[dimension] = l[dimension + 1] = 1;
+  std::vector<Condition> conditions{{l, true}, {h, false, true}};
+  for (std::size_t k = 0; k < dimension; ++k) {
     if (k == wall) {
       conditions.push_back({about(part.twist, part.walls[k], -sign), true});
       continue;
@@ -42,8 +52,9 @@ std::vector<Condition> conditions_of(const Part& part, std::size_t wall, int sig
 
 /// `degree-law`: the contact whose v_i may be below 0 in K, or nothing.
 std::optional<std::size_t> opening(const Part& part, const Box& box) {
-  Cone cone(kDimension + 2);
-  for (const Condition& condition : conditions_of(part, kDimension, 0)) {
+  const std::size_t no_wall = box.dimension();
+  Cone cone(box.dimension() + 2);
+  for (const Condition& condition : conditions_of(part, no_wall, 0)) {
     cone = cone.cut(make_form(condition.a), condition.equality);
   }
   for (std::size_t i = 0; i < box.rows.size(); ++i) {
@@ -98,8 +109,8 @@ void PartWalk::check_proof(const Part& part, const Awaited& here, const std::str
   const auto require = [&](bool good, const char* rule, const std::string& found) {
     if (!good) throw Rejected{rule, std::nullopt, place, found};
   };
-  require(determinant(part.walls) != 0, "degree-walls", "det E = 0");
-  require(determinant(part.direction) != 0, "degree-direction", "det A = 0");
+  require(!singular(part.walls), "degree-walls", "det E = 0");
+  require(!singular(part.direction), "degree-direction", "det A = 0");
   if (bilateral_) {
     const auto i = opening(part, *here.box);
     require(
@@ -111,7 +122,8 @@ void PartWalk::check_proof(const Part& part, const Awaited& here, const std::str
   const auto middle = std::make_shared<const Box>(here.box->middle());
   std::vector<Root> roots;
   for (const bool second : {false, true}) {
-    for (std::size_t j = 0; j < kDimension; ++j) {
+    if (!second && here.box->certain()) continue;
+    for (std::size_t j = 0; j < here.box->dimension(); ++j) {
       for (const int sign : {1, -1}) {
         roots.push_back({second ? middle : here.box, conditions_of(part, j, sign), false,
                          place + (second ? ", middle wall " : ", wall ") +

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "answer.hpp"
+#include "box.hpp"
 #include "json.hpp"
 
 namespace stickslip_check {
@@ -56,6 +57,7 @@ class GraspReader {
 
   Grasp read() {
     Names seen;
+    std::map<std::string, Value> members;  // what the contacts decide how to read
     while (const std::optional<std::string> key = json_.next_member()) {
       allow(*key,
             {"format", "name", "units", "outline", "defaults", "contacts", "wrench", "loads",
@@ -64,10 +66,18 @@ class GraspReader {
       seen.push_back(*key);
       if (*key == "contacts") {
         while (json_.next_element()) read_contact(json_.value());
-      } else {
+      } else if (*key == "format") {
         read_member(*key, json_.value());
+      } else {
+        members.emplace(*key, json_.value());
       }
     }
+    const auto load = members.find("wrench");
+    if (version2_ && own_.empty() && load != members.end() && load->second.is_array(kSpatial)) {
+      put_in_space(load->second, "wrench");
+    }
+    grasp_.wrench = Wrench(dimension_);
+    for (auto& [key, value] : members) read_member(key, std::move(value));
     const auto has = [&](const char* key) {
       return std::find(seen.begin(), seen.end(), key) != seen.end();
     };
@@ -82,7 +92,7 @@ class GraspReader {
     }
     check(has("wrench") || has("loads") || has("cases"), "the member \"wrench\" is missing");
     check(!has("wrench") || !has("loads"), "both \"wrench\" and \"loads\"; give one of them");
-    if (uncertain_ && !version2_) json_.fail(uncertain_->first, uncertain_->second, kNeeds2);
+    if (newer_ && !version2_) json_.fail(newer_->first, newer_->second, kNeeds2);
     for (auto& [name, wrench] : grasp_.cases) add(wrench, grasp_.wrench);
     for (const auto& [i, on] : places_) put_on_outline(i, on);
     for (std::size_t i = 0; i < own_.size(); ++i) complete(i);
@@ -90,7 +100,7 @@ class GraspReader {
   }
 
  private:
-  void read_member(const std::string& key, const Value& value) {
+  void read_member(const std::string& key, Value value) {
     if (key == "format") {
       version2_ = value.is_text("stickslip-grasp/2");
       json_.expect(version2_ || value.is_text("stickslip-grasp/1"), value, key,
@@ -98,19 +108,26 @@ class GraspReader {
     } else if (key == "name") {
       json_.expect(value.kind == Value::Kind::kString, value, key, "a string");
     } else if (key == "wrench") {
-      grasp_.wrench = uncertain_vector(value, key, 3);
+      grasp_.wrench = uncertain_vector(value, key, dimension_);
     } else if (key == "loads") {
       grasp_.wrench = sum_of_loads(value, key);
     } else if (key == "cases") {
       read_cases(value);
     } else if (key == "outline") {
-      read_outline(value);
+      json_.expect(dimension_ == kPlanar, value, key, "none, as the grasp is in space");
+      read_outline(std::move(value));
     } else if (key == "units") {
       read_units(value);
     } else {
       expect_object(value, key, {"friction", "stiffness", "preload"});
       defaults_ = properties(value, key);
     }
+  }
+
+  /// `value` shows that the grasp is.
+  void put_in_space(const Value& value, const std::string& place) {
+    found_newer(value, place);
+    dimension_ = kSpatial;
   }
 
   /// They have no meaning here.
@@ -229,7 +246,7 @@ class GraspReader {
       if ((wrench == nullptr) == (loads == nullptr)) {
         json_.fail(entry.line, place, R"(expected one of the members "wrench" and "loads")");
       }
-      Wrench own = wrench != nullptr ? uncertain_vector(*wrench, place + ".wrench", 3)
+      Wrench own = wrench != nullptr ? uncertain_vector(*wrench, place + ".wrench", dimension_)
                                      : sum_of_loads(*loads, place + ".loads");
       if (!grasp_.cases.emplace(name.text, std::move(own)).second) {
         json_.fail(name.line, place, "the name " + quote(name.text) + " appears twice");
@@ -239,18 +256,21 @@ class GraspReader {
 
   Wrench sum_of_loads(const Value& value, const std::string& place) const {
     json_.expect(value.kind == Value::Kind::kArray, value, place, "an array of loads");
-    Wrench sum(3);
+    Wrench sum(dimension_);
     for (std::size_t k = 0; k < value.items.size(); ++k) {
-      add(sum, load(value.items[k], place + "[" + std::to_string(k) + "]"));
+      add(sum, wrench_of(value.items[k], place + "[" + std::to_string(k) + "]"));
     }
     return sum;
   }
 
   /// The wrench of a force at a point, of a torque or of a weight.
-  Wrench load(const Value& value, const std::string& place) const {
+  Wrench wrench_of(const Value& value, std::string place) const {
     if (const Value* torque = value.find("torque")) {
       expect_object(value, place, {"torque"});
-      return {0, 0, number(*torque, place + ".torque")};
+      place = place + ".torque";
+      if (dimension_ == kPlanar) return {0, 0, number(*torque, place)};
+      const Vector t = vector(*torque, place, 3);
+      return {0, 0, 0, t[0], t[1], t[2]};
     }
     Vector force;
     if (const Value* weight = value.find("weight")) {
@@ -258,22 +278,28 @@ class GraspReader {
       force = pull(value, *weight, place);
     } else {
       expect_object(value, place, {"force", "at"});
-      force = vector(member(value, place, "force"), place + ".force", 2);
+      force = vector(member(value, place, "force"), place + ".force", coordinates());
     }
-    const Vector at = vector(member(value, place, "at"), place + ".at", 2);
-    return {force[0], force[1], Rational(at[0] * force[1] - at[1] * force[0])};
+    const Vector at = vector(member(value, place, "at"), place + ".at", coordinates());
+    const Vector wrench = at_point(at, force);
+    return {wrench.begin(), wrench.end()};
   }
 
   Vector pull(const Value& load, const Value& weight, const std::string& place) const {
     const Rational size = number(weight, place + ".weight");
     json_.expect(size >= 0, weight, place + ".weight", "a number of 0 or more");
     const Value* direction = load.find("direction");
-    if (direction == nullptr) return {0, Rational(-size)};
-    const Vector d = vector(*direction, place + ".direction", 2);
+    Vector force(coordinates());
+    if (direction == nullptr) {
+      force.back() = -size;
+      return force;
+    }
+    const Vector d = vector(*direction, place + ".direction", coordinates());
     const std::optional<Rational> length = exact_sqrt(dot(d, d));
     json_.expect(length && *length > 0, *direction, place + ".direction",
                  "a vector of rational length, not 0, such as [3, -4]");
-    return {Rational(size * d[0] / *length), Rational(size * d[1] / *length)};
+    for (std::size_t j = 0; j < d.size(); ++j) force[j] = size * d[j] / *length;
+    return force;
   }
 
   void read_contact(const Value& value) {
@@ -282,18 +308,24 @@ class GraspReader {
     expect_object(value, place,
                   {"position", "normal", "on", "friction", "stiffness", "preload"});
     Contact contact;
+    const Value* first = own_.empty() ? value.find("position") : nullptr;
+    if (version2_ && first != nullptr && first->is_array(3)) {
+      put_in_space(*first, place + ".position");
+    }
     if (const Value* on = value.find("on")) {
+      json_.expect(dimension_ == kPlanar, *on, place + ".on",
+                   "a position and a normal, as the grasp is in space");
       if (value.find("position") != nullptr || value.find("normal") != nullptr) {
         json_.fail(value.line, place, R"("on" stands in place of "position" and "normal")");
       }
       places_.emplace(own_.size(), read_place(*on, place + ".on"));
     } else {
       const Value& position = member(value, place, "position");
-      contact.position = uncertain_vector(position, place + ".position", 2);
+      contact.position = uncertain_vector(position, place + ".position", coordinates());
       read_normal(member(value, place, "normal"), place + ".normal", contact);
-      if (contact.normal == Vector(2)) {
+      if (contact.normal == Vector(coordinates())) {
         json_.fail(value.line, place + ".normal",
-                   "the normal is (0, 0); give a vector into the object");
+                   "the normal is " + show(contact.normal) + "; give a vector into the object");
       }
     }
     grasp_.contacts.push_back(std::move(contact));
@@ -302,11 +334,11 @@ class GraspReader {
 
   /// [x, y], or with a slope.
   void read_normal(const Value& value, const std::string& place, Contact& contact) {
-    if (value.kind != Value::Kind::kObject) {
-      contact.normal = vector(value, place, 2);
+    if (value.kind != Value::Kind::kObject || dimension_ == kSpatial) {
+      contact.normal = vector(value, place, coordinates());
       return;
     }
-    found_uncertain(value, place);
+    found_newer(value, place);
     expect_object(value, place, {"direction", "slope"});
     contact.normal = vector(member(value, place, "direction"), place + ".direction", 2);
     const Value& slope = member(value, place, "slope");
@@ -369,8 +401,7 @@ class GraspReader {
   }
 
   Vector vector(const Value& value, const std::string& place, std::size_t size) const {
-    json_.expect(value.is_array(size), value, place,
-                 size == 2 ? "an array [x, y]" : "an array [force x, force y, torque]");
+    json_.expect(value.is_array(size), value, place, array_of(size));
     Vector result;
     for (std::size_t j = 0; j < size; ++j) {
       result.push_back(number(value.items[j], place + "[" + std::to_string(j) + "]"));
@@ -378,15 +409,28 @@ class GraspReader {
     return result;
   }
 
-  /// Version 1 has no intervals and slopes; the version may be stated later.
-  void found_uncertain(const Value& value, const std::string& place) {
-    if (!uncertain_) uncertain_.emplace(value.line, place);
+  /// What the place of so many numbers expects.
+  std::string array_of(std::size_t size) const {
+    if (size == kSpatial) {
+      return "an array [force x, force y, force z, torque x, torque y, torque z]";
+    }
+    if (size != coordinates()) return "an array [force x, force y, torque]";
+    return std::string(size == 3 ? "3 coordinates [x, y, z]" : "2 coordinates [x, y]") +
+           (own_.empty() ? "" : ", as the first contact has");
+  }
+
+  /// Of positions, normals and points.
+  std::size_t coordinates() const { return stickslip_check::coordinates(dimension_); }
+
+  /// Version 1 has no intervals, no slopes and no space; the version may be stated later.
+  void found_newer(const Value& value, const std::string& place) {
+    if (!newer_) newer_.emplace(value.line, place);
   }
 
   /// A number or an INTERVAL (FORMAT.md §6).
   Bounds bounds(const Value& value, const std::string& place) {
     if (value.kind != Value::Kind::kObject) return number(value, place);
-    found_uncertain(value, place);
+    found_newer(value, place);
     expect_object(value, place, {"min", "max"});
     const Bounds read(number(member(value, place, "min"), place + ".min"),
                       number(member(value, place, "max"), place + ".max"));
@@ -400,8 +444,7 @@ class GraspReader {
 
   std::vector<Bounds> uncertain_vector(const Value& value, const std::string& place,
                                        std::size_t size) {
-    json_.expect(value.is_array(size), value, place,
-                 size == 2 ? "an array [x, y]" : "an array [force x, force y, torque]");
+    json_.expect(value.is_array(size), value, place, array_of(size));
     std::vector<Bounds> result;
     for (std::size_t j = 0; j < size; ++j) {
       result.push_back(bounds(value.items[j], place + "[" + std::to_string(j) + "]"));
@@ -428,11 +471,12 @@ class GraspReader {
   }
 
   JsonReader json_;
-  Grasp grasp_{{}, Wrench(3)};
-  bool version2_ = false;
-  std::optional<std::pair<std::size_t, std::string>> uncertain_;  ///< line and place, the first
-  std::vector<std::vector<Edge>> outline_;                        ///< by polygon
-  std::map<std::size_t, Place> places_;                           ///< by contact
+  Grasp grasp_;
+  std::size_t dimension_ = kPlanar;
+  bool version2_ = true;                                      ///< until the file says
+  std::optional<std::pair<std::size_t, std::string>> newer_;  ///< line and place, the first
+  std::vector<std::vector<Edge>> outline_;                    ///< by polygon
+  std::map<std::size_t, Place> places_;                       ///< by contact
   std::vector<Properties> own_;
   Properties defaults_;
 };

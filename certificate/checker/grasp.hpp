@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// The grasp file, `stickslip-grasp/1` or `/2` (FORMAT.md §1 and §6, docs/grasp_file.md).
+/// The grasp file, `stickslip-grasp/1` or `/2` (FORMAT.md §1, §6 and §7, docs/grasp_file.md).
 #pragma once
 
 #include <istream>
@@ -28,6 +28,9 @@ struct Grasp {
   std::vector<Contact> contacts;
   Wrench wrench;                             ///< with cases, what is common to them
   std::map<std::string, Wrench> cases = {};  ///< the wrench of each, by name
+
+  /// 3 in the plane, 6 in space.
+  std::size_t dimension() const { return wrench.size(); }
 };
 
 /// Throws Malformed, with `file` in it.

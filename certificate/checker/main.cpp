@@ -23,21 +23,22 @@ constexpr int kExitMalformed = 2;
 const char* const kHelp =
     R"(stickslip-check GRASP CERTIFICATE [options]
 
-Checks a proof that a planar frictional grasp is stable, or unstable, under a wrench; or, with
-a direction, a proof of exactly which multiples of the direction it resists.
+Checks a proof that a frictional grasp, in the plane or in space, is stable, or unstable, under
+a wrench; or, with a direction, a proof of exactly which multiples of the direction it resists.
 GRASP is the grasp file, CERTIFICATE the proof; one of them may be - for standard input.
 The grasp file is read afresh and nothing in the certificate is believed: this program
 rebuilds every contact row and recomputes every bound in exact arithmetic.
 
 The question is that of the grasp file unless replaced here. Give the same options as to
 the program that produced the certificate:
-  --wrench WX,WY,T         wrench applied to the object: force x, force y, torque
+  --wrench WX,WY,T         wrench applied to the object: force x, force y, torque; in space
+                           WX,WY,WZ,TX,TY,TZ: force x, y, z and torque x, y, z
   --case NAME              the wrench of this case of the grasp file
   --preload P              one preload for all contacts
   --normal-law LAW         unilateral (contacts may open; the default) or bilateral
   --direction WX,WY,T      ask for the margin: all factors f >= 0 for which the grasp is
                            stable under wrench + f direction, where the wrench is 0 unless
-                           given by --wrench or --case
+                           given by --wrench or --case; in the plane only, as is the next
   --preload-direction D    ask for the margin along preloads: D is P0,P1,..., one number for
                            each contact, which f times is added to its preload; or the word
                            scale: f times the preloads, that is, which multiples of them hold
@@ -45,7 +46,8 @@ the program that produced the certificate:
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be
                            off, such as friction=10%,stiffness=10%,preload=5%,
                            position=0.001,normal=0.0175,wrench=2%; any of them, absolute or
-                           in percent, for normals the slope by which they may be turned
+                           in percent, for normals (in the plane) the slope by which they
+                           may be turned
 
   --json                   answer as one JSON object
   -h, --help               this text, if it comes before GRASP

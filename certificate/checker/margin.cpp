@@ -8,8 +8,8 @@ namespace {
 
 /// The multiple that a point is about; nothing for a ray.
 std::optional<Rational> multiple(const Witness& point) {
-  if (point.x[kDimension] == 0) return std::nullopt;
-  return point.x[kDimension + 1];
+  if (point.x[kPlanar] == 0) return std::nullopt;
+  return point.x[kPlanar + 1];
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "number.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 namespace stickslip_check {
@@ -102,6 +103,28 @@ std::optional<Rational> exact_sqrt(const Rational& x) {
     return std::nullopt;
   }
   return Rational(sqrt(x.get_num()), sqrt(x.get_den()));
+}
+
+Bounds root_bounds(const Rational& x, unsigned bits) {
+  if (const auto root = exact_sqrt(x)) return *root;
+  // j is the integer part of the root of 4^s x.
+  const auto integer_part = [&](long s) {
+    const Integer power = Integer(1) << static_cast<unsigned long>(2 * std::abs(s));
+    const Rational scaled = s < 0 ? Rational(x / power) : Rational(x * power);
+    return Integer(sqrt(Integer(scaled.get_num() / scaled.get_den())));
+  };
+  const auto size = [](const Integer& n) {
+    return static_cast<long>(mpz_sizeinbase(n.get_mpz_t(), 2));
+  };
+  long s = static_cast<long>(bits) + (size(x.get_den()) - size(x.get_num())) / 2;
+  while (integer_part(s) < Integer(1) << (bits - 1)) ++s;
+  while (integer_part(s) >= Integer(1) << bits) --s;
+  const Integer j = integer_part(s);
+  const Integer power = Integer(1) << static_cast<unsigned long>(std::abs(s));
+  const auto over = [&](const Integer& n) {
+    return s < 0 ? Rational(n * power) : Rational(Rational(n) / power);
+  };
+  return {over(j), over(j + 1)};
 }
 
 Integer make_primitive(Form& x) {

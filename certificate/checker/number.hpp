@@ -60,6 +60,8 @@ int sign_of_dot(const Form& a, const Form& b);
 
 /// The square root of x >= 0, if it is rational.
 std::optional<Rational> exact_sqrt(const Rational& x);
+/// The same, or an enclosure with so many bits: FORMAT.md §6.
+Bounds root_bounds(const Rational& x, unsigned bits);
 
 /// The sum of products of as many coordinates as the shorter of the two has.
 Rational dot(const Vector& a, const Vector& b);

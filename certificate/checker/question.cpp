@@ -2,7 +2,6 @@
 #include "question.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <utility>
 
 #include "answer.hpp"
@@ -12,6 +11,26 @@ namespace {
 
 [[noreturn]] void refuse(const std::string& part, const std::string& problem) {
   throw Malformed{"the question", part, problem};
+}
+
+/// FORMAT.md §7: as many numbers as the grasp has, and what cannot be asked in space.
+void check_dimension(const Grasp& grasp, const Options& options) {
+  const auto check = [&](const std::optional<Vector>& vector, const char* part) {
+    if (!vector || vector->size() == grasp.dimension()) return;
+    refuse(part, "found " + std::to_string(vector->size()) + " numbers, expected " +
+                     std::to_string(grasp.dimension()) + ", as the grasp is " +
+                     (grasp.dimension() == kSpatial ? "in space" : "planar"));
+  };
+  check(options.wrench, "wrench");
+  check(options.direction, "direction");
+  if (grasp.dimension() == kPlanar) return;
+  if (options.margin()) {
+    refuse(options.direction ? "direction" : "preload direction",
+           "a margin of a grasp in space, expected no direction");
+  }
+  if (options.uncertain.count("normal") != 0) {
+    refuse("uncertain", "found a tolerance of normals, but in space they are certain");
+  }
 }
 
 /// w: that of the options, or of the case that they name, or the file's unless a direction asks
@@ -26,7 +45,7 @@ Wrench wrench_asked(const Grasp& grasp, const Options& options) {
     if (found != grasp.cases.end()) return found->second;
     refuse("case", "the grasp has no case " + quote(*options.case_name));
   }
-  if (options.direction) return Wrench(kDimension);
+  if (options.direction) return Wrench(grasp.dimension());
   if (!grasp.cases.empty()) {
     refuse("case", "the grasp has " + std::to_string(grasp.cases.size()) +
                        " cases, and none is chosen; expected the name of one, such as " +
@@ -117,39 +136,18 @@ void check_uncertain(Question& question, const std::string& file) {
   for (const Bounds& w : question.widened) check(w, "wrench");
 }
 
-/// An enclosure of 1 / sqrt(square): FORMAT.md §6.
-Bounds inverse_root(const Rational& square, unsigned bits) {
-  if (const auto length = exact_sqrt(square)) return Rational(1 / *length);
-  // j is the integer part of 2^s / L, that is of the root of 4^s / L^2.
-  const auto integer_part = [&](long s) {
-    const Integer power = Integer(1) << static_cast<unsigned long>(2 * std::abs(s));
-    const Rational scaled = s < 0 ? Rational(1 / (square * power)) : Rational(power / square);
-    return Integer(sqrt(Integer(scaled.get_num() / scaled.get_den())));
-  };
-  const auto size = [](const Integer& x) {
-    return static_cast<long>(mpz_sizeinbase(x.get_mpz_t(), 2));
-  };
-  long s = static_cast<long>(bits) + (size(square.get_num()) - size(square.get_den())) / 2;
-  while (integer_part(s) < Integer(1) << (bits - 1)) ++s;
-  while (integer_part(s) >= Integer(1) << bits) --s;
-  const Integer j = integer_part(s);
-  const Integer power = Integer(1) << static_cast<unsigned long>(std::abs(s));
-  const auto over = [&](const Integer& x) {
-    return s < 0 ? Rational(x * power) : Rational(Rational(x) / power);
-  };
-  return {over(j), over(j + 1)};
-}
-
 ContactBox enlarged(const Contact& contact, const Rational& growth, unsigned bits) {
   const Rational square = dot(contact.normal, contact.normal);
   const Rational turned = contact.slope * contact.slope;
   const bool loaded = contact.preload.high != 0 || growth != 0;
-  const Bounds inverse = loaded ? inverse_root(square, bits) : Bounds(1);
+  const Bounds inverse = loaded ? root_bounds(Rational(1 / square), bits) : Bounds(1);
   ContactBox box;
   box.normal = contact.normal;
+  const std::vector<Bounds>& p = contact.position;
   box.bounds = {
-      contact.position[0],
-      contact.position[1],
+      p[0],
+      p[1],
+      p.size() == 3 ? p[2] : Bounds(0),
       Bounds(-contact.slope, contact.slope),
       contact.friction,
       Bounds(contact.preload.low * (1 - turned / 2) * inverse.low,
@@ -163,6 +161,7 @@ ContactBox enlarged(const Contact& contact, const Rational& growth, unsigned bit
 
 Question pose(const Grasp& grasp, const Options& options, const std::string& file) {
   const std::size_t m = grasp.contacts.size();
+  check_dimension(grasp, options);
   Question question;
   question.asked = options;
   question.contacts = grasp.contacts;
@@ -188,8 +187,8 @@ Question pose(const Grasp& grasp, const Options& options, const std::string& fil
     growth[i] = question.contacts[i].preload.low;
     question.contacts[i].preload = Bounds(0);
   }
-  question.growth = options.direction.value_or(Vector(kDimension));
-  if (options.margin() && question.growth == Vector(kDimension) && growth == Vector(m)) {
+  question.growth = options.direction.value_or(Vector(grasp.dimension()));
+  if (options.margin() && question.growth == Vector(grasp.dimension()) && growth == Vector(m)) {
     refuse("direction",
            "neither the wrench nor a preload changes; expected a direction other "
            "than 0, or to scale preloads some of which are not 0");

@@ -70,6 +70,8 @@ struct Question {
   Vector preload_growth;           ///< P^u
   bool is_box = false;             ///< FORMAT.md §6
   std::shared_ptr<const Box> box;  ///< what trees are about; of a box, by enlarge()
+
+  std::size_t dimension() const { return wrench.size(); }
 };
 
 /// Throws Malformed, with "the question" or with `file`, if it cannot be asked of this grasp.

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "answer.hpp"
-#include "cone.hpp"
+#include "region.hpp"
 
 namespace stickslip_check {
 
@@ -60,10 +60,6 @@ struct Root {
   /// Of list 2, A (d - h d0) as rows of functions of points: `leaf-direction` is asked for.
   std::vector<Vector> direction = {};
 };
-/// `leaf-bound`, of the part of a cone where some conditions are strict: why it does not hold,
-/// or nothing.
-std::optional<std::string> leaf_refusal(const Box& box, const Cone& cone, const Set& strict,
-                                        const Vector& y);
 /// The most nodes above one: `node-depth`.
 std::size_t most_depth(const Box& box);
 /// One for each range.
@@ -86,14 +82,15 @@ class TreeWalk {
  private:
   struct Region {
     Cone cone;
-    Set strict;  ///< the conditions of the cone that are strict functions
+    Strict strict;
     std::shared_ptr<const Box> box;
   };
   /// An inner node whose children are not all done.
   struct Frame {
     Node node;
-    Form cut;       ///< tau_i, v_i or a
-    Halves halves;  ///< of a part
+    Form cut;                ///< tau_i, v_i or a
+    std::vector<Form> slip;  ///< in space: two components of s_i
+    Halves halves;           ///< of a part
     Region region;
     unsigned children;
     unsigned next;  ///< child to come

@@ -16,6 +16,88 @@ std::string name_of(const Integer& contact) {
   return "contact " + show(Rational(contact)) + ": ";
 }
 
+/// v and the slips; the shares of contacts that slip in the plane.
+std::vector<ContactForce> motion_of(const Box& box, const Form& x) {
+  std::vector<ContactForce> forces;
+  forces.reserve(box.rows.size());
+  for (const auto& row : box.rows) {
+    Form slip;
+    for (const Form& component : row->slips[0]) slip.push_back(dot(component, x));
+    Vector share(slip.size());
+    if (slip.size() == 1) share[0] = -sgn(slip[0]);
+    forces.push_back({dot(row->v[0], x), std::move(slip), std::move(share)});
+  }
+  return forces;
+}
+
+/// `witness-share`: sets the shares of contacts that stick.
+void take_shares(const Box& box, const Witness& witness, std::vector<ContactForce>& forces) {
+  Integer above = -1;
+  for (const auto& [contact, share] : witness.shares) {
+    const auto require = [&, &i = contact](bool good, const std::string& found) {
+      if (!good) reject("witness-share", name_of(i) + found);
+    };
+    require(contact > above, "not above the one before");
+    require(contact < forces.size(), "there is none");
+    ContactForce& force = forces[contact.get_ui()];
+    require(!force.slips(), "it slips");
+    const Vector& normal = box.contacts[contact.get_ui()].normal;
+    const bool in_space = share.size() == 3;
+    require(!in_space || dot(share, normal) == 0, show(share) + " is not across its normal");
+    require(dot(share, share) <= (in_space ? dot(normal, normal) : Rational(1)),
+            in_space ? show(share) + " is longer than its normal"
+                     : show(share[0]) + " is not in [-1, 1]");
+    force.share = share;
+    above = contact;
+  }
+}
+
+/// `witness-root`: sets the shares of contacts that slip in space.
+void take_roots(const Box& box, std::vector<ContactForce>& forces) {
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    ContactForce& force = forces[i];
+    const ContactBox& contact = box.contacts[i];
+    if (force.slip.size() == 1 || !force.slips() || force.v <= 0 ||
+        contact[Parameter::kFriction] == Bounds(0)) {
+      continue;
+    }
+    const Rational square = dot(contact.normal, contact.normal) / dot(force.slip, force.slip);
+    const std::optional<Rational> root = exact_sqrt(square);
+    if (!root) {
+      reject("witness-root",
+             name_of(i) +
+                 "it slips in a direction whose length, over its normal's, is irrational");
+    }
+    for (std::size_t j = 0; j < 3; ++j) force.share[j] = -force.slip[j] * *root;
+  }
+}
+
+/// All forces, and the load.
+Vector total(const Box& box, const Form& x, const std::vector<ContactForce>& forces) {
+  const std::size_t dimension = box.dimension();
+  PairwiseSum sum;
+  Vector term(dimension);
+  for (std::size_t j = 0; j < dimension; ++j) {
+    term[j] = x[dimension] * box.wrench[j].low + x[dimension + 1] * box.growth[j];
+  }
+  sum.add(term);
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    const auto& [v, slip, share] = forces[i];
+    if (v <= 0) continue;
+    const Row& row = *box.rows[i];
+    const Rational a = row.v_scale * row.scale * v;
+    const Rational& friction = box.contacts[i][Parameter::kFriction].low;
+    for (std::size_t j = 0; j < dimension; ++j) term[j] = row.normals[0][j];
+    for (std::size_t k = 0; k < share.size(); ++k) {
+      const Rational b = friction * share[k];  // along row k of the slip
+      for (std::size_t j = 0; j < dimension; ++j) term[j] += b * row.slips[0][k][j];
+    }
+    for (Rational& entry : term) entry *= a;
+    sum.add(term);
+  }
+  return sum.total();
+}
+
 }  // namespace
 
 std::vector<ContactForce> check_witness(const Question& question, const Witness& witness) {
@@ -23,55 +105,21 @@ std::vector<ContactForce> check_witness(const Question& question, const Witness&
     reject("witness-box", "an equilibrium of one grasp, but the question is about a box");
   }
   // All conditions are homogeneous, so a multiple of the point without denominators serves.
-  const Form x = make_form(witness.x);
+  Rational scale;
+  const Form x = make_form(witness.x, &scale);
   const Box& box = *question.box;
-  const std::size_t m = box.rows.size();
-  std::vector<ContactForce> forces;
-  forces.reserve(m);
-  for (const auto& row : box.rows) {
-    const Integer slip = dot(row->slip[0], x);
-    forces.push_back({dot(row->v[0], x), slip, -sgn(slip)});
-  }
-  Integer above = -1;
-  for (const auto& [contact, share] : witness.shares) {
-    if (contact <= above)
-      reject("witness-share", name_of(contact) + "not above the one before");
-    if (contact >= m) reject("witness-share", name_of(contact) + "there is none");
-    if (abs(share) > 1) {
-      reject("witness-share", name_of(contact) + show(share) + " is not in [-1, 1]");
-    }
-    ContactForce& force = forces[contact.get_ui()];
-    if (force.slip != 0) reject("witness-share", name_of(contact) + "it slips");
-    force.share = share;
-    above = contact;
-  }
-  for (std::size_t i = 0; i < m; ++i) {
+  std::vector<ContactForce> forces = motion_of(box, x);
+  take_shares(box, witness, forces);
+  for (std::size_t i = 0; i < forces.size(); ++i) {
     if (question.asked.bilateral && forces[i].v < 0) {
       reject("witness-normal", name_of(i) + "v is below 0");
     }
   }
-  PairwiseSum sum;
-  Vector term(kDimension);
-  for (std::size_t j = 0; j < kDimension; ++j) {
-    term[j] = x[kDimension] * box.wrench[j].low + x[kDimension + 1] * box.growth[j];
-  }
-  sum.add(term);
-  for (std::size_t i = 0; i < m; ++i) {
-    if (forces[i].v <= 0) continue;
-    const Row& row = *box.rows[i];
-    const Rational a = row.weight * forces[i].v;
-    const Rational less = a * (1 - forces[i].share) / 2;  // along the edge N - mu T
-    const Rational more = a - less;
-    for (std::size_t j = 0; j < kDimension; ++j) {
-      term[j] = less * row.edges[0][j] + more * row.edges[1][j];
-    }
-    sum.add(term);
-  }
-  Vector total = sum.total();
-  if (total != Vector(kDimension)) {
-    const std::size_t k = kDimension + (witness.x[kDimension] == 0 ? 1 : 0);
-    for (Rational& entry : total) entry *= witness.x[k] / x[k];
-    reject("witness-balance", "load and forces add up to " + show(total) + ", not to 0");
+  take_roots(box, forces);
+  Vector sum = total(box, x, forces);
+  if (sum != Vector(sum.size())) {
+    for (Rational& entry : sum) entry *= scale;
+    reject("witness-balance", "load and forces add up to " + show(sum) + ", not to 0");
   }
   return forces;
 }
@@ -84,11 +132,12 @@ std::optional<std::string> mode_refusal(const Question& question,
     const ContactForce& p = first[i];
     const ContactForce& q = second[i];
     if (opposite(p.v, q.v)) return name_of(i) + "v has opposite signs";
-    if (question.box->rows[i]->frictionless || (p.v <= 0 && q.v <= 0)) continue;
-    if (opposite(p.slip, q.slip)) return name_of(i) + "T.d has opposite signs";
-    const int slip = sgn(p.slip) + sgn(q.slip);
+    const Bounds& friction = question.box->contacts[i][Parameter::kFriction];
+    if (friction == Bounds(0) || (p.v <= 0 && q.v <= 0)) continue;
+    if (opposite(p.slip[0], q.slip[0])) return name_of(i) + "T.d has opposite signs";
+    const int slip = sgn(p.slip[0]) + sgn(q.slip[0]);
     for (const ContactForce* end : {&p, &q}) {
-      if (slip != 0 && end->v > 0 && end->share != -((slip > 0) - (slip < 0))) {
+      if (slip != 0 && end->v > 0 && end->share[0] != -((slip > 0) - (slip < 0))) {
         return name_of(i) +
                "it slips at one end, and at the other its friction has another share";
       }

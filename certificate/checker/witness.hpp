@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Equilibria: their forces are computed from what is stated (FORMAT.md §3), and must balance
-/// the load. And segments between two (§5).
+/// Equilibria: their forces are computed from what is stated (FORMAT.md §3, §7), and must
+/// balance the load. And segments between two, in the plane (§5).
 #pragma once
 
 #include <optional>
@@ -16,16 +16,19 @@ namespace stickslip_check {
 /// A motion, and the shares of friction at contacts that stick.
 struct Witness {
   Vector x;  ///< the point (d, 1, lambda); or (d, 0, 1) for a ray
-  std::vector<std::pair<Integer, Rational>> shares;
+  std::vector<std::pair<Integer, Vector>> shares;  ///< of one number, in space of three
 
   bool operator==(const Witness& other) const { return x == other.x && shares == other.shares; }
 };
 
-/// What follows for one contact; v and the slip up to one positive factor of the point.
+/// What follows for one contact; v and the slip up to one positive factor of the point, and
+/// each up to one of its own.
 struct ContactForce {
   Integer v;
-  Integer slip;    ///< T_i.d
-  Rational share;  ///< b / (mu a), of which a = max(0, v)
+  Form slip;     ///< T_i.d, or in space S_i d
+  Vector share;  ///< friction over mu a, of which a = max(0, v)
+
+  bool slips() const { return sign_of_dot(slip, slip) != 0; }
 };
 
 /// The rules `witness-...`. Throws Rejected, or returns the forces, one for each contact.

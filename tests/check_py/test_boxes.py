@@ -361,7 +361,7 @@ def begun(box):
     """The root of its tree, in check.py."""
     here = check.Box([check.Parameters(c.normal, {
         name: check.Bounds(*ends) for name, ends in c.ends.items()}, Fraction(0))
-        for c in box.contacts], tuple(check.Bounds(*ends) for ends in box.wrench), check.NOWHERE)
+        for c in box.contacts], tuple(check.Bounds(*ends) for ends in box.wrench), check.zeros(3))
     return check.begin(check.Root(here, [((0, 0, 0, 1, 0), False, True), ((0, 0, 0, 0, 1), True, False)],
                                   box.law == "bilateral"))
 
@@ -511,7 +511,7 @@ class TwinTest(Case):
                     node = check.Node(kind, -1, row)
                 else:
                     term = region.box.terms[i]
-                    corners = term.slip if kind == "slip" else term.v
+                    corners = term.tau if kind == "slip" else term.v
                     if len(corners) > 1:
                         continue
                     at = check.dot(corners[0], x)
@@ -530,7 +530,7 @@ class TwinTest(Case):
     def test_enclosures(self):
         for square, bits in itertools.product((Fraction(2), Fraction(1, 3), Fraction(5, 10**40),
                                                Fraction(10**41), Fraction(4, 9)), (64, 65, 128)):
-            self.assertEqual(tuple(check.inverse_root(square, bits)),
+            self.assertEqual(tuple(check.root_bounds(1 / square, bits)),
                              naive_box.inverse_length(square, bits))
 
 
@@ -619,9 +619,17 @@ class DegreeTest(Case):
         _, report, _, _ = self.run_both(FOUR, self.proof(), *ASKED)
         self.assertEqual(report["nodes"], len(self.part["tree"]))
         self.accepts(FOUR, self.proof(law="bilateral"), *ASKED, "--normal-law", "bilateral")
-        exact = self.proof()  # the same proof for a grasp in the middle
+        # The same proof for the grasp in the middle; of a box of one point list 2 is all.
+        exact = self.proof()
         del exact["question"]["uncertain"]
+        _, report, _, _ = self.run_both(FOUR, exact)
+        self.assertEqual((report["rule"], report["path"]), ("tree-long", "part 0"))
+        exact["parts"][0]["tree"] = prove(box_of(FOUR, ()), self.sizes)["tree"]
         self.assertIn("verdict     stable\n", self.accepts(FOUR, exact))
+        exact["parts"][0]["tree"].pop()
+        _, report, _, _ = self.run_both(FOUR, exact)
+        self.assertEqual(report["rule"], "tree-short")
+        self.assertTrue(report["path"].startswith("part 0, middle wall 3 -"))
 
     def test_cut_parts(self):
         def halves(box, part):

@@ -17,7 +17,7 @@
 
 namespace stickslip_check {
 
-constexpr std::size_t kN = kDimension + 2;
+constexpr std::size_t kN = kPlanar + 2;
 
 /// FORMAT.md §1, of a contact without uncertainty.
 struct NaiveRow {

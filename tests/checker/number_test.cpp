@@ -61,6 +61,23 @@ TEST(Number, RootsAreExactOrAbsent) {
   EXPECT_FALSE(exact_sqrt(q("8/2") + q("1/1000000000000000000000000000000")));
 }
 
+TEST(Number, RootsAreEnclosed) {
+  EXPECT_EQ(root_bounds(q("9/25"), 64), Bounds(q("3/5")));
+  EXPECT_EQ(root_bounds(q("0"), 64), Bounds(0));
+  for (const char* text : {"2", "1/3", "200000000000000000000000000000000000001",
+                           "5/1000000000000000000000000000000000000000000"}) {
+    for (const unsigned bits : {64U, 65U, 128U}) {
+      const Bounds root = root_bounds(q(text), bits);
+      EXPECT_LT(root.low * root.low, q(text));
+      EXPECT_GT(root.high * root.high, q(text));
+      // low = j / 2^s and high = (j + 1) / 2^s, where j has so many bits.
+      const Rational j = root.low / (root.high - root.low);
+      EXPECT_EQ(j.get_den(), 1);
+      EXPECT_EQ(mpz_sizeinbase(j.get_num_mpz_t(), 2), bits);
+    }
+  }
+}
+
 TEST(Number, PairwiseSumsAreSums) {
   for (int terms = 1; terms <= 40; ++terms) {
     PairwiseSum sum;

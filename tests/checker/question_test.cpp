@@ -146,9 +146,12 @@ TEST(Question, RowsOfAnyLength) {
   ASSERT_TRUE(row.certain);
   // N = (3, 4, 2 * 4 - 5 * 3), T = (-4, 3, 2 * 3 + 5 * 4), v = (-7/25 N, 2, 3).
   EXPECT_EQ(row.v, (std::vector<Form>{{-21, -28, 49, 50, 75}}));
-  EXPECT_EQ(row.slip, (std::vector<Form>{{-4, 3, 26, 0, 0}}));
-  EXPECT_EQ(row.edges[0], (Form{10, 5, -40}));  // 2 N - T
-  EXPECT_EQ(row.edges[1], (Form{2, 11, 12}));
+  EXPECT_EQ(row.tau, (std::vector<Form>{{-4, 3, 26, 0, 0}}));
+  EXPECT_EQ(row.normals, (std::vector<Form>{{3, 4, -7}}));
+  EXPECT_EQ(row.slips, (std::vector<std::vector<Form>>{{{-4, 3, 26}}}));
+  EXPECT_EQ(row.scale, 1);
+  EXPECT_EQ(row.edges[0], (std::vector<Form>{{10, 5, -40}}));  // 2 N - T
+  EXPECT_EQ(row.edges[3], (std::vector<Form>{{2, 11, 12}}));
   EXPECT_EQ(row.weight, Rational(1, 50));
 }
 

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "leaf.hpp"
 #include "naive.hpp"
 
 namespace stickslip_check {
@@ -222,16 +223,17 @@ TEST(Tree, RedundantRaysChangeNoLeaf) {
       Vector a;
       for (std::size_t j = 0; j < kN; ++j) a.emplace_back(between(random, -1, 1));
       const std::size_t i = static_cast<std::size_t>(between(random, 0, 3));
-      if (i < q.size() && box.rows[i]->slip.size() == 1) a = q.tau(i);
+      if (i < q.size() && box.rows[i]->tau.size() == 1) a = q.tau(i);
       if (between(random, 0, 1) == 0) insert(strict, cone.cuts());
       cone = cone.cut(make_form(a));
     }
     const Redundant more(random, cone);
     for (int leaves = 0; leaves < 5; ++leaves) {
       const Vector y = leaf(random).numbers;
-      const bool holds = !leaf_refusal(box, cone, strict, y);
+      const bool holds = !leaf_refusal(box, Generators(box, cone, {strict, {}}), y);
       ++tally[holds ? 1 : 0];
-      EXPECT_EQ(!leaf_refusal(box, more, strict, y), holds) << "trial " << trial;
+      EXPECT_EQ(!leaf_refusal(box, Generators(box, more, {strict, {}}), y), holds)
+          << "trial " << trial;
     }
   }
   EXPECT_GT(tally[0], 1000U);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The C++ checker. An input is the options of its command line, separated by blanks, a line
 // feed, a grasp file, a NUL byte and a certificate. The checker answers, whatever it is given;
-// a refusal says why; what it prints is plain; and what is accepted is true: the engine, which
-// sees no certificate, says the same.
+// a refusal says why; what it prints is plain; and what is accepted of a planar grasp is true:
+// the engine, which sees no certificate, says the same.
 //
 // With the environment variable STICKSLIP_SPOOL, inputs are left in that folder for check.py
 // together with the answer that it must give (tests/support/batch.py).
@@ -128,7 +128,7 @@ void run(const Input& input) {
   if (!arguments.help && !arguments.json) leave_for_python(input, answer);
   const auto* accepted = std::get_if<Accepted>(&answer);
   if (accepted == nullptr || accepted->question.contacts.size() > 6 ||
-      accepted->question.is_box)
+      accepted->question.is_box || accepted->question.dimension() != kPlanar)
     return;
   const std::string found = truth(input, arguments.options);
   if (!found.empty() && found != claim_of(*accepted)) {
@@ -160,7 +160,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 std::vector<stickslip::fuzz::Seed> stickslip::fuzz::seeds(const std::filesystem::path& corpus) {
   const std::string ending = ".grasp.json";
-  const std::vector<Seed> files = files_below(corpus / "certificates");
+  std::vector<Seed> files = files_below(corpus / "certificates");
+  for (Seed& file : files_below(corpus / "space")) files.push_back(std::move(file));
   std::vector<Seed> result;
   for (const Seed& grasp : files) {
     if (grasp.name.find(ending) == std::string::npos) continue;
@@ -169,7 +170,9 @@ std::vector<stickslip::fuzz::Seed> stickslip::fuzz::seeds(const std::filesystem:
       if (certificate.name != stem + ".certificate.json") continue;
       std::string words;
       if (stem.rfind("bilateral_", 0) == 0) words += " --normal-law bilateral";
-      const std::string direction = vector_in(certificate.bytes, "direction");
+      const bool by_parts = certificate.bytes.find("\"parts\"") != std::string::npos;
+      const std::string direction =
+          by_parts ? std::string() : vector_in(certificate.bytes, "direction");
       if (!direction.empty()) {
         words += " --wrench " + vector_in(grasp.bytes, "wrench") + " --direction " + direction;
       }

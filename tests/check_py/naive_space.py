@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: MIT
+"""A slow, plain twin of the rules in space (certificate/FORMAT.md, section 7), on Fractions: slips at
+all corners, cones by pairs of generators, roots by halving.
+"""
+
+from fractions import Fraction
+from itertools import combinations, product
+from math import isqrt
+
+from naive import dot
+from naive_box import inverse_length
+
+NAMES = ("x", "y", "z", "friction", "preload", "stiffness")
+H = (0, 0, 0, 0, 0, 0, 1, 0)
+LOAD = (0, 0, 0, 0, 0, 0, 0, 1)
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def plus(a, b):
+    return tuple(x + y for x, y in zip(a, b))
+
+
+def minus(a):
+    return tuple(-x for x in a)
+
+
+def velocity(d, p):
+    """Of the point p under the twist d."""
+    return plus(d[:3], cross(d[3:6], p))
+
+
+def slip(n, p, d):
+    """The part of the velocity across n."""
+    u = velocity(d, p)
+    along = Fraction(dot(n, u)) / dot(n, n)
+    return tuple(c - along * e for c, e in zip(u, n))
+
+
+def in_cone(w, generators):
+    """Is w a sum of the generators, which all lie in a plane, with multiples >= 0? Two are enough."""
+    if not any(w):
+        return True
+    if any(dot(w, g) > 0 and not any(cross(w, g)) for g in generators):
+        return True
+    for a, b in combinations(generators, 2):
+        c = cross(a, b)
+        square = dot(c, c)
+        # w = s a + t b with s = (w x b).c / c.c, t = (a x w).c / c.c.
+        if square and dot(cross(w, b), c) >= 0 and dot(cross(a, w), c) >= 0:
+            return True
+    return False
+
+
+def directions(vectors):
+    """One for each, up to positive multiples."""
+    found = set()
+    for v in vectors:
+        if any(v):
+            size = next(abs(c) for c in v if c)
+            found.add(tuple(c / size for c in v))
+    return sorted(found)
+
+
+def root_above(q):
+    """A bound of the root of q, or of minus that of -q."""
+    if q == 0:
+        return Fraction(0)
+    low, high = inverse_length(1 / Fraction(abs(q)), 64)
+    return high if q > 0 else -low
+
+
+class Contact:
+    """A normal, and intervals of the parameters of section 7 by name."""
+
+    def __init__(self, normal, ends):
+        self.normal = tuple(map(Fraction, normal))
+        self.ends = {name: tuple(map(Fraction, ends[name])) for name in NAMES}
+        self.square = dot(self.normal, self.normal)
+
+    @classmethod
+    def of_file(cls, normal, p, friction, preload, stiffness, bits=128):
+        """Intervals as in the grasp file; the normal has the length L."""
+        square = sum(Fraction(c) ** 2 for c in normal)
+        low, high = inverse_length(square, bits) if preload[1] else (1, 1)
+        return cls(normal, {**dict(zip(NAMES, p)), "friction": friction,
+                            "preload": (preload[0] * low, preload[1] * high),
+                            "stiffness": tuple(Fraction(k) / square for k in stiffness)})
+
+    def cut(self, name, low, high):
+        return Contact(self.normal, {**self.ends, name: (low, high)})
+
+    def corners(self, names):
+        for ends in product(*(sorted(set(self.ends[name])) for name in names)):
+            yield dict(zip(names, ends))
+
+    def positions(self):
+        return [tuple(q[name] for name in "xyz") for q in self.corners(("x", "y", "z"))]
+
+    def certain(self):
+        return all(low == high for low, high in self.ends.values())
+
+    def v(self, r):
+        """At all corners."""
+        return [q["preload"] * r[6]
+                - q["stiffness"] * dot(self.normal, velocity(r, (q["x"], q["y"], q["z"])))
+                for q in self.corners(("x", "y", "z", "preload", "stiffness"))]
+
+    def slips(self, r):
+        """At all positions."""
+        return [slip(self.normal, p, r) for p in self.positions()]
+
+    def alpha(self, y, rays, moves):
+        cone = directions(s for r in rays for s in self.slips(r))
+        found = []
+        for p, mu in product(self.positions(), self.ends["friction"]):
+            z = slip(self.normal, p, y)
+            signed = dot(z, z)
+            if moves and not in_cone(minus(z), cone):
+                signed = max(-dot(s, z) * abs(dot(s, z)) / dot(s, s) for s in cone)
+            found.append(dot(self.normal, velocity(y, p))
+                         + root_above(mu * mu * self.square * signed))
+        return max(found)
+
+
+class Region:
+    """By its rays, with lines as two rays each; strict functions are rows, or contacts that slip."""
+
+    def __init__(self, contacts, wrench, rays, strict, slips):
+        self.contacts, self.wrench, self.rays = contacts, wrench, rays
+        self.strict, self.slips = strict, slips
+
+    def barred(self, rays):
+        return (any(all(dot(a, r) == 0 for r in rays) for a in self.strict)
+                or any(all(not any(s) for r in rays for s in self.contacts[i].slips(r))
+                       for i in self.slips))
+
+    def moves(self, i):
+        if i in self.slips:
+            return True
+        contact = self.contacts[i]
+        cone = directions(s for r in self.rays for s in contact.slips(r))
+        return all(self.barred([r for r in self.rays
+                                if in_cone(minus(slip(contact.normal, p, r)), cone)])
+                   for p in contact.positions())
+
+    def leaf_holds(self, y):
+        """`leaf-bound`, word for word."""
+        if self.barred(self.rays):
+            return True
+        g = [r[6] * sum(max(c * end for end in ends) for c, ends in zip(y, self.wrench))
+             for r in self.rays]
+        for i, contact in enumerate(self.contacts):
+            v = [contact.v(r) for r in self.rays]
+            closed = all(min(values) >= 0 for values in v)
+            if not closed and all(max(values) <= 0 for values in v):
+                continue
+            alpha = contact.alpha(y, self.rays, self.moves(i))
+            for k, values in enumerate(v):
+                g[k] += (max(alpha * value for value in values) if closed else
+                         max(0, alpha) * max(0, *values))
+        return (all(value <= 0 for value in g)
+                and self.barred([r for r, value in zip(self.rays, g) if value == 0]))
+
+
+def root_of(square):
+    """The root, if it is rational."""
+    root = Fraction(isqrt(square.numerator), isqrt(square.denominator))
+    return root if root * root == square else None

@@ -1,0 +1,761 @@
+# SPDX-License-Identifier: MIT
+"""Grasps in space (certificate/FORMAT.md, section 7): what is read, every rule made to fail alone, the
+two false proofs, and a twin. Both checkers.
+"""
+
+import glob
+import itertools
+import json
+import math
+import os
+import random
+import re
+import unittest
+from fractions import Fraction
+
+import naive
+import naive_space
+from support import HERE, Case, certificate, check
+
+CORPUS = os.path.join(HERE, "..", "corpus", "space")
+
+
+def interval(low, high):
+    return {"min": low, "max": high}
+
+
+def space_file(*contacts, **members):
+    return {"format": "stickslip-grasp/2", "contacts": list(contacts), "wrench": [0] * 6, **members}
+
+
+# A body on a floor, pulled up. Friction does no work on (0, 0, -1).
+FLOOR = {"position": [0, 0, 0], "normal": [0, 0, 1], "friction": "1/2", "preload": 1}
+PULL = [0, 0, 3, 0, 0, 0]
+PULLED = space_file(FLOOR, wrench=PULL)
+UP = [["leaf", 0, 0, -1, 0, 0, 0]]
+
+
+def pulled(tree=None, wrench=None, **changes):
+    return certificate(1, PULL if wrench is None else wrench, tree=UP if tree is None else tree,
+                       **changes)
+
+
+def without(content, *names):
+    return {name: value for name, value in content.items() if name not in names}
+
+
+class GraspFileTest(Case):
+    def bad(self, needle, *contacts, **members):
+        self.malformed(needle, space_file(*contacts, **members), pulled())
+
+    def test_one_dimension(self):
+        """The first contact says it, and others name themselves."""
+        self.bad("contacts[1].position: must be an array of 3", FLOOR, {**FLOOR, "position": [0, 0]})
+        self.bad("contacts[1].normal: must be an array of 3", FLOOR, {**FLOOR, "normal": [0, 1]})
+        self.bad("contacts[0].normal: must be an array of 3", {**FLOOR, "normal": [0, 1]})
+        self.bad("contacts[0].position", {**FLOOR, "position": [0] * 4})
+        self.bad("wrench: must be an array of 6", FLOOR, wrench=[0, 0, 0])
+        planar = {**FLOOR, "position": [0, 0], "normal": [0, 1]}
+        self.malformed("contacts[1].position: must be an array of 2",
+                       space_file(planar, FLOOR, wrench=[0, 0, 0]), pulled())
+        self.malformed("wrench: must be an array of 3", space_file(planar), pulled())
+        self.malformed("contacts[0].position", {**PULLED, "format": "stickslip-grasp/1"}, pulled())
+        self.malformed("wrench", {**space_file(), "format": "stickslip-grasp/1"}, pulled())
+
+    def test_no_contacts(self):
+        empty = space_file(wrench=[0, 0, 0, 0, 0, 1])
+        self.accepts(empty, certificate(0, [0, 0, 0, 0, 0, 1], tree=[["leaf", 0, 0, 0, 0, 0, -1]]))
+        self.accepts(space_file(), certificate(0, [0] * 6, twist=[0] * 6))
+        # Without contacts and without six numbers it is planar.
+        loads = without(space_file(loads=[]), "wrench")
+        self.accepts(loads, certificate(0, [0, 0, 0], twist=[0, 0, 0]))
+        self.malformed("loads[0].force", {**loads, "loads": [{"force": [0, 0, 0], "at": [0, 0, 0]}]}, pulled())
+
+    def test_the_order_of_members_plays_no_part(self):
+        for names in itertools.permutations(PULLED):
+            self.accepts({name: PULLED[name] for name in names}, pulled())
+
+    def test_what_is_planar(self):
+        self.bad("outline", FLOOR, outline=[[0, 0], [1, 0], [0, 1]])
+        self.bad("contacts[1].on", FLOOR, {"on": [0, "1/2"], "friction": 0})
+        self.bad("contacts[0].normal", {**FLOOR, "normal": {"direction": [0, 0, 1], "slope": 0}})
+        self.bad("contacts[0].normal", {**FLOOR, "normal": [0, interval(0, 1), 1]})
+        self.bad("contacts[0].normal: must not be zero", {**FLOOR, "normal": [0, "0/3", 0]})
+
+    def test_loads(self):
+        def loaded(*loads):
+            return without(space_file(FLOOR, loads=list(loads)), "wrench")
+
+        def asks(wrench, *loads):
+            file, proof = loaded(*loads), certificate(1, wrench, tree=UP)
+            _, report, _, _ = self.run_both(file, proof)
+            self.assertIn(report["rule"], ("leaf-bound", None), report)
+
+        asks([1, 2, 3, 1, -2, 1], {"force": [1, 2, 3], "at": [1, 1, 1]})
+        asks([1, 2, 3, "21/2", 0, "-7/2"], {"force": [1, 2, 3], "at": [0, "1/2", 4]},
+             {"torque": [17, -4, -3]})
+        asks([0, 0, -2, -2, 6, 0], {"weight": 2, "at": [3, 1, 5]})
+        asks([0, 4, -3, 0, -3, -4], {"weight": 5, "at": [-1, 0, 0], "direction": [0, 8, -6]})
+        for needle, load in (("loads[0].force: must be an array of 3", {"force": [1, 2], "at": [0] * 3}),
+                             ("loads[0].at: must be an array of 3", {"force": [1, 2, 3], "at": [0] * 2}),
+                             ("loads[0].torque: must be an array of 3", {"torque": 1}),
+                             ("loads[0].direction", {"weight": 1, "at": [0] * 3, "direction": [0, 1]}),
+                             ("loads[0].direction", {"weight": 1, "at": [0] * 3,
+                                                     "direction": [1, 1, 0]})):
+            self.malformed(needle, loaded(load), pulled())
+
+    def test_cases(self):
+        file = space_file(FLOOR, wrench=PULL, cases=[
+            {"name": "a", "wrench": [1, 0, interval(1, 2), 0, 0, 0]},
+            {"name": "b", "loads": [{"torque": [0, 0, 1]}]}])
+        self.accepts(file, pulled(wrench=[1, 0, [4, 5], 0, 0, 0]), "--case", "a")
+        self.accepts(file, pulled(wrench=[0, 0, 3, 0, 0, 1]), "--case", "b")
+        self.malformed("cases[0].wrench", {**file, "cases": [{"name": "a", "wrench": [0, 0, 0]}]},
+                       pulled())
+
+
+class QuestionTest(Case):
+    def test_options(self):
+        self.accepts(space_file(FLOOR), pulled(), "--wrench", "0,0,3,0,0,0")
+        self.accepts(space_file(FLOOR), pulled(preload=2), "--wrench=0,0,3,0,0,0", "--preload", "2")
+        self.rejects("question-wrench", space_file(FLOOR), pulled())
+        for options in (("--wrench", "0,0,3"), ("--direction", "0,0,1"),
+                        ("--direction", "0,0,1,0,0,0"), ("--preload-direction", "scale"),
+                        ("--uncertain", "normal=0.1"), ("--uncertain", "normal=0")):
+            self.malformed("the question", PULLED, pulled(), *options)
+        planar = space_file({**FLOOR, "position": [0, 0], "normal": [0, 1]}, wrench=[0, 3, 0])
+        for name in ("--wrench", "--direction"):
+            self.malformed("the question", planar, pulled(), name, "0,3,0,0,0,0")
+
+    def test_a_certificate_of_the_other_dimension(self):
+        planar = space_file({**FLOOR, "position": [0, 0], "normal": [0, 1]}, wrench=[0, 3, 0])
+        self.malformed("question.wrench", planar, pulled())
+        self.malformed("question.wrench", PULLED, certificate(1, [0, 3, 0], tree=[["leaf", 0, -1, 0]]))
+
+    def test_boxes(self):
+        contact = {**FLOOR, "position": [0, interval(-1, 1), interval(0, "1/2")],
+                   "friction": interval(0, 1), "stiffness": interval(1, 2)}
+        file = space_file(contact, wrench=[0, 0, interval(2, 3), 0, 0, 0])
+        text = self.accepts(file, pulled(wrench=[0, 0, [2, 3], 0, 0, 0]))
+        self.assertIn("verdict     unstable, for every grasp in the box\n", text)
+        self.assertIn("wrench      (0, 0, [2, 3], 0, 0, 0)\n", text)
+        said = {"friction": "10%", "position": "1/1000", "wrench": "1"}
+        self.accepts(PULLED, pulled(uncertain=said), "--uncertain",
+                     "friction=10%,position=0.001,wrench=1")
+        self.rejects("question-uncertain", PULLED, pulled(uncertain={"normal": "1/10"}))
+        # The length of (1, 1, 0) is irrational.
+        for preload, is_box in ((1, True), (0, False)):
+            file = space_file({**FLOOR, "normal": [1, 1, 0], "preload": preload},
+                              wrench=[1, 1, 0, 0, 0, 0])
+            proof = certificate(1, [1, 1, 0, 0, 0, 0], tree=[["leaf", -1, -1, 0, 0, 0, 0]])
+            _, report, _, _ = self.run_both(file, proof)
+            self.assertEqual((report["result"], report["box"]), ("accepted", is_box))
+
+
+class SyntaxTest(Case):
+    def bad(self, needle, proof):
+        self.malformed(needle, PULLED, proof)
+
+    def test_numbers(self):
+        for node in (["leaf", 0, -1, 0], ["leaf", *[0] * 5], ["leaf", *[0] * 7],
+                     ["plane", *[0] * 4], ["plane", *[0] * 6], ["plane", *[0] * 8], ["slip", 0, 0],
+                     ["part", "turn", 0, 0], ["part", "x", 0], ["sector", 0]):
+            self.bad("tree[0]", pulled([node]))
+        self.bad("twist", certificate(1, PULL, twist=[0, 0, 0]))
+        for share in (0, [0, 0], [0] * 4, [0, 0, None], "0"):
+            self.bad("shares", certificate(1, PULL, twist=[0] * 6, shares=[[0, share]]))
+        self.malformed("tree[0]", space_file({**FLOOR, "position": [0, 0], "normal": [0, 1]},
+                                             wrench=[0, 3, 0]),
+                       certificate(1, [0, 3, 0], tree=[["part", "z", 0, 0]]))
+
+    def test_no_margins(self):
+        for question in ({"direction": PULL}, {"preload_direction": "scale"},
+                         {"preload_direction": [1]}):
+            self.bad("", pulled(**question))
+            margin = certificate(1, PULL, resisted=[], segments=[], tree=UP, **question)
+            self.bad("", margin)
+
+    def test_parts(self):
+        proof = stable(1, PULL, [CUBE_PROOF])
+        self.assertEqual(self.run_both(PULLED, proof)[0], 1)
+        for key, value in (("twist", [0] * 3), ("walls", UNIT[:5]), ("direction", UNIT[:3]),
+                           ("walls", [[1, 0, 0]] * 3), ("direction", [[0] * 5] * 6)):
+            self.bad("parts[0]", stable(1, PULL, [{**CUBE_PROOF, key: value}]))
+
+
+class WitnessTest(Case):
+    """The floor under (3, 4) to the sides and 10 down, with friction 1/2: it slips if v is 10."""
+
+    LOAD = [3, 4, -10, 0, 0, 0]
+
+    def at(self, twist, shares=(), load=None, **contact):
+        load = load or self.LOAD
+        return (space_file({**FLOOR, **contact}, wrench=load),
+                certificate(1, load, twist=twist, shares=list(shares)))
+
+    def test_slip(self):
+        self.accepts(*self.at([3, 4, -9, 0, 0, 0]))
+        self.accepts(*self.at(["3/7", "4/7", -9, 0, 0, "1/3"]))
+        self.rejects("witness-balance", *self.at([4, 3, -9, 0, 0, 0]))
+        self.rejects("witness-balance", *self.at([-3, -4, -9, 0, 0, 0]))
+        self.rejects("witness-share", *self.at([3, 4, -9, 0, 0, 0], [[0, [0, 0, 0]]]))
+
+    def test_root(self):
+        self.rejects("witness-root", *self.at([1, 1, -9, 0, 0, 0]))
+        # Before the balance, and only where there is friction.
+        self.rejects("witness-root", *self.at([1, 1, -8, 0, 0, 0]))
+        self.accepts(*self.at([1, 1, -9, 0, 0, 0], load=[0, 0, -10, 0, 0, 0], friction=0))
+        self.accepts(*self.at([1, 1, 9, 0, 0, 0], load=[0] * 6))
+        # Of (1, 1, 0) the length is irrational, and so is that of a slip (0, 0, 1) over it ...
+        wall = {"normal": [1, 1, 0], "position": [0, 0, 0], "preload": 0}
+        self.rejects("witness-root", *self.at([-1, -1, 1, 0, 0, 0], load=[-1, -1, 0, 0, 0, 0], **wall))
+        # ... but not that of (1, -1, 0): a = 1/2 * 2 = 1, and f = -1/2 (1, -1, 0).
+        self.accepts(*self.at([0, -2, 0, 0, 0, 0], load=["-1/2", "-3/2", 0, 0, 0, 0], **wall))
+
+    def test_share(self):
+        still = [0, 0, -9, 0, 0, 0]
+        self.accepts(*self.at(still, [[0, ["-3/5", "-4/5", 0]]]))
+        # The share is over the length of the normal: with (0, 0, 2) a = 5, and up to 2 is allowed.
+        self.accepts(*self.at(still, [[0, ["-6/5", "-8/5", 0]]], normal=[0, 0, 2]))
+        rule = "witness-share"
+        self.rejects(rule, *self.at(still, [[0, ["-3/5", "-4/5", "1/100"]]]))
+        self.rejects(rule, *self.at(still, [[0, ["-3/5", "-401/500", 0]]]))
+        self.rejects(rule, *self.at(still, [[0, ["-6/5", "-801/500", 0]]], normal=[0, 0, 2]))
+        self.rejects(rule, *self.at(still, [[1, [0, 0, 0]]]))
+        self.rejects(rule, *self.at(still, [[0, [0, 0, 0]], [0, [0, 0, 0]]]))
+        self.rejects("witness-balance", *self.at(still, [[0, ["-3/5", "-3/5", 0]]]))
+        self.rejects("witness-balance", *self.at(still))
+
+    def test_torque(self):
+        """The same force at (1, 2, 3)."""
+        load = [3, 4, -10, -32, 19, -2]
+        self.accepts(*self.at([3, 4, -9, 0, 0, 0], load=load, position=[1, 2, 3]))
+        self.rejects("witness-balance", *self.at([3, 4, -9, 0, 0, 0], load=[*load[:5], -3],
+                                                 position=[1, 2, 3]))
+
+    def test_rotation_moves_the_point(self):
+        """At (0, 1, 0) a turn about z by -3 is a slip of 3 along x."""
+        load = [5, 0, -10, -10, 0, -5]
+        self.accepts(*self.at([0, 0, -9, 0, 0, -3], load=load, position=[0, 1, 0]))
+        self.rejects("witness-balance", *self.at([0, 0, -9, 0, 0, 3], load=load, position=[0, 1, 0]))
+
+    def test_laws_and_boxes(self):
+        grasp, proof = self.at([0, 0, 9, 0, 0, 0], load=[0] * 6)
+        self.accepts(grasp, proof)
+        proof["question"]["normal_law"] = "bilateral"
+        self.rejects("witness-normal", grasp, proof, "--normal-law", "bilateral")
+        grasp, proof = self.at([3, 4, -9, 0, 0, 0], friction=interval("1/2", 1))
+        self.rejects("witness-box", grasp, proof)
+
+
+# FORMAT.md, section 7: false proofs, of grasps that are stable.
+LENGTH = space_file({"position": [0] * 3, "normal": [0, 0, 2], "friction": "1/2", "preload": 1},
+                    wrench=["2/5", 0, -1, 0, 0, 0])
+OPPOSITE = space_file({"position": [0] * 3, "normal": [0, 0, 1], "friction": 1, "preload": 1},
+                      wrench=[0, "-1/2", -1, 0, 0, 0])
+ACROSS = [["plane", 0, 1, 0, 0, 0, 0, 0], ["plane", 1, 0, 0, 0, 0, 0, 1], ["plane", -1, 0, 0, 0, 0, 0, 1],
+          *[["leaf", 0, 1, 0, 0, 0, 0]] * 3, ["plane", 1, 0, 0, 0, 0, 0, 0],
+          ["leaf", 1, -1, 1, 0, 0, 0], ["leaf", -1, -1, 1, 0, 0, 0]]
+
+
+class FalseProofTest(Case):
+    def test_the_length_of_the_normal(self):
+        wrench = LENGTH["wrench"]
+        self.rejects("leaf-bound", LENGTH, certificate(1, wrench, tree=[["leaf", -4, 0, -1, 0, 0, 0]]),
+                     node=0, path="root")
+        self.accepts(LENGTH, certificate(1, wrench, twist=[0] * 6, shares=[[0, ["-8/5", 0, 0]]]))
+
+    def test_opposite_slips(self):
+        wrench = OPPOSITE["wrench"]
+        self.rejects("leaf-bound", OPPOSITE, certificate(1, wrench, tree=ACROSS), node=3,
+                     path="plane +, plane +, plane +")
+        self.accepts(OPPOSITE, certificate(1, wrench, twist=[0] * 6, shares=[[0, [0, "1/2", 0]]]))
+
+
+class TreeTest(Case):
+    def test_steps(self):
+        """Where each step leads, by a list that ends there."""
+        two = space_file(FLOOR, {**FLOOR, "normal": [1, 2, 2], "preload": 0}, wrench=PULL)
+        for tree, path in (([["slip", 1]], "slip 1 0"), ([["slip", 1], *UP], "slip 1 not 0"),
+                           ([["slip", 1], *UP, ["slip", 0], *UP], "slip 1 not 0, slip 0 not 0"),
+                           ([["separation", 1]], "separation 1 closed"),
+                           ([["plane", *[1] * 7], *UP], "plane -")):
+            self.rejects("tree-short", two, certificate(2, PULL, tree=tree), node=len(tree), path=path)
+            self.accepts(two, certificate(2, PULL, tree=tree + UP * (
+                1 + sum(node[0] != "leaf" for node in tree) - sum(node[0] == "leaf" for node in tree))))
+        self.rejects("node-contact", two, certificate(2, PULL, tree=[["slip", 2]]), node=0, path="root")
+        self.rejects("tree-long", two, certificate(2, PULL, tree=UP * 2), node=1)
+        deep = [["slip", 0], ["leaf", *PULL]] * 300
+        self.rejects("node-depth", PULLED, pulled([["slip", 0], *UP] * 260), node=517,
+                     path=", ".join(["slip 0 not 0"] * 258 + ["slip 0 0"]))
+        self.rejects("leaf-bound", PULLED, pulled(deep), node=1, path="slip 0 0")
+
+    def test_a_strict_slip_bars(self):
+        """Behind slip 0 0, where no motion slips, slip 0 not 0 holds nothing."""
+        void = ["leaf", *[0] * 6]
+        self.accepts(PULLED, pulled([["slip", 0], ["slip", 0], *UP, void, *UP]))
+        self.rejects("leaf-bound", PULLED, pulled([["slip", 0], ["slip", 0], void, void, *UP]), node=2,
+                     path="slip 0 0, slip 0 0")
+
+    def test_node_certain(self):
+        def split(kind, rule, **changes):
+            file, proof = space_file({**FLOOR, **changes}, wrench=PULL), pulled([[kind, 0], *UP, *UP])
+            if rule:
+                self.rejects(rule, file, proof, node=0, path="root")
+            else:
+                self.accepts(file, proof)
+
+        along, across = [0, 0, interval(0, 1)], [interval(0, 1), 0, 0]
+        split("slip", "node-certain", position=along)
+        split("slip", "node-certain", position=across)
+        split("slip", None, friction=interval(0, 1), preload=interval(0, 1), stiffness=interval(1, 2))
+        # Along the normal N does not change.
+        split("separation", None, position=along)
+        split("separation", "node-certain", position=across)
+        split("separation", "node-certain", preload=interval(0, 1))
+        split("separation", "node-certain", stiffness=interval(1, 2))
+        split("separation", None, stiffness=interval(1, 2), preload=0)
+
+    def test_parts(self):
+        file = space_file({**FLOOR, "position": [0, interval(0, 1), interval(0, 2)]},
+                          wrench=[0, 0, 3, 0, 0, interval(0, 1)])
+        load = [0, 0, 3, 0, 0, [0, 1]]
+        tree = [["part", "z", 0, 1], ["part", "wrench", 5, "1/2"], *UP * 3]
+        self.accepts(file, pulled(tree, load))
+        self.rejects("tree-short", file, pulled(tree[:3], load), node=3, path="z 0 low, wrench 5 high")
+        for name, i in (("z", 1), ("wrench", 6)):
+            self.rejects("part-contact", file, pulled([["part", name, i, 1]], load), node=0, path="root")
+        for name, i, cut in (("x", 0, 0), ("y", 0, 1), ("z", 0, 2), ("friction", 0, "1/2"),
+                             ("wrench", 4, 0)):
+            self.rejects("part-inside", file, pulled([["part", name, i, cut]], load), node=0, path="root")
+
+    def test_what_moves(self):
+        """The floor of length 1 is pushed along x with friction 1: it moves, and not back, where
+        d_x >= h and |d_y| <= d_x, and then friction does no work on (1, 0, ...) that is above 0."""
+        file = space_file({**FLOOR, "friction": 1}, wrench=["1/8", 0, -1, 0, 0, 0])
+        moved = [["plane", 1, 0, 0, 0, 0, 0, -1], ["plane", 1, 1, 0, 0, 0, 0, 0],
+                 ["plane", 1, -1, 0, 0, 0, 0, 0], ["leaf", 1, 0, "1/2", 0, 0, 0]]
+        path = "plane +, plane +, plane +"
+        # There friction is at most -1/sqrt(2) < -1/2 along x: 1/2 - 0.707 < 0, and 1/8 - 1/2 < 0.
+        self.rejects("tree-short", file, certificate(1, file["wrench"], tree=moved), node=4,
+                     path="plane +, plane +, plane -")
+        worse = moved[:-1] + [["leaf", 1, 0, "3/4", 0, 0, 0]]
+        self.rejects("leaf-bound", file, certificate(1, file["wrench"], tree=worse), node=3, path=path)
+        back = moved[:-1] + [["leaf", -1, 0, "-1/2", 0, 0, 0]]
+        self.rejects("leaf-bound", file, certificate(1, file["wrench"], tree=back), node=3, path=path)
+        # Where d_x >= 0, only a strict slip says that it moves: |d_y| <= d_x, d not 0.
+        cone = [["plane", 1, 1, 0, 0, 0, 0, 0], ["plane", 1, -1, 0, 0, 0, 0, 0]]
+        leaf = [["leaf", 1, 0, "1/2", 0, 0, 0]]
+        self.rejects("leaf-bound", file, certificate(1, file["wrench"], tree=cone + leaf), node=2,
+                     path="plane +, plane +")
+        strict = certificate(1, file["wrench"], tree=[["slip", 0], ["leaf", *[0] * 6], *cone, *leaf])
+        self.rejects("leaf-bound", file, strict, node=1, path="slip 0 0")
+        strict["tree"] = [*cone, ["slip", 0], ["plane", 0, 0, -1, 0, 0, 0, 0],
+                          ["leaf", *[0] * 6], ["leaf", *[0] * 6], *leaf]
+        self.rejects("leaf-bound", file, strict, node=4, path="plane +, plane +, slip 0 0, plane +")
+
+    def test_roots_are_bounded_from_above(self):
+        """Friction 1 along (1, 1, 0) is irrational: y = (-1, -1, -a, ...) holds from a = sqrt(2) on, up
+        to the bound with 64 bits."""
+        low = math.isqrt(2 << 126)
+        for a, good in ((Fraction(low, 1 << 63), False), (Fraction(low + 1, 1 << 63), True)):
+            wrench = [3, 3, -1, 0, 0, 0]
+            proof = certificate(1, wrench, tree=[["leaf", -1, -1, str(-a), 0, 0, 0]])
+            file = space_file({**FLOOR, "friction": 1}, wrench=wrench)
+            if good:
+                self.accepts(file, proof)
+            else:
+                self.rejects("leaf-bound", file, proof, node=0, path="root")
+
+
+UNIT = [[int(j == k) for k in range(6)] for j in range(6)]
+# A cube with a contact in the middle of each face. The walls are d = +-1/2 and +-1 for turns.
+CUBE = [{"position": [-c for c in n], "normal": n, "friction": "1/10", "preload": 1}
+        for n in ([1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1])]
+WALL_LEAVES = [["leaf", *[sign * c for c in row]] for row in UNIT for sign in (1, -1)]
+CUBE_PROOF = {"twist": [0] * 6,
+              "walls": [[(1 + (j < 3)) * c for c in row] for j, row in enumerate(UNIT)],
+              "direction": UNIT, "tree": WALL_LEAVES}
+
+
+def stable(m, wrench, parts, **question):
+    proof = certificate(m, wrench, twist=[0] * 6, **question)
+    del proof["twist"], proof["shares"]
+    return {**proof, "parts": parts}
+
+
+class DegreeTest(Case):
+    FILE = space_file(*CUBE)
+    ASKED = ("--uncertain", "friction=10%,preload=5%,stiffness=5%,wrench=0.05,position=0.01")
+    SAID = {"friction": "10%", "stiffness": "5%", "preload": "5%", "position": "1/100",
+            "wrench": "1/20"}
+
+    def proof(self, **changes):
+        return stable(6, [0] * 6, [{**CUBE_PROOF, **changes}])
+
+    def boxed(self, **changes):
+        changes = {"tree": WALL_LEAVES * 2, **changes}
+        return stable(6, [0] * 6, [{**CUBE_PROOF, **changes}], uncertain=self.SAID)
+
+    def test_one_point(self):
+        text = self.accepts(self.FILE, self.proof())
+        self.assertIn("verdict     stable\n", text)
+        self.assertIn("by degree, parts: 1; trees of 12 nodes: 12 leaves", text)
+        bilateral = self.proof()
+        bilateral["question"]["normal_law"] = "bilateral"
+        self.accepts(self.FILE, bilateral, "--normal-law", "bilateral")
+        wide = self.proof(walls=[["1/2", 0, 0, 0, 0, 0], *UNIT[1:]])
+        wide["question"]["normal_law"] = "bilateral"
+        self.rejects("degree-law", self.FILE, wide, "--normal-law", "bilateral", path="part 0")
+
+    def test_box(self):
+        text = self.accepts(self.FILE, self.boxed(), *self.ASKED)
+        self.assertIn("verdict     stable, for every grasp in the box\n", text)
+        self.assertIn("trees of 24 nodes", text)
+        self.rejects("tree-short", self.FILE, self.boxed(tree=WALL_LEAVES), *self.ASKED, node=12,
+                     path="part 0, middle wall 1 +")
+        self.rejects("tree-long", self.FILE, self.proof(tree=WALL_LEAVES * 2), node=12, path="part 0")
+
+    def test_irrational_lengths(self):
+        """The cube and its walls turned by 45 degrees about z: normals have the length sqrt(2)."""
+        turned = [{**c, "normal": n, "position": [-x for x in n]} for c, n in zip(
+            CUBE, ([1, 1, 0], [-1, -1, 0], [-1, 1, 0], [1, -1, 0], [0, 0, 1], [0, 0, -1]))]
+        file = space_file(*turned, wrench=["1/10", "1/20", 0, 0, 0, 0])
+        rows = [[1, 1, 0, 0, 0, 0], [-1, 1, 0, 0, 0, 0], UNIT[2], [0, 0, 0, 1, 1, 0],
+                [0, 0, 0, -1, 1, 0], UNIT[5]]
+        sizes = ["7/5", "7/5", 2, "7/10", "7/10", 1]
+        walls = [[str(c * Fraction(size)) for c in row] for row, size in zip(rows, sizes)]
+        leaves = [["leaf", *[sign * c for c in row]] for row in rows for sign in (1, -1)]
+        proof = stable(6, file["wrench"], [{**CUBE_PROOF, "walls": walls, "tree": leaves * 2}])
+        self.assertIn("for every grasp in the box", self.accepts(file, proof))
+        cut = stable(6, file["wrench"], [["part", "preload", 0, "7/10"]])
+        self.assertEqual(self.run_both(file, cut)[1]["rule"], "part-inside")
+
+    def test_walls(self):
+        tree = list(WALL_LEAVES)
+        for j in range(12):
+            path = f"part 0, middle wall {j // 2 + 1} {'+-'[j % 2]}"
+            self.rejects("tree-short", self.FILE, self.proof(tree=tree[:j]), node=j, path=path)
+            turned = [*tree[:j], ["leaf", *[-c for c in tree[j][1:]]], *tree[j + 1:]]
+            self.rejects("leaf-bound", self.FILE, self.proof(tree=turned), node=j, path=path)
+
+    def test_direction(self):
+        flat = [*UNIT[:5], [1, 1, 0, 0, 0, 0]]
+        self.rejects("degree-walls", self.FILE, self.proof(walls=flat), path="part 0")
+        self.rejects("degree-direction", self.FILE, self.proof(direction=flat), path="part 0")
+        turned = [*UNIT[:5], [0, 0, 0, 0, 0, -1]]
+        self.rejects("leaf-direction", self.FILE, self.proof(direction=turned), node=10,
+                     path="part 0, middle wall 6 +")
+
+    def test_what_is_not_so(self):
+        """Other places, walls so near that friction holds the body there, a larger load."""
+        for changes in ({"twist": [1, 0, 0, 0, 0, 0]}, {"walls": [[1000 * c for c in row] for row in UNIT]}):
+            self.assertEqual(self.run_both(self.FILE, self.proof(**changes))[1]["rule"], "leaf-bound")
+        heavy = space_file(*CUBE, wrench=[2, 0, 0, 0, 0, 0])
+        self.rejects("leaf-bound", heavy, stable(6, heavy["wrench"], [CUBE_PROOF]), node=0,
+                     path="part 0, middle wall 1 +")
+
+    def test_cut_parts(self):
+        parts = [["part", "z", 4, -1], self.boxed()["parts"][0], ["part", "wrench", 5, 0],
+                 *[self.boxed()["parts"][0]] * 2]
+        proof = self.boxed()
+        proof["parts"] = parts
+        self.assertIn("parts: 3; trees of 72 nodes", self.accepts(self.FILE, proof, *self.ASKED))
+        proof["parts"] = parts[:3]
+        self.rejects("tree-short", self.FILE, proof, *self.ASKED, path="part 3, z 4 high, wrench 5 low")
+
+
+def corpus():
+    """(name, grasp, certificate, options)"""
+    for path in sorted(glob.glob(os.path.join(CORPUS, "*.grasp.json"))):
+        stem = path[:-len(".grasp.json")]
+        name = os.path.basename(stem)
+        texts = []
+        for ending in (".grasp.json", ".certificate.json"):
+            with open(stem + ending, encoding="utf-8") as file:
+                texts.append(file.read())
+        yield name, *texts, ("--normal-law", "bilateral") * name.startswith("bilateral_")
+
+
+class CorpusTest(Case):
+    def test_accepted(self):
+        count = 0
+        for name, grasp, proof, options in corpus():
+            text = self.accepts(grasp, proof, *options)
+            self.assertIn(f"verdict     {name.split('_')[-1]}", text, name)
+            count += 1
+        self.assertGreater(count, 10)
+
+    def test_mutants(self):
+        """Numbers exchanged, nodes left out or doubled: both checkers say the same. And what is about
+        a stable grasp is not accepted as unstable."""
+        rng = random.Random(21)
+        for name, grasp, proof, options in corpus():
+            content = json.loads(proof)
+            for _ in range(12):
+                mutant = json.loads(proof)
+                if rng.random() < 0.5 and "tree" in content:
+                    tree = mutant["tree"]
+                    k = rng.randrange(len(tree))
+                    tree[k:k + 1] = rng.choice([[], [tree[k]] * 2, [["slip", 0]],
+                                                [["leaf", *[rng.randint(-1, 1) for _ in range(6)]]]])
+                    text = json.dumps(mutant)
+                else:
+                    start = proof.index("verdict")
+                    numbers = list(re.finditer(r"\d+", proof[start:]))
+                    at = rng.choice(numbers)
+                    text = (proof[:start + at.start()] + str(rng.randint(1, 9))
+                            + proof[start + at.end():])
+                code, report, _, _ = self.run_both(grasp, text, *options)
+                if code == 0:
+                    self.assertEqual(report["verdict"], name.split("_")[-1])
+
+    def test_trees_about_stable_grasps(self):
+        """Unstable proofs, asked about a load under which the grasp is stable."""
+        for name, grasp, proof, options in corpus():
+            if not name.endswith("unstable"):
+                continue
+            file, content = json.loads(grasp), json.loads(proof)
+            file["wrench"] = content["question"]["wrench"] = stable_load(file)
+            code, report, _, _ = self.run_both(file, content, *options)
+            self.assertEqual((code, report["rule"]), (1, "leaf-bound"), name)
+
+
+def stable_load(file):
+    """What the preloads alone balance."""
+    total = check.zeros(6)
+    for contact in file["contacts"]:
+        p, n = (tuple(map(Fraction, contact[key])) for key in ("position", "normal"))
+        a = Fraction(contact["preload"]) / naive_space.root_of(naive.dot(n, n))
+        total = check.plus(total, -a, check.at(p, n))
+    return list(map(str, total))
+
+
+# ---- The twin ---------------------------------------------------------------------------------
+
+NORMALS = [(0, 0, 1), (0, 0, 2), (1, 0, 0), (0, -1, 0), (1, 2, 2), (-2, 1, 2), (0, 3, 4), (1, 1, 0),
+           (1, -1, 1)]
+
+
+def spread(rng, value, share):
+    return (value, value + Fraction(rng.randint(1, 4), 8) * (rng.random() < share))
+
+
+def random_contact(rng, share):
+    normal = rng.choice(NORMALS)
+    preload = spread(rng, rng.choice([0, 0, 1, Fraction(1, 2)]), share)
+    if naive_space.root_of(Fraction(naive.dot(normal, normal))) is None:
+        preload = (0, 0)
+    return naive_space.Contact.of_file(
+        normal, [spread(rng, rng.randint(-1, 1), share) for _ in range(3)],
+        spread(rng, rng.choice([0, Fraction(1, 2), 1, Fraction(2, 3)]), share), preload,
+        spread(rng, rng.choice([1, 2]), share))
+
+
+def box_of(contacts, wrench):
+    return check.Box([check.Parameters(c.normal, {name: check.Bounds(*ends)
+                                                  for name, ends in c.ends.items()}, Fraction(0))
+                      for c in contacts], tuple(check.Bounds(*w) for w in wrench), check.zeros(6))
+
+
+class Walk:
+    """A random path, in check.py and in the twin."""
+
+    def __init__(self, rng, contacts, wrench):
+        self.rng, self.contacts, self.wrench = rng, contacts, wrench
+        self.region = check.begin(check.Root(box_of(contacts, wrench), [
+            (naive_space.LOAD, True, False), (naive_space.H, False, True)]))
+        self.strict, self.slips = [naive_space.H], []
+
+    def step(self, choose):
+        """`choose` says which child, of a row's sign or of a slip."""
+        kind, i = self.rng.choice(["slip", "separation", "plane", "plane"]), \
+            self.rng.randrange(len(self.contacts))
+        row = tuple(Fraction(self.rng.choice([-1, 0, 0, 0, 1])) for _ in range(7)) + (Fraction(0),)
+        node = check.Node(kind, i, row if kind == "plane" else ())
+        try:
+            children = check.children(self.region, node)
+        except check.Rejected:
+            return
+        if kind == "separation":
+            row = children[0].rows[0]
+        child = choose(i if kind == "slip" else row)
+        if child == 1 and kind == "slip":
+            self.slips.append(i)
+        elif child == 1:
+            self.strict.append(row)
+        self.region = children[child]
+        self.region.open()
+
+    def twin(self):
+        return naive_space.Region(self.contacts, self.wrench, [
+            tuple(map(Fraction, x)) for x, _ in self.region.cone.generators], self.strict, self.slips)
+
+
+def random_twist(rng):
+    return tuple(Fraction(rng.choice([-2, -1, -1, 0, 0, 0, 1, 1, 2]), rng.choice([1, 1, 3]))
+                 for _ in range(6))
+
+
+class TwinTest(Case):
+    def test_leaves(self):
+        rng = random.Random(7)
+        tally = {}
+        for _ in range(50):
+            share = rng.choice([0, 0, 0.2, 0.4])
+            contacts = [random_contact(rng, share) for _ in range(rng.randint(1, 2))]
+            wrench = [spread(rng, rng.randint(-3, 3), share / 2) for _ in range(6)]
+            walk = Walk(rng, contacts, wrench)
+            for _ in range(rng.randint(0, 6)):
+                walk.step(lambda what: rng.choice([0, 1, 1]) if isinstance(what, int) else
+                          rng.randint(0, 1))
+            region, twin = walk.region, walk.twin()
+            points = [x for x, _ in region.generators()]
+            barred = twin.barred(twin.rays)
+            self.assertEqual(region.bars(region.generators()), barred)
+            for trial in range(4):
+                y = random_twist(rng) if trial % 2 else tuple(
+                    Fraction(-high) for _, high in wrench)
+                for i, contact in enumerate(contacts):
+                    if barred:
+                        continue
+                    moves = twin.moves(i)
+                    self.assertEqual(region.box.terms[i].alpha(region, points, y),
+                                     contact.alpha(y, twin.rays, moves))
+                    tally[moves] = tally.get(moves, 0) + 1
+                held = check.leaf_refusal(region, y, lambda x: x) is None
+                self.assertEqual(held, twin.leaf_holds(y))
+                tally[f"held {held}"] = tally.get(f"held {held}", 0) + (not barred)
+                self.assertTrue(held or check.leaf_refusal(region, y, check.short_above))
+        self.assertGreater(min(tally.values()), 20, tally)
+        self.assertEqual(len(tally), 4)
+
+    def test_redundant_rays_change_nothing(self):
+        rng = random.Random(8)
+        for _ in range(60):
+            contacts = [random_contact(rng, rng.choice([0, 0.3])) for _ in range(2)]
+            walk = Walk(rng, contacts, [spread(rng, rng.randint(-3, 3), 0.1) for _ in range(6)])
+            for _ in range(rng.randint(1, 6)):
+                walk.step(lambda what: rng.randint(0, 1))
+            region = walk.region
+            y = random_twist(rng)
+            held = check.leaf_refusal(region, y, lambda x: x) is None
+            rays = region.cone.rays
+            if not rays:
+                continue
+            more = []
+            for _ in range(3):
+                (a, a_zero), (b, b_zero) = rng.choice(rays), rng.choice(rays)
+                weight = rng.randint(1, 3)
+                more.append((tuple(p + weight * q for p, q in zip(a, b)), a_zero & b_zero))
+            region.cone = check.Cone(region.cone.lines, rays + more, region.cone.cuts)
+            self.assertEqual(check.leaf_refusal(region, y, lambda x: x) is None, held)
+
+    def test_the_bound_is_above_all_friction_and_close(self):
+        """Unit vectors of C_i, many of them: what the force does is at most the bound, and nearly as
+        much."""
+        rng = random.Random(9)
+        moving = 0
+        while moving < 40:
+            contact = random_contact(rng, 0)
+            walk = Walk(rng, [contact], [(0, 0)] * 6)
+            for _ in range(rng.randint(1, 5)):
+                walk.step(lambda what: 1 if isinstance(what, int) else rng.randint(0, 1))
+            region, twin = walk.region, walk.twin()
+            if twin.barred(twin.rays) or not twin.moves(0):
+                continue
+            moving += 1
+            y = random_twist(rng)
+            p = contact.positions()[0]
+            z = tuple(map(float, naive_space.slip(contact.normal, p, y)))
+            slips = [tuple(map(float, s)) for r in twin.rays for s in contact.slips(r) if any(s)]
+            most = -math.inf
+            for a, b in itertools.combinations_with_replacement(slips, 2):
+                for t in range(41):
+                    s = [((40 - t) * x / math.hypot(*a) + t * e / math.hypot(*b)) for x, e in zip(a, b)]
+                    length = math.hypot(*s)
+                    if length > 1:
+                        most = max(most, -naive.dot(s, z) / length)
+            mu = float(contact.ends["friction"][1])
+            length = math.sqrt(contact.square)
+            work = float(naive.dot(contact.normal, naive_space.velocity(y, p))) + mu * length * most
+            bound = float(region.box.terms[0].alpha(region, [x for x, _ in region.generators()], y))
+            self.assertLessEqual(work, bound + 1e-9)
+            self.assertLess(bound - work, 1e-2 * (1 + mu * length * math.hypot(*z)))
+
+    def test_nothing_refutes_the_home_of_an_equilibrium(self):
+        """Equilibria by construction, in the middle of boxes. Directions of slip may be irrational:
+        then the load is an interval around what balances."""
+        rng = random.Random(10)
+        slipped = 0
+        for _ in range(250):
+            contacts = [random_contact(rng, rng.choice([0, 0.3])) for _ in range(rng.randint(1, 3))]
+            d = tuple(Fraction(rng.randint(-2, 2), 2) for _ in range(6))
+            wrench = [(Fraction(0), Fraction(0))] * 6
+            chosen = []
+            for contact in contacts:
+                q = {name: low + Fraction(rng.randint(0, 4), 4) * (high - low)
+                     for name, (low, high) in contact.ends.items()}
+                p = (q["x"], q["y"], q["z"])
+                chosen.append(p)
+                n, u = contact.normal, naive_space.velocity(d, p)
+                a = max(0, q["preload"] - q["stiffness"] * naive.dot(n, u))
+                s = naive_space.slip(n, p, d)
+                ends = [naive_space.slip(n, (0, 0, 0), (rng.randint(-1, 1), rng.randint(-1, 1), 1,
+                                                        0, 0, 0))] * 2  # sticks
+                ends = [tuple(c / 4 for c in e) for e in ends]
+                if any(s):
+                    low, high = naive_space.inverse_length(naive.dot(s, s) / contact.square, 64)
+                    ends = [tuple(-c * root for c in s) for root in (low, high)]
+                    slipped += bool(a * q["friction"])
+                forces = [check.at(p, tuple(a * (c + q["friction"] * e) for c, e in zip(n, end)))
+                          for end in ends]
+                wrench = [(low - max(f), high - min(f))
+                          for (low, high), f in zip(wrench, zip(*forces))]
+            x = (*d, Fraction(1), Fraction(0))
+            walk = Walk(rng, contacts, wrench)
+
+            def home(what):
+                if isinstance(what, int):
+                    return int(any(naive_space.slip(contacts[what].normal, chosen[what], d)))
+                return int(check.dot(what, x) < 0)
+
+            for _ in range(rng.randint(0, 6)):
+                walk.step(home)
+            for y in (check.zeros(6), tuple(-low for low, _ in wrench), random_twist(rng)):
+                self.assertIsNotNone(check.leaf_refusal(walk.region, y, lambda x: x))
+        self.assertGreater(slipped, 100)
+
+
+class ConeTest(unittest.TestCase):
+    def test_of_slips(self):
+        """Against pairs of generators, on all sets of up to four directions of a grid."""
+        for normal in ((0, 0, 1), (1, 2, -2), (0, 3, 0)):
+            basis = [naive_space.cross(normal, e) for e in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
+            basis = [b for b in basis if any(b)][:2]
+            grid = [tuple(i * a + j * b for a, b in zip(*basis))
+                    for i, j in itertools.product((-1, 0, 1), repeat=2)]
+            for count in range(4):
+                for chosen in itertools.combinations(grid, count):
+                    cone = check.SlipCone(tuple(map(Fraction, normal)), chosen)
+                    for s in grid:
+                        self.assertEqual(cone.contains(s), naive_space.in_cone(s, chosen),
+                                         (normal, chosen, s))
+
+    def test_in_seven_coordinates(self):
+        """Regions by brute force, with slips that are 0."""
+        rng = random.Random(12)
+        for _ in range(12):
+            conditions = [(tuple(rng.randint(-1, 1) for _ in range(7)), rng.random() < 0.3)
+                          for _ in range(8)]
+            lines, rays = naive.generators(conditions, 7)
+            cone = check.Cone([tuple(int(j == k) for k in range(7)) for j in range(7)], [], 0)
+            for a, equality in conditions:
+                cone = cone.cut(a, equality)
+            self.assertEqual(len(cone.lines), len(lines))
+            found = [frozenset(k for k in range(8) if zero >> k & 1) for _, zero in cone.rays]
+            self.assertEqual(sorted(map(sorted, found)), sorted(map(sorted, rays)))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -13,27 +13,21 @@ using Kind = JsonNode::Kind;
 
 /// How loads are written, in the plane (n = 2) and in space.
 template <std::size_t n>
-struct Forms;
-template <>
-struct Forms<2> {
-  static constexpr const char* kPoint = "[x, y]";
-  static constexpr const char* kPointInWords = "an array of two numbers [x, y]";
-  static constexpr const char* kWrench = "an array of three numbers [force x, force y, torque]";
-  static constexpr const char* kDirection =
-      "give a direction of rational length, such as "
-      "[3, -4]; or a \"force\" in place of the weight";
-  static constexpr const char* kTorque = "t";
-};
-template <>
-struct Forms<3> {
-  static constexpr const char* kPoint = "[x, y, z]";
-  static constexpr const char* kPointInWords = "an array of three numbers [x, y, z]";
+struct LoadForms {
+  static constexpr bool kPlanar = n == 2;
+  static constexpr const char* kPoint = kPlanar ? "[x, y]" : "[x, y, z]";
+  static constexpr const char* kPointInWords =
+      kPlanar ? "an array of two numbers [x, y]" : "an array of three numbers [x, y, z]";
   static constexpr const char* kWrench =
-      "an array of six numbers [force x, y, z, torque x, y, z]";
+      kPlanar ? "an array of three numbers [force x, force y, torque]"
+              : "an array of six numbers [force x, y, z, torque x, y, z]";
   static constexpr const char* kDirection =
-      "give a direction of rational length, such as [2, 1, -2]; or a \"force\" in place of the "
-      "weight";
-  static constexpr const char* kTorque = "[x, y, z]";
+      kPlanar
+          ? "give a direction of rational length, such as [3, -4]; or a \"force\" in place of "
+            "the weight"
+          : "give a direction of rational length, such as [2, 1, -2]; or a \"force\" in place "
+            "of the weight";
+  static constexpr const char* kTorque = kPlanar ? "t" : "[x, y, z]";
 };
 
 template <std::size_t n>
@@ -44,10 +38,10 @@ using Load = std::array<Rational, n == 2 ? 3 : 6>;
 template <std::size_t n>
 Coordinates<n> read_coordinates(const JsonNode& object, const std::string& path,
                                 const char* key) {
-  const std::string remedy = std::string("add \"") + key + "\": " + Forms<n>::kPoint;
+  const std::string remedy = std::string("add \"") + key + "\": " + LoadForms<n>::kPoint;
   const JsonNode& node = member(object, path, key, remedy.c_str());
   const std::vector<Rational> v =
-      read_vector(node, member_path(path, key), n, Forms<n>::kPointInWords);
+      read_vector(node, member_path(path, key), n, LoadForms<n>::kPointInWords);
   Coordinates<n> result;
   std::copy(v.begin(), v.end(), result.begin());
   return result;
@@ -70,7 +64,7 @@ Coordinates<n> read_weight(const JsonNode& load, const std::string& path) {
   if (weight.sign() < 0) {
     fail_at(place, "the value is " + to_string(weight),
             std::string("a weight is a force of 0 or more; \"direction\": ") +
-                Forms<n>::kPoint + " says where it pulls");
+                LoadForms<n>::kPoint + " says where it pulls");
   }
   Coordinates<n> d{};
   d[n - 1] = -1;
@@ -79,7 +73,7 @@ Coordinates<n> read_weight(const JsonNode& load, const std::string& path) {
   if (!length || length->is_zero()) {
     fail_at(member_path(path, "direction"),
             std::string("its length is ") + (length ? "0" : "irrational"),
-            Forms<n>::kDirection);
+            LoadForms<n>::kDirection);
   }
   for (Rational& entry : d) entry *= weight / *length;
   return d;
@@ -87,7 +81,7 @@ Coordinates<n> read_weight(const JsonNode& load, const std::string& path) {
 
 template <std::size_t n>
 Load<n> read_one_load(const JsonNode& load, const std::string& path) {
-  const std::string point = Forms<n>::kPoint;
+  const std::string point = LoadForms<n>::kPoint;
   const std::string example = "{\"force\": " + point + ", \"at\": " + point + "}";
   expect(load, Kind::kObject, path, ("an object such as " + example).c_str());
   if (const JsonNode* torque = load.find("torque")) {
@@ -112,7 +106,7 @@ Load<n> read_one_load(const JsonNode& load, const std::string& path) {
   }
   expect_object(load, path, {"force", "at", "torque", "weight", "direction"});
   fail_at(path, "found " + describe(load) + " that is no load",
-          "give " + example + ", {\"torque\": " + Forms<n>::kTorque +
+          "give " + example + ", {\"torque\": " + LoadForms<n>::kTorque +
               "} or {\"weight\": w, \"at\": " + point + "}");
 }
 
@@ -147,7 +141,7 @@ std::optional<LoadBox<n>> read_load(const JsonNode& object, const std::string& p
   }
   if (wrench != nullptr) {
     const std::vector<Interval> v =
-        read.numbers(*wrench, member_path(path, "wrench"), sum.size(), Forms<n>::kWrench);
+        read.numbers(*wrench, member_path(path, "wrench"), sum.size(), LoadForms<n>::kWrench);
     std::copy(v.begin(), v.end(), sum.begin());
     return sum;
   }

@@ -8,9 +8,9 @@
 namespace stickslip::space_detail {
 namespace {
 
-Generator generator_of(const Point& exact, double length) {
+RegionPoint region_point(const Point& exact, double length) {
   const std::array<double, 8> x = in_doubles(exact);
-  Generator result{exact, {}, x[6]};
+  RegionPoint result{exact, {}, x[6]};
   double size = x[6] * x[6];
   for (std::size_t j = 0; j < 6; ++j) {
     result.motion[j] = j < 3 ? x[j] : x[j] * length;
@@ -147,7 +147,7 @@ bool SpaceRegion::is_barred() const {
 bool SpaceRegion::is_cut_by(const Point& plane) const {
   bool positive = false;
   bool negative = false;
-  for (const Generator& g : generators_) {
+  for (const RegionPoint& g : generators_) {
     const int sign = dot(plane, g.exact).sign();
     positive = positive || sign > 0;
     negative = negative || sign < 0;
@@ -159,7 +159,7 @@ bool SpaceRegion::is_cut_by(const Point& plane) const {
 void SpaceRegion::update(const SpaceModel& model) {
   generators_.clear();
   for (const Point& x : cone_.directions()) {
-    generators_.push_back(generator_of(x, model.length));
+    generators_.push_back(region_point(x, model.length));
   }
   const std::size_t m = model.contacts.size();
   high_.assign(m * generators_.size(), 0);
@@ -187,7 +187,7 @@ void SpaceRegion::update(const SpaceModel& model) {
 void SpaceRegion::compute_slips(const SpaceModel& model, std::size_t contact) {
   const std::vector<CornerRow>& corners = model.contacts[contact].corners;
   for (std::size_t g = 0; g < generators_.size(); ++g) {
-    const Generator& at = generators_[g];
+    const RegionPoint& at = generators_[g];
     for (std::size_t c = 0; c < corners.size(); ++c) {
       const CornerRow& row = corners[c];
       Double3 s{};
@@ -223,7 +223,7 @@ void SpaceRegion::find_separation(const SpaceModel& model, std::size_t contact) 
   bool closed = true;
   bool open = true;
   for (std::size_t g = 0; g < generators_.size(); ++g) {
-    const Generator& at = generators_[g];
+    const RegionPoint& at = generators_[g];
     double high = -HUGE_VAL;
     double low = HUGE_VAL;
     const auto take = [&](double value, double magnitude, const auto& exact_sign) {
@@ -388,7 +388,7 @@ bool SpaceRegion::is_refuted(const SpaceModel& model, const IntegerVector<6>& y,
   if (barred_) return true;
   if (direction != nullptr) {
     const Point form = direction->form(y);
-    for (const Generator& g : generators_) {
+    for (const RegionPoint& g : generators_) {
       if (dot(form, g.exact).sign() < 0) return false;
     }
   }

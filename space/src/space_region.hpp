@@ -25,7 +25,7 @@ struct SpatialDirection {
 };
 
 /// The generators of a region: lines both ways, and rays.
-struct Generator {
+struct RegionPoint {
   Point exact;
   Double6 motion;  ///< d over the norm of the point, in the model's units
   double height;   ///< h over the same
@@ -54,7 +54,7 @@ class SpaceRegion {
   SpaceRegion slipping(const SpaceModel& model, std::size_t contact) const;
   /// \}
 
-  const std::vector<Generator>& generators() const { return generators_; }
+  const std::vector<RegionPoint>& generators() const { return generators_; }
   Separation separation(std::size_t contact) const { return separations_[contact]; }
   const SlipCone& slips(std::size_t contact) const { return slips_[contact]; }
   /// Whether a slip split has said that the contact slips.
@@ -103,7 +103,7 @@ class SpaceRegion {
   std::vector<char> still_;                 ///< by contact: s is 0 everywhere
   std::vector<Separation> separations_;
   std::vector<SlipCone> slips_;
-  std::vector<Generator> generators_;
+  std::vector<RegionPoint> generators_;
   std::vector<double> high_;  ///< by contact and generator, as low_
   std::vector<double> low_;
   std::vector<std::size_t> first_slip_;

@@ -110,7 +110,7 @@ Double6 load_on(const SpaceModel& model, const Double6& y) {
 }  // namespace
 
 SpatialSearchResult SpaceSearch::search(const SpaceRegion& region) const {
-  const std::vector<Generator>& generators = region.generators();
+  const std::vector<RegionPoint>& generators = region.generators();
   const std::size_t m = model_.contacts.size();
   // Comparable sizes of the wrenches at the generators, and where there are any.
   std::vector<double> scales;
@@ -126,7 +126,7 @@ SpatialSearchResult SpaceSearch::search(const SpaceRegion& region) const {
   }
   std::vector<Double6> against;  // -A(d - h d0), of list 2
   if (direction_ != nullptr) {
-    for (const Generator& g : generators) {
+    for (const RegionPoint& g : generators) {
       // Exactly, as d - h d0 may be small beside d.
       Vector6 from{};
       for (std::size_t j = 0; j < 6; ++j) {
@@ -252,7 +252,7 @@ std::optional<IntegerVector<6>> SpaceSearch::confirm(const SpaceRegion& region,
   Double6 y = twist;
   for (std::size_t j = 3; j < 6; ++j) y[j] /= model_.length;
   IntegerVector<6> before{};
-  const std::vector<Generator>& generators = region.generators();
+  const std::vector<RegionPoint>& generators = region.generators();
   for (const int bits : {2, 4, 6, 8, 12, 16, 24, 36, 50}) {
     const IntegerVector<6> candidate = in_bits<6>(y, bits);
     if (candidate == before || is_zero(candidate)) continue;
@@ -436,8 +436,8 @@ bool SpaceSearch::split(const SpaceRegion& region, const SpatialSearchResult& fo
   }
   // Between two generators that take part.
   for (std::size_t k = 1; k < found.points.size(); ++k) {
-    const Generator& a = region.generators()[found.points[0]];
-    const Generator& b = region.generators()[found.points[k]];
+    const RegionPoint& a = region.generators()[found.points[0]];
+    const RegionPoint& b = region.generators()[found.points[k]];
     std::array<double, 7> across{};
     double along = 0;
     const double size = dot(found.motion, found.motion) + found.height * found.height;
@@ -493,7 +493,7 @@ bool SpaceSearch::visit(const SpaceRegion& region, SpatialTrees& trees, std::siz
   ++work_.nodes;
   work_.rays += region.generators().size();
   work_.most_rays = std::max(work_.most_rays, region.generators().size());
-  for (const Generator& g : region.generators()) {
+  for (const RegionPoint& g : region.generators()) {
     for (const Integer& entry : g.exact) {
       if (!entry.is_zero()) {
         work_.ray_bits = std::max<std::size_t>(work_.ray_bits, msb(abs(entry)) + 1);

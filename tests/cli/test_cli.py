@@ -20,7 +20,7 @@ FIG1 = os.path.join(CORPUS, "good", "fig1.json")  # P = 1, wrench (0, -11/10, 0)
 FIG4 = os.path.join(CORPUS, "good", "fig4.json")
 STICKSLIP = os.environ.get("STICKSLIP", "stickslip")
 CHECK = os.environ.get("STICKSLIP_CHECK", "stickslip-check")
-CHECK_PY = os.environ.get("CHECK_PY", os.path.join(HERE, "..", "..", "certificate", "check.py"))
+CHECK_PY = os.path.join(HERE, "..", "..", "certificate", "check.py")
 UP = ("--wrench", "0,11/10,0")  # unstable
 
 DONE, BAD_INPUT, UNDECIDED, STABLE, UNSTABLE = 0, 2, 3, 10, 20

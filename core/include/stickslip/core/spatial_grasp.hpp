@@ -33,7 +33,7 @@ struct SpatialContact {
   Vector3 normal;                    ///< nonzero, points into the object
   Interval friction;                 ///< coefficient mu >= 0
   Interval stiffness{1, 1};          ///< of the normal spring, k > 0, force per length
-  Interval preload;                  ///< P >= 0, force
+  Interval preload{};                ///< P >= 0, force
 };
 
 /// A load with a name: a question of its own.

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "batch_results.hpp"
 #include "fuzz_target.hpp"
+#include "stickslip/batch/results.hpp"
 
 namespace {
 

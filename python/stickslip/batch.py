@@ -42,7 +42,9 @@ CHUNKS_OF_A_THREAD = 2
 """One that it decides, and the next."""
 MOST_BYTES_HELD = 1 << 28
 """Of results whose turn has not come."""
-SECONDS_WITHOUT_WORKERS = 5
+FETCHERS = 8
+"""Threads: an answer of a worker that has just died is waited for, beside the others."""
+SECONDS_WITHOUT_WORKERS = 3
 """Before that is said: one that has died may be started again."""
 MOST_LOSSES = 10
 """Of a chunk by workers that die, where no line can be the cause."""
@@ -329,7 +331,7 @@ class Cluster:
             try:
                 self._local = distributed.LocalCluster(
                     n_workers=workers or len(os.sched_getaffinity(0)), threads_per_worker=1,
-                    processes=True, dashboard_address=None, local_directory=self._folder,
+                    processes=True, dashboard_address=":0", local_directory=self._folder,
                     preload=batch_chunk.__name__, silence_logs=logging.CRITICAL + 1)
             except BaseException:
                 self._remove_folder()
@@ -405,8 +407,9 @@ class Batch:
         self._bytes_held = 0
         self._next_to_write = 0
         self._answers: queue.Queue[Tuple[Any, Union[Decided, BaseException]]] = queue.Queue()
-        # An answer of a worker that has just died is waited for, beside the others.
-        self._fetchers = concurrent.futures.ThreadPoolExecutor(8)
+        self._finished: queue.Queue[Any] = queue.Queue()  # futures
+        for _ in range(FETCHERS):
+            threading.Thread(target=self._fetch, daemon=True).start()
 
     def _open_input(self) -> BinaryIO:
         try:
@@ -504,13 +507,15 @@ class Batch:
             batch_chunk.decide_alone if alone else batch_chunk.decide, self.asked, _core.version,
             self.path, chunk, pure=False, priority=-index)
         self._waiting[future] = index, chunk, alone
-        future.add_done_callback(lambda _: self._fetchers.submit(self._fetch, future))
+        future.add_done_callback(self._finished.put)
 
-    def _fetch(self, future: Any) -> None:
-        try:
-            self._answers.put((future, future.result()))
-        except BaseException as error:  # of whatever kind: the other thread looks at it
-            self._answers.put((future, error))
+    def _fetch(self) -> None:
+        while True:
+            future = self._finished.get()
+            try:
+                self._answers.put((future, future.result()))
+            except BaseException as error:  # of whatever kind: the other thread looks at it
+                self._answers.put((future, error))
 
     def _collect(self) -> None:
         """What has been decided is ready; what was lost is submitted again."""

@@ -25,7 +25,7 @@ pytestmark = pytest.mark.skipif(importlib.util.find_spec("distributed") is None,
 
 DONE, BAD_INPUT, UNDECIDED = 0, 2, 3
 NO_WORKER = "stickslip: there is no worker; waiting for one to join (Ctrl-C ends this)\n"
-DEADLINE = 40  # of one thing that is waited for, in seconds; only a hang reaches it
+DEADLINE = 120  # of one thing that is waited for, in seconds; only a hang reaches it
 
 # What workers, and the processes in which they decide lines alone, do with a line that has this in it:
 DEADLY = "kills whoever decides it"
@@ -232,17 +232,16 @@ def test_exit_codes(cluster, tmp_path):
 
 def test_certificates(cluster, tmp_path):
     (tmp_path / "grasps.jsonl").write_text("".join(lines_of(60)))
-    code, out = subprocess.run(
-        [os.environ["STICKSLIP"], "batch", "grasps.jsonl", "--certificates", "proofs"],
-        cwd=tmp_path, capture_output=True, check=True, text=True).stdout, None
-    before = {p.name: p.read_text() for p in (tmp_path / "proofs").iterdir()}
-    for file in (tmp_path / "proofs").iterdir():
+    words, proofs = ("grasps.jsonl", "--certificates", "proofs"), tmp_path / "proofs"
+    program = subprocess.run([os.environ["STICKSLIP"], "batch", *words], cwd=tmp_path,
+                             capture_output=True, check=True, text=True)
+    before = {file.name: file.read_text() for file in proofs.iterdir()}
+    for file in proofs.iterdir():
         file.unlink()
     # The workers are in another folder; results name the certificates as the command does.
-    out = batch("grasps.jsonl", "--certificates", "proofs", "--scheduler", cluster.address,
-                cwd=tmp_path)
-    assert out == (DONE, code, "")
-    assert {p.name: p.read_text() for p in (tmp_path / "proofs").iterdir()} == before
+    found = batch(*words, "--scheduler", cluster.address, cwd=tmp_path)
+    assert found == (DONE, program.stdout, "")
+    assert {file.name: file.read_text() for file in proofs.iterdir()} == before
 
 
 def test_a_cluster_of_this_machine(grasps, tmp_path):
@@ -259,7 +258,7 @@ def test_resume(cluster, grasps, tmp_path):
     assert batch(*words) == (DONE, "", "")
     whole = out.read_bytes()
     assert whole.decode() == reference(grasps)[1]
-    for length in (0, 1, len(whole) // 2, len(whole) - 1, len(whole)):
+    for length in (0, len(whole) // 2, len(whole) - 1):
         out.write_bytes(whole[:length])
         assert batch(*words, "--resume") == (DONE, "", "")
         assert out.read_bytes() == whole, length
@@ -445,7 +444,7 @@ def test_a_full_disk(cluster, grasps, tmp_path):
         assert found.stderr.startswith("stickslip: <stdout>: the file cannot be written: No space")
     # A file that must not grow longer: what fits of a chunk is cut where a line ends.
     out, whole = tmp_path / "out.jsonl", reference(grasps)[1]
-    for limit in (1, 7000, 20001):
+    for limit in (1, 20001):
         out.unlink(missing_ok=True)
         code, _, err = batch(grasps, "-o", out, *at, preexec_fn=lambda: resource.setrlimit(
             resource.RLIMIT_FSIZE, (limit, limit)))

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import argparse
 import concurrent.futures
+import importlib
 import itertools
 import logging
 import os
@@ -310,8 +311,8 @@ class Cluster:
 
     def __init__(self, scheduler: str, workers: int) -> None:
         try:
-            import dask
-            import distributed
+            dask: Any = importlib.import_module("dask")
+            distributed: Any = importlib.import_module("distributed")
         except ImportError as error:
             raise InputError("", "", f"Dask distributed cannot be imported: {error}",
                              "install it (Debian: python3-distributed), or use stickslip batch on this "

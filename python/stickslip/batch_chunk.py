@@ -7,6 +7,7 @@ a time, so that it is known which line ends the process, and nothing else is los
 
 from __future__ import annotations
 
+import importlib
 import os
 import pickle
 import signal
@@ -199,9 +200,9 @@ def _start() -> subprocess.Popen[bytes]:
 
 def _memory_limit() -> int:
     """Of this worker, in bytes; 0 if it has none."""
-    from distributed import get_worker
+    distributed: Any = importlib.import_module("distributed")
     try:
-        return int(get_worker().memory_manager.memory_limit or 0)
+        return int(distributed.get_worker().memory_manager.memory_limit or 0)
     except (ValueError, AttributeError):  # in no worker, or in a later Dask
         return 0
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/batch/results.hpp"
 
-#include <algorithm>
 #include <cstdlib>
 
+#include "stickslip/core/cancellation.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/json.hpp"
 
@@ -60,6 +60,7 @@ BatchTally skip_finished(FinishedResults& results, const std::string& output, Ba
                          const std::string& grasps, const LineDecider& decider) {
   BatchTally tally;
   while (const std::optional<FinishedResult> result = results.next()) {
+    throw_if_cancelled();
     const std::optional<BatchLine> line = lines.next();
     if (!line || result->key != decider.key(line->text)) {
       throw InputError(output, "result of line " + std::to_string(lines.number()),

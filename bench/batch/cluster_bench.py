@@ -10,6 +10,7 @@ Exit code 1 if a run fails, or if the results of the two differ.
 import argparse
 import json
 import os
+import resource
 import statistics
 import subprocess
 import sys
@@ -39,9 +40,13 @@ class Bench:
     def program(self):
         return self.run(os.path.join(self.programs, "stickslip"), "batch", self.grasps, "--threads", 2)
 
-    def cluster(self, *words):
-        return self.run(sys.executable, "-m", "stickslip.batch", self.grasps,
-                        *(words or ("--workers", 2)))
+    def cluster(self):
+        return self.run(sys.executable, "-c", CLIENT, self.path("said"), self.grasps, "--workers", 2)
+
+    def said(self):
+        """By CLIENT."""
+        with open(self.path("said"), encoding="utf-8") as file:
+            return json.load(file)
 
     def content(self):
         with open(self.results, "rb") as file:
@@ -61,8 +66,9 @@ class Bench:
 
     def efficiency(self, seconds):
         """A row a number of contacts."""
-        print("| m | lines | batch, 1/s | workers, 1/s | workers / batch | without the start |")
-        print("|--:|--:|--:|--:|--:|--:|")
+        print("| m | lines | batch, 1/s | workers, 1/s | workers / batch | without the start | "
+              "workers busy | processor time, batch / all |")
+        print("|--:|--:|--:|--:|--:|--:|--:|--:|")
         self.write(4, 1)
         start = min(self.cluster() for _ in range(ROUNDS))
         for contacts in CONTACTS:
@@ -71,18 +77,24 @@ class Bench:
             once = max(self.program() - 0.05, 0.01)
             lines *= max(round(seconds / once), 1)
             self.write(contacts, lines)
-            times = []
+            times, busy, processor = [], [], []
             for _ in range(ROUNDS):
+                used_before = used_by_children()
                 batch, expected = self.program(), self.content()
+                used_by_batch = used_by_children() - used_before
                 workers = self.cluster()
+                used_by_all = used_by_children() - used_before - used_by_batch
                 times.append((batch, workers))
+                busy.append(self.said()["busy"] / 2)
+                processor.append(used_by_batch / used_by_all)
                 if self.content() != expected:
                     sys.exit("cluster_bench: the results differ")
             ratio = statistics.median(batch / workers for batch, workers in times)
             running = statistics.median(batch / (workers - start) for batch, workers in times)
             rates = [lines / statistics.median(column) for column in zip(*times)]
             print(f"| {contacts} | {lines} | {rates[0]:.0f} | {rates[1]:.0f} | {ratio:.2f} | "
-                  f"{running:.2f} |", flush=True)
+                  f"{running:.2f} | {statistics.median(busy):.3f} | {statistics.median(processor):.2f} |",
+                  flush=True)
         print(f"\nstart and end of a cluster: {start:.1f} s")
 
     def cost(self, most_lines):
@@ -93,6 +105,8 @@ class Bench:
         lines = max(most_lines // 100, 1)
         while lines <= most_lines:
             self.write(4, lines)
+            if os.path.exists(self.results):
+                os.remove(self.results)
             self._cost_of(lines)
             lines *= 10
 
@@ -117,52 +131,56 @@ class Bench:
             time.sleep(5)
             before = [used(process.pid) for process in processes]
             network = network_bytes()
-            log = self.path("chunks")
             seconds = time.monotonic()
-            client = subprocess.Popen([sys.executable, "-c", CLIENT, log, self.grasps, "-o", self.results,
+            client = subprocess.Popen([sys.executable, "-c", CLIENT, self.path("said"), self.grasps, "-o", self.results,
                                        "--scheduler", address])
             if client.wait() != 0:
                 sys.exit("cluster_bench: the batch failed")
             seconds = time.monotonic() - seconds
             network = network_bytes() - network
-            with open(log, encoding="utf-8") as file:
-                chunks, client_seconds, client_peak = map(float, file.read().split())
+            said = self.said()
+            chunks = said["chunks"]
             after = [used(process.pid) for process in processes]
             peaks = [peak(process.pid) for process in processes]
             scheduler = after[0] - before[0]
-            print(f"| {lines} | {lines / seconds:.0f} | {chunks:.0f} | {peaks[0]:.0f} | "
-                  f"{max(peaks[1:]):.0f} | {client_peak:.0f} | {1000 * scheduler / chunks:.1f} | "
-                  f"{1000 * client_seconds / chunks:.1f} | {network / lines:.0f} |", flush=True)
+            print(f"| {lines} | {lines / seconds:.0f} | {chunks} | {peaks[0]:.0f} | "
+                  f"{max(peaks[1:]):.0f} | {said['peak']:.0f} | {1000 * scheduler / chunks:.1f} | "
+                  f"{1000 * said['processor'] / chunks:.1f} | {network / lines:.0f} |", flush=True)
         finally:
             for process in reversed(processes):
                 process.kill()
                 process.wait()
-            if os.path.exists(self.results):
-                os.remove(self.results)
 
 
-# A batch that says how many chunks there were, and what it took once it was connected.
+# A batch that says how many chunks there were, which share of the time after it was connected they
+# kept workers busy (2: two workers, always), and what this process took.
 CLIENT = """
-import resource, sys, time
+import json, resource, sys, time
 from stickslip import batch
-def used():
-    return time.process_time()
-chunks, start = 0, 0.0
-submit, connect = batch.Batch._submit, batch.Cluster.__init__
-def counted(self, *words):
-    global chunks
-    chunks += 1
-    submit(self, *words)
-def connected(self, *words):
-    global start
-    connect(self, *words)
-    start = used()
-batch.Batch._submit, batch.Cluster.__init__ = counted, connected
+said = {"chunks": 0, "busy": 0.0}
+took, decide_all = batch.Pace.took, batch.Batch._decide_all
+def counted(self, chunk, seconds):
+    said["chunks"] += 1
+    said["busy"] += seconds
+    took(self, chunk, seconds)
+def timed(self):
+    start, used = time.monotonic(), time.process_time()
+    decide_all(self)
+    said["busy"] /= time.monotonic() - start
+    said["processor"] = time.process_time() - used
+    said["peak"] = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+batch.Pace.took, batch.Batch._decide_all = counted, timed
 code = batch.main(sys.argv[2:])
 with open(sys.argv[1], "w") as file:
-    print(chunks, used() - start, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024, file=file)
+    json.dump(said, file)
 sys.exit(code)
 """
+
+
+def used_by_children():
+    """Seconds of the processor, by all that have ended."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
 
 
 def used(pid):

@@ -209,6 +209,8 @@ class Output:
             try:
                 while rest:
                     rest = rest[os.write(self._file, rest):]
+            except BrokenPipeError:  # as of `| head`, which has what it wants
+                self._interruption.number = signal.SIGPIPE
             except OSError as error:
                 if self._regular:
                     os.ftruncate(self._file, before + text.rfind(b"\n", 0, len(text) - len(rest)) + 1)
@@ -588,8 +590,9 @@ def main(words: List[str]) -> int:
         print(f"stickslip: {error}", file=sys.stderr, flush=True)
         code = BAD_INPUT
     except Interrupted:
+        silent = interruption.number == signal.SIGPIPE
         text = batch.interruption_text() if batch else "interrupted"
-        print(f"stickslip: {text}", file=sys.stderr, flush=True)
+        print(f"stickslip: {text}\n" * (not silent), end="", file=sys.stderr, flush=True)
     interruption.is_over()
     if cluster is not None:
         cluster.close()

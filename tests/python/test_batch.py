@@ -318,6 +318,16 @@ def test_interrupted_and_resumed(gated, tmp_path, cluster, number):
     assert out.read_text() == whole
 
 
+def test_the_reader_of_the_results_goes_away(gated, cluster):
+    with subprocess.Popen(command(gated, "--scheduler", cluster.address), stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE) as process:
+        process.stdout.readline()
+        process.stdout.close()
+        open_gate(gated)
+        assert process.stderr.read() == b""
+        assert process.wait(timeout=DEADLINE) == -signal.SIGPIPE
+
+
 def test_ctrl_c_on_a_terminal_ends_a_local_cluster(gated, tmp_path):
     """Which gets the signal as well: all processes of the group do."""
     out = tmp_path / "out.jsonl"

@@ -37,6 +37,12 @@ class Bench:
         subprocess.run([*map(str, words), "-o", self.results], check=True)
         return time.monotonic() - start
 
+    @staticmethod
+    def measured(run):
+        """Seconds, and seconds of the processor."""
+        before = used_by_children()
+        return run(), used_by_children() - before
+
     def program(self):
         return self.run(os.path.join(self.programs, "stickslip"), "batch", self.grasps, "--threads", 2)
 
@@ -67,10 +73,10 @@ class Bench:
     def efficiency(self, seconds):
         """A row a number of contacts."""
         print("| m | lines | batch, 1/s | workers, 1/s | workers / batch | without the start | "
-              "workers busy | processor time, batch / all |")
+              "workers busy | processor time, batch / all without the start |")
         print("|--:|--:|--:|--:|--:|--:|--:|--:|")
         self.write(4, 1)
-        start = min(self.cluster() for _ in range(ROUNDS))
+        start, start_used = map(min, zip(*(self.measured(self.cluster) for _ in range(ROUNDS))))
         for contacts in CONTACTS:
             lines = 2000 if contacts <= 10 else 40 if contacts == 1000 else 400
             self.write(contacts, lines)
@@ -79,14 +85,12 @@ class Bench:
             self.write(contacts, lines)
             times, busy, processor = [], [], []
             for _ in range(ROUNDS):
-                used_before = used_by_children()
-                batch, expected = self.program(), self.content()
-                used_by_batch = used_by_children() - used_before
-                workers = self.cluster()
-                used_by_all = used_by_children() - used_before - used_by_batch
+                batch, used_by_batch = self.measured(self.program)
+                expected = self.content()
+                workers, used_by_all = self.measured(self.cluster)
                 times.append((batch, workers))
                 busy.append(self.said()["busy"] / 2)
-                processor.append(used_by_batch / used_by_all)
+                processor.append(used_by_batch / (used_by_all - start_used))
                 if self.content() != expected:
                     sys.exit("cluster_bench: the results differ")
             ratio = statistics.median(batch / workers for batch, workers in times)
@@ -95,7 +99,7 @@ class Bench:
             print(f"| {contacts} | {lines} | {rates[0]:.0f} | {rates[1]:.0f} | {ratio:.2f} | "
                   f"{running:.2f} | {statistics.median(busy):.3f} | {statistics.median(processor):.2f} |",
                   flush=True)
-        print(f"\nstart and end of a cluster: {start:.1f} s")
+        print(f"\nstart and end of a cluster: {start:.1f} s, {start_used:.1f} s of the processor")
 
     def cost(self, most_lines):
         """A row a length of the file: a scheduler, two workers and a client, each a process."""

@@ -10,24 +10,21 @@ from __future__ import annotations
 
 import argparse
 import concurrent.futures
-import importlib
 import itertools
-import logging
 import os
 import queue
 import re
-import shutil
 import signal
 import stat
 import sys
-import tempfile
 import threading
 import time
-import zlib
-from typing import Any, BinaryIO, Dict, Iterator, List, NoReturn, Optional, Tuple, Union
+from typing import Any, BinaryIO, Dict, List, NoReturn, Optional, Tuple, Union
 
 from . import _core, batch_chunk
 from .batch_chunk import Asked, Chunk, Decided
+from .batch_cluster import Cluster
+from .batch_files import Cutter, Interrupted, Interruption, Output
 from .errors import InputError
 
 DONE, BAD_INPUT, UNDECIDED = 0, 2, 3
@@ -133,123 +130,6 @@ def arguments(words: List[str]) -> argparse.Namespace:
     return given
 
 
-def cannot_write(path: str, error: OSError) -> InputError:
-    return InputError(path, "", f"the file cannot be written: {error.strerror}",
-                      "make room there, or name another file, and go on with --resume")
-
-
-class Interrupted(BaseException):
-    """By a signal."""
-
-
-class Interruption:
-    """From now on SIGINT, SIGTERM and SIGHUP raise Interrupted, but not within `with`."""
-
-    SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
-
-    def __init__(self) -> None:
-        self.number: Optional[int] = None
-        self._held = False
-        for number in self.SIGNALS:
-            if signal.getsignal(number) != signal.SIG_IGN:  # nohup
-                signal.signal(number, self._come)
-
-    def _come(self, number: int, _frame: Any) -> None:
-        first = self.number is None
-        self.number = self.number or number
-        if first and not self._held:
-            raise Interrupted
-
-    def __enter__(self) -> None:
-        self._held = True
-
-    def __exit__(self, *_error: object) -> None:
-        self._held = False
-        if self.number is not None:
-            raise Interrupted
-
-    def is_over(self) -> None:
-        """There is nothing left to interrupt: no signal raises from now on."""
-        self._held = True
-
-    def end(self) -> NoReturn:
-        """By the same signal, so that whoever has started this knows."""
-        assert self.number is not None
-        sys.stdout.flush()
-        sys.stderr.flush()
-        signal.signal(self.number, signal.SIG_DFL)
-        os.kill(os.getpid(), self.number)
-        os._exit(1)  # not reached
-
-
-class Output:
-    """The results, whole lines at every moment that a signal or an error can choose."""
-
-    def __init__(self, path: str, interruption: Interruption) -> None:
-        self.name = "<stdout>" if path == "-" else path
-        self._interruption = interruption
-        try:
-            self._file = 1 if path == "-" else os.open(
-                path, os.O_WRONLY | os.O_CREAT | os.O_APPEND | os.O_CLOEXEC, 0o666)
-            self._regular = stat.S_ISREG(os.fstat(self._file).st_mode)
-        except OSError as error:
-            raise cannot_write(self.name, error) from None
-
-    def cut(self, length: int) -> None:
-        """What an interruption left unfinished goes."""
-        try:
-            os.ftruncate(self._file, length)
-        except OSError as error:
-            raise cannot_write(self.name, error) from None
-
-    def write(self, text: bytes) -> None:
-        with self._interruption:
-            before = os.fstat(self._file).st_size
-            rest = memoryview(text)
-            try:
-                while rest:
-                    rest = rest[os.write(self._file, rest):]
-            except BrokenPipeError:  # as of `| head`, which has what it wants
-                self._interruption.number = signal.SIGPIPE
-            except OSError as error:
-                if self._regular:
-                    os.ftruncate(self._file, before + text.rfind(b"\n", 0, len(text) - len(rest)) + 1)
-                raise cannot_write(self.name, error) from None
-
-
-class Cutter:
-    """Cuts the file into chunks, each where a line ends."""
-
-    def __init__(self, file: BinaryIO, begin: int, lines_before: int) -> None:
-        self._file = file
-        self.begin = begin
-        self.lines_before = lines_before
-
-    def cut(self, size: int) -> Optional[Chunk]:
-        """The next lines, of so many bytes and up to the end of the last line; None at the end."""
-        end, lines, checksum, ends_line = self.begin, 0, 0, True
-        for block in itertools.chain(
-                batch_chunk.blocks(self._file, self.begin, self.begin + size), self._rest_of_line()):
-            end += len(block)
-            lines += block.count(b"\n")
-            checksum = zlib.crc32(block, checksum)
-            ends_line = block.endswith(b"\n")
-            if ends_line and end >= self.begin + size:
-                break
-        if end == self.begin:
-            return None
-        chunk = Chunk(self.begin, end, self.lines_before, checksum)
-        self.begin, self.lines_before = end, self.lines_before + lines + (not ends_line)
-        return chunk
-
-    def _rest_of_line(self) -> Iterator[bytes]:
-        while True:
-            block = self._file.readline(batch_chunk.BLOCK)
-            if not block:
-                return
-            yield block
-
-
 class Pace:
     """How many bytes a chunk is to have, by how long the last ones took."""
 
@@ -276,7 +156,8 @@ class Pace:
 class Progress:
     """On a terminal, a line about how far it has come; first after a second, then now and then."""
 
-    def __init__(self, bytes_done: int, bytes_of_file: int) -> None:
+    def __init__(self, results: int, bytes_done: int, bytes_of_file: int) -> None:
+        self._results_before = results
         self._shown = False
         self._next = time.monotonic() + 1
         self._start = time.monotonic()
@@ -288,7 +169,8 @@ class Progress:
             return
         self._next = now + 0.5
         seconds = now - self._start
-        words = [f"{tally.results} grasps, {tally.results / seconds:.0f}/s"]
+        results = tally.results - self._results_before
+        words = [f"{results} grasps, {results / seconds:.0f}/s"]
         if tally.unreadable:
             words.append(f"{tally.unreadable} unreadable")
         words.append(f"{threads} {'worker' if threads == 1 else 'workers'}")
@@ -306,80 +188,6 @@ class Progress:
     def say(self, text: str) -> None:
         self.clear()
         print("stickslip: " + text, file=sys.stderr, flush=True)
-
-
-class Cluster:
-    """Workers: those of a scheduler, or of this machine."""
-
-    def __init__(self, scheduler: str, workers: int) -> None:
-        try:
-            dask: Any = importlib.import_module("dask")
-            distributed: Any = importlib.import_module("distributed")
-        except ImportError as error:
-            raise InputError("", "", f"Dask distributed cannot be imported: {error}",
-                             "install it (Debian: python3-distributed), or use stickslip batch on this "
-                             "machine") from None
-        logging.disable(logging.CRITICAL)  # what matters is said in our words
-        self._distributed = distributed
-        self._folder = ""
-        self._local = None
-        self.name = scheduler
-        if not scheduler:
-            self._folder = tempfile.mkdtemp(prefix="stickslip-batch-")
-            os.environ["DASK_LOGGING__DISTRIBUTED"] = "critical"  # read by workers
-            # A chunk that has cost one life is decided alone the next time; and what a worker had
-            # when it died is not waited for half a minute.
-            dask.config.set({"distributed.scheduler.allowed-failures": 0,
-                             "distributed.comm.timeouts.connect": "10s"})
-            try:
-                self._local = distributed.LocalCluster(
-                    n_workers=workers or len(os.sched_getaffinity(0)), threads_per_worker=1,
-                    processes=True, dashboard_address=":0", local_directory=self._folder,
-                    preload=batch_chunk.__name__, silence_logs=logging.CRITICAL + 1)
-            except BaseException:
-                self._remove_folder()
-                raise
-        try:
-            if scheduler:
-                distributed.comm.resolve_address(scheduler)  # Client fails as well, but not silently
-            self.client = distributed.Client(self._local or scheduler, set_as_default=False)
-        except (OSError, ValueError) as error:
-            reason = str(error).splitlines()[0] if str(error) else "no answer"
-            raise InputError(scheduler, "--scheduler", f"there is no scheduler to talk to: {reason}",
-                             "give the address that dask-scheduler prints, as tcp://node1:8786"
-                             ) from None
-
-    def threads(self) -> int:
-        """Of all workers; 0 if there are none."""
-        workers = self.client.scheduler_info()["workers"].values()
-        return sum(worker["nthreads"] for worker in workers)
-
-    def is_connected(self) -> bool:
-        """Waits for a scheduler that is gone, as long as Dask does. False if it does not come."""
-        while self.client.status == "connecting":
-            time.sleep(0.1)
-        return bool(self.client.status == "running")
-
-    def died(self, error: Optional[BaseException]) -> bool:
-        """The worker that had it, and those that had it before."""
-        return isinstance(error, self._distributed.scheduler.KilledWorker)
-
-    def close(self) -> None:
-        """Workers that are deciding something do not end it."""
-        self.client.close()
-        if self._local is not None:
-            closing = threading.Thread(target=self._local.close, daemon=True)
-            closing.start()
-            while closing.is_alive():
-                closing.join(0.3)
-                for nanny in self._local.workers.values():
-                    if closing.is_alive() and nanny.pid:
-                        os.kill(nanny.pid, signal.SIGKILL)
-        self._remove_folder()
-
-    def _remove_folder(self) -> None:
-        if self._folder:
-            shutil.rmtree(self._folder, ignore_errors=True)
 
 
 class Batch:
@@ -400,7 +208,7 @@ class Batch:
         self._cutter = Cutter(self._file, begin, lines_before)
         self._bytes_written = begin
         self._open_certificates(given.resume)
-        self._progress = Progress(begin, self._bytes)
+        self._progress = Progress(self.tally.results, begin, self._bytes)
         self._pace = Pace()
         self._chunks = itertools.count()
         self._at_end = False
@@ -590,9 +398,9 @@ def main(words: List[str]) -> int:
         print(f"stickslip: {error}", file=sys.stderr, flush=True)
         code = BAD_INPUT
     except Interrupted:
-        silent = interruption.number == signal.SIGPIPE
         text = batch.interruption_text() if batch else "interrupted"
-        print(f"stickslip: {text}\n" * (not silent), end="", file=sys.stderr, flush=True)
+        if interruption.number != signal.SIGPIPE:
+            print(f"stickslip: {text}", file=sys.stderr, flush=True)
     interruption.is_over()
     if cluster is not None:
         cluster.close()

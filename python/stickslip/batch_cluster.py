@@ -39,7 +39,8 @@ class Cluster:
             # A chunk that has cost one life is decided alone the next time; and what a worker had
             # when it died is not waited for half a minute.
             dask.config.set({"distributed.scheduler.allowed-failures": 0,
-                             "distributed.comm.timeouts.connect": "10s"})
+                             "distributed.comm.timeouts.connect": "10s",
+                             "distributed.worker.profile.enabled": False})
             try:
                 self._local = distributed.LocalCluster(
                     n_workers=workers or len(os.sched_getaffinity(0)), threads_per_worker=1,

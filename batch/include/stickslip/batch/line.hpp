@@ -54,14 +54,14 @@ enum class LineOutcome { kDecided, kUndecided, kUnreadable };
 
 /// A line of results.
 struct LineResult {
-  std::size_t number = 0;  ///< of the line that was decided
-  std::string text{};      ///< with its end
-  LineOutcome outcome = LineOutcome::kDecided;
+  std::size_t number = 0;                       ///< of the line that was decided
+  std::string text{};                           ///< with its end
+  LineOutcome outcome = LineOutcome::kDecided;  ///< what the text says
 };
 
 /// What is asked about every line.
 struct BatchOptions {
-  QuestionOptions question{};
+  QuestionOptions question{};  ///< as the command's options say
   std::size_t node_limit = 0;  ///< of each line; 0 is none
   std::string certificates{};  ///< the folder for certificates, as results name it; or empty
   std::string certificate_folder{};  ///< the same folder, as this process finds it
@@ -70,7 +70,7 @@ struct BatchOptions {
 /// Decides lines. Threads may share one.
 class LineDecider {
  public:
-  explicit LineDecider(BatchOptions options);
+  explicit LineDecider(BatchOptions options);  ///< of all lines
 
   /// 16 digits that tell whether a result is that of this line and these options. Nothing is
   /// proved by them.

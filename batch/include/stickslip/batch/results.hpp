@@ -30,9 +30,9 @@ struct BatchTally {
 
 /// A result, as it is read again.
 struct FinishedResult {
-  std::size_t line = 0;  ///< its number; 0 if the result does not say
-  std::string key{};     ///< of the question
-  LineOutcome outcome = LineOutcome::kDecided;
+  std::size_t line = 0;                         ///< its number; 0 if the result does not say
+  std::string key{};                            ///< of the question
+  LineOutcome outcome = LineOutcome::kDecided;  ///< as the result says
 };
 
 /// The results that stand in whole lines, one at a time; what an interruption left unfinished

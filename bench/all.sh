@@ -4,9 +4,10 @@
 # build/bench_report/<program>.txt. Let nothing else run beside it.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../scripts/common.sh"
-install_packages "${build_packages[@]}" "${test_packages[@]}"
+install_packages "${build_packages[@]}" "${test_packages[@]}" "${python_packages[@]}"
 step "Configuring" configure cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release $together \
-  -DSTICKSLIP_BUILD_TESTS=ON -DSTICKSLIP_BUILD_BENCH=ON
+  -DSTICKSLIP_BUILD_TESTS=ON -DSTICKSLIP_BUILD_BENCH=ON -DSTICKSLIP_BUILD_PYTHON=ON \
+  -DPython3_EXECUTABLE=/usr/bin/python3
 step "Building (several minutes the first time)" build cmake --build "$build" -j "$(jobs_for_build)"
 
 report=$build/bench_report
@@ -15,14 +16,16 @@ measure() {
   local name=$1
   shift
   step "$name" "bench_$name" bash -c '"${@:2}" >"$1.part" && mv "$1.part" "$1"' \
-    measure "$report/$name.txt" "$build/bin/$@"
+    measure "$report/$name.txt" "$@"
 }
+export PATH=$build/bin:$PATH PYTHONPATH=$build/python
 measure lp lp_bench 400
 measure sweep sweep_bench
 measure table2 table2
 measure margin margin_bench 1000
 measure box box_bench --grasps 60
 measure batch batch_bench "$build/bin/stickslip"
+measure cluster /usr/bin/python3 "$root/bench/batch/cluster_bench.py" "$build/bin"
 measure float float_study --instances 960
 for part in targets side-by-side engines growth; do
   measure "verdict_$part" verdict_bench --part "$part"

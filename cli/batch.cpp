@@ -16,22 +16,19 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
-#include <regex>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "batch_results.hpp"
 #include "commands.hpp"
 #include "interruption.hpp"
 #include "question_options.hpp"
-#include "stickslip/certificate/certificate.hpp"
+#include "stickslip/batch/line.hpp"
+#include "stickslip/batch/results.hpp"
+#include "stickslip/batch/shard.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
-#include "stickslip/core/grasp_file.hpp"
-#include "stickslip/core/json.hpp"
-#include "stickslip/equilibrium/search/branch_and_bound.hpp"
 #include "terminal.hpp"
 
 namespace stickslip {
@@ -42,56 +39,58 @@ struct BatchArguments {
   std::string file;
   std::string output = "-";
   std::string certificates;
+  std::string shard;
+  std::vector<std::string> shards_to_merge;
   bool resume = false;
   std::size_t node_limit = 0;
   int threads = 0;
 };
 
-/// FNV-1a, 64 bits: tells whether a result is that of this line and these options. Nothing is
-/// proved by it.
-std::string key_of(const std::string& options, const std::string& line) {
-  std::uint64_t hash = 14695981039346656037ULL;
-  const auto add = [&](const std::string& text) {
-    for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-  };
-  add(options);
-  add(line);
-  constexpr const char* kDigits = "0123456789abcdef";
-  std::string text;
-  for (int shift = 60; shift >= 0; shift -= 4) text += kDigits[(hash >> shift) & 15U];
-  return text;
+struct Item {
+  BatchLine line;
+  LineResult result;
+};
+
+BatchOptions batch_options(const BatchArguments& arguments) {
+  return {arguments.question.options(), arguments.node_limit, arguments.certificates,
+          arguments.certificates};
 }
 
-struct Item {
-  std::size_t number = 0;
-  std::string text;
-  std::string result;  ///< a line of output
-  LineOutcome outcome = LineOutcome::kDecided;
-};
+/// Some lines were unreadable, some undecided, or all is well; said on standard error.
+int finish(const BatchTally& tally, const std::string& file) {
+  const std::string complaint = tally.complaint(file);
+  if (!complaint.empty()) std::cerr << "stickslip: " << complaint << '\n';
+  if (tally.unreadable > 0) return kBadInput;
+  return tally.undecided > 0 ? kUndecidedWithinLimit : kDone;
+}
+
+/// Of an output file with something in it.
+InputError file_exists(const std::string& path, const std::string& remedy) {
+  return {path, "--output", "the file exists", remedy};
+}
+
+bool has_content(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::is_regular_file(path, ignored) &&
+         std::filesystem::file_size(path, ignored) > 0;
+}
 
 class Batch {
  public:
   explicit Batch(const BatchArguments& arguments)
-      : arguments_(arguments), options_(arguments.question.options()) {
-    const auto spell = [&](const std::optional<Rational>& value) {
-      options_text_ += (value ? to_string(*value) : "") + ";";
-    };
-    const std::optional<Wrench>& w = options_.wrench;
-    spell(w ? std::optional(w->x) : std::nullopt);
-    spell(w ? std::optional(w->y) : std::nullopt);
-    spell(w ? std::optional(w->torque) : std::nullopt);
-    spell(options_.preload);
-    if (options_.case_name) options_text_ += *options_.case_name + ";";
-    options_text_ += std::string(to_string(options_.law)) + ";" +
-                     std::to_string(arguments.node_limit) + "\n";
+      : arguments_(arguments), decider_(batch_options(arguments)) {
     const auto size = std::filesystem::file_size(arguments_.file, ignored_);
     if (!ignored_) bytes_ = size;
+    if (!arguments_.shard.empty()) take_shard();
     if (arguments_.output != "-") open_output();
-    if (!arguments_.certificates.empty()) open_folder();
+    if (!arguments_.certificates.empty()) {
+      open_certificate_folder(arguments_.certificates, arguments_.resume);
+    }
   }
 
   int run() {
     to_file_ = writes_to_file();
+    if (!head_.empty()) write(head_);
     using oneapi::tbb::global_control;
     std::optional<global_control> allowed;  // more than there are cores, without a warning
     if (arguments_.threads > 0) {
@@ -110,33 +109,28 @@ class Batch {
           make_filter<void, Item>(filter_mode::serial_in_order,
                                   [&](oneapi::tbb::flow_control& flow) { return read(flow); }) &
               make_filter<Item, Item>(filter_mode::parallel,
-                                      [&](Item item) { return decide(std::move(item)); }) &
+                                      [&](Item item) {
+                                        item.result = decider_.decide(item.line);
+                                        item.line.text.clear();
+                                        return item;
+                                      }) &
               make_filter<Item, void>(filter_mode::serial_in_order,
-                                      [&](const Item& item) { write(item); }));
+                                      [&](const Item& item) { write(item.result); }));
     });
-    const std::size_t all = written_before_ + written_;
-    if (all == 0)
-      std::cerr << "stickslip: " << input_.name()
-                << ": the file is empty, there is no grasp in it\n";
-    if (unreadable_ > 0) {
-      progress_.reset();  // its line on the terminal goes
-      std::cerr << "stickslip: " << input_.name() << ": " << unreadable_ << " of " << all
-                << (all == 1 ? " line" : " lines") << " could not be read, the first is line "
-                << first_unreadable_ << "; their results say why\n";
-      return kBadInput;
-    }
-    return undecided_ > 0 ? kUndecidedWithinLimit : kDone;
+    progress_.reset();  // its line on the terminal goes
+    BatchTally all = before_;
+    all.add(tally_);
+    if (all.results == 0 && shard_) return kDone;  // of a short file
+    return finish(all, input_.name());
   }
 
  private:
   void open_output() {
     const std::string& path = arguments_.output;
     require_unprotected(path);
-    if (std::filesystem::is_regular_file(path, ignored_) &&
-        std::filesystem::file_size(path, ignored_) > 0) {
+    if (has_content(path)) {
       if (!arguments_.resume) {
-        throw InputError(path, "--output", "the file exists",
-                         "go on with --resume, or name another file");
+        throw file_exists(path, "go on with --resume, or name another file");
       }
       keep_finished();
     }
@@ -147,41 +141,43 @@ class Batch {
     out_ = &output_file_;
   }
 
-  /// Whatever a killed run was writing there is to be written again.
-  void open_folder() {
-    make_folder("--certificates", arguments_.certificates);
-    if (!arguments_.resume) return;
-    static const std::regex kCertificate("line-[0-9]+\\.json");
-    for (const auto& entry : std::filesystem::directory_iterator(arguments_.certificates)) {
-      const std::string target = target_of_temporary(entry.path().filename().string());
-      if (entry.is_regular_file(ignored_) && std::regex_match(target, kCertificate)) {
-        std::filesystem::remove(entry.path(), ignored_);
-      }
+  /// The lines are those of the shard from now on, and its head is to be written first.
+  void take_shard() {
+    if (bytes_ == 0 && !std::filesystem::is_regular_file(arguments_.file, ignored_)) {
+      throw InputError(input_.name(), "--shard", "this is not a file of a known length",
+                       "name a file; what comes through a pipe can be written to one first");
     }
+    const MeasuredShard measured =
+        measure_shard(input_.stream(), bytes_, shard_option(arguments_.shard), decider_);
+    shard_ = measured.head.shard;
+    head_ = head_text(measured.head);
+    bytes_read_ = bytes_skipped_ = measured.part.begin;
+    bytes_ = measured.part.end;
+    lines_.emplace(input_.stream(), measured.part);
   }
 
   /// What has a result need not be decided again, if it was the same question. Cuts off a line
   /// that an interruption left unfinished.
   void keep_finished() {
     std::ifstream before(arguments_.output, std::ios::binary);
-    FinishedResults finished(before, arguments_.output);
-    while (const std::optional<FinishedResult> result = finished.next()) {
-      Item item;
-      const bool more = read_line(item);
-      if (!more || result->key != key_of(options_text_, item.text)) {
+    std::uintmax_t head_bytes = 0;
+    if (shard_) {
+      const std::optional<ShardHead> head = read_head(before, arguments_.output);
+      if (head && head_text(*head) != head_) {
         throw InputError(
-            arguments_.output, "result of line " + std::to_string(lines_.number()),
-            "it is not that of this line of " + arguments_.file + " under these options",
-            "resume with the same grasps and options, or name another file");
+            arguments_.output, "line 1",
+            "this is not the head of shard " + to_string(*shard_) + " of " + arguments_.file +
+                " under these options",
+            "resume with the same shard, grasps and options, or name another file");
       }
-      count(item.number, result->outcome);
+      if (head) head_bytes = std::exchange(head_, "").size();
     }
-    before.close();
+    FinishedResults finished(before, arguments_.output, head_bytes > 0 ? 1 : 0, head_bytes);
+    before_ = skip_finished(finished, arguments_.output, *lines_, arguments_.file, decider_);
     std::error_code error;
     std::filesystem::resize_file(arguments_.output, finished.bytes(), error);
     if (error) throw cannot_write(arguments_.output, error.value());
-    written_before_ = finished.lines();
-    bytes_skipped_ = bytes_read_;
+    bytes_read_ = bytes_skipped_ = lines_->end();
   }
 
   /// Whether results go to a file, which is to end in a whole line whatever happens. Nobody may
@@ -193,92 +189,30 @@ class Batch {
     return found == 0 && S_ISREG(out.st_mode);
   }
 
-  /// False at the end. A line that is too long has its error as its result.
-  bool read_line(Item& item) {
-    try {
-      if (!lines_.next(item.text)) return false;
-    } catch (const InputError& error) {
-      item.text.clear();
-      item.number = lines_.number();
-      fail(item, error);
-      return true;
-    }
-    item.number = lines_.number();
-    bytes_read_ += item.text.size() + 1;
-    return true;
-  }
-
   Item read(oneapi::tbb::flow_control& flow) {
-    Item item;
-    if (!read_line(item)) flow.stop();
-    return item;
+    std::optional<BatchLine> line = lines_->next();
+    bytes_read_ = lines_->end();
+    if (line) return {std::move(*line), {}};
+    flow.stop();
+    return {};
   }
 
-  Json head(const Item& item) const {
-    return {{"line", item.number}, {"key", key_of(options_text_, item.text)}};
+  void write(const LineResult& result) {
+    write(result.text);
+    tally_.count(result.number, result.outcome);
+    ++written_;
+    progress_->show(progress_text());
   }
 
-  void fail(Item& item, const InputError& error) const {
-    Json json = head(item);
-    json["error"] = {
-        {"place", error.place()}, {"problem", error.problem()}, {"remedy", error.remedy()}};
-    item.result = json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-    item.outcome = LineOutcome::kUnreadable;
-  }
-
-  Item decide(Item item) const {
-    if (!item.result.empty()) return item;
-    std::string certificate;
-    Json json = head(item);
-    try {
-      const Question question = ask_with_options(parse_grasp(item.text, ""), options_, "");
-      ConeOptions options;
-      options.node_limit = arguments_.node_limit;
-      const Problem problem = problem_of(question);
-      const Verdict verdict = decide_by_cones(problem, options);
-      json["name"] = question.loaded.grasp.name();
-      json["verdict"] = name_of(verdict);
-      if (const auto* undecided = std::get_if<Undecided>(&verdict)) {
-        json["limit"] = undecided->limit;
-        item.outcome = LineOutcome::kUndecided;
-      } else if (!arguments_.certificates.empty()) {
-        certificate =
-            certificate_text(question, verdict, "stickslip " STICKSLIP_VERSION ", batch");
-      }
-    } catch (const InputError& error) {
-      fail(item, error);
-      return item;
-    }
-    // A file that cannot be written ends the batch: it is no property of the line.
-    if (!certificate.empty()) {
-      const std::string path =
-          arguments_.certificates + "/line-" + std::to_string(item.number) + ".json";
-      write_whole_file(path, certificate);
-      json["certificate"] = path;
-    }
-    item.result = json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
-    item.text.clear();
-    return item;
-  }
-
-  void write(const Item& item) {
+  void write(const std::string& text) {
     std::optional<FileWrite> whole_line;
     if (to_file_) whole_line.emplace();
     errno = 0;
-    *out_ << item.result << std::flush;
+    *out_ << text << std::flush;
     if (!*out_ && errno == EPIPE && on_broken_pipe_ == SIG_DFL) end_by_signal(SIGPIPE);
     if (!*out_) {
       throw cannot_write(arguments_.output == "-" ? "<stdout>" : arguments_.output, errno);
     }
-    ++written_;
-    count(item.number, item.outcome);
-    progress_->show(progress_text());
-  }
-
-  void count(std::size_t line, LineOutcome outcome) {
-    if (outcome == LineOutcome::kUnreadable && unreadable_ == 0) first_unreadable_ = line;
-    unreadable_ += outcome == LineOutcome::kUnreadable ? 1 : 0;
-    undecided_ += outcome == LineOutcome::kUndecided ? 1 : 0;
   }
 
   std::string interruption_text() const {
@@ -286,7 +220,7 @@ class Batch {
       return "stickslip: interrupted; had the results gone to --output FILE, --resume would go "
              "on from there";
     }
-    return "stickslip: interrupted with " + std::to_string(written_before_ + written_) +
+    return "stickslip: interrupted with " + std::to_string(before_.results + written_) +
            " results in " + arguments_.output + "; go on with the same command" +
            (arguments_.file == "-" ? ", the same input" : "") + " and --resume";
   }
@@ -297,7 +231,7 @@ class Batch {
     const double rate = static_cast<double>(written_) / std::max(seconds, 1e-3);
     std::string text =
         std::to_string(written_) + " grasps, " + std::to_string(std::lround(rate)) + "/s";
-    if (unreadable_ > 0) text += ", " + std::to_string(unreadable_) + " unreadable";
+    if (tally_.unreadable > 0) text += ", " + std::to_string(tally_.unreadable) + " unreadable";
     const std::uintmax_t read_now = bytes_read_;
     if (read_now > bytes_skipped_ && read_now <= bytes_) {
       const double share = static_cast<double>(bytes_ - read_now) /
@@ -308,22 +242,21 @@ class Batch {
   }
 
   const BatchArguments& arguments_;
-  QuestionOptions options_;
-  std::string options_text_;
+  LineDecider decider_;
   std::error_code ignored_;
   InputFile input_{arguments_.file, "a file of grasps, one a line"};
   std::ofstream output_file_;
   std::ostream* out_ = &std::cout;
-  TextLines lines_{input_.stream()};
-  std::uintmax_t bytes_ = 0;  ///< of the input, if known
+  std::optional<BatchLines> lines_{std::in_place, input_.stream()};
+  std::optional<Shard> shard_;
+  std::string head_;          ///< of the shard, if it is still to be written
+  std::uintmax_t bytes_ = 0;  ///< of the input, if known; up to the end of the shard
   std::atomic<std::uintmax_t> bytes_read_{0};
   std::uintmax_t bytes_skipped_ = 0;  ///< that had results already
   bool to_file_ = false;
-  std::size_t written_before_ = 0;  ///< results that were there
+  BatchTally before_;  ///< of results that were there
+  BatchTally tally_;   ///< of those written
   std::atomic<std::size_t> written_{0};
-  std::size_t unreadable_ = 0;
-  std::size_t first_unreadable_ = 0;  ///< its number
-  std::size_t undecided_ = 0;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::optional<Progress> progress_{std::in_place};
   /// With the default, the end of whoever reads the results would end a certificate
@@ -331,6 +264,41 @@ class Batch {
   void (*on_broken_pipe_)(int) = std::signal(SIGPIPE, SIG_IGN);
   InterruptionMessage interruption_{[this] { return interruption_text(); }};
 };
+
+/// The results of shards, one after the other.
+int merge(const std::vector<std::string>& files, const std::string& output) {
+  if (output != "-" && has_content(output)) {
+    throw file_exists(output, "name another file");
+  }
+  const CompleteShards all = complete_shards(files);
+  std::ofstream file;
+  if (output != "-") {
+    require_unprotected(output);
+    errno = 0;
+    file.open(output, std::ios::binary);
+    if (!file) throw cannot_write(output, errno);
+  }
+  std::ostream& out = output == "-" ? std::cout : file;
+  for (const CompleteShard& shard : all.shards) {
+    InputFile in(shard.file, "a shard's file of results");
+    in.stream().seekg(static_cast<std::streamoff>(shard.begin));
+    std::vector<char> block(std::size_t{1} << 20);
+    for (std::uintmax_t left = shard.end - shard.begin; left > 0 && out;) {
+      in.stream().read(block.data(), static_cast<std::streamsize>(
+                                         std::min<std::uintmax_t>(left, block.size())));
+      const std::streamsize count = in.stream().gcount();
+      if (count == 0) {
+        throw InputError(shard.file, "", "the file has become shorter", "merge again");
+      }
+      errno = 0;
+      out.write(block.data(), count);
+      left -= static_cast<std::uintmax_t>(count);
+    }
+  }
+  out.flush();
+  if (!out) throw cannot_write(output == "-" ? "<stdout>" : output, errno);
+  return finish(all.tally, output == "-" ? "<stdout>" : output);
+}
 
 }  // namespace
 
@@ -341,8 +309,7 @@ void add_batch_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("GRASPS", arguments->file,
                    "JSON Lines, a grasp (docs/grasp_file.md) on each line; - is standard input")
-      ->type_name("FILE")
-      ->required();
+      ->type_name("FILE");
   arguments->question.add_options_to(*command);
   CLI::Option* output =
       command
@@ -351,14 +318,28 @@ void add_batch_command(CLI::App& app, int& exit_code) {
                        "output")
           ->type_name("FILE")
           ->capture_default_str();
-  command
-      ->add_flag("--resume", arguments->resume,
-                 "Go on after an interruption: results in the output file are kept")
-      ->needs(output);
+  CLI::Option* resume =
+      command
+          ->add_flag("--resume", arguments->resume,
+                     "Go on after an interruption: results in the output file are kept")
+          ->needs(output);
   command
       ->add_option("--certificates", arguments->certificates,
                    "Folder for a proof of each verdict, line-N.json")
       ->type_name("DIR");
+  CLI::Option* shard =
+      command
+          ->add_option("--shard", arguments->shard,
+                       "Decide only the I-th of N parts of the file, as on one of N machines; "
+                       "--merge puts the results together (docs/batch.md)")
+          ->type_name("I/N");
+  command
+      ->add_option("--merge", arguments->shards_to_merge,
+                   "The files of all N shards: write the results of the whole, the same as "
+                   "without shards")
+      ->type_name("FILE")
+      ->excludes(resume)
+      ->excludes(shard);
   add_node_limit_option(*command, arguments->node_limit);
   add_threads_option(
       *command, arguments->threads,
@@ -368,11 +349,26 @@ void add_batch_command(CLI::App& app, int& exit_code) {
       "the error that it has; the rest goes on. Certificates are checked with the line as\n"
       "grasp file. The node limit holds for each grasp. Memory does not grow with the file.\n"
       "An interruption (Ctrl-C, SIGTERM, SIGHUP) ends the program by that signal, between two\n"
-      "lines: FILE then ends in a whole line, and the same command with --resume goes on.\n",
+      "lines: FILE then ends in a whole line, and the same command with --resume goes on.\n"
+      "On many machines: docs/batch.md.\n",
       "0 done, 2 some lines were unreadable (or bad usage), 3 some undecided\n"
       "within the limit",
       "stickslip batch grasps.jsonl -o verdicts.jsonl --resume"));
-  command->callback([arguments, &exit_code] { exit_code = Batch(*arguments).run(); });
+  command->callback([arguments, &exit_code] {
+    if (!arguments->shards_to_merge.empty()) {
+      if (!arguments->file.empty()) {
+        throw InputError("", "--merge", "there is " + quote(arguments->file) + " before it",
+                         "name the shards' files after --merge, and nothing else");
+      }
+      exit_code = merge(arguments->shards_to_merge, arguments->output);
+      return;
+    }
+    if (arguments->file.empty()) {
+      throw InputError("", "GRASPS", "no file of grasps is named",
+                       "name one, or - for standard input; or shards after --merge");
+    }
+    exit_code = Batch(*arguments).run();
+  });
 }
 
 }  // namespace stickslip

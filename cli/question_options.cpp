@@ -3,48 +3,12 @@
 
 #include <algorithm>
 #include <charconv>
-#include <filesystem>
 #include <vector>
 
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 
 namespace stickslip {
-
-namespace {
-
-/// "P0,P1,..." in an option's value.
-std::vector<Rational> numbers_option(const std::string& option, const std::string& value) {
-  std::vector<Rational> numbers;
-  std::size_t start = 0;
-  while (start <= value.size()) {
-    const std::size_t comma = std::min(value.find(',', start), value.size());
-    numbers.push_back(number_option(option, value.substr(start, comma - start)));
-    start = comma + 1;
-  }
-  return numbers;
-}
-
-}  // namespace
-
-Wrench wrench_option(const std::string& option, const std::string& value) {
-  const std::vector<Rational> numbers = numbers_option(option, value);
-  if (numbers.size() != 3) {
-    throw InputError("", option,
-                     quote(value) + " has " + std::to_string(numbers.size()) + " numbers",
-                     "give force x, force y and torque as in " + option + " 0,-11/10,0");
-  }
-  return {numbers[0], numbers[1], numbers[2]};
-}
-
-void make_folder(const std::string& option, const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    throw InputError(folder, option, "the folder cannot be made: " + error.message(),
-                     "name a folder that you may write to");
-  }
-}
 
 void write_proved_files(const std::string& option, const std::string& folder,
                         const std::vector<std::pair<std::string, ProvedFiles>>& files) {
@@ -53,14 +17,6 @@ void write_proved_files(const std::string& option, const std::string& folder,
   for (const auto& [name, proved] : files) {
     write_whole_file(folder + "/" + name + ".json", proved.grasp);
     write_whole_file(folder + "/" + name + ".certificate.json", proved.certificate);
-  }
-}
-
-Rational number_option(const std::string& option, const std::string& value) {
-  try {
-    return parse_rational(value);
-  } catch (const NumberError& error) {
-    throw InputError("", option, error.what(), "write it as 2, -0.25, 1e-3 or 3/5");
   }
 }
 
@@ -303,26 +259,6 @@ void NumberOptions::add_to(CLI::App& command, const std::string& json_descriptio
                 "nearest doubles")
       ->needs(json_option);
   command.add_flag("--exact", exact, "Print all digits of every number in text");
-}
-
-Question ask_with_options(const GraspFile& file, const QuestionOptions& options,
-                          const std::string& name, bool takes_boxes) {
-  try {
-    Question question = ask(file, options);
-    if (takes_boxes && question.box) return question;
-    problem_of(question);  // as every answer will: here the options are known
-    return question;
-  } catch (const InputError& error) {
-    for (std::string option : {"--preload", "--direction", "--preload-direction"}) {
-      std::string place = option.substr(2);
-      std::replace(place.begin(), place.end(), '-', '_');
-      if (error.place() == place) throw InputError("", option, error.problem(), error.remedy());
-    }
-    if (error.place() == "case") {
-      throw InputError(name, "--case", error.problem(), error.remedy());
-    }
-    throw error.in_file(name);
-  }
 }
 
 }  // namespace stickslip

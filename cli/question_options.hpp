@@ -15,6 +15,7 @@
 
 #include "stickslip/certificate/proved_files.hpp"
 #include "stickslip/core/number_text.hpp"
+#include "stickslip/equilibrium/option_text.hpp"
 #include "stickslip/equilibrium/question.hpp"
 #include "stickslip/space/spatial_question.hpp"
 
@@ -77,11 +78,6 @@ struct NumberOptions {
   operator NumberText() const { return NumberText(exact, "; --exact prints all digits"); }
 };
 
-/// ask(), and the rows that every answer needs: errors are in the words of the command line,
-/// and those of a contact name the grasp `name`. Refuses a box unless the command takes them.
-Question ask_with_options(const GraspFile& file, const QuestionOptions& options,
-                          const std::string& name, bool takes_boxes = false);
-
 /// For people: "name, case: ", or what there is of it.
 std::string heading(const Question& question);
 
@@ -117,18 +113,9 @@ void add_count_option(CLI::App& command, const std::string& option, Count& count
 /// --node-limit, of every command that searches by cones.
 void add_node_limit_option(CLI::App& command, std::size_t& node_limit);
 
-/// Makes the folder that an option names, if it is not there. Throws InputError naming both.
-void make_folder(const std::string& option, const std::string& folder);
-
 /// Writes NAME.json and NAME.certificate.json for each name into that folder.
 void write_proved_files(const std::string& option, const std::string& folder,
                         const std::vector<std::pair<std::string, ProvedFiles>>& files);
-
-/// The number in an option's value. Throws InputError naming the option.
-Rational number_option(const std::string& option, const std::string& value);
-
-/// The wrench "WX,WY,T" in an option's value. Throws InputError naming the option.
-Wrench wrench_option(const std::string& option, const std::string& value);
 
 /// --threads, 0 to 1024.
 template <class Count>

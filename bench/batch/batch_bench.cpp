@@ -4,6 +4,7 @@
 // files grow. Exit code 1 if a run fails or misses a line.
 //
 //     batch_bench PROGRAM [--lines N] [--most-lines N]
+//     batch_bench PROGRAM --write FILE --contacts M --lines N
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
@@ -160,8 +161,18 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--most-lines", most_lines, "Longest file that memory is measured on")
       ->capture_default_str();
+  std::string write;
+  std::size_t contacts = 4;
+  app.add_option("--write", write, "Only write such lines to this file, for cluster_bench.py");
+  app.add_option("--contacts", contacts, "Of the lines that are only written")
+      ->capture_default_str();
   CLI11_PARSE(app, argc, argv);
   try {
+    if (!write.empty()) {
+      stickslip::bench::write_lines(write, stickslip::bench::make_lines(contacts, lines),
+                                    lines);
+      return 0;
+    }
     stickslip::bench::BatchBench bench(program);
     std::printf("%u cores\n\n", std::thread::hardware_concurrency());
     std::puts(

@@ -219,6 +219,15 @@ InputError cannot_write(const std::string& path, int error) {
                : "name a file in an existing folder that you may write to"};
 }
 
+void make_folder(const std::string& option, const std::string& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) {
+    throw InputError(folder, option, "the folder cannot be made: " + error.message(),
+                     "name a folder that you may write to");
+  }
+}
+
 std::string target_of_temporary(const std::string& name) {
   static const std::regex kForm(R"((.+)\.[0-9]+-[0-9]+\.tmp)");
   std::smatch found;

@@ -343,11 +343,14 @@ bool TextLines::next(std::string& line) {
     ++number_;
     bool blank = true;
     bool too_long = false;
+    begin_ = end_;
     for (; c != kEnd && c != '\n'; c = in.sbumpc()) {
+      ++end_;
       if (c != ' ' && c != '\t' && c != '\r') blank = false;
       too_long = too_long || line.size() == kMaxJsonBytes;
       if (!too_long) line.push_back(static_cast<char>(c));
     }
+    if (c != kEnd) ++end_;
     if (too_long) {
       throw InputError("", "", "more than " + std::to_string(kMaxJsonBytes) + " bytes",
                        "longer lines are not read");

@@ -23,6 +23,7 @@ void bind_questions(pybind11::module_& module);   ///< questions.cpp
 void bind_check(pybind11::module_& module);       ///< check.cpp
 void bind_crosscheck(pybind11::module_& module);  ///< crosscheck.cpp
 void bind_many(pybind11::module_& module);        ///< many.cpp
+void bind_batch(pybind11::module_& module);       ///< batch.cpp
 void bind_pictures(pybind11::module_& module);    ///< pictures.cpp
 
 /// What is asked about a grasp; None leaves the grasp's own value, or asks for no direction. A

@@ -45,5 +45,6 @@ PYBIND11_MODULE(_core, module) {
   stickslip::python::bind_check(module);
   stickslip::python::bind_crosscheck(module);
   stickslip::python::bind_many(module);
+  stickslip::python::bind_batch(module);
   stickslip::python::bind_pictures(module);
 }

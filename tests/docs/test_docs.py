@@ -4,6 +4,7 @@
 STICKSLIP_BIN names the folder of the programs, STICKSLIP_PYTHON that of the Python module.
 """
 
+import importlib.util
 import os
 import re
 import subprocess
@@ -16,6 +17,9 @@ PROGRAMS = os.path.abspath(os.environ.get("STICKSLIP_BIN",
                                           os.path.join(pages.ROOT, "build", "bin")))
 PYTHON_MODULE = os.environ.get("STICKSLIP_PYTHON")
 BENCHMARKS = "bench/README.md"  # minutes each; see test_benchmarks_exist
+
+# Pages that need the Python module, and which others.
+NEEDS_PYTHON = {"docs/python.md": [], "docs/batch.md": ["distributed"], "docs/verdicts.md": ["pandas"]}
 
 # Commands that are not run here, by their first words: why, and what runs them instead.
 NOT_RUN = {
@@ -188,8 +192,10 @@ def add_page(name):
     def test(self):
         self.run_page(name)
     test.__doc__ = f"The commands of {name}."
-    if name == "docs/python.md":
+    if name in NEEDS_PYTHON:
         test = unittest.skipUnless(PYTHON_MODULE, "the Python module is not built")(test)
+        for module in NEEDS_PYTHON[name]:
+            test = unittest.skipUnless(importlib.util.find_spec(module), f"no {module}")(test)
     setattr(Documentation, f"test_{name}", test)
 
 

@@ -8,9 +8,9 @@
 #include "arguments.hpp"
 #include "fuzz_target.hpp"
 #include "number.hpp"
-#include "question_options.hpp"
 #include "stickslip/core/json.hpp"
 #include "stickslip/core/number.hpp"
+#include "stickslip/equilibrium/option_text.hpp"
 
 namespace {
 

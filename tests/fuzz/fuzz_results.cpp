@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The results that `stickslip batch --resume` goes on from. An input is such a file. What
 // stands in whole lines is read, whatever follows them; and written again it gives the same.
+// And the head of a shard, if the first line is one.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
 
-#include "batch_results.hpp"
 #include "fuzz_target.hpp"
+#include "stickslip/batch/results.hpp"
+#include "stickslip/batch/shard.hpp"
 
 namespace {
 
@@ -41,10 +43,23 @@ void expect_whole_lines(const std::string& text) {
   if (read(again).keys != results.keys) broken("other keys are read back");
 }
 
+/// As --merge reads it.
+void expect_a_head_or_none(const std::string& text) {
+  std::istringstream in(text);
+  const auto head = stickslip::read_head(in, "fuzz");
+  if (head && text.rfind(stickslip::head_text(*head), 0) != 0) broken("another head");
+  if (!head && text.find('\n') != std::string::npos) broken("a line without an answer");
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(data, data + size);
+  try {
+    expect_a_head_or_none(text);
+  } catch (const stickslip::InputError& error) {
+    stickslip::fuzz::expect_useful(error, text);
+  }
   try {
     expect_whole_lines(text);
   } catch (const stickslip::InputError& error) {

@@ -18,6 +18,7 @@ ALLOWED = {
     "resistance": {"core", "arrangement", "equilibrium"},
     "earlier": {"core", "lp", "equilibrium"},
     "certificate": {"core", "equilibrium", "box", "space"},
+    "batch": {"core", "equilibrium", "certificate"},
     "crosscheck": {"core", "equilibrium"},
     "plot": {"core", "arrangement", "equilibrium", "box", "resistance"},
 }
@@ -63,7 +64,7 @@ class Layout(unittest.TestCase):
                 self.assertEqual(local, [], path)
 
     def test_private_headers_declare_in_a_namespace_of_their_own(self):
-        for module in ("core", "lp", "arrangement", "equilibrium", "box", "space", "resistance", "earlier", "plot"):
+        for module in ("core", "lp", "arrangement", "equilibrium", "box", "space", "resistance", "earlier", "batch", "plot"):
             private = {path: text for path, text in sources(os.path.join(module, "src"))
                        if path.endswith(".hpp")}
             self.assertGreater(len(private), 0, module)

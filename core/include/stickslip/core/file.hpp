@@ -44,6 +44,9 @@ void require_unprotected(const std::string& path);
 /// What is thrown when `path` cannot be written, for the reason that `error`, an errno, gives.
 InputError cannot_write(const std::string& path, int error);
 
+/// Makes the folder that an option names, if it is not there. Throws InputError naming both.
+void make_folder(const std::string& option, const std::string& folder);
+
 /// Writes a temporary file beside `path` and renames it: at every moment `path` is what it was
 /// before or all of `content`. Replaces an existing file, with its permissions; where `path` is
 /// a symbolic link, the file that it leads to. "-" is standard output, written directly, as are

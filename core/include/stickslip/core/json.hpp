@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <istream>
 #include <string>
@@ -67,8 +68,10 @@ std::string json_string(const std::string& text, const std::string& path);
 /// The lines of a JSON Lines file one at a time; memory holds one, of at most kMaxJsonBytes.
 class TextLines {
  public:
-  /// Reads from `in`, which must outlive this.
-  explicit TextLines(std::istream& in) : in_(in) {}
+  /// Reads from `in`, which must outlive this; so many lines and bytes stood before.
+  explicit TextLines(std::istream& in, std::size_t lines_before = 0,
+                     std::uintmax_t bytes_before = 0)
+      : in_(in), number_(lines_before), end_(bytes_before) {}
 
   /// The next line that is not blank, false at the end. Throws InputError for a line that is
   /// too long, which has been skipped, so that next() may be called again; number() is its
@@ -78,9 +81,14 @@ class TextLines {
   /// Of the last line read, from 1, blank ones counted.
   std::size_t number() const { return number_; }
 
+  std::uintmax_t begin() const { return begin_; }  ///< of the last line read: where it begins
+  std::uintmax_t end() const { return end_; }      ///< and where the next one does
+
  private:
   std::istream& in_;
-  std::size_t number_ = 0;
+  std::size_t number_;
+  std::uintmax_t begin_ = 0;
+  std::uintmax_t end_;
 };
 
 /// Throws the InputError.

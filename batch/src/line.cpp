@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/batch/line.hpp"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <system_error>
+#include <utility>
+
+#include "hash.hpp"
+#include "stickslip/certificate/certificate.hpp"
+#include "stickslip/core/file.hpp"
+#include "stickslip/core/grasp_file.hpp"
+#include "stickslip/core/number_text.hpp"
+#include "stickslip/equilibrium/option_text.hpp"
+#include "stickslip/equilibrium/search/branch_and_bound.hpp"
+
+namespace stickslip {
+namespace {
+
+std::string text_of(const Json& result) {
+  return result.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+BatchLines::BatchLines(std::istream& in, const FilePart& part)
+    : lines_(in, part.lines_before, part.begin), end_(part.end) {
+  if (part.begin > 0) in.seekg(static_cast<std::streamoff>(part.begin));
+}
+
+std::optional<BatchLine> BatchLines::next() {
+  BatchLine line;
+  if (lines_.end() >= end_) return std::nullopt;
+  try {
+    if (!lines_.next(line.text)) return std::nullopt;
+  } catch (const InputError& error) {
+    line.text.clear();
+    line.unreadable = error;
+  }
+  if (lines_.begin() >= end_) return std::nullopt;  // behind blank lines, which were the last
+  line.number = lines_.number();
+  return line;
+}
+
+LineDecider::LineDecider(BatchOptions options) : options_(std::move(options)) {
+  const auto spell = [&](const std::optional<Rational>& value) {
+    options_text_ += (value ? to_string(*value) : "") + ";";
+  };
+  const QuestionOptions& asked = options_.question;
+  const std::optional<Wrench>& w = asked.wrench;
+  spell(w ? std::optional(w->x) : std::nullopt);
+  spell(w ? std::optional(w->y) : std::nullopt);
+  spell(w ? std::optional(w->torque) : std::nullopt);
+  spell(asked.preload);
+  if (asked.case_name) options_text_ += *asked.case_name + ";";
+  options_text_ +=
+      std::string(to_string(asked.law)) + ";" + std::to_string(options_.node_limit) + "\n";
+}
+
+std::string LineDecider::key(const std::string& line) const {
+  batch_detail::Hash hash;
+  hash.add(options_text_);
+  hash.add(line);
+  return hash.digits();
+}
+
+std::string LineDecider::options_key() const {
+  return key(options_.certificates);
+}
+
+LineResult LineDecider::failed(const BatchLine& line, const InputError& error) const {
+  const Json result = {
+      {"line", line.number},
+      {"key", key(line.text)},
+      {"error",
+       {{"place", error.place()}, {"problem", error.problem()}, {"remedy", error.remedy()}}}};
+  return {line.number, text_of(result), LineOutcome::kUnreadable};
+}
+
+LineResult LineDecider::decide(const BatchLine& line) const {
+  if (line.unreadable) return failed(line, *line.unreadable);
+  LineOutcome outcome = LineOutcome::kDecided;
+  std::string certificate;
+  Json result = {{"line", line.number}, {"key", key(line.text)}};
+  try {
+    const Question question =
+        ask_with_options(parse_grasp(line.text, ""), options_.question, "");
+    ConeOptions limits;
+    limits.node_limit = options_.node_limit;
+    const Verdict verdict = decide_by_cones(problem_of(question), limits);
+    result["name"] = question.loaded.grasp.name();
+    result["verdict"] = name_of(verdict);
+    if (const auto* undecided = std::get_if<Undecided>(&verdict)) {
+      result["limit"] = undecided->limit;
+      outcome = LineOutcome::kUndecided;
+    } else if (!options_.certificates.empty()) {
+      certificate =
+          certificate_text(question, verdict, "stickslip " STICKSLIP_VERSION ", batch");
+    }
+  } catch (const InputError& error) {
+    return failed(line, error);
+  }
+  // A file that cannot be written ends the batch: it is no property of the line.
+  if (!certificate.empty()) {
+    const std::string name = "/line-" + std::to_string(line.number) + ".json";
+    write_whole_file(options_.certificate_folder + name, certificate);
+    result["certificate"] = options_.certificates + name;
+  }
+  return {line.number, text_of(result), outcome};
+}
+
+void open_certificate_folder(const std::string& folder, bool resume) {
+  make_folder("--certificates", folder);
+  if (!resume) return;
+  static const std::regex kCertificate("line-[0-9]+\\.json");
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string target = target_of_temporary(entry.path().filename().string());
+    if (entry.is_regular_file(ignored) && std::regex_match(target, kCertificate)) {
+      std::filesystem::remove(entry.path(), ignored);
+    }
+  }
+}
+
+}  // namespace stickslip

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The values of options as a command line spells them, and errors in its words.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "stickslip/equilibrium/question.hpp"
+
+namespace stickslip {
+
+/// The number in an option's value. Throws InputError naming the option.
+Rational number_option(const std::string& option, const std::string& value);
+
+/// The numbers "P0,P1,..." in an option's value. Throws InputError naming the option.
+std::vector<Rational> numbers_option(const std::string& option, const std::string& value);
+
+/// The wrench "WX,WY,T" in an option's value. Throws InputError naming the option.
+Wrench wrench_option(const std::string& option, const std::string& value);
+
+/// ask(), and the rows that every answer needs: errors are in the words of the command line,
+/// and those of a contact name the grasp `name`. Refuses a box unless the command takes them.
+Question ask_with_options(const GraspFile& file, const QuestionOptions& options,
+                          const std::string& name, bool takes_boxes = false);
+
+}  // namespace stickslip

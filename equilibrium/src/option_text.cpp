@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/equilibrium/option_text.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "stickslip/core/error.hpp"
+
+namespace stickslip {
+
+Rational number_option(const std::string& option, const std::string& value) {
+  try {
+    return parse_rational(value);
+  } catch (const NumberError& error) {
+    throw InputError("", option, error.what(), "write it as 2, -0.25, 1e-3 or 3/5");
+  }
+}
+
+std::vector<Rational> numbers_option(const std::string& option, const std::string& value) {
+  std::vector<Rational> numbers;
+  std::size_t start = 0;
+  while (start <= value.size()) {
+    const std::size_t comma = std::min(value.find(',', start), value.size());
+    numbers.push_back(number_option(option, value.substr(start, comma - start)));
+    start = comma + 1;
+  }
+  return numbers;
+}
+
+Wrench wrench_option(const std::string& option, const std::string& value) {
+  const std::vector<Rational> numbers = numbers_option(option, value);
+  if (numbers.size() != 3) {
+    throw InputError("", option,
+                     quote(value) + " has " + std::to_string(numbers.size()) + " numbers",
+                     "give force x, force y and torque as in " + option + " 0,-11/10,0");
+  }
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+Question ask_with_options(const GraspFile& file, const QuestionOptions& options,
+                          const std::string& name, bool takes_boxes) {
+  try {
+    Question question = ask(file, options);
+    if (takes_boxes && question.box) return question;
+    problem_of(question);  // as every answer will: here the options are known
+    return question;
+  } catch (const InputError& error) {
+    for (std::string option : {"--preload", "--direction", "--preload-direction"}) {
+      std::string place = option.substr(2);
+      std::replace(place.begin(), place.end(), '-', '_');
+      if (error.place() == place) throw InputError("", option, error.problem(), error.remedy());
+    }
+    if (error.place() == "case") {
+      throw InputError(name, "--case", error.problem(), error.remedy());
+    }
+    throw error.in_file(name);
+  }
+}
+
+}  // namespace stickslip

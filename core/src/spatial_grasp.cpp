@@ -47,4 +47,9 @@ SpatialGrasp widened(SpatialGrasp grasp, const Tolerances& tolerances) {
   return grasp;
 }
 
+const std::string& name_of(const AnyGraspFile& file) {
+  if (const auto* grasp = std::get_if<SpatialGrasp>(&file)) return grasp->name;
+  return std::get<GraspFile>(file).content.grasp.name();
+}
+
 }  // namespace stickslip

@@ -4,7 +4,9 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
+#include <boost/multiprecision/eigen.hpp>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace stickslip::space_detail {
@@ -12,10 +14,6 @@ namespace {
 
 using Vector3d = Eigen::Vector3d;
 using Slip = Eigen::Matrix<double, 3, 6>;
-
-EigenVector6 as_vector(const Double6& a) {
-  return EigenVector6(a.data());
-}
 
 Slip slip_matrix(const CornerRow& row) {
   Slip s;
@@ -279,6 +277,7 @@ std::vector<NearEquilibrium> NewtonMethod::solve_from(std::size_t starts) const 
 namespace {
 
 using RationalMatrix = Eigen::Matrix<Rational, Eigen::Dynamic, Eigen::Dynamic>;
+using RationalVector = Eigen::Matrix<Rational, Eigen::Dynamic, 1>;
 
 /// Directions across n: two of its rational tangents.
 std::array<Vector3, 2> tangents_of(const Vector3& n) {
@@ -292,44 +291,69 @@ std::array<Vector3, 2> tangents_of(const Vector3& n) {
   return {first, cross(n, first)};
 }
 
-/// Basic columns of the rows that are 0 at d: a basis of the motions with no slip there.
-std::vector<Vector6> motions_without_slip(const SpaceModel& model,
-                                          const std::vector<std::size_t>& sticking) {
-  std::vector<Vector6> rows;
+/// A basis of the motions with no slip at these contacts, by columns.
+RationalMatrix motions_without_slip(const SpaceModel& model,
+                                    const std::vector<std::size_t>& sticking) {
+  RationalMatrix slips(3 * static_cast<Eigen::Index>(sticking.size()), 6);
+  Eigen::Index next = 0;
   for (const std::size_t i : sticking) {
     for (const IntegerVector<6>& row : model.contacts[i].corners.front().slip) {
-      Vector6 r;
-      for (std::size_t j = 0; j < 6; ++j) r[j] = Rational(row[j]);
-      rows.push_back(std::move(r));
+      for (std::size_t j = 0; j < 6; ++j) {
+        slips(next, static_cast<Eigen::Index>(j)) = Rational(row[j]);
+      }
+      ++next;
     }
   }
-  // Gauss-Jordan.
-  std::vector<std::size_t> pivots;
-  std::size_t rank = 0;
-  for (std::size_t column = 0; column < 6 && rank < rows.size(); ++column) {
-    std::size_t pivot = rank;
-    while (pivot < rows.size() && rows[pivot][column].is_zero()) ++pivot;
-    if (pivot == rows.size()) continue;
-    std::swap(rows[rank], rows[pivot]);
-    const Rational lead = rows[rank][column];
-    for (Rational& entry : rows[rank]) entry /= lead;
-    for (std::size_t r = 0; r < rows.size(); ++r) {
-      if (r == rank || rows[r][column].is_zero()) continue;
-      const Rational factor = rows[r][column];
-      for (std::size_t j = 0; j < 6; ++j) rows[r][j] -= factor * rows[rank][j];
-    }
-    pivots.push_back(column);
-    ++rank;
+  if (sticking.empty()) return RationalMatrix::Identity(6, 6);
+  Eigen::FullPivLU<RationalMatrix> lu(slips);
+  lu.setThreshold(0);  // of rationals, whose zeros are zeros
+  if (lu.dimensionOfKernel() == 0) return RationalMatrix(6, 0);
+  return lu.kernel();
+}
+
+RationalVector as_rationals(const Vector6& a) {
+  RationalVector result(6);
+  for (std::size_t j = 0; j < 6; ++j) result[static_cast<Eigen::Index>(j)] = a[j];
+  return result;
+}
+
+/// The wrench of a unit of an unknown of the balance, and a value that it may be near.
+struct BalanceTerm {
+  RationalVector wrench;
+  Rational value;
+  double spare;         ///< how far it may change; motions: at will
+  std::size_t contact;  ///< whose friction it is; of a motion none
+  RationalVector direction;
+};
+
+/// Independent columns carry what the values leave to balance; those with most to spare first.
+bool balance(std::vector<BalanceTerm>& terms, const RationalVector& rest) {
+  std::vector<std::size_t> order(terms.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return terms[a].spare > terms[b].spare;
+  });
+  std::vector<std::size_t> chosen;
+  RationalMatrix columns(6, 0);
+  for (const std::size_t k : order) {
+    RationalMatrix longer(6, columns.cols() + 1);
+    longer << columns, terms[k].wrench;
+    Eigen::FullPivLU<RationalMatrix> lu(longer);
+    lu.setThreshold(0);
+    if (lu.rank() < longer.cols()) continue;
+    columns = std::move(longer);
+    chosen.push_back(k);
+    if (chosen.size() == 6) break;
   }
-  std::vector<Vector6> basis;
-  for (std::size_t column = 0; column < 6; ++column) {
-    if (std::find(pivots.begin(), pivots.end(), column) != pivots.end()) continue;
-    Vector6 d{};
-    d[column] = 1;
-    for (std::size_t r = 0; r < rank; ++r) d[pivots[r]] = -rows[r][column];
-    basis.push_back(d);
+  if (chosen.empty()) return rest.isZero(0);
+  Eigen::FullPivLU<RationalMatrix> lu(columns);
+  lu.setThreshold(0);
+  const RationalVector change = lu.solve(rest);
+  if (columns * change != rest) return false;
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    terms[chosen[k]].value += change[static_cast<Eigen::Index>(k)];
   }
-  return basis;
+  return true;
 }
 
 }  // namespace
@@ -343,119 +367,58 @@ std::optional<SpatialWitness> exact_witness(const SpaceModel& model,
     if (rubs && near_one.sticks[i] == 0) return std::nullopt;
     if (rubs) sticking.push_back(i);
   }
-  // Unknown: z, of d = basis z, and two numbers of friction for each sticking contact. Of the
-  // latter all but a few stay near what they are.
-  const std::vector<Vector6> basis = motions_without_slip(model, sticking);
-  struct Column {
-    Vector6 wrench;
-    double spare;  ///< how far it may change; motions: at will
-    Rational value;
-    std::size_t contact;
-    Vector3 direction;
-  };
-  std::vector<Column> columns;
-  Vector6 sum;  // what is left to balance, with the values
-  for (std::size_t j = 0; j < 6; ++j) sum[j] = model.wrench[j].low;
+  // Unknown: multiples of the motions that leave all of these without slip, and two numbers of
+  // friction at each. Of the latter all but a few stay near what they are.
+  const RationalMatrix motions = motions_without_slip(model, sticking);
+  std::vector<BalanceTerm> terms;
+  RationalVector rest(6);  // what the values leave to balance
+  for (std::size_t j = 0; j < 6; ++j) {
+    rest[static_cast<Eigen::Index>(j)] = -model.wrench[j].low;
+  }
+  for (Eigen::Index k = 0; k < motions.cols(); ++k) {
+    terms.push_back({RationalVector::Zero(6), 0, HUGE_VAL, m, motions.col(k)});
+  }
   for (std::size_t i = 0; i < m; ++i) {
     if (!(near_one.normal[i] > 0)) continue;
     const SpaceContact& c = model.contacts[i];
-    for (std::size_t j = 0; j < 6; ++j) {
-      sum[j] += c.preload.low * c.corners.front().normal[j];
+    const RationalVector normal = as_rationals(c.corners.front().normal);
+    rest -= c.preload.low * normal;
+    for (Eigen::Index k = 0; k < motions.cols(); ++k) {
+      const Rational rise = normal.dot(motions.col(k));
+      terms[static_cast<std::size_t>(k)].wrench -= Rational(c.stiffness.low * rise) * normal;
     }
-  }
-  for (const Vector6& d : basis) {
-    Column column{{}, HUGE_VAL, 0, m, {}};
-    for (std::size_t i = 0; i < m; ++i) {
-      if (!(near_one.normal[i] > 0)) continue;
-      const SpaceContact& c = model.contacts[i];
-      const Rational rise = c.stiffness.low * dot(c.corners.front().normal, d);
-      for (std::size_t j = 0; j < 6; ++j) {
-        column.wrench[j] -= rise * c.corners.front().normal[j];
-      }
-    }
-    columns.push_back(column);
   }
   for (const std::size_t i : sticking) {
     const SpaceContact& c = model.contacts[i];
+    const CornerRow& row = c.corners.front();
     const double most = c.slopes[0] * near_one.normal[i];
     const Double3& f = near_one.friction[i];
     for (const Vector3& t : tangents_of(c.normal)) {
-      Double3 rounded_t{};
-      for (std::size_t k = 0; k < 3; ++k) rounded_t[k] = to_double(t[k]);
-      const double size = std::sqrt(dot(rounded_t, rounded_t));
-      Column column{{}, most - std::sqrt(dot(f, f)), 0, i, t};
-      column.value = near(dot(f, rounded_t) / (size * size), most / size);
+      Double3 rounded{};
+      for (std::size_t k = 0; k < 3; ++k) rounded[k] = to_double(t[k]);
+      const double square = dot(rounded, rounded);
+      BalanceTerm term{RationalVector::Zero(6),
+                       near(dot(f, rounded) / square, most / std::sqrt(square)),
+                       most - std::sqrt(dot(f, f)), i, RationalVector(3)};
       for (std::size_t k = 0; k < 3; ++k) {
+        term.direction[static_cast<Eigen::Index>(k)] = t[k];
         for (std::size_t j = 0; j < 6; ++j) {
-          column.wrench[j] +=
-              t[k] * Rational(c.corners.front().slip[k][j]) / c.corners.front().slip_factor;
+          term.wrench[static_cast<Eigen::Index>(j)] +=
+              t[k] * Rational(row.slip[k][j]) / row.slip_factor;
         }
       }
-      for (std::size_t j = 0; j < 6; ++j) sum[j] += column.value * column.wrench[j];
-      columns.push_back(std::move(column));
+      rest -= term.value * term.wrench;
+      terms.push_back(std::move(term));
     }
   }
-  std::stable_sort(columns.begin(), columns.end(),
-                   [](const Column& a, const Column& b) { return a.spare > b.spare; });
-  // Independent columns, in this order, carry what is left.
-  std::vector<std::size_t> chosen;
-  std::vector<Vector6> reduced;
-  std::vector<std::size_t> pivots;
-  for (std::size_t k = 0; k < columns.size() && chosen.size() < 6; ++k) {
-    Vector6 rest = columns[k].wrench;
-    for (std::size_t r = 0; r < reduced.size(); ++r) {
-      const Rational factor = rest[pivots[r]];
-      for (std::size_t j = 0; j < 6; ++j) rest[j] -= factor * reduced[r][j];
-    }
-    std::size_t pivot = 0;
-    while (pivot < 6 && rest[pivot].is_zero()) ++pivot;
-    if (pivot == 6) continue;
-    const Rational lead = rest[pivot];
-    for (Rational& entry : rest) entry /= lead;
-    chosen.push_back(k);
-    reduced.push_back(std::move(rest));
-    pivots.push_back(pivot);
-  }
-  const auto rank = static_cast<Eigen::Index>(chosen.size());
-  RationalMatrix system = RationalMatrix::Constant(6, rank + 1, Rational(0));
-  for (Eigen::Index j = 0; j < 6; ++j) {
-    for (Eigen::Index k = 0; k < rank; ++k) {
-      system(j, k) =
-          columns[chosen[static_cast<std::size_t>(k)]].wrench[static_cast<std::size_t>(j)];
-    }
-    system(j, rank) = -sum[static_cast<std::size_t>(j)];
-  }
-  // Gauss-Jordan; the columns are independent.
-  for (Eigen::Index k = 0; k < rank; ++k) {
-    Eigen::Index pivot = k;
-    while (pivot < 6 && system(pivot, k).is_zero()) ++pivot;
-    if (pivot == 6) return std::nullopt;
-    system.row(k).swap(system.row(pivot));
-    const Rational lead = system(k, k);
-    for (Eigen::Index j = k; j <= rank; ++j) system(k, j) /= lead;
-    for (Eigen::Index r = 0; r < 6; ++r) {
-      if (r == k || system(r, k).is_zero()) continue;
-      const Rational factor = system(r, k);
-      for (Eigen::Index j = k; j <= rank; ++j) system(r, j) -= factor * system(k, j);
-    }
-  }
-  for (Eigen::Index r = rank; r < 6; ++r) {
-    if (!system(r, rank).is_zero()) return std::nullopt;
-  }
-  for (Eigen::Index k = 0; k < rank; ++k) {
-    columns[chosen[static_cast<std::size_t>(k)]].value += system(k, rank);
-  }
+  if (!balance(terms, rest)) return std::nullopt;
   SpatialWitness witness{};
   std::vector<Vector3> friction(m);
-  std::size_t motion = 0;
-  for (const Column& column : columns) {
-    if (column.contact == m) {
-      for (std::size_t j = 0; j < 6; ++j) witness.twist[j] += column.value * basis[motion][j];
-      ++motion;  // stable_sort keeps their order
-    } else {
-      for (std::size_t k = 0; k < 3; ++k) {
-        friction[column.contact][k] += column.value * column.direction[k];
-      }
+  for (const BalanceTerm& term : terms) {
+    for (Eigen::Index k = 0; k < term.direction.size(); ++k) {
+      Rational& sum = term.contact == m ? witness.twist[static_cast<std::size_t>(k)]
+                                        : friction[term.contact][static_cast<std::size_t>(k)];
+      sum += term.value * term.direction[k];
     }
   }
   // Judged: the modes, and the cones.

@@ -15,6 +15,10 @@ namespace stickslip::space_detail {
 using EigenVector6 = Eigen::Matrix<double, 6, 1>;
 using EigenMatrix6 = Eigen::Matrix<double, 6, 6>;
 
+inline EigenVector6 as_vector(const Double6& a) {
+  return EigenVector6(a.data());
+}
+
 /// A motion at which forces nearly balance the load, in the model's units.
 struct NearEquilibrium {
   EigenVector6 motion;            ///< d

@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
+#include <boost/multiprecision/eigen.hpp>
 #include <cmath>
 #include <utility>
 
@@ -13,27 +14,16 @@
 namespace stickslip::space_detail {
 namespace {
 
-EigenVector6 as_vector(const Double6& a) {
-  return EigenVector6(a.data());
-}
-
-Rational determinant(Matrix6 m) {
-  Rational product = 1;
-  for (std::size_t k = 0; k < 6; ++k) {
-    std::size_t pivot = k;
-    while (pivot < 6 && m[pivot][k].is_zero()) ++pivot;
-    if (pivot == 6) return 0;
-    if (pivot != k) {
-      std::swap(m[pivot], m[k]);
-      product = -product;
-    }
-    product *= m[k][k];
-    for (std::size_t r = k + 1; r < 6; ++r) {
-      const Rational factor = m[r][k] / m[k][k];
-      for (std::size_t j = k; j < 6; ++j) m[r][j] -= factor * m[k][j];
+bool is_invertible(const Matrix6& m) {
+  Eigen::Matrix<Rational, 6, 6> matrix;
+  for (std::size_t j = 0; j < 6; ++j) {
+    for (std::size_t k = 0; k < 6; ++k) {
+      matrix(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)) = m[j][k];
     }
   }
-  return product;
+  Eigen::FullPivLU<Eigen::Matrix<Rational, 6, 6>> lu(matrix);
+  lu.setThreshold(0);  // of rationals, whose zeros are zeros
+  return lu.isInvertible();
 }
 
 /// Where the walls are to be, and which way the grasp in the middle pulls, in doubles.
@@ -240,7 +230,7 @@ std::optional<SpatialDegreeProof> prove_stable(const SpaceModel& model,
     if (!walls.is_sound()) return std::nullopt;
     ++work.proofs;
     SpatialDegreeProof proof = walls.proof();
-    if (determinant(proof.walls).is_zero() || determinant(proof.direction).is_zero()) continue;
+    if (!is_invertible(proof.walls) || !is_invertible(proof.direction)) continue;
     if (model.law == NormalLaw::kBilateral && !all_closed_inside(model, proof)) continue;
     const SpatialDirection direction{proof.direction, proof.twist};
     const auto refute_all = [&](bool second) {

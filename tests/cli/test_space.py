@@ -10,9 +10,11 @@ from fractions import Fraction as F
 
 import numpy as np
 
-from test_cli import (BAD_INPUT, CHECK, CHECK_PY, DONE, STABLE, UNDECIDED, UNSTABLE, Case, read, run,
+from space_smt import smt
+from test_cli import (CHECK, CHECK_PY, CORPUS, DONE, STABLE, UNDECIDED, UNSTABLE, Case, read, run,
                       stickslip)
 
+Z3 = os.environ.get("Z3", "z3")
 EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "examples", "grasps")
 
 
@@ -112,8 +114,8 @@ class ClosedForms(Space):
         self.assertEqual(self.verdict(grasp(feet, (F(1, 100), 0, -1, 0, 0, 0))), "unstable")
 
 
-def unit_normal(rng):
-    a, b = (F(rng.randint(-6, 6), 6) for _ in range(2))
+def unit_normal(rng, fineness=6):
+    a, b = (F(rng.randint(-fineness, fineness), fineness) for _ in range(2))
     s = 1 + a * a + b * b
     n = [2 * a / s, 2 * b / s, (1 - a * a - b * b) / s]
     rng.shuffle(n)
@@ -185,7 +187,6 @@ def equilibria(contacts, wrench, starts, rng):
 
 class Random(Space):
     def test_where_a_tree_says_unstable_newton_finds_nothing(self):
-        # By hand with 10,000 starts a grasp: nothing in 40 unstable ones.
         rng = random.Random(5)
         verdicts = {"stable": 0, "unstable": 0, "undecided": 0}
         found_in_stable = 0
@@ -243,6 +244,52 @@ class Random(Space):
                              for p, n, mu, preload in rows], (x, y, 0, 0, 0, t))
             self.assertNotEqual(self.verdict(spatial), "unstable", flat)
         self.assertGreaterEqual(stable, 3)
+
+
+    def test_against_z3_in_nonlinear_real_arithmetic(self):
+        rng = random.Random(3)
+        agreed = {"sat": 0, "unsat": 0}
+        for k in range(12):
+            contacts = []
+            for _ in range(1 + k % 2):
+                n = unit_normal(rng, 2)
+                contacts.append({"p": [-x for x in n], "n": n, "friction": F(rng.randint(1, 4), 4),
+                                 "stiffness": F(1), "preload": F(rng.randint(1, 3))})
+            # What all preloads and some of the friction balance; more than there is, at times.
+            wrench = [F(0)] * 6
+            for c in contacts:
+                f = [F(rng.randint(-2, 2), 3 if k % 3 else 1) * c["friction"] * c["preload"]
+                     for _ in range(3)]
+                along = sum(a * b for a, b in zip(f, c["n"]))
+                force = [c["preload"] * n + a - along * n for a, n in zip(f, c["n"])]
+                wrench = [w - x for w, x in zip(wrench, force_at(force, c["p"]))]
+            verdict = self.verdict(written(contacts, wrench))
+            text = smt([[c[key] for key in ("p", "n", "friction", "stiffness", "preload")]
+                        for c in contacts], wrench)
+            z3 = run(Z3, "-T:4", "-in", stdin=text)[1].strip()
+            self.assertNotIn((verdict, z3), (("stable", "unsat"), ("unstable", "sat")))
+            if (verdict, z3) in (("stable", "sat"), ("unstable", "unsat")):
+                agreed[z3] += 1
+        self.assertGreaterEqual(agreed["sat"], 3, agreed)
+        self.assertGreaterEqual(agreed["unsat"], 1, agreed)
+
+
+class Near(Space):
+    """Loads within 1 % of a threshold; how much work an answer may be."""
+
+    NODES = {"box4_1_0u": 363, "box4_1_3s": 96, "box4_2_1u": 417, "sphere4_1_2u": 100,
+             "sphere4_1_3s": 60, "sphere4_2_0u": 332, "sphere8_1_0s": 12, "sphere8_1_0u": 620}
+
+    def test_verdicts_and_work(self):
+        folder = os.path.join(CORPUS, "..", "near")
+        self.assertEqual({name[:-len(".json")] for name in os.listdir(folder)}, set(self.NODES))
+        for name, nodes in self.NODES.items():
+            content = json.loads(read(os.path.join(folder, name + ".json")))
+            answer = self.decide(content)
+            self.assertEqual(answer["verdict"], {"s": "stable", "u": "unstable"}[name[-1]], name)
+            self.assertLessEqual(answer["stats"]["nodes"], 1.3 * nodes, name)
+            self.assertEqual(self.decide(content)["stats"], answer["stats"])
+            self.assertLess(os.path.getsize(self.path("c.json")), 200_000)
 
 
 class Boxes(Space):

@@ -65,6 +65,9 @@ SpatialGrasp widened(SpatialGrasp grasp, const Tolerances& tolerances);
 /// A grasp in the plane or in space.
 using AnyGraspFile = std::variant<GraspFile, SpatialGrasp>;
 
+/// For people; may be empty.
+const std::string& name_of(const AnyGraspFile& file);
+
 /// \{ As parse_grasp and read_grasp_file, which refuse grasps in space: either kind. Intervals
 /// are read.
 AnyGraspFile parse_any_grasp(std::string_view text, const std::string& file);

@@ -24,6 +24,7 @@ measure sweep sweep_bench
 measure table2 table2
 measure margin margin_bench 1000
 measure box box_bench --grasps 60
+measure space space_bench --contacts 8
 measure batch batch_bench "$build/bin/stickslip"
 measure cluster /usr/bin/python3 "$root/bench/batch/cluster_bench.py" "$build/bin"
 measure float float_study --instances 960

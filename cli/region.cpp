@@ -197,8 +197,8 @@ int region(const RegionArguments& arguments) {
   report.region = unite(report.pieces);
   progress.clear();
   if (!arguments.list) report.pieces.clear();
-  (arguments.numbers.json ? print_json : print_text)(question, plane, report,
-                                                     arguments.numbers);
+  arguments.numbers.json ? print_json(question, plane, report, arguments.numbers)
+                         : print_text(question, plane, report, arguments.numbers);
   return report.undecided ? kUndecidedWithinLimit : kDone;
 }
 

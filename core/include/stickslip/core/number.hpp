@@ -57,14 +57,14 @@ double to_double(const Rational& value);
 /// sqrt(value) if it is rational, nothing otherwise. Requires value >= 0.
 std::optional<Rational> exact_sqrt(const Rational& value);
 
-/// \{ sqrt(square), both times, if it is rational; else the greatest j / 2^s <= sqrt(square)
-/// with integers s and 2^(bits - 1) <= j < 2^bits, and (j + 1) / 2^s. Requires square >= 0.
+/// A square root, or what it lies between.
 struct ShortRoot {
-  Rational lower;  ///< <= sqrt(square)
-  Rational upper;  ///< >= sqrt(square)
+  Rational lower;  ///< <= the root
+  Rational upper;  ///< >= the root
 };
+/// sqrt(square), both times, if it is rational; else the greatest j / 2^s <= sqrt(square) with
+/// integers s and 2^(bits - 1) <= j < 2^bits, and (j + 1) / 2^s. Requires square >= 0.
 ShortRoot short_sqrt(const Rational& square, unsigned bits);
-/// \}
 
 /// A closed decimal interval around an irrational number, both ends with as many significant
 /// digits, rounded outward.

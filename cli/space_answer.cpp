@@ -14,7 +14,7 @@
 namespace stickslip {
 namespace {
 
-constexpr const char* kProducer = "stickslip " STICKSLIP_VERSION ", engine space";
+constexpr const char* kSpaceProducer = "stickslip " STICKSLIP_VERSION ", engine space";
 
 /// One contact of a stable verdict with a witness.
 struct SpatialReport {
@@ -225,7 +225,7 @@ void write_examples(const SpaceAnswer& answer, const std::string& /*folder*/) {
 
 void write_certificate(const SpaceAnswer& answer, const std::string& file) {
   if (file.empty() || std::holds_alternative<Undecided>(answer.decision.verdict)) return;
-  write_whole_file(file, spatial_certificate_text(answer.question, answer.decision, kProducer));
+  write_whole_file(file, spatial_certificate_text(answer.question, answer.decision, kSpaceProducer));
 }
 
 }  // namespace stickslip

@@ -12,11 +12,6 @@
 namespace stickslip_check {
 namespace {
 
-Grasp read(const std::string& text) {
-  std::istringstream in(text);
-  return read_grasp(in, "grasp");
-}
-
 Question ask_of(const std::string& text, const Options& options = {}) {
   return pose(read(text), options, "grasp");
 }

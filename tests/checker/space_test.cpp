@@ -9,11 +9,6 @@
 namespace stickslip_check {
 namespace {
 
-Grasp read(const std::string& text) {
-  std::istringstream in(text);
-  return read_grasp(in, "grasp");
-}
-
 TEST(Space, RowsOfAnyLength) {
   const Contact contact{{1, 2, 3}, {1, 2, 2}, Rational(1, 2), 9, 6};
   const Question question = pose({{contact}, Wrench(kSpatial)}, {}, "grasp");
@@ -48,24 +43,6 @@ TEST(Space, TheFirstContactThatDiffersIsNamed) {
   expect(replaced(text, "[0, 0, 0]", "[0, 0]"), "line 2, contacts[0].normal",
          "found an array of 3, expected 2 coordinates [x, y]");
 }
-
-/// With sums of rays among the rays.
-class Redundant : public Cone {
- public:
-  Redundant(Random& random, const Cone& cone) : Cone(cone) {
-    const auto extreme = cone.rays();
-    for (int k = between(random, 1, 4); k > 0 && !extreme.empty(); --k) {
-      const auto any = [&]() -> const Ray& {
-        return *extreme[static_cast<std::size_t>(between(random, 0, int(extreme.size()) - 1))];
-      };
-      const Ray& a = any();
-      const Ray& b = any();
-      Form x = a.x;
-      for (std::size_t j = 0; j < x.size(); ++j) x[j] += 2 * b.x[j];
-      add(x, intersection(a.zero, b.zero));
-    }
-  }
-};
 
 Box random_box(Random& random) {
   Grasp grasp{{}, Wrench(kSpatial)};

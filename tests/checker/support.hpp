@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <random>
 #include <sstream>
 #include <string>
@@ -12,6 +13,8 @@
 #include <vector>
 
 #include "check.hpp"
+#include "cone.hpp"
+#include "grasp.hpp"
 
 namespace stickslip_check {
 
@@ -105,5 +108,30 @@ inline int between(Random& random, int low, int high) {
   // Not a standard distribution: those differ between libraries.
   return low + static_cast<int>(random() % static_cast<unsigned>(high - low + 1));
 }
+
+inline Grasp read(const std::string& text) {
+  std::istringstream in(text);
+  return read_grasp(in, "grasp");
+}
+
+/// With sums of rays among the rays.
+class Redundant : public Cone {
+ public:
+  Redundant(Random& random, const Cone& cone) : Cone(cone) {
+    const auto extreme = cone.rays();
+    for (int k = between(random, 1, 4); k > 0 && !extreme.empty(); --k) {
+      Form x(extreme.front()->x.size());
+      std::optional<Set> zero;
+      for (int terms = between(random, 1, 3); terms > 0; --terms) {
+        const Ray& ray =
+            *extreme[static_cast<std::size_t>(between(random, 0, int(extreme.size()) - 1))];
+        const int weight = between(random, 1, 5);
+        for (std::size_t j = 0; j < x.size(); ++j) x[j] += weight * ray.x[j];
+        zero = zero ? intersection(*zero, ray.zero) : ray.zero;
+      }
+      add(x, *zero);
+    }
+  }
+};
 
 }  // namespace stickslip_check

@@ -181,26 +181,6 @@ TEST(Tree, RefutationsOfRandomGraspsAreAccepted) {
   EXPECT_GT(proved, 60U);
 }
 
-/// With sums of rays among the rays.
-class Redundant : public Cone {
- public:
-  Redundant(Random& random, const Cone& cone) : Cone(cone) {
-    const auto extreme = cone.rays();
-    for (int k = between(random, 1, 4); k > 0 && !extreme.empty(); --k) {
-      Form x(kN);
-      std::optional<Set> zero;
-      for (int terms = between(random, 1, 3); terms > 0; --terms) {
-        const Ray& ray =
-            *extreme[static_cast<std::size_t>(between(random, 0, int(extreme.size()) - 1))];
-        const int weight = between(random, 1, 5);
-        for (std::size_t j = 0; j < kN; ++j) x[j] += weight * ray.x[j];
-        zero = zero ? intersection(*zero, ray.zero) : ray.zero;
-      }
-      add(x, *zero);
-    }
-  }
-};
-
 TEST(Tree, RedundantRaysChangeNoLeaf) {
   Random random(2718);
   std::size_t tally[2]{};

@@ -177,20 +177,14 @@ void print_text(const BoxAnswer& answer, const NumberOptions& output,
   NumberText text(output);
   const std::vector<UncertainNumber> uncertain = uncertain_numbers(*question.box);
   std::cout << heading(question) << name_of(decision.verdict) << "\n\n"
-            << "  load w    " << load_text(*question.box, text) << "\n\n";
-  if (!uncertain.empty()) {
-    std::vector<std::vector<std::string>> rows{{"uncertain", "from", "to"}};
-    for (const UncertainNumber& number : uncertain) {
-      rows.push_back({number.label(), text(number.interval.low), text(number.interval.high)});
-    }
-    std::cout << short_table(rows) << '\n';
-  }
+            << "  load w    " << load_text(question.box->wrench, text) << "\n\n";
+  std::cout << uncertain_text(uncertain, text);
   if (const auto* fragile = std::get_if<Fragile>(&decision.verdict)) {
     std::cout << fragile_text(answer, *fragile, text, examples);
   } else {
     std::cout << std::visit(Meaning{!uncertain.empty()}, decision.verdict);
   }
-  std::cout << enclosure_text(answer) << text.note() << units_text(question.loaded.grasp.description().units)
+  std::cout << enclosure_text(answer) << text.note() << units_text(question.loaded.grasp)
             << engine_text("box", question.law);
 }
 

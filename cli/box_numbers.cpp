@@ -67,13 +67,13 @@ Json uncertain_json(const GraspBox& box) {
   return json;
 }
 
-std::string load_text(const GraspBox& box, NumberText& text) {
-  std::string result;
-  for (const Interval& w : box.wrench) {
-    result += (result.empty() ? "(" : ", ") +
-              (w.is_point() ? text(w.low) : "[" + text(w.low) + ", " + text(w.high) + "]");
+std::string uncertain_text(const std::vector<UncertainNumber>& numbers, NumberText& text) {
+  if (numbers.empty()) return "";
+  std::vector<std::vector<std::string>> rows{{"uncertain", "from", "to"}};
+  for (const UncertainNumber& number : numbers) {
+    rows.push_back({number.label(), text(number.interval.low), text(number.interval.high)});
   }
-  return result + ")";
+  return short_table(rows) + "\n";
 }
 
 std::string short_table(std::vector<std::vector<std::string>> rows) {

@@ -3,6 +3,7 @@
 /// The numbers of a box, under their names in a grasp file, as answers show them.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,18 @@ Json interval_json(const Interval& interval);
 Json uncertain_json(const GraspBox& box);
 
 /// The load w, of which components may be intervals, "[-1, 1]".
-std::string load_text(const GraspBox& box, NumberText& text);
+template <std::size_t n>
+std::string load_text(const std::array<Interval, n>& load, NumberText& text) {
+  std::string result;
+  for (const Interval& w : load) {
+    result += (result.empty() ? "(" : ", ") +
+              (w.is_point() ? text(w.low) : "[" + text(w.low) + ", " + text(w.high) + "]");
+  }
+  return result + ")";
+}
+
+/// A table of them and a line below; nothing if there are none.
+std::string uncertain_text(const std::vector<UncertainNumber>& numbers, NumberText& text);
 
 /// The first rows of a table, its heading not counted.
 std::string short_table(std::vector<std::vector<std::string>> rows);

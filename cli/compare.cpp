@@ -64,7 +64,7 @@ void print_text(const Question& question, const Rational& length,
   std::cout << format_table(table, Align::kLeft)
             << "\nAll methods are exact. Normal law of the passive model: "
             << law_text(question.law) << ".\n"
-            << units_text(question.loaded.grasp.description().units) << text.note();
+            << units_text(question.loaded.grasp) << text.note();
 }
 
 int compare(const CompareArguments& arguments) {

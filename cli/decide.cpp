@@ -159,8 +159,7 @@ void print_text(const CaseAnswer& answer, const NumberOptions& output) {
     std::cout << "\nGiven up at " << std::get<Undecided>(verdict).limit
               << "; nothing is known about the verdict.\n";
   }
-  std::cout << text.note() << units_text(question.loaded.grasp.description().units)
-            << engine_text(answer);
+  std::cout << text.note() << units_text(question.loaded.grasp) << engine_text(answer);
   print(warnings);
 }
 
@@ -201,7 +200,7 @@ std::string load_text(const CaseAnswer& answer, NumberText& text) {
 }
 
 std::string load_text(const BoxAnswer& answer, NumberText& text) {
-  return load_text(*answer.question.box, text);
+  return load_text(answer.question.box->wrench, text);
 }
 
 void print_cases_json(const std::vector<Answer>& answers, const NumberOptions& output) {

@@ -150,7 +150,7 @@ void print_text(const Question& question, const Margin& margin, NumberText& text
                                     : ", and by case trees of " + count(nodes, "node") +
                                           " that nothing else is resisted")
             << ".\nNormal law: " << law_text(question.law) << ".\n"
-            << units_text(question.loaded.grasp.description().units) << text.note();
+            << units_text(question.loaded.grasp) << text.note();
 }
 
 void print_least(const Margin& margin, NumberText& text) {

@@ -21,8 +21,10 @@ void write_proved_files(const std::string& option, const std::string& folder,
 }
 
 std::string heading(const Question& question) {
-  const std::string& name = question.loaded.grasp.name();
-  const std::string& of_case = question.case_name;
+  return heading(question.loaded.grasp.name(), question.case_name);
+}
+
+std::string heading(const std::string& name, const std::string& of_case) {
   const std::string both = name + (name.empty() || of_case.empty() ? "" : ", ") + of_case;
   return both.empty() ? both : both + ": ";
 }
@@ -31,6 +33,10 @@ std::string units_text(const std::optional<Units>& units) {
   if (!units) return "";
   return "Units: force " + units->force + ", length " + units->length + ", torque " +
          units->torque() + ".\n";
+}
+
+std::string units_text(const Grasp& grasp) {
+  return units_text(grasp.description().units);
 }
 
 std::string law_text(NormalLaw law) {

@@ -80,9 +80,11 @@ struct NumberOptions {
 
 /// For people: "name, case: ", or what there is of it.
 std::string heading(const Question& question);
+std::string heading(const std::string& grasp, const std::string& case_name);
 
 /// For people, a line: "Units: force N, length mm, torque N mm."; nothing if nobody gave them.
 std::string units_text(const std::optional<Units>& units);
+std::string units_text(const Grasp& grasp);
 
 /// For people: "unilateral (contacts may detach)".
 std::string law_text(NormalLaw law);

@@ -113,7 +113,7 @@ void Report::print() {
   } else {
     std::cout << "The grasp in the centre is not decided, and so is nothing about it.\n";
   }
-  std::cout << text_.note() << units_text(question_.loaded.grasp.description().units)
+  std::cout << text_.note() << units_text(question_.loaded.grasp)
             << engine_text("box", question_.law);
 }
 

@@ -166,7 +166,7 @@ void print_text(const Question& question, const WrenchPlane& plane, const Region
             << report.work.slip_states << " slip states, " << report.work.modes
             << " contact modes, " << report.work.pieces
             << " of them in the plane; normal law: " << law_text(question.law) << ".\n"
-            << units_text(question.loaded.grasp.description().units) << text.note();
+            << units_text(question.loaded.grasp) << text.note();
 }
 
 /// All but the union: a picture makes its own.

@@ -168,22 +168,15 @@ Json to_json(const SpaceAnswer& answer) {
 }
 
 std::string load_text(const SpaceAnswer& answer, NumberText& text) {
-  std::string list;
-  for (const Interval& w : answer.question.grasp.wrench) {
-    list += list.empty() ? "(" : ", ";
-    list += w.is_point() ? text(w.low) : "[" + text(w.low) + ", " + text(w.high) + "]";
-  }
-  return list + ")";
+  return load_text(answer.question.grasp.wrench, text);
 }
 
 void print_text(const SpaceAnswer& answer, const NumberOptions& output,
                 const std::string& /*examples*/) {
   const auto& [question, decision] = answer;
   NumberText text(output);
-  const std::string& name = question.grasp.name;
-  const std::string both =
-      name + (name.empty() || question.case_name.empty() ? "" : ", ") + question.case_name;
-  std::cout << both << (both.empty() ? "" : ": ") << name_of(decision.verdict) << "\n\n"
+  std::cout << heading(question.grasp.name, question.case_name) << name_of(decision.verdict)
+            << "\n\n"
             << "  load w    " << load_text(answer, text) << '\n';
   const auto* stable = std::get_if<SpatiallyStable>(&decision.verdict);
   const auto* witness =
@@ -202,14 +195,8 @@ void print_text(const SpaceAnswer& answer, const NumberOptions& output,
     std::cout << format_table(rows) << '\n';
   }
   const std::vector<UncertainNumber> uncertain = uncertain_numbers(question.grasp);
-  if (!uncertain.empty()) {
-    std::vector<std::vector<std::string>> rows{{"uncertain", "from", "to"}};
-    for (const UncertainNumber& number : uncertain) {
-      rows.push_back({number.label(), text(number.interval.low), text(number.interval.high)});
-    }
-    std::cout << short_table(rows) << '\n';
-  }
-  std::cout << std::visit(SpatialMeaning{!uncertain.empty()}, decision.verdict)
+  std::cout << uncertain_text(uncertain, text)
+            << std::visit(SpatialMeaning{!uncertain.empty()}, decision.verdict)
             << "Load: force x, y, z, torque x, y, z. Motion: x, y, z, rotation x, y, z in "
                "radians.\n"
             << text.note() << units_text(question.grasp.units)
@@ -225,7 +212,8 @@ void write_examples(const SpaceAnswer& answer, const std::string& /*folder*/) {
 
 void write_certificate(const SpaceAnswer& answer, const std::string& file) {
   if (file.empty() || std::holds_alternative<Undecided>(answer.decision.verdict)) return;
-  write_whole_file(file, spatial_certificate_text(answer.question, answer.decision, kSpaceProducer));
+  write_whole_file(file,
+                   spatial_certificate_text(answer.question, answer.decision, kSpaceProducer));
 }
 
 }  // namespace stickslip

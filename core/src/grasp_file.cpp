@@ -442,7 +442,6 @@ SpatialGrasp StreamedGrasp::finish_in_space(const JsonNode& grasp) {
   const Grasp described({}, GraspDescription{read_name(grasp), {}, read_units(grasp)});
   result.name = described.name();
   result.units = described.description().units;
-  if (!first_interval_.empty()) result.first_interval = first_interval_;
   check(result);
   return result;
 }

@@ -45,12 +45,11 @@ SpatialDecision decide(const SpatialQuestion& question, const SpatialSearchOptio
   SpatialDecision decision{Undecided{}, {}, options.bits};
   const SpaceModel model(question, options.bits);
   const SpaceModel middle = model.middle();
-  const bool is_point = model.is_point();
   constexpr std::size_t kDefaultLimit = 20000;
   const std::size_t limit = options.node_limit != 0 ? options.node_limit : kDefaultLimit;
   const NewtonMethod newton(middle);
   const auto prove = [&](const NearEquilibrium& near) {
-    if (is_point && !question.is_box) {
+    if (!question.is_box) {
       if (auto witness = exact_witness(model, near)) {
         const Vector6 motion = witness->twist;
         decision.verdict = SpatiallyStable{std::move(*witness), motion};
@@ -58,7 +57,7 @@ SpatialDecision decide(const SpatialQuestion& question, const SpatialSearchOptio
       }
     }
     const std::size_t wall_limit = std::max<std::size_t>(limit / 24, 1);
-    auto proof = prove_stable(model, near, wall_limit, decision.work);
+    auto proof = prove_stable(model, middle, near, wall_limit, decision.work);
     if (proof) decision.verdict = SpatiallyStable{std::move(*proof), motion_of(model, near)};
     return proof.has_value();
   };

@@ -13,14 +13,6 @@ namespace stickslip::space_detail {
 namespace {
 
 using Vector3d = Eigen::Vector3d;
-using Slip = Eigen::Matrix<double, 3, 6>;
-
-Slip slip_matrix(const CornerRow& row) {
-  Slip s;
-  for (int k = 0; k < 3; ++k)
-    s.row(k) = as_vector(row.slip_rounded[static_cast<std::size_t>(k)]);
-  return s;
-}
 
 constexpr double kLeastSmooth = 1e-10;  // of the reach
 
@@ -54,7 +46,7 @@ EigenVector6 NewtonMethod::force(const EigenVector6& motion, double smooth,
     if (!(a > 0)) continue;
     EigenVector6 wrench = normal;
     if (c.slopes[0] > 0) {
-      const Slip slip = slip_matrix(row);
+      const SlipMatrix slip = slip_matrix(row);
       const Vector3d s = slip * motion;
       const double size = s.norm();
       const double over = std::max(size, smooth);
@@ -95,7 +87,7 @@ std::optional<NearEquilibrium> NewtonMethod::polish(NearEquilibrium near) const 
       const double a = c.preloads[0] - c.stiffnesses[0] * normal.dot(near.motion);
       near.normal[i] = std::max(a, 0.0);
       if (near.sticks[i] == 0 && !(a > 0)) continue;
-      const Slip slip = slip_matrix(row);
+      const SlipMatrix slip = slip_matrix(row);
       const Vector3d s = slip * near.motion;
       EigenVector6 wrench = normal;
       if (near.sticks[i] != 0) {

@@ -19,6 +19,17 @@ inline EigenVector6 as_vector(const Double6& a) {
   return EigenVector6(a.data());
 }
 
+using SlipMatrix = Eigen::Matrix<double, 3, 6>;
+
+/// S.
+inline SlipMatrix slip_matrix(const CornerRow& row) {
+  SlipMatrix s;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    s.row(k) = as_vector(row.slip_rounded[static_cast<std::size_t>(k)]);
+  }
+  return s;
+}
+
 /// A motion at which forces nearly balance the load, in the model's units.
 struct NearEquilibrium {
   EigenVector6 motion;            ///< d

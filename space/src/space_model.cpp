@@ -33,22 +33,26 @@ std::array<Vector6, 3> slip_rows(const Vector3& p, const Vector3& n, const Vecto
   return rows;
 }
 
-CornerRow row_at(const Vector3& p, const Vector3& n) {
-  CornerRow row{};
-  const Vector3 moment = cross(p, n);
-  row.normal = {n[0], n[1], n[2], moment[0], moment[1], moment[2]};
-  const std::array<Vector6, 3> slip = slip_rows(p, n, row.normal);
+/// From a multiple of S: in integers.
+void set_slip(CornerRow& row, const std::array<Vector6, 3>& slip, const Rational& factor) {
   Integer common = 1;
   for (const Vector6& r : slip) {
     for (const Rational& entry : r) common = lcm(common, denominator(entry));
   }
-  row.slip_factor = Rational(common) * dot(n, n);
+  row.slip_factor = Rational(common) * factor;
   for (std::size_t k = 0; k < 3; ++k) {
     for (std::size_t j = 0; j < 6; ++j) {
       row.slip[k][j] = numerator(slip[k][j]) * (common / denominator(slip[k][j]));
       row.slip_planes[k][j] = row.slip[k][j];
     }
   }
+}
+
+CornerRow row_at(const Vector3& p, const Vector3& n) {
+  CornerRow row{};
+  const Vector3 moment = cross(p, n);
+  row.normal = {n[0], n[1], n[2], moment[0], moment[1], moment[2]};
+  set_slip(row, slip_rows(p, n, row.normal), dot(n, n));
   return row;
 }
 
@@ -179,17 +183,7 @@ SpaceModel SpaceModel::middle() const {
     }
     CornerRow middle{};
     middle.normal = normal;
-    Integer common = 1;
-    for (const Vector6& r : slip) {
-      for (const Rational& entry : r) common = lcm(common, denominator(entry));
-    }
-    middle.slip_factor = common;
-    for (std::size_t k = 0; k < 3; ++k) {
-      for (std::size_t j = 0; j < 6; ++j) {
-        middle.slip[k][j] = numerator(slip[k][j]) * (common / denominator(slip[k][j]));
-        middle.slip_planes[k][j] = middle.slip[k][j];
-      }
-    }
+    set_slip(middle, slip, 1);
     c.corners = {middle};
   }
   for (Interval& component : result.wrench) shrink(component);

@@ -112,8 +112,8 @@ SpaceRegion SpaceRegion::sticking(const SpaceModel& model, std::size_t contact) 
 
 SpaceRegion SpaceRegion::slipping(const SpaceModel& model, std::size_t contact) const {
   SpaceRegion region = *this;
-  region.strict_slips_[contact] = 1;
-  region.update(model);
+  region.strict_slips_[contact] = 1;  // the cone stays as it is, and so do its generators
+  region.classify(model);
   return region;
 }
 
@@ -177,11 +177,15 @@ void SpaceRegion::update(const SpaceModel& model) {
                                                    !model.contacts[i].friction.high.is_zero());
     if (matters && still_[i] == 0) compute_slips(model, i);
   }
+  classify(model);
+}
+
+void SpaceRegion::classify(const SpaceModel& model) {
   std::vector<std::size_t> all(generators_.size());
   std::iota(all.begin(), all.end(), std::size_t{0});
   barred_ = bars(model, all);
   if (barred_) return;
-  for (std::size_t i = 0; i < m; ++i) find_slips(model, i);
+  for (std::size_t i = 0; i < model.contacts.size(); ++i) find_slips(model, i);
 }
 
 void SpaceRegion::compute_slips(const SpaceModel& model, std::size_t contact) {

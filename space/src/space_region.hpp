@@ -90,6 +90,7 @@ class SpaceRegion {
         separations_(contacts, Separation::kMixed),
         slips_(contacts) {}
   void update(const SpaceModel& model);
+  void classify(const SpaceModel& model);  ///< by the strict functions
   void find_separation(const SpaceModel& model, std::size_t contact);
   void compute_slips(const SpaceModel& model, std::size_t contact);
   void find_slips(const SpaceModel& model, std::size_t contact);

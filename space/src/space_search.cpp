@@ -101,6 +101,17 @@ class Actions {
   std::vector<Action> all_;
 };
 
+/// Over the corners.
+Double3 mean_slip(const SpaceContact& contact, const Double6& motion) {
+  Double3 s{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (const CornerRow& row : contact.corners) {
+      s[k] += dot(row.slip_rounded[k], motion) / static_cast<double>(contact.corners.size());
+    }
+  }
+  return s;
+}
+
 Double6 load_on(const SpaceModel& model, const Double6& y) {
   Double6 load{};
   for (std::size_t j = 0; j < 6; ++j) load[j] = model.load[j][y[j] > 0 ? 1 : 0];
@@ -300,12 +311,7 @@ bool SpaceSearch::cut(const SpaceRegion& region, const Point& plane, SpatialTree
 bool SpaceSearch::split_slip(const SpaceRegion& region, const SpatialSearchResult& found,
                              std::size_t contact, SpatialTrees& trees, std::size_t depth) {
   const SpaceContact& c = model_.contacts[contact];
-  Double3 s{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    for (const CornerRow& row : c.corners) {
-      s[k] += dot(row.slip_rounded[k], found.motion) / static_cast<double>(c.corners.size());
-    }
-  }
+  const Double3 s = mean_slip(c, found.motion);
   const Double3& f = found.friction[contact];
   const double slip_size = norm(s);
   const double friction_size = norm(f);
@@ -379,12 +385,7 @@ bool SpaceSearch::split(const SpaceRegion& region, const SpatialSearchResult& fo
       }
     }
     if (c.slopes[1] > 0 && a > 0 && !region.is_still(i)) {
-      Double3 s{};
-      for (std::size_t k = 0; k < 3; ++k) {
-        for (const CornerRow& row : c.corners) {
-          s[k] += dot(row.slip_rounded[k], found.motion) / corners;
-        }
-      }
+      const Double3 s = mean_slip(c, found.motion);
       const double gap = a * c.slopes[0] * norm(s) + dot(found.friction[i], s);
       slips.emplace_back(gap, i);
     }
@@ -471,10 +472,7 @@ bool SpaceSearch::is_candidate(const SpaceRegion& region,
     near.normal[i] /= found.height;
     for (double& entry : near.friction[i]) entry /= found.height;
     const SpaceContact& c = model_.contacts[i];
-    double slip = 0;
-    for (const Double6& row : c.corners.front().slip_rounded) {
-      slip = std::hypot(slip, dot(row, found.motion));
-    }
+    const double slip = norm(mean_slip(c, found.motion));
     constexpr double kStill = 1e-7;  // of all motion
     const double size = std::sqrt(dot(found.motion, found.motion));
     const bool rubs = near.normal[i] > 0 && c.slopes[1] > 0;
@@ -505,9 +503,7 @@ bool SpaceSearch::visit(const SpaceRegion& region, SpatialTrees& trees, std::siz
     return true;
   }
   const SpatialSearchResult found = search(region);
-  if (!found.separated) {
-    return split(region, found, trees, depth);
-  }
+  if (!found.separated) return split(region, found, trees, depth);
   const auto y = confirm(region, found.twist);
   if (!y) return false;
   ++work_.leaves;

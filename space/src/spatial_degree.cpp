@@ -62,10 +62,7 @@ SpatialWalls::SpatialWalls(const SpaceModel& middle, const NearEquilibrium& equi
         std::fabs(v) / (c.stiffnesses[0] * std::sqrt(to_double(c.squared_length)));
     if (stretch > 0) width = std::min(width, stretch);
     if (!(v > 0) || equilibrium.sticks[i] != 0 || !(c.slopes[0] > 0)) continue;
-    double slip = 0;
-    for (const Double6& s : row.slip_rounded)
-      slip = std::hypot(slip, as_vector(s).dot(motion_));
-    width = std::min(width, slip);
+    width = std::min(width, (slip_matrix(row) * motion_).norm());
   }
   width *= size;
   // How forces answer motion, but for sticking friction.
@@ -81,10 +78,7 @@ SpatialWalls::SpatialWalls(const SpaceModel& middle, const NearEquilibrium& equi
     const CornerRow& row = c.corners.front();
     const double a = equilibrium.normal[i];
     if (!(a > 0)) continue;
-    Eigen::Matrix<double, 3, 6> slip;
-    for (int k = 0; k < 3; ++k) {
-      slip.row(k) = as_vector(row.slip_rounded[static_cast<std::size_t>(k)]);
-    }
+    const SlipMatrix slip = slip_matrix(row);
     const Eigen::Vector3d friction(equilibrium.friction[i].data());
     const EigenVector6 normal = as_vector(row.normal_rounded);
     stiffness +=
@@ -210,9 +204,9 @@ bool all_closed_inside(const SpaceModel& model, const SpatialDegreeProof& proof)
 }  // namespace
 
 std::optional<SpatialDegreeProof> prove_stable(const SpaceModel& model,
+                                               const SpaceModel& middle,
                                                const NearEquilibrium& equilibrium,
                                                std::size_t node_limit, SpatialWork& work) {
-  const SpaceModel middle = model.middle();
   const bool is_point = model.is_point();
   struct Attempt {
     double size;

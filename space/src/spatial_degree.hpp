@@ -13,7 +13,8 @@ namespace stickslip::space_detail {
 /// Tries to prove that every grasp in the box has an equilibrium, around this one of its
 /// middle.
 std::optional<SpatialDegreeProof> prove_stable(const SpaceModel& model,
-                                               const NearEquilibrium& middle,
+                                               const SpaceModel& middle,
+                                               const NearEquilibrium& equilibrium,
                                                std::size_t node_limit, SpatialWork& work);
 
 }  // namespace stickslip::space_detail

@@ -44,13 +44,12 @@ struct SpatialCase {
 
 /// What a grasp file in space says.
 struct SpatialGrasp {
-  std::string name;                             ///< for people; may be empty
-  std::optional<Units> units{};                 ///< nothing if nobody gave them
-  std::vector<SpatialContact> contacts{};       ///< by ContactId
-  SpatialWrench wrench{};                       ///< of cases, what is common to them
-  std::vector<SpatialCase> cases{};             ///< with different names
-  std::vector<ContactId> assumed_stiffness{};   ///< as in GraspFile
-  std::optional<std::string> first_interval{};  ///< the place of a number that is none
+  std::string name;                            ///< for people; may be empty
+  std::optional<Units> units{};                ///< nothing if nobody gave them
+  std::vector<SpatialContact> contacts{};      ///< by ContactId
+  SpatialWrench wrench{};                      ///< of cases, what is common to them
+  std::vector<SpatialCase> cases{};            ///< with different names
+  std::vector<ContactId> assumed_stiffness{};  ///< as in GraspFile
 };
 
 /// Throws InputError naming "contacts[i].<member>" or "wrench[j]" if a normal is 0, a friction

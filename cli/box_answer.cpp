@@ -140,8 +140,7 @@ Json to_json(const BoxAnswer& answer) {
   add_units(json, question.loaded.grasp);
   json["engine"] = "box";
   json["normal_law"] = to_string(question.law);
-  json["wrench"] = Json::array();
-  for (const Interval& w : box.wrench) json["wrench"].push_back(interval_json(w));
+  json["wrench"] = wrench_json(box.wrench);
   json["uncertain"] = uncertain_json(box);
   if (needs_enclosure(box)) {
     json["enclosed"] = enclosed_contacts(box);

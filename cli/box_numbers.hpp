@@ -32,6 +32,14 @@ Json interval_json(const Interval& interval);
 /// A list of places and intervals.
 Json uncertain_json(const GraspBox& box);
 
+/// Components of a wrench, each a number or two.
+template <std::size_t n>
+Json wrench_json(const std::array<Interval, n>& wrench) {
+  Json json = Json::array();
+  for (const Interval& w : wrench) json.push_back(interval_json(w));
+  return json;
+}
+
 /// The load w, of which components may be intervals, "[-1, 1]".
 template <std::size_t n>
 std::string load_text(const std::array<Interval, n>& load, NumberText& text) {

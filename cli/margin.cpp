@@ -6,7 +6,9 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "margin_text.hpp"
 #include "question_options.hpp"
+#include "space_margin.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
@@ -20,26 +22,16 @@ namespace {
 struct MarginArguments {
   QuestionArguments question;
   std::string certificate;
+  std::string accuracy = "1/1000";
   std::size_t node_limit = 0;
   NumberOptions output;
   bool least = false;
   bool no_warnings = false;
 };
 
-Json number_or_null(const std::optional<Rational>& number) {
-  return number ? number_json(*number) : Json();
-}
-
 std::optional<Rational> least(const Margin& margin) {
   if (margin.resisted.empty()) return std::nullopt;
   return margin.resisted.front().low;
-}
-
-Json preload_direction_json(const PreloadDirection& direction) {
-  if (direction.scale) return "scale";
-  Json json = Json::array();
-  for (const Rational& rate : direction.rates) json.push_back(number_json(rate));
-  return json;
 }
 
 void print_json(const Question& question, const Margin& margin, const MarginWork& work,
@@ -68,62 +60,32 @@ void print_json(const Question& question, const Margin& margin, const MarginWork
   std::cout << finished(json, floats).dump(1) << '\n';
 }
 
-std::string family_text(const Question& question) {
-  std::string text;
-  if (question.direction) text = "loads w + l u";
-  if (const auto& preloads = question.preload_direction) {
-    text += text.empty() ? "" : " and ";
-    text += preloads->scale ? "preloads l P" : "preloads P + l Q";
+FamilyText family_of(const Question& question, NumberText& text) {
+  FamilyText family{heading(question),
+                    text(coordinates(question.loaded.wrench)),
+                    {},
+                    question.preload_direction,
+                    {},
+                    question.preload_growth};
+  if (question.direction) family.direction = text(coordinates(*question.direction));
+  for (const Contact& c : question.loaded.grasp.contacts())
+    family.preloads.push_back(c.preload);
+  if (question.preload_direction && question.preload_direction->scale) {
+    family.preloads = question.preload_growth;
   }
-  return text + " with l >= 0";
+  return family;
 }
 
-/// "1 at each contact", "(1, 0, 2)", or of many contacts "from 0 to 2".
-std::string preloads_text(const std::vector<Rational>& preloads, NumberText& text) {
-  const auto [smallest, largest] = std::minmax_element(preloads.begin(), preloads.end());
-  if (preloads.empty()) return "none";
-  if (*smallest == *largest) return text(*smallest) + " at each contact";
-  constexpr std::size_t kMostShown = 8;
-  if (preloads.size() <= kMostShown) return text(preloads);
-  return "from " + text(*smallest) + " to " + text(*largest);
-}
-
-std::string head_text(const Question& question, NumberText& text) {
-  std::string head = heading(question) + family_text(question) + "\n\n" + "  wrench w     " +
-                     text(coordinates(question.loaded.wrench)) + '\n';
-  if (question.direction) {
-    head += "  direction u  " + text(coordinates(*question.direction)) + '\n';
-  }
-  if (const auto& preloads = question.preload_direction) {
-    std::vector<Rational> base;
-    for (const Contact& c : question.loaded.grasp.contacts()) base.push_back(c.preload);
-    head += "  preloads P   " +
-            preloads_text(preloads->scale ? question.preload_growth : base, text) + '\n';
-    if (!preloads->scale) {
-      head += "  growth Q     " + preloads_text(question.preload_growth, text) + '\n';
-    }
-  }
-  return head + '\n';
-}
-
-/// "[1, 5/4] and from 15/4".
 std::string multiples_text(const Margin& margin, NumberText& text) {
-  std::string result;
+  std::vector<std::string> parts;
   for (const MarginInterval& interval : margin.resisted) {
-    if (!result.empty()) result += &interval == &margin.resisted.back() ? " and " : ", ";
-    if (!interval.high) {
-      result += "from " + text(interval.low);
-    } else if (interval.low == *interval.high) {
-      result += text(interval.low);
-    } else {
-      result += "[" + text(interval.low) + ", " + text(*interval.high) + "]";
-    }
+    parts.push_back(multiples_text(interval.low, interval.high, text));
   }
-  return result;
+  return joined(parts);
 }
 
 void print_text(const Question& question, const Margin& margin, NumberText& text) {
-  std::cout << head_text(question, text);
+  std::cout << head_text(family_of(question, text), text);
   if (margin.resisted.empty()) {
     std::cout << "No l is resisted.\n";
   } else if (question.preload_direction) {
@@ -167,14 +129,30 @@ void print_least(const Margin& margin, NumberText& text) {
   std::cout << text.note();
 }
 
+int margin_in_space(const SpatialQuestion& question, const MarginArguments& arguments) {
+  SpatialMarginOptions search;
+  search.accuracy = number_option("--accuracy", arguments.accuracy);
+  if (search.accuracy.sign() <= 0) {
+    throw InputError("", "--accuracy", "the value is " + arguments.accuracy,
+                     "give a number above 0, such as 1/1000");
+  }
+  search.search.node_limit = arguments.node_limit;
+  return answer_margin_in_space(
+      question, {arguments.certificate, search, arguments.output, arguments.least});
+}
+
 int margin(const MarginArguments& arguments) {
-  const Question question = arguments.question.question();
-  if (!question.is_margin()) {
+  const auto asked = arguments.question.any_question();
+  if (!std::visit([](const auto& question) { return question.is_margin(); }, asked)) {
     throw InputError(
         "", "", "no direction is given",
         "say what grows: the load, as in --direction 0,1,0, or the preloads, as in "
         "--preload-direction scale");
   }
+  if (const auto* in_space = std::get_if<SpatialQuestion>(&asked)) {
+    return margin_in_space(*in_space, arguments);
+  }
+  const auto& question = std::get<Question>(asked);
   ConeOptions options;
   options.node_limit = arguments.node_limit;
   MarginWork work;
@@ -224,6 +202,12 @@ void add_margin_command(CLI::App& app, int& exit_code) {
                    "Write a proof for stickslip-check with the same directions "
                    "(certificate/FORMAT.md)")
       ->type_name("FILE");
+  command
+      ->add_option("--accuracy", arguments->accuracy,
+                   "In space: which part of a multiple may stay undecided at an end of what "
+                   "is resisted")
+      ->type_name("PART")
+      ->capture_default_str();
   add_node_limit_option(*command, arguments->node_limit);
   arguments->output.add_to(*command);
   add_no_warnings_option(*command, arguments->no_warnings);
@@ -232,7 +216,9 @@ void add_margin_command(CLI::App& app, int& exit_code) {
       "both.\n"
       "The answer is a list of closed intervals of l; one without an upper end ends in null "
       "in\n"
-      "JSON. More preload can break a grasp: there may be gaps (docs/loads.md).\n",
+      "JSON. More preload can break a grasp: there may be gaps (docs/loads.md).\n"
+      "In space ends are known to a part of 1/1000 (--accuracy), and what is refuted is listed "
+      "as well\n(docs/space.md).\n",
       kExitCodesWithLimit + ";\nwith --least 20 if no multiple is resisted",
       "stickslip margin fig1.json --preload 1 --direction 0,1,0\n"
       "  $ stickslip margin fig1.json --preload 1 --wrench 0,1/2,0 --preload-direction scale "

@@ -205,41 +205,59 @@ QuestionArguments::any_questions() const {
   return questions_about(std::get<GraspFile>(file));
 }
 
-std::vector<SpatialQuestion> QuestionArguments::questions_about(
-    const SpatialGrasp& grasp) const {
+std::variant<Question, SpatialQuestion> QuestionArguments::any_question() const {
+  const AnyGraspFile file = read_any_grasp_file(file_);
+  if (const auto* grasp = std::get_if<SpatialGrasp>(&file)) {
+    return ask_about(*grasp, spatial_options());
+  }
+  return ask_about(std::get<GraspFile>(file), options());
+}
+
+SpatialOptions QuestionArguments::spatial_options() const {
   SpatialOptions asked;
-  if (!wrench_.empty()) {
-    const std::vector<Rational> numbers = numbers_option("--wrench", wrench_);
+  const auto read_six = [](const char* option, const std::string& value) {
+    const std::vector<Rational> numbers = numbers_option(option, value);
     if (numbers.size() != 6) {
-      throw InputError("", "--wrench",
-                       quote(wrench_) + " has " + std::to_string(numbers.size()) + " numbers",
+      throw InputError("", option,
+                       quote(value) + " has " + std::to_string(numbers.size()) + " numbers",
                        "the grasp is in space: give force x, y, z and torque x, y, z");
     }
-    std::copy(numbers.begin(), numbers.end(), asked.wrench.emplace().begin());
-  }
+    Vector6 result;
+    std::copy(numbers.begin(), numbers.end(), result.begin());
+    return result;
+  };
+  if (!wrench_.empty()) asked.wrench = read_six("--wrench", wrench_);
+  if (!direction_.empty()) asked.direction = read_six("--direction", direction_);
   // The rest is said as in the plane.
   QuestionArguments others = *this;
   others.wrench_.clear();
+  others.direction_.clear();
   const QuestionOptions options = others.options();
   asked.preload = options.preload;
+  asked.preload_direction = options.preload_direction;
   asked.law = options.law;
   asked.case_name = options.case_name;
   asked.uncertain = options.uncertain;
-  const auto ask_one = [&] {
-    try {
-      return ask(grasp, asked);
-    } catch (const InputError& error) {
-      if (error.place() != "case" && error.place() != "uncertain") {
-        throw error.in_file(name_of_file());
-      }
-      throw InputError(name_of_file(), "--" + error.place(), error.problem(), error.remedy());
-    }
-  };
-  if (grasp.cases.empty() || asked.case_name || asked.wrench) return {ask_one()};
+  return asked;
+}
+
+SpatialQuestion QuestionArguments::ask_about(const SpatialGrasp& grasp,
+                                             const SpatialOptions& options) const {
+  try {
+    return ask(grasp, options);
+  } catch (const InputError& error) {
+    throw in_options(error, name_of_file());
+  }
+}
+
+std::vector<SpatialQuestion> QuestionArguments::questions_about(
+    const SpatialGrasp& grasp) const {
+  SpatialOptions asked = spatial_options();
+  if (grasp.cases.empty() || asked.case_name || asked.wrench) return {ask_about(grasp, asked)};
   std::vector<SpatialQuestion> questions;
   for (const SpatialCase& load : grasp.cases) {
     asked.case_name = load.name;
-    questions.push_back(ask_one());
+    questions.push_back(ask_about(grasp, asked));
   }
   return questions;
 }

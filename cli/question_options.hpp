@@ -44,6 +44,8 @@ class QuestionArguments {
   std::vector<Question> questions() const;
   /// The same of a grasp in the plane or in space.
   std::variant<std::vector<Question>, std::vector<SpatialQuestion>> any_questions() const;
+  /// The one question about a grasp in the plane or in space.
+  std::variant<Question, SpatialQuestion> any_question() const;
   /// Whether --case is given.
   bool chooses_case() const { return !case_.empty(); }
 
@@ -53,6 +55,8 @@ class QuestionArguments {
   std::vector<Question> questions_about(const GraspFile& file) const;
   std::vector<SpatialQuestion> questions_about(const SpatialGrasp& grasp) const;
   Question ask_about(const GraspFile& file, const QuestionOptions& options) const;
+  SpatialQuestion ask_about(const SpatialGrasp& grasp, const SpatialOptions& options) const;
+  SpatialOptions spatial_options() const;
   std::string name_of_file() const { return file_ == "-" ? "<stdin>" : file_; }
 
   std::string file_;

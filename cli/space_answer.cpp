@@ -14,8 +14,6 @@
 namespace stickslip {
 namespace {
 
-constexpr const char* kSpaceProducer = "stickslip " STICKSLIP_VERSION ", engine space";
-
 /// One contact of a stable verdict with a witness.
 struct SpatialReport {
   Rational normal;          ///< a, of a n
@@ -98,7 +96,7 @@ struct SpatialMeaning {
   std::string operator()(const SpatiallyUnstable& unstable) const {
     const auto leaves = std::count_if(
         unstable.tree.begin(), unstable.tree.end(),
-        [](const SpatialNode& node) { return std::holds_alternative<SpatialLeaf>(node); });
+        [](const SpatialNode& node) { return std::holds_alternative<LeafIn<6>>(node); });
     return std::string(wide ? "No grasp in the box holds the load: no"
                             : "The grasp does not hold the load: no") +
            " motion and forces satisfy all conditions.\nProved in " + std::to_string(leaves) +
@@ -129,13 +127,10 @@ Json to_json(const SpaceAnswer& answer) {
   if (question.is_box) json["box"] = true;
   json["name"] = question.grasp.name;
   if (!question.case_name.empty()) json["case"] = question.case_name;
-  if (const auto& units = question.grasp.units) {
-    json["units"] = {{"length", units->length}, {"force", units->force}};
-  }
+  add_units(json, question.grasp.units);
   json["engine"] = "space";
   json["normal_law"] = to_string(question.law);
-  json["wrench"] = Json::array();
-  for (const Interval& w : question.grasp.wrench) json["wrench"].push_back(interval_json(w));
+  json["wrench"] = wrench_json(question.grasp.wrench);
   if (const auto* stable = std::get_if<SpatiallyStable>(&decision.verdict)) {
     if (const auto* witness = std::get_if<SpatialWitness>(&stable->proof)) {
       json["twist"] = number_json(witness->twist);
@@ -155,16 +150,19 @@ Json to_json(const SpaceAnswer& answer) {
   } else {
     json["limit"] = std::get<Undecided>(decision.verdict).limit;
   }
-  const SpatialWork& work = decision.work;
-  json["stats"] = {{"nodes", work.nodes},
-                   {"leaves", work.leaves},
-                   {"rays", work.rays},
-                   {"most_rays", work.most_rays},
-                   {"ray_bits", work.ray_bits},
-                   {"twist_bits", work.twist_bits},
-                   {"exact_checks", work.exact_checks},
-                   {"proofs", work.proofs}};
+  json["stats"] = work_json(decision.work);
   return json;
+}
+
+Json work_json(const SpatialWork& work) {
+  return {{"nodes", work.nodes},
+          {"leaves", work.leaves},
+          {"rays", work.rays},
+          {"most_rays", work.most_rays},
+          {"ray_bits", work.ray_bits},
+          {"twist_bits", work.twist_bits},
+          {"exact_checks", work.exact_checks},
+          {"proofs", work.proofs}};
 }
 
 std::string load_text(const SpaceAnswer& answer, NumberText& text) {

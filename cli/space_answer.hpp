@@ -11,6 +11,9 @@
 
 namespace stickslip {
 
+/// Who wrote a certificate about a grasp in space.
+inline constexpr const char* kSpaceProducer = "stickslip " STICKSLIP_VERSION ", engine space";
+
 struct SpaceAnswer {
   SpatialQuestion question;
   SpatialDecision decision;
@@ -19,6 +22,7 @@ struct SpaceAnswer {
 SpaceAnswer answer_in_space(SpatialQuestion question, std::size_t node_limit);
 
 Json to_json(const SpaceAnswer& answer);
+Json work_json(const SpatialWork& work);
 void print_text(const SpaceAnswer& answer, const NumberOptions& output,
                 const std::string& examples);
 

@@ -4,59 +4,69 @@
 #include <cmath>
 #include <utility>
 
-#include "stickslip/core/cancellation.hpp"
-#include "stickslip/equilibrium/search/nearest_point.hpp"
+#include "stickslip/equilibrium/search/nearest_wrench.hpp"
 
 namespace stickslip::box_detail {
-namespace {
 
-using Double3 = std::array<double, 3>;
-using Double4 = std::array<double, 4>;
+using namespace equilibrium_detail;
+
+namespace {
 
 double norm(const Double3& a) {
   return std::sqrt(dot(a, a));
 }
 
-/// (d, h), in doubles.
-Double4 shortened(const IntegerVector5& x) {
-  return in_doubles(IntegerVector<4>{x[0], x[1], x[2], x[3]});
+Double3 motion_of(const ScaledPoint<3>& x) {
+  return {x[0], x[1], x[2]};
 }
+
+/// A wrench that a region allows at one of its points, and its forces by acting contact; or the
+/// direction that list 2 excludes there.
+struct Support {
+  std::size_t point = 0;
+  bool against = false;
+  double work = 0;
+  Double3 wrench{};
+  std::vector<double> normal{};
+  std::vector<double> tangential{};
+};
+
+using Found = NearestWrench<3, Support>;
+
+/// In rounded numbers: its motion, and forces by contact.
+struct RelaxedEquilibrium {
+  ScaledPoint<3> motion{};
+  std::vector<double> normal;
+  std::vector<double> tangential;
+};
 
 }  // namespace
 
-/// The point of least norm of the wrenches that the region allows, in doubles; and the relaxed
-/// equilibrium, if that is 0.
-class BoxSearch::Wolfe {
+/// The wrenches that a region allows, in doubles.
+class BoxSearch::Wrenches {
  public:
-  Wolfe(const BoxModel& model, const BoxRegion& region, const Direction* direction);
+  Wrenches(const BoxModel& model, const BoxRegion& region, const Direction<3>* direction);
 
-  /// Whether a virtual twist was found.
-  bool run();
-  const Double3& twist() const { return twist_; }
-  const Relaxed& relaxed() const { return relaxed_; }
+  /// The one with the most work on y.
+  std::optional<Support> worst(const Double3& y) const;
+  /// Of wrenches that add up to 0.
+  RelaxedEquilibrium combine(const Found& found) const;
   /// The rule of the leaf for this twist by rounded numbers and a bound on their errors;
   /// nothing if they do not decide.
   std::optional<bool> certainly_refuted(const IntegerVector3& twist) const;
-  /// The two rays that take most part, as (d, h) of norm 1; nothing if there is one only.
-  std::optional<std::pair<Double4, Double4>> widest() const;
+  /// A plane between the two points that take most part, and across the motion; 0 for none.
+  IntegerVector5 plane_between_widest(const Found& found, const ScaledPoint<3>& motion) const;
 
  private:
   struct Point {
-    Double4 x;                  ///< (d, h), torques and rotations by length
+    ScaledPoint<3> x;           ///< torques and rotations by length
     std::vector<double> rises;  ///< N.d by contact and corner
     double scale;               ///< of its wrenches
     std::vector<double> sizes;  ///< at least |v| by acting contact, and without cancellation
     Double3 against{};          ///< -A(d - h d0) over its norm, of list 2
   };
-  /// What a point adds to the hull: its wrench, and its forces.
-  struct Support {
-    std::size_t point;
-    Double3 wrench;
-    bool against = false;
-    std::vector<double> normal;
-    std::vector<double> tangential;
-  };
 
+  std::vector<ContactWork<double>> works_on(const Double3& y) const;
   bool is_idle(const Point& point, const std::vector<ContactWork<double>>& works) const;
   double bound(const Point& point, const std::vector<ContactWork<double>>& works,
                const Double3& y, bool& acts) const;
@@ -65,19 +75,15 @@ class BoxSearch::Wolfe {
 
   const BoxModel& model_;
   const BoxRegion& region_;
-  const Direction* direction_;
+  const Direction<3>* direction_;
   std::vector<std::size_t> acting_;
   std::vector<std::size_t> first_;  ///< of the acting contacts in Point::rises
   std::vector<Point> points_;
-  std::vector<Support> supports_;
-  equilibrium_detail::NearestPoint hull_;
-  Double3 twist_{};
-  Relaxed relaxed_;
   bool is_moderate_;
 };
 
-BoxSearch::Wolfe::Wolfe(const BoxModel& model, const BoxRegion& region,
-                        const Direction* direction)
+BoxSearch::Wrenches::Wrenches(const BoxModel& model, const BoxRegion& region,
+                              const Direction<3>* direction)
     : model_(model), region_(region), direction_(direction), is_moderate_(model.is_moderate) {
   std::size_t corners = 0;
   for (std::size_t i = 0; i < model.contacts.size(); ++i) {
@@ -87,16 +93,13 @@ BoxSearch::Wolfe::Wolfe(const BoxModel& model, const BoxRegion& region,
     corners += model.contacts[i].rounded.normals.size();
   }
   for (const IntegerVector5& exact : region.points()) {
-    Point point{shortened(exact), {}, 0, {}};
-    for (std::size_t j = 0; j < 4; ++j) {
+    Point point{scaled_point<3>(exact, model.length), {}, 0, {}};
+    for (const Integer& entry : exact) {
       constexpr std::size_t kMostBits = 200;
-      is_moderate_ = is_moderate_ && (exact[j].is_zero() || msb(abs(exact[j])) < kMostBits);
+      is_moderate_ = is_moderate_ && (entry.is_zero() || msb(abs(entry)) < kMostBits);
     }
-    Double4& x = point.x;
-    x[2] *= model.length;
-    const double size = std::sqrt(dot(x, x));
-    for (double& entry : x) entry /= size;
-    const Double3 d{x[0], x[1], x[2]};
+    const ScaledPoint<3>& x = point.x;
+    const Double3 d = motion_of(x);
     point.rises.reserve(corners);
     point.scale = std::fabs(x[3]) * model.force;
     for (const std::size_t i : acting_) {
@@ -124,27 +127,24 @@ BoxSearch::Wolfe::Wolfe(const BoxModel& model, const BoxRegion& region,
       }
       point.sizes.push_back(x[3] * c.preloads[1] + c.stiffnesses[1] * size_of_rise);
     }
-    if (direction != nullptr) {
-      // Exactly, as d - h d0 may be small beside d.
-      Vector3 from{};
-      for (std::size_t j = 0; j < 3; ++j) {
-        from[j] = Rational(exact[j]) - Rational(exact[3]) * coordinates(direction->twist)[j];
-      }
-      for (std::size_t j = 0; j < 3; ++j) {
-        const Rational value = dot(direction->matrix[j], from) / Rational(exact[3]);
-        point.against[j] = -to_double(value) / (j == 2 ? model.length : 1);
-      }
-      const double length = norm(point.against);
-      for (double& entry : point.against) entry /= length;
-    }
+    if (direction != nullptr) point.against = direction->against(exact, model.length);
     points_.push_back(std::move(point));
   }
 }
 
+std::vector<ContactWork<double>> BoxSearch::Wrenches::works_on(const Double3& y) const {
+  std::vector<ContactWork<double>> works;
+  works.reserve(acting_.size());
+  for (const std::size_t i : acting_) {
+    works.emplace_back(model_.contacts[i].rounded, y, region_.slip(i), region_.separation(i));
+  }
+  return works;
+}
+
 /// The work on y at a point; acts: whether any wrench is there that is not 0.
-double BoxSearch::Wolfe::bound(const Point& point,
-                               const std::vector<ContactWork<double>>& works, const Double3& y,
-                               bool& acts) const {
+double BoxSearch::Wrenches::bound(const Point& point,
+                                  const std::vector<ContactWork<double>>& works,
+                                  const Double3& y, bool& acts) const {
   double sum = 0;
   for (std::size_t j = 0; j < 3; ++j) sum += point.x[3] * y[j] * model_.load[j][y[j] > 0];
   acts = point.x[3] > 0;
@@ -158,8 +158,8 @@ double BoxSearch::Wolfe::bound(const Point& point,
 }
 
 /// Whether h is 0 and so is every bound, by what is exact: zeros, and signs that are clear.
-bool BoxSearch::Wolfe::is_idle(const Point& point,
-                               const std::vector<ContactWork<double>>& works) const {
+bool BoxSearch::Wrenches::is_idle(const Point& point,
+                                  const std::vector<ContactWork<double>>& works) const {
   if (point.x[3] != 0) return false;
   for (std::size_t k = 0; k < works.size(); ++k) {
     const bool mixed = region_.separation(acting_[k]) == Separation::kMixed;
@@ -171,7 +171,7 @@ bool BoxSearch::Wolfe::is_idle(const Point& point,
   return true;
 }
 
-std::optional<bool> BoxSearch::Wolfe::certainly_refuted(const IntegerVector3& twist) const {
+std::optional<bool> BoxSearch::Wrenches::certainly_refuted(const IntegerVector3& twist) const {
   if (!is_moderate_) return std::nullopt;
   Double3 y{};
   for (std::size_t j = 0; j < 3; ++j) y[j] = twist[j].convert_to<double>();
@@ -182,11 +182,10 @@ std::optional<bool> BoxSearch::Wolfe::certainly_refuted(const IntegerVector3& tw
   constexpr double kUnitRoundoff = 1.2e-16;
   constexpr double kUnderflow = 1e-250;
   const double roundings = kUnitRoundoff * (300 + static_cast<double>(acting_.size()));
-  std::vector<ContactWork<double>> works;
-  works.reserve(acting_.size());
+  const std::vector<ContactWork<double>> works = works_on(y);
   std::vector<double> alphas;
-  for (const std::size_t i : acting_) {
-    const ContactNumbers<double>& c = model_.contacts[i].rounded;
+  for (std::size_t k = 0; k < acting_.size(); ++k) {
+    const ContactNumbers<double>& c = model_.contacts[acting_[k]].rounded;
     double alpha = 0;
     for (std::size_t corner = 0; corner < c.normals.size(); ++corner) {
       double size = 0;
@@ -197,8 +196,7 @@ std::optional<bool> BoxSearch::Wolfe::certainly_refuted(const IntegerVector3& tw
       alpha = std::max(alpha, size);
     }
     alphas.push_back(alpha);
-    works.emplace_back(c, y, region_.slip(i), region_.separation(i));
-    if (!works.back().is_clear(roundings * alpha)) return std::nullopt;
+    if (!works[k].is_clear(roundings * alpha)) return std::nullopt;
   }
   bool certain = true;
   for (const Point& point : points_) {
@@ -225,15 +223,15 @@ std::optional<bool> BoxSearch::Wolfe::certainly_refuted(const IntegerVector3& tw
   return std::nullopt;
 }
 
-BoxSearch::Wolfe::Support BoxSearch::Wolfe::support(
-    std::size_t index, const std::vector<ContactWork<double>>& works, const Double3& y) const {
+Support BoxSearch::Wrenches::support(std::size_t index,
+                                     const std::vector<ContactWork<double>>& works,
+                                     const Double3& y) const {
   const Point& point = points_[index];
   const double h = point.x[3];
-  Support result{index,
-                 {},
-                 false,
-                 std::vector<double>(acting_.size()),
-                 std::vector<double>(acting_.size())};
+  Support result;
+  result.point = index;
+  result.normal.resize(acting_.size());
+  result.tangential.resize(acting_.size());
   for (std::size_t j = 0; j < 3; ++j) result.wrench[j] = h * model_.load[j][y[j] > 0];
   for (std::size_t k = 0; k < works.size(); ++k) {
     const ContactNumbers<double>& c = model_.contacts[acting_[k]].rounded;
@@ -268,120 +266,100 @@ BoxSearch::Wolfe::Support BoxSearch::Wolfe::support(
   return result;
 }
 
-bool BoxSearch::Wolfe::run() {
-  Double3& y = twist_;
-  for (std::size_t j = 0; j < 3; ++j) y[j] = -(model_.load[j][0] + model_.load[j][1]);
-  if (dot(y, y) == 0) y = {1, 0, 0};
-  double largest = 0;
-  constexpr std::size_t kMostSteps = 60;
-  constexpr double kVanishing = 1e-22;  // of squared lengths; a proposal, not a decision
-  for (std::size_t step = 0; step < kMostSteps; ++step) {
-    std::vector<ContactWork<double>> works;
-    works.reserve(acting_.size());
-    for (const std::size_t i : acting_) {
-      const Sign slip = region_.slip(i);
-      works.emplace_back(model_.contacts[i].rounded, y, slip, region_.separation(i));
-    }
-    double worst = -HUGE_VAL;
-    std::size_t worst_point = points_.size();
-    bool against = false;
-    for (std::size_t p = 0; p < points_.size(); ++p) {
-      bool acts = false;
-      const double work = bound(points_[p], works, y, acts) / points_[p].scale;
-      if (acts && work > worst) {
-        worst = work;
-        worst_point = p;
-        against = false;
-      }
-    }
-    for (std::size_t p = 0; direction_ != nullptr && p < points_.size(); ++p) {
-      const double work = dot(points_[p].against, y);
-      if (work > worst) {
-        worst = work;
-        worst_point = p;
-        against = true;
-      }
-    }
-    if (worst < 0) return true;
-    if (worst_point == points_.size()) break;
-    if (against) {
-      supports_.push_back({worst_point, points_[worst_point].against, true, {}, {}});
-    } else {
-      supports_.push_back(support(worst_point, works, y));
-      for (double& entry : supports_.back().wrench) entry /= points_[worst_point].scale;
-    }
-    const Double3& wrench = supports_.back().wrench;
-    largest = std::max(largest, dot(wrench, wrench));
-    const bool progress = hull_.add(wrench);
-    const Double3& nearest = hull_.nearest();
-    if (!progress || dot(nearest, nearest) <= kVanishing * largest) break;
-    y = {-nearest[0], -nearest[1], -nearest[2]};
+std::optional<Support> BoxSearch::Wrenches::worst(const Double3& y) const {
+  const std::vector<ContactWork<double>> works = works_on(y);
+  Support best;
+  best.work = -HUGE_VAL;
+  best.point = points_.size();
+  for (std::size_t p = 0; p < points_.size(); ++p) {
+    bool acts = false;
+    const double work = bound(points_[p], works, y, acts) / points_[p].scale;
+    if (!acts || !(work > best.work)) continue;
+    best.work = work;
+    best.point = p;
   }
-  relaxed_.normal.assign(model_.contacts.size(), 0.0);
-  relaxed_.tangential.assign(model_.contacts.size(), 0.0);
-  for (std::size_t k = 0; k < hull_.size(); ++k) {
-    const Support& s = supports_[hull_.order(k)];
-    if (s.against) continue;
-    const double weight = hull_.weight(k) / points_[s.point].scale;
-    for (std::size_t j = 0; j < 4; ++j) relaxed_.motion[j] += weight * points_[s.point].x[j];
-    for (std::size_t q = 0; q < acting_.size(); ++q) {
-      relaxed_.normal[acting_[q]] += weight * s.normal[q];
-      relaxed_.tangential[acting_[q]] += weight * s.tangential[q];
-    }
+  for (std::size_t p = 0; direction_ != nullptr && p < points_.size(); ++p) {
+    const double work = dot(points_[p].against, y);
+    if (!(work > best.work)) continue;
+    best = {p, true, work, points_[p].against};
   }
-  return false;
+  if (best.against) return best;
+  // Where nothing acts all zeros are barred.
+  if (best.point == points_.size()) return std::nullopt;
+  Support result = support(best.point, works, y);
+  result.work = best.work;
+  for (double& entry : result.wrench) entry /= points_[best.point].scale;
+  return result;
 }
 
-std::optional<std::pair<Double4, Double4>> BoxSearch::Wolfe::widest() const {
-  std::optional<std::pair<Double4, Double4>> result;
+RelaxedEquilibrium BoxSearch::Wrenches::combine(const Found& found) const {
+  RelaxedEquilibrium relaxed;
+  relaxed.normal.assign(model_.contacts.size(), 0.0);
+  relaxed.tangential.assign(model_.contacts.size(), 0.0);
+  for (const auto& [part, s] : found.parts) {
+    if (s.against) continue;
+    const double weight = part / points_[s.point].scale;
+    for (std::size_t j = 0; j < 5; ++j) relaxed.motion[j] += weight * points_[s.point].x[j];
+    for (std::size_t q = 0; q < acting_.size(); ++q) {
+      relaxed.normal[acting_[q]] += weight * s.normal[q];
+      relaxed.tangential[acting_[q]] += weight * s.tangential[q];
+    }
+  }
+  return relaxed;
+}
+
+IntegerVector5 BoxSearch::Wrenches::plane_between_widest(const Found& found,
+                                                         const ScaledPoint<3>& motion) const {
+  IntegerVector5 result{};
   double most = 0;
-  for (std::size_t a = 0; a < hull_.size(); ++a) {
+  for (std::size_t a = 0; a < found.parts.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {
-      const Double4& x = points_[supports_[hull_.order(a)].point].x;
-      const Double4& z = points_[supports_[hull_.order(b)].point].x;
+      const ScaledPoint<3>& x = points_[found.parts[a].second.point].x;
+      const ScaledPoint<3>& z = points_[found.parts[b].second.point].x;
       double distance = 0;
-      for (std::size_t j = 0; j < 4; ++j) distance += (x[j] - z[j]) * (x[j] - z[j]);
-      distance *= std::min(hull_.weight(a), hull_.weight(b));
+      for (std::size_t j = 0; j < 5; ++j) distance += (x[j] - z[j]) * (x[j] - z[j]);
+      distance *= std::min(found.parts[a].first, found.parts[b].first);
       if (distance <= most) continue;
       most = distance;
-      result = {x, z};
+      result = plane_between<3>(x, z, motion, model_.length);
     }
   }
   return result;
 }
 
 std::optional<IntegerVector3> BoxSearch::confirm(const BoxRegion& region,
-                                                 const Wolfe& found) const {
-  const Double3& y = found.twist();
-  const Double3 twist{y[0], y[1], y[2] / model_.length};
-  IntegerVector3 before{};
-  for (const int bits : {3, 6, 10, 16, 24, 36, 50}) {
-    const IntegerVector3 candidate = in_bits(twist, bits);
-    if (candidate == before || is_zero(candidate)) continue;
-    before = candidate;
-    const std::optional<bool> certain = found.certainly_refuted(candidate);
-    if (certain.value_or(false)) return candidate;
-    if (!certain && region.is_refuted(model_, candidate, direction_)) return candidate;
-  }
-  return std::nullopt;
+                                                 const Wrenches& wrenches,
+                                                 const Double3& twist) const {
+  return in_fewest_bits<3>({twist[0], twist[1], twist[2] / model_.length},
+                           {3, 6, 10, 16, 24, 36, 50}, [&](const IntegerVector3& y) {
+                             const auto certain = wrenches.certainly_refuted(y);
+                             return certain ? *certain
+                                            : region.is_refuted(model_, y, direction_);
+                           });
 }
+
+namespace {
+
+/// A node whose children have a plane of one sign or another.
+struct Split {
+  BoxNode node;
+  IntegerVector5 plane;
+  bool three = false;  ///< slip: strict, on, strict; else kept, strict
+};
 
 /// The split that the relaxed equilibrium asks for: where a contact breaks its normal law or
 /// maximum dissipation with the most energy, and the motion is on one side for all of the box.
-std::optional<BoxSearch::Split> BoxSearch::split(const BoxRegion& region,
-                                                 const Wolfe& found) const {
-  const Relaxed& relaxed = found.relaxed();
-  const Double4& x = relaxed.motion;
-  const Double3 d{x[0], x[1], x[2]};
+std::optional<Split> broken_law(const BoxModel& model, const BoxRegion& region,
+                                const RelaxedEquilibrium& relaxed) {
+  const ScaledPoint<3>& x = relaxed.motion;
+  const Double3 d = motion_of(x);
   double energy = 0;
   double separation_gap = 0;
   double slip_gap = 0;
-  std::size_t separation = model_.contacts.size();
-  std::size_t slip = model_.contacts.size();
+  std::size_t separation = model.contacts.size();
+  std::size_t slip = model.contacts.size();
   const auto value = [&](const IntegerVector5& plane) {
-    Double4 p = shortened(plane);
-    p[2] /= model_.length;
-    return dot(p, x) / std::sqrt(dot(p, p));  // 0 where nothing moves
+    return value_at<3>(plane, x, model.length);
   };
   const double least_clear = 1e-12 * std::sqrt(dot(x, x));
   const auto sign_of_all = [&](const std::vector<IntegerVector5>& planes) {
@@ -398,8 +376,8 @@ std::optional<BoxSearch::Split> BoxSearch::split(const BoxRegion& region,
   const auto is_clear = [&](const std::vector<IntegerVector5>& planes) {
     return planes.size() == 1 || stands_still || sign_of_all(planes) != 0;
   };
-  for (std::size_t i = 0; i < model_.contacts.size(); ++i) {
-    const BoxContact& contact = model_.contacts[i];
+  for (std::size_t i = 0; i < model.contacts.size(); ++i) {
+    const BoxContact& contact = model.contacts[i];
     const ContactNumbers<double>& c = contact.rounded;
     const double a = relaxed.normal[i];
     const double stiffness = (c.stiffnesses[0] + c.stiffnesses[1]) / 2;
@@ -422,11 +400,11 @@ std::optional<BoxSearch::Split> BoxSearch::split(const BoxRegion& region,
         tau += dot(t, d) / static_cast<double>(c.normals.size());
       const double gap = a * c.frictions[0] * std::fabs(tau) + relaxed.tangential[i] * tau;
       if (gap > slip_gap && is_clear(contact.slips)) {
-        const bool cuts = contact.slips.size() > 1 || [&] {
-          const BoxRegion::Signs signs = region.signs(contact.slips.front());
-          return signs.positive || signs.negative;
-        }();
-        if (cuts) {
+        const auto is_still = [&] {
+          const PlaneSigns signs = region.signs(contact.slips.front());
+          return !signs.positive && !signs.negative;
+        };
+        if (contact.slips.size() > 1 || !is_still()) {
           slip_gap = gap;
           slip = i;
         }
@@ -437,8 +415,7 @@ std::optional<BoxSearch::Split> BoxSearch::split(const BoxRegion& region,
   // Where the rotation has one sign, few corners matter: the others are never the extreme.
   const auto split_of_rotation = [&]() -> std::optional<Split> {
     const IntegerVector5 rotation{0, 0, 1, 0, 0};
-    const BoxRegion::Signs signs = region.signs(rotation);
-    if (!signs.positive || !signs.negative) return std::nullopt;
+    if (!region.signs(rotation).cuts()) return std::nullopt;
     return Split{PlaneSplit{rotation}, rotation};
   };
   // The corner plane nearest to the motion, of those that serve the split to this side.
@@ -454,22 +431,22 @@ std::optional<BoxSearch::Split> BoxSearch::split(const BoxRegion& region,
     return nearest;
   };
   if (separation_gap > kNoticeable * energy) {
-    const std::vector<IntegerVector5>& planes = model_.contacts[separation].separations;
+    const std::vector<IntegerVector5>& planes = model.contacts[separation].separations;
     if (planes.size() == 1) {
       return Split{SeparationSplit{ContactId(separation)}, planes.front()};
     }
     if (const auto rotation = split_of_rotation()) return rotation;
     const int side = stands_still ? 1 : sign_of_all(planes);
-    const IntegerVector5* nearest = nearest_of(
-        planes, side, [](const auto& signs) { return signs.negative && signs.positive; });
+    const IntegerVector5* nearest =
+        nearest_of(planes, side, [](const PlaneSigns& signs) { return signs.cuts(); });
     if (nearest != nullptr) return Split{PlaneSplit{*nearest}, *nearest};
   }
   if (slip_gap > kNoticeable * energy) {
-    const std::vector<IntegerVector5>& planes = model_.contacts[slip].slips;
+    const std::vector<IntegerVector5>& planes = model.contacts[slip].slips;
     if (planes.size() == 1) return Split{SlipSplit{ContactId(slip)}, planes.front(), true};
     if (const auto rotation = split_of_rotation()) return rotation;
     const int side = stands_still ? 1 : sign_of_all(planes);
-    const IntegerVector5* nearest = nearest_of(planes, side, [side](const auto& signs) {
+    const IntegerVector5* nearest = nearest_of(planes, side, [side](const PlaneSigns& signs) {
       const bool here = side > 0 ? signs.positive : signs.negative;
       const bool beyond = side > 0 ? signs.negative : signs.positive;
       return here && (beyond || !signs.zeros_barred);
@@ -480,60 +457,49 @@ std::optional<BoxSearch::Split> BoxSearch::split(const BoxRegion& region,
       return Split{PlaneSplit{plane}, plane};
     }
   }
-  const auto widest = found.widest();
-  if (!widest) return std::nullopt;
-  Double4 across{};
-  double distance = 0;
-  const double size = dot(x, x);
-  for (std::size_t j = 0; j < 4; ++j) {
-    across[j] = widest->first[j] - widest->second[j];
-    distance += across[j] * across[j];
-  }
-  constexpr double kClose = 1e-8;  // squared
-  if (!(size > 0) || distance < kClose) return std::nullopt;
-  const double along = dot(across, x) / size;
-  for (std::size_t j = 0; j < 4; ++j) across[j] -= along * x[j];
-  across[2] *= model_.length;
-  const IntegerVector<4> plane4 = in_bits(across, 12);
-  const IntegerVector5 plane{plane4[0], plane4[1], plane4[2], plane4[3], 0};
-  const BoxRegion::Signs signs = region.signs(plane);
-  if (!signs.positive || !signs.negative) return std::nullopt;
-  return Split{PlaneSplit{plane}, plane};
+  return std::nullopt;
 }
 
-bool BoxSearch::visit(const BoxRegion& region, BoxTrees& trees, std::size_t depth) {
-  throw_if_cancelled();
+}  // namespace
+
+std::optional<BoxSearch::BoxBranch> BoxSearch::examine(const BoxRegion& region,
+                                                       std::size_t depth) {
   // Below the depth that the format allows, by more than the parts of a box above this tree.
   const std::size_t deepest = 2 * model_.contacts.size() + 200;
-  if (nodes_left_ == 0 || depth > deepest) return false;
+  if (nodes_left_ == 0 || depth > deepest) return std::nullopt;
   --nodes_left_;
   ++nodes_;
-  if (region.is_barred()) {
-    trees.push_back(VirtualWorkLeaf{});
-    return true;
+  if (region.is_barred()) return BoxBranch{VirtualWorkLeaf{}, {}};
+  const Wrenches wrenches(model_, region, direction_);
+  Double3 start{};
+  for (std::size_t j = 0; j < 3; ++j) start[j] = -(model_.load[j][0] + model_.load[j][1]);
+  const Found found =
+      nearest_wrench<3>(start, [&](const Double3& y) { return wrenches.worst(y); });
+  if (found.separated) {
+    const auto y = confirm(region, wrenches, found.twist);
+    if (!y) return std::nullopt;
+    return BoxBranch{VirtualWorkLeaf{*y}, {}};
   }
-  Wolfe wolfe(model_, region, direction_);
-  if (wolfe.run()) {
-    if (const auto y = confirm(region, wolfe)) {
-      trees.push_back(VirtualWorkLeaf{*y});
-      return true;
-    }
-    return false;
+  const RelaxedEquilibrium relaxed = wrenches.combine(found);
+  auto split = broken_law(model_, region, relaxed);
+  if (!split) {
+    const IntegerVector5 plane = wrenches.plane_between_widest(found, relaxed.motion);
+    if (!region.signs(plane).cuts()) return std::nullopt;
+    split = Split{PlaneSplit{plane}, plane};
   }
-  const auto chosen = split(region, wolfe);
-  if (!chosen) return false;
-  trees.push_back(chosen->node);
-  const auto go = [&](Side side, bool strict) {
-    return visit(region.child(model_, chosen->plane, side, strict), trees, depth + 1);
-  };
-  if (chosen->three) {
-    return go(Side::kPositive, true) && go(Side::kZero, false) && go(Side::kNegative, true);
+  BoxBranch branch{split->node, {}};
+  branch.children.push_back(region.child(model_, split->plane, Side::kPositive, split->three));
+  if (split->three) {
+    branch.children.push_back(region.child(model_, split->plane, Side::kZero, false));
   }
-  return go(Side::kPositive, false) && go(Side::kNegative, true);
+  branch.children.push_back(region.child(model_, split->plane, Side::kNegative, true));
+  return branch;
 }
 
 bool BoxSearch::refute(const BoxRegion& region, BoxTrees& trees) {
-  return visit(region, trees, 0);
+  return append_tree(region, trees, [&](const BoxRegion& at, std::size_t depth) {
+    return examine(at, depth);
+  });
 }
 
 }  // namespace stickslip::box_detail

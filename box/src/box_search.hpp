@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "box_region.hpp"
+#include "stickslip/equilibrium/search/tree_walk.hpp"
 
 namespace stickslip::box_detail {
 
@@ -14,7 +15,7 @@ namespace stickslip::box_detail {
 class BoxSearch {
  public:
   /// `direction` is that of list 2, or null. All must outlive this.
-  BoxSearch(const BoxModel& model, const Direction* direction, std::size_t node_limit)
+  BoxSearch(const BoxModel& model, const Direction<3>* direction, std::size_t node_limit)
       : model_(model), direction_(direction), nodes_left_(node_limit) {}
 
   /// Appends a tree that refutes the region; false if none was found, and then `trees` has some
@@ -24,25 +25,15 @@ class BoxSearch {
   std::size_t nodes() const { return nodes_; }
 
  private:
-  /// A relaxed equilibrium in rounded numbers: its motion (d, h), and forces by contact.
-  struct Relaxed {
-    std::array<double, 4> motion{};
-    std::vector<double> normal;
-    std::vector<double> tangential;
-  };
-  struct Split {
-    BoxNode node;
-    IntegerVector5 plane;
-    bool three = false;  ///< slip: strict, on, strict; else kept, strict
-  };
-  class Wolfe;
+  using BoxBranch = equilibrium_detail::Branch<BoxNode, BoxRegion>;
+  class Wrenches;
 
-  bool visit(const BoxRegion& region, BoxTrees& trees, std::size_t depth);
-  std::optional<IntegerVector3> confirm(const BoxRegion& region, const Wolfe& found) const;
-  std::optional<Split> split(const BoxRegion& region, const Wolfe& found) const;
+  std::optional<BoxBranch> examine(const BoxRegion& region, std::size_t depth);
+  std::optional<IntegerVector3> confirm(const BoxRegion& region, const Wrenches& wrenches,
+                                        const std::array<double, 3>& twist) const;
 
   const BoxModel& model_;
-  const Direction* direction_;
+  const Direction<3>* direction_;
   std::size_t nodes_left_;
   std::size_t nodes_ = 0;
 };

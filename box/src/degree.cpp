@@ -7,8 +7,12 @@
 #include "box_search.hpp"
 #include "moving_equilibrium.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/equilibrium/search/independent_rows.hpp"
 
 namespace stickslip::box_detail {
+
+using equilibrium_detail::IndependentRows;
+
 namespace {
 
 using Vector = Eigen::Vector3d;
@@ -19,7 +23,7 @@ Vector as_vector(const std::array<double, 3>& a) {
 }
 
 /// d rounded to a small part of the parallelepiped.
-Twist rounded_motion(const Vector3& exact, const Matrix3& walls) {
+Vector3 rounded_motion(const Vector3& exact, const SquareMatrix<3>& walls) {
   Vector3 result;
   for (std::size_t k = 0; k < 3; ++k) {
     Rational steepest = 0;
@@ -29,7 +33,7 @@ Twist rounded_motion(const Vector3& exact, const Matrix3& walls) {
     }
     // A power of two of which the walls see less than 1/256.
     const double grain = to_double(steepest);
-    if (!(grain > 0) || !std::isfinite(grain)) return {exact[0], exact[1], exact[2]};
+    if (!(grain > 0) || !std::isfinite(grain)) return exact;
     const int bits = static_cast<int>(std::ceil(std::log2(grain))) + 8;
     const Rational unit = bits >= 0 ? Rational(1, Integer(1) << static_cast<unsigned>(bits))
                                     : Rational(Integer(1) << static_cast<unsigned>(-bits));
@@ -37,7 +41,7 @@ Twist rounded_motion(const Vector3& exact, const Matrix3& walls) {
     Integer whole = numerator(steps) / denominator(steps);
     result[k] = Rational(whole) * unit;
   }
-  return {result[0], result[1], result[2]};
+  return result;
 }
 
 /// Where the walls are to be, and which way the middle pulls, in doubles; lengths over
@@ -64,7 +68,7 @@ class Walls {
 
  private:
   struct Sticking {
-    Vector tangent;
+    Vector row;    ///< T
     double spare;  ///< friction that is not used
     double off;    ///< the largest slip at motion_ that the box has
   };
@@ -166,50 +170,16 @@ std::vector<Vector> Walls::extremes() {
 /// Walls that enclose these moves as tightly as three pairs can.
 void Walls::choose_rows(const std::vector<Vector>& moves) {
   // Sticking contacts whose slips are independent, those with most friction to spare first.
-  std::vector<Vector> basis;
-  std::vector<bool> used(sticking_.size(), false);
-  const auto beyond_basis = [&](Vector v) {
-    for (const Vector& b : basis) v -= b.dot(v) * b;
-    return v;
-  };
+  constexpr double kIndependent = 1e-3;
+  IndependentRows<3> independent;
   chosen_.clear();
-  while (chosen_.size() < 3) {
-    double best = 0;
-    std::size_t which = sticking_.size();
-    for (std::size_t k = 0; k < sticking_.size(); ++k) {
-      const Sticking& c = sticking_[k];
-      const Vector rest = beyond_basis(c.tangent);
-      constexpr double kIndependent = 1e-3;
-      if (used[k] || rest.norm() <= kIndependent * c.tangent.norm()) continue;
-      if (c.spare * rest.norm() > best) {
-        best = c.spare * rest.norm();
-        which = k;
-      }
-    }
-    if (which == sticking_.size()) break;
-    used[which] = true;
-    basis.push_back(beyond_basis(sticking_[which].tangent).normalized());
-    chosen_.push_back(which);
+  while (const auto which = independent.take_best(sticking_, kIndependent)) {
+    chosen_.push_back(*which);
   }
   // Virtual twists on which these contacts' friction does no work.
-  std::vector<Vector> free;
-  for (int j = 0; j < 3 && basis.size() < 3; ++j) {
-    int axis = 0;
-    double most = 0;
-    for (int k = 0; k < 3; ++k) {
-      const double rest = beyond_basis(Vector::Unit(k)).norm();
-      if (rest > most) {
-        most = rest;
-        axis = k;
-      }
-    }
-    basis.push_back(beyond_basis(Vector::Unit(axis)).normalized());
-    free.push_back(basis.back());
-  }
+  Eigen::MatrixXd frame = independent.complement();
+  const Eigen::Index count = frame.cols();
   // Dual to the forces at the three that move the object farthest.
-  const auto count = static_cast<Eigen::Index>(free.size());
-  Eigen::MatrixXd frame(3, count);
-  for (Eigen::Index k = 0; k < count; ++k) frame.col(k) = free[static_cast<std::size_t>(k)];
   const Eigen::MatrixXd reduced = frame.transpose() * stiffness_ * frame;
   if (count > 0 && std::fabs(reduced.determinant()) > 0) {
     const Eigen::MatrixXd compliance = reduced.inverse();
@@ -234,15 +204,12 @@ void Walls::choose_rows(const std::vector<Vector>& moves) {
       for (Eigen::VectorXd& motion : motions) motion -= direction.dot(motion) * direction;
     }
     if (std::fabs(chosen_forces.determinant()) > 0) {
-      const Eigen::MatrixXd dual = frame * chosen_forces.inverse().transpose();
-      for (Eigen::Index k = 0; k < count; ++k) {
-        free[static_cast<std::size_t>(k)] = dual.col(k).normalized();
-      }
+      frame = (frame * chosen_forces.inverse().transpose()).colwise().normalized();
     }
   }
   Eigen::Index row = 0;
-  for (const std::size_t k : chosen_) rows_.row(row++) = sticking_[k].tangent.transpose();
-  for (const Vector& y : free) rows_.row(row++) = (stiffness_.transpose() * y).transpose();
+  for (const std::size_t k : chosen_) rows_.row(row++) = sticking_[k].row.transpose();
+  for (const auto& y : frame.colwise()) rows_.row(row++) = y.transpose() * stiffness_;
 }
 
 /// A little beyond these moves.
@@ -260,7 +227,7 @@ void Walls::enclose(const std::vector<Vector>& moves) {
     const auto k = static_cast<std::size_t>(row);
     if (k < chosen_.size()) {
       const Sticking& contact = sticking_[chosen_[k]];
-      least = 1.5 * contact.off + kLeast * scale_ * contact.tangent.norm();
+      least = 1.5 * contact.off + kLeast * scale_ * contact.row.norm();
     }
     const double margin = 0.1 * (high - low);
     above_[row] = high + margin + least;
@@ -333,24 +300,6 @@ DegreeProof Walls::proof() const {
   return result;
 }
 
-Rational determinant(const Matrix3& m) {
-  return dot(m[0], cross(m[1], m[2]));
-}
-
-/// `degree-law`.
-bool all_closed_inside(const BoxModel& model, const DegreeProof& proof) {
-  // The vertices are the rays of the walls' regions.
-  for (std::size_t wall = 0; wall < 3; ++wall) {
-    for (const int sign : {1, -1}) {
-      const BoxRegion region = BoxRegion::wall(model, proof.walls, proof.twist, wall, sign);
-      for (std::size_t i = 0; i < model.contacts.size(); ++i) {
-        if (region.separation(i) != Separation::kClosed) return false;
-      }
-    }
-  }
-  return true;
-}
-
 /// Lets the walls grow until they are refuted.
 std::optional<DegreeProof> prove_within(Walls walls, const BoxModel& model,
                                         const BoxModel& middle, std::size_t node_limit,
@@ -362,13 +311,11 @@ std::optional<DegreeProof> prove_within(Walls walls, const BoxModel& model,
   for (std::size_t growth = 0; growth <= kMostGrowths; ++growth) {
     ++work.proofs;
     DegreeProof proof = walls.proof();
-    if (determinant(proof.walls).is_zero() || determinant(proof.direction).is_zero()) {
+    if (!is_invertible(proof.walls) || !is_invertible(proof.direction)) return std::nullopt;
+    if (model.law == NormalLaw::kBilateral && !all_closed_inside<BoxRegion>(model, proof)) {
       return std::nullopt;
     }
-    if (model.law == NormalLaw::kBilateral && !all_closed_inside(model, proof)) {
-      return std::nullopt;
-    }
-    const Direction direction{proof.direction, proof.twist};
+    const Direction<3> direction{proof.direction, proof.twist};
     const auto refute = [&](bool second, std::size_t wall, int sign) {
       const BoxModel& about = second ? middle : model;
       BoxSearch search(about, second ? &direction : nullptr, node_limit);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/certificate/certificate.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "stickslip/core/contact_row.hpp"
@@ -50,20 +51,15 @@ struct NodeText {
   std::string operator()(const SeparationSplit& node) const {
     return indexed("separation", node.contact);
   }
-  std::string operator()(const PlaneSplit& node) const {
-    const IntegerVector5& p = node.plane;
-    if (margin) return "[\"plane\"," + list(p) + "]";
-    return "[\"plane\"," + list(IntegerVector<4>{p[0], p[1], p[2], p[3]}) + "]";
+  template <std::size_t D>
+  std::string operator()(const PlaneSplitIn<D>& node) const {
+    if (margin) return "[\"plane\"," + list(node.plane) + "]";
+    IntegerVector<D + 1> without;
+    std::copy_n(node.plane.begin(), D + 1, without.begin());
+    return "[\"plane\"," + list(without) + "]";
   }
-  std::string operator()(const SpatialPlaneSplit& node) const {
-    const IntegerVector<8>& p = node.plane;
-    return "[\"plane\"," +
-           list(IntegerVector<7>{p[0], p[1], p[2], p[3], p[4], p[5], p[6]}) + "]";
-  }
-  std::string operator()(const SpatialLeaf& node) const {
-    return "[\"leaf\"," + list(node.twist) + "]";
-  }
-  std::string operator()(const VirtualWorkLeaf& node) const {
+  template <std::size_t D>
+  std::string operator()(const LeafIn<D>& node) const {
     return "[\"leaf\"," + list(node.twist) + "]";
   }
   std::string operator()(const PartSplit& node) const {
@@ -98,28 +94,49 @@ template <class AnyQuestion>
 std::string head(const AnyQuestion& question, std::size_t contacts, const std::string& wrench,
                  const std::string& producer) {
   std::string text = "{\"format\": \"stickslip-certificate/2\",\n \"producer\": " +
-                     nlohmann::json(producer).dump() + ",\n \"question\": {\"contacts\": " +
-                     std::to_string(contacts) + ", \"wrench\": [" + wrench + "]";
+                     nlohmann::json(producer).dump() +
+                     ",\n \"question\": {\"contacts\": " + std::to_string(contacts) +
+                     ", \"wrench\": [" + wrench + "]";
   if (question.preload) text += ", \"preload\": " + number(*question.preload);
   return text + ", \"normal_law\": \"" + to_string(question.law) + "\"";
 }
 
-/// All up to the verdict.
-std::string head(const Question& question, const std::string& producer) {
-  std::string text = head(question, question.loaded.grasp.size(),
-                          question.uncertain_wrench
-                              ? wrench_text(*question.uncertain_wrench)
-                              : list(coordinates(question.loaded.wrench)),
-                          producer);
-  if (question.direction) {
-    text += ", \"direction\": [" + list(coordinates(*question.direction)) + "]";
-  }
+template <std::size_t n>
+std::string direction_text(const std::array<Rational, n>& direction) {
+  return ", \"direction\": [" + list(direction) + "]";
+}
+
+/// The rest of any question, after the direction of the load.
+template <class AnyQuestion>
+std::string tail(const AnyQuestion& question) {
+  std::string text;
   if (const auto& direction = question.preload_direction) {
     text += ", \"preload_direction\": " +
             (direction->scale ? "\"scale\"" : "[" + list(direction->rates) + "]");
   }
   if (question.uncertain.any()) text += ", " + tolerances_text(question.uncertain);
   return text + "},\n ";
+}
+
+/// All up to the verdict.
+std::string head(const Question& question, const std::string& producer) {
+  std::string text = head(question, question.loaded.grasp.size(),
+                          question.uncertain_wrench ? wrench_text(*question.uncertain_wrench)
+                                                    : list(coordinates(question.loaded.wrench)),
+                          producer);
+  if (question.direction) text += direction_text(coordinates(*question.direction));
+  return text + tail(question);
+}
+
+/// All up to the verdict.
+std::string head(const SpatialQuestion& question, unsigned bits, const std::string& producer) {
+  std::string text =
+      head(question, question.grasp.contacts.size(), wrench_text(question.wrench), producer);
+  if (question.direction) text += direction_text(*question.direction);
+  text += tail(question);
+  constexpr unsigned kDefaultBits = 128;  // FORMAT.md, section 6
+  if (bits != kDefaultBits) text += "\"bits\": " + std::to_string(bits) + ",\n ";
+  return text;
 }
 
 const char kVerdict[] = "\"verdict\": ";
@@ -142,24 +159,28 @@ void append_nodes(std::string& text, const Nodes& nodes, bool margin, std::strin
 }
 
 template <class Nodes>
-std::string tree_text(const Nodes& nodes) {
-  std::string text = " \"tree\": [";
+std::string nodes_text(const Nodes& nodes, bool margin) {
+  std::string text = "[";
   std::string separator = "\n  ";
-  append_nodes(text, nodes, false, separator);
+  append_nodes(text, nodes, margin, separator);
   return text + "]";
 }
 
-template <class Proof, class Motion>
-std::string degree_text(const Proof& proof, const Motion& twist) {
-  return "{\"twist\": [" + list(twist) + "],\n \"walls\": " + rows(proof.walls) +
-         ",\n \"direction\": " + rows(proof.direction) + ",\n" + tree_text(proof.trees) + "}";
+template <class Nodes>
+std::string tree_text(const Nodes& nodes, bool margin = false) {
+  return " \"tree\": " + nodes_text(nodes, margin);
+}
+
+template <std::size_t D, class Node>
+std::string degree_text(const DegreeProofIn<D, Node>& proof, bool margin = false) {
+  return "{\"twist\": [" + list(proof.twist) + "],\n \"walls\": " + rows(proof.walls) +
+         ",\n \"direction\": " + rows(proof.direction) + ",\n" +
+         tree_text(proof.trees, margin) + "}";
 }
 
 struct PartText {
   std::string operator()(const PartSplit& cut) const { return NodeText{false}(cut); }
-  std::string operator()(const DegreeProof& proof) const {
-    return degree_text(proof, coordinates(proof.twist));
-  }
+  std::string operator()(const DegreeProof& proof) const { return degree_text(proof); }
 };
 
 std::string point_text(const std::optional<Rational>& multiple, const ShortWitness& witness) {
@@ -210,15 +231,7 @@ std::string box_certificate_text(const Question& question, const BoxDecision& de
 std::string spatial_certificate_text(const SpatialQuestion& question,
                                      const SpatialDecision& decision,
                                      const std::string& producer) {
-  const SpatialGrasp& grasp = question.grasp;
-  std::string text =
-      head(question, grasp.contacts.size(), wrench_text(question.wrench), producer);
-  if (question.uncertain.any()) text += ", " + tolerances_text(question.uncertain);
-  text += "},\n ";
-  constexpr unsigned kDefaultBits = 128;  // FORMAT.md, section 6
-  if (decision.bits != kDefaultBits) {
-    text += "\"bits\": " + std::to_string(decision.bits) + ",\n ";
-  }
+  std::string text = head(question, decision.bits, producer);
   text += std::string(kVerdict) + "\"" + name_of(decision.verdict) + "\",\n";
   if (const auto* unstable = std::get_if<SpatiallyUnstable>(&decision.verdict)) {
     return text + tree_text(unstable->tree) + "}\n";
@@ -226,7 +239,7 @@ std::string spatial_certificate_text(const SpatialQuestion& question,
   const auto* stable = std::get_if<SpatiallyStable>(&decision.verdict);
   require(stable != nullptr, "an undecided question has no certificate");
   if (const auto* proof = std::get_if<SpatialDegreeProof>(&stable->proof)) {
-    return text + " \"parts\": [\n  " + degree_text(*proof, proof->twist) + "]}\n";
+    return text + " \"parts\": [\n  " + degree_text(*proof) + "]}\n";
   }
   const auto& witness = std::get<SpatialWitness>(stable->proof);
   text += " \"twist\": [" + list(witness.twist) + "],\n \"shares\": [";
@@ -234,6 +247,39 @@ std::string spatial_certificate_text(const SpatialQuestion& question,
   for (const auto& [contact, share] : witness.shares) {
     text += separator + "[" + std::to_string(contact.index()) + ",[" + list(share) + "]]";
     separator = ",";
+  }
+  return text + "]}\n";
+}
+
+namespace {
+
+struct ClaimText {
+  std::string operator()(const ResistedMultiples& claim) const {
+    return ends("stable", claim) + degree_text(claim.proof, true) + "]";
+  }
+  std::string operator()(const RefutedMultiples& claim) const {
+    return ends("unstable", claim) + nodes_text(claim.tree, true) + "]";
+  }
+
+ private:
+  template <class Claim>
+  static std::string ends(const std::string& verdict, const Claim& claim) {
+    return "[\"" + verdict + "\"," + number(claim.low) + "," +
+           (claim.high ? number(*claim.high) : "null") + ",";
+  }
+};
+
+}  // namespace
+
+std::string spatial_margin_text(const SpatialQuestion& question, const SpatialMargin& margin,
+                                const std::string& producer) {
+  require(question.is_margin(), "the certificate of a margin states its direction");
+  std::string text =
+      head(question, margin.bits, producer) + kVerdict + "\"margin\",\n \"intervals\": [";
+  std::string separator = "\n  ";
+  for (const auto& claim : margin.claims) {
+    text += separator + std::visit(ClaimText{}, claim);
+    separator = ",\n  ";
   }
   return text + "]}\n";
 }

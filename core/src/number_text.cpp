@@ -119,7 +119,10 @@ Json finished(const Json& tree, bool floats) {
 }
 
 void add_units(Json& json, const Grasp& grasp) {
-  const std::optional<Units>& units = grasp.description().units;
+  add_units(json, grasp.description().units);
+}
+
+void add_units(Json& json, const std::optional<Units>& units) {
   if (units) json["units"] = {{"length", units->length}, {"force", units->force}};
 }
 

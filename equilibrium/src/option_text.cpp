@@ -37,6 +37,18 @@ Wrench wrench_option(const std::string& option, const std::string& value) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
+InputError in_options(const InputError& error, const std::string& name) {
+  for (const std::string option : {"--preload", "--direction", "--preload-direction"}) {
+    std::string place = option.substr(2);
+    std::replace(place.begin(), place.end(), '-', '_');
+    if (error.place() == place) return {"", option, error.problem(), error.remedy()};
+  }
+  if (error.place() == "case" || error.place() == "uncertain") {
+    return {name, "--" + error.place(), error.problem(), error.remedy()};
+  }
+  return error.in_file(name);
+}
+
 Question ask_with_options(const GraspFile& file, const QuestionOptions& options,
                           const std::string& name, bool takes_boxes) {
   try {
@@ -45,15 +57,7 @@ Question ask_with_options(const GraspFile& file, const QuestionOptions& options,
     problem_of(question);  // as every answer will: here the options are known
     return question;
   } catch (const InputError& error) {
-    for (std::string option : {"--preload", "--direction", "--preload-direction"}) {
-      std::string place = option.substr(2);
-      std::replace(place.begin(), place.end(), '-', '_');
-      if (error.place() == place) throw InputError("", option, error.problem(), error.remedy());
-    }
-    if (error.place() == "case") {
-      throw InputError(name, "--case", error.problem(), error.remedy());
-    }
-    throw error.in_file(name);
+    throw in_options(error, name);
   }
 }
 

@@ -25,49 +25,9 @@ WrenchBox wrench_asked(const GraspFile& file, const QuestionOptions& options) {
   return chosen.box.value_or(box_of(chosen.wrench));
 }
 
-/// P^u, from the preloads that the question has without it.
-std::vector<Rational> growth_of(const Grasp& grasp, const PreloadDirection& direction) {
-  if (direction.scale) {
-    std::vector<Rational> growth;
-    for (const Contact& c : grasp.contacts()) growth.push_back(c.preload);
-    return growth;
-  }
-  if (direction.rates.size() != grasp.size()) {
-    throw InputError("", "preload_direction",
-                     "there are " + std::to_string(direction.rates.size()) + " numbers for " +
-                         std::to_string(grasp.size()) + " contacts",
-                     "give one for each contact, or the word scale for all in proportion");
-  }
-  for (std::size_t i = 0; i < direction.rates.size(); ++i) {
-    if (direction.rates[i].sign() >= 0) continue;
-    throw InputError(
-        "", "preload_direction",
-        "the number of contact " + std::to_string(i) + " is " + to_string(direction.rates[i]),
-        "preloads grow, and do not fall: give 0 or more");
-  }
-  return direction.rates;
-}
-
 bool all_zero(const std::vector<Rational>& values) {
   return std::all_of(values.begin(), values.end(),
                      [](const Rational& value) { return value.is_zero(); });
-}
-
-void require_growth(const Question& question) {
-  if (!(question.direction.value_or(Wrench{}) == Wrench{}) ||
-      !all_zero(question.preload_growth)) {
-    return;
-  }
-  if (!question.preload_direction) {
-    throw InputError("", "direction", "the direction is 0",
-                     "give the wrench whose multiples are asked for, such as 0,1,0");
-  }
-  throw InputError("", "preload_direction",
-                   question.preload_direction->scale ? "there is no preload to scale"
-                                                     : "all of its numbers are 0",
-                   question.preload_direction->scale
-                       ? "give a preload, or how each one grows"
-                       : "give a number above 0 to a contact whose preload grows");
 }
 
 bool has_irrational_preload(const GraspBox& box) {
@@ -88,9 +48,8 @@ bool has_irrational_preload(const Grasp& grasp) {
 void enclose(Question& question, const GraspFile& file, const WrenchBox& wrench) {
   const bool certain = !file.box && wrench == box_of(question.loaded.wrench);
   if (question.is_margin()) {
-    if (certain && !question.uncertain.any()) return;
-    throw InputError("", "uncertain", "a margin needs numbers, and some are uncertain",
-                     "give one number for each, or ask only whether the load is held");
+    if (!certain || question.uncertain.any()) refuse_uncertain_margin();
+    return;
   }
   if (certain && !question.uncertain.any() && !has_irrational_preload(question.loaded.grasp)) {
     return;
@@ -108,6 +67,44 @@ void enclose(Question& question, const GraspFile& file, const WrenchBox& wrench)
 }
 
 }  // namespace
+
+std::vector<Rational> preload_growth(const std::vector<Rational>& preloads,
+                                     const PreloadDirection& direction) {
+  if (direction.scale) return preloads;
+  if (direction.rates.size() != preloads.size()) {
+    throw InputError("", "preload_direction",
+                     "there are " + std::to_string(direction.rates.size()) + " numbers for " +
+                         std::to_string(preloads.size()) + " contacts",
+                     "give one for each contact, or the word scale for all in proportion");
+  }
+  for (std::size_t i = 0; i < direction.rates.size(); ++i) {
+    if (direction.rates[i].sign() >= 0) continue;
+    throw InputError(
+        "", "preload_direction",
+        "the number of contact " + std::to_string(i) + " is " + to_string(direction.rates[i]),
+        "preloads grow, and do not fall: give 0 or more");
+  }
+  return direction.rates;
+}
+
+void refuse_uncertain_margin() {
+  throw InputError("", "uncertain", "a margin needs numbers, and some are uncertain",
+                   "give one number for each, or ask only whether the load is held");
+}
+
+void require_growth(bool load_grows, const std::vector<Rational>& growth,
+                    const std::optional<PreloadDirection>& direction) {
+  if (load_grows || !all_zero(growth)) return;
+  if (!direction) {
+    throw InputError("", "direction", "the direction is 0",
+                     "give the wrench whose multiples are asked for, such as 0,1,0");
+  }
+  throw InputError(
+      "", "preload_direction",
+      direction->scale ? "there is no preload to scale" : "all of its numbers are 0",
+      direction->scale ? "give a preload, or how each one grows"
+                       : "give a number above 0 to a contact whose preload grows");
+}
 
 Question ask(const GraspFile& file, const QuestionOptions& options) {
   const WrenchBox wrench = wrench_asked(file, options);
@@ -129,10 +126,15 @@ Question ask(const GraspFile& file, const QuestionOptions& options) {
     grasp = grasp.with_preload(*options.preload);
   }
   if (options.preload_direction) {
-    question.preload_growth = growth_of(grasp, *options.preload_direction);
+    std::vector<Rational> preloads;
+    for (const Contact& c : grasp.contacts()) preloads.push_back(c.preload);
+    question.preload_growth = preload_growth(preloads, *options.preload_direction);
     if (options.preload_direction->scale) grasp = grasp.with_preload(0);
   }
-  if (question.is_margin()) require_growth(question);
+  if (question.is_margin()) {
+    require_growth(!(question.direction.value_or(Wrench{}) == Wrench{}),
+                   question.preload_growth, question.preload_direction);
+  }
   enclose(question, file, wrench);
   return question;
 }

@@ -44,7 +44,7 @@ Vector6 motion_of(const SpaceModel& model, const NearEquilibrium& equilibrium) {
 SpatialDecision decide(const SpatialQuestion& question, const SpatialSearchOptions& options) {
   SpatialDecision decision{Undecided{}, {}, options.bits};
   const SpaceModel model(question, options.bits);
-  const SpaceModel middle = model.middle();
+  const SpaceModel middle = model.at(0);
   constexpr std::size_t kDefaultLimit = 20000;
   const std::size_t limit = options.node_limit != 0 ? options.node_limit : kDefaultLimit;
   const NewtonMethod newton(middle);
@@ -67,7 +67,7 @@ SpatialDecision decide(const SpatialQuestion& question, const SpatialSearchOptio
   }
   SpatialTrees tree;
   SpaceSearch search(model, nullptr, limit, decision.work);
-  search.on_candidate([&](const NearEquilibrium& relaxed) {
+  search.on_candidate([&](const NearEquilibrium& relaxed, double) {
     const auto near = newton.polish(relaxed);
     return near && prove(*near);
   });

@@ -56,15 +56,24 @@ CornerRow row_at(const Vector3& p, const Vector3& n) {
   return row;
 }
 
+/// P' and P^u' at their ends.
+std::vector<std::pair<Rational, Rational>> preloads_of(const SpaceContact& contact) {
+  const Interval& p = contact.preload;
+  const Interval& rate = contact.rate;
+  if (p.is_point() && rate.is_point()) return {{p.low, rate.low}};
+  return {{p.low, rate.low}, {p.high, rate.high}};
+}
+
 void add_separations(SpaceContact& contact) {
   contact.separations.clear();
   contact.separation_factors.clear();
   for (const CornerRow& corner : contact.corners) {
     for (const Rational& k : ends_of(contact.stiffness)) {
-      for (const Rational& preload : ends_of(contact.preload)) {
+      for (const auto& [preload, rate] : preloads_of(contact)) {
         std::array<Rational, 8> v{};
         for (std::size_t j = 0; j < 6; ++j) v[j] = -k * corner.normal[j];
         v[6] = preload;
+        v[7] = rate;
         Point plane = primitive_multiple<8>(v);
         std::size_t j = 0;
         while (plane[j].is_zero()) ++j;  // n is not 0
@@ -84,16 +93,22 @@ bool SpaceContact::has_certain_separation() const {
 }
 
 SpaceModel::SpaceModel(const SpatialQuestion& question, unsigned bits)
-    : wrench(question.grasp.wrench), law(question.law) {
-  for (const SpatialContact& c : question.grasp.contacts) {
+    : wrench(question.grasp.wrench),
+      growth(question.direction.value_or(Vector6{})),
+      is_family(question.is_margin()),
+      law(question.law) {
+  for (std::size_t i = 0; i < question.grasp.contacts.size(); ++i) {
+    const SpatialContact& c = question.grasp.contacts[i];
+    const Rational rate = question.preload_growth.empty() ? 0 : question.preload_growth[i];
     SpaceContact contact{};
     contact.normal = c.normal;
     contact.axis = primitive_multiple<3>(c.normal);
     contact.squared_length = dot(c.normal, c.normal);
     contact.friction = c.friction;
-    if (!c.preload.high.is_zero()) {
+    if (!c.preload.high.is_zero() || !rate.is_zero()) {
       const auto [lower, upper] = short_sqrt(1 / contact.squared_length, bits);
       contact.preload = {c.preload.low * lower, c.preload.high * upper};
+      contact.rate = {rate * lower, rate * upper};
     }
     contact.stiffness = {c.stiffness.low / contact.squared_length,
                          c.stiffness.high / contact.squared_length};
@@ -128,6 +143,7 @@ void SpaceModel::complete() {
     const double size = std::sqrt(to_double(c.squared_length));
     c.slopes = {to_double(c.friction.low) * size, to_double(c.friction.high) * size};
     c.preloads = rounded(c.preload);
+    c.rates = rounded(c.rate);
     c.stiffnesses = rounded(c.stiffness);
     largest = std::max(largest, c.preloads[1] * size);
     Double3 n{};
@@ -156,17 +172,39 @@ void SpaceModel::complete() {
   for (std::size_t j = 0; j < 6; ++j) {
     const double scale = j < 3 ? 1 : length;
     load[j] = {to_double(wrench[j].low) / scale, to_double(wrench[j].high) / scale};
+    growing[j] = to_double(growth[j]) / scale;
     largest = std::max({largest, std::fabs(load[j][0]), std::fabs(load[j][1])});
   }
   if (largest > 0 && std::isfinite(largest)) force = largest;
 }
 
-SpaceModel SpaceModel::middle() const {
+Double6 SpaceModel::load_at(double height, double multiple, const Double6& y) const {
+  Double6 result{};
+  for (std::size_t j = 0; j < 6; ++j) {
+    result[j] = height * load[j][y[j] > 0 ? 1 : 0] + multiple * growing[j];
+  }
+  return result;
+}
+
+SpaceModel SpaceModel::within(const MultipleRange& range) const {
   SpaceModel result = *this;
+  result.multiples = range;
+  return result;
+}
+
+SpaceModel SpaceModel::at(const Rational& multiple) const {
+  SpaceModel result = *this;
+  result.growth = {};
+  result.is_family = false;
+  for (std::size_t j = 0; j < 6; ++j) {
+    result.wrench[j].low += multiple * growth[j];
+    result.wrench[j].high += multiple * growth[j];
+  }
   const auto shrink = [](Interval& interval) { interval = point_interval(interval.middle()); };
   for (SpaceContact& c : result.contacts) {
     shrink(c.friction);
-    shrink(c.preload);
+    c.preload = point_interval(c.preload.middle() + multiple * c.rate.middle());
+    c.rate = {};
     shrink(c.stiffness);
     if (c.corners.size() == 1) continue;
     // The middle of the position is that of its corners, and p x n that of theirs.
@@ -192,10 +230,12 @@ SpaceModel SpaceModel::middle() const {
 }
 
 bool SpaceModel::is_point() const {
-  return std::all_of(contacts.begin(), contacts.end(),
+  return (!is_family || multiples.high == multiples.low) &&
+         std::all_of(contacts.begin(), contacts.end(),
                      [](const SpaceContact& c) {
                        return c.geometry_is_certain && c.friction.is_point() &&
-                              c.preload.is_point() && c.stiffness.is_point();
+                              c.preload.is_point() && c.rate.is_point() &&
+                              c.stiffness.is_point();
                      }) &&
          std::all_of(wrench.begin(), wrench.end(),
                      [](const Interval& component) { return component.is_point(); });

@@ -34,6 +34,7 @@ struct SpaceContact {
   Rational squared_length;   ///< L^2
   Interval friction;         ///< mu
   Interval preload;          ///< P'
+  Interval rate;             ///< P^u' of a margin, whose ends go with those of P'
   Interval stiffness;        ///< k'
   bool geometry_is_certain;  ///< one corner
 
@@ -47,6 +48,7 @@ struct SpaceContact {
   /// \{ In doubles. Slopes are mu L.
   std::array<double, 2> slopes;
   std::array<double, 2> preloads;
+  std::array<double, 2> rates;
   std::array<double, 2> stiffnesses;
   std::array<Double3, 2> tangents;  ///< of length 1, across n
   /// \}
@@ -57,17 +59,25 @@ struct SpaceModel {
   /// Of the box that the question is, with lengths enclosed to these bits.
   SpaceModel(const SpatialQuestion& question, unsigned bits);
 
-  /// The one point in the middle of the box.
-  SpaceModel middle() const;
+  /// The one point in the middle of the box; of a margin with this multiple.
+  SpaceModel at(const Rational& multiple) const;
+  /// The same margin for other multiples.
+  SpaceModel within(const MultipleRange& range) const;
   /// Whether the box, lengths of normals included, is one point.
   bool is_point() const;
+  /// h w + l u of a point with these, in doubles, on y: where its work is largest.
+  Double6 load_at(double height, double multiple, const Double6& y) const;
 
   std::vector<SpaceContact> contacts;
   SpatialWrench wrench;
+  Vector6 growth{};           ///< u, of a margin
+  bool is_family = false;     ///< a margin: points have multiples
+  MultipleRange multiples{};  ///< of a margin
   NormalLaw law;
   double length = 1;                            ///< a typical distance
   double force = 1;                             ///< a typical force
   std::array<std::array<double, 2>, 6> load{};  ///< ends
+  Double6 growing{};                            ///< u
 
  private:
   void complete();

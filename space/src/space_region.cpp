@@ -3,23 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace stickslip::space_detail {
 namespace {
 
-RegionPoint region_point(const Point& exact, double length) {
-  const std::array<double, 8> x = in_doubles(exact);
-  RegionPoint result{exact, {}, x[6]};
-  double size = x[6] * x[6];
-  for (std::size_t j = 0; j < 6; ++j) {
-    result.motion[j] = j < 3 ? x[j] : x[j] * length;
-    size += result.motion[j] * result.motion[j];
-  }
-  size = std::sqrt(size);
-  for (double& entry : result.motion) entry /= size;
-  result.height /= size;
-  return result;
+Double6 motion_of(const ScaledPoint<6>& x) {
+  return {x[0], x[1], x[2], x[3], x[4], x[5]};
 }
 
 IntegerVector3 exact_slip(const CornerRow& row, const Point& x) {
@@ -51,51 +40,62 @@ bool is_in_cone(const IntegerVector3& u, const std::vector<IntegerVector3>& dire
 
 }  // namespace
 
-Point SpatialDirection::form(const IntegerVector<6>& y) const {
-  std::array<Rational, 8> form{};
-  for (std::size_t k = 0; k < 6; ++k) {
-    for (std::size_t j = 0; j < 6; ++j) form[k] += Rational(y[j]) * matrix[j][k];
-    form[6] -= form[k] * twist[k];
-  }
-  return primitive_multiple<8>(form);
+SpaceRegion::SpaceRegion(const SpaceModel& model, StrictCone cone)
+    : StrictCone(std::move(cone)),
+      strict_slips_(model.contacts.size(), 0),
+      still_(model.contacts.size(), 0),
+      separations_(model.contacts.size(), Separation::kMixed),
+      slips_(model.contacts.size()) {
+  update(model);
 }
 
+namespace {
+
+/// sign (l - end h) >= 0.
+Point end_plane(const Rational& end, int sign) {
+  return primitive_multiple<8>({0, 0, 0, 0, 0, 0, -sign * end, sign});
+}
+
+using MotionCone = StrictCone<6>;
+
+MotionCone whole_cone(const SpaceModel& model) {
+  using Multiples = ConeIn<8>::Multiples;
+  return MotionCone(model.is_family ? Multiples::kAny : Multiples::kZero);
+}
+
+}  // namespace
+
 SpaceRegion SpaceRegion::root(const SpaceModel& model) {
-  SpaceRegion region(model.contacts.size());
+  StrictCone cone = whole_cone(model);
+  if (model.is_family) {
+    const auto& [low, high, has_low] = model.multiples;
+    cone.cut(end_plane(low, 1), Side::kPositive, !has_low);
+    if (high) cone.cut(end_plane(*high, -1), Side::kPositive, true);
+  }
   if (model.law == NormalLaw::kBilateral) {
     for (const SpaceContact& contact : model.contacts) {
       if (contact.has_certain_separation()) {
-        region.cone_.cut(contact.separations.front(), Side::kPositive);
+        cone.cut(contact.separations.front(), Side::kPositive);
       }
     }
   }
-  region.update(model);
-  return region;
+  return SpaceRegion(model, std::move(cone));
 }
 
-SpaceRegion SpaceRegion::wall(const SpaceModel& model, const Matrix6& walls,
-                              const Vector6& twist, std::size_t wall, int sign) {
-  SpaceRegion region(model.contacts.size());
-  const auto plane = [&](std::size_t j, int height) {
-    std::array<Rational, 8> a{};
-    std::copy(walls[j].begin(), walls[j].end(), a.begin());
-    a[6] = -dot(walls[j], twist) - height;
-    return primitive_multiple<8>(a);
-  };
-  region.cone_.cut(plane(wall, sign), Side::kZero);
-  for (std::size_t j = 0; j < 6; ++j) {
-    if (j == wall) continue;
-    region.cone_.cut(plane(j, 1), Side::kNegative);
-    region.cone_.cut(plane(j, -1), Side::kPositive);
+SpaceRegion SpaceRegion::wall(const SpaceModel& model, const SquareMatrix<6>& walls,
+                              const Vector6& centre, std::size_t wall, int sign) {
+  StrictCone cone = whole_cone(model);
+  if (model.is_family) {
+    cone.cut(end_plane(model.multiples.low, 1), Side::kPositive);
+    cone.cut(end_plane(*model.multiples.high, -1), Side::kPositive);
   }
-  region.update(model);
-  return region;
+  cone.cut_to_wall(walls, centre, wall, sign);
+  return SpaceRegion(model, std::move(cone));
 }
 
 SpaceRegion SpaceRegion::half(const SpaceModel& model, const Point& plane, Side side) const {
   SpaceRegion region = *this;
-  if (side == Side::kNegative) region.strict_.push_back(cone_.constraint_count());
-  region.cone_.cut(plane, side);
+  region.cut(plane, side, side == Side::kNegative);
   region.update(model);
   return region;
 }
@@ -103,7 +103,7 @@ SpaceRegion SpaceRegion::half(const SpaceModel& model, const Point& plane, Side 
 SpaceRegion SpaceRegion::sticking(const SpaceModel& model, std::size_t contact) const {
   SpaceRegion region = *this;
   for (const Point& plane : model.contacts[contact].corners.front().slip_planes) {
-    region.cone_.cut(plane, Side::kZero);
+    region.cut(plane, Side::kZero);
   }
   region.still_[contact] = 1;
   region.update(model);
@@ -117,17 +117,9 @@ SpaceRegion SpaceRegion::slipping(const SpaceModel& model, std::size_t contact) 
   return region;
 }
 
-/// Some strict function is 0 on all of these generators.
-bool SpaceRegion::bars(const SpaceModel& model, const std::vector<std::size_t>& zeros) const {
-  const std::size_t lines = 2 * cone_.lines().size();
-  const bool barred = std::any_of(strict_.begin(), strict_.end(), [&](ConstraintIndex strict) {
-    return std::all_of(zeros.begin(), zeros.end(), [&](std::size_t g) {
-      if (g < lines) return true;  // all constraints are 0 on lines
-      const std::vector<ConstraintIndex>& tight = cone_.rays()[g - lines].tight;
-      return std::binary_search(tight.begin(), tight.end(), strict);
-    });
-  });
-  if (barred) return true;
+bool SpaceRegion::bars_all(const SpaceModel& model,
+                           const std::vector<std::size_t>& zeros) const {
+  if (bars(zeros)) return true;
   for (std::size_t i = 0; i < strict_slips_.size(); ++i) {
     if (!strict_slips_[i]) continue;
     if (std::all_of(zeros.begin(), zeros.end(), [&](std::size_t g) {
@@ -140,26 +132,11 @@ bool SpaceRegion::bars(const SpaceModel& model, const std::vector<std::size_t>& 
   return false;
 }
 
-bool SpaceRegion::is_barred() const {
-  return barred_;
-}
-
-bool SpaceRegion::is_cut_by(const Point& plane) const {
-  bool positive = false;
-  bool negative = false;
-  for (const RegionPoint& g : generators_) {
-    const int sign = dot(plane, g.exact).sign();
-    positive = positive || sign > 0;
-    negative = negative || sign < 0;
-    if (positive && negative) return true;
-  }
-  return false;
-}
-
 void SpaceRegion::update(const SpaceModel& model) {
+  list_points();
   generators_.clear();
-  for (const Point& x : cone_.directions()) {
-    generators_.push_back(region_point(x, model.length));
+  for (const Point& x : points()) {
+    generators_.push_back(equilibrium_detail::scaled_point<6>(x, model.length));
   }
   const std::size_t m = model.contacts.size();
   high_.assign(m * generators_.size(), 0);
@@ -181,9 +158,7 @@ void SpaceRegion::update(const SpaceModel& model) {
 }
 
 void SpaceRegion::classify(const SpaceModel& model) {
-  std::vector<std::size_t> all(generators_.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  barred_ = bars(model, all);
+  barred_ = bars_all(model, all_points());
   if (barred_) return;
   for (std::size_t i = 0; i < model.contacts.size(); ++i) find_slips(model, i);
 }
@@ -191,21 +166,21 @@ void SpaceRegion::classify(const SpaceModel& model) {
 void SpaceRegion::compute_slips(const SpaceModel& model, std::size_t contact) {
   const std::vector<CornerRow>& corners = model.contacts[contact].corners;
   for (std::size_t g = 0; g < generators_.size(); ++g) {
-    const RegionPoint& at = generators_[g];
+    const Double6 motion = motion_of(generators_[g]);
     for (std::size_t c = 0; c < corners.size(); ++c) {
       const CornerRow& row = corners[c];
       Double3 s{};
       double size = 0;
       for (std::size_t k = 0; k < 3; ++k) {
-        s[k] = dot(row.slip_rounded[k], at.motion);
+        s[k] = dot(row.slip_rounded[k], motion);
         for (std::size_t j = 0; j < 6; ++j) {
-          size = std::max(size, std::fabs(row.slip_rounded[k][j] * at.motion[j]));
+          size = std::max(size, std::fabs(row.slip_rounded[k][j] * motion[j]));
         }
       }
       // Where much is lost to cancellation the direction is that of the exact slip.
       constexpr double kLost = 1e-5;
       if (!(dot(s, s) > kLost * kLost * size * size)) {
-        const IntegerVector3 exact = exact_slip(row, at.exact);
+        const IntegerVector3 exact = exact_slip(row, points()[g]);
         Integer most = 0;
         for (const Integer& entry : exact) most = std::max(most, Integer(abs(entry)));
         const double before = std::sqrt(dot(s, s));
@@ -227,7 +202,7 @@ void SpaceRegion::find_separation(const SpaceModel& model, std::size_t contact) 
   bool closed = true;
   bool open = true;
   for (std::size_t g = 0; g < generators_.size(); ++g) {
-    const RegionPoint& at = generators_[g];
+    const ScaledPoint<6>& at = generators_[g];
     double high = -HUGE_VAL;
     double low = HUGE_VAL;
     const auto take = [&](double value, double magnitude, const auto& exact_sign) {
@@ -245,16 +220,18 @@ void SpaceRegion::find_separation(const SpaceModel& model, std::size_t contact) 
       double rise = 0;
       double size = 0;
       for (std::size_t j = 0; j < 6; ++j) {
-        const double term = row.normal_rounded[j] * at.motion[j];
+        const double term = row.normal_rounded[j] * at[j];
         rise += term;
         size += std::fabs(term);
       }
+      const bool certain = c.preload.is_point() && c.rate.is_point();
       for (std::size_t k = 0; k < (c.stiffness.is_point() ? 1U : 2U); ++k) {
-        for (std::size_t p = 0; p < (c.preload.is_point() ? 1U : 2U); ++p) {
+        for (std::size_t p = 0; p < (certain ? 1U : 2U); ++p) {
           const Point& exact = c.separations[plane++];
-          take(c.preloads[p] * at.height - c.stiffnesses[k] * rise,
-               c.preloads[p] * at.height + c.stiffnesses[k] * size,
-               [&] { return dot(exact, at.exact).sign(); });
+          const double preload = c.preloads[p] * at[6] + c.rates[p] * at[7];
+          const double parts = c.preloads[p] * at[6] + c.rates[p] * std::fabs(at[7]);
+          take(preload - c.stiffnesses[k] * rise, parts + c.stiffnesses[k] * size,
+               [&] { return dot(exact, points()[g]).sign(); });
         }
       }
     }
@@ -324,15 +301,15 @@ void SpaceRegion::find_slips(const SpaceModel& model, std::size_t contact) {
   if (may_be_half) {
     std::vector<IntegerVector3> sides;
     for (const auto& [g, k] : cone.sides) {
-      sides.push_back(exact_slip(c.corners[k], generators_[g].exact));
+      sides.push_back(exact_slip(c.corners[k], points()[g]));
     }
     for (const auto& [g, k] : cone.sides) {
-      const IntegerVector3 s = exact_slip(c.corners[k], generators_[g].exact);
+      const IntegerVector3 s = exact_slip(c.corners[k], points()[g]);
       if (is_in_cone(negated(s), sides, c.axis)) still[k].push_back(g);
     }
   }
   cone.moves = std::all_of(still.begin(), still.end(),
-                           [&](const auto& zeros) { return bars(model, zeros); });
+                           [&](const auto& zeros) { return bars_all(model, zeros); });
 }
 
 /// alpha of the format.
@@ -343,7 +320,7 @@ Rational SpaceRegion::most_work(const SpaceModel& model, std::size_t contact,
   std::vector<IntegerVector3> sides;
   if (cone.moves && !cone.whole) {
     for (const auto& [g, k] : cone.sides) {
-      sides.push_back(exact_slip(c.corners[k], generators_[g].exact));
+      sides.push_back(exact_slip(c.corners[k], points()[g]));
     }
   }
   constexpr unsigned kBits = 64;
@@ -388,14 +365,9 @@ Rational SpaceRegion::most_work(const SpaceModel& model, std::size_t contact,
 }
 
 bool SpaceRegion::is_refuted(const SpaceModel& model, const IntegerVector<6>& y,
-                             const SpatialDirection* direction) const {
+                             const Direction<6>* direction) const {
   if (barred_) return true;
-  if (direction != nullptr) {
-    const Point form = direction->form(y);
-    for (const RegionPoint& g : generators_) {
-      if (dot(form, g.exact).sign() < 0) return false;
-    }
-  }
+  if (direction != nullptr && !direction->holds(y, points())) return false;
   // g(r) = linear.r + sum of kinks, all times a common factor.
   struct Kink {
     Rational alpha;
@@ -405,6 +377,7 @@ bool SpaceRegion::is_refuted(const SpaceModel& model, const IntegerVector<6>& y,
   for (std::size_t j = 0; j < 6; ++j) {
     linear[6] +=
         Rational(y[j]) * (y[j].sign() > 0 ? model.wrench[j].high : model.wrench[j].low);
+    linear[7] += Rational(y[j]) * model.growth[j];
   }
   std::vector<Kink> kinks;
   for (std::size_t i = 0; i < model.contacts.size(); ++i) {
@@ -415,7 +388,7 @@ bool SpaceRegion::is_refuted(const SpaceModel& model, const IntegerVector<6>& y,
     if (!closed && alpha.sign() <= 0) continue;
     if (closed && c.separations.size() == 1) {
       const Rational weight = alpha * c.separation_factors.front();
-      for (std::size_t j = 0; j < 7; ++j) {
+      for (std::size_t j = 0; j < 8; ++j) {
         linear[j] += weight * Rational(c.separations.front()[j]);
       }
     } else {
@@ -444,7 +417,7 @@ bool SpaceRegion::is_refuted(const SpaceModel& model, const IntegerVector<6>& y,
   }
   std::vector<std::size_t> zeros;
   for (std::size_t g = 0; g < generators_.size(); ++g) {
-    const Point& x = generators_[g].exact;
+    const Point& x = points()[g];
     Integer sum = dot(form, x);
     for (std::size_t k = 0; k < kinks.size(); ++k) {
       const std::size_t i = kinks[k].contact;
@@ -459,7 +432,7 @@ bool SpaceRegion::is_refuted(const SpaceModel& model, const IntegerVector<6>& y,
     if (sum.sign() > 0) return false;
     if (sum.is_zero()) zeros.push_back(g);
   }
-  return bars(model, zeros);
+  return bars_all(model, zeros);
 }
 
 }  // namespace stickslip::space_detail

@@ -9,27 +9,13 @@
 #include <vector>
 
 #include "space_model.hpp"
-#include "stickslip/equilibrium/search/cone.hpp"
-#include "stickslip/equilibrium/search/region.hpp"
+#include "stickslip/equilibrium/search/scaled_point.hpp"
+#include "stickslip/equilibrium/search/strict_cone.hpp"
 #include "stickslip/space/spatial_verdict.hpp"
 
 namespace stickslip::space_detail {
 
-/// What `leaf-direction` asks of list 2: y.A(d - h d0) >= 0.
-struct SpatialDirection {
-  Matrix6 matrix;  ///< A
-  Vector6 twist;   ///< d0
-
-  /// The coefficients of y.A(d - h d0) as a function of points, up to a positive factor.
-  Point form(const IntegerVector<6>& y) const;
-};
-
-/// The generators of a region: lines both ways, and rays.
-struct RegionPoint {
-  Point exact;
-  Double6 motion;  ///< d over the norm of the point, in the model's units
-  double height;   ///< h over the same
-};
+using equilibrium_detail::ScaledPoint;
 
 /// The slips of a contact on a region.
 struct SlipCone {
@@ -40,13 +26,13 @@ struct SlipCone {
   std::vector<std::pair<std::size_t, std::size_t>> sides;
 };
 
-class SpaceRegion {
+class SpaceRegion : public StrictCone<6> {
  public:
   /// {h >= 0}, and under the bilateral law v_i >= 0 where that is certain.
   static SpaceRegion root(const SpaceModel& model);
-  /// The cone over a wall of {d : |E_j.(d - d0)| <= 1}: E_wall.(d - d0) = sign.
-  static SpaceRegion wall(const SpaceModel& model, const Matrix6& walls, const Vector6& twist,
-                          std::size_t wall, int sign);
+  /// As StrictCone::cut_to_wall.
+  static SpaceRegion wall(const SpaceModel& model, const SquareMatrix<6>& walls,
+                          const Vector6& centre, std::size_t wall, int sign);
 
   /// \{ Children. The strict side of a plane is the negative one.
   SpaceRegion half(const SpaceModel& model, const Point& plane, Side side) const;
@@ -54,7 +40,8 @@ class SpaceRegion {
   SpaceRegion slipping(const SpaceModel& model, std::size_t contact) const;
   /// \}
 
-  const std::vector<RegionPoint>& generators() const { return generators_; }
+  /// points() in doubles.
+  const std::vector<ScaledPoint<6>>& generators() const { return generators_; }
   Separation separation(std::size_t contact) const { return separations_[contact]; }
   const SlipCone& slips(std::size_t contact) const { return slips_[contact]; }
   /// Whether a slip split has said that the contact slips.
@@ -62,7 +49,7 @@ class SpaceRegion {
   /// Whether one has said that it sticks.
   bool is_still(std::size_t contact) const { return still_[contact] != 0; }
   /// No solution lies here.
-  bool is_barred() const;
+  bool is_barred() const { return barred_; }
   /// The largest v of a contact at a generator, and the least, in doubles, 0 where it is 0.
   double most_separation(std::size_t contact, std::size_t generator) const {
     return high_[contact * generators_.size() + generator];
@@ -76,35 +63,27 @@ class SpaceRegion {
     return slip_values_[first_slip_[contact] +
                         generator * model.contacts[contact].corners.size() + corner];
   }
-  /// Whether a plane has generators strictly on both sides.
-  bool is_cut_by(const Point& plane) const;
-
   /// `leaf-bound`, and `leaf-direction` if there is a direction.
   bool is_refuted(const SpaceModel& model, const IntegerVector<6>& y,
-                  const SpatialDirection* direction) const;
+                  const Direction<6>* direction) const;
 
  private:
-  explicit SpaceRegion(std::size_t contacts)
-      : strict_slips_(contacts, 0),
-        still_(contacts, 0),
-        separations_(contacts, Separation::kMixed),
-        slips_(contacts) {}
+  SpaceRegion(const SpaceModel& model, StrictCone cone);
   void update(const SpaceModel& model);
   void classify(const SpaceModel& model);  ///< by the strict functions
   void find_separation(const SpaceModel& model, std::size_t contact);
   void compute_slips(const SpaceModel& model, std::size_t contact);
   void find_slips(const SpaceModel& model, std::size_t contact);
-  bool bars(const SpaceModel& model, const std::vector<std::size_t>& zeros) const;
+  /// StrictCone::bars, or a strict slip is 0 on all of them.
+  bool bars_all(const SpaceModel& model, const std::vector<std::size_t>& zeros) const;
   Rational most_work(const SpaceModel& model, std::size_t contact,
                      const IntegerVector<6>& y) const;
 
-  ConeIn<8> cone_;
-  std::vector<ConstraintIndex> strict_{0};  ///< h is constraint 0
-  std::vector<char> strict_slips_;          ///< by contact
-  std::vector<char> still_;                 ///< by contact: s is 0 everywhere
+  std::vector<char> strict_slips_;  ///< by contact
+  std::vector<char> still_;         ///< by contact: s is 0 everywhere
   std::vector<Separation> separations_;
   std::vector<SlipCone> slips_;
-  std::vector<RegionPoint> generators_;
+  std::vector<ScaledPoint<6>> generators_;
   std::vector<double> high_;  ///< by contact and generator, as low_
   std::vector<double> low_;
   std::vector<std::size_t> first_slip_;

@@ -10,16 +10,13 @@
 
 #include "equilibria.hpp"
 #include "space_region.hpp"
+#include "stickslip/equilibrium/search/tree_walk.hpp"
 
 namespace stickslip::space_detail {
 
-/// The result of a search for a virtual twist.
-struct SpatialSearchResult {
-  bool separated = false;
-  Double6 twist{};  ///< if separated
-  // Otherwise a relaxed equilibrium:
-  Double6 motion{};                 ///< d, times height
-  double height = 0;                ///< h
+/// Motion and forces of a region whose wrenches add up to 0, in the model's units.
+struct RelaxedEquilibrium {
+  ScaledPoint<6> motion{};
   std::vector<double> normal;       ///< a by contact
   std::vector<Double3> friction;    ///< f by contact
   std::vector<std::size_t> points;  ///< generators that take part, of largest weight first
@@ -29,39 +26,37 @@ struct SpatialSearchResult {
 class SpaceSearch {
  public:
   /// `direction` is that of list 2, or null. All must outlive this.
-  SpaceSearch(const SpaceModel& model, const SpatialDirection* direction,
-              std::size_t node_limit, SpatialWork& work)
+  SpaceSearch(const SpaceModel& model, const Direction<6>* direction, std::size_t node_limit,
+              SpatialWork& work)
       : model_(model), direction_(direction), nodes_left_(node_limit), work_(work) {}
 
+  /// Takes an equilibrium of the multiple, which is 0 unless the model is a margin.
+  using Candidate = std::function<bool(const NearEquilibrium&, double multiple)>;
   /// To be called with relaxed equilibria that may be near real ones; true ends the search.
-  void on_candidate(std::function<bool(const NearEquilibrium&)> candidate) {
-    candidate_ = std::move(candidate);
-  }
+  void on_candidate(Candidate candidate) { candidate_ = std::move(candidate); }
 
   /// Appends a tree that refutes the region; false if none was found, and then `trees` has some
   /// nodes more.
-  bool refute(const SpaceRegion& region, SpatialTrees& trees) {
-    return visit(region, trees, 0);
-  }
+  bool refute(const SpaceRegion& region, SpatialTrees& trees);
 
  private:
-  bool visit(const SpaceRegion& region, SpatialTrees& trees, std::size_t depth);
-  bool is_candidate(const SpaceRegion& region, const SpatialSearchResult& found) const;
-  bool cut(const SpaceRegion& region, const Point& plane, SpatialTrees& trees,
-           std::size_t depth);
-  bool split(const SpaceRegion& region, const SpatialSearchResult& found, SpatialTrees& trees,
-             std::size_t depth);
-  bool split_slip(const SpaceRegion& region, const SpatialSearchResult& found,
-                  std::size_t contact, SpatialTrees& trees, std::size_t depth);
-  SpatialSearchResult search(const SpaceRegion& region) const;
+  using SpaceBranch = equilibrium_detail::Branch<SpatialNode, SpaceRegion>;
+
+  std::optional<SpaceBranch> examine(const SpaceRegion& region, std::size_t depth);
   std::optional<IntegerVector<6>> confirm(const SpaceRegion& region, const Double6& twist);
+  std::optional<SpaceBranch> split(const SpaceRegion& region, const RelaxedEquilibrium& found);
+  std::optional<SpaceBranch> split_slip(const SpaceRegion& region,
+                                        const RelaxedEquilibrium& found,
+                                        std::size_t contact) const;
+  bool is_candidate(const SpaceRegion& region, const RelaxedEquilibrium& found) const;
+  SpaceBranch cut(const SpaceRegion& region, const SpatialNode& node, const Point& plane) const;
 
   const SpaceModel& model_;
-  const SpatialDirection* direction_;
+  const Direction<6>* direction_;
   std::size_t nodes_left_;
   std::size_t nodes_ = 0;
   double least_gap_ = 1e-3;  ///< of relaxed equilibria that were tried, over the energy
-  std::function<bool(const NearEquilibrium&)> candidate_;
+  Candidate candidate_;
   SpatialWork& work_;
 };
 

@@ -5,26 +5,17 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 #include <algorithm>
-#include <boost/multiprecision/eigen.hpp>
 #include <cmath>
 #include <utility>
 
 #include "space_search.hpp"
+#include "stickslip/equilibrium/search/independent_rows.hpp"
 
 namespace stickslip::space_detail {
-namespace {
 
-bool is_invertible(const Matrix6& m) {
-  Eigen::Matrix<Rational, 6, 6> matrix;
-  for (std::size_t j = 0; j < 6; ++j) {
-    for (std::size_t k = 0; k < 6; ++k) {
-      matrix(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)) = m[j][k];
-    }
-  }
-  Eigen::FullPivLU<Eigen::Matrix<Rational, 6, 6>> lu(matrix);
-  lu.setThreshold(0);  // of rationals, whose zeros are zeros
-  return lu.isInvertible();
-}
+using equilibrium_detail::IndependentRows;
+
+namespace {
 
 /// Where the walls are to be, and which way the grasp in the middle pulls, in doubles.
 ///
@@ -37,6 +28,15 @@ class SpatialWalls {
   SpatialWalls(const SpaceModel& middle, const NearEquilibrium& equilibrium, double size);
 
   bool is_sound() const { return sound_; }
+  /// Moves walls outwards until these moves stay well within.
+  void enclose(const std::vector<EigenVector6>& moves) {
+    constexpr double kWithin = 0.7;
+    for (const EigenVector6& move : moves) {
+      for (Eigen::Index j = 0; j < 6; ++j) {
+        rows_.row(j) /= std::max(1.0, std::fabs(rows_.row(j).dot(move)) / kWithin);
+      }
+    }
+  }
   /// d0, E and A in few bits.
   SpatialDegreeProof proof() const;
 
@@ -104,44 +104,17 @@ SpatialWalls::SpatialWalls(const SpaceModel& middle, const NearEquilibrium& equi
     candidates.push_back({slip.transpose() * across, most, width * aspect});
   }
   // Sticking contacts whose slips are independent, those with most friction to spare first.
-  std::vector<EigenVector6> basis;
-  const auto beyond = [&](EigenVector6 v) {
-    for (const EigenVector6& b : basis) v -= b.dot(v) * b;
-    return v;
-  };
+  constexpr double kIndependent = 1e-2;
+  IndependentRows<6> independent;
   Eigen::Index count = 0;
-  while (count < 6) {
-    double best = 0;
-    const Candidate* chosen = nullptr;
-    for (const Candidate& candidate : candidates) {
-      const double rest = beyond(candidate.row).norm();
-      constexpr double kIndependent = 1e-2;
-      if (rest <= kIndependent * candidate.row.norm()) continue;
-      if (candidate.spare * rest > best) {
-        best = candidate.spare * rest;
-        chosen = &candidate;
-      }
-    }
-    if (chosen == nullptr) break;
-    basis.push_back(beyond(chosen->row).normalized());
-    rows_.row(count++) = chosen->row / chosen->width;
+  while (const auto chosen = independent.take_best(candidates, kIndependent)) {
+    rows_.row(count++) = candidates[*chosen].row / candidates[*chosen].width;
   }
   const Eigen::Index sticking = count;
-  // Virtual twists on which these contacts' friction does no work.
-  while (basis.size() < 6) {
-    EigenVector6 best = EigenVector6::Zero();
-    for (Eigen::Index k = 0; k < 6; ++k) {
-      const EigenVector6 rest = beyond(EigenVector6::Unit(k));
-      if (rest.norm() > best.norm()) best = rest;
-    }
-    basis.push_back(best.normalized());
-  }
-  // Those whose forces answer the motions across one another (a singular value decomposition).
-  const Eigen::Index free = 6 - sticking;
-  Eigen::MatrixXd frame(6, free);
-  for (Eigen::Index k = 0; k < free; ++k) {
-    frame.col(k) = basis[static_cast<std::size_t>(sticking + k)];
-  }
+  // Virtual twists on which these contacts' friction does no work; of these those whose forces
+  // answer the motions across one another (a singular value decomposition).
+  const Eigen::MatrixXd frame = independent.complement();
+  const Eigen::Index free = frame.cols();
   Eigen::JacobiSVD<Eigen::MatrixXd> answers;
   if (free > 0) {
     answers.compute(frame.transpose() * stiffness * frame,
@@ -188,25 +161,13 @@ SpatialDegreeProof SpatialWalls::proof() const {
   return result;
 }
 
-/// `degree-law`.
-bool all_closed_inside(const SpaceModel& model, const SpatialDegreeProof& proof) {
-  for (std::size_t wall = 0; wall < 6; ++wall) {
-    for (const int sign : {1, -1}) {
-      const SpaceRegion region = SpaceRegion::wall(model, proof.walls, proof.twist, wall, sign);
-      for (std::size_t i = 0; i < model.contacts.size(); ++i) {
-        if (region.separation(i) != Separation::kClosed) return false;
-      }
-    }
-  }
-  return true;
-}
-
 }  // namespace
 
 std::optional<SpatialDegreeProof> prove_stable(const SpaceModel& model,
                                                const SpaceModel& middle,
                                                const NearEquilibrium& equilibrium,
-                                               std::size_t node_limit, SpatialWork& work) {
+                                               std::size_t node_limit, SpatialWork& work,
+                                               const std::vector<EigenVector6>& moves) {
   const bool is_point = model.is_point();
   struct Attempt {
     double size;
@@ -220,13 +181,16 @@ std::optional<SpatialDegreeProof> prove_stable(const SpaceModel& model,
                                     {3e-2, node_limit},
                                     {1e-3, node_limit},
                                     {3e-1, node_limit}}) {
-    const SpatialWalls walls(middle, equilibrium, size);
+    if (limit == 0) break;
+    SpatialWalls walls(middle, equilibrium, size);
     if (!walls.is_sound()) return std::nullopt;
+    walls.enclose(moves);
     ++work.proofs;
     SpatialDegreeProof proof = walls.proof();
     if (!is_invertible(proof.walls) || !is_invertible(proof.direction)) continue;
-    if (model.law == NormalLaw::kBilateral && !all_closed_inside(model, proof)) continue;
-    const SpatialDirection direction{proof.direction, proof.twist};
+    if (model.law == NormalLaw::kBilateral && !all_closed_inside<SpaceRegion>(model, proof))
+      continue;
+    const Direction<6> direction{proof.direction, proof.twist};
     const auto refute_all = [&](bool second) {
       const SpaceModel& about = second ? middle : model;
       for (std::size_t wall = 0; wall < 6; ++wall) {

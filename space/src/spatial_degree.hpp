@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "equilibria.hpp"
 #include "stickslip/space/spatial_verdict.hpp"
@@ -11,10 +12,12 @@
 namespace stickslip::space_detail {
 
 /// Tries to prove that every grasp in the box has an equilibrium, around this one of its
-/// middle.
+/// middle; `moves` are ways that it goes within the box. No node limit: only what is quick is
+/// tried.
 std::optional<SpatialDegreeProof> prove_stable(const SpaceModel& model,
                                                const SpaceModel& middle,
                                                const NearEquilibrium& equilibrium,
-                                               std::size_t node_limit, SpatialWork& work);
+                                               std::size_t node_limit, SpatialWork& work,
+                                               const std::vector<EigenVector6>& moves = {});
 
 }  // namespace stickslip::space_detail

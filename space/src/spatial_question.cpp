@@ -15,6 +15,8 @@ SpatialQuestion ask(const SpatialGrasp& grasp, const SpatialOptions& options) {
   question.law = options.law;
   question.preload = options.preload;
   question.uncertain = options.uncertain;
+  question.direction = options.direction;
+  question.preload_direction = options.preload_direction;
   question.grasp.cases.clear();
   if (options.wrench && options.case_name) {
     throw InputError("", "case", "a wrench is given as well", "give one of them");
@@ -23,6 +25,8 @@ SpatialQuestion ask(const SpatialGrasp& grasp, const SpatialOptions& options) {
     for (std::size_t j = 0; j < 6; ++j) {
       question.grasp.wrench[j] = point_interval((*options.wrench)[j]);
     }
+  } else if (options.direction && !options.case_name) {
+    question.grasp.wrench = {};
   } else if (options.case_name || !grasp.cases.empty()) {
     std::vector<std::string> names;
     for (const SpatialCase& load : grasp.cases) names.push_back(load.name);
@@ -34,17 +38,37 @@ SpatialQuestion ask(const SpatialGrasp& grasp, const SpatialOptions& options) {
       c.preload = point_interval(*options.preload);
     }
   }
+  if (options.preload_direction) {
+    std::vector<Rational> preloads;
+    for (const SpatialContact& c : question.grasp.contacts) preloads.push_back(c.preload.low);
+    question.preload_growth = preload_growth(preloads, *options.preload_direction);
+    for (SpatialContact& c : question.grasp.contacts) {
+      if (options.preload_direction->scale) c.preload = {};
+    }
+  }
   question.wrench = question.grasp.wrench;
   question.grasp = widened(std::move(question.grasp), options.uncertain);
   const auto is_certain = [](const auto& intervals) {
     return std::all_of(intervals.begin(), intervals.end(),
                        [](const Interval& interval) { return interval.is_point(); });
   };
-  question.is_box = !is_certain(question.grasp.wrench);
-  for (const SpatialContact& c : question.grasp.contacts) {
-    question.is_box = question.is_box || !is_certain(c.position) || !c.friction.is_point() ||
-                      !c.stiffness.is_point() || !c.preload.is_point() ||
-                      (!c.preload.high.is_zero() && !exact_sqrt(dot(c.normal, c.normal)));
+  bool is_one_grasp = is_certain(question.grasp.wrench);
+  bool is_rational = true;
+  for (std::size_t i = 0; i < question.grasp.contacts.size(); ++i) {
+    const SpatialContact& c = question.grasp.contacts[i];
+    is_one_grasp = is_one_grasp && is_certain(c.position) && c.friction.is_point() &&
+                   c.stiffness.is_point() && c.preload.is_point();
+    const bool is_preloaded =
+        !c.preload.high.is_zero() ||
+        (!question.preload_growth.empty() && !question.preload_growth[i].is_zero());
+    is_rational = is_rational && (!is_preloaded || exact_sqrt(dot(c.normal, c.normal)));
+  }
+  question.is_box = !is_one_grasp || !is_rational;
+  if (question.is_margin()) {
+    const Vector6 none{};
+    require_growth(question.direction.value_or(none) != none, question.preload_growth,
+                   question.preload_direction);
+    if (!is_one_grasp) refuse_uncertain_margin();
   }
   return question;
 }

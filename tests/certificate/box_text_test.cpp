@@ -55,8 +55,8 @@ TEST(BoxCertificate, Unstable) {
 }
 
 TEST(BoxCertificate, Stable) {
-  const Matrix3 walls{Vector3{1, 0, 0}, Vector3{0, Rational(1, 2), 0}, Vector3{0, 0, -3}};
-  const Matrix3 direction{Vector3{1, 2, 3}, Vector3{4, 5, 6}, Vector3{7, 8, Rational(9, 2)}};
+  const SquareMatrix<3> walls{Vector3{1, 0, 0}, Vector3{0, Rational(1, 2), 0}, Vector3{0, 0, -3}};
+  const SquareMatrix<3> direction{Vector3{1, 2, 3}, Vector3{4, 5, 6}, Vector3{7, 8, Rational(9, 2)}};
   const DegreeProof proof{{0, 1, Rational(2, 3)}, walls, direction, every_node()};
   const StabilityProof parts{PartSplit{Parameter::kTurn, 0, 0}, proof,
                              DegreeProof{{}, walls, walls, {}}};

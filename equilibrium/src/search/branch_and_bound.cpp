@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "../few_shares.hpp"
-#include "stickslip/core/cancellation.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/equilibrium/search/tree_walk.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 #include "twist_search.hpp"
 #include "witness_search.hpp"
@@ -18,11 +18,7 @@ using namespace equilibrium_detail;
 
 namespace {
 
-/// A node of the tree, and the nodes that it still needs.
-struct Step {
-  RefutationNode node = VirtualWorkLeaf{};
-  std::vector<Node> children;
-};
+using Step = Branch<RefutationNode, Node>;
 
 /// Explores the tree.
 class Explorer {
@@ -38,19 +34,10 @@ class Explorer {
   /// Depth first, in preorder. Nothing if it ended early: at a witness, or at the limit.
   std::optional<Refutation> explore() {
     Refutation tree;
-    std::vector<std::pair<Node, std::size_t>> pending;
-    pending.emplace_back(Node::root(problem_), 0);
-    while (!pending.empty()) {
-      if (options_.node_limit != 0 && work_.nodes >= options_.node_limit) return std::nullopt;
-      auto [node, depth] = std::move(pending.back());
-      pending.pop_back();
-      std::optional<Step> step = examine(std::move(node), depth);
-      if (!step) return std::nullopt;  // a witness
-      tree.push_back(std::move(step->node));
-      for (auto child = step->children.rbegin(); child != step->children.rend(); ++child) {
-        pending.emplace_back(std::move(*child), depth + 1);
-      }
-    }
+    const auto step = [&](Node node, std::size_t depth) {
+      return examine(std::move(node), depth);
+    };
+    if (!append_tree(Node::root(problem_), tree, step)) return std::nullopt;
     return tree;
   }
 
@@ -73,9 +60,9 @@ class Explorer {
   }
 
  private:
-  /// Closes or splits one node; nothing if it found a witness.
+  /// Closes or splits one node; nothing if it found a witness, or at the limit.
   std::optional<Step> examine(Node node, std::size_t depth) {
-    throw_if_cancelled();
+    if (options_.node_limit != 0 && work_.nodes >= options_.node_limit) return std::nullopt;
     ++work_.nodes;
     work_.depth = std::max(work_.depth, depth);
     if (node.region.is_void()) {
@@ -139,17 +126,15 @@ class Explorer {
   }
 
   Step split_at(const Node& node, const ContactSplit& split) {
-    Step step;
+    Step step{std::visit([](const auto& at) { return RefutationNode(at); }, split), {}};
     if (const auto* slip = std::get_if<SlipSplit>(&split)) {
       ++work_.slip_splits;
-      step.node = *slip;
       for (const Sign sign : {Sign::kPositive, Sign::kZero, Sign::kNegative}) {
         step.children.push_back(node.slip_child(problem_, slip->contact, sign));
       }
     } else {
       ++work_.separation_splits;
       const ContactId contact = std::get<SeparationSplit>(split).contact;
-      step.node = SeparationSplit{contact};
       for (const Separation side : {Separation::kClosed, Separation::kOpen}) {
         step.children.push_back(node.separation_child(problem_, contact, side));
       }

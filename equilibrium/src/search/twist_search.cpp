@@ -130,14 +130,13 @@ std::pair<std::size_t, double> TwistSearch::worst_ray(const Node& node, const Ra
 }
 
 /// The motion and forces whose wrenches make up the nearest point.
-void TwistSearch::combine(const Node& node, const RayTable& table, const NearestPoint& hull,
-                          const std::vector<SupportPoint>& supports,
+void TwistSearch::combine(const Node& node, const RayTable& table,
+                          const std::vector<std::pair<double, Support>>& parts,
                           SearchResult& result) const {
   result.normal.assign(node.undecided.size(), 0.0);
   result.tangential.assign(node.undecided.size(), 0.0);
-  for (std::size_t k = 0; k < hull.size(); ++k) {
-    const SupportPoint& support = supports[hull.order(k)];
-    const double weight = hull.weight(k) / scales_[support.ray];
+  for (const auto& [part, support] : parts) {
+    const double weight = part / scales_[support.ray];
     for (std::size_t j = 0; j < 5; ++j) {
       result.motion[j] += weight * table.rays()[support.ray][j];
     }
@@ -154,35 +153,31 @@ void TwistSearch::combine(const Node& node, const RayTable& table, const Nearest
 SearchResult TwistSearch::search(const Node& node, const RayTable& table, ConeWork& work) {
   ++work.searches;
   scale_rays(node, table);
-  std::vector<SupportPoint> supports;
-  NearestPoint hull;
-  double largest_point = 0;
+  // In torques over the length.
   const double length = model_.length;
-  const Double3& start = model_.start;
-  Double3 y{-start[0], -start[1], -start[2] / (length * length)};
-  if (dot(y, y) == 0) y = {1, 0, 0};
-  constexpr std::size_t kMostSteps = 60;
-  constexpr double kVanishing = 1e-24;  // of squared lengths; a proposal, not a decision
+  const auto unscaled = [&](const Double3& y) -> Double3 {
+    return {y[0], y[1], y[2] / length};
+  };
+  const Double3 start = unscaled(model_.start);
+  const auto found =
+      nearest_wrench<3>({-start[0], -start[1], -start[2]}, [&](const Double3& y) {
+        ++work.support_points;
+        const Double3 twist = unscaled(y);
+        const auto [ray, bound] = worst_ray(node, table, twist);
+        Support support{bound, {}, ray, twist};
+        if (bound >= 0) {
+          support.wrench = unscaled(wrench_at(node, table, ray));
+          for (double& entry : support.wrench) entry /= scales_[ray];
+        }
+        return std::optional(support);
+      });
   SearchResult result;
-  for (std::size_t step = 0; step < kMostSteps; ++step) {
-    ++work.support_points;
-    const auto [ray, bound] = worst_ray(node, table, y);
-    if (bound < 0) {
-      result.separated = true;
-      result.twist = y;
-      return result;
-    }
-    Double3 point = wrench_at(node, table, ray);
-    for (double& entry : point) entry /= scales_[ray];
-    point[2] /= length;
-    supports.push_back({ray, y});
-    largest_point = std::max(largest_point, dot(point, point));
-    const bool progress = hull.add(point);
-    const Double3& nearest = hull.nearest();
-    if (!progress || dot(nearest, nearest) <= kVanishing * largest_point) break;
-    y = {-nearest[0], -nearest[1], -nearest[2] / length};
+  if (found.separated) {
+    result.separated = true;
+    result.twist = unscaled(found.twist);
+  } else {
+    combine(node, table, found.parts, result);
   }
-  combine(node, table, hull, supports, result);
   return result;
 }
 
@@ -293,34 +288,25 @@ std::optional<bool> TwistSearch::certain_refutation(const Node& node, const RayT
 std::optional<VirtualWorkLeaf> TwistSearch::confirm(const Problem& problem, const Node& node,
                                                     const RayTable& table, const Double3& twist,
                                                     ConeWork& work) {
-  const double largest =
-      std::max({std::fabs(twist[0]), std::fabs(twist[1]), std::fabs(twist[2])});
-  if (!(largest > 0) || !std::isfinite(largest)) return std::nullopt;
-  for (const int bits : {3, 6, 10, 16, 24, 36, 50}) {
-    VirtualWorkLeaf leaf;
-    Double3 rounded{};
-    for (std::size_t j = 0; j < 3; ++j) {
-      rounded[j] = std::round(std::ldexp(twist[j] / largest, bits));
-      leaf.twist[j] = static_cast<long long>(rounded[j]);
-    }
-    const std::optional<bool> certain = certain_refutation(node, table, rounded);
-    if (certain && !*certain) continue;
-    leaf.twist = primitive(std::move(leaf.twist));
-    if (certain) {
-      ++work.filter_hits;
-    } else if (refutes(problem, node.region, leaf)) {
-      ++work.filter_misses;
-    } else {
-      continue;
-    }
-    for (const Integer& entry : leaf.twist) {
-      if (entry.is_zero()) continue;
-      work.largest_twist_bits =
-          std::max<std::size_t>(work.largest_twist_bits, msb(abs(entry)) + 1);
-    }
-    return leaf;
+  const auto y = in_fewest_bits<3>(
+      twist, {3, 6, 10, 16, 24, 36, 50}, [&](const IntegerVector3& candidate) {
+        const std::optional<bool> certain =
+            certain_refutation(node, table, in_doubles(candidate));
+        if (certain) {
+          if (*certain) ++work.filter_hits;
+          return *certain;
+        }
+        const bool refuted = refutes(problem, node.region, {candidate});
+        if (refuted) ++work.filter_misses;
+        return refuted;
+      });
+  if (!y) return std::nullopt;
+  for (const Integer& entry : *y) {
+    if (entry.is_zero()) continue;
+    work.largest_twist_bits =
+        std::max<std::size_t>(work.largest_twist_bits, msb(abs(entry)) + 1);
   }
-  return std::nullopt;
+  return VirtualWorkLeaf{*y};
 }
 
 }  // namespace stickslip::equilibrium_detail

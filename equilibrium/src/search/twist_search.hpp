@@ -10,6 +10,7 @@
 
 #include "node.hpp"
 #include "stickslip/equilibrium/search/branch_and_bound.hpp"
+#include "stickslip/equilibrium/search/nearest_wrench.hpp"
 #include "stickslip/equilibrium/search/region_program.hpp"
 
 namespace stickslip::equilibrium_detail {
@@ -48,15 +49,18 @@ class TwistSearch {
   };
   Edge edge(const UndecidedContact& u, const Double3& twist) const;
   /// A wrench that entered the hull: that of a ray, on the twist on which it was the worst.
-  struct SupportPoint {
+  struct Support {
+    double work;
+    Double3 wrench;
     std::size_t ray;
     Double3 twist;
   };
   void scale_rays(const Node& node, const RayTable& table);
   std::pair<std::size_t, double> worst_ray(const Node& node, const RayTable& table,
                                            const Double3& twist);
-  void combine(const Node& node, const RayTable& table, const NearestPoint& hull,
-               const std::vector<SupportPoint>& supports, SearchResult& result) const;
+  void combine(const Node& node, const RayTable& table,
+               const std::vector<std::pair<double, Support>>& parts,
+               SearchResult& result) const;
   void add_undecided_bounds(const Node& node, const RayTable& table, const Double3& twist);
   Double3 wrench_at(const Node& node, const RayTable& table, std::size_t ray) const;
   /// Whether g <= 0 with zeros only where nothing acts, if error bounds decide.

@@ -4,13 +4,13 @@
 /// explains; and how they are found.
 #pragma once
 
-#include <array>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "stickslip/box/parameter_box.hpp"
 #include "stickslip/equilibrium/decide.hpp"
+#include "stickslip/equilibrium/search/degree.hpp"
 
 namespace stickslip {
 
@@ -20,17 +20,8 @@ using BoxNode =
 /// Trees in preorder, one after another.
 using BoxTrees = std::vector<BoxNode>;
 
-/// 3 x 3, by rows.
-using Matrix3 = std::array<Vector3, 3>;
-
-/// Every grasp of a part of the box has an equilibrium in the parallelepiped
-/// K = {d : |E_j.(d - d0)| <= 1}.
-struct DegreeProof {
-  Twist twist;        ///< d0
-  Matrix3 walls;      ///< E
-  Matrix3 direction;  ///< A
-  BoxTrees trees;     ///< list 1, then list 2: six trees each
-};
+/// Of every grasp of a part of the box.
+using DegreeProof = DegreeProofIn<3, BoxNode>;
 
 /// Cuts and proofs in preorder.
 using StabilityProof = std::vector<std::variant<PartSplit, DegreeProof>>;

@@ -10,6 +10,7 @@
 #include "stickslip/equilibrium/margin.hpp"
 #include "stickslip/equilibrium/question.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
+#include "stickslip/space/spatial_margin.hpp"
 #include "stickslip/space/spatial_verdict.hpp"
 
 namespace stickslip {
@@ -29,6 +30,10 @@ std::string box_certificate_text(const Question& question, const BoxDecision& de
 std::string spatial_certificate_text(const SpatialQuestion& question,
                                      const SpatialDecision& decision,
                                      const std::string& producer);
+
+/// The certificate of a margin in space (FORMAT.md, section 7).
+std::string spatial_margin_text(const SpatialQuestion& question, const SpatialMargin& margin,
+                                const std::string& producer);
 
 /// The certificate of the margin of problem_of(question) (FORMAT.md, section 5).
 std::string margin_certificate_text(const Question& question, const Margin& margin,

@@ -73,8 +73,10 @@ Json number_json(const std::array<Number, n>& v) {
 }
 /// \}
 
-/// A member "units" of an answer about this grasp, if they are known.
+/// \{ A member "units" of an answer about this grasp, if they are known.
 void add_units(Json& json, const Grasp& grasp);
+void add_units(Json& json, const std::optional<Units>& units);
+/// \}
 
 /// The tree with its exact numbers as strings, such as "-1/2". With `floats`, each member X
 /// that is such numbers, in arrays of any depth, is followed by a member X_float of the same

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "stickslip/core/error.hpp"
 #include "stickslip/equilibrium/question.hpp"
 
 namespace stickslip {
@@ -18,6 +19,9 @@ std::vector<Rational> numbers_option(const std::string& option, const std::strin
 
 /// The wrench "WX,WY,T" in an option's value. Throws InputError naming the option.
 Wrench wrench_option(const std::string& option, const std::string& value);
+
+/// An error of ask() in the words of the command line, about the grasp `name`.
+InputError in_options(const InputError& error, const std::string& name);
 
 /// ask(), and the rows that every answer needs: errors are in the words of the command line,
 /// and those of a contact name the grasp `name`. Refuses a box unless the command takes them.

@@ -63,6 +63,15 @@ struct Question {
 /// also as GraspBox::widened; and with the place "uncertain" if a margin is asked about.
 Question ask(const GraspFile& file, const QuestionOptions& options);
 
+/// \{ Of questions in the plane and in space: how much preloads grow, by those that there are
+/// without it; that something grows; and that numbers are certain. Throw InputError as ask().
+std::vector<Rational> preload_growth(const std::vector<Rational>& preloads,
+                                     const PreloadDirection& direction);
+void require_growth(bool load_grows, const std::vector<Rational>& growth,
+                    const std::optional<PreloadDirection>& direction);
+[[noreturn]] void refuse_uncertain_margin();
+/// \}
+
 /// What an engine answers; of a margin, the family. Throws InputError ("contacts[i].normal")
 /// when a contact whose preload is not 0 or grows has a normal of irrational length, and if the
 /// question is a box otherwise, about which decide_box() can be asked.

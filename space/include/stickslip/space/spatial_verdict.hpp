@@ -10,13 +10,13 @@
 /// equilibrium breaks a law with the most energy. Doubles propose; a leaf is confirmed exactly.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "stickslip/equilibrium/search/degree.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 #include "stickslip/space/spatial_question.hpp"
 
@@ -29,29 +29,13 @@ struct SpatialWitness {
   std::vector<std::pair<ContactId, Vector3>> shares;
 };
 
-/// Two children: plane.x >= 0, plane.x <= 0, of points x = (d, h, 0).
-struct SpatialPlaneSplit {
-  IntegerVector<8> plane;  ///< nonzero
-};
-/// A virtual twist on which no force of the region makes up for the load; 0 where it is void.
-struct SpatialLeaf {
-  IntegerVector<6> twist;  ///< y
-};
 /// Of a slip split two children: s_i = 0, and s_i strict.
-using SpatialNode = std::variant<SlipSplit, SeparationSplit, SpatialPlaneSplit, SpatialLeaf>;
+using SpatialNode = std::variant<SlipSplit, SeparationSplit, PlaneSplitIn<6>, LeafIn<6>>;
 /// Trees in preorder, one after another.
 using SpatialTrees = std::vector<SpatialNode>;
 
-/// 6 x 6, by rows.
-using Matrix6 = std::array<Vector6, 6>;
-
-/// Every grasp of the box has an equilibrium in {d : |E_j.(d - d0)| <= 1}.
-struct SpatialDegreeProof {
-  Vector6 twist;       ///< d0
-  Matrix6 walls;       ///< E
-  Matrix6 direction;   ///< A
-  SpatialTrees trees;  ///< list 1, unless the box is one point, then list 2: twelve trees each
-};
+/// Of every grasp of the box.
+using SpatialDegreeProof = DegreeProofIn<6, SpatialNode>;
 
 /// An equilibrium exists, for every grasp in the box.
 struct SpatiallyStable {

@@ -48,9 +48,6 @@ class NearestPointIn {
   Point nearest_{};
 };
 
-/// In the plane, of wrenches and twists.
-using NearestPoint = NearestPointIn<3>;
-
 extern template class NearestPointIn<3>;
 extern template class NearestPointIn<6>;
 

@@ -8,13 +8,10 @@
 #include <optional>
 #include <vector>
 
-#include "stickslip/equilibrium/search/cone.hpp"
+#include "stickslip/equilibrium/search/strict_cone.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 
 namespace stickslip {
-
-/// Whether a contact is closed (v_i >= 0), open (v_i <= 0) or either on a region.
-enum class Separation { kClosed, kOpen, kMixed };
 
 /// A set of motions between the planes of its splits. A split makes new ones.
 class Region {

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "margin_text.hpp"
+
+#include <algorithm>
+
+namespace stickslip {
+namespace {
+
+/// "1 at each contact", "(1, 0, 2)", or of many contacts "from 0 to 2".
+std::string preloads_text(const std::vector<Rational>& preloads, NumberText& text) {
+  const auto [smallest, largest] = std::minmax_element(preloads.begin(), preloads.end());
+  if (preloads.empty()) return "none";
+  if (*smallest == *largest) return text(*smallest) + " at each contact";
+  constexpr std::size_t kMostShown = 8;
+  if (preloads.size() <= kMostShown) return text(preloads);
+  return "from " + text(*smallest) + " to " + text(*largest);
+}
+
+std::string family_text(const FamilyText& family) {
+  std::string text;
+  if (family.direction) text = "loads w + l u";
+  if (const auto& preloads = family.preload_direction) {
+    text += text.empty() ? "" : " and ";
+    text += preloads->scale ? "preloads l P" : "preloads P + l Q";
+  }
+  return text + " with l >= 0";
+}
+
+}  // namespace
+
+std::string head_text(const FamilyText& family, NumberText& text) {
+  std::string head =
+      family.heading + family_text(family) + "\n\n" + "  wrench w     " + family.wrench + '\n';
+  if (family.direction) head += "  direction u  " + *family.direction + '\n';
+  if (const auto& direction = family.preload_direction) {
+    head += "  preloads P   " + preloads_text(family.preloads, text) + '\n';
+    if (!direction->scale) {
+      head += "  growth Q     " + preloads_text(family.growth, text) + '\n';
+    }
+  }
+  return head + '\n';
+}
+
+std::string multiples_text(const Rational& low, const std::optional<Rational>& high,
+                           NumberText& text) {
+  if (!high) return "from " + text(low);
+  if (low == *high) return text(low);
+  return "[" + text(low) + ", " + text(*high) + "]";
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+  std::string result;
+  for (const std::string& part : parts) {
+    if (!result.empty()) result += &part == &parts.back() ? " and " : ", ";
+    result += part;
+  }
+  return result;
+}
+
+Json number_or_null(const std::optional<Rational>& number) {
+  return number ? number_json(*number) : Json();
+}
+
+Json preload_direction_json(const PreloadDirection& direction) {
+  if (direction.scale) return "scale";
+  Json json = Json::array();
+  for (const Rational& rate : direction.rates) json.push_back(number_json(rate));
+  return json;
+}
+
+}  // namespace stickslip

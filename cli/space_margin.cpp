@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "space_margin.hpp"
+
+#include <iostream>
+#include <utility>
+
+#include "box_numbers.hpp"
+#include "commands.hpp"
+#include "margin_text.hpp"
+#include "space_answer.hpp"
+#include "stickslip/certificate/certificate.hpp"
+#include "stickslip/core/file.hpp"
+#include "terminal.hpp"
+
+namespace stickslip {
+namespace {
+
+using Multiples = std::vector<std::pair<Rational, std::optional<Rational>>>;
+
+/// All that are proved to be resisted, one after another where they touch.
+Multiples resisted_by(const SpatialMargin& margin) {
+  Multiples resisted;
+  for (const auto& claim : margin.claims) {
+    const auto* part = std::get_if<ResistedMultiples>(&claim);
+    if (part == nullptr) continue;
+    if (!resisted.empty() && resisted.back().second == part->low) {
+      resisted.back().second = part->high;
+    } else {
+      resisted.emplace_back(part->low, part->high);
+    }
+  }
+  return resisted;
+}
+
+Multiples refuted_by(const SpatialMargin& margin) {
+  Multiples refuted;
+  for (const auto& claim : margin.claims) {
+    if (const auto* part = std::get_if<RefutedMultiples>(&claim)) {
+      refuted.emplace_back(part->low, part->high);
+    }
+  }
+  return refuted;
+}
+
+Json multiples_json(const Multiples& multiples) {
+  Json json = Json::array();
+  for (const auto& [low, high] : multiples) {
+    json.push_back({number_json(low), number_or_null(high)});
+  }
+  return json;
+}
+
+void print_json(const SpatialQuestion& question, const SpatialMargin& margin, bool floats) {
+  Json json;
+  json["name"] = question.grasp.name;
+  if (!question.case_name.empty()) json["case"] = question.case_name;
+  add_units(json, question.grasp.units);
+  json["normal_law"] = to_string(question.law);
+  json["wrench"] = wrench_json(question.grasp.wrench);
+  if (question.direction) json["direction"] = number_json(*question.direction);
+  if (question.preload_direction) {
+    json["preload_direction"] = preload_direction_json(*question.preload_direction);
+  }
+  const Multiples resisted = resisted_by(margin);
+  json["resisted"] = multiples_json(resisted);
+  json["refuted"] = multiples_json(refuted_by(margin));
+  json["least"] = resisted.empty() ? Json() : number_json(resisted.front().first);
+  json["unbounded"] = !resisted.empty() && !resisted.back().second;
+  json["stats"] = work_json(margin.work);
+  std::cout << finished(json, floats).dump(1) << '\n';
+}
+
+FamilyText family_of(const SpatialQuestion& question, NumberText& text) {
+  FamilyText family{heading(question.grasp.name, question.case_name),
+                    load_text(question.grasp.wrench, text),
+                    {},
+                    question.preload_direction,
+                    {},
+                    question.preload_growth};
+  if (question.direction) family.direction = text(*question.direction);
+  for (const SpatialContact& c : question.grasp.contacts) {
+    family.preloads.push_back(c.preload.low);
+  }
+  if (question.preload_direction && question.preload_direction->scale) {
+    family.preloads = question.preload_growth;
+  }
+  return family;
+}
+
+void print_text(const SpatialQuestion& question, const SpatialMargin& margin,
+                NumberText& text) {
+  std::cout << head_text(family_of(question, text), text);
+  std::vector<std::string> resisted;
+  for (const auto& [low, high] : resisted_by(margin)) {
+    resisted.push_back(multiples_text(low, high, text));
+  }
+  std::vector<std::string> refuted;
+  for (const auto& [low, high] : refuted_by(margin)) {
+    refuted.push_back(!high           ? "above " + text(low)
+                      : low.is_zero() ? "below " + text(*high)
+                                      : "between " + text(low) + " and " + text(*high));
+  }
+  std::cout << (resisted.empty() ? "No l is known to be resisted.\n"
+                                 : "Resisted: l = " + joined(resisted) + "\n")
+            << (refuted.empty() ? "No l is known not to be.\n"
+                                : "Not resisted: l " + joined(refuted) + "\n")
+            << "\nOf other multiples nothing is known. Proved in "
+            << std::to_string(margin.claims.size()) << " steps and " << margin.work.nodes
+            << " nodes.\nNormal law: " << law_text(question.law) << ".\n"
+            << units_text(question.grasp.units) << text.note();
+}
+
+void print_least(const SpatialMargin& margin, NumberText& text) {
+  const Multiples resisted = resisted_by(margin);
+  if (resisted.empty()) {
+    std::cout << "None: no multiple is known to hold.\n";
+    return;
+  }
+  std::cout << text(resisted.front().first) << '\n' << text.note();
+}
+
+}  // namespace
+
+int answer_margin_in_space(const SpatialQuestion& question,
+                           const SpaceMarginArguments& arguments) {
+  Progress progress;
+  const SpatialMargin margin =
+      find_margin(question, arguments.search, [&](const SpatialMargin& so_far) {
+        progress.show(std::to_string(so_far.claims.size()) + " steps proved, " +
+                      std::to_string(so_far.work.nodes) + " nodes");
+      });
+  progress.clear();
+  if (!arguments.certificate.empty()) {
+    write_whole_file(arguments.certificate,
+                     spatial_margin_text(question, margin, kSpaceProducer));
+  }
+  NumberText text(arguments.output);
+  if (arguments.output.json) {
+    print_json(question, margin, arguments.output.floats);
+  } else if (arguments.least) {
+    print_least(margin, text);
+  } else {
+    print_text(question, margin, text);
+  }
+  return arguments.least && resisted_by(margin).empty() ? kAnswerUnstable : kDone;
+}
+
+}  // namespace stickslip

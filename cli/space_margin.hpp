@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// How `margin` answers a question about a grasp in space.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "question_options.hpp"
+#include "stickslip/space/spatial_margin.hpp"
+
+namespace stickslip {
+
+struct SpaceMarginArguments {
+  std::string certificate;
+  SpatialMarginOptions search;
+  NumberOptions output;
+  bool least;
+};
+
+/// The exit code.
+int answer_margin_in_space(const SpatialQuestion& question,
+                           const SpaceMarginArguments& arguments);
+
+}  // namespace stickslip

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Proofs by degree, in the plane and in space: a parallelepiped of motions on whose walls
+/// there is no equilibrium (certificate/FORMAT.md, section 6).
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "stickslip/equilibrium/search/scaled_point.hpp"
+#include "stickslip/equilibrium/search/strict_cone.hpp"
+
+namespace stickslip {
+
+/// There is an equilibrium in {d : |E_j.(d - d0)| <= 1}, with motions of D coordinates and
+/// trees of such nodes.
+template <std::size_t D, class Node>
+struct DegreeProofIn {
+  std::array<Rational, D> twist{};  ///< d0
+  SquareMatrix<D> walls{};          ///< E
+  SquareMatrix<D> direction{};      ///< A
+  std::vector<Node> trees;          ///< list 1 unless it is not needed, and list 2: 2 D each
+};
+
+/// The exact determinant is not 0. For D = 3 and 6.
+template <std::size_t D>
+bool is_invertible(const SquareMatrix<D>& matrix);
+extern template bool is_invertible<3>(const SquareMatrix<3>& matrix);
+extern template bool is_invertible<6>(const SquareMatrix<6>& matrix);
+
+/// What `leaf-direction` asks of list 2: y.A(d - h d0) >= 0.
+template <std::size_t D>
+struct Direction {
+  SquareMatrix<D> matrix;         ///< A
+  std::array<Rational, D> twist;  ///< d0
+
+  /// The coefficients of y.A(d - h d0) as a function of points, up to a positive factor.
+  IntegerVector<D + 2> form(const IntegerVector<D>& y) const;
+  /// Whether the function is below 0 at none of the points.
+  bool holds(const IntegerVector<D>& y, const std::vector<IntegerVector<D + 2>>& points) const;
+  /// -A(d - h d0) at a point with h > 0, with torques over `length`, over its norm.
+  std::array<double, D> against(const IntegerVector<D + 2>& x, double length) const;
+};
+
+template <std::size_t D>
+IntegerVector<D + 2> Direction<D>::form(const IntegerVector<D>& y) const {
+  std::array<Rational, D + 2> form{};
+  for (std::size_t k = 0; k < D; ++k) {
+    for (std::size_t j = 0; j < D; ++j) form[k] += Rational(y[j]) * matrix[j][k];
+    form[D] -= form[k] * twist[k];
+  }
+  return primitive_multiple(form);
+}
+
+template <std::size_t D>
+bool Direction<D>::holds(const IntegerVector<D>& y,
+                         const std::vector<IntegerVector<D + 2>>& points) const {
+  const IntegerVector<D + 2> function = form(y);
+  return std::none_of(points.begin(), points.end(), [&](const IntegerVector<D + 2>& x) {
+    return dot(function, x).sign() < 0;
+  });
+}
+
+/// Exactly up to the last step, as d - h d0 may be small beside d.
+template <std::size_t D>
+std::array<double, D> Direction<D>::against(const IntegerVector<D + 2>& x,
+                                            double length) const {
+  std::array<Rational, D> from;
+  for (std::size_t j = 0; j < D; ++j) from[j] = Rational(x[j]) - Rational(x[D]) * twist[j];
+  std::array<double, D> result{};
+  for (std::size_t j = 0; j < D; ++j) {
+    const Rational value = dot(matrix[j], from) / Rational(x[D]);
+    result[j] = -to_double(value) / (j < equilibrium_detail::kFirstRotation<D> ? 1 : length);
+  }
+  const double size = std::sqrt(dot(result, result));
+  for (double& entry : result) entry /= size;
+  return result;
+}
+
+/// `degree-law`: every contact is closed at the vertices of the parallelepiped, which are the
+/// rays of the walls' regions.
+template <class Region, class Model, class Proof>
+bool all_closed_inside(const Model& model, const Proof& proof) {
+  for (std::size_t wall = 0; wall < proof.walls.size(); ++wall) {
+    for (const int sign : {1, -1}) {
+      const Region region = Region::wall(model, proof.walls, proof.twist, wall, sign);
+      for (std::size_t i = 0; i < model.contacts.size(); ++i) {
+        if (region.separation(i) != Separation::kClosed) return false;
+      }
+    }
+  }
+  return true;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The search for a virtual twist in double precision: the wrench of least norm among the sums
+/// that a region allows (Wolfe 1976; Gilbert, Johnson, Keerthi 1988). It only proposes.
+#pragma once
+
+#include <cmath>
+#include <initializer_list>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "stickslip/equilibrium/search/nearest_point.hpp"
+
+namespace stickslip::equilibrium_detail {
+
+/// What was found: a twist, or a combination of wrenches that vanishes.
+template <std::size_t D, class Support>
+struct NearestWrench {
+  bool separated = false;
+  std::array<double, D> twist{};                  ///< if separated: all wrenches are against it
+  std::vector<std::pair<double, Support>> parts;  ///< else; weights of sum 1
+};
+
+/// `worst(y)` returns the Support with the most work on y, or nothing if there is none; its
+/// members `work` and `wrench` (of which the work on y that is) are read.
+template <std::size_t D, class Worst>
+auto nearest_wrench(std::array<double, D> y, const Worst& worst) {
+  using Support = typename decltype(worst(y))::value_type;
+  constexpr std::size_t kMostSteps = 100;
+  constexpr double kVanishing = 1e-22;  // of squared lengths; a proposal, not a decision
+  NearestWrench<D, Support> result;
+  std::vector<Support> supports;
+  NearestPointIn<D> hull;
+  double largest = 0;
+  if (dot(y, y) == 0) y[0] = 1;
+  for (std::size_t step = 0; step < kMostSteps; ++step) {
+    std::optional<Support> support = worst(y);
+    if (!support) break;
+    if (support->work < 0) {
+      result.separated = true;
+      result.twist = y;
+      return result;
+    }
+    const std::array<double, D> wrench = support->wrench;
+    supports.push_back(std::move(*support));
+    largest = std::max(largest, dot(wrench, wrench));
+    const bool progress = hull.add(wrench);
+    const std::array<double, D>& nearest = hull.nearest();
+    if (!progress || dot(nearest, nearest) <= kVanishing * largest) break;
+    for (std::size_t j = 0; j < D; ++j) y[j] = -nearest[j];
+  }
+  for (std::size_t k = 0; k < hull.size(); ++k) {
+    result.parts.emplace_back(hull.weight(k), std::move(supports[hull.order(k)]));
+  }
+  return result;
+}
+
+/// The first of the vectors near a multiple of `y`, in more and more bits, that is accepted.
+template <std::size_t D, class Accept>
+std::optional<IntegerVector<D>> in_fewest_bits(const std::array<double, D>& y,
+                                               std::initializer_list<int> bits,
+                                               const Accept& accept) {
+  IntegerVector<D> before{};
+  for (const int count : bits) {
+    IntegerVector<D> candidate = in_bits(y, count);
+    if (candidate == before || is_zero(candidate)) continue;
+    if (accept(candidate)) return candidate;
+    before = std::move(candidate);
+  }
+  return std::nullopt;
+}
+
+}  // namespace stickslip::equilibrium_detail

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// A region of motions as trees cut it, whatever the contacts: a cone, and the strict functions
+/// (certificate/FORMAT.md, section 4).
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "stickslip/equilibrium/search/cone.hpp"
+
+namespace stickslip {
+
+/// Whether a contact is closed (v_i >= 0), open (v_i <= 0) or either on a region.
+enum class Separation { kClosed, kOpen, kMixed };
+
+/// D x D, by rows.
+template <std::size_t D>
+using SquareMatrix = std::array<std::array<Rational, D>, D>;
+
+/// The signs of a linear function on a region.
+struct PlaneSigns {
+  bool positive = false;      ///< somewhere
+  bool negative = false;      ///< somewhere
+  bool zeros_barred = false;  ///< some strict function is 0 wherever it is; of one sign only
+
+  /// The plane has parts of the region strictly on both sides.
+  bool cuts() const { return positive && negative; }
+};
+
+/// Points x = (d, h, l) with motions d of D coordinates.
+template <std::size_t D>
+class StrictCone {
+ public:
+  /// A point, or a linear function of points.
+  using Point = IntegerVector<D + 2>;
+
+  /// {h >= 0}, with h strict; l = 0, or any.
+  explicit StrictCone(
+      typename ConeIn<D + 2>::Multiples multiples = ConeIn<D + 2>::Multiples::kZero)
+      : cone_(multiples) {}
+  /// Keeps plane.x >= 0, = 0 or <= 0; strict: it is not 0 at solutions.
+  void cut(const Point& plane, Side side, bool strict = false) {
+    if (strict) strict_.push_back(cone_.constraint_count());
+    cone_.cut(plane, side);
+  }
+
+  /// Keeps the cone over a wall of {d : |E_j.(d - d0)| <= 1}: E_wall.(d - d0) = sign.
+  void cut_to_wall(const SquareMatrix<D>& walls, const std::array<Rational, D>& centre,
+                   std::size_t wall, int sign);
+
+  /// Of which all points are sums of nonnegative multiples: lines both ways, and rays.
+  const std::vector<Point>& points() const { return points_; }
+  /// Of these, by index: some strict function is 0 on all of them.
+  bool bars(const std::vector<std::size_t>& zeros) const;
+  /// Of a plane on the region.
+  PlaneSigns signs(const Point& plane) const;
+
+ protected:
+  /// To be called after cuts: fills points().
+  void list_points() { points_ = cone_.directions(); }
+  /// The indices of points().
+  std::vector<std::size_t> all_points() const {
+    std::vector<std::size_t> all(points_.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
+  }
+
+ private:
+  ConeIn<D + 2> cone_;
+  std::vector<ConstraintIndex> strict_{0};  // h is constraint 0
+  std::vector<Point> points_;
+};
+
+template <std::size_t D>
+void StrictCone<D>::cut_to_wall(const SquareMatrix<D>& walls,
+                                const std::array<Rational, D>& centre, std::size_t wall,
+                                int sign) {
+  const auto plane = [&](std::size_t j, int height) {  // E_j.(d - h d0) - height h
+    std::array<Rational, D + 2> a{};
+    std::copy(walls[j].begin(), walls[j].end(), a.begin());
+    a[D] = -dot(walls[j], centre) - height;
+    return primitive_multiple(a);
+  };
+  cut(plane(wall, sign), Side::kZero);
+  for (std::size_t j = 0; j < D; ++j) {
+    if (j == wall) continue;
+    cut(plane(j, 1), Side::kNegative);
+    cut(plane(j, -1), Side::kPositive);
+  }
+}
+
+/// All constraints are 0 on lines, which take nothing away.
+template <std::size_t D>
+bool StrictCone<D>::bars(const std::vector<std::size_t>& zeros) const {
+  const std::size_t lines = 2 * cone_.lines().size();
+  return std::any_of(strict_.begin(), strict_.end(), [&](ConstraintIndex strict) {
+    return std::all_of(zeros.begin(), zeros.end(), [&](std::size_t point) {
+      if (point < lines) return true;
+      const std::vector<ConstraintIndex>& tight = cone_.rays()[point - lines].tight;
+      return std::binary_search(tight.begin(), tight.end(), strict);
+    });
+  });
+}
+
+template <std::size_t D>
+PlaneSigns StrictCone<D>::signs(const Point& plane) const {
+  PlaneSigns signs;
+  std::vector<std::size_t> zeros;
+  for (std::size_t p = 0; p < points_.size(); ++p) {
+    const int sign = dot(plane, points_[p]).sign();
+    if (sign > 0) signs.positive = true;
+    if (sign < 0) signs.negative = true;
+    if (sign == 0) zeros.push_back(p);
+    if (signs.cuts()) return signs;
+  }
+  signs.zeros_barred = bars(zeros);
+  return signs;
+}
+
+}  // namespace stickslip

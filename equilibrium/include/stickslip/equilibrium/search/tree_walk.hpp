@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The walk of branch and bound, whatever the nodes are.
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "stickslip/core/cancellation.hpp"
+
+namespace stickslip::equilibrium_detail {
+
+/// A node of a tree, and the regions of its children in order; of a leaf none.
+template <class Node, class Region>
+struct Branch {
+  Node node;
+  std::vector<Region> children;
+};
+
+/// Appends a tree in preorder, depth first. `examine(region, depth)` returns an optional
+/// Branch, or nothing to end the walk: then the tree is not whole, and the result false.
+template <class Region, class Node, class Examine>
+bool append_tree(Region root, std::vector<Node>& tree, Examine examine) {
+  std::vector<std::pair<Region, std::size_t>> pending;
+  pending.emplace_back(std::move(root), 0);
+  while (!pending.empty()) {
+    throw_if_cancelled();
+    auto [region, depth] = std::move(pending.back());
+    pending.pop_back();
+    auto branch = examine(std::move(region), depth);
+    if (!branch) return false;
+    tree.push_back(std::move(branch->node));
+    for (auto child = branch->children.rbegin(); child != branch->children.rend(); ++child) {
+      pending.emplace_back(std::move(*child), depth + 1);
+    }
+  }
+  return true;
+}
+
+}  // namespace stickslip::equilibrium_detail

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Margins in space: multiples l >= 0 for which a grasp is stable under the wrench w + l u and
+/// the preloads P + l P^u (certificate/FORMAT.md, section 7). Ends of what is resisted are
+/// algebraic numbers there, so that some multiples near them are left undecided.
+///
+/// **Method.** An equilibrium is followed as the multiple grows and falls, in steps that become
+/// smaller where it is lost; each step is proved by degree, with the multiple as one more
+/// uncertain number. What is left is refuted by branch and bound with the multiple as one more
+/// unknown, or has another equilibrium to be followed, or is cut in two.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <variant>
+#include <vector>
+
+#include "stickslip/space/spatial_verdict.hpp"
+
+namespace stickslip {
+
+/// Every multiple from low to high is resisted, both included; all, if there is no high.
+struct ResistedMultiples {
+  Rational low;                  ///< >= 0
+  std::optional<Rational> high;  ///< >= low; nothing only where w and P are 0
+  SpatialDegreeProof proof;      ///< nodes see the multiple as well
+};
+/// No multiple between low and high is resisted; nor is 0, if it is low, and w or P is not 0.
+struct RefutedMultiples {
+  Rational low;                  ///< >= 0
+  std::optional<Rational> high;  ///< > low; nothing: without end
+  SpatialTrees tree;             ///< nodes see the multiple as well
+};
+
+/// What is known of all multiples.
+struct SpatialMargin {
+  /// Increasing; where one ends the next may begin.
+  std::vector<std::variant<ResistedMultiples, RefutedMultiples>> claims;
+  SpatialWork work;     ///< to find them
+  unsigned bits = 128;  ///< of the proofs
+};
+
+/// How finely to look.
+struct SpatialMarginOptions {
+  /// What is left undecided at an end is about this part of the multiple there.
+  Rational accuracy{1, 1000};
+  SpatialSearchOptions search{};  ///< of each proof
+};
+
+/// Requires a question about a margin. Deterministic. `progress` is called now and then.
+SpatialMargin find_margin(const SpatialQuestion& question,
+                          const SpatialMarginOptions& options = {},
+                          const std::function<void(const SpatialMargin&)>& progress = {});
+
+}  // namespace stickslip

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "equilibria.hpp"
+#include "space_search.hpp"
+#include "spatial_degree.hpp"
+#include "stickslip/core/error.hpp"
+#include "stickslip/space/spatial_margin.hpp"
+
+namespace stickslip {
+
+using namespace space_detail;
+
+namespace {
+
+/// An equilibrium of the member of the family with this multiple.
+struct Member {
+  Rational multiple;
+  NearEquilibrium near;
+};
+
+const Rational& low_end(const std::variant<ResistedMultiples, RefutedMultiples>& claim) {
+  return std::visit([](const auto& c) -> const Rational& { return c.low; }, claim);
+}
+
+class SpatialMarginSearch {
+ public:
+  SpatialMarginSearch(const SpatialQuestion& question, const SpatialMarginOptions& options,
+                      const std::function<void(const SpatialMargin&)>& progress)
+      : model_(question, options.search.bits),
+        accuracy_(options.accuracy),
+        node_limit_(options.search.node_limit != 0 ? options.search.node_limit : kNodeLimit),
+        progress_(progress) {
+    margin_.bits = options.search.bits;
+    double growth = 0;
+    for (const double u : model_.growing) growth = std::max(growth, std::fabs(u));
+    for (const SpaceContact& c : model_.contacts) {
+      growth = std::max(growth, c.rates[1] * std::sqrt(to_double(c.squared_length)));
+    }
+    const double typical = model_.force / growth;
+    if (std::isfinite(typical) && typical > 0) {
+      unit_ = rational_from_double(std::ldexp(1.0, std::ilogb(typical)));
+    }
+    is_homogeneous_ =
+        std::all_of(model_.contacts.begin(), model_.contacts.end(),
+                    [](const SpaceContact& c) { return c.preload.high.is_zero(); });
+    for (const Interval& w : model_.wrench) {
+      is_homogeneous_ = is_homogeneous_ && w.is_point() && w.low.is_zero();
+    }
+  }
+
+  SpatialMargin run() {
+    if (is_homogeneous_) {
+      settle_at_once();
+    } else {
+      follow_from_zero();
+      const std::optional<Rational> high;
+      if (margin_.claims.empty()) {
+        claim_all(0, high, true);
+      } else if (resisted_ < most()) {
+        claim_all(resisted_ + least_step(resisted_), high, false);
+      }
+    }
+    std::sort(margin_.claims.begin(), margin_.claims.end(),
+              [](const auto& a, const auto& b) { return low_end(a) < low_end(b); });
+    return std::move(margin_);
+  }
+
+ private:
+  static constexpr std::size_t kNodeLimit = 20000;
+  static constexpr std::size_t kMostSearches = 10;
+
+  /// What is resisted is followed no farther.
+  Rational most() const { return 1024 * unit_; }
+  Rational least_step(const Rational& multiple) const {
+    return accuracy_ * std::max(multiple, Rational(unit_ / 1024)) / 2;
+  }
+
+  /// Where the laws are homogeneous all multiples above 0 have one verdict.
+  void settle_at_once() {
+    const SpaceModel there = model_.at(1);
+    for (const NearEquilibrium& near : NewtonMethod(there).solve_from(3)) {
+      if (auto proof = prove({1, 1}, there, near, {}, node_limit_ / 24)) {
+        margin_.claims.emplace_back(ResistedMultiples{0, {}, std::move(*proof)});
+        return;
+      }
+    }
+    const SpaceModel whole = model_.within({0, {}, false});
+    SpatialTrees tree;
+    if (SpaceSearch(whole, nullptr, node_limit_, margin_.work)
+            .refute(SpaceRegion::root(whole), tree)) {
+      margin_.claims.emplace_back(RefutedMultiples{0, {}, std::move(tree)});
+    }
+  }
+
+  void follow_from_zero() {
+    for (const NearEquilibrium& near : NewtonMethod(model_.at(0)).solve_from(3)) {
+      resisted_ = follow({0, near}, most());
+      if (!margin_.claims.empty()) return;
+    }
+  }
+
+  /// Claims what can be claimed of a range: (low, high), and low as well if has_low.
+  void claim_all(const Rational& low, const std::optional<Rational>& high, bool has_low) {
+    if (high && *high <= low) return;
+    if (auto tree = settle(low, high, has_low)) {
+      margin_.claims.emplace_back(RefutedMultiples{low, high, std::move(*tree)});
+      report();
+    }
+  }
+
+  /// A tree that refutes all of a range; or it claims what can be claimed of parts of it.
+  std::optional<SpatialTrees> settle(const Rational& low, const std::optional<Rational>& high,
+                                     bool has_low) {
+    if (high && *high - low <= 2 * least_step(*high)) return std::nullopt;
+    if (margin_.work.nodes > kMostSearches * node_limit_) return std::nullopt;
+    std::optional<std::pair<Rational, Rational>> resisted;
+    const SpaceModel whole = model_.within({low, high, has_low});
+    SpaceSearch search(whole, nullptr, node_limit_, margin_.work);
+    search.on_candidate([&](const NearEquilibrium& relaxed, double multiple) {
+      if (!std::isfinite(multiple)) return false;
+      const Rational grain = least_step(0);
+      const Rational steps = rational_from_double(multiple) / grain;
+      const Rational at = Rational(numerator(steps) / denominator(steps)) * grain;
+      if (at <= low || (high && at >= *high)) return false;
+      const auto near = NewtonMethod(model_.at(at)).polish(relaxed);
+      if (!near) return false;
+      const Rational up = follow({at, *near}, high ? *high : most());
+      const Rational down = follow({at, *near}, low);
+      if (up == down) return false;
+      resisted = {down, up};
+      return true;
+    });
+    SpatialTrees tree;
+    if (search.refute(SpaceRegion::root(whole), tree)) return tree;
+    if (resisted) {
+      const auto& [down, up] = *resisted;
+      claim_all(low, down - least_step(down), has_low);
+      if (high || up < most()) claim_all(up + least_step(up), high, false);
+      return std::nullopt;
+    }
+    const Rational middle = high ? (low + *high) / 2 : std::max(Rational(2 * low), unit_);
+    if (!high && middle >= most()) return std::nullopt;
+    auto below = settle(low, middle, has_low);
+    auto above = settle(middle, high, true);
+    if (below && above) {
+      Point plane{};
+      plane[6] = -numerator(middle);
+      plane[7] = denominator(middle);
+      SpatialTrees both{PlaneSplitIn<6>{plane}};
+      both.insert(both.end(), above->begin(), above->end());
+      both.insert(both.end(), below->begin(), below->end());
+      return both;
+    }
+    if (below) margin_.claims.emplace_back(RefutedMultiples{low, middle, std::move(*below)});
+    if (above) margin_.claims.emplace_back(RefutedMultiples{middle, high, std::move(*above)});
+    return std::nullopt;
+  }
+
+  /// Claims steps from an equilibrium towards a multiple, first small and then longer ones;
+  /// returns how far it came.
+  Rational follow(Member from, const Rational& to) {
+    const int way = to > from.multiple ? 1 : -1;
+    Rational step = 4 * least_step(from.multiple);
+    while (from.multiple != to && step >= least_step(from.multiple)) {
+      const Rational far = from.multiple + way * step;
+      const Rational next = way > 0 ? std::min(far, to) : std::max(far, to);
+      const MultipleRange range{std::min(from.multiple, next), std::max(from.multiple, next)};
+      const auto there = equilibrium_at(next, from.near);
+      const Rational middle = (range.low + *range.high) / 2;
+      const auto between = there ? equilibrium_at(middle, from.near) : std::nullopt;
+      std::optional<SpatialDegreeProof> proof;
+      if (between) {
+        proof = prove(range, model_.at(middle), *between,
+                      {from.near.motion - between->motion, there->motion - between->motion}, 0);
+      }
+      if (!proof) {
+        step /= 2;
+        continue;
+      }
+      margin_.claims.emplace_back(ResistedMultiples{range.low, range.high, std::move(*proof)});
+      report();
+      from = {next, *there};
+      step *= 2;
+    }
+    return from.multiple;
+  }
+
+  std::optional<NearEquilibrium> equilibrium_at(const Rational& multiple,
+                                                const NearEquilibrium& start) const {
+    const SpaceModel there = model_.at(multiple);
+    const NewtonMethod newton(there);
+    if (auto near = newton.polish(start)) return near;
+    auto found = newton.solve(start.motion);
+    return found ? newton.polish(std::move(*found)) : std::nullopt;
+  }
+
+  std::optional<SpatialDegreeProof> prove(const MultipleRange& range, const SpaceModel& middle,
+                                          const NearEquilibrium& near,
+                                          const std::vector<EigenVector6>& moves,
+                                          std::size_t limit) {
+    return prove_stable(model_.within(range), middle, near, limit, margin_.work, moves);
+  }
+
+  void report() const {
+    if (progress_) progress_(margin_);
+  }
+
+  SpaceModel model_;
+  Rational accuracy_;
+  std::size_t node_limit_;
+  const std::function<void(const SpatialMargin&)>& progress_;
+  Rational unit_ = 1;  ///< a typical multiple, a power of 2
+  bool is_homogeneous_ = true;
+  Rational resisted_ = 0;  ///< from 0 on
+  SpatialMargin margin_;
+};
+
+}  // namespace
+
+SpatialMargin find_margin(const SpatialQuestion& question, const SpatialMarginOptions& options,
+                          const std::function<void(const SpatialMargin&)>& progress) {
+  require(question.is_margin(), "a margin has a direction");
+  return SpatialMarginSearch(question, options, progress).run();
+}
+
+}  // namespace stickslip

@@ -206,7 +206,8 @@ QuestionArguments::any_questions() const {
 }
 
 std::variant<Question, SpatialQuestion> QuestionArguments::any_question() const {
-  const AnyGraspFile file = read_any_grasp_file(file_);
+  const AnyGraspFile file =
+      read_any_grasp_file(file_, takes_boxes_ ? Intervals::kAllowed : Intervals::kRefused);
   if (const auto* grasp = std::get_if<SpatialGrasp>(&file)) {
     return ask_about(*grasp, spatial_options());
   }

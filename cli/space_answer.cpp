@@ -9,54 +9,11 @@
 #include "box_numbers.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/file.hpp"
+#include "stickslip/core/spatial_forces.hpp"
 #include "terminal.hpp"
 
 namespace stickslip {
 namespace {
-
-/// One contact of a stable verdict with a witness.
-struct SpatialReport {
-  Rational normal;          ///< a, of a n
-  Rational length_squared;  ///< |n|^2
-  Vector3 friction;
-  Vector3 force;
-  bool closed;
-  bool sticks;
-};
-
-/// The forces that follow from a witness: only what sticks has friction.
-std::vector<SpatialReport> report_contacts(const SpatialGrasp& grasp,
-                                           const SpatialWitness& witness) {
-  std::vector<SpatialReport> reports;
-  for (const SpatialContact& c : grasp.contacts) {
-    const Vector3 p{c.position[0].low, c.position[1].low, c.position[2].low};
-    const Vector3 moment = cross(p, c.normal);
-    Rational rise = 0;
-    for (std::size_t j = 0; j < 3; ++j) {
-      rise += c.normal[j] * witness.twist[j] + moment[j] * witness.twist[j + 3];
-    }
-    SpatialReport report{};
-    report.length_squared = dot(c.normal, c.normal);
-    if (!c.preload.low.is_zero()) {
-      report.normal = c.preload.low / *exact_sqrt(report.length_squared);
-    }
-    report.normal -= c.stiffness.low / report.length_squared * rise;
-    report.closed = report.normal.sign() > 0;
-    if (!report.closed) report.normal = 0;
-    for (std::size_t j = 0; j < 3; ++j) report.force[j] = report.normal * c.normal[j];
-    reports.push_back(std::move(report));
-  }
-  for (const auto& [contact, share] : witness.shares) {
-    SpatialReport& report = reports[contact.index()];
-    const Rational& mu = grasp.contacts[contact.index()].friction.low;
-    report.sticks = true;
-    for (std::size_t j = 0; j < 3; ++j) {
-      report.friction[j] = mu * report.normal * share[j];
-      report.force[j] += report.friction[j];
-    }
-  }
-  return reports;
-}
 
 std::vector<UncertainNumber> uncertain_numbers(const SpatialGrasp& grasp) {
   std::vector<UncertainNumber> numbers;
@@ -135,10 +92,10 @@ Json to_json(const SpaceAnswer& answer) {
     if (const auto* witness = std::get_if<SpatialWitness>(&stable->proof)) {
       json["twist"] = number_json(witness->twist);
       Json& contacts = json["contacts"] = Json::array();
-      for (const SpatialReport& c : report_contacts(question.grasp, *witness)) {
+      for (const SpatialForce& c : forces_of(question.grasp, witness->twist, witness->shares)) {
         contacts.push_back({{"force", number_json(c.force)},
                             {"friction", number_json(c.friction)},
-                            {"closed", c.closed}});
+                            {"closed", c.normal.sign() > 0}});
       }
     } else {
       const auto& proof = std::get<SpatialDegreeProof>(stable->proof);
@@ -186,9 +143,11 @@ void print_text(const SpaceAnswer& answer, const NumberOptions& output,
   std::cout << '\n';
   if (witness != nullptr) {
     std::vector<std::vector<std::string>> rows{{"contact", "normal", "friction", "force", ""}};
-    for (const SpatialReport& c : report_contacts(question.grasp, *witness)) {
-      rows.push_back({std::to_string(rows.size() - 1), text.root(c.normal, c.length_squared),
-                      text(c.friction), text(c.force), c.closed ? "closed" : "open"});
+    for (const SpatialForce& c : forces_of(question.grasp, witness->twist, witness->shares)) {
+      const std::size_t i = rows.size() - 1;
+      const Vector3& n = question.grasp.contacts[i].normal;
+      rows.push_back({std::to_string(i), text.root(c.normal, dot(n, n)), text(c.friction),
+                      text(c.force), c.normal.sign() > 0 ? "closed" : "open"});
     }
     std::cout << format_table(rows) << '\n';
   }

@@ -408,7 +408,7 @@ GraspFile StreamedGrasp::finish(const JsonNode& grasp, Intervals intervals) {
   return file;
 }
 
-SpatialGrasp StreamedGrasp::finish_in_space(const JsonNode& grasp) {
+SpatialGrasp StreamedGrasp::finish_in_space(const JsonNode& grasp, Intervals intervals) {
   const bool version2 = read_format(grasp);
   check_members(grasp, version2);
   if (!version2) fail_at("contacts[0].position", "three coordinates", newer_format());
@@ -426,6 +426,7 @@ SpatialGrasp StreamedGrasp::finish_in_space(const JsonNode& grasp) {
     result.cases.push_back({std::move(one.name), one.load});
   }
   fill_in(contacts_, defaults);
+  refuse_intervals(first_interval_, version2, intervals);
   for (const WrittenContact& c : contacts_) {
     const auto ends = [](const std::optional<WrittenNumber>& number, int otherwise) {
       return number ? number->ends() : point_interval(otherwise);
@@ -475,13 +476,14 @@ GraspFile parse_grasp(std::string_view text, const std::string& file, Intervals 
   });
 }
 
-AnyGraspFile parse_any_grasp(std::string_view text, const std::string& file) {
+AnyGraspFile parse_any_grasp(std::string_view text, const std::string& file,
+                             Intervals intervals) {
   return parse_with(text, file,
                     [&](StreamedGrasp& reader, const JsonNode& grasp) -> AnyGraspFile {
                       if (grasp.kind == Kind::kObject && reader.in_space(grasp)) {
-                        return reader.finish_in_space(grasp);
+                        return reader.finish_in_space(grasp, intervals);
                       }
-                      return reader.finish(grasp, Intervals::kAllowed);
+                      return reader.finish(grasp, intervals);
                     });
 }
 
@@ -490,9 +492,9 @@ GraspFile read_grasp_file(const std::string& path, Intervals intervals) {
   return parse_grasp(read_all(file.stream(), file.name()), file.name(), intervals);
 }
 
-AnyGraspFile read_any_grasp_file(const std::string& path) {
+AnyGraspFile read_any_grasp_file(const std::string& path, Intervals intervals) {
   InputFile file(path, "a grasp file");
-  return parse_any_grasp(read_all(file.stream(), file.name()), file.name());
+  return parse_any_grasp(read_all(file.stream(), file.name()), file.name(), intervals);
 }
 
 }  // namespace stickslip

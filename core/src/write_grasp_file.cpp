@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <utility>
 
 #include "grasp_format.hpp"
 #include "loads.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/grasp_file.hpp"
 #include "stickslip/core/json.hpp"
+#include "stickslip/core/spatial_grasp.hpp"
 
 namespace stickslip {
 
@@ -54,19 +57,24 @@ std::string write_interval(const Interval& interval) {
          ", \"max\": " + write_number(interval.high) + "}";
 }
 
-std::string write_wrench(const WrenchBox& w) {
-  return "[" + write_interval(w[0]) + ", " + write_interval(w[1]) + ", " +
-         write_interval(w[2]) + "]";
+template <std::size_t N>
+std::string write_intervals(const std::array<Interval, N>& intervals) {
+  std::string text;
+  for (const Interval& interval : intervals) {
+    text += (text.empty() ? "[" : ", ") + write_interval(interval);
+  }
+  return text + "]";
 }
 
 /// Of a case, what its load adds to the common one.
-WrenchBox own_load(const NamedLoad& load, const WrenchBox& common) {
-  WrenchBox own = load.box.value_or(box_of(load.wrench));
-  for (std::size_t j = 0; j < own.size(); ++j) {
-    own[j].low -= common[j].low;
-    own[j].high -= common[j].high;
+template <std::size_t N>
+std::array<Interval, N> own_load(std::array<Interval, N> load,
+                                 const std::array<Interval, N>& common) {
+  for (std::size_t j = 0; j < N; ++j) {
+    load[j].low -= common[j].low;
+    load[j].high -= common[j].high;
   }
-  return own;
+  return load;
 }
 
 std::string write_normal(const UncertainContact& c) {
@@ -75,11 +83,43 @@ std::string write_normal(const UncertainContact& c) {
   return "{\"direction\": " + direction + ", \"slope\": " + write_number(c.slope) + "}";
 }
 
-std::string write_contact(const UncertainContact& c, bool has_stiffness) {
-  return "{\"position\": [" + write_interval(c.x) + ", " + write_interval(c.y) +
-         "], \"normal\": " + write_normal(c) + ", \"friction\": " + write_interval(c.friction) +
-         (has_stiffness ? ", \"stiffness\": " + write_interval(c.stiffness) : "") +
+/// `place` is its position and its normal. Without a stiffness if that is assumed.
+template <class AnyContact>
+std::string write_contact(const std::pair<std::string, std::string>& place, const AnyContact& c,
+                          std::size_t i, const std::vector<ContactId>& assumed_stiffness) {
+  const bool assumed =
+      std::binary_search(assumed_stiffness.begin(), assumed_stiffness.end(), ContactId(i));
+  return std::string(i == 0 ? "\n" : ",\n") + "  {\"position\": " + place.first +
+         ", \"normal\": " + place.second + ", \"friction\": " + write_interval(c.friction) +
+         (assumed ? "" : ", \"stiffness\": " + write_interval(c.stiffness)) +
          ", \"preload\": " + write_interval(c.preload) + "}";
+}
+
+/// What stands before the contacts.
+std::string write_head(const char* format, const std::string& name,
+                       const std::optional<Units>& units) {
+  std::string text = std::string("{\"format\": \"") + format + "\",\n";
+  if (!name.empty()) text += " \"name\": " + json_string(name, "name") + ",\n";
+  if (units) {
+    text += " \"units\": {\"length\": " + json_string(units->length, "units") +
+            ", \"force\": " + json_string(units->force, "units") + "},\n";
+  }
+  return text;
+}
+
+/// What stands behind the contacts; the cases have a name and a load, which load_of() gives.
+template <std::size_t N, class Case, class Load>
+std::string write_loads(const std::array<Interval, N>& common, const std::vector<Case>& cases,
+                        Load load_of) {
+  std::string text = "],\n \"wrench\": " + write_intervals(common);
+  const char* separator = ",\n \"cases\": [\n";
+  for (const Case& one : cases) {
+    text += separator;
+    text += "  {\"name\": " + json_string(one.name, "name") +
+            ", \"wrench\": " + write_intervals(own_load(load_of(one), common)) + "}";
+    separator = ",\n";
+  }
+  return text + (cases.empty() ? "}\n" : "]}\n");
 }
 
 bool has_intervals(const GraspFile& file) {
@@ -99,35 +139,32 @@ std::string write_grasp_file(const GraspFile& file) {
   const std::optional<Units>& units = grasp.description().units;
   const bool version1 = file.cases.empty() && outline.empty() && !units && !has_intervals(file);
   const char* format = version1 ? kVersion1 : kVersion2;
-  std::string text = std::string("{\"format\": \"") + format + "\",\n";
-  if (!grasp.name().empty()) text += " \"name\": " + json_string(grasp.name(), "name") + ",\n";
-  if (units) {
-    text += " \"units\": {\"length\": " + json_string(units->length, "units") +
-            ", \"force\": " + json_string(units->force, "units") + "},\n";
-  }
+  std::string text = write_head(format, grasp.name(), units);
   if (!outline.empty()) {
     text += " \"outline\": " + write_list(outline, ",\n  ", write_polygon) + ",\n";
   }
   text += " \"contacts\": [";
-  const char* separator = "\n";
-  const std::vector<ContactId>& assumed = file.assumed_stiffness;
   for (std::size_t i = 0; i < grasp.size(); ++i) {
-    const bool given = !std::binary_search(assumed.begin(), assumed.end(), ContactId(i));
-    text += separator;
-    text += "  " + write_contact(file.box ? file.box->contacts[i] : box_of(grasp.contacts()[i]),
-                                 given);
-    separator = ",\n";
+    const UncertainContact c = file.box ? file.box->contacts[i] : box_of(grasp.contacts()[i]);
+    text += write_contact({write_intervals(std::array{c.x, c.y}), write_normal(c)}, c, i,
+                          file.assumed_stiffness);
   }
-  const WrenchBox common = file.box ? file.box->wrench : box_of(file.content.wrench);
-  text += "],\n \"wrench\": " + write_wrench(common);
-  separator = ",\n \"cases\": [\n";
-  for (const NamedLoad& load : file.cases) {
-    text += separator;
-    text += "  {\"name\": " + json_string(load.name, "name") +
-            ", \"wrench\": " + write_wrench(own_load(load, common)) + "}";
-    separator = ",\n";
+  return text + write_loads(file.box ? file.box->wrench : box_of(file.content.wrench),
+                            file.cases, [](const NamedLoad& load) {
+                              return load.box.value_or(box_of(load.wrench));
+                            });
+}
+
+std::string write_grasp_file(const SpatialGrasp& grasp) {
+  std::string text = write_head(kVersion2, grasp.name, grasp.units) + " \"contacts\": [";
+  for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
+    const SpatialContact& c = grasp.contacts[i];
+    text += write_contact({write_intervals(c.position),
+                           write_numbers({&c.normal[0], &c.normal[1], &c.normal[2]})},
+                          c, i, grasp.assumed_stiffness);
   }
-  return text + (file.cases.empty() ? "}\n" : "]}\n");
+  return text + write_loads(grasp.wrench, grasp.cases,
+                            [](const SpatialCase& one) { return one.wrench; });
 }
 
 }  // namespace stickslip

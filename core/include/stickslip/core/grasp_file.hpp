@@ -67,7 +67,8 @@ class StreamedGrasp {
   /// The object whose contacts were streamed. Refuses one in space.
   GraspFile finish(const JsonNode& grasp, Intervals intervals = Intervals::kRefused);
   /// The same of one in space.
-  SpatialGrasp finish_in_space(const JsonNode& grasp);
+  SpatialGrasp finish_in_space(const JsonNode& grasp,
+                               Intervals intervals = Intervals::kAllowed);
 
  private:
   std::vector<WrittenContact> contacts_;

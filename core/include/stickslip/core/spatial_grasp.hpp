@@ -67,10 +67,14 @@ using AnyGraspFile = std::variant<GraspFile, SpatialGrasp>;
 /// For people; may be empty.
 const std::string& name_of(const AnyGraspFile& file);
 
-/// \{ As parse_grasp and read_grasp_file, which refuse grasps in space: either kind. Intervals
-/// are read.
-AnyGraspFile parse_any_grasp(std::string_view text, const std::string& file);
-AnyGraspFile read_any_grasp_file(const std::string& path);
+/// \{ As parse_grasp and read_grasp_file, which refuse grasps in space: either kind.
+AnyGraspFile parse_any_grasp(std::string_view text, const std::string& file,
+                             Intervals intervals = Intervals::kAllowed);
+AnyGraspFile read_any_grasp_file(const std::string& path,
+                                 Intervals intervals = Intervals::kAllowed);
 /// \}
+
+/// As of a GraspFile.
+std::string write_grasp_file(const SpatialGrasp& grasp);
 
 }  // namespace stickslip

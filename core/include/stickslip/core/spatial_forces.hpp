@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The contact forces of an equilibrium in space, by the laws of certificate/FORMAT.md,
+/// section 7.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "stickslip/core/spatial_grasp.hpp"
+
+namespace stickslip {
+
+/// How the motion d = (u, omega) moves the point p of the object: u + omega x p.
+Vector3 displacement(const Vector3& point, const Vector6& d);
+
+/// What one contact does in an equilibrium.
+struct SpatialForce {
+  Rational normal{0};  ///< a >= 0: the normal force is a n; 0 where the contact is open
+  Vector3 slip{};      ///< of the object along the tangent plane; 0 where it sticks
+  Vector3 friction{};  ///< orthogonal to n
+  Vector3 force{};     ///< a n + friction, on the object
+};
+
+/// The forces, by contact, that follow from the motion d of an equilibrium. Contacts that stick
+/// have these shares sigma of friction, mu a sigma, or none; the others oppose their slip.
+/// Requires that no number of the grasp is uncertain, and that all lengths which matter are
+/// rational: of normals where there is a preload, of slips where there is friction.
+std::vector<SpatialForce> forces_of(const SpatialGrasp& grasp, const Vector6& d,
+                                    const std::vector<std::pair<ContactId, Vector3>>& shares);
+
+}  // namespace stickslip

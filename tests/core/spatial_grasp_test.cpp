@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Grasps in space: what the writer writes, and the forces that follow from a motion.
+#include "stickslip/core/spatial_grasp.hpp"
+
+#include <gtest/gtest.h>
+
+#include "stickslip/core/error.hpp"
+#include "stickslip/core/spatial_forces.hpp"
+
+namespace stickslip {
+namespace {
+
+const std::string kText = R"({"format": "stickslip-grasp/2",
+ "name": "one",
+ "units": {"length": "m", "force": "N"},
+ "contacts": [
+  {"position": [0, "1/2", {"min": 1, "max": 2}], "normal": [0, 0, 2], "friction": "1/2", "preload": 0},
+  {"position": [0, 0, 0], "normal": [1, 1, 1], "friction": {"min": 0, "max": 1}, "stiffness": 3, "preload": 4}],
+ "wrench": [1, 2, 3, {"min": 0, "max": 1}, 5, 6],
+ "cases": [
+  {"name": "a", "wrench": [1, 0, 0, 0, 0, 0]},
+  {"name": "b", "wrench": [0, 0, 0, 0, 0, "-1/3"]}]}
+)";
+
+SpatialGrasp parse(const std::string& text, Intervals intervals = Intervals::kAllowed) {
+  return std::get<SpatialGrasp>(parse_any_grasp(text, "text", intervals));
+}
+
+TEST(WriteSpatialGrasp, Bytes) {
+  const SpatialGrasp grasp = parse(kText);
+  EXPECT_EQ(write_grasp_file(grasp), kText);
+  EXPECT_EQ(grasp.cases[0].wrench[0], point_interval(2));  // of all loads
+  EXPECT_EQ(grasp.assumed_stiffness, std::vector<ContactId>{ContactId(0)});
+  EXPECT_EQ(write_grasp_file(SpatialGrasp{}),
+            "{\"format\": \"stickslip-grasp/2\",\n \"contacts\": [],\n"
+            " \"wrench\": [0, 0, 0, 0, 0, 0]}\n");
+  EXPECT_TRUE(parse(write_grasp_file(SpatialGrasp{})).contacts.empty());
+}
+
+TEST(ReadSpatialGrasp, IntervalsWhereTheyAreRefused) {
+  try {
+    parse(kText, Intervals::kRefused);
+    FAIL() << "read";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.place(), "contacts[0].position[2]");
+    EXPECT_EQ(error.problem(), "the number is uncertain");
+  }
+}
+
+SpatialContact contact(const Vector3& p, const Vector3& n, const Rational& friction,
+                       const Rational& preload) {
+  SpatialContact c{{}, n, point_interval(friction), point_interval(2), point_interval(preload)};
+  for (std::size_t j = 0; j < 3; ++j) c.position[j] = point_interval(p[j]);
+  return c;
+}
+
+TEST(SpatialForces, OfOneMotion) {
+  // It moves by (3, 4, -1) there, and -1 along the normal (0, 0, 1) of length 2.
+  SpatialGrasp grasp;
+  const Vector3 p{0, 0, 0};
+  grasp.contacts = {contact(p, {0, 0, 2}, Rational(1, 2), 4), contact(p, {0, 0, -2}, 1, 1),
+                    contact({1, 0, 0}, {0, 0, 1}, 0, 0), contact(p, {0, 0, 2}, 0, 4)};
+  const Vector6 d{3, 4, -1, 0, 1, 0};
+  EXPECT_EQ(displacement({1, 0, 0}, d), (Vector3{3, 4, -2}));
+  const std::vector<SpatialForce> forces = forces_of(grasp, d, {});
+  EXPECT_EQ(forces[0].normal, 3);  // of (0, 0, 2): 4 of preload and 2 of the spring
+  EXPECT_EQ(forces[0].slip, (Vector3{3, 4, 0}));
+  EXPECT_EQ(forces[0].friction, (Vector3{Rational(-9, 5), Rational(-12, 5), 0}));  // 1/2 of 6
+  EXPECT_EQ(forces[0].force, (Vector3{Rational(-9, 5), Rational(-12, 5), 6}));
+  EXPECT_EQ(forces[1].normal, 0);  // open
+  EXPECT_EQ(forces[1].force, Vector3{});
+  EXPECT_EQ(forces[2].force, (Vector3{0, 0, 4}));
+  EXPECT_EQ(forces[3].force, (Vector3{0, 0, 6}));
+}
+
+TEST(SpatialForces, SharesOfWhatSticks) {
+  SpatialGrasp grasp;
+  grasp.contacts = {contact({0, 0, 0}, {1, 0, 0}, Rational(1, 2), 4)};
+  const auto forces = forces_of(grasp, {}, {{ContactId(0), {0, Rational(1, 4), -1}}});
+  EXPECT_EQ(forces[0].friction, (Vector3{0, Rational(1, 2), -2}));
+  EXPECT_EQ(forces[0].force, (Vector3{4, Rational(1, 2), -2}));
+}
+
+TEST(SpatialForces, LengthsThatMatterAreRational) {
+  SpatialGrasp grasp;
+  grasp.contacts = {contact({0, 0, 0}, {1, 1, 1}, 1, 1)};
+  EXPECT_THROW(forces_of(grasp, {}, {}), ContractError);  // of the normal
+  grasp.contacts = {contact({0, 0, 0}, {0, 0, 1}, 1, 1)};
+  EXPECT_THROW(forces_of(grasp, {1, 1, 0, 0, 0, 0}, {}), ContractError);  // of the slip
+  EXPECT_EQ(forces_of(grasp, {1, 0, 0, 0, 0, 0}, {})[0].friction, (Vector3{-1, 0, 0}));
+}
+
+}  // namespace
+}  // namespace stickslip

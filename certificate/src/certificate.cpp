@@ -178,6 +178,16 @@ std::string degree_text(const DegreeProofIn<D, Node>& proof, bool margin = false
          tree_text(proof.trees, margin) + "}";
 }
 
+std::string witness_text(const SpatialWitness& witness) {
+  std::string text = "\"twist\": [" + list(witness.twist) + "],\n \"shares\": [";
+  std::string separator;
+  for (const auto& [contact, share] : witness.shares) {
+    text += separator + "[" + std::to_string(contact.index()) + ",[" + list(share) + "]]";
+    separator = ",";
+  }
+  return text + "]";
+}
+
 struct PartText {
   std::string operator()(const PartSplit& cut) const { return NodeText{false}(cut); }
   std::string operator()(const DegreeProof& proof) const { return degree_text(proof); }
@@ -241,24 +251,24 @@ std::string spatial_certificate_text(const SpatialQuestion& question,
   if (const auto* proof = std::get_if<SpatialDegreeProof>(&stable->proof)) {
     return text + " \"parts\": [\n  " + degree_text(*proof) + "]}\n";
   }
-  const auto& witness = std::get<SpatialWitness>(stable->proof);
-  text += " \"twist\": [" + list(witness.twist) + "],\n \"shares\": [";
-  std::string separator;
-  for (const auto& [contact, share] : witness.shares) {
-    text += separator + "[" + std::to_string(contact.index()) + ",[" + list(share) + "]]";
-    separator = ",";
-  }
-  return text + "]}\n";
+  return text + " " + witness_text(std::get<SpatialWitness>(stable->proof)) + "}\n";
 }
 
 namespace {
 
 struct ClaimText {
   std::string operator()(const ResistedMultiples& claim) const {
-    return ends("stable", claim) + degree_text(claim.proof, true) + "]";
+    return ends("stable", claim) + std::visit(*this, claim.proof) + "]";
   }
   std::string operator()(const RefutedMultiples& claim) const {
     return ends("unstable", claim) + nodes_text(claim.tree, true) + "]";
+  }
+  std::string operator()(const SpatialDegreeProof& proof) const {
+    return degree_text(proof, true);
+  }
+  std::string operator()(const SpatialSegment& segment) const {
+    return "{" + witness_text(segment.start) + "}" +
+           (segment.end ? ",\n   {" + witness_text(*segment.end) + "}" : "");
   }
 
  private:

@@ -19,7 +19,29 @@ namespace {
 struct Member {
   Rational multiple;
   NearEquilibrium near;
+  std::optional<SpatialWitness> witness;  ///< where nothing that has friction slips
 };
+
+/// Whether all combinations of the two are equilibria.
+bool are_of_one_mode(const SpaceModel& family, const Member& a, const Member& b) {
+  for (const SpaceContact& c : family.contacts) {
+    const CornerRow& row = c.corners.front();
+    const auto separation = [&](const Member& at) -> Rational {
+      return c.preload.low + at.multiple * c.rate.low -
+             c.stiffness.low * dot(row.normal, at.witness->twist);
+    };
+    const int signs[] = {separation(a).sign(), separation(b).sign()};
+    if (signs[0] * signs[1] < 0) return false;
+    if (c.friction.high.is_zero() || (signs[0] <= 0 && signs[1] <= 0)) continue;
+    for (const Member* at : {&a, &b}) {
+      const IntegerVector<6> twist = primitive_multiple(at->witness->twist);
+      for (const IntegerVector<6>& s : row.slip) {
+        if (!dot(s, twist).is_zero()) return false;
+      }
+    }
+  }
+  return true;
+}
 
 const Rational& low_end(const std::variant<ResistedMultiples, RefutedMultiples>& claim) {
   return std::visit([](const auto& c) -> const Rational& { return c.low; }, claim);
@@ -71,6 +93,7 @@ class SpatialMarginSearch {
  private:
   static constexpr std::size_t kNodeLimit = 20000;
   static constexpr std::size_t kMostSearches = 10;
+  static constexpr std::size_t kStarts = 3;
 
   /// What is resisted is followed no farther.
   Rational most() const { return 1024 * unit_; }
@@ -81,9 +104,13 @@ class SpatialMarginSearch {
   /// Where the laws are homogeneous all multiples above 0 have one verdict.
   void settle_at_once() {
     const SpaceModel there = model_.at(1);
-    for (const NearEquilibrium& near : NewtonMethod(there).solve_from(3)) {
+    for (const NearEquilibrium& near : NewtonMethod(there).solve_from(kStarts)) {
+      if (auto witness = witness_at(1, near)) {
+        claim_resisted(0, {}, SpatialSegment{std::move(*witness), {}});
+        return;
+      }
       if (auto proof = prove({1, 1}, there, near, {}, node_limit_ / 24)) {
-        margin_.claims.emplace_back(ResistedMultiples{0, {}, std::move(*proof)});
+        claim_resisted(0, {}, std::move(*proof));
         return;
       }
     }
@@ -96,8 +123,8 @@ class SpatialMarginSearch {
   }
 
   void follow_from_zero() {
-    for (const NearEquilibrium& near : NewtonMethod(model_.at(0)).solve_from(3)) {
-      resisted_ = follow({0, near}, most());
+    for (const NearEquilibrium& near : NewtonMethod(model_.at(0)).solve_from(kStarts)) {
+      resisted_ = follow(member(0, near), most());
       if (!margin_.claims.empty()) return;
     }
   }
@@ -127,8 +154,8 @@ class SpatialMarginSearch {
       if (at <= low || (high && at >= *high)) return false;
       const auto near = NewtonMethod(model_.at(at)).polish(relaxed);
       if (!near) return false;
-      const Rational up = follow({at, *near}, high ? *high : most());
-      const Rational down = follow({at, *near}, low);
+      const Rational up = follow(member(at, *near), high ? *high : most());
+      const Rational down = follow(member(at, *near), low);
       if (up == down) return false;
       resisted = {down, up};
       return true;
@@ -159,14 +186,54 @@ class SpatialMarginSearch {
     return std::nullopt;
   }
 
-  /// Claims steps from an equilibrium towards a multiple, first small and then longer ones;
-  /// returns how far it came.
+  /// Claims what an equilibrium can be followed through towards a multiple; returns how far it
+  /// came.
   Rational follow(Member from, const Rational& to) {
-    const int way = to > from.multiple ? 1 : -1;
+    while (from.multiple != to) {
+      const Rational before = from.multiple;
+      from = follow_by_witnesses(std::move(from), to);
+      from = follow_by_degree(std::move(from), to);
+      if (from.multiple == before) break;
+    }
+    return from.multiple;
+  }
+
+  /// From one multiple towards another, by at most a step.
+  static Rational towards(const Rational& from, const Rational& to, const Rational& step) {
+    return from < to ? std::min(Rational(from + step), to)
+                     : std::max(Rational(from - step), to);
+  }
+
+  /// As far as its mode goes, if that is one in which nothing slips.
+  Member follow_by_witnesses(Member from, const Rational& to) {
+    Member last = from;
+    Rational step = abs(to - from.multiple);
+    while (from.witness && last.multiple != to && step >= least_step(last.multiple) / 8) {
+      const Rational next = towards(last.multiple, to, step);
+      auto near = equilibrium_at(next, last.near);
+      if (near) {
+        Member there = member(next, *near);
+        if (there.witness && are_of_one_mode(model_, from, there)) {
+          last = std::move(there);
+          continue;
+        }
+      }
+      step /= 2;
+    }
+    if (last.multiple != from.multiple) {
+      const bool up = last.multiple > from.multiple;
+      const Member& low = up ? from : last;
+      const Member& high = up ? last : from;
+      claim_resisted(low.multiple, high.multiple, SpatialSegment{*low.witness, *high.witness});
+    }
+    return last;
+  }
+
+  /// In steps that are small first, until there is a witness.
+  Member follow_by_degree(Member from, const Rational& to) {
     Rational step = 4 * least_step(from.multiple);
     while (from.multiple != to && step >= least_step(from.multiple)) {
-      const Rational far = from.multiple + way * step;
-      const Rational next = way > 0 ? std::min(far, to) : std::max(far, to);
+      const Rational next = towards(from.multiple, to, step);
       const MultipleRange range{std::min(from.multiple, next), std::max(from.multiple, next)};
       const auto there = equilibrium_at(next, from.near);
       const Rational middle = (range.low + *range.high) / 2;
@@ -180,12 +247,25 @@ class SpatialMarginSearch {
         step /= 2;
         continue;
       }
-      margin_.claims.emplace_back(ResistedMultiples{range.low, range.high, std::move(*proof)});
-      report();
-      from = {next, *there};
+      claim_resisted(range.low, range.high, std::move(*proof));
+      from = member(next, *there);
+      if (from.witness) break;
       step *= 2;
     }
-    return from.multiple;
+    return from;
+  }
+
+  Member member(const Rational& multiple, const NearEquilibrium& near) const {
+    return {multiple, near, witness_at(multiple, near)};
+  }
+
+  /// Of one grasp only.
+  std::optional<SpatialWitness> witness_at(const Rational& multiple,
+                                           const NearEquilibrium& near) const {
+    const bool is_one = std::all_of(
+        model_.contacts.begin(), model_.contacts.end(),
+        [](const SpaceContact& c) { return c.preload.is_point() && c.rate.is_point(); });
+    return is_one ? exact_witness(model_.at(multiple), near) : std::nullopt;
   }
 
   std::optional<NearEquilibrium> equilibrium_at(const Rational& multiple,
@@ -202,6 +282,12 @@ class SpatialMarginSearch {
                                           const std::vector<EigenVector6>& moves,
                                           std::size_t limit) {
     return prove_stable(model_.within(range), middle, near, limit, margin_.work, moves);
+  }
+
+  void claim_resisted(const Rational& low, const std::optional<Rational>& high,
+                      std::variant<SpatialSegment, SpatialDegreeProof> proof) {
+    margin_.claims.emplace_back(ResistedMultiples{low, high, std::move(proof)});
+    report();
   }
 
   void report() const {

@@ -5,9 +5,10 @@
 /// algebraic numbers there, so that some multiples near them are left undecided.
 ///
 /// **Method.** An equilibrium is followed as the multiple grows and falls, in steps that become
-/// smaller where it is lost; each step is proved by degree, with the multiple as one more
-/// uncertain number. What is left is refuted by branch and bound with the multiple as one more
-/// unknown, or has another equilibrium to be followed, or is cut in two.
+/// smaller where it is lost. Where nothing slips the equilibria at the ends of a step prove it,
+/// as all between them are their combinations; else it is proved by degree, with the multiple
+/// as one more uncertain number. What is left is refuted by branch and bound with the multiple
+/// as one more unknown, or has another equilibrium to be followed, or is cut in two.
 #pragma once
 
 #include <functional>
@@ -19,11 +20,17 @@
 
 namespace stickslip {
 
+/// Equilibria of one mode, in which nothing that has friction slips: between them every
+/// multiple is resisted, by a combination of the two.
+struct SpatialSegment {
+  SpatialWitness start;               ///< at the low end
+  std::optional<SpatialWitness> end;  ///< at the high end, if that is another multiple
+};
 /// Every multiple from low to high is resisted, both included; all, if there is no high.
 struct ResistedMultiples {
   Rational low;                  ///< >= 0
-  std::optional<Rational> high;  ///< >= low; nothing only where w and P are 0
-  SpatialDegreeProof proof;      ///< nodes see the multiple as well
+  std::optional<Rational> high;  ///< >= low; nothing only where w and P are 0: proof is of 1
+  std::variant<SpatialSegment, SpatialDegreeProof> proof;  ///< nodes see the multiple as well
 };
 /// No multiple between low and high is resisted; nor is 0, if it is low, and w or P is not 0.
 struct RefutedMultiples {

@@ -1972,7 +1972,7 @@ one of them may be - for standard input. Give the same options as to the program
   --normal-law LAW         unilateral (the default) or bilateral
   --direction WX,WY,T      ask for the margin: all factors f >= 0 for which the grasp is stable under
                            wrench + f direction, with wrench 0 unless given by --wrench or --case;
-                           in space WX,WY,WZ,TX,TY,TZ, and for which intervals of f it is known
+                           in space WX,WY,WZ,TX,TY,TZ
   --preload-direction D    ask for the margin along preloads: P0,P1,..., of which f times is added to
                            the preloads; or scale: f times the preloads
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be off,

@@ -767,12 +767,19 @@ def corpus():
         yield name, *texts, tuple(options)
 
 
+# Squares of the ends of what is resisted.
+TRUTH = {"cube_turned": (0, Fraction(4, 25)), "cube_at_45_degrees": (0, Fraction(8, 25)),
+         "cube_pressed": (Fraction(25, 4), math.inf)}
+
+
 class CorpusTest(Case):
     def test_accepted(self):
         count = 0
         for name, grasp, proof, options in corpus():
             text = self.accepts(grasp, proof, *options)
             verdict = name.split("_")[-1]
+            if verdict == "margin":
+                self.is_true(name, self.run_both(grasp, proof, *options)[1])
             self.assertIn("elsewhere   nothing" if verdict == "margin" else f"verdict     {verdict}",
                           text, name)
             count += 1
@@ -780,14 +787,17 @@ class CorpusTest(Case):
 
     def test_mutants(self):
         """Numbers exchanged, nodes left out or doubled: both checkers say the same. And what is about
-        a stable grasp is not accepted as unstable."""
+        a stable grasp is not accepted as unstable, nor about a multiple."""
         rng = random.Random(21)
         for name, grasp, proof, options in corpus():
-            content = json.loads(proof)
             for _ in range(12):
                 mutant = json.loads(proof)
-                if rng.random() < 0.5 and "tree" in content:
-                    tree = mutant["tree"]
+                trees = [mutant[key] for key in ("tree",) if key in mutant]
+                for *_, proof_of_claim in mutant.get("intervals", []):
+                    trees.append(proof_of_claim if isinstance(proof_of_claim, list) else
+                                 proof_of_claim["tree"])
+                if rng.random() < 0.5 and trees:
+                    tree = rng.choice(trees)
                     k = rng.randrange(len(tree))
                     tree[k:k + 1] = rng.choice([[], [tree[k]] * 2, [["slip", 0]],
                                                 [["leaf", *[rng.randint(-1, 1) for _ in range(6)]]]])
@@ -801,6 +811,20 @@ class CorpusTest(Case):
                 code, report, _, _ = self.run_both(grasp, text, *options)
                 if code == 0:
                     self.assertEqual(report["verdict"], name.split("_")[-1])
+                if code == 0 and report["verdict"] == "margin":
+                    self.is_true(name, report)
+
+    def is_true(self, name, report):
+        """Of a margin, whose ends are known: their squares are."""
+        first, last = next(ends for key, ends in TRUTH.items() if key in name)
+
+        def squares(low, high, *_):
+            return (Fraction(low) ** 2, math.inf if high is None else Fraction(high) ** 2)
+
+        for low, high in itertools.starmap(squares, report["resisted"]):
+            self.assertTrue(first <= low and high <= last, (name, report))
+        for low, high in itertools.starmap(squares, report["refuted"]):
+            self.assertTrue(high <= first or last <= low, (name, report))
 
     def test_trees_about_stable_grasps(self):
         """Unstable proofs, asked about a load under which the grasp is stable."""

@@ -170,15 +170,15 @@ std::vector<stickslip::fuzz::Seed> stickslip::fuzz::seeds(const std::filesystem:
       if (certificate.name != stem + ".certificate.json") continue;
       std::string words;
       if (stem.rfind("bilateral_", 0) == 0) words += " --normal-law bilateral";
-      const bool by_parts = certificate.bytes.find("\"parts\"") != std::string::npos;
-      const std::string direction =
-          by_parts ? std::string() : vector_in(certificate.bytes, "direction");
+      const std::string question =
+          certificate.bytes.substr(0, certificate.bytes.find("\"verdict\""));
+      const std::string direction = vector_in(question, "direction");
       if (!direction.empty()) {
         words += " --wrench " + vector_in(grasp.bytes, "wrench") + " --direction " + direction;
       }
-      const std::string growth = vector_in(certificate.bytes, "preload_direction");
+      const std::string growth = vector_in(question, "preload_direction");
       if (!growth.empty()) words += " --preload-direction " + growth;
-      if (certificate.bytes.find("\"scale\"") != std::string::npos) {
+      if (question.find("\"scale\"") != std::string::npos) {
         words += " --preload-direction scale";
       }
       result.push_back({stem, words + '\n' + grasp.bytes + '\0' + certificate.bytes});

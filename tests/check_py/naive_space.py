@@ -101,7 +101,7 @@ class Contact:
         return cls(normal, {name: (c, c) for name, c in numbers.items()}, loads, inverse)
 
     def cut(self, name, low, high):
-        return Contact(self.normal, {**self.ends, name: (low, high)})
+        return Contact(self.normal, {**self.ends, name: (low, high)}, self.loads, self.inverse)
 
     def corners(self, names):
         for ends in product(*(sorted(set(self.ends[name])) for name in names)):

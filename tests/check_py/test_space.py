@@ -14,6 +14,7 @@ import unittest
 from fractions import Fraction
 
 import naive
+import naive_box
 import naive_space
 from support import HERE, Case, certificate, check
 
@@ -662,6 +663,37 @@ class MarginTest(Case):
         _, report, _, _ = self.run_both(file, free, *self.ASKED, "--preload", "0")
         self.assertNotEqual(report["rule"], "node-certain")
 
+    def test_the_end_of_1_over_l_decides(self):
+        """A pinch between two normals of the length sqrt(2), with friction 1/2: as long as both push,
+        it holds at most 2 P mu, as far as roots are known."""
+        pinch = [{"position": [-c for c in n], "normal": n, "friction": "1/2", "preload": 1}
+                 for n in ([1, 1, 0], [-1, -1, 0])]
+        file = space_file(*pinch)
+        up = [0, 0, 1, 0, 0, 0]
+        root = naive_space.root_above(Fraction(1, 2))
+        tiny = Fraction(1, 10 ** 60)
+
+        def tree(*preload):
+            return [["plane", -1, -1, *[0] * 4, *preload], ["plane", 1, 1, *[0] * 4, *preload],
+                    ["leaf", *[-c for c in up]], ["leaf", -1, -1, 0, 0, 0, 0],
+                    ["leaf", 1, 1, 0, 0, 0, 0]]
+
+        for bits in (64, 128, 200):
+            most = 2 * root * naive_box.inverse_length(2, bits)[1]
+            grown = ("--preload-direction", "scale")
+            for file["wrench"], options, claims, question in (
+                    ([0] * 6, ("--direction", "0,0,1,0,0,0"),
+                     [["unstable", str(most - less), None, tree("1/2", 0)] for less in (0, tiny)],
+                     {"direction": up}),
+                    (up, grown, [["unstable", 0, str(1 / most + more), tree(0, "1/2")]
+                                 for more in (0, tiny)],
+                     {"wrench": up, "preload_direction": "scale"})):
+                good, bad = ({"format": 0, "question": 0, "bits": bits,
+                              **self.margin(claim, m=2, **question)} for claim in claims)
+                self.accepts(file, good, *options)
+                self.rejects("leaf-bound", file, bad, *options, node=2,
+                             path="interval 0, plane +, plane +")
+
     def test_one_grasp(self):
         for contact in ({"friction": interval(0, 1)}, {"position": [0, interval(0, 1), 0]}):
             self.malformed("a margin is about one grasp", space_file({**FLOOR, **contact}),
@@ -868,6 +900,13 @@ def random_contact(rng, share):
         spread(rng, rng.choice([1, 2]), share))
 
 
+def margin_contact(rng, normals, bits):
+    return naive_space.Contact.of_margin(
+        rng.choice(normals), [rng.randint(-1, 1) for _ in range(3)],
+        rng.choice([0, Fraction(1, 2), 1]),
+        [Fraction(rng.choice([0, 0, 1, 2]), 2) for _ in range(2)], rng.choice([1, 2]), bits)
+
+
 def box_of(contacts, wrench, growth):
     def parameters(c):
         bounds, growth = {name: check.Bounds(*ends) for name, ends in c.ends.items()}, (0, 0)
@@ -883,19 +922,19 @@ def box_of(contacts, wrench, growth):
 class Walk:
     """A random path, in check.py and in the twin."""
 
-    def __init__(self, rng, contacts, wrench, growth=None):
-        """With a growth of the wrench it is about multiples from 0, 1 or 2 on."""
+    def __init__(self, rng, contacts, wrench, growth=None, ends=()):
+        """With a growth of the wrench it is about the multiples between two ends, each of which is
+        among them unless its second entry says so."""
         self.rng, self.contacts, self.wrench, self.growth = rng, contacts, wrench, growth
         self.strict, self.slips = [naive_space.H], []
         conditions = [(naive_space.LOAD, True, False), (naive_space.H, False, True)]
         if growth:
             h, load = naive_space.H, naive_space.LOAD
-            low, size = rng.randint(0, 2), rng.randint(0, 2)
-            rows = [check.plus(load, -low, h), check.plus(check.times(low + size, h), -1, load)]
-            open_ends = [rng.random() < 0.5 for _ in rows]
-            self.strict += [row for row, is_open in zip(rows, open_ends) if is_open]
-            conditions = [conditions[1], *((row, False, is_open)
-                                           for row, is_open in zip(rows, open_ends))]
+            (low, low_open), (high, high_open) = ends
+            rows = [(check.plus(load, -low, h), False, low_open),
+                    (check.plus(check.times(high, h), -1, load), False, high_open)]
+            self.strict += [row for row, _, is_open in rows if is_open]
+            conditions = [conditions[1], *rows]
         self.region = check.begin(check.Root(box_of(contacts, wrench, growth), conditions))
 
     def step(self, choose):
@@ -946,21 +985,20 @@ class TwinTest(Case):
         rng = random.Random(14)
 
         def of_margin():
-            contacts = [naive_space.Contact.of_margin(
-                rng.choice(NORMALS), [rng.randint(-1, 1) for _ in range(3)],
-                rng.choice([0, Fraction(1, 2), 1]), [Fraction(rng.choice([0, 0, 1, 2]), 2)
-                                                     for _ in range(2)], rng.choice([1, 2]))
-                        for _ in range(rng.randint(1, 2))]
+            low, size = rng.randint(0, 2), rng.randint(0, 2)
+            # Of 1/L two bits are known.
+            contacts = [margin_contact(rng, NORMALS, 2) for _ in range(rng.randint(1, 2))]
             return (contacts, [(Fraction(rng.randint(-2, 2)),) * 2 for _ in range(6)],
-                    tuple(Fraction(rng.randint(-1, 1)) for _ in range(6)))
+                    tuple(Fraction(rng.randint(-1, 1)) for _ in range(6)),
+                    [(end, rng.random() < 0.5) for end in (low, low + size)])
 
         self.compare(rng, of_margin, 70)
 
     def compare(self, rng, question, count):
         tally = {}
         for _ in range(count):
-            contacts, wrench, *growth = question()
-            walk = Walk(rng, contacts, wrench, *growth)
+            contacts, wrench, *rest = question()
+            walk = Walk(rng, contacts, wrench, *rest)
             for _ in range(rng.randint(0, 6)):
                 walk.step(lambda what: rng.choice([0, 1, 1]) if isinstance(what, int) else
                           rng.randint(0, 1))
@@ -1080,6 +1118,45 @@ class TwinTest(Case):
             for y in (check.zeros(6), tuple(-low for low, _ in wrench), random_twist(rng)):
                 self.assertIsNotNone(check.leaf_refusal(walk.region, y, lambda x: x))
         self.assertGreater(slipped, 100)
+
+
+    def test_nothing_refutes_the_home_of_a_multiple(self):
+        """Equilibria for a multiple, with rational directions of slip."""
+        rng = random.Random(15)
+        slipped = 0
+        for _ in range(200):
+            contacts = [margin_contact(rng, [(0, 0, 1), (0, -2, 0), (1, 2, 2), (0, 3, 4)], 128)
+                        for _ in range(rng.randint(1, 3))]
+            x = (*(Fraction(rng.choice([-1, 0, 0, 1]), 2) for _ in range(6)), Fraction(1),
+                 Fraction(rng.randint(0, 3), 2))
+            growth = tuple(Fraction(rng.choice([-1, 0, 0, 0, 1])) for _ in range(6))
+            wrench = check.times(-x[7], growth)
+            for i, contact in enumerate(contacts):
+                n, (p,), (s,) = contact.normal, contact.positions(), contact.slips(x)
+                ratio = naive_space.root_of(contact.square / naive.dot(s, s)) if any(s) else Fraction(0)
+                if ratio is None:
+                    contact = contacts[i] = contact.cut("friction", 0, 0)
+                a, mu = max(0, contact.v(x)[0]), contact.ends["friction"][0]
+                slipped += a * mu > 0 and any(s)
+                wrench = check.plus(wrench, -a, check.at(p, tuple(
+                    c - mu * (ratio or 0) * e for c, e in zip(n, s))))
+            ends = []
+            for sign in (-1, 1):
+                end = max(Fraction(0), x[7] + Fraction(sign * rng.randint(0, 2), 2))
+                ends.append((end, end != x[7] and rng.random() < 0.5))
+            walk = Walk(rng, contacts, [(c, c) for c in wrench], growth, ends)
+
+            def home(what):
+                if isinstance(what, int):
+                    return int(any(contacts[what].slips(x)[0]))
+                return int(check.dot(what, x) < 0)
+
+            for _ in range(rng.randint(0, 6)):
+                walk.step(home)
+            for y in (check.zeros(6), check.times(-1, wrench), check.times(-1, growth),
+                      random_twist(rng)):
+                self.assertIsNotNone(check.leaf_refusal(walk.region, y, lambda x: x))
+        self.assertGreater(slipped, 50)
 
 
 class ConeTest(unittest.TestCase):

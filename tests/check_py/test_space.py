@@ -448,6 +448,11 @@ class MarginTest(Case):
                          ("margin", False, [["0", "3/8"]], [["2/5", None, False]]))
         proof["question"]["normal_law"] = "bilateral"
         self.accepts(TURNED, proof, *self.ASKED, "--normal-law", "bilateral")
+        # There nothing opens.
+        whole = self.margin(["unstable", "2/5", None, SLACK[4:5]])
+        self.rejects("leaf-bound", TURNED, whole, *self.ASKED, node=0, path="interval 0")
+        whole["question"]["normal_law"] = "bilateral"
+        self.accepts(TURNED, whole, *self.ASKED, "--normal-law", "bilateral")
         nothing = self.accepts(TURNED, self.margin(), *self.ASKED)
         self.assertIn("\nresisted    none claimed\nrefuted     none claimed\n", nothing)
 
@@ -1022,6 +1027,13 @@ class TwinTest(Case):
                 self.assertTrue(held or check.leaf_refusal(region, y, check.short_above))
         self.assertGreater(min(tally.values()), 20, tally)
         self.assertEqual(len(tally), 4)
+
+    def test_the_middle_of_a_margin(self):
+        contact = naive_space.Contact.of_margin((1, 1, 0), (0, 0, 0), 1, (2, 3), 1, 2)
+        (middle,) = box_of([contact], [(0, 0)] * 6, None).middle().contacts
+        c = sum(contact.inverse) / 2
+        self.assertEqual((middle.bounds["preload"], middle.growth),
+                         (check.exactly(2 * c), check.exactly(3 * c)))
 
     def test_redundant_rays_change_nothing(self):
         rng = random.Random(8)

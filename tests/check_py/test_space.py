@@ -506,6 +506,14 @@ class MarginTest(Case):
         apart = self.margin(halves[0], ["stable", "1/3", "3/8", turned()])
         self.assertIn("resisted    [0, 1/4], [1/3, 3/8]\n", self.accepts(TURNED, apart, *self.ASKED))
 
+    def test_a_plane_between_ranges(self):
+        """What two claims say one can, and also of the multiple between."""
+        at = ["plane", *[0] * 6, -1, 1]
+        both = self.margin(["unstable", "2/5", None, [at, *SLACK, *SLACK]])
+        self.assertIn("refuted     (2/5, oo)\n", self.accepts(TURNED, both, *self.ASKED))
+        self.rejects("tree-short", TURNED, self.margin(["unstable", "2/5", None, [at, *SLACK]]),
+                     *self.ASKED, node=18, path="interval 0, plane -")
+
     def test_order(self):
         def stands(*claims):
             """The claim that is not in order, or None: by its places on the line alone."""

@@ -117,7 +117,7 @@ GRASP = FileKind(("stickslip-grasp/1", "stickslip-grasp/2"), True, 1 << 28, 32, 
                  16_384, 1 << 16, ("contacts",), re.compile(
                      r"([+-]?[0-9]+)(?:/([0-9]+)|(?:\.([0-9]+))?(?:[eE]([+-]?[0-9]+))?)"))
 CERTIFICATE = FileKind(("stickslip-certificate/2",), False, 1 << 30, 8, 65_536, 4_000, 65_536,
-                       1 << 22, ("segments", "tree", "parts"),
+                       1 << 22, ("segments", "tree", "parts", "intervals"),
                        re.compile(r"(-?[0-9]+)(?:/([0-9]+))?()()"))
 MAX_EXPONENT = 4096
 BEYOND_NUMERALS = 2 ** 16384 - 2 ** 16319  # what rounds to 2^16384 with a mantissa of 64 bits
@@ -398,6 +398,7 @@ class Question(NamedTuple):
     widened: Wrench           # w
     growth: Vector            # u
     contacts: List[Contact]   # with what was replaced and widened
+    preload_growth: Vector    # Pᵘ
     rows: List[Row]
     is_box: bool
 
@@ -659,9 +660,10 @@ def read_grasp(name: str) -> Grasp:
     return Grasp(contacts, common, cases)
 
 
-def make_row(contact: Contact, preload: Fraction, growth: Fraction) -> Row:
+def make_row(contact: Contact, growth: Fraction) -> Row:
     """§1, Rows, of a contact without uncertainty."""
     point, n = tuple(p.low for p in contact.position), contact.normal
+    preload = contact.preload.low
     square = dot(n, n)
     length = rational_root(square) if preload or growth else Fraction(1)
     assert length is not None
@@ -698,16 +700,13 @@ def wrench_asked(grasp: Grasp, asked: Options) -> Wrench:
 
 
 def check_dimension(asked: Options, dimension: int) -> None:
-    """§7: so many numbers as the grasp has, and what cannot be asked in space."""
+    """§7: so many numbers as the grasp has."""
     for part, vector in (("wrench", asked.wrench), ("direction", asked.direction)):
         if vector is not None and len(vector) != dimension:
             raise Malformed("the question", part, f"found {len(vector)} numbers, must be "
                                                   f"{dimension} as the grasp has")
-    if dimension == SPACE:
-        if asked.margin():
-            raise Malformed("the question", "direction", "in space there are no margins")
-        if "normal" in (asked.uncertain or {}):
-            raise Malformed("the question", "uncertain", "normals in space are certain")
+    if dimension == SPACE and "normal" in (asked.uncertain or {}):
+        raise Malformed("the question", "uncertain", "normals in space are certain")
 
 
 def check_tolerances(asked: Options) -> None:
@@ -753,7 +752,7 @@ def check_contact(grasp_file: str, place: str, contact: Contact, grows: bool, ma
                                                           "about one grasp; give a number")
     irrational = (contact.preload.high or grows) and not rational_root(dot(contact.normal,
                                                                            contact.normal))
-    if irrational and margin:
+    if irrational and margin and len(contact.normal) == 2:
         raise Malformed(grasp_file, place + "normal",
                         "the contact has a preload and a normal of irrational length, so there "
                         "is no exact question; run stickslip snap GRASP -o FILE, and ask about FILE")
@@ -784,14 +783,14 @@ def pose(grasp_file: str, asked: Options) -> Question:
                                               "grasp; give numbers")
     for i, (contact, grown) in enumerate(zip(contacts, growth)):
         is_box |= check_contact(grasp_file, f"contacts[{i}].", contact, bool(grown), asked.margin())
-    base = tuple(contact.preload.low for contact in contacts)
     if asked.preload_direction == "scale":
-        base, growth = growth, base
+        growth = tuple(contact.preload.low for contact in contacts)
+        contacts = [contact._replace(preload=exactly(Fraction(0))) for contact in contacts]
     u = asked.direction or zeros(grasp.dimension)
     if asked.margin() and not any(u) and not any(growth):
         raise Malformed("the question", "direction", "neither the wrench nor a preload changes")
-    rows = [] if is_box else [make_row(*one) for one in zip(contacts, base, growth)]
-    return Question(asked, wrench, loads, u, contacts, rows, is_box)
+    rows = [] if is_box else list(map(make_row, contacts, growth))
+    return Question(asked, wrench, loads, u, contacts, growth, rows, is_box)
 
 
 # ---- §2 Syntax --------------------------------------------------------------------------------
@@ -830,6 +829,12 @@ class Witness(NamedTuple):
 Interval = Tuple[Fraction, Optional[Fraction]]  # None for ∞
 
 
+class RangeProof(NamedTuple):
+    """§7, a CLAIM of a margin in space."""
+    interval: Interval
+    proof: Union[DegreeProof, List[Node]]  # of a stable claim, or the tree of an unstable one
+
+
 class Certificate(NamedTuple):
     question: Claim
     verdict: str                # "stable", "unstable" or "margin"
@@ -839,11 +844,18 @@ class Certificate(NamedTuple):
     segments: List[Tuple[Witness, Witness]] = []
     bits: int = 128
     parts: Optional[List[Union[Node, DegreeProof]]] = None  # of "stable", if there is no witness
+    claims: Optional[List[RangeProof]] = None  # of "margin" in space, and then nothing else
+
+    def by_degree(self) -> List[DegreeProof]:
+        """All parts that are not cut."""
+        parts = (self.parts or []) + [claim.proof for claim in self.claims or []]
+        return [part for part in parts if isinstance(part, DegreeProof)]
 
     def trees(self) -> List[Node]:
         """All nodes."""
-        return self.tree + [node for part in self.parts or [] if isinstance(part, DegreeProof)
-                            for node in part.tree]
+        nodes = self.tree + [node for part in self.by_degree() for node in part.tree]
+        return nodes + [node for claim in self.claims or []
+                        if not isinstance(claim.proof, DegreeProof) for node in claim.proof]
 
 
 def read_certificate(name: str, dimension: int) -> Certificate:
@@ -853,8 +865,9 @@ def read_certificate(name: str, dimension: int) -> Certificate:
     claimed = dict(source.root.pairs) if type(source.root) is Members else {}
     if "format" in claimed:
         source.check_format(claimed["format"])
-    evidence = {"stable": "parts" if "parts" in claimed else "twist shares", "margin": "resisted segments tree"}.get(
-        claimed["verdict"] if type(claimed.get("verdict")) is str else "", "tree")
+    evidence = {"stable": "parts" if "parts" in claimed else "twist shares",
+                "margin": "resisted segments tree" if dimension == PLANE else "intervals"}.get(
+                    claimed["verdict"] if type(claimed.get("verdict")) is str else "", "tree")
     top = source.members(source.root, "", "format producer? question bits? verdict " + evidence,
                          True)
     if type(top.get("producer", "")) is not str:
@@ -862,7 +875,7 @@ def read_certificate(name: str, dimension: int) -> Certificate:
     claim = read_claim(source, top["question"])
     margin = claim.asked.margin()
     bits = source.index(top["bits"], "bits") if "bits" in top else 128
-    if margin and "bits" in top:
+    if margin and dimension == PLANE and "bits" in top:
         source.fail("bits", "not where the question has a direction")
     if not 64 <= bits <= 4096:
         source.fail("bits", "must be from 64 to 4096")
@@ -872,6 +885,10 @@ def read_certificate(name: str, dimension: int) -> Certificate:
         parts = [read_part(source, part, f"parts[{k}]")
                  for k, part in enumerate(source.array(top["parts"], "parts"))]
         return Certificate(claim, verdict, bits=bits, parts=parts)
+    if "intervals" in top:
+        claims = [read_range(source, claim, f"intervals[{k}]")
+                  for k, claim in enumerate(source.array(top["intervals"], "intervals"))]
+        return Certificate(claim, verdict, bits=bits, claims=claims)
     if verdict == "stable":
         witness = Witness(source.vector(top["twist"], "twist", dimension)
                           + (Fraction(1), Fraction(0)),
@@ -908,8 +925,6 @@ def read_claim(source: Source, value: Any) -> Claim:
         growth = fields["preload_direction"]
         if type(growth) is not str or growth != "scale":
             growth = source.vector(growth, "question.preload_direction")
-    if source.dimension == SPACE and (direction is not None or growth is not None):
-        source.fail("question", "a direction, but in space there are no margins")
     uncertain = None
     if "uncertain" in fields:
         uncertain = read_tolerances(source, fields["uncertain"], "question.uncertain")
@@ -976,13 +991,27 @@ def read_part(source: Source, value: Any, place: str) -> Union[Node, DegreeProof
         if node.kind != "part":
             source.fail(place, "must be a part")
         return node
+    return read_proof(source, value, place, False)
+
+
+def read_range(source: Source, value: Any, place: str) -> RangeProof:
+    """CLAIM."""
+    word, low, high, proof = source.array(value, place, 4)
+    interval = source.number(low, place), None if high is None else source.number(high, place)
+    if source.choice(word, place, ("stable", "unstable")) == "stable":
+        return RangeProof(interval, read_proof(source, proof, place, True))
+    return RangeProof(interval, read_tree(source, proof, place, True))
+
+
+def read_proof(source: Source, value: Any, place: str, margin: bool) -> DegreeProof:
+    """A PART that is not cut."""
     fields = source.members(value, place, "twist walls direction tree", True)
     walls, direction = ([source.vector(row, f"{place}.{key}", source.dimension)
                          for row in source.array(fields[key], f"{place}.{key}", source.dimension)]
                         for key in ("walls", "direction"))
     twist = source.vector(fields["twist"], f"{place}.twist", source.dimension)
     return DegreeProof(twist, walls, direction,
-                       read_tree(source, fields["tree"], f"{place}.tree", False))
+                       read_tree(source, fields["tree"], f"{place}.tree", margin))
 
 
 def read_node(source: Source, value: Any, place: str, margin: bool) -> Node:
@@ -1158,10 +1187,10 @@ class Cone:
 
 
 class Parameters(NamedTuple):
-    """§6: of one contact, and its preload's growth in a margin."""
+    """§6: of one contact, and its preload's growth in a margin, whose ends go with the preload's."""
     normal: Vector             # n⁰
     bounds: Dict[str, Bounds]  # by PARAMETERS of the dimension
-    growth: Fraction           # Pᵘ'
+    growth: Bounds             # Pᵘ'
 
     def geometry(self) -> Tuple[str, ...]:
         return GEOMETRY[PLANE if len(self.normal) == 2 else SPACE]
@@ -1174,7 +1203,7 @@ class Terms:
     def __init__(self, c: Parameters) -> None:
         x = c.bounds
         self.normal, self.friction = c.normal, x["friction"]
-        self.certain = all(number.certain for number in x.values())
+        self.certain = c.growth.certain and all(number.certain for number in x.values())
         # Corners of positions and e: as 0s and 1s, without those that are certain.
         uncertain = [name for name in c.geometry() if not x[name].certain]
         self.corners = list(itertools.product((0, 1), repeat=len(uncertain)))
@@ -1189,8 +1218,8 @@ class Terms:
                 n = (n[0] - e * n[1], n[1] + e * n[0])
             self.N.append(at(here, n))
             self.rows.append([at(here, t) for t in across(n)])
-        values = [times(-k, n) + (p, c.growth) for n in self.N for k in set(x["stiffness"])
-                  for p in set(x["preload"])]
+        values = [times(-k, n) + load for n in self.N for k in set(x["stiffness"])
+                  for load in set(zip(x["preload"], c.growth))]
         forms, self.v_factor = integers([entry for value in values for entry in value])
         self.all_v = [forms[k:k + len(values[0])] for k in range(0, len(forms), len(values[0]))]
         self.v = list(dict.fromkeys(map(reduced, self.all_v)))
@@ -1435,23 +1464,21 @@ class Box:
 
     def middle(self) -> Box:
         """q⁰."""
-        return Box([contact._replace(bounds={name: number.middle
-                                             for name, number in contact.bounds.items()})
+        return Box([Parameters(contact.normal, {name: number.middle for name, number
+                                                in contact.bounds.items()}, contact.growth.middle)
                     for contact in self.contacts],
                    tuple(load.middle for load in self.wrench), self.growth)
 
 
 def enlarged(question: Question, bits: int) -> Box:
-    """§6, the enlarged box; or the box of one grasp."""
+    """§6, the enlarged box; or the box of one grasp, or of a margin."""
     contacts = []
-    for i, contact in enumerate(question.contacts):
-        square = dot(contact.normal, contact.normal)
-        preload, growth = contact.preload, Fraction(0)
-        if question.rows:  # of one grasp: P' and Pᵘ' are known
-            *_, own, growth = question.rows[i].v
-            preload, inverse = exactly(own), exactly(Fraction(1))
-        else:
-            inverse = root_bounds(1 / square, bits) if preload.high else exactly(Fraction(1))
+    for contact, grown in zip(question.contacts, question.preload_growth):
+        square, preload = dot(contact.normal, contact.normal), contact.preload
+        inverse = exactly(Fraction(1))
+        if preload.high or grown:
+            inverse = root_bounds(1 / square, bits)
+        growth = Bounds(grown * inverse.low, grown * inverse.high)
         turned = contact.slope ** 2
         turn = (Bounds(-contact.slope, contact.slope),) * (len(contact.position) == 2)
         bounds = (*contact.position, *turn, contact.friction,
@@ -1558,17 +1585,20 @@ def begin(root: Root) -> Region:
     return region
 
 
-def roots(question: Question, box: Box, ranges: Sequence[Range]) -> List[Root]:
-    """§4, of an unstable verdict or a margin."""
-    found = []
-    h, load = h_and_load(box.dimension)
-    for loads in ranges:
-        conditions = [(h, False, True), (plus(load, -loads.low, h), False, not loads.contains_low)]
-        if loads.high is not None:
-            conditions.append((plus(times(loads.high, h), Fraction(-1), load), False,
-                               not loads.contains_high))
-        found.append(Root(box, conditions, question.asked.law == "bilateral"))
+def within(loads: Range, dimension: int) -> List[Condition]:
+    """h > 0, and λ in the range."""
+    h, load = h_and_load(dimension)
+    found = [(h, False, True), (plus(load, -loads.low, h), False, not loads.contains_low)]
+    if loads.high is not None:
+        found.append((plus(times(loads.high, h), Fraction(-1), load), False,
+                      not loads.contains_high))
     return found
+
+
+def roots(question: Question, box: Box, ranges: Sequence[Range], path: str = "") -> List[Root]:
+    """§4, of an unstable verdict or a margin."""
+    return [Root(box, within(loads, box.dimension), question.asked.law == "bilateral", path)
+            for loads in ranges]
 
 
 def times(factor: Fraction, a: Sequence[Fraction]) -> Vector:
@@ -1822,10 +1852,10 @@ def about(twist: Vector, row: Vector, more: int = 0) -> Vector:
     return row + (more - dot(row, twist), Fraction(0))
 
 
-def cone_over(part: DegreeProof, wall: Optional[int] = None, sign_: int = 0) -> List[Condition]:
-    """The cone over K, or over a wall of it."""
-    h, load = h_and_load(len(part.twist))
-    conditions: List[Condition] = [(load, True, False), (h, False, True)]
+def cone_over(part: DegreeProof, loads: Range, wall: Optional[int] = None,
+              sign_: int = 0) -> List[Condition]:
+    """The cone over K and a range, or over a wall of K."""
+    conditions = within(loads, len(part.twist))
     for k, row in enumerate(part.walls):
         if k == wall:
             conditions.append((about(part.twist, row, -sign_), True, False))
@@ -1835,23 +1865,30 @@ def cone_over(part: DegreeProof, wall: Optional[int] = None, sign_: int = 0) -> 
     return conditions
 
 
-def check_degree(part: DegreeProof, box: Box, bilateral: bool, place: str) -> None:
-    """A part that is not cut."""
+def check_degree(part: DegreeProof, box: Box, bilateral: bool, place: str,
+                 low: Fraction = Fraction(0), high: Fraction = Fraction(0)) -> None:
+    """A part that is not cut, for all λ from low to high."""
+    def between(begin: Fraction, end: Fraction) -> Range:
+        return Range(begin, end, True, True)
+
     for rule, matrix in (("walls", part.walls), ("direction", part.direction)):
         if determinant(matrix) == 0:
             raise Rejected(f"degree-{rule}", "the determinant is 0", place)
     if bilateral:
-        region = begin(Root(box, cone_over(part)))
+        region = begin(Root(box, cone_over(part, between(low, high))))
         for i, term in enumerate(box.terms):
             lows, _ = extremes(term.v, [x for x, _ in region.cone.generators])
             if min(lows) < 0:
                 raise Rejected("degree-law", f"v of contact {i} may be below 0", place)
     direction = [about(part.twist, row) for row in part.direction]
     walls = [(j, sign_) for j in range(box.dimension) for sign_ in (1, -1)]
-    lists = (("wall", box, ()), ("middle wall", box.middle(), direction))[box.certain:]
-    check_tree(part.tree, [Root(where, cone_over(part, j, sign_), False,
+    middle = (low + high) / 2
+    lists = (("wall", box, between(low, high), ()),
+             ("middle wall", box.middle(), between(middle, middle), direction))
+    check_tree(part.tree, [Root(where, cone_over(part, loads, j, sign_), False,
                                 f"{place}, {name} {j + 1} {'+' if sign_ > 0 else '-'}", pull)
-                           for name, where, pull in lists for j, sign_ in walls], place)
+                           for name, where, loads, pull in lists[box.certain and low == high:]
+                           for j, sign_ in walls], place)
 
 
 def check_parts(parts: Sequence[Union[Node, DegreeProof]], box: Box, bilateral: bool) -> None:
@@ -1879,6 +1916,50 @@ def check_parts(parts: Sequence[Union[Node, DegreeProof]], box: Box, bilateral: 
                        f"part {len(parts)}{waiting[-1][1]}")
 
 
+# ---- §7 Margins in space ----------------------------------------------------------------------
+
+
+def at_rest(question: Question) -> bool:
+    """w and P are 0."""
+    return not any(question.w()) and not any(contact.preload.high for contact in question.contacts)
+
+
+def check_ranges(question: Question, claims: Sequence[RangeProof], box: Box) -> List[Range]:
+    """`interval-...`, and the proofs. Returns what is refuted."""
+    before: Optional[Fraction] = Fraction(0)
+    refuted = []
+    for k, (interval, proof) in enumerate(claims):
+        (low, high), place = interval, f"interval {k}"
+        stable = isinstance(proof, DegreeProof)
+        if before is None or low < before or (high is not None and not (
+                low <= high if stable else low < high)):
+            raise Rejected("interval-order", f"({show(low)}, {show(high)}) after {show(before)}",
+                           place)
+        before = high
+        if not isinstance(proof, DegreeProof):
+            refuted.append(Range(low, high, k == 0 and low == 0 and not at_rest(question), False))
+            check_tree(proof, roots(question, box, refuted[-1:], place), place)
+            continue
+        if high is None:
+            if low or not at_rest(question):
+                raise Rejected("interval-whole", "a proof about all multiples, but the wrench, a "
+                                                 "preload or the low end is not 0", place)
+            low = high = Fraction(1)  # for all: the laws are homogeneous
+        check_degree(proof, box, question.asked.law == "bilateral", place, low, high)
+    return refuted
+
+
+def resisted_ranges(claims: Sequence[RangeProof]) -> List[Interval]:
+    """Those that touch are one."""
+    found: List[Interval] = []
+    for (low, high), proof in claims:
+        if isinstance(proof, DegreeProof):
+            if found and found[-1][1] == low:
+                low = found.pop()[0]
+            found.append((low, high))
+    return found
+
+
 # ---- §8 What a checker answers ----------------------------------------------------------------
 
 USAGE = """check.py GRASP CERTIFICATE [options]
@@ -1891,7 +1972,7 @@ one of them may be - for standard input. Give the same options as to the program
   --normal-law LAW         unilateral (the default) or bilateral
   --direction WX,WY,T      ask for the margin: all factors f >= 0 for which the grasp is stable under
                            wrench + f direction, with wrench 0 unless given by --wrench or --case;
-                           in the plane only, as is the next
+                           in space WX,WY,WZ,TX,TY,TZ
   --preload-direction D    ask for the margin along preloads: P0,P1,..., of which f times is added to
                            the preloads; or scale: f times the preloads
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be off,
@@ -2005,30 +2086,41 @@ def tolerances(asked: Options) -> Dict[str, str]:
     return {kind: str(given[kind]) for kind in KINDS if kind in given}
 
 
-def accepted_text(certificate: Certificate, question: Question, leaves: int, trees: int) -> str:
+def accepted_text(certificate: Certificate, question: Question, leaves: int, ranges: List[Range],
+                  resisted: Sequence[Interval]) -> str:
     asked, margin = question.asked, certificate.verdict == "margin"
     growth = asked.preload_direction
-    intervals = ", ".join(f"[{low}, oo)" if high is None else f"[{low}, {high}]"
-                          for low, high in certificate.resisted)
     preload = "f times " * (growth == "scale")
     preload += "as in the grasp file" if asked.preload is None else f"{asked.preload} at all contacts"
     if growth is not None and growth != "scale":
         preload += f" + f ({', '.join(map(str, growth))})"
     tree = f"{len(certificate.trees())} nodes: {leaves} leaves"
-    proofs = sum(isinstance(part, DegreeProof) for part in certificate.parts or [])
-    lines = ["accepted", f"resisted    {intervals or 'no multiple'}" if margin
-             else f"verdict     {certificate.verdict}"
-             + ", for every grasp in the box" * question.is_box,
-             f"contacts    {len(question.contacts)}",
-             f"wrench      ({', '.join(map(str, question.wrench))})"]
+    proofs = len(certificate.by_degree())
+    intervals = ", ".join(f"[{low}, oo)" if high is None else f"[{low}, {high}]"
+                          for low, high in resisted)
+    gone = ", ".join(f"{'(['[held]}{low}, {'oo' if high is None else high})"
+                     for low, high, held, _ in ranges)
+    lines = ["accepted"]
+    if certificate.claims is not None:
+        lines += [f"resisted    {intervals or 'none claimed'}",
+                  f"refuted     {gone or 'none claimed'}", "elsewhere   nothing is claimed"]
+    elif margin:
+        lines += [f"resisted    {intervals or 'no multiple'}"]
+    else:
+        lines += [f"verdict     {certificate.verdict}"
+                  + ", for every grasp in the box" * question.is_box]
+    lines += [f"contacts    {len(question.contacts)}",
+              f"wrench      ({', '.join(map(str, question.wrench))})"]
     if asked.direction is not None:
         lines.append(f"direction   ({', '.join(map(str, asked.direction))})")
     lines += [f"preload     {preload}", f"normal law  {asked.law}"]
     if asked.uncertain:
         lines.append("uncertain   " + ", ".join(map(" ".join, tolerances(asked).items())))
     lines += ["proof       " + (
+        f"intervals by degree: {proofs}, refuted: {len(ranges)}; trees of {tree}"
+        if certificate.claims is not None else
         f"by degree, parts: {proofs}; trees of {tree}" if proofs else
-        f"segments: {len(certificate.segments)}; trees: {trees}, of {tree}" if margin else
+        f"segments: {len(certificate.segments)}; trees: {len(ranges)}, of {tree}" if margin else
         "an equilibrium" if certificate.witness else f"a tree of {tree}")]
     return "\n".join(lines) + "\n"
 
@@ -2036,19 +2128,23 @@ def accepted_text(certificate: Certificate, question: Question, leaves: int, tre
 def answer(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
     """The answer as an object, in which every key is there, and as text; and the exit code."""
     report: Dict[str, Any] = dict.fromkeys(("result", "rule", "node", "path", "found", "verdict",
-                                            "box", "nodes", "leaves", "resisted", "question"))
+                                            "box", "nodes", "leaves", "resisted",
+                                            "refuted", "question"))
     try:
         question = pose(arguments.files[0], arguments.options)
         certificate = read_certificate(arguments.files[1], len(question.wrench))
         check_question(question, certificate.question)
         ranges = [VERDICT]
         bilateral = question.asked.law == "bilateral"
-        if certificate.verdict == "margin":
+        if certificate.verdict == "margin" and certificate.claims is None:
             check_resisted(certificate.resisted)
             check_segments(certificate.segments, certificate.resisted, question)
             ranges = gaps(certificate.resisted)
         if certificate.witness:
             check_witness(question, certificate.witness)
+        elif certificate.claims is not None:
+            ranges = check_ranges(question, certificate.claims,
+                                  enlarged(question, certificate.bits))
         elif certificate.parts is not None:
             check_parts(certificate.parts, enlarged(question, certificate.bits), bilateral)
         else:
@@ -2067,6 +2163,7 @@ def answer(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
                       found=printable(failure.problem))
         return report, printable(str(failure)) + "\n", 2
     leaves = sum(node.kind == "leaf" for node in certificate.trees())
+    resisted = certificate.resisted + resisted_ranges(certificate.claims or [])
     asked, growth = question.asked, question.asked.preload_direction
     report.update(result="accepted", verdict=certificate.verdict, box=question.is_box, question={
         "contacts": len(question.contacts), "wrench": listed_wrench(question.wrench),
@@ -2078,8 +2175,11 @@ def answer(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
         report.update(nodes=len(certificate.trees()), leaves=leaves)
     if certificate.verdict == "margin":
         report["resisted"] = [[str(low), high if high is None else str(high)]
-                              for low, high in certificate.resisted]
-    return report, accepted_text(certificate, question, leaves, len(ranges)), 0
+                              for low, high in resisted]
+    if certificate.claims is not None:
+        report["refuted"] = [[str(low), high if high is None else str(high), held]
+                             for low, high, held, _ in ranges]
+    return report, accepted_text(certificate, question, leaves, ranges, resisted), 0
 
 
 def write(text: str, code: int) -> int:

@@ -19,14 +19,23 @@ struct Interval {
   std::optional<Rational> high;
 };
 
+/// Values of lambda: from low to high, or from low on.
+struct Range {
+  Rational low;
+  std::optional<Rational> high;
+  bool open_low = false;   ///< low itself is not among them
+  bool open_high = false;  ///< nor is high
+};
+
 /// The certificate proves `verdict` about the question.
 struct Accepted {
   Question question;
   std::string verdict;             ///< "stable", "unstable" or "margin"
-  std::vector<Interval> resisted;  ///< of a margin: exactly these multiples
-  std::uint64_t segments = 0;      ///< of a margin
-  std::size_t trees = 0;           ///< of a margin, one for each gap
-  std::uint64_t parts = 0;         ///< of a proof by degree, those that are not cut
+  std::vector<Interval> resisted;  ///< of a margin: exactly these multiples, in space at least
+  std::vector<Range> refuted;      ///< of a margin in space: none of these
+  std::uint64_t segments = 0;      ///< of a margin in the plane
+  std::size_t trees = 0;           ///< of a margin, one for each range without a multiple
+  std::uint64_t parts = 0;         ///< proofs by degree
   std::uint64_t nodes = 0;         ///< of all trees; 0 for a witness
   std::uint64_t leaves = 0;
 };

@@ -110,17 +110,28 @@ void add_planar(const Functions& at, const Bounds& friction, Row& row) {
   row.weight *= edge_scale;
 }
 
-/// v_i at each corner as a pull and a preload, all by one factor.
-void add_pulls(const Functions& at, const Bounds& preload, const Bounds& stiffness, Row& row) {
-  std::vector<Vector> parts{{preload.low, preload.high}};
-  for (const Rational& k : ends(stiffness)) {
+/// P' and P^u': in a margin both are multiples of one number, 1/L.
+std::vector<Vector> preload_ends(const ContactBox& c) {
+  const Bounds& preload = c[Parameter::kPreload];
+  std::vector<Vector> ends{{preload.low, c.growth.low}};
+  if (!preload.certain() || !c.growth.certain()) ends.push_back({preload.high, c.growth.high});
+  return ends;
+}
+
+/// v_i at each corner as a pull, a preload and its growth, all by one factor.
+void add_pulls(const Functions& at, const ContactBox& c, Row& row) {
+  const std::vector<Vector> loads = preload_ends(c);
+  std::vector<Vector> parts{loads.front(), loads.back()};
+  for (const Rational& k : ends(c[Parameter::kStiffness])) {
     for (const Vector& n : at.normals) parts.push_back(multiple(-k, n));
   }
   const std::vector<Form> forms = make_forms(parts, &row.weight);
-  row.preloads[0] = forms[0][0];
-  row.preloads[1] = forms[0][1];
-  for (std::size_t k = 0; k + 1 < forms.size(); ++k) {
-    row.pulls[k / at.normals.size()].push_back(forms[k + 1]);
+  for (std::size_t end = 0; end < 2; ++end) {
+    row.preloads[end] = forms[end][0];
+    row.growths[end] = forms[end][1];
+  }
+  for (std::size_t k = 0; k + 2 < forms.size(); ++k) {
+    row.pulls[k / at.normals.size()].push_back(forms[k + 2]);
   }
 }
 
@@ -139,11 +150,10 @@ Vector at_point(const Vector& p, const Vector& f) {
 
 std::shared_ptr<const Row> make_row(const ContactBox& c) {
   const Functions at = functions_of(c);
-  const Bounds& preload = c[Parameter::kPreload];
-  const Bounds& stiffness = c[Parameter::kStiffness];
   Row row;
-  row.certain = std::all_of(c.bounds.begin(), c.bounds.end(),
-                            [](const Bounds& bounds) { return bounds.certain(); });
+  row.certain =
+      c.growth.certain() && std::all_of(c.bounds.begin(), c.bounds.end(),
+                                        [](const Bounds& bounds) { return bounds.certain(); });
   const std::size_t corners = at.normals.size();
   std::vector<Vector> all = at.normals;
   all.insert(all.end(), at.slips.begin(), at.slips.end());
@@ -157,17 +167,17 @@ std::shared_ptr<const Row> make_row(const ContactBox& c) {
     }
   }
   for (const Vector& n : at.normals) {
-    for (const Rational& k : ends(stiffness)) {
-      for (const Rational& p : ends(preload)) {
+    for (const Rational& k : ends(c[Parameter::kStiffness])) {
+      for (const Vector& load : preload_ends(c)) {
         Vector v = multiple(-k, n);
-        v.insert(v.end(), {p, c.growth});
+        v.insert(v.end(), load.begin(), load.end());
         if (row.v.empty()) make_form(v, &row.v_scale);
         add_new(row.v, v);
       }
     }
   }
   row.weight = row.v_scale;
-  if (!row.certain) add_pulls(at, preload, stiffness, row);
+  if (!row.certain) add_pulls(at, c, row);
   if (c.normal.size() == 2) add_planar(at, c[Parameter::kFriction], row);
   return std::make_shared<const Row>(std::move(row));
 }
@@ -201,6 +211,7 @@ Box Box::middle() const {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     if (rows[i]->certain) continue;
     for (Bounds& bounds : point.contacts[i].bounds) shrink(bounds);
+    shrink(point.contacts[i].growth);
     point.rows[i] = make_row(point.contacts[i]);
   }
   return point;

@@ -54,7 +54,7 @@ constexpr bool is_parameter(Parameter name, std::size_t dimension) {
 struct ContactBox {
   Vector normal;                                  ///< n0
   std::array<Bounds, kContactParameters> bounds;  ///< by Parameter
-  Rational growth;                                ///< of a margin: P^u'
+  Bounds growth;  ///< of a margin: P^u', whose ends go with those of P'
 
   const Bounds& operator[](Parameter name) const {
     return bounds[static_cast<std::size_t>(name)];
@@ -76,9 +76,11 @@ struct Row {
   std::vector<Form> v;
   Rational v_scale;  ///< if all is certain, v_i is a multiple of v[0] by this
 
-  // If not, at each corner v_i(x) is a multiple of pull.d + preload h, all by one factor.
+  // If not, at each corner v_i(x) is a multiple of pull.d + preload h + growth l, all by one
+  // factor.
   std::vector<Form> pulls[2];  ///< for k'_min, k'_max; the last is empty if k' is certain
   Integer preloads[2];         ///< for P'_min, P'_max
+  Integer growths[2];          ///< for P^u'_min, P^u'_max
 
   // In the plane:
   std::vector<Form> tau;  ///< at all corners, up to positive factors: one form if certain

@@ -41,7 +41,7 @@ std::string CertificateReader::verdict() {
   constexpr unsigned kLeastBits = 64;
   constexpr unsigned kMostBits = 4096;
   std::optional<std::string> name = json_.next_member();
-  if (name == "bits" && !margin_) {
+  if (name == "bits" && (!margin_ || dimension_ == kSpatial)) {
     const Value value = json_.value();
     const Rational bits = value.kind == Value::Kind::kNumber ? number(value, "bits") : 0;
     json_.expect(
@@ -108,6 +108,24 @@ std::optional<std::pair<Witness, Witness>> CertificateReader::next_segment() {
 std::optional<Node> CertificateReader::next_node() {
   if (!next_element("tree")) return std::nullopt;
   return node(json_.value(), "tree[" + std::to_string(elements_ - 1) + "]");
+}
+
+/// CLAIM.
+std::optional<RangeProof> CertificateReader::next_range() {
+  if (!next_element("intervals")) return std::nullopt;
+  const std::string place = "intervals[" + std::to_string(elements_ - 1) + "]";
+  const Value value = json_.value();
+  RangeProof claim;
+  claim.stable = value.is_array(4) && value.items[0].is_text("stable");
+  json_.expect(claim.stable || (value.is_array(4) && value.items[0].is_text("unstable")), value,
+               place, R"(["stable", low, high, part] or ["unstable", low, high, tree])");
+  claim.range = {number(value.items[1], place), number_or_null(value.items[2], place)};
+  if (claim.stable) {
+    claim.proof = part(value.items[3], place);
+  } else {
+    claim.tree = nodes(value.items[3], place);
+  }
+  return claim;
 }
 
 void CertificateReader::finish() {
@@ -240,9 +258,6 @@ Claim CertificateReader::claim_of(const Value& value) const {
       }
     }
   }
-  if (asked.margin() && dimension_ == kSpatial) {
-    json_.fail(value.line, "question", "a direction, but in space there are no margins");
-  }
   if (const Value* uncertain = value.find("uncertain")) {
     asked.uncertain = tolerances(*uncertain);
   }
@@ -296,9 +311,7 @@ Part CertificateReader::part(const Value& value, const std::string& place) const
   part.twist = numbers(member(value, place, "twist"), place + ".twist", 0, dimension_);
   part.walls = matrix(member(value, place, "walls"), place + ".walls");
   part.direction = matrix(member(value, place, "direction"), place + ".direction");
-  for (const Value& entry : list(member(value, place, "tree"), place + ".tree", "an array")) {
-    part.tree.push_back(node(entry, place + ".tree[" + std::to_string(part.tree.size()) + "]"));
-  }
+  part.tree = nodes(member(value, place, "tree"), place + ".tree");
   return part;
 }
 
@@ -327,6 +340,14 @@ Witness CertificateReader::point(const Value& value, bool may_be_ray,
   witness.x.push_back(lambda.value_or(1));
   witness.shares = shares(value.items[2], place);
   return witness;
+}
+
+std::vector<Node> CertificateReader::nodes(const Value& value, const std::string& place) const {
+  std::vector<Node> result;
+  for (const Value& entry : list(value, place, "an array of nodes")) {
+    result.push_back(node(entry, place + "[" + std::to_string(result.size()) + "]"));
+  }
+  return result;
 }
 
 /// NODE.

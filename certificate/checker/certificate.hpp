@@ -12,6 +12,7 @@
 #include "answer.hpp"
 #include "degree.hpp"
 #include "json.hpp"
+#include "margin.hpp"
 #include "tree.hpp"
 #include "witness.hpp"
 
@@ -41,10 +42,13 @@ class CertificateReader {
   std::optional<Part> next_part();
   Witness witness();
 
-  // unstable, margin
+  // unstable, and margin in the plane
   std::vector<Interval> resisted();
   std::optional<std::pair<Witness, Witness>> next_segment();
   std::optional<Node> next_node();
+
+  // margin in space
+  std::optional<RangeProof> next_range();
 
   /// Nothing follows.
   void finish();
@@ -74,6 +78,7 @@ class CertificateReader {
                                                  const std::string& place) const;
   Witness point(const Value& value, bool may_be_ray, const std::string& place) const;
   Node node(const Value& value, const std::string& place) const;
+  std::vector<Node> nodes(const Value& value, const std::string& place) const;
 
   JsonReader json_;
   std::size_t dimension_;

@@ -84,6 +84,7 @@ Answer read_and_check(CertificateReader& certificate, Question question) {
   Accepted accepted;
   accepted.verdict = certificate.verdict();
   if (question.is_box) enlarge(question, certificate.bits());
+  const bool in_ranges = accepted.verdict == "margin" && question.dimension() == kSpatial;
   std::vector<Range> ranges{{0, 0}};  // of one verdict
   if (accepted.verdict == "stable" && certificate.has_parts()) {
     PartWalk walk(question.asked.bilateral, question.box);
@@ -97,6 +98,11 @@ Answer read_and_check(CertificateReader& certificate, Question question) {
   } else if (accepted.verdict == "stable") {
     const Witness witness = certificate.witness();
     rejection.unless_rejected([&] { check_witness(question, witness); });
+  } else if (in_ranges) {
+    RangeProofs proofs(question, accepted);
+    while (const std::optional<RangeProof> range = certificate.next_range()) {
+      rejection.unless_rejected([&] { proofs.visit(*range); });
+    }
   } else if (accepted.verdict == "margin") {
     accepted.resisted = certificate.resisted();
     rejection.unless_rejected([&] { check_order(accepted.resisted); });
@@ -109,7 +115,7 @@ Answer read_and_check(CertificateReader& certificate, Question question) {
     rejection.unless_rejected([&] { ranges = gaps(accepted.resisted); });
     accepted.trees = ranges.size();
   }
-  if (accepted.verdict != "stable") {
+  if (accepted.verdict != "stable" && !in_ranges) {
     TreeWalk walk(roots_of(question, ranges));
     while (const std::optional<Node> node = certificate.next_node()) {
       rejection.unless_rejected([&] { walk.visit(*node); });

@@ -30,13 +30,11 @@ Vector about(const Vector& twist, const Vector& row, int more = 0) {
   return a;
 }
 
-/// The cone over K, or over the wall E_j.(d - h d0) = sign h of it.
-std::vector<Condition> conditions_of(const Part& part, std::size_t wall, int sign) {
+/// The cone over K and a range, or over the wall E_j.(d - h d0) = sign h of K.
+std::vector<Condition> conditions_on(const Part& part, const Range& range, std::size_t wall,
+                                     int sign) {
   const std::size_t dimension = part.walls.size();
-  Vector h(dimension + 2);
-  Vector l(dimension + 2);
-  h[dimension] = l[dimension + 1] = 1;
-  std::vector<Condition> conditions{{l, true}, {h, false, true}};
+  std::vector<Condition> conditions = conditions_of(range, dimension);
   for (std::size_t k = 0; k < dimension; ++k) {
     if (k == wall) {
       conditions.push_back({about(part.twist, part.walls[k], -sign), true});
@@ -51,10 +49,10 @@ std::vector<Condition> conditions_of(const Part& part, std::size_t wall, int sig
 }
 
 /// `degree-law`: the contact whose v_i may be below 0 in K, or nothing.
-std::optional<std::size_t> opening(const Part& part, const Box& box) {
+std::optional<std::size_t> opening(const Part& part, const Box& box, const Range& range) {
   const std::size_t no_wall = box.dimension();
   Cone cone(box.dimension() + 2);
-  for (const Condition& condition : conditions_of(part, no_wall, 0)) {
+  for (const Condition& condition : conditions_on(part, range, no_wall, 0)) {
     cone = cone.cut(make_form(condition.a), condition.equality);
   }
   for (std::size_t i = 0; i < box.rows.size(); ++i) {
@@ -68,6 +66,42 @@ std::optional<std::size_t> opening(const Part& part, const Box& box) {
 }
 
 }  // namespace
+
+TreeWalk check_degree(const Part& part, const std::shared_ptr<const Box>& box,
+                      const Range& range, bool bilateral, const std::string& place) {
+  const auto require = [&](bool good, const char* rule, const std::string& found) {
+    if (!good) throw Rejected{rule, std::nullopt, place, found};
+  };
+  require(!singular(part.walls), "degree-walls", "det E = 0");
+  require(!singular(part.direction), "degree-direction", "det A = 0");
+  if (bilateral) {
+    const auto i = opening(part, *box, range);
+    require(
+        !i, "degree-law",
+        "v of contact " + std::to_string(i.value_or(0)) + " may be below 0 at a vertex of K");
+  }
+  std::vector<Vector> direction;
+  for (const Vector& row : part.direction) direction.push_back(about(part.twist, row));
+  const auto middle = std::make_shared<const Box>(box->middle());
+  const Rational middle_multiple = (range.low + *range.high) / 2;
+  std::vector<Root> roots;
+  for (const bool second : {false, true}) {
+    if (!second && box->certain() && range.low == *range.high) continue;
+    const Range multiples = second ? Range{middle_multiple, middle_multiple} : range;
+    for (std::size_t j = 0; j < box->dimension(); ++j) {
+      for (const int sign : {1, -1}) {
+        roots.push_back({second ? middle : box, conditions_on(part, multiples, j, sign), false,
+                         place + (second ? ", middle wall " : ", wall ") +
+                             std::to_string(j + 1) + (sign > 0 ? " +" : " -"),
+                         second ? direction : std::vector<Vector>{}});
+      }
+    }
+  }
+  TreeWalk walk(std::move(roots), place);
+  for (const Node& node : part.tree) walk.visit(node);
+  walk.finish();
+  return walk;
+}
 
 PartWalk::PartWalk(bool bilateral, const std::shared_ptr<const Box>& box)
     : bilateral_(bilateral), awaited_{{box, "", 0}} {}
@@ -85,7 +119,10 @@ void PartWalk::visit(const Part& part) {
                    "more than " + std::to_string(most_depth(*here.box)) + " parts above this"};
   }
   if (!part.cut) {
-    check_proof(part, here, place);
+    const TreeWalk walk = check_degree(part, here.box, {0, 0}, bilateral_, place);
+    ++proofs_;
+    nodes_ += walk.nodes();
+    leaves_ += walk.leaves();
     return;
   }
   try {
@@ -103,41 +140,6 @@ void PartWalk::finish() const {
   throw Rejected{"tree-short", std::nullopt,
                  "part " + std::to_string(parts_) + awaited_.back().path,
                  "the list ends before this part"};
-}
-
-void PartWalk::check_proof(const Part& part, const Awaited& here, const std::string& place) {
-  const auto require = [&](bool good, const char* rule, const std::string& found) {
-    if (!good) throw Rejected{rule, std::nullopt, place, found};
-  };
-  require(!singular(part.walls), "degree-walls", "det E = 0");
-  require(!singular(part.direction), "degree-direction", "det A = 0");
-  if (bilateral_) {
-    const auto i = opening(part, *here.box);
-    require(
-        !i, "degree-law",
-        "v of contact " + std::to_string(i.value_or(0)) + " may be below 0 at a vertex of K");
-  }
-  std::vector<Vector> direction;
-  for (const Vector& row : part.direction) direction.push_back(about(part.twist, row));
-  const auto middle = std::make_shared<const Box>(here.box->middle());
-  std::vector<Root> roots;
-  for (const bool second : {false, true}) {
-    if (!second && here.box->certain()) continue;
-    for (std::size_t j = 0; j < here.box->dimension(); ++j) {
-      for (const int sign : {1, -1}) {
-        roots.push_back({second ? middle : here.box, conditions_of(part, j, sign), false,
-                         place + (second ? ", middle wall " : ", wall ") +
-                             std::to_string(j + 1) + (sign > 0 ? " +" : " -"),
-                         second ? direction : std::vector<Vector>{}});
-      }
-    }
-  }
-  TreeWalk walk(std::move(roots), place);
-  for (const Node& node : part.tree) walk.visit(node);
-  walk.finish();
-  ++proofs_;
-  nodes_ += walk.nodes();
-  leaves_ += walk.leaves();
 }
 
 }  // namespace stickslip_check

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// Proofs that every grasp in a box is stable (FORMAT.md §6, "Stable: by degree").
+/// Proofs that every grasp in a box is stable (FORMAT.md §6, "Stable: by degree"), for every
+/// multiple of a range (§7, "Margins").
 #pragma once
 
 #include <cstdint>
@@ -24,6 +25,11 @@ struct Part {
   std::vector<Node> tree;
 };
 
+/// Checks a part that is not cut, at `place`, for all multiples from range.low to *range.high.
+/// Throws Rejected, or returns the walk over its trees.
+TreeWalk check_degree(const Part& part, const std::shared_ptr<const Box>& box,
+                      const Range& range, bool bilateral, const std::string& place);
+
 /// The walk over the list of parts, in their order.
 class PartWalk {
  public:
@@ -45,8 +51,6 @@ class PartWalk {
     std::string path;  ///< empty, or ", friction 2 low" and so on
     std::size_t depth;
   };
-
-  void check_proof(const Part& part, const Awaited& here, const std::string& place);
 
   bool bilateral_;
   std::vector<Awaited> awaited_;  ///< the next one last

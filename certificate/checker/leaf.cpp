@@ -116,7 +116,9 @@ void add_spatial(const Row& row, const Rational& alpha, bool mixed, Bound& bound
   Bend bend{abs(alpha) * row.weight, {}, mixed};
   for (const std::vector<Form>& pulls : row.pulls) {
     for (Form v : pulls) {
+      // h and l are nowhere below 0, so v_i is largest with the largest preload.
       v.push_back(row.preloads[sign > 0 ? 1 : 0]);
+      v.push_back(row.growths[sign > 0 ? 1 : 0]);
       bend.bounds.push_back(sign > 0 ? std::move(v) : negative(std::move(v)));
     }
   }

@@ -24,7 +24,7 @@ const char* const kHelp =
     R"(stickslip-check GRASP CERTIFICATE [options]
 
 Checks a proof that a frictional grasp, in the plane or in space, is stable, or unstable, under
-a wrench; or, with a direction, a proof of exactly which multiples of the direction it resists.
+a wrench; or, with a direction, a proof of which multiples of the direction it resists.
 GRASP is the grasp file, CERTIFICATE the proof; one of them may be - for standard input.
 The grasp file is read afresh and nothing in the certificate is believed: this program
 rebuilds every contact row and recomputes every bound in exact arithmetic.
@@ -38,7 +38,7 @@ the program that produced the certificate:
   --normal-law LAW         unilateral (contacts may open; the default) or bilateral
   --direction WX,WY,T      ask for the margin: all factors f >= 0 for which the grasp is
                            stable under wrench + f direction, where the wrench is 0 unless
-                           given by --wrench or --case; in the plane only, as is the next
+                           given by --wrench or --case; in space WX,WY,WZ,TX,TY,TZ
   --preload-direction D    ask for the margin along preloads: D is P0,P1,..., one number for
                            each contact, which f times is added to its preload; or the word
                            scale: f times the preloads, that is, which multiples of them hold
@@ -57,7 +57,8 @@ Numbers are exact: 1, -0.25, 1e-3, 3/5.
 
 Answers and exit codes:
   accepted   0   the certificate proves the verdict about the question that is printed;
-                 of a margin, that exactly the factors printed as "resisted" are
+                 of a margin, that exactly the factors printed as "resisted" are; in space,
+                 that those are, that those printed as "refuted" are not, and nothing of others
   rejected   1   it does not; the rule (named as in certificate/FORMAT.md) and the place
   (error)    2   a file or the command line cannot be understood, on standard error
 

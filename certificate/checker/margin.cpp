@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "margin.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace stickslip_check {
@@ -89,6 +90,68 @@ std::vector<ContactForce> Segments::check_point(const Witness& point, const char
 
 Rejected Segments::rejection(const char* rule, std::string found, const char* which) const {
   return {rule, std::nullopt, "segment " + std::to_string(visited_) + which, std::move(found)};
+}
+
+RangeProofs::RangeProofs(const Question& question, Accepted& accepted)
+    : question_(question), accepted_(accepted) {
+  const auto zero = [](const Bounds& bounds) { return bounds == Bounds(0); };
+  rests_ = std::all_of(question.widened.begin(), question.widened.end(), zero) &&
+           std::all_of(question.contacts.begin(), question.contacts.end(),
+                       [&](const Contact& contact) { return zero(contact.preload); });
+}
+
+void RangeProofs::visit(const RangeProof& claim) {
+  const std::string place = "interval " + std::to_string(visited_);
+  check_order(claim, place);
+  const TreeWalk walk = check_proof(claim, place);
+  accepted_.nodes += walk.nodes();
+  accepted_.leaves += walk.leaves();
+  end_ = claim.range.high;
+  ++visited_;
+}
+
+/// `interval-order`, `interval-whole`.
+void RangeProofs::check_order(const RangeProof& claim, const std::string& place) const {
+  const auto& [low, high] = claim.range;
+  const auto require = [&](bool good, const char* rule, const std::string& found) {
+    if (!good) throw Rejected{rule, std::nullopt, place, found};
+  };
+  const char* const order = "interval-order";
+  require(low >= 0, order, "begins at " + show(low) + ", below 0");
+  require(visited_ == 0 || end_, order, "follows an interval without an end");
+  require(visited_ == 0 || low >= *end_, order,
+          "begins at " + show(low) + ", before the one before ends");
+  require(!high || (claim.stable ? low <= *high : low < *high), order,
+          "begins at " + show(low) + ", and ends at " + show(high.value_or(0)));
+  require(!claim.stable || high || (rests_ && low == 0), "interval-whole",
+          "a proof about all multiples, but the wrench, a preload or the low end is not 0");
+}
+
+TreeWalk RangeProofs::check_proof(const RangeProof& claim, const std::string& place) {
+  const auto& [low, high] = claim.range;
+  if (claim.stable) {
+    // Without an end the laws are homogeneous, and 1 stands for all.
+    const Range range = high ? Range{low, high} : Range{1, 1};
+    TreeWalk walk =
+        check_degree(claim.proof, question_.box, range, question_.asked.bilateral, place);
+    ++accepted_.parts;
+    std::vector<Interval>& resisted = accepted_.resisted;
+    if (resisted.empty() || resisted.back().high != low) {
+      resisted.push_back({low, high});
+    } else {
+      resisted.back().high = high;
+    }
+    return walk;
+  }
+  const Range range{low, high, low > 0 || rests_ || visited_ > 0, true};
+  std::vector<Root> roots = roots_of(question_, {range});
+  roots[0].path = place;
+  TreeWalk walk(std::move(roots), place);
+  for (const Node& node : claim.tree) walk.visit(node);
+  walk.finish();
+  ++accepted_.trees;
+  accepted_.refuted.push_back(range);
+  return walk;
 }
 
 }  // namespace stickslip_check

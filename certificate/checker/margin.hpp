@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// Margins (FORMAT.md §5): the claimed intervals, the segments that prove them resisted, and
-/// the gaps that they leave, which trees prove not to be.
+/// the gaps that they leave, which trees prove not to be. And margins in space (§7): claims,
+/// each with its proof.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "answer.hpp"
+#include "degree.hpp"
 #include "tree.hpp"
 #include "witness.hpp"
 
@@ -43,6 +45,34 @@ class Segments {
   std::uint64_t visited_ = 0;
   Witness last_;                           ///< the last point, where a segment often begins,
   std::vector<ContactForce> last_forces_;  ///< and its forces
+};
+
+/// In space: a claim as the certificate states it; only its shape has been checked.
+struct RangeProof {
+  bool stable = false;
+  Interval range;
+  Part proof;              ///< if stable, not cut
+  std::vector<Node> tree;  ///< if not
+};
+
+/// The claims, checked as they come; what they prove is added to `accepted`. Both arguments
+/// must outlive this.
+class RangeProofs {
+ public:
+  RangeProofs(const Question& question, Accepted& accepted);
+
+  /// Throws Rejected.
+  void visit(const RangeProof& claim);
+
+ private:
+  void check_order(const RangeProof& claim, const std::string& place) const;
+  TreeWalk check_proof(const RangeProof& claim, const std::string& place);
+
+  const Question& question_;
+  Accepted& accepted_;
+  bool rests_ = false;  ///< w and all P are 0
+  std::uint64_t visited_ = 0;
+  std::optional<Rational> end_;  ///< of the last claim, if it has one
 };
 
 }  // namespace stickslip_check

@@ -62,7 +62,16 @@ std::string in_words(const std::vector<Interval>& intervals) {
     text += (text.empty() ? "[" : ", [") + low.get_str() + ", " +
             (high ? high->get_str() + "]" : "oo)");
   }
-  return text.empty() ? "no multiple" : text;
+  return text;
+}
+
+std::string in_words(const std::vector<Range>& ranges) {
+  std::string text;
+  for (const auto& [low, high, open_low, open_high] : ranges) {
+    text += (text.empty() ? "" : ", ") + std::string(open_low ? "(" : "[") + low.get_str() +
+            ", " + (high ? high->get_str() : "oo") + ")";
+  }
+  return text;
 }
 
 std::string json_intervals(const std::vector<Interval>& intervals) {
@@ -70,6 +79,16 @@ std::string json_intervals(const std::vector<Interval>& intervals) {
   for (const auto& [low, high] : intervals) {
     text += (text.empty() ? "[" : ", [") + json_string(low.get_str()) + ", " +
             (high ? json_string(high->get_str()) : "null") + "]";
+  }
+  return "[" + text + "]";
+}
+
+std::string json_ranges(const std::vector<Range>& ranges) {
+  std::string text;
+  for (const auto& [low, high, open_low, open_high] : ranges) {
+    text += (text.empty() ? "[" : ", [") + json_string(low.get_str()) + ", " +
+            (high ? json_string(high->get_str()) : "null") +
+            (open_low ? ", false]" : ", true]");
   }
   return "[" + text + "]";
 }
@@ -93,9 +112,21 @@ std::string text_of(const Accepted& a) {
   const Options& asked = a.question.asked;
   const auto& growth = asked.preload_direction;
   const bool margin = a.verdict == "margin";
+  const bool in_space = a.question.dimension() == kSpatial;
+  const auto list_or = [](const std::string& listed, const char* none) {
+    return listed.empty() ? none : listed;
+  };
   std::string text = "accepted\n";
-  text += margin ? "resisted    " + in_words(a.resisted) : "verdict     " + a.verdict;
-  if (a.question.is_box) text += ", for every grasp in the box";
+  if (margin && in_space) {
+    text += "resisted    " + list_or(in_words(a.resisted), "none claimed") +
+            "\nrefuted     " + list_or(in_words(a.refuted), "none claimed") +
+            "\nelsewhere   nothing is claimed";
+  } else if (margin) {
+    text += "resisted    " + list_or(in_words(a.resisted), "no multiple");
+  } else {
+    text += "verdict     " + a.verdict;
+    if (a.question.is_box) text += ", for every grasp in the box";
+  }
   text += "\ncontacts    " + std::to_string(a.question.contacts.size());
   text += "\nwrench      " + text_of(a.question.wrench);
   if (asked.direction) text += "\ndirection   " + list(*asked.direction, "(", ")", false);
@@ -109,7 +140,10 @@ std::string text_of(const Accepted& a) {
   text += "\nproof       ";
   const std::string tree =
       std::to_string(a.nodes) + " nodes: " + std::to_string(a.leaves) + " leaves";
-  if (margin) {
+  if (margin && in_space) {
+    text += "intervals by degree: " + std::to_string(a.parts) +
+            ", refuted: " + std::to_string(a.trees) + "; trees of " + tree;
+  } else if (margin) {
     text += "segments: " + std::to_string(a.segments) + "; trees: " + std::to_string(a.trees) +
             ", of " + tree;
   } else if (a.parts > 0) {
@@ -137,6 +171,7 @@ std::string as_json(const Answer& answer) {
   const auto* a = std::get_if<Accepted>(&answer);
   const auto* r = std::get_if<Rejected>(&answer);
   const auto* m = std::get_if<Malformed>(&answer);
+  const bool margin = a != nullptr && a->verdict == "margin";
   const bool tree = a != nullptr && (a->verdict != "stable" || a->parts > 0);
   const std::string path = r != nullptr ? r->path : (m != nullptr ? m->place : "");
   const auto text = [](bool present, const std::string& content) {
@@ -155,7 +190,8 @@ std::string as_json(const Answer& answer) {
          R"(, "box": )" + (a == nullptr ? "null" : (a->question.is_box ? "true" : "false")) +
          R"(, "nodes": )" + number(tree, tree ? a->nodes : 0) + R"(, "leaves": )" +
          number(tree, tree ? a->leaves : 0) + R"(, "resisted": )" +
-         (a != nullptr && a->verdict == "margin" ? json_intervals(a->resisted) : "null") +
+         (margin ? json_intervals(a->resisted) : "null") + R"(, "refuted": )" +
+         (margin && a->question.dimension() == kSpatial ? json_ranges(a->refuted) : "null") +
          R"(, "question": )" + (a != nullptr ? json_question(a->question) : "null") + "}\n";
 }
 

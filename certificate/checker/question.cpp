@@ -13,7 +13,7 @@ namespace {
   throw Malformed{"the question", part, problem};
 }
 
-/// FORMAT.md §7: as many numbers as the grasp has, and what cannot be asked in space.
+/// FORMAT.md §7: as many numbers as the grasp has.
 void check_dimension(const Grasp& grasp, const Options& options) {
   const auto check = [&](const std::optional<Vector>& vector, const char* part) {
     if (!vector || vector->size() == grasp.dimension()) return;
@@ -23,12 +23,7 @@ void check_dimension(const Grasp& grasp, const Options& options) {
   };
   check(options.wrench, "wrench");
   check(options.direction, "direction");
-  if (grasp.dimension() == kPlanar) return;
-  if (options.margin()) {
-    refuse(options.direction ? "direction" : "preload direction",
-           "a margin of a grasp in space, expected no direction");
-  }
-  if (options.uncertain.count("normal") != 0) {
+  if (grasp.dimension() == kSpatial && options.uncertain.count("normal") != 0) {
     refuse("uncertain", "found a tolerance of normals, but in space they are certain");
   }
 }
@@ -126,7 +121,7 @@ void check_uncertain(Question& question, const std::string& file) {
     const bool loaded = contact.preload.high != 0 || question.preload_growth[i] != 0;
     if (!loaded || exact_sqrt(dot(contact.normal, contact.normal))) continue;
     question.is_box = true;
-    if (question.asked.margin()) {
+    if (question.asked.margin() && question.dimension() == kPlanar) {
       throw Malformed{
           file, place + "normal",
           "the contact has a preload and a normal of irrational length, so there is "
@@ -153,7 +148,7 @@ ContactBox enlarged(const Contact& contact, const Rational& growth, unsigned bit
       Bounds(contact.preload.low * (1 - turned / 2) * inverse.low,
              contact.preload.high * inverse.high),
       Bounds(contact.stiffness.low * (1 - turned) / square, contact.stiffness.high / square)};
-  box.growth = growth * inverse.low;
+  box.growth = Bounds(growth * inverse.low, growth * inverse.high);
   return box;
 }
 

@@ -68,7 +68,7 @@ struct Question {
   Wrench widened;                  ///< w
   Vector growth;                   ///< u; 0 for one verdict
   Vector preload_growth;           ///< P^u
-  bool is_box = false;             ///< FORMAT.md §6
+  bool is_box = false;             ///< FORMAT.md §6, §7
   std::shared_ptr<const Box> box;  ///< what trees are about; of a box, by enlarge()
 
   std::size_t dimension() const { return wrench.size(); }

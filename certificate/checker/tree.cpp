@@ -47,21 +47,25 @@ std::string half_name(const Node& part, bool high) {
          part.contact.get_str() + (high ? " high" : " low");
 }
 
-std::vector<Root> roots_of(const Question& question, const std::vector<Range>& ranges) {
-  std::vector<Root> roots;
+std::vector<Condition> conditions_of(const Range& range, std::size_t dimension) {
   const auto of_h_and_l = [&](const Rational& h, const Rational& l) {
-    Vector a(question.dimension());
+    Vector a(dimension);
     a.insert(a.end(), {h, l});
     return a;
   };
+  std::vector<Condition> conditions{{of_h_and_l(1, 0), false, true},
+                                    {of_h_and_l(-range.low, 1), false, range.open_low}};
+  if (range.high) {
+    conditions.push_back({of_h_and_l(*range.high, -1), false, range.open_high});
+  }
+  return conditions;
+}
+
+std::vector<Root> roots_of(const Question& question, const std::vector<Range>& ranges) {
+  std::vector<Root> roots;
   for (const Range& range : ranges) {
-    Root root{question.box, {}, question.asked.bilateral};
-    root.conditions = {{of_h_and_l(1, 0), false, true},
-                       {of_h_and_l(-range.low, 1), false, range.open_low}};
-    if (range.high) {
-      root.conditions.push_back({of_h_and_l(*range.high, -1), false, range.open_high});
-    }
-    roots.push_back(std::move(root));
+    roots.push_back(
+        {question.box, conditions_of(range, question.dimension()), question.asked.bilateral});
   }
   return roots;
 }

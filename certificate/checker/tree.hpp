@@ -15,14 +15,6 @@
 
 namespace stickslip_check {
 
-/// The values of lambda that a tree is about: from low to high, or from low on.
-struct Range {
-  Rational low;
-  std::optional<Rational> high;
-  bool open_low = false;   ///< low itself is not among them
-  bool open_high = false;  ///< nor is high
-};
-
 enum class NodeKind : std::int8_t { kSlip, kSeparation, kPlane, kLeaf, kPart };
 
 /// A node as the certificate states it; only its shape has been checked.
@@ -62,6 +54,8 @@ struct Root {
 };
 /// The most nodes above one: `node-depth`.
 std::size_t most_depth(const Box& box);
+/// h > 0, and lambda in the range.
+std::vector<Condition> conditions_of(const Range& range, std::size_t dimension);
 /// One for each range.
 std::vector<Root> roots_of(const Question& question, const std::vector<Range>& ranges);
 

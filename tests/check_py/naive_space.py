@@ -73,11 +73,13 @@ def root_above(q):
 
 
 class Contact:
-    """A normal, and intervals of the parameters of section 7 by name."""
+    """A normal, and intervals of the parameters of section 7 by name; in a margin also P and P^u,
+    whose multiples by 1/L, in an interval, are the preloads."""
 
-    def __init__(self, normal, ends):
+    def __init__(self, normal, ends, loads=None, inverse=None):
         self.normal = tuple(map(Fraction, normal))
         self.ends = {name: tuple(map(Fraction, ends[name])) for name in NAMES}
+        self.loads, self.inverse = loads, inverse
         self.square = dot(self.normal, self.normal)
 
     @classmethod
@@ -89,8 +91,17 @@ class Contact:
                             "preload": (preload[0] * low, preload[1] * high),
                             "stiffness": tuple(Fraction(k) / square for k in stiffness)})
 
+    @classmethod
+    def of_margin(cls, normal, p, friction, loads, stiffness, bits=128):
+        """Numbers."""
+        square = sum(Fraction(c) ** 2 for c in normal)
+        inverse = inverse_length(square, bits) if any(loads) else (1, 1)
+        numbers = {**dict(zip(NAMES, p)), "friction": friction, "preload": 0,
+                   "stiffness": stiffness / square}
+        return cls(normal, {name: (c, c) for name, c in numbers.items()}, loads, inverse)
+
     def cut(self, name, low, high):
-        return Contact(self.normal, {**self.ends, name: (low, high)})
+        return Contact(self.normal, {**self.ends, name: (low, high)}, self.loads, self.inverse)
 
     def corners(self, names):
         for ends in product(*(sorted(set(self.ends[name])) for name in names)):
@@ -99,11 +110,12 @@ class Contact:
     def positions(self):
         return [tuple(q[name] for name in "xyz") for q in self.corners(("x", "y", "z"))]
 
-    def certain(self):
-        return all(low == high for low, high in self.ends.values())
-
     def v(self, r):
         """At all corners."""
+        if self.loads:
+            p = tuple(self.ends[name][0] for name in "xyz")
+            pull = self.ends["stiffness"][0] * dot(self.normal, velocity(r, p))
+            return [dot(self.loads, r[6:]) * c - pull for c in self.inverse]
         return [q["preload"] * r[6]
                 - q["stiffness"] * dot(self.normal, velocity(r, (q["x"], q["y"], q["z"])))
                 for q in self.corners(("x", "y", "z", "preload", "stiffness"))]
@@ -128,8 +140,8 @@ class Contact:
 class Region:
     """By its rays, with lines as two rays each; strict functions are rows, or contacts that slip."""
 
-    def __init__(self, contacts, wrench, rays, strict, slips):
-        self.contacts, self.wrench, self.rays = contacts, wrench, rays
+    def __init__(self, contacts, wrench, growth, rays, strict, slips):
+        self.contacts, self.wrench, self.growth, self.rays = contacts, wrench, growth, rays
         self.strict, self.slips = strict, slips
 
     def barred(self, rays):
@@ -151,7 +163,7 @@ class Region:
         if self.barred(self.rays):
             return True
         g = [r[6] * sum(max(c * end for end in ends) for c, ends in zip(y, self.wrench))
-             for r in self.rays]
+             + r[7] * dot(y, self.growth) for r in self.rays]
         for i, contact in enumerate(self.contacts):
             v = [contact.v(r) for r in self.rays]
             closed = all(min(values) >= 0 for values in v)

@@ -45,7 +45,8 @@ def certificate(m, wrench, preload=None, law="unilateral", direction=None, prelo
         question["preload_direction"] = preload_direction
     if uncertain is not None:
         question["uncertain"] = uncertain
-    verdict = "margin" if "resisted" in evidence else "unstable" if "tree" in evidence else "stable"
+    verdict = ("margin" if "resisted" in evidence or "intervals" in evidence else
+               "unstable" if "tree" in evidence else "stable")
     if verdict == "stable":
         evidence = {"twist": evidence["twist"], "shares": evidence.get("shares", [])}
     return {"format": "stickslip-certificate/2", "question": question, "verdict": verdict, **evidence}

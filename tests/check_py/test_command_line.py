@@ -89,26 +89,26 @@ class CommandLineTest(Case):
 
     def test_json_reports(self):
         keys = ["result", "rule", "node", "path", "found", "verdict", "box", "nodes", "leaves",
-                "resisted", "question"]
+                "resisted", "refuted", "question"]
         question = {"contacts": 3, "wrench": ["0", "11/10", "0"], "preload": "1",
                     "normal_law": "unilateral", "direction": None, "preload_direction": None,
                     "uncertain": None}
         for out in self.both([self.g, self.c, *UP, "--json"], 0):
             self.assertEqual(list(json.loads(out).items()), list(zip(
                 keys, ["accepted", None, None, None, None, "unstable", False, 5, 3, None,
-                       question])))
+                       None, question])))
         short = self.write("short.json", up(UP_TREE[:-1]))
         for out in self.both([self.g, short, *UP, "--json"], 1):
             report = json.loads(out)
             self.assertTrue(report.pop("found"))
             self.assertEqual(list(report.values()), ["rejected", "tree-short", 4,
-                                                     "separation 0 open", *[None] * 6])
+                                                     "separation 0 open", *[None] * 7])
         bad = self.write("bad.json", up([["slip", "0"]]))
         for out in self.both([self.g, bad, *UP, "--json"], 2):
             report = json.loads(out)
             self.assertIn("tree[0]", report.pop("path"))
             self.assertTrue(report.pop("found"))
-            self.assertEqual(list(report.values()), ["malformed", *[None] * 8])
+            self.assertEqual(list(report.values()), ["malformed", *[None] * 9])
 
     def test_answers_that_cannot_be_written(self):
         for program in PROGRAMS:

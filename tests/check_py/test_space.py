@@ -14,6 +14,7 @@ import unittest
 from fractions import Fraction
 
 import naive
+import naive_box
 import naive_space
 from support import HERE, Case, certificate, check
 
@@ -120,7 +121,8 @@ class QuestionTest(Case):
         self.accepts(space_file(FLOOR), pulled(preload=2), "--wrench=0,0,3,0,0,0", "--preload", "2")
         self.rejects("question-wrench", space_file(FLOOR), pulled())
         for options in (("--wrench", "0,0,3"), ("--direction", "0,0,1"),
-                        ("--direction", "0,0,1,0,0,0"), ("--preload-direction", "scale"),
+                        ("--direction", "0,0,0,0,0,0"), ("--preload-direction", "1,1"),
+                        ("--direction", "0,0,1,0,0,0", "--uncertain", "friction=10%"),
                         ("--uncertain", "normal=0.1"), ("--uncertain", "normal=0")):
             self.malformed("the question", PULLED, pulled(), *options)
         planar = space_file({**FLOOR, "position": [0, 0], "normal": [0, 1]}, wrench=[0, 3, 0])
@@ -168,12 +170,28 @@ class SyntaxTest(Case):
                                              wrench=[0, 3, 0]),
                        certificate(1, [0, 3, 0], tree=[["part", "z", 0, 0]]))
 
-    def test_no_margins(self):
-        for question in ({"direction": PULL}, {"preload_direction": "scale"},
-                         {"preload_direction": [1]}):
-            self.bad("", pulled(**question))
-            margin = certificate(1, PULL, resisted=[], segments=[], tree=UP, **question)
-            self.bad("", margin)
+    def test_margins(self):
+        question = {"direction": PULL}
+        self.bad("", pulled(**question))
+        for missing in ({"resisted": [], "segments": []}, {"resisted": []}, {"segments": []}):
+            self.bad("", {**certificate(1, PULL, **question, **missing, tree=UP), "verdict": "margin"})
+        good = ["unstable", 0, None, UP]
+        for claim in ([], good[1:], [*good, 0], ["Unstable", *good[1:]], [None, *good[1:]], {},
+                      ["stable", *good[1:]], ["unstable", None, None, UP], ["unstable", 0, 1.5, UP],
+                      ["unstable", 0, None, ["leaf", *PULL]], ["unstable", 0, None, CUBE_PROOF],
+                      ["unstable", 0, None, [["plane", *[0] * 7]]],
+                      ["unstable", 0, None, [["part", "friction", 0, 1]]],
+                      ["unstable", 0, None, [["leaf", 0]]], ["stable", 0, 1, ["part", "z", 0, 1]],
+                      ["stable", 0, 1, without(CUBE_PROOF, "tree")],
+                      ["stable", 0, 1, {**CUBE_PROOF, "walls": UNIT[:5]}],
+                      ["stable", 0, 1, {**CUBE_PROOF, "tree": [["part", "friction", 0, 1]]}]):
+            self.bad("intervals[0]", certificate(1, PULL, **question, intervals=[claim]))
+        claims = certificate(1, PULL, **question, intervals=[])
+        for member in ({"tree": []}, {"resisted": []}, {"parts": []}, {"intervals": None},
+                       {"question": {**claims["question"], "direction": [0, 0, 1]}}):
+            self.bad("", {**claims, **member})
+        # Whichever rule fails before.
+        self.bad("intervals[1]", certificate(9, PULL, **question, intervals=[good, good[:3]]))
 
     def test_parts(self):
         proof = stable(1, PULL, [CUBE_PROOF])
@@ -384,6 +402,317 @@ def stable(m, wrench, parts, **question):
     return {**proof, "parts": parts}
 
 
+# The same, smooth below and above: friction holds torques about z up to 2/5 of the preloads. That N.d is
+# without rotations makes two walls push with the same sum, as long as none of them opens; and if one
+# does, the other is not balanced.
+TURN = [0, 0, 0, 0, 0, 1]
+TURNED = space_file(*[{**c, "friction": "1/10" if k < 4 else 0} for k, c in enumerate(CUBE)])
+
+
+def turned(x=4, z="1/4", lists=2, **changes):
+    """A part; x and z are rows of E for translations, and for turns about z."""
+    walls = [[c and x for c in row] for row in UNIT[:3]] + UNIT[3:5] + [[0] * 5 + [z]]
+    return {**CUBE_PROOF, "walls": walls, "tree": WALL_LEAVES * lists, **changes}
+
+
+def slack(splits, leaf):
+    """A tree that tells which walls open; `leaf` makes a leaf of the sides where they do."""
+    def along_y(x):
+        return [splits[2], splits[3], leaf(x, 0), leaf(x, -1), leaf(x, 1)]
+
+    return [splits[0], splits[1], *along_y(0), *along_y(-1), *along_y(1)]
+
+
+SLACK = slack([["separation", i] for i in range(4)],
+              lambda x, y: ["leaf", x, y, 0, 0, 0, 0] if x or y else ["leaf", *[-c for c in TURN]])
+
+
+class MarginTest(Case):
+    ASKED = ("--direction", "0,0,0,0,0,1")
+
+    def margin(self, *claims, m=6, wrench=None, **question):
+        if not question:
+            question = {"direction": TURN}
+        return certificate(m, [0] * 6 if wrench is None else wrench, intervals=list(claims), **question)
+
+    def test_accepted(self):
+        proof = self.margin(["stable", 0, "3/8", turned()], ["unstable", "2/5", None, SLACK])
+        text = self.accepts(TURNED, proof, *self.ASKED)
+        self.assertEqual(text.split("\n")[1:], [
+            "resisted    [0, 3/8]", "refuted     (2/5, oo)", "elsewhere   nothing is claimed",
+            "contacts    6", "wrench      (0, 0, 0, 0, 0, 0)", "direction   (0, 0, 0, 0, 0, 1)",
+            "preload     as in the grasp file", "normal law  unilateral",
+            "proof       intervals by degree: 1, refuted: 1; trees of 41 nodes: 33 leaves", ""])
+        _, report, _, _ = self.run_both(TURNED, proof, *self.ASKED)
+        self.assertEqual((report["verdict"], report["box"], report["resisted"], report["refuted"]),
+                         ("margin", False, [["0", "3/8"]], [["2/5", None, False]]))
+        proof["question"]["normal_law"] = "bilateral"
+        self.accepts(TURNED, proof, *self.ASKED, "--normal-law", "bilateral")
+        # There nothing opens.
+        whole = self.margin(["unstable", "2/5", None, SLACK[4:5]])
+        self.rejects("leaf-bound", TURNED, whole, *self.ASKED, node=0, path="interval 0")
+        whole["question"]["normal_law"] = "bilateral"
+        self.accepts(TURNED, whole, *self.ASKED, "--normal-law", "bilateral")
+        nothing = self.accepts(TURNED, self.margin(), *self.ASKED)
+        self.assertIn("\nresisted    none claimed\nrefuted     none claimed\n", nothing)
+
+    def test_what_is_not_so(self):
+        early = self.margin(["unstable", "399/1000", None, SLACK])
+        self.rejects("leaf-bound", TURNED, early, *self.ASKED, node=4,
+                     path="interval 0, separation 0 closed, separation 1 closed, "
+                          "separation 2 closed, separation 3 closed")
+        # The walls are too near for this one, and list 1 says so. At 9/20, list 2 does.
+        self.rejects("leaf-bound", TURNED, self.margin(["stable", 0, "2/5", turned()]), *self.ASKED,
+                     node=10, path="interval 0, wall 6 +")
+        point = self.margin(["stable", "9/20", "9/20", turned(lists=1)])
+        self.rejects("leaf-bound", TURNED, point, *self.ASKED, node=10,
+                     path="interval 0, middle wall 6 +")
+        # The multiple does not go below 0, nor does it in a part.
+        below = self.margin(["stable", 0, "3/8", turned()], ["unstable", "3/8", None, SLACK])
+        self.rejects("leaf-bound", TURNED, below, *self.ASKED, node=4,
+                     path="interval 1, separation 0 closed, separation 1 closed, "
+                          "separation 2 closed, separation 3 closed")
+
+    def test_lists(self):
+        """List 1 is left out where there is one multiple, of one point."""
+        point = self.margin(["stable", "1/8", "1/8", turned(lists=1)])
+        self.accepts(TURNED, point, *self.ASKED)
+        self.rejects("tree-long", TURNED, self.margin(["stable", 0, 0, turned()]), *self.ASKED,
+                     node=12, path="interval 0")
+        self.rejects("tree-short", TURNED, self.margin(["stable", 0, "1/8", turned(lists=1)]),
+                     *self.ASKED, node=12, path="interval 0, middle wall 1 +")
+        for rule, changes in (("degree-walls", {"walls": [UNIT[0], *UNIT[:5]]}),
+                              ("degree-direction", {"direction": [UNIT[0], *UNIT[:5]]})):
+            self.rejects(rule, TURNED, self.margin(["stable", 0, 0, turned(**changes)]), *self.ASKED,
+                         path="interval 0")
+        away = turned(direction=[*UNIT[:5], [0, 0, 0, 0, 0, -1]])
+        self.rejects("leaf-direction", TURNED, self.margin(["stable", 0, "1/8", away]), *self.ASKED,
+                     node=22, path="interval 0, middle wall 6 +")
+        for tree, rule, node, path in (
+                (SLACK[:-1], "tree-short", 16, "interval 0, separation 0 open, separation 2 open"),
+                ([*SLACK, SLACK[4]], "tree-long", 17, "interval 0"),
+                ([["slip", 6]], "node-contact", 0, "interval 0"),
+                ([], "tree-short", 0, "interval 0")):
+            self.rejects(rule, TURNED, self.margin(["unstable", 1, None, tree]), *self.ASKED,
+                         node=node, path=path)
+
+    def test_touching_claims(self):
+        halves = [["stable", low, high, turned()] for low, high in ((0, "1/4"), ("1/4", "3/8"))]
+        rest = [["unstable", low, high, SLACK] for low, high in (("2/5", 1), (1, 2), (3, None))]
+        _, report, text, _ = self.run_both(TURNED, self.margin(*halves, *rest), *self.ASKED)
+        self.assertIn("\nresisted    [0, 3/8]\nrefuted     (2/5, 1), (1, 2), (3, oo)\n", text)
+        self.assertIn("intervals by degree: 2, refuted: 3;", text)
+        self.assertEqual(report["resisted"], [["0", "3/8"]])
+        apart = self.margin(halves[0], ["stable", "1/3", "3/8", turned()])
+        self.assertIn("resisted    [0, 1/4], [1/3, 3/8]\n", self.accepts(TURNED, apart, *self.ASKED))
+
+    def test_a_plane_between_ranges(self):
+        """What two claims say one can, and also of the multiple between."""
+        at = ["plane", *[0] * 6, -1, 1]
+        both = self.margin(["unstable", "2/5", None, [at, *SLACK, *SLACK]])
+        self.assertIn("refuted     (2/5, oo)\n", self.accepts(TURNED, both, *self.ASKED))
+        self.rejects("tree-short", TURNED, self.margin(["unstable", "2/5", None, [at, *SLACK]]),
+                     *self.ASKED, node=18, path="interval 0, plane -")
+
+    def test_order(self):
+        def stands(*claims):
+            """The claim that is not in order, or None: by its places on the line alone."""
+            for k, (kind, low, high, _) in enumerate(claims):
+                end = math.inf if high is None else high
+                ends = [math.inf if c[2] is None else c[2] for c in claims[:k]]
+                if low < 0 or end < low or (kind == "unstable" and end == low) or any(
+                        e > low for e in ends):
+                    return k
+            return None
+
+        rng = random.Random(31)
+        ends = (-1, 0, 1, 2, None)
+        ranges = [["unstable", low, high, UP] for low in ends[:4] for high in ends]
+        forth = [["unstable", low, high, UP] for low, high in itertools.combinations(ends[1:], 2)]
+        pairs = list(itertools.product(forth, repeat=2))
+        triples = [rng.choices(forth, k=3) for _ in range(30)] + [[forth[k] for k in (0, 3, 5)]]
+        asked = ("--preload", "0", "--direction", "0,0,1,0,0,0")
+        tally = set()
+        self.assertEqual([one[1:3] for one in triples[-1]], [[0, 1], [1, 2], [2, None]])
+        for claims in [*([one] for one in ranges), *pairs, *triples]:
+            wrong = stands(*claims)
+            proof = self.margin(*claims, m=1, preload=0, direction=[0, 0, 1, 0, 0, 0])
+            if wrong is None:
+                self.accepts(PULLED, proof, *asked)
+            else:
+                self.rejects("interval-order", PULLED, proof, *asked, path=f"interval {wrong}")
+            tally.add((len(claims), wrong))
+        self.assertEqual(len(tally), 7, tally)
+        for claims, wrong in (([["stable", 1, "1/2", turned()]], 0),
+                              ([["stable", "-1/8", 0, turned()]], 0),
+                              ([["stable", 0, "1/8", turned()], ["stable", 0, "1/8", turned()]], 1),
+                              ([["stable", 0, "1/8", turned()], ["unstable", "1/9", 1, SLACK]], 1)):
+            self.rejects("interval-order", TURNED, self.margin(*claims), *self.ASKED,
+                         path=f"interval {wrong}")
+
+    def test_zero(self):
+        """Where 0 is refuted."""
+        down = ("--wrench", "0,0,3,0,0,0", "--direction", "0,0,-1,0,0,0")
+        claims = [["unstable", 0, 1, UP], ["unstable", 1, 3, UP]]
+        proof = self.margin(*claims, m=1, wrench=PULL, direction=[0, 0, -1, 0, 0, 0])
+        _, report, text, _ = self.run_both(PULLED, proof, *down)
+        self.assertIn("refuted     [0, 1), (1, 3)\n", text)
+        self.assertEqual(report["refuted"], [["0", "1", True], ["1", "3", False]])
+        beyond = self.margin(["unstable", 0, "301/100", UP], m=1, wrench=PULL,
+                             direction=[0, 0, -1, 0, 0, 0])
+        self.rejects("leaf-bound", PULLED, beyond, *down, node=0, path="interval 0")
+        # w = 0: with a preload 0 is among the multiples, and resisted; without one it is not.
+        up = ("--direction", "0,0,3,0,0,0")
+        self.rejects("leaf-bound", PULLED, self.margin(["unstable", 0, None, UP], m=1, direction=PULL),
+                     *up, node=0, path="interval 0")
+        for claim, words in ((["unstable", 0, None, UP], "(0, oo)"), (["unstable", 0, 2, UP], "(0, 2)")):
+            text = self.accepts(PULLED, self.margin(claim, m=1, preload=0, direction=PULL), *up,
+                                "--preload", "0")
+            self.assertIn(f"refuted     {words}\n", text)
+        # With scaled preloads it is w that counts.
+        scaled = self.margin(["unstable", 0, None, UP], m=1, wrench=PULL, preload_direction="scale")
+        self.assertIn("refuted     [0, oo)\n",
+                      self.accepts(PULLED, scaled, "--preload-direction", "scale"))
+        # After a claim about 0 alone, 0 is not meant.
+        two = self.margin(["stable", 0, 0, turned(lists=1)], ["unstable", 0, 1, SLACK[4:5]])
+        self.rejects("leaf-bound", TURNED, two, *self.ASKED, node=0, path="interval 1")
+
+    def test_preloads(self):
+        """It holds a torque of 1 from preloads of 5/2 on."""
+        file = {**TURNED, "wrench": TURN}
+        part = turned(x="4/3", z="1/8")
+        claims = [["unstable", 0, "5/2", SLACK], ["stable", 3, "7/2", part]]
+        scaled = ({"wrench": TURN, "preload_direction": "scale"}, ("--preload-direction", "scale"))
+        for question, options in (
+                scaled, ({"wrench": TURN, "preload": 0, "preload_direction": [1] * 6},
+                         ("--preload=0", "--preload-direction", "1,1,1,1,1,1"))):
+            text = self.accepts(file, self.margin(*claims, **question), *options)
+            self.assertIn("resisted    [3, 7/2]\nrefuted     [0, 5/2)\n", text)
+        later = self.margin(["unstable", 0, "251/100", SLACK], **scaled[0])
+        self.assertEqual(self.run_both(file, later, *scaled[1])[1]["rule"], "leaf-bound")
+        # 1 + f: from 3/2 on.
+        grown = self.margin(["unstable", 0, "3/2", SLACK], ["stable", 2, "5/2", part], wrench=TURN,
+                            preload_direction=[1] * 6)
+        self.accepts(file, grown, "--preload-direction", "1,1,1,1,1,1")
+        # Under the bilateral law no contact may open in K, at either end.
+        for low, rule in ((3, None), ("5/2", "degree-law")):
+            wide = self.margin(["stable", low, 4, turned(x="1/3", z="1/8")], law="bilateral",
+                               **scaled[0])
+            report = self.run_both(file, wide, *scaled[1], "--normal-law", "bilateral")[1]
+            self.assertEqual(report["path"] if report["rule"] == "degree-law" else None,
+                             rule and "interval 0")
+
+    def test_whole(self):
+        """Scaled preloads and a torque of 3/10 of them hold always, of 1/2 never."""
+        part = turned(lists=1)
+        for torque, claim, words in (
+                ("3/10", ["stable", 0, None, part], "\nresisted    [0, oo)\nrefuted     none claimed\n"),
+                ("1/2", ["unstable", 0, None, SLACK], "\nresisted    none claimed\nrefuted     (0, oo)\n")):
+            question = {"direction": [0] * 5 + [torque], "preload_direction": "scale"}
+            options = ("--direction", f"0,0,0,0,0,{torque}", "--preload-direction", "scale")
+            self.assertIn(words, self.accepts(TURNED, self.margin(claim, **question), *options))
+        self.rejects("leaf-bound", TURNED, self.margin(["stable", 0, None, part], **question), *options,
+                     node=10, path="interval 0, middle wall 6 +")
+        question, options = {"direction": TURN}, self.ASKED
+        self.rejects("interval-whole", TURNED, self.margin(["stable", 0, None, part]), *self.ASKED,
+                     path="interval 0")
+        question["preload_direction"], options = "scale", (*options, "--preload-direction", "scale")
+        self.rejects("interval-whole", TURNED, self.margin(["stable", "1/2", None, part], **question),
+                     *options, path="interval 0")
+        self.rejects("interval-whole", {**TURNED, "wrench": [1] * 6},
+                     self.margin(["stable", 0, None, part], wrench=[1] * 6, preload_direction="scale"),
+                     "--preload-direction", "scale", path="interval 0")
+        self.rejects("interval-order", TURNED, self.margin(
+            ["stable", 0, None, turned(lists=1)], ["unstable", 1, None, SLACK],
+            direction=[0] * 5 + ["3/10"], preload_direction="scale"), "--direction", "0,0,0,0,0,0.3",
+            "--preload-direction", "scale", path="interval 1")
+
+    def test_irrational_lengths(self):
+        """Turned by 45 degrees, with normals and arms of the length sqrt(2): up to 2/5 sqrt(2). Where a
+        wall opens is uncertain: planes tell, beyond it."""
+        sides = [[1, 1, 0], [-1, -1, 0], [-1, 1, 0], [1, -1, 0]]
+        file = {**TURNED, "contacts": [
+            {**c, "normal": n, "position": [-x for x in n]} for c, n in zip(
+                TURNED["contacts"], [*sides, *([0, 0, 1], [0, 0, -1])])]}
+        rows = [[1, 1, 0, 0, 0, 0], [-1, 1, 0, 0, 0, 0], UNIT[2], [0, 0, 0, 1, 1, 0],
+                [0, 0, 0, -1, 1, 0], UNIT[5]]
+
+        def part_of(*sizes):
+            return {**CUBE_PROOF, "walls": [[str(c * Fraction(size)) for c in row]
+                                            for row, size in zip(rows, sizes)],
+                    "tree": [["leaf", *[sign * c for c in row]] for row in rows for sign in (1, -1)] * 2}
+
+        part = part_of("14/5", "14/5", 4, "7/10", "7/10", "1/4")
+        tree = slack([["plane", *[-c for c in n], 0, 0, 0, "71/50", 0] for n in sides],
+                     lambda x, y: ["leaf", x - y, x + y, 0, 0, 0, 0] if x or y else
+                     ["leaf", *[-c for c in TURN]])
+        claims = [["stable", 0, "1/2", part], ["unstable", "57/100", None, tree]]
+        proof = self.margin(*claims)
+        _, report, text, _ = self.run_both(file, proof, *self.ASKED)
+        self.assertIn("resisted    [0, 1/2]\nrefuted     (57/100, oo)\n", text)
+        self.assertTrue(report["box"])
+        with_bits = {"format": 0, "question": 0, "bits": 64, **proof}
+        self.accepts(file, with_bits, *self.ASKED)
+        self.malformed("bits", file, {**with_bits, "bits": 63}, *self.ASKED)
+        self.rejects("node-certain", file, self.margin(["unstable", 1, None, SLACK]), *self.ASKED,
+                     node=0, path="interval 0")
+        early = self.margin(["unstable", "14/25", None, tree])
+        self.assertEqual(self.run_both(file, early, *self.ASKED)[1]["rule"], "leaf-bound")
+        # Both lists, even about one multiple.
+        self.accepts(file, self.margin(["stable", "1/4", "1/4", part]), *self.ASKED)
+        short = {**part, "tree": part["tree"][:12]}
+        self.rejects("tree-short", file, self.margin(["stable", 0, 0, short]), *self.ASKED, node=12,
+                     path="interval 0, middle wall 1 +")
+        # By preloads: P^u' has the interval of P'.
+        pressed = {**file, "wrench": TURN}
+        tree = [[*n[:-2], 0, "71/50"] if n[0] == "plane" else n for n in tree]
+        part = part_of("14/15", "14/15", "4/3", "7/10", "7/10", "1/8")
+        ranges = self.margin(["unstable", 0, "7/4", tree], ["stable", 2, "9/4", part], wrench=TURN,
+                             preload_direction="scale")
+        self.accepts(pressed, ranges, "--preload-direction", "scale")
+        # Without preloads nothing is uncertain.
+        free = self.margin(["unstable", 0, None, [["separation", 0], *[tree[4]] * 2]], preload=0,
+                           direction=TURN)
+        _, report, _, _ = self.run_both(file, free, *self.ASKED, "--preload", "0")
+        self.assertNotEqual(report["rule"], "node-certain")
+
+    def test_the_end_of_1_over_l_decides(self):
+        """A pinch between two normals of the length sqrt(2), with friction 1/2: as long as both push,
+        it holds at most 2 P mu, as far as roots are known."""
+        pinch = [{"position": [-c for c in n], "normal": n, "friction": "1/2", "preload": 1}
+                 for n in ([1, 1, 0], [-1, -1, 0])]
+        file = space_file(*pinch)
+        up = [0, 0, 1, 0, 0, 0]
+        root = naive_space.root_above(Fraction(1, 2))
+        tiny = Fraction(1, 10 ** 60)
+
+        def tree(*preload):
+            return [["plane", -1, -1, *[0] * 4, *preload], ["plane", 1, 1, *[0] * 4, *preload],
+                    ["leaf", *[-c for c in up]], ["leaf", -1, -1, 0, 0, 0, 0],
+                    ["leaf", 1, 1, 0, 0, 0, 0]]
+
+        for bits in (64, 128, 200):
+            most = 2 * root * naive_box.inverse_length(2, bits)[1]
+            grown = ("--preload-direction", "scale")
+            for file["wrench"], options, claims, question in (
+                    ([0] * 6, ("--direction", "0,0,1,0,0,0"),
+                     [["unstable", str(most - less), None, tree("1/2", 0)] for less in (0, tiny)],
+                     {"direction": up}),
+                    (up, grown, [["unstable", 0, str(1 / most + more), tree(0, "1/2")]
+                                 for more in (0, tiny)],
+                     {"wrench": up, "preload_direction": "scale"})):
+                good, bad = ({"format": 0, "question": 0, "bits": bits,
+                              **self.margin(claim, m=2, **question)} for claim in claims)
+                self.accepts(file, good, *options)
+                self.rejects("leaf-bound", file, bad, *options, node=2,
+                             path="interval 0, plane +, plane +")
+
+    def test_one_grasp(self):
+        for contact in ({"friction": interval(0, 1)}, {"position": [0, interval(0, 1), 0]}):
+            self.malformed("a margin is about one grasp", space_file({**FLOOR, **contact}),
+                           self.margin(m=1), *self.ASKED)
+
+
 class DegreeTest(Case):
     FILE = space_file(*CUBE)
     ASKED = ("--uncertain", "friction=10%,preload=5%,stiffness=5%,wrench=0.05,position=0.01")
@@ -474,7 +803,18 @@ def corpus():
         for ending in (".grasp.json", ".certificate.json"):
             with open(stem + ending, encoding="utf-8") as file:
                 texts.append(file.read())
-        yield name, *texts, ("--normal-law", "bilateral") * name.startswith("bilateral_")
+        asked = json.loads(texts[1])["question"]
+        options = ["--normal-law", "bilateral"] * name.startswith("bilateral_")
+        for key in ("direction", "preload_direction"):
+            if key in asked:
+                options += [f"--{key.replace('_', '-')}", "scale" if asked[key] == "scale" else
+                            ",".join(map(str, asked[key]))]
+        yield name, *texts, tuple(options)
+
+
+# Squares of the ends of what is resisted.
+TRUTH = {"cube_turned": (0, Fraction(4, 25)), "cube_at_45_degrees": (0, Fraction(8, 25)),
+         "cube_pressed": (Fraction(25, 4), math.inf)}
 
 
 class CorpusTest(Case):
@@ -482,20 +822,27 @@ class CorpusTest(Case):
         count = 0
         for name, grasp, proof, options in corpus():
             text = self.accepts(grasp, proof, *options)
-            self.assertIn(f"verdict     {name.split('_')[-1]}", text, name)
+            verdict = name.split("_")[-1]
+            if verdict == "margin":
+                self.is_true(name, self.run_both(grasp, proof, *options)[1])
+            self.assertIn("elsewhere   nothing" if verdict == "margin" else f"verdict     {verdict}",
+                          text, name)
             count += 1
         self.assertGreater(count, 10)
 
     def test_mutants(self):
         """Numbers exchanged, nodes left out or doubled: both checkers say the same. And what is about
-        a stable grasp is not accepted as unstable."""
+        a stable grasp is not accepted as unstable, nor about a multiple."""
         rng = random.Random(21)
         for name, grasp, proof, options in corpus():
-            content = json.loads(proof)
             for _ in range(12):
                 mutant = json.loads(proof)
-                if rng.random() < 0.5 and "tree" in content:
-                    tree = mutant["tree"]
+                trees = [mutant[key] for key in ("tree",) if key in mutant]
+                for *_, proof_of_claim in mutant.get("intervals", []):
+                    trees.append(proof_of_claim if isinstance(proof_of_claim, list) else
+                                 proof_of_claim["tree"])
+                if rng.random() < 0.5 and trees:
+                    tree = rng.choice(trees)
                     k = rng.randrange(len(tree))
                     tree[k:k + 1] = rng.choice([[], [tree[k]] * 2, [["slip", 0]],
                                                 [["leaf", *[rng.randint(-1, 1) for _ in range(6)]]]])
@@ -509,6 +856,20 @@ class CorpusTest(Case):
                 code, report, _, _ = self.run_both(grasp, text, *options)
                 if code == 0:
                     self.assertEqual(report["verdict"], name.split("_")[-1])
+                if code == 0 and report["verdict"] == "margin":
+                    self.is_true(name, report)
+
+    def is_true(self, name, report):
+        """Of a margin, whose ends are known: their squares are."""
+        first, last = next(ends for key, ends in TRUTH.items() if key in name)
+
+        def squares(low, high, *_):
+            return (Fraction(low) ** 2, math.inf if high is None else Fraction(high) ** 2)
+
+        for low, high in itertools.starmap(squares, report["resisted"]):
+            self.assertTrue(first <= low and high <= last, (name, report))
+        for low, high in itertools.starmap(squares, report["refuted"]):
+            self.assertTrue(high <= first or last <= low, (name, report))
 
     def test_trees_about_stable_grasps(self):
         """Unstable proofs, asked about a load under which the grasp is stable."""
@@ -552,26 +913,50 @@ def random_contact(rng, share):
         spread(rng, rng.choice([1, 2]), share))
 
 
-def box_of(contacts, wrench):
-    return check.Box([check.Parameters(c.normal, {name: check.Bounds(*ends)
-                                                  for name, ends in c.ends.items()}, Fraction(0))
-                      for c in contacts], tuple(check.Bounds(*w) for w in wrench), check.zeros(6))
+def margin_contact(rng, normals, bits):
+    return naive_space.Contact.of_margin(
+        rng.choice(normals), [rng.randint(-1, 1) for _ in range(3)],
+        rng.choice([0, Fraction(1, 2), 1]),
+        [Fraction(rng.choice([0, 0, 1, 2]), 2) for _ in range(2)], rng.choice([1, 2]), bits)
+
+
+def box_of(contacts, wrench, growth):
+    def parameters(c):
+        bounds, growth = {name: check.Bounds(*ends) for name, ends in c.ends.items()}, (0, 0)
+        if c.loads:
+            ends = [tuple(Fraction(load * inverse) for inverse in c.inverse) for load in c.loads]
+            bounds["preload"], growth = check.Bounds(*ends[0]), ends[1]
+        return check.Parameters(c.normal, bounds, check.Bounds(*growth))
+
+    return check.Box(list(map(parameters, contacts)), tuple(check.Bounds(*w) for w in wrench),
+                     check.zeros(6) if growth is None else growth)
 
 
 class Walk:
     """A random path, in check.py and in the twin."""
 
-    def __init__(self, rng, contacts, wrench):
-        self.rng, self.contacts, self.wrench = rng, contacts, wrench
-        self.region = check.begin(check.Root(box_of(contacts, wrench), [
-            (naive_space.LOAD, True, False), (naive_space.H, False, True)]))
+    def __init__(self, rng, contacts, wrench, growth=None, ends=()):
+        """With a growth of the wrench it is about the multiples between two ends, each of which is
+        among them unless its second entry says so."""
+        self.rng, self.contacts, self.wrench, self.growth = rng, contacts, wrench, growth
         self.strict, self.slips = [naive_space.H], []
+        conditions = [(naive_space.LOAD, True, False), (naive_space.H, False, True)]
+        if growth:
+            h, load = naive_space.H, naive_space.LOAD
+            (low, low_open), (high, high_open) = ends
+            rows = [(check.plus(load, -low, h), False, low_open),
+                    (check.plus(check.times(high, h), -1, load), False, high_open)]
+            self.strict += [row for row, _, is_open in rows if is_open]
+            conditions = [conditions[1], *rows]
+        self.region = check.begin(check.Root(box_of(contacts, wrench, growth), conditions))
 
     def step(self, choose):
         """`choose` says which child, of a row's sign or of a slip."""
         kind, i = self.rng.choice(["slip", "separation", "plane", "plane"]), \
             self.rng.randrange(len(self.contacts))
-        row = tuple(Fraction(self.rng.choice([-1, 0, 0, 0, 1])) for _ in range(7)) + (Fraction(0),)
+        row = tuple(Fraction(self.rng.choice([-1, 0, 0, 0, 1])) for _ in range(8))
+        if not self.growth:
+            row = row[:7] + (Fraction(0),)
         node = check.Node(kind, i, row if kind == "plane" else ())
         try:
             children = check.children(self.region, node)
@@ -588,7 +973,7 @@ class Walk:
         self.region.open()
 
     def twin(self):
-        return naive_space.Region(self.contacts, self.wrench, [
+        return naive_space.Region(self.contacts, self.wrench, self.growth or check.zeros(6), [
             tuple(map(Fraction, x)) for x, _ in self.region.cone.generators], self.strict, self.slips)
 
 
@@ -600,12 +985,33 @@ def random_twist(rng):
 class TwinTest(Case):
     def test_leaves(self):
         rng = random.Random(7)
-        tally = {}
-        for _ in range(50):
+
+        def of_verdict():
             share = rng.choice([0, 0, 0.2, 0.4])
             contacts = [random_contact(rng, share) for _ in range(rng.randint(1, 2))]
-            wrench = [spread(rng, rng.randint(-3, 3), share / 2) for _ in range(6)]
-            walk = Walk(rng, contacts, wrench)
+            return contacts, [spread(rng, rng.randint(-3, 3), share / 2) for _ in range(6)]
+
+        self.compare(rng, of_verdict, 50)
+
+    def test_leaves_of_margins(self):
+        """With irrational lengths, growing wrenches and growing preloads."""
+        rng = random.Random(14)
+
+        def of_margin():
+            low, size = rng.randint(0, 2), rng.randint(0, 2)
+            # Of 1/L two bits are known.
+            contacts = [margin_contact(rng, NORMALS, 2) for _ in range(rng.randint(1, 2))]
+            return (contacts, [(Fraction(rng.randint(-2, 2)),) * 2 for _ in range(6)],
+                    tuple(Fraction(rng.randint(-1, 1)) for _ in range(6)),
+                    [(end, rng.random() < 0.5) for end in (low, low + size)])
+
+        self.compare(rng, of_margin, 70)
+
+    def compare(self, rng, question, count):
+        tally = {}
+        for _ in range(count):
+            contacts, wrench, *rest = question()
+            walk = Walk(rng, contacts, wrench, *rest)
             for _ in range(rng.randint(0, 6)):
                 walk.step(lambda what: rng.choice([0, 1, 1]) if isinstance(what, int) else
                           rng.randint(0, 1))
@@ -629,6 +1035,13 @@ class TwinTest(Case):
                 self.assertTrue(held or check.leaf_refusal(region, y, check.short_above))
         self.assertGreater(min(tally.values()), 20, tally)
         self.assertEqual(len(tally), 4)
+
+    def test_the_middle_of_a_margin(self):
+        contact = naive_space.Contact.of_margin((1, 1, 0), (0, 0, 0), 1, (2, 3), 1, 2)
+        (middle,) = box_of([contact], [(0, 0)] * 6, None).middle().contacts
+        c = sum(contact.inverse) / 2
+        self.assertEqual((middle.bounds["preload"], middle.growth),
+                         (check.exactly(2 * c), check.exactly(3 * c)))
 
     def test_redundant_rays_change_nothing(self):
         rng = random.Random(8)
@@ -725,6 +1138,45 @@ class TwinTest(Case):
             for y in (check.zeros(6), tuple(-low for low, _ in wrench), random_twist(rng)):
                 self.assertIsNotNone(check.leaf_refusal(walk.region, y, lambda x: x))
         self.assertGreater(slipped, 100)
+
+
+    def test_nothing_refutes_the_home_of_a_multiple(self):
+        """Equilibria for a multiple, with rational directions of slip."""
+        rng = random.Random(15)
+        slipped = 0
+        for _ in range(200):
+            contacts = [margin_contact(rng, [(0, 0, 1), (0, -2, 0), (1, 2, 2), (0, 3, 4)], 128)
+                        for _ in range(rng.randint(1, 3))]
+            x = (*(Fraction(rng.choice([-1, 0, 0, 1]), 2) for _ in range(6)), Fraction(1),
+                 Fraction(rng.randint(0, 3), 2))
+            growth = tuple(Fraction(rng.choice([-1, 0, 0, 0, 1])) for _ in range(6))
+            wrench = check.times(-x[7], growth)
+            for i, contact in enumerate(contacts):
+                n, (p,), (s,) = contact.normal, contact.positions(), contact.slips(x)
+                ratio = naive_space.root_of(contact.square / naive.dot(s, s)) if any(s) else Fraction(0)
+                if ratio is None:
+                    contact = contacts[i] = contact.cut("friction", 0, 0)
+                a, mu = max(0, contact.v(x)[0]), contact.ends["friction"][0]
+                slipped += a * mu > 0 and any(s)
+                wrench = check.plus(wrench, -a, check.at(p, tuple(
+                    c - mu * (ratio or 0) * e for c, e in zip(n, s))))
+            ends = []
+            for sign in (-1, 1):
+                end = max(Fraction(0), x[7] + Fraction(sign * rng.randint(0, 2), 2))
+                ends.append((end, end != x[7] and rng.random() < 0.5))
+            walk = Walk(rng, contacts, [(c, c) for c in wrench], growth, ends)
+
+            def home(what):
+                if isinstance(what, int):
+                    return int(any(contacts[what].slips(x)[0]))
+                return int(check.dot(what, x) < 0)
+
+            for _ in range(rng.randint(0, 6)):
+                walk.step(home)
+            for y in (check.zeros(6), check.times(-1, wrench), check.times(-1, growth),
+                      random_twist(rng)):
+                self.assertIsNotNone(check.leaf_refusal(walk.region, y, lambda x: x))
+        self.assertGreater(slipped, 50)
 
 
 class ConeTest(unittest.TestCase):

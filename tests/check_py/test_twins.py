@@ -142,10 +142,10 @@ def pose(model):
         mu, k, preload = map(check.exactly, values)
         contacts.append(check.Contact(tuple(map(check.exactly, (px, py))), (nx, ny), Fraction(0), mu,
                                       k, preload))
-        rows.append(check.make_row(contacts[-1], preload.low, growth))
+        rows.append(check.make_row(contacts[-1], growth))
     wrench = tuple(map(check.exactly, model.wrench))
     return check.Question(check.Options(law=model.law), wrench, wrench, model.direction, contacts,
-                          rows, False)
+                          tuple(model.growth), rows, False)
 
 
 def roots(question, loads=check.VERDICT):

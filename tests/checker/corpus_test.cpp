@@ -55,11 +55,11 @@ std::vector<Case> corpus_of(const char* folder) {
            read_file(stem + ".certificate.json"),
            {}};
     c.options.bilateral = c.name.rfind("bilateral_", 0) == 0;
-    const bool by_parts = c.certificate.find("\"parts\"") != std::string::npos;
-    if (!by_parts) c.options.direction = vector_in(c.certificate, "direction");
-    if (const auto growth = vector_in(c.certificate, "preload_direction")) {
+    const std::string question = c.certificate.substr(0, c.certificate.find("\"verdict\""));
+    c.options.direction = vector_in(question, "direction");
+    if (const auto growth = vector_in(question, "preload_direction")) {
       c.options.preload_direction = PreloadDirection{false, *growth};
-    } else if (c.certificate.find("\"scale\"") != std::string::npos) {
+    } else if (question.find("\"scale\"") != std::string::npos) {
       c.options.preload_direction = PreloadDirection{true, {}};
     }
     if (c.options.direction) c.options.wrench = vector_in(c.grasp, "wrench");

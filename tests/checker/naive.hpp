@@ -33,7 +33,7 @@ struct NaiveRow {
     normal = {n[0], n[1], Rational(px * n[1] - py * n[0])};
     tangent = {Rational(-n[1]), n[0], Rational(px * n[0] + py * n[1])};
     for (const Rational& entry : normal) v.emplace_back(-c[Parameter::kStiffness].low * entry);
-    v.insert(v.end(), {c[Parameter::kPreload].low, c.growth});
+    v.insert(v.end(), {c[Parameter::kPreload].low, c.growth.low});
   }
 };
 

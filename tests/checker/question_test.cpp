@@ -55,7 +55,7 @@ std::pair<Vector, Vector> preloads(const Question& question) {
   std::pair<Vector, Vector> result;
   for (const ContactBox& contact : question.box->contacts) {
     result.first.push_back(contact[Parameter::kPreload].low);
-    result.second.push_back(contact.growth);
+    result.second.push_back(contact.growth.low);
   }
   return result;
 }

@@ -24,6 +24,23 @@ TEST(Space, RowsOfAnyLength) {
                 {{8, -2, -2, 2, 26, -18}, {-2, 5, -4, -23, -2, 9}, {-2, -4, 5, 22, -11, 0}}}));
 }
 
+TEST(Space, MarginsKnowLengthsWithinAnInterval) {
+  // 1/L = 1/sqrt(2) is between 11/16 and 12/16.
+  Options options;
+  options.preload_direction = PreloadDirection{false, {32}};
+  const Contact contact{{0, 0, 0}, {1, 1, 0}, 0, 2, 16};
+  Question question = pose({{contact}, Wrench(kSpatial)}, options, "grasp");
+  EXPECT_TRUE(question.is_box);
+  enlarge(question, 4);
+  const Row& row = *question.box->rows[0];
+  EXPECT_FALSE(row.certain);
+  EXPECT_EQ(row.v,
+            (std::vector<Form>{{-1, -1, 0, 0, 0, 0, 11, 22}, {-1, -1, 0, 0, 0, 0, 12, 24}}));
+  const Box middle = question.box->middle();
+  EXPECT_TRUE(middle.certain());
+  EXPECT_EQ(middle.rows[0]->v, (std::vector<Form>{{-2, -2, 0, 0, 0, 0, 23, 46}}));
+}
+
 TEST(Space, TheFirstContactThatDiffersIsNamed) {
   const std::string text = R"({"format": "stickslip-grasp/2", "contacts": [
     {"position": [0, 0, 0], "normal": [0, 0, 1], "friction": 1},

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The C++ checker. An input is the options of its command line, separated by blanks, a line
 // feed, a grasp file, a NUL byte and a certificate. The checker answers, whatever it is given;
-// a refusal says why; what it prints is plain; and what is accepted of a planar grasp is true:
-// the engine, which sees no certificate, says the same.
+// a refusal says why; what it prints is plain; and what is accepted is true: the engines, which
+// see no certificate, say the same; of a margin in space, about some of its multiples.
 //
 // With the environment variable STICKSLIP_SPOOL, inputs are left in that folder for check.py
 // together with the answer that it must give (tests/support/batch.py).
@@ -17,6 +17,7 @@
 #include "stickslip/equilibrium/margin.hpp"
 #include "stickslip/equilibrium/question.hpp"
 #include "stickslip/equilibrium/search/branch_and_bound.hpp"
+#include "stickslip/space/spatial_verdict.hpp"
 
 namespace {
 
@@ -93,6 +94,49 @@ std::string truth(const Input& input, const Options& options) {
   return text;
 }
 
+/// In space, at a multiple: what the engine finds, or nothing if it would take long.
+std::string truth_in_space(const Input& input, const Question& question,
+                           const Rational& multiple) {
+  const auto at_multiple = [&](const Bounds& base, const Rational& growth) {
+    const stickslip::Rational sum = core_number(base.low + multiple * growth);
+    return stickslip::Interval{sum, sum};
+  };
+  stickslip::SpatialGrasp grasp =
+      std::get<stickslip::SpatialGrasp>(stickslip::parse_any_grasp(input.grasp, "grasp"));
+  grasp.cases.clear();
+  for (std::size_t j = 0; j < grasp.wrench.size(); ++j) {
+    grasp.wrench[j] = at_multiple(question.widened[j], question.growth[j]);
+  }
+  for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
+    grasp.contacts[i].preload =
+        at_multiple(question.contacts[i].preload, question.preload_growth[i]);
+  }
+  stickslip::SpatialOptions options;
+  if (question.asked.bilateral) options.law = stickslip::NormalLaw::kBilateral;
+  stickslip::SpatialSearchOptions limit;
+  limit.node_limit = 300;
+  const auto decision = stickslip::decide(stickslip::ask(grasp, options), limit);
+  const bool decided = !std::holds_alternative<stickslip::Undecided>(decision.verdict);
+  return decided ? name_of(decision.verdict) : "";
+}
+
+void expect_true_in_space(const Input& input, const Accepted& accepted) {
+  const auto expect = [&](const Rational& multiple, const std::string& verdict) {
+    const std::string found = truth_in_space(input, accepted.question, multiple);
+    if (found.empty() || found == verdict) return;
+    broken("accepted: " + verdict + " at " + multiple.get_str() + ", but true is: " + found);
+  };
+  if (accepted.verdict != "margin") expect(0, accepted.verdict);
+  for (const auto& [low, high] : accepted.resisted) {
+    expect(low, "stable");
+    expect(high.value_or(low + 1), "stable");
+  }
+  for (const Range& range : accepted.refuted) {
+    expect((range.low + range.high.value_or(range.low + 1)) / 2, "unstable");
+    if (!range.open_low) expect(range.low, "unstable");
+  }
+}
+
 std::string claim_of(const Accepted& accepted) {
   std::string text = accepted.verdict;
   for (const auto& [low, high] : accepted.resisted) {
@@ -128,8 +172,13 @@ void run(const Input& input) {
   if (!arguments.help && !arguments.json) leave_for_python(input, answer);
   const auto* accepted = std::get_if<Accepted>(&answer);
   if (accepted == nullptr || accepted->question.contacts.size() > 6 ||
-      accepted->question.is_box || accepted->question.dimension() != kPlanar)
+      accepted->question.is_box) {
     return;
+  }
+  if (accepted->question.dimension() == kSpatial) {
+    expect_true_in_space(input, *accepted);
+    return;
+  }
   const std::string found = truth(input, arguments.options);
   if (!found.empty() && found != claim_of(*accepted)) {
     broken("accepted: " + claim_of(*accepted) + ", but true is: " + found);
@@ -170,15 +219,15 @@ std::vector<stickslip::fuzz::Seed> stickslip::fuzz::seeds(const std::filesystem:
       if (certificate.name != stem + ".certificate.json") continue;
       std::string words;
       if (stem.rfind("bilateral_", 0) == 0) words += " --normal-law bilateral";
-      const bool by_parts = certificate.bytes.find("\"parts\"") != std::string::npos;
-      const std::string direction =
-          by_parts ? std::string() : vector_in(certificate.bytes, "direction");
+      const std::string question =
+          certificate.bytes.substr(0, certificate.bytes.find("\"verdict\""));
+      const std::string direction = vector_in(question, "direction");
       if (!direction.empty()) {
         words += " --wrench " + vector_in(grasp.bytes, "wrench") + " --direction " + direction;
       }
-      const std::string growth = vector_in(certificate.bytes, "preload_direction");
+      const std::string growth = vector_in(question, "preload_direction");
       if (!growth.empty()) words += " --preload-direction " + growth;
-      if (certificate.bytes.find("\"scale\"") != std::string::npos) {
+      if (question.find("\"scale\"") != std::string::npos) {
         words += " --preload-direction scale";
       }
       result.push_back({stem, words + '\n' + grasp.bytes + '\0' + certificate.bytes});

@@ -26,14 +26,6 @@ Rational near(double x, double size) {
 
 }  // namespace
 
-NewtonMethod::NewtonMethod(const SpaceModel& model) : model_(model) {
-  double stiffest = 0;
-  for (const SpaceContact& c : model.contacts) {
-    stiffest = std::max(stiffest, c.stiffnesses[1] * to_double(c.squared_length));
-  }
-  if (stiffest > 0) reach_ = model.force / stiffest;
-}
-
 EigenVector6 NewtonMethod::force(const EigenVector6& motion, double smooth,
                                  EigenMatrix6* derivative) const {
   EigenVector6 sum;
@@ -112,7 +104,7 @@ std::optional<NearEquilibrium> NewtonMethod::polish(NearEquilibrium near) const 
       system.topLeftCorner<6, 6>() -= c.stiffnesses[0] * wrench * normal.transpose();
     }
     const double error =
-        off.head<6>().norm() / model_.force + off.tail(size - 6).norm() / reach_;
+        off.head<6>().norm() / model_.force + off.tail(size - 6).norm() / model_.reach;
     constexpr double kBalanced = 1e-13;
     constexpr double kStalled = 1e-9;
     if (error <= kBalanced || (error <= kStalled && error > last / 2)) {
@@ -190,7 +182,7 @@ void NewtonMethod::share_out(NearEquilibrium& near) const {
 std::optional<NearEquilibrium> NewtonMethod::solve(const EigenVector6& start) const {
   EigenVector6 d = start;
   EigenMatrix6 derivative;
-  double smooth = 8 * reach_;
+  double smooth = 8 * model_.reach;
   bool converged = false;
   while (true) {
     constexpr int kMostSteps = 30;
@@ -204,7 +196,7 @@ std::optional<NearEquilibrium> NewtonMethod::solve(const EigenVector6& start) co
       }
       // Where nothing holds the object, a weak spring does.
       EigenMatrix6 system = derivative;
-      system.diagonal().array() -= 1e-9 * model_.force / reach_;
+      system.diagonal().array() -= 1e-9 * model_.force / model_.reach;
       const EigenVector6 move = -system.partialPivLu().solve(f);
       if (!move.allFinite()) return std::nullopt;
       double part = 1;
@@ -218,7 +210,7 @@ std::optional<NearEquilibrium> NewtonMethod::solve(const EigenVector6& start) co
       d = next;
       f = force(d, smooth, &derivative);
     }
-    if (smooth <= kLeastSmooth * reach_) break;
+    if (smooth <= kLeastSmooth * model_.reach) break;
     smooth /= 8;
   }
   if (!converged) {
@@ -236,7 +228,7 @@ std::optional<NearEquilibrium> NewtonMethod::solve(const EigenVector6& start) co
     const Vector3d f = -a * c.slopes[0] / over * s;
     result.normal.push_back(a);
     result.friction.push_back({f[0], f[1], f[2]});
-    result.sticks.push_back(a > 0 && s.norm() < smooth ? 1 : 0);
+    result.sticks.push_back(a > 0 && c.slopes[0] > 0 && s.norm() < smooth ? 1 : 0);
   }
   return result;
 }
@@ -253,13 +245,14 @@ std::vector<NearEquilibrium> NewtonMethod::solve_from(std::size_t starts) const 
   for (std::size_t k = 0; k < starts; ++k) {
     EigenVector6 start = EigenVector6::Zero();
     const double size = k % 3 == 0 ? 0.3 : k % 3 == 1 ? 2 : 10;
-    for (Eigen::Index j = 0; k > 0 && j < 6; ++j) start[j] = size * reach_ * random();
+    for (Eigen::Index j = 0; k > 0 && j < 6; ++j) start[j] = size * model_.reach * random();
     auto found = solve(start);
     if (found) found = polish(std::move(*found));
     if (!found) continue;
     const bool is_known = std::any_of(result.begin(), result.end(), [&](const auto& other) {
       constexpr double kSame = 1e-6;
-      return (other.motion - found->motion).norm() <= kSame * (reach_ + found->motion.norm());
+      return (other.motion - found->motion).norm() <=
+             kSame * (model_.reach + found->motion.norm());
     });
     if (!is_known) result.push_back(std::move(*found));
   }

@@ -41,7 +41,7 @@ struct NearEquilibrium {
 /// All functions are of a model of one point, or of the middle of a box.
 class NewtonMethod {
  public:
-  explicit NewtonMethod(const SpaceModel& model);
+  explicit NewtonMethod(const SpaceModel& model) : model_(model) {}
 
   /// From a motion, with friction smoothed over slips that become smaller and smaller; nothing
   /// if that does not converge.
@@ -53,15 +53,12 @@ class NewtonMethod {
   void share_out(NearEquilibrium& near) const;
   /// From rest, and from motions at random, always the same: those that differ.
   std::vector<NearEquilibrium> solve_from(std::size_t starts) const;
-  /// How far an object moves under a typical force.
-  double reach() const { return reach_; }
 
  private:
   /// Load and forces with friction smoothed over slips of this size, and the derivative.
   EigenVector6 force(const EigenVector6& motion, double smooth, EigenMatrix6* derivative) const;
 
   const SpaceModel& model_;
-  double reach_ = 1;
 };
 
 /// An exact equilibrium with these modes, if there is one: none may slip where friction acts.

@@ -87,12 +87,13 @@ class SpatialMarginSearch {
     }
     std::sort(margin_.claims.begin(), margin_.claims.end(),
               [](const auto& a, const auto& b) { return low_end(a) < low_end(b); });
+    join_refuted();
     return std::move(margin_);
   }
 
  private:
-  static constexpr std::size_t kNodeLimit = 20000;
-  static constexpr std::size_t kMostSearches = 10;
+  static constexpr std::size_t kNodeLimit = 4000;
+  static constexpr std::size_t kMostSearches = 20;
   static constexpr std::size_t kStarts = 3;
 
   /// What is resisted is followed no farther.
@@ -154,8 +155,8 @@ class SpatialMarginSearch {
       if (at <= low || (high && at >= *high)) return false;
       const auto near = NewtonMethod(model_.at(at)).polish(relaxed);
       if (!near) return false;
-      const Rational up = follow(member(at, *near), high ? *high : most());
-      const Rational down = follow(member(at, *near), low);
+      const Rational up = follow(member(at, *near), free_until(at, true));
+      const Rational down = follow(member(at, *near), free_until(at, false));
       if (up == down) return false;
       resisted = {down, up};
       return true;
@@ -172,18 +173,38 @@ class SpatialMarginSearch {
     if (!high && middle >= most()) return std::nullopt;
     auto below = settle(low, middle, has_low);
     auto above = settle(middle, high, true);
-    if (below && above) {
-      Point plane{};
-      plane[6] = -numerator(middle);
-      plane[7] = denominator(middle);
-      SpatialTrees both{PlaneSplitIn<6>{plane}};
-      both.insert(both.end(), above->begin(), above->end());
-      both.insert(both.end(), below->begin(), below->end());
-      return both;
-    }
+    if (below && above) return joined(middle, *below, *above);
     if (below) margin_.claims.emplace_back(RefutedMultiples{low, middle, std::move(*below)});
     if (above) margin_.claims.emplace_back(RefutedMultiples{middle, high, std::move(*above)});
     return std::nullopt;
+  }
+
+  /// The tree of both sides of a multiple, the upper of which has it.
+  static SpatialTrees joined(const Rational& multiple, const SpatialTrees& below,
+                             const SpatialTrees& above) {
+    Point plane{};
+    plane[6] = -numerator(multiple);
+    plane[7] = denominator(multiple);
+    SpatialTrees both{PlaneSplitIn<6>{plane}};
+    both.insert(both.end(), above.begin(), above.end());
+    both.insert(both.end(), below.begin(), below.end());
+    return both;
+  }
+
+  /// Where what is refuted touches, the upper part was refuted with its low end.
+  void join_refuted() {
+    std::vector<std::variant<ResistedMultiples, RefutedMultiples>> claims;
+    for (auto& claim : margin_.claims) {
+      auto* next = std::get_if<RefutedMultiples>(&claim);
+      auto* last = claims.empty() ? nullptr : std::get_if<RefutedMultiples>(&claims.back());
+      if (next != nullptr && last != nullptr && last->high == next->low) {
+        last->tree = joined(next->low, last->tree, next->tree);
+        last->high = std::move(next->high);
+      } else {
+        claims.push_back(std::move(claim));
+      }
+    }
+    margin_.claims = std::move(claims);
   }
 
   /// Claims what an equilibrium can be followed through towards a multiple; returns how far it
@@ -202,6 +223,19 @@ class SpatialMarginSearch {
   static Rational towards(const Rational& from, const Rational& to, const Rational& step) {
     return from < to ? std::min(Rational(from + step), to)
                      : std::max(Rational(from - step), to);
+  }
+
+  /// The next multiple above or below that some claim is about.
+  Rational free_until(const Rational& multiple, bool above) const {
+    Rational end = above ? most() : Rational(0);
+    for (const auto& claim : margin_.claims) {
+      const auto consider = [&](const Rational& low, const std::optional<Rational>& high) {
+        if (above && low >= multiple) end = std::min(end, low);
+        if (!above && high && *high <= multiple) end = std::max(end, *high);
+      };
+      std::visit([&](const auto& c) { consider(c.low, c.high); }, claim);
+    }
+    return end;
   }
 
   /// As far as its mode goes, if that is one in which nothing slips.

@@ -176,6 +176,11 @@ void SpaceModel::complete() {
     largest = std::max({largest, std::fabs(load[j][0]), std::fabs(load[j][1])});
   }
   if (largest > 0 && std::isfinite(largest)) force = largest;
+  double stiffest = 0;
+  for (const SpaceContact& c : contacts) {
+    stiffest = std::max(stiffest, c.stiffnesses[1] * to_double(c.squared_length));
+  }
+  if (stiffest > 0) reach = force / stiffest;
 }
 
 Double6 SpaceModel::load_at(double height, double multiple, const Double6& y) const {

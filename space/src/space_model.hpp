@@ -76,6 +76,7 @@ struct SpaceModel {
   NormalLaw law;
   double length = 1;                            ///< a typical distance
   double force = 1;                             ///< a typical force
+  double reach = 1;                             ///< how far it moves the object
   std::array<std::array<double, 2>, 6> load{};  ///< ends
   Double6 growing{};                            ///< u
 

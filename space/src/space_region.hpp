@@ -48,6 +48,10 @@ class SpaceRegion : public StrictCone<6> {
   bool is_strict(std::size_t contact) const { return strict_slips_[contact] != 0; }
   /// Whether one has said that it sticks.
   bool is_still(std::size_t contact) const { return still_[contact] != 0; }
+  /// No solution is a multiple of this generator.
+  bool bars_point(const SpaceModel& model, std::size_t generator) const {
+    return bars_all(model, {generator});
+  }
   /// No solution lies here.
   bool is_barred() const { return barred_; }
   /// The largest v of a contact at a generator, and the least, in doubles, 0 where it is 0.

@@ -166,14 +166,15 @@ class Wrenches {
       if (!(scales_[g] > 0)) continue;
       const Double6 load = load_at(g, y);
       double work = dot(load, y);
-      bool acts = height(g) > 0 || dot(load, load) > 0;
+      bool acts = dot(load, load) > 0;
       for (std::size_t i = 0; i < model_.contacts.size(); ++i) {
         const double a = actions.normal(i, g);
         work += a * actions[i].alpha;
         acts = acts || a != 0;
       }
       work /= scales_[g];
-      if (acts && work > best.work) best = {work, {}, g};
+      // Without any wrench an equilibrium is here, unless none may be.
+      if (work > best.work && (acts || !region_.bars_point(model_, g))) best = {work, {}, g};
     }
     for (std::size_t g = 0; g < against_.size(); ++g) {
       const double work = dot(against_[g], y);
@@ -375,6 +376,7 @@ std::optional<SpaceSearch::SpaceBranch> SpaceSearch::split(const SpaceRegion& re
     }
   }
   std::sort(slips.rbegin(), slips.rend());
+  if (escapes(found, energy)) return std::nullopt;
   // Trying an equilibrium costs as much as many nodes: it is done at counts 1, 2, 4, 8, ... and
   // where the relaxed one is nearer than before.
   const double gap =
@@ -415,6 +417,17 @@ std::optional<SpaceSearch::SpaceBranch> SpaceSearch::split(const SpaceRegion& re
     if (region.signs(plane).cuts()) return cut(region, PlaneSplitIn<6>{plane}, plane);
   }
   return std::nullopt;
+}
+
+/// Of a margin: motions grow without end towards one multiple, and so would the tree.
+bool SpaceSearch::escapes(const RelaxedEquilibrium& found, double energy) const {
+  constexpr double kFar = 1e6;
+  const double height = found.motion[6];
+  const double stiffest = model_.force / model_.reach;
+  const bool is_far = norm_of(motion_of(found.motion)) > kFar * model_.reach * height;
+  // Forces are typical nevertheless.
+  return model_.is_family && is_far &&
+         energy < kFar * model_.force * model_.force * height * height / stiffest;
 }
 
 /// Taken at its word: its motion says which contacts slip.

@@ -49,6 +49,7 @@ class SpaceSearch {
                                         const RelaxedEquilibrium& found,
                                         std::size_t contact) const;
   bool is_candidate(const SpaceRegion& region, const RelaxedEquilibrium& found) const;
+  bool escapes(const RelaxedEquilibrium& found, double energy) const;
   SpaceBranch cut(const SpaceRegion& region, const SpatialNode& node, const Point& plane) const;
 
   const SpaceModel& model_;

@@ -52,7 +52,7 @@ SpatialWalls::SpatialWalls(const SpaceModel& middle, const NearEquilibrium& equi
                            double size)
     : model_(middle), motion_(equilibrium.motion) {
   // Small beside what would change a mode.
-  double width = NewtonMethod(middle).reach();
+  double width = middle.reach;
   for (std::size_t i = 0; i < middle.contacts.size(); ++i) {
     const SpaceContact& c = middle.contacts[i];
     const CornerRow& row = c.corners.front();

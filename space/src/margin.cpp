@@ -93,13 +93,15 @@ class SpatialMarginSearch {
 
  private:
   static constexpr std::size_t kNodeLimit = 4000;
-  static constexpr std::size_t kMostSearches = 20;
+  static constexpr std::size_t kMostSearches = 5;
   static constexpr std::size_t kStarts = 3;
 
+  /// Of all searches together.
+  bool is_spent() const { return margin_.work.nodes > kMostSearches * node_limit_; }
   /// What is resisted is followed no farther.
   Rational most() const { return 1024 * unit_; }
   Rational least_step(const Rational& multiple) const {
-    return accuracy_ * std::max(multiple, Rational(unit_ / 1024)) / 2;
+    return accuracy_ * std::max(multiple, Rational(unit_ / 16)) / 2;
   }
 
   /// Where the laws are homogeneous all multiples above 0 have one verdict.
@@ -143,7 +145,7 @@ class SpatialMarginSearch {
   std::optional<SpatialTrees> settle(const Rational& low, const std::optional<Rational>& high,
                                      bool has_low) {
     if (high && *high - low <= 2 * least_step(*high)) return std::nullopt;
-    if (margin_.work.nodes > kMostSearches * node_limit_) return std::nullopt;
+    if (is_spent()) return std::nullopt;
     std::optional<std::pair<Rational, Rational>> resisted;
     const SpaceModel whole = model_.within({low, high, has_low});
     SpaceSearch search(whole, nullptr, node_limit_, margin_.work);
@@ -266,7 +268,8 @@ class SpatialMarginSearch {
   /// In steps that are small first, until there is a witness.
   Member follow_by_degree(Member from, const Rational& to) {
     Rational step = 4 * least_step(from.multiple);
-    while (from.multiple != to && step >= least_step(from.multiple)) {
+    bool grows = true;  // a step that has failed seldom serves a little farther on
+    while (from.multiple != to && step >= least_step(from.multiple) && !is_spent()) {
       const Rational next = towards(from.multiple, to, step);
       const MultipleRange range{std::min(from.multiple, next), std::max(from.multiple, next)};
       const auto there = equilibrium_at(next, from.near);
@@ -279,12 +282,14 @@ class SpatialMarginSearch {
       }
       if (!proof) {
         step /= 2;
+        grows = false;
         continue;
       }
       claim_resisted(range.low, range.high, std::move(*proof));
       from = member(next, *there);
       if (from.witness) break;
-      step *= 2;
+      if (grows) step *= 2;
+      grows = true;
     }
     return from;
   }

@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Grasps in space with loads just before and just beyond a threshold, as files for the other scripts
+of this folder. A threshold is where `stickslip decide` stops to say stable as the load grows, by bisection.
+
+    python3 bench/space/grasps.py FOLDER --program build/bin/stickslip [--on sphere|box|pads]
+        [--contacts M] [--grasps N] [--gaps PART...] [--digits D] [--seed S]
+
+Names tell what is in a file: box8_3_0.001u.json is the third grasp with 8 contacts on a box, 0.1 % beyond
+(u, as its load should be too large; s is before).
+"""
+
+import argparse
+import json
+import os
+import random
+import subprocess
+from fractions import Fraction as F
+
+
+def unit_vector(rng):
+    a, b = F(rng.randint(-8, 8), 8), F(rng.randint(-8, 8), 8)
+    s = 1 + a * a + b * b
+    n = [2 * a / s, 2 * b / s, rng.choice((-1, 1)) * (1 - a * a - b * b) / s]
+    rng.shuffle(n)
+    return n
+
+
+def on_sphere(rng):
+    n = unit_vector(rng)
+    return [-x for x in n], n
+
+
+def on_box(rng):
+    """On the faces of the cube about the unit sphere."""
+    axis, side = rng.randrange(3), rng.choice((-1, 1))
+    p, n = [F(rng.randint(-8, 8), 8) for _ in range(3)], [F(0)] * 3
+    p[axis], n[axis] = F(side), F(-side)
+    return p, n
+
+
+def pads(rng):
+    """Three fingers on the faces of a prism, each a soft pad of eight points; equal but for their
+    preloads, which balance."""
+    octagon = [(F(1), F(0)), (F(5, 7), F(5, 7)), (F(0), F(1)), (F(-5, 7), F(5, 7)),
+               (F(-1), F(0)), (F(-5, 7), F(-5, 7)), (F(0), F(-1)), (F(5, 7), F(-5, 7))]
+    friction, radius = F(rng.randint(4, 18), 20), F(rng.randint(2, 6), 20)
+    for (x, y), preload in (((-1, 0), F(6, 5)), ((F(3, 5), F(4, 5)), F(1)), ((F(3, 5), F(-4, 5)), F(1))):
+        height = F(rng.randint(-4, 4), 8)
+        for u, v in octagon:
+            yield {"position": [-x - radius * u * y, -y + radius * u * x, height + radius * v],
+                   "normal": [F(x), F(y), F(0)], "friction": friction, "preload": preload}
+
+
+def random_grasp(rng, on, m, digits=0):
+    """Contacts, and the direction of a load."""
+    def ragged(value):  # to so many digits
+        return value + F(rng.randint(-10**digits // 100, 10**digits // 100), 10**digits) if digits else value
+
+    if on == "pads":
+        contacts = list(pads(rng))
+    else:
+        contacts = []
+        for _ in range(m):
+            p, n = on_sphere(rng) if on == "sphere" else on_box(rng)
+            contacts.append({"position": p, "normal": n, "friction": F(rng.randint(4, 18), 20),
+                             "preload": F(rng.randint(0, 8), 4)})
+    for c in contacts:
+        c["position"] = [x if on == "box" and n else ragged(x) for x, n in zip(c["position"], c["normal"])]
+        c["friction"] = ragged(c["friction"])
+    return contacts, [ragged(F(rng.randint(-8, 8), 8)) for _ in range(6)]
+
+
+def written(contacts, wrench):
+    return {"format": "stickslip-grasp/2",
+            "contacts": [{key: [str(x) for x in value] if isinstance(value, list) else str(value)
+                          for key, value in c.items()} for c in contacts],
+            "wrench": [str(w) for w in wrench]}
+
+
+def is_stable(program, grasp):
+    said = subprocess.run([program, "decide", "-", "--json"], input=json.dumps(grasp), text=True,
+                          capture_output=True, check=False)
+    if said.returncode not in (0, 3):
+        raise SystemExit(said.stderr)
+    return json.loads(said.stdout)["verdict"] == "stable"
+
+
+def threshold(stable_at, width):
+    """Multiples below and above; None if there is none between 0.01 and 20."""
+    low, high = F(1, 100), F(2, 100)
+    if not stable_at(low):
+        return None
+    while high < 20 and stable_at(high):
+        low, high = high, 2 * high
+    if high >= 20:
+        return None
+    while high - low > width * high:
+        middle = ((low + high) / 2).limit_denominator(10**6)
+        low, high = (middle, high) if stable_at(middle) else (low, middle)
+    return low, high
+
+
+def write_near(folder, name, contacts, direction, gaps, program):
+    """Whether there is a threshold."""
+    def at(multiple):
+        return written(contacts, [multiple * u for u in direction])
+
+    ends = threshold(lambda multiple: is_stable(program, at(multiple)), min(gaps) / 5)
+    if ends is None:
+        return False
+    for gap in gaps:
+        for letter, multiple in (("s", ends[0] * (1 - F(gap))), ("u", ends[1] * (1 + F(gap)))):
+            with open(os.path.join(folder, f"{name}_{gap:g}{letter}.json"), "w", encoding="utf-8") as file:
+                json.dump(at(multiple.limit_denominator(10**6)), file)
+    return True
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n", maxsplit=1)[0])
+    parser.add_argument("folder")
+    parser.add_argument("--program", required=True)
+    parser.add_argument("--on", choices=("sphere", "box", "pads"), default="sphere")
+    parser.add_argument("--contacts", type=int, default=4, help="of pads there are always 24")
+    parser.add_argument("--grasps", type=int, default=6)
+    parser.add_argument("--gaps", type=float, nargs="+", default=[0.01, 0.001])
+    parser.add_argument("--digits", type=int, default=0)
+    parser.add_argument("--seed", type=int, default=1)
+    options = parser.parse_args()
+    os.makedirs(options.folder, exist_ok=True)
+    rng = random.Random(f"{options.seed} {options.on} {options.contacts} {options.digits}")
+    count = 0
+    while count < options.grasps:
+        contacts, direction = random_grasp(rng, options.on, options.contacts, options.digits)
+        name = f"{options.on}{len(contacts)}{'d' * (options.digits > 0)}_{count}"
+        count += write_near(options.folder, name, contacts, direction, options.gaps, options.program)
+
+
+if __name__ == "__main__":
+    main()

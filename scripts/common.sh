@@ -12,7 +12,7 @@ build_packages=(g++ cmake ninja-build libcgal-dev libgmp-dev libmpfr-dev libboos
 test_packages=(libgtest-dev libgmock-dev libglpk-dev pkg-config z3 cvc5 python3 ccache doxygen
   help2man mandoc man-db zsh fish parallel)
 # The Python module (python/), its installation by pip, and its tests.
-python_packages=(pybind11-dev python3-dev python3-pybind11 python3-numpy python3-pytest python3-pip
+python_packages=(pybind11-dev python3-dev python3-pybind11 python3-numpy python3-scipy python3-pytest python3-pip
   python3-setuptools python3-wheel mypy python3-nbconvert python3-ipykernel python3-shapely
   python3-distributed python3-pandas)
 

@@ -13,6 +13,7 @@ import argparse
 import json
 import os
 import random
+import resource
 import subprocess
 from fractions import Fraction as F
 
@@ -77,12 +78,16 @@ def written(contacts, wrench):
             "wrench": [str(w) for w in wrench]}
 
 
-def is_stable(program, grasp):
-    said = subprocess.run([program, "decide", "-", "--json"], input=json.dumps(grasp), text=True,
+def decided(program, file, *words, content=None):
+    """The verdict, seconds of the processor, and what was said of it."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    said = subprocess.run([program, "decide", file, "--json", *words], input=content, text=True,
                           capture_output=True, check=False)
+    seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
     if said.returncode not in (0, 3):
         raise SystemExit(said.stderr)
-    return json.loads(said.stdout)["verdict"] == "stable"
+    answer = json.loads(said.stdout)
+    return answer["verdict"], seconds, answer
 
 
 def threshold(stable_at, width):
@@ -105,7 +110,10 @@ def write_near(folder, name, contacts, direction, gaps, program):
     def at(multiple):
         return written(contacts, [multiple * u for u in direction])
 
-    ends = threshold(lambda multiple: is_stable(program, at(multiple)), min(gaps) / 5)
+    def stable_at(multiple):
+        return decided(program, "-", content=json.dumps(at(multiple)))[0] == "stable"
+
+    ends = threshold(stable_at, min(gaps) / 5)
     if ends is None:
         return False
     for gap in gaps:

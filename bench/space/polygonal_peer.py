@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What `stickslip decide` is measured against in space: the same grasps with polygonal friction, by a
+mixed-integer program in doubles (HiGHS, by SciPy).
+
+    python3 bench/space/polygonal_peer.py --program build/bin/stickslip [--edges 8] [--limit 60] FILE...
+
+The friction of a contact is confined to a regular polygon that is inscribed in Coulomb's circle, and does
+as much work against the slip as it can there: a linear complementarity problem (Stewart and Trinkle 1996).
+With directions e_j to the vertices, shares b_j >= 0 of them, and the slip's speed l,
+
+    l >= 0, l + e_j.s >= 0, sum b_j <= mu a,    b_j (l + e_j.s) = 0,    l (mu a - sum b_j) = 0,
+
+so that a contact sticks, slips with its friction at a vertex or between two neighbours, or is open. Each
+product is a choice, a binary variable, and either factor is at most it times a bound, as all quantities are
+taken to be below --bound times the largest load or preload. Says stable if the program has a solution,
+unstable if it has none, and timeout after --limit seconds.
+"""
+
+import argparse
+import json
+import re
+import time
+from collections import Counter, defaultdict
+from fractions import Fraction
+from statistics import median
+
+import numpy as np
+from scipy.optimize import Bounds, LinearConstraint, milp
+
+from grasps import decided
+
+
+def read(file):
+    """Contacts, as (normal row, slip rows, friction, stiffness, preload), and the load."""
+    with open(file, encoding="utf-8") as content:
+        grasp = json.load(content)
+
+    def number(x):
+        return float(Fraction(str(x)))
+
+    contacts = []
+    for c in grasp["contacts"]:
+        p, n = (np.array([number(x) for x in c[key]]) for key in ("position", "normal"))
+        n /= np.linalg.norm(n)
+        first = np.eye(3)[np.argmin(np.abs(n))]
+        first -= (first @ n) * n
+        first /= np.linalg.norm(first)
+        tangents = np.array([first, np.cross(n, first)])
+        laws = {"stiffness": 1, "preload": 0, **grasp.get("defaults", {}), **c}
+        contacts.append((np.concatenate([n, np.cross(p, n)]), np.hstack([tangents, np.cross(p, tangents)]),
+                         *(number(laws[key]) for key in ("friction", "stiffness", "preload"))))
+    return contacts, np.array([number(w) for w in grasp["wrench"]])
+
+
+def peer(contacts, wrench, edges=8, limit=60, bound=20):
+    """Its verdict."""
+    size = max(np.abs(wrench).max(), max(c[4] for c in contacts))
+    if size == 0:
+        return "stable"
+    angles = 2 * np.pi * np.arange(edges) / edges
+    directions = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    each = 3 + 2 * edges + 1  # a, l, may it be closed, may it slip, shares, may they be used
+    count = 6 + each * len(contacts)
+    lower, upper, binary = np.zeros(count), np.full(count, float(bound)), np.zeros(count)
+    lower[:6] = -bound
+    rows, lows, highs = [], [], []
+
+    def between(low, row, high):
+        rows.append(row)
+        lows.append(low)
+        highs.append(high)
+
+    def row_of(entries):
+        row = np.zeros(count)
+        for index, value in entries:
+            row[index] = value
+        return row
+
+    twist, free = slice(0, 6), np.inf
+    balance = np.zeros((6, count))
+    for i, (normal, slip, mu, stiffness, preload) in enumerate(contacts):
+        start = 6 + each * i
+        a, speed, closed, slips = range(start, start + 4)
+        shares = np.arange(start + 4, start + 4 + edges)
+        chosen = shares + edges
+        for index in (closed, slips, *chosen):
+            binary[index], upper[index] = 1, 1
+        moves = directions @ slip
+        balance[:, a] = normal
+        balance[:, shares] = moves.T
+        # a = max(0, v) with v = preload - stiffness normal.d
+        between(preload / size, row_of([(a, 1), (twist, stiffness * normal)]), free)
+        between(-free, row_of([(a, 1), (closed, -bound)]), 0)
+        between(-free, row_of([(a, 1), (twist, stiffness * normal), (closed, bound)]),
+                preload / size + bound)
+        # Friction, and how fast it slips.
+        used, most = [(shares, 1), (a, -mu)], max(mu, 1) * bound
+        between(-free, row_of(used), 0)
+        between(-most, row_of([*used, (slips, -most)]), free)
+        between(-free, row_of([(speed, 1), (slips, -bound)]), 0)
+        # At most two neighbours if it slips: implied, but stronger.
+        between(-free, row_of([(chosen, 1), (slips, edges - 2)]), edges)
+        for share, choice, move in zip(shares, chosen, moves):
+            against = [(speed, 1), (twist, move)]
+            between(0, row_of(against), free)
+            between(-free, row_of([*against, (choice, 2 * bound)]), 2 * bound)
+            between(-free, row_of([(share, 1), (choice, -bound)]), 0)
+    for row, load in zip(balance, wrench / size):
+        between(-load, row, -load)
+    found = milp(np.zeros(count), integrality=binary, bounds=Bounds(lower, upper),
+                 constraints=LinearConstraint(np.array(rows), lows, highs), options={"time_limit": limit})
+    return {0: "stable", 1: "timeout", 2: "unstable"}.get(found.status, f"failed: {found.message}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n", maxsplit=1)[0])
+    parser.add_argument("files", nargs="+")
+    parser.add_argument("--program", required=True)
+    parser.add_argument("--edges", type=int, default=8)
+    parser.add_argument("--limit", type=float, default=60, help="seconds")
+    parser.add_argument("--bound", type=float, default=20)
+    options = parser.parse_args()
+    pairs, times = defaultdict(Counter), defaultdict(list)
+    for file in options.files:
+        ours, our_time, _ = decided(options.program, file)
+        start = time.process_time()
+        theirs = peer(*read(file), options.edges, options.limit, options.bound)
+        their_time = time.process_time() - start
+        print(f"{file}: {ours} in {our_time:.3f} s, the peer {theirs} in {their_time:.3f} s", flush=True)
+        group = re.sub(r".*/|_\d+(?=_)|[.]json$", "", file)
+        pairs[group][ours, theirs] += 1
+        times[group].append((our_time, their_time))
+    print("\n| grasps | ours, peer's: how many | ours, s: median | slowest | peer, s: median | slowest |\n"
+          "|---|---|--:|--:|--:|--:|")
+    for group, counted in pairs.items():
+        said = ", ".join(f"{a}, {b}: {n}" for (a, b), n in counted.most_common())
+        cells = " | ".join(f"{median(t):.3g} | {max(t):.3g}" for t in zip(*times[group]))
+        print(f"| {group} | {said} | {cells} |")
+
+
+if __name__ == "__main__":
+    main()

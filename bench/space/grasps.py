@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Grasps in space with loads just before and just beyond a threshold, as files for the other scripts
-of this folder. A threshold is where `stickslip decide` stops to say stable as the load grows, by bisection.
+of this folder. A threshold is where Newton's method of the tests finds no equilibrium any more as the load
+grows, from 60 starts and in doubles, by bisection; so it does not depend on what is measured.
 
-    python3 bench/space/grasps.py FOLDER --program build/bin/stickslip [--on sphere|box|pads]
-        [--contacts M] [--grasps N] [--gaps PART...] [--digits D] [--seed S]
+    python3 bench/space/grasps.py FOLDER [--on sphere|box|pads] [--contacts M] [--grasps N] [--gaps PART...]
+        [--digits D] [--seed S]
 
-Names tell what is in a file: box8_3_0.001u.json is the third grasp with 8 contacts on a box, 0.1 % beyond
-(u, as its load should be too large; s is before).
+Names tell what is in a file: box8_3_0.001u.json is the grasp number 3 with 8 contacts on a box, 0.1 % beyond
+(u, as it should be unstable; s is before).
 """
 
 import argparse
@@ -15,7 +16,13 @@ import os
 import random
 import resource
 import subprocess
+import sys
 from fractions import Fraction as F
+
+import numpy as np
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tests", "cli"))
+from test_space import equilibria, written  # noqa: E402
 
 
 def unit_vector(rng):
@@ -48,8 +55,8 @@ def pads(rng):
     for (x, y), preload in (((-1, 0), F(6, 5)), ((F(3, 5), F(4, 5)), F(1)), ((F(3, 5), F(-4, 5)), F(1))):
         height = F(rng.randint(-4, 4), 8)
         for u, v in octagon:
-            yield {"position": [-x - radius * u * y, -y + radius * u * x, height + radius * v],
-                   "normal": [F(x), F(y), F(0)], "friction": friction, "preload": preload}
+            yield {"p": [-x - radius * u * y, -y + radius * u * x, height + radius * v],
+                   "n": [F(x), F(y), F(0)], "friction": friction, "stiffness": 1, "preload": preload}
 
 
 def random_grasp(rng, on, m, digits=0):
@@ -63,30 +70,28 @@ def random_grasp(rng, on, m, digits=0):
         contacts = []
         for _ in range(m):
             p, n = on_sphere(rng) if on == "sphere" else on_box(rng)
-            contacts.append({"position": p, "normal": n, "friction": F(rng.randint(4, 18), 20),
+            contacts.append({"p": p, "n": n, "friction": F(rng.randint(4, 18), 20), "stiffness": 1,
                              "preload": F(rng.randint(0, 8), 4)})
     for c in contacts:
-        c["position"] = [x if on == "box" and n else ragged(x) for x, n in zip(c["position"], c["normal"])]
+        c["p"] = [x if on == "box" and n else ragged(x) for x, n in zip(c["p"], c["n"])]
         c["friction"] = ragged(c["friction"])
     return contacts, [ragged(F(rng.randint(-8, 8), 8)) for _ in range(6)]
 
 
-def written(contacts, wrench):
-    return {"format": "stickslip-grasp/2",
-            "contacts": [{key: [str(x) for x in value] if isinstance(value, list) else str(value)
-                          for key, value in c.items()} for c in contacts],
-            "wrench": [str(w) for w in wrench]}
-
-
-def decided(program, file, *words, content=None):
-    """The verdict, seconds of the processor, and what was said of it."""
+def timed(*words):
+    """Seconds of the processor that a program took, and what it said."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
-    said = subprocess.run([program, "decide", file, "--json", *words], input=content, text=True,
-                          capture_output=True, check=False)
+    said = subprocess.run(words, text=True, capture_output=True, check=False)
     seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
     if said.returncode not in (0, 3):
-        raise SystemExit(said.stderr)
-    answer = json.loads(said.stdout)
+        raise SystemExit(said.stdout + said.stderr)
+    return seconds, said.stdout
+
+
+def decided(program, file, *words):
+    """The verdict, seconds of the processor, and the whole answer."""
+    seconds, text = timed(program, "decide", file, "--json", *words)
+    answer = json.loads(text)
     return answer["verdict"], seconds, answer
 
 
@@ -105,13 +110,13 @@ def threshold(stable_at, width):
     return low, high
 
 
-def write_near(folder, name, contacts, direction, gaps, program):
+def write_near(folder, name, contacts, direction, gaps):
     """Whether there is a threshold."""
-    def at(multiple):
-        return written(contacts, [multiple * u for u in direction])
+    def load(multiple):
+        return [multiple * u for u in direction]
 
     def stable_at(multiple):
-        return decided(program, "-", content=json.dumps(at(multiple)))[0] == "stable"
+        return equilibria(contacts, load(multiple), 60, np.random.default_rng(1)) > 0
 
     ends = threshold(stable_at, min(gaps) / 5)
     if ends is None:
@@ -119,14 +124,13 @@ def write_near(folder, name, contacts, direction, gaps, program):
     for gap in gaps:
         for letter, multiple in (("s", ends[0] * (1 - F(gap))), ("u", ends[1] * (1 + F(gap)))):
             with open(os.path.join(folder, f"{name}_{gap:g}{letter}.json"), "w", encoding="utf-8") as file:
-                json.dump(at(multiple.limit_denominator(10**6)), file)
+                json.dump(written(contacts, load(multiple.limit_denominator(10**6))), file)
     return True
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n", maxsplit=1)[0])
     parser.add_argument("folder")
-    parser.add_argument("--program", required=True)
     parser.add_argument("--on", choices=("sphere", "box", "pads"), default="sphere")
     parser.add_argument("--contacts", type=int, default=4, help="of pads there are always 24")
     parser.add_argument("--grasps", type=int, default=6)
@@ -140,7 +144,7 @@ def main():
     while count < options.grasps:
         contacts, direction = random_grasp(rng, options.on, options.contacts, options.digits)
         name = f"{options.on}{len(contacts)}{'d' * (options.digits > 0)}_{count}"
-        count += write_near(options.folder, name, contacts, direction, options.gaps, options.program)
+        count += write_near(options.folder, name, contacts, direction, options.gaps)
 
 
 if __name__ == "__main__":

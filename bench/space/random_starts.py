@@ -9,16 +9,13 @@ Exit code 1 if it finds one.
 
 import argparse
 import json
-import os
 import sys
 import time
+from fractions import Fraction as F
 
 import numpy as np
 
-from grasps import decided
-
-sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "tests", "cli"))
-from test_space import F, equilibria  # noqa: E402
+from grasps import decided, equilibria
 
 
 def main():
@@ -31,11 +28,10 @@ def main():
     for file in options.files:
         with open(file, encoding="utf-8") as content:
             grasp = json.load(content)
-        contacts = [{"stiffness": 1, "preload": 0, **c, "p": [F(x) for x in c["position"]],
-                     "n": [F(x) for x in c["normal"]]} for c in grasp["contacts"]]
-        contacts = [{key: F(c[key]) if key in ("friction", "stiffness", "preload") else c[key]
-                     for key in ("p", "n", "friction", "stiffness", "preload")} for c in contacts]
-        verdict = decided(options.program, file)[0]
+        contacts = [{"p": [F(x) for x in c["position"]], "n": [F(x) for x in c["normal"]],
+                     **{key: F(c[key]) for key in ("friction", "stiffness", "preload")}}
+                    for c in grasp["contacts"]]
+        verdict, _, _ = decided(options.program, file)
         start = time.process_time()
         found = equilibria(contacts, [F(w) for w in grasp["wrench"]], options.starts, np.random.default_rng(1))
         print(f"{file}: {verdict}, equilibria from {found} of {options.starts} starts "

@@ -156,7 +156,7 @@ def equilibria(contacts, wrench, starts, rng):
         rows.append((np.concatenate([n, np.cross(p, n)]), (np.eye(3) - np.outer(n, n)) @ velocity,
                      float(c["friction"]), float(c["stiffness"]), float(c["preload"])))
     w = np.array([float(x) for x in wrench])
-    d = rng.normal(size=(starts, 6)) * rng.choice([0.1, 0.3, 1, 3, 10], size=(starts, 1))
+    d = rng.normal(size=(starts, 6)) * rng.choice([0.1, 1, 10, 100, 1000], size=(starts, 1))
     roundest = 8.0 ** rng.uniform(-6, 1, size=starts)
 
     def force(d, smooth):
@@ -172,7 +172,7 @@ def equilibria(contacts, wrench, starts, rng):
             slope -= (a * mu / over)[:, None, None] * (slip.T @ change @ slip)
         return total, slope
 
-    for least_round in 4.0 ** -np.arange(-1, 14):
+    for least_round in 4.0 ** -np.arange(-1, 9):
         smooth = np.minimum(roundest, least_round)
         for _ in range(12):
             total, slope = force(d, smooth)

@@ -10,7 +10,7 @@ With directions e_j to the vertices, shares b_j >= 0 of them, and the slip's spe
 
     l >= 0, l + e_j.s >= 0, sum b_j <= mu a,    b_j (l + e_j.s) = 0,    l (mu a - sum b_j) = 0,
 
-so that a contact sticks, slips with its friction at a vertex or between two neighbours, or is open. Each
+so that a contact sticks, slips with its friction at a vertex or between two neighbours (so at most half an angle of the polygon away from the slip), or is open. Each
 product is a choice, a binary variable, and either factor is at most it times a bound, as all quantities are
 taken to be below --bound times the largest load or preload. Says stable if the program has a solution,
 unstable if it has none, and timeout after --limit seconds.
@@ -53,10 +53,10 @@ def read(file):
 
 
 def peer(contacts, wrench, edges=8, limit=60, bound=20):
-    """Its verdict."""
+    """Its verdict; if stable, the largest angle in degrees between friction and what Coulomb's would be."""
     size = max(np.abs(wrench).max(), max(c[4] for c in contacts))
     if size == 0:
-        return "stable"
+        return "stable", 0
     angles = 2 * np.pi * np.arange(edges) / edges
     directions = np.stack([np.cos(angles), np.sin(angles)], axis=1)
     each = 3 + 2 * edges + 1  # a, l, may it be closed, may it slip, shares, may they be used
@@ -109,7 +109,16 @@ def peer(contacts, wrench, edges=8, limit=60, bound=20):
         between(-load, row, -load)
     found = milp(np.zeros(count), integrality=binary, bounds=Bounds(lower, upper),
                  constraints=LinearConstraint(np.array(rows), lows, highs), options={"time_limit": limit})
-    return {0: "stable", 1: "timeout", 2: "unstable"}.get(found.status, f"failed: {found.message}")
+    verdict = {0: "stable", 1: "timeout", 2: "unstable"}.get(found.status, f"failed: {found.message}")
+    if verdict != "stable":
+        return verdict, 0
+    angle = 0
+    for i, (_, slip, *_) in enumerate(contacts):
+        start = 6 + each * i
+        s, f = slip @ found.x[twist], directions.T @ found.x[start + 4:start + 4 + edges]
+        if found.x[start] > 1e-6 and np.linalg.norm(s) > 1e-6 and f.any():
+            angle = max(angle, np.arccos(np.clip(-s @ f / np.linalg.norm(s) / np.linalg.norm(f), -1, 1)))
+    return verdict, np.degrees(angle)
 
 
 def main():
@@ -124,9 +133,10 @@ def main():
     for file in options.files:
         ours, our_time, _ = decided(options.program, file)
         start = time.process_time()
-        theirs = peer(*read(file), options.edges, options.limit, options.bound)
+        theirs, angle = peer(*read(file), options.edges, options.limit, options.bound)
         their_time = time.process_time() - start
-        print(f"{file}: {ours} in {our_time:.3f} s, the peer {theirs} in {their_time:.3f} s", flush=True)
+        print(f"{file}: {ours} in {our_time:.3f} s, the peer {theirs} in {their_time:.3f} s"
+              + f", friction {angle:.0f} degrees off the slip" * (theirs == "stable"), flush=True)
         group = re.sub(r".*/|_\d+(?=_)|[.]json$", "", file)
         pairs[group][ours, theirs] += 1
         times[group].append((our_time, their_time))

@@ -16,7 +16,7 @@ def verdict(contacts, wrench, **defaults):
         with open(file, "w", encoding="utf-8") as out:
             json.dump({"format": "stickslip-grasp/2", "defaults": defaults, "wrench": wrench,
                        "contacts": [{"position": p, "normal": n} for p, n in contacts]}, out)
-        return peer(*read(file))
+        return peer(*read(file))[0]
 
 
 class Polygon(unittest.TestCase):

@@ -10,10 +10,10 @@ With directions e_j to the vertices, shares b_j >= 0 of them, and the slip's spe
 
     l >= 0, l + e_j.s >= 0, sum b_j <= mu a,    b_j (l + e_j.s) = 0,    l (mu a - sum b_j) = 0,
 
-so that a contact sticks, slips with its friction at a vertex or between two neighbours (so at most half an angle of the polygon away from the slip), or is open. Each
-product is a choice, a binary variable, and either factor is at most it times a bound, as all quantities are
-taken to be below --bound times the largest load or preload. Says stable if the program has a solution,
-unstable if it has none, and timeout after --limit seconds.
+so that a contact sticks, slips with its friction at a vertex or between two neighbours, up to half an angle
+of the polygon off the slip, or is open. Each product is a choice, a binary variable, and either factor is at
+most it times a bound, as all quantities are taken to be below --bound times the largest load or preload.
+Says stable if the program has a solution, unstable if it has none, and timeout after --limit seconds.
 """
 
 import argparse

@@ -13,13 +13,14 @@ With directions e_j to the vertices, shares b_j >= 0 of them, and the slip's spe
 so that a contact sticks, slips with its friction at a vertex or between two neighbours, up to half an angle
 of the polygon off the slip, or is open. Each product is a choice, a binary variable, and either factor is at
 most it times a bound, as all quantities are taken to be below --bound times the largest load or preload.
-Says stable if the program has a solution, unstable if it has none, and timeout after --limit seconds.
+Says stable if the program has a solution, unstable if it has none, and timeout after --limit seconds of the processor.
 """
 
 import argparse
 import json
+import multiprocessing
 import re
-import time
+import resource
 from collections import Counter, defaultdict
 from fractions import Fraction
 from statistics import median
@@ -52,7 +53,7 @@ def read(file):
     return contacts, np.array([number(w) for w in grasp["wrench"]])
 
 
-def peer(contacts, wrench, edges=8, limit=60, bound=20):
+def peer(contacts, wrench, edges=8, bound=20):
     """Its verdict; if stable, the largest angle in degrees between friction and what Coulomb's would be."""
     size = max(np.abs(wrench).max(), max(c[4] for c in contacts))
     if size == 0:
@@ -108,8 +109,8 @@ def peer(contacts, wrench, edges=8, limit=60, bound=20):
     for row, load in zip(balance, wrench / size):
         between(-load, row, -load)
     found = milp(np.zeros(count), integrality=binary, bounds=Bounds(lower, upper),
-                 constraints=LinearConstraint(np.array(rows), lows, highs), options={"time_limit": limit})
-    verdict = {0: "stable", 1: "timeout", 2: "unstable"}.get(found.status, f"failed: {found.message}")
+                 constraints=LinearConstraint(np.array(rows), lows, highs))
+    verdict = {0: "stable", 2: "unstable"}.get(found.status, f"failed: {found.message}")
     if verdict != "stable":
         return verdict, 0
     angle = 0
@@ -121,20 +122,34 @@ def peer(contacts, wrench, edges=8, limit=60, bound=20):
     return verdict, np.degrees(angle)
 
 
+def limited(seconds, function, *arguments):
+    """Its result in a process of its own, or None after these seconds of the processor; and how many it took."""
+    def work():
+        resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
+        child.send(function(*arguments))
+
+    parent, child = multiprocessing.Pipe(False)
+    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    process = multiprocessing.get_context("fork").Process(target=work)
+    process.start()
+    process.join()
+    took = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+    return parent.recv() if process.exitcode == 0 else None, took
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n", maxsplit=1)[0])
     parser.add_argument("files", nargs="+")
     parser.add_argument("--program", required=True)
     parser.add_argument("--edges", type=int, default=8)
-    parser.add_argument("--limit", type=float, default=60, help="seconds")
+    parser.add_argument("--limit", type=int, default=60, help="seconds of the processor")
     parser.add_argument("--bound", type=float, default=20)
     options = parser.parse_args()
     pairs, times = defaultdict(Counter), defaultdict(list)
     for file in options.files:
         ours, our_time, _ = decided(options.program, file)
-        start = time.process_time()
-        theirs, angle = peer(*read(file), options.edges, options.limit, options.bound)
-        their_time = time.process_time() - start
+        said, their_time = limited(options.limit, peer, *read(file), options.edges, options.bound)
+        theirs, angle = said or ("timeout", 0)
         print(f"{file}: {ours} in {our_time:.3f} s, the peer {theirs} in {their_time:.3f} s"
               + f", friction {angle:.0f} degrees off the slip" * (theirs == "stable"), flush=True)
         group = re.sub(r".*/|_\d+(?=_)|[.]json$", "", file)

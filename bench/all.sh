@@ -25,6 +25,9 @@ measure table2 table2
 measure margin margin_bench 1000
 measure box box_bench --grasps 60
 measure space space_bench --contacts 8
+measure space_grasps /usr/bin/python3 "$root/bench/space/grasps.py" "$build/space_grasps"
+measure space_targets /usr/bin/python3 "$root/bench/space/targets.py" --programs "$build/bin" "$build"/space_grasps/*.json
+measure space_peer /usr/bin/python3 "$root/bench/space/polygonal_peer.py" --program "$build/bin/stickslip" "$build"/space_grasps/*.json
 measure batch batch_bench "$build/bin/stickslip"
 measure cluster /usr/bin/python3 "$root/bench/batch/cluster_bench.py" "$build/bin"
 measure float float_study --instances 960

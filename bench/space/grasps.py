@@ -4,7 +4,7 @@ of this folder. A threshold is where Newton's method of the tests finds no equil
 grows, from 70 starts and in doubles, by bisection; so it does not depend on what is measured.
 
     python3 bench/space/grasps.py FOLDER [--on sphere|box|pads] [--contacts M] [--grasps N] [--gaps PART...]
-        [--digits D] [--seed S]
+        [--at MULTIPLE...] [--digits D] [--seed S]
 
 Names tell what is in a file: box8_3_0.001u.json is the grasp number 3 with 8 contacts on a box, 0.1 % beyond
 (u, as it should be unstable; s is before).
@@ -110,6 +110,11 @@ def threshold(stable_at, width):
     return low, high
 
 
+def write(folder, name, contacts, wrench):
+    with open(os.path.join(folder, name + ".json"), "w", encoding="utf-8") as file:
+        json.dump(written(contacts, wrench), file)
+
+
 def write_near(folder, name, contacts, direction, gaps):
     """Whether there is a threshold."""
     def load(multiple):
@@ -123,8 +128,7 @@ def write_near(folder, name, contacts, direction, gaps):
         return False
     for gap in gaps:
         for letter, multiple in (("s", ends[0] * (1 - F(gap))), ("u", ends[1] * (1 + F(gap)))):
-            with open(os.path.join(folder, f"{name}_{gap:g}{letter}.json"), "w", encoding="utf-8") as file:
-                json.dump(written(contacts, load(multiple.limit_denominator(10**6))), file)
+            write(folder, f"{name}_{gap:g}{letter}", contacts, load(multiple.limit_denominator(10**6)))
     return True
 
 
@@ -135,6 +139,7 @@ def main():
     parser.add_argument("--contacts", type=int, default=4, help="of pads there are always 24")
     parser.add_argument("--grasps", type=int, default=6)
     parser.add_argument("--gaps", type=float, nargs="+", default=[0.01, 0.001])
+    parser.add_argument("--at", type=int, nargs="+", default=[], help="multiples of the load; no threshold is sought")
     parser.add_argument("--digits", type=int, default=0)
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
@@ -145,7 +150,9 @@ def main():
     while count < options.grasps:
         contacts, direction = random_grasp(rng, options.on, options.contacts, options.digits, rough)
         name = f"{options.on}{len(contacts)}{'d' * (options.digits > 0)}_{count}"
-        count += write_near(options.folder, name, contacts, direction, options.gaps)
+        for multiple in options.at:
+            write(options.folder, f"{name}_at{multiple}", contacts, [multiple * u for u in direction])
+        count += bool(options.at) or write_near(options.folder, name, contacts, direction, options.gaps)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "equilibria.hpp"
 #include "space_search.hpp"
@@ -48,7 +49,13 @@ SpatialDecision decide(const SpatialQuestion& question, const SpatialSearchOptio
   constexpr std::size_t kDefaultLimit = 20000;
   const std::size_t limit = options.node_limit != 0 ? options.node_limit : kDefaultLimit;
   const NewtonMethod newton(middle);
+  std::vector<EigenVector6> tried;
   const auto prove = [&](const NearEquilibrium& near) {
+    constexpr double kSame = 1e-6;
+    for (const EigenVector6& motion : tried) {
+      if ((motion - near.motion).norm() <= kSame * near.motion.norm()) return false;
+    }
+    tried.push_back(near.motion);
     if (!question.is_box) {
       if (auto witness = exact_witness(model, near)) {
         const Vector6 motion = witness->twist;
@@ -76,8 +83,9 @@ SpatialDecision decide(const SpatialQuestion& question, const SpatialSearchOptio
     return decision;
   }
   if (std::holds_alternative<SpatiallyStable>(decision.verdict)) return decision;
-  decision.verdict =
-      Undecided{"no proof was found within " + std::to_string(limit) + " nodes a tree"};
+  decision.verdict = Undecided{search.is_spent() ? "no proof was found within " +
+                                                       std::to_string(limit) + " nodes a tree"
+                                                 : "no proof was found"};
   return decision;
 }
 

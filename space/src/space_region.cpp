@@ -288,14 +288,17 @@ void SpaceRegion::find_slips(const SpaceModel& model, std::size_t contact) {
     cone.whole = true;  // and where it is, all slips have their negative in it
     return;
   }
+  // If this is half a plane, or nearly, doubles do not say whether it is pointed. Directions
+  // between its sides have no negative in it; one of them says which half it is.
   const bool may_be_half = gap < kPi + kClose;
   const double first = directions[after].angle;
   const double last = first + 2 * kPi - gap;
+  bool has_middle = !may_be_half;
   for (const Direction& d : directions) {
     const double angle = d.angle < first ? d.angle + 2 * kPi : d.angle;
-    if (may_be_half || angle < first + kClose || angle > last - kClose) {
-      cone.sides.emplace_back(d.generator, d.corner);
-    }
+    const bool is_side = angle < first + kClose || angle > last - kClose;
+    if (is_side || !has_middle) cone.sides.emplace_back(d.generator, d.corner);
+    has_middle = has_middle || !is_side;
   }
   if (cone.moves) return;
   if (may_be_half) {

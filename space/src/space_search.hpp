@@ -38,6 +38,8 @@ class SpaceSearch {
   /// Appends a tree that refutes the region; false if none was found, and then `trees` has some
   /// nodes more.
   bool refute(const SpaceRegion& region, SpatialTrees& trees);
+  /// The limit was reached.
+  bool is_spent() const { return nodes_left_ == 0; }
 
  private:
   using SpaceBranch = equilibrium_detail::Branch<SpatialNode, SpaceRegion>;

@@ -30,32 +30,45 @@ extern template bool is_invertible<6>(const SquareMatrix<6>& matrix);
 
 /// What `leaf-direction` asks of list 2: y.A(d - h d0) >= 0.
 template <std::size_t D>
-struct Direction {
-  SquareMatrix<D> matrix;         ///< A
-  std::array<Rational, D> twist;  ///< d0
+class Direction {
+ public:
+  /// A and d0.
+  Direction(const SquareMatrix<D>& matrix, const std::array<Rational, D>& twist);
 
-  /// The coefficients of y.A(d - h d0) as a function of points, up to a positive factor.
-  IntegerVector<D + 2> form(const IntegerVector<D>& y) const;
   /// Whether the function is below 0 at none of the points.
   bool holds(const IntegerVector<D>& y, const std::vector<IntegerVector<D + 2>>& points) const;
-  /// -A(d - h d0) at a point with h > 0, with torques over `length`, over its norm.
+  /// -A(d - h d0) at a point, with torques over `length`, over its norm.
   std::array<double, D> against(const IntegerVector<D + 2>& x, double length) const;
+
+ private:
+  std::array<IntegerVector<D + 2>, D> rows_{};  // A(d - h d0), times one positive number
 };
 
 template <std::size_t D>
-IntegerVector<D + 2> Direction<D>::form(const IntegerVector<D>& y) const {
-  std::array<Rational, D + 2> form{};
-  for (std::size_t k = 0; k < D; ++k) {
-    for (std::size_t j = 0; j < D; ++j) form[k] += Rational(y[j]) * matrix[j][k];
-    form[D] -= form[k] * twist[k];
+Direction<D>::Direction(const SquareMatrix<D>& matrix, const std::array<Rational, D>& twist) {
+  Integer common = 1;
+  std::array<Rational, D> heights;
+  for (std::size_t j = 0; j < D; ++j) {
+    heights[j] = -dot(matrix[j], twist);
+    common = lcm(common, denominator(heights[j]));
+    for (const Rational& entry : matrix[j]) common = lcm(common, denominator(entry));
   }
-  return primitive_multiple(form);
+  const auto whole = [&](const Rational& value) -> Integer {
+    return numerator(value) * (common / denominator(value));
+  };
+  for (std::size_t j = 0; j < D; ++j) {
+    for (std::size_t k = 0; k < D; ++k) rows_[j][k] = whole(matrix[j][k]);
+    rows_[j][D] = whole(heights[j]);
+  }
 }
 
 template <std::size_t D>
 bool Direction<D>::holds(const IntegerVector<D>& y,
                          const std::vector<IntegerVector<D + 2>>& points) const {
-  const IntegerVector<D + 2> function = form(y);
+  IntegerVector<D + 2> function{};
+  for (std::size_t j = 0; j < D; ++j) {
+    for (std::size_t k = 0; k <= D; ++k) function[k] += y[j] * rows_[j][k];
+  }
   return std::none_of(points.begin(), points.end(), [&](const IntegerVector<D + 2>& x) {
     return dot(function, x).sign() < 0;
   });
@@ -65,13 +78,10 @@ bool Direction<D>::holds(const IntegerVector<D>& y,
 template <std::size_t D>
 std::array<double, D> Direction<D>::against(const IntegerVector<D + 2>& x,
                                             double length) const {
-  std::array<Rational, D> from;
-  for (std::size_t j = 0; j < D; ++j) from[j] = Rational(x[j]) - Rational(x[D]) * twist[j];
-  std::array<double, D> result{};
-  for (std::size_t j = 0; j < D; ++j) {
-    const Rational value = dot(matrix[j], from) / Rational(x[D]);
-    result[j] = -to_double(value) / (j < equilibrium_detail::kFirstRotation<D> ? 1 : length);
-  }
+  IntegerVector<D> exact;
+  for (std::size_t j = 0; j < D; ++j) exact[j] = -dot(rows_[j], x);
+  std::array<double, D> result = in_doubles(exact);
+  for (std::size_t j = equilibrium_detail::kFirstRotation<D>; j < D; ++j) result[j] /= length;
   const double size = std::sqrt(dot(result, result));
   for (double& entry : result) entry /= size;
   return result;

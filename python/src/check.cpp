@@ -38,9 +38,7 @@ struct ToDict {
     const auto number = [](const stickslip_check::Rational& value) {
       return fraction(parse_rational(value.get_str()));
     };
-    const auto wrench = [&](const stickslip_check::Vector& w) {
-      return py::make_tuple(number(w[0]), number(w[1]), number(w[2]));
-    };
+    const auto wrench = [&](const stickslip_check::Vector& w) { return tuple_of(w, number); };
     const auto entry = [&](const stickslip_check::Bounds& w) {
       return w.certain() ? number(w.low)
                          : py::object(py::make_tuple(number(w.low), number(w.high)));
@@ -48,8 +46,7 @@ struct ToDict {
     py::dict result(
         "accepted"_a = true, "verdict"_a = text(a.verdict), "contacts"_a = q.contacts.size(),
         "normal_law"_a = text(stickslip_check::law_name(q.asked.bilateral)),
-        "wrench"_a = py::make_tuple(entry(q.wrench[0]), entry(q.wrench[1]), entry(q.wrench[2])),
-        "nodes"_a = a.nodes, "leaves"_a = a.leaves);
+        "wrench"_a = tuple_of(q.wrench, entry), "nodes"_a = a.nodes, "leaves"_a = a.leaves);
     if (q.asked.preload) result["preload"] = number(*q.asked.preload);
     if (q.asked.direction) result["direction"] = wrench(*q.asked.direction);
     if (const auto& growth = q.asked.preload_direction) {
@@ -84,10 +81,15 @@ py::dict check(const std::string& grasp, const std::string& certificate,
                const py::object& direction, const py::object& preload_direction,
                const std::string& grasp_name, const std::string& certificate_name) {
   const QuestionOptions asked =
-      question_options(wrench, preload, bilateral, direction, preload_direction);
+      question_options(py::none(), preload, bilateral, direction, preload_direction);
   stickslip_check::Options options;
   options.bilateral = bilateral;
-  if (asked.wrench) options.wrench = for_checker(*asked.wrench);
+  if (!wrench.is_none()) {
+    options.wrench.emplace();  // of three numbers, or six
+    for (const Rational& component : numbers(wrench, 0, "wrench")) {
+      options.wrench->push_back(for_checker(component));
+    }
+  }
   if (asked.direction) options.direction = for_checker(*asked.direction);
   if (asked.preload_direction) {
     options.preload_direction = for_checker(*asked.preload_direction);

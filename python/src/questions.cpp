@@ -21,9 +21,7 @@ using py::literals::operator""_a;
 
 void require_load(const GraspFile& grasp, const QuestionOptions& options) {
   if (options.wrench || options.direction || grasp.cases.empty()) return;
-  throw InputError(
-      "", "wrench", "the grasp has cases, and none is chosen",
-      "give the wrench of one, such as grasp.cases[" + quote(grasp.cases.front().name) + "]");
+  refuse_without_case(grasp.cases.front().name);
 }
 
 template <class Work>
@@ -186,8 +184,7 @@ Question box_question(const GraspFile& grasp, QuestionOptions asked,
   require_load(grasp, asked);
   Question question = ask(grasp, asked);
   if (question.box && (lengths || !question.box->is_point())) return question;
-  throw InputError("", "uncertain", "nothing is uncertain",
-                   "say how far numbers may be off, as in {\"friction\": \"10%\"}");
+  refuse_certain();
 }
 
 /// The fields that answers about a box have in common.
@@ -332,6 +329,16 @@ py::dict map_grasp(const GraspFile& grasp, const std::string& x_text, const std:
 }
 
 }  // namespace
+
+void refuse_without_case(const std::string& first) {
+  throw InputError("", "wrench", "the grasp has cases, and none is chosen",
+                   "give the wrench of one, such as grasp.cases[" + quote(first) + "]");
+}
+
+void refuse_certain() {
+  throw InputError("", "uncertain", "nothing is uncertain",
+                   "say how far numbers may be off, as in {\"friction\": \"10%\"}");
+}
 
 std::string certificate_of(const Question& question, const Decision& decision) {
   if (std::holds_alternative<Undecided>(decision.verdict)) return {};

@@ -13,7 +13,7 @@ namespace {
 using InkVector = std::array<double, 3>;
 
 /// From where the scene is looked at.
-struct Side {
+struct LineOfSight {
   const char* heading;
   std::size_t right;  ///< the axis of the object frame that points there
   std::size_t up;     ///< likewise
@@ -23,9 +23,9 @@ struct Side {
   InkPoint operator()(const InkVector& v) const { return {v[right], v[up]}; }
 };
 
-constexpr std::array<Side, 3> kSides{{{"from above: x right, y up", 0, 1, 2, 1},
-                                      {"from the front: x right, z up", 0, 2, 1, -1},
-                                      {"from the right: y right, z up", 1, 2, 0, 1}}};
+constexpr std::array<LineOfSight, 3> kSides{{{"from above: x right, y up", 0, 1, 2, 1},
+                                             {"from the front: x right, z up", 0, 2, 1, -1},
+                                             {"from the right: y right, z up", 1, 2, 0, 1}}};
 
 InkVector sum(InkVector a, double factor, const InkVector& b) {
   for (std::size_t j = 0; j < 3; ++j) a[j] += factor * b[j];
@@ -86,7 +86,7 @@ class SpatialReader {
     ink_.units = grasp_.units;
     add_contacts();
     ink_.marks.assign(contacts_.size(), ContactMark::kUnknown);
-    for (const Side& side : kSides) {
+    for (const LineOfSight& side : kSides) {
       ink_.scenes.emplace_back();
       ink_.scenes.back().heading = side.heading;
       ink_.scenes.back().axes = {side.right, side.up};

@@ -256,7 +256,7 @@ class SpacePlot(unittest.TestCase):
                 self.assertAlmostEqual(dot(friction, slip), -most * speed, delta=1e-9 * (1 + most) * speed)
             total = plus(total, force + cross(p, force))
         for j, part in enumerate(total):
-            self.assertLess(abs(part), 1e-3 * (largest + 1) * (1 if j < 3 else lengths))
+            self.assertLess(abs(part), 1e-6 * (largest + 1) * (1 if j < 3 else lengths))
 
     def check_balance(self, forces, loads):
         """In each view the arrows of the forces and of the load close to a polygon."""

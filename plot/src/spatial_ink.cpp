@@ -100,7 +100,7 @@ class SpatialReader {
     } else if (const auto* unstable = std::get_if<SpatiallyUnstable>(&verdict_)) {
       const auto leaves = std::count_if(
           unstable->tree.begin(), unstable->tree.end(),
-          [](const SpatialNode& node) { return std::holds_alternative<SpatialLeaf>(node); });
+          [](const SpatialNode& node) { return std::holds_alternative<LeafIn<6>>(node); });
       ink_.caption.push_back("No motion and forces satisfy all conditions: proved in " +
                              std::to_string(leaves) + (leaves == 1 ? " case." : " cases."));
     } else {

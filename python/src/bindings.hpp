@@ -56,6 +56,9 @@ pybind11::dict units_of(const std::optional<Units>& units);
 /// The same grasp with the friction of each contact replaced.
 GraspFile with_friction(const GraspFile& file, const std::vector<Rational>& friction);
 
+/// As an answer repeats it.
+pybind11::object preload_direction_of(const PreloadDirection& direction);
+
 /// ask(), with the remedy for a preloaded normal of irrational length in Python's words.
 Question question_of(const GraspFile& grasp, const QuestionOptions& options);
 

@@ -22,10 +22,6 @@ stickslip_check::Rational for_checker(const Rational& value) {
   return *same;
 }
 
-stickslip_check::Vector for_checker(const Wrench& w) {
-  return {for_checker(w.x), for_checker(w.y), for_checker(w.torque)};
-}
-
 stickslip_check::PreloadDirection for_checker(const PreloadDirection& growth) {
   stickslip_check::PreloadDirection result{growth.scale, {}};
   for (const Rational& rate : growth.rates) result.values.push_back(for_checker(rate));
@@ -81,16 +77,21 @@ py::dict check(const std::string& grasp, const std::string& certificate,
                const py::object& direction, const py::object& preload_direction,
                const std::string& grasp_name, const std::string& certificate_name) {
   const QuestionOptions asked =
-      question_options(py::none(), preload, bilateral, direction, preload_direction);
+      question_options(py::none(), preload, bilateral, py::none(), preload_direction);
   stickslip_check::Options options;
   options.bilateral = bilateral;
-  if (!wrench.is_none()) {
-    options.wrench.emplace();  // of three numbers, or six
-    for (const Rational& component : numbers(wrench, 0, "wrench")) {
-      options.wrench->push_back(for_checker(component));
+  // Of three numbers, or six.
+  const auto read = [](const py::object& values, const char* name) {
+    std::optional<stickslip_check::Vector> result;
+    if (values.is_none()) return result;
+    result.emplace();
+    for (const Rational& component : numbers(values, 0, name)) {
+      result->push_back(for_checker(component));
     }
-  }
-  if (asked.direction) options.direction = for_checker(*asked.direction);
+    return result;
+  };
+  options.wrench = read(wrench, "wrench");
+  options.direction = read(direction, "direction");
   if (asked.preload_direction) {
     options.preload_direction = for_checker(*asked.preload_direction);
   }

@@ -110,15 +110,11 @@ py::dict slip_states(const GraspFile& grasp, const std::string& engine, bool lis
   return result;
 }
 
-py::object preload_direction_of(const PreloadDirection& direction) {
-  if (direction.scale) return py::str("scale");
-  return tuple_of(direction.rates, fraction);
-}
-
 py::dict find_grasp_margin(const GraspFile& grasp, const py::object& direction,
                            const py::object& wrench, const py::object& preload,
                            const py::object& preload_direction, bool bilateral,
-                           std::size_t node_limit, bool warnings) {
+                           std::size_t node_limit, bool warnings,
+                           const py::object& /*accuracy*/) {
   struct Answer {
     Question question;
     std::variant<Margin, Undecided> result;
@@ -329,6 +325,11 @@ py::dict map_grasp(const GraspFile& grasp, const std::string& x_text, const std:
 }
 
 }  // namespace
+
+py::object preload_direction_of(const PreloadDirection& direction) {
+  if (direction.scale) return py::str("scale");
+  return tuple_of(direction.rates, fraction);
+}
 
 void refuse_without_case(const std::string& first) {
   throw InputError("", "wrench", "the grasp has cases, and none is chosen",

@@ -2,6 +2,8 @@
 // Grasps in space: the class beside GraspData, and the questions that it answers to. The
 // functions have the names and arguments of those of the plane.
 #include <algorithm>
+#include <type_traits>
+#include <utility>
 
 #include "bindings.hpp"
 #include "exact.hpp"
@@ -9,7 +11,7 @@
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/spatial_forces.hpp"
 #include "stickslip/plot/grasp_plot.hpp"
-#include "stickslip/space/spatial_verdict.hpp"
+#include "stickslip/space/spatial_margin.hpp"
 
 namespace stickslip::python {
 namespace {
@@ -104,18 +106,36 @@ auto scalars(Interval SpatialContact::*member) {
   return by_contact([member](const SpatialContact& c) { return fraction((c.*member).low); });
 }
 
+/// What the options of the plane say in space, with these wrenches of six numbers.
+SpatialOptions options_of(const py::object& wrench, const QuestionOptions& others,
+                          const py::object& direction = py::none()) {
+  SpatialOptions asked;
+  if (!wrench.is_none()) asked.wrench = exact_array<6>(wrench.cast<py::list>(), "wrench");
+  if (!direction.is_none()) {
+    asked.direction = exact_array<6>(direction.cast<py::list>(), "direction");
+  }
+  asked.preload = others.preload;
+  asked.preload_direction = others.preload_direction;
+  asked.law = others.law;
+  return asked;
+}
+
+SpatialQuestion question_of(const SpatialGrasp& grasp, const SpatialOptions& asked) {
+  if (!asked.wrench && !asked.direction && !grasp.cases.empty()) {
+    refuse_without_case(grasp.cases.front().name);
+  }
+  return ask(grasp, asked);
+}
+
 SpatialQuestion question_of(const SpatialGrasp& grasp, const py::object& wrench,
                             const py::object& preload, bool bilateral,
                             const std::string& uncertain = "") {
-  SpatialOptions asked;
-  if (!wrench.is_none()) asked.wrench = exact_array<6>(wrench.cast<py::list>(), "wrench");
-  const QuestionOptions others = question_options(py::none(), preload, bilateral);
-  asked.preload = others.preload;
-  asked.law = others.law;
+  SpatialOptions asked = options_of(wrench, question_options(py::none(), preload, bilateral));
   if (!uncertain.empty()) asked.uncertain = parse_tolerances(uncertain);
-  if (!asked.wrench && !grasp.cases.empty()) refuse_without_case(grasp.cases.front().name);
-  return ask(grasp, asked);
+  return question_of(grasp, asked);
 }
+
+const std::string kSpaceProducer = "stickslip " STICKSLIP_VERSION ", engine space";
 
 struct Answer {
   SpatialQuestion question;
@@ -123,6 +143,13 @@ struct Answer {
   std::string grasp;        ///< of a box that was asked for, a file of it
   std::string certificate;  ///< empty if undecided
 };
+
+py::dict stats_of(const SpatialWork& work) {
+  return py::dict("nodes"_a = work.nodes, "leaves"_a = work.leaves, "rays"_a = work.rays,
+                  "most_rays"_a = work.most_rays, "ray_bits"_a = work.ray_bits,
+                  "twist_bits"_a = work.twist_bits, "exact_checks"_a = work.exact_checks,
+                  "proofs"_a = work.proofs);
+}
 
 /// The fields that all answers have in common.
 py::dict fields_of(const Answer& answer) {
@@ -136,11 +163,7 @@ py::dict fields_of(const Answer& answer) {
   if (const auto* undecided = std::get_if<Undecided>(&decision.verdict)) {
     result["limit"] = undecided->limit;
   }
-  const SpatialWork& work = decision.work;
-  result["stats"] = py::dict("nodes"_a = work.nodes, "leaves"_a = work.leaves,
-                             "rays"_a = work.rays, "most_rays"_a = work.most_rays,
-                             "ray_bits"_a = work.ray_bits, "twist_bits"_a = work.twist_bits,
-                             "exact_checks"_a = work.exact_checks, "proofs"_a = work.proofs);
+  result["stats"] = stats_of(decision.work);
   return result;
 }
 
@@ -158,9 +181,13 @@ Answer answer_to(SpatialQuestion question, std::size_t node_limit, bool box) {
     as_it_stands.law = answer.question.law;
     proved = ask(answer.question.grasp, as_it_stands);
   }
-  answer.certificate = spatial_certificate_text(
-      proved, answer.decision, "stickslip " STICKSLIP_VERSION ", engine space");
+  answer.certificate = spatial_certificate_text(proved, answer.decision, kSpaceProducer);
   return answer;
+}
+
+[[noreturn]] void refuse_warnings() {
+  throw InputError("", "warnings", "the grasp is in space",
+                   "traps of the model are known in the plane only; leave it out");
 }
 
 py::dict decide_grasp(const SpatialGrasp& grasp, const py::object& wrench,
@@ -170,10 +197,7 @@ py::dict decide_grasp(const SpatialGrasp& grasp, const py::object& wrench,
     throw InputError("", "engine", "the grasp is in space, for which there is one engine",
                      "leave it out");
   }
-  if (warnings) {
-    throw InputError("", "warnings", "the grasp is in space",
-                     "traps of the model are known in the plane only; leave it out");
-  }
+  if (warnings) refuse_warnings();
   SpatialQuestion question = question_of(grasp, wrench, preload, bilateral);
   const Answer answer =
       without_gil([&] { return answer_to(std::move(question), node_limit, false); });
@@ -207,6 +231,51 @@ py::dict decide_box(const SpatialGrasp& grasp, const std::string& uncertain,
   py::dict result = fields_of(answer);
   if (!answer.certificate.empty()) {
     result["proof"] = py::make_tuple(answer.grasp, answer.certificate);
+  }
+  return result;
+}
+
+py::dict find_grasp_margin(const SpatialGrasp& grasp, const py::object& direction,
+                           const py::object& wrench, const py::object& preload,
+                           const py::object& preload_direction, bool bilateral,
+                           std::size_t node_limit, bool warnings, const py::object& accuracy) {
+  if (warnings) refuse_warnings();
+  const QuestionOptions others =
+      question_options(py::none(), preload, bilateral, py::none(), preload_direction);
+  const SpatialQuestion question = question_of(grasp, options_of(wrench, others, direction));
+  SpatialMarginOptions options;
+  options.search.node_limit = node_limit;
+  options.accuracy = exact(accuracy, "accuracy");
+  if (options.accuracy.sign() <= 0) {
+    throw InputError("", "accuracy", "the value is " + to_string(options.accuracy),
+                     "give a number above 0, such as 1/1000");
+  }
+  const auto [margin, certificate] = without_gil([&] {
+    SpatialMargin found = find_margin(question, options);
+    std::string text = spatial_margin_text(question, found, kSpaceProducer);
+    return std::pair(std::move(found), std::move(text));
+  });
+  py::list resisted;
+  py::list refuted;
+  for (const auto& claim : margin.claims) {
+    std::visit(
+        [&](const auto& part) {
+          constexpr bool holds = std::is_same_v<decltype(part), const ResistedMultiples&>;
+          (holds ? resisted : refuted)
+              .append(py::make_tuple(fraction(part.low), part.high ? fraction(*part.high)
+                                                                   : py::object(py::none())));
+        },
+        claim);
+  }
+  py::dict result("resisted"_a = resisted, "refuted"_a = py::tuple(refuted),
+                  "wrench"_a = lows(question.grasp.wrench),
+                  "normal_law"_a = to_string(question.law), "certificate"_a = certificate,
+                  "warnings"_a = py::tuple(), "stats"_a = stats_of(margin.work));
+  result["direction"] =
+      question.direction ? py::object(fractions_of(*question.direction)) : py::object(py::none());
+  if (question.preload) result["preload"] = fraction(*question.preload);
+  if (question.preload_direction) {
+    result["preload_direction"] = preload_direction_of(*question.preload_direction);
   }
   return result;
 }
@@ -268,6 +337,7 @@ void bind_space(py::module_& module) {
   module.def("parse_grasp", &parse);
   module.def("decide", &decide_grasp);
   module.def("decide_box", &decide_box);
+  module.def("margin", &find_grasp_margin);
   module.def("plot_grasp", &grasp_picture);
 }
 

@@ -153,7 +153,7 @@ def smtlib(
 ) -> str: ...
 def slip_states(grasp: GraspData, engine: str, list_states: bool, threads: int) -> Dict[str, Any]: ...
 def margin(
-    grasp: GraspData,
+    grasp: Union[GraspData, SpatialGraspData],
     direction: Optional[List[Any]],
     wrench: Optional[List[Any]],
     preload: Any,
@@ -161,6 +161,7 @@ def margin(
     bilateral: bool,
     node_limit: int,
     warnings: bool,
+    accuracy: Any,
 ) -> Dict[str, Any]: ...
 def crosscheck(
     grasp: GraspData,

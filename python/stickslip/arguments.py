@@ -102,8 +102,8 @@ def as_wrench_or_none(values: Any, n: int = 2) -> Optional[List[Any]]:
     return None if values is None else as_wrench(values, "wrench", n)
 
 
-def as_direction_or_none(values: Any) -> Optional[List[Any]]:
-    return None if values is None else as_wrench(values, "direction")
+def as_direction_or_none(values: Any, n: int = 2) -> Optional[List[Any]]:
+    return None if values is None else as_wrench(values, "direction", n)
 
 
 def as_preload_direction_or_none(values: Any) -> Union[str, List[Any], None]:

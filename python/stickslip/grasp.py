@@ -226,6 +226,10 @@ class Grasp:
         preloaded = any(self.preload) if preload is None else preload != 0
         return self.snap(SNAPPED_WITHIN) if self._doubles and preloaded else (self, ())
 
+    @property
+    def _coordinates(self) -> int:
+        return 3 if self.in_space else 2
+
     def _planar(self) -> _core.GraspData:
         """What the questions that are about the plane alone take."""
         if isinstance(self._data, _core.SpatialGraspData):

@@ -369,16 +369,19 @@ def margin(
     preload: Any = None,
     preload_direction: Any = None,
     normal_law: str = "unilateral",
+    accuracy: Number = "1/1000",
     node_limit: int = 0,
     warnings: bool = False,
 ) -> Margin:
     """Which multiples l >= 0 of a load, or of preloads, are resisted?
 
-    The set is a finite union of closed intervals with rational ends; the last may have no end.
+    The set is a finite union of closed intervals with rational ends; the last may have no end. In
+    space its ends need not be rational: some multiples are proved to be resisted, some to be
+    ``refuted``, and of those between nothing is known.
 
     Args:
         grasp: what is asked about.
-        direction: (3,), the load grows as wrench + l direction.
+        direction: (3,), in space (6,): the load grows as wrench + l direction.
         wrench: what the load starts from. If None it is 0 with a ``direction``, whatever the
             grasp's own, and without one the grasp's own.
         preload: of every contact; the grasp's own if None.
@@ -386,6 +389,7 @@ def margin(
             or (m,), one number of 0 or more for each contact: by l times these, from what they
             are. ``least`` of the answer is then the least preload that holds the load.
         normal_law: as in ``decide``.
+        accuracy: in space: which part of a multiple may stay undecided at an end.
         node_limit: give up after so many nodes; 0 is no limit.
         warnings: look for traps of the model as well, as ``decide`` does.
 
@@ -398,17 +402,20 @@ def margin(
         raise InputError("", "direction", "nothing grows",
                          "give a direction such as (0, 1, 0), or a preload_direction")
     result = _core.margin(
-        about._planar(),
-        as_direction_or_none(direction),
-        as_wrench_or_none(wrench),
+        about._data,
+        as_direction_or_none(direction, about._coordinates),
+        _wrench_of(about, wrench),
         as_number_or_none(preload, "preload"),
         as_preload_direction_or_none(preload_direction),
         is_bilateral(normal_law),
         as_count("node_limit", node_limit),
         bool(warnings),
+        as_number(accuracy, "accuracy"),
     )
     if "limit" in result:
         raise LimitReached(result["limit"])
+    if about.in_space:
+        result["resisted"] = _joined(result["resisted"])
     result["warnings"] = tuple(ModelWarning(*w) for w in result["warnings"])
     return Margin(grasp=about, snapped=snapped, **result)
 
@@ -490,12 +497,13 @@ def check(
     if isinstance(grasp, Grasp):
         about, _ = _asked(grasp, preload if preload_direction is None else 1)
         grasp_bytes, grasp_name = about.to_text().encode(), b"<grasp>"
-        load = _wrench_of(about, wrench)
+        n = about._coordinates
     else:
         grasp_bytes, grasp_name = as_content(
             grasp, "grasp", "give a stickslip.Grasp, or the path of its file")
-        in_space = wrench is not None and as_array(wrench, "wrench").shape == (6,)
-        load = as_wrench_or_none(wrench, 3 if in_space else 2)
+        in_space = any(values is not None and as_array(values, name).shape == (6,)
+                       for name, values in (("wrench", wrench), ("direction", direction)))
+        n = 3 if in_space else 2
     remedy = "give its text as a str, or the path of its file as a pathlib.Path"
     if isinstance(certificate, str):
         certificate_bytes, name = as_json(certificate, "certificate", remedy), b"<certificate>"
@@ -504,10 +512,10 @@ def check(
     return CheckResult(**_core.check(
         grasp_bytes,
         certificate_bytes,
-        load,
+        as_wrench_or_none(wrench, n),
         as_number_or_none(preload, "preload"),
         is_bilateral(normal_law),
-        as_direction_or_none(direction),
+        as_direction_or_none(direction, n),
         as_preload_direction_or_none(preload_direction),
         grasp_name,
         name,
@@ -530,6 +538,16 @@ def _region(
     if isinstance(found, dict) and "limit" in found:
         raise LimitReached(found["limit"])
     return found
+
+
+def _joined(steps: List[Tuple[Fraction, Optional[Fraction]]]) -> Tuple[Any, ...]:
+    """Intervals that touch become one."""
+    intervals: List[Tuple[Fraction, Optional[Fraction]]] = []
+    for low, high in steps:
+        if intervals and intervals[-1][1] == low:
+            low = intervals.pop()[0]
+        intervals.append((low, high))
+    return tuple(intervals)
 
 
 class Questions:
@@ -620,7 +638,7 @@ def _with_proofs(fields: Dict[str, Any], *names: str) -> Dict[str, Any]:
 
 
 def _wrench_of(grasp: Grasp, wrench: Any) -> Optional[List[Any]]:
-    return as_wrench_or_none(wrench, 3 if grasp.in_space else 2)
+    return as_wrench_or_none(wrench, grasp._coordinates)
 
 
 def _require_grasp(grasp: Grasp) -> Grasp:

@@ -405,12 +405,12 @@ class Region(Answer):
 @dataclass(frozen=True, repr=False)
 class Margin(Answer):
     """Exactly these multiples l >= 0 are resisted under wrench + l direction, and with preloads
-    that grow in the preload direction."""
+    that grow in the preload direction; in space these are, and those in ``refuted`` are not."""
 
     resisted: Tuple[Tuple[Fraction, Optional[Fraction]], ...]
     """Closed intervals (low, high), increasing and disjoint; high is None for one without end."""
-    direction: Optional[Triple]
-    wrench: Triple
+    direction: Optional[Vector]
+    wrench: Vector
     normal_law: str
     grasp: Grasp = field(repr=False)
     """What was asked about."""
@@ -425,6 +425,8 @@ class Margin(Answer):
     snapped: Tuple[SnappedNormal, ...] = ()
     """Normals given in doubles that were rounded to ones of rational length, 1e-12 away or less;
     ``grasp`` has them."""
+    refuted: Optional[Tuple[Tuple[Fraction, Optional[Fraction]], ...]] = None
+    """In space: multiples between these are not resisted. Of what is in neither nothing is known."""
     stats: Dict[str, int] = field(default_factory=dict, repr=False, compare=False)
 
     def check(self) -> CheckResult:
@@ -443,8 +445,8 @@ class Margin(Answer):
 
     resisted_float = FloatView[FloatArray]("resisted", -1, 2)
     """An interval without end ends at infinity."""
-    direction_float = FloatView[Optional[FloatArray]]("direction", 3)
-    wrench_float = FloatView[FloatArray]("wrench", 3)
+    direction_float = FloatView[Optional[FloatArray]]("direction")
+    wrench_float = FloatView[FloatArray]("wrench")
 
 
 class Residual(NamedTuple):
@@ -571,7 +573,7 @@ class CheckResult(Answer):
     nodes: Optional[int] = None
     leaves: Optional[int] = None
     # Of a margin: exactly these multiples of the directions are resisted.
-    direction: Optional[Triple] = None
+    direction: Optional[Vector] = None
     preload_direction: Union[str, Tuple[Fraction, ...], None] = None
     resisted: Optional[Tuple[Tuple[Fraction, Optional[Fraction]], ...]] = None
     # If rejected: the rule of certificate/FORMAT.md that does not hold, and where.
@@ -581,7 +583,7 @@ class CheckResult(Answer):
     found: Optional[str] = None
 
     wrench_float = FloatView[Optional[FloatArray]]("wrench")
-    direction_float = FloatView[Optional[FloatArray]]("direction", 3)
+    direction_float = FloatView[Optional[FloatArray]]("direction")
     resisted_float = FloatView[Optional[FloatArray]]("resisted", -1, 2)
 
     def __bool__(self) -> bool:

@@ -200,6 +200,11 @@ def test_errors_of_questions(tmp_path, pinch):
             (lambda: decide(pinch, DOWN, preload=-1), "contacts[0].preload"),
             (lambda: decide(pinch, DOWN, engine="cone"), "engine"),
             (lambda: decide(pinch, DOWN, warnings=True), "warnings"),
+            (lambda: stickslip.margin(pinch, DOWN, warnings=True), "warnings"),
+            (lambda: stickslip.margin(pinch, DOWN, accuracy=0), "accuracy"),
+            (lambda: stickslip.margin(pinch, (0, 0, -1)), "direction"),
+            (lambda: stickslip.margin(pinch), "direction"),
+            (lambda: stickslip.margin(pinch, DOWN, preload_direction=[1]), "preload_direction"),
             (lambda: decide(pinch, [DOWN, DOWN]), "grasp"),
             (lambda: decide([pinch], DOWN), "grasp"),
             (lambda: decide(pinch, DOWN, uncertain="normal=1/100"), "uncertain"),
@@ -217,8 +222,7 @@ def test_errors_of_questions(tmp_path, pinch):
 
 def test_what_is_about_the_plane_says_so_as_the_program_does(tmp_path, pinch):
     said = said_by_the_program(written(tmp_path, pinch), "states")
-    for ask in (lambda: stickslip.margin(pinch, DOWN),
-                lambda: stickslip.radius(pinch, DOWN, uncertain="friction=1%"),
+    for ask in (lambda: stickslip.radius(pinch, DOWN, uncertain="friction=1%"),
                 lambda: stickslip.stability_map(pinch, "friction=0:1", "load=0:1"),
                 lambda: stickslip.slip_states(pinch), lambda: stickslip.region(pinch),
                 lambda: stickslip.plot_region(pinch), lambda: stickslip.plot_states(pinch),
@@ -267,6 +271,34 @@ def test_normals_of_irrational_length_need_nothing(tmp_path):
     floats = Grasp(np.array(hands.positions, float), np.array(hands.normals, float) / np.sqrt(3), 0.3,
                    preload=4, wrench=np.array(hands.wrench, float))
     assert decide(floats).verdict == "stable" and decide(floats).grasp == floats
+
+
+@pytest.mark.parametrize("words, options", [
+    (["--direction", "1,0,0,0,0,0"], {"direction": (1, 0, 0, 0, 0, 0)}),
+    (["--direction", "1,0,0,0,0,0", "--normal-law", "bilateral"],
+     {"direction": (1, 0, 0, 0, 0, 0), "normal_law": "bilateral"}),
+    (["--preload", "1", "--preload-direction", "scale"], {"preload": 1, "preload_direction": "scale"}),
+    (["--preload-direction", "0,1,2"], {"preload_direction": [0, 1, 2]})], ids=str)
+def test_margins_are_those_of_the_program(tmp_path, words, options):
+    load = (0 if "direction" in options else 1, 0, -1, 0, 0, 0)  # else it slides
+    feet = Grasp([[3, 2, 0], [3, -2, 0], [-3, 0, 0]], [[0, 0, 1]] * 3, "1/2")
+    proof = tmp_path / "proof.json"
+    expected = program("margin", written(tmp_path, feet), "--certificate", proof,
+                       "--wrench", ",".join(map(str, load)), "--accuracy", "1/10", *words)
+    margin = stickslip.margin(feet, wrench=load, accuracy="1/10", **options)
+
+    def intervals(name):
+        return tuple((Fraction(low), None if high is None else Fraction(high))
+                     for low, high in expected[name])
+
+    assert (margin.resisted, margin.refuted) == (intervals("resisted"), intervals("refuted"))
+    assert margin.resisted or margin.refuted
+    assert margin.certificate == proof.read_text()
+    assert margin.stats == expected["stats"]
+    assert margin.wrench == numbers(expected["wrench"])
+    assert margin.direction == options.get("direction") and margin.grasp == feet
+    assert pickle.loads(pickle.dumps(margin)) == margin
+    assert margin.resisted_float.shape == (len(margin.resisted), 2)
 
 
 def test_undecided():

@@ -12,22 +12,32 @@
 namespace stickslip {
 namespace {
 
+std::string picture_of(const Question& question) {
+  return plot_grasp(question, decide(problem_of(question)).verdict);
+}
+
+std::string picture_of(const SpatialQuestion& question) {
+  return plot_grasp(question, decide(question).verdict);
+}
+
 void add_grasp_plot(CLI::App& plot, int& exit_code) {
   struct Arguments {
     QuestionArguments question;
     std::string output = "-";
   };
   auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = plot.add_subcommand(
-      "grasp", "The verdict: contacts, cones, load, and the forces and motion that hold it");
+  CLI::App* command = plot.add_subcommand("grasp",
+                                          "The verdict: contacts, cones, load, and the forces "
+                                          "and motion that hold it; in space from "
+                                          "three sides");
   arguments->question.add_to(*command);
   add_output_option(*command, arguments->output, "SVG file");
   command->footer(
       footer_text("", kExitCodes, "stickslip plot grasp fig1.json --wrench 0,1,0 -o fig1.svg"));
   command->callback([arguments, &exit_code] {
-    const Question question = arguments->question.question();
-    const Decision decision = decide(problem_of(question));
-    write_whole_file(arguments->output, plot_grasp(question, decision.verdict));
+    write_whole_file(arguments->output,
+                     std::visit([](const auto& question) { return picture_of(question); },
+                                arguments->question.any_question()));
     exit_code = kDone;
   });
 }

@@ -40,11 +40,16 @@ class GraspReader {
         problem_(problem_of(question)) {}
 
   GraspInk read() {
-    ink_.frame = picture_frame(grasp_);
-    ink_.contacts = contact_ink(grasp_, ink_.frame);
-    ink_.outline = body_outline(grasp_, ink_.frame, ink_.contacts);
+    frame_ = picture_frame(grasp_);
+    ink_.set_title(grasp_.name(), question_.case_name);
+    ink_.units = grasp_.description().units;
+    ink_.outline_is_given = !grasp_.description().outline.empty();
+    for (const Contact& c : grasp_.contacts()) ink_.preloads.push_back(c.preload);
+    ink_.choose_sizes();
+    scene_.contacts = contact_ink(grasp_, frame_);
+    scene_.outline = body_outline(grasp_, frame_, scene_.contacts);
     ink_.marks.assign(grasp_.size(), ContactMark::kUnknown);
-    for (std::size_t i = 0; i < grasp_.size(); ++i) ink_.cones.push_back(cone(i));
+    for (std::size_t i = 0; i < grasp_.size(); ++i) scene_.cones.push_back(cone(i));
     choose_force_unit();
     add_load();
     if (const auto* stable = std::get_if<Stable>(&verdict_)) {
@@ -55,6 +60,7 @@ class GraspReader {
       ink_.caption.push_back("Undecided: given up at " + std::get<Undecided>(verdict_).limit +
                              ".");
     }
+    ink_.scenes.push_back(std::move(scene_));
     return std::move(ink_);
   }
 
@@ -65,9 +71,7 @@ class GraspReader {
   }
 
   void choose_force_unit() {
-    ink_.force_unit = largest_entry({wrench_.x, wrench_.y});
-    for (const Contact& c : grasp_.contacts())
-      ink_.force_unit = std::max(ink_.force_unit, c.preload);
+    ink_.force_unit = std::max(ink_.force_unit, largest_entry({wrench_.x, wrench_.y}));
     if (const auto* stable = std::get_if<Stable>(&verdict_)) {
       require(stable->witness.forces.size() == grasp_.size(),
               "plot_grasp: the verdict is not about this grasp");
@@ -79,52 +83,40 @@ class GraspReader {
 
   /// The wrench as a force at the centre of the scene and a torque about it.
   void add_load() {
-    ink_.torque =
-        wrench_.torque - (ink_.frame.centre.x * wrench_.y - ink_.frame.centre.y * wrench_.x);
+    const Vector2& centre = frame_.centre;
+    scene_.torque = wrench_.torque - (centre.x * wrench_.y - centre.y * wrench_.x);
+    if (!scene_.torque.is_zero()) ink_.torque = short_text(scene_.torque);
     const Vector2 force{wrench_.x, wrench_.y};
-    const Rational size = largest_entry(force);
-    if (!size.is_zero() && size < kShortestLoad * ink_.force_unit) {
-      ink_.load_factor = round_down(kEnlargedLoad * ink_.force_unit / size);
-    }
-    ink_.arrows.push_back(
+    ink_.choose_load_factor(largest_entry(force));
+    scene_.arrows.push_back(
         {{0, 0},
          ink_.force({ink_.load_factor * force.x, ink_.load_factor * force.y}),
          "load",
          {{"data-value", pair_text(force)}, {"data-factor", to_string(ink_.load_factor)}}});
-    ink_.caption.push_back(
-        "Applied wrench w = " + short_tuple({wrench_.x, wrench_.y, wrench_.torque}) +
-        (ink_.frame.centre == Vector2{}
-             ? ""
-             : ", drawn at " + short_tuple({ink_.frame.centre.x, ink_.frame.centre.y}) +
-                   ", where its torque is " + short_text(ink_.torque)) +
-        ". Normal law: " + to_string(question_.law) + "." + units_text());
-  }
-
-  std::string units_text() const {
-    if (!grasp_.description().units) return "";
-    return " Units:" + force_unit(grasp_) + "," + length_unit(grasp_) + ".";
+    ink_.describe_load({wrench_.x, wrench_.y, wrench_.torque}, {centre.x, centre.y},
+                       short_text(scene_.torque), question_.law);
   }
 
   /// Adds an arrow for the motion of each contact and the body's ghost; returns the factor of
   /// enlargement.
   Rational add_motion(const Twist& d, const std::string& css_class) {
     // The contacts may move less than the body, and not at all.
-    Rational largest = std::max(largest_entry(displacement(ink_.frame.centre, d)),
-                                Rational(abs(d.r) * ink_.frame.radius));
+    Rational largest = std::max(largest_entry(displacement(frame_.centre, d)),
+                                Rational(abs(d.r) * frame_.radius));
     for (const Contact& c : grasp_.contacts()) {
       largest = std::max(largest, largest_entry(displacement(c.position, d)));
     }
-    if (largest.is_zero()) return 0;
-    const Rational factor = round_down(kLongestMotion * ink_.frame.radius / largest);
+    const Rational factor = enlargement(largest, frame_.radius);
+    if (factor.is_zero()) return 0;
     for (std::size_t i = 0; i < grasp_.size(); ++i) {
       const Vector2 move = displacement(grasp_.contacts()[i].position, d);
-      ink_.arrows.push_back(
-          {ink_.contacts[i].at,
-           ink_.contacts[i].at + ratio({factor * move.x, factor * move.y}, ink_.frame.radius),
+      scene_.arrows.push_back(
+          {scene_.contacts[i].at,
+           scene_.contacts[i].at + ratio({factor * move.x, factor * move.y}, frame_.radius),
            css_class,
            {{"data-contact", std::to_string(i)}, {"data-value", pair_text(move)}}});
     }
-    ink_.ghost = moved_outline(d, factor);
+    scene_.ghost = moved_outline(d, factor);
     return factor;
   }
 
@@ -138,27 +130,22 @@ class GraspReader {
                       : mode.slip == Sign::kNegative ? ContactMark::kSlipMinus
                                                      : ContactMark::kStick;
       const Vector2 f = force(witness, i);
-      ink_.arrows.push_back(
-          {ink_.contacts[i].at,
-           ink_.contacts[i].at + ink_.force(f),
+      scene_.arrows.push_back(
+          {scene_.contacts[i].at,
+           scene_.contacts[i].at + ink_.force(f),
            "force",
            {{"data-contact", std::to_string(i)}, {"data-value", pair_text(f)}}});
     }
-    ink_.caption.push_back(
-        "Motion d = " + short_tuple({d.x, d.y, d.r}) +
-        (ink_.motion_factor.is_zero()
-             ? ": nothing moves."
-             : ", drawn \u00D7\u202F" + short_text(ink_.motion_factor) + ".") +
-        " The forces balance w; checked exactly.");
+    ink_.describe_motion("Motion d", {d.x, d.y, d.r}, "The forces balance w; checked exactly.");
   }
 
   /// The outline as the motion moves it: linear in d, as the model is.
   std::vector<std::vector<InkPoint>> moved_outline(const Twist& d,
                                                    const Rational& factor) const {
-    const Vector2 shift = displacement(ink_.frame.centre, d);
-    const InkPoint move = ratio({factor * shift.x, factor * shift.y}, ink_.frame.radius);
+    const Vector2 shift = displacement(frame_.centre, d);
+    const InkPoint move = ratio({factor * shift.x, factor * shift.y}, frame_.radius);
     const double turn = to_double(factor * d.r);
-    std::vector<std::vector<InkPoint>> moved = ink_.outline;
+    std::vector<std::vector<InkPoint>> moved = scene_.outline;
     for (std::vector<InkPoint>& ring : moved) {
       for (InkPoint& p : ring) p = p + move + turn * quarter_turn(p);
     }
@@ -230,9 +217,9 @@ class GraspReader {
 
   void add_pivot(const Twist& d) {
     if (d.r.is_zero()) return;
-    const Vector2 pivot{-d.y / d.r - ink_.frame.centre.x, d.x / d.r - ink_.frame.centre.y};
-    if (largest_entry(pivot) <= kFarPivot * ink_.frame.radius) {
-      ink_.pivot = ratio(pivot, ink_.frame.radius);
+    const Vector2 pivot{-d.y / d.r - frame_.centre.x, d.x / d.r - frame_.centre.y};
+    if (largest_entry(pivot) <= kFarPivot * frame_.radius) {
+      scene_.pivot = ratio(pivot, frame_.radius);
     }
   }
 
@@ -257,16 +244,13 @@ class GraspReader {
   /// A sector, so that wide cones look wide.
   std::vector<InkPoint> cone(std::size_t i) const {
     constexpr int kSteps = 12;
-    // Shorter when there are many, so that they leave room for the rest.
-    const double size =
-        kLongestCone * std::min(1.0, 2.2 / std::sqrt(static_cast<double>(grasp_.size())));
-    const ContactInk& c = ink_.contacts[i];
+    const ContactInk& c = scene_.contacts[i];
     const double half_angle = std::atan(to_double(grasp_.contacts()[i].friction));
     std::vector<InkPoint> sector{c.at};
     for (int step = -kSteps; step <= kSteps; ++step) {
       const double angle = half_angle * step / kSteps;
-      sector.push_back(c.at + size * std::cos(angle) * c.normal +
-                       size * std::sin(angle) * c.tangent);
+      sector.push_back(c.at + ink_.cone_length * std::cos(angle) * c.normal +
+                       ink_.cone_length * std::sin(angle) * c.tangent);
     }
     return sector;
   }
@@ -276,6 +260,8 @@ class GraspReader {
   const Grasp& grasp_;
   const Wrench& wrench_;
   Problem problem_;
+  PictureFrame frame_;
+  SceneInk scene_;
   GraspInk ink_;
 };
 
@@ -287,6 +273,51 @@ double GraspInk::force_length(const Rational& size) const {
 
 InkPoint GraspInk::force(const Vector2& exact) const {
   return {force_length(exact.x), force_length(exact.y)};
+}
+
+void GraspInk::set_title(const std::string& name, const std::string& of_case) {
+  title = (name.empty() ? "Grasp" : name) + (of_case.empty() ? "" : ", " + of_case);
+}
+
+void GraspInk::choose_sizes() {
+  // Shorter when there are many, so that they leave room for the rest.
+  const auto count = static_cast<double>(preloads.size());
+  cone_length = kLongestCone * std::min(1.0, 2.2 / std::sqrt(count));
+  for (const Rational& preload : preloads) force_unit = std::max(force_unit, preload);
+}
+
+void GraspInk::choose_load_factor(const Rational& largest) {
+  if (!largest.is_zero() && largest < kShortestLoad * force_unit) {
+    load_factor = round_down(kEnlargedLoad * force_unit / largest);
+  }
+}
+
+void GraspInk::describe_load(const std::vector<Rational>& wrench,
+                             const std::vector<Rational>& centre,
+                             const std::string& torque_there, NormalLaw law) {
+  const bool at_origin =
+      std::all_of(centre.begin(), centre.end(), [](const Rational& x) { return x.is_zero(); });
+  caption.push_back(
+      "Applied wrench w = " + short_tuple(wrench) +
+      (at_origin
+           ? ""
+           : ", drawn at " + short_tuple(centre) + ", where its torque is " + torque_there) +
+      ". Normal law: " + to_string(law) + "." +
+      (units ? " Units:" + plot_detail::force_unit(units) + "," + length_unit(units) + "."
+             : ""));
+}
+
+void GraspInk::describe_motion(const std::string& what, const std::vector<Rational>& motion,
+                               const std::string& of_forces) {
+  caption.push_back(what + " = " + short_tuple(motion) +
+                    (motion_factor.is_zero()
+                         ? ": nothing moves. "
+                         : ", drawn \u00D7\u202F" + short_text(motion_factor) + ". ") +
+                    of_forces);
+}
+
+Rational enlargement(const Rational& largest, const Rational& radius) {
+  return largest.is_zero() ? Rational(0) : round_down(kLongestMotion * radius / largest);
 }
 
 GraspInk grasp_ink(const Question& question, const Verdict& verdict) {

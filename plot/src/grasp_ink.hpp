@@ -4,6 +4,7 @@
 /// laid out on a page.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "marks.hpp"
 #include "stickslip/equilibrium/question.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
+#include "stickslip/space/spatial_verdict.hpp"
 
 namespace stickslip::plot_detail {
 
@@ -22,19 +24,31 @@ struct Arrow {
   Svg::Attributes attributes;
 };
 
-struct GraspInk {
-  PictureFrame frame;
+/// The grasp as it is seen from one side: the plane, or space.
+struct SceneInk {
+  std::string heading;                    ///< empty in the plane
+  std::array<std::size_t, 2> axes{0, 1};  ///< of the object frame that point right and up
   std::vector<ContactInk> contacts;
-  std::vector<ContactMark> marks;              ///< by contact
-  std::vector<std::vector<InkPoint>> cones;    ///< by contact: a sector, apex first
+  std::vector<std::vector<InkPoint>> cones;    ///< by contact: a polygon
   std::vector<std::vector<InkPoint>> outline;  ///< rings of the body
   std::vector<std::vector<InkPoint>> ghost;    ///< after the motion or the virtual twist
   std::optional<InkPoint> pivot;  ///< the centre of rotation of the virtual twist, if near
   std::vector<Arrow> arrows;      ///< some may have no length
-  Rational force_unit{0};         ///< the largest force, 0 if there is none; drawn this long:
+  Rational torque{0};             ///< of the load, about the centre; counterclockwise as seen
+};
+
+struct GraspInk {
+  std::string title;               ///< of the grasp and its case
+  std::optional<Units> units;      ///< nothing if nobody gave them
+  bool outline_is_given = false;   ///< or else that of a hull of the contacts
+  std::vector<Rational> preloads;  ///< by contact
+  std::vector<ContactMark> marks;  ///< by contact
+  std::vector<SceneInk> scenes;    ///< one in the plane, three in space
+  double cone_length = 0;          ///< and that of normals
+  Rational force_unit{0};          ///< the largest force, 0 if there is none; drawn this long:
   static constexpr double kLongestForce = 0.6;
   Rational load_factor{1};           ///< of enlargement of the load beyond the other forces
-  Rational torque;                   ///< of the load, about the centre of the frame
+  std::string torque;                ///< of the load, about the centre; empty if there is none
   Rational motion_factor{0};         ///< of enlargement; 0 without such arrows
   Rational virtual_factor{0};        ///< likewise
   std::vector<std::string> caption;  ///< paragraphs
@@ -42,9 +56,27 @@ struct GraspInk {
   /// A force of this size along a direction, or this force.
   double force_length(const Rational& size) const;
   InkPoint force(const Vector2& exact) const;
+
+  void set_title(const std::string& name, const std::string& of_case);
+  /// By the preloads: of cones, and the least force unit.
+  void choose_sizes();
+  /// Enlarges a load whose largest component this is, if it would be too short to see.
+  void choose_load_factor(const Rational& largest);
+  /// Of the caption: a load with its coordinates, drawn at the centre, with this torque there.
+  void describe_load(const std::vector<Rational>& wrench, const std::vector<Rational>& centre,
+                     const std::string& torque_there, NormalLaw law);
+  /// Of the caption: a motion, and what is to be said of the forces.
+  void describe_motion(const std::string& what, const std::vector<Rational>& motion,
+                       const std::string& of_forces);
 };
 
-/// Throws as plot_grasp does.
+/// A round factor for motions whose largest component is this, in a scene of this radius; 0 if
+/// nothing moves.
+Rational enlargement(const Rational& largest, const Rational& radius);
+
+/// \{ Throws as plot_grasp does.
 GraspInk grasp_ink(const Question& question, const Verdict& verdict);
+GraspInk spatial_ink(const SpatialQuestion& question, const SpatialVerdict& verdict);
+/// \}
 
 }  // namespace stickslip::plot_detail

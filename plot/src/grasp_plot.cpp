@@ -2,6 +2,8 @@
 #include "stickslip/plot/grasp_plot.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "grasp_ink.hpp"
 #include "stylesheet.hpp"
@@ -16,6 +18,7 @@ namespace {
 constexpr double kPanelTop = 52;
 constexpr double kPanelWidth = 470;
 constexpr double kMostPanelHeight = 440;
+constexpr double kHeading = 18;      ///< above a view of space
 constexpr double kAroundScene = 38;  ///< for fingers and numbers
 constexpr double kLegendLeft = kMargin + kPanelWidth + 24;
 constexpr double kLegendText = kLegendLeft + 62;
@@ -36,22 +39,20 @@ void draw_bar(Svg& svg, InkPoint at, InkPoint along, Svg::Attributes attributes 
 
 class GraspPlot {
  public:
-  GraspPlot(const Question& question, const Verdict& verdict)
-      : grasp_(question.loaded.grasp),
-        case_(question.case_name.empty() ? "" : ", " + question.case_name),
-        verdict_(name_of(verdict)),
-        ink_(grasp_ink(question, verdict)) {}
+  GraspPlot(GraspInk ink, const char* verdict) : ink_(std::move(ink)), verdict_(verdict) {}
 
   std::string draw() {
-    const double panel_bottom = kPanelTop + choose_view();
-    const std::string name = (grasp_.name().empty() ? "Grasp" : grasp_.name()) + case_;
     const std::string verdict = ": " + verdict_;
-    Svg svg(kGraspWidth, 0, name + verdict, stylesheet());
+    Svg svg(kGraspWidth, 0, ink_.title + verdict, stylesheet());
     const double room = kGraspWidth - 2 * kMargin - text_width("title", verdict);
-    svg.text({kMargin, 34}, "title", fit(name, "title", room) + verdict,
+    svg.text({kMargin, 34}, "title", fit(ink_.title, "title", room) + verdict,
              {{"data-verdict", verdict_}});
-    draw_scene(svg, {{kMargin, kPanelTop - 10}, {kMargin + kPanelWidth, panel_bottom + 10}});
-    double y = std::max(panel_bottom, draw_legend(svg)) + 26;
+    double y = ink_.scenes.size() == 1 ? draw_plane(svg) : draw_sides(svg);
+    y += 26;
+    if (left_out_ > 0) {
+      ink_.caption.push_back("No room for the numbers of " + std::to_string(left_out_) +
+                             " contacts; tooltips have them.");
+    }
     for (const std::string& paragraph : ink_.caption) {
       y = draw_lines(svg, {kMargin, y}, "caption", paragraph, kGraspWidth - 2 * kMargin);
     }
@@ -60,62 +61,114 @@ class GraspPlot {
   }
 
  private:
-  /// Chooses the view so that all ink is in the panel, and returns the panel's height.
-  double choose_view() {
-    std::vector<InkPoint> ink;
-    for (const auto* rings : {&ink_.outline, &ink_.ghost}) {
-      for (const auto& ring : *rings) ink.insert(ink.end(), ring.begin(), ring.end());
+  /// From where to where there is ink along an axis of the object frame.
+  struct Range {
+    double low = -0.4;  // around the load
+    double high = 0.4;
+
+    void add(double at) {
+      low = std::min(low, at);
+      high = std::max(high, at);
     }
-    for (const Arrow& arrow : ink_.arrows) ink.push_back(arrow.tip);
-    if (ink_.pivot) ink.push_back(*ink_.pivot);
-    for (const auto& cone : ink_.cones) ink.insert(ink.end(), cone.begin(), cone.end());
-    InkPoint low{-0.4, -0.4};  // around the load
-    InkPoint high{0.4, 0.4};
-    for (const InkPoint& p : ink) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    double size() const { return high - low; }
+    double middle() const { return 0.5 * (low + high); }
+  };
+
+  std::array<Range, 3> ranges() const {
+    std::array<Range, 3> found;
+    for (const SceneInk& scene : ink_.scenes) {
+      std::vector<InkPoint> ink;
+      for (const auto* rings : {&scene.outline, &scene.ghost, &scene.cones}) {
+        for (const auto& ring : *rings) ink.insert(ink.end(), ring.begin(), ring.end());
+      }
+      for (const Arrow& arrow : scene.arrows) ink.push_back(arrow.tip);
+      if (scene.pivot) ink.push_back(*scene.pivot);
+      for (const InkPoint& p : ink) {
+        found[scene.axes[0]].add(p.x);
+        found[scene.axes[1]].add(p.y);
+      }
     }
-    const InkPoint size = high - low;
-    view_.scale = std::min((kPanelWidth - 2 * kAroundScene) / size.x,
-                           (kMostPanelHeight - 2 * kAroundScene) / size.y);
-    const double height = view_.scale * size.y + 2 * kAroundScene;
-    const InkPoint middle = 0.5 * (low + high);
-    const InkPoint panel_middle{kMargin + kPanelWidth / 2, kPanelTop + height / 2};
-    view_.origin = panel_middle - view_.scale * on_page_direction(middle);
-    return height;
+    return found;
   }
 
-  void draw_scene(Svg& svg, const Box& panel) {
+  /// The view in which the ranges of the scene's axes have their middle in this panel's.
+  View view_in(const Box& panel, const SceneInk& scene,
+               const std::array<Range, 3>& ranges) const {
+    const InkPoint middle{ranges[scene.axes[0]].middle(), ranges[scene.axes[1]].middle()};
+    return {0.5 * (panel.low + panel.high) - scale_ * on_page_direction(middle), scale_};
+  }
+
+  /// The scene on the left and the legend on the right; returns the y of the lower end.
+  double draw_plane(Svg& svg) {
+    const std::array<Range, 3> all = ranges();
+    scale_ = std::min((kPanelWidth - 2 * kAroundScene) / all[0].size(),
+                      (kMostPanelHeight - 2 * kAroundScene) / all[1].size());
+    const double bottom = kPanelTop + scale_ * all[1].size() + 2 * kAroundScene;
+    const Box panel{{kMargin, kPanelTop}, {kMargin + kPanelWidth, bottom}};
+    draw_scene(svg, ink_.scenes[0], view_in(panel, ink_.scenes[0], all),
+               {panel.low - InkPoint{0, 10}, panel.high + InkPoint{0, 10}});
+    return std::max(bottom, draw_legend(svg));
+  }
+
+  /// Three views with one scale: from above, with the legend beside it; below it from the
+  /// front, with the same x, and beside that from the right, with the same z.
+  double draw_sides(Svg& svg) {
+    const std::array<Range, 3> all = ranges();
+    const double around = 2 * kAroundScene;
+    scale_ =
+        std::min({(kPanelWidth - around) / all[0].size(),
+                  (kGraspWidth - 2 * kMargin - 2 * around) / (all[0].size() + all[1].size()),
+                  (kMostPanelHeight - around) / all[1].size(),
+                  (kMostPanelHeight - around) / all[2].size()});
+    const auto draw_side = [&](const SceneInk& scene, InkPoint corner) {
+      const InkPoint size{scale_ * all[scene.axes[0]].size() + around,
+                          scale_ * all[scene.axes[1]].size() + around};
+      svg.text(corner + InkPoint{0, 13}, "small muted", scene.heading);
+      const InkPoint low = corner + InkPoint{0, kHeading};
+      const Box panel{low, low + size};
+      draw_scene(svg, scene, view_in(panel, scene, all), panel);
+      return panel.high;
+    };
+    const double below = draw_side(ink_.scenes[0], {kMargin, kPanelTop}).y;
+    const double second = std::max(below, draw_legend(svg)) + 4;
+    const InkPoint front = draw_side(ink_.scenes[1], {kMargin, second});
+    draw_side(ink_.scenes[2], {front.x, second});
+    return front.y;
+  }
+
+  void draw_scene(Svg& svg, const SceneInk& scene, const View& view, const Box& panel) {
     LabelPlacer labels(panel);
-    draw_body(svg, view_, ink_.outline, "body");
-    draw_cones(svg);
-    if (!ink_.ghost.empty()) draw_body(svg, view_, ink_.ghost, ghost_class());
-    draw_fingers(svg, view_, ink_.contacts);
-    draw_frame(svg);
-    for (const Arrow& arrow : ink_.arrows) {
-      draw_arrow(svg, view_(arrow.tail), view_(arrow.tip), arrow.css_class, arrow.attributes,
+    draw_body(svg, view, scene.outline, "body");
+    draw_cones(svg, scene, view);
+    if (!scene.ghost.empty()) draw_body(svg, view, scene.ghost, ghost_class());
+    draw_fingers(svg, view, scene.contacts);
+    draw_frame(svg, view);
+    for (const Arrow& arrow : scene.arrows) {
+      draw_arrow(svg, view(arrow.tail), view(arrow.tip), arrow.css_class, arrow.attributes,
                  head_of(arrow.css_class));
-      labels.avoid(view_(arrow.tail), view_(arrow.tip));
+      labels.avoid(view(arrow.tail), view(arrow.tip));
     }
-    if (ink_.pivot) draw_pivot(svg, view_(*ink_.pivot));
-    if (!ink_.torque.is_zero()) {
-      draw_torque(svg, view_({0, 0}), kTorqueRadius, ink_.torque.sign() > 0,
-                  {{"data-value", to_string(ink_.torque)}});
+    if (scene.pivot) draw_pivot(svg, view(*scene.pivot));
+    if (!scene.torque.is_zero()) {
+      draw_torque(svg, view({0, 0}), kTorqueRadius, scene.torque.sign() > 0,
+                  {{"data-value", to_string(scene.torque)}});
     }
-    draw_preloads(svg);
-    for (std::size_t i = 0; i < ink_.contacts.size(); ++i) {
+    draw_preloads(svg, scene, view);
+    for (std::size_t i = 0; i < scene.contacts.size(); ++i) {
+      const ContactInk& c = scene.contacts[i];
       const std::string text = "contact " + std::to_string(i);
       const char* mark = name_of(ink_.marks[i]);
-      draw_contact(svg, view_(ink_.contacts[i].at), on_page_direction(ink_.contacts[i].tangent),
-                   ink_.marks[i], {{"data-contact", std::to_string(i)}},
+      draw_contact(svg, view(c.at), on_page_direction(c.tangent), ink_.marks[i],
+                   {{"data-contact", std::to_string(i)}},
                    *mark == 0 ? text : text + ": " + typeset(mark));
-      labels.avoid(view_(ink_.cones[i].front()),
-                   view_(ink_.cones[i][ink_.cones[i].size() / 2]));
+      labels.avoid(view(c.at), view(tip_of(c)));
     }
-    if (const std::size_t left_out = draw_numbers(svg, view_, ink_.contacts, labels)) {
-      ink_.caption.push_back("No room for the numbers of " + std::to_string(left_out) +
-                             " contacts; tooltips have them.");
-    }
+    left_out_ = std::max(left_out_, draw_numbers(svg, view, scene.contacts, labels));
+  }
+
+  /// Of the arrow of its normal.
+  InkPoint tip_of(const ContactInk& contact) const {
+    return contact.at + ink_.cone_length * contact.normal;
   }
 
   const char* ghost_class() const {
@@ -126,34 +179,33 @@ class GraspPlot {
     svg.path(SvgPath().circle(at, 6).circle(at, 1.5), "virtual-pivot");
   }
 
-  void draw_cones(Svg& svg) const {
-    for (std::size_t i = 0; i < ink_.contacts.size(); ++i) {
-      const std::vector<InkPoint>& cone = ink_.cones[i];
-      svg.path(SvgPath().polygon(on_page(view_, cone)), "cone",
+  void draw_cones(Svg& svg, const SceneInk& scene, const View& view) const {
+    for (std::size_t i = 0; i < scene.contacts.size(); ++i) {
+      svg.path(SvgPath().polygon(on_page(view, scene.cones[i])), "cone",
                {{"data-contact", std::to_string(i)}});
-      const InkPoint apex = view_(cone.front());
-      const InkPoint end = view_(cone[cone.size() / 2]);
-      const InkPoint neck = end - kSmallHead * unit(end - apex);
+      const InkPoint apex = view(scene.contacts[i].at);
+      const InkPoint end = view(tip_of(scene.contacts[i]));
+      const InkPoint neck = end - std::min(kSmallHead, length(end - apex)) * unit(end - apex);
       svg.line(apex, neck, "axis");
       draw_arrow(svg, neck, end, "normal", {}, kSmallHead);
     }
   }
 
   /// At the tip that a force of this size along the normal would have.
-  void draw_preloads(Svg& svg) const {
-    for (std::size_t i = 0; i < ink_.contacts.size(); ++i) {
-      const Rational& preload = grasp_.contacts()[i].preload;
-      if (preload.is_zero()) continue;
-      const ContactInk& c = ink_.contacts[i];
-      draw_bar(svg, view_(c.at + ink_.force_length(preload) * c.normal),
-               on_page_direction(c.normal),
+  void draw_preloads(Svg& svg, const SceneInk& scene, const View& view) const {
+    for (std::size_t i = 0; i < scene.contacts.size(); ++i) {
+      const Rational& preload = ink_.preloads[i];
+      const ContactInk& c = scene.contacts[i];
+      if (preload.is_zero() || length(c.normal) < 0.01) continue;  // a disc from the front
+      draw_bar(svg, view(c.at + ink_.force_length(preload) * c.normal),
+               on_page_direction(unit(c.normal)),
                {{"data-contact", std::to_string(i)}, {"data-value", to_string(preload)}});
     }
   }
 
   /// A small cross where the load acts.
-  void draw_frame(Svg& svg) const {
-    const InkPoint at = view_({0, 0});
+  static void draw_frame(Svg& svg, const View& view) {
+    const InkPoint at = view({0, 0});
     svg.path(SvgPath()
                  .move(at - InkPoint{6, 0})
                  .line(at + InkPoint{6, 0})
@@ -163,10 +215,16 @@ class GraspPlot {
   }
 
   bool has_arrow(const std::string& css_class) const {
-    return std::any_of(ink_.arrows.begin(), ink_.arrows.end(), [&](const Arrow& arrow) {
-      return arrow.css_class == css_class &&
-             length(view_(arrow.tip) - view_(arrow.tail)) >= 0.01;
+    return any_scene([&](const SceneInk& scene) {
+      return std::any_of(scene.arrows.begin(), scene.arrows.end(), [&](const Arrow& arrow) {
+        return arrow.css_class == css_class && scale_ * length(arrow.tip - arrow.tail) >= 0.01;
+      });
     });
+  }
+
+  template <class Property>
+  bool any_scene(Property property) const {
+    return std::any_of(ink_.scenes.begin(), ink_.scenes.end(), property);
   }
 
   bool has_mark(ContactMark mark) const {
@@ -175,10 +233,10 @@ class GraspPlot {
 
   /// A round force as a bar.
   void draw_force_scale(Svg& svg, InkPoint left) const {
-    const double longest = view_.scale * GraspInk::kLongestForce;
+    const double longest = scale_ * GraspInk::kLongestForce;
     const double share = std::min(1.0, kLongestBar / longest);
     const Rational force = round_down(ink_.force_unit * rational_from_double(share));
-    const InkPoint right = left + InkPoint{view_.scale * ink_.force_length(force), 0};
+    const InkPoint right = left + InkPoint{scale_ * ink_.force_length(force), 0};
     const InkPoint up{0, 4};
     SvgPath bar;
     bar.move(left - up)
@@ -189,11 +247,12 @@ class GraspPlot {
         .line(right + up);
     svg.path(bar, "rule scale", {{"data-value", to_string(force)}});
     svg.text(right + InkPoint{8, 4.5}, "legend",
-             "force " + short_text(force) + force_unit(grasp_));
+             "force " + short_text(force) + force_unit(ink_.units));
   }
 
   /// Explains what is in the picture. Returns the y of its lower end.
   double draw_legend(Svg& svg) const {
+    const SceneInk& first = ink_.scenes.front();
     double y = kPanelTop + 18;
     const auto row = [&](const std::string& text) {
       const double below = draw_lines(svg, {kLegendText, y + 4.5}, "legend", text,
@@ -213,15 +272,15 @@ class GraspPlot {
       row(text);
     };
     svg.open("g", {{"class", "key"}});
-    if (!ink_.contacts.empty()) {
+    if (!ink_.marks.empty()) {
       svg.path(SvgPath().polygon({at(4), at(48) + InkPoint{0, 8}, at(48) - InkPoint{0, 8}}),
                "cone");
       svg.line(at(4), at(40), "axis");
       draw_arrow(svg, at(40), at(48), "normal", {}, kSmallHead);
       row("normal, friction cone");
     }
-    if (std::any_of(grasp_.contacts().begin(), grasp_.contacts().end(),
-                    [](const Contact& c) { return !c.preload.is_zero(); })) {
+    if (std::any_of(ink_.preloads.begin(), ink_.preloads.end(),
+                    [](const Rational& preload) { return !preload.is_zero(); })) {
       draw_bar(svg, at(26), {1, 0});
       row("preload P, on the normal");
     }
@@ -229,9 +288,9 @@ class GraspPlot {
     arrow_row("load", ink_.load_factor == 1 ? "applied force"
                                             : "applied force, enlarged \u00D7\u202F" +
                                                   short_text(ink_.load_factor));
-    if (!ink_.torque.is_zero()) {
-      draw_torque(svg, at(26), 9, ink_.torque.sign() > 0);
-      row("torque " + short_text(ink_.torque) + torque_unit(grasp_));
+    if (!ink_.torque.empty()) {
+      draw_torque(svg, at(26), 9, first.torque.sign() >= 0);
+      row("torque " + ink_.torque + torque_unit(ink_.units));
     }
     if (!ink_.force_unit.is_zero()) {
       y += 4;
@@ -240,13 +299,13 @@ class GraspPlot {
     }
     arrow_row("motion", "motion, \u00D7\u202F" + short_text(ink_.motion_factor));
     arrow_row("virtual", "virtual twist, \u00D7\u202F" + short_text(ink_.virtual_factor));
-    if (!ink_.ghost.empty()) {
+    if (!first.ghost.empty()) {
       svg.path(SvgPath().polygon({at(2) + InkPoint{0, 8}, at(48) + InkPoint{0, 5},
                                   at(46) - InkPoint{0, 8}, at(4) - InkPoint{0, 6}}),
                ghost_class());
       row(ink_.virtual_factor.is_zero() ? "body after the motion" : "body after the twist");
     }
-    if (ink_.pivot) {
+    if (first.pivot) {
       draw_pivot(svg, at(24));
       row("centre of its rotation");
     }
@@ -255,28 +314,32 @@ class GraspPlot {
     mark_row(ContactMark::kStick, "sticks");
     mark_row(ContactMark::kSlipPlus, "slips + (the way it points)");
     mark_row(ContactMark::kSlipMinus, "slips \u2212 (the way it points)");
+    mark_row(ContactMark::kSlip, "slips");
     mark_row(ContactMark::kOpen, "open: detached");
-    if (!ink_.outline.empty()) {
+    if (!first.outline.empty()) {
       svg.path(SvgPath().polygon({at(4) + InkPoint{0, 7}, at(48) + InkPoint{0, 7},
                                   at(44) - InkPoint{0, 7}, at(8) - InkPoint{0, 7}}),
                "body");
-      row(grasp_.description().outline.empty() ? "body: hull of the contacts" : "body");
+      row(ink_.outline_is_given ? "body" : "body: hull of the contacts");
     }
     svg.close();
     return y;
   }
 
-  const Grasp& grasp_;
-  std::string case_;
-  std::string verdict_;
   GraspInk ink_;
-  View view_;
+  std::string verdict_;
+  double scale_ = 1;          ///< pixels per scene unit
+  std::size_t left_out_ = 0;  ///< numbers without room in a view
 };
 
 }  // namespace
 
 std::string plot_grasp(const Question& question, const Verdict& verdict) {
-  return GraspPlot(question, verdict).draw();
+  return GraspPlot(grasp_ink(question, verdict), name_of(verdict)).draw();
+}
+
+std::string plot_grasp(const SpatialQuestion& question, const SpatialVerdict& verdict) {
+  return GraspPlot(spatial_ink(question, verdict), name_of(verdict)).draw();
 }
 
 }  // namespace stickslip

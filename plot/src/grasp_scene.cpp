@@ -20,26 +20,6 @@ double dot(InkPoint a, InkPoint b) {
   return a.x * b.x + a.y * b.y;
 }
 
-/// Andrew's monotone chain, counterclockwise.
-std::vector<InkPoint> convex_hull(std::vector<InkPoint> points) {
-  std::sort(points.begin(), points.end(),
-            [](InkPoint a, InkPoint b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
-  std::vector<InkPoint> hull;
-  for (int half = 0; half < 2; ++half) {
-    const std::size_t start = hull.size();
-    for (const InkPoint& p : points) {
-      while (hull.size() >= start + 2 &&
-             cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0) {
-        hull.pop_back();
-      }
-      hull.push_back(p);
-    }
-    hull.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return hull;
-}
-
 std::vector<InkPoint> hull_of(const std::vector<ContactInk>& contacts) {
   std::vector<InkPoint> points;
   for (const ContactInk& c : contacts) points.push_back(c.at);
@@ -75,6 +55,26 @@ void draw_finger(Svg& svg, InkPoint at, InkPoint inwards) {
 }
 
 }  // namespace
+
+// Andrew's monotone chain.
+std::vector<InkPoint> convex_hull(std::vector<InkPoint> points) {
+  std::sort(points.begin(), points.end(),
+            [](InkPoint a, InkPoint b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  std::vector<InkPoint> hull;
+  for (int half = 0; half < 2; ++half) {
+    const std::size_t start = hull.size();
+    for (const InkPoint& p : points) {
+      while (hull.size() >= start + 2 &&
+             cross(hull.back() - hull[hull.size() - 2], p - hull.back()) <= 0) {
+        hull.pop_back();
+      }
+      hull.push_back(p);
+    }
+    hull.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
 
 std::vector<ContactInk> contact_ink(const Grasp& grasp, const PictureFrame& frame) {
   std::vector<ContactInk> contacts;
@@ -127,7 +127,7 @@ std::string list_numbers(const std::vector<std::size_t>& numbers) {
 
 void draw_fingers(Svg& svg, const View& view, const std::vector<ContactInk>& contacts) {
   for (const ContactInk& c : contacts) {
-    draw_finger(svg, view(c.at), on_page_direction(c.normal));
+    if (length(c.normal) > 0.99) draw_finger(svg, view(c.at), on_page_direction(c.normal));
   }
 }
 

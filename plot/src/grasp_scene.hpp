@@ -10,12 +10,16 @@
 
 namespace stickslip::plot_detail {
 
-/// A contact in scene coordinates (picture_frame.hpp); directions have length 1.
+/// A contact in scene coordinates (picture_frame.hpp); directions have length 1, or are
+/// foreshortened in a view of space.
 struct ContactInk {
   InkPoint at;
   InkPoint normal;
   InkPoint tangent;
 };
+
+/// Counterclockwise. Requires a point.
+std::vector<InkPoint> convex_hull(std::vector<InkPoint> points);
 
 std::vector<ContactInk> contact_ink(const Grasp& grasp, const PictureFrame& frame);
 
@@ -34,6 +38,7 @@ void draw_body(Svg& svg, const View& view, const std::vector<std::vector<InkPoin
 /// A direction of the scene on the page.
 InkPoint on_page_direction(InkPoint scene);
 
+/// Where the normal is not foreshortened.
 void draw_fingers(Svg& svg, const View& view, const std::vector<ContactInk>& contacts);
 
 /// Behind the fingers, or near. Contacts whose numbers would meet share a label. Returns how

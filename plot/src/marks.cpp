@@ -42,7 +42,8 @@ void draw_torque(Svg& svg, InkPoint centre, double radius, bool counterclockwise
 }
 
 const char* name_of(ContactMark mark) {
-  constexpr const char* kNames[] = {"", "0", "+", "-", "open", "loses", "cannot oppose"};
+  constexpr const char* kNames[] = {"",      "0",    "+",     "-",
+                                    "slips", "open", "loses", "cannot oppose"};
   return kNames[static_cast<int>(mark)];
 }
 
@@ -67,6 +68,10 @@ void draw_contact(Svg& svg, InkPoint at, InkPoint tangent, ContactMark mark,
       break;
     case ContactMark::kSlipMinus:
       triangle(-1 * tangent);
+      break;
+    case ContactMark::kSlip:
+      path.polygon({at + InkPoint{5, 5}, at + InkPoint{-5, 5}, at - InkPoint{5, 5},
+                    at + InkPoint{5, -5}});
       break;
     case ContactMark::kOpen:
       path.circle(at, 4.6);

@@ -29,16 +29,17 @@ enum class ContactMark {
   kStick,
   kSlipPlus,
   kSlipMinus,
+  kSlip,  ///< in space
   kOpen,
   kLoses,
   kCannotOppose
 };
 
-/// "0", "+", "-", "open", "loses", "cannot oppose", or "".
+/// "0", "+", "-", "slips", "open", "loses", "cannot oppose", or "".
 const char* name_of(ContactMark mark);
 
-/// A disc, a triangle that points where the object slips, a ring, or a full or hollow diamond.
-/// `tangent` is the contact's, on the page, of length 1.
+/// A disc, a triangle that points where the object slips, a square, a ring, or a full or hollow
+/// diamond. `tangent` is the contact's, on the page, of length 1.
 void draw_contact(Svg& svg, InkPoint at, InkPoint tangent, ContactMark mark,
                   Svg::Attributes attributes = {}, std::string_view tooltip = {});
 

@@ -45,30 +45,41 @@ Grasp PictureFrame::in_scene(const Grasp& grasp) const {
   return Grasp(std::move(contacts), std::move(description));
 }
 
-PictureFrame picture_frame(const Grasp& grasp) {
-  PictureFrame frame;
-  std::vector<Vector2> points;
-  for (const Contact& c : grasp.contacts()) points.push_back(c.position);
-  for (const Polygon& polygon : grasp.description().outline) {
-    for (const Ring& ring : polygon) points.insert(points.end(), ring.begin(), ring.end());
+Surroundings surroundings(const std::vector<std::vector<Rational>>& points, std::size_t axes) {
+  Surroundings found{std::vector<Rational>(axes)};
+  if (points.empty()) return found;
+  std::vector<Rational> middle(axes);
+  Rational size = 0;
+  Rational distance = 0;  // of the middle
+  for (std::size_t j = 0; j < axes; ++j) {
+    const auto [low, high] =
+        std::minmax_element(points.begin(), points.end(),
+                            [j](const auto& a, const auto& b) { return a[j] < b[j]; });
+    middle[j] = ((*low)[j] + (*high)[j]) / 2;
+    size = std::max(size, Rational((*high)[j] - middle[j]));
+    distance = std::max(distance, Rational(abs(middle[j])));
   }
-  if (points.empty()) return frame;
-  Vector2 low = points.front();
-  Vector2 high = low;
-  for (const Vector2& p : points) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  const Vector2 middle{(low.x + high.x) / 2, (low.y + high.y) / 2};
-  const Rational size = largest_entry(difference(high, middle));
-  const bool in_one_place = size.is_zero();
-  if (!in_one_place && largest_entry(middle) > kFarAway * size) frame.centre = middle;
+  if (!size.is_zero() && distance > kFarAway * size) found.centre = middle;
   Rational radius = 0;
-  for (const Vector2& p : points) {
-    radius = std::max(radius, largest_entry(difference(p, frame.centre)));
+  for (const std::vector<Rational>& p : points) {
+    for (std::size_t j = 0; j < axes; ++j) {
+      radius = std::max(radius, Rational(abs(p[j] - found.centre[j])));
+    }
   }
-  if (!radius.is_zero()) frame.radius = radius;
-  return frame;
+  if (!radius.is_zero()) found.radius = radius;
+  return found;
+}
+
+PictureFrame picture_frame(const Grasp& grasp) {
+  std::vector<std::vector<Rational>> points;
+  for (const Contact& c : grasp.contacts()) points.push_back({c.position.x, c.position.y});
+  for (const Polygon& polygon : grasp.description().outline) {
+    for (const Ring& ring : polygon) {
+      for (const Vector2& p : ring) points.push_back({p.x, p.y});
+    }
+  }
+  const Surroundings around = surroundings(points, 2);
+  return {{around.centre[0], around.centre[1]}, around.radius};
 }
 
 Rational round_down(const Rational& value) {
@@ -103,18 +114,15 @@ std::string short_tuple(const std::vector<Rational>& values) {
   return text + ")";
 }
 
-std::string force_unit(const Grasp& grasp) {
-  const std::optional<Units>& units = grasp.description().units;
+std::string force_unit(const std::optional<Units>& units) {
   return units ? " " + units->force : "";
 }
 
-std::string length_unit(const Grasp& grasp) {
-  const std::optional<Units>& units = grasp.description().units;
+std::string length_unit(const std::optional<Units>& units) {
   return units ? " " + units->length : "";
 }
 
-std::string torque_unit(const Grasp& grasp) {
-  const std::optional<Units>& units = grasp.description().units;
+std::string torque_unit(const std::optional<Units>& units) {
   return units ? " " + units->torque() : "";
 }
 

@@ -4,6 +4,7 @@
 /// no double is ever out of range.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,16 @@ struct PictureFrame {
   Grasp in_scene(const Grasp& grasp) const;
 };
 
-/// Centred in the origin of the object frame, unless that is far away compared with the size of
-/// the grasp; then in the middle of contacts and outline.
+/// Where points lie that have one number for each axis, as a PictureFrame.
+struct Surroundings {
+  std::vector<Rational> centre;  ///< by axis
+  Rational radius{1};
+};
+/// Centred in the origin, unless that is far away compared with the size of what the points
+/// span; then in the middle of them.
+Surroundings surroundings(const std::vector<std::vector<Rational>>& points, std::size_t axes);
+
+/// The surroundings of contacts and outline.
 PictureFrame picture_frame(const Grasp& grasp);
 
 /// (x, y) / size, for |x|, |y| up to about size > 0.
@@ -42,9 +51,9 @@ std::string short_text(const Rational& value);
 /// "(0, 1, \u22121/2)"
 std::string short_tuple(const std::vector<Rational>& values);
 /// Names of units behind a number, with a blank before; nothing if nobody gave them.
-std::string force_unit(const Grasp& grasp);
-std::string length_unit(const Grasp& grasp);
-std::string torque_unit(const Grasp& grasp);
+std::string force_unit(const std::optional<Units>& units);
+std::string length_unit(const std::optional<Units>& units);
+std::string torque_unit(const std::optional<Units>& units);
 /// The same with '-' as U+2212.
 std::string typeset(std::string text);
 

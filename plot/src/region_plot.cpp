@@ -171,9 +171,12 @@ class RegionPlot {
     const auto with = [](const std::string& name, const std::string& unit) {
       return unit.empty() ? name : name + " /" + unit;
     };
-    if (direction == Wrench{1, 0, 0}) return with("applied force along x", force_unit(grasp));
-    if (direction == Wrench{0, 1, 0}) return with("applied force along y", force_unit(grasp));
-    if (direction == Wrench{0, 0, 1}) return with("applied torque", torque_unit(grasp));
+    if (direction == Wrench{1, 0, 0})
+      return with("applied force along x", force_unit(grasp.description().units));
+    if (direction == Wrench{0, 1, 0})
+      return with("applied force along y", force_unit(grasp.description().units));
+    if (direction == Wrench{0, 0, 1})
+      return with("applied torque", torque_unit(grasp.description().units));
     return coordinate + ", multiples of the wrench " + tuple(direction);
   }
 

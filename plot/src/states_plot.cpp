@@ -296,7 +296,7 @@ class StatesPlot {
         "A point is the motion that turns the object about it; one place in both discs is d "
         "and \u2212d. On the rim: translations (arrows). Dotted ring: centres of rotation at "
         "distance " +
-        short_text(frame_.radius) + length_unit(grasp_) + " from " +
+        short_text(frame_.radius) + length_unit(grasp_.description().units) + " from " +
         short_tuple({frame_.centre.x, frame_.centre.y}) +
         ", the middle of the discs. Equal areas of the discs are equal shares of the sphere.");
     if (c.planes > 0) {

@@ -25,6 +25,7 @@ void bind_crosscheck(pybind11::module_& module);  ///< crosscheck.cpp
 void bind_many(pybind11::module_& module);        ///< many.cpp
 void bind_batch(pybind11::module_& module);       ///< batch.cpp
 void bind_pictures(pybind11::module_& module);    ///< pictures.cpp
+void bind_space(pybind11::module_& module);       ///< space.cpp
 
 /// What is asked about a grasp; None leaves the grasp's own value, or asks for no direction. A
 /// preload direction is a list, or any other object to scale. `which` of several follows the
@@ -42,8 +43,21 @@ Engine engine_named(const std::string& name);
 std::vector<Rational> numbers(const pybind11::object& values, std::size_t contacts,
                               const std::string& name);
 
+/// \{ From a list of a length and a force, or an empty one; and as a dict.
+std::optional<Units> units_from(const pybind11::list& units);
+pybind11::dict units_of(const std::optional<Units>& units);
+/// \}
+
+/// Throws InputError: the grasp has cases, of which this is the first, and none is chosen.
+[[noreturn]] void refuse_without_case(const std::string& first);
+/// Throws InputError: a box was asked about, and nothing is uncertain.
+[[noreturn]] void refuse_certain();
+
 /// The same grasp with the friction of each contact replaced.
 GraspFile with_friction(const GraspFile& file, const std::vector<Rational>& friction);
+
+/// As an answer repeats it.
+pybind11::object preload_direction_of(const PreloadDirection& direction);
 
 /// ask(), with the remedy for a preloaded normal of irrational length in Python's words.
 Question question_of(const GraspFile& grasp, const QuestionOptions& options);

@@ -22,10 +22,6 @@ stickslip_check::Rational for_checker(const Rational& value) {
   return *same;
 }
 
-stickslip_check::Vector for_checker(const Wrench& w) {
-  return {for_checker(w.x), for_checker(w.y), for_checker(w.torque)};
-}
-
 stickslip_check::PreloadDirection for_checker(const PreloadDirection& growth) {
   stickslip_check::PreloadDirection result{growth.scale, {}};
   for (const Rational& rate : growth.rates) result.values.push_back(for_checker(rate));
@@ -38,9 +34,7 @@ struct ToDict {
     const auto number = [](const stickslip_check::Rational& value) {
       return fraction(parse_rational(value.get_str()));
     };
-    const auto wrench = [&](const stickslip_check::Vector& w) {
-      return py::make_tuple(number(w[0]), number(w[1]), number(w[2]));
-    };
+    const auto wrench = [&](const stickslip_check::Vector& w) { return tuple_of(w, number); };
     const auto entry = [&](const stickslip_check::Bounds& w) {
       return w.certain() ? number(w.low)
                          : py::object(py::make_tuple(number(w.low), number(w.high)));
@@ -48,8 +42,7 @@ struct ToDict {
     py::dict result(
         "accepted"_a = true, "verdict"_a = text(a.verdict), "contacts"_a = q.contacts.size(),
         "normal_law"_a = text(stickslip_check::law_name(q.asked.bilateral)),
-        "wrench"_a = py::make_tuple(entry(q.wrench[0]), entry(q.wrench[1]), entry(q.wrench[2])),
-        "nodes"_a = a.nodes, "leaves"_a = a.leaves);
+        "wrench"_a = tuple_of(q.wrench, entry), "nodes"_a = a.nodes, "leaves"_a = a.leaves);
     if (q.asked.preload) result["preload"] = number(*q.asked.preload);
     if (q.asked.direction) result["direction"] = wrench(*q.asked.direction);
     if (const auto& growth = q.asked.preload_direction) {
@@ -84,11 +77,21 @@ py::dict check(const std::string& grasp, const std::string& certificate,
                const py::object& direction, const py::object& preload_direction,
                const std::string& grasp_name, const std::string& certificate_name) {
   const QuestionOptions asked =
-      question_options(wrench, preload, bilateral, direction, preload_direction);
+      question_options(py::none(), preload, bilateral, py::none(), preload_direction);
   stickslip_check::Options options;
   options.bilateral = bilateral;
-  if (asked.wrench) options.wrench = for_checker(*asked.wrench);
-  if (asked.direction) options.direction = for_checker(*asked.direction);
+  // Of three numbers, or six.
+  const auto read = [](const py::object& values, const char* name) {
+    std::optional<stickslip_check::Vector> result;
+    if (values.is_none()) return result;
+    result.emplace();
+    for (const Rational& component : numbers(values, 0, name)) {
+      result->push_back(for_checker(component));
+    }
+    return result;
+  };
+  options.wrench = read(wrench, "wrench");
+  options.direction = read(direction, "direction");
   if (asked.preload_direction) {
     options.preload_direction = for_checker(*asked.preload_direction);
   }

@@ -39,8 +39,8 @@ std::vector<Polygon> polygons(const py::list& outline) {
 GraspFile make_grasp(const py::list& positions, const py::list& normals,
                      const py::object& friction, const py::object& stiffness,
                      const py::object& preload, const py::list& wrench, const std::string& name,
-                     bool assumed_stiffness, const py::list& cases, const py::list& outline,
-                     const py::list& units) {
+                     bool assumed_stiffness, const py::list& cases, const py::list& units,
+                     const py::list& outline) {
   const std::size_t m = positions.size();
   const std::vector<Rational> frictions = numbers(friction, m, "friction");
   const std::vector<Rational> stiffnesses = numbers(stiffness, m, "stiffness");
@@ -50,10 +50,7 @@ GraspFile make_grasp(const py::list& positions, const py::list& normals,
     contacts.push_back({vector2(positions, i, "positions"), vector2(normals, i, "normals"),
                         frictions[i], stiffnesses[i], preloads[i]});
   }
-  GraspDescription description{name, polygons(outline)};
-  if (!units.empty()) {
-    description.units = Units{units[0].cast<std::string>(), units[1].cast<std::string>()};
-  }
+  GraspDescription description{name, polygons(outline), units_from(units)};
   GraspFile file{
       {Grasp(std::move(contacts), std::move(description)), exact_wrench(wrench, "wrench")}};
   for (std::size_t i = 0; assumed_stiffness && i < m; ++i) {
@@ -79,15 +76,6 @@ py::tuple outline_of(const GraspFile& file) {
   const auto ring = [&](const Ring& vertices) { return tuple_of(vertices, vertex); };
   const auto polygon = [&](const Polygon& rings) { return tuple_of(rings, ring); };
   return tuple_of(file.content.grasp.description().outline, polygon);
-}
-
-py::dict units_of(const GraspFile& file) {
-  py::dict result;
-  if (const std::optional<Units>& units = file.content.grasp.description().units) {
-    result["length"] = text(units->length);
-    result["force"] = text(units->force);
-  }
-  return result;
 }
 
 /// Every stiffness written out: equal grasps give equal texts.
@@ -141,6 +129,20 @@ std::vector<Rational> numbers(const py::object& values, std::size_t contacts,
   return result;
 }
 
+std::optional<Units> units_from(const py::list& units) {
+  if (units.empty()) return std::nullopt;
+  return Units{units[0].cast<std::string>(), units[1].cast<std::string>()};
+}
+
+py::dict units_of(const std::optional<Units>& units) {
+  py::dict result;
+  if (units) {
+    result["length"] = text(units->length);
+    result["force"] = text(units->force);
+  }
+  return result;
+}
+
 GraspFile with_friction(const GraspFile& file, const std::vector<Rational>& friction) {
   std::vector<Contact> contacts = file.content.grasp.contacts();
   for (std::size_t i = 0; i < contacts.size(); ++i) contacts[i].friction = friction[i];
@@ -152,10 +154,6 @@ GraspFile with_friction(const GraspFile& file, const std::vector<Rational>& fric
 void bind_grasp(py::module_& module) {
   py::class_<GraspFile, std::shared_ptr<GraspFile>>(module, "GraspData")
       .def(py::init(&make_grasp))
-      .def_static("parse",
-                  [](const std::string& content, const std::string& name) {
-                    return without_gil([&] { return parse_grasp(content, name); });
-                  })
       .def("text", &text_of)
       .def("with_friction",
            [](const GraspFile& f, const py::object& friction) {
@@ -171,7 +169,8 @@ void bind_grasp(py::module_& module) {
       .def("wrench", [](const GraspFile& f) { return fractions(f.content.wrench); })
       .def("cases", &wrenches_of_cases)
       .def("outline", &outline_of)
-      .def("units", &units_of)
+      .def("units",
+           [](const GraspFile& f) { return units_of(f.content.grasp.description().units); })
       .def("snap", &snapped)
       .def(py::pickle(
           [](const GraspFile& f) { return py::make_tuple(py::bytes(write_grasp_file(f))); },

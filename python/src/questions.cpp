@@ -21,9 +21,7 @@ using py::literals::operator""_a;
 
 void require_load(const GraspFile& grasp, const QuestionOptions& options) {
   if (options.wrench || options.direction || grasp.cases.empty()) return;
-  throw InputError(
-      "", "wrench", "the grasp has cases, and none is chosen",
-      "give the wrench of one, such as grasp.cases[" + quote(grasp.cases.front().name) + "]");
+  refuse_without_case(grasp.cases.front().name);
 }
 
 template <class Work>
@@ -112,15 +110,11 @@ py::dict slip_states(const GraspFile& grasp, const std::string& engine, bool lis
   return result;
 }
 
-py::object preload_direction_of(const PreloadDirection& direction) {
-  if (direction.scale) return py::str("scale");
-  return tuple_of(direction.rates, fraction);
-}
-
 py::dict find_grasp_margin(const GraspFile& grasp, const py::object& direction,
                            const py::object& wrench, const py::object& preload,
                            const py::object& preload_direction, bool bilateral,
-                           std::size_t node_limit, bool warnings) {
+                           std::size_t node_limit, bool warnings,
+                           const py::object& /*accuracy*/) {
   struct Answer {
     Question question;
     std::variant<Margin, Undecided> result;
@@ -186,8 +180,7 @@ Question box_question(const GraspFile& grasp, QuestionOptions asked,
   require_load(grasp, asked);
   Question question = ask(grasp, asked);
   if (question.box && (lengths || !question.box->is_point())) return question;
-  throw InputError("", "uncertain", "nothing is uncertain",
-                   "say how far numbers may be off, as in {\"friction\": \"10%\"}");
+  refuse_certain();
 }
 
 /// The fields that answers about a box have in common.
@@ -332,6 +325,21 @@ py::dict map_grasp(const GraspFile& grasp, const std::string& x_text, const std:
 }
 
 }  // namespace
+
+py::object preload_direction_of(const PreloadDirection& direction) {
+  if (direction.scale) return py::str("scale");
+  return tuple_of(direction.rates, fraction);
+}
+
+void refuse_without_case(const std::string& first) {
+  throw InputError("", "wrench", "the grasp has cases, and none is chosen",
+                   "give the wrench of one, such as grasp.cases[" + quote(first) + "]");
+}
+
+void refuse_certain() {
+  throw InputError("", "uncertain", "nothing is uncertain",
+                   "say how far numbers may be off, as in {\"friction\": \"10%\"}");
+}
 
 std::string certificate_of(const Question& question, const Decision& decision) {
   if (std::holds_alternative<Undecided>(decision.verdict)) return {};

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Exact passive stability of planar frictional grasps, with proofs.
+"""Exact passive stability of frictional grasps, with proofs.
 
 >>> import stickslip
 >>> grasp = stickslip.Grasp([[-1, 0], [0, -1], [1, 0]], [[1, 0], [0, 1], [-1, 0]], "1/2", preload=1)

@@ -16,6 +16,7 @@ import numpy as np
 from . import _core
 from .errors import InputError
 
+AXES = {2: "x, y", 3: "x, y, z"}
 _ENOUGH_BYTES = 2**30 + 1  # more than a grasp file or a certificate may have
 
 
@@ -47,12 +48,27 @@ def as_list(values: Any, name: str, shape: Tuple[int, ...], meaning: str) -> Lis
     return entries
 
 
-def as_rows(positions: Any) -> List[Any]:
+def as_rows(positions: Any, n: int = 2) -> List[Any]:
+    """Of n coordinates."""
+    return as_list(positions, "positions", (len(_rows(positions)), n),
+                   f"one row {AXES[n]} for each contact")
+
+
+def coordinates_of(positions: Any, wrench: Any) -> int:
+    """How many: 3 if the first row is in space, or, if there are none, the wrench; else 2."""
+    rows = _rows(positions)
+    if len(rows) > 0:
+        return 3 if as_array(rows[0], "positions[0]").shape == (3,) else 2
+    return 3 if wrench is not None and as_array(wrench, "wrench").shape == (6,) else 2
+
+
+def _rows(positions: Any) -> Any:
     array = as_array(positions, "positions")
     if array.ndim == 0:
         raise InputError("", "positions", f"this is {found(array.item())}",
-                         "give one row x, y for each contact; Grasp.from_file reads a file")
-    return as_list(array, "positions", (len(array), 2), "one row x, y for each contact")
+                         "give one row x, y or x, y, z for each contact; Grasp.from_file reads a "
+                         "file")
+    return array
 
 
 def as_number(value: Any, name: str) -> Any:
@@ -75,16 +91,19 @@ def as_numbers(values: Any, name: str, count: int) -> Any:
     return as_list(array, name, (count,), "one number, or one for each row of positions")
 
 
-def as_wrench(values: Any, name: str) -> List[Any]:
-    return as_list(values, name, (3,), "force x, force y and torque")
+def as_wrench(values: Any, name: str, n: int = 2) -> List[Any]:
+    """Of a grasp with n coordinates."""
+    if n == 2:
+        return as_list(values, name, (3,), "force x, force y and torque")
+    return as_list(values, name, (6,), "force x, y, z and torque x, y, z")
 
 
-def as_wrench_or_none(values: Any) -> Optional[List[Any]]:
-    return None if values is None else as_wrench(values, "wrench")
+def as_wrench_or_none(values: Any, n: int = 2) -> Optional[List[Any]]:
+    return None if values is None else as_wrench(values, "wrench", n)
 
 
-def as_direction_or_none(values: Any) -> Optional[List[Any]]:
-    return None if values is None else as_wrench(values, "direction")
+def as_direction_or_none(values: Any, n: int = 2) -> Optional[List[Any]]:
+    return None if values is None else as_wrench(values, "direction", n)
 
 
 def as_preload_direction_or_none(values: Any) -> Union[str, List[Any], None]:

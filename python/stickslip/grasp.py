@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from .arguments import (
+    AXES,
     as_case_name,
     as_content,
     as_json,
@@ -24,6 +25,7 @@ from .arguments import (
     as_text,
     as_units,
     as_wrench,
+    coordinates_of,
 )
 from .errors import InputError
 from .outline import has_doubles, place, polygons_of, unit_if_rational
@@ -36,21 +38,27 @@ Rows = Union[ArrayLike, Sequence[Sequence[Any]]]
 Pair = Tuple[Fraction, Fraction]
 Triple = Tuple[Fraction, Fraction, Fraction]
 
+Vector = Tuple[Fraction, ...]
+"""Of 2 numbers in the plane and 3 in space; a wrench or a motion of 3 and 6."""
+
 
 class Grasp:
-    """A planar body held by frictional point contacts, and the wrench applied to it. Immutable.
+    """A body held by frictional point contacts, and the wrench applied to it. Immutable.
+
+    It is planar, or in space if its positions have three coordinates (docs/space.md).
 
     Args:
-        positions: (m, 2), the contacts in the frame of the body.
-        normals: (m, 2), not zero, pointing *into* the body, of any length.
+        positions: (m, 2) or (m, 3), the contacts in the frame of the body.
+        normals: of the same shape, not zero, pointing *into* the body, of any length.
         friction: coefficient of friction, >= 0; one number or (m,), as are the next two.
         stiffness: of the normal springs, force per length, > 0; 1 if None.
         preload: normal force before the wrench is applied, >= 0.
-        wrench: (3,), force x, force y and torque about the origin, applied *to* the body.
+        wrench: (3,), force x, force y and torque about the origin, applied *to* the body; in
+            space (6,), force x, y, z and torque x, y, z. None is no load.
         name: for people.
-        cases: named loads, each a question of its own: a mapping of names to wrenches (3,), each
+        cases: named loads, each a question of its own: a mapping of names to wrenches, each
             the whole load. ``decide(grasp, grasp.cases[name])`` asks about one.
-        outline: of the body, for pictures: a list of polygons, each a list of rings (the outer
+        outline: of a planar body, for pictures: a list of polygons, each a list of rings (the outer
             one, then holes), each (n, 2); or one polygon, or one ring.
         units: names for people, {"length": "mm", "force": "N"}. Nothing is converted.
 
@@ -67,7 +75,7 @@ class Grasp:
     """
 
     __slots__ = ("_data", "_doubles")
-    _data: _core.GraspData
+    _data: Union[_core.GraspData, _core.SpatialGraspData]
     _doubles: bool  # whether there are floats among the normals
 
     def __init__(
@@ -78,29 +86,35 @@ class Grasp:
         stiffness: Any = None,
         preload: Any = 0,
         *,
-        wrench: Any = (0, 0, 0),
+        wrench: Any = None,
         name: str = "",
         cases: Mapping[str, Any] = MappingProxyType({}),
         outline: Any = (),
         units: Mapping[str, str] = MappingProxyType({}),
     ) -> None:
-        rows = as_rows(positions)
+        n = coordinates_of(positions, wrench)
+        rows = as_rows(positions, n)
         m = len(rows)
-        directions = as_list(normals, "normals", (m, 2), "one row x, y for each row of positions")
-        data = _core.GraspData(
+        directions = as_list(normals, "normals", (m, n),
+                             f"one row {AXES[n]} for each row of positions")
+        polygons = as_outline(outline)
+        if n == 3 and polygons:
+            raise InputError("", "outline", "an outline, but the grasp is in space", "leave it out")
+        arguments = (
             rows,
             directions,
             as_numbers(friction, "friction", m),
             as_numbers(1 if stiffness is None else stiffness, "stiffness", m),
             as_numbers(preload, "preload", m),
-            as_wrench(wrench, "wrench"),
+            as_wrench([0] * (3 * n - 3) if wrench is None else wrench, "wrench", n),
             as_text(name, "name"),
             stiffness is None,
-            [(as_case_name(case), as_wrench(load, f"cases[{case!r}]"))
+            [(as_case_name(case), as_wrench(load, f"cases[{case!r}]", n))
              for case, load in cases.items()],
-            as_outline(outline),
             as_units(units),
         )
+        data = (_core.SpatialGraspData(*arguments) if n == 3
+                else _core.GraspData(*arguments, polygons))
         object.__setattr__(self, "_data", data)
         object.__setattr__(self, "_doubles", any(
             isinstance(entry, (float, np.floating)) for row in directions for entry in row))
@@ -184,16 +198,17 @@ class Grasp:
         """Reads a grasp file (docs/grasp_file.md)."""
         content, name = as_content(
             path, "path", "give the path of a grasp file; Grasp.from_text reads its text")
-        return cls._of(_core.GraspData.parse(content, name))
+        return cls._of(_core.parse_grasp(content, name))
 
     @classmethod
     def from_text(cls, text: str, name: str = "") -> Grasp:
         """Reads the text of a grasp file. ``name`` stands for its name in errors."""
         content = as_json(text, "text", "give the text of a grasp file; Grasp.from_file reads one")
-        return cls._of(_core.GraspData.parse(content, as_text(name, "name").encode()))
+        return cls._of(_core.parse_grasp(content, as_text(name, "name").encode()))
 
     @classmethod
-    def _of(cls, data: _core.GraspData, doubles: bool = False) -> Grasp:
+    def _of(cls, data: Union[_core.GraspData, _core.SpatialGraspData],
+            doubles: bool = False) -> Grasp:
         grasp = cls.__new__(cls)
         object.__setattr__(grasp, "_data", data)
         object.__setattr__(grasp, "_doubles", doubles)
@@ -203,10 +218,24 @@ class Grasp:
         """The grasp that a question with this preload is about, and what moved for that.
 
         Unit vectors in doubles are rounded as it is, so that where a preloaded contact needs a
-        normal of rational length they are rounded to one unasked. Exact normals never are.
+        normal of rational length they are rounded to one unasked. Exact normals never are, and in
+        space any will do.
         """
+        if self.in_space:
+            return self, ()
         preloaded = any(self.preload) if preload is None else preload != 0
         return self.snap(SNAPPED_WITHIN) if self._doubles and preloaded else (self, ())
+
+    @property
+    def _coordinates(self) -> int:
+        return 3 if self.in_space else 2
+
+    def _planar(self) -> _core.GraspData:
+        """What the questions that are about the plane alone take."""
+        if isinstance(self._data, _core.SpatialGraspData):
+            raise InputError("", "grasp", "the grasp is in space",
+                             "this is done in the plane only; stickslip decide answers in space")
+        return self._data
 
     def to_text(self) -> str:
         """The text of a grasp file. Equal grasps give equal texts, and reading gives the grasp."""
@@ -216,12 +245,17 @@ class Grasp:
         raise AttributeError(f"a Grasp is immutable; make another one to change {name}")
 
     @property
-    def positions(self) -> Tuple[Pair, ...]:
-        """m pairs; ``np.array(grasp.positions, float)`` is an array again."""
+    def in_space(self) -> bool:
+        """Whether positions have three coordinates, and wrenches six."""
+        return isinstance(self._data, _core.SpatialGraspData)
+
+    @property
+    def positions(self) -> Tuple[Vector, ...]:
+        """m rows; ``np.array(grasp.positions, float)`` is an array again."""
         return self._data.positions()
 
     @property
-    def normals(self) -> Tuple[Pair, ...]:
+    def normals(self) -> Tuple[Vector, ...]:
         return self._data.normals()
 
     @property
@@ -237,14 +271,14 @@ class Grasp:
         return self._data.preload()
 
     @property
-    def wrench(self) -> Triple:
+    def wrench(self) -> Vector:
         """With ``cases``, what is common to them."""
         return self._data.wrench()
 
     @property
     def outline(self) -> Tuple[Tuple[Tuple[Pair, ...], ...], ...]:
         """Polygons of the body: each its outer ring, then those of holes. Empty if not given."""
-        return self._data.outline()
+        return () if isinstance(self._data, _core.SpatialGraspData) else self._data.outline()
 
     @property
     def units(self) -> Mapping[str, str]:
@@ -252,7 +286,7 @@ class Grasp:
         return MappingProxyType(self._data.units())
 
     @property
-    def cases(self) -> Mapping[str, Triple]:
+    def cases(self) -> Mapping[str, Vector]:
         """The whole load of each case of a grasp file, by name; empty if it has none."""
         return MappingProxyType(self._data.cases())
 
@@ -267,7 +301,7 @@ class Grasp:
         seldom have one. Each normal of irrational length is replaced by a rational unit vector
         at a distance of at most ``within``, between 0 and 1; the others stay as they are.
         """
-        data, moved = self._data.snap(as_number(within, "within"))
+        data, moved = self._planar().snap(as_number(within, "within"))
         return SnapResult(Grasp._of(data), tuple(SnappedNormal(*normal) for normal in moved))
 
     def __len__(self) -> int:
@@ -293,7 +327,7 @@ class Grasp:
                                  ("wrench", self.wrench)])
 
 
-def _restored(data: _core.GraspData, doubles: bool) -> Grasp:
+def _restored(data: Union[_core.GraspData, _core.SpatialGraspData], doubles: bool) -> Grasp:
     return Grasp._of(data, doubles)
 
 

@@ -61,12 +61,13 @@ from .results import (
 from .views import Picture
 
 Number = Union[int, float, str, Fraction, Decimal]
+OneWrench = Union[Tuple[Any, Any, Any], Tuple[Any, Any, Any, Any, Any, Any]]
 
 
 @overload
 def decide(
     grasp: Grasp,
-    wrench: Optional[Tuple[Any, Any, Any]] = None,
+    wrench: Optional[OneWrench] = None,
     *,
     friction: Optional[Number] = None,
     preload: Optional[Number] = None,
@@ -126,11 +127,12 @@ def decide(
 
     Of ``grasp``, ``wrench``, ``friction`` and ``preload`` each may be one or n, as NumPy
     broadcasts. If any is n, n questions are asked, on all cores, and the answer is a ``Decisions``.
+    In space questions are asked one at a time.
 
     Args:
         grasp: what is asked about, or a sequence of n grasps.
         wrench: (3,) or (n, 3), force x, force y and torque about the origin, applied to the
-            body; the grasp's own if None.
+            body; the grasp's own if None. In space (6,), as of a Grasp.
         uncertain: how far numbers may be off, by kind, such as {"friction": "10%", "wrench": 0.1}
             or "friction=10%": the verdict is then a ``BoxDecision`` about all grasps in the box
             (docs/uncertainty.md). {} encloses the irrational lengths of preloaded normals, and
@@ -141,8 +143,9 @@ def decide(
         normal_law: "unilateral", contacts may open, c_n = max(0, P - k N.d); or "bilateral", the
             paper's Eq. 4 literally, c_n = P - k N.d >= 0.
         engine: "states" solves the system of every slip state, "cone" is a branch and bound for
-            many contacts, "auto" takes the one that suits. All are exact.
+            many contacts, "auto" takes the one that suits. All are exact. In space there is one.
         node_limit: let the engine "cone" give up, undecided, after so many nodes; 0 is no limit.
+            In space 0 is one with which twelve contacts take about a minute at most.
         threads: 0 is one a core. The answers do not depend on it.
         warnings: look for traps of the model as well, such as a large motion, or a preload that
             does not balance (docs/model.md). Takes longer than most verdicts; of one question.
@@ -156,7 +159,7 @@ def decide(
         about = _with_friction(grasp, friction)
         tolerances = as_uncertain(uncertain)
         result = _core.decide_box(
-            about._data, tolerances, as_wrench_or_none(wrench),
+            about._data, tolerances, _wrench_of(about, wrench),
             as_number_or_none(preload, "preload"), is_bilateral(normal_law),
             as_count("node_limit", node_limit))
         return BoxDecision(grasp=about, uncertain=tolerances,
@@ -175,7 +178,7 @@ def decide(
         return Decisions(_core.decide_many(many.count, *many.lists(), *how, at_once), many.snapped)
     about, snapped = _asked(grasp, preload)
     about = _with_friction(about, friction)
-    result = _core.decide(about._data, as_wrench_or_none(wrench),
+    result = _core.decide(about._data, _wrench_of(about, wrench),
                           as_number_or_none(preload, "preload"), *how, bool(warnings))
     result["warnings"] = tuple(ModelWarning(*w) for w in result["warnings"])
     return Decision(grasp=about, snapped=snapped, **result)
@@ -202,7 +205,7 @@ def radius(
     about = _with_friction(grasp, friction)
     tolerances = as_uncertain(uncertain)
     result = _core.radius(
-        about._data, tolerances, as_wrench_or_none(wrench), as_number_or_none(preload, "preload"),
+        about._planar(), tolerances, as_wrench_or_none(wrench), as_number_or_none(preload, "preload"),
         is_bilateral(normal_law), as_number(accuracy, "accuracy"),
         as_count("node_limit", node_limit))
     return Radius(grasp=about, uncertain=tolerances,
@@ -233,7 +236,7 @@ def stability_map(
     """
     about = _with_friction(grasp, friction)
     result = _core.stability_map(
-        about._data, str(x), str(y), as_wrench_or_none(wrench),
+        about._planar(), str(x), str(y), as_wrench_or_none(wrench),
         as_number_or_none(preload, "preload"), is_bilateral(normal_law),
         as_count("depth", depth, 12), as_count("node_limit", node_limit), bool(proofs))
     law = result["normal_law"]
@@ -260,7 +263,7 @@ def slip_states(
     """
     engine = one_of("engine", engine, ("auto", "cgal", "sweep", "paper"))
     threads = as_count("threads", threads, 1024)
-    fields = _core.slip_states(_data(grasp), engine, bool(list_states), threads)
+    fields = _core.slip_states(_require_grasp(grasp)._planar(), engine, bool(list_states), threads)
     return SlipStates(grasp=grasp, **fields)
 
 
@@ -317,17 +320,17 @@ def plot_grasp(
     grasp: Grasp, wrench: Any = None, *, preload: Any = None, normal_law: str = "unilateral"
 ) -> Picture:
     """A picture of the verdict, as SVG: contacts, cones, load, and the forces and motion that
-    hold it, or the virtual twist that wins."""
+    hold it, or the virtual twist that wins. In space from three sides."""
+    about, _ = _asked(grasp, preload)
     return Picture(_core.plot_grasp(
-        _asked(grasp, preload)[0]._data, as_wrench_or_none(wrench),
-        as_number_or_none(preload, "preload"),
+        about._data, _wrench_of(about, wrench), as_number_or_none(preload, "preload"),
         is_bilateral(normal_law), "auto"))
 
 
 def plot_states(grasp: Grasp) -> Picture:
     """A picture of the slip states, as SVG: the sphere of motions, cut by one great circle a
     contact."""
-    return Picture(_core.plot_states(_data(grasp)))
+    return Picture(_core.plot_states(_require_grasp(grasp)._planar()))
 
 
 def compare(
@@ -343,7 +346,7 @@ def compare(
     """
     about, snapped = _asked(grasp, preload)
     rows = _core.compare(
-        about._data, as_wrench_or_none(wrench), as_number_or_none(preload, "preload"),
+        about._planar(), as_wrench_or_none(wrench), as_number_or_none(preload, "preload"),
         is_bilateral(normal_law), as_number(length, "length"))
     return Comparison(tuple(Method(*row[:-1], json.loads(row[-1])) for row in rows), about, snapped)
 
@@ -353,7 +356,7 @@ def export(
 ) -> str:
     """The question for Z3, cvc5 and others: SMT-LIB 2, logic QF_LRA; sat means stable."""
     return _core.smtlib(
-        _asked(grasp, preload)[0]._data, as_wrench_or_none(wrench),
+        _asked(grasp, preload)[0]._planar(), as_wrench_or_none(wrench),
         as_number_or_none(preload, "preload"),
         is_bilateral(normal_law))
 
@@ -366,16 +369,19 @@ def margin(
     preload: Any = None,
     preload_direction: Any = None,
     normal_law: str = "unilateral",
+    accuracy: Number = "1/1000",
     node_limit: int = 0,
     warnings: bool = False,
 ) -> Margin:
     """Which multiples l >= 0 of a load, or of preloads, are resisted?
 
-    The set is a finite union of closed intervals with rational ends; the last may have no end.
+    The set is a finite union of closed intervals with rational ends; the last may have no end. In
+    space its ends need not be rational: some multiples are proved to be resisted, some to be
+    ``refuted``, and of those between nothing is known.
 
     Args:
         grasp: what is asked about.
-        direction: (3,), the load grows as wrench + l direction.
+        direction: (3,), in space (6,): the load grows as wrench + l direction.
         wrench: what the load starts from. If None it is 0 with a ``direction``, whatever the
             grasp's own, and without one the grasp's own.
         preload: of every contact; the grasp's own if None.
@@ -383,6 +389,7 @@ def margin(
             or (m,), one number of 0 or more for each contact: by l times these, from what they
             are. ``least`` of the answer is then the least preload that holds the load.
         normal_law: as in ``decide``.
+        accuracy: in space: which part of a multiple may stay undecided at an end.
         node_limit: give up after so many nodes; 0 is no limit.
         warnings: look for traps of the model as well, as ``decide`` does.
 
@@ -396,16 +403,19 @@ def margin(
                          "give a direction such as (0, 1, 0), or a preload_direction")
     result = _core.margin(
         about._data,
-        as_direction_or_none(direction),
-        as_wrench_or_none(wrench),
+        as_direction_or_none(direction, about._coordinates),
+        _wrench_of(about, wrench),
         as_number_or_none(preload, "preload"),
         as_preload_direction_or_none(preload_direction),
         is_bilateral(normal_law),
         as_count("node_limit", node_limit),
         bool(warnings),
+        as_number(accuracy, "accuracy"),
     )
     if "limit" in result:
         raise LimitReached(result["limit"])
+    if about.in_space:
+        result["resisted"] = _joined(result["resisted"])
     result["warnings"] = tuple(ModelWarning(*w) for w in result["warnings"])
     return Margin(grasp=about, snapped=snapped, **result)
 
@@ -438,7 +448,7 @@ def crosscheck(
     """
     about, snapped = _asked(grasp, preload)
     fields = _core.crosscheck(
-        about._data,
+        about._planar(),
         one_of("verdict", verdict, ("stable", "unstable")) == "stable",
         None if twist is None else as_list(twist, "twist", (3,), "motion x, y and rotation r"),
         None if forces is None
@@ -487,9 +497,13 @@ def check(
     if isinstance(grasp, Grasp):
         about, _ = _asked(grasp, preload if preload_direction is None else 1)
         grasp_bytes, grasp_name = about.to_text().encode(), b"<grasp>"
+        n = about._coordinates
     else:
         grasp_bytes, grasp_name = as_content(
             grasp, "grasp", "give a stickslip.Grasp, or the path of its file")
+        in_space = any(values is not None and as_array(values, name).shape == (6,)
+                       for name, values in (("wrench", wrench), ("direction", direction)))
+        n = 3 if in_space else 2
     remedy = "give its text as a str, or the path of its file as a pathlib.Path"
     if isinstance(certificate, str):
         certificate_bytes, name = as_json(certificate, "certificate", remedy), b"<certificate>"
@@ -498,10 +512,10 @@ def check(
     return CheckResult(**_core.check(
         grasp_bytes,
         certificate_bytes,
-        as_wrench_or_none(wrench),
+        as_wrench_or_none(wrench, n),
         as_number_or_none(preload, "preload"),
         is_bilateral(normal_law),
-        as_direction_or_none(direction),
+        as_direction_or_none(direction, n),
         as_preload_direction_or_none(preload_direction),
         grasp_name,
         name,
@@ -518,12 +532,22 @@ def _region(
             raise InputError("", "torque", "there is an origin as well", "give one of the two")
         start = [0, 0, as_number(torque, "torque")]
     found = _core.region(
-        grasp._data, start, as_wrench(u, "u"), as_wrench(v, "v"),
+        grasp._planar(), start, as_wrench(u, "u"), as_wrench(v, "v"),
         as_number_or_none(preload, "preload"), is_bilateral(normal_law),
         as_count("mode_limit", mode_limit), picture)
     if isinstance(found, dict) and "limit" in found:
         raise LimitReached(found["limit"])
     return found
+
+
+def _joined(steps: List[Tuple[Fraction, Optional[Fraction]]]) -> Tuple[Any, ...]:
+    """Intervals that touch become one."""
+    intervals: List[Tuple[Fraction, Optional[Fraction]]] = []
+    for low, high in steps:
+        if intervals and intervals[-1][1] == low:
+            low = intervals.pop()[0]
+        intervals.append((low, high))
+    return tuple(intervals)
 
 
 class Questions:
@@ -556,6 +580,9 @@ class Questions:
     def lists(self) -> Tuple[List[Any], List[Any], List[Any], List[Any]]:
         """Grasps, wrenches, frictions and preloads: n or 1 of each, 0 if it was not given."""
         given = list(self._grasps) if "grasp" in self._counts else [self._grasps]
+        if any(isinstance(grasp, Grasp) and grasp.in_space for grasp in given):
+            raise InputError("", "grasp", "the grasp is in space, and these are many questions",
+                             "ask one at a time")
         preloads = self._numbers("preload", as_number)
         largest = max((_core.exact(value, f"preload[{i}]") for i, value in enumerate(preloads)),
                       default=None)
@@ -569,7 +596,7 @@ class Questions:
                                "force x, force y and torque in each row")
         elif self._given["wrench"] is not None:
             wrenches = [as_wrench(self._given["wrench"], "wrench")]
-        return [grasp._data for grasp, _ in asked], wrenches, frictions, preloads
+        return [grasp._planar() for grasp, _ in asked], wrenches, frictions, preloads
 
     def _numbers(self, name: str, convert: Callable[[Any, str], Any]) -> List[Any]:
         value = self._given[name]
@@ -582,7 +609,7 @@ class Questions:
 
 
 def _asked(grasp: Any, preload: Any = None) -> Tuple[Grasp, Tuple[SnappedNormal, ...]]:
-    _data(grasp)
+    _require_grasp(grasp)
     if preload is not None:
         preload = _core.exact(as_number(preload, "preload"), "preload")
     asked: Tuple[Grasp, Tuple[SnappedNormal, ...]] = grasp._asked(preload)
@@ -590,7 +617,7 @@ def _asked(grasp: Any, preload: Any = None) -> Tuple[Grasp, Tuple[SnappedNormal,
 
 
 def _with_friction(grasp: Grasp, friction: Any) -> Grasp:
-    data = _data(grasp)
+    data = _require_grasp(grasp)._data
     if friction is None:
         return grasp
     return Grasp._of(data.with_friction(as_number(friction, "friction")))
@@ -610,8 +637,12 @@ def _with_proofs(fields: Dict[str, Any], *names: str) -> Dict[str, Any]:
     return fields
 
 
-def _data(grasp: Grasp) -> _core.GraspData:
+def _wrench_of(grasp: Grasp, wrench: Any) -> Optional[List[Any]]:
+    return as_wrench_or_none(wrench, grasp._coordinates)
+
+
+def _require_grasp(grasp: Grasp) -> Grasp:
     if not isinstance(grasp, Grasp):
         raise InputError("", "grasp", f"this is {found(grasp)}",
                          "give a stickslip.Grasp; Grasp.from_file reads one")
-    return grasp._data
+    return grasp

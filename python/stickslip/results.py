@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from . import _core
 from .errors import LimitReached
-from .grasp import Grasp, Pair, SnappedNormal, Triple
+from .grasp import Grasp, Pair, SnappedNormal, Triple, Vector
 from .views import Answer, FloatArray, FloatView, Picture, doubles, nearest_root, table
 
 _MOST_CONTACTS_TO_SHOW = 100  # in a notebook, unasked
@@ -37,7 +37,7 @@ class Decision(Answer):
     """"stable", "unstable", or "undecided" when the node limit was reached."""
     engine: str
     normal_law: str
-    wrench: Triple
+    wrench: Vector
     grasp: Grasp = field(repr=False)
     """What was asked about, with the friction that was asked for."""
     preload: Optional[Fraction] = None
@@ -47,13 +47,17 @@ class Decision(Answer):
     ``grasp`` has them."""
     certificate: Optional[str] = field(default=None, repr=False)
     """The proof (certificate/FORMAT.md), for ``check`` and for both checkers. None if undecided."""
-    twist: Optional[Triple] = None
-    """The motion (x, y, r) of an equilibrium; there may be others."""
-    forces: Optional[Tuple[Pair, ...]] = None
+    twist: Optional[Vector] = None
+    """The motion (x, y, r) of an equilibrium; there may be others. In space translation x, y, z and
+    rotation x, y, z; None, and so the forces, where no equilibrium in fractions was found."""
+    near: Optional[Vector] = None
+    """In space, without a twist: a motion near that of an equilibrium."""
+    forces: Optional[Tuple[Vector, ...]] = None
     """The force of each contact on the body, in the frame of the body."""
     coefficients: Optional[Tuple[Pair, ...]] = field(default=None, repr=False)
     """(a, b) for each contact: the force is a n + b t, with its normal n and the
-    tangent t, n turned by +90 degrees. For unit normals, normal and tangential force."""
+    tangent t, n turned by +90 degrees. For unit normals, normal and tangential force. None in space,
+    as is slip."""
     slip: Optional[str] = None
     """One character a contact: "+" or "-" as it slips along t or against it, "0" as it sticks."""
     closed: Optional[Tuple[bool, ...]] = None
@@ -65,8 +69,9 @@ class Decision(Answer):
     stats: Dict[str, int] = field(default_factory=dict, repr=False, compare=False)
     """Work counters of the engine; reproducible."""
 
-    wrench_float = FloatView[FloatArray]("wrench", 3)
-    twist_float = FloatView[Optional[FloatArray]]("twist", 3)
+    wrench_float = FloatView[FloatArray]("wrench")
+    twist_float = FloatView[Optional[FloatArray]]("twist")
+    near_float = FloatView[Optional[FloatArray]]("near")
     forces_float = FloatView[Optional[FloatArray]]("forces", -1, 2)
     coefficients_float = FloatView[Optional[FloatArray]]("coefficients", -1, 2)
 
@@ -126,7 +131,7 @@ class BoxDecision(Answer):
     verdict: str
     """"stable" or "unstable" throughout; "fragile", some are and some are not; or "undecided"."""
     normal_law: str
-    wrench: Triple
+    wrench: Vector
     """In the middle."""
     uncertain: str
     """What was asked, as on the command line."""
@@ -143,7 +148,7 @@ class BoxDecision(Answer):
     stats: Dict[str, int] = field(default_factory=dict, repr=False, compare=False)
     """Work counters of the engine; reproducible."""
 
-    wrench_float = FloatView[FloatArray]("wrench", 3)
+    wrench_float = FloatView[FloatArray]("wrench")
 
     @property
     def certificate(self) -> Optional[str]:
@@ -311,7 +316,7 @@ class SlipStates(Answer):
 
     def plot(self) -> Picture:
         """The sphere of motions with its cells, as ``plot_states`` draws it."""
-        return Picture(_core.plot_states(self.grasp._data))
+        return Picture(_core.plot_states(self.grasp._planar()))
 
     def _picture(self) -> Optional[Picture]:
         return self.plot() if self.circles <= _MOST_CONTACTS_TO_SHOW else None
@@ -385,7 +390,7 @@ class Region(Answer):
     def plot(self) -> Picture:
         """As ``plot_region`` draws it."""
         return Picture(_core.region(
-            self.grasp._data, list(self.origin), list(self.u), list(self.v), self.preload,
+            self.grasp._planar(), list(self.origin), list(self.u), list(self.v), self.preload,
             self.normal_law == "bilateral", 0, True))
 
     def _picture(self) -> Optional[Picture]:
@@ -400,12 +405,12 @@ class Region(Answer):
 @dataclass(frozen=True, repr=False)
 class Margin(Answer):
     """Exactly these multiples l >= 0 are resisted under wrench + l direction, and with preloads
-    that grow in the preload direction."""
+    that grow in the preload direction; in space these are, and those in ``refuted`` are not."""
 
     resisted: Tuple[Tuple[Fraction, Optional[Fraction]], ...]
     """Closed intervals (low, high), increasing and disjoint; high is None for one without end."""
-    direction: Optional[Triple]
-    wrench: Triple
+    direction: Optional[Vector]
+    wrench: Vector
     normal_law: str
     grasp: Grasp = field(repr=False)
     """What was asked about."""
@@ -420,6 +425,8 @@ class Margin(Answer):
     snapped: Tuple[SnappedNormal, ...] = ()
     """Normals given in doubles that were rounded to ones of rational length, 1e-12 away or less;
     ``grasp`` has them."""
+    refuted: Optional[Tuple[Tuple[Fraction, Optional[Fraction]], ...]] = None
+    """In space: multiples between these are not resisted. Of what is in neither nothing is known."""
     stats: Dict[str, int] = field(default_factory=dict, repr=False, compare=False)
 
     def check(self) -> CheckResult:
@@ -438,8 +445,8 @@ class Margin(Answer):
 
     resisted_float = FloatView[FloatArray]("resisted", -1, 2)
     """An interval without end ends at infinity."""
-    direction_float = FloatView[Optional[FloatArray]]("direction", 3)
-    wrench_float = FloatView[FloatArray]("wrench", 3)
+    direction_float = FloatView[Optional[FloatArray]]("direction")
+    wrench_float = FloatView[FloatArray]("wrench")
 
 
 class Residual(NamedTuple):
@@ -559,14 +566,14 @@ class CheckResult(Answer):
     # If accepted: the verdict that is proved, and the question that it answers.
     verdict: Optional[str] = None
     contacts: Optional[int] = None
-    wrench: Optional[Triple] = None
+    wrench: Optional[Vector] = None
     preload: Optional[Fraction] = None
     """Set if it replaced the grasp's preloads."""
     normal_law: Optional[str] = None
     nodes: Optional[int] = None
     leaves: Optional[int] = None
     # Of a margin: exactly these multiples of the directions are resisted.
-    direction: Optional[Triple] = None
+    direction: Optional[Vector] = None
     preload_direction: Union[str, Tuple[Fraction, ...], None] = None
     resisted: Optional[Tuple[Tuple[Fraction, Optional[Fraction]], ...]] = None
     # If rejected: the rule of certificate/FORMAT.md that does not hold, and where.
@@ -575,8 +582,8 @@ class CheckResult(Answer):
     path: Optional[str] = None
     found: Optional[str] = None
 
-    wrench_float = FloatView[Optional[FloatArray]]("wrench", 3)
-    direction_float = FloatView[Optional[FloatArray]]("direction", 3)
+    wrench_float = FloatView[Optional[FloatArray]]("wrench")
+    direction_float = FloatView[Optional[FloatArray]]("direction")
     resisted_float = FloatView[Optional[FloatArray]]("resisted", -1, 2)
 
     def __bool__(self) -> bool:

@@ -38,7 +38,8 @@ def nearest_root(square: Fraction) -> float:
 class FloatView(Generic[View]):
     """An attribute: the fractions of another one as an array of the nearest doubles.
 
-    None if it is None; None within it, the end of an interval without end, is infinity.
+    None if it is None; None within it, the end of an interval without end, is infinity. The shape
+    is that of an empty one.
     """
 
     def __init__(self, name: str, *shape: int) -> None:
@@ -54,8 +55,10 @@ class FloatView(Generic[View]):
 
 
 def doubles(values: Any, *shape: int) -> FloatArray:
-    """Nested tuples of fractions as an array of the nearest doubles; None is infinity."""
-    return _doubles(values).reshape(shape)
+    """Nested tuples of fractions as an array of the nearest doubles; None is infinity. The shape
+    is that of an empty one."""
+    array = _doubles(values)
+    return array if array.size > 0 else array.reshape(shape)
 
 
 def _doubles(values: Any) -> FloatArray:

@@ -20,7 +20,7 @@ ALLOWED = {
     "certificate": {"core", "equilibrium", "box", "space"},
     "batch": {"core", "equilibrium", "certificate"},
     "crosscheck": {"core", "equilibrium"},
-    "plot": {"core", "arrangement", "equilibrium", "box", "resistance"},
+    "plot": {"core", "arrangement", "equilibrium", "box", "space", "resistance"},
 }
 
 

@@ -9,6 +9,7 @@ import random
 import unittest
 
 import pictures
+import test_space_plot
 from pictures import Picture, arrow, stickslip, subpaths, text_boxes
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -93,6 +94,8 @@ def questions():
         if name.startswith("nine digits"):
             for options in (("--v", "0.123456789,0.987654321,-0.111111111"), ("--torque", "0.123456789")):
                 yield (name, "region", *options), text, options
+    for text, options in test_space_plot.questions():
+        yield ("in space", "grasp", *options), text, options
 
 
 class Labels(unittest.TestCase):

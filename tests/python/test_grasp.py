@@ -93,7 +93,8 @@ def test_no_contact(empty):
 
 
 @pytest.mark.parametrize("place, arguments", [
-    ("positions", ([[1, 2, 3]], [[1, 0]], 1)),
+    ("positions", ([[1, 2, 3, 4]], [[1, 0]], 1)),
+    ("normals", ([[1, 2, 3]], [[1, 0]], 1)),
     ("positions[0]", ([1, 2], [[1, 0]], 1)),
     ("positions[1]", ([[1, 2], [1]], [[1, 0], [1, 0]], 1)),
     ("positions[1]", ([[1, 2], "12"], [[1, 0], [1, 0]], 1)),

@@ -31,6 +31,8 @@ distance: float = moved[0]
 box: stickslip.BoxDecision = stickslip.decide(grasp, (0, 1, 0), uncertain={"friction": "10%"})
 cells: Tuple[stickslip.MapCell, ...] = stickslip.stability_map(
     grasp, "load=0:1", "friction=0:1", (0, 1, 0), depth=1).cells
+pinch = Grasp(np.zeros((1, 3)), [[0, 0, 1]], 1)
+in_space: Decision = stickslip.decide(pinch, (0, 0, -1, 0, 0, 0))
 factor: Fraction = stickslip.radius(grasp, (0, 1, 0), uncertain="friction=10%").proved
 '''
 

@@ -7,6 +7,7 @@
 
 #include "stickslip/equilibrium/question.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
+#include "stickslip/space/spatial_verdict.hpp"
 
 namespace stickslip {
 
@@ -32,5 +33,17 @@ namespace stickslip {
 /// `verdict` is the answer to `question`. Throws InputError as Problem does; ContractError if
 /// the verdict does not fit the question.
 std::string plot_grasp(const Question& question, const Verdict& verdict);
+
+/// The same in space, in three orthogonal views of one scale: from above, from the front (from
+/// -y) and from the right (from +x). Torques are seen about the line of sight; cones are the
+/// outlines of round ones. data-value is the whole vector, of which a view shows a projection.
+///
+/// - Stable: as in the plane; contacts stick, slip or are open. Where the proof is by degree,
+///   no equilibrium is known exactly: forces and motion are those near it in doubles, for
+///   people, as the caption says, with data-near in place of data-value.
+/// - Unstable: the grasp and its load.
+///
+/// Requires that nothing of the question is uncertain but lengths that are irrational.
+std::string plot_grasp(const SpatialQuestion& question, const SpatialVerdict& verdict);
 
 }  // namespace stickslip

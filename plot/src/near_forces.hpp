@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Forces for people, where a proof says that there is an equilibrium and not which.
+#pragma once
+
+#include <vector>
+
+#include "stickslip/core/spatial_forces.hpp"
+#include "stickslip/space/spatial_question.hpp"
+
+namespace stickslip::plot_detail {
+
+/// Forces near those of an equilibrium near the motion d, by contact, in doubles. What nearly
+/// sticks has slip 0, and friction within its cone by which the sum comes nearest to 0.
+std::vector<SpatialForce> near_forces(const SpatialQuestion& question, const Vector6& d);
+
+}  // namespace stickslip::plot_detail

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Grasps in space: the class beside GraspData, and the questions that it answers to. The
+// functions have the names and arguments of those of the plane.
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+#include "bindings.hpp"
+#include "exact.hpp"
+#include "stickslip/certificate/certificate.hpp"
+#include "stickslip/core/error.hpp"
+#include "stickslip/core/spatial_forces.hpp"
+#include "stickslip/plot/grasp_plot.hpp"
+#include "stickslip/space/spatial_margin.hpp"
+
+namespace stickslip::python {
+namespace {
+
+namespace py = pybind11;
+using py::literals::operator""_a;
+
+template <std::size_t N>
+std::array<Rational, N> exact_array(const py::list& values, const std::string& name) {
+  std::array<Rational, N> result;
+  const std::vector<Rational> all = numbers(values, N, name);
+  std::copy(all.begin(), all.end(), result.begin());
+  return result;
+}
+
+SpatialWrench certain(const Vector6& wrench) {
+  SpatialWrench result;
+  for (std::size_t j = 0; j < 6; ++j) result[j] = point_interval(wrench[j]);
+  return result;
+}
+
+Vector3 row_of(const py::list& rows, std::size_t i, const char* name) {
+  const auto row = rows[i].cast<py::list>();
+  Vector3 result;
+  for (std::size_t j = 0; j < 3; ++j) {
+    result[j] =
+        exact(row[j], name + ("[" + std::to_string(i) + ", ") + std::to_string(j) + "]");
+  }
+  return result;
+}
+
+/// The package has checked the lengths.
+SpatialGrasp make_grasp(const py::list& positions, const py::list& normals,
+                        const py::object& friction, const py::object& stiffness,
+                        const py::object& preload, const py::list& wrench,
+                        const std::string& name, bool assumed_stiffness, const py::list& cases,
+                        const py::list& units) {
+  const std::size_t m = positions.size();
+  const std::vector<Rational> frictions = numbers(friction, m, "friction");
+  const std::vector<Rational> stiffnesses = numbers(stiffness, m, "stiffness");
+  const std::vector<Rational> preloads = numbers(preload, m, "preload");
+  SpatialGrasp grasp;
+  for (std::size_t i = 0; i < m; ++i) {
+    const Vector3 p = row_of(positions, i, "positions");
+    grasp.contacts.push_back(
+        {{point_interval(p[0]), point_interval(p[1]), point_interval(p[2])},
+         row_of(normals, i, "normals"),
+         point_interval(frictions[i]),
+         point_interval(stiffnesses[i]),
+         point_interval(preloads[i])});
+    if (assumed_stiffness) grasp.assumed_stiffness.emplace_back(i);
+  }
+  grasp.wrench = certain(exact_array<6>(wrench, "wrench"));
+  for (const py::handle entry : cases) {
+    const auto named = entry.cast<py::tuple>();
+    const auto case_name = named[0].cast<std::string>();
+    grasp.cases.push_back(
+        {case_name, certain(exact_array<6>(named[1].cast<py::list>(),
+                                           "cases[" + quote(case_name) + "]"))});
+  }
+  const Grasp described({}, GraspDescription{name, {}, units_from(units)});
+  grasp.name = described.name();
+  grasp.units = described.description().units;
+  check(grasp);
+  return grasp;
+}
+
+/// Every stiffness written out, as of a GraspFile.
+std::string text_of(SpatialGrasp grasp) {
+  grasp.assumed_stiffness.clear();
+  return write_grasp_file(grasp);
+}
+
+/// The numbers of a grasp without intervals.
+template <class Intervals>
+py::tuple lows(const Intervals& intervals) {
+  return tuple_of(intervals, [](const Interval& interval) { return fraction(interval.low); });
+}
+
+template <class Values>
+py::tuple fractions_of(const Values& values) {
+  return tuple_of(values, fraction);
+}
+
+/// One value a contact.
+template <class Value>
+auto by_contact(Value value) {
+  return [value](const SpatialGrasp& grasp) { return tuple_of(grasp.contacts, value); };
+}
+
+auto scalars(Interval SpatialContact::*member) {
+  return by_contact([member](const SpatialContact& c) { return fraction((c.*member).low); });
+}
+
+/// What the options of the plane say in space, with these wrenches of six numbers.
+SpatialOptions options_of(const py::object& wrench, const QuestionOptions& others,
+                          const py::object& direction = py::none()) {
+  SpatialOptions asked;
+  if (!wrench.is_none()) asked.wrench = exact_array<6>(wrench.cast<py::list>(), "wrench");
+  if (!direction.is_none()) {
+    asked.direction = exact_array<6>(direction.cast<py::list>(), "direction");
+  }
+  asked.preload = others.preload;
+  asked.preload_direction = others.preload_direction;
+  asked.law = others.law;
+  return asked;
+}
+
+SpatialQuestion question_of(const SpatialGrasp& grasp, const SpatialOptions& asked) {
+  if (!asked.wrench && !asked.direction && !grasp.cases.empty()) {
+    refuse_without_case(grasp.cases.front().name);
+  }
+  return ask(grasp, asked);
+}
+
+SpatialQuestion question_of(const SpatialGrasp& grasp, const py::object& wrench,
+                            const py::object& preload, bool bilateral,
+                            const std::string& uncertain = "") {
+  SpatialOptions asked = options_of(wrench, question_options(py::none(), preload, bilateral));
+  if (!uncertain.empty()) asked.uncertain = parse_tolerances(uncertain);
+  return question_of(grasp, asked);
+}
+
+const std::string kSpaceProducer = "stickslip " STICKSLIP_VERSION ", engine space";
+
+struct Answer {
+  SpatialQuestion question;
+  SpatialDecision decision;
+  std::string grasp;        ///< of a box that was asked for, a file of it
+  std::string certificate;  ///< empty if undecided
+};
+
+py::dict stats_of(const SpatialWork& work) {
+  return py::dict("nodes"_a = work.nodes, "leaves"_a = work.leaves, "rays"_a = work.rays,
+                  "most_rays"_a = work.most_rays, "ray_bits"_a = work.ray_bits,
+                  "twist_bits"_a = work.twist_bits, "exact_checks"_a = work.exact_checks,
+                  "proofs"_a = work.proofs);
+}
+
+/// The fields that all answers have in common.
+py::dict fields_of(const Answer& answer) {
+  const SpatialQuestion& question = answer.question;
+  const SpatialDecision& decision = answer.decision;
+  py::dict result(
+      "verdict"_a = name_of(decision.verdict), "normal_law"_a = to_string(question.law),
+      "wrench"_a = tuple_of(question.grasp.wrench,
+                            [](const Interval& w) { return fraction(w.middle()); }));
+  if (question.preload) result["preload"] = fraction(*question.preload);
+  if (const auto* undecided = std::get_if<Undecided>(&decision.verdict)) {
+    result["limit"] = undecided->limit;
+  }
+  result["stats"] = stats_of(decision.work);
+  return result;
+}
+
+/// Of a box that was asked for (`box`), the files are of its own, as in the plane.
+Answer answer_to(SpatialQuestion question, std::size_t node_limit, bool box) {
+  SpatialSearchOptions options;
+  options.node_limit = node_limit;
+  SpatialDecision decision = decide(question, options);
+  Answer answer{std::move(question), std::move(decision), {}, {}};
+  if (std::holds_alternative<Undecided>(answer.decision.verdict)) return answer;
+  SpatialQuestion proved = answer.question;
+  if (box) {
+    answer.grasp = write_grasp_file(answer.question.grasp);
+    SpatialOptions as_it_stands;
+    as_it_stands.law = answer.question.law;
+    proved = ask(answer.question.grasp, as_it_stands);
+  }
+  answer.certificate = spatial_certificate_text(proved, answer.decision, kSpaceProducer);
+  return answer;
+}
+
+[[noreturn]] void refuse_warnings() {
+  throw InputError("", "warnings", "the grasp is in space",
+                   "traps of the model are known in the plane only; leave it out");
+}
+
+py::dict decide_grasp(const SpatialGrasp& grasp, const py::object& wrench,
+                      const py::object& preload, bool bilateral, const std::string& engine,
+                      std::size_t node_limit, bool warnings) {
+  if (engine != "auto") {
+    throw InputError("", "engine", "the grasp is in space, for which there is one engine",
+                     "leave it out");
+  }
+  if (warnings) refuse_warnings();
+  SpatialQuestion question = question_of(grasp, wrench, preload, bilateral);
+  const Answer answer =
+      without_gil([&] { return answer_to(std::move(question), node_limit, false); });
+  py::dict result = fields_of(answer);
+  result["engine"] = "space";
+  result["warnings"] = py::tuple();
+  if (!answer.certificate.empty()) result["certificate"] = answer.certificate;
+  const auto* stable = std::get_if<SpatiallyStable>(&answer.decision.verdict);
+  if (stable == nullptr) return result;
+  const auto* witness = std::get_if<SpatialWitness>(&stable->proof);
+  if (witness == nullptr) {
+    result["near"] = fractions_of(stable->motion);
+    return result;
+  }
+  const auto forces = forces_of(answer.question.grasp, witness->twist, witness->shares);
+  result["twist"] = fractions_of(witness->twist);
+  result["forces"] =
+      tuple_of(forces, [](const SpatialForce& f) { return fractions_of(f.force); });
+  result["closed"] =
+      tuple_of(forces, [](const SpatialForce& f) { return py::bool_(f.normal.sign() > 0); });
+  return result;
+}
+
+py::dict decide_box(const SpatialGrasp& grasp, const std::string& uncertain,
+                    const py::object& wrench, const py::object& preload, bool bilateral,
+                    std::size_t node_limit) {
+  SpatialQuestion question = question_of(grasp, wrench, preload, bilateral, uncertain);
+  if (!question.is_box) refuse_certain();
+  const Answer answer =
+      without_gil([&] { return answer_to(std::move(question), node_limit, true); });
+  py::dict result = fields_of(answer);
+  if (!answer.certificate.empty()) {
+    result["proof"] = py::make_tuple(answer.grasp, answer.certificate);
+  }
+  return result;
+}
+
+py::dict find_grasp_margin(const SpatialGrasp& grasp, const py::object& direction,
+                           const py::object& wrench, const py::object& preload,
+                           const py::object& preload_direction, bool bilateral,
+                           std::size_t node_limit, bool warnings, const py::object& accuracy) {
+  if (warnings) refuse_warnings();
+  const QuestionOptions others =
+      question_options(py::none(), preload, bilateral, py::none(), preload_direction);
+  const SpatialQuestion question = question_of(grasp, options_of(wrench, others, direction));
+  SpatialMarginOptions options;
+  options.search.node_limit = node_limit;
+  options.accuracy = exact(accuracy, "accuracy");
+  if (options.accuracy.sign() <= 0) {
+    throw InputError("", "accuracy", "the value is " + to_string(options.accuracy),
+                     "give a number above 0, such as 1/1000");
+  }
+  const auto [margin, certificate] = without_gil([&] {
+    SpatialMargin found = find_margin(question, options);
+    std::string text = spatial_margin_text(question, found, kSpaceProducer);
+    return std::pair(std::move(found), std::move(text));
+  });
+  py::list resisted;
+  py::list refuted;
+  for (const auto& claim : margin.claims) {
+    std::visit(
+        [&](const auto& part) {
+          constexpr bool holds = std::is_same_v<decltype(part), const ResistedMultiples&>;
+          (holds ? resisted : refuted)
+              .append(py::make_tuple(fraction(part.low), part.high ? fraction(*part.high)
+                                                                   : py::object(py::none())));
+        },
+        claim);
+  }
+  py::dict result("resisted"_a = resisted, "refuted"_a = py::tuple(refuted),
+                  "wrench"_a = lows(question.grasp.wrench),
+                  "normal_law"_a = to_string(question.law), "certificate"_a = certificate,
+                  "warnings"_a = py::tuple(), "stats"_a = stats_of(margin.work));
+  result["direction"] =
+      question.direction ? py::object(fractions_of(*question.direction)) : py::object(py::none());
+  if (question.preload) result["preload"] = fraction(*question.preload);
+  if (question.preload_direction) {
+    result["preload_direction"] = preload_direction_of(*question.preload_direction);
+  }
+  return result;
+}
+
+py::str grasp_picture(const SpatialGrasp& grasp, const py::object& wrench,
+                      const py::object& preload, bool bilateral,
+                      const std::string& /*engine*/) {
+  const SpatialQuestion question = question_of(grasp, wrench, preload, bilateral);
+  return text(without_gil([&] { return plot_grasp(question, decide(question).verdict); }));
+}
+
+SpatialGrasp with_friction(SpatialGrasp grasp, const py::object& friction) {
+  const std::vector<Rational> all = numbers(friction, grasp.contacts.size(), "friction");
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    grasp.contacts[i].friction = point_interval(all[i]);
+  }
+  check(grasp);
+  return grasp;
+}
+
+SpatialGrasp unpickled(const py::tuple& state) {
+  return std::get<SpatialGrasp>(
+      parse_any_grasp(state[0].cast<std::string>(), "<pickle>", Intervals::kRefused));
+}
+
+/// Of either class.
+py::object parse(const std::string& content, const std::string& name) {
+  AnyGraspFile file =
+      without_gil([&] { return parse_any_grasp(content, name, Intervals::kRefused); });
+  return std::visit([](auto& grasp) { return py::cast(std::move(grasp)); }, file);
+}
+
+}  // namespace
+
+void bind_space(py::module_& module) {
+  py::class_<SpatialGrasp, std::shared_ptr<SpatialGrasp>>(module, "SpatialGraspData")
+      .def(py::init(&make_grasp))
+      .def("text", &text_of)
+      .def("with_friction", py::overload_cast<SpatialGrasp, const py::object&>(&with_friction))
+      .def("size", [](const SpatialGrasp& g) { return g.contacts.size(); })
+      .def("name", [](const SpatialGrasp& g) { return text(g.name); })
+      .def("positions", by_contact([](const SpatialContact& c) { return lows(c.position); }))
+      .def("normals",
+           by_contact([](const SpatialContact& c) { return fractions_of(c.normal); }))
+      .def("friction", scalars(&SpatialContact::friction))
+      .def("stiffness", scalars(&SpatialContact::stiffness))
+      .def("preload", scalars(&SpatialContact::preload))
+      .def("wrench", [](const SpatialGrasp& g) { return lows(g.wrench); })
+      .def("cases",
+           [](const SpatialGrasp& g) {
+             py::dict result;
+             for (const SpatialCase& one : g.cases) result[text(one.name)] = lows(one.wrench);
+             return result;
+           })
+      .def("units", [](const SpatialGrasp& g) { return units_of(g.units); })
+      .def(py::pickle(
+          [](const SpatialGrasp& g) { return py::make_tuple(py::bytes(write_grasp_file(g))); },
+          &unpickled));
+  module.def("parse_grasp", &parse);
+  module.def("decide", &decide_grasp);
+  module.def("decide_box", &decide_box);
+  module.def("margin", &find_grasp_margin);
+  module.def("plot_grasp", &grasp_picture);
+}
+
+}  // namespace stickslip::python

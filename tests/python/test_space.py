@@ -1,0 +1,319 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Grasps in space: arrays of three coordinates, and the answers, proofs and errors of the program."""
+
+import json
+import os
+import pickle
+import subprocess
+from fractions import Fraction
+
+import numpy as np
+import pytest
+import stickslip
+from conftest import ROOT, check_py, program
+from stickslip import Decision, Grasp, InputError, decide
+from test_boxes import judged
+
+EXAMPLES = ROOT / "examples" / "grasps"
+FILES = [*sorted(EXAMPLES.glob("space-*.json")),
+         *sorted((ROOT / "tests" / "corpus" / "near").glob("*4_*.json"))]
+DOWN = (0, 0, -1, 0, 0, 0)
+
+
+@pytest.fixture
+def pinch():
+    """Two fingers of 4 N; they hold up to 4 N."""
+    return Grasp(np.array([[-2, 0, 0], [2, 0, 0]]), np.array([[1, 0, 0], [-1, 0, 0]]), "1/2",
+                 preload=4, name="pinch")
+
+
+def numbers(texts):
+    return tuple(map(Fraction, texts))
+
+
+def written(tmp_path, grasp):
+    path = tmp_path / "g.json"
+    path.write_text(grasp.to_text())
+    return path
+
+
+def balance(grasp, decision):
+    total = list(decision.wrench)
+    for p, f in zip(grasp.positions, decision.forces):
+        total[:3] = [a + b for a, b in zip(total[:3], f)]
+        turned = (p[1] * f[2] - p[2] * f[1], p[2] * f[0] - p[0] * f[2], p[0] * f[1] - p[1] * f[0])
+        total[3:] = [a + b for a, b in zip(total[3:], turned)]
+    return total
+
+
+def assert_same_as_the_program(tmp_path, path, words, decision):
+    """The answer, the bytes of the proof, and what both checkers say."""
+    proof = tmp_path / "proof.json"
+    expected = program("decide", path, "--certificate", proof, *words)
+    assert decision.verdict == expected["verdict"] != "undecided"
+    assert (decision.engine, decision.normal_law) == ("space", expected["normal_law"])
+    assert decision.stats == expected["stats"]
+    assert decision.certificate == proof.read_text()
+    assert decision.twist == (numbers(expected["twist"]) if "twist" in expected else None)
+    assert decision.near == (numbers(expected["near"]) if "near" in expected else None)
+    assert (decision.slip, decision.coefficients) == (None, None)
+    if decision.twist is not None:
+        contacts = expected["contacts"]
+        assert decision.forces == tuple(numbers(c["force"]) for c in contacts)
+        assert decision.closed == tuple(c["closed"] for c in contacts)
+        assert balance(decision.grasp, decision) == [0] * 6
+    else:
+        assert decision.forces is decision.closed is None
+    assert decision.check().verdict == decision.verdict
+    assert decision.check().wrench == decision.wrench
+
+
+def test_same_answers_and_proofs_as_the_program(tmp_path):
+    kinds = set()
+    for path in FILES:
+        grasp = Grasp.from_file(path)
+        assert grasp.in_space
+        for words, load in [(("--case", name), load) for name, load in grasp.cases.items()] or [((), None)]:
+            decision = decide(grasp, load)
+            # The case is named in the question of the program's proof, and no more.
+            given = ("--wrench", ",".join(map(str, load))) if load else ()
+            assert_same_as_the_program(tmp_path, path, given, decision)
+            assert program("decide", path, *words)["verdict"] == decision.verdict
+            assert check_py(tmp_path, grasp, decision.certificate, *given)
+            kinds.add((decision.verdict, decision.twist is None))
+    assert kinds == {("stable", False), ("stable", True), ("unstable", True)}
+
+
+def test_what_is_replaced(tmp_path, pinch):
+    path = written(tmp_path, pinch)
+    load = "0,0,-3,0,0,0"
+    for options, words in (({}, []), ({"preload": "7/2"}, ["--preload", "7/2"]),
+                           ({"preload": 2}, ["--preload", "2"]),
+                           ({"normal_law": "bilateral"}, ["--normal-law", "bilateral"])):
+        decision = decide(pinch, load.split(","), **options)
+        assert_same_as_the_program(tmp_path, path, ["--wrench", load, *words], decision)
+        assert decision.preload == options.get("preload") or decision.preload == Fraction(7, 2)
+        assert check_py(tmp_path, pinch, decision.certificate, "--wrench", load, *words)
+        assert stickslip.check(path, decision.certificate, wrench=load.split(","), **options)
+    assert decide(pinch, load.split(",")).verdict == "stable"
+    assert decide(pinch, load.split(","), friction="1/3").verdict == "unstable"
+    rule = stickslip.check(pinch, decide(pinch, DOWN).certificate, wrench=(0, 0, -2, 0, 0, 0)).rule
+    assert rule == "question-wrench"
+
+
+def test_arrays_in_and_out(pinch):
+    assert pinch.in_space and len(pinch) == 2
+    assert pinch.positions == ((-2, 0, 0), (2, 0, 0))
+    assert pinch.normals == ((1, 0, 0), (-1, 0, 0))
+    assert (pinch.friction, pinch.stiffness, pinch.preload) == (
+        (Fraction(1, 2),) * 2, (1, 1), (4, 4))
+    assert pinch.wrench == (0,) * 6 and pinch.outline == () and not pinch.units
+    decision = decide(pinch, np.array([0, 0, -1.5, 0, 0, 0]))
+    assert decision.forces_float.tolist() == [[4, 0, 0.75], [-4, 0, 0.75]]
+    assert decision.wrench_float.tolist() == [0, 0, -1.5, 0, 0, 0]
+    assert decision.twist_float.shape == (6,)
+    assert isinstance(decision, Decision) and "twist=(0, 0, 0, 0, 0, 0)" in repr(decision)
+    alone = Grasp([], [], 1, wrench=[0] * 6)
+    assert alone.in_space and not Grasp([], [], 1).in_space
+    assert decide(alone).verdict == "stable"
+    assert decide(alone, DOWN).verdict == "unstable"
+
+
+def test_a_motion_near_an_equilibrium_where_none_is_exact():
+    corner = decide(Grasp.from_file(EXAMPLES / "space-corner.json"))
+    assert (corner.verdict, corner.twist, corner.forces_float) == ("stable", None, None)
+    assert corner.near_float.shape == (6,) and corner.near_float[2] < 0
+    assert "near=(" in repr(corner)
+
+
+def test_round_trip(pinch):
+    cases = {"up": (0, 0, 1, 0, 0, 0), "turned": ("1/3", 0, -1, 0, "1/2", 0)}
+    grasp = Grasp(pinch.positions, pinch.normals, [1, "1/2"], [3, "1e-3"], 4, cases=cases,
+                  wrench=(1, 0, 0, 0, 0, "-1/7"), name="é\"", units={"length": "m", "force": "N"})
+    for again in (Grasp.from_text(grasp.to_text()), pickle.loads(pickle.dumps(grasp))):
+        assert again == grasp and hash(again) == hash(grasp)
+        assert again.cases == grasp.cases == {name: numbers(w) for name, w in cases.items()}
+        assert (again.name, again.units) == (grasp.name, grasp.units)
+        assert (again.wrench, again.stiffness) == (grasp.wrench, (3, Fraction(1, 1000)))
+    assert pickle.loads(pickle.dumps(decide(pinch, DOWN))) == decide(pinch, DOWN)
+    assert Grasp(pinch.positions, pinch.normals, 1, preload=4) != pinch
+    assert Grasp([[0, 0]], [[1, 0]], 1) != Grasp([[0, 0, 0]], [[1, 0, 0]], 1)
+    with pytest.raises(InputError, match=r'none is chosen.*grasp.cases\["up"\]'):
+        decide(grasp)
+
+
+def said_by_the_program(path, *words):
+    result = subprocess.run([os.environ["STICKSLIP"], *words[:1], str(path), *words[1:]],
+                            capture_output=True, text=True, check=False, timeout=300)
+    assert result.returncode == 2
+    return result.stderr
+
+
+@pytest.mark.parametrize("change", [
+    {"position": [0, 0]}, {"normal": [0, 1]}, {"normal": [0, 0, 0]}, {"friction": -1},
+    {"stiffness": 0}, {"preload": "-1/2"}, {"position": [0, 0, "x"]}, {"on": [0, 0]}], ids=str)
+def test_errors_of_files_are_those_of_the_program(tmp_path, pinch, change):
+    content = json.loads(pinch.to_text())
+    content["contacts"][1].update(change)
+    path = tmp_path / "bad.json"
+    path.write_text(json.dumps(content))
+    with pytest.raises(InputError) as caught:
+        Grasp.from_file(path)
+    assert caught.value.place.startswith("contacts[1]")
+    assert str(caught.value) in said_by_the_program(path, "decide")
+
+
+@pytest.mark.parametrize("replaced", [
+    {"normals": [[1, 0, 0], [0, 0, 0]]}, {"friction": [1, -1]}, {"stiffness": [1, 0]},
+    {"preload": [1, -1]}], ids=str)
+def test_errors_of_arrays_name_the_contact_as_those_of_files(tmp_path, pinch, replaced):
+    arguments = {"positions": pinch.positions, "normals": pinch.normals, "friction": 1, **replaced}
+    with pytest.raises(InputError) as caught:
+        Grasp(**arguments)
+    (name, values), = replaced.items()
+    content = json.loads(pinch.to_text())
+    content["contacts"][1][name.removesuffix("s") if name == "normals" else name] = values[1]
+    path = tmp_path / "bad.json"
+    path.write_text(json.dumps(content))
+    assert str(caught.value) in said_by_the_program(path, "decide")
+
+
+@pytest.mark.parametrize("arguments, place", [
+    (([[0, 0, 0], [0, 0]], [[0, 0, 1], [0, 0, 1]]), "positions[1]"),
+    (([[0, 0], [0, 0, 0]], [[0, 1], [0, 1]]), "positions[1]"),
+    (([[0, 0, 0]], [[0, 1]]), "normals"), (([[0, 0, 0, 0]], [[0, 1]]), "positions"),
+    (([[0, 0, float("nan")]], [[0, 0, 1]]), "positions[0, 2]"),
+    (([[0, 0, 0]], [[0, 0, "x"]]), "normals[0, 2]")], ids=str)
+def test_errors_of_shapes(arguments, place):
+    with pytest.raises(InputError) as caught:
+        Grasp(*arguments, 1)
+    assert caught.value.place == place
+
+
+def test_errors_of_questions(tmp_path, pinch):
+    for call, place in (
+            (lambda: Grasp([[0, 0, 0]], [[0, 0, 1]], 1, wrench=(0, 0, 0)), "wrench"),
+            (lambda: Grasp([[0, 0, 0]], [[0, 0, 1]], 1, cases={"a": (0, 0, 0)}), "cases['a']"),
+            (lambda: Grasp([[0, 0, 0]], [[0, 0, 1]], 1, outline=[[0, 0], [1, 0], [0, 1]]), "outline"),
+            (lambda: decide(pinch, (0, 0, 1)), "wrench"),
+            (lambda: decide(pinch, (0, 0, 1, 0, 0, "x")), "wrench[5]"),
+            (lambda: decide(pinch, DOWN, preload=-1), "contacts[0].preload"),
+            (lambda: decide(pinch, DOWN, engine="cone"), "engine"),
+            (lambda: decide(pinch, DOWN, warnings=True), "warnings"),
+            (lambda: stickslip.margin(pinch, DOWN, warnings=True), "warnings"),
+            (lambda: stickslip.margin(pinch, DOWN, accuracy=0), "accuracy"),
+            (lambda: stickslip.margin(pinch, (0, 0, -1)), "direction"),
+            (lambda: stickslip.margin(pinch), "direction"),
+            (lambda: stickslip.margin(pinch, DOWN, preload_direction=[1]), "preload_direction"),
+            (lambda: decide(pinch, [DOWN, DOWN]), "grasp"),
+            (lambda: decide([pinch], DOWN), "grasp"),
+            (lambda: decide(pinch, DOWN, uncertain="normal=1/100"), "uncertain"),
+            (lambda: decide(pinch, DOWN, uncertain={}), "uncertain")):
+        with pytest.raises(InputError) as caught:
+            call()
+        assert caught.value.place == place
+    path = written(tmp_path, pinch)
+    for words, options in ((["--engine", "cone"], {"engine": "cone"}),
+                           (["--uncertain", "normal=1/100"], {"uncertain": "normal=1/100"})):
+        with pytest.raises(InputError) as caught:
+            decide(pinch, DOWN, **options)
+        assert caught.value.problem in said_by_the_program(path, "decide", *words)
+
+
+def test_what_is_about_the_plane_says_so_as_the_program_does(tmp_path, pinch):
+    said = said_by_the_program(written(tmp_path, pinch), "states")
+    for ask in (lambda: stickslip.radius(pinch, DOWN, uncertain="friction=1%"),
+                lambda: stickslip.stability_map(pinch, "friction=0:1", "load=0:1"),
+                lambda: stickslip.slip_states(pinch), lambda: stickslip.region(pinch),
+                lambda: stickslip.plot_region(pinch), lambda: stickslip.plot_states(pinch),
+                lambda: stickslip.compare(pinch), lambda: stickslip.export(pinch),
+                lambda: stickslip.crosscheck(pinch, "stable"), pinch.snap):
+        with pytest.raises(InputError, match="the grasp is in space; ") as caught:
+            ask()
+        assert f"{caught.value.problem}; {caught.value.remedy}" in said
+
+
+def test_boxes(tmp_path):
+    table = Grasp([[3, 2, "-1/2"], [3, -2, "-1/2"], [-3, 0, "-1/2"]], [[0, 0, 1]] * 3, 1,
+                  wrench=("2/5", 0, -1, 0, 0, 0))
+    path = tmp_path / "g.json"
+    uncertain = {"friction": "10%", "wrench": "1%"}
+    for friction, verdict in (("3/5", "stable"), ("1/4", "unstable"), ("2/5", "undecided")):
+        feet = Grasp(table.positions, table.normals, friction, wrench=table.wrench)
+        path.write_text(feet.to_text())
+        expected = program("decide", path, "--uncertain", "friction=10%,wrench=1%")
+        answer = decide(table, uncertain=uncertain, friction=friction)
+        assert answer.verdict == expected["verdict"] == verdict
+        assert answer.stats == expected["stats"]
+        assert (answer.wrench, answer.grasp) == (table.wrench, feet)
+        assert answer == pickle.loads(pickle.dumps(answer)) and answer.examples is None
+        if verdict == "undecided":
+            assert answer.proof is None and answer.limit == expected["limit"]
+        else:
+            assert judged(tmp_path, answer.proof) == verdict and answer.check()
+            assert '{"min": ' in answer.proof.grasp
+    interval = feet.to_text().replace('"friction": "2/5"', '"friction": {"min": 0, "max": 1}')
+    with pytest.raises(InputError, match=r"contacts\[0\].friction: the number is uncertain"):
+        Grasp.from_text(interval)
+
+
+def test_normals_of_irrational_length_need_nothing(tmp_path):
+    # As in tests/cli/test_space.py: sqrt 6 w is 24/5 at the threshold.
+    sides = [(side, t) for side in (-1, 1) for t in (-1, 1)]
+    hands = Grasp([(2 * s + t, 2 * s - t, 2 * s) for s, t in sides], [(-s, -s, -s) for s, _ in sides],
+                  "3/10", preload=4, wrench=("19/10", "19/10", "-19/5", 0, 0, 0))
+    answer = decide(hands)
+    assert answer.snapped == ()
+    assert_same_as_the_program(tmp_path, written(tmp_path, hands), (), answer)
+    assert check_py(tmp_path, hands, answer.certificate)
+    enclosed = decide(hands, uncertain={})
+    assert judged(tmp_path, enclosed.proof) == enclosed.verdict == answer.verdict == "stable"
+    floats = Grasp(np.array(hands.positions, float), np.array(hands.normals, float) / np.sqrt(3), 0.3,
+                   preload=4, wrench=np.array(hands.wrench, float))
+    assert decide(floats).verdict == "stable" and decide(floats).grasp == floats
+
+
+@pytest.mark.parametrize("words, options", [
+    (["--direction", "1,0,0,0,0,0"], {"direction": (1, 0, 0, 0, 0, 0)}),
+    (["--direction", "1,0,0,0,0,0", "--normal-law", "bilateral"],
+     {"direction": (1, 0, 0, 0, 0, 0), "normal_law": "bilateral"}),
+    (["--preload", "1", "--preload-direction", "scale"], {"preload": 1, "preload_direction": "scale"}),
+    (["--preload-direction", "0,1,2"], {"preload_direction": [0, 1, 2]})], ids=str)
+def test_margins_are_those_of_the_program(tmp_path, words, options):
+    load = (0 if "direction" in options else 1, 0, -1, 0, 0, 0)  # else it slides
+    feet = Grasp([[3, 2, 0], [3, -2, 0], [-3, 0, 0]], [[0, 0, 1]] * 3, "1/2")
+    proof = tmp_path / "proof.json"
+    expected = program("margin", written(tmp_path, feet), "--certificate", proof,
+                       "--wrench", ",".join(map(str, load)), "--accuracy", "1/10", *words)
+    margin = stickslip.margin(feet, wrench=load, accuracy="1/10", **options)
+
+    def intervals(name):
+        return tuple((Fraction(low), None if high is None else Fraction(high))
+                     for low, high in expected[name])
+
+    assert (margin.resisted, margin.refuted) == (intervals("resisted"), intervals("refuted"))
+    assert margin.resisted or margin.refuted
+    assert margin.certificate == proof.read_text()
+    assert margin.stats == expected["stats"]
+    assert margin.wrench == numbers(expected["wrench"])
+    assert margin.direction == options.get("direction") and margin.grasp == feet
+    assert pickle.loads(pickle.dumps(margin)) == margin
+    assert margin.resisted_float.shape == (len(margin.resisted), 2)
+
+
+def test_undecided():
+    answer = decide(Grasp.from_file(ROOT / "tests" / "corpus" / "near" / "box4_1_0u.json"), node_limit=1)
+    assert (answer.verdict, answer.certificate, answer.near) == ("undecided", None, None)
+    assert "1 nodes" in answer.limit
+    with pytest.raises(stickslip.LimitReached, match="1 nodes"):
+        answer.check()
+
+
+def test_pictures_are_those_of_the_program(tmp_path, pinch):
+    for grasp, load in ((pinch, (0, 0, -3, 0, 0, 0)), (pinch, (0, 0, -6, 0, 0, 0)),
+                        (Grasp.from_file(EXAMPLES / "space-corner.json"), None)):
+        words = ["--wrench", ",".join(map(str, load))] if load else []
+        drawn = subprocess.run([os.environ["STICKSLIP"], "plot", "grasp", written(tmp_path, grasp), *words],
+                               capture_output=True, text=True, check=False, timeout=300)
+        assert (drawn.returncode, drawn.stderr) == (0, "")
+        assert stickslip.plot_grasp(grasp, load) == drawn.stdout == decide(grasp, load).plot()

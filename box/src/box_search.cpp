@@ -22,7 +22,7 @@ Double3 motion_of(const ScaledPoint<3>& x) {
 
 /// A wrench that a region allows at one of its points, and its forces by acting contact; or the
 /// direction that list 2 excludes there.
-struct Support {
+struct BoxSupport {
   std::size_t point = 0;
   bool against = false;
   double work = 0;
@@ -31,10 +31,10 @@ struct Support {
   std::vector<double> tangential{};
 };
 
-using Found = NearestWrench<3, Support>;
+using Found = NearestWrench<3, BoxSupport>;
 
 /// In rounded numbers: its motion, and forces by contact.
-struct RelaxedEquilibrium {
+struct BoxRelaxation {
   ScaledPoint<3> motion{};
   std::vector<double> normal;
   std::vector<double> tangential;
@@ -48,9 +48,9 @@ class BoxSearch::Wrenches {
   Wrenches(const BoxModel& model, const BoxRegion& region, const Direction<3>* direction);
 
   /// The one with the most work on y.
-  std::optional<Support> worst(const Double3& y) const;
+  std::optional<BoxSupport> worst(const Double3& y) const;
   /// Of wrenches that add up to 0.
-  RelaxedEquilibrium combine(const Found& found) const;
+  BoxRelaxation combine(const Found& found) const;
   /// The rule of the leaf for this twist by rounded numbers and a bound on their errors;
   /// nothing if they do not decide.
   std::optional<bool> certainly_refuted(const IntegerVector3& twist) const;
@@ -70,8 +70,8 @@ class BoxSearch::Wrenches {
   bool is_idle(const Point& point, const std::vector<ContactWork<double>>& works) const;
   double bound(const Point& point, const std::vector<ContactWork<double>>& works,
                const Double3& y, bool& acts) const;
-  Support support(std::size_t point, const std::vector<ContactWork<double>>& works,
-                  const Double3& y) const;
+  BoxSupport support(std::size_t point, const std::vector<ContactWork<double>>& works,
+                     const Double3& y) const;
 
   const BoxModel& model_;
   const BoxRegion& region_;
@@ -223,12 +223,12 @@ std::optional<bool> BoxSearch::Wrenches::certainly_refuted(const IntegerVector3&
   return std::nullopt;
 }
 
-Support BoxSearch::Wrenches::support(std::size_t index,
-                                     const std::vector<ContactWork<double>>& works,
-                                     const Double3& y) const {
+BoxSupport BoxSearch::Wrenches::support(std::size_t index,
+                                        const std::vector<ContactWork<double>>& works,
+                                        const Double3& y) const {
   const Point& point = points_[index];
   const double h = point.x[3];
-  Support result;
+  BoxSupport result;
   result.point = index;
   result.normal.resize(acting_.size());
   result.tangential.resize(acting_.size());
@@ -266,9 +266,9 @@ Support BoxSearch::Wrenches::support(std::size_t index,
   return result;
 }
 
-std::optional<Support> BoxSearch::Wrenches::worst(const Double3& y) const {
+std::optional<BoxSupport> BoxSearch::Wrenches::worst(const Double3& y) const {
   const std::vector<ContactWork<double>> works = works_on(y);
-  Support best;
+  BoxSupport best;
   best.work = -HUGE_VAL;
   best.point = points_.size();
   for (std::size_t p = 0; p < points_.size(); ++p) {
@@ -286,14 +286,14 @@ std::optional<Support> BoxSearch::Wrenches::worst(const Double3& y) const {
   if (best.against) return best;
   // Where nothing acts all zeros are barred.
   if (best.point == points_.size()) return std::nullopt;
-  Support result = support(best.point, works, y);
+  BoxSupport result = support(best.point, works, y);
   result.work = best.work;
   for (double& entry : result.wrench) entry /= points_[best.point].scale;
   return result;
 }
 
-RelaxedEquilibrium BoxSearch::Wrenches::combine(const Found& found) const {
-  RelaxedEquilibrium relaxed;
+BoxRelaxation BoxSearch::Wrenches::combine(const Found& found) const {
+  BoxRelaxation relaxed;
   relaxed.normal.assign(model_.contacts.size(), 0.0);
   relaxed.tangential.assign(model_.contacts.size(), 0.0);
   for (const auto& [part, s] : found.parts) {
@@ -350,7 +350,7 @@ struct Split {
 /// The split that the relaxed equilibrium asks for: where a contact breaks its normal law or
 /// maximum dissipation with the most energy, and the motion is on one side for all of the box.
 std::optional<Split> broken_law(const BoxModel& model, const BoxRegion& region,
-                                const RelaxedEquilibrium& relaxed) {
+                                const BoxRelaxation& relaxed) {
   const ScaledPoint<3>& x = relaxed.motion;
   const Double3 d = motion_of(x);
   double energy = 0;
@@ -480,7 +480,7 @@ std::optional<BoxSearch::BoxBranch> BoxSearch::examine(const BoxRegion& region,
     if (!y) return std::nullopt;
     return BoxBranch{VirtualWorkLeaf{*y}, {}};
   }
-  const RelaxedEquilibrium relaxed = wrenches.combine(found);
+  const BoxRelaxation relaxed = wrenches.combine(found);
   auto split = broken_law(model_, region, relaxed);
   if (!split) {
     const IntegerVector5 plane = wrenches.plane_between_widest(found, relaxed.motion);

@@ -128,7 +128,7 @@ Double6 motion_of(const ScaledPoint<6>& x) {
 
 /// A wrench that a region allows at one of its generators, and its forces by contact; or the
 /// direction that list 2 excludes there.
-struct Support {
+struct SpaceSupport {
   double work = -HUGE_VAL;
   Double6 wrench{};
   std::size_t generator = 0;
@@ -159,9 +159,9 @@ class Wrenches {
   }
 
   /// The one with the most work on y.
-  std::optional<Support> worst(const Double6& y) const {
+  std::optional<SpaceSupport> worst(const Double6& y) const {
     const Actions actions(model_, region_, y);
-    Support best;
+    SpaceSupport best;
     for (std::size_t g = 0; g < scales_.size(); ++g) {
       if (!(scales_[g] > 0)) continue;
       const Double6 load = load_at(g, y);
@@ -185,9 +185,9 @@ class Wrenches {
     return best;
   }
 
-  RelaxedEquilibrium combine(const NearestWrench<6, Support>& found) const {
+  SpaceRelaxation combine(const NearestWrench<6, SpaceSupport>& found) const {
     const std::size_t m = model_.contacts.size();
-    RelaxedEquilibrium result{{}, std::vector<double>(m), std::vector<Double3>(m), {}};
+    SpaceRelaxation result{{}, std::vector<double>(m), std::vector<Double3>(m), {}};
     std::vector<std::pair<double, std::size_t>> order;
     for (const auto& [part, s] : found.parts) {
       order.emplace_back(-part, s.generator);
@@ -218,7 +218,7 @@ class Wrenches {
     return model_.load_at(x[6], x[7], y);
   }
 
-  void add_forces(Support& support, const Actions& actions, const Double6& y) const {
+  void add_forces(SpaceSupport& support, const Actions& actions, const Double6& y) const {
     const std::size_t m = model_.contacts.size();
     const std::size_t g = support.generator;
     support.normal.resize(m);
@@ -297,7 +297,7 @@ SpaceSearch::SpaceBranch SpaceSearch::cut(const SpaceRegion& region, const Spati
 /// Across the mean of the slip and of the one that friction implies: first whether there is any
 /// slip, and then on which side.
 std::optional<SpaceSearch::SpaceBranch> SpaceSearch::split_slip(const SpaceRegion& region,
-                                                                const RelaxedEquilibrium& found,
+                                                                const SpaceRelaxation& found,
                                                                 std::size_t contact) const {
   const SpaceContact& c = model_.contacts[contact];
   const Double3 s = mean_slip(c, motion_of(found.motion));
@@ -343,7 +343,7 @@ std::optional<SpaceSearch::SpaceBranch> SpaceSearch::split_slip(const SpaceRegio
 }
 
 std::optional<SpaceSearch::SpaceBranch> SpaceSearch::split(const SpaceRegion& region,
-                                                           const RelaxedEquilibrium& found) {
+                                                           const SpaceRelaxation& found) {
   const std::size_t m = model_.contacts.size();
   const Double6 motion = motion_of(found.motion);
   double energy = 0;
@@ -420,7 +420,7 @@ std::optional<SpaceSearch::SpaceBranch> SpaceSearch::split(const SpaceRegion& re
 }
 
 /// Of a margin: motions grow without end towards one multiple, and so would the tree.
-bool SpaceSearch::escapes(const RelaxedEquilibrium& found, double energy) const {
+bool SpaceSearch::escapes(const SpaceRelaxation& found, double energy) const {
   constexpr double kFar = 1e6;
   const double height = found.motion[6];
   const double stiffest = model_.force / model_.reach;
@@ -431,8 +431,7 @@ bool SpaceSearch::escapes(const RelaxedEquilibrium& found, double energy) const 
 }
 
 /// Taken at its word: its motion says which contacts slip.
-bool SpaceSearch::is_candidate(const SpaceRegion& region,
-                               const RelaxedEquilibrium& found) const {
+bool SpaceSearch::is_candidate(const SpaceRegion& region, const SpaceRelaxation& found) const {
   const double height = found.motion[6];
   if (!candidate_ || !(height > 0)) return false;
   const Double6 motion = motion_of(found.motion);

@@ -15,7 +15,7 @@
 namespace stickslip::space_detail {
 
 /// Motion and forces of a region whose wrenches add up to 0, in the model's units.
-struct RelaxedEquilibrium {
+struct SpaceRelaxation {
   ScaledPoint<6> motion{};
   std::vector<double> normal;       ///< a by contact
   std::vector<Double3> friction;    ///< f by contact
@@ -46,12 +46,11 @@ class SpaceSearch {
 
   std::optional<SpaceBranch> examine(const SpaceRegion& region, std::size_t depth);
   std::optional<IntegerVector<6>> confirm(const SpaceRegion& region, const Double6& twist);
-  std::optional<SpaceBranch> split(const SpaceRegion& region, const RelaxedEquilibrium& found);
-  std::optional<SpaceBranch> split_slip(const SpaceRegion& region,
-                                        const RelaxedEquilibrium& found,
+  std::optional<SpaceBranch> split(const SpaceRegion& region, const SpaceRelaxation& found);
+  std::optional<SpaceBranch> split_slip(const SpaceRegion& region, const SpaceRelaxation& found,
                                         std::size_t contact) const;
-  bool is_candidate(const SpaceRegion& region, const RelaxedEquilibrium& found) const;
-  bool escapes(const RelaxedEquilibrium& found, double energy) const;
+  bool is_candidate(const SpaceRegion& region, const SpaceRelaxation& found) const;
+  bool escapes(const SpaceRelaxation& found, double energy) const;
   SpaceBranch cut(const SpaceRegion& region, const SpatialNode& node, const Point& plane) const;
 
   const SpaceModel& model_;

@@ -1013,7 +1013,7 @@ def read_range(source: Source, value: Any, place: str) -> RangeProof:
     by_points = type(proofs[0]) is Members and "shares" in dict(proofs[0].pairs)
     # Without an end 1 stands for all.
     loads = [Fraction(1)] if high is None else [low, high][:1 + (low != high)]
-    source.array(value, place, 3 + (len(loads) if stable and by_points else 1))
+    source.array(value, place, 3 + (len(loads) if by_points else 1))
     if not stable:
         return RangeProof(stable, interval, tree=read_tree(source, proofs[0], place, True))
     if not by_points:

@@ -22,8 +22,8 @@ Rational longest_square(const ContactBox& contact) {
 }
 
 /// Whether the product of two vectors is as large as the squares of their lengths, or of
-/// bounds of these, allow: then one is 0, or each is a multiple > 0 of the other, as long as its
-/// bound.
+/// bounds of these, allow: then one is 0, or each is a multiple > 0 of the other, as long as
+/// its bound.
 bool is_largest(const Rational& product, const Rational& squares) {
   return product >= 0 && product * product == squares;
 }

@@ -390,6 +390,11 @@ class Row(NamedTuple):
     v: Vector  # v_i(x) = v·x for a point x = (d, h, ℓ)
     normal: Vector
 
+    @property
+    def longest(self) -> Fraction:
+        """The square of the length that a share has at most."""
+        return Fraction(1) if len(self.normal) == 2 else dot(self.normal, self.normal)
+
 
 class Question(NamedTuple):
     """About one grasp, or about a box (§6), and then without rows."""
@@ -831,8 +836,11 @@ Interval = Tuple[Fraction, Optional[Fraction]]  # None for ∞
 
 class RangeProof(NamedTuple):
     """§7, a CLAIM of a margin in space."""
+    stable: bool
     interval: Interval
-    proof: Union[DegreeProof, List[Node]]  # of a stable claim, or the tree of an unstable one
+    points: List[Witness] = []  # of a stable claim: two, or one, or none and then
+    part: Optional[DegreeProof] = None
+    tree: List[Node] = []       # of an unstable claim
 
 
 class Certificate(NamedTuple):
@@ -848,14 +856,13 @@ class Certificate(NamedTuple):
 
     def by_degree(self) -> List[DegreeProof]:
         """All parts that are not cut."""
-        parts = (self.parts or []) + [claim.proof for claim in self.claims or []]
+        parts = [*(self.parts or []), *(claim.part for claim in self.claims or [])]
         return [part for part in parts if isinstance(part, DegreeProof)]
 
     def trees(self) -> List[Node]:
         """All nodes."""
         nodes = self.tree + [node for part in self.by_degree() for node in part.tree]
-        return nodes + [node for claim in self.claims or []
-                        if not isinstance(claim.proof, DegreeProof) for node in claim.proof]
+        return nodes + [node for claim in self.claims or [] for node in claim.tree]
 
 
 def read_certificate(name: str, dimension: int) -> Certificate:
@@ -890,10 +897,7 @@ def read_certificate(name: str, dimension: int) -> Certificate:
                   for k, claim in enumerate(source.array(top["intervals"], "intervals"))]
         return Certificate(claim, verdict, bits=bits, claims=claims)
     if verdict == "stable":
-        witness = Witness(source.vector(top["twist"], "twist", dimension)
-                          + (Fraction(1), Fraction(0)),
-                          read_shares(source, top["shares"], "shares"))
-        return Certificate(claim, verdict, witness, bits=bits)
+        return Certificate(claim, verdict, read_witness(source, top, "", Fraction(0)), bits=bits)
     tree = read_tree(source, top["tree"], "tree", margin)
     if verdict == "unstable":
         return Certificate(claim, verdict, None, tree, bits=bits)
@@ -966,6 +970,12 @@ def read_shares(source: Source, value: Any, place: str) -> List[Tuple[int, Vecto
     return shares
 
 
+def read_witness(source: Source, fields: Dict[str, Any], place: str, load: Fraction) -> Witness:
+    """For the multiple `load`."""
+    return Witness(source.vector(fields["twist"], place + "twist", source.dimension)
+                   + (Fraction(1), load), read_shares(source, fields["shares"], place + "shares"))
+
+
 def read_point(source: Source, value: Any, place: str, may_be_ray: bool) -> Witness:
     """POINT."""
     load, twist, shares = source.array(value, place, 3)
@@ -996,11 +1006,21 @@ def read_part(source: Source, value: Any, place: str) -> Union[Node, DegreeProof
 
 def read_range(source: Source, value: Any, place: str) -> RangeProof:
     """CLAIM."""
-    word, low, high, proof = source.array(value, place, 4)
-    interval = source.number(low, place), None if high is None else source.number(high, place)
-    if source.choice(word, place, ("stable", "unstable")) == "stable":
-        return RangeProof(interval, read_proof(source, proof, place, True))
-    return RangeProof(interval, read_tree(source, proof, place, True))
+    word, begin, end, *proofs = source.array(value, place) + [None] * 3
+    stable = source.choice(word, place, ("stable", "unstable")) == "stable"
+    low, high = interval = (source.number(begin, place),
+                            None if end is None else source.number(end, place))
+    by_points = type(proofs[0]) is Members and "shares" in dict(proofs[0].pairs)
+    # Without an end 1 stands for all.
+    loads = [Fraction(1)] if high is None else [low, high][:1 + (low != high)]
+    source.array(value, place, 3 + (len(loads) if by_points else 1))
+    if not stable:
+        return RangeProof(stable, interval, tree=read_tree(source, proofs[0], place, True))
+    if not by_points:
+        return RangeProof(stable, interval, part=read_proof(source, proofs[0], place, True))
+    return RangeProof(stable, interval, [
+        read_witness(source, source.members(point, place, "twist shares", True), f"{place}.", load)
+        for point, load in zip(proofs, loads)])
 
 
 def read_proof(source: Source, value: Any, place: str, margin: bool) -> DegreeProof:
@@ -1078,8 +1098,7 @@ def check_witness(question: Question, witness: Witness) -> List[ContactForce]:
         row, last = question.rows[i], i
         if any(forces[i].slip):
             raise Rejected("witness-share", f"contact {i} slips: {show(forces[i].slip)}")
-        longest = dot(row.normal, row.normal) if len(share) == 3 else 1
-        if dot(share, share) > longest or (len(share) == 3 and dot(share, row.normal) != 0):
+        if dot(share, share) > row.longest or (len(share) == 3 and dot(share, row.normal) != 0):
             raise Rejected("witness-share", f"contact {i}, share {show(share)}")
         forces[i] = forces[i]._replace(b=times(row.friction * forces[i].a, share))
     for i, force in enumerate(forces):
@@ -1087,8 +1106,7 @@ def check_witness(question: Question, witness: Witness) -> List[ContactForce]:
             raise Rejected("witness-normal", f"contact {i}: v = {show(force.v)} is below 0")
     for i, (row, force) in enumerate(zip(question.rows, forces)):
         if any(force.slip) and row.friction * force.a:
-            longest = Fraction(1) if len(force.slip) == 1 else dot(row.normal, row.normal)
-            ratio = rational_root(longest / dot(force.slip, force.slip))
+            ratio = rational_root(row.longest / dot(force.slip, force.slip))
             if ratio is None:
                 raise Rejected("witness-root", f"contact {i} slips by {show(force.slip)}, and the "
                                                "ratio of its normal's length to that is irrational")
@@ -1787,11 +1805,7 @@ def check_segments(segments: Sequence[Tuple[Witness, Witness]], resisted: Sequen
         for point, name in ((first, "first"), (second, "second")):
             if point == last:
                 continue
-            try:
-                before, forces = forces, check_witness(question, point)
-            except Rejected as failure:
-                failure.path = f"{place}, {name} point"
-                raise
+            before, forces = forces, check_point(question, point, f"{place}, {name} point")
             if name == "second":
                 check_mode(question, before, forces, place)
             last = point
@@ -1799,6 +1813,15 @@ def check_segments(segments: Sequence[Tuple[Witness, Witness]], resisted: Sequen
     if at < len(resisted):
         raise Rejected("segment-chain", "missing: the intervals are not covered yet",
                        f"segment {len(segments)}")
+
+
+def check_point(question: Question, point: Witness, place: str) -> List[ContactForce]:
+    """`witness-...`."""
+    try:
+        return check_witness(question, point)
+    except Rejected as failure:
+        failure.path = place
+        raise
 
 
 def check_mode(question: Question, first: Sequence[ContactForce], second: Sequence[ContactForce],
@@ -1809,14 +1832,21 @@ def check_mode(question: Question, first: Sequence[ContactForce], second: Sequen
             raise Rejected("segment-mode", f"contact {i}: v = {show(p.v)} and {show(q.v)}", place)
         if row.friction == 0 or p.a + q.a == 0:
             continue
-        (slip, other), (b, other_b) = p.slip + q.slip, p.b + q.b
-        if slip < 0 < other or other < 0 < slip:
-            raise Rejected("segment-mode", f"contact {i}: T.d = {show(slip)} and {show(other)}",
-                           place)
-        edge = -sign(slip + other) * row.friction
-        if edge and (b != edge * p.a or other_b != edge * q.a):
-            raise Rejected("segment-mode", f"contact {i} slips at one end, and at the other its "
-                                           "friction is not the same full share", place)
+        if not one_way(p.slip, q.slip):
+            raise Rejected("segment-mode", f"contact {i} slips by {show(p.slip)} and by "
+                                           f"{show(q.slip)}, not in one direction", place)
+        against = times(Fraction(-1), plus(p.slip, Fraction(1), q.slip))
+        for force in (p, q):
+            full = dot(force.b, force.b) == (row.friction * force.a) ** 2 * row.longest
+            if any(against) and not (full and one_way(force.b, against)):
+                raise Rejected("segment-mode", f"contact {i} slips at one end, and at the other its "
+                                               "friction is not the same full share", place)
+
+
+def one_way(a: Vector, b: Vector) -> bool:
+    """Whether both are multiples >= 0 of one vector."""
+    parallel = all(a[j] * b[k] == a[k] * b[j] for k in range(len(a)) for j in range(k))
+    return parallel and dot(a, b) >= 0
 
 
 def gaps(resisted: Sequence[Interval]) -> List[Range]:
@@ -1928,32 +1958,36 @@ def check_ranges(question: Question, claims: Sequence[RangeProof], box: Box) -> 
     """`interval-...`, and the proofs. Returns what is refuted."""
     before: Optional[Fraction] = Fraction(0)
     refuted = []
-    for k, (interval, proof) in enumerate(claims):
-        (low, high), place = interval, f"interval {k}"
-        stable = isinstance(proof, DegreeProof)
+    for k, claim in enumerate(claims):
+        (low, high), place = claim.interval, f"interval {k}"
         if before is None or low < before or (high is not None and not (
-                low <= high if stable else low < high)):
+                low <= high if claim.stable else low < high)):
             raise Rejected("interval-order", f"({show(low)}, {show(high)}) after {show(before)}",
                            place)
         before = high
-        if not isinstance(proof, DegreeProof):
+        if not claim.stable:
             refuted.append(Range(low, high, k == 0 and low == 0 and not at_rest(question), False))
-            check_tree(proof, roots(question, box, refuted[-1:], place), place)
+            check_tree(claim.tree, roots(question, box, refuted[-1:], place), place)
             continue
         if high is None:
             if low or not at_rest(question):
                 raise Rejected("interval-whole", "a proof about all multiples, but the wrench, a "
                                                  "preload or the low end is not 0", place)
             low = high = Fraction(1)  # for all: the laws are homogeneous
-        check_degree(proof, box, question.asked.law == "bilateral", place, low, high)
+        if claim.part:
+            check_degree(claim.part, box, question.asked.law == "bilateral", place, low, high)
+            continue
+        forces = [check_point(question, point, f"{place}, {name} point")
+                  for point, name in zip(claim.points, ("first", "second"))]
+        check_mode(question, forces[0], forces[-1], place)
     return refuted
 
 
 def resisted_ranges(claims: Sequence[RangeProof]) -> List[Interval]:
     """Those that touch are one."""
     found: List[Interval] = []
-    for (low, high), proof in claims:
-        if isinstance(proof, DegreeProof):
+    for stable, (low, high), *_ in claims:
+        if stable:
             if found and found[-1][1] == low:
                 low = found.pop()[0]
             found.append((low, high))

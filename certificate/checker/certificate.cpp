@@ -116,14 +116,24 @@ std::optional<RangeProof> CertificateReader::next_range() {
   const std::string place = "intervals[" + std::to_string(elements_ - 1) + "]";
   const Value value = json_.value();
   RangeProof claim;
-  claim.stable = value.is_array(4) && value.items[0].is_text("stable");
+  const bool by_points = value.is_array(5);
+  claim.stable = (by_points || value.is_array(4)) && value.items[0].is_text("stable");
   json_.expect(claim.stable || (value.is_array(4) && value.items[0].is_text("unstable")), value,
-               place, R"(["stable", low, high, part] or ["unstable", low, high, tree])");
+               place,
+               R"(["stable", low, high, part], ["stable", low, high, point, point] )"
+               R"(or ["unstable", low, high, tree])");
   claim.range = {number(value.items[1], place), number_or_null(value.items[2], place)};
-  if (claim.stable) {
-    claim.proof = part(value.items[3], place);
-  } else {
+  if (!claim.stable) {
     claim.tree = nodes(value.items[3], place);
+  } else if (by_points || value.items[3].find("shares") != nullptr) {
+    const auto& [low, high] = claim.range;
+    json_.expect(by_points == (high && *high != low), value, place,
+                 "one point where low = high or high is null, else two");
+    // Without an end 1 stands for all.
+    claim.points = {point_at(high ? low : Rational(1), value.items[3], place)};
+    if (by_points) claim.points.push_back(point_at(*high, value.items[4], place));
+  } else {
+    claim.part = part(value.items[3], place);
   }
   return claim;
 }
@@ -339,6 +349,19 @@ Witness CertificateReader::point(const Value& value, bool may_be_ray,
   witness.x.push_back(lambda ? 1 : 0);
   witness.x.push_back(lambda.value_or(1));
   witness.shares = shares(value.items[2], place);
+  return witness;
+}
+
+/// POINT in space.
+Witness CertificateReader::point_at(const Rational& multiple, const Value& value,
+                                    const std::string& place) const {
+  json_.expect(value.kind == Value::Kind::kObject, value, place,
+               R"({"twist": [...], "shares": [...]})");
+  expect_order(value, place, {"twist", "shares"});
+  Witness witness;
+  witness.x = numbers(member(value, place, "twist"), place + ".twist", 0, dimension_);
+  witness.x.insert(witness.x.end(), {1, multiple});
+  witness.shares = shares(member(value, place, "shares"), place + ".shares");
   return witness;
 }
 

@@ -77,6 +77,8 @@ class CertificateReader {
   std::vector<std::pair<Integer, Vector>> shares(const Value& value,
                                                  const std::string& place) const;
   Witness point(const Value& value, bool may_be_ray, const std::string& place) const;
+  Witness point_at(const Rational& multiple, const Value& value,
+                   const std::string& place) const;
   Node node(const Value& value, const std::string& place) const;
   std::vector<Node> nodes(const Value& value, const std::string& place) const;
 

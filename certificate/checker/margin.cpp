@@ -13,6 +13,27 @@ std::optional<Rational> multiple(const Witness& point) {
   return point.x[kPlanar + 1];
 }
 
+const char* const kFirst = ", first point";
+const char* const kSecond = ", second point";
+
+/// The rules `witness-...` of a point of what is at `place`.
+std::vector<ContactForce> check_point(const Question& question, const Witness& point,
+                                      const std::string& place) {
+  try {
+    return check_witness(question, point);
+  } catch (const Rejected& rejected) {
+    throw Rejected{rejected.rule, std::nullopt, place, rejected.found};
+  }
+}
+
+/// `segment-mode`.
+void check_mode(const Question& question, const std::vector<ContactForce>& first,
+                const std::vector<ContactForce>& second, const std::string& place) {
+  if (const auto refusal = mode_refusal(question, first, second)) {
+    throw Rejected{"segment-mode", std::nullopt, place, *refusal};
+  }
+}
+
 }  // namespace
 
 void check_order(const std::vector<Interval>& resisted) {
@@ -47,25 +68,21 @@ std::vector<Range> gaps(const std::vector<Interval>& resisted) {
 
 void Segments::visit(const Witness& first, const Witness& second) {
   if (interval_ == resisted_.size()) {
-    throw rejection("segment-chain", "the intervals were complete before this segment");
+    throw out_of_chain("the intervals were complete before this segment");
   }
   const auto& [low, high] = resisted_[interval_];
   const Rational from = *multiple(first);
   const std::optional<Rational> to = multiple(second);
   if (from != end_.value_or(low)) {
-    throw rejection("segment-chain",
-                    "begins at " + show(from) + ", not at " + show(end_.value_or(low)));
+    throw out_of_chain("begins at " + show(from) + ", not at " + show(end_.value_or(low)));
   }
   if (high && (!to || *to > *high)) {
-    throw rejection("segment-chain",
-                    (to ? "goes to " + show(*to) : "a ray") + ", beyond " + show(*high));
+    throw out_of_chain((to ? "goes to " + show(*to) : "a ray") + ", beyond " + show(*high));
   }
-  if (to && *to < from) throw rejection("segment-chain", "goes down, to " + show(*to));
-  if (!(first == last_)) last_forces_ = check_point(first, ", first point");
-  std::vector<ContactForce> forces = check_point(second, ", second point");
-  if (const auto refusal = mode_refusal(question_, last_forces_, forces)) {
-    throw rejection("segment-mode", *refusal);
-  }
+  if (to && *to < from) throw out_of_chain("goes down, to " + show(*to));
+  if (!(first == last_)) last_forces_ = check_point(question_, first, place() + kFirst);
+  std::vector<ContactForce> forces = check_point(question_, second, place() + kSecond);
+  check_mode(question_, last_forces_, forces, place());
   last_ = second;
   last_forces_ = std::move(forces);
   const bool complete = to == high;
@@ -76,20 +93,16 @@ void Segments::visit(const Witness& first, const Witness& second) {
 
 void Segments::finish() const {
   if (interval_ < resisted_.size()) {
-    throw rejection("segment-chain", "the list ends before this segment");
+    throw out_of_chain("the list ends before this segment");
   }
 }
 
-std::vector<ContactForce> Segments::check_point(const Witness& point, const char* which) const {
-  try {
-    return check_witness(question_, point);
-  } catch (const Rejected& rejected) {
-    throw rejection(rejected.rule.c_str(), rejected.found, which);
-  }
+std::string Segments::place() const {
+  return "segment " + std::to_string(visited_);
 }
 
-Rejected Segments::rejection(const char* rule, std::string found, const char* which) const {
-  return {rule, std::nullopt, "segment " + std::to_string(visited_) + which, std::move(found)};
+Rejected Segments::out_of_chain(const std::string& found) const {
+  return {"segment-chain", std::nullopt, place(), found};
 }
 
 RangeProofs::RangeProofs(const Question& question, Accepted& accepted)
@@ -103,9 +116,11 @@ RangeProofs::RangeProofs(const Question& question, Accepted& accepted)
 void RangeProofs::visit(const RangeProof& claim) {
   const std::string place = "interval " + std::to_string(visited_);
   check_order(claim, place);
-  const TreeWalk walk = check_proof(claim, place);
-  accepted_.nodes += walk.nodes();
-  accepted_.leaves += walk.leaves();
+  if (claim.stable) {
+    check_resisted(claim, place);
+  } else {
+    check_refuted(claim, place);
+  }
   end_ = claim.range.high;
   ++visited_;
 }
@@ -127,31 +142,44 @@ void RangeProofs::check_order(const RangeProof& claim, const std::string& place)
           "a proof about all multiples, but the wrench, a preload or the low end is not 0");
 }
 
-TreeWalk RangeProofs::check_proof(const RangeProof& claim, const std::string& place) {
+void RangeProofs::check_resisted(const RangeProof& claim, const std::string& place) {
   const auto& [low, high] = claim.range;
-  if (claim.stable) {
+  if (claim.points.empty()) {
     // Without an end the laws are homogeneous, and 1 stands for all.
     const Range range = high ? Range{low, high} : Range{1, 1};
-    TreeWalk walk =
-        check_degree(claim.proof, question_.box, range, question_.asked.bilateral, place);
+    count(check_degree(claim.part, question_.box, range, question_.asked.bilateral, place));
     ++accepted_.parts;
-    std::vector<Interval>& resisted = accepted_.resisted;
-    if (resisted.empty() || resisted.back().high != low) {
-      resisted.push_back({low, high});
-    } else {
-      resisted.back().high = high;
+  } else {
+    const auto first = check_point(question_, claim.points.front(), place + kFirst);
+    if (claim.points.size() == 2) {
+      const auto second = check_point(question_, claim.points.back(), place + kSecond);
+      check_mode(question_, first, second, place);
     }
-    return walk;
   }
+  std::vector<Interval>& resisted = accepted_.resisted;
+  if (resisted.empty() || resisted.back().high != low) {
+    resisted.push_back({low, high});
+  } else {
+    resisted.back().high = high;
+  }
+}
+
+void RangeProofs::check_refuted(const RangeProof& claim, const std::string& place) {
+  const auto& [low, high] = claim.range;
   const Range range{low, high, low > 0 || rests_ || visited_ > 0, true};
   std::vector<Root> roots = roots_of(question_, {range});
   roots[0].path = place;
   TreeWalk walk(std::move(roots), place);
   for (const Node& node : claim.tree) walk.visit(node);
   walk.finish();
+  count(walk);
   ++accepted_.trees;
   accepted_.refuted.push_back(range);
-  return walk;
+}
+
+void RangeProofs::count(const TreeWalk& walk) {
+  accepted_.nodes += walk.nodes();
+  accepted_.leaves += walk.leaves();
 }
 
 }  // namespace stickslip_check

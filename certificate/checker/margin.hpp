@@ -35,8 +35,8 @@ class Segments {
   void finish() const;
 
  private:
-  std::vector<ContactForce> check_point(const Witness& point, const char* which) const;
-  Rejected rejection(const char* rule, std::string found, const char* which = "") const;
+  std::string place() const;
+  Rejected out_of_chain(const std::string& found) const;
 
   const Question& question_;
   const std::vector<Interval>& resisted_;
@@ -51,8 +51,9 @@ class Segments {
 struct RangeProof {
   bool stable = false;
   Interval range;
-  Part proof;              ///< if stable, not cut
-  std::vector<Node> tree;  ///< if not
+  std::vector<Witness> points;  ///< if stable, at the ends: two, or one, or none and then
+  Part part;                    ///< not cut
+  std::vector<Node> tree;       ///< if not stable
 };
 
 /// The claims, checked as they come; what they prove is added to `accepted`. Both arguments
@@ -66,7 +67,9 @@ class RangeProofs {
 
  private:
   void check_order(const RangeProof& claim, const std::string& place) const;
-  TreeWalk check_proof(const RangeProof& claim, const std::string& place);
+  void check_resisted(const RangeProof& claim, const std::string& place);
+  void check_refuted(const RangeProof& claim, const std::string& place);
+  void count(const TreeWalk& walk);
 
   const Question& question_;
   Accepted& accepted_;

@@ -16,6 +16,18 @@ std::string name_of(const Integer& contact) {
   return "contact " + show(Rational(contact)) + ": ";
 }
 
+/// The square of the length that a share has at most.
+Rational longest_square(const ContactBox& contact) {
+  return contact.normal.size() == 3 ? dot(contact.normal, contact.normal) : Rational(1);
+}
+
+/// Whether the product of two vectors is as large as the squares of their lengths, or of
+/// bounds of these, allow: then one is 0, or each is a multiple > 0 of the other, as long as
+/// its bound.
+bool is_largest(const Rational& product, const Rational& squares) {
+  return product >= 0 && product * product == squares;
+}
+
 /// v and the slips; the shares of contacts that slip in the plane.
 std::vector<ContactForce> motion_of(const Box& box, const Form& x) {
   std::vector<ContactForce> forces;
@@ -44,7 +56,7 @@ void take_shares(const Box& box, const Witness& witness, std::vector<ContactForc
     const Vector& normal = box.contacts[contact.get_ui()].normal;
     const bool in_space = share.size() == 3;
     require(!in_space || dot(share, normal) == 0, show(share) + " is not across its normal");
-    require(dot(share, share) <= (in_space ? dot(normal, normal) : Rational(1)),
+    require(dot(share, share) <= longest_square(box.contacts[contact.get_ui()]),
             in_space ? show(share) + " is longer than its normal"
                      : show(share[0]) + " is not in [-1, 1]");
     force.share = share;
@@ -134,10 +146,14 @@ std::optional<std::string> mode_refusal(const Question& question,
     if (opposite(p.v, q.v)) return name_of(i) + "v has opposite signs";
     const Bounds& friction = question.box->contacts[i][Parameter::kFriction];
     if (friction == Bounds(0) || (p.v <= 0 && q.v <= 0)) continue;
-    if (opposite(p.slip[0], q.slip[0])) return name_of(i) + "T.d has opposite signs";
-    const int slip = sgn(p.slip[0]) + sgn(q.slip[0]);
+    if (!is_largest(dot(p.slip, q.slip), dot(p.slip, p.slip) * dot(q.slip, q.slip))) {
+      return name_of(i) + "its two slips are not in one direction";
+    }
+    Vector slip;
+    for (std::size_t k = 0; k < p.slip.size(); ++k) slip.emplace_back(p.slip[k] + q.slip[k]);
+    const Rational largest = longest_square(question.box->contacts[i]) * dot(slip, slip);
     for (const ContactForce* end : {&p, &q}) {
-      if (slip != 0 && end->v > 0 && end->share[0] != -((slip > 0) - (slip < 0))) {
+      if (end->v > 0 && !is_largest(-dot(end->share, slip), largest)) {
         return name_of(i) +
                "it slips at one end, and at the other its friction has another share";
       }

@@ -3,6 +3,7 @@
 two false proofs, and a twin. Both checkers.
 """
 
+import collections
 import glob
 import itertools
 import json
@@ -713,6 +714,209 @@ class MarginTest(Case):
                            self.margin(m=1), *self.ASKED)
 
 
+# Two fingers: whatever the motion is, their friction holds 2 · 3/10 · 4 = 12/5.
+PINCH = space_file(*[{"position": [x, 0, 0], "normal": [-x // 2, 0, 0], "friction": "3/10", "preload": 4}
+                     for x in (-2, 2)])
+DOWN = [0, 0, -1, 0, 0, 0]
+PINCHED = [["separation", 0], ["separation", 1], ["leaf", 0, 0, 1, 0, 0, 0],
+           ["leaf", -1, 0, 0, 0, 0, 0], ["leaf", 1, 0, 0, 0, 0, 0]]
+
+
+def point(*shares, twist=(0,) * 6):
+    return {"twist": list(twist), "shares": [[i, list(share)] for i, share in shares]}
+
+
+def held(share):
+    """Both fingers have it."""
+    return point(*((i, [0, 0, share]) for i in range(2)))
+
+
+class PointsTest(Case):
+    ASKED = ("--direction", "0,0,-1,0,0,0")
+    WHOLE = (*ASKED, "--preload-direction", "scale")
+
+    def margin(self, *claims, m=2, **question):
+        return MarginTest.margin(self, *claims, m=m, **question or {"direction": DOWN})
+
+    def test_accepted(self):
+        proof = self.margin(["stable", 0, "12/5", held(0), held(1)], ["unstable", "12/5", None, PINCHED])
+        _, report, text, _ = self.run_both(PINCH, proof, *self.ASKED)
+        self.assertIn("\nresisted    [0, 12/5]\nrefuted     (12/5, oo)\nelsewhere   nothing", text)
+        self.assertIn("intervals by degree: 0, refuted: 1; trees of 5 nodes: 3 leaves\n", text)
+        self.assertEqual((report["resisted"], report["nodes"]), ([["0", "12/5"]], 5))
+        proof["question"]["normal_law"] = "bilateral"
+        self.accepts(PINCH, proof, *self.ASKED, "--normal-law", "bilateral")
+
+    def test_touching_claims(self):
+        parts = self.margin(["stable", 0, 1, held(0), held("5/12")],
+                            ["stable", 1, "12/5", held("5/12"), held(1)])
+        self.assertIn("resisted    [0, 12/5]\n", self.accepts(PINCH, parts, *self.ASKED))
+        turn = [point(*((i, [str(share * c) for c in around]) for i, around in enumerate(
+            ([0, 1, 0], [0, -1, 0], [-1, 0, 0], [1, 0, 0])))) for share in (Fraction(5, 8), Fraction(1))]
+        both = self.margin(["stable", 0, "1/4", turned()], ["stable", "1/4", "2/5", *turn],
+                           ["unstable", "2/5", None, SLACK], m=6, direction=TURN)
+        text = self.accepts(TURNED, both, *MarginTest.ASKED)
+        self.assertIn("\nresisted    [0, 2/5]\nrefuted     (2/5, oo)\n", text)
+        self.assertIn("intervals by degree: 1, refuted: 1;", text)
+
+    def test_one_point(self):
+        half = held("5/24")
+        self.assertIn("resisted    [1/2, 1/2]\n", self.accepts(
+            PINCH, self.margin(["stable", "1/2", "2/4", half]), *self.ASKED))
+        self.rejects("witness-balance", PINCH, self.margin(["stable", 0, 0, half]), *self.ASKED,
+                     path="interval 0, first point")
+        # For all multiples: of the preloads, and of half of what these hold.
+        whole = {"direction": DOWN, "preload_direction": "scale"}
+        self.assertIn("resisted    [0, oo)\n", self.accepts(
+            PINCH, self.margin(["stable", 0, None, held("5/12")], **whole), *self.WHOLE))
+        self.rejects("witness-balance", PINCH, self.margin(["stable", 0, None, half], **whole),
+                     *self.WHOLE, path="interval 0, first point")
+        for low, question, options in ((0, {"direction": DOWN}, self.ASKED), (1, whole, self.WHOLE)):
+            self.rejects("interval-whole", PINCH, self.margin(
+                ["stable", low, None, held("5/12")], **question), *options, path="interval 0")
+
+    def test_syntax(self):
+        a, b = held(0), held(1)
+        for claim in (["stable", 0, 1, a], ["stable", 1, 1, a, a], ["stable", "1/2", "2/4", a, a],
+                      ["stable", 0, None, a, a], ["stable", 0, 1, a, b, b], ["stable", 0, 1],
+                      ["stable", 2, 1, a], ["stable", None, 1, a, b], ["stable", 0, 1, a, turned()],
+                      ["stable", 0, 1, turned(), a], ["stable", 0, 1, turned(), turned()],
+                      ["unstable", 0, 1, a], ["unstable", 0, 1, a, b], ["unstable", 0, 1, UP, UP],
+                      ["stable", 0, 1, a, []], ["stable", 0, 1, [], b], ["stable", 0, 1, a, None],
+                      *(["stable", 0, 0, bad] for bad in (
+                          without(a, "twist"), without(a, "shares"), {**a, "tree": []}, {**turned(), **a},
+                          dict(reversed(a.items())), {**a, "twist": [0] * 5}, {**a, "shares": {}},
+                          {**a, "shares": [[0, 1]]}, {**a, "shares": [[0, [0, 0]]]}, [0, *a.values()]))):
+            self.malformed("intervals[1]", PINCH, self.margin(["stable", 0, 0, a], claim), *self.ASKED)
+        once = json.dumps(self.margin(["stable", 0, 0, point()]))
+        self.accepts(PINCH, once, *self.ASKED)
+        self.malformed("intervals[0]", PINCH, once.replace('"shares": []', '"shares": [], "shares": []'),
+                       *self.ASKED)
+
+    def test_rules_of_points(self):
+        """At each end, where the rules before it hold."""
+        good = (held(0), held(1))
+        apart, aslant = point(twist=[5, 0, 0, 0, 0, 0]), point(twist=[0, 1, 2, 0, 0, 0])
+        for rule, bad in (("witness-share", point((1, [0, 0, 1]), (0, [0, 0, 1]))),
+                          ("witness-share", point((2, [0, 0, 1]))),
+                          ("witness-share", point((0, [1, 0, 0]))),
+                          ("witness-share", point((0, [0, "4/5", "4/5"]))),
+                          ("witness-share", {**aslant, "shares": good[1]["shares"]}),
+                          ("witness-normal", apart), ("witness-root", aslant),
+                          ("witness-balance", held("1/2"))):
+            for k, name in enumerate(("first", "second")):
+                claim = ["stable", 0, "12/5", *good]
+                claim[3 + k] = bad
+                proof = self.margin(claim, law="bilateral", direction=DOWN)
+                self.rejects(rule, PINCH, proof, *self.ASKED, "--normal-law", "bilateral",
+                             path=f"interval 0, {name} point")
+        # Nor do they hold more, or at another end; and the first of what is wrong is named.
+        for claims, rule, path in (
+                ([["stable", 0, "13/5", *good]], "witness-balance", "interval 0, second point"),
+                ([["stable", 0, "13/5", held(0), point((0, [0, 0, "7/6"]), (1, [0, 0, 1]))]],
+                 "witness-share", "interval 0, second point"),
+                ([["stable", 0, "12/5", *reversed(good)]], "witness-balance", "interval 0, first point"),
+                ([["stable", 0, 1, held(0), apart], ["stable", 0, 1, *good]], "witness-balance",
+                 "interval 0, second point"),
+                ([["stable", 1, 0, apart, apart]], "interval-order", "interval 0")):
+            self.rejects(rule, PINCH, self.margin(*claims), *self.ASKED, path=path)
+
+    def test_no_box(self):
+        sloped = space_file(*({**c, "normal": [c["normal"][0], 1, 0]} for c in PINCH["contacts"]))
+        for claim in (["stable", 0, 1, held(0), held(1)], ["stable", 0, 0, held(0)]):
+            self.rejects("witness-box", sloped, self.margin(claim), *self.ASKED,
+                         path="interval 0, first point")
+        # Without preloads the lengths of normals play no part.
+        self.accepts(sloped, self.margin(["stable", 0, 0, held(0)], preload=0, direction=DOWN),
+                     *self.ASKED, "--preload", "0")
+
+    def test_sliding(self):
+        """Pushed along a floor with friction 1/2 and a load of 2 on it, between smooth walls: from 1/5 on
+        it slides, until one of the walls opens."""
+        walls = ([0, 0, -1], [1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0])
+        room = space_file({**FLOOR, "preload": 2}, *({**FLOOR, "normal": n, "friction": 0, "preload": 2}
+                                                     for n in walls))
+        push, asked = [3, 4, 0, 0, 0, 0], ("--direction", "3,4,0,0,0,0")
+        full, slid = point((0, ["-3/5", "-4/5", 0])), point(twist=["3/2", 2, 0, 0, 0, 0])
+        sticks, slides = ["stable", 0, "1/5", point(), full], ["stable", "1/5", "6/5", full, slid]
+        proof = self.margin(sticks, slides, m=6, direction=push)
+        self.assertIn("resisted    [0, 6/5]\n", self.accepts(room, proof, *asked))
+        early = ["stable", "1/10", "6/5", point((0, ["-3/10", "-2/5", 0])), slid]
+        self.rejects("segment-mode", room, self.margin(sticks[:2] + ["1/10", sticks[3], early[3]], early,
+                                                       m=6, direction=push), *asked, path="interval 1")
+        # Beyond, where a wall is apart: v has two signs.
+        beyond = point(twist=["9/4", 3, 0, 0, 0, 0])
+        code, report, _, _ = self.run_both(room, self.margin(
+            ["stable", "1/5", 2, full, beyond], m=6, direction=push), *asked)
+        self.assertEqual((code, report["rule"]), (1, "witness-balance"))
+
+    def test_modes_are_what_mixtures_allow(self):
+        """Any two equilibria of one contact, under the loads that they balance: accepted if and only if
+        all mixtures are equilibria. A mixture that slips by chance as it should, or not at all, is
+        not near both ends."""
+        rng = random.Random(16)
+        frames = [((0, 0, 1), (1, 0, 0), (0, 1, 0)), ((0, -2, 0), (1, 0, 0), (0, 0, 1)),
+                  ((1, 2, 2), (Fraction(2, 3), Fraction(-2, 3), Fraction(1, 3)),
+                   (Fraction(2, 3), Fraction(1, 3), Fraction(-2, 3)))]
+        tally = collections.Counter()
+        for _ in range(400):
+            n, *across = rng.choice(frames)
+            length = naive_space.root_of(Fraction(naive.dot(n, n)))
+            mu, preloads = Fraction(rng.choice([0, 1, 1, 2]), 2), sorted(rng.choices([0, 1, 2], k=2))
+
+            def along(c):
+                return check.plus(check.times(c[0], across[0]), c[1], across[1])
+
+            slips = [along(rng.choice([(0, 0), (0, 0), (1, 0), (2, 0), (-1, 0), (3, 4), (6, 8), (-3, -4)]))
+                     for _ in range(2)]
+            ends = []
+            for slip, other, preload in zip(slips, reversed(slips), preloads):
+                v = Fraction(rng.choice([-1, 0, 0, 1, 2]))
+                a, size = max(Fraction(0), v), naive_space.root_of(naive.dot(slip, slip))
+                share = None
+                if any(slip):
+                    f = check.times(-mu * length * a / size, slip)
+                else:
+                    share = along(rng.choice([(1, 0), (Fraction(-3, 5), Fraction(-4, 5)), (0, 0)]))
+                    if any(other):
+                        share = check.times(-rng.choice([1, 1, Fraction(1, 2), -1])
+                                            / naive_space.root_of(naive.dot(other, other)), other)
+                    share = check.times(length, share)
+                    f = check.times(mu * a, share)
+                # v = (P - n·d / L) / L with P = L preload.
+                ends.append((v, a, f, check.plus(slip, preload - v, n), share))
+
+            def mixed(t, k):
+                return check.plus(check.times(1 - t, ends[0][k]), t, ends[1][k])
+
+            def holds(t):
+                v, a = ((1 - t) * ends[0][k] + t * ends[1][k] for k in (0, 1))
+                f, slip = mixed(t, 2), check.plus(check.times(1 - t, slips[0]), t, slips[1])
+                work = naive.dot(f, slip)
+                return a == max(0, v) and (not any(slip) or (work <= 0 and work ** 2 == (
+                    mu * length * a) ** 2 * naive.dot(slip, slip)))
+
+            loads = [check.times(-1, check.plus(f, a, n)) for _, a, f, _, _ in ends]
+            u, grown = check.plus(loads[1], -1, loads[0]), (preloads[1] - preloads[0]) * length
+            if not any(u) and not grown:
+                continue
+            w, u = ([str(c) for c in force] + [0] * 3 for force in (loads[0], u))
+            file = space_file({"position": [0] * 3, "normal": list(n), "friction": str(mu),
+                               "preload": str(preloads[0] * length)})
+            proof = self.margin(["stable", 0, 1, *(
+                point(*([] if share is None else [(0, map(str, share))]),
+                      twist=[*map(str, d), 0, 0, 0]) for *_, d, share in ends)],
+                m=1, wrench=w, direction=u, preload_direction=[str(grown)])
+            code, report, _, _ = self.run_both(file, proof, "--wrench=" + ",".join(map(str, w)),
+                                               "--direction=" + ",".join(map(str, u)),
+                                               f"--preload-direction={grown}")
+            good = all(map(holds, (Fraction(1, 100), Fraction(1, 2), Fraction(99, 100))))
+            self.assertEqual((code, report["rule"], report["path"]), (0, None, None) if good else
+                             (1, "segment-mode", "interval 0"), (ends, slips))
+            tally[good, sum(map(any, slips)), sum(end[1] > 0 for end in ends), mu > 0] += 1
+        self.assertEqual(len([key for key in tally if key[3] and key[2]]), 10, tally)
+
+
 class DegreeTest(Case):
     FILE = space_file(*CUBE)
     ASKED = ("--uncertain", "friction=10%,preload=5%,stiffness=5%,wrench=0.05,position=0.01")
@@ -814,7 +1018,8 @@ def corpus():
 
 # Squares of the ends of what is resisted.
 TRUTH = {"cube_turned": (0, Fraction(4, 25)), "cube_at_45_degrees": (0, Fraction(8, 25)),
-         "cube_pressed": (Fraction(25, 4), math.inf)}
+         "cube_pressed": (Fraction(25, 4), math.inf), "pinch": (0, Fraction(144, 25)),
+         "sliding": (0, math.inf)}
 
 
 class CorpusTest(Case):
@@ -838,9 +1043,9 @@ class CorpusTest(Case):
             for _ in range(12):
                 mutant = json.loads(proof)
                 trees = [mutant[key] for key in ("tree",) if key in mutant]
-                for *_, proof_of_claim in mutant.get("intervals", []):
-                    trees.append(proof_of_claim if isinstance(proof_of_claim, list) else
-                                 proof_of_claim["tree"])
+                for *_, evidence in mutant.get("intervals", []):
+                    tree = evidence if isinstance(evidence, list) else evidence.get("tree")
+                    trees += [tree] * (tree is not None)
                 if rng.random() < 0.5 and trees:
                     tree = rng.choice(trees)
                     k = rng.randrange(len(tree))

@@ -25,8 +25,6 @@ struct DegreeProofIn {
 /// The exact determinant is not 0. For D = 3 and 6.
 template <std::size_t D>
 bool is_invertible(const SquareMatrix<D>& matrix);
-extern template bool is_invertible<3>(const SquareMatrix<3>& matrix);
-extern template bool is_invertible<6>(const SquareMatrix<6>& matrix);
 
 /// What `leaf-direction` asks of list 2: y.A(d - h d0) >= 0.
 template <std::size_t D>

@@ -17,7 +17,7 @@ namespace stickslip::equilibrium_detail {
 /// What was found: a twist, or a combination of wrenches that vanishes.
 template <std::size_t D, class Support>
 struct NearestWrench {
-  bool separated = false;
+  bool separated = false;                         ///< which of the two
   std::array<double, D> twist{};                  ///< if separated: all wrenches are against it
   std::vector<std::pair<double, Support>> parts;  ///< else; weights of sum 1
 };

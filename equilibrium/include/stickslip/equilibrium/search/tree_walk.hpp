@@ -11,11 +11,11 @@
 
 namespace stickslip::equilibrium_detail {
 
-/// A node of a tree, and the regions of its children in order; of a leaf none.
+/// A node of a tree with its children.
 template <class Node, class Region>
 struct Branch {
-  Node node;
-  std::vector<Region> children;
+  Node node;                     ///< what it is
+  std::vector<Region> children;  ///< their regions, in order; of a leaf none
 };
 
 /// Appends a tree in preorder, depth first. `examine(region, depth)` returns an optional

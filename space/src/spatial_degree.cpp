@@ -41,6 +41,8 @@ class SpatialWalls {
   SpatialDegreeProof proof() const;
 
  private:
+  double room(const NearEquilibrium& equilibrium, const EigenVector6& way) const;
+
   const SpaceModel& model_;
   EigenVector6 motion_;
   EigenMatrix6 rows_ = EigenMatrix6::Zero();    ///< E
@@ -124,7 +126,9 @@ SpatialWalls::SpatialWalls(const SpaceModel& middle, const NearEquilibrium& equi
     const double strength = answers.singularValues()[k];
     if (!(strength > 0)) return;
     twists_.col(count) = frame * answers.matrixU().col(k);
-    rows_.row(count) = stiffness.transpose() * twists_.col(count) / (strength * width);
+    const EigenVector6 way = frame * answers.matrixV().col(k);
+    const double far = size * std::min(middle.force / strength, room(equilibrium, way));
+    rows_.row(count) = stiffness.transpose() * twists_.col(count) / (strength * far);
     ++count;
   }
   double product = 1;
@@ -135,6 +139,24 @@ SpatialWalls::SpatialWalls(const SpaceModel& middle, const NearEquilibrium& equi
   for (Eigen::Index j = 0; j < sticking; ++j) twists_.col(j) = inverse.col(j).normalized();
   for (Eigen::Index j = 0; j < 6; ++j) twists_.col(j).normalize();
   sound_ = std::fabs(twists_.determinant()) > kFlat;
+}
+
+/// How far the object can move this way before a contact opens or closes, or slips another way.
+double SpatialWalls::room(const NearEquilibrium& equilibrium, const EigenVector6& way) const {
+  double room = HUGE_VAL;
+  const auto consider = [&](double distance, double speed) {
+    if (distance > 0 && speed > 0) room = std::min(room, distance / speed);
+  };
+  for (std::size_t i = 0; i < model_.contacts.size(); ++i) {
+    const SpaceContact& c = model_.contacts[i];
+    const CornerRow& row = c.corners.front();
+    const EigenVector6 normal = as_vector(row.normal_rounded);
+    const double v = c.preloads[0] - c.stiffnesses[0] * normal.dot(motion_);
+    consider(std::fabs(v), c.stiffnesses[0] * std::fabs(normal.dot(way)));
+    if (!(v > 0) || equilibrium.sticks[i] != 0 || !(c.slopes[0] > 0)) continue;
+    consider((slip_matrix(row) * motion_).norm(), (slip_matrix(row) * way).norm());
+  }
+  return room;
 }
 
 SpatialDegreeProof SpatialWalls::proof() const {

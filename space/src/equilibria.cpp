@@ -76,8 +76,10 @@ std::optional<NearEquilibrium> NewtonMethod::polish(NearEquilibrium near) const 
       const SpaceContact& c = model_.contacts[i];
       const CornerRow& row = c.corners.front();
       const EigenVector6 normal = as_vector(row.normal_rounded);
-      const double a = c.preloads[0] - c.stiffnesses[0] * normal.dot(near.motion);
-      near.normal[i] = std::max(a, 0.0);
+      double a = c.preloads[0] - c.stiffnesses[0] * normal.dot(near.motion);
+      constexpr double kTouches = 1e-13;  // rounding lets nothing rub
+      if (a < kTouches * model_.force / normal.head<3>().norm()) a = 0;
+      near.normal[i] = a;
       if (near.sticks[i] == 0 && !(a > 0)) continue;
       const SlipMatrix slip = slip_matrix(row);
       const Vector3d s = slip * near.motion;

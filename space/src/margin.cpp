@@ -93,7 +93,7 @@ class SpatialMarginSearch {
 
  private:
   static constexpr std::size_t kNodeLimit = 4000;
-  static constexpr std::size_t kMostSearches = 5;
+  static constexpr std::size_t kMostSearches = 10;
   static constexpr std::size_t kStarts = 3;
 
   /// Of all searches together.

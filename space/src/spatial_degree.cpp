@@ -196,6 +196,7 @@ std::optional<SpatialDegreeProof> prove_stable(const SpaceModel& model,
     std::size_t limit;
   };
   constexpr std::size_t kFew = 40;
+  constexpr double kLeastQuick = 1e-3;
   for (const auto& [size, limit] : {Attempt{3e-2, kFew},
                                     {3e-3, kFew},
                                     {3e-4, kFew},
@@ -203,7 +204,7 @@ std::optional<SpatialDegreeProof> prove_stable(const SpaceModel& model,
                                     {3e-2, node_limit},
                                     {1e-3, node_limit},
                                     {3e-1, node_limit}}) {
-    if (limit == 0) break;
+    if (limit == 0 || (node_limit == 0 && size < kLeastQuick)) break;
     SpatialWalls walls(middle, equilibrium, size);
     if (!walls.is_sound()) return std::nullopt;
     walls.enclose(moves);

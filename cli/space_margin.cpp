@@ -15,34 +15,7 @@
 namespace stickslip {
 namespace {
 
-using Multiples = std::vector<std::pair<Rational, std::optional<Rational>>>;
-
-/// All that are proved to be resisted, one after another where they touch.
-Multiples resisted_by(const SpatialMargin& margin) {
-  Multiples resisted;
-  for (const auto& claim : margin.claims) {
-    const auto* part = std::get_if<ResistedMultiples>(&claim);
-    if (part == nullptr) continue;
-    if (!resisted.empty() && resisted.back().second == part->low) {
-      resisted.back().second = part->high;
-    } else {
-      resisted.emplace_back(part->low, part->high);
-    }
-  }
-  return resisted;
-}
-
-Multiples refuted_by(const SpatialMargin& margin) {
-  Multiples refuted;
-  for (const auto& claim : margin.claims) {
-    if (const auto* part = std::get_if<RefutedMultiples>(&claim)) {
-      refuted.emplace_back(part->low, part->high);
-    }
-  }
-  return refuted;
-}
-
-Json multiples_json(const Multiples& multiples) {
+Json multiples_json(const std::vector<MarginInterval>& multiples) {
   Json json = Json::array();
   for (const auto& [low, high] : multiples) {
     json.push_back({number_json(low), number_or_null(high)});
@@ -61,11 +34,11 @@ void print_json(const SpatialQuestion& question, const SpatialMargin& margin, bo
   if (question.preload_direction) {
     json["preload_direction"] = preload_direction_json(*question.preload_direction);
   }
-  const Multiples resisted = resisted_by(margin);
+  const std::vector<MarginInterval> resisted = margin.resisted();
   json["resisted"] = multiples_json(resisted);
-  json["refuted"] = multiples_json(refuted_by(margin));
-  json["least"] = resisted.empty() ? Json() : number_json(resisted.front().first);
-  json["unbounded"] = !resisted.empty() && !resisted.back().second;
+  json["refuted"] = multiples_json(margin.refuted());
+  json["least"] = resisted.empty() ? Json() : number_json(resisted.front().low);
+  json["unbounded"] = !resisted.empty() && !resisted.back().high;
   json["stats"] = work_json(margin.work);
   std::cout << finished(json, floats).dump(1) << '\n';
 }
@@ -91,11 +64,11 @@ void print_text(const SpatialQuestion& question, const SpatialMargin& margin,
                 NumberText& text) {
   std::cout << head_text(family_of(question, text), text);
   std::vector<std::string> resisted;
-  for (const auto& [low, high] : resisted_by(margin)) {
+  for (const auto& [low, high] : margin.resisted()) {
     resisted.push_back(multiples_text(low, high, text));
   }
   std::vector<std::string> refuted;
-  for (const auto& [low, high] : refuted_by(margin)) {
+  for (const auto& [low, high] : margin.refuted()) {
     refuted.push_back(!high           ? "above " + text(low)
                       : low.is_zero() ? "below " + text(*high)
                                       : "between " + text(low) + " and " + text(*high));
@@ -111,12 +84,12 @@ void print_text(const SpatialQuestion& question, const SpatialMargin& margin,
 }
 
 void print_least(const SpatialMargin& margin, NumberText& text) {
-  const Multiples resisted = resisted_by(margin);
+  const std::vector<MarginInterval> resisted = margin.resisted();
   if (resisted.empty()) {
     std::cout << "None: no multiple is known to hold.\n";
     return;
   }
-  std::cout << text(resisted.front().first) << '\n' << text.note();
+  std::cout << text(resisted.front().low) << '\n' << text.note();
 }
 
 }  // namespace
@@ -142,7 +115,7 @@ int answer_margin_in_space(const SpatialQuestion& question,
   } else {
     print_text(question, margin, text);
   }
-  return arguments.least && resisted_by(margin).empty() ? kAnswerUnstable : kDone;
+  return arguments.least && margin.resisted().empty() ? kAnswerUnstable : kDone;
 }
 
 }  // namespace stickslip

@@ -255,24 +255,21 @@ py::dict find_grasp_margin(const SpatialGrasp& grasp, const py::object& directio
     std::string text = spatial_margin_text(question, found, kSpaceProducer);
     return std::pair(std::move(found), std::move(text));
   });
-  py::list resisted;
-  py::list refuted;
-  for (const auto& claim : margin.claims) {
-    std::visit(
-        [&](const auto& part) {
-          constexpr bool holds = std::is_same_v<decltype(part), const ResistedMultiples&>;
-          (holds ? resisted : refuted)
-              .append(py::make_tuple(fraction(part.low), part.high ? fraction(*part.high)
-                                                                   : py::object(py::none())));
-        },
-        claim);
-  }
-  py::dict result("resisted"_a = resisted, "refuted"_a = py::tuple(refuted),
+  const auto pairs = [](const std::vector<MarginInterval>& intervals) {
+    py::list result;
+    for (const MarginInterval& i : intervals) {
+      result.append(
+          py::make_tuple(fraction(i.low), i.high ? fraction(*i.high) : py::object(py::none())));
+    }
+    return py::tuple(result);
+  };
+  py::dict result("resisted"_a = pairs(margin.resisted()),
+                  "refuted"_a = pairs(margin.refuted()),
                   "wrench"_a = lows(question.grasp.wrench),
                   "normal_law"_a = to_string(question.law), "certificate"_a = certificate,
                   "warnings"_a = py::tuple(), "stats"_a = stats_of(margin.work));
-  result["direction"] =
-      question.direction ? py::object(fractions_of(*question.direction)) : py::object(py::none());
+  result["direction"] = question.direction ? py::object(fractions_of(*question.direction))
+                                           : py::object(py::none());
   if (question.preload) result["preload"] = fraction(*question.preload);
   if (question.preload_direction) {
     result["preload_direction"] = preload_direction_of(*question.preload_direction);

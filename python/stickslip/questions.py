@@ -414,8 +414,6 @@ def margin(
     )
     if "limit" in result:
         raise LimitReached(result["limit"])
-    if about.in_space:
-        result["resisted"] = _joined(result["resisted"])
     result["warnings"] = tuple(ModelWarning(*w) for w in result["warnings"])
     return Margin(grasp=about, snapped=snapped, **result)
 
@@ -538,16 +536,6 @@ def _region(
     if isinstance(found, dict) and "limit" in found:
         raise LimitReached(found["limit"])
     return found
-
-
-def _joined(steps: List[Tuple[Fraction, Optional[Fraction]]]) -> Tuple[Any, ...]:
-    """Intervals that touch become one."""
-    intervals: List[Tuple[Fraction, Optional[Fraction]]] = []
-    for low, high in steps:
-        if intervals and intervals[-1][1] == low:
-            low = intervals.pop()[0]
-        intervals.append((low, high))
-    return tuple(intervals)
 
 
 class Questions:

@@ -445,6 +445,7 @@ class Margin(Answer):
 
     resisted_float = FloatView[FloatArray]("resisted", -1, 2)
     """An interval without end ends at infinity."""
+    refuted_float = FloatView[Optional[FloatArray]]("refuted", -1, 2)
     direction_float = FloatView[Optional[FloatArray]]("direction")
     wrench_float = FloatView[FloatArray]("wrench")
 

@@ -345,6 +345,30 @@ class SpatialMarginSearch {
 
 }  // namespace
 
+std::vector<MarginInterval> SpatialMargin::resisted() const {
+  std::vector<MarginInterval> intervals;
+  for (const auto& claim : claims) {
+    const auto* part = std::get_if<ResistedMultiples>(&claim);
+    if (part == nullptr) continue;
+    if (!intervals.empty() && intervals.back().high == part->low) {
+      intervals.back().high = part->high;
+    } else {
+      intervals.push_back({part->low, part->high});
+    }
+  }
+  return intervals;
+}
+
+std::vector<MarginInterval> SpatialMargin::refuted() const {
+  std::vector<MarginInterval> intervals;
+  for (const auto& claim : claims) {
+    if (const auto* part = std::get_if<RefutedMultiples>(&claim)) {
+      intervals.push_back({part->low, part->high});
+    }
+  }
+  return intervals;
+}
+
 SpatialMargin find_margin(const SpatialQuestion& question, const SpatialMarginOptions& options,
                           const std::function<void(const SpatialMargin&)>& progress) {
   require(question.is_margin(), "a margin has a direction");

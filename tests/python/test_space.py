@@ -293,7 +293,7 @@ def test_margins_are_those_of_the_program(tmp_path, words, options):
 
     assert (margin.resisted, margin.refuted) == (intervals("resisted"), intervals("refuted"))
     assert margin.resisted or margin.refuted
-    assert margin.certificate == proof.read_text()
+    assert margin.certificate == proof.read_text() and margin.check()
     assert margin.stats == expected["stats"]
     assert margin.wrench == numbers(expected["wrench"])
     assert margin.direction == options.get("direction") and margin.grasp == feet

@@ -16,6 +16,7 @@
 #include <variant>
 #include <vector>
 
+#include "stickslip/equilibrium/margin.hpp"
 #include "stickslip/space/spatial_verdict.hpp"
 
 namespace stickslip {
@@ -45,6 +46,11 @@ struct SpatialMargin {
   std::vector<std::variant<ResistedMultiples, RefutedMultiples>> claims;
   SpatialWork work;     ///< to find them
   unsigned bits = 128;  ///< of the proofs
+
+  /// Increasing; claims that touch are one interval.
+  std::vector<MarginInterval> resisted() const;
+  /// Increasing; without their ends, but for 0.
+  std::vector<MarginInterval> refuted() const;
 };
 
 /// How finely to look.

@@ -16,10 +16,6 @@ double norm(const Double3& a) {
   return std::sqrt(dot(a, a));
 }
 
-Double3 motion_of(const ScaledPoint<3>& x) {
-  return {x[0], x[1], x[2]};
-}
-
 /// A wrench that a region allows at one of its points, and its forces by acting contact; or the
 /// direction that list 2 excludes there.
 struct BoxSupport {
@@ -99,7 +95,7 @@ BoxSearch::Wrenches::Wrenches(const BoxModel& model, const BoxRegion& region,
       is_moderate_ = is_moderate_ && (entry.is_zero() || msb(abs(entry)) < kMostBits);
     }
     const ScaledPoint<3>& x = point.x;
-    const Double3 d = motion_of(x);
+    const Double3 d = motion_of<3>(x);
     point.rises.reserve(corners);
     point.scale = std::fabs(x[3]) * model.force;
     for (const std::size_t i : acting_) {
@@ -352,7 +348,7 @@ struct Split {
 std::optional<Split> broken_law(const BoxModel& model, const BoxRegion& region,
                                 const BoxRelaxation& relaxed) {
   const ScaledPoint<3>& x = relaxed.motion;
-  const Double3 d = motion_of(x);
+  const Double3 d = motion_of<3>(x);
   double energy = 0;
   double separation_gap = 0;
   double slip_gap = 0;

@@ -7,10 +7,6 @@
 namespace stickslip::space_detail {
 namespace {
 
-Double6 motion_of(const ScaledPoint<6>& x) {
-  return {x[0], x[1], x[2], x[3], x[4], x[5]};
-}
-
 IntegerVector3 exact_slip(const CornerRow& row, const Point& x) {
   return {dot(row.slip_planes[0], x), dot(row.slip_planes[1], x), dot(row.slip_planes[2], x)};
 }
@@ -166,7 +162,7 @@ void SpaceRegion::classify(const SpaceModel& model) {
 void SpaceRegion::compute_slips(const SpaceModel& model, std::size_t contact) {
   const std::vector<CornerRow>& corners = model.contacts[contact].corners;
   for (std::size_t g = 0; g < generators_.size(); ++g) {
-    const Double6 motion = motion_of(generators_[g]);
+    const Double6 motion = equilibrium_detail::motion_of<6>(generators_[g]);
     for (std::size_t c = 0; c < corners.size(); ++c) {
       const CornerRow& row = corners[c];
       Double3 s{};

@@ -122,10 +122,6 @@ void note_bits(std::size_t& most, const IntegerVector<n>& x) {
   }
 }
 
-Double6 motion_of(const ScaledPoint<6>& x) {
-  return {x[0], x[1], x[2], x[3], x[4], x[5]};
-}
-
 /// A wrench that a region allows at one of its generators, and its forces by contact; or the
 /// direction that list 2 excludes there.
 struct SpaceSupport {
@@ -300,7 +296,7 @@ std::optional<SpaceSearch::SpaceBranch> SpaceSearch::split_slip(const SpaceRegio
                                                                 const SpaceRelaxation& found,
                                                                 std::size_t contact) const {
   const SpaceContact& c = model_.contacts[contact];
-  const Double3 s = mean_slip(c, motion_of(found.motion));
+  const Double3 s = mean_slip(c, motion_of<6>(found.motion));
   const Double3& f = found.friction[contact];
   const double slip_size = norm_of(s);
   const double friction_size = norm_of(f);
@@ -345,7 +341,7 @@ std::optional<SpaceSearch::SpaceBranch> SpaceSearch::split_slip(const SpaceRegio
 std::optional<SpaceSearch::SpaceBranch> SpaceSearch::split(const SpaceRegion& region,
                                                            const SpaceRelaxation& found) {
   const std::size_t m = model_.contacts.size();
-  const Double6 motion = motion_of(found.motion);
+  const Double6 motion = motion_of<6>(found.motion);
   double energy = 0;
   double separation_gap = 0;
   std::size_t separation = m;
@@ -370,7 +366,7 @@ std::optional<SpaceSearch::SpaceBranch> SpaceSearch::split(const SpaceRegion& re
       }
     }
     if (c.slopes[1] > 0 && a > 0 && !region.is_still(i)) {
-      const Double3 s = mean_slip(c, motion_of(found.motion));
+      const Double3 s = mean_slip(c, motion_of<6>(found.motion));
       const double gap = a * c.slopes[0] * norm_of(s) + dot(found.friction[i], s);
       slips.emplace_back(gap, i);
     }
@@ -424,7 +420,7 @@ bool SpaceSearch::escapes(const SpaceRelaxation& found, double energy) const {
   constexpr double kFar = 1e6;
   const double height = found.motion[6];
   const double stiffest = model_.force / model_.reach;
-  const bool is_far = norm_of(motion_of(found.motion)) > kFar * model_.reach * height;
+  const bool is_far = norm_of(motion_of<6>(found.motion)) > kFar * model_.reach * height;
   // Forces are typical nevertheless.
   return model_.is_family && is_far &&
          energy < kFar * model_.force * model_.force * height * height / stiffest;
@@ -434,7 +430,7 @@ bool SpaceSearch::escapes(const SpaceRelaxation& found, double energy) const {
 bool SpaceSearch::is_candidate(const SpaceRegion& region, const SpaceRelaxation& found) const {
   const double height = found.motion[6];
   if (!candidate_ || !(height > 0)) return false;
-  const Double6 motion = motion_of(found.motion);
+  const Double6 motion = motion_of<6>(found.motion);
   NearEquilibrium near{as_vector(motion) / height, found.normal, found.friction,
                        std::vector<char>(found.normal.size())};
   for (std::size_t i = 0; i < near.normal.size(); ++i) {

@@ -4,6 +4,8 @@
 /// length of the grasp. For proposals only.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "stickslip/core/integer_vector.hpp"
@@ -17,6 +19,14 @@ constexpr std::size_t kFirstRotation = D == 3 ? 2 : 3;
 /// (d, h, l).
 template <std::size_t D>
 using ScaledPoint = std::array<double, D + 2>;
+
+/// d.
+template <std::size_t D>
+std::array<double, D> motion_of(const ScaledPoint<D>& x) {
+  std::array<double, D> d;
+  std::copy_n(x.begin(), D, d.begin());
+  return d;
+}
 
 /// Of norm 1.
 template <std::size_t D>

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "stickslip/core/integer_vector.hpp"
+
 namespace stickslip::plot_detail {
 namespace {
 
@@ -15,16 +17,10 @@ using Double6 = std::array<double, 6>;
 constexpr double kNoSlip = 1e-6;
 constexpr int kRounds = 5000;
 
-Double3 cross(const Double3& a, const Double3& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double dot(const Double3& a, const Double3& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 double norm(const Double3& a) {
   return std::hypot(a[0], a[1], a[2]);
 }
-Double3 sum(Double3 a, double factor, const Double3& b) {
+Double3 plus(Double3 a, double factor, const Double3& b) {
   for (std::size_t j = 0; j < 3; ++j) a[j] += factor * b[j];
   return a;
 }
@@ -47,16 +43,16 @@ struct Finger {
 
 /// Shortens what is longer than `most` to it, after it is put into the tangent plane.
 Double3 into_cone(const Finger& finger, Double3 friction) {
-  friction = sum(friction, -dot(friction, finger.normal), finger.normal);
+  friction = plus(friction, -dot(friction, finger.normal), finger.normal);
   const double size = norm(friction);
-  return size <= finger.most ? friction : sum({}, finger.most / size, friction);
+  return size <= finger.most ? friction : plus({}, finger.most / size, friction);
 }
 
 /// Load and forces, the torque in units of the size.
 Double6 imbalance(const std::vector<Finger>& fingers, const Double6& load) {
   Double6 total = load;
   for (const Finger& f : fingers) {
-    const Double3 force = sum(f.friction, f.press, f.normal);
+    const Double3 force = plus(f.friction, f.press, f.normal);
     const Double3 torque = cross(f.position, force);
     for (std::size_t j = 0; j < 3; ++j) {
       total[j] += force[j];
@@ -80,9 +76,9 @@ void balance(std::vector<Finger>& fingers, const Double6& load) {
       Finger& f = fingers[i];
       if (!f.sticks) continue;
       const Double3 pull =
-          sum({off[0], off[1], off[2]}, 1, cross({off[3], off[4], off[5]}, f.position));
-      const Double3 found = into_cone(f, sum(f.friction, -1 / steep, pull));
-      f.friction = sum(found, (momentum - 1) / next, sum(found, -1, last[i]));
+          plus({off[0], off[1], off[2]}, 1, cross({off[3], off[4], off[5]}, f.position));
+      const Double3 found = into_cone(f, plus(f.friction, -1 / steep, pull));
+      f.friction = plus(found, (momentum - 1) / next, plus(found, -1, last[i]));
       last[i] = found;
     }
     momentum = next;
@@ -103,18 +99,18 @@ std::vector<SpatialForce> near_forces(const SpatialQuestion& question, const Vec
   double furthest = 0;
   for (const SpatialContact& c : grasp.contacts) {
     const Vector3 p{c.position[0].middle(), c.position[1].middle(), c.position[2].middle()};
-    const Double3 moved = doubles(displacement(p, d));
+    const Double3 moved = doubles(stickslip::displacement(p, d));
     const Rational largest = std::max(
         {Rational(abs(c.normal[0])), Rational(abs(c.normal[1])), Rational(abs(c.normal[2]))});
     Finger& f = fingers.emplace_back();
     f.position = doubles({p[0] / size, p[1] / size, p[2] / size});
     f.normal = doubles({c.normal[0] / largest, c.normal[1] / largest, c.normal[2] / largest});
-    f.normal = sum({}, 1 / norm(f.normal), f.normal);
+    f.normal = plus({}, 1 / norm(f.normal), f.normal);
     const double rise = dot(f.normal, moved);
     f.press =
         std::max(0.0, to_double(c.preload.middle()) - to_double(c.stiffness.middle()) * rise);
     f.most = to_double(c.friction.middle()) * f.press;
-    f.slip = sum(moved, -rise, f.normal);
+    f.slip = plus(moved, -rise, f.normal);
     furthest = std::max(furthest, norm(moved));
   }
   for (Finger& f : fingers) {
@@ -122,7 +118,7 @@ std::vector<SpatialForce> near_forces(const SpatialQuestion& question, const Vec
     if (f.sticks) {
       f.slip = {};
     } else {
-      f.friction = sum({}, -f.most / norm(f.slip), f.slip);
+      f.friction = plus({}, -f.most / norm(f.slip), f.slip);
     }
   }
   Double6 load{};
@@ -134,7 +130,7 @@ std::vector<SpatialForce> near_forces(const SpatialQuestion& question, const Vec
   std::vector<SpatialForce> forces;
   for (const Finger& f : fingers) {
     forces.push_back({rational_from_double(f.press), rationals(f.slip), rationals(f.friction),
-                      rationals(sum(f.friction, f.press, f.normal))});
+                      rationals(plus(f.friction, f.press, f.normal))});
   }
   return forces;
 }

@@ -5,6 +5,7 @@
 #include "grasp_ink.hpp"
 #include "near_forces.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/integer_vector.hpp"
 
 namespace stickslip::plot_detail {
 namespace {
@@ -31,21 +32,18 @@ InkVector sum(InkVector a, double factor, const InkVector& b) {
   for (std::size_t j = 0; j < 3; ++j) a[j] += factor * b[j];
   return a;
 }
-double dot(const InkVector& a, const InkVector& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
-Rational largest_entry(const Vector3& v) {
+Rational size_of(const Vector3& v) {
   return std::max({Rational(abs(v[0])), Rational(abs(v[1])), Rational(abs(v[2]))});
 }
 
 /// Each component over size > 0.
-InkVector ratio(const Vector3& v, const Rational& size) {
+InkVector over_size(const Vector3& v, const Rational& size) {
   return {to_double(v[0] / size), to_double(v[1] / size), to_double(v[2] / size)};
 }
 
 InkVector direction(const Vector3& v) {
-  const InkVector near = ratio(v, largest_entry(v));
+  const InkVector near = over_size(v, size_of(v));
   return sum({}, 1 / std::sqrt(dot(near, near)), near);
 }
 
@@ -128,7 +126,7 @@ class SpatialReader {
         c.position[j] = points[i][j];
         from_centre[j] = points[i][j] - centre_[j];
       }
-      c.at = ratio(from_centre, radius_);
+      c.at = over_size(from_centre, radius_);
       c.normal = direction(grasp_.contacts[i].normal);
       add_tangents(c);
     }
@@ -143,7 +141,7 @@ class SpatialReader {
       value_ = "data-near";
     }
     for (const SpatialForce& f : forces_) {
-      ink_.force_unit = std::max(ink_.force_unit, largest_entry(f.force));
+      ink_.force_unit = std::max(ink_.force_unit, size_of(f.force));
     }
   }
 
@@ -167,14 +165,14 @@ class SpatialReader {
     const Vector3 force_there{w[0], w[1], w[2]};
     const Vector3 arm = cross(centre_, force_there);
     const Vector3 torque{w[3] - arm[0], w[4] - arm[1], w[5] - arm[2]};
-    const Rational largest = largest_entry(force_there);
+    const Rational largest = size_of(force_there);
     ink_.force_unit = std::max(ink_.force_unit, largest);
     ink_.choose_load_factor(largest);
     add_arrow(
         {}, sum({}, to_double(ink_.load_factor), force(force_there)), "load",
         {{"data-value", text_of(force_there)}, {"data-factor", to_string(ink_.load_factor)}});
     const std::string text = short_tuple({torque[0], torque[1], torque[2]});
-    if (!largest_entry(torque).is_zero()) ink_.torque = text;
+    if (!size_of(torque).is_zero()) ink_.torque = text;
     for (std::size_t k = 0; k < kSides.size(); ++k) {
       ink_.scenes[k].torque = kSides[k].sign * torque[kSides[k].towards];
     }
@@ -251,9 +249,9 @@ class SpatialReader {
     add_motion(d);
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const SpatialForce& f = forces_[i];
-      ink_.marks[i] = f.normal.is_zero()                ? ContactMark::kOpen
-                      : largest_entry(f.slip).is_zero() ? ContactMark::kStick
-                                                        : ContactMark::kSlip;
+      ink_.marks[i] = f.normal.is_zero()          ? ContactMark::kOpen
+                      : size_of(f.slip).is_zero() ? ContactMark::kStick
+                                                  : ContactMark::kSlip;
       add_arrow(contacts_[i].at, force(f.force), "force",
                 {{"data-contact", std::to_string(i)}, {value_, text_of(f.force)}});
     }
@@ -269,9 +267,9 @@ class SpatialReader {
     // The contacts may move less than the body, and not at all.
     const Vector3 shift = displacement(centre_, d);
     const Vector3 turn{d[3], d[4], d[5]};
-    Rational largest = std::max(largest_entry(shift), Rational(largest_entry(turn) * radius_));
+    Rational largest = std::max(size_of(shift), Rational(size_of(turn) * radius_));
     for (const SpatialContactInk& c : contacts_) {
-      largest = std::max(largest, largest_entry(displacement(c.position, d)));
+      largest = std::max(largest, size_of(displacement(c.position, d)));
     }
     ink_.motion_factor = enlargement(largest, radius_);
     const Rational& factor = ink_.motion_factor;
@@ -279,13 +277,14 @@ class SpatialReader {
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const Vector3 move = displacement(contacts_[i].position, d);
       add_arrow(contacts_[i].at,
-                ratio({factor * move[0], factor * move[1], factor * move[2]}, radius_),
+                over_size({factor * move[0], factor * move[1], factor * move[2]}, radius_),
                 "motion", {{"data-contact", std::to_string(i)}, {value_, text_of(move)}});
     }
     // The body as the motion moves it: linear in d, as the model is.
     const InkVector shifted =
-        ratio({factor * shift[0], factor * shift[1], factor * shift[2]}, radius_);
-    const InkVector turned = ratio({factor * turn[0], factor * turn[1], factor * turn[2]}, 1);
+        over_size({factor * shift[0], factor * shift[1], factor * shift[2]}, radius_);
+    const InkVector turned =
+        over_size({factor * turn[0], factor * turn[1], factor * turn[2]}, 1);
     std::vector<InkVector> moved;
     for (const InkVector& p : body_points()) {
       const InkVector by{turned[1] * p[2] - turned[2] * p[1],

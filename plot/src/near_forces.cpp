@@ -20,7 +20,7 @@ constexpr int kRounds = 5000;
 double norm(const Double3& a) {
   return std::hypot(a[0], a[1], a[2]);
 }
-Double3 plus(Double3 a, double factor, const Double3& b) {
+Double3 added(Double3 a, double factor, const Double3& b) {
   for (std::size_t j = 0; j < 3; ++j) a[j] += factor * b[j];
   return a;
 }
@@ -43,16 +43,16 @@ struct Finger {
 
 /// Shortens what is longer than `most` to it, after it is put into the tangent plane.
 Double3 into_cone(const Finger& finger, Double3 friction) {
-  friction = plus(friction, -dot(friction, finger.normal), finger.normal);
+  friction = added(friction, -dot(friction, finger.normal), finger.normal);
   const double size = norm(friction);
-  return size <= finger.most ? friction : plus({}, finger.most / size, friction);
+  return size <= finger.most ? friction : added({}, finger.most / size, friction);
 }
 
 /// Load and forces, the torque in units of the size.
 Double6 imbalance(const std::vector<Finger>& fingers, const Double6& load) {
   Double6 total = load;
   for (const Finger& f : fingers) {
-    const Double3 force = plus(f.friction, f.press, f.normal);
+    const Double3 force = added(f.friction, f.press, f.normal);
     const Double3 torque = cross(f.position, force);
     for (std::size_t j = 0; j < 3; ++j) {
       total[j] += force[j];
@@ -76,9 +76,9 @@ void balance(std::vector<Finger>& fingers, const Double6& load) {
       Finger& f = fingers[i];
       if (!f.sticks) continue;
       const Double3 pull =
-          plus({off[0], off[1], off[2]}, 1, cross({off[3], off[4], off[5]}, f.position));
-      const Double3 found = into_cone(f, plus(f.friction, -1 / steep, pull));
-      f.friction = plus(found, (momentum - 1) / next, plus(found, -1, last[i]));
+          added({off[0], off[1], off[2]}, 1, cross({off[3], off[4], off[5]}, f.position));
+      const Double3 found = into_cone(f, added(f.friction, -1 / steep, pull));
+      f.friction = added(found, (momentum - 1) / next, added(found, -1, last[i]));
       last[i] = found;
     }
     momentum = next;
@@ -105,12 +105,12 @@ std::vector<SpatialForce> near_forces(const SpatialQuestion& question, const Vec
     Finger& f = fingers.emplace_back();
     f.position = doubles({p[0] / size, p[1] / size, p[2] / size});
     f.normal = doubles({c.normal[0] / largest, c.normal[1] / largest, c.normal[2] / largest});
-    f.normal = plus({}, 1 / norm(f.normal), f.normal);
+    f.normal = added({}, 1 / norm(f.normal), f.normal);
     const double rise = dot(f.normal, moved);
     f.press =
         std::max(0.0, to_double(c.preload.middle()) - to_double(c.stiffness.middle()) * rise);
     f.most = to_double(c.friction.middle()) * f.press;
-    f.slip = plus(moved, -rise, f.normal);
+    f.slip = added(moved, -rise, f.normal);
     furthest = std::max(furthest, norm(moved));
   }
   for (Finger& f : fingers) {
@@ -118,7 +118,7 @@ std::vector<SpatialForce> near_forces(const SpatialQuestion& question, const Vec
     if (f.sticks) {
       f.slip = {};
     } else {
-      f.friction = plus({}, -f.most / norm(f.slip), f.slip);
+      f.friction = added({}, -f.most / norm(f.slip), f.slip);
     }
   }
   Double6 load{};
@@ -130,7 +130,7 @@ std::vector<SpatialForce> near_forces(const SpatialQuestion& question, const Vec
   std::vector<SpatialForce> forces;
   for (const Finger& f : fingers) {
     forces.push_back({rational_from_double(f.press), rationals(f.slip), rationals(f.friction),
-                      rationals(plus(f.friction, f.press, f.normal))});
+                      rationals(added(f.friction, f.press, f.normal))});
   }
   return forces;
 }

@@ -78,11 +78,10 @@ class SpatialMarginSearch {
       settle_at_once();
     } else {
       follow_from_zero();
-      const std::optional<Rational> high;
       if (margin_.claims.empty()) {
-        claim_all(0, high, true);
+        claim_all({0, {}, true, 0, most()});
       } else if (resisted_ < most()) {
-        claim_all(resisted_ + least_step(resisted_), high, false);
+        claim_all({resisted_ + least_step(resisted_), {}, false, resisted_, most()});
       }
     }
     std::sort(margin_.claims.begin(), margin_.claims.end(),
@@ -107,22 +106,32 @@ class SpatialMarginSearch {
   /// Where the laws are homogeneous all multiples above 0 have one verdict.
   void settle_at_once() {
     const SpaceModel there = model_.at(1);
-    for (const NearEquilibrium& near : NewtonMethod(there).solve_from(kStarts)) {
+    const NewtonMethod newton(there);
+    const auto holds = [&](const NearEquilibrium& near) {
       if (auto witness = witness_at(1, near)) {
         claim_resisted(0, {}, SpatialSegment{std::move(*witness), {}});
-        return;
-      }
-      if (auto proof = prove({1, 1}, there, near, {}, node_limit_ / 24)) {
+      } else if (auto proof = prove({1, 1}, there, near, {}, node_limit_ / 24)) {
         claim_resisted(0, {}, std::move(*proof));
-        return;
+      }
+      return !margin_.claims.empty();
+    };
+    for (const NearEquilibrium& near : newton.solve_from(kStarts)) {
+      if (holds(near)) return;
+    }
+    SpatialTrees tree;
+    SpaceSearch search(there, nullptr, node_limit_, margin_.work);
+    search.on_candidate([&](const NearEquilibrium& relaxed, double) {
+      const auto near = newton.polish(relaxed);
+      return near && holds(*near);
+    });
+    if (!search.refute(SpaceRegion::root(there), tree)) return;
+    // With l in place of h, which is in none of the laws.
+    for (SpatialNode& node : tree) {
+      if (auto* split = std::get_if<PlaneSplitIn<6>>(&node)) {
+        std::swap(split->plane[6], split->plane[7]);
       }
     }
-    const SpaceModel whole = model_.within({0, {}, false});
-    SpatialTrees tree;
-    if (SpaceSearch(whole, nullptr, node_limit_, margin_.work)
-            .refute(SpaceRegion::root(whole), tree)) {
-      margin_.claims.emplace_back(RefutedMultiples{0, {}, std::move(tree)});
-    }
+    margin_.claims.emplace_back(RefutedMultiples{0, {}, std::move(tree)});
   }
 
   void follow_from_zero() {
@@ -132,18 +141,28 @@ class SpatialMarginSearch {
     }
   }
 
-  /// Claims what can be claimed of a range: (low, high), and low as well if has_low.
-  void claim_all(const Rational& low, const std::optional<Rational>& high, bool has_low) {
-    if (high && *high <= low) return;
-    if (auto tree = settle(low, high, has_low)) {
-      margin_.claims.emplace_back(RefutedMultiples{low, high, std::move(*tree)});
+  /// (low, high), and low as well if has_low; what is resisted there may be followed to the
+  /// floor and the ceiling.
+  struct Range {
+    Rational low;
+    std::optional<Rational> high;
+    bool has_low;
+    Rational floor;
+    Rational ceiling;
+  };
+
+  /// Claims what can be claimed.
+  void claim_all(const Range& range) {
+    if (range.high && *range.high <= range.low) return;
+    if (auto tree = settle(range)) {
+      margin_.claims.emplace_back(RefutedMultiples{range.low, range.high, std::move(*tree)});
       report();
     }
   }
 
   /// A tree that refutes all of a range; or it claims what can be claimed of parts of it.
-  std::optional<SpatialTrees> settle(const Rational& low, const std::optional<Rational>& high,
-                                     bool has_low) {
+  std::optional<SpatialTrees> settle(const Range& range) {
+    const auto& [low, high, has_low, floor, ceiling] = range;
     if (high && *high - low <= 2 * least_step(*high)) return std::nullopt;
     if (is_spent()) return std::nullopt;
     std::optional<std::pair<Rational, Rational>> resisted;
@@ -154,11 +173,11 @@ class SpatialMarginSearch {
       const Rational grain = least_step(0);
       const Rational steps = rational_from_double(multiple) / grain;
       const Rational at = Rational(numerator(steps) / denominator(steps)) * grain;
-      if (at <= low || (high && at >= *high)) return false;
+      if (at <= range.low || at >= range.ceiling) return false;
       const auto near = NewtonMethod(model_.at(at)).polish(relaxed);
       if (!near) return false;
-      const Rational up = follow(member(at, *near), free_until(at, true));
-      const Rational down = follow(member(at, *near), free_until(at, false));
+      const Rational up = follow(member(at, *near), range.ceiling);
+      const Rational down = follow(member(at, *near), range.floor);
       if (up == down) return false;
       resisted = {down, up};
       return true;
@@ -167,14 +186,16 @@ class SpatialMarginSearch {
     if (search.refute(SpaceRegion::root(whole), tree)) return tree;
     if (resisted) {
       const auto& [down, up] = *resisted;
-      claim_all(low, down - least_step(down), has_low);
-      if (high || up < most()) claim_all(up + least_step(up), high, false);
+      claim_all({low, down - least_step(down), has_low, floor, down});
+      if (high || up < most()) {
+        claim_all({up + least_step(up), high, false, up, ceiling});
+      }
       return std::nullopt;
     }
     const Rational middle = high ? (low + *high) / 2 : std::max(Rational(2 * low), unit_);
     if (!high && middle >= most()) return std::nullopt;
-    auto below = settle(low, middle, has_low);
-    auto above = settle(middle, high, true);
+    auto below = settle({low, middle, has_low, floor, middle});
+    auto above = settle({middle, high, true, middle, ceiling});
     if (below && above) return joined(middle, *below, *above);
     if (below) margin_.claims.emplace_back(RefutedMultiples{low, middle, std::move(*below)});
     if (above) margin_.claims.emplace_back(RefutedMultiples{middle, high, std::move(*above)});
@@ -225,19 +246,6 @@ class SpatialMarginSearch {
   static Rational towards(const Rational& from, const Rational& to, const Rational& step) {
     return from < to ? std::min(Rational(from + step), to)
                      : std::max(Rational(from - step), to);
-  }
-
-  /// The next multiple above or below that some claim is about.
-  Rational free_until(const Rational& multiple, bool above) const {
-    Rational end = above ? most() : Rational(0);
-    for (const auto& claim : margin_.claims) {
-      const auto consider = [&](const Rational& low, const std::optional<Rational>& high) {
-        if (above && low >= multiple) end = std::min(end, low);
-        if (!above && high && *high <= multiple) end = std::max(end, *high);
-      };
-      std::visit([&](const auto& c) { consider(c.low, c.high); }, claim);
-    }
-    return end;
   }
 
   /// As far as its mode goes, if that is one in which nothing slips.

@@ -97,8 +97,13 @@ class Margins(Space):
             return [contact([-side * 2 * x for x in n], [side * x for x in n], friction="3/10",
                             preload=4) for side in (-1, 1)]
         # Along a direction across the normal the pinch holds 2 mu P, whatever the normal is.
-        self.assert_resisted_up_to(F(12, 5), grasp(hands((2, 0, 0)), [0] * 6), "--direction", "0,0,1,0,0,0")
-        self.assert_resisted_up_to(F(12, 5), grasp(hands((1, 2, 0)), [0] * 6), "--direction", "0,0,1,0,0,0")
+        along = ("--direction", "0,0,1,0,0,0")
+        self.assert_resisted_up_to(F(12, 5), grasp(hands((2, 0, 0)), [0] * 6), *along)
+        # Two contacts leave a rotation about a line, of which there is no proof by degree, and
+        # with irrational lengths there is no witness.
+        resisted, [(above, without_end)] = self.margin(grasp(hands((1, 2, 0)), [0] * 6), *along)
+        self.assertEqual((resisted, without_end), ([], None))
+        self.assertTrue(F(12, 5) <= above < F(12, 5) * (1 + 3 * PART))
 
     def test_bilateral(self):
         self.assert_resisted_up_to(F(12, 5), pinch(), "--direction", "0,0,-1,0,0,0",
@@ -136,7 +141,7 @@ class Margins(Space):
         file = f"{EXAMPLES}/space-cup.json"
         code, out, _ = stickslip("margin", file, "--direction", "0,0,-1,0,0,0")
         self.assertEqual(code, DONE)
-        self.assertRegex(out, r"Resisted: l = \[0, [0-9./]+\]\nNot resisted: l above ")
+        self.assertRegex(out, r"Resisted: l = \[0, ~2[.]666[0-9]+\]\nNot resisted: l between ~2[.]66[0-9]+ and")
         code, out, _ = stickslip("margin", file, "--direction", "0,0,-1,0,0,0", "--least")
         self.assertEqual((code, out), (DONE, "0\n"))
         for words, said in ((("--direction", "0,0,-1"), "--direction"),

@@ -43,7 +43,7 @@ struct Finger {
 
 /// Shortens what is longer than `most` to it, after it is put into the tangent plane.
 Double3 into_cone(const Finger& finger, Double3 friction) {
-  friction = added(friction, -dot(friction, finger.normal), finger.normal);
+  friction = added(friction, -stickslip::dot(friction, finger.normal), finger.normal);
   const double size = norm(friction);
   return size <= finger.most ? friction : added({}, finger.most / size, friction);
 }
@@ -53,7 +53,7 @@ Double6 imbalance(const std::vector<Finger>& fingers, const Double6& load) {
   Double6 total = load;
   for (const Finger& f : fingers) {
     const Double3 force = added(f.friction, f.press, f.normal);
-    const Double3 torque = cross(f.position, force);
+    const Double3 torque = stickslip::cross(f.position, force);
     for (std::size_t j = 0; j < 3; ++j) {
       total[j] += force[j];
       total[j + 3] += torque[j];
@@ -65,7 +65,7 @@ Double6 imbalance(const std::vector<Finger>& fingers, const Double6& load) {
 /// Friction of what sticks: projected gradients with Nesterov's momentum.
 void balance(std::vector<Finger>& fingers, const Double6& load) {
   double steep = 1;
-  for (const Finger& f : fingers) steep += 1 + dot(f.position, f.position);
+  for (const Finger& f : fingers) steep += 1 + stickslip::dot(f.position, f.position);
   std::vector<Double3> last;
   for (const Finger& f : fingers) last.push_back(f.friction);
   double momentum = 1;
@@ -75,8 +75,8 @@ void balance(std::vector<Finger>& fingers, const Double6& load) {
     for (std::size_t i = 0; i < fingers.size(); ++i) {
       Finger& f = fingers[i];
       if (!f.sticks) continue;
-      const Double3 pull =
-          added({off[0], off[1], off[2]}, 1, cross({off[3], off[4], off[5]}, f.position));
+      const Double3 pull = added({off[0], off[1], off[2]}, 1,
+                                 stickslip::cross({off[3], off[4], off[5]}, f.position));
       const Double3 found = into_cone(f, added(f.friction, -1 / steep, pull));
       f.friction = added(found, (momentum - 1) / next, added(found, -1, last[i]));
       last[i] = found;
@@ -106,7 +106,7 @@ std::vector<SpatialForce> near_forces(const SpatialQuestion& question, const Vec
     f.position = doubles({p[0] / size, p[1] / size, p[2] / size});
     f.normal = doubles({c.normal[0] / largest, c.normal[1] / largest, c.normal[2] / largest});
     f.normal = added({}, 1 / norm(f.normal), f.normal);
-    const double rise = dot(f.normal, moved);
+    const double rise = stickslip::dot(f.normal, moved);
     f.press =
         std::max(0.0, to_double(c.preload.middle()) - to_double(c.stiffness.middle()) * rise);
     f.most = to_double(c.friction.middle()) * f.press;

@@ -44,7 +44,7 @@ InkVector over_size(const Vector3& v, const Rational& size) {
 
 InkVector direction(const Vector3& v) {
   const InkVector near = over_size(v, size_of(v));
-  return sum({}, 1 / std::sqrt(dot(near, near)), near);
+  return sum({}, 1 / std::sqrt(stickslip::dot(near, near)), near);
 }
 
 std::string text_of(const Vector3& v) {
@@ -69,7 +69,7 @@ void add_tangents(SpatialContactInk& c) {
   InkVector axis{};
   axis[least] = 1;
   c.across = sum(axis, -n[least], n);
-  c.across = sum({}, 1 / std::sqrt(dot(c.across, c.across)), c.across);
+  c.across = sum({}, 1 / std::sqrt(stickslip::dot(c.across, c.across)), c.across);
   c.along = {n[1] * c.across[2] - n[2] * c.across[1], n[2] * c.across[0] - n[0] * c.across[2],
              n[0] * c.across[1] - n[1] * c.across[0]};
 }
@@ -163,7 +163,7 @@ class SpatialReader {
     std::array<Rational, 6> w;
     for (std::size_t j = 0; j < 6; ++j) w[j] = grasp_.wrench[j].middle();
     const Vector3 force_there{w[0], w[1], w[2]};
-    const Vector3 arm = cross(centre_, force_there);
+    const Vector3 arm = stickslip::cross(centre_, force_there);
     const Vector3 torque{w[3] - arm[0], w[4] - arm[1], w[5] - arm[2]};
     const Rational largest = size_of(force_there);
     ink_.force_unit = std::max(ink_.force_unit, largest);
@@ -226,7 +226,7 @@ class SpatialReader {
     std::vector<InkVector> points;
     for (const SpatialContactInk& c : contacts_) points.push_back(c.at);
     const auto is_in_front = [](const InkVector& p, const SpatialContactInk& c) {
-      return dot(sum(p, -1, c.at), c.normal) >= 0;
+      return stickslip::dot(sum(p, -1, c.at), c.normal) >= 0;
     };
     for (const SpatialContactInk& c : contacts_) {
       for (const InkVector* tangent : {&c.across, &c.along}) {

@@ -39,7 +39,7 @@ class Margins(Space):
         code, out, err = stickslip("margin", file, "--json", "--certificate", proof, *words)
         self.assertEqual(code, DONE, err)
         answer = json.loads(out)
-        words = [w for w in words if not w.startswith("--accuracy")]
+        words = [w for w in words if not w.startswith(("--accuracy", "--node-limit"))]
         said = []
         for checker in ([CHECK], ["python3", "-B", CHECK_PY]):
             code, out, err = run(*checker, file, proof, *words)
@@ -124,7 +124,7 @@ class Margins(Space):
                                         preload=F(source.randint(0, 8), 4)))
             direction = [F(source.randint(-8, 8), 8) for _ in range(6)]
             content = grasp(contacts, [0] * 6)
-            resisted, refuted = self.margin(content, "--direction", spelled(direction))
+            resisted, refuted = self.margin(content, "--direction", spelled(direction), "--node-limit=300")
             for verdict, intervals in (("stable", resisted), ("unstable", refuted)):
                 for low, high in intervals:
                     high = 2 * low + 1 if high is None else high

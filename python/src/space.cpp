@@ -277,9 +277,9 @@ py::dict find_grasp_margin(const SpatialGrasp& grasp, const py::object& directio
   return result;
 }
 
-py::str grasp_picture(const SpatialGrasp& grasp, const py::object& wrench,
-                      const py::object& preload, bool bilateral,
-                      const std::string& /*engine*/) {
+py::str spatial_picture(const SpatialGrasp& grasp, const py::object& wrench,
+                        const py::object& preload, bool bilateral,
+                        const std::string& /*engine*/) {
   const SpatialQuestion question = question_of(grasp, wrench, preload, bilateral);
   return text(without_gil([&] { return plot_grasp(question, decide(question).verdict); }));
 }
@@ -335,7 +335,7 @@ void bind_space(py::module_& module) {
   module.def("decide", &decide_grasp);
   module.def("decide_box", &decide_box);
   module.def("margin", &find_grasp_margin);
-  module.def("plot_grasp", &grasp_picture);
+  module.def("plot_grasp", &spatial_picture);
 }
 
 }  // namespace stickslip::python

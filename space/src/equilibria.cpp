@@ -235,6 +235,17 @@ std::optional<NearEquilibrium> NewtonMethod::solve(const EigenVector6& start) co
   return result;
 }
 
+/// Where friction holds whatever is closed: Newton's method with smooth friction can miss it.
+NearEquilibrium NewtonMethod::at_rest() const {
+  NearEquilibrium rest{EigenVector6::Zero(), {}, {}, {}};
+  for (const SpaceContact& c : model_.contacts) {
+    rest.normal.push_back(c.preloads[0]);
+    rest.friction.push_back({});
+    rest.sticks.push_back(c.preloads[0] > 0 && c.slopes[0] > 0 ? 1 : 0);
+  }
+  return rest;
+}
+
 std::vector<NearEquilibrium> NewtonMethod::solve_from(std::size_t starts) const {
   std::vector<NearEquilibrium> result;
   std::uint64_t state = 88172645463325252ULL;
@@ -244,11 +255,11 @@ std::vector<NearEquilibrium> NewtonMethod::solve_from(std::size_t starts) const 
     state ^= state << 17U;
     return static_cast<double>(state >> 11U) / static_cast<double>(1ULL << 52U) - 1;
   };
-  for (std::size_t k = 0; k < starts; ++k) {
+  for (std::size_t k = 0; k <= starts; ++k) {
     EigenVector6 start = EigenVector6::Zero();
-    const double size = k % 3 == 0 ? 0.3 : k % 3 == 1 ? 2 : 10;
-    for (Eigen::Index j = 0; k > 0 && j < 6; ++j) start[j] = size * model_.reach * random();
-    auto found = solve(start);
+    const double size = k % 3 == 0 ? 10 : k % 3 == 1 ? 0.3 : 2;
+    for (Eigen::Index j = 0; k > 1 && j < 6; ++j) start[j] = size * model_.reach * random();
+    std::optional<NearEquilibrium> found = k == 0 ? at_rest() : solve(start);
     if (found) found = polish(std::move(*found));
     if (!found) continue;
     const bool is_known = std::any_of(result.begin(), result.end(), [&](const auto& other) {

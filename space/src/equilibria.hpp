@@ -51,10 +51,12 @@ class NewtonMethod {
   /// Friction where it sticks, with the same sum: the largest share of what there may be is
   /// made small, so that it holds with some to spare.
   void share_out(NearEquilibrium& near) const;
-  /// From rest, and from motions at random, always the same: those that differ.
+  /// With what is closed at rest sticking, from rest, and from motions at random, always the
+  /// same: those that differ.
   std::vector<NearEquilibrium> solve_from(std::size_t starts) const;
 
  private:
+  NearEquilibrium at_rest() const;
   /// Load and forces with friction smoothed over slips of this size, and the derivative.
   EigenVector6 force(const EigenVector6& motion, double smooth, EigenMatrix6* derivative) const;
 

@@ -100,6 +100,16 @@ class ClosedForms(Space):
                  for side in (-1, 1)]
         self.assert_threshold(lambda w: grasp(hands, (0, 0, -w, 0, 0, 0)), F(12, 5))
 
+    def test_a_peg_with_contacts_at_two_heights(self):
+        # Normal forces P at a distance h turn it; friction P h / (2 r) at either side, up and
+        # down, holds that, and what is left of mu P holds the load.
+        mu, preload, radius = F(1, 2), 4, 1
+        for h in (F(1, 4), F(1, 2), F(4, 5)):
+            sides = [contact((-radius, 0, 0), (1, 0, 0), friction=mu, preload=preload),
+                     contact((radius, 0, h), (-1, 0, 0), friction=mu, preload=preload)]
+            self.assert_threshold(lambda w, sides=sides: grasp(sides, (0, 0, -w, 0, 0, 0)),
+                                  2 * preload * (mu - h / (2 * radius)))
+
     def test_a_box_wedged_between_walls_is_turned(self):
         # Friction of four contacts at the distance 5 from the axis.
         hands = [contact((side * 2, y, z), (-side, 0, 0), friction="1/4", preload=2)
@@ -253,7 +263,7 @@ class Random(Space):
         agreed = {"sat": 0, "unsat": 0}
         for k in range(12):
             contacts = []
-            for _ in range(1 + k % 2):
+            for _ in range(1 + k % 3):
                 n = unit_normal(rng, 2)
                 contacts.append({"p": [-x for x in n], "n": n, "friction": F(rng.randint(1, 4), 4),
                                  "stiffness": F(1), "preload": F(rng.randint(1, 3))})

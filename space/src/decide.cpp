@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -31,11 +32,15 @@ SpatialWork& SpatialWork::operator+=(const SpatialWork& part) {
 
 namespace {
 
+/// Without what is rounding alone.
 Vector6 motion_of(const SpaceModel& model, const NearEquilibrium& equilibrium) {
-  Vector6 motion;
+  Vector6 motion{};
   for (std::size_t j = 0; j < 6; ++j) {
-    motion[j] = rational_from_double(equilibrium.motion[static_cast<Eigen::Index>(j)] /
-                                     (j < 3 ? 1 : model.length));
+    const double d = equilibrium.motion[static_cast<Eigen::Index>(j)];
+    constexpr double kNone = 1e-12;
+    if (std::fabs(d) > kNone * model.reach) {
+      motion[j] = rational_from_double(d / (j < 3 ? 1 : model.length));
+    }
   }
   return motion;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "space_answer.hpp"
 
-#include <algorithm>
 #include <iostream>
 #include <utility>
 #include <vector>
@@ -51,9 +50,7 @@ struct SpatialMeaning {
            "an equilibrium inside.\n";
   }
   std::string operator()(const SpatiallyUnstable& unstable) const {
-    const auto leaves = std::count_if(
-        unstable.tree.begin(), unstable.tree.end(),
-        [](const SpatialNode& node) { return std::holds_alternative<LeafIn<6>>(node); });
+    const std::size_t leaves = leaf_count(unstable.tree);
     return std::string(wide ? "No grasp in the box holds the load: no"
                             : "The grasp does not hold the load: no") +
            " motion and forces satisfy all conditions.\nProved in " + std::to_string(leaves) +
@@ -112,14 +109,9 @@ Json to_json(const SpaceAnswer& answer) {
 }
 
 Json work_json(const SpatialWork& work) {
-  return {{"nodes", work.nodes},
-          {"leaves", work.leaves},
-          {"rays", work.rays},
-          {"most_rays", work.most_rays},
-          {"ray_bits", work.ray_bits},
-          {"twist_bits", work.twist_bits},
-          {"exact_checks", work.exact_checks},
-          {"proofs", work.proofs}};
+  Json json = Json::object();
+  for (const auto& [name, value] : counters(work)) json[name] = value;
+  return json;
 }
 
 std::string load_text(const SpaceAnswer& answer, NumberText& text) {

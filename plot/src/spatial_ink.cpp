@@ -70,8 +70,7 @@ void add_tangents(SpatialContactInk& c) {
   axis[least] = 1;
   c.across = sum(axis, -n[least], n);
   c.across = sum({}, 1 / std::sqrt(stickslip::dot(c.across, c.across)), c.across);
-  c.along = {n[1] * c.across[2] - n[2] * c.across[1], n[2] * c.across[0] - n[0] * c.across[2],
-             n[0] * c.across[1] - n[1] * c.across[0]};
+  c.along = stickslip::cross(n, c.across);
 }
 
 class SpatialReader {
@@ -96,9 +95,7 @@ class SpatialReader {
     if (stable != nullptr) {
       add_equilibrium(*stable);
     } else if (const auto* unstable = std::get_if<SpatiallyUnstable>(&verdict_)) {
-      const auto leaves = std::count_if(
-          unstable->tree.begin(), unstable->tree.end(),
-          [](const SpatialNode& node) { return std::holds_alternative<LeafIn<6>>(node); });
+      const std::size_t leaves = leaf_count(unstable->tree);
       ink_.caption.push_back("No motion and forces satisfy all conditions: proved in " +
                              std::to_string(leaves) + (leaves == 1 ? " case." : " cases."));
     } else {

@@ -96,4 +96,12 @@ auto without_gil(Work work) {
   }
 }
 
+/// What an engine did, by name.
+template <class Work>
+pybind11::dict stats(const Work& work) {
+  pybind11::dict result;
+  for (const auto& [name, value] : counters(work)) result[name.c_str()] = value;
+  return result;
+}
+
 }  // namespace stickslip::python

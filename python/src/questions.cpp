@@ -24,13 +24,6 @@ void require_load(const GraspFile& grasp, const QuestionOptions& options) {
   refuse_without_case(grasp.cases.front().name);
 }
 
-template <class Work>
-py::dict stats(const Work& work) {
-  py::dict result;
-  for (const auto& [name, value] : counters(work)) result[name.c_str()] = value;
-  return result;
-}
-
 py::list as_list(const std::vector<ModelWarning>& warnings) {
   py::list list;
   for (const ModelWarning& warning : warnings) {

@@ -144,13 +144,6 @@ struct Answer {
   std::string certificate;  ///< empty if undecided
 };
 
-py::dict stats_of(const SpatialWork& work) {
-  return py::dict("nodes"_a = work.nodes, "leaves"_a = work.leaves, "rays"_a = work.rays,
-                  "most_rays"_a = work.most_rays, "ray_bits"_a = work.ray_bits,
-                  "twist_bits"_a = work.twist_bits, "exact_checks"_a = work.exact_checks,
-                  "proofs"_a = work.proofs);
-}
-
 /// The fields that all answers have in common.
 py::dict fields_of(const Answer& answer) {
   const SpatialQuestion& question = answer.question;
@@ -163,7 +156,7 @@ py::dict fields_of(const Answer& answer) {
   if (const auto* undecided = std::get_if<Undecided>(&decision.verdict)) {
     result["limit"] = undecided->limit;
   }
-  result["stats"] = stats_of(decision.work);
+  result["stats"] = stats(decision.work);
   return result;
 }
 
@@ -267,7 +260,7 @@ py::dict find_grasp_margin(const SpatialGrasp& grasp, const py::object& directio
                   "refuted"_a = pairs(margin.refuted()),
                   "wrench"_a = lows(question.grasp.wrench),
                   "normal_law"_a = to_string(question.law), "certificate"_a = certificate,
-                  "warnings"_a = py::tuple(), "stats"_a = stats_of(margin.work));
+                  "warnings"_a = py::tuple(), "stats"_a = stats(margin.work));
   result["direction"] = question.direction ? py::object(fractions_of(*question.direction))
                                            : py::object(py::none());
   if (question.preload) result["preload"] = fraction(*question.preload);

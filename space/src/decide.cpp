@@ -18,6 +18,23 @@ const char* name_of(const SpatialVerdict& verdict) {
   return kNames[verdict.index()];
 }
 
+std::size_t leaf_count(const SpatialTrees& trees) {
+  return static_cast<std::size_t>(std::count_if(
+      trees.begin(), trees.end(),
+      [](const SpatialNode& node) { return std::holds_alternative<LeafIn<6>>(node); }));
+}
+
+std::vector<std::pair<std::string, std::size_t>> counters(const SpatialWork& work) {
+  return {{"nodes", work.nodes},
+          {"leaves", work.leaves},
+          {"rays", work.rays},
+          {"most_rays", work.most_rays},
+          {"ray_bits", work.ray_bits},
+          {"twist_bits", work.twist_bits},
+          {"exact_checks", work.exact_checks},
+          {"proofs", work.proofs}};
+}
+
 SpatialWork& SpatialWork::operator+=(const SpatialWork& part) {
   nodes += part.nodes;
   leaves += part.leaves;

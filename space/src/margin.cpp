@@ -43,7 +43,7 @@ bool are_of_one_mode(const SpaceModel& family, const Member& a, const Member& b)
   return true;
 }
 
-const Rational& low_end(const std::variant<ResistedMultiples, RefutedMultiples>& claim) {
+const Rational& low_end(const MultiplesClaim& claim) {
   return std::visit([](const auto& c) -> const Rational& { return c.low; }, claim);
 }
 
@@ -52,6 +52,7 @@ class SpatialMarginSearch {
   SpatialMarginSearch(const SpatialQuestion& question, const SpatialMarginOptions& options,
                       const std::function<void(const SpatialMargin&)>& progress)
       : model_(question, options.search.bits),
+        is_one_grasp_(!question.is_box),
         accuracy_(options.accuracy),
         node_limit_(options.search.node_limit != 0 ? options.search.node_limit : kNodeLimit),
         progress_(progress) {
@@ -69,7 +70,7 @@ class SpatialMarginSearch {
         std::all_of(model_.contacts.begin(), model_.contacts.end(),
                     [](const SpaceContact& c) { return c.preload.high.is_zero(); });
     for (const Interval& w : model_.wrench) {
-      is_homogeneous_ = is_homogeneous_ && w.is_point() && w.low.is_zero();
+      is_homogeneous_ = is_homogeneous_ && w.low.is_zero();
     }
   }
 
@@ -77,11 +78,11 @@ class SpatialMarginSearch {
     if (is_homogeneous_) {
       settle_at_once();
     } else {
-      follow_from_zero();
+      const Rational end = follow_from_zero();
       if (margin_.claims.empty()) {
         claim_all({0, {}, true, 0, most()});
-      } else if (resisted_ < most()) {
-        claim_all({resisted_ + least_step(resisted_), {}, false, resisted_, most()});
+      } else if (end < most()) {
+        claim_all({end + least_step(end), {}, false, end, most()});
       }
     }
     std::sort(margin_.claims.begin(), margin_.claims.end(),
@@ -134,11 +135,13 @@ class SpatialMarginSearch {
     margin_.claims.emplace_back(RefutedMultiples{0, {}, std::move(tree)});
   }
 
-  void follow_from_zero() {
+  /// How far it came.
+  Rational follow_from_zero() {
     for (const NearEquilibrium& near : NewtonMethod(model_.at(0)).solve_from(kStarts)) {
-      resisted_ = follow(member(0, near), most());
-      if (!margin_.claims.empty()) return;
+      const Rational end = follow(member(0, near), most());
+      if (!margin_.claims.empty()) return end;
     }
+    return 0;
   }
 
   /// (low, high), and low as well if has_low; what is resisted there may be followed to the
@@ -176,8 +179,9 @@ class SpatialMarginSearch {
       if (at <= range.low || at >= range.ceiling) return false;
       const auto near = NewtonMethod(model_.at(at)).polish(relaxed);
       if (!near) return false;
-      const Rational up = follow(member(at, *near), range.ceiling);
-      const Rational down = follow(member(at, *near), range.floor);
+      const Member start = member(at, *near);
+      const Rational up = follow(start, range.ceiling);
+      const Rational down = follow(start, range.floor);
       if (up == down) return false;
       resisted = {down, up};
       return true;
@@ -216,7 +220,7 @@ class SpatialMarginSearch {
 
   /// Where what is refuted touches, the upper part was refuted with its low end.
   void join_refuted() {
-    std::vector<std::variant<ResistedMultiples, RefutedMultiples>> claims;
+    std::vector<MultiplesClaim> claims;
     for (auto& claim : margin_.claims) {
       auto* next = std::get_if<RefutedMultiples>(&claim);
       auto* last = claims.empty() ? nullptr : std::get_if<RefutedMultiples>(&claims.back());
@@ -306,13 +310,9 @@ class SpatialMarginSearch {
     return {multiple, near, witness_at(multiple, near)};
   }
 
-  /// Of one grasp only.
   std::optional<SpatialWitness> witness_at(const Rational& multiple,
                                            const NearEquilibrium& near) const {
-    const bool is_one = std::all_of(
-        model_.contacts.begin(), model_.contacts.end(),
-        [](const SpaceContact& c) { return c.preload.is_point() && c.rate.is_point(); });
-    return is_one ? exact_witness(model_.at(multiple), near) : std::nullopt;
+    return is_one_grasp_ ? exact_witness(model_.at(multiple), near) : std::nullopt;
   }
 
   std::optional<NearEquilibrium> equilibrium_at(const Rational& multiple,
@@ -332,7 +332,7 @@ class SpatialMarginSearch {
   }
 
   void claim_resisted(const Rational& low, const std::optional<Rational>& high,
-                      std::variant<SpatialSegment, SpatialDegreeProof> proof) {
+                      decltype(ResistedMultiples::proof) proof) {
     margin_.claims.emplace_back(ResistedMultiples{low, high, std::move(proof)});
     report();
   }
@@ -342,12 +342,12 @@ class SpatialMarginSearch {
   }
 
   SpaceModel model_;
+  bool is_one_grasp_;  ///< no length is irrational, so that there may be witnesses
   Rational accuracy_;
   std::size_t node_limit_;
   const std::function<void(const SpatialMargin&)>& progress_;
   Rational unit_ = 1;  ///< a typical multiple, a power of 2
   bool is_homogeneous_ = true;
-  Rational resisted_ = 0;  ///< from 0 on
   SpatialMargin margin_;
 };
 

@@ -40,10 +40,13 @@ struct RefutedMultiples {
   SpatialTrees tree;             ///< nodes see the multiple as well
 };
 
+/// What is claimed of some multiples.
+using MultiplesClaim = std::variant<ResistedMultiples, RefutedMultiples>;
+
 /// What is known of all multiples.
 struct SpatialMargin {
   /// Increasing; where one ends the next may begin.
-  std::vector<std::variant<ResistedMultiples, RefutedMultiples>> claims;
+  std::vector<MultiplesClaim> claims;
   SpatialWork work;     ///< to find them
   unsigned bits = 128;  ///< of the proofs
 

@@ -52,6 +52,9 @@ using SpatialVerdict = std::variant<SpatiallyStable, SpatiallyUnstable, Undecide
 /// "stable", "unstable", "undecided".
 const char* name_of(const SpatialVerdict& verdict);
 
+/// How many nodes are leaves.
+std::size_t leaf_count(const SpatialTrees& trees);
+
 /// How much to try.
 struct SpatialSearchOptions {
   /// Of each tree; 0: one with which an answer takes about a minute at most for 12 contacts.
@@ -74,6 +77,9 @@ struct SpatialWork {
   /// Sums, and the larger of what is the largest.
   SpatialWork& operator+=(const SpatialWork& part);
 };
+
+/// The work, by name; the order is that of the members.
+std::vector<std::pair<std::string, std::size_t>> counters(const SpatialWork& work);
 
 /// The answer, and what it took.
 struct SpatialDecision {

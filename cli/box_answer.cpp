@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "box_numbers.hpp"
+#include "fragile_answer.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/file.hpp"
 #include "terminal.hpp"
@@ -15,33 +16,6 @@ namespace stickslip {
 namespace {
 
 constexpr const char* kProducer = "stickslip " STICKSLIP_VERSION ", engine box";
-
-/// A number in which two grasps differ.
-struct Difference {
-  UncertainNumber number;
-  Rational stable;
-  Rational unstable;
-
-  /// As part of the interval.
-  Rational size() const {
-    return abs(unstable - stable) / (number.interval.high - number.interval.low);
-  }
-};
-
-/// Those that differ most, first.
-std::vector<Difference> differences(const GraspBox& box, const Fragile& fragile) {
-  const std::vector<UncertainNumber> numbers = uncertain_numbers(box);
-  const std::vector<Rational> stable = values_in(box, fragile.stable);
-  const std::vector<Rational> unstable = values_in(box, fragile.unstable);
-  std::vector<Difference> all;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (stable[i] != unstable[i]) all.push_back({numbers[i], stable[i], unstable[i]});
-  }
-  std::stable_sort(all.begin(), all.end(), [](const Difference& a, const Difference& b) {
-    return a.size() > b.size();
-  });
-  return all;
-}
 
 std::vector<std::size_t> enclosed_contacts(const GraspBox& box) {
   std::vector<std::size_t> contacts;
@@ -59,20 +33,6 @@ std::size_t count_parts(const StabilityProof& proof) {
 
 std::string in_words(std::size_t n, const char* what) {
   return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
-}
-
-std::string fragile_text(const BoxAnswer& answer, const Fragile& fragile, NumberText& text,
-                         const std::string& examples) {
-  std::vector<std::vector<std::string>> rows{{"differs", "stable", "unstable"}};
-  for (const Difference& d : differences(*answer.question.box, fragile)) {
-    rows.push_back({d.number.label(), text(d.stable), text(d.unstable)});
-  }
-  return "Some grasps in the box hold the load and some do not. Two of them, what differs most "
-         "first:\n\n" +
-         short_table(rows) + "\n" +
-         (examples.empty()
-              ? "--examples DIR writes both, each with a certificate of its verdict.\n"
-              : "Both are in " + examples + ", each with a certificate of its verdict.\n");
 }
 
 struct Meaning {
@@ -141,7 +101,7 @@ Json to_json(const BoxAnswer& answer) {
   json["engine"] = "box";
   json["normal_law"] = to_string(question.law);
   json["wrench"] = wrench_json(box.wrench);
-  json["uncertain"] = uncertain_json(box);
+  json["uncertain"] = uncertain_json(uncertain_numbers(box));
   if (needs_enclosure(box)) {
     json["enclosed"] = enclosed_contacts(box);
     json["bits"] = decision.bits;
@@ -153,12 +113,7 @@ Json to_json(const BoxAnswer& answer) {
   } else if (const auto* fragile = std::get_if<Fragile>(&decision.verdict)) {
     json["examples"] = {{"stable", Json::parse(write_grasp(fragile->stable))},
                         {"unstable", Json::parse(write_grasp(fragile->unstable))}};
-    Json& all = json["differences"] = Json::array();
-    for (const Difference& d : differences(box, *fragile)) {
-      all.push_back({{"place", d.number.place},
-                     {"stable", number_json(d.stable)},
-                     {"unstable", number_json(d.unstable)}});
-    }
+    json["differences"] = Differences(box, fragile->stable, fragile->unstable).json();
   } else {
     json["limit"] = std::get<Undecided>(decision.verdict).limit;
   }
@@ -179,7 +134,8 @@ void print_text(const BoxAnswer& answer, const NumberOptions& output,
             << "  load w    " << load_text(question.box->wrench, text) << "\n\n";
   std::cout << uncertain_text(uncertain, text);
   if (const auto* fragile = std::get_if<Fragile>(&decision.verdict)) {
-    std::cout << fragile_text(answer, *fragile, text, examples);
+    std::cout
+        << Differences(*question.box, fragile->stable, fragile->unstable).text(text, examples);
   } else {
     std::cout << std::visit(Meaning{!uncertain.empty()}, decision.verdict);
   }
@@ -190,28 +146,19 @@ void print_text(const BoxAnswer& answer, const NumberOptions& output,
 void write_examples(const BoxAnswer& answer, const std::string& folder) {
   const auto* fragile = std::get_if<Fragile>(&answer.decision.verdict);
   if (fragile == nullptr) {
-    std::cerr << "stickslip: --examples: nothing is written: the box is "
-              << name_of(answer.decision.verdict)
-              << ", and only one that is fragile has two examples\n";
-    return;
+    return say_no_examples("the box is", name_of(answer.decision.verdict));
   }
   const Question& question = answer.question;
   const auto proved = [&](const LoadedGrasp& grasp, bool stable) {
     return proved_grasp(grasp, question.loaded.grasp.description(), question.law, stable,
                         kProducer);
   };
-  write_proved_files("--examples", folder,
-                     {{"stable", proved(fragile->stable, true)},
-                      {"unstable", proved(fragile->unstable, false)}});
+  write_two_examples(folder, proved(fragile->stable, true), proved(fragile->unstable, false));
 }
 
 void write_certificate(const BoxAnswer& answer, const std::string& file) {
   if (file.empty() || std::holds_alternative<Undecided>(answer.decision.verdict)) return;
-  if (std::holds_alternative<Fragile>(answer.decision.verdict)) {
-    std::cerr << "stickslip: --certificate: nothing is written: what proves that a box is "
-                 "fragile is two grasps, each with a certificate; --examples DIR writes them\n";
-    return;
-  }
+  if (std::holds_alternative<Fragile>(answer.decision.verdict)) return say_two_certificates();
   write_whole_file(file, box_certificate_text(answer.question, answer.decision, kProducer));
 }
 

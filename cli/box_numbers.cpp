@@ -27,7 +27,14 @@ std::vector<UncertainNumber> uncertain_numbers(const GraspBox& box) {
   return all;
 }
 
-/// The value of each uncertain number, in their order, in a grasp of the box.
+std::vector<UncertainNumber> uncertain_numbers(const SpatialGrasp& box) {
+  std::vector<UncertainNumber> all;
+  for_each_number(box, [&](const std::string& place, const Interval& interval) {
+    if (!interval.is_point()) all.push_back({place, interval});
+  });
+  return all;
+}
+
 std::vector<Rational> values_in(const GraspBox& box, const LoadedGrasp& loaded) {
   std::vector<Rational> values;
   const auto add = [&](const Interval& interval, const Rational& value) {
@@ -51,14 +58,27 @@ std::vector<Rational> values_in(const GraspBox& box, const LoadedGrasp& loaded) 
   return values;
 }
 
+std::vector<Rational> values_in(const SpatialGrasp& box, const SpatialGrasp& grasp) {
+  std::vector<bool> is_uncertain;
+  for_each_number(box, [&](const std::string& /*place*/, const Interval& interval) {
+    is_uncertain.push_back(!interval.is_point());
+  });
+  std::vector<Rational> values;
+  std::size_t next = 0;
+  for_each_number(grasp, [&](const std::string& /*place*/, const Interval& interval) {
+    if (is_uncertain[next++]) values.push_back(interval.low);
+  });
+  return values;
+}
+
 Json interval_json(const Interval& interval) {
   if (interval.is_point()) return number_json(interval.low);
   return Json::array({number_json(interval.low), number_json(interval.high)});
 }
 
-Json uncertain_json(const GraspBox& box) {
+Json uncertain_json(const std::vector<UncertainNumber>& numbers) {
   Json json = Json::array();
-  for (const UncertainNumber& number : uncertain_numbers(box)) {
+  for (const UncertainNumber& number : numbers) {
     json.push_back({{"place", number.place},
                     {number.is_slope ? "slope" : "interval",
                      number.is_slope ? number_json(number.interval.high)

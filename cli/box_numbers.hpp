@@ -9,6 +9,7 @@
 
 #include "stickslip/core/box.hpp"
 #include "stickslip/core/number_text.hpp"
+#include "stickslip/core/spatial_grasp.hpp"
 
 namespace stickslip {
 
@@ -24,13 +25,17 @@ struct UncertainNumber {
 
 std::vector<UncertainNumber> uncertain_numbers(const GraspBox& box);
 
-/// The value of each uncertain number, in their order, in a grasp of the box.
+std::vector<UncertainNumber> uncertain_numbers(const SpatialGrasp& box);
+
+/// \{ The value of each uncertain number, in their order, in a grasp of the box.
 std::vector<Rational> values_in(const GraspBox& box, const LoadedGrasp& loaded);
+std::vector<Rational> values_in(const SpatialGrasp& box, const SpatialGrasp& grasp);
+/// \}
 
 /// A number, or two.
 Json interval_json(const Interval& interval);
 /// A list of places and intervals.
-Json uncertain_json(const GraspBox& box);
+Json uncertain_json(const std::vector<UncertainNumber>& numbers);
 
 /// Components of a wrench, each a number or two.
 template <std::size_t n>

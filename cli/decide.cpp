@@ -9,6 +9,7 @@
 #include "box_answer.hpp"
 #include "box_numbers.hpp"
 #include "commands.hpp"
+#include "fragile_answer.hpp"
 #include "question_options.hpp"
 #include "space_answer.hpp"
 #include "stickslip/certificate/certificate.hpp"
@@ -292,9 +293,8 @@ void write_certificate(const CaseAnswer& answer, const std::string& file) {
 }
 
 void write_examples(const CaseAnswer& answer, const std::string& /*folder*/) {
-  std::cerr << "stickslip: --examples: nothing is written: the question is about one grasp, "
-               "which is "
-            << stickslip::name_of(answer.verdict()) << "\n";
+  say_no_examples("the question is about one grasp, which is",
+                  stickslip::name_of(answer.verdict()));
 }
 
 void print_text(const CaseAnswer& answer, const NumberOptions& output,

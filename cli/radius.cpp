@@ -126,7 +126,7 @@ void print_json(const Question& question, const Radius& radius, bool floats) {
   json["engine"] = "box";
   json["normal_law"] = to_string(question.law);
   json["wrench"] = number_json(coordinates(question.loaded.wrench));
-  json["uncertain"] = uncertain_json(*question.box);
+  json["uncertain"] = uncertain_json(uncertain_numbers(*question.box));
   json["proved"] = number_json(radius.proved);
   json["refuted"] = radius.refuted ? number_json(*radius.refuted) : Json();
   json["limit"] = number_json(radius.limit);

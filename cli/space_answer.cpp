@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "box_numbers.hpp"
+#include "fragile_answer.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/spatial_forces.hpp"
@@ -13,27 +14,6 @@
 
 namespace stickslip {
 namespace {
-
-std::vector<UncertainNumber> uncertain_numbers(const SpatialGrasp& grasp) {
-  std::vector<UncertainNumber> numbers;
-  const auto add = [&](const std::string& place, const Interval& interval) {
-    if (!interval.is_point()) numbers.push_back({place, interval});
-  };
-  for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
-    const SpatialContact& c = grasp.contacts[i];
-    const std::string path = "contacts[" + std::to_string(i) + "].";
-    for (std::size_t j = 0; j < 3; ++j) {
-      add(path + "position[" + std::to_string(j) + "]", c.position[j]);
-    }
-    add(path + "friction", c.friction);
-    add(path + "stiffness", c.stiffness);
-    add(path + "preload", c.preload);
-  }
-  for (std::size_t j = 0; j < 6; ++j) {
-    add("wrench[" + std::to_string(j) + "]", grasp.wrench[j]);
-  }
-  return numbers;
-}
 
 struct SpatialMeaning {
   bool wide;  ///< some number is an interval
@@ -43,8 +23,10 @@ struct SpatialMeaning {
       return "These forces balance the load, lie in their friction cones and oppose slip; "
              "checked exactly.\n";
     }
+    const std::size_t parts = part_count(std::get<SpatialParts>(stable.proof));
     return (wide ? "Every grasp in the box holds the load. Proved for all of them at once"
                  : std::string("The grasp holds the load. Proved")) +
+           (parts == 1 ? "" : ", in " + std::to_string(parts) + " parts") +
            ": the forces on the walls\nof a box of motions around this one leave no way out "
            "but "
            "an equilibrium inside.\n";
@@ -58,6 +40,7 @@ struct SpatialMeaning {
            ", along some virtual twist, the\nload does more work than the contacts can take "
            "up.\n";
   }
+  std::string operator()(const SpatiallyFragile& /*fragile*/) const { return ""; }
   std::string operator()(const Undecided& undecided) const {
     return "Not decided: " + undecided.limit + ". Nothing is known about the verdict" +
            (wide ? ", which need\nnot be the same for all grasps in the box.\n"
@@ -95,12 +78,22 @@ Json to_json(const SpaceAnswer& answer) {
                             {"closed", c.normal.sign() > 0}});
       }
     } else {
-      const auto& proof = std::get<SpatialDegreeProof>(stable->proof);
+      const auto& parts = std::get<SpatialParts>(stable->proof);
+      std::size_t nodes = 0;
+      for (const auto& part : parts) {
+        const auto* proof = std::get_if<SpatialDegreeProof>(&part);
+        nodes += proof != nullptr ? proof->trees.size() : 0;
+      }
       json["near"] = number_json(stable->motion);
-      json["proof"] = {{"nodes", proof.trees.size()}};
+      json["proof"] = {{"nodes", nodes}, {"parts", part_count(parts)}};
     }
   } else if (const auto* unstable = std::get_if<SpatiallyUnstable>(&decision.verdict)) {
     json["refutation"] = {{"nodes", unstable->tree.size()}};
+  } else if (const auto* fragile = std::get_if<SpatiallyFragile>(&decision.verdict)) {
+    json["examples"] = {{"stable", Json::parse(write_grasp_file(fragile->stable))},
+                        {"unstable", Json::parse(write_grasp_file(fragile->unstable))}};
+    json["differences"] =
+        Differences(question.grasp, fragile->stable, fragile->unstable).json();
   } else {
     json["limit"] = std::get<Undecided>(decision.verdict).limit;
   }
@@ -119,7 +112,7 @@ std::string load_text(const SpaceAnswer& answer, NumberText& text) {
 }
 
 void print_text(const SpaceAnswer& answer, const NumberOptions& output,
-                const std::string& /*examples*/) {
+                const std::string& examples) {
   const auto& [question, decision] = answer;
   NumberText text(output);
   std::cout << heading(question.grasp.name, question.case_name) << name_of(decision.verdict)
@@ -144,23 +137,35 @@ void print_text(const SpaceAnswer& answer, const NumberOptions& output,
     std::cout << format_table(rows) << '\n';
   }
   const std::vector<UncertainNumber> uncertain = uncertain_numbers(question.grasp);
-  std::cout << uncertain_text(uncertain, text)
-            << std::visit(SpatialMeaning{!uncertain.empty()}, decision.verdict)
+  std::cout << uncertain_text(uncertain, text);
+  if (const auto* fragile = std::get_if<SpatiallyFragile>(&decision.verdict)) {
+    std::cout
+        << Differences(question.grasp, fragile->stable, fragile->unstable).text(text, examples);
+  }
+  std::cout << std::visit(SpatialMeaning{!uncertain.empty()}, decision.verdict)
             << "Load: force x, y, z, torque x, y, z. Motion: x, y, z, rotation x, y, z in "
                "radians.\n"
             << text.note() << units_text(question.grasp.units)
             << engine_text("space", question.law);
 }
 
-void write_examples(const SpaceAnswer& answer, const std::string& /*folder*/) {
-  std::cerr
-      << "stickslip: --examples: nothing is written: two grasps with opposite verdicts are "
-         "sought in the plane only; this is "
-      << name_of(answer.decision.verdict) << "\n";
+void write_examples(const SpaceAnswer& answer, const std::string& folder) {
+  const auto& [question, decision] = answer;
+  const auto* fragile = std::get_if<SpatiallyFragile>(&decision.verdict);
+  if (fragile == nullptr) {
+    return say_no_examples(
+        is_point(question.grasp) ? "the question is about one grasp, which is" : "the box is",
+        name_of(decision.verdict));
+  }
+  write_two_examples(folder, proved_grasp(fragile->stable, question.law, true, kSpaceProducer),
+                     proved_grasp(fragile->unstable, question.law, false, kSpaceProducer));
 }
 
 void write_certificate(const SpaceAnswer& answer, const std::string& file) {
   if (file.empty() || std::holds_alternative<Undecided>(answer.decision.verdict)) return;
+  if (std::holds_alternative<SpatiallyFragile>(answer.decision.verdict)) {
+    return say_two_certificates();
+  }
   write_whole_file(file,
                    spatial_certificate_text(answer.question, answer.decision, kSpaceProducer));
 }

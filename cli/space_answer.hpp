@@ -29,10 +29,11 @@ void print_text(const SpaceAnswer& answer, const NumberOptions& output,
 /// "(1, [2, 3], ...)" of the load w.
 std::string load_text(const SpaceAnswer& answer, NumberText& text);
 
-/// Says on standard error that in space there are none.
+/// The two grasps of a fragile box, each with the certificate of its verdict. Says so on
+/// standard error if there are none.
 void write_examples(const SpaceAnswer& answer, const std::string& folder);
 
-/// If the verdict has one.
+/// If the verdict has one. Says so on standard error of a fragile box, which has two others.
 void write_certificate(const SpaceAnswer& answer, const std::string& file);
 
 }  // namespace stickslip

@@ -38,12 +38,6 @@ ParameterContact parameters_of(const UncertainContact& c, unsigned bits) {
 
 }  // namespace
 
-const char* to_string(Parameter parameter) {
-  constexpr const char* kNames[] = {"x",       "y",         "turn",  "friction",
-                                    "preload", "stiffness", "wrench"};
-  return kNames[static_cast<std::size_t>(parameter)];
-}
-
 ParameterBox::ParameterBox(const GraspBox& box, NormalLaw law, unsigned bits)
     : wrench_(box.wrench), law_(law) {
   for (const UncertainContact& c : box.contacts) contacts_.push_back(parameters_of(c, bits));

@@ -190,8 +190,22 @@ std::string witness_text(const SpatialWitness& witness) {
 
 struct PartText {
   std::string operator()(const PartSplit& cut) const { return NodeText{false}(cut); }
-  std::string operator()(const DegreeProof& proof) const { return degree_text(proof); }
+  template <std::size_t D, class Node>
+  std::string operator()(const DegreeProofIn<D, Node>& proof) const {
+    return degree_text(proof);
+  }
 };
+
+template <class Proof>
+std::string parts_text(const PartsIn<Proof>& parts) {
+  std::string text = " \"parts\": [";
+  std::string separator = "\n  ";
+  for (const auto& part : parts) {
+    text += separator + std::visit(PartText{}, part);
+    separator = ",\n  ";
+  }
+  return text + "]";
+}
 
 std::string point_text(const std::optional<Rational>& multiple, const ShortWitness& witness) {
   return "[" + (multiple ? number(*multiple) : "null") + ",[" +
@@ -229,13 +243,7 @@ std::string box_certificate_text(const Question& question, const BoxDecision& de
   }
   const auto* stable = std::get_if<StableThroughout>(&decision.verdict);
   require(stable != nullptr, "a box that is neither stable nor unstable has no certificate");
-  text += " \"parts\": [";
-  std::string separator = "\n  ";
-  for (const auto& part : stable->parts) {
-    text += separator + std::visit(PartText{}, part);
-    separator = ",\n  ";
-  }
-  return text + "]}\n";
+  return text + parts_text(stable->parts) + "}\n";
 }
 
 std::string spatial_certificate_text(const SpatialQuestion& question,
@@ -247,9 +255,10 @@ std::string spatial_certificate_text(const SpatialQuestion& question,
     return text + tree_text(unstable->tree) + "}\n";
   }
   const auto* stable = std::get_if<SpatiallyStable>(&decision.verdict);
-  require(stable != nullptr, "an undecided question has no certificate");
-  if (const auto* proof = std::get_if<SpatialDegreeProof>(&stable->proof)) {
-    return text + " \"parts\": [\n  " + degree_text(*proof) + "]}\n";
+  require(stable != nullptr,
+          "a question that is neither stable nor unstable has no certificate");
+  if (const auto* parts = std::get_if<SpatialParts>(&stable->proof)) {
+    return text + parts_text(*parts) + "}\n";
   }
   return text + " " + witness_text(std::get<SpatialWitness>(stable->proof)) + "}\n";
 }

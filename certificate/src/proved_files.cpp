@@ -38,6 +38,17 @@ ProvedFiles proved_grasp(const LoadedGrasp& loaded, const GraspDescription& desc
   return {write_grasp(described), certificate};
 }
 
+ProvedFiles proved_grasp(const SpatialGrasp& grasp, NormalLaw law, bool stable,
+                         const std::string& producer) {
+  SpatialOptions options;
+  options.law = law;
+  const SpatialQuestion question = ask(grasp, options);
+  const SpatialDecision decision = decide(question);
+  require_verdict(stable, name_of(decision.verdict));
+  return {write_grasp_file(question.grasp),
+          spatial_certificate_text(question, decision, producer)};
+}
+
 ProvedFiles proved_box(const GraspBox& box, const GraspDescription& description, NormalLaw law,
                        const BoxDecision& decision, const std::string& producer) {
   if (box.is_point()) {

@@ -47,6 +47,14 @@ SpatialGrasp widened(SpatialGrasp grasp, const Tolerances& tolerances) {
   return grasp;
 }
 
+bool is_point(const SpatialGrasp& grasp) {
+  bool all = true;
+  for_each_number(grasp, [&](const std::string& /*place*/, const Interval& interval) {
+    all = all && interval.is_point();
+  });
+  return all;
+}
+
 const std::string& name_of(const AnyGraspFile& file) {
   if (const auto* grasp = std::get_if<SpatialGrasp>(&file)) return grasp->name;
   return std::get<GraspFile>(file).content.grasp.name();

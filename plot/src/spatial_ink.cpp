@@ -98,6 +98,8 @@ class SpatialReader {
       const std::size_t leaves = leaf_count(unstable->tree);
       ink_.caption.push_back("No motion and forces satisfy all conditions: proved in " +
                              std::to_string(leaves) + (leaves == 1 ? " case." : " cases."));
+    } else if (std::holds_alternative<SpatiallyFragile>(verdict_)) {
+      ink_.caption.push_back("Some grasps in the box hold the load and some do not.");
     } else {
       ink_.caption.push_back("Undecided: " + std::get<Undecided>(verdict_).limit + ".");
     }

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "stickslip/certificate/proved_files.hpp"
 #include "stickslip/core/cancellation.hpp"
 #include "stickslip/equilibrium/decide.hpp"
 #include "stickslip/equilibrium/question.hpp"
@@ -93,6 +94,19 @@ auto without_gil(Work work) {
     return work();
   } catch (const Cancelled&) {
     throw pybind11::error_already_set();
+  }
+}
+
+/// A grasp file, of a box one with intervals, and its certificate.
+inline pybind11::tuple files(const ProvedFiles& proved) {
+  return pybind11::make_tuple(proved.grasp, proved.certificate);
+}
+
+/// Of a verdict about a box: the proof, or two examples, or neither.
+inline void add_files(pybind11::dict& result, const std::vector<ProvedFiles>& found) {
+  if (found.size() == 1) result["proof"] = files(found[0]);
+  if (found.size() == 2) {
+    result["examples"] = pybind11::make_tuple(files(found[0]), files(found[1]));
   }
 }
 

@@ -160,11 +160,6 @@ py::dict find_grasp_margin(const GraspFile& grasp, const py::object& direction,
   return result;
 }
 
-/// A grasp file, of a box one with intervals, and its certificate.
-py::tuple files(const ProvedFiles& proved) {
-  return py::make_tuple(proved.grasp, proved.certificate);
-}
-
 /// The question about a grasp of which `uncertain`, as in --uncertain, says what may be off;
 /// may be nothing if `lengths` that are irrational are enough.
 Question box_question(const GraspFile& grasp, QuestionOptions asked,
@@ -214,10 +209,7 @@ py::dict decide_grasp_box(const GraspFile& grasp, const std::string& uncertain,
     return Answer{std::move(question), std::move(decision), std::move(found)};
   });
   py::dict result = box_fields(answer.question, name_of(answer.decision.verdict));
-  if (answer.files.size() == 1) result["proof"] = files(answer.files[0]);
-  if (answer.files.size() == 2) {
-    result["examples"] = py::make_tuple(files(answer.files[0]), files(answer.files[1]));
-  }
+  add_files(result, answer.files);
   if (const auto* undecided = std::get_if<Undecided>(&answer.decision.verdict)) {
     result["limit"] = undecided->limit;
   }

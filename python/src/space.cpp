@@ -140,8 +140,8 @@ const std::string kSpaceProducer = "stickslip " STICKSLIP_VERSION ", engine spac
 struct Answer {
   SpatialQuestion question;
   SpatialDecision decision;
-  std::string grasp;        ///< of a box that was asked for, a file of it
-  std::string certificate;  ///< empty if undecided
+  std::string certificate;         ///< empty if there is none
+  std::vector<ProvedFiles> files;  ///< of a box that was asked for: the proof, or two examples
 };
 
 /// The fields that all answers have in common.
@@ -160,21 +160,28 @@ py::dict fields_of(const Answer& answer) {
   return result;
 }
 
-/// Of a box that was asked for (`box`), the files are of its own, as in the plane.
-Answer answer_to(SpatialQuestion question, std::size_t node_limit, bool box) {
+Answer answer_to(SpatialQuestion question, std::size_t node_limit) {
   SpatialSearchOptions options;
   options.node_limit = node_limit;
   SpatialDecision decision = decide(question, options);
-  Answer answer{std::move(question), std::move(decision), {}, {}};
-  if (std::holds_alternative<Undecided>(answer.decision.verdict)) return answer;
-  SpatialQuestion proved = answer.question;
-  if (box) {
-    answer.grasp = write_grasp_file(answer.question.grasp);
+  return {std::move(question), std::move(decision), {}, {}};
+}
+
+/// With files of its own, as in the plane.
+Answer answer_to_box(SpatialQuestion question, std::size_t node_limit) {
+  Answer answer = answer_to(std::move(question), node_limit);
+  const NormalLaw law = answer.question.law;
+  const SpatialVerdict& verdict = answer.decision.verdict;
+  if (const auto* fragile = std::get_if<SpatiallyFragile>(&verdict)) {
+    answer.files = {proved_grasp(fragile->stable, law, true, kSpaceProducer),
+                    proved_grasp(fragile->unstable, law, false, kSpaceProducer)};
+  } else if (!std::holds_alternative<Undecided>(verdict)) {
     SpatialOptions as_it_stands;
-    as_it_stands.law = answer.question.law;
-    proved = ask(answer.question.grasp, as_it_stands);
+    as_it_stands.law = law;
+    const SpatialQuestion proved = ask(answer.question.grasp, as_it_stands);
+    answer.files = {{write_grasp_file(proved.grasp),
+                     spatial_certificate_text(proved, answer.decision, kSpaceProducer)}};
   }
-  answer.certificate = spatial_certificate_text(proved, answer.decision, kSpaceProducer);
   return answer;
 }
 
@@ -192,8 +199,16 @@ py::dict decide_grasp(const SpatialGrasp& grasp, const py::object& wrench,
   }
   if (warnings) refuse_warnings();
   SpatialQuestion question = question_of(grasp, wrench, preload, bilateral);
-  const Answer answer =
-      without_gil([&] { return answer_to(std::move(question), node_limit, false); });
+  const Answer answer = without_gil([&] {
+    Answer found = answer_to(std::move(question), node_limit);
+    const SpatialVerdict& verdict = found.decision.verdict;
+    if (std::holds_alternative<SpatiallyStable>(verdict) ||
+        std::holds_alternative<SpatiallyUnstable>(verdict)) {
+      found.certificate =
+          spatial_certificate_text(found.question, found.decision, kSpaceProducer);
+    }
+    return found;
+  });
   py::dict result = fields_of(answer);
   result["engine"] = "space";
   result["warnings"] = py::tuple();
@@ -220,11 +235,9 @@ py::dict decide_box(const SpatialGrasp& grasp, const std::string& uncertain,
   SpatialQuestion question = question_of(grasp, wrench, preload, bilateral, uncertain);
   if (!question.is_box) refuse_certain();
   const Answer answer =
-      without_gil([&] { return answer_to(std::move(question), node_limit, true); });
+      without_gil([&] { return answer_to_box(std::move(question), node_limit); });
   py::dict result = fields_of(answer);
-  if (!answer.certificate.empty()) {
-    result["proof"] = py::make_tuple(answer.grasp, answer.certificate);
-  }
+  add_files(result, answer.files);
   return result;
 }
 

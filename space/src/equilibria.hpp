@@ -48,6 +48,12 @@ class NewtonMethod {
   std::optional<NearEquilibrium> solve(const EigenVector6& start) const;
   /// By Newton's method with the modes of one that is near: what sticks there sticks.
   std::optional<NearEquilibrium> polish(NearEquilibrium near) const;
+  /// Of another model than that of one that is near: in the same modes, or in others.
+  std::optional<NearEquilibrium> follow(const NearEquilibrium& near) const {
+    if (auto found = polish(near)) return found;
+    auto found = solve(near.motion);
+    return found ? polish(std::move(*found)) : std::nullopt;
+  }
   /// Friction where it sticks, with the same sum: the largest share of what there may be is
   /// made small, so that it holds with some to spare.
   void share_out(NearEquilibrium& near) const;

@@ -318,10 +318,7 @@ class SpatialMarginSearch {
   std::optional<NearEquilibrium> equilibrium_at(const Rational& multiple,
                                                 const NearEquilibrium& start) const {
     const SpaceModel there = model_.at(multiple);
-    const NewtonMethod newton(there);
-    if (auto near = newton.polish(start)) return near;
-    auto found = newton.solve(start.motion);
-    return found ? newton.polish(std::move(*found)) : std::nullopt;
+    return NewtonMethod(there).follow(start);
   }
 
   std::optional<SpatialDegreeProof> prove(const MultipleRange& range, const SpaceModel& middle,

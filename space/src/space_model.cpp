@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "stickslip/core/error.hpp"
+
 namespace stickslip::space_detail {
 namespace {
 
@@ -54,6 +56,17 @@ CornerRow row_at(const Vector3& p, const Vector3& n) {
   row.normal = {n[0], n[1], n[2], moment[0], moment[1], moment[2]};
   set_slip(row, slip_rows(p, n, row.normal), dot(n, n));
   return row;
+}
+
+void add_corners(SpaceContact& contact) {
+  contact.corners.clear();
+  for (const Rational& x : ends_of(contact.position[0])) {
+    for (const Rational& y : ends_of(contact.position[1])) {
+      for (const Rational& z : ends_of(contact.position[2])) {
+        contact.corners.push_back(row_at({x, y, z}, contact.normal));
+      }
+    }
+  }
 }
 
 /// P' and P^u' at their ends.
@@ -112,13 +125,8 @@ SpaceModel::SpaceModel(const SpatialQuestion& question, unsigned bits)
     }
     contact.stiffness = {c.stiffness.low / contact.squared_length,
                          c.stiffness.high / contact.squared_length};
-    for (const Rational& x : ends_of(c.position[0])) {
-      for (const Rational& y : ends_of(c.position[1])) {
-        for (const Rational& z : ends_of(c.position[2])) {
-          contact.corners.push_back(row_at({x, y, z}, c.normal));
-        }
-      }
-    }
+    contact.position = c.position;
+    add_corners(contact);
     contacts.push_back(std::move(contact));
   }
   complete();
@@ -212,26 +220,46 @@ SpaceModel SpaceModel::at(const Rational& multiple) const {
     c.rate = {};
     shrink(c.stiffness);
     if (c.corners.size() == 1) continue;
-    // The middle of the position is that of its corners, and p x n that of theirs.
-    const Rational count(c.corners.size());
-    Vector6 normal{};
-    std::array<Vector6, 3> slip{};
-    for (const CornerRow& row : c.corners) {
-      for (std::size_t j = 0; j < 6; ++j) {
-        normal[j] += row.normal[j] / count;
-        for (std::size_t k = 0; k < 3; ++k) {
-          slip[k][j] += Rational(row.slip[k][j]) / (row.slip_factor * count);
-        }
-      }
-    }
-    CornerRow middle{};
-    middle.normal = normal;
-    set_slip(middle, slip, 1);
-    c.corners = {middle};
+    for (Interval& coordinate : c.position) shrink(coordinate);
+    add_corners(c);
   }
   for (Interval& component : result.wrench) shrink(component);
   result.complete();
   return result;
+}
+
+Interval& SpaceModel::interval(Parameter parameter, std::size_t index) {
+  if (parameter == Parameter::kWrench) return wrench.at(index);
+  SpaceContact& c = contacts.at(index);
+  switch (parameter) {
+    case Parameter::kX:
+      return c.position[0];
+    case Parameter::kY:
+      return c.position[1];
+    case Parameter::kZ:
+      return c.position[2];
+    case Parameter::kFriction:
+      return c.friction;
+    case Parameter::kPreload:
+      return c.preload;
+    default:
+      require(parameter == Parameter::kStiffness, "normals are certain in space");
+      return c.stiffness;
+  }
+}
+
+std::pair<SpaceModel, SpaceModel> SpaceModel::halves(const PartSplit& split) const {
+  const auto half = [&](bool upper) {
+    SpaceModel result = *this;
+    Interval& cut = result.interval(split.parameter, split.index);
+    require(cut.low < split.value && split.value < cut.high,
+            "a part is cut inside its interval");
+    (upper ? cut.low : cut.high) = split.value;
+    if (split.parameter != Parameter::kWrench) add_corners(result.contacts[split.index]);
+    result.complete();
+    return result;
+  };
+  return {half(false), half(true)};
 }
 
 bool SpaceModel::is_point() const {

@@ -5,9 +5,11 @@
 #pragma once
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "stickslip/core/integer_vector.hpp"
+#include "stickslip/equilibrium/part.hpp"
 #include "stickslip/space/spatial_question.hpp"
 
 namespace stickslip::space_detail {
@@ -28,15 +30,16 @@ struct CornerRow {
 };
 
 struct SpaceContact {
-  std::vector<CornerRow> corners;
-  Vector3 normal;            ///< n
-  IntegerVector3 axis;       ///< the same direction
-  Rational squared_length;   ///< L^2
-  Interval friction;         ///< mu
-  Interval preload;          ///< P'
-  Interval rate;             ///< P^u' of a margin, whose ends go with those of P'
-  Interval stiffness;        ///< k'
-  bool geometry_is_certain;  ///< one corner
+  std::array<Interval, 3> position;
+  std::vector<CornerRow> corners;  ///< of the position
+  Vector3 normal;                  ///< n
+  IntegerVector3 axis;             ///< the same direction
+  Rational squared_length;         ///< L^2
+  Interval friction;               ///< mu
+  Interval preload;                ///< P'
+  Interval rate;                   ///< P^u' of a margin, whose ends go with those of P'
+  Interval stiffness;              ///< k'
+  bool geometry_is_certain;        ///< one corner
 
   /// v at all corners of all parameters, without repetition: positive multiples, and factors
   /// that make them v.
@@ -59,6 +62,8 @@ struct SpaceModel {
   /// Of the box that the question is, with lengths enclosed to these bits.
   SpaceModel(const SpatialQuestion& question, unsigned bits);
 
+  /// The halves below and above a cut of the box; not of a margin.
+  std::pair<SpaceModel, SpaceModel> halves(const PartSplit& split) const;
   /// The one point in the middle of the box; of a margin with this multiple.
   SpaceModel at(const Rational& multiple) const;
   /// The same margin for other multiples.
@@ -81,7 +86,23 @@ struct SpaceModel {
   Double6 growing{};                            ///< u
 
  private:
+  Interval& interval(Parameter parameter, std::size_t index);
   void complete();
 };
+
+/// Calls f(parameter, index, interval) of all parameters of a box, in the order of
+/// for_each_number().
+template <class Function>
+void for_each_parameter(const SpaceModel& box, Function f) {
+  constexpr Parameter kCoordinates[] = {Parameter::kX, Parameter::kY, Parameter::kZ};
+  for (std::size_t i = 0; i < box.contacts.size(); ++i) {
+    const SpaceContact& c = box.contacts[i];
+    for (std::size_t j = 0; j < 3; ++j) f(kCoordinates[j], i, c.position[j]);
+    f(Parameter::kFriction, i, c.friction);
+    f(Parameter::kStiffness, i, c.stiffness);
+    f(Parameter::kPreload, i, c.preload);
+  }
+  for (std::size_t j = 0; j < 6; ++j) f(Parameter::kWrench, j, box.wrench[j]);
+}
 
 }  // namespace stickslip::space_detail

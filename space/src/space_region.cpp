@@ -89,11 +89,14 @@ SpaceRegion SpaceRegion::wall(const SpaceModel& model, const SquareMatrix<6>& wa
   return SpaceRegion(model, std::move(cone));
 }
 
-SpaceRegion SpaceRegion::half(const SpaceModel& model, const Point& plane, Side side) const {
-  SpaceRegion region = *this;
-  region.cut(plane, side, side == Side::kNegative);
-  region.update(model);
-  return region;
+std::vector<SpaceRegion> SpaceRegion::halves(const SpaceModel& model,
+                                             const Point& plane) const {
+  auto [above, below] = StrictCone::halves(plane);
+  std::vector<SpaceRegion> both(2, *this);
+  static_cast<StrictCone&>(both[0]) = std::move(above);
+  static_cast<StrictCone&>(both[1]) = std::move(below);
+  for (SpaceRegion& region : both) region.update(model);
+  return both;
 }
 
 SpaceRegion SpaceRegion::sticking(const SpaceModel& model, std::size_t contact) const {

@@ -35,7 +35,7 @@ class SpaceRegion : public StrictCone<6> {
                           const Vector6& centre, std::size_t wall, int sign);
 
   /// \{ Children. The strict side of a plane is the negative one.
-  SpaceRegion half(const SpaceModel& model, const Point& plane, Side side) const;
+  std::vector<SpaceRegion> halves(const SpaceModel& model, const Point& plane) const;
   SpaceRegion sticking(const SpaceModel& model, std::size_t contact) const;
   SpaceRegion slipping(const SpaceModel& model, std::size_t contact) const;
   /// \}

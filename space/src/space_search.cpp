@@ -275,19 +275,15 @@ std::optional<IntegerVector<6>> SpaceSearch::confirm(const SpaceRegion& region,
   };
   const auto found = in_fewest_bits<6>(
       y, {2, 4, 6, 8, 12, 16, 24, 36, 50}, [&](const IntegerVector<6>& candidate) {
-        if (is_hopeless(candidate)) return false;
+        if (is_hopeless(candidate)) {
+          ++work_.filter_hits;
+          return false;
+        }
         ++work_.exact_checks;
         return region.is_refuted(model_, candidate, direction_);
       });
   if (found) note_bits(work_.twist_bits, *found);
   return found;
-}
-
-SpaceSearch::SpaceBranch SpaceSearch::cut(const SpaceRegion& region, const SpatialNode& node,
-                                          const Point& plane) const {
-  return {node,
-          {region.half(model_, plane, Side::kPositive),
-           region.half(model_, plane, Side::kNegative)}};
 }
 
 /// Across the mean of the slip and of the one that friction implies: first whether there is any
@@ -335,7 +331,7 @@ std::optional<SpaceSearch::SpaceBranch> SpaceSearch::split_slip(const SpaceRegio
   auto plane = plane_along(narrow ? turned : mean);
   if (!plane) plane = plane_along(narrow ? mean : turned);
   if (!plane) return std::nullopt;
-  return cut(region, PlaneSplitIn<6>{*plane}, *plane);
+  return SpaceBranch{PlaneSplitIn<6>{*plane}, region.halves(model_, *plane)};
 }
 
 std::optional<SpaceSearch::SpaceBranch> SpaceSearch::split(const SpaceRegion& region,
@@ -385,7 +381,8 @@ std::optional<SpaceSearch::SpaceBranch> SpaceSearch::split(const SpaceRegion& re
   if (separation_gap > kNoticeable * energy) {
     const SpaceContact& c = model_.contacts[separation];
     if (c.has_certain_separation()) {
-      return cut(region, SeparationSplit{ContactId(separation)}, c.separations.front());
+      return SpaceBranch{SeparationSplit{ContactId(separation)},
+                         region.halves(model_, c.separations.front())};
     }
     // The corner's plane that is nearest to the motion, of those that cut the region.
     const Point* nearest = nullptr;
@@ -398,7 +395,7 @@ std::optional<SpaceSearch::SpaceBranch> SpaceSearch::split(const SpaceRegion& re
       }
     }
     if (nearest != nullptr) {
-      return cut(region, PlaneSplitIn<6>{*nearest}, *nearest);
+      return SpaceBranch{PlaneSplitIn<6>{*nearest}, region.halves(model_, *nearest)};
     }
   }
   for (const auto& [slip_gap, contact] : slips) {
@@ -410,7 +407,9 @@ std::optional<SpaceSearch::SpaceBranch> SpaceSearch::split(const SpaceRegion& re
     const Point plane =
         plane_between<6>(region.generators()[found.points[0]],
                          region.generators()[found.points[k]], found.motion, model_.length);
-    if (region.signs(plane).cuts()) return cut(region, PlaneSplitIn<6>{plane}, plane);
+    if (region.signs(plane).cuts()) {
+      return SpaceBranch{PlaneSplitIn<6>{plane}, region.halves(model_, plane)};
+    }
   }
   return std::nullopt;
 }
@@ -455,6 +454,7 @@ std::optional<SpaceSearch::SpaceBranch> SpaceSearch::examine(const SpaceRegion& 
   ++nodes_;
   ++work_.nodes;
   work_.rays += region.points().size();
+  work_.pairs += region.pairs();
   work_.most_rays = std::max(work_.most_rays, region.points().size());
   for (const Point& x : region.points()) note_bits(work_.ray_bits, x);
   if (region.is_barred()) return SpaceBranch{LeafIn<6>{}, {}};

@@ -51,7 +51,6 @@ class SpaceSearch {
                                         std::size_t contact) const;
   bool is_candidate(const SpaceRegion& region, const SpaceRelaxation& found) const;
   bool escapes(const SpaceRelaxation& found, double energy) const;
-  SpaceBranch cut(const SpaceRegion& region, const SpatialNode& node, const Point& plane) const;
 
   const SpaceModel& model_;
   const Direction<6>* direction_;

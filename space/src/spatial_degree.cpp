@@ -28,15 +28,21 @@ class SpatialWalls {
   SpatialWalls(const SpaceModel& middle, const NearEquilibrium& equilibrium, double size);
 
   bool is_sound() const { return sound_; }
-  /// Moves walls outwards until these moves stay well within.
+  /// Moves walls outwards until these moves, one after another, stay well within.
   void enclose(const std::vector<EigenVector6>& moves) {
     constexpr double kWithin = 0.7;
-    for (const EigenVector6& move : moves) {
-      for (Eigen::Index j = 0; j < 6; ++j) {
-        rows_.row(j) /= std::max(1.0, std::fabs(rows_.row(j).dot(move)) / kWithin);
+    for (Eigen::Index j = 0; j < 6; ++j) {
+      double up = 0;
+      double down = 0;
+      for (const EigenVector6& move : moves) {
+        const double far = rows_.row(j).dot(move);
+        (far > 0 ? up : down) += std::fabs(far);
       }
+      rows_.row(j) /= std::max({1.0, up / kWithin, down / kWithin});
     }
   }
+  /// Moves two walls outwards by a quarter of their distance.
+  void grow(std::size_t wall) { rows_.row(static_cast<Eigen::Index>(wall)) /= 1.25; }
   /// d0, E and A in few bits.
   SpatialDegreeProof proof() const;
 
@@ -208,26 +214,36 @@ std::optional<SpatialDegreeProof> prove_stable(const SpaceModel& model,
     SpatialWalls walls(middle, equilibrium, size);
     if (!walls.is_sound()) return std::nullopt;
     walls.enclose(moves);
-    ++work.proofs;
-    SpatialDegreeProof proof = walls.proof();
-    if (!is_invertible(proof.walls) || !is_invertible(proof.direction)) continue;
-    if (model.law == NormalLaw::kBilateral && !all_closed_inside<SpaceRegion>(model, proof))
-      continue;
-    const Direction<6> direction{proof.direction, proof.twist};
-    const auto refute_all = [&](bool second) {
-      const SpaceModel& about = second ? middle : model;
-      for (std::size_t wall = 0; wall < 6; ++wall) {
-        for (const int sign : {1, -1}) {
-          SpaceSearch search(about, second ? &direction : nullptr, limit, work);
-          if (!search.refute(SpaceRegion::wall(about, proof.walls, proof.twist, wall, sign),
-                             proof.trees)) {
-            return false;
+    // Walls that fail are moved outwards, where the box is wide.
+    constexpr std::size_t kMostGrowths = 12;
+    const std::size_t growths = limit == node_limit && !moves.empty() ? kMostGrowths : 0;
+    for (std::size_t growth = 0; growth <= growths; ++growth) {
+      ++work.proofs;
+      SpatialDegreeProof proof = walls.proof();
+      if (!is_invertible(proof.walls) || !is_invertible(proof.direction)) break;
+      if (model.law == NormalLaw::kBilateral && !all_closed_inside<SpaceRegion>(model, proof))
+        break;
+      const Direction<6> direction{proof.direction, proof.twist};
+      const auto refute_all = [&](bool second) {
+        const SpaceModel& about = second ? middle : model;
+        bool all = true;
+        for (std::size_t wall = 0; wall < 6; ++wall) {
+          for (const int sign : {1, -1}) {
+            SpaceSearch search(about, second ? &direction : nullptr, limit, work);
+            if (search.refute(SpaceRegion::wall(about, proof.walls, proof.twist, wall, sign),
+                              proof.trees)) {
+              continue;
+            }
+            all = false;
+            if (growths == 0) return false;
+            walls.grow(wall);
+            break;
           }
         }
-      }
-      return true;
-    };
-    if ((is_point || refute_all(false)) && refute_all(true)) return proof;
+        return all;
+      };
+      if ((is_point || refute_all(false)) && refute_all(true)) return proof;
+    }
   }
   return std::nullopt;
 }

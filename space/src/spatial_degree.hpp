@@ -12,8 +12,8 @@
 namespace stickslip::space_detail {
 
 /// Tries to prove that every grasp in the box has an equilibrium, around this one of its
-/// middle; `moves` are ways that it goes within the box. No node limit: only what is quick is
-/// tried.
+/// middle; `moves` are ways that it goes within the box, any of them at once. No node limit:
+/// only what is quick is tried.
 std::optional<SpatialDegreeProof> prove_stable(const SpaceModel& model,
                                                const SpaceModel& middle,
                                                const NearEquilibrium& equilibrium,

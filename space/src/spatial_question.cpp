@@ -48,16 +48,10 @@ SpatialQuestion ask(const SpatialGrasp& grasp, const SpatialOptions& options) {
   }
   question.wrench = question.grasp.wrench;
   question.grasp = widened(std::move(question.grasp), options.uncertain);
-  const auto is_certain = [](const auto& intervals) {
-    return std::all_of(intervals.begin(), intervals.end(),
-                       [](const Interval& interval) { return interval.is_point(); });
-  };
-  bool is_one_grasp = is_certain(question.grasp.wrench);
+  const bool is_one_grasp = is_point(question.grasp);
   bool is_rational = true;
   for (std::size_t i = 0; i < question.grasp.contacts.size(); ++i) {
     const SpatialContact& c = question.grasp.contacts[i];
-    is_one_grasp = is_one_grasp && is_certain(c.position) && c.friction.is_point() &&
-                   c.stiffness.is_point() && c.preload.is_point();
     const bool is_preloaded =
         !c.preload.high.is_zero() ||
         (!question.preload_growth.empty() && !question.preload_growth[i].is_zero());

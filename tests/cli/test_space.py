@@ -11,6 +11,7 @@ from fractions import Fraction as F
 import numpy as np
 
 from space_smt import smt
+from test_box import FRAGILE
 from test_cli import (CHECK, CHECK_PY, CORPUS, DONE, STABLE, UNDECIDED, UNSTABLE, Case, read, run,
                       stickslip)
 
@@ -53,14 +54,17 @@ class Space(Case):
         self.assertIn(code, (DONE, UNDECIDED), err)
         answer = json.loads(out)
         self.assertEqual(answer["engine"], "space")
-        if answer["verdict"] == "undecided":
+        if answer["verdict"] in ("undecided", "fragile"):
             self.assertFalse(os.path.exists(proof))
-            return answer
+        else:
+            self.assert_accepted(answer["verdict"], file, proof, *words)
+        return answer
+
+    def assert_accepted(self, verdict, file, proof, *words):
         for checker in ([CHECK], ["python3", "-B", CHECK_PY]):
             code, out, err = run(*checker, file, proof, *words)
             self.assertEqual(code, 0, out + err)
-            self.assertRegex(out, rf"verdict +{answer['verdict']}\b")
-        return answer
+            self.assertRegex(out, rf"verdict +{verdict}\b")
 
     def verdict(self, *words):
         return self.decide(*words)["verdict"]
@@ -319,7 +323,39 @@ class Boxes(Space):
         words = ("--uncertain", "friction=10%,wrench=1%")
         self.assertEqual(self.verdict(grasp(self.feet("3/5"), load), *words), "stable")
         self.assertEqual(self.verdict(grasp(self.feet("1/4"), load), *words), "unstable")
-        self.assertEqual(self.verdict(grasp(self.feet("2/5"), load), *words), "undecided")
+        self.assertEqual(self.verdict(grasp(self.feet("2/5"), load), *words), "fragile")
+
+    def test_two_grasps_of_a_fragile_box(self):
+        file, folder = self.write("g.json", grasp(
+            self.feet({"min": "3/10", "max": "1/2"}), force_at((F(2, 5), 0, -1), (0, 0, 0)))), self.path("two")
+        code, out, err = stickslip("decide", file, "--examples", folder, "--exit-code", "--json")
+        self.assertEqual((code, err), (FRAGILE, ""))
+        answer = json.loads(out)
+        self.assertEqual(answer["verdict"], "fragile")
+        self.assertEqual([d["place"] for d in answer["differences"]],
+                         [f"contacts[{i}].friction" for i in range(3)])
+        for verdict in ("stable", "unstable"):
+            self.assert_accepted(verdict, os.path.join(folder, f"{verdict}.json"),
+                                 os.path.join(folder, f"{verdict}.certificate.json"))
+            given = json.loads(read(os.path.join(folder, f"{verdict}.json")))
+            self.assertEqual(given, answer["examples"][verdict])
+            for c, d in zip(given["contacts"], answer["differences"]):
+                self.assertEqual(F(c["friction"]), F(d[verdict]))
+                self.assertTrue(F(3, 10) <= F(c["friction"]) <= F(1, 2))
+        self.assertIn("Two of them, what differs most first:", stickslip("decide", file)[1])
+        code, _, err = stickslip("decide", file, "--certificate", self.path("c.json"))
+        self.assertEqual(code, DONE)
+        self.assertIn("--examples DIR writes them", err)
+
+    def test_a_box_that_is_proved_in_parts(self):
+        between = [{"min": "1/2", "max": "7/10"}, {"min": "4/5", "max": "9/10"},
+                   {"min": "2/5", "max": "11/10"}]
+        contacts = [contact((0, 1, -1), (0, 0, 1), friction=between[0], preload=1),
+                    contact((-1, 0, 0), (1, 0, 0), friction=between[1], preload=3),
+                    contact((1, 0, -1), (-1, 0, 0), friction=between[2], preload=2)]
+        answer = self.decide(grasp(contacts, (-3, -3, 3, -2, 3, 0)))
+        self.assertEqual(answer["verdict"], "unstable")
+        self.assertIn('["part","friction",2,', read(self.path("c.json")))
 
     def test_uncertain_positions_of_what_must_slide(self):
         feet = self.feet("1/5")

@@ -2,6 +2,7 @@
 #include "stickslip/equilibrium/search/cone.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <numeric>
 
@@ -17,18 +18,54 @@ IntegerVector<n> combine(const Integer& p, const IntegerVector<n>& a, const Inte
   return primitive(std::move(result));
 }
 
-template <std::size_t n>
-std::vector<ConstraintIndex> common(const RayIn<n>& a, const RayIn<n>& b) {
-  std::vector<ConstraintIndex> result;
-  std::set_intersection(a.tight.begin(), a.tight.end(), b.tight.begin(), b.tight.end(),
-                        std::back_inserter(result));
-  return result;
-}
-
 bool keeps(Side side, int sign) {
   return sign == 0 || (side == Side::kPositive && sign > 0) ||
          (side == Side::kNegative && sign < 0);
 }
+
+/// The constraints that are 0 at each ray, a bit each.
+template <std::size_t n>
+class TightSets {
+ public:
+  TightSets(const std::vector<RayIn<n>>& rays, ConstraintIndex constraints)
+      : words_((constraints + kBits - 1) / kBits), all_(rays.size() * words_), shared_(words_) {
+    for (std::size_t r = 0; r < rays.size(); ++r) {
+      for (const ConstraintIndex c : rays[r].tight) {
+        all_[r * words_ + c / kBits] |= std::uint64_t{1} << (c % kBits);
+      }
+    }
+  }
+
+  /// Two extreme rays span a face of dimension 2 iff no third one lies on all the constraints
+  /// that both lie on (Fukuda and Prodon 1996, Proposition 7); and then these are at least so
+  /// many, which turns most pairs down.
+  bool adjacent(std::size_t a, std::size_t b, std::size_t least_shared) {
+    std::size_t count = 0;
+    for (std::size_t w = 0; w < words_; ++w) {
+      shared_[w] = all_[a * words_ + w] & all_[b * words_ + w];
+      count += static_cast<std::size_t>(__builtin_popcountll(shared_[w]));
+    }
+    if (count < least_shared) return false;
+    for (std::size_t c = 0; c < all_.size() / words_; ++c) {
+      if (c != a && c != b && has_shared(c)) return false;
+    }
+    return true;
+  }
+
+ private:
+  static constexpr ConstraintIndex kBits = 64;
+
+  bool has_shared(std::size_t ray) const {
+    for (std::size_t w = 0; w < words_; ++w) {
+      if ((shared_[w] & ~all_[ray * words_ + w]) != 0) return false;
+    }
+    return true;
+  }
+
+  std::size_t words_;
+  std::vector<std::uint64_t> all_;
+  std::vector<std::uint64_t> shared_;  ///< of the last pair
+};
 
 }  // namespace
 
@@ -60,6 +97,7 @@ std::vector<IntegerVector<n>> ConeIn<n>::directions() const {
 /// else moves along it into the plane.
 template <std::size_t n>
 bool ConeIn<n>::cut_along_a_line(const IntegerVector<n>& plane, Side side) {
+  pairs_ = 0;
   std::size_t chosen = 0;
   while (chosen < lines_.size() && dot(plane, lines_[chosen]).is_zero()) ++chosen;
   if (chosen == lines_.size()) return false;
@@ -84,48 +122,78 @@ bool ConeIn<n>::cut_along_a_line(const IntegerVector<n>& plane, Side side) {
   return true;
 }
 
-/// Two extreme rays span a face of dimension 2 iff no third one lies on all the constraints
-/// that both lie on (Fukuda and Prodon 1996, Proposition 7); and then these are at least as
-/// many as leave 2 dimensions beside the lines.
+/// The extreme rays in the plane that are not extreme rays of the cone: one for each pair of
+/// neighbours on opposite sides.
 template <std::size_t n>
-bool ConeIn<n>::adjacent(std::size_t a, std::size_t b) const {
-  const std::vector<ConstraintIndex> shared = common(rays_[a], rays_[b]);
-  if (shared.size() + 2 + lines_.size() < dimension_) return false;
-  for (std::size_t c = 0; c < rays_.size(); ++c) {
-    if (c != a && c != b &&
-        std::includes(rays_[c].tight.begin(), rays_[c].tight.end(), shared.begin(),
-                      shared.end())) {
-      return false;
+std::vector<RayIn<n>> ConeIn<n>::rays_between(const std::vector<Integer>& heights) {
+  pairs_ = 0;
+  std::vector<RayIn<n>> between;
+  TightSets<n> tight(rays_, constraint_count_);
+  const std::size_t free = 2 + lines_.size();
+  const std::size_t least_shared = dimension_ > free ? dimension_ - free : 0;
+  for (std::size_t p = 0; p < rays_.size(); ++p) {
+    if (heights[p].sign() <= 0) continue;
+    for (std::size_t q = 0; q < rays_.size(); ++q) {
+      if (heights[q].sign() >= 0) continue;
+      ++pairs_;
+      if (!tight.adjacent(p, q, least_shared)) continue;
+      RayIn<n>& ray = between.emplace_back();
+      ray.x = combine(heights[p], rays_[q].x, heights[q], rays_[p].x);
+      std::set_intersection(rays_[p].tight.begin(), rays_[p].tight.end(),
+                            rays_[q].tight.begin(), rays_[q].tight.end(),
+                            std::back_inserter(ray.tight));
+      ray.tight.push_back(constraint_count_);
     }
   }
-  return true;
+  return between;
+}
+
+/// Of a plane that is 0 on all lines.
+template <std::size_t n>
+void ConeIn<n>::keep(Side side, const std::vector<Integer>& heights,
+                     std::vector<RayIn<n>> between) {
+  for (std::size_t r = 0; r < rays_.size(); ++r) {
+    if (!keeps(side, heights[r].sign())) continue;
+    if (heights[r].is_zero()) rays_[r].tight.push_back(constraint_count_);
+    between.push_back(std::move(rays_[r]));
+  }
+  rays_ = std::move(between);
+  ++constraint_count_;
+}
+
+template <std::size_t n>
+std::vector<Integer> ConeIn<n>::heights_over(const IntegerVector<n>& plane) const {
+  std::vector<Integer> heights;
+  heights.reserve(rays_.size());
+  for (const RayIn<n>& ray : rays_) heights.push_back(dot(plane, ray.x));
+  return heights;
 }
 
 template <std::size_t n>
 void ConeIn<n>::cut(const IntegerVector<n>& plane, Side side) {
-  if (!cut_along_a_line(plane, side)) {
-    std::vector<Integer> heights;
-    heights.reserve(rays_.size());
-    for (const RayIn<n>& ray : rays_) heights.push_back(dot(plane, ray.x));
-    std::vector<RayIn<n>> kept;
-    for (std::size_t p = 0; p < rays_.size(); ++p) {
-      if (heights[p].sign() <= 0) continue;
-      for (std::size_t q = 0; q < rays_.size(); ++q) {
-        if (heights[q].sign() >= 0 || !adjacent(p, q)) continue;
-        RayIn<n> between{combine(heights[p], rays_[q].x, heights[q], rays_[p].x),
-                         common(rays_[p], rays_[q])};
-        between.tight.push_back(constraint_count_);
-        kept.push_back(std::move(between));
-      }
-    }
-    for (std::size_t r = 0; r < rays_.size(); ++r) {
-      if (!keeps(side, heights[r].sign())) continue;
-      if (heights[r].is_zero()) rays_[r].tight.push_back(constraint_count_);
-      kept.push_back(std::move(rays_[r]));
-    }
-    rays_ = std::move(kept);
+  if (cut_along_a_line(plane, side)) {
+    ++constraint_count_;
+    return;
   }
-  ++constraint_count_;
+  const std::vector<Integer> heights = heights_over(plane);
+  keep(side, heights, rays_between(heights));
+}
+
+template <std::size_t n>
+std::pair<ConeIn<n>, ConeIn<n>> ConeIn<n>::halves(const IntegerVector<n>& plane) const {
+  std::pair<ConeIn, ConeIn> both(*this, *this);
+  if (std::all_of(lines_.begin(), lines_.end(),
+                  [&](const IntegerVector<n>& line) { return dot(plane, line).is_zero(); })) {
+    const std::vector<Integer> heights = heights_over(plane);
+    std::vector<RayIn<n>> between = both.first.rays_between(heights);
+    both.second.pairs_ = 0;
+    both.first.keep(Side::kPositive, heights, between);
+    both.second.keep(Side::kNegative, heights, std::move(between));
+  } else {
+    both.first.cut(plane, Side::kPositive);
+    both.second.cut(plane, Side::kNegative);
+  }
+  return both;
 }
 
 template class ConeIn<5>;

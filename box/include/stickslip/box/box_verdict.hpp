@@ -24,7 +24,7 @@ using BoxTrees = std::vector<BoxNode>;
 using DegreeProof = DegreeProofIn<3, BoxNode>;
 
 /// Cuts and proofs in preorder.
-using StabilityProof = std::vector<std::variant<PartSplit, DegreeProof>>;
+using StabilityProof = PartsIn<DegreeProof>;
 
 /// Stable for every grasp in the box.
 struct StableThroughout {

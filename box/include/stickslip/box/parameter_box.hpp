@@ -10,35 +10,14 @@
 #include <vector>
 
 #include "stickslip/core/box.hpp"
+#include "stickslip/equilibrium/part.hpp"
 
 namespace stickslip {
-
-/// What may be uncertain of a contact.
-enum class Parameter {
-  kX,          ///< p_x
-  kY,          ///< p_y
-  kTurn,       ///< e, of the normal n + e t
-  kFriction,   ///< mu
-  kPreload,    ///< P' = P / |n + e t|
-  kStiffness,  ///< k' = k / |n + e t|^2
-  kWrench      ///< of no contact: a component of w
-};
-
-/// "x", "y", "turn", "friction", "preload", "stiffness", "wrench".
-const char* to_string(Parameter parameter);
 
 /// A parameter of one contact, or a component of the wrench.
 struct ParameterId {
   Parameter parameter;  ///< of which contact: index
   std::size_t index;    ///< of the contact, or of the component
-};
-
-/// A parameter of this contact, or this component of the wrench, is cut at this value: two
-/// children, low and high, with the parameter <= value and >= value.
-struct PartSplit {
-  Parameter parameter;  ///< of which contact: index
-  std::size_t index;    ///< of the contact, or of the component
-  Rational value;       ///< inside the parameter's interval
 };
 
 /// One contact's parameters.

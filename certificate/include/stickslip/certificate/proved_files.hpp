@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "stickslip/box/radius.hpp"
+#include "stickslip/core/spatial_grasp.hpp"
 #include "stickslip/equilibrium/question.hpp"
 
 namespace stickslip {
@@ -22,6 +23,10 @@ struct ProvedFiles {
 /// the verdict is stable, or unstable, as `stable` says.
 ProvedFiles proved_grasp(const LoadedGrasp& loaded, const GraspDescription& description,
                          NormalLaw law, bool stable, const std::string& producer);
+
+/// \overload
+ProvedFiles proved_grasp(const SpatialGrasp& grasp, NormalLaw law, bool stable,
+                         const std::string& producer);
 
 /// Of a box that is stable or unstable throughout, as `decision` proves. A box of one grasp has
 /// that grasp's files.

@@ -52,6 +52,26 @@ struct SpatialGrasp {
   std::vector<ContactId> assumed_stiffness{};  ///< as in GraspFile
 };
 
+/// Calls f(place, interval) of every number that may be an interval, in the order of a file:
+/// "contacts[2].friction", "wrench[5]".
+template <class Grasp, class Function>
+void for_each_number(Grasp& grasp, Function f) {
+  for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
+    auto& c = grasp.contacts[i];
+    const std::string path = "contacts[" + std::to_string(i) + "].";
+    for (std::size_t j = 0; j < 3; ++j) {
+      f(path + "position[" + std::to_string(j) + "]", c.position[j]);
+    }
+    f(path + "friction", c.friction);
+    f(path + "stiffness", c.stiffness);
+    f(path + "preload", c.preload);
+  }
+  for (std::size_t j = 0; j < 6; ++j) f("wrench[" + std::to_string(j) + "]", grasp.wrench[j]);
+}
+
+/// Whether every interval is one number.
+bool is_point(const SpatialGrasp& grasp);
+
 /// Throws InputError naming "contacts[i].<member>" or "wrench[j]" if a normal is 0, a friction
 /// coefficient or preload may be below 0, a stiffness may be 0 or below, or the ends of an
 /// interval are exchanged.

@@ -16,6 +16,7 @@
 #include <variant>
 #include <vector>
 
+#include "stickslip/equilibrium/part.hpp"
 #include "stickslip/equilibrium/search/degree.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 #include "stickslip/space/spatial_question.hpp"
@@ -30,26 +31,37 @@ struct SpatialWitness {
 };
 
 /// Of a slip split two children: s_i = 0, and s_i strict.
-using SpatialNode = std::variant<SlipSplit, SeparationSplit, PlaneSplitIn<6>, LeafIn<6>>;
+using SpatialNode =
+    std::variant<SlipSplit, SeparationSplit, PlaneSplitIn<6>, LeafIn<6>, PartSplit>;
 /// Trees in preorder, one after another.
 using SpatialTrees = std::vector<SpatialNode>;
 
 /// Of every grasp of the box.
 using SpatialDegreeProof = DegreeProofIn<6, SpatialNode>;
 
+/// Of every grasp of the box, part by part.
+using SpatialParts = PartsIn<SpatialDegreeProof>;
+
 /// An equilibrium exists, for every grasp in the box.
 struct SpatiallyStable {
-  std::variant<SpatialWitness, SpatialDegreeProof> proof;  ///< a witness proves one grasp only
-  Vector6 motion;                                          ///< near an equilibrium; for people
+  std::variant<SpatialWitness, SpatialParts> proof;  ///< a witness proves one grasp only
+  Vector6 motion;  ///< near an equilibrium of the grasp in the middle; for people
 };
 /// No equilibrium exists, for any grasp in the box.
 struct SpatiallyUnstable {
   SpatialTrees tree;  ///< the proof
 };
-/// The answer, which owns its evidence.
-using SpatialVerdict = std::variant<SpatiallyStable, SpatiallyUnstable, Undecided>;
+/// Two grasps in the box have opposite verdicts.
+struct SpatiallyFragile {
+  SpatialGrasp stable;    ///< a grasp in the box
+  SpatialGrasp unstable;  ///< another one
+};
+/// The answer, which owns its evidence. The grasps of a fragile box have certificates of their
+/// own, by decide().
+using SpatialVerdict =
+    std::variant<SpatiallyStable, SpatiallyUnstable, SpatiallyFragile, Undecided>;
 
-/// "stable", "unstable", "undecided".
+/// "stable", "unstable", "fragile", "undecided".
 const char* name_of(const SpatialVerdict& verdict);
 
 /// How many nodes are leaves.
@@ -69,10 +81,14 @@ struct SpatialWork {
   std::size_t leaves = 0;        ///< that were confirmed
   std::size_t rays = 0;          ///< generators of all regions, lines counted twice
   std::size_t most_rays = 0;     ///< of one region
+  std::size_t pairs = 0;         ///< of rays, tested for being neighbours when a plane cut
   std::size_t ray_bits = 0;      ///< of the largest entry of any ray
   std::size_t twist_bits = 0;    ///< of the largest entry of a leaf's twist
-  std::size_t exact_checks = 0;  ///< of leaves, those that doubles could not turn down included
+  std::size_t filter_hits = 0;   ///< twists that doubles turned down
+  std::size_t exact_checks = 0;  ///< of twists, those that doubles could not turn down
   std::size_t proofs = 0;        ///< parallelepipeds tried
+  std::size_t examples = 0;      ///< grasps of the box decided one by one
+  std::size_t parts = 0;         ///< pieces of the box that were tried
 
   /// Sums, and the larger of what is the largest.
   SpatialWork& operator+=(const SpatialWork& part);
@@ -88,8 +104,12 @@ struct SpatialDecision {
   unsigned bits = 128;     ///< of the proof
 };
 
-/// Whether every grasp in the box is stable, or none. Deterministic. Undecided when no proof
-/// was found within the limits; on a threshold none need exist.
+/// How many parts have a proof of their own.
+std::size_t part_count(const SpatialParts& parts);
+
+/// Whether every grasp in the box is stable, none is, or some are. Deterministic. Undecided
+/// when no proof and no two grasps that differ were found within the limits; on a threshold
+/// there need be neither.
 SpatialDecision decide(const SpatialQuestion& question,
                        const SpatialSearchOptions& options = {});
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "stickslip/core/sign.hpp"
@@ -45,6 +46,8 @@ class ConeIn {
   const std::vector<IntegerVector<n>>& lines() const { return lines_; }   ///< primitive
   const std::vector<RayIn<n>>& rays() const { return rays_; }             ///< modulo the lines
   ConstraintIndex constraint_count() const { return constraint_count_; }  ///< cuts, plus 1
+  /// Of rays on opposite sides of the last plane: how many were tested for being neighbours.
+  std::size_t pairs() const { return pairs_; }
 
   /// The rays' directions, and each line both ways.
   std::vector<IntegerVector<n>> directions() const;
@@ -53,14 +56,21 @@ class ConeIn {
   /// O(R^3) for R rays in the worst case (the adjacency test), O(R) when no ray changes side.
   void cut(const IntegerVector<n>& plane, Side side);
 
+  /// The parts with plane.x >= 0 and <= 0, for which this is the next constraint; as two cuts,
+  /// but what both share is computed once. (The pairs are counted in the first.)
+  std::pair<ConeIn, ConeIn> halves(const IntegerVector<n>& plane) const;
+
  private:
   bool cut_along_a_line(const IntegerVector<n>& plane, Side side);
-  bool adjacent(std::size_t a, std::size_t b) const;  ///< of rays
+  std::vector<Integer> heights_over(const IntegerVector<n>& plane) const;
+  std::vector<RayIn<n>> rays_between(const std::vector<Integer>& heights);
+  void keep(Side side, const std::vector<Integer>& heights, std::vector<RayIn<n>> between);
 
   std::size_t dimension_;  ///< of the space of points
   std::vector<IntegerVector<n>> lines_;
   std::vector<RayIn<n>> rays_;
   ConstraintIndex constraint_count_ = 1;
+  std::size_t pairs_ = 0;
 };
 
 /// In the plane.

@@ -48,12 +48,24 @@ class StrictCone {
     cone_.cut(plane, side);
   }
 
+  /// The parts with plane.x >= 0 and <= 0; in the latter it is strict.
+  std::pair<StrictCone, StrictCone> halves(const Point& plane) const {
+    auto [above, below] = cone_.halves(plane);
+    std::pair<StrictCone, StrictCone> both(*this, *this);
+    both.second.strict_.push_back(cone_.constraint_count());
+    both.first.cone_ = std::move(above);
+    both.second.cone_ = std::move(below);
+    return both;
+  }
+
   /// Keeps the cone over a wall of {d : |E_j.(d - d0)| <= 1}: E_wall.(d - d0) = sign.
   void cut_to_wall(const SquareMatrix<D>& walls, const std::array<Rational, D>& centre,
                    std::size_t wall, int sign);
 
   /// Of which all points are sums of nonnegative multiples: lines both ways, and rays.
   const std::vector<Point>& points() const { return points_; }
+  /// As ConeIn::pairs().
+  std::size_t pairs() const { return cone_.pairs(); }
   /// Of these, by index: some strict function is 0 on all of them.
   bool bars(const std::vector<std::size_t>& zeros) const;
   /// Of a plane on the region.

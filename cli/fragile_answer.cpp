@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fragile_answer.hpp"
+
+#include <algorithm>
+#include <iostream>
+#include <utility>
+
+#include "question_options.hpp"
+
+namespace stickslip {
+
+Differences::Differences(std::vector<UncertainNumber> numbers,
+                         const std::vector<Rational>& stable,
+                         const std::vector<Rational>& unstable) {
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (stable[i] != unstable[i]) {
+      all_.push_back({std::move(numbers[i]), stable[i], unstable[i]});
+    }
+  }
+  const auto part = [](const Difference& d) {
+    return Rational(abs(d.unstable - d.stable) /
+                    (d.number.interval.high - d.number.interval.low));
+  };
+  std::stable_sort(all_.begin(), all_.end(),
+                   [&](const Difference& a, const Difference& b) { return part(a) > part(b); });
+}
+
+Json Differences::json() const {
+  Json json = Json::array();
+  for (const Difference& d : all_) {
+    json.push_back({{"place", d.number.place},
+                    {"stable", number_json(d.stable)},
+                    {"unstable", number_json(d.unstable)}});
+  }
+  return json;
+}
+
+std::string Differences::text(NumberText& text, const std::string& examples) const {
+  std::vector<std::vector<std::string>> rows{{"differs", "stable", "unstable"}};
+  for (const Difference& d : all_) {
+    rows.push_back({d.number.label(), text(d.stable), text(d.unstable)});
+  }
+  return "Some grasps in the box hold the load and some do not. Two of them, what differs most "
+         "first:\n\n" +
+         short_table(rows) + "\n" +
+         (examples.empty()
+              ? "--examples DIR writes both, each with a certificate of its verdict.\n"
+              : "Both are in " + examples + ", each with a certificate of its verdict.\n");
+}
+
+void write_two_examples(const std::string& folder, ProvedFiles stable, ProvedFiles unstable) {
+  write_proved_files("--examples", folder,
+                     {{"stable", std::move(stable)}, {"unstable", std::move(unstable)}});
+}
+
+void say_no_examples(const std::string& about, const std::string& verdict) {
+  std::cerr << "stickslip: --examples: nothing is written: " << about << ' ' << verdict
+            << (about == "the box is" ? ", and only one that is fragile has two examples" : "")
+            << '\n';
+}
+
+void say_two_certificates() {
+  std::cerr << "stickslip: --certificate: nothing is written: what proves that a box is "
+               "fragile is two grasps, each with a certificate; --examples DIR writes them\n";
+}
+
+}  // namespace stickslip

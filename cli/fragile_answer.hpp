@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Two grasps of a box with opposite verdicts: how answers show and write them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "box_numbers.hpp"
+#include "stickslip/certificate/proved_files.hpp"
+
+namespace stickslip {
+
+/// Of two grasps of a fragile box, the stable one and the other: what differs most, first.
+class Differences {
+ public:
+  template <class Box, class Grasp>
+  Differences(const Box& box, const Grasp& stable, const Grasp& unstable)
+      : Differences(uncertain_numbers(box), values_in(box, stable), values_in(box, unstable)) {}
+
+  /// A list of places and two numbers.
+  Json json() const;
+  /// What a fragile box is, and a table. `examples`: the folder to which both are written; may
+  /// be empty.
+  std::string text(NumberText& text, const std::string& examples) const;
+
+ private:
+  Differences(std::vector<UncertainNumber> numbers, const std::vector<Rational>& stable,
+              const std::vector<Rational>& unstable);
+
+  struct Difference {
+    UncertainNumber number;
+    Rational stable;
+    Rational unstable;
+  };
+  std::vector<Difference> all_;
+};
+
+/// stable.json and unstable.json, each with its certificate, for --examples.
+void write_two_examples(const std::string& folder, ProvedFiles stable, ProvedFiles unstable);
+
+/// Says on standard error that there are none: what was asked about is a box or one grasp, with
+/// this verdict.
+void say_no_examples(const std::string& about, const std::string& verdict);
+
+/// Says on standard error that a fragile box has two certificates, and how to get them.
+void say_two_certificates();
+
+}  // namespace stickslip

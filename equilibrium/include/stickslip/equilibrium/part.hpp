@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Parameters of a box of grasps, and parts into which a proof cuts it (certificate/FORMAT.md,
+/// sections 6 and 7).
+#pragma once
+
+#include <cstddef>
+#include <variant>
+#include <vector>
+
+#include "stickslip/core/number.hpp"
+
+namespace stickslip {
+
+/// What may be uncertain of a contact.
+enum class Parameter {
+  kX,          ///< p_x
+  kY,          ///< p_y
+  kTurn,       ///< e, of the normal n + e t; in the plane
+  kFriction,   ///< mu
+  kPreload,    ///< P' = P / |n + e t|
+  kStiffness,  ///< k' = k / |n + e t|^2
+  kWrench,     ///< of no contact: a component of w
+  kZ           ///< p_z, in space
+};
+
+/// "x", "y", "turn", "friction", "preload", "stiffness", "wrench", "z".
+const char* to_string(Parameter parameter);
+
+/// A parameter of this contact, or this component of the wrench, is cut at this value: two
+/// children, low and high, with the parameter <= value and >= value.
+struct PartSplit {
+  Parameter parameter;  ///< of which contact: index
+  std::size_t index;    ///< of the contact, or of the component
+  Rational value;       ///< inside the parameter's interval
+};
+
+/// Cuts of a box, and a proof of each of its parts, in preorder.
+template <class Proof>
+using PartsIn = std::vector<std::variant<PartSplit, Proof>>;
+
+}  // namespace stickslip

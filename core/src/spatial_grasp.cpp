@@ -47,9 +47,9 @@ SpatialGrasp widened(SpatialGrasp grasp, const Tolerances& tolerances) {
   return grasp;
 }
 
-bool is_point(const SpatialGrasp& grasp) {
+bool SpatialGrasp::is_point() const {
   bool all = true;
-  for_each_number(grasp, [&](const std::string& /*place*/, const Interval& interval) {
+  for_each_number(*this, [&](const std::string& /*place*/, const Interval& interval) {
     all = all && interval.is_point();
   });
   return all;

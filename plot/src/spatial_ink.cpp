@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "grasp_ink.hpp"
-#include "near_forces.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/integer_vector.hpp"
+#include "stickslip/space/near_forces.hpp"
 
 namespace stickslip::plot_detail {
 namespace {
@@ -264,17 +264,17 @@ class SpatialReader {
 
   void add_motion(const Vector6& d) {
     // The contacts may move less than the body, and not at all.
-    const Vector3 shift = displacement(centre_, d);
+    const Vector3 shift = stickslip::displacement(centre_, d);
     const Vector3 turn{d[3], d[4], d[5]};
     Rational largest = std::max(size_of(shift), Rational(size_of(turn) * radius_));
     for (const SpatialContactInk& c : contacts_) {
-      largest = std::max(largest, size_of(displacement(c.position, d)));
+      largest = std::max(largest, size_of(stickslip::displacement(c.position, d)));
     }
     ink_.motion_factor = enlargement(largest, radius_);
     const Rational& factor = ink_.motion_factor;
     if (factor.is_zero()) return;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-      const Vector3 move = displacement(contacts_[i].position, d);
+      const Vector3 move = stickslip::displacement(contacts_[i].position, d);
       add_arrow(contacts_[i].at,
                 over_size({factor * move[0], factor * move[1], factor * move[2]}, radius_),
                 "motion", {{"data-contact", std::to_string(i)}, {value_, text_of(move)}});

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "stickslip/core/error.hpp"
 #include "stickslip/core/integer_vector.hpp"
 
 namespace stickslip::plot_detail {
@@ -82,11 +81,7 @@ InkPoint project(const SpherePoint& p) {
 
 UpperHalf::UpperHalf(const ArrangementStructure& cells) : cells_(cells) {
   for (std::size_t i = 0; i < cells.vertices(); ++i) {
-    // The halfedge clockwise of h turns right: det(N_h, N_g, d) < 0.
-    const HalfedgeId h = cells.outgoing(VertexId(i));
-    const HalfedgeId g = cells.clockwise(h);
-    vertices_.push_back(cross(normal(g), normal(h)));
-    require(!is_zero(vertices_.back()), "plot_states: neighbouring edges on one circle");
+    vertices_.push_back(cells.ray(VertexId(i)));
   }
 }
 

@@ -124,7 +124,7 @@ class SpaceDecider {
       : grasp_(question.grasp),
         whole_(question, options.bits),
         has_witness_(!question.is_box),
-        is_wide_(!is_point(question.grasp)),
+        is_wide_(!question.grasp.is_point()),
         node_limit_(options.node_limit != 0 ? options.node_limit
                     : is_wide_              ? kWideLimit
                                             : kDefaultLimit),
@@ -330,7 +330,7 @@ class ExampleSearch {
 
 SpatialDecision decide(const SpatialQuestion& question, const SpatialSearchOptions& options) {
   SpatialDecision decision{Undecided{}, {}, options.bits};
-  const bool is_wide = !is_point(question.grasp);
+  const bool is_wide = !question.grasp.is_point();
   ExampleSearch examples(question, options, decision.work);
   std::size_t limit = 0;
   constexpr std::size_t kMostParts = 32;

@@ -48,7 +48,7 @@ SpatialQuestion ask(const SpatialGrasp& grasp, const SpatialOptions& options) {
   }
   question.wrench = question.grasp.wrench;
   question.grasp = widened(std::move(question.grasp), options.uncertain);
-  const bool is_one_grasp = is_point(question.grasp);
+  const bool is_one_grasp = question.grasp.is_point();
   bool is_rational = true;
   for (std::size_t i = 0; i < question.grasp.contacts.size(); ++i) {
     const SpatialContact& c = question.grasp.contacts[i];

@@ -12,7 +12,7 @@ import numpy as np
 
 from space_smt import smt
 from test_box import FRAGILE
-from test_cli import (CHECK, CHECK_PY, CORPUS, DONE, STABLE, UNDECIDED, UNSTABLE, Case, read, run,
+from test_cli import (CORPUS, DONE, STABLE, UNDECIDED, UNSTABLE, Case, checkers, read, run,
                       stickslip)
 
 Z3 = os.environ.get("Z3", "z3")
@@ -61,7 +61,7 @@ class Space(Case):
         return answer
 
     def assert_accepted(self, verdict, file, proof, *words):
-        for checker in ([CHECK], ["python3", "-B", CHECK_PY]):
+        for checker in checkers(proof):
             code, out, err = run(*checker, file, proof, *words)
             self.assertEqual(code, 0, out + err)
             self.assertRegex(out, rf"verdict +{verdict}\b")

@@ -238,7 +238,7 @@ def test_boxes(tmp_path):
                   wrench=("2/5", 0, -1, 0, 0, 0))
     path = tmp_path / "g.json"
     uncertain = {"friction": "10%", "wrench": "1%"}
-    for friction, verdict in (("3/5", "stable"), ("1/4", "unstable"), ("2/5", "undecided")):
+    for friction, verdict in (("3/5", "stable"), ("1/4", "unstable"), ("2/5", "fragile")):
         feet = Grasp(table.positions, table.normals, friction, wrench=table.wrench)
         path.write_text(feet.to_text())
         expected = program("decide", path, "--uncertain", "friction=10%,wrench=1%")
@@ -246,10 +246,14 @@ def test_boxes(tmp_path):
         assert answer.verdict == expected["verdict"] == verdict
         assert answer.stats == expected["stats"]
         assert (answer.wrench, answer.grasp) == (table.wrench, feet)
-        assert answer == pickle.loads(pickle.dumps(answer)) and answer.examples is None
-        if verdict == "undecided":
-            assert answer.proof is None and answer.limit == expected["limit"]
+        assert answer == pickle.loads(pickle.dumps(answer))
+        if verdict == "fragile":
+            assert answer.proof is None and answer.check()
+            for proof, expected_verdict in zip(answer.examples, ("stable", "unstable")):
+                assert judged(tmp_path, proof) == expected_verdict
+                assert '{"min": ' not in proof.grasp
         else:
+            assert answer.examples is None
             assert judged(tmp_path, answer.proof) == verdict and answer.check()
             assert '{"min": ' in answer.proof.grasp
     interval = feet.to_text().replace('"friction": "2/5"', '"friction": {"min": 0, "max": 1}')

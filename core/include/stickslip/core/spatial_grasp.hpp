@@ -50,6 +50,9 @@ struct SpatialGrasp {
   SpatialWrench wrench{};                      ///< of cases, what is common to them
   std::vector<SpatialCase> cases{};            ///< with different names
   std::vector<ContactId> assumed_stiffness{};  ///< as in GraspFile
+
+  /// Whether every interval is one number.
+  bool is_point() const;
 };
 
 /// Calls f(place, interval) of every number that may be an interval, in the order of a file:
@@ -68,9 +71,6 @@ void for_each_number(Grasp& grasp, Function f) {
   }
   for (std::size_t j = 0; j < 6; ++j) f("wrench[" + std::to_string(j) + "]", grasp.wrench[j]);
 }
-
-/// Whether every interval is one number.
-bool is_point(const SpatialGrasp& grasp);
 
 /// Throws InputError naming "contacts[i].<member>" or "wrench[j]" if a normal is 0, a friction
 /// coefficient or preload may be below 0, a stiffness may be 0 or below, or the ends of an

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "near_forces.hpp"
+#include "stickslip/space/near_forces.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,7 +7,7 @@
 
 #include "stickslip/core/integer_vector.hpp"
 
-namespace stickslip::plot_detail {
+namespace stickslip {
 namespace {
 
 using Double3 = std::array<double, 3>;
@@ -135,4 +135,4 @@ std::vector<SpatialForce> near_forces(const SpatialQuestion& question, const Vec
   return forces;
 }
 
-}  // namespace stickslip::plot_detail
+}  // namespace stickslip

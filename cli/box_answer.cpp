@@ -8,28 +8,11 @@
 
 #include "box_numbers.hpp"
 #include "fragile_answer.hpp"
-#include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/file.hpp"
 #include "terminal.hpp"
 
 namespace stickslip {
 namespace {
-
-constexpr const char* kProducer = "stickslip " STICKSLIP_VERSION ", engine box";
-
-std::vector<std::size_t> enclosed_contacts(const GraspBox& box) {
-  std::vector<std::size_t> contacts;
-  for (std::size_t i = 0; i < box.contacts.size(); ++i) {
-    if (needs_enclosure({{box.contacts[i]}, {}})) contacts.push_back(i);
-  }
-  return contacts;
-}
-
-std::size_t count_parts(const StabilityProof& proof) {
-  return static_cast<std::size_t>(std::count_if(
-      proof.begin(), proof.end(),
-      [](const auto& part) { return std::holds_alternative<DegreeProof>(part); }));
-}
 
 std::string in_words(std::size_t n, const char* what) {
   return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
@@ -82,49 +65,6 @@ std::string enclosure_text(const BoxAnswer& answer) {
 
 }  // namespace
 
-BoxAnswer answer_box(Question question, std::size_t node_limit) {
-  BoxOptions options;
-  options.node_limit = node_limit;
-  BoxDecision decision = decide_box(*question.box, question.law, options);
-  return {std::move(question), std::move(decision)};
-}
-
-Json to_json(const BoxAnswer& answer) {
-  const auto& [question, decision] = answer;
-  const GraspBox& box = *question.box;
-  Json json;
-  json["verdict"] = name_of(decision.verdict);
-  json["box"] = true;
-  json["name"] = question.loaded.grasp.name();
-  if (!question.case_name.empty()) json["case"] = question.case_name;
-  add_units(json, question.loaded.grasp);
-  json["engine"] = "box";
-  json["normal_law"] = to_string(question.law);
-  json["wrench"] = wrench_json(box.wrench);
-  json["uncertain"] = uncertain_json(uncertain_numbers(box));
-  if (needs_enclosure(box)) {
-    json["enclosed"] = enclosed_contacts(box);
-    json["bits"] = decision.bits;
-  }
-  if (const auto* stable = std::get_if<StableThroughout>(&decision.verdict)) {
-    json["proof"] = {{"parts", count_parts(stable->parts)}};
-  } else if (const auto* unstable = std::get_if<UnstableThroughout>(&decision.verdict)) {
-    json["refutation"] = {{"nodes", unstable->tree.size()}};
-  } else if (const auto* fragile = std::get_if<Fragile>(&decision.verdict)) {
-    json["examples"] = {{"stable", Json::parse(write_grasp(fragile->stable))},
-                        {"unstable", Json::parse(write_grasp(fragile->unstable))}};
-    json["differences"] = Differences(box, fragile->stable, fragile->unstable).json();
-  } else {
-    json["limit"] = std::get<Undecided>(decision.verdict).limit;
-  }
-  const BoxWork& work = decision.work;
-  json["stats"] = {{"nodes", work.nodes},
-                   {"proofs", work.proofs},
-                   {"examples", work.examples},
-                   {"parts", work.parts}};
-  return json;
-}
-
 void print_text(const BoxAnswer& answer, const NumberOptions& output,
                 const std::string& examples) {
   const auto& [question, decision] = answer;
@@ -134,8 +74,8 @@ void print_text(const BoxAnswer& answer, const NumberOptions& output,
             << "  load w    " << load_text(question.box->wrench, text) << "\n\n";
   std::cout << uncertain_text(uncertain, text);
   if (const auto* fragile = std::get_if<Fragile>(&decision.verdict)) {
-    std::cout
-        << Differences(*question.box, fragile->stable, fragile->unstable).text(text, examples);
+    std::cout << fragile_text(differences(*question.box, fragile->stable, fragile->unstable),
+                              text, examples);
   } else {
     std::cout << std::visit(Meaning{!uncertain.empty()}, decision.verdict);
   }
@@ -151,15 +91,18 @@ void write_examples(const BoxAnswer& answer, const std::string& folder) {
   const Question& question = answer.question;
   const auto proved = [&](const LoadedGrasp& grasp, bool stable) {
     return proved_grasp(grasp, question.loaded.grasp.description(), question.law, stable,
-                        kProducer);
+                        producer_of("box"));
   };
   write_two_examples(folder, proved(fragile->stable, true), proved(fragile->unstable, false));
 }
 
 void write_certificate(const BoxAnswer& answer, const std::string& file) {
-  if (file.empty() || std::holds_alternative<Undecided>(answer.decision.verdict)) return;
-  if (std::holds_alternative<Fragile>(answer.decision.verdict)) return say_two_certificates();
-  write_whole_file(file, box_certificate_text(answer.question, answer.decision, kProducer));
+  if (file.empty()) return;
+  if (std::holds_alternative<Fragile>(answer.decision.verdict)) {
+    say_two_certificates();
+  } else if (const auto certificate = certificate_of(answer)) {
+    write_whole_file(file, *certificate);
+  }
 }
 
 }  // namespace stickslip

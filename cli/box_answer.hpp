@@ -1,24 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// How `decide` answers a question that is a box.
+/// How `decide` prints the answer to a question that is a box.
 #pragma once
 
-#include <cstddef>
 #include <string>
 
 #include "question_options.hpp"
-#include "stickslip/box/box_verdict.hpp"
+#include "stickslip/answers/verdict_answer.hpp"
 
 namespace stickslip {
 
-struct BoxAnswer {
-  Question question;
-  BoxDecision decision;
-};
-
-BoxAnswer answer_box(Question question, std::size_t node_limit);
-
-Json to_json(const BoxAnswer& answer);
 /// `examples`: the folder to which those of a fragile box are written; may be empty.
 void print_text(const BoxAnswer& answer, const NumberOptions& output,
                 const std::string& examples);

@@ -12,7 +12,6 @@
 #include "fragile_answer.hpp"
 #include "question_options.hpp"
 #include "space_answer.hpp"
-#include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/sign.hpp"
@@ -22,83 +21,6 @@
 
 namespace stickslip {
 namespace {
-
-/// One contact of a stable verdict, as both outputs show it.
-struct ContactReport {
-  Rational length_squared;  ///< of the contact's normal
-  ContactForce force;
-  Vector2 vector;  ///< the force in the object frame
-  ContactMode mode;
-};
-
-std::vector<ContactReport> report_contacts(const Question& question, const Problem& problem,
-                                           const Witness& witness) {
-  std::vector<ContactReport> reports;
-  for (std::size_t i = 0; i < problem.size(); ++i) {
-    const Vector2& n = question.loaded.grasp.contacts()[i].normal;
-    const ContactForce& f = witness.forces[i];
-    const Rational length_squared = n.x * n.x + n.y * n.y;
-    reports.push_back(
-        {length_squared, f, force_vector(n, f), mode_of(problem, ContactId(i), witness.twist)});
-  }
-  return reports;
-}
-
-Json magnitude_json(const ContactReport& contact, const Rational& coefficient) {
-  if (coefficient.is_zero()) return number_json(Rational(0));
-  if (const auto length = exact_sqrt(contact.length_squared)) {
-    return number_json(Rational(coefficient * *length));
-  }
-  return number_json(enclose_sqrt(coefficient, contact.length_squared));
-}
-
-Json stats_json(const Decision& decision) {
-  Json json = Json::object();
-  const auto all = std::visit([](const auto& work) { return counters(work); }, decision.work);
-  for (const auto& [name, value] : all) json[name] = value;
-  return json;
-}
-
-struct CaseAnswer {
-  Question question;
-  Problem problem;
-  Decision decision;
-  Warnings warnings;
-
-  const Verdict& verdict() const { return decision.verdict; }
-};
-
-Json to_json(const CaseAnswer& answer) {
-  const auto& [question, problem, decision, warnings] = answer;
-  Json json;
-  const Verdict& verdict = answer.verdict();
-  json["verdict"] = name_of(verdict);
-  json["name"] = question.loaded.grasp.name();
-  if (!question.case_name.empty()) json["case"] = question.case_name;
-  add_units(json, question.loaded.grasp);
-  json["engine"] = decision.engine();
-  json["normal_law"] = to_string(question.law);
-  json["wrench"] = number_json(coordinates(problem.wrench()));
-  if (const auto* stable = std::get_if<Stable>(&verdict)) {
-    json["twist"] = number_json(coordinates(stable->witness.twist));
-    Json& contacts = json["contacts"] = Json::array();
-    for (const ContactReport& c : report_contacts(question, problem, stable->witness)) {
-      contacts.push_back({{"normal", magnitude_json(c, c.force.normal)},
-                          {"tangential", magnitude_json(c, c.force.tangential)},
-                          {"force", number_json(c.vector)},
-                          {"slip", std::string(1, to_char(c.mode.slip))},
-                          {"closed", c.mode.closed}});
-    }
-  } else if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
-    const RefutationSummary summary = summarize(unstable->refutation);
-    json["refutation"] = {{"nodes", summary.nodes}, {"leaves", summary.leaves}};
-  } else {
-    json["limit"] = std::get<Undecided>(verdict).limit;
-  }
-  if (warnings) json["warnings"] = warnings_json(*warnings);
-  json["stats"] = stats_json(decision);
-  return json;
-}
 
 void print_json(const Json& json, const NumberOptions& output) {
   std::cout << finished(json, output.floats).dump(1) << '\n';
@@ -141,7 +63,7 @@ void print_text(const CaseAnswer& answer, const NumberOptions& output) {
     std::vector<std::vector<std::string>> rows{
         {"contact", "normal", "tangential", "force", "slip", ""}};
     std::size_t index = 0;
-    for (const ContactReport& c : report_contacts(question, problem, stable->witness)) {
+    for (const ContactReport& c : report_contacts(answer, stable->witness)) {
       rows.push_back({std::to_string(index++), text.root(c.force.normal, c.length_squared),
                       text.root(c.force.tangential, c.length_squared), text(c.vector),
                       std::string(1, to_char(c.mode.slip)), c.mode.closed ? "closed" : "open"});
@@ -163,9 +85,6 @@ void print_text(const CaseAnswer& answer, const NumberOptions& output) {
   std::cout << text.note() << units_text(question.loaded.grasp) << engine_text(answer);
   print(warnings);
 }
-
-/// Of one question.
-using Answer = std::variant<CaseAnswer, BoxAnswer, SpaceAnswer>;
 
 /// What answers to all kinds of question have.
 struct Subject {
@@ -191,11 +110,6 @@ Subject subject_of(const Answer& answer) {
   return std::visit([](const auto& a) { return subject_of(a); }, answer);
 }
 
-const char* name_of(const Answer& answer) {
-  return std::visit([](const auto& a) { return stickslip::name_of(a.decision.verdict); },
-                    answer);
-}
-
 std::string load_text(const CaseAnswer& answer, NumberText& text) {
   return text(coordinates(answer.problem.wrench()));
 }
@@ -208,7 +122,7 @@ void print_cases_json(const std::vector<Answer>& answers, const NumberOptions& o
   const std::string name = subject_of(answers.front()).name;
   Json json{{"name", name}, {"cases", Json::array()}};
   for (const Answer& answer : answers) {
-    json["cases"].push_back(std::visit([](const auto& a) { return to_json(a); }, answer));
+    json["cases"].push_back(to_json(answer));
   }
   print_json(json, output);
 }
@@ -265,31 +179,30 @@ struct DecideArguments {
   bool answer_by_exit_code = false;
 };
 
-Answer answer_to(Question question, const DecideArguments& arguments) {
-  if (question.box) {
-    if (arguments.engine != "auto") {
-      throw InputError("", "--engine", "the question is a box, about all grasps in it at once",
-                       "leave the option out: boxes have a method of their own");
-    }
-    return answer_box(std::move(question), arguments.node_limit);
+AnswerOptions options_of(const DecideArguments& arguments) {
+  return {arguments.engine == "states" ? Engine::kStates : Engine::kCone, arguments.node_limit,
+          !arguments.no_warnings};
+}
+
+Answer answered(Question question, const DecideArguments& arguments) {
+  if (question.box && arguments.engine != "auto") {
+    throw InputError("", "--engine", "the question is a box, about all grasps in it at once",
+                     "leave the option out: boxes have a method of their own");
   }
-  Problem problem = problem_of(question);
-  const Engine engine = arguments.engine == "states" ? Engine::kStates : Engine::kCone;
-  ConeOptions options;
-  options.node_limit = arguments.node_limit;
-  Decision decision = stickslip::decide(problem, engine, options);
-  Warnings warnings;
-  if (!arguments.no_warnings) warnings = model_warnings(question, decision.verdict);
-  return CaseAnswer{std::move(question), std::move(problem), std::move(decision),
-                    std::move(warnings)};
+  return answer_to(std::move(question), options_of(arguments));
+}
+
+Answer answered(SpatialQuestion question, const DecideArguments& arguments) {
+  if (arguments.engine != "auto") {
+    throw InputError("", "--engine", "the grasp is in space, for which there is one engine",
+                     "leave the option out");
+  }
+  return answer_to(std::move(question), options_of(arguments));
 }
 
 void write_certificate(const CaseAnswer& answer, const std::string& file) {
-  if (file.empty() || std::holds_alternative<Undecided>(answer.verdict())) return;
-  write_whole_file(file,
-                   certificate_text(answer.question, answer.verdict(),
-                                    std::string("stickslip " STICKSLIP_VERSION ", engine ") +
-                                        answer.decision.engine()));
+  if (file.empty()) return;
+  if (const auto certificate = certificate_of(answer)) write_whole_file(file, *certificate);
 }
 
 void write_examples(const CaseAnswer& answer, const std::string& /*folder*/) {
@@ -314,14 +227,6 @@ int exit_code(const std::vector<Answer>& answers, bool answer_by_exit_code) {
   return answer_by_exit_code ? kAnswerStable : kDone;
 }
 
-Answer answer_to(SpatialQuestion question, const DecideArguments& arguments) {
-  if (arguments.engine != "auto") {
-    throw InputError("", "--engine", "the grasp is in space, for which there is one engine",
-                     "leave the option out");
-  }
-  return answer_in_space(std::move(question), arguments.node_limit);
-}
-
 int decide(const DecideArguments& arguments) {
   auto all_questions = arguments.question.any_questions();
   const bool by_case =
@@ -338,7 +243,7 @@ int decide(const DecideArguments& arguments) {
   std::visit(
       [&](auto& questions) {
         for (auto& question : questions) {
-          answers.push_back(answer_to(std::move(question), arguments));
+          answers.push_back(answered(std::move(question), arguments));
         }
       },
       all_questions);

@@ -22,6 +22,8 @@ void list_examples() {
             << "\nFor one of them: stickslip example jaw -o jaw.json\n";
 }
 
+}  // namespace
+
 const std::string& text_of_example(const std::string& name) {
   std::vector<std::string> known;
   for (const ExampleGrasp& example : example_grasps()) {
@@ -31,8 +33,6 @@ const std::string& text_of_example(const std::string& name) {
   throw InputError("", "", "there is no example " + quote(name),
                    choice_of(name, known, "there are "));
 }
-
-}  // namespace
 
 void add_example_command(CLI::App& app, int& exit_code) {
   struct Arguments {

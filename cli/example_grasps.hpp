@@ -17,4 +17,7 @@ struct ExampleGrasp {
 /// In the order of their names.
 const std::vector<ExampleGrasp>& example_grasps();
 
+/// Throws InputError if there is none of that name.
+const std::string& text_of_example(const std::string& name);
+
 }  // namespace stickslip

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fragile_answer.hpp"
 
-#include <algorithm>
 #include <iostream>
 #include <utility>
 
@@ -9,35 +8,10 @@
 
 namespace stickslip {
 
-Differences::Differences(std::vector<UncertainNumber> numbers,
-                         const std::vector<Rational>& stable,
-                         const std::vector<Rational>& unstable) {
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (stable[i] != unstable[i]) {
-      all_.push_back({std::move(numbers[i]), stable[i], unstable[i]});
-    }
-  }
-  const auto part = [](const Difference& d) {
-    return Rational(abs(d.unstable - d.stable) /
-                    (d.number.interval.high - d.number.interval.low));
-  };
-  std::stable_sort(all_.begin(), all_.end(),
-                   [&](const Difference& a, const Difference& b) { return part(a) > part(b); });
-}
-
-Json Differences::json() const {
-  Json json = Json::array();
-  for (const Difference& d : all_) {
-    json.push_back({{"place", d.number.place},
-                    {"stable", number_json(d.stable)},
-                    {"unstable", number_json(d.unstable)}});
-  }
-  return json;
-}
-
-std::string Differences::text(NumberText& text, const std::string& examples) const {
+std::string fragile_text(const std::vector<Difference>& differences, NumberText& text,
+                         const std::string& examples) {
   std::vector<std::vector<std::string>> rows{{"differs", "stable", "unstable"}};
-  for (const Difference& d : all_) {
+  for (const Difference& d : differences) {
     rows.push_back({d.number.label(), text(d.stable), text(d.unstable)});
   }
   return "Some grasps in the box hold the load and some do not. Two of them, what differs most "

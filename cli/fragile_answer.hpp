@@ -11,30 +11,10 @@
 
 namespace stickslip {
 
-/// Of two grasps of a fragile box, the stable one and the other: what differs most, first.
-class Differences {
- public:
-  template <class Box, class Grasp>
-  Differences(const Box& box, const Grasp& stable, const Grasp& unstable)
-      : Differences(uncertain_numbers(box), values_in(box, stable), values_in(box, unstable)) {}
-
-  /// A list of places and two numbers.
-  Json json() const;
-  /// What a fragile box is, and a table. `examples`: the folder to which both are written; may
-  /// be empty.
-  std::string text(NumberText& text, const std::string& examples) const;
-
- private:
-  Differences(std::vector<UncertainNumber> numbers, const std::vector<Rational>& stable,
-              const std::vector<Rational>& unstable);
-
-  struct Difference {
-    UncertainNumber number;
-    Rational stable;
-    Rational unstable;
-  };
-  std::vector<Difference> all_;
-};
+/// What a fragile box is, and a table. `examples`: the folder to which both grasps are written;
+/// may be empty.
+std::string fragile_text(const std::vector<Difference>& differences, NumberText& text,
+                         const std::string& examples);
 
 /// stable.json and unstable.json, each with its certificate, for --examples.
 void write_two_examples(const std::string& folder, ProvedFiles stable, ProvedFiles unstable);

@@ -7,6 +7,7 @@
 
 #include "commands.hpp"
 #include "question_options.hpp"
+#include "stickslip/answers/plane_answers.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/plot/map_plot.hpp"
@@ -26,10 +27,6 @@ struct MapArguments {
   NumberOptions output;
 };
 
-Json ends_json(const Interval& interval) {
-  return Json::array({number_json(interval.low), number_json(interval.high)});
-}
-
 /// The part of the rectangle that has this verdict.
 Rational share_of(const std::vector<MapCell>& cells, std::size_t verdict, const MapAxis& x,
                   const MapAxis& y) {
@@ -41,22 +38,6 @@ Rational share_of(const std::vector<MapCell>& cells, std::size_t verdict, const 
     if (cell.decision.verdict.index() == verdict) sum += area(cell.x, cell.y);
   }
   return sum / area(x.range, y.range);
-}
-
-void print_json(const Question& question, const MapAxis& x, const MapAxis& y,
-                const std::vector<MapCell>& cells, bool floats) {
-  Json json;
-  json["name"] = question.loaded.grasp.name();
-  json["normal_law"] = to_string(question.law);
-  json["x"] = {{"name", x.name}, {"range", ends_json(x.range)}};
-  json["y"] = {{"name", y.name}, {"range", ends_json(y.range)}};
-  Json& list = json["cells"] = Json::array();
-  for (const MapCell& cell : cells) {
-    list.push_back({{"x", ends_json(cell.x)},
-                    {"y", ends_json(cell.y)},
-                    {"verdict", name_of(cell.decision.verdict)}});
-  }
-  std::cout << finished(json, floats).dump(1) << '\n';
 }
 
 void print_text(const Question& question, const MapAxis& x, const MapAxis& y,
@@ -116,7 +97,8 @@ int map(const MapArguments& arguments) {
     write_whole_file(arguments.svg, plot_map(question.loaded.grasp.name(), x, y, cells));
   }
   if (arguments.output.json) {
-    print_json(question, x, y, cells, arguments.output.floats);
+    std::cout << finished(map_json(question, x, y, cells), arguments.output.floats).dump(1)
+              << '\n';
   } else {
     print_text(question, x, y, cells);
   }

@@ -9,6 +9,7 @@
 #include "margin_text.hpp"
 #include "question_options.hpp"
 #include "space_margin.hpp"
+#include "stickslip/answers/margin_answer.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
@@ -28,37 +29,6 @@ struct MarginArguments {
   bool least = false;
   bool no_warnings = false;
 };
-
-std::optional<Rational> least(const Margin& margin) {
-  if (margin.resisted.empty()) return std::nullopt;
-  return margin.resisted.front().low;
-}
-
-void print_json(const Question& question, const Margin& margin, const MarginWork& work,
-                const Warnings& warnings, bool floats) {
-  Json json;
-  json["name"] = question.loaded.grasp.name();
-  if (!question.case_name.empty()) json["case"] = question.case_name;
-  add_units(json, question.loaded.grasp);
-  json["normal_law"] = to_string(question.law);
-  json["wrench"] = number_json(coordinates(question.loaded.wrench));
-  if (question.direction) json["direction"] = number_json(coordinates(*question.direction));
-  if (question.preload_direction) {
-    json["preload_direction"] = preload_direction_json(*question.preload_direction);
-  }
-  json["resisted"] = Json::array();
-  for (const MarginInterval& interval : margin.resisted) {
-    json["resisted"].push_back({number_json(interval.low), number_or_null(interval.high)});
-  }
-  json["least"] = number_or_null(least(margin));
-  json["unbounded"] = !margin.resisted.empty() && !margin.resisted.back().high;
-  if (warnings) json["warnings"] = warnings_json(*warnings);
-  Json& stats = json["stats"] = Json::object();
-  stats["ranges"] = work.ranges;
-  stats["mode_programs"] = work.modes;
-  for (const auto& [name, value] : counters(work.cone)) stats[name] = value;
-  std::cout << finished(json, floats).dump(1) << '\n';
-}
 
 FamilyText family_of(const Question& question, NumberText& text) {
   FamilyText family{heading(question),
@@ -176,7 +146,9 @@ int margin(const MarginArguments& arguments) {
   if (!arguments.no_warnings) warnings = model_warnings(question, found);
   NumberText text(arguments.output);
   if (arguments.output.json) {
-    print_json(question, found, work, warnings, arguments.output.floats);
+    std::cout << finished(margin_json(question, found, work, warnings), arguments.output.floats)
+                     .dump(1)
+              << '\n';
   } else if (arguments.least) {
     print_least(found, text);
   } else {

@@ -57,15 +57,4 @@ std::string joined(const std::vector<std::string>& parts) {
   return result;
 }
 
-Json number_or_null(const std::optional<Rational>& number) {
-  return number ? number_json(*number) : Json();
-}
-
-Json preload_direction_json(const PreloadDirection& direction) {
-  if (direction.scale) return "scale";
-  Json json = Json::array();
-  for (const Rational& rate : direction.rates) json.push_back(number_json(rate));
-  return json;
-}
-
 }  // namespace stickslip

@@ -31,7 +31,4 @@ std::string multiples_text(const Rational& low, const std::optional<Rational>& h
 /// With "and" before the last.
 std::string joined(const std::vector<std::string>& parts);
 
-Json number_or_null(const std::optional<Rational>& number);
-Json preload_direction_json(const PreloadDirection& direction);
-
 }  // namespace stickslip

@@ -84,6 +84,12 @@ void add_node_limit_option(CLI::App& command, std::size_t& node_limit) {
       "limit");
 }
 
+void add_time_limit_option(CLI::App& command, unsigned& seconds,
+                           const std::string& description) {
+  constexpr std::uint64_t kMostSeconds = 86400;
+  add_count_option(command, "--time-limit", seconds, description, kMostSeconds);
+}
+
 void QuestionArguments::add_to(CLI::App& command) {
   add_grasp_argument(command, file_);
   add_options_to(command);
@@ -94,7 +100,7 @@ void QuestionArguments::add_with_uncertain_to(CLI::App& command) {
   takes_boxes_ = true;
   command
       .add_option(
-          "--uncertain", uncertain_,
+          "--uncertain", text_.uncertain,
           "How far numbers may be off: friction, stiffness, preload, position, normal "
           "or wrench, by a number or of all but normals by a percentage; a normal turns "
           "by a slope. Asks about all grasps in the box (docs/uncertainty.md)")
@@ -105,11 +111,11 @@ void QuestionArguments::add_options_to(CLI::App& command) {
   CLI::Option* wrench =
       command
           .add_option(
-              "--wrench", wrench_,
+              "--wrench", text_.wrench,
               "Wrench applied to the object: force x, force y and torque about the origin "
               "(replaces the file's); of a grasp in space, force x, y, z and torque x, y, z")
           ->type_name("WX,WY,T");
-  command.add_option("--case", case_, "The case of the file whose load is applied")
+  command.add_option("--case", text_.case_name, "The case of the file whose load is applied")
       ->type_name("NAME")
       ->excludes(wrench);
   add_model_options_to(command);
@@ -124,12 +130,12 @@ void QuestionArguments::add_without_wrench_to(CLI::App& command) {
 void QuestionArguments::add_model_options_to(CLI::App& command) {
   command
       .add_option(
-          "--preload", preload_,
+          "--preload", text_.preload,
           "Preload of every contact, its normal force before the load (replaces the file's)")
       ->type_name("P");
   command
       .add_option(
-          "--normal-law", law_,
+          "--normal-law", text_.normal_law,
           "Normal force of a contact with preload P and stiffness k that is displaced by "
           "N.d along its normal. unilateral: contacts may open, c_n = max(0, P - k N.d). "
           "bilateral: the paper's Eq. 4 literally, c_n = P - k N.d >= 0")
@@ -146,38 +152,20 @@ void QuestionArguments::add_with_directions_to(CLI::App& command) {
           "nor a case is given, it is 0,0,0 with --direction, and the file's without");
   command.get_option("--case")->description("The case of the file whose load is w");
   command
-      .add_option("--direction", direction_,
+      .add_option("--direction", text_.direction,
                   "Wrench u: which multiples l >= 0 are resisted under the wrench w + l u?")
       ->type_name("WX,WY,T");
   command
       .add_option(
-          "--preload-direction", preload_direction_,
+          "--preload-direction", text_.preload_direction,
           "How preloads grow. scale: all in proportion, l times what they are. Numbers of "
           "0 or more, one for each contact: by l times these, from what they are")
       ->type_name("P0,P1,...|scale");
 }
 
 QuestionOptions QuestionArguments::options() const {
-  QuestionOptions options;
-  if (!wrench_.empty()) options.wrench = wrench_option("--wrench", wrench_);
-  if (!case_.empty()) options.case_name = case_;
+  QuestionOptions options = question_options(text_);
   if (has_no_wrench_) options.wrench = Wrench{};
-  if (!preload_.empty()) options.preload = number_option("--preload", preload_);
-  if (!direction_.empty()) options.direction = wrench_option("--direction", direction_);
-  if (preload_direction_ == "scale") {
-    options.preload_direction = PreloadDirection{true, {}};
-  } else if (!preload_direction_.empty()) {
-    options.preload_direction =
-        PreloadDirection{false, numbers_option("--preload-direction", preload_direction_)};
-  }
-  if (!uncertain_.empty()) {
-    try {
-      options.uncertain = parse_tolerances(uncertain_);
-    } catch (const InputError& error) {
-      throw InputError("", "--uncertain", error.problem(), error.remedy());
-    }
-  }
-  options.law = law_ == "bilateral" ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
   return options;
 }
 
@@ -209,51 +197,19 @@ std::variant<Question, SpatialQuestion> QuestionArguments::any_question() const 
   const AnyGraspFile file =
       read_any_grasp_file(file_, takes_boxes_ ? Intervals::kAllowed : Intervals::kRefused);
   if (const auto* grasp = std::get_if<SpatialGrasp>(&file)) {
-    return ask_about(*grasp, spatial_options());
+    return ask_about(*grasp, spatial_options(text_));
   }
   return ask_about(std::get<GraspFile>(file), options());
 }
 
-SpatialOptions QuestionArguments::spatial_options() const {
-  SpatialOptions asked;
-  const auto read_six = [](const char* option, const std::string& value) {
-    const std::vector<Rational> numbers = numbers_option(option, value);
-    if (numbers.size() != 6) {
-      throw InputError("", option,
-                       quote(value) + " has " + std::to_string(numbers.size()) + " numbers",
-                       "the grasp is in space: give force x, y, z and torque x, y, z");
-    }
-    Vector6 result;
-    std::copy(numbers.begin(), numbers.end(), result.begin());
-    return result;
-  };
-  if (!wrench_.empty()) asked.wrench = read_six("--wrench", wrench_);
-  if (!direction_.empty()) asked.direction = read_six("--direction", direction_);
-  // The rest is said as in the plane.
-  QuestionArguments others = *this;
-  others.wrench_.clear();
-  others.direction_.clear();
-  const QuestionOptions options = others.options();
-  asked.preload = options.preload;
-  asked.preload_direction = options.preload_direction;
-  asked.law = options.law;
-  asked.case_name = options.case_name;
-  asked.uncertain = options.uncertain;
-  return asked;
-}
-
 SpatialQuestion QuestionArguments::ask_about(const SpatialGrasp& grasp,
                                              const SpatialOptions& options) const {
-  try {
-    return ask(grasp, options);
-  } catch (const InputError& error) {
-    throw in_options(error, name_of_file());
-  }
+  return ask_with_options(grasp, options, name_of_file());
 }
 
 std::vector<SpatialQuestion> QuestionArguments::questions_about(
     const SpatialGrasp& grasp) const {
-  SpatialOptions asked = spatial_options();
+  SpatialOptions asked = spatial_options(text_);
   if (grasp.cases.empty() || asked.case_name || asked.wrench) return {ask_about(grasp, asked)};
   std::vector<SpatialQuestion> questions;
   for (const SpatialCase& load : grasp.cases) {

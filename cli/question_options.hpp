@@ -13,11 +13,11 @@
 #include <variant>
 #include <vector>
 
+#include "stickslip/answers/question_text.hpp"
 #include "stickslip/certificate/proved_files.hpp"
 #include "stickslip/core/number_text.hpp"
 #include "stickslip/equilibrium/option_text.hpp"
 #include "stickslip/equilibrium/question.hpp"
-#include "stickslip/space/spatial_question.hpp"
 
 namespace stickslip {
 
@@ -46,8 +46,13 @@ class QuestionArguments {
   std::variant<std::vector<Question>, std::vector<SpatialQuestion>> any_questions() const;
   /// The one question about a grasp in the plane or in space.
   std::variant<Question, SpatialQuestion> any_question() const;
+  /// The file itself, and what is to be replaced, as it is spelled.
+  AnyGraspFile file() const { return read_any_grasp_file(file_); }
+  const QuestionText& text() const { return text_; }
+  /// Of the file, in errors.
+  std::string name_of_file() const { return file_ == "-" ? "<stdin>" : file_; }
   /// Whether --case is given.
-  bool chooses_case() const { return !case_.empty(); }
+  bool chooses_case() const { return !text_.case_name.empty(); }
 
  private:
   void add_model_options_to(CLI::App& command);
@@ -56,19 +61,11 @@ class QuestionArguments {
   std::vector<SpatialQuestion> questions_about(const SpatialGrasp& grasp) const;
   Question ask_about(const GraspFile& file, const QuestionOptions& options) const;
   SpatialQuestion ask_about(const SpatialGrasp& grasp, const SpatialOptions& options) const;
-  SpatialOptions spatial_options() const;
-  std::string name_of_file() const { return file_ == "-" ? "<stdin>" : file_; }
 
   std::string file_;
-  std::string wrench_;
-  std::string case_;
-  std::string preload_;
-  std::string law_ = "unilateral";
+  QuestionText text_;
   bool has_no_wrench_ = false;
   bool takes_boxes_ = false;
-  std::string uncertain_;
-  std::string direction_;
-  std::string preload_direction_;
 };
 
 /// --json, --floats and --exact, of every subcommand that answers in numbers.
@@ -118,6 +115,10 @@ void add_count_option(CLI::App& command, const std::string& option, Count& count
 
 /// --node-limit, of every command that searches by cones.
 void add_node_limit_option(CLI::App& command, std::size_t& node_limit);
+
+/// --time-limit, in seconds.
+void add_time_limit_option(CLI::App& command, unsigned& seconds,
+                           const std::string& description);
 
 /// Writes NAME.json and NAME.certificate.json for each name into that folder.
 void write_proved_files(const std::string& option, const std::string& folder,

@@ -5,6 +5,7 @@
 
 #include "commands.hpp"
 #include "question_options.hpp"
+#include "stickslip/answers/plane_answers.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/plot/region_plot.hpp"
@@ -39,31 +40,6 @@ struct RegionArguments {
   }
 };
 
-struct RegionReport {
-  std::vector<ResistiblePiece> pieces;
-  PlaneUnion region;
-  ResistibleWork work;
-  std::optional<Undecided> undecided;
-};
-
-Json json_of(const PlaneCell& cell) {
-  Json json{{"vertices", Json::array()}, {"rays", Json::array()}};
-  for (const PlanePoint& point : cell.vertices())
-    json["vertices"].push_back(number_json(point));
-  for (const PlaneDirection& ray : cell.rays()) json["rays"].push_back(number_json(ray));
-  return json;
-}
-
-Json json_of(const Outline& outline) {
-  Json json{{"closed", outline.is_closed()}};
-  if (outline.from) json["from"] = number_json(*outline.from);
-  json["vertices"] = Json::array();
-  for (const PlanePoint& point : outline.vertices)
-    json["vertices"].push_back(number_json(point));
-  if (outline.to) json["to"] = number_json(*outline.to);
-  return json;
-}
-
 std::string mode_text(const ResistiblePiece& piece) {
   std::string text;
   for (const ContactMode mode : piece.modes) text += mode.closed ? to_char(mode.slip) : '.';
@@ -81,39 +57,7 @@ std::string text_of(const PlaneCell& cell, NumberText& text) {
 
 void print_json(const Question& question, const WrenchPlane& plane, const RegionReport& report,
                 const NumberOptions& output) {
-  Json json{{"name", question.loaded.grasp.name()},
-            {"normal_law", to_string(question.law)},
-            {"plane",
-             {{"origin", number_json(coordinates(plane.origin()))},
-              {"u", number_json(coordinates(plane.u()))},
-              {"v", number_json(coordinates(plane.v()))}}}};
-  add_units(json, question.loaded.grasp);
-  if (report.undecided) {
-    json["limit"] = report.undecided->limit;
-  } else {
-    json["empty"] = report.region.is_empty();
-    json["whole_plane"] = report.region.is_whole_plane();
-    Json& areas = json["areas"] = Json::array();
-    for (const PlaneArea& area : report.region.areas) {
-      Json outlines = Json::array();
-      for (const Outline& outline : area.outlines) outlines.push_back(json_of(outline));
-      areas.push_back({{"outlines", std::move(outlines)}});
-    }
-    Json& curves = json["curves"] = Json::array();
-    for (const PlaneCell& curve : report.region.curves) curves.push_back(json_of(curve));
-    Json& points = json["points"] = Json::array();
-    for (const PlanePoint& point : report.region.points) points.push_back(number_json(point));
-    for (const ResistiblePiece& piece : report.pieces) {
-      Json entry{{"slip", slips_text(piece.modes)}, {"closed", Json::array()}};
-      for (const ContactMode mode : piece.modes) entry["closed"].push_back(mode.closed);
-      entry.update(json_of(piece.cell));
-      json["pieces"].push_back(std::move(entry));
-    }
-  }
-  json["stats"] = {{"slip_states", report.work.slip_states},
-                   {"modes", report.work.modes},
-                   {"pieces", report.work.pieces}};
-  std::cout << finished(json, output.floats).dump(1) << '\n';
+  std::cout << finished(region_json(question, plane, report), output.floats).dump(1) << '\n';
 }
 
 void print_outline(const Outline& outline, NumberText& text) {

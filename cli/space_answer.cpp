@@ -7,7 +7,6 @@
 
 #include "box_numbers.hpp"
 #include "fragile_answer.hpp"
-#include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/spatial_forces.hpp"
 #include "terminal.hpp"
@@ -50,63 +49,6 @@ struct SpatialMeaning {
 
 }  // namespace
 
-SpaceAnswer answer_in_space(SpatialQuestion question, std::size_t node_limit) {
-  SpatialSearchOptions options;
-  options.node_limit = node_limit;
-  SpatialDecision decision = decide(question, options);
-  return {std::move(question), std::move(decision)};
-}
-
-Json to_json(const SpaceAnswer& answer) {
-  const auto& [question, decision] = answer;
-  Json json;
-  json["verdict"] = name_of(decision.verdict);
-  if (question.is_box) json["box"] = true;
-  json["name"] = question.grasp.name;
-  if (!question.case_name.empty()) json["case"] = question.case_name;
-  add_units(json, question.grasp.units);
-  json["engine"] = "space";
-  json["normal_law"] = to_string(question.law);
-  json["wrench"] = wrench_json(question.grasp.wrench);
-  if (const auto* stable = std::get_if<SpatiallyStable>(&decision.verdict)) {
-    if (const auto* witness = std::get_if<SpatialWitness>(&stable->proof)) {
-      json["twist"] = number_json(witness->twist);
-      Json& contacts = json["contacts"] = Json::array();
-      for (const SpatialForce& c : forces_of(question.grasp, witness->twist, witness->shares)) {
-        contacts.push_back({{"force", number_json(c.force)},
-                            {"friction", number_json(c.friction)},
-                            {"closed", c.normal.sign() > 0}});
-      }
-    } else {
-      const auto& parts = std::get<SpatialParts>(stable->proof);
-      std::size_t nodes = 0;
-      for (const auto& part : parts) {
-        const auto* proof = std::get_if<SpatialDegreeProof>(&part);
-        nodes += proof != nullptr ? proof->trees.size() : 0;
-      }
-      json["near"] = number_json(stable->motion);
-      json["proof"] = {{"nodes", nodes}, {"parts", part_count(parts)}};
-    }
-  } else if (const auto* unstable = std::get_if<SpatiallyUnstable>(&decision.verdict)) {
-    json["refutation"] = {{"nodes", unstable->tree.size()}};
-  } else if (const auto* fragile = std::get_if<SpatiallyFragile>(&decision.verdict)) {
-    json["examples"] = {{"stable", Json::parse(write_grasp_file(fragile->stable))},
-                        {"unstable", Json::parse(write_grasp_file(fragile->unstable))}};
-    json["differences"] =
-        Differences(question.grasp, fragile->stable, fragile->unstable).json();
-  } else {
-    json["limit"] = std::get<Undecided>(decision.verdict).limit;
-  }
-  json["stats"] = work_json(decision.work);
-  return json;
-}
-
-Json work_json(const SpatialWork& work) {
-  Json json = Json::object();
-  for (const auto& [name, value] : counters(work)) json[name] = value;
-  return json;
-}
-
 std::string load_text(const SpaceAnswer& answer, NumberText& text) {
   return load_text(answer.question.grasp.wrench, text);
 }
@@ -139,8 +81,8 @@ void print_text(const SpaceAnswer& answer, const NumberOptions& output,
   const std::vector<UncertainNumber> uncertain = uncertain_numbers(question.grasp);
   std::cout << uncertain_text(uncertain, text);
   if (const auto* fragile = std::get_if<SpatiallyFragile>(&decision.verdict)) {
-    std::cout
-        << Differences(question.grasp, fragile->stable, fragile->unstable).text(text, examples);
+    std::cout << fragile_text(differences(question.grasp, fragile->stable, fragile->unstable),
+                              text, examples);
   }
   std::cout << std::visit(SpatialMeaning{!uncertain.empty()}, decision.verdict)
             << "Load: force x, y, z, torque x, y, z. Motion: x, y, z, rotation x, y, z in "
@@ -154,20 +96,21 @@ void write_examples(const SpaceAnswer& answer, const std::string& folder) {
   const auto* fragile = std::get_if<SpatiallyFragile>(&decision.verdict);
   if (fragile == nullptr) {
     return say_no_examples(
-        is_point(question.grasp) ? "the question is about one grasp, which is" : "the box is",
+        question.grasp.is_point() ? "the question is about one grasp, which is" : "the box is",
         name_of(decision.verdict));
   }
-  write_two_examples(folder, proved_grasp(fragile->stable, question.law, true, kSpaceProducer),
-                     proved_grasp(fragile->unstable, question.law, false, kSpaceProducer));
+  write_two_examples(
+      folder, proved_grasp(fragile->stable, question.law, true, producer_of("space")),
+      proved_grasp(fragile->unstable, question.law, false, producer_of("space")));
 }
 
 void write_certificate(const SpaceAnswer& answer, const std::string& file) {
-  if (file.empty() || std::holds_alternative<Undecided>(answer.decision.verdict)) return;
+  if (file.empty()) return;
   if (std::holds_alternative<SpatiallyFragile>(answer.decision.verdict)) {
-    return say_two_certificates();
+    say_two_certificates();
+  } else if (const auto certificate = certificate_of(answer)) {
+    write_whole_file(file, *certificate);
   }
-  write_whole_file(file,
-                   spatial_certificate_text(answer.question, answer.decision, kSpaceProducer));
 }
 
 }  // namespace stickslip

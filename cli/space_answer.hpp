@@ -1,28 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// How `decide` answers a question about a grasp in space.
+/// How `decide` prints the answer to a question about a grasp in space.
 #pragma once
 
-#include <cstddef>
 #include <string>
 
 #include "question_options.hpp"
-#include "stickslip/space/spatial_verdict.hpp"
+#include "stickslip/answers/verdict_answer.hpp"
 
 namespace stickslip {
 
-/// Who wrote a certificate about a grasp in space.
-inline constexpr const char* kSpaceProducer = "stickslip " STICKSLIP_VERSION ", engine space";
-
-struct SpaceAnswer {
-  SpatialQuestion question;
-  SpatialDecision decision;
-};
-
-SpaceAnswer answer_in_space(SpatialQuestion question, std::size_t node_limit);
-
-Json to_json(const SpaceAnswer& answer);
-Json work_json(const SpatialWork& work);
 void print_text(const SpaceAnswer& answer, const NumberOptions& output,
                 const std::string& examples);
 

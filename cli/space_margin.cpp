@@ -8,40 +8,13 @@
 #include "commands.hpp"
 #include "margin_text.hpp"
 #include "space_answer.hpp"
+#include "stickslip/answers/margin_answer.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/file.hpp"
 #include "terminal.hpp"
 
 namespace stickslip {
 namespace {
-
-Json multiples_json(const std::vector<MarginInterval>& multiples) {
-  Json json = Json::array();
-  for (const auto& [low, high] : multiples) {
-    json.push_back({number_json(low), number_or_null(high)});
-  }
-  return json;
-}
-
-void print_json(const SpatialQuestion& question, const SpatialMargin& margin, bool floats) {
-  Json json;
-  json["name"] = question.grasp.name;
-  if (!question.case_name.empty()) json["case"] = question.case_name;
-  add_units(json, question.grasp.units);
-  json["normal_law"] = to_string(question.law);
-  json["wrench"] = wrench_json(question.grasp.wrench);
-  if (question.direction) json["direction"] = number_json(*question.direction);
-  if (question.preload_direction) {
-    json["preload_direction"] = preload_direction_json(*question.preload_direction);
-  }
-  const std::vector<MarginInterval> resisted = margin.resisted();
-  json["resisted"] = multiples_json(resisted);
-  json["refuted"] = multiples_json(margin.refuted());
-  json["least"] = resisted.empty() ? Json() : number_json(resisted.front().low);
-  json["unbounded"] = !resisted.empty() && !resisted.back().high;
-  json["stats"] = work_json(margin.work);
-  std::cout << finished(json, floats).dump(1) << '\n';
-}
 
 FamilyText family_of(const SpatialQuestion& question, NumberText& text) {
   FamilyText family{heading(question.grasp.name, question.case_name),
@@ -105,11 +78,12 @@ int answer_margin_in_space(const SpatialQuestion& question,
   progress.clear();
   if (!arguments.certificate.empty()) {
     write_whole_file(arguments.certificate,
-                     spatial_margin_text(question, margin, kSpaceProducer));
+                     spatial_margin_text(question, margin, producer_of("space")));
   }
   NumberText text(arguments.output);
   if (arguments.output.json) {
-    print_json(question, margin, arguments.output.floats);
+    std::cout << finished(margin_json(question, margin), arguments.output.floats).dump(1)
+              << '\n';
   } else if (arguments.least) {
     print_least(margin, text);
   } else {

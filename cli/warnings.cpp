@@ -11,14 +11,6 @@ void add_no_warnings_option(CLI::App& command, bool& no_warnings) {
                    "that does not balance (docs/model.md)");
 }
 
-Json warnings_json(const std::vector<ModelWarning>& warnings) {
-  Json json = Json::array();
-  for (const ModelWarning& warning : warnings) {
-    json.push_back({{"trap", to_string(warning.trap)}, {"text", warning.text}});
-  }
-  return json;
-}
-
 void print(const Warnings& warnings) {
   if (!warnings) return;
   for (const ModelWarning& warning : *warnings) {

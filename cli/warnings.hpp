@@ -4,21 +4,13 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <optional>
-#include <vector>
 
-#include "question_options.hpp"
-#include "stickslip/equilibrium/model_warnings.hpp"
+#include "stickslip/answers/verdict_answer.hpp"
 
 namespace stickslip {
 
-/// Nothing when they were not asked for.
-using Warnings = std::optional<std::vector<ModelWarning>>;
-
 /// --no-warnings.
 void add_no_warnings_option(CLI::App& command, bool& no_warnings);
-
-Json warnings_json(const std::vector<ModelWarning>& warnings);
 
 /// For people, a line each.
 void print(const Warnings& warnings);

@@ -219,6 +219,18 @@ Sign ArrangementStructure::sign_to_the_left(HalfedgeId halfedge) const {
   return is_first != is_reversed ? Sign::kPositive : Sign::kNegative;
 }
 
+IntegerVector3 ArrangementStructure::ray(VertexId vertex) const {
+  const auto positive_to_the_left = [&](HalfedgeId halfedge) {
+    const IntegerVector3& n = circles_.normals[circle(edge(halfedge)).index()];
+    return sign_to_the_left(halfedge) == Sign::kPositive ? n : negated(n);
+  };
+  // The halfedge clockwise of h turns right: det(N_h, N_g, d) < 0.
+  const HalfedgeId h = outgoing(vertex);
+  const IntegerVector3 ray = cross(positive_to_the_left(clockwise(h)), positive_to_the_left(h));
+  require(!is_zero(ray), "neighbouring edges on one circle");
+  return ray;
+}
+
 std::optional<HalfedgeId> ArrangementStructure::boundary(FaceId face) const {
   if (boundary_.empty()) return std::nullopt;
   return HalfedgeId(boundary_[face.index()]);

@@ -91,6 +91,8 @@ class ArrangementStructure {
 
   /// A halfedge that starts at the vertex.
   HalfedgeId outgoing(VertexId vertex) const { return HalfedgeId(outgoing_[vertex.index()]); }
+  /// A positive multiple of the point of the sphere where the vertex is. Exact.
+  IntegerVector3 ray(VertexId vertex) const;
   /// A halfedge with the face to its left; none for the one face of no circle.
   std::optional<HalfedgeId> boundary(FaceId face) const;
 

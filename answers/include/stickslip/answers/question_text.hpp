@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// What is asked about a grasp, as it is spelled on a command line or in a request.
+#pragma once
+
+#include <string>
+
+#include "stickslip/core/spatial_grasp.hpp"
+#include "stickslip/equilibrium/question.hpp"
+#include "stickslip/space/spatial_question.hpp"
+
+namespace stickslip {
+
+/// The values of options, empty where they are not given.
+struct QuestionText {
+  std::string wrench;                     ///< "WX,WY,T"; in space six numbers
+  std::string case_name;                  ///< of the file, whose wrench is applied
+  std::string preload;                    ///< of every contact
+  std::string normal_law = "unilateral";  ///< or "bilateral"
+  std::string uncertain;                  ///< "friction=10%,..."
+  std::string direction;                  ///< of a margin, as a wrench
+  std::string preload_direction;          ///< of a margin: "P0,P1,..." or "scale"
+};
+
+/// What they say in the plane. Throws InputError naming the option, "--wrench".
+QuestionOptions question_options(const QuestionText& text);
+/// The same in space.
+SpatialOptions spatial_options(const QuestionText& text);
+
+/// As ask_with_options() in the plane (equilibrium/option_text.hpp).
+SpatialQuestion ask_with_options(const SpatialGrasp& grasp, const SpatialOptions& options,
+                                 const std::string& name);
+
+}  // namespace stickslip

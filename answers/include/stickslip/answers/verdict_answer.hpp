@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Questions of any kind with their verdicts, as `decide --json` prints them: about one grasp
+/// in the plane, about a box of them, and about a grasp in space.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "stickslip/answers/uncertain_numbers.hpp"
+#include "stickslip/box/box_verdict.hpp"
+#include "stickslip/core/number_text.hpp"
+#include "stickslip/equilibrium/contact_mode.hpp"
+#include "stickslip/equilibrium/model_warnings.hpp"
+#include "stickslip/space/spatial_verdict.hpp"
+
+namespace stickslip {
+
+/// Nothing when they were not asked for.
+using Warnings = std::optional<std::vector<ModelWarning>>;
+
+/// About one grasp in the plane.
+struct CaseAnswer {
+  Question question;  ///< not a box
+  Problem problem;    ///< of the question
+  Decision decision;  ///< the verdict
+  Warnings warnings;  ///< about it
+
+  const Verdict& verdict() const { return decision.verdict; }  ///< of the decision
+};
+
+/// About every grasp in a box.
+struct BoxAnswer {
+  Question question;     ///< a box
+  BoxDecision decision;  ///< the verdict
+};
+
+/// About a grasp in space, or a box of them.
+struct SpaceAnswer {
+  SpatialQuestion question;  ///< not a margin
+  SpatialDecision decision;  ///< the verdict
+};
+
+/// To one question.
+using Answer = std::variant<CaseAnswer, BoxAnswer, SpaceAnswer>;
+
+/// How to answer.
+struct AnswerOptions {
+  Engine engine = Engine::kAuto;  ///< of one grasp in the plane
+  std::size_t node_limit = 0;     ///< as of each engine; 0: its own, or none
+  bool warnings = true;           ///< look for traps of the model (in the plane)
+};
+
+/// \{ Decides.
+Answer answer_to(Question question, const AnswerOptions& options);
+Answer answer_to(SpatialQuestion question, const AnswerOptions& options);
+/// \}
+
+/// "stable", "unstable", "fragile", "undecided".
+const char* name_of(const Answer& answer);
+
+/// \{ What `decide --json` prints, before finished().
+Json to_json(const CaseAnswer& answer);
+Json to_json(const BoxAnswer& answer);
+Json to_json(const SpaceAnswer& answer);
+Json to_json(const Answer& answer);
+/// \}
+
+/// \{ The certificate; nothing if the verdict has none: undecided or fragile.
+std::optional<std::string> certificate_of(const CaseAnswer& answer);
+std::optional<std::string> certificate_of(const BoxAnswer& answer);
+std::optional<std::string> certificate_of(const SpaceAnswer& answer);
+std::optional<std::string> certificate_of(const Answer& answer);
+/// \}
+
+/// Who wrote a certificate: "stickslip 0.1.0, engine space".
+std::string producer_of(const std::string& engine);
+
+/// A list of them, "trap" and "text" each.
+Json warnings_json(const std::vector<ModelWarning>& warnings);
+
+/// The work of an engine by name.
+template <class Work>
+Json work_json(const Work& work) {
+  Json json = Json::object();
+  for (const auto& [name, value] : counters(work)) json[name] = value;
+  return json;
+}
+
+/// One contact of a stable verdict.
+struct ContactReport {
+  Rational length_squared;  ///< of the contact's normal
+  ContactForce force;       ///< by the contact's own normal and tangent
+  Vector2 vector;           ///< the force in the object frame
+  ContactMode mode;         ///< in the motion of the witness
+};
+
+/// By ContactId.
+std::vector<ContactReport> report_contacts(const CaseAnswer& answer, const Witness& witness);
+
+/// The contacts whose preload over the length of the normal is enclosed.
+std::vector<std::size_t> enclosed_contacts(const GraspBox& box);
+
+/// How many pieces of the box have a proof of their own.
+std::size_t count_parts(const StabilityProof& proof);
+
+}  // namespace stickslip

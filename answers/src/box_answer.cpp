@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "stickslip/answers/verdict_answer.hpp"
+#include "stickslip/certificate/certificate.hpp"
+
+namespace stickslip {
+
+std::vector<std::size_t> enclosed_contacts(const GraspBox& box) {
+  std::vector<std::size_t> contacts;
+  for (std::size_t i = 0; i < box.contacts.size(); ++i) {
+    if (needs_enclosure({{box.contacts[i]}, {}})) contacts.push_back(i);
+  }
+  return contacts;
+}
+
+std::size_t count_parts(const StabilityProof& proof) {
+  return static_cast<std::size_t>(std::count_if(
+      proof.begin(), proof.end(),
+      [](const auto& part) { return std::holds_alternative<DegreeProof>(part); }));
+}
+
+Json to_json(const BoxAnswer& answer) {
+  const auto& [question, decision] = answer;
+  const GraspBox& box = *question.box;
+  Json json;
+  json["verdict"] = name_of(decision.verdict);
+  json["box"] = true;
+  json["name"] = question.loaded.grasp.name();
+  if (!question.case_name.empty()) json["case"] = question.case_name;
+  add_units(json, question.loaded.grasp);
+  json["engine"] = "box";
+  json["normal_law"] = to_string(question.law);
+  json["wrench"] = wrench_json(box.wrench);
+  json["uncertain"] = uncertain_json(uncertain_numbers(box));
+  if (needs_enclosure(box)) {
+    json["enclosed"] = enclosed_contacts(box);
+    json["bits"] = decision.bits;
+  }
+  if (const auto* stable = std::get_if<StableThroughout>(&decision.verdict)) {
+    json["proof"] = {{"parts", count_parts(stable->parts)}};
+  } else if (const auto* unstable = std::get_if<UnstableThroughout>(&decision.verdict)) {
+    json["refutation"] = {{"nodes", unstable->tree.size()}};
+  } else if (const auto* fragile = std::get_if<Fragile>(&decision.verdict)) {
+    json["examples"] = {{"stable", Json::parse(write_grasp(fragile->stable))},
+                        {"unstable", Json::parse(write_grasp(fragile->unstable))}};
+    json["differences"] =
+        differences_json(differences(box, fragile->stable, fragile->unstable));
+  } else {
+    json["limit"] = std::get<Undecided>(decision.verdict).limit;
+  }
+  const BoxWork& work = decision.work;
+  json["stats"] = {{"nodes", work.nodes},
+                   {"proofs", work.proofs},
+                   {"examples", work.examples},
+                   {"parts", work.parts}};
+  return json;
+}
+
+std::optional<std::string> certificate_of(const BoxAnswer& answer) {
+  const BoxVerdict& verdict = answer.decision.verdict;
+  if (std::holds_alternative<Undecided>(verdict) || std::holds_alternative<Fragile>(verdict)) {
+    return std::nullopt;
+  }
+  return box_certificate_text(answer.question, answer.decision, producer_of("box"));
+}
+
+}  // namespace stickslip

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/answers/plane_answers.hpp"
+
+#include <utility>
+
+namespace stickslip {
+namespace {
+
+Json json_of(const PlaneCell& cell) {
+  Json json{{"vertices", Json::array()}, {"rays", Json::array()}};
+  for (const PlanePoint& point : cell.vertices())
+    json["vertices"].push_back(number_json(point));
+  for (const PlaneDirection& ray : cell.rays()) json["rays"].push_back(number_json(ray));
+  return json;
+}
+
+Json json_of(const Outline& outline) {
+  Json json{{"closed", outline.is_closed()}};
+  if (outline.from) json["from"] = number_json(*outline.from);
+  json["vertices"] = Json::array();
+  for (const PlanePoint& point : outline.vertices)
+    json["vertices"].push_back(number_json(point));
+  if (outline.to) json["to"] = number_json(*outline.to);
+  return json;
+}
+
+Json ends_json(const Interval& interval) {
+  return Json::array({number_json(interval.low), number_json(interval.high)});
+}
+
+}  // namespace
+
+Json region_json(const Question& question, const WrenchPlane& plane,
+                 const RegionReport& report) {
+  Json json{{"name", question.loaded.grasp.name()},
+            {"normal_law", to_string(question.law)},
+            {"plane",
+             {{"origin", number_json(coordinates(plane.origin()))},
+              {"u", number_json(coordinates(plane.u()))},
+              {"v", number_json(coordinates(plane.v()))}}}};
+  add_units(json, question.loaded.grasp);
+  if (report.undecided) {
+    json["limit"] = report.undecided->limit;
+  } else {
+    json["empty"] = report.region.is_empty();
+    json["whole_plane"] = report.region.is_whole_plane();
+    Json& areas = json["areas"] = Json::array();
+    for (const PlaneArea& area : report.region.areas) {
+      Json outlines = Json::array();
+      for (const Outline& outline : area.outlines) outlines.push_back(json_of(outline));
+      areas.push_back({{"outlines", std::move(outlines)}});
+    }
+    Json& curves = json["curves"] = Json::array();
+    for (const PlaneCell& curve : report.region.curves) curves.push_back(json_of(curve));
+    Json& points = json["points"] = Json::array();
+    for (const PlanePoint& point : report.region.points) points.push_back(number_json(point));
+    for (const ResistiblePiece& piece : report.pieces) {
+      Json entry{{"slip", slips_text(piece.modes)}, {"closed", Json::array()}};
+      for (const ContactMode mode : piece.modes) entry["closed"].push_back(mode.closed);
+      entry.update(json_of(piece.cell));
+      json["pieces"].push_back(std::move(entry));
+    }
+  }
+  json["stats"] = {{"slip_states", report.work.slip_states},
+                   {"modes", report.work.modes},
+                   {"pieces", report.work.pieces}};
+  return json;
+}
+
+Json map_json(const Question& question, const MapAxis& x, const MapAxis& y,
+              const std::vector<MapCell>& cells) {
+  Json json;
+  json["name"] = question.loaded.grasp.name();
+  json["normal_law"] = to_string(question.law);
+  json["x"] = {{"name", x.name}, {"range", ends_json(x.range)}};
+  json["y"] = {{"name", y.name}, {"range", ends_json(y.range)}};
+  Json& list = json["cells"] = Json::array();
+  for (const MapCell& cell : cells) {
+    list.push_back({{"x", ends_json(cell.x)},
+                    {"y", ends_json(cell.y)},
+                    {"verdict", name_of(cell.decision.verdict)}});
+  }
+  return json;
+}
+
+}  // namespace stickslip

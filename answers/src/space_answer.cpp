@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/answers/verdict_answer.hpp"
+#include "stickslip/certificate/certificate.hpp"
+#include "stickslip/core/spatial_forces.hpp"
+
+namespace stickslip {
+
+Json to_json(const SpaceAnswer& answer) {
+  const auto& [question, decision] = answer;
+  Json json;
+  json["verdict"] = name_of(decision.verdict);
+  if (question.is_box) json["box"] = true;
+  json["name"] = question.grasp.name;
+  if (!question.case_name.empty()) json["case"] = question.case_name;
+  add_units(json, question.grasp.units);
+  json["engine"] = "space";
+  json["normal_law"] = to_string(question.law);
+  json["wrench"] = wrench_json(question.grasp.wrench);
+  if (question.is_box) json["uncertain"] = uncertain_json(uncertain_numbers(question.grasp));
+  if (const auto* stable = std::get_if<SpatiallyStable>(&decision.verdict)) {
+    if (const auto* witness = std::get_if<SpatialWitness>(&stable->proof)) {
+      json["twist"] = number_json(witness->twist);
+      Json& contacts = json["contacts"] = Json::array();
+      for (const SpatialForce& c : forces_of(question.grasp, witness->twist, witness->shares)) {
+        contacts.push_back({{"force", number_json(c.force)},
+                            {"friction", number_json(c.friction)},
+                            {"closed", c.normal.sign() > 0}});
+      }
+    } else {
+      const auto& parts = std::get<SpatialParts>(stable->proof);
+      std::size_t nodes = 0;
+      for (const auto& part : parts) {
+        const auto* proof = std::get_if<SpatialDegreeProof>(&part);
+        nodes += proof != nullptr ? proof->trees.size() : 0;
+      }
+      json["near"] = number_json(stable->motion);
+      json["proof"] = {{"nodes", nodes}, {"parts", part_count(parts)}};
+    }
+  } else if (const auto* unstable = std::get_if<SpatiallyUnstable>(&decision.verdict)) {
+    json["refutation"] = {{"nodes", unstable->tree.size()}};
+  } else if (const auto* fragile = std::get_if<SpatiallyFragile>(&decision.verdict)) {
+    json["examples"] = {{"stable", Json::parse(write_grasp_file(fragile->stable))},
+                        {"unstable", Json::parse(write_grasp_file(fragile->unstable))}};
+    json["differences"] =
+        differences_json(differences(question.grasp, fragile->stable, fragile->unstable));
+  } else {
+    json["limit"] = std::get<Undecided>(decision.verdict).limit;
+  }
+  json["stats"] = work_json(decision.work);
+  return json;
+}
+
+std::optional<std::string> certificate_of(const SpaceAnswer& answer) {
+  const SpatialVerdict& verdict = answer.decision.verdict;
+  if (std::holds_alternative<Undecided>(verdict) ||
+      std::holds_alternative<SpatiallyFragile>(verdict)) {
+    return std::nullopt;
+  }
+  return spatial_certificate_text(answer.question, answer.decision, producer_of("space"));
+}
+
+}  // namespace stickslip

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/answers/verdict_answer.hpp"
+
+#include <utility>
+
+#include "stickslip/certificate/certificate.hpp"
+#include "stickslip/core/sign.hpp"
+
+namespace stickslip {
+namespace {
+
+Json magnitude_json(const ContactReport& contact, const Rational& coefficient) {
+  if (coefficient.is_zero()) return number_json(Rational(0));
+  if (const auto length = exact_sqrt(contact.length_squared)) {
+    return number_json(Rational(coefficient * *length));
+  }
+  return number_json(enclose_sqrt(coefficient, contact.length_squared));
+}
+
+}  // namespace
+
+std::vector<ContactReport> report_contacts(const CaseAnswer& answer, const Witness& witness) {
+  std::vector<ContactReport> reports;
+  for (std::size_t i = 0; i < answer.problem.size(); ++i) {
+    const Vector2& n = answer.question.loaded.grasp.contacts()[i].normal;
+    const ContactForce& f = witness.forces[i];
+    reports.push_back({n.x * n.x + n.y * n.y, f, force_vector(n, f),
+                       mode_of(answer.problem, ContactId(i), witness.twist)});
+  }
+  return reports;
+}
+
+Answer answer_to(Question question, const AnswerOptions& options) {
+  if (question.box) {
+    BoxOptions search;
+    search.node_limit = options.node_limit;
+    BoxDecision decision = decide_box(*question.box, question.law, search);
+    return BoxAnswer{std::move(question), std::move(decision)};
+  }
+  Problem problem = problem_of(question);
+  ConeOptions search;
+  search.node_limit = options.node_limit;
+  Decision decision = decide(problem, options.engine, search);
+  Warnings warnings;
+  if (options.warnings) warnings = model_warnings(question, decision.verdict);
+  return CaseAnswer{std::move(question), std::move(problem), std::move(decision),
+                    std::move(warnings)};
+}
+
+Answer answer_to(SpatialQuestion question, const AnswerOptions& options) {
+  SpatialSearchOptions search;
+  search.node_limit = options.node_limit;
+  SpatialDecision decision = decide(question, search);
+  return SpaceAnswer{std::move(question), std::move(decision)};
+}
+
+const char* name_of(const Answer& answer) {
+  return std::visit([](const auto& a) { return name_of(a.decision.verdict); }, answer);
+}
+
+Json to_json(const CaseAnswer& answer) {
+  const auto& [question, problem, decision, warnings] = answer;
+  Json json;
+  const Verdict& verdict = answer.verdict();
+  json["verdict"] = name_of(verdict);
+  json["name"] = question.loaded.grasp.name();
+  if (!question.case_name.empty()) json["case"] = question.case_name;
+  add_units(json, question.loaded.grasp);
+  json["engine"] = decision.engine();
+  json["normal_law"] = to_string(question.law);
+  json["wrench"] = number_json(coordinates(problem.wrench()));
+  if (const auto* stable = std::get_if<Stable>(&verdict)) {
+    json["twist"] = number_json(coordinates(stable->witness.twist));
+    Json& contacts = json["contacts"] = Json::array();
+    for (const ContactReport& c : report_contacts(answer, stable->witness)) {
+      contacts.push_back({{"normal", magnitude_json(c, c.force.normal)},
+                          {"tangential", magnitude_json(c, c.force.tangential)},
+                          {"force", number_json(c.vector)},
+                          {"slip", std::string(1, to_char(c.mode.slip))},
+                          {"closed", c.mode.closed}});
+    }
+  } else if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
+    const RefutationSummary summary = summarize(unstable->refutation);
+    json["refutation"] = {{"nodes", summary.nodes}, {"leaves", summary.leaves}};
+  } else {
+    json["limit"] = std::get<Undecided>(verdict).limit;
+  }
+  if (warnings) json["warnings"] = warnings_json(*warnings);
+  json["stats"] = std::visit([](const auto& work) { return work_json(work); }, decision.work);
+  return json;
+}
+
+Json to_json(const Answer& answer) {
+  return std::visit([](const auto& a) { return to_json(a); }, answer);
+}
+
+std::optional<std::string> certificate_of(const CaseAnswer& answer) {
+  if (std::holds_alternative<Undecided>(answer.verdict())) return std::nullopt;
+  return certificate_text(answer.question, answer.verdict(),
+                          producer_of(answer.decision.engine()));
+}
+
+std::optional<std::string> certificate_of(const Answer& answer) {
+  return std::visit([](const auto& a) { return certificate_of(a); }, answer);
+}
+
+std::string producer_of(const std::string& engine) {
+  return "stickslip " STICKSLIP_VERSION ", engine " + engine;
+}
+
+Json warnings_json(const std::vector<ModelWarning>& warnings) {
+  Json json = Json::array();
+  for (const ModelWarning& warning : warnings) {
+    json.push_back({{"trap", to_string(warning.trap)}, {"text", warning.text}});
+  }
+  return json;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,2086 @@
+// SPDX-License-Identifier: MIT
+//
+// A checker of stickslip certificates for browsers and node, written from certificate/FORMAT.md alone.
+// The section signs (§) are its sections; the names of rules are its names. Every number is a BigInt or
+// a fraction of two; no floating point decides anything. A plain script without dependencies: it defines
+// one object, StickslipCheck, and under node it is a module.
+'use strict';
+
+(function (scope) {
+
+// ---------------------------------------------------------------------------- Numbers
+
+const absolute = (n) => (n < 0n ? -n : n);
+
+function bit_length(n) {
+  const hex = n.toString(16);
+  return 4 * (hex.length - 1) + parseInt(hex[0], 16).toString(2).length;
+}
+
+/**
+ * Four integers [p, q, r, s] with ps − qr = ±1, such that pa + qb and ra + sb are about half as long as a > b > 0: the
+ * quotients of Euclid's algorithm, found from leading digits. Where these mislead, the integers are less short, but
+ * have the same gcd.
+ */
+function halving(a, b) {
+  const length = bit_length(a), least = 1n << BigInt(length >> 1);
+  let [p, q, r, s] = [1n, 0n, 0n, 1n];
+  const apply = ([e, f, g, h]) => {
+    [a, b] = [e * a + f * b, g * a + h * b];
+    [p, q, r, s] = [e * p + f * r, e * q + f * s, g * p + h * r, g * q + h * s];
+    if (a < 0n) [a, p, q] = [-a, -p, -q];
+    if (b < 0n) [b, r, s] = [-b, -r, -s];
+    if (a < b) [a, b, p, q, r, s] = [b, a, r, s, p, q];
+  };
+  if (length > 256) {
+    for (const shift of [length >> 1, length >> 2]) {
+      const top = b >> BigInt(shift);
+      if (b < least || top === 0n) break;
+      apply(halving(a >> BigInt(shift), top));
+      if (b >= least) apply([0n, 1n, 1n, -(a / b)]);
+    }
+  } else {
+    while (b >= least) {
+      const quotient = a / b;
+      [a, b, p, q, r, s] = [b, a - quotient * b, r, s, p - quotient * r, q - quotient * s];
+    }
+  }
+  return [p, q, r, s];
+}
+
+const LONG = 1n << 4096n;
+
+function gcd(a, b) {
+  a = absolute(a);
+  b = absolute(b);
+  while (a > LONG && b > LONG) {
+    [a, b] = a < b ? [a, b % a] : [b, a % b];
+    if (b === 0n) return a;
+    const [p, q, r, s] = halving(a, b);
+    [a, b] = [absolute(p * a + q * b), absolute(r * a + s * b)];
+  }
+  while (b !== 0n) [a, b] = [b, a % b];
+  return a;
+}
+
+const lcm = (a, b) => (a === b || b === 1n ? a : a / gcd(a, b) * b);
+
+/** A rational number n/d in lowest terms, d > 0. */
+class Fraction {
+  constructor(n, d) {
+    this.n = n;
+    this.d = d;
+  }
+  static of(n, d = 1n) {
+    if (d === 1n) return new Fraction(n, d);
+    const g = d < 0n ? -gcd(n, d) : gcd(n, d);
+    return new Fraction(n / g, d / g);
+  }
+  plus(o) {
+    if (this.d === o.d) return Fraction.of(this.n + o.n, this.d);
+    return Fraction.of(this.n * o.d + o.n * this.d, this.d * o.d);
+  }
+  minus(o) { return this.plus(o.negated()); }
+  times(o) { return Fraction.of(this.n * o.n, this.d * o.d); }
+  over(o) { return Fraction.of(this.n * o.d, this.d * o.n); }
+  negated() { return new Fraction(-this.n, this.d); }
+  magnitude() { return this.n < 0n ? this.negated() : this; }
+  half() { return Fraction.of(this.n, 2n * this.d); }
+  sign() { return this.n > 0n ? 1 : this.n < 0n ? -1 : 0; }
+  compare(o) {
+    const difference = this.n * o.d - o.n * this.d;
+    return difference > 0n ? 1 : difference < 0n ? -1 : 0;
+  }
+  equals(o) { return this.n === o.n && this.d === o.d; }
+  isZero() { return this.n === 0n; }
+  toString() { return this.d === 1n ? `${this.n}` : `${this.n}/${this.d}`; }
+}
+
+const ZERO = new Fraction(0n, 1n), ONE = new Fraction(1n, 1n);
+const least = (values) => values.reduce((a, b) => (b.compare(a) < 0 ? b : a));
+const largest = (values) => values.reduce((a, b) => (b.compare(a) > 0 ? b : a));
+const dot_fractions = (a, b) => a.reduce((sum, x, j) => (x.isZero() ? sum : sum.plus(x.times(b[j]))), ZERO);
+const same_list = (a, b) => a.length === b.length && a.every((x, j) => x.equals(b[j]));
+const all_zero = (list) => list.every((x) => x.isZero());
+const cross_product = (a, b) => [0, 1, 2].map((j) => {
+  const k = (j + 1) % 3, l = (j + 2) % 3;
+  return a[k].times(b[l]).minus(a[l].times(b[k]));
+});
+
+/** The greatest integer whose square is at most n, by Newton's method from above. */
+function integer_root(n) {
+  if (n < 2n) return n;
+  let x = 1n << BigInt((bit_length(n) + 1) >> 1);
+  for (;;) {
+    const next = (x + n / x) >> 1n;
+    if (next >= x) return x;
+    x = next;
+  }
+}
+
+/** √q, or null if it is irrational. √(n/d) = √(nd)/d. */
+function rational_root(q) {
+  const product = q.n * q.d, root = integer_root(product);
+  return root * root === product ? Fraction.of(root, q.d) : null;
+}
+
+/** [ℓ⁻, ℓ⁺] for √q (§6): ℓ⁻ = j/2^s is the greatest such number ≤ √q with j of so many bits. */
+function enclose_root(q, bits) {
+  let s = bits - ((bit_length(q.n) - bit_length(q.d)) >> 1);
+  for (;;) {
+    const j = s >= 0 ? integer_root((q.n << BigInt(2 * s)) / q.d)
+                     : integer_root(q.n / (q.d << BigInt(-2 * s)));
+    const length = bit_length(j);
+    if (length === bits) {
+      const at = (i) => (s >= 0 ? Fraction.of(i, 1n << BigInt(s)) : Fraction.of(i << BigInt(-s)));
+      return [at(j), at(j + 1n)];
+    }
+    s += length < bits ? 1 : -1;
+  }
+}
+
+function dot(a, b) {
+  let sum = 0n;
+  for (let j = 0; j < a.length; ++j) {
+    if (a[j] !== 0n && b[j] !== 0n) sum += a[j] * b[j];
+  }
+  return sum;
+}
+
+const negative = (row) => row.map((x) => -x);
+
+/** The vector of coprime integers in the direction of another vector of integers. */
+function primitive(row) {
+  let common = 0n;
+  for (const x of row) {
+    if (x !== 0n) {
+      common = gcd(common, x);
+      if (common === 1n) return row;
+    }
+  }
+  return common > 1n ? row.map((x) => x / common) : row;
+}
+
+const common_denominator = (fractions) => fractions.reduce((d, x) => lcm(d, x.d), 1n);
+const over_denominator = (fractions, d) => fractions.map((x) => x.n * (d / x.d));
+/** Fractions as coprime integers, times a positive number. */
+const integral = (fractions) => primitive(over_denominator(fractions, common_denominator(fractions)));
+
+/**
+ * The sum of many vectors of integers, each over a denominator. Those with one denominator are added at
+ * once; the others by halves at the end, so that few numbers are long.
+ */
+class Sum {
+  constructor(size) {
+    this.size = size;
+    this.parts = new Map();
+  }
+  add(row, d) {
+    const part = this.parts.get(d);
+    if (part === undefined) this.parts.set(d, row.slice());
+    else for (let j = 0; j < this.size; ++j) part[j] += row[j];
+  }
+  add_fractions(values) {
+    const d = common_denominator(values);
+    this.add(over_denominator(values, d), d);
+  }
+  /** [integers, their denominator > 0], not in lowest terms. */
+  total() {
+    let parts = [...this.parts].map(([d, row]) => [row, d]);
+    if (parts.length === 0) return [Array(this.size).fill(0n), 1n];
+    while (parts.length > 1) {
+      const halved = [];
+      for (let k = 0; k < parts.length; k += 2) {
+        if (k + 1 === parts.length) {
+          halved.push(parts[k]);
+        } else {
+          const [a, d] = parts[k], [b, e] = parts[k + 1];
+          halved.push([a.map((x, j) => x * e + b[j] * d), d * e]);
+        }
+      }
+      parts = halved;
+    }
+    return parts[0];
+  }
+}
+
+// ---------------------------------------------------------------------------- Answers (§8)
+
+/** Exit 2: a file that cannot be read, or a question that cannot be asked. */
+class Malformed extends Error {
+  constructor(place, found) {
+    super(found);
+    this.place = place;
+  }
+}
+
+/** Exit 1: a rule fails. */
+class Rejected extends Error {
+  constructor(rule, found, place = null, node = null) {
+    super(found);
+    this.rule = rule;
+    this.place = place;
+    this.node = node;
+  }
+}
+
+/** Text of a file for a message: printable ASCII, and not long. */
+function printable(value, most = 60) {
+  let text = '';
+  for (const unit of String(value)) {
+    const code = unit.codePointAt(0);
+    text += code >= 32 && code < 127 ? unit : `\\u{${code.toString(16)}}`;
+    if (text.length > most) return text.slice(0, most) + '...';
+  }
+  return text;
+}
+
+const quoted = (text) => `"${printable(text)}"`;
+const list_text = (values) => `(${values.map((x) => printable(x)).join(', ')})`;
+const interval_text = ([low, high]) => (low.equals(high) ? `${low}` : `[${low}, ${high}]`);
+
+// ---------------------------------------------------------------------------- JSON (§2)
+
+/** A number as it is spelled: JSON.parse would round it. */
+class Numeral {
+  constructor(text) { this.text = text; }
+}
+
+const CERTIFICATE_LIMITS = {bytes: 2 ** 30, depth: 8, string: 65536, numeral: 4000, values: 2 ** 22,
+  members: new Set(['segments', 'tree', 'parts', 'intervals', 'contacts'])};
+const GRASP_LIMITS = {bytes: 2 ** 28, depth: 32, string: 2 ** 28, numeral: 16384, values: 2 ** 16,
+  members: new Set(['segments', 'tree', 'parts', 'intervals', 'contacts'])};
+const MOST_CONTACTS = 1000000, LONGEST_GRASP_NUMBER = 16384, MOST_EXPONENT = 4096;
+
+const utf8_length = (text) => new TextEncoder().encode(text).length;
+
+/** The text of a file given as bytes or, by those who have read it themselves, as a string. */
+function text_of(file, limits, byte_order_mark) {
+  let text = file;
+  if (typeof file !== 'string') {
+    if (file.length > limits.bytes) throw new Malformed('', `the file is longer than ${limits.bytes} bytes`);
+    try {
+      text = new TextDecoder('utf-8', {fatal: true, ignoreBOM: true}).decode(file);
+    } catch (error) {
+      throw new Malformed('', 'the file is not UTF-8, or longer than this machine reads');
+    }
+  } else if (utf8_length(file) > limits.bytes) {
+    throw new Malformed('', `the file is longer than ${limits.bytes} bytes`);
+  }
+  if (text.startsWith('\ufeff')) {
+    if (!byte_order_mark) throw new Malformed('line 1', 'a byte order mark; remove it');
+    text = text.slice(1);
+  }
+  return text;
+}
+
+/** RFC 8259 to the letter: objects as Map, numbers as Numeral; no member twice; the limits of §2. */
+class JsonReader {
+  constructor(text, limits) {
+    this.text = text;
+    this.limits = limits;
+    this.ascii = !/[^\x00-\x7f]/.test(text);
+    this.at = 0;
+    this.depth = 0;
+    this.count = 0;
+  }
+
+  fail(problem) {
+    const line = this.text.slice(0, this.at).split('\n').length;
+    throw new Malformed(`line ${line}`, problem);
+  }
+
+  whole() {
+    this.space();
+    if (this.at === this.text.length) this.fail('the file is empty');
+    const value = this.value('');
+    this.space();
+    if (this.at < this.text.length) this.fail('not JSON: something follows the end');
+    return value;
+  }
+
+  space() {
+    for (;;) {
+      const c = this.text.charCodeAt(this.at);
+      if (c !== 32 && c !== 10 && c !== 13 && c !== 9) return;
+      ++this.at;
+    }
+  }
+
+  value(member) {
+    if (++this.count > this.limits.values && this.depth > 0) {
+      this.fail(`more than ${this.limits.values} values in one place`);
+    }
+    const c = this.text[this.at];
+    if (c === '{' || c === '[') {
+      if (++this.depth > this.limits.depth) this.fail(`nesting deeper than ${this.limits.depth}`);
+      const result = c === '{' ? this.object() : this.array(this.depth === 2 && this.limits.members.has(member));
+      --this.depth;
+      return result;
+    }
+    if (c === '"') return this.string();
+    if (c === '-' || (c >= '0' && c <= '9')) return this.numeral();
+    for (const [word, meaning] of [['true', true], ['false', false], ['null', null]]) {
+      if (this.text.startsWith(word, this.at)) {
+        this.at += word.length;
+        return meaning;
+      }
+    }
+    return this.fail(c === undefined ? 'not JSON: the file ends here' : `not JSON: found ${quoted(c)}`);
+  }
+
+  /** What a list has between and after its elements: true if another one follows. */
+  another(end) {
+    this.space();
+    const c = this.text[this.at++];
+    if (c === end) return false;
+    if (c !== ',') {
+      --this.at;
+      this.fail(`not JSON: expected , or ${end}`);
+    }
+    this.space();
+    if (this.text[this.at] === end) this.fail('not JSON: a comma after the last element; remove it');
+    return true;
+  }
+
+  opens(end) {
+    ++this.at;
+    this.space();
+    if (this.text[this.at] !== end) return true;
+    ++this.at;
+    return false;
+  }
+
+  array(each) {
+    const result = [];
+    if (!this.opens(']')) return result;
+    do {
+      if (each) this.count = 0;
+      result.push(this.value(''));
+    } while (this.another(']'));
+    return result;
+  }
+
+  object() {
+    const result = new Map();
+    if (!this.opens('}')) return result;
+    do {
+      if (this.text[this.at] !== '"') this.fail('not JSON: expected a string, the name of a member');
+      const key = this.string();
+      if (result.has(key)) this.fail(`the member ${quoted(key)} is repeated`);
+      this.space();
+      if (this.text[this.at] !== ':') this.fail('not JSON: expected :');
+      ++this.at;
+      this.space();
+      if (this.depth === 1) this.count = 0;
+      result.set(key, this.value(key));
+    } while (this.another('}'));
+    return result;
+  }
+
+  numeral() {
+    const form = /-?(?:0|[1-9][0-9]*)(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?/y;
+    form.lastIndex = this.at;
+    const match = form.exec(this.text);
+    if (match === null) this.fail('not JSON: not a number');
+    if (match[0].length > this.limits.numeral) this.fail(`a number of more than ${this.limits.numeral} characters`);
+    this.at += match[0].length;
+    return new Numeral(match[0]);
+  }
+
+  string() {
+    const text = this.text, start = ++this.at;
+    let result = '', from = start, escaped = false;
+    for (;; ++this.at) {
+      if (this.at - start > this.limits.string) this.fail(`a string of more than ${this.limits.string} bytes`);
+      const c = text.charCodeAt(this.at);
+      if (c === 34) break;
+      if (Number.isNaN(c)) this.fail('not JSON: the file ends in a string');
+      if (c < 32) this.fail('not JSON: a control character in a string');
+      if (c !== 92) continue;
+      escaped = true;
+      result += text.slice(from, this.at);
+      const e = text[++this.at], k = 'bfnrt"\\/'.indexOf(e);
+      if (e === 'u') {
+        const digits = text.slice(this.at + 1, this.at + 5);
+        if (!/^[0-9a-fA-F]{4}$/.test(digits)) this.fail('not JSON: \\u needs four hexadecimal digits');
+        result += String.fromCharCode(parseInt(digits, 16));
+        this.at += 4;
+      } else if (e !== undefined && k >= 0) {
+        result += '\b\f\n\r\t"\\/'[k];
+      } else {
+        this.fail('not JSON: an escape that is none');
+      }
+      from = this.at + 1;
+    }
+    const bytes = this.ascii ? this.at - start : utf8_length(text.slice(start, this.at));
+    if (bytes > this.limits.string) this.fail(`a string of more than ${this.limits.string} bytes`);
+    result += text.slice(from, this.at++);
+    if (escaped && /[\ud800-\udfff]/.test(result) &&
+        /[\ud800-\udbff](?![\udc00-\udfff])|(?<![\ud800-\udbff])[\udc00-\udfff]/.test(result)) {
+      this.fail('half of a surrogate pair');
+    }
+    return result;
+  }
+}
+
+function described(value) {
+  if (value === undefined) return 'nothing';
+  if (value instanceof Map) return 'an object';
+  if (Array.isArray(value)) return `an array of ${value.length}`;
+  if (value instanceof Numeral) return printable(value.text);
+  return typeof value === 'string' ? `the string ${quoted(value)}` : String(value);
+}
+
+function expected(what, value, place) {
+  throw new Malformed(place, `found ${described(value)}, expected ${what}`);
+}
+
+function array_of(value, place, length) {
+  if (!Array.isArray(value) || (length !== undefined && value.length !== length)) {
+    expected(length === undefined ? 'an array' : `an array of ${length}`, value, place);
+  }
+  return value;
+}
+
+function object_at(value, place) {
+  if (!(value instanceof Map)) expected('an object', value, place);
+  return value;
+}
+
+const inside = (place, name) => (place === '' ? name : `${place}.${name}`);
+
+// ---------------------------------------------------------------------------- The grasp file (§1, §6, §7)
+
+/** The exact value of a number's text in a grasp file or an option, or null. */
+function exact_decimal(text) {
+  if (text.length > LONGEST_GRASP_NUMBER) return null;
+  let match = /^([+-]?[0-9]+)\/([0-9]+)$/.exec(text);
+  if (match !== null) {
+    const d = BigInt(match[2]);
+    return d === 0n ? null : Fraction.of(BigInt(match[1].replace('+', '')), d);
+  }
+  match = /^([+-]?)([0-9]+)(?:\.([0-9]+))?(?:[eE]([+-]?)0*([0-9]*))?$/.exec(text);
+  if (match === null || (match[4] !== undefined && !/[0-9]$/.test(text))) return null;
+  const [, sign, whole, part = '', exponent_sign, exponent = ''] = match;
+  if (exponent.length > 4 || Number(exponent) > MOST_EXPONENT) return null;
+  const shift = (exponent_sign === '-' ? -1 : 1) * Number(exponent) - part.length;
+  const digits = BigInt(whole + part) * (sign === '-' ? -1n : 1n);
+  return shift >= 0 ? Fraction.of(digits * 10n ** BigInt(shift)) : Fraction.of(digits, 10n ** BigInt(-shift));
+}
+
+// docs/grasp_file.md: a JSON number, rounded to 64 bits, is below 2^16384.
+const JSON_NUMBER_END = new Fraction((1n << 16384n) - (1n << 16319n), 1n);
+
+function grasp_number(value, place) {
+  if (!(value instanceof Numeral) && typeof value !== 'string') expected('a number', value, place);
+  const number = exact_decimal(value instanceof Numeral ? value.text : value);
+  if (number === null) expected('a decimal or a fraction of integers, such as 0.25 or "3/5"', value, place);
+  if (value instanceof Numeral && number.magnitude().compare(JSON_NUMBER_END) >= 0) {
+    throw new Malformed(place, 'a JSON number must be below 2^16384; write it as a string');
+  }
+  return number;
+}
+
+const grasp_numbers = (value, place, length) =>
+    array_of(value, place, length).map((x, j) => grasp_number(x, `${place}[${j}]`));
+
+/** An INTERVAL (§6) as [low, high], or a number as an interval of one. */
+function grasp_interval(value, place, version) {
+  if (!(value instanceof Map)) {
+    const number = grasp_number(value, place);
+    return [number, number];
+  }
+  if (version < 2) throw new Malformed(place, 'an interval needs "format": "stickslip-grasp/2"');
+  known_members(value, place, ['min', 'max'], ['min', 'max']);
+  const low = grasp_number(value.get('min'), `${place}.min`), high = grasp_number(value.get('max'), `${place}.max`);
+  if (low.compare(high) > 0) throw new Malformed(place, 'min must not be above max');
+  return [low, high];
+}
+
+const grasp_intervals = (value, place, length, version) =>
+    array_of(value, place, length).map((x, j) => grasp_interval(x, `${place}[${j}]`, version));
+
+function known_members(object, place, known, required = []) {
+  for (const key of object_at(object, place).keys()) {
+    if (!known.includes(key)) {
+      throw new Malformed(place, `unknown member ${quoted(key)}; those allowed here are ${known.join(', ')}`);
+    }
+  }
+  for (const key of required) {
+    if (!object.has(key)) throw new Malformed(place, `the member "${key}" is missing`);
+  }
+}
+
+function grasp_string(value, place) {
+  if (typeof value !== 'string') expected('a string', value, place);
+  return value;
+}
+
+/** Rings with their edges: of each polygon a list of {a, b, inward}, where inward is the edge's normal. */
+function read_outline(value, place) {
+  const is_vertex = (v) => Array.isArray(v) && !Array.isArray(v[0]);
+  const first = (v) => (Array.isArray(v) ? v[0] : undefined);
+  let polygons = array_of(value, place);
+  if (is_vertex(first(polygons))) polygons = [[polygons]];
+  else if (is_vertex(first(first(polygons)))) polygons = [polygons];
+  if (polygons.length === 0) throw new Malformed(place, 'no polygon');
+  return polygons.map((rings, j) => {
+    if (array_of(rings, `${place}, polygon ${j}`).length === 0) throw new Malformed(`${place}, polygon ${j}`, 'no ring');
+    return rings.flatMap((ring, k) => {
+      const where = `${place}, polygon ${j}, ring ${k}`;
+      const vertices = array_of(ring, where).map((v, l) => grasp_numbers(v, `${where}, vertex ${l}`, 2));
+      if (vertices.length < 3) throw new Malformed(where, 'fewer than three vertices');
+      const ends = vertices.map((a, l) => [a, vertices[(l + 1) % vertices.length]]);
+      let area = ZERO;
+      for (const [a, b] of ends) {
+        if (same_list(a, b)) throw new Malformed(where, 'a vertex is the same as the next');
+        area = area.plus(a[0].times(b[1]).minus(a[1].times(b[0])));
+      }
+      if (area.isZero()) throw new Malformed(where, 'the ring has no area');
+      const flip = (area.sign() < 0) !== (k > 0);
+      return ends.map(([a, b]) => {
+        let normal = [a[1].minus(b[1]), b[0].minus(a[0])];
+        if (flip) normal = normal.map((x) => x.negated());
+        const length = rational_root(dot_fractions(normal, normal));
+        return {a, b, normal: length === null ? normal : normal.map((x) => x.over(length))};
+      });
+    });
+  });
+}
+
+function read_place(value, place, outline) {
+  if (outline === null) throw new Malformed(place, 'the file has no outline');
+  let [polygon, edge, share] = [new Numeral('0'), undefined, undefined];
+  if (Array.isArray(value)) {
+    [edge, share] = array_of(value, place, 2);
+  } else {
+    known_members(value, place, ['polygon', 'edge', 'share'], ['edge', 'share']);
+    [edge, share] = [value.get('edge'), value.get('share')];
+    if (value.has('polygon')) polygon = value.get('polygon');
+  }
+  const index = (number, list, what) => {
+    const k = grasp_number(number, `${place}, ${what}`);
+    if (k.d !== 1n || k.n < 0n || k.n >= BigInt(list.length)) {
+      throw new Malformed(`${place}, ${what}`, `there is no ${what} ${printable(k)}; they are 0 to ${list.length - 1}`);
+    }
+    return list[Number(k.n)];
+  };
+  const {a, b, normal} = index(edge, index(polygon, outline, 'polygon'), 'edge');
+  const t = grasp_number(share, `${place}, share`);
+  if (t.sign() < 0 || t.compare(ONE) > 0) throw new Malformed(`${place}, share`, `${printable(t)} is not from 0 to 1`);
+  return [a.map((x, j) => x.plus(t.times(b[j].minus(x)))), normal];
+}
+
+/** The wrench of a force f at p: plane (f, p × f), space likewise with three numbers each. */
+function wrench_at(f, p) {
+  return f.length === 2 ? [...f, p[0].times(f[1]).minus(p[1].times(f[0]))] : [...f, ...cross_product(p, f)];
+}
+
+function read_load(value, place, size) {
+  const dimension = size === 3 ? 2 : 3;
+  object_at(value, place);
+  if (value.has('force')) {
+    known_members(value, place, ['force', 'at'], ['at']);
+    return wrench_at(grasp_numbers(value.get('force'), `${place}.force`, dimension),
+        grasp_numbers(value.get('at'), `${place}.at`, dimension));
+  }
+  if (value.has('torque')) {
+    known_members(value, place, ['torque']);
+    const torque = dimension === 2 ? [grasp_number(value.get('torque'), `${place}.torque`)]
+                                   : grasp_numbers(value.get('torque'), `${place}.torque`, 3);
+    return [...Array(dimension).fill(ZERO), ...torque];
+  }
+  known_members(value, place, ['weight', 'at', 'direction'], ['weight', 'at']);
+  const weight = grasp_number(value.get('weight'), `${place}.weight`);
+  if (weight.sign() < 0) throw new Malformed(`${place}.weight`, 'a weight must not be below 0');
+  let down = Array(dimension).fill(ZERO);
+  down[dimension - 1] = ONE.negated();
+  if (value.has('direction')) down = grasp_numbers(value.get('direction'), `${place}.direction`, dimension);
+  const length = rational_root(dot_fractions(down, down));
+  if (length === null || length.isZero()) {
+    throw new Malformed(`${place}.direction`, 'the length must be rational and not 0');
+  }
+  return wrench_at(down.map((x) => weight.times(x).over(length)), grasp_numbers(value.get('at'), `${place}.at`, dimension));
+}
+
+const add_intervals = (a, b) => a.map(([low, high], j) => [low.plus(b[j][0]), high.plus(b[j][1])]);
+
+/** The wrench of a file or a case, as intervals; null if it has neither `wrench` nor `loads`. */
+function read_wrench(object, place, size, version) {
+  if (object.has('wrench') && object.has('loads')) throw new Malformed(place, 'both wrench and loads');
+  if (object.has('wrench')) return grasp_intervals(object.get('wrench'), inside(place, 'wrench'), size, version);
+  if (!object.has('loads')) return null;
+  return array_of(object.get('loads'), inside(place, 'loads'))
+      .map((load, j) => read_load(load, `${inside(place, 'loads')}[${j}]`, size).map((x) => [x, x]))
+      .reduce(add_intervals, Array(size).fill([ZERO, ZERO]));
+}
+
+const RANGES = {friction: (x) => x.sign() >= 0, stiffness: (x) => x.sign() > 0, preload: (x) => x.sign() >= 0};
+
+function read_range(object, name, place, version) {
+  const interval = grasp_interval(object.get(name), inside(place, name), version);
+  if (!RANGES[name](interval[0])) {
+    throw new Malformed(inside(place, name), `${printable(interval[0])} is out of range`);
+  }
+  return interval;
+}
+
+/** A normal: [n⁰, slope]. */
+function read_normal(value, place, dimension, version) {
+  let slope = ZERO;
+  if (value instanceof Map && version >= 2 && dimension === 2) {
+    known_members(value, place, ['direction', 'slope'], ['direction', 'slope']);
+    slope = grasp_number(value.get('slope'), `${place}.slope`);
+    if (slope.sign() < 0 || slope.compare(ONE) >= 0) throw new Malformed(`${place}.slope`, 'a slope is from 0 to below 1');
+    value = value.get('direction');
+    place += '.direction';
+  }
+  const normal = grasp_numbers(value, place, dimension);
+  if (all_zero(normal)) throw new Malformed(place, 'the normal is zero');
+  return [normal, slope];
+}
+
+/**
+ * {space, size, contacts, wrench, cases}: each contact with p, mu, k, preload as intervals, n, slope;
+ * wrench as intervals, or null where only cases have one.
+ */
+function read_grasp(text) {
+  const file = object_at(new JsonReader(text, GRASP_LIMITS).whole(), '');
+  const version = {'stickslip-grasp/1': 1, 'stickslip-grasp/2': 2}[file.get('format')];
+  if (version === undefined) expected('"stickslip-grasp/1" or "stickslip-grasp/2"', file.get('format'), 'format');
+  if (file.has('normals')) {
+    throw new Malformed('normals', 'unknown; stickslip snap GRASP -o FILE writes normals of rational length');
+  }
+  const more = ['units', 'outline', 'loads', 'cases'];
+  for (const key of more) {
+    if (version === 1 && file.has(key)) throw new Malformed(key, 'needs "format": "stickslip-grasp/2"');
+  }
+  known_members(file, '', ['format', 'name', 'defaults', 'contacts', 'wrench', ...more],
+      version === 1 ? ['contacts', 'wrench'] : ['contacts']);
+  if (file.has('name')) grasp_string(file.get('name'), 'name');
+  const contacts = array_of(file.get('contacts'), 'contacts');
+  if (contacts.length > MOST_CONTACTS) throw new Malformed('contacts', `more than ${MOST_CONTACTS}`);
+
+  const length_in = (value, key) => {
+    const list = value instanceof Map ? value.get(key) : undefined;
+    return Array.isArray(list) ? list.length : 0;
+  };
+  const space = version === 2 &&
+      (contacts.length > 0 ? length_in(contacts[0], 'position') === 3 : length_in(file, 'wrench') === 6);
+  const dimension = space ? 3 : 2, size = space ? 6 : 3;
+
+  if (file.has('units')) {
+    known_members(file.get('units'), 'units', ['length', 'force'], ['length', 'force']);
+    for (const [key, value] of file.get('units')) {
+      const bytes = utf8_length(grasp_string(value, `units.${key}`));
+      if (bytes < 1 || bytes > 16) throw new Malformed(`units.${key}`, 'must be of 1 to 16 bytes');
+    }
+  }
+  if (space && file.has('outline')) throw new Malformed('outline', 'a grasp in space has none');
+  const outline = file.has('outline') ? read_outline(file.get('outline'), 'outline') : null;
+
+  const defaults = new Map([['stiffness', [ONE, ONE]], ['preload', [ZERO, ZERO]]]);
+  if (file.has('defaults')) {
+    known_members(file.get('defaults'), 'defaults', ['friction', 'stiffness', 'preload']);
+    for (const name of file.get('defaults').keys()) {
+      defaults.set(name, read_range(file.get('defaults'), name, 'defaults', version));
+    }
+  }
+  const read_contact = (value, place) => {
+    object_at(value, place);
+    const on = version === 2 && !space && value.has('on');
+    const where = on ? ['on'] : ['position', 'normal'];
+    known_members(value, place, [...where, 'friction', 'stiffness', 'preload'], where);
+    const range = (name) => {
+      if (value.has(name)) return read_range(value, name, place, version);
+      if (!defaults.has(name)) throw new Malformed(place, `the member "${name}" is missing`);
+      return defaults.get(name);
+    };
+    let p, n, slope = ZERO;
+    if (on) {
+      [p, n] = read_place(value.get('on'), `${place}.on`, outline);
+      p = p.map((x) => [x, x]);
+    } else {
+      p = grasp_intervals(value.get('position'), `${place}.position`, dimension, version);
+      [n, slope] = read_normal(value.get('normal'), `${place}.normal`, dimension, version);
+    }
+    return {p, n, slope, mu: range('friction'), k: range('stiffness'), preload: range('preload')};
+  };
+  const read_contacts = contacts.map((value, i) => read_contact(value, `contacts[${i}]`));
+
+  let wrench = read_wrench(file, '', size, version);
+  let cases = null;
+  if (file.has('cases')) {
+    cases = new Map();
+    const common = wrench ?? Array(size).fill([ZERO, ZERO]);
+    if (array_of(file.get('cases'), 'cases').length === 0) throw new Malformed('cases', 'the list is empty');
+    file.get('cases').forEach((value, j) => {
+      const place = `cases[${j}]`;
+      known_members(value, place, ['name', 'wrench', 'loads'], ['name']);
+      const name = grasp_string(value.get('name'), `${place}.name`);
+      if (name === '' || cases.has(name)) throw new Malformed(`${place}.name`, 'empty, or that of another case');
+      const own = read_wrench(value, place, size, version);
+      if (own === null) throw new Malformed(place, 'neither wrench nor loads');
+      cases.set(name, add_intervals(own, common));
+    });
+    wrench = null;
+  } else if (wrench === null) {
+    throw new Malformed('', 'neither wrench nor loads nor cases');
+  }
+  return {space, size, contacts: read_contacts, wrench, cases};
+}
+
+// ---------------------------------------------------------------------------- The question (§1, §6)
+
+const KINDS = ['friction', 'stiffness', 'preload', 'position', 'normal', 'wrench'];
+
+function option_number(text, name) {
+  const number = exact_decimal(String(text));
+  if (number === null) throw new Malformed(name, `${quoted(text)} is not a number such as -0.25, 1e-3 or 3/5`);
+  return number;
+}
+
+/** A tolerance as {value, percent}. */
+function option_tolerance(text, name) {
+  const percent = String(text).endsWith('%');
+  const value = option_number(percent ? String(text).slice(0, -1) : text, name);
+  if (value.sign() < 0) throw new Malformed(name, 'a tolerance must not be below 0');
+  return {value, percent};
+}
+
+function widened([low, high], tolerance) {
+  if (tolerance === undefined) return [low, high];
+  const by = (x) => (tolerance.percent ? tolerance.value.times(x.magnitude()).over(Fraction.of(100n)) : tolerance.value);
+  return [low.minus(by(low)), high.plus(by(high))];
+}
+
+/**
+ * The question as it is asked: what the options say, and every contact with the intervals of its numbers.
+ * growth is Pᵘ; length is |n⁰|, null if irrational.
+ */
+function ask(grasp, options) {
+  const {space, size} = grasp;
+  const asked = 'the question';
+  const vector = (value, name) => {
+    const numbers = value.map((x) => option_number(x, `${asked}: ${name}`));
+    if (numbers.length !== size) throw new Malformed(`${asked}: ${name}`, `${numbers.length} numbers, expected ${size}`);
+    return numbers;
+  };
+  const given = (name) => options[name] !== undefined && options[name] !== null;
+  const law = given('normal_law') ? options.normal_law : 'unilateral';
+  if (law !== 'unilateral' && law !== 'bilateral') throw new Malformed(`${asked}: normal law`, quoted(law));
+  const preload = given('preload') ? option_number(options.preload, `${asked}: preload`) : null;
+  if (preload !== null && preload.sign() < 0) throw new Malformed(`${asked}: preload`, 'it must not be below 0');
+  const direction = given('direction') ? vector(options.direction, 'direction') : null;
+  const scale = options.preload_direction === 'scale';
+  let growth = null;
+  if (given('preload_direction') && !scale) {
+    growth = options.preload_direction.map((x) => option_number(x, `${asked}: preload direction`));
+    if (growth.length !== grasp.contacts.length || growth.some((x) => x.sign() < 0)) {
+      throw new Malformed(`${asked}: preload direction`, 'it must have one number >= 0 for each contact');
+    }
+  }
+  const margin = direction !== null || scale || growth !== null;
+
+  // w, after the table of §1.
+  let wrench;
+  if (given('wrench') && given('case')) throw new Malformed(asked, 'both a wrench and a case');
+  if (given('wrench')) {
+    wrench = vector(options.wrench, 'wrench').map((x) => [x, x]);
+  } else if (given('case')) {
+    if (grasp.cases === null || !grasp.cases.has(options.case)) {
+      throw new Malformed(`${asked}: case`, `the file has no case ${quoted(options.case)}`);
+    }
+    wrench = grasp.cases.get(options.case);
+  } else if (direction !== null) {
+    wrench = Array(size).fill([ZERO, ZERO]);
+  } else if (grasp.wrench === null) {
+    throw new Malformed(asked, `one of the cases must be named: ${[...grasp.cases.keys()].map(quoted).slice(0, 8).join(', ')}`);
+  } else {
+    wrench = grasp.wrench;
+  }
+
+  const uncertain = new Map();
+  for (const kind of KINDS) {
+    if (given('uncertain') && options.uncertain[kind] !== undefined) {
+      uncertain.set(kind, option_tolerance(options.uncertain[kind], `${asked}: uncertain ${kind}`));
+    }
+  }
+  if (given('uncertain') && uncertain.size !== Object.keys(options.uncertain).length) {
+    throw new Malformed(`${asked}: uncertain`, `the kinds are ${KINDS.join(', ')}`);
+  }
+  const slopes = uncertain.get('normal');
+  if (slopes !== undefined && slopes.percent) throw new Malformed(`${asked}: uncertain normal`, 'it must not be a percentage');
+  if (slopes !== undefined && space) throw new Malformed(`${asked}: uncertain normal`, 'a normal in space is certain');
+
+  const contacts = grasp.contacts.map((contact, i) => {
+    const own = preload === null ? contact.preload : [preload, preload];
+    const one = {
+      n: contact.n,
+      p: contact.p.map((x) => widened(x, uncertain.get('position'))),
+      slope: slopes === undefined ? contact.slope : contact.slope.plus(slopes.value),
+      mu: widened(contact.mu, uncertain.get('friction')),
+      k: widened(contact.k, uncertain.get('stiffness')),
+      preload: widened(scale ? [ZERO, ZERO] : own, uncertain.get('preload')),
+      growth: scale ? own[0] : growth === null ? ZERO : growth[i],
+    };
+    for (const [name, ok] of [['friction', one.mu[0].sign() >= 0], ['stiffness', one.k[0].sign() > 0],
+      ['preload', one.preload[0].sign() >= 0], ['slope', one.slope.compare(ONE) < 0]]) {
+      if (!ok) throw new Malformed(`contacts[${i}]`, `the ${name} may be out of range within its tolerance`);
+    }
+    one.square = dot_fractions(one.n, one.n);
+    one.length = rational_root(one.square);
+    const file_interval = scale && !own[0].equals(own[1]);
+    one.point = [...one.p, one.mu, one.k, one.preload].every(([a, b]) => a.equals(b)) && one.slope.isZero() && !file_interval;
+    one.pressed = one.preload[1].sign() > 0 || one.growth.sign() > 0;
+    return one;
+  });
+  const load = wrench.map((x) => widened(x, uncertain.get('wrench')));
+  const point = contacts.every((c) => c.point) && load.every(([a, b]) => a.equals(b));
+  if (margin) {
+    // A number that *preload* or *wrench* replaced is not asked about.
+    if (!point || uncertain.size > 0) throw new Malformed(asked, 'a margin is about one grasp, without intervals or tolerances');
+    if ((direction === null || all_zero(direction)) && contacts.every((c) => c.growth.isZero())) {
+      throw new Malformed(asked, 'the direction is 0');
+    }
+    const bad = space ? -1 : contacts.findIndex((c) => c.pressed && c.length === null);
+    if (bad >= 0) {
+      throw new Malformed(`contacts[${bad}].normal`, 'its length is irrational, and a margin needs a rational one where there is ' +
+          'preload; stickslip snap GRASP -o FILE writes a grasp file of rational normals');
+    }
+  }
+  const enclosed = contacts.some((c) => c.pressed && c.length === null);
+  return {space, size, m: contacts.length, law, bilateral: law === 'bilateral', preload, direction, scale, growth, margin, uncertain,
+    wrench, load, contacts, box: !point || enclosed, u: direction ?? Array(size).fill(ZERO)};
+}
+
+// ---------------------------------------------------------------------------- The certificate (§2, §6, §7)
+
+function read_number(value, place) {
+  const text = value instanceof Numeral ? value.text : value;
+  if (typeof text === 'string') {
+    if (/^-?[0-9]+$/.test(text)) return new Fraction(BigInt(text), 1n);
+    const match = typeof value === 'string' ? /^(-?[0-9]+)\/([0-9]+)$/.exec(text) : null;
+    if (match !== null) {
+      const d = BigInt(match[2]);
+      if (d !== 0n) return Fraction.of(BigInt(match[1]), d);
+    }
+  }
+  return expected('an integer, or a string such as "-2" or "3/5"', value, place);
+}
+
+const read_numbers = (value, place, length) => array_of(value, place, length).map((x) => read_number(x, place));
+
+/** A CONTACT, an INDEX or m: beyond 2^53 all are alike. */
+function read_index(value, place) {
+  if (!(value instanceof Numeral) || !/^(-0|[0-9]+)$/.test(value.text)) expected('an integer >= 0', value, place);
+  return Number(value.text);
+}
+
+/** Members in their order: names, those with ? optional. Returns an object of those that are there. */
+function members_in_order(value, place, names) {
+  const keys = [...object_at(value, place).keys()], found = {};
+  let k = 0;
+  for (const name of names) {
+    const bare = name.replace('?', '');
+    if (keys[k] === bare) found[bare] = value.get(keys[k++]);
+    else if (bare === name) throw new Malformed(place, `expected the member "${name}" here, found ${k < keys.length ? quoted(keys[k]) : 'the end'}`);
+  }
+  if (k < keys.length) throw new Malformed(place, `the member ${quoted(keys[k])} is unknown, or not in its place`);
+  return found;
+}
+
+class CertificateReader {
+  constructor(space) {
+    this.space = space;
+    this.size = space ? 6 : 3;
+    this.names = [...(space ? ['x', 'y', 'z'] : ['x', 'y', 'turn']), 'friction', 'preload', 'stiffness', 'wrench'];
+  }
+
+  read(text) {
+    const file = object_at(new JsonReader(text, CERTIFICATE_LIMITS).whole(), '');
+    if (file.get('format') !== 'stickslip-certificate/2') {
+      throw new Malformed('format', `found ${described(file.get('format'))}, must be "stickslip-certificate/2"`);
+    }
+    if (file.has('producer')) grasp_string(file.get('producer'), 'producer');
+    const question = this.question(file.get('question'));
+    const margin = question.direction !== null || question.preload_direction !== null;
+    const verdict = file.get('verdict');
+    if (margin ? verdict !== 'margin' : verdict !== 'stable' && verdict !== 'unstable') {
+      expected(margin ? '"margin"' : '"stable" or "unstable"', verdict, 'verdict');
+    }
+    const evidence = margin ? (this.space ? ['intervals'] : ['resisted', 'segments', 'tree'])
+      : verdict === 'unstable' ? ['tree'] : file.has('parts') ? ['parts'] : ['twist', 'shares'];
+    const found = members_in_order(file, '', ['format', 'producer?', 'question',
+      ...(margin && !this.space ? [] : ['bits?']), 'verdict', ...evidence]);
+
+    const result = {question, verdict, bits: 128};
+    if ('bits' in found) {
+      result.bits = read_index(found.bits, 'bits');
+      if (result.bits < 64 || result.bits > 4096) expected('an integer from 64 to 4096', found.bits, 'bits');
+    }
+    this.coordinates = this.size + (margin ? 2 : 1);
+    this.may_cut = !margin;
+    if ('twist' in found) result.point = this.witness(found.twist, found.shares, '');
+    if ('tree' in found) result.tree = this.tree(found.tree, 'tree');
+    if ('parts' in found) result.parts = array_of(found.parts, 'parts').map((x, k) => this.part(x, `parts[${k}]`));
+    if ('resisted' in found) {
+      result.resisted = array_of(found.resisted, 'resisted').map((x, k) => this.range(x, `resisted[${k}]`));
+      result.segments = this.segments(found.segments);
+    }
+    if ('intervals' in found) result.claims = array_of(found.intervals, 'intervals').map((x, k) => this.claim(x, `intervals[${k}]`));
+    return result;
+  }
+
+  question(value) {
+    const found = members_in_order(value, 'question',
+        ['contacts', 'wrench', 'preload?', 'normal_law', 'direction?', 'preload_direction?', 'uncertain?']);
+    const wrench = array_of(found.wrench, 'question.wrench', this.size).map((x) => {
+      const ends = Array.isArray(x) ? read_numbers(x, 'question.wrench', 2) : [read_number(x, 'question.wrench')];
+      return [ends[0], ends[ends.length - 1]];
+    });
+    if (found.normal_law !== 'unilateral' && found.normal_law !== 'bilateral') {
+      expected('"unilateral" or "bilateral"', found.normal_law, 'question.normal_law');
+    }
+    const optional = (name, read) => (name in found ? read(found[name], `question.${name}`) : null);
+    const tolerances = (object, place) => {
+      const list = Object.entries(members_in_order(object, place, KINDS.map((kind) => `${kind}?`)));
+      if (list.length === 0) throw new Malformed(place, 'no tolerance');
+      return new Map(list.map(([kind, tolerance]) => {
+        const percent = typeof tolerance === 'string' && tolerance.endsWith('%');
+        return [kind, {value: read_number(percent ? tolerance.slice(0, -1) : tolerance, `${place}.${kind}`), percent}];
+      }));
+    };
+    return {
+      contacts: read_index(found.contacts, 'question.contacts'),
+      wrench,
+      preload: optional('preload', read_number),
+      law: found.normal_law,
+      direction: optional('direction', (x, place) => read_numbers(x, place, this.size)),
+      preload_direction: optional('preload_direction', (x, place) => (x === 'scale' ? x : read_numbers(x, place))),
+      uncertain: optional('uncertain', tolerances),
+    };
+  }
+
+  /** A motion and shares; a share is a vector, in the plane of one number. */
+  witness(twist, shares, place) {
+    return {
+      twist: read_numbers(twist, inside(place, 'twist'), this.size),
+      shares: array_of(shares, inside(place, 'shares')).map((entry, k) => {
+        const where = `${inside(place, 'shares')}[${k}]`;
+        const [i, share] = array_of(entry, where, 2);
+        return [read_index(i, where), this.space ? read_numbers(share, where, 3) : [read_number(share, where)]];
+      }),
+    };
+  }
+
+  segments(value) {
+    let last = null;
+    return array_of(value, 'segments').map((segment, k) => {
+      const place = `segments[${k}]`;
+      if (array_of(segment, place).length !== 1 && segment.length !== 2) expected('one POINT or two', segment, place);
+      const points = segment.map((point) => {
+        const [factor, twist, shares] = array_of(point, place, 3);
+        return {factor: factor === null ? null : read_number(factor, place), ...this.witness(twist, shares, place)};
+      });
+      if (points.length === 1) points.unshift(last);
+      if (points[0] === null || points[0].factor === null) {
+        throw new Malformed(place, 'its first POINT is missing, or without a number');
+      }
+      last = points[1];
+      return points;
+    });
+  }
+
+  range(value, place) {
+    const [low, high] = array_of(value, place, 2);
+    return [read_number(low, place), high === null ? null : read_number(high, place)];
+  }
+
+  tree(value, place) {
+    return array_of(value, place).map((node, k) => this.node(node, `${place}[${k}]`));
+  }
+
+  node(value, place) {
+    const kind = array_of(value, place)[0];
+    if (kind === 'slip' || kind === 'separation') {
+      return {kind, i: read_index(array_of(value, place, 2)[1], place)};
+    }
+    if (kind === 'plane' || kind === 'leaf') {
+      const length = kind === 'leaf' ? this.size : this.coordinates;
+      array_of(value, place, length + 1);
+      return {kind, a: value.slice(1).map((x) => read_number(x, place))};
+    }
+    if (kind === 'part' && this.may_cut) {
+      const [, name, index, at] = array_of(value, place, 4);
+      if (!this.names.includes(name)) expected(`one of ${this.names.join(', ')}`, name, place);
+      return {kind, name, i: read_index(index, place), at: read_number(at, place)};
+    }
+    return expected(`slip, separation, plane, ${this.may_cut ? 'part ' : ''}or leaf`, kind, place);
+  }
+
+  part(value, place) {
+    if (Array.isArray(value)) {
+      if (value[0] !== 'part') expected('part', value[0], place);
+      return this.node(value, place);
+    }
+    const found = members_in_order(value, place, ['twist', 'walls', 'direction', 'tree']);
+    const matrix = (name) => array_of(found[name], `${place}.${name}`, this.size)
+        .map((row) => read_numbers(row, `${place}.${name}`, this.size));
+    return {kind: 'degree', twist: read_numbers(found.twist, `${place}.twist`, this.size), walls: matrix('walls'),
+      direction: matrix('direction'), tree: this.tree(found.tree, `${place}.tree`)};
+  }
+
+  claim(value, place) {
+    const [kind, ...rest] = array_of(value, place);
+    if (rest.length < 3) expected('a claim', value, place);
+    const [low, high] = this.range(rest.slice(0, 2), place);
+    const evidence = rest.slice(2);
+    if (kind === 'unstable' && evidence.length === 1) {
+      return {kind, low, high, tree: this.tree(evidence[0], `${place}, tree`)};
+    }
+    if (kind !== 'stable') expected('"stable" or "unstable"', kind, place);
+    if (evidence.length === 1 && evidence[0] instanceof Map && evidence[0].has('walls')) {
+      return {kind, low, high, part: this.part(evidence[0], place)};
+    }
+    if (evidence.length !== (high === null || low.equals(high) ? 1 : 2)) expected('a PART, or one POINT for each end', value, place);
+    return {kind, low, high, points: evidence.map((point) => {
+      const {twist, shares} = members_in_order(point, place, ['twist', 'shares']);
+      return this.witness(twist, shares, place);
+    })};
+  }
+}
+
+// ---------------------------------------------------------------------------- The question agrees (§3)
+
+function tolerances_text(uncertain) {
+  if (uncertain === null || uncertain.size === 0) return 'no tolerances';
+  return 'the tolerances ' + [...uncertain].map(([kind, t]) => `${kind}=${t.value}${t.percent ? '%' : ''}`).join(',');
+}
+
+function agree(asked, stated) {
+  const differ = (rule, theirs, ours) => {
+    throw new Rejected(rule, `the certificate is about ${printable(theirs, 200)}, the question about ${printable(ours, 200)}`);
+  };
+  const both = (a, b, same) => (a === null) === (b === null) && (a === null || same(a, b));
+  const preloads = (p) => (p === null ? "the file's own preloads" : `the preload ${p}`);
+  const vector = (v) => (v === null ? 'no direction' : `the direction ${list_text(v)}`);
+  const growth = (g) => (g === null ? 'no preload direction' : g === 'scale' ? 'scaled preloads' : `the preload direction ${list_text(g)}`);
+  const own_growth = asked.scale ? 'scale' : asked.growth;
+
+  if (stated.contacts !== asked.m) differ('question-contacts', `${stated.contacts} contacts`, `${asked.m}`);
+  if (!stated.wrench.every(([low, high], j) => low.equals(asked.wrench[j][0]) && high.equals(asked.wrench[j][1]))) {
+    differ('question-wrench', list_text(stated.wrench.map(interval_text)), list_text(asked.wrench.map(interval_text)));
+  }
+  if (!both(stated.preload, asked.preload, (a, b) => a.equals(b))) {
+    differ('question-preload', preloads(stated.preload), preloads(asked.preload));
+  }
+  if (stated.law !== asked.law) differ('question-law', stated.law, asked.law);
+  if (!both(stated.direction, asked.direction, same_list)) {
+    differ('question-direction', vector(stated.direction), vector(asked.direction));
+  }
+  if (!both(stated.preload_direction, own_growth, (a, b) => (a === 'scale' || b === 'scale' ? a === b : same_list(a, b)))) {
+    differ('question-preload-direction', growth(stated.preload_direction), growth(own_growth));
+  }
+  const theirs = stated.uncertain ?? new Map();
+  const same = (kind) => {
+    const a = theirs.get(kind), b = asked.uncertain.get(kind);
+    return a === undefined || b === undefined ? a === b : a.percent === b.percent && a.value.equals(b.value);
+  };
+  if (!KINDS.every(same)) differ('question-uncertain', tolerances_text(theirs), tolerances_text(asked.uncertain));
+}
+
+// ---------------------------------------------------------------------------- Boxes (§6) and rows (§1, §7)
+
+const is_point = ([low, high]) => low.equals(high);
+const middle = ([low, high]) => low.plus(high).half();
+/** Every choice of one end of each interval, an interval of one number having one end only. */
+const corners_of = (intervals) => intervals.reduce(
+    (lists, interval) => lists.flatMap((list) => (is_point(interval) ? [interval[0]] : interval).map((x) => [...list, x])), [[]]);
+const has_sign = (row, sign) => row.every((x) => (sign > 0 ? x >= 0n : x <= 0n));
+
+/** 1/L as an interval: of one number if L is rational or nothing presses, else by the enclosure of §6. */
+function inverse_length(contact, bits) {
+  if (contact.length !== null) return Array(2).fill(ONE.over(contact.length));
+  return contact.pressed ? enclose_root(ONE.over(contact.square), bits) : [ZERO, ZERO];
+}
+
+/**
+ * The parameters of one contact: geometry is (p_x, p_y, e) or, in space, p; push is [P', Pᵘ'] at the low and
+ * at the high end of one parameter: P', or in a margin c = 1/L. All that is computed from them is in integers.
+ */
+class Contact {
+  static of(contact, question, bits) {
+    const [low, high] = inverse_length(contact, bits);
+    const e = contact.slope, square = e.times(e);
+    const push = [[contact.preload[0].times(ONE.minus(square.half())).times(low), contact.growth.times(low)],
+      [contact.preload[1].times(high), contact.growth.times(high)]];
+    const k = [contact.k[0].times(ONE.minus(square)).over(contact.square), contact.k[1].over(contact.square)];
+    return new Contact({space: question.space, n: contact.n, square: contact.square,
+      geometry: question.space ? contact.p : [...contact.p, [e.negated(), e]], mu: contact.mu, push, k});
+  }
+
+  constructor(values) {
+    Object.assign(this, values);
+    this.forms = null;
+  }
+
+  get certain_push() { return same_list(this.push[0], this.push[1]); }
+  isPoint() { return this.geometry.every(is_point) && is_point(this.mu) && this.certain_push && is_point(this.k); }
+
+  /** q⁰. */
+  middle() {
+    const at = (interval) => Array(2).fill(middle(interval));
+    const push = this.push[0].map((x, j) => middle([x, this.push[1][j]]));
+    return new Contact({...this, geometry: this.geometry.map(at), mu: at(this.mu), push: [push, push], k: at(this.k)});
+  }
+
+  parameter(name) {
+    const j = (this.space ? ['x', 'y', 'z'] : ['x', 'y', 'turn']).indexOf(name);
+    return j >= 0 ? this.geometry[j] : name === 'preload' ? this.push.map((x) => x[0]) : name === 'stiffness' ? this.k : this.mu;
+  }
+
+  /** The same contact with another interval of one parameter. */
+  cut(name, interval) {
+    const j = (this.space ? ['x', 'y', 'z'] : ['x', 'y', 'turn']).indexOf(name);
+    if (j >= 0) return new Contact({...this, geometry: this.geometry.map((x, l) => (l === j ? interval : x))});
+    if (name === 'preload') return new Contact({...this, push: interval.map((x) => [x, ZERO])});
+    return new Contact({...this, [name === 'stiffness' ? 'k' : 'mu']: interval});
+  }
+
+  /** N and the rows of T or S at one corner of the geometry, as fractions. */
+  rowsAt(corner) {
+    const n = this.n;
+    if (!this.space) {
+      const [x, y, e] = corner;
+      const normal = [n[0].minus(e.times(n[1])), n[1].plus(e.times(n[0]))];  // n⁰ + e t⁰, with t⁰ = (−n_y, n_x)
+      const tangent = [normal[1].negated(), normal[0]];
+      return [wrench_at(normal, [x, y]), [wrench_at(tangent, [x, y])]];
+    }
+    // u = (d₁, d₂, d₃) + (d₄, d₅, d₆) × p, and S d = u − (n·u / L²) n.
+    const [x, y, z] = corner, minus = (a) => a.negated();
+    const u = [[ONE, ZERO, ZERO, ZERO, z, minus(y)], [ZERO, ONE, ZERO, minus(z), ZERO, x], [ZERO, ZERO, ONE, y, minus(x), ZERO]];
+    const along = u[0].map((_, j) => dot_fractions(n, u.map((row) => row[j])));  // n·u
+    const slip = u.map((row, k) => row.map((a, j) => a.minus(along[j].times(n[k]).over(this.square))));
+    return [wrench_at(n, corner), slip];
+  }
+
+  /**
+   * In integers: normals[c] = d N and slips[c] = d T, or d S, at each corner c of the geometry; friction / b the ends of μ;
+   * and v times scale is push·(h, ℓ) − pull (normals[c]·d), with an end of push and an end of pull.
+   */
+  get rows() {
+    if (this.forms !== null) return this.forms;
+    const at = corners_of(this.geometry).map((corner) => this.rowsAt(corner));
+    const d = common_denominator(at.flatMap(([normal, slip]) => [...normal, ...slip.flat()]));
+    const normals = at.map(([normal]) => over_denominator(normal, d));
+    const slips = at.map(([, slip]) => slip.map((row) => over_denominator(row, d)));
+    const b = common_denominator(this.mu);
+    const pull_scale = d * common_denominator(this.k);
+    const scale = lcm(common_denominator(this.push.flat()), pull_scale);
+    const same = (list) => list.every((x) => x.toString() === list[0].toString());
+    const forms = {
+      normals, slips, d, b, scale,
+      friction: over_denominator(this.mu, b),
+      push: this.push.map((x) => over_denominator(x, scale)),
+      pull: over_denominator(this.k, scale / d),
+      certain_slip: same(slips), certain_normal: same(normals),
+    };
+    forms.one = at.length === 1 && this.certain_push && is_point(this.k);
+    forms.weightless = forms.push.flat().every((x) => x === 0n);
+    this.forms = forms;
+    return forms;
+  }
+
+  /** Whether v_i is certain, up to a positive factor (§6). */
+  get certain_pressure() {
+    return this.rows.certain_normal && (this.rows.weightless || (is_point(this.k) && this.certain_push));
+  }
+
+  /** The row of v_i, times scale if it is certain; of a contact without preload a multiple. */
+  pressureRow(coordinates) {
+    const {normals, push, pull} = this.rows;
+    return [...normals[0].map((x) => -pull[0] * x), ...push[0]].slice(0, coordinates);
+  }
+}
+
+/** The contacts and the wrench, each number in its interval; bits are those of enclosures. */
+class Box {
+  constructor(contacts, wrench) {
+    this.contacts = contacts;
+    this.wrench = wrench;
+  }
+  static of(question, bits) {
+    return new Box(question.contacts.map((c) => Contact.of(c, question, bits)), question.load);
+  }
+  isPoint() { return this.wrench.every(is_point) && this.contacts.every((c) => c.isPoint()); }
+  middle() {
+    return new Box(this.contacts.map((c) => c.middle()), this.wrench.map((x) => Array(2).fill(middle(x))));
+  }
+  interval({name, i}) { return name === 'wrench' ? this.wrench[i] : this.contacts[i].parameter(name); }
+  cut({name, i}, interval) {
+    const replace = (list, value) => list.map((x, j) => (j === i ? value : x));
+    if (name === 'wrench') return new Box(this.contacts, replace(this.wrench, interval));
+    return new Box(replace(this.contacts, this.contacts[i].cut(name, interval)), this.wrench);
+  }
+}
+
+// ---------------------------------------------------------------------------- Witnesses (§3, §7)
+
+/** b is the positive multiple of a, or one of them is 0. */
+const same_direction = (a, b) => dot(a, b) > 0n
+  ? a.every((x, j) => a.every((_, l) => x * b[l] === a[l] * b[j])) : a.every((x) => x === 0n) || b.every((x) => x === 0n);
+
+/**
+ * The rules of a witness at x = (d, h, ℓ). Returns of each contact, for segment-mode: v and the slip (in the plane a vector
+ * of one), both times a positive number, and unit, the friction over μ a. All of x is times one denominator, which
+ * is left out: no rule depends on it.
+ */
+function check_witness(question, box, {twist, shares}, h, factor, place) {
+  const refuse = (rule, found) => { throw new Rejected(rule, found, place); };
+  const {space, size, m} = question;
+  if (question.box) refuse('witness-box', 'the question is a box, of which a witness proves nothing');
+  const x = integral([...twist, h, factor]), ray = {d: x.slice(0, size), h: x[size], l: x[size + 1]};
+  const states = box.contacts.map((contact) => ({v: pressures(contact.rows, ray)[0],
+    slip: contact.rows.slips[0].map((row) => dot(row, ray.d))}));
+  const listed = new Map();
+  let before = -1;
+  for (const [i, share] of shares) {
+    const wrong = (found) => refuse('witness-share', `contact ${printable(i)}: ${found}`);
+    if (i <= before || i >= m) wrong(`out of order, or not one of ${m}`);
+    const {n, square} = box.contacts[i];
+    if (states[i].slip.some((s) => s !== 0n)) wrong('it slips, and a share needs a slip of 0');
+    if (dot_fractions(share, share).compare(space ? square : ONE) > 0) wrong('the share is too large');
+    if (space && !dot_fractions(share, n).isZero()) wrong('the share has a part along n');
+    listed.set(i, share);
+    before = i;
+  }
+  if (question.bilateral) {
+    const pulled = states.findIndex(({v}) => v < 0n);
+    if (pulled >= 0) refuse('witness-normal', `v is below 0 at contact ${pulled}`);
+  }
+  const sum = new Sum(size);
+  sum.add_fractions(box.wrench.map(([w], j) => Fraction.of(ray.h).times(w).plus(Fraction.of(ray.l).times(question.u[j]))));
+  states.forEach((state, i) => {
+    const {v, slip} = state, {rows, square} = box.contacts[i], {normals: [normal], slips: [tangents], friction: [mu]} = rows;
+    state.unit = listed.get(i) ?? slip.map(() => ZERO);
+    if (v <= 0n) return;
+    if (mu !== 0n && slip.some((s) => s !== 0n)) {
+      // −L s/|s|, where L is 1 in the plane, as b goes with T. A positive multiple of s serves.
+      const s = primitive(slip), root = space ? rational_root(square.over(Fraction.of(dot(s, s)))) : ONE;
+      if (root === null) refuse('witness-root', `contact ${i}: the slip's length over that of n is irrational`);
+      state.unit = s.map((c) => root.times(Fraction.of(-c)));
+    }
+    // v N + μ v (unit · T); in space S stands for T, as unit·n = 0.
+    const d = common_denominator(state.unit), unit = over_denominator(state.unit, d);
+    sum.add(normal.map((c, j) => v * (rows.b * d * c + mu * dot(unit, tangents.map((row) => row[j])))), rows.scale * rows.b * rows.d * d);
+  });
+  const [rest, d] = sum.total();
+  if (rest.some((c) => c !== 0n)) {
+    const [first] = rest.map((c, j) => [c, j]).filter(([c]) => c !== 0n);
+    refuse('witness-balance', `component ${first[1]} of load and forces adds up to ${first[0] > 0n ? 'more' : 'less'} than 0`);
+  }
+  return states;
+}
+
+/** segment-mode, of the plane and of space. */
+function check_mode(box, first, second, space, place) {
+  const refuse = (i, found) => { throw new Rejected('segment-mode', `contact ${i}: ${found}`, place); };
+  box.contacts.forEach((contact, i) => {
+    const points = [first[i], second[i]], [one, two] = points;
+    if ((one.v > 0n && two.v < 0n) || (one.v < 0n && two.v > 0n)) refuse(i, 'v is of opposite signs');
+    if (contact.mu[0].isZero() || (one.v <= 0n && two.v <= 0n)) return;
+    // Both are multiples >= 0 of their sum.
+    if (!same_direction(one.slip, two.slip)) refuse(i, 'the slips are of different directions');
+    const slip = points.map((point) => point.slip).find((s) => s.some((c) => c !== 0n));
+    if (slip === undefined) return;
+    for (const {v, unit} of points) {
+      if (v <= 0n) continue;
+      const opposite = negative(integral(unit)), longest = space ? contact.square : ONE;
+      if (!dot_fractions(unit, unit).equals(longest) || !same_direction(opposite, slip)) {
+        refuse(i, 'the friction is not that of the slip between');
+      }
+    }
+  });
+}
+
+// ---------------------------------------------------------------------------- Regions (§4)
+
+/**
+ * A polyhedral cone by its generators, after Motzkin's double description method. Of each ray, zero has bit k if
+ * the k-th inequality is an equation there. Cones do not change.
+ */
+class Cone {
+  constructor(lines, rays, count) {
+    this.lines = lines;
+    this.rays = rays;
+    this.count = count;
+  }
+  static whole(size) {
+    return new Cone(Array.from({length: size}, (_, j) => Array.from({length: size}, (__, k) => (j === k ? 1n : 0n))), [], 0);
+  }
+
+  /** The part with a·x >= 0, or a·x = 0. */
+  cut(a, equation) {
+    const bit = equation ? 0n : 1n << BigInt(this.count), count = this.count + (equation ? 0 : 1);
+    const k = this.lines.findIndex((line) => dot(a, line) !== 0n);
+    if (k >= 0) {
+      // Everything else moves along this line to where a is 0; the line becomes a ray.
+      let line = this.lines[k], height = dot(a, line);
+      if (height < 0n) [line, height] = [negative(line), -height];
+      const moved = (x) => {
+        const value = dot(a, x);
+        return value === 0n ? x : primitive(x.map((c, j) => c * height - value * line[j]));
+      };
+      const rays = this.rays.map(({x, zero}) => ({x: moved(x), zero: zero | bit}));
+      if (!equation) rays.push({x: line, zero: bit - 1n});
+      return new Cone(this.lines.filter((_, j) => j !== k).map(moved), rays, count);
+    }
+    const above = [], below = [], rays = [];
+    for (const ray of this.rays) {
+      const value = dot(a, ray.x);
+      if (value > 0n) above.push([ray, value]);
+      else if (value < 0n) below.push([ray, value]);
+      else rays.push(bit === 0n ? ray : {x: ray.x, zero: ray.zero | bit});
+    }
+    if (!equation) for (const [ray] of above) rays.push(ray);
+    for (const [up, high] of above) {
+      for (const [down, low] of below) {
+        const common = up.zero & down.zero;
+        // Two rays span a face unless a third lies in every face that both lie in.
+        if (this.rays.some((ray) => ray !== up && ray !== down && (ray.zero & common) === common)) continue;
+        rays.push({x: primitive(up.x.map((c, j) => c * -low + down.x[j] * high)), zero: common | bit});
+      }
+    }
+    return new Cone(this.lines, rays, count);
+  }
+}
+
+/**
+ * The cone of vectors in a plane with the normal n (§7): nothing but 0, a line, a half plane (left of the first side),
+ * all of it, or what is from the first side counterclockwise to the second, which is below a half turn. Left and right
+ * are those of the plane without a coordinate in which n is not 0.
+ */
+class SlipCone {
+  constructor(vectors, n) {
+    this.kind = 'zero';
+    this.sides = [];
+    this.dropped = n.findIndex((x) => !x.isZero());
+    for (const v of vectors) this.add(v);
+  }
+  /** Above 0 if b is to the left of a. */
+  turn(a, b) {
+    const [j, k] = [[1, 2], [0, 2], [0, 1]][this.dropped];
+    return a[j] * b[k] - a[k] * b[j];
+  }
+  has(t) {
+    const [first, last] = this.sides;
+    switch (this.kind) {
+      case 'zero': return t.every((x) => x === 0n);
+      case 'line': return this.turn(first, t) === 0n;
+      case 'half': return this.turn(first, t) >= 0n;
+      case 'all': return true;
+      case 'ray': return this.turn(first, t) === 0n && dot(first, t) >= 0n;
+      default: return this.turn(first, t) >= 0n && this.turn(t, last) >= 0n;
+    }
+  }
+  add(v) {
+    if (this.has(v)) return;
+    const set = (kind, ...sides) => { [this.kind, this.sides] = [kind, sides]; };
+    const [first, last] = this.sides;
+    const after = this.kind === 'zero' ? 0n : this.turn(first, v);
+    if (this.kind === 'zero') return void set('ray', v, v);
+    if (this.kind === 'half') return void set('all');
+    if (this.kind === 'line') return void (after > 0n ? set('half', first, last) : set('half', last, first));
+    if (this.kind === 'ray') return void (after === 0n ? set('line', first, v) : after > 0n ? set('sector', first, v) : set('sector', v, first));
+    const before = this.turn(v, last);
+    if (after < 0n && before < 0n) set('all');
+    else if (before < 0n) set(after === 0n ? 'half' : 'sector', first, v);  // v is beyond the last side, or opposite to the first
+    else set(before === 0n ? 'half' : 'sector', v, last);
+  }
+}
+
+const UNKNOWN = 0, CLOSED = 1, OPEN = 2, MIXED = 3;
+
+/**
+ * What a node stands for: a cone, strict functions and a box. Strict functions are inequalities of the cone, the bits
+ * of `strict`, but for those of slips in space, which are in `slips`.
+ */
+class Region {
+  constructor(question, box, cone, strict, slips, above = null) {
+    this.question = question;
+    this.box = box;
+    this.cone = cone;
+    this.strict = strict;
+    this.slips = slips;
+    this.above = above;
+    this.found = null;
+  }
+  static whole(question, box, coordinates) {
+    return new Region(question, box, Cone.whole(coordinates), 0n, []);
+  }
+
+  get coordinates() { return this.question.coordinates; }
+
+  cut(row, {equation = false, strict = false} = {}) {
+    const bit = strict ? 1n << BigInt(this.cone.count) : 0n;
+    return new Region(this.question, this.box, this.cone.cut(row, equation), this.strict | bit, this.slips, this);
+  }
+  withSlip(i) {
+    return new Region(this.question, this.box, this.cone, this.strict, [...this.slips, i], this);
+  }
+  withBox(box) { return new Region(this.question, box, this.cone, this.strict, this.slips, this); }
+
+  padded(row) { return row.length === this.coordinates ? row : [...row, ...Array(this.coordinates - row.length).fill(0n)]; }
+
+  /**
+   * Rays, and each line as two, with the strict functions that are zero there as the bits of `barred`. An inequality is
+   * zero on lines. `everyone` has a bit for each strict function.
+   */
+  get generators() {
+    if (this.list !== undefined) return this.list;
+    const size = this.question.size, shift = BigInt(this.cone.count);
+    const rows = this.slips.map((i) => this.box.contacts[i].rows.slips[0]);
+    const bits = (x) => rows.reduce((mask, slip, k) =>
+      (slip.every((row) => dot(row, x) === 0n) ? mask | 1n << (shift + BigInt(k)) : mask), 0n);
+    const make = (x, zero) => ({x, d: x.slice(0, size), h: x[size], l: x[size + 1] ?? 0n, barred: (zero & this.strict) | bits(x)});
+    this.list = this.cone.rays.map(({x, zero}) => make(x, zero));
+    for (const line of this.cone.lines) {
+      for (const x of [line, negative(line)]) this.list.push(make(x, this.strict));
+    }
+    this.everyone = this.strict | ((1n << BigInt(rows.length)) - 1n) << shift;
+    return this.list;
+  }
+
+  /** Rays are barred together if their masks have a bit in common: one strict function is zero on all of them. */
+  get isBarred() { return this.generators.reduce((mask, {barred}) => mask & barred, this.everyone) !== 0n; }
+
+  /**
+   * Of each contact: whether it is closed, open or mixed, and its sign, in space 1 if it moves (§4, §6, §7). What is
+   * closed or open or has a sign here is so in every child, as its rays are in this region, and its box in this box.
+   */
+  get contacts() {
+    if (this.found !== null) return this.found;
+    const {m, space} = this.question;
+    const known = this.above !== null && this.above.found !== null ? this.above.found : null;
+    const found = known === null ? {press: new Uint8Array(m), side: new Int8Array(m)}
+      : {press: known.press.slice(), side: known.side.slice()};
+    for (let i = 0; i < m; ++i) {
+      if (found.press[i] === UNKNOWN || found.press[i] === MIXED) found.press[i] = this.press(this.box.contacts[i].rows);
+      if (found.press[i] === OPEN || found.side[i] !== 0) continue;
+      const {slips, friction} = this.box.contacts[i].rows;
+      if (friction[1] !== 0n) found.side[i] = space ? (this.moves(i, slips) ? 1 : 0) : this.sign(slips);
+    }
+    this.found = found;
+    return found;
+  }
+
+  press(rows) {
+    let closed = true, open = true;
+    for (const ray of this.generators) {
+      const [low, high] = pressures(rows, ray);
+      if (low < 0n) closed = false;
+      if (high > 0n) open = false;
+      if (!closed && !open) return MIXED;
+    }
+    return closed ? CLOSED : OPEN;
+  }
+
+  /** The sign of a contact in the plane. */
+  sign(slips) {
+    const has = (sign) => slips.every(([row]) => {
+      let mask = this.everyone;
+      for (const {d, barred} of this.generators) {
+        const value = dot(row, d);
+        if (sign > 0 ? value < 0n : value > 0n) return false;
+        if (value === 0n) mask &= barred;
+        if (mask === 0n) return false;
+      }
+      return true;
+    });
+    return has(1) ? 1 : has(-1) ? -1 : 0;
+  }
+
+  /** C_i, the cone of the slips of all rays at all corners. */
+  slipCone(i) {
+    if (this.cones === undefined) this.cones = new Map();
+    if (!this.cones.has(i)) {
+      const {rows, n} = this.box.contacts[i];
+      this.cones.set(i, new SlipCone(this.generators.flatMap(({d}) => rows.slips.map((slip) => slip.map((row) => dot(row, d)))), n));
+    }
+    return this.cones.get(i);
+  }
+
+  moves(i, slips) {
+    if (this.slips.includes(i)) return true;
+    const cone = this.slipCone(i);
+    return slips.every((slip) => {
+      let mask = this.everyone;
+      for (const {d, barred} of this.generators) {
+        if ((mask & barred) !== mask && cone.has(slip.map((row) => -dot(row, d)))) mask &= barred;
+        if (mask === 0n) return false;
+      }
+      return true;
+    });
+  }
+}
+
+/** min and max of v_i at a ray, over the box, times scale. */
+function pressures({normals, push, pull, one}, {d, h, l}) {
+  const pushed = (end) => push[end][0] * h + (l === 0n ? 0n : push[end][1] * l);
+  if (one) {
+    const v = pushed(0) - pull[0] * dot(normals[0], d);
+    return [v, v];
+  }
+  let least_pull = null, most_pull = null;
+  for (const normal of normals) {
+    const height = dot(normal, d);
+    for (const end of pull) {
+      const value = end * height;
+      if (least_pull === null || value < least_pull) least_pull = value;
+      if (most_pull === null || value > most_pull) most_pull = value;
+    }
+  }
+  return [pushed(0) - most_pull, pushed(1) - least_pull];
+}
+
+// ---------------------------------------------------------------------------- Leaves (§4, §6, §7)
+
+/**
+ * What refuses a leaf, or null. y is a vector of integers: any positive multiple serves. Closed contacts of certain
+ * rows are summed into one linear form, `total`; the others are `terms`, functions of a ray that give a number over `d`.
+ */
+function leaf_refusal(region, y) {
+  if (region.isBarred) return null;
+  const {question, box} = region, {press, side} = region.contacts;
+  const total = new Sum(region.coordinates), terms = [];
+  total.add_fractions([...Array(question.size).fill(ZERO),
+    box.wrench.map((ends, j) => ends[y[j] > 0n ? 1 : 0].times(new Fraction(y[j], 1n))).reduce((a, b) => a.plus(b)),
+    ...(question.margin ? [question.u.reduce((sum, x, j) => sum.plus(x.times(new Fraction(y[j], 1n))), ZERO)] : [])]);
+  for (let i = 0; i < question.m; ++i) {
+    if (press[i] === OPEN) continue;
+    const contact = box.contacts[i], closed = press[i] === CLOSED;
+    const {alpha, d, term} = question.space ? space_bound(region, contact, i, y, side[i], closed)
+      : plane_bound(contact, y, side[i], closed);
+    if (term !== undefined) {
+      terms.push({term, d});
+    } else if (closed) {
+      total.add(contact.pressureRow(region.coordinates).map((x) => x * alpha), d);
+    } else if (alpha > 0n) {
+      terms.push({d, term: (ray) => {
+        const v = pressures(contact.rows, ray)[1];
+        return v > 0n ? alpha * v : 0n;
+      }});
+    }
+  }
+  const [form, form_d] = total.total();
+  let mask = region.everyone;
+  for (const ray of region.generators) {
+    let value = dot(form, ray.x);
+    if (terms.length > 0) {
+      const sum = new Sum(1);
+      sum.add([value], form_d);
+      for (const {term, d} of terms) {
+        const one = term(ray);
+        if (one !== 0n) sum.add([one], d);
+      }
+      value = sum.total()[0][0];
+    }
+    if (value > 0n) return 'g is above 0 on a ray';
+    if (value === 0n) mask &= ray.barred;
+  }
+  return mask !== 0n ? null : 'g = 0 on rays that are not barred together';
+}
+
+/**
+ * In the plane: alpha over d with b = α v or max(0, α) max(0, v), where rows are certain; else a term over d,
+ * by the Bernstein coefficients of α v.
+ */
+function plane_bound(contact, y, side, closed) {
+  const rows = contact.rows, [low, high] = rows.friction;
+  const strengths = side > 0 ? [-low, -high] : side < 0 ? [low, high] : [-high, high];
+  const alphas = strengths.map((s) => rows.normals.map((normal, c) => rows.b * dot(normal, y) + s * dot(rows.slips[c][0], y)));
+  const d = rows.scale * rows.d * rows.b;
+  if (rows.one) return {alpha: alphas[0][0] > alphas[1][0] ? alphas[0][0] : alphas[1][0], d};
+
+  // Pairs of corners by their sum k, of which each coordinate of two ends counts; weights make every mean a sum over 2^free.
+  const free = contact.geometry.filter((x) => !is_point(x)).length, pairs = new Map();
+  for (let c = 0; c < 1 << free; ++c) {
+    for (let e = 0; e < 1 << free; ++e) {
+      const key = `${c & e},${c ^ e}`;  // both ends high, and ends that differ
+      if (!pairs.has(key)) pairs.set(key, []);
+      pairs.get(key).push([c, e]);
+    }
+  }
+  const means = [...pairs.values()].map((list) => ({list, weight: BigInt((1 << free) / list.length)}));
+  const whole = BigInt(1 << free);
+  const coefficients = alphas.map((alpha) => means.map(({list, weight}) =>
+    ({list, weight, a: weight * list.reduce((sum, [c]) => sum + alpha[c], 0n)})));
+
+  const upper = (s, {h, l}, heights) => {  // U_s(r), times d · whole
+    let most = null;
+    for (const {list, weight, a} of coefficients[s]) {
+      let pulled = 0n;
+      for (const [c, e] of list) pulled += alphas[s][c] * heights[e];
+      pulled *= weight;
+      const push = rows.push[a > 0n ? 1 : 0];
+      const value = (push[0] * h + push[1] * l) * a - rows.pull[pulled > 0n ? 0 : 1] * pulled;
+      if (most === null || value > most) most = value;
+    }
+    return most;
+  };
+  const term = (ray) => {
+    const heights = rows.normals.map((normal) => dot(normal, ray.d));
+    let most = null;
+    alphas.forEach((alpha, s) => {
+      let value;
+      if (closed) {
+        value = upper(s, ray, heights);
+      } else if (has_sign(alpha, -1)) {
+        value = 0n;
+      } else if (has_sign(alpha, 1)) {
+        value = upper(s, ray, heights);
+        if (value < 0n) value = 0n;
+      } else {
+        const v = pressures(rows, ray)[1];
+        value = v > 0n ? v * alpha.reduce((a, b) => (b > a ? b : a)) * whole : 0n;
+      }
+      if (most === null || value > most) most = value;
+    });
+    return most;
+  };
+  return {term, d: d * whole};
+}
+
+/** A bound from above of √q, or with sign −1 of −√q (§7). q need not be in lowest terms. */
+function root_above(q, sign) {
+  if (q.isZero()) return ZERO;
+  const root = rational_root(q);
+  if (root !== null) return sign > 0 ? root : root.negated();
+  const [low, high] = enclose_root(q, 64);
+  return sign > 0 ? high : low.negated();
+}
+
+/** In space: one α for all corners, over both ends of μ. Fractions are not in lowest terms: that would take most of the time. */
+function space_bound(region, contact, i, y, moves, closed) {
+  const rows = contact.rows;
+  const signed_square = (slip) => {  // M², times d², with the sign of M
+    const cone = moves ? region.slipCone(i) : null;
+    if (cone === null || cone.has(negative(slip))) return [new Fraction(dot(slip, slip), 1n), 1];
+    // The largest −s·slip / |s| is that of a side: C_i is in a plane, and does not have −slip.
+    const [one, two] = cone.sides.map((s) => {
+      const work = -dot(s, slip);
+      return [new Fraction(work * work, dot(s, s)), work > 0n ? 1 : work < 0n ? -1 : 0];
+    });
+    return one[1] > two[1] || (one[1] === two[1] && one[0].compare(two[0]) * one[1] > 0) ? one : two;
+  };
+  const product = (a, b) => new Fraction(a.n * b.n, a.d * b.d);
+  const alpha = largest(rows.normals.flatMap((normal, c) => {
+    const power = new Fraction(dot(normal, y), rows.d);
+    if (contact.mu[1].isZero()) return [power];
+    const [square, sign] = signed_square(rows.slips[c].map((row) => dot(row, y)));
+    const q = product(product(square, contact.square), new Fraction(1n, rows.d * rows.d));
+    return (is_point(contact.mu) ? [contact.mu[0]] : contact.mu).map((mu) => {
+      const bound = root_above(product(q, product(mu, mu)), sign);
+      return new Fraction(power.n * bound.d + bound.n * power.d, power.d * bound.d);
+    });
+  }));
+  const d = alpha.d * rows.scale;
+  if (rows.one) return {alpha: alpha.n, d};
+  const term = (ray) => {
+    const [low, high] = pressures(rows, ray);
+    if (closed) return alpha.n * (alpha.n > 0n ? high : low);
+    return alpha.n > 0n && high > 0n ? alpha.n * high : 0n;
+  };
+  return {term, d};
+}
+
+// ---------------------------------------------------------------------------- Trees (§4, §6)
+
+/** The steps from a root; what a tree is part of is the first, if it has a name. */
+class Path {
+  constructor(above, step) {
+    this.above = above;
+    this.step = step;
+    this.depth = above === null ? 0 : above.depth + 1;
+  }
+  to(step) { return new Path(this, step); }
+  toString() {
+    const steps = [];
+    for (let path = this; path !== null; path = path.above) if (path.step !== '') steps.push(path.step);
+    return steps.reverse().join(', ');
+  }
+}
+
+/**
+ * Visits the nodes of trees that follow each other in a list. roots: what each root is made by, with a Path.
+ * visit(node, what was made, refuse, place) returns the children, as [step, function that makes it] each.
+ * where(path, number) gives place and number as an answer has them; of `tree-long` the path is null.
+ */
+function walk(nodes, roots, m, where, visit) {
+  const pending = [];
+  let next = 0;
+  const reject = (rule, found, path, number) => { throw new Rejected(rule, found, ...where(path, number)); };
+  const top = () => {
+    if (pending.length === 0 && next < roots.length) pending.push(roots[next++]);
+    return pending.length > 0;
+  };
+  nodes.forEach((node, number) => {
+    if (!top()) reject('tree-long', 'everything was complete before this', null, number);
+    const {make, path} = pending.pop();
+    const refuse = (rule, found) => reject(rule, found, path, number);
+    if (path.depth > 2 * m + 256) refuse('node-depth', `more than ${2 * m + 256} nodes above it`);
+    const children = visit(node, make(), refuse, () => where(path, number)[0]);
+    for (const [step, child] of children.reverse()) pending.push({make: child, path: path.to(step)});
+  });
+  if (top()) reject('tree-short', 'the list ends before this', pending.pop().path, nodes.length);
+}
+
+const part_children = (node, box, refuse, m, size) => {
+  if (node.i >= (node.name === 'wrench' ? size : m)) refuse('part-contact', `there is no ${node.name} ${printable(node.i)}`);
+  const [low, high] = box.interval(node);
+  if (node.at.compare(low) <= 0 || node.at.compare(high) >= 0) {
+    refuse('part-inside', `${printable(node.at)} is not inside ${printable(interval_text([low, high]))}`);
+  }
+  const step = `${node.name} ${node.i}`;
+  return [[`${step} low`, () => box.cut(node, [low, node.at])], [`${step} high`, () => box.cut(node, [node.at, high])]];
+};
+
+/** Trees of regions. turned: of a tree of list 2, the function y·A(d − h d⁰) of y. Adds to tally. */
+function check_trees(question, nodes, roots, tree_place, tally) {
+  const {m, size, space} = question;
+  const where = (path, number) => [path === null ? tree_place : path.toString() || 'root', number];
+  walk(nodes, roots, m, where, (node, {region, turned}, refuse) => {
+    ++tally.nodes;
+    const child = (step, make) => [step, () => ({region: make(), turned})];
+    if (node.kind === 'slip' || node.kind === 'separation') {
+      if (node.i >= m) refuse('node-contact', `there is no contact ${printable(node.i)}`);
+      const contact = region.box.contacts[node.i], step = `${node.kind} ${node.i}`;
+      if (!(node.kind === 'separation' ? contact.certain_pressure
+        : space ? contact.geometry.every(is_point) : contact.rows.certain_slip)) {
+        refuse('node-certain', `${node.kind === 'slip' ? (space ? 'the position' : 'T') : 'v'} of contact ${node.i} is uncertain`);
+      }
+      // Children share what is known of contacts. Where it would fill the memory, each leaf finds out for itself.
+      if (!region.isBarred && m < 2 ** 16) region.contacts;
+      if (node.kind === 'separation') {
+        const v = contact.pressureRow(region.coordinates);
+        return [child(`${step} closed`, () => region.cut(v)), child(`${step} open`, () => region.cut(negative(v), {strict: true}))];
+      }
+      if (space) {
+        const still = () => contact.rows.slips[0].reduce((r, row) => r.cut(region.padded(row), {equation: true}), region);
+        return [child(`${step} 0`, still), child(`${step} not 0`, () => region.withSlip(node.i))];
+      }
+      const slip = region.padded(contact.rows.slips[0][0]);
+      return [child(`${step} +`, () => region.cut(slip, {strict: true})),
+        child(`${step} 0`, () => region.cut(slip, {equation: true})),
+        child(`${step} -`, () => region.cut(negative(slip), {strict: true}))];
+    }
+    if (node.kind === 'plane') {
+      const row = integral(node.a);
+      return [child('plane +', () => region.cut(row)), child('plane -', () => region.cut(negative(row), {strict: true}))];
+    }
+    if (node.kind === 'part') {
+      return part_children(node, region.box, refuse, m, size)
+          .map(([step, box]) => child(step, () => region.withBox(box())));
+    }
+    ++tally.leaves;
+    const y = integral(node.a);
+    const refusal = leaf_refusal(region, y);
+    if (refusal !== null) refuse('leaf-bound', refusal);
+    if (turned !== null && !region.isBarred) {
+      const row = turned(y);
+      if (region.generators.some(({d, h}) => dot(row, [...d, h]) < 0n)) {
+        refuse('leaf-direction', 'y·A(d - h d0) is below 0 on a ray');
+      }
+    }
+    return [];
+  });
+}
+
+/** The root of a range {low, high, has_low, has_high}, high null for ∞; without a direction, of a verdict. */
+function range_root(question, box, range) {
+  const {size, coordinates} = question, unit = (j) => Array.from({length: coordinates}, (_, k) => (k === j ? 1n : 0n));
+  let region = Region.whole(question, box, coordinates).cut(unit(size), {strict: true});
+  if (range !== undefined) {
+    const row = (x, sign) => {  // sign (ℓ − x h)
+      const result = Array(coordinates).fill(0n);
+      result[size] = -sign * x.n;
+      result[size + 1] = sign * x.d;
+      return result;
+    };
+    region = region.cut(row(range.low, 1n), {strict: !range.has_low});
+    if (range.high !== null) region = region.cut(row(range.high, -1n), {strict: !range.has_high});
+  }
+  if (question.bilateral) {
+    for (const contact of box.contacts) {
+      if (contact.certain_pressure) region = region.cut(contact.pressureRow(coordinates));
+    }
+  }
+  return region;
+}
+
+// ---------------------------------------------------------------------------- Stable by degree (§6, §7)
+
+/** The inverse of a square matrix of fractions, or null. */
+function inverse(matrix) {
+  const n = matrix.length;
+  const rows = matrix.map((row, j) => [...row, ...row.map((_, k) => (j === k ? ONE : ZERO))]);
+  for (let j = 0; j < n; ++j) {
+    const pivot = rows.findIndex((row, k) => k >= j && !row[j].isZero());
+    if (pivot < 0) return null;
+    [rows[j], rows[pivot]] = [rows[pivot], rows[j]];
+    rows[j] = rows[j].map((x) => x.over(rows[j][j]));
+    for (let k = 0; k < n; ++k) {
+      const factor = rows[k][j];
+      if (k !== j && !factor.isZero()) rows[k] = rows[k].map((x, l) => x.minus(factor.times(rows[j][l])));
+    }
+  }
+  return rows.map((row) => row.slice(n));
+}
+
+/**
+ * A part that is not cut: walls, direction, law, and its trees. of: in a margin {low, high}, the multiples of the claim.
+ */
+function check_degree(question, box, part, place, tally, of) {
+  const {size, coordinates, m} = question;
+  const refuse = (rule, found) => { throw new Rejected(rule, found, place); };
+  const inverted = inverse(part.walls);
+  if (inverted === null) refuse('degree-walls', 'det E = 0');
+  if (inverse(part.direction) === null) refuse('degree-direction', 'det A = 0');
+  if (question.bilateral) {
+    // The largest N·d over the vertices of K is N·d⁰ + Σ |N·(column j of E⁻¹)|, at each corner of the box.
+    for (let i = 0; i < m; ++i) {
+      const {normals, push, pull, d} = box.contacts[i].rows;
+      for (const normal of normals) {
+        const row = normal.map((x) => new Fraction(x, 1n));
+        const spread = inverted[0].map((_, j) => dot_fractions(row, inverted.map((r) => r[j])).magnitude());
+        const height = spread.reduce((sum, x) => sum.plus(x), dot_fractions(row, part.twist));
+        for (const end of pull) {
+          for (const factor of of === undefined ? [ZERO] : [of.low, of.high]) {
+            const pushed = new Fraction(push[0][0], 1n).plus(new Fraction(push[0][1], 1n).times(factor));
+            if (pushed.compare(height.times(new Fraction(end, 1n))) < 0) {
+              refuse('degree-law', `v may be below 0 at contact ${i}`);
+            }
+          }
+        }
+      }
+    }
+  }
+  // E_k·(d − h d⁰) as a row of (d, h, …).
+  const offsets = part.walls.map((row) => [...row, dot_fractions(row, part.twist).negated(), ...Array(coordinates - size - 1).fill(ZERO)]);
+  const h = Array.from({length: coordinates}, (_, j) => (j === size ? 1n : 0n));
+  const wall_root = (one, j, sign, factors) => {
+    let region = Region.whole(question, one, coordinates).cut(h, {strict: true});
+    const against = (row, by) => integral(row.map((x, l) => (l === size ? x.plus(by) : x)));  // row + by·h
+    region = region.cut(against(offsets[j], Fraction.of(BigInt(-sign))), {equation: true});
+    const multiple = (x) => [...Array(size).fill(0n), -x.n, x.d];
+    if (factors.length === 1) region = region.cut(multiple(factors[0]), {equation: true});
+    if (factors.length === 2) region = region.cut(multiple(factors[0])).cut(negative(multiple(factors[1])));
+    offsets.forEach((row, k) => {
+      if (k === j) return;
+      region = region.cut(against(row, ONE)).cut(against(row.map((x) => x.negated()), ONE));
+    });
+    return region;
+  };
+  // y·A(d − h d⁰), a multiple above 0 of it.
+  const turned = (y) => {
+    const row = inverted[0].map((_, j) => dot_fractions(y.map((x) => new Fraction(x, 1n)), part.direction.map((r) => r[j])));
+    return integral([...row, dot_fractions(row, part.twist).negated()]);
+  };
+  const roots = [];
+  const list = (one, prefix, factors, function_of) => {
+    for (let j = 0; j < size; ++j) {
+      for (const sign of [1, -1]) {
+        const path = new Path(null, `${place}, ${prefix}wall ${j + 1} ${sign > 0 ? '+' : '-'}`);
+        roots.push({path, make: () => ({region: wall_root(one, j, sign, factors), turned: function_of})});
+      }
+    }
+  };
+  const single = box.isPoint() && (of === undefined || of.low.equals(of.high));
+  if (!single) list(box, '', of === undefined ? [] : [of.low, of.high], null);
+  list(box.middle(), 'middle ', of === undefined ? [] : [middle([of.low, of.high])], turned);
+  check_trees(question, part.tree, roots, place, tally);
+  ++tally.degrees;
+}
+
+function check_parts(question, box, parts, tally) {
+  const where = (path, number) => [[`part ${number}`, path === null ? '' : path.toString()].filter((x) => x !== '').join(', '), null];
+  walk(parts, [{make: () => box, path: new Path(null, '')}], question.m, where, (part, own, refuse, place) => {
+    if (part.kind === 'part') return part_children(part, own, refuse, question.m, question.size);
+    check_degree(question, own, part, place(), tally);
+    return [];
+  });
+}
+
+// ---------------------------------------------------------------------------- Margins (§5, §7)
+
+function check_plane_margin(question, box, {resisted, segments, tree}, tally) {
+  resisted.forEach(([low, high], k) => {
+    const before = k > 0 ? resisted[k - 1][1] : undefined;
+    if (low.sign() < 0 || (high !== null && low.compare(high) > 0) || before === null ||
+        (before !== undefined && before.compare(low) >= 0)) {
+      throw new Rejected('resisted-order', 'needed is 0 <= lo <= hi < the next lo, and null at the end only', `interval ${k}`);
+    }
+  });
+
+  // The interval that segments are about, and how far they have come, null where it begins.
+  let interval = 0, reached = null;
+  segments.forEach(([first, second], k) => {
+    const place = `segment ${k}`;
+    const broken = (found) => { throw new Rejected('segment-chain', found, place); };
+    if (interval === resisted.length) broken('a segment is left over');
+    const [low, high] = resisted[interval];
+    const start = reached ?? low;
+    if (!first.factor.equals(start)) broken(`begins at ${printable(first.factor)}, not at ${printable(start)}`);
+    if (second.factor === null) {
+      if (high !== null) broken('a ray in an interval that ends');
+    } else {
+      if (second.factor.compare(first.factor) < 0) broken('goes down');
+      if (high !== null && second.factor.compare(high) > 0) broken('goes beyond the end of its interval');
+    }
+    const ends = second.factor === null ? high === null : high !== null && second.factor.equals(high);
+    const states = [[first, 'first'], [second, 'second']].map(([point, name]) => {
+      const [h, factor] = point.factor === null ? [ZERO, ONE] : [ONE, point.factor];
+      return check_witness(question, box, point, h, factor, `${place}, ${name} point`);
+    });
+    check_mode(box, ...states, false, place);
+    [interval, reached] = ends ? [interval + 1, null] : [interval, second.factor];
+  });
+  if (interval < resisted.length) {
+    throw new Rejected('segment-chain', `interval ${interval} is not proved to its end`, `segment ${segments.length}`);
+  }
+
+  const gaps = [];
+  let low = ZERO, has_low = true;
+  for (const [lo, hi] of resisted) {
+    if (lo.compare(low) > 0) gaps.push({low, high: lo, has_low, has_high: false});
+    [low, has_low] = [hi, false];
+  }
+  if (low !== null) gaps.push({low, high: null, has_low, has_high: false});
+  check_trees(question, tree, gaps.map((gap) => ({path: new Path(null, ''),
+    make: () => ({region: range_root(question, box, gap), turned: null})})), null, tally);
+  tally.segments = segments.length;
+  tally.trees = gaps.length;
+}
+
+function check_space_margin(question, box, claims, tally) {
+  const unloaded = question.load.every(([w]) => w.isZero()) && question.contacts.every((c) => c.preload[0].isZero());
+  const resisted = [], refuted = [];
+  claims.forEach(({kind, low, high, part, points, tree}, k) => {
+    const place = `interval ${k}`, before = k > 0 ? claims[k - 1].high : ZERO;
+    if (low.sign() < 0 || before === null || before.compare(low) > 0 ||
+        (high !== null && low.compare(high) > (kind === 'stable' ? 0 : -1))) {
+      throw new Rejected('interval-order', 'needed is 0 <= LOW <= HIGH <= the next LOW, and LOW < HIGH if unstable', place);
+    }
+    if (kind === 'stable' && high === null && !(low.isZero() && unloaded)) {
+      throw new Rejected('interval-whole', 'without end only if LOW, w and P are 0', place);
+    }
+    if (kind === 'unstable') {
+      const range = {low, high, has_low: k === 0 && low.isZero() && !unloaded, has_high: false};
+      check_trees(question, tree, [{path: new Path(null, place),
+        make: () => ({region: range_root(question, box, range), turned: null})}], place, tally);
+      refuted.push([low, high, range.has_low]);
+      ++tally.trees;
+      return;
+    }
+    if (part !== undefined) {
+      check_degree(question, box, part, place, tally, high === null ? {low: ONE, high: ONE} : {low, high});
+    } else {
+      const factors = high === null ? [ONE] : [low, high].slice(0, points.length);
+      const states = points.map((point, j) =>
+        check_witness(question, box, point, ONE, factors[j], `${place}, ${j === 0 ? 'first' : 'second'} point`));
+      if (states.length === 2) check_mode(box, ...states, true, place);
+    }
+    const last = resisted[resisted.length - 1];
+    if (last !== undefined && last[1].equals(low)) last[1] = high;
+    else resisted.push([low, high]);
+  });
+  return {resisted, refuted};
+}
+
+// ---------------------------------------------------------------------------- The answer (§8)
+
+/** The question as it was understood, its numbers as texts. */
+function question_as_asked(question) {
+  const texts = (list) => (list === null ? null : list.map(String));
+  return {
+    contacts: question.m,
+    wrench: question.wrench.map(([low, high]) => (low.equals(high) ? `${low}` : [`${low}`, `${high}`])),
+    preload: question.preload === null ? null : `${question.preload}`,
+    normal_law: question.law,
+    direction: texts(question.direction),
+    preload_direction: question.scale ? 'scale' : texts(question.growth),
+    uncertain: question.uncertain.size === 0 ? null
+      : Object.fromEntries([...question.uncertain].map(([kind, {value, percent}]) => [kind, `${value}${percent ? '%' : ''}`])),
+  };
+}
+
+/**
+ * Checks a certificate about a question. grasp and certificate are the files, as Uint8Array or as text. options may have
+ * wrench and direction (arrays of numbers as texts, such as "-11/10"), case (a name), preload (a text), normal_law
+ * ("unilateral" or "bilateral"), preload_direction ("scale" or an array of texts) and uncertain (an object of
+ * tolerances as texts, such as {friction: "10%"}).
+ *
+ * answer is "accepted", "rejected" or "malformed". If rejected, rule, place, node (the number of a node in its list) and
+ * found say why; if malformed, file ("grasp", "certificate" or "question"), place and found. If accepted, verdict is
+ * "stable", "unstable" or "margin"; box says whether the question is a box; question is as it was understood; resisted and,
+ * in space, refuted are the intervals of a margin, [low, high or null] as texts, of refuted with whether low belongs to
+ * it; proof counts what was checked.
+ */
+function check(grasp, certificate, options = {}) {
+  const answer = {answer: null, rule: null, node: null, place: null, found: null, file: null, verdict: null, box: null,
+    nodes: null, leaves: null, resisted: null, refuted: null, question: null, proof: null};
+  let file = 'grasp';
+  try {
+    const read = read_grasp(text_of(grasp, GRASP_LIMITS, true));
+    file = 'question';
+    const question = ask(read, options);
+    question.coordinates = question.size + (question.margin ? 2 : 1);
+    file = 'certificate';
+    const proof = new CertificateReader(question.space).read(text_of(certificate, CERTIFICATE_LIMITS, false));
+    agree(question, proof.question);
+
+    const tally = {nodes: 0, leaves: 0, degrees: 0, trees: 0, segments: 0};
+    const box = Box.of(question, proof.bits);
+    let intervals = null;
+    if (proof.claims !== undefined) {
+      intervals = check_space_margin(question, box, proof.claims, tally);
+    } else if (proof.resisted !== undefined) {
+      check_plane_margin(question, box, proof, tally);
+      intervals = {resisted: proof.resisted, refuted: null};
+    } else if (proof.parts !== undefined) {
+      check_parts(question, box, proof.parts, tally);
+    } else if (proof.tree !== undefined) {
+      check_trees(question, proof.tree, [{path: new Path(null, ''),
+        make: () => ({region: range_root(question, box), turned: null})}], null, tally);
+    } else {
+      check_witness(question, box, proof.point, ONE, ZERO, null);
+    }
+    const texts = (list) => list.map((range) => range.map((x) => (x instanceof Fraction ? `${x}` : x)));
+    Object.assign(answer, {answer: 'accepted', verdict: proof.verdict, box: question.box, proof: tally,
+      question: question_as_asked(question)});
+    if (proof.point === undefined) Object.assign(answer, {nodes: tally.nodes, leaves: tally.leaves});
+    if (intervals !== null) {
+      answer.resisted = texts(intervals.resisted);
+      if (intervals.refuted !== null) answer.refuted = texts(intervals.refuted);
+    }
+  } catch (error) {
+    if (error instanceof Malformed) {
+      Object.assign(answer, {answer: 'malformed', file, place: error.place, found: error.message});
+    } else if (error instanceof Rejected) {
+      Object.assign(answer, {answer: 'rejected', rule: error.rule, place: error.place, node: error.node, found: error.message});
+    } else {
+      throw error;  // an error of this program, or no memory: no answer
+    }
+  }
+  return answer;
+}
+
+scope.StickslipCheck = {check};
+if (typeof module !== 'undefined') {
+  module.exports = {check, for_tests: {Fraction, Sum, gcd, integer_root, enclose_root, dot, Cone, SlipCone, Contact, pressures,
+    plane_bound, exact_decimal}};
+}
+
+})(typeof globalThis !== 'undefined' ? globalThis : this);

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: MIT
+'use strict';
+
+const assert = require('node:assert');
+const fs = require('node:fs');
+const path = require('node:path');
+const vm = require('node:vm');
+const {test} = require('node:test');
+
+const ROOT = path.join(__dirname, '..', '..');
+const SCRIPT = path.join(ROOT, 'page', 'web', 'check.js');
+const {check, for_tests} = require(SCRIPT);
+const {Fraction, Sum, gcd, integer_root, enclose_root, dot, Cone, SlipCone, Contact, pressures, plane_bound, exact_decimal} = for_tests;
+
+/** Whole numbers from low to high, the same in every run. */
+class Random {
+  constructor(seed) { this.state = BigInt(seed); }
+  bits() {
+    this.state = (this.state * 6364136223846793005n + 1442695040888963407n) & ((1n << 64n) - 1n);
+    return this.state >> 32n;
+  }
+  from(low, high) { return low + Number(this.bits() % BigInt(high - low + 1)); }
+  pick(list) { return list[this.from(0, list.length - 1)]; }
+  long(words) {
+    let n = 0n;
+    for (let k = 0; k < words; ++k) n = (n << 32n) | this.bits();
+    return n;
+  }
+}
+
+const fraction = (n, d = 1) => Fraction.of(BigInt(n), BigInt(d));
+const big = (list) => list.map(BigInt);
+
+// ---- Arithmetic
+
+test('gcd is Euclid\'s, of numbers of any length', () => {
+  const random = new Random(1), plain = (a, b) => (b === 0n ? (a < 0n ? -a : a) : plain(b, a % b));
+  const slow = (a, b) => {
+    while (b !== 0n) [a, b] = [b, a % b];
+    return a;
+  };
+  assert.strictEqual(plain(-4n, 6n), 2n);
+  for (let k = 0; k < 300; ++k) {
+    const c = random.long(random.from(0, 60));
+    const a = random.long(random.from(0, 400)) * c, b = random.long(random.from(0, 400)) * c;
+    assert.strictEqual(gcd(a, b), slow(a, b));
+    assert.strictEqual(gcd(-a, b), slow(a, b));
+  }
+  const huge = 1n << 20000n;
+  assert.strictEqual(gcd(0n, huge), huge);
+  assert.strictEqual(gcd(huge, huge), huge);
+  assert.strictEqual(gcd(huge, 3n * huge), huge);
+});
+
+test('roots are the greatest below, with as many bits as asked for', () => {
+  const random = new Random(2);
+  for (let k = 0; k < 400; ++k) {
+    const n = k < 50 ? BigInt(k) : random.long(random.from(1, 20)), root = integer_root(n);
+    assert.ok(root * root <= n && n < (root + 1n) * (root + 1n));
+    const q = Fraction.of(random.long(random.from(1, 8)) + 1n, random.long(random.from(1, 8)) + 1n);
+    for (const bits of [64, 65, 128]) {
+      const [low, high] = enclose_root(q, bits);
+      assert.ok(low.times(low).compare(q) <= 0 && q.compare(high.times(high)) < 0);
+      // low = j/2^s and high = (j + 1)/2^s with 2^(bits−1) ≤ j < 2^bits.
+      const j = low.over(high.minus(low));
+      assert.strictEqual(j.d, 1n);
+      assert.strictEqual(j.n.toString(2).length, bits);
+      const step = high.minus(low), power = step.n === 1n ? step.d : step.n;
+      assert.ok(step.n === 1n || step.d === 1n);
+      assert.strictEqual(power & (power - 1n), 0n);
+    }
+  }
+});
+
+test('a sum is that of its fractions', () => {
+  const random = new Random(3);
+  for (let k = 0; k < 100; ++k) {
+    const sum = new Sum(2);
+    const plain = [fraction(0), fraction(0)];
+    for (let l = random.from(0, 20); l > 0; --l) {
+      const d = random.from(1, 9), row = [random.from(-9, 9), random.from(-9, 9)];
+      sum.add(big(row), BigInt(d));
+      row.forEach((x, j) => { plain[j] = plain[j].plus(fraction(x, d)); });
+    }
+    const [row, d] = sum.total();
+    assert.ok(d > 0n);
+    row.forEach((x, j) => assert.ok(Fraction.of(x, d).equals(plain[j])));
+  }
+});
+
+test('decimals are what they spell', () => {
+  for (const [text, value] of [['0.1', '1/10'], ['-1.50', '-3/2'], ['1e-3', '1/1000'], ['12.5E+1', '125'], ['+6/4', '3/2'],
+    ['010', '10'], ['9007199254740993', '9007199254740993'], ['1e-00004', '1/10000']]) {
+    assert.strictEqual(`${exact_decimal(text)}`, value);
+  }
+  for (const text of ['', '+', '.5', '5.', '1e', '1e4097', '1/0', '1/-2', '1.5/2', ' 1', '1 ', '1\n', '0x1', '1_0', 'NaN', '\u0661']) {
+    assert.strictEqual(exact_decimal(text), null, text);
+  }
+});
+
+// ---- Cones
+
+test('the cone of slips has what two of its vectors add up to', () => {
+  // In the plane a vector is in a cone if it is a sum of at most two of the generators (Carathéodory).
+  const cross = (a, b) => a[0] * b[1] - a[1] * b[0];
+  const inside = (t, list) => t.every((x) => x === 0) || list.some((a) => list.some((b) => {
+    const det = cross(a, b);
+    if (det === 0) return cross(a, t) === 0 && a[0] * t[0] + a[1] * t[1] > 0;
+    return cross(t, b) * det >= 0 && cross(a, t) * det >= 0;
+  }));
+  const vectors = [];
+  for (let x = -2; x <= 2; ++x) for (let y = -2; y <= 2; ++y) vectors.push([x, y]);
+  const random = new Random(4);
+  const seen = new Set();
+  // Planes with the normals (0, 0, 1), (0, 1, 1) and (1, 2, 3): an image of the plane of numbers.
+  const planes = [[[0, 0, 1], [1, 0, 0], [0, 1, 0]], [[0, 1, 1], [1, 0, 0], [0, 1, -1]], [[1, 2, 3], [2, -1, 0], [3, 0, -1]]];
+  for (let k = 0; k < 3000; ++k) {
+    const list = Array.from({length: random.from(0, 4)}, () => random.pick(vectors));
+    const [n, e, f] = random.pick(planes), lift = ([x, y]) => [0, 1, 2].map((j) => BigInt(x * e[j] + y * f[j]));
+    const cone = new SlipCone(list.map(lift), n.map((x) => fraction(x)));
+    seen.add(cone.kind);
+    for (const t of vectors) assert.strictEqual(cone.has(lift(t)), inside(t, list), `${JSON.stringify(list)} ${t}`);
+    for (const side of cone.sides) assert.ok(cone.has(side));
+  }
+  assert.deepStrictEqual([...seen].sort(), ['all', 'half', 'line', 'ray', 'sector', 'zero']);
+});
+
+test('a region\'s generators satisfy its conditions, and nothing else is in it', () => {
+  const random = new Random(5);
+  for (let k = 0; k < 400; ++k) {
+    const conditions = Array.from({length: random.from(1, 7)}, () => ({equation: random.from(0, 6) === 0,
+      a: big(Array.from({length: 4}, () => random.from(-2, 2)))}));
+    let cone = Cone.whole(4);
+    for (const {a, equation} of conditions) cone = cone.cut(a, equation);
+    const all = [...cone.rays.map(({x}) => x), ...cone.lines, ...cone.lines.map((x) => x.map((c) => -c))];
+    for (const x of all) {
+      for (const {a, equation} of conditions) assert.ok(equation ? dot(a, x) === 0n : dot(a, x) >= 0n);
+    }
+    const inequalities = conditions.filter(({equation}) => !equation);
+    for (const {x, zero} of cone.rays) {
+      inequalities.forEach(({a}, j) => assert.strictEqual(dot(a, x) === 0n, (zero >> BigInt(j) & 1n) === 1n));
+    }
+    // A linear function that is >= 0 on all generators is so at every point of the region, and small points are tried.
+    for (let l = 0; l < 20; ++l) {
+      const f = big(Array.from({length: 4}, () => random.from(-2, 2))), x = big(Array.from({length: 4}, () => random.from(-3, 3)));
+      const in_region = conditions.every(({a, equation}) => (equation ? dot(a, x) === 0n : dot(a, x) >= 0n));
+      if (in_region && all.every((g) => dot(f, g) >= 0n)) assert.ok(dot(f, x) >= 0n);
+    }
+  }
+});
+
+// ---- Bounds of boxes
+
+test('the bound of a contact is not below what it bounds, anywhere in its box, and is that at a point', () => {
+  const random = new Random(6);
+  const interval = (low, high, wide) => {
+    const a = random.from(low, high), b = wide ? random.from(a, high) : a;
+    return [fraction(a, 4), fraction(b, 4)];
+  };
+  let tight = 0;
+  for (let k = 0; k < 400; ++k) {
+    const wide = () => k % 4 !== 0 && random.from(0, 1) === 0;
+    const e = fraction(wide() ? random.from(0, 2) : 0, 8), push = interval(0, 8, wide());
+    const contact = new Contact({space: false, n: [fraction(random.from(1, 3)), fraction(random.from(-2, 2))],
+      geometry: [interval(-8, 8, wide()), interval(-8, 8, wide()), [e.negated(), e]], mu: interval(0, 4, wide()),
+      push: push.map((x) => [x, fraction(0)]), k: interval(1, 8, wide())});
+    const y = big([random.from(-3, 3), random.from(-3, 3), random.from(-3, 3)]);
+    const ray = {d: big([random.from(-3, 3), random.from(-3, 3), random.from(-3, 3)]), h: BigInt(random.from(0, 3)), l: 0n};
+    const side = random.from(-1, 1), [low, high] = pressures(contact.rows, ray);
+    if (high <= 0n) continue;
+    const closed = low >= 0n, {alpha, d, term} = plane_bound(contact, y, side, closed);
+    const value = term !== undefined ? term(ray) : alpha > 0n || closed ? alpha * high : 0n;
+    const bound = Fraction.of(value, d);
+    for (let l = 0; l < 12; ++l) {
+      const within = ([a, b]) => a.plus(b.minus(a).times(fraction(random.from(0, 4), 4)));
+      const at = contact.geometry.map(within), mu = within(contact.mu);
+      const strength = side > 0 ? mu.negated() : side < 0 ? mu : mu.times(fraction(random.from(-4, 4), 4));
+      const [normal, [tangent]] = contact.rowsAt(at);
+      const product = (row, x) => row.reduce((sum, c, j) => sum.plus(c.times(fraction(x[j]))), fraction(0));
+      const v = within(push).times(fraction(ray.h)).minus(within(contact.k).times(product(normal, ray.d)));
+      const work = product(normal, y).plus(strength.times(product(tangent, y))).times(v.sign() > 0 ? v : fraction(0));
+      assert.ok(work.compare(bound) <= 0, `${work} ${bound}`);
+      if (work.equals(bound)) ++tight;
+    }
+  }
+  assert.ok(tight > 200, `${tight}`);
+});
+
+// ---- Certificates
+
+const corpus = ['certificates', 'space'].flatMap((folder) => {
+  const place = path.join(ROOT, 'tests', 'corpus', folder);
+  return fs.readdirSync(place).filter((name) => name.endsWith('.grasp.json')).map((name) => {
+    const [grasp, certificate] = [name, name.replace('.grasp.', '.certificate.')].map((one) => fs.readFileSync(path.join(place, one), 'utf8'));
+    const {contacts, preload_direction, direction, wrench, ...options} = JSON.parse(certificate).question;
+    if (preload_direction !== undefined) options.preload_direction = preload_direction === 'scale' ? 'scale' : preload_direction.map(String);
+    if (direction !== undefined) Object.assign(options, {direction: direction.map(String), wrench: wrench.map(String)});
+    return {name, grasp, certificate, options};
+  });
+});
+
+test('the corpus is accepted', () => {
+  assert.ok(corpus.length > 65);
+  for (const {name, grasp, certificate, options} of corpus) {
+    const answer = check(grasp, certificate, options);
+    assert.strictEqual(answer.answer, 'accepted', `${name}: ${answer.rule} ${answer.place} ${answer.found}`);
+    assert.strictEqual(answer.verdict, JSON.parse(certificate).verdict);
+  }
+});
+
+test('a proof without one of its nodes, and one with a node more, is rejected', () => {
+  let count = 0;
+  for (const {name, grasp, certificate, options} of corpus) {
+    const proof = JSON.parse(certificate);
+    if (proof.tree === undefined || proof.tree.length === 0) continue;
+    const full = proof.tree;
+    proof.tree = full.slice(0, -1);
+    const short = check(grasp, JSON.stringify(proof), options);
+    assert.deepStrictEqual([short.answer, short.rule, short.node], ['rejected', 'tree-short', full.length - 1], name);
+    proof.tree = [...full, full[full.length - 1]];
+    const long = check(grasp, JSON.stringify(proof), options);
+    assert.deepStrictEqual([long.answer, long.rule, long.node, long.place], ['rejected', 'tree-long', full.length, null], name);
+    ++count;
+  }
+  assert.ok(count > 20);
+});
+
+function asked(contacts, wrench, verdict, evidence) {
+  return [JSON.stringify({format: 'stickslip-grasp/2', contacts, wrench}), JSON.stringify({format: 'stickslip-certificate/2',
+    question: {contacts: contacts.length, wrench, normal_law: 'unilateral'}, verdict, ...evidence})];
+}
+
+test('the false proofs of FORMAT.md, section 7, are rejected', () => {
+  const one = [{position: [0, 0, 0], normal: [0, 0, 2], friction: '1/2', stiffness: 1, preload: 1}], w = ['2/5', 0, -1, 0, 0, 0];
+  assert.strictEqual(check(...asked(one, w, 'stable', {twist: [0, 0, 0, 0, 0, 0], shares: [[0, ['-8/5', 0, 0]]]})).answer, 'accepted');
+  const short = check(...asked(one, w, 'unstable', {tree: [['leaf', -4, 0, -1, 0, 0, 0]]}));
+  assert.deepStrictEqual([short.rule, short.node, short.place], ['leaf-bound', 0, 'root']);
+
+  const two = [{position: [0, 0, 0], normal: [0, 0, 1], friction: 1, stiffness: 1, preload: 1}], v = [0, '-1/2', -1, 0, 0, 0];
+  assert.strictEqual(check(...asked(two, v, 'stable', {twist: [0, 0, 0, 0, 0, 0], shares: [[0, [0, '1/2', 0]]]})).answer, 'accepted');
+  const leaf = ['leaf', 0, 1, 0, 0, 0, 0];
+  const tree = [['plane', 0, 1, 0, 0, 0, 0, 0], ['plane', 1, 0, 0, 0, 0, 0, 1], ['plane', -1, 0, 0, 0, 0, 0, 1], leaf, leaf, leaf,
+    ['plane', 1, 0, 0, 0, 0, 0, 0], ['leaf', 1, -1, 1, 0, 0, 0], ['leaf', -1, -1, 1, 0, 0, 0]];
+  const opposite = check(...asked(two, v, 'unstable', {tree}));
+  assert.deepStrictEqual([opposite.rule, opposite.node, opposite.place], ['leaf-bound', 3, 'plane +, plane +, plane +']);
+});
+
+test('numbers that a double would round are read as they are spelled', () => {
+  const n = '9007199254740993', files = asked([], [0, 0, 0], 'stable', {twist: [0, 0, 0], shares: []});
+  const [grasp, certificate] = files.map((text) => text.replace('"wrench":[0', `"wrench":[${n}`));
+  const answer = check(grasp, certificate);
+  assert.deepStrictEqual([answer.rule, answer.place], ['witness-balance', null]);
+  assert.strictEqual(check(grasp, certificate.replace(n, '9007199254740992')).rule, 'question-wrench');
+  assert.strictEqual(check(...files).answer, 'accepted');
+});
+
+test('bytes serve as well as text; what is not UTF-8 is malformed', () => {
+  const [grasp, certificate] = asked([], [0, 0, 0], 'stable', {twist: [0, 0, 0], shares: []});
+  const bytes = new TextEncoder().encode(grasp);
+  assert.strictEqual(check(bytes, certificate).answer, 'accepted');
+  bytes[3] = 255;
+  const answer = check(bytes, certificate);
+  assert.deepStrictEqual([answer.answer, answer.file], ['malformed', 'grasp']);
+});
+
+test('a plain script: in a browser it needs TextDecoder, and leaves one global', () => {
+  const sandbox = {TextDecoder, TextEncoder};
+  vm.runInNewContext(fs.readFileSync(SCRIPT, 'utf8'), sandbox);
+  assert.deepStrictEqual(Object.keys(sandbox), ['TextDecoder', 'TextEncoder', 'StickslipCheck']);
+  assert.deepStrictEqual(Object.keys(sandbox.StickslipCheck), ['check']);
+  const {grasp, certificate, options} = corpus.find(({name}) => name.startsWith('fig1_up_p0_unstable'));
+  assert.strictEqual(sandbox.StickslipCheck.check(grasp, certificate, options).answer, 'accepted');
+});

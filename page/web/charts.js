@@ -1,0 +1,500 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// How much is resisted: the region of a plane of loads, the multiples of the present load, and the map over friction and load.
+(function (page) {
+  const { svg, html, path } = page;
+
+  /** An SVG pattern for what does not hold; the id is one for each drawing. */
+  const hatching = (id, name) =>
+    svg(
+      "defs",
+      {},
+      svg(
+        "pattern",
+        { id, width: 8, height: 8, patternUnits: "userSpaceOnUse" },
+        svg("rect", { class: name, width: 8, height: 8 }),
+        svg("path", { class: "hatching", d: "M-1 1L1 -1M0 8L8 0M7 9L9 7" }),
+      ),
+    );
+
+  // The region.
+
+  /** The present load in the coordinates of the plane, or null if it is not in the plane. */
+  function loadInPlane(region) {
+    const load = page.load();
+    if (!load) return null;
+    const { origin_float: o, u_float: u, v_float: v } = region.plane;
+    const d = load.map((x, j) => x - o[j]);
+    const dot = page.vector.dot;
+    const [uu, uv, vv] = [dot(u, u), dot(u, v), dot(v, v)];
+    const determinant = uu * vv - uv * uv;
+    const s = (dot(d, u) * vv - dot(d, v) * uv) / determinant;
+    const t = (dot(d, v) * uu - dot(d, u) * uv) / determinant;
+    const off = Math.hypot(...d.map((x, j) => x - s * u[j] - t * v[j]));
+    return { s, t, inside: off <= 1e-9 * Math.max(1, ...load.map(Math.abs)) };
+  }
+
+  const isAxis = (v, j) => v.every((x, k) => Number(x) === (k === j ? 1 : 0));
+  function axisName(v, letter) {
+    const units = page.unitsOf();
+    const names = ["force along x", "force along y", "torque"];
+    const unit = units ? [units.force, units.force, units.force + " " + units.length] : null;
+    const j = [0, 1, 2].find((k) => isAxis(v, k));
+    return j === undefined ? letter + " " + page.tuple(v) : names[j] + (unit ? " /" + unit[j] : "");
+  }
+
+  let regionView = null;
+  page.regionView = () => regionView;
+
+  function areaPath(outlines, place, far) {
+    // What has no end goes on far outside of the window, and then around it, with the area to the left.
+    const open = outlines.filter((outline) => !outline.closed);
+    let d = outlines
+      .filter((outline) => outline.closed)
+      .map((outline) => path.ring(outline.vertices_float.map(place)))
+      .join("");
+    const angle = (v) => Math.atan2(v[1], v[0]);
+    const left = new Set(open);
+    while (left.size > 0) {
+      const first = [...left][0];
+      const points = [];
+      for (let outline = first; left.delete(outline);) {
+        const from = page.vector.unit(outline.from_float);
+        const to = page.vector.unit(outline.to_float);
+        const v = outline.vertices_float.length > 0 ? outline.vertices_float : [[0, 0]];
+        points.push(page.vector.add(v[0], far, from), ...v, page.vector.add(v[v.length - 1], far, to));
+        let next = null;
+        for (const other of open) {
+          const by =
+            (((angle(other.from_float) - angle(outline.to_float)) % (2 * Math.PI)) + 2 * Math.PI) % (2 * Math.PI);
+          if (!next || by < next.by) next = { outline: other, by };
+        }
+        for (let k = 1; k < 12; ++k) {
+          const a = angle(outline.to_float) + (next.by * k) / 12;
+          points.push([3 * far * Math.cos(a), 3 * far * Math.sin(a)]);
+        }
+        outline = next.outline;
+      }
+      d += path.ring(points.map(place));
+    }
+    return d;
+  }
+
+  function drawRegion() {
+    const { region } = page.answer;
+    regionView = null;
+    page.find("region-panel").hidden = !region;
+    if (!region) return;
+    if (region.limit) return void page.put("region", html("p", {}, "Undecided: " + region.limit + "."));
+    const load = loadInPlane(region);
+    const corners = [
+      ...region.areas.flatMap((area) => area.outlines.flatMap((o) => o.vertices_float)),
+      ...region.curves.flatMap((curve) => curve.vertices_float),
+      ...(region.points_float || []),
+    ];
+    let half = Math.max(
+      ...corners.flat().map(Math.abs),
+      load && load.inside ? Math.max(Math.abs(load.s), Math.abs(load.t)) / 1.25 : 0,
+      0,
+    );
+    // While the load is dragged, the window stays.
+    half = page.keepHalf || (half > 0 ? half * 1.6 : 2);
+    const width = page.canvasWidth("region", 460);
+    const [left, right, top, bottom] = [58, 12, 12, 46];
+    const side = width - left - right;
+    const height = side + top + bottom;
+    const middle = [left + side / 2, top + side / 2];
+    const scale = side / 2 / half;
+    const place = ([s, t]) => [middle[0] + scale * s, middle[1] - scale * t];
+    regionView = {
+      place,
+      scale,
+      middle,
+      half,
+      plane: region.plane,
+      unplace: ([x, y]) => [(x - middle[0]) / scale, (middle[1] - y) / scale],
+    };
+    const window_ = { x: left, y: top, width: side, height: side };
+    const borders = [];
+    const far = 8 * half;
+    for (const outline of region.areas.flatMap((area) => area.outlines)) {
+      const v = outline.vertices_float;
+      const points = outline.closed
+        ? [...v, v[0]]
+        : [
+            page.vector.add(v[0], far, page.vector.unit(outline.from_float)),
+            ...v,
+            page.vector.add(v[v.length - 1], far, page.vector.unit(outline.to_float)),
+          ];
+      borders.push("M" + points.map(place).map(path.at).join("L"));
+    }
+    for (const curve of region.curves) {
+      const rays = curve.rays_float || [];
+      const v = curve.vertices_float;
+      const ends = rays.map((ray, k) =>
+        page.vector.add(v[k === 0 ? 0 : v.length - 1] || [0, 0], far, page.vector.unit(ray)),
+      );
+      const points = ends.length === 2 ? [ends[0], ...v, ends[1]] : [...v, ...ends];
+      borders.push("M" + points.map(place).map(path.at).join("L"));
+    }
+    const values = page.ticks(-half, half, Math.max(4, Math.floor(side / 62)));
+    const grid = values.map((value) => {
+      const [x, y] = place([value, value]);
+      const name = value === 0 ? "axis-line" : "grid-line";
+      return [
+        svg("path", { class: name, d: "M" + path.at([x, top]) + "v" + side }),
+        svg("path", { class: name, d: "M" + path.at([left, y]) + "h" + side }),
+        svg("text", { class: "small middle", x, y: top + side + 16 }, page.near(value, 3)),
+        svg("text", { class: "small end", x: left - 6, y: y + 4 }, page.near(value, 3)),
+      ];
+    });
+    const everything = region.whole_plane ? svg("rect", { class: "area hue0", ...window_ }) : null;
+    const picture = svg(
+      "svg",
+      {
+        class: "stickslip",
+        width,
+        height,
+        viewBox: "0 0 " + width + " " + height,
+        role: "img",
+        "aria-label": "Region of resistible loads. " + regionWords(region, load),
+      },
+      svg("clipPath", { id: "region-window" }, svg("rect", window_)),
+      svg("rect", { class: "paper", ...window_ }),
+      everything,
+      svg(
+        "g",
+        { "clip-path": "url(#region-window)" },
+        region.areas.map((area) =>
+          svg("path", { class: "area hue0", "fill-rule": "evenodd", d: areaPath(area.outlines, place, far) }),
+        ),
+      ),
+      grid,
+      svg(
+        "g",
+        { "clip-path": "url(#region-window)" },
+        svg("path", { class: "border", d: borders.join("") || "M0 0" }),
+        (region.points_float || []).map((p) =>
+          svg("circle", { class: "full", cx: place(p)[0], cy: place(p)[1], r: 4.5 }),
+        ),
+        corners.length <= 12
+          ? corners.map((p) => svg("circle", { class: "full", cx: place(p)[0], cy: place(p)[1], r: 3 }))
+          : null,
+        corners.length <= 8 ? cornerLabels(region, place, middle) : null,
+      ),
+      svg("rect", { class: "frame", ...window_ }),
+      load ? loadMark(load, place) : null,
+      load && page.regionHandle ? page.regionHandle(place([load.s, load.t]), region) : null,
+      svg("text", { class: "middle", x: middle[0], y: height - 10 }, axisName(region.plane.u, "s")),
+      svg(
+        "text",
+        { class: "middle", transform: "translate(14 " + middle[1] + ") rotate(-90)" },
+        axisName(region.plane.v, "t"),
+      ),
+    );
+    page.put("region", picture);
+    page.put(
+      "region-note",
+      html("p", {}, regionWords(region, load)),
+      region.plane.origin.some((x) => page.Fraction.of(x).sign() !== 0)
+        ? html("p", { class: "muted" }, "Wrench at (0, 0): ", page.numbers(region.plane.origin), ".")
+        : null,
+    );
+  }
+
+  /** Exact if that is short; corners' coordinates are near their drawing anyway. */
+  const shortText = (value) =>
+    /^~/.test(page.text(value)) ? page.near(page.Fraction.of(value).toNumber(), 3) : page.text(value);
+
+  /** Corners, away from the middle, where they leave room for each other. */
+  function cornerLabels(region, place, middle) {
+    const exact = [
+      ...region.areas.flatMap((area) => area.outlines.flatMap((o) => o.vertices)),
+      ...region.curves.flatMap((curve) => curve.vertices),
+    ];
+    const taken = [];
+    return exact.map((corner) => {
+      const [x, y] = place(corner.map((c) => page.Fraction.of(c).toNumber()));
+      const text = "(" + corner.map(shortText).join(", ") + ")";
+      const at = [x, y + (y > middle[1] + 4 ? 20 : -11)];
+      const half = 3.4 * text.length + 4;
+      if (
+        taken.some((other) => Math.abs(other.at[1] - at[1]) < 15 && Math.abs(other.at[0] - at[0]) < half + other.half)
+      )
+        return null;
+      taken.push({ at, half });
+      return svg("text", { class: "halo middle", x: at[0], y: at[1] }, text);
+    });
+  }
+
+  function loadMark(load, place) {
+    const [x, y] = place([load.s, load.t]);
+    const [ox, oy] = place([0, 0]);
+    return svg(
+      "g",
+      { class: "present", "data-load": load.s + "," + load.t },
+      load.inside ? page.arrow([ox, oy], [x, y], "load") : null,
+      svg(
+        "path",
+        {
+          class: load.inside ? "here" : "here outside",
+          d: path.ring([
+            [x + 7, y],
+            [x, y + 7],
+            [x - 7, y],
+            [x, y - 7],
+          ]),
+        },
+        svg("title", {}, "the present load"),
+      ),
+    );
+  }
+
+  function regionWords(region, load) {
+    const text = region.empty
+      ? "No load of this plane is resisted."
+      : region.whole_plane
+        ? "Every load of this plane is resisted."
+        : "Shaded: resisted, borders included; what reaches the frame may go on without end.";
+    if (!load) return text;
+    return (
+      text +
+      (load.inside ? " Diamond: the present load." : " The present load has another torque; the diamond is its force.")
+    );
+  }
+
+  // The margin.
+
+  const ends = (interval) => [page.text(interval[0]), interval[1] === null ? "\u221E" : page.text(interval[1])];
+  page.marginText = function (all = false) {
+    const { margin } = page.answer;
+    if (!margin || !margin.resisted) return "";
+    const text = (interval) =>
+      (all ? interval.map((x) => (x === null ? "\u221E" : page.typeset(x))) : ends(interval)).join(", ");
+    if (margin.resisted.length === 0) return "none";
+    return margin.resisted.map((interval) => "[" + text(interval) + (interval[1] === null ? ")" : "]")).join(" and ");
+  };
+
+  function drawMargin() {
+    const { margin } = page.answer;
+    page.find("margin-panel").hidden = !margin;
+    if (!margin) return;
+    if (!margin.resisted)
+      return void page.put("margin", html("p", {}, "Undecided" + (margin.limit ? ": " + margin.limit : "") + "."));
+    const width = page.canvasWidth("margin", 460);
+    const [left, right, height] = [14, 30, 96];
+    const finite = [...margin.resisted_float, ...(margin.refuted_float || [])].flat().filter((x) => x !== null);
+    const high = 1.25 * Math.max(1, ...finite.filter((x) => x < 1e6));
+    const scale = (width - left - right) / high;
+    const x = (value) => left + scale * (value === null ? high : Math.min(value, high));
+    const bar = (interval, name, attributes) =>
+      svg("rect", {
+        class: name,
+        x: x(interval[0]),
+        y: 30,
+        height: 22,
+        width: Math.max(2, x(interval[1]) - x(interval[0])) + (interval[1] === null ? 10 : 0),
+        ...attributes,
+      });
+    const labels = [];
+    const kRow = 15;
+    margin.resisted.forEach((interval, k) =>
+      interval.forEach((end, j) => {
+        if (end === null || (j === 1 && end === interval[0])) return;
+        const at = x(margin.resisted_float[k][j]);
+        const text = page.text(end);
+        const half = 3.6 * text.length + 3;
+        let row = 0;
+        while (labels.some((other) => other.row === row && Math.abs(other.at - at) < other.half + half)) ++row;
+        if (row < 2) labels.push({ at, text, half, row });
+      }),
+    );
+    const spatial = margin.refuted !== undefined;
+    const picture = svg(
+      "svg",
+      {
+        class: "stickslip",
+        width,
+        height,
+        viewBox: "0 0 " + width + " " + height,
+        role: "img",
+        "aria-label": "Multiples of the load that are resisted: " + page.marginText(),
+      },
+      hatching("margin-hatch", "hue5"),
+      svg("rect", {
+        x: left,
+        y: 30,
+        width: width - left - right + 10,
+        height: 22,
+        ...(spatial ? { class: "paper" } : { style: "fill: url(#margin-hatch)" }),
+      }),
+      (margin.refuted_float || []).map((interval) => bar(interval, null, { style: "fill: url(#margin-hatch)" })),
+      margin.resisted_float.map((interval) => bar(interval, "hue0")),
+      svg("path", { class: "frame", d: "M" + (width - right + 10) + " 30H" + left + "v22H" + (width - right + 10) }),
+      svg("path", { class: "rule", d: "M" + (width - right + 13) + " 41h6m-4 -4l4 4l-4 4" }),
+      labels.map(({ at, text, row }) => [
+        svg("path", { class: "rule", d: "M" + at + " 48v9" }),
+        svg("text", { class: "middle halo", x: Math.max(at, left + 3.4 * text.length), y: 70 + kRow * row }, text),
+      ]),
+      svg("path", {
+        class: "here",
+        d: path.ring([
+          [x(1), 28],
+          [x(1) - 6, 18],
+          [x(1) + 6, 18],
+        ]),
+      }),
+      svg("path", { class: "rule", d: "M" + x(1) + " 28v26" }),
+      svg("text", { class: "middle", x: x(1), y: 13 }, "this load"),
+    );
+    page.put("margin", picture);
+    const held = margin.resisted_float.some(([low, top]) => low <= 1 && (top === null || top >= 1));
+    const last = margin.resisted_float.find(([low, top]) => low <= 1 && (top === null || top >= 1));
+    const below = margin.resisted
+      .filter((_, k) => margin.resisted_float[k][1] !== null && margin.resisted_float[k][1] < 1)
+      .pop();
+    page.put(
+      "margin-note",
+      html(
+        "p",
+        {},
+        "Resisted multiples \u03BB of the load: ",
+        html("strong", {}, page.marginText()),
+        ". ",
+        held && last[1] !== null && last[1] > 1 ? "The load may grow to " + page.near(last[1]) + " times. " : "",
+        !held && below && Number(below[1]) !== 0
+          ? ["Of this load, ", page.number(below[1]), " would be resisted. "]
+          : null,
+        held && last[1] === null ? "It may grow without end. " : "",
+        held && last[1] === 1 ? "It is on the border: no more will do. " : "",
+      ),
+      page.legend([
+        { drawing: page.sign(svg("rect", { class: "hue0", x: 2, y: 2, width: 22, height: 14 })), text: "resisted" },
+        {
+          drawing: page.sign([
+            svg("rect", { class: "hue5", x: 2, y: 2, width: 22, height: 14 }),
+            svg("path", { class: "hatching", d: "M6 16L20 2M2 11L11 2M15 16L24 7" }),
+          ]),
+          text: "not resisted",
+        },
+        spatial && {
+          drawing: page.sign(svg("rect", { class: "paper frame", x: 2, y: 2, width: 22, height: 14 })),
+          text: "not known",
+        },
+      ]),
+    );
+  }
+
+  // The map.
+
+  function drawMap() {
+    const { map } = page.answer;
+    page.find("map-panel").hidden = !map;
+    if (!map) return;
+    const number = (text) => page.Fraction.of(text).toNumber();
+    const width = page.canvasWidth("map", 460);
+    const [left, right, top, bottom] = [58, 12, 12, 46];
+    const side = width - left - right;
+    const height = side + top + bottom;
+    const axis = [map.x, map.y].map(({ range }) => range.map(number));
+    const place = (x, y) => [
+      left + (side * (x - axis[0][0])) / (axis[0][1] - axis[0][0]),
+      top + side - (side * (y - axis[1][0])) / (axis[1][1] - axis[1][0]),
+    ];
+    const paths = { stable: "", unstable: "", undecided: "", fragile: "" };
+    for (const cell of map.cells) {
+      const [x0, y0] = place(number(cell.x[0]), number(cell.y[0]));
+      const [x1, y1] = place(number(cell.x[1]), number(cell.y[1]));
+      paths[cell.verdict] +=
+        "M" + path.at([x0, y0]) + "H" + x1.toFixed(2) + "V" + y1.toFixed(2) + "H" + x0.toFixed(2) + "Z";
+    }
+    const words = {
+      friction: "friction, times that of the file",
+      load: "load, times that of the file",
+      stiffness: "stiffness, times that of the file",
+      preload: "preload, times that of the file",
+    };
+    const ticks = [0, 1].map((j) => page.ticks(axis[j][0], axis[j][1], Math.max(4, Math.floor(side / 62))));
+    const here =
+      ["x", "y"].every((j) => ["friction", "load", "stiffness", "preload"].includes(map[j].name)) &&
+      axis.every(([low, high]) => low <= 1 && 1 <= high)
+        ? place(1, 1)
+        : null;
+    const frame = { x: left, y: top, width: side, height: side };
+    page.put(
+      "map",
+      svg(
+        "svg",
+        {
+          class: "stickslip",
+          width,
+          height,
+          viewBox: "0 0 " + width + " " + height,
+          role: "img",
+          "aria-label": "Map: where the grasp holds, over " + map.x.name + " and " + map.y.name,
+        },
+        hatching("map-hatch", "hue5"),
+        svg("rect", { class: "paper", ...frame }),
+        svg("path", { class: "hue0", d: paths.stable, "shape-rendering": "crispEdges" }),
+        svg("path", { style: "fill: url(#map-hatch)", d: paths.unstable, "shape-rendering": "crispEdges" }),
+        svg("rect", { class: "frame", ...frame }),
+        ticks[0].map((value) => [
+          svg("path", { class: "axis-line", d: "M" + path.at(place(value, axis[1][0])) + "v5" }),
+          svg("text", { class: "small middle", x: place(value, 0)[0], y: top + side + 17 }, page.near(value, 3)),
+        ]),
+        ticks[1].map((value) => [
+          svg("path", { class: "axis-line", d: "M" + path.at(place(axis[0][0], value)) + "h-5" }),
+          svg("text", { class: "small end", x: left - 8, y: place(0, value)[1] + 4 }, page.near(value, 3)),
+        ]),
+        here
+          ? svg(
+              "g",
+              { class: "present" },
+              svg(
+                "path",
+                {
+                  class: "here",
+                  d: path.ring([
+                    [here[0] + 7, here[1]],
+                    [here[0], here[1] + 7],
+                    [here[0] - 7, here[1]],
+                    [here[0], here[1] - 7],
+                  ]),
+                },
+                svg("title", {}, "this grasp"),
+              ),
+            )
+          : null,
+        svg("text", { class: "middle", x: left + side / 2, y: height - 10 }, words[map.x.name] || map.x.name),
+        svg(
+          "text",
+          { class: "middle", transform: "translate(14 " + (top + side / 2) + ") rotate(-90)" },
+          words[map.y.name] || map.y.name,
+        ),
+      ),
+    );
+    page.put(
+      "map-note",
+      page.legend([
+        {
+          drawing: page.sign(svg("rect", { class: "hue0", x: 2, y: 2, width: 22, height: 14 })),
+          text: "stable, proved throughout each cell",
+        },
+        {
+          drawing: page.sign([
+            svg("rect", { class: "hue5", x: 2, y: 2, width: 22, height: 14 }),
+            svg("path", { class: "hatching", d: "M6 16L20 2M2 11L11 2M15 16L24 7" }),
+          ]),
+          text: "unstable, proved throughout each cell",
+        },
+        {
+          drawing: page.sign(svg("rect", { class: "paper frame", x: 2, y: 2, width: 22, height: 14 })),
+          text: "not decided in the finest cells",
+        },
+        here && { drawing: page.sign(svg("path", { class: "here", d: "M13 2L20 9L13 16L6 9Z" })), text: "this grasp" },
+      ]),
+    );
+  }
+
+  page.views.push(drawRegion, drawMargin, drawMap);
+})(StickslipPage);

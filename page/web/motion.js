@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Motions of the body and what contacts do in them, in doubles: for drawing. Verdicts, forces and slip
+// states are the program's.
+(function (page) {
+  const kLongestMotion = 0.3; // in sizes of the grasp, as pictures draw it
+  const kFar = 2;
+
+  const unit = function (v) {
+    const length = Math.hypot(...v) || 1;
+    return v.map((x) => x / length);
+  };
+  const dot = (a, b) => a.reduce((sum, x, i) => sum + x * b[i], 0);
+  const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+  const add = (a, factor, b) => a.map((x, i) => x + factor * b[i]);
+  page.vector = { unit, dot, cross, add };
+
+  /**
+   * The middle of the drawing and the size of the grasp: the origin, unless the grasp is far away
+   * from it.
+   */
+  page.frame = function () {
+    const axes = page.isSpatial() ? 3 : 2;
+    const points = [...page.answer.contacts.map((c) => c.position), ...(page.answer.outline || []).flat()];
+    const centre = Array(axes).fill(0);
+    if (points.length === 0) return { centre, radius: 1 };
+    const low = centre.map((_, j) => Math.min(...points.map((p) => p[j])));
+    const high = centre.map((_, j) => Math.max(...points.map((p) => p[j])));
+    const middle = low.map((x, j) => (x + high[j]) / 2);
+    const size = Math.max(...high.map((x, j) => x - middle[j]));
+    if (size > 0 && Math.max(...middle.map(Math.abs)) > kFar * size) centre.splice(0, axes, ...middle);
+    const radius = Math.max(...points.map((p) => Math.max(...p.map((x, j) => Math.abs(x - centre[j])))));
+    return { centre, radius: radius || 1 };
+  };
+
+  page.tangent = (contact) => [-unit(contact.normal)[1], unit(contact.normal)[0]];
+
+  /** How a point moves. */
+  page.displacement = function (point, twist) {
+    if (twist.length === 3) return [twist[0] - twist[2] * point[1], twist[1] + twist[2] * point[0]];
+    return add(twist.slice(0, 3), 1, cross(twist.slice(3), point));
+  };
+
+  /** By which round factor a motion is enlarged in drawings; 0 if nothing moves. */
+  page.enlargement = function (twist, frame) {
+    const turn = Math.max(...twist.slice(twist.length === 3 ? 2 : 3).map(Math.abs));
+    let largest = Math.max(...page.displacement(frame.centre, twist).map(Math.abs), turn * frame.radius);
+    for (const contact of page.answer.contacts) {
+      largest = Math.max(largest, ...page.displacement(contact.position, twist).map(Math.abs));
+    }
+    return largest > 0 ? page.roundDown((kLongestMotion * frame.radius) / largest) : 0;
+  };
+
+  /** About which point a planar motion turns; null for a translation. */
+  page.pivot = (twist) => (twist[2] === 0 ? null : [-twist[1] / twist[2], twist[0] / twist[2]]);
+
+  /** The axis of a motion in space: a point of it, its direction, and the shift along it for each radian. */
+  page.screw = function (twist) {
+    const [shift, turn] = [twist.slice(0, 3), twist.slice(3)];
+    const square = dot(turn, turn);
+    if (square === 0) return null;
+    return {
+      point: cross(turn, shift).map((x) => x / square),
+      direction: unit(turn),
+      pitch: dot(turn, shift) / square,
+    };
+  };
+
+  const unitName = () => (page.unitsOf() ? "\u00A0" + page.unitsOf().length : "");
+  page.unitsOf = () => (page.answer.decide && page.answer.decide.units) || page.grasp.units() || null;
+
+  /** A motion in words. */
+  page.motionWords = function (twist) {
+    const size = Math.max(...twist.map(Math.abs));
+    if (size === 0) return "Nothing moves.";
+    if (twist.length === 6) {
+      const screw = page.screw(twist);
+      if (!screw) return "The body shifts along " + page.nearTuple(unit(twist.slice(0, 3))) + ", without turning.";
+      const shift =
+        Math.abs(screw.pitch) < 1e-9
+          ? ""
+          : ", and shifts by " + page.near(screw.pitch, 3) + unitName() + " along it with each radian";
+      return (
+        "The body turns about the axis through " +
+        page.nearTuple(screw.point.map((x) => x + 0)) +
+        " along " +
+        page.nearTuple(screw.direction) +
+        shift +
+        "."
+      );
+    }
+    const pivot = page.pivot(twist);
+    if (!pivot || Math.max(...pivot.map(Math.abs)) > 1e9 * page.frame().radius) {
+      return (
+        "The body shifts along " +
+        page.nearTuple(unit(twist.slice(0, 2)).map((x) => page.clean(x))) +
+        ", without turning."
+      );
+    }
+    return (
+      "The body turns " +
+      (twist[2] > 0 ? "counterclockwise \u21BA" : "clockwise \u21BB") +
+      " about " +
+      page.nearTuple(pivot.map((x) => page.clean(x, page.frame().radius))) +
+      unitName() +
+      "."
+    );
+  };
+
+  /** Without the dust of rounding, for words only. */
+  page.clean = (x, size = 1) => (Math.abs(x) < 1e-9 * size ? 0 : x);
+
+  // What a mark means. Shapes as in pictures: a disc sticks, a triangle points where the contact slips.
+  page.marks = {
+    stick: "sticks",
+    plus: "slips +",
+    minus: "slips \u2212",
+    slip: "slips",
+    open: "open",
+    loses: "opposes it and loses",
+    idle: "cannot oppose it",
+    none: "",
+  };
+  const kMarkOf = { 0: "stick", "+": "plus", "-": "minus" };
+
+  /** Whether the motion presses contact i in (-1), leaves it (+1) or neither (0). */
+  page.parting = function (contact, twist) {
+    const move = page.displacement(contact.position, twist);
+    const along = dot(unit(contact.normal), move);
+    return Math.abs(along) <= 1e-9 * (Math.hypot(...move) + Math.hypot(...twist) * 1e-6) ? 0 : Math.sign(along);
+  };
+
+  function decided() {
+    const decide = page.answer.decide;
+    return decide && decide.cases ? null : decide;
+  }
+  page.decided = decided;
+
+  /** The motion that is looked at: {kind, twist, marks, exact}, where marks are one for each contact. */
+  page.motion = function () {
+    const { answer, shown } = page;
+    const marksOf = (mark) => answer.contacts.map(mark);
+    const decide = decided();
+    const chosen = shown.pointed !== null ? shown.pointed : shown.motion === "cell" ? shown.cell : null;
+    const cell = chosen !== null && answer.states && answer.states.cells[chosen];
+    if (cell) {
+      return { kind: "cell", cell, twist: cell.motion, marks: marksOf((_, i) => kMarkOf[cell.states[i]] || "none") };
+    }
+    if (shown.motion === "twist" || (decide && decide.verdict === "unstable" && shown.motion === "equilibrium")) {
+      const found = page.refutation();
+      const drift = found.cases.length > 0 ? page.drift(found.cases[page.leafShown()]) : null;
+      if (drift) {
+        return {
+          kind: "twist",
+          twist: drift.twist,
+          exact: drift.exact,
+          marks: marksOf((_, i) => (drift.opposing[i] ? "loses" : "idle")),
+        };
+      }
+    }
+    return page.equilibrium() || { kind: "none", twist: null, marks: marksOf(() => "none") };
+  };
+
+  /** That of a stable verdict, as page.motion; else null. */
+  page.equilibrium = function () {
+    const { answer } = page;
+    const decide = decided();
+    const twist = decide && ((answer.near && answer.near.twist_float) || decide.twist_float);
+    if (!twist) return null;
+    const forces = page.forces();
+    return {
+      kind: "equilibrium",
+      twist,
+      exact: decide.twist || null,
+      marks: answer.contacts.map((contact, i) => (forces ? equilibriumMark(forces[i], contact, twist) : "none")),
+    };
+  };
+
+  /**
+   * The contacts in the equilibrium in doubles, {force, closed, slip}, or null. Where the proof says that there is one
+   * but not which, those near it.
+   */
+  page.forces = function () {
+    const found = [decided(), page.answer.near].find((part) => part && part.contacts);
+    return found ? found.contacts.map((c) => ({ ...c, force: c.force_float })) : null;
+  };
+
+  function equilibriumMark(force, contact, twist) {
+    if (!force.closed) return "open";
+    if (!page.isSpatial()) return kMarkOf[force.slip] || "none";
+    return Math.hypot(...slipInSpace(contact, twist)) > 0 ? "slip" : "stick";
+  }
+
+  function slipInSpace(contact, twist) {
+    const move = page.displacement(contact.position, twist);
+    const normal = unit(contact.normal);
+    const slip = add(move, -dot(move, normal), normal);
+    return Math.hypot(...slip) > 1e-9 * Math.hypot(...twist, 1e-300) ? slip : [0, 0, 0];
+  }
+})(StickslipPage);

@@ -1,0 +1,517 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// A grasp in space, drawn by three.js: contacts, cones, forces, load, and the motion as a screw. It is turned by the mouse or by
+// arrow keys. Lengths are in sizes of the grasp, as in the plane.
+(function (page) {
+  const { html, vector } = page;
+  const kLongestForce = 0.6;
+  const kLongestCone = 0.6;
+  const kTurn = Math.PI / 24;
+
+  let renderer = null;
+  let scene = null;
+  let camera = null;
+  let moving = null; // what the animation moves
+  let look = { azimuth: -0.9, height: 0.45, distance: 5.2 };
+  const kHome = { ...look };
+  let target = [0, 0, 0]; // what is looked at: the middle of the body
+  let reach = 1; // its size
+
+  const V = (v) => new THREE.Vector3(...v);
+  const colour = (name) => new THREE.Color(page.colour(name));
+
+  /** A texture with a text, always turned to the reader. */
+  function sprite(text, at, size = 0.2) {
+    const canvas = document.createElement("canvas");
+    canvas.width = canvas.height = 128;
+    const context = canvas.getContext("2d");
+    context.font = "bold 74px Helvetica, Arial, sans-serif";
+    context.textAlign = "center";
+    context.textBaseline = "middle";
+    context.lineJoin = "round";
+    context.lineWidth = 16;
+    context.strokeStyle = page.colour("paper");
+    context.strokeText(text, 64, 68);
+    context.fillStyle = page.colour("ink");
+    context.fillText(text, 64, 68);
+    const made = new THREE.Sprite(new THREE.SpriteMaterial({ map: new THREE.CanvasTexture(canvas), depthTest: false }));
+    made.position.copy(V(at));
+    made.scale.setScalar(size);
+    made.renderOrder = 10;
+    return made;
+  }
+
+  const solid = (name, opacity = 1) =>
+    new THREE.MeshLambertMaterial({
+      color: colour(name),
+      transparent: opacity < 1,
+      opacity,
+      side: THREE.DoubleSide,
+      depthWrite: opacity === 1,
+    });
+
+  /** A solid of revolution along +y from the origin, turned to point from tail along a direction. */
+  function placed(object, tail, direction) {
+    object.position.copy(V(tail));
+    object.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), V(vector.unit(direction)));
+    return object;
+  }
+
+  function arrow(tail, along, name, width = 0.022) {
+    const length = Math.hypot(...along);
+    if (length < 0.01) return null;
+    const head = Math.min(0.16, 0.6 * length);
+    const group = new THREE.Group();
+    const shaft = new THREE.Mesh(new THREE.CylinderGeometry(width, width, length - head, 16), solid(name));
+    shaft.position.y = (length - head) / 2;
+    const tip = new THREE.Mesh(new THREE.ConeGeometry(3 * width, head, 24), solid(name));
+    tip.position.y = length - head / 2;
+    group.add(shaft, tip);
+    return placed(group, tail, along);
+  }
+
+  /** The part of a ball around the contact that lies in the friction cone. */
+  function cone(contact, length) {
+    const half = Math.atan(contact.friction);
+    const profile = [new THREE.Vector2(0, 0)];
+    for (let k = 12; k >= 0; --k) {
+      const angle = (half * k) / 12;
+      profile.push(new THREE.Vector2(Math.max(1e-6, length * Math.sin(angle)), length * Math.cos(angle)));
+    }
+    const group = new THREE.Group();
+    group.add(new THREE.Mesh(new THREE.LatheGeometry(profile, 48), solid("cone", 0.26)));
+    const rim = [];
+    for (let k = 0; k <= 64; ++k) {
+      const turn = (2 * Math.PI * k) / 64;
+      rim.push(
+        V([
+          length * Math.sin(half) * Math.cos(turn),
+          length * Math.cos(half),
+          length * Math.sin(half) * Math.sin(turn),
+        ]),
+      );
+    }
+    group.add(line(rim, "cone-line"), line([V([0, 0, 0]), V([0, length, 0])], "thin"));
+    return placed(group, contact.at, contact.normal);
+  }
+
+  function line(points, name, dashed = false) {
+    const Material = dashed ? THREE.LineDashedMaterial : THREE.LineBasicMaterial;
+    const made = new THREE.Line(
+      new THREE.BufferGeometry().setFromPoints(points),
+      new Material({ color: colour(name), ...(dashed ? { dashSize: 0.06, gapSize: 0.05 } : {}) }),
+    );
+    if (dashed) made.computeLineDistances();
+    return made;
+  }
+
+  /**
+   * The triangles of the convex hull of points: a tetrahedron, to which one point after the other is added. For drawing:
+   * points are moved a little, so that no four lie in a plane.
+   */
+  function hull(given) {
+    const points = given.map((p, i) =>
+      p.map((x, j) => x + 1e-5 * Math.sin(12.9898 * (i + 1) + 78.233 * (j + 1) * (i + 3))),
+    );
+    if (points.length < 4) return [];
+    const above = ([a, b, c], p) => {
+      const normal = vector.cross(vector.add(points[b], -1, points[a]), vector.add(points[c], -1, points[a]));
+      return vector.dot(normal, vector.add(p, -1, points[a])) > 0;
+    };
+    let faces = [
+      [0, 1, 2],
+      [0, 2, 1],
+    ];
+    for (let i = 3; i < points.length; ++i) {
+      const seen = faces.filter((face) => above(face, points[i]));
+      if (seen.length === 0) continue;
+      const edges = new Map();
+      for (const [a, b, c] of seen)
+        for (const [p, q] of [
+          [a, b],
+          [b, c],
+          [c, a],
+        ])
+          edges.set(p + "," + q, [p, q]);
+      faces = faces.filter((face) => !seen.includes(face));
+      for (const [p, q] of edges.values()) if (!edges.has(q + "," + p)) faces.push([p, q, i]);
+    }
+    return faces.map((face) => face.map((k) => given[k]));
+  }
+
+  /** Points of which the hull stands for the body: the contacts, and points a little inside of them, as in pictures. */
+  function bodyPoints(contacts) {
+    const points = contacts.map((c) => c.at);
+    for (const c of contacts) {
+      const axis = [0, 1, 2].map((j) =>
+        j === c.normal.map(Math.abs).indexOf(Math.min(...c.normal.map(Math.abs))) ? 1 : 0,
+      );
+      const across = vector.unit(vector.cross(c.normal, axis));
+      for (const tangent of [across, vector.cross(c.normal, across)]) {
+        for (const side of [-0.3, 0.3, -0.4, 0.4]) {
+          const p = vector.add(vector.add(c.at, Math.abs(side) < 0.35 ? 0.12 : 0.5, c.normal), side, tangent);
+          if (contacts.every((o) => vector.dot(vector.add(p, -1, o.at), o.normal) >= 0)) points.push(p);
+        }
+      }
+    }
+    return points;
+  }
+
+  function body(triangles, name, opacity, edges) {
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute("position", new THREE.Float32BufferAttribute(triangles.flat(2), 3));
+    geometry.computeVertexNormals();
+    const group = new THREE.Group();
+    const outline = new THREE.LineSegments(new THREE.EdgesGeometry(geometry, 18), edges);
+    if (edges.isLineDashedMaterial) outline.computeLineDistances();
+    group.add(outline);
+    if (opacity > 0) group.add(new THREE.Mesh(geometry, solid(name, opacity)));
+    return group;
+  }
+
+  function torque(centre, axis, name, radius = 0.34) {
+    const group = new THREE.Group();
+    const points = [];
+    for (let k = 0; k <= 48; ++k) {
+      const turn = (1.5 * Math.PI * k) / 48;
+      points.push(V([radius * Math.cos(turn), 0, -radius * Math.sin(turn)]));
+    }
+    group.add(new THREE.Mesh(new THREE.TubeGeometry(new THREE.CatmullRomCurve3(points), 48, 0.014, 8), solid(name)));
+    const head = new THREE.Mesh(new THREE.ConeGeometry(0.05, 0.14, 20), solid(name));
+    head.position.copy(points[48]);
+    const along = points[48].clone().sub(points[47]).normalize();
+    head.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), along);
+    head.position.addScaledVector(along, 0.06);
+    group.add(head);
+    return placed(group, centre, axis);
+  }
+
+  /** The axis of a screw, with the helix that a point near it runs along. */
+  function drawScrew(twist, frame, name) {
+    const screw = page.screw(twist);
+    if (!screw) return [];
+    const at = vector.add(screw.point, -1, frame.centre).map((x) => x / frame.radius);
+    if (Math.hypot(...at) > 4) return [];
+    const pitch = screw.pitch / frame.radius;
+    const middle = vector.add(at, -vector.dot(at, screw.direction), screw.direction);
+    const group = new THREE.Group();
+    group.add(line([V([0, -1.3, 0]), V([0, 1.3, 0])], name, true));
+    const bounded = Math.max(-0.35, Math.min(0.35, pitch));
+    const turns = Math.min(3 * Math.PI, 1.6 / Math.max(0.01, Math.abs(bounded)));
+    const points = [];
+    for (let k = 0; k <= 120; ++k) {
+      const turn = (k / 120 - 0.5) * turns;
+      points.push(V([0.16 * Math.cos(turn), bounded * turn, -0.16 * Math.sin(turn)]));
+    }
+    group.add(line(points, name));
+    const along = points[120].clone().sub(points[119]).normalize();
+    const head = new THREE.Mesh(new THREE.ConeGeometry(0.045, 0.12, 16), solid(name));
+    head.position.copy(points[120]);
+    head.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), along);
+    group.add(head);
+    return [placed(group, middle, screw.direction)];
+  }
+
+  function mark(contact, name) {
+    const hollow = name === "open" || name === "idle";
+    const geometry =
+      name === "slip"
+        ? new THREE.BoxGeometry(0.09, 0.09, 0.09)
+        : name === "loses" || name === "idle"
+          ? new THREE.OctahedronGeometry(0.08)
+          : new THREE.SphereGeometry(0.055, 20, 14);
+    const made = new THREE.Mesh(
+      geometry,
+      hollow
+        ? new THREE.MeshBasicMaterial({ color: colour("ink"), wireframe: true })
+        : new THREE.MeshBasicMaterial({ color: colour("ink") }),
+    );
+    return placed(made, contact.at, contact.normal);
+  }
+
+  /** What holds the contact: a small plate behind it. */
+  function finger(contact) {
+    const made = new THREE.Mesh(new THREE.CylinderGeometry(0.12, 0.12, 0.025, 28), solid("thin", 0.8));
+    return placed(made, vector.add(contact.at, -0.05, contact.normal), contact.normal);
+  }
+
+  function build(view) {
+    const { frame, contacts } = view;
+    const parts = [];
+    const motion = page.motion();
+    const name = motion.kind === "twist" ? "virtual" : "motion";
+    const factor = motion.twist ? page.enlargement(motion.twist, frame) : 0;
+    const triangles = hull(bodyPoints(contacts));
+    if (triangles.length > 0)
+      parts.push(
+        body(
+          triangles,
+          "body-line",
+          0.16,
+          new THREE.LineBasicMaterial({ color: colour("body-line"), transparent: true, opacity: 0.55 }),
+        ),
+      );
+    const coneLength = kLongestCone * Math.min(1, 2.2 / Math.sqrt(contacts.length || 1));
+    const forces = motion.kind === "equilibrium" ? page.forces() : null;
+    const load = page.load();
+    const force = load ? load.slice(0, 3) : [0, 0, 0];
+    const unit =
+      Math.max(
+        ...contacts.map((c) => c.preload),
+        ...(forces || []).flatMap((f) => f.force.map(Math.abs)),
+        ...force.map(Math.abs),
+        0,
+      ) || 1;
+    const length = (v) => v.map((x) => (kLongestForce * x) / unit);
+    contacts.forEach((c, i) => {
+      parts.push(
+        cone(c, coneLength),
+        finger(c),
+        mark(c, motion.marks[i]),
+        sprite(String(i), vector.add(c.at, -0.2, c.normal)),
+      );
+      if (forces) parts.push(arrow(c.at, length(forces[i].force), "force", 0.026));
+      if (factor > 0) {
+        const move = page.displacement(c.position, motion.twist).map((x) => (x * factor) / frame.radius);
+        parts.push(arrow(c.at, move, name, 0.014));
+      }
+    });
+    const size = Math.max(...force.map(Math.abs));
+    view.loadFactor = size > 0 && size < unit / 8 ? page.roundDown((0.6 * unit) / size) : 1;
+    parts.push(arrow([0, 0, 0], length(force.map((x) => x * view.loadFactor)), "load", 0.022));
+    if (load) {
+      const there = vector.add(load.slice(3), -1, vector.cross(frame.centre, force));
+      if (Math.hypot(...there) > 1e-9 * (1 + Math.hypot(...load))) parts.push(torque([0, 0, 0], there, "load"));
+      view.torque = there;
+    }
+    moving = null;
+    if (factor > 0) {
+      parts.push(...drawScrew(motion.twist, frame, name));
+      if (triangles.length > 0) {
+        moving = body(
+          triangles,
+          name,
+          0.08,
+          new THREE.LineDashedMaterial({ color: colour(name), dashSize: 0.06, gapSize: 0.045 }),
+        );
+        moving.matrixAutoUpdate = false;
+        parts.push(moving);
+      }
+    }
+    // The axes of the file's frame, in a corner of the body's surroundings.
+    const low = [0, 1, 2].map((j) => Math.min(0, ...contacts.map((c) => c.at[j])));
+    const corner = low.map((x) => x - 0.4);
+    [
+      [1, 0, 0],
+      [0, 1, 0],
+      [0, 0, 1],
+    ].forEach((axis, j) => {
+      parts.push(
+        arrow(
+          corner,
+          axis.map((x) => 0.38 * x),
+          "muted",
+          0.008,
+        ),
+        sprite("xyz"[j], vector.add(corner, 0.5, axis), 0.16),
+      );
+    });
+    return { parts: parts.filter(Boolean), motion, factor, forces, unit, coneLength };
+  }
+
+  /** By a share of the motion: a turn about the axis and a shift along it, or a shift. */
+  function move(twist, share, frame) {
+    const matrix = new THREE.Matrix4();
+    const screw = page.screw(twist);
+    if (!screw) {
+      matrix.makeTranslation(...twist.slice(0, 3).map((x) => (x * share) / frame.radius));
+    } else {
+      const at = V(vector.add(screw.point, -1, frame.centre).map((x) => x / frame.radius));
+      const angle = Math.hypot(...twist.slice(3)) * share;
+      const shift = V(screw.direction).multiplyScalar((screw.pitch * angle) / frame.radius);
+      matrix.makeRotationAxis(V(screw.direction), angle);
+      matrix.setPosition(at.clone().sub(at.clone().applyMatrix4(matrix)).add(shift));
+    }
+    return matrix;
+  }
+
+  function render() {
+    const { azimuth, height, distance } = look;
+    const eye = vector.add(target, distance * reach, [
+      Math.cos(height) * Math.cos(azimuth),
+      Math.cos(height) * Math.sin(azimuth),
+      Math.sin(height),
+    ]);
+    camera.position.set(...eye);
+    camera.up.set(0, 0, 1);
+    camera.lookAt(...target);
+    renderer.render(scene, camera);
+  }
+
+  let view = null;
+  function draw() {
+    if (!renderer || !page.isSpatial()) return;
+    const frame = page.frame();
+    view = {
+      frame,
+      contacts: page.answer.contacts.map((c) => ({
+        ...c,
+        normal: vector.unit(c.normal),
+        at: vector.add(c.position, -1, frame.centre).map((x) => x / frame.radius),
+      })),
+    };
+    const points = view.contacts.map((c) => c.at);
+    if (points.length > 0) {
+      const ends = [0, 1, 2].map((j) => [
+        Math.min(0, ...points.map((p) => p[j])),
+        Math.max(0, ...points.map((p) => p[j])),
+      ]);
+      target = ends.map(([low, high]) => (low + high) / 2);
+      reach = Math.max(0.6, Math.hypot(...ends.map(([low, high]) => high - low)) / 2.6);
+    }
+    const width = page.canvasWidth("space", 640);
+    const height = Math.round(Math.min(520, width * 0.8));
+    renderer.setPixelRatio(window.devicePixelRatio || 1);
+    renderer.setSize(width, height);
+    camera.aspect = width / height;
+    camera.updateProjectionMatrix();
+    for (const part of scene ? scene.children : [])
+      part.traverse((o) => {
+        if (o.geometry) o.geometry.dispose();
+        if (o.material && o.material.map) o.material.map.dispose();
+        if (o.material) o.material.dispose();
+      });
+    scene = new THREE.Scene();
+    scene.background = colour("paper");
+    scene.add(new THREE.AmbientLight(0xffffff, 0.75));
+    const light = new THREE.DirectionalLight(0xffffff, 0.45);
+    light.position.set(1, -2, 3);
+    scene.add(light);
+    const built = build(view);
+    scene.add(...built.parts);
+    page.animate(moving, (share) => {
+      moving.matrix = move(built.motion.twist, share * built.factor, frame);
+      render();
+    });
+    render();
+    renderer.domElement.setAttribute(
+      "aria-label",
+      "The grasp in space: " +
+        page.verdictWords() +
+        " Arrow keys turn it, plus and minus bring it nearer and away, Home turns it back.",
+    );
+    page.put("body-legend", legend(built));
+  }
+
+  function legend({ motion, factor, forces, unit }) {
+    const { svg } = page;
+    const arrowSign = (name) => page.sign(page.arrow([1, 9], [25, 9], name));
+    const units = page.unitsOf();
+    const twist = motion.kind === "twist";
+    const marks = [...new Set(motion.marks)].filter((name) => page.marks[name]);
+    const load = page.load();
+    return [
+      page.legend([
+        { drawing: page.sign(svg("path", { class: "cone", d: "M1 9L25 16V2Z" })), text: "normal, friction cone" },
+        forces && {
+          drawing: arrowSign("force"),
+          text:
+            "contact force" +
+            (page.answer.near ? ", near" : "") +
+            ", longest part " +
+            page.near(unit, 3) +
+            (units ? " " + units.force : ""),
+        },
+        load &&
+          Math.hypot(...load.slice(0, 3)) > 0 && {
+            drawing: arrowSign("load"),
+            text: "load" + (view.loadFactor === 1 ? "" : ", " + page.factorText(view.loadFactor)),
+          },
+        load &&
+          view.torque &&
+          Math.hypot(...view.torque) > 1e-9 && {
+            drawing: page.sign(page.torqueArrow([13, 11], 7, true)),
+            text: "torque " + page.nearTuple(view.torque) + (units ? " " + units.force + " " + units.length : ""),
+          },
+        factor > 0 && {
+          drawing: arrowSign(twist ? "virtual" : "motion"),
+          text:
+            (twist ? "virtual twist, " : "motion, ") +
+            page.factorText(factor) +
+            (page.screw(motion.twist) ? ", with the axis of its screw" : ""),
+        },
+        ...marks.map((name) => ({ drawing: page.markSign(name), text: page.marks[name] })),
+      ]),
+      html(
+        "p",
+        { class: "muted" },
+        "The hull of the contacts stands for the body. Turn it with the mouse or the arrow keys.",
+      ),
+    ];
+  }
+
+  function turn(azimuth, height) {
+    look.azimuth += azimuth;
+    look.height = Math.max(-1.5, Math.min(1.5, look.height + height));
+    render();
+  }
+
+  page.startSpace = function () {
+    if (renderer) return;
+    const place = page.find("space");
+    try {
+      renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
+    } catch (error) {
+      page.put(
+        "space",
+        html("p", {}, "This browser draws nothing in space (it has no WebGL). All numbers are in the table."),
+      );
+      return;
+    }
+    camera = new THREE.PerspectiveCamera(34, 1, 0.1, 50);
+    const canvas = renderer.domElement;
+    canvas.id = "space-canvas";
+    canvas.tabIndex = 0;
+    canvas.setAttribute("role", "application");
+    canvas.style.touchAction = "none";
+    canvas.style.cursor = "grab";
+    place.append(canvas);
+    let from = null;
+    canvas.addEventListener("pointerdown", (event) => {
+      from = [event.clientX, event.clientY];
+      canvas.setPointerCapture(event.pointerId);
+    });
+    canvas.addEventListener("pointermove", (event) => {
+      if (!from) return;
+      turn((from[0] - event.clientX) / 160, (event.clientY - from[1]) / 160);
+      from = [event.clientX, event.clientY];
+    });
+    for (const type of ["pointerup", "pointercancel"]) canvas.addEventListener(type, () => (from = null));
+    canvas.addEventListener("keydown", (event) => {
+      const zoom = (by) => () => {
+        look.distance = Math.max(2.5, Math.min(14, look.distance * by));
+        render();
+      };
+      const kKeys = {
+        ArrowLeft: () => turn(-kTurn, 0),
+        ArrowRight: () => turn(kTurn, 0),
+        ArrowUp: () => turn(0, kTurn),
+        ArrowDown: () => turn(0, -kTurn),
+        "+": zoom(0.9),
+        "-": zoom(1 / 0.9),
+        Home: () => {
+          look = { ...kHome };
+          render();
+        },
+      };
+      if (!kKeys[event.key]) return;
+      kKeys[event.key]();
+      event.preventDefault();
+    });
+  };
+
+  /** From where it is looked at, for tests. */
+  page.spaceState = () => ({ ...look, drawn: scene ? scene.children.length : 0 });
+
+  page.views.push(draw);
+})(StickslipPage);

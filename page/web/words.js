@@ -1,0 +1,482 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// What is said in words: the verdict, why, what each contact does, and all exact numbers.
+(function (page) {
+  const { html } = page;
+
+  const kVerdicts = {
+    stable: ["Stable", "the grasp holds this load."],
+    unstable: ["Unstable", "the grasp does not hold this load."],
+    fragile: ["Fragile", "some grasps in the box hold this load, and others do not."],
+    undecided: ["Undecided", "a limit was reached before there was an answer."],
+  };
+  const kBoxVerdicts = {
+    stable: ["Stable throughout", "every grasp in the box of uncertain numbers holds its load."],
+    unstable: ["Unstable throughout", "no grasp in the box of uncertain numbers holds its load."],
+  };
+  const kSymbols = { stable: "\u2713", unstable: "\u2715", fragile: "\u2248", undecided: "?" };
+
+  /** Of one decision: [word, sentence]. */
+  function wordsOf(decide) {
+    return (decide.box && kBoxVerdicts[decide.verdict]) || kVerdicts[decide.verdict] || [decide.verdict, ""];
+  }
+
+  page.verdictWords = function () {
+    const { decide } = page.answer;
+    if (!decide) return "No verdict was asked for.";
+    if (decide.cases) return page.count(decide.cases.length, "case");
+    return wordsOf(decide).join(": ");
+  };
+
+  function drawVerdict() {
+    const { answer } = page;
+    const { decide } = answer;
+    const verdict = decide && !decide.cases ? decide.verdict : "none";
+    document.title = (answer.name || "Grasp") + (verdict === "none" ? "" : ": " + verdict);
+    page.put("name", (answer.name || "Grasp") + (decide && decide.case ? ", " + decide.case : ""));
+    const place = page.find("verdict");
+    place.dataset.verdict = verdict;
+    if (!decide || decide.cases) {
+      page.put("verdict", html("span", { class: "sentence" }, page.verdictWords()));
+      return;
+    }
+    const [word, sentence] = wordsOf(decide);
+    page.put(
+      "verdict",
+      html("span", { class: "symbol", "aria-hidden": "true" }, kSymbols[decide.verdict] || ""),
+      html("span", {}, html("strong", { class: "word" }, word + ": "), html("span", { class: "sentence" }, sentence)),
+    );
+  }
+
+  function casesTable(cases) {
+    return html(
+      "table",
+      { class: "cases" },
+      html(
+        "thead",
+        {},
+        html(
+          "tr",
+          {},
+          ["case", "verdict", "load w"].map((text) => html("th", { scope: "col" }, text)),
+        ),
+      ),
+      html(
+        "tbody",
+        {},
+        cases.map((one) =>
+          html(
+            "tr",
+            {},
+            html("th", { scope: "row" }, one.case),
+            html("td", {}, (kSymbols[one.verdict] || "") + " " + one.verdict),
+            html("td", {}, page.numbers(one.wrench)),
+          ),
+        ),
+      ),
+    );
+  }
+
+  const isInterval = (wrench) => wrench.some(Array.isArray);
+  function wrenchText(wrench) {
+    if (!isInterval(wrench)) return page.numbers(wrench);
+    return [
+      "(",
+      wrench.map((w, i) => [
+        i ? ", " : "",
+        Array.isArray(w) ? ["[", page.number(w[0]), ", ", page.number(w[1]), "]"] : page.number(w),
+      ]),
+      ")",
+    ];
+  }
+
+  /** Under the verdict: the load, and what makes it so. */
+  function drawWhy() {
+    const { decide } = page.answer;
+    const lines = [];
+    if (decide && decide.cases) lines.push(casesTable(decide.cases));
+    if (decide && !decide.cases) {
+      lines.push(html("p", {}, "Load w = ", wrenchText(decide.wrench), unitsText(), "."));
+      if (decide.verdict === "stable" && decide.box) {
+        lines.push(
+          html(
+            "p",
+            {},
+            "Proved for all of them at once." +
+              (page.answer.near ? " What is drawn is the grasp in the middle of the box." : ""),
+          ),
+        );
+      } else if (decide.verdict === "stable" && decide.twist) {
+        lines.push(
+          html(
+            "p",
+            {},
+            "The body moves by d = ",
+            page.numbers(decide.twist),
+            ", and then ",
+            contactsDo(page.equilibrium().marks) || "no contact is needed",
+            ". These forces balance the load, lie in their friction cones and oppose slip; checked exactly.",
+          ),
+        );
+      } else if (decide.verdict === "stable") {
+        lines.push(
+          html(
+            "p",
+            {},
+            "The body moves by nearly d = ",
+            page.nearTuple(decide.near_float || []),
+            ". Proved: the forces on the walls of a box of motions around this one leave no way out but an equilibrium inside. " +
+              "What is drawn is near it, in floating point.",
+          ),
+        );
+      } else if (decide.verdict === "unstable") {
+        const { cases } = page.refutation();
+        const many =
+          cases.length > 1
+            ? "Proved in " + cases.length + " cases, which together cover all motions: in each, along"
+            : "Along";
+        lines.push(
+          html(
+            "p",
+            {},
+            "No motion and forces satisfy all conditions. " +
+              many +
+              " some virtual twist, the load does more work than the contacts can take up.",
+          ),
+        );
+      } else if (decide.verdict === "fragile" && decide.differences) {
+        lines.push(
+          html(
+            "p",
+            {},
+            "Two of them differ in ",
+            decide.differences.map((d, i) => [
+              i ? "; " : "",
+              d.place,
+              ": stable at ",
+              page.number(d.stable),
+              ", unstable at ",
+              page.number(d.unstable),
+            ]),
+            ".",
+          ),
+        );
+      } else if (decide.limit) {
+        lines.push(html("p", {}, "Limit: " + decide.limit + "."));
+      }
+      for (const uncertain of [groupUncertain(decide.uncertain || [])]) if (uncertain) lines.push(uncertain);
+      lines.push(
+        html(
+          "p",
+          { class: "muted" },
+          "Normal law: " +
+            decide.normal_law +
+            (decide.normal_law === "unilateral" ? " (contacts may open)" : " (no contact may open)") +
+            ". Engine: " +
+            decide.engine +
+            ".",
+        ),
+      );
+    }
+    for (const warning of (decide && decide.warnings) || [])
+      lines.push(html("p", { class: "warning" }, "Warning: " + warning.text + "."));
+    for (const message of messages()) lines.push(html("p", { class: "muted" }, message));
+    page.put("why", lines);
+  }
+
+  /** What is said of the parts of the page; of several parts that cannot be had for one reason, once. */
+  function messages() {
+    const reasons = new Map();
+    for (const message of page.answer.messages || []) {
+      const [, part, reason] = /^(states|region|margin|map): (.*)$/.exec(message) || [null, "", message];
+      // In space nobody expects them.
+      if (page.isSpatial() && part !== "" && part !== "margin") continue;
+      reasons.set(reason, [...(reasons.get(reason) || []), part]);
+    }
+    return [...reasons].map(([reason, parts]) => (parts[0] ? parts.join(", ") + ": " : "") + reason);
+  }
+
+  function unitsText() {
+    const units = page.unitsOf();
+    return units ? " in " + units.force + " and " + units.force + " " + units.length : "";
+  }
+
+  /** The uncertain numbers, those with one interval together. */
+  function groupUncertain(list) {
+    if (list.length === 0) return null;
+    const groups = new Map();
+    for (const { place, interval } of list) {
+      const parts = /^contacts\[(\d+)\]\.(.*)$/.exec(place);
+      const key = (parts ? parts[2] : place) + " " + interval;
+      if (!groups.has(key)) groups.set(key, { what: parts ? parts[2] : place, interval, contacts: [] });
+      if (parts) groups.get(key).contacts.push(parts[1]);
+    }
+    return html(
+      "p",
+      {},
+      "Uncertain: ",
+      [...groups.values()].map((group, k) => [
+        k ? "; " : "",
+        group.what,
+        group.contacts.length ? " of " + page.contacts(group.contacts) : "",
+        " from ",
+        page.number(group.interval[0]),
+        " to ",
+        page.number(group.interval[1]),
+      ]),
+      ".",
+    );
+  }
+
+  const kDoes = {
+    plus: ["slips\u00A0+", "slip\u00A0+"],
+    minus: ["slips\u00A0\u2212", "slip\u00A0\u2212"],
+    slip: ["slips", "slip"],
+    stick: ["sticks", "stick"],
+    open: ["is open", "are open"],
+  };
+  /** "contact 0 slips +, contacts 1 and 2 stick". */
+  function contactsDo(marks) {
+    const parts = Object.entries(kDoes).map(([mark, words]) => {
+      const list = marks.flatMap((other, i) => (other === mark ? [i] : []));
+      return list.length === 0 ? "" : page.contacts(list) + " " + words[list.length === 1 ? 0 : 1];
+    });
+    return parts.filter(Boolean).join(", ");
+  }
+
+  // What is looked at: the equilibrium, a motion of the sphere, or the virtual twist of a case.
+  function drawChoice() {
+    const { answer, shown } = page;
+    const motion = page.motion();
+    const decide = page.decided();
+    const choices = [];
+    if (decide && (decide.twist || decide.near || page.answer.near)) choices.push(["equilibrium", "Equilibrium"]);
+    if (page.refutation().cases.length > 0) choices.push(["twist", "Virtual twist"]);
+    if (answer.states && shown.cell !== null) choices.push(["cell", "Motion on the sphere"]);
+    const moving = motion.twist && motion.twist.some((x) => x !== 0);
+    page.put(
+      "choice",
+      choices.length === 0
+        ? null
+        : html(
+            "div",
+            { role: "group", "aria-label": "What is shown", class: "segments" },
+            choices.map(([kind, text]) =>
+              html(
+                "button",
+                {
+                  type: "button",
+                  "aria-pressed": String(motion.kind === kind),
+                  "data-choice": kind,
+                  onclick: () => page.show({ motion: kind }),
+                },
+                text,
+              ),
+            ),
+          ),
+      moving
+        ? html(
+            "button",
+            { type: "button", id: "pause", onclick: () => page.pause(!page.isPaused()) },
+            page.isPaused() ? "Play" : "Pause",
+          )
+        : null,
+    );
+  }
+
+  // Buttons are made anew whenever they are drawn; the focus stays where it was.
+  let focused = null;
+  document.addEventListener("focusin", (event) => {
+    focused = event.target.dataset.choice || event.target.id || null;
+  });
+  document.addEventListener("focusout", (event) => {
+    if (event.relatedTarget) focused = null;
+  });
+  page.restoreFocus = function () {
+    if (!focused || document.activeElement !== document.body) return;
+    const element = document.querySelector('[data-choice="' + focused + '"]') || page.find(focused);
+    if (element) element.focus({ preventScroll: true });
+  };
+
+  function drawMotionWords() {
+    const motion = page.motion();
+    const lines = [];
+    if (motion.kind === "twist") lines.push(...caseLines());
+    if (motion.kind === "cell") {
+      const { cell } = motion;
+      lines.push(
+        html(
+          "p",
+          {},
+          html("strong", {}, cell.kind[0].toUpperCase() + cell.kind.slice(1) + " "),
+          html("code", { class: "state" }, page.typeset(cell.states)),
+          ". ",
+          page.motionWords(motion.twist),
+          motion.marks.length > 0 ? " In it " + contactsDo(motion.marks) + "." : "",
+        ),
+      );
+    }
+    if (motion.kind === "equilibrium") lines.push(html("p", {}, page.motionWords(motion.twist)));
+    page.put("motion-words", lines);
+  }
+
+  page.drawMotionWords = drawMotionWords;
+
+  function caseLines() {
+    const { cases } = page.refutation();
+    const k = page.leafShown();
+    const found = cases[k];
+    const drift = page.drift(found);
+    const whole = found.conditions.length === 0;
+    const oppose = drift.opposing.flatMap((yes, i) => (yes ? [i] : []));
+    const idle = drift.opposing.flatMap((yes, i) => (yes ? [] : [i]));
+    const step = (by) => () => page.show({ motion: "twist", leaf: (k + by + cases.length) % cases.length });
+    const load = !drift.work
+      ? "Its load"
+      : drift.work.sign() > 0
+        ? "The load drives this motion"
+        : drift.work.sign() < 0
+          ? "The load works against this motion"
+          : "The load does no work on this motion";
+    return [
+      cases.length > 1
+        ? html(
+            "p",
+            { class: "stepper" },
+            html(
+              "button",
+              { type: "button", "data-choice": "case-before", "aria-label": "Case before", onclick: step(-1) },
+              "\u2190",
+            ),
+            " Case " + (k + 1) + " of " + cases.length + " ",
+            html(
+              "button",
+              { type: "button", "data-choice": "case-after", "aria-label": "Next case", onclick: step(1) },
+              "\u2192",
+            ),
+          )
+        : null,
+      whole ? null : html("p", {}, "All motions with: " + found.conditions.join(", ") + "."),
+      html(
+        "p",
+        {},
+        "Whatever forces the contacts have" +
+          (whole ? "" : " in it") +
+          ", load and contacts together do positive work along the virtual twist ",
+        page.numbers(drift.exact),
+        ", so they never balance. ",
+        load,
+        drift.work && drift.work.sign() !== 0 ? [" (work ", page.number(drift.work), ")"] : null,
+        oppose.length
+          ? "; " + page.contacts(oppose) + (oppose.length === 1 ? " opposes it and loses" : " oppose it and lose")
+          : "",
+        idle.length ? "; " + page.contacts(idle) + " cannot oppose it" : "",
+        ".",
+      ),
+      html("p", {}, page.motionWords(drift.twist)),
+    ];
+  }
+
+  function drawTable() {
+    const { answer } = page;
+    const motion = page.motion();
+    const { kind } = motion;
+    const exact = kind === "equilibrium" && page.decided().contacts;
+    const near = kind === "equilibrium" && !exact && page.forces();
+    const marked = motion.marks.some((mark) => mark !== "none");
+    const columns = [["contact", (_, i) => String(i)]];
+    if (marked) columns.push(["does", (_, i) => [page.markSign(motion.marks[i]), " ", page.marks[motion.marks[i]]]]);
+    if (kind === "cell") columns.push(["normal", (contact) => partingWords(contact, motion.twist)]);
+    if (exact && !page.isSpatial()) {
+      columns.push(
+        ["normal", (_, i) => page.brief(exact[i].normal)],
+        ["tangential", (_, i) => page.brief(exact[i].tangential)],
+      );
+    }
+    if (exact) columns.push(["force", (_, i) => page.numbers(exact[i].force, page.brief)]);
+    if (exact && page.isSpatial()) columns.push(["friction", (_, i) => page.numbers(exact[i].friction, page.brief)]);
+    if (near)
+      columns.push([
+        page.decided().box ? "force, middle" : "force, near",
+        (_, i) => page.nearTuple(near[i].force.map((x) => page.clean(x, Math.hypot(...near[i].force)))),
+      ]);
+    columns.push(
+      ["\u03BC", (contact) => page.near(contact.friction)],
+      ["preload", (contact) => page.near(contact.preload)],
+    );
+    const cell = ([name, show], contact, i) =>
+      html(
+        name === "contact" ? "th" : "td",
+        { scope: name === "contact" ? "row" : null, "data-contact-does": name === "does" ? motion.marks[i] : null },
+        show(contact, i),
+      );
+    page.put(
+      "contacts",
+      answer.contacts.length === 0
+        ? html("p", {}, "There are no contacts.")
+        : html(
+            "table",
+            {},
+            html("caption", {}, "Contacts"),
+            html(
+              "thead",
+              {},
+              html(
+                "tr",
+                {},
+                columns.map(([name]) => html("th", { scope: "col" }, name)),
+              ),
+            ),
+            html(
+              "tbody",
+              {},
+              answer.contacts.map((contact, i) =>
+                html(
+                  "tr",
+                  { "data-contact": i },
+                  columns.map((column) => cell(column, contact, i)),
+                ),
+              ),
+            ),
+          ),
+    );
+    const slips = page.isSpatial() ? "" : "Slip: + is along the normal turned by +90 degrees, \u2212 against it. ";
+    page.put(
+      "table-note",
+      kind === "cell" || exact || near
+        ? html("p", { class: "muted" }, slips + (kind === "cell" ? "" : "An open contact is detached."))
+        : null,
+    );
+  }
+
+  function partingWords(contact, twist) {
+    const parting = page.parting(contact, twist);
+    if (parting < 0) return "presses more";
+    if (parting === 0) return "as before";
+    return contact.preload > 0 ? "loosens, opens later" : "open at once";
+  }
+
+  function drawExact() {
+    const { answer } = page;
+    const decide = page.decided();
+    const rows = [];
+    const add = (name, value) => rows.push(html("tr", {}, html("th", { scope: "row" }, name), html("td", {}, value)));
+    const all = (values) =>
+      page.typeset("(" + values.map((v) => (Array.isArray(v) ? "[" + v.join(", ") + "]" : v)).join(", ") + ")");
+    if (decide) {
+      add("load w", all(decide.wrench));
+      if (decide.twist) add("motion d", all(decide.twist));
+      if (decide.near) add("near the motion", all(decide.near));
+      (decide.contacts || []).forEach((contact, i) => add("force of contact " + i, all(contact.force)));
+    }
+    if (answer.margin) add("multiples resisted", page.marginText ? page.marginText(true) : "");
+    page.put(
+      "exact",
+      html("table", {}, html("tbody", {}, rows)),
+      html("h3", {}, "The grasp file"),
+      html("pre", { tabindex: "0", "aria-label": "The grasp file" }, page.grasp.text()),
+    );
+  }
+
+  page.views.push(drawVerdict, drawWhy, drawChoice, drawMotionWords, drawTable, drawExact);
+})(StickslipPage);

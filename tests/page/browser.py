@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Chromium without a network, and the pages that the program writes."""
+
+import base64
+import json
+import os
+import subprocess
+import tempfile
+import time
+import unittest
+
+from selenium import webdriver
+from selenium.webdriver.chrome.options import Options
+from selenium.webdriver.chrome.service import Service
+from selenium.webdriver.common.action_chains import ActionChains
+from selenium.webdriver.common.by import By
+from selenium.webdriver.common.keys import Keys
+
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+STICKSLIP = os.environ["STICKSLIP"]
+STICKSLIP_CHECK = os.environ["STICKSLIP_CHECK"]
+PICTURES = os.environ["PAGE_PICTURES"]  # for people to look at
+FIG1 = os.path.join(ROOT, "paper_examples", "grasps", "fig1.json")
+PATIENCE = 30  # seconds until what has to come is missed; nothing here measures time
+
+
+def example(name):
+    return os.path.join(ROOT, "examples", "grasps", name + ".json")
+
+
+def run(*arguments, **more):
+    return subprocess.run([STICKSLIP, *arguments], check=True, capture_output=True, text=True, **more).stdout
+
+
+def decide(grasp, *options):
+    return json.loads(run("decide", grasp, "--json", *options))
+
+
+class PageTest(unittest.TestCase):
+    """A browser for each class, of which no request but for the page itself leaves, and which has nothing to complain of."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.downloads = folder.name
+        options = Options()
+        options.binary_location = os.environ["CHROMIUM"]
+        for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars",
+                         "--disable-gpu", "--enable-unsafe-swiftshader",
+                         "--window-size=1280,900",
+                         "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1", "--disable-background-networking"):
+            options.add_argument(argument)
+        options.add_experimental_option("prefs", {"download.default_directory": cls.downloads})
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+        cls.driver = webdriver.Chrome(options=options, service=Service(os.environ["CHROMEDRIVER"]))
+        cls.addClassCleanup(cls.driver.quit)
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.allowed = []  # beginnings of addresses
+        self.set_size(1280, 900)
+        self.set_media()
+
+    def set_size(self, width, height):
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", {
+            "width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
+
+    def set_media(self, **features):
+        self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {
+            "features": [{"name": name.replace("_", "-"), "value": value} for name, value in features.items()]})
+
+    def open(self, grasp, *options):
+        """Writes the page of a grasp file, and opens it. Returns its answer."""
+        path = os.path.join(self.folder, "page.html")
+        run("page", grasp, "-o", path, *options)
+        self.size = os.path.getsize(path)
+        self.go("file://" + path)
+        return self.js("return StickslipPage.answer")
+
+    def go(self, address):
+        self.allowed.append(address.split("#")[0])
+        self.driver.get(address)
+        self.wait(lambda: self.js("return document.body.dataset.ready") == "yes", "the page is ready")
+
+    def js(self, script, *arguments):
+        return self.driver.execute_script(script, *arguments)
+
+    def wait(self, is_so, what):
+        end = time.monotonic() + PATIENCE
+        while not is_so():
+            self.assertLess(time.monotonic(), end, "waited for: " + what)
+            time.sleep(0.02)
+
+    def find(self, selector):
+        return self.driver.find_element(By.CSS_SELECTOR, selector)
+
+    def all(self, selector):
+        return self.driver.find_elements(By.CSS_SELECTOR, selector)
+
+    def text(self, selector):
+        """As it is in the document, whether or not it is in view."""
+        return self.js("return document.querySelector(arguments[0]).textContent", selector)
+
+    def press(self, *keys):
+        ActionChains(self.driver).send_keys(*keys).perform()
+
+    def still(self):
+        """Without animation."""
+        self.js("StickslipPage.pause(true)")
+
+    def point_at(self, element, x, y):
+        """Places are from the middle of the element."""
+        self.js("arguments[0].scrollIntoView({ block: 'center' })", element)
+        return ActionChains(self.driver, duration=20).move_to_element_with_offset(element, x, y)
+
+    def drag(self, element, x, y, steps=5):
+        actions = self.point_at(element, 0, 0).click_and_hold()
+        for _ in range(steps):
+            actions.move_by_offset(x / steps, y / steps)
+        actions.release().perform()
+
+    def picture(self, name):
+        """The whole page, as a build output."""
+        os.makedirs(PICTURES, exist_ok=True)
+        size = self.driver.execute_cdp_cmd("Page.getLayoutMetrics", {})["cssContentSize"]
+        shot = self.driver.execute_cdp_cmd("Page.captureScreenshot", {"captureBeyondViewport": True, "clip": {
+            "x": 0, "y": 0, "width": size["width"], "height": size["height"], "scale": 1}})
+        with open(os.path.join(PICTURES, name + ".png"), "wb") as file:
+            file.write(base64.b64decode(shot["data"]))
+
+    def fits(self):
+        """Nothing is wider than the window."""
+        self.assertLessEqual(self.js("return document.documentElement.scrollWidth"), self.js("return window.innerWidth"))
+
+    def check_proof(self):
+        self.find("#check").click()
+        self.wait(lambda: self.js("return document.getElementById('proof-result').dataset.answer"), "the checker's answer")
+        return self.js("return document.getElementById('proof-result').dataset.answer")
+
+    def tearDown(self):
+        self.js("try { localStorage.clear() } catch (error) {}")
+        self.driver.get("about:blank")
+        said, sent = self.driver.get_log("browser"), self.driver.get_log("performance")
+        for entry in said:
+            self.assertNotIn(entry["level"], ("SEVERE", "ERROR"), entry)
+        requests = 0
+        for entry in sent:
+            message = json.loads(entry["message"])["message"]
+            if message["method"] != "Network.requestWillBeSent":
+                continue
+            address = message["params"]["request"]["url"]
+            self.assertTrue(address.startswith(("data:", "blob:", *self.allowed)), address)
+            requests += 1
+        self.assertGreater(requests, 0, "requests are seen")

@@ -1,0 +1,411 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pages in a browser: what they show is what `stickslip decide` and the others say."""
+
+import json
+import os
+import re
+import subprocess
+import unittest
+from fractions import Fraction
+
+from browser import FIG1, STICKSLIP_CHECK, Keys, PageTest, decide, example, run
+
+MARKS = {"+": "plus", "-": "minus", "0": "stick"}
+
+
+def mark_of(contact):
+    return MARKS[contact["slip"]] if contact["closed"] else "open"
+
+
+class Planar(PageTest):
+    def test_a_stable_grasp_with_an_outline(self):
+        grasp = example("bracket")
+        self.open(grasp)
+        self.still()
+        verdict = decide(grasp)
+        self.assertEqual(verdict["verdict"], "stable")
+        self.assertEqual(self.js("return document.getElementById('verdict').dataset.verdict"), "stable")
+        self.assertIn("holds this load", self.text("#verdict"))
+        self.assertIn(verdict["name"], self.text("#name"))
+        self.assertEqual([e.get_attribute("data-contact-does") for e in self.all("[data-contact-does]")],
+                         [mark_of(c) for c in verdict["contacts"]])
+        self.assertEqual([e.get_attribute("data-contact-state") for e in self.all("#body [data-contact-state]")],
+                         [mark_of(c) for c in verdict["contacts"]])
+        forces = [[float(x) for x in e.get_attribute("data-value").split(",")] for e in self.all("#body path.force")]
+        self.assertEqual(forces, [[float(Fraction(x)) for x in c["force"]] for c in verdict["contacts"]])
+        # Two rings: the outside and the hole.
+        self.assertEqual(self.find("#body path.body").get_attribute("d").count("M"), 2)
+        self.assertIn("unbalanced", "".join(w["trap"] for w in verdict["warnings"]))
+        self.assertIn(verdict["warnings"][0]["text"], self.text("#why"))
+        self.picture("stable-outline")
+
+    def test_all_digits_are_there_for_who_asks(self):
+        self.open(FIG1, "--wrench", "1/3,-100/301,0")
+        self.assertNotIn("100/301", self.text("#why"))
+        self.find("#exact-numbers").click()
+        self.assertIn("\u2212100/301", self.text("#why"))
+        self.find("#exact-panel summary").click()
+        self.assertIn("(1/3, \u2212100/301, 0)", self.text("#exact"))
+
+    def test_an_unstable_grasp_and_the_twist_that_wins(self):
+        answer = self.open(FIG1, "--wrench", "0,11/10,0")
+        self.assertEqual(self.js("return document.getElementById('verdict').dataset.verdict"), "unstable")
+        self.assertEqual(decide(FIG1, "--wrench", "0,11/10,0")["verdict"], "unstable")
+        leaves = [node[1:] for node in json.loads(answer["certificate"])["tree"] if node[0] == "leaf"]
+        self.assertGreater(len(leaves), 1)
+        seen = []
+        for _ in leaves:
+            number = int(re.search(r"Case (\d+) of (\d+)", self.text("#motion-words")).group(1))
+            twist = [str(-Fraction(y)) for y in leaves[number - 1]]
+            self.assertIn("(" + ", ".join(twist).replace("-", "\u2212") + ")", self.text("#motion-words"))
+            work = sum(Fraction(y) * Fraction(w) for y, w in zip(twist, ("0", "11/10", "0")))
+            self.assertIn("drives" if work > 0 else "works against" if work < 0 else "does no work", self.text("#motion-words"))
+            seen.append(number)
+            self.find("[data-choice='case-after']").click()
+        self.assertEqual(sorted(seen), list(range(1, len(leaves) + 1)))
+        # The one shown first is that of the program's text.
+        text = run("decide", FIG1, "--wrench", "0,11/10,0")
+        largest = re.search(r"The largest case:\n((?:  .*\n)*)", text).group(1)
+        self.assertEqual(re.search(r"twist (\(.*\))", largest).group(1),
+                         "(" + ", ".join(str(-Fraction(y)) for y in leaves[seen[0] - 1]) + ")")
+        self.moves_and_rests()
+        self.still()
+        self.picture("unstable")
+
+    def moves_and_rests(self):
+        place = "return document.querySelector('#body .moving').getAttribute('transform')"
+        before = self.js(place)
+        self.wait(lambda: self.js(place) != before, "the body moves")
+        self.find("#pause").click()
+        rest = self.js(place)
+        self.js("return new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))")
+        self.assertEqual(self.js(place), rest)
+
+    def test_who_asked_for_no_motion_sees_none(self):
+        self.set_media(prefers_reduced_motion="reduce")
+        self.open(FIG1, "--wrench", "0,11/10,0")
+        self.assertTrue(self.js("return StickslipPage.isPaused()"))
+
+    def test_no_outline(self):
+        answer = self.open(FIG1)
+        self.assertIsNone(answer["outline"])
+        self.assertIn("No outline is given", self.text("#body-legend"))
+        self.still()
+        self.picture("stable-no-outline")
+
+    def test_boxes(self):
+        self.open(FIG1, "--uncertain", "friction=10%")
+        self.assertEqual(self.js("return document.getElementById('verdict').dataset.verdict"), "fragile")
+        self.assertIn("9/20", self.text("#why"))
+        self.picture("fragile")
+        self.open(FIG1, "--uncertain", "friction=10%", "--wrench", "0,1/2,0")
+        self.assertIn("every grasp in the box", self.text("#verdict"))
+        self.assertEqual(self.check_proof(), "accepted")
+        self.still()
+        self.picture("stable-throughout")
+
+    def test_one_case_of_many(self):
+        self.open(example("space-book"), "--case", "held off centre")
+        self.assertEqual(self.js("return document.getElementById('verdict').dataset.verdict"), "unstable")
+        self.assertIn("held off centre", self.text("#name"))
+        self.assertEqual(self.check_proof(), "accepted")
+
+    def test_a_name_is_text(self):
+        name = "</script><img src=x onerror=alert(1)>&lt;"
+        path = os.path.join(self.folder, "name.json")
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump({"format": "stickslip-grasp/1", "name": name, "contacts": [], "wrench": [0, 0, 0]}, file)
+        self.open(path)
+        self.assertEqual(self.text("#name"), name)
+        self.assertEqual(self.all("img"), [])
+        self.assertIn("There are no contacts", self.text("#contacts"))
+        self.picture("no-contacts")
+
+
+class Sphere(PageTest):
+    def axes(self):
+        return self.js("return StickslipPage.sphereState().axes")
+
+    def test_it_turns(self):
+        self.open(FIG1)
+        home = self.axes()
+        canvas = self.find("#sphere")
+        self.drag(canvas, 60, 35)
+        turned = self.axes()
+        self.assertNotEqual(turned, home)
+        self.assertIsNone(self.js("return StickslipPage.shown.cell"), "to turn is not to choose")
+        for i in range(3):
+            for j in range(3):
+                product = sum(a * b for a, b in zip(turned[i], turned[j]))
+                self.assertAlmostEqual(product, 1 if i == j else 0, places=9)
+        # What is drawn to the right goes to the right.
+        self.press(Keys.HOME)
+        self.assertEqual(self.axes(), home)
+        self.assertGreater(self.js("return StickslipPage.spherePlace([0, 0, 1])[0]"), 0)
+        before = self.js("return StickslipPage.spherePlace([0, 0, 1])")
+        self.drag(canvas, 30, -20)
+        after = self.js("return StickslipPage.spherePlace([0, 0, 1])")
+        self.assertGreater(after[0], before[0])
+        self.assertLess(after[1], before[1])
+        for key in (Keys.ARROW_LEFT, Keys.ARROW_RIGHT, Keys.ARROW_UP, Keys.ARROW_DOWN):
+            before = self.axes()
+            self.press(key)
+            self.assertNotEqual(self.axes(), before)
+
+    def test_its_cells_are_the_slip_states(self):
+        answer = self.open(FIG1)
+        listed = set(json.loads(run("states", FIG1, "--json", "--list"))["states"])
+        cells = answer["states"]["cells"]
+        self.assertEqual({cell["states"] for cell in cells}, listed - {"000"})
+        self.assertEqual(len(cells), 26)
+        # A cell is where its motion is; vertices and edges are pointed at first.
+        seen = 0
+        for k, cell in enumerate(cells):
+            place = self.js("return StickslipPage.spherePlace(arguments[0])", cell["motion"])
+            if place is None:
+                continue
+            at = self.js("return StickslipPage.sphereCell(arguments[0][0], arguments[0][1])", place)
+            if at == k:
+                seen += 1
+            else:
+                self.assertNotEqual(cells[at]["kind"], "face", (cell, cells[at]))
+        self.assertGreater(seen, 8)
+
+    def test_a_cell_is_chosen_and_its_motion_shown(self):
+        answer = self.open(FIG1)
+        self.still()
+        cells = answer["states"]["cells"]
+        chosen = next(k for k, cell in enumerate(cells) if cell["kind"] == "face" and cell["states"] == "---")
+        place = self.js("return StickslipPage.spherePlace(arguments[0])", cells[chosen]["motion"])
+        canvas = self.find("#sphere")
+        half = self.js("return arguments[0].clientWidth / 2", canvas)
+        self.point_at(canvas, place[0] - half, place[1] - half).click().perform()
+        self.assertEqual(self.js("return StickslipPage.shown.cell"), chosen)
+        self.assertIn("\u2212\u2212\u2212", self.text("#motion-words"))
+        self.assertIn("counterclockwise", self.text("#motion-words"))
+        self.picture("cell")
+
+    def test_each_motion_slips_as_its_cell_says(self):
+        answer = self.open(example("bracket"))
+        self.still()
+        for k, cell in enumerate(answer["states"]["cells"]):
+            self.js("StickslipPage.chooseCell(arguments[0])", k)
+            self.assertEqual([e.get_attribute("data-contact-does") for e in self.all("[data-contact-does]")],
+                             [MARKS[c] for c in cell["states"]])
+            x, y, r = cell["motion"]
+            size = max(abs(x), abs(y), abs(r) * 40)
+            for contact, state in zip(answer["contacts"], cell["states"]):
+                (px, py), (nx, ny) = contact["position"], contact["normal"]
+                slip = (-ny * (x - r * py) + nx * (y + r * px)) / (nx * nx + ny * ny) ** 0.5 / size
+                self.assertEqual("0" if abs(slip) < 1e-9 else "+" if slip > 0 else "-", state)
+            pivots = self.all("#body [data-pivot]")
+            for pivot in pivots:
+                px, py = (float(c) for c in pivot.get_attribute("data-pivot").split(","))
+                self.assertAlmostEqual((x - r * py) / size, 0, places=9)
+                self.assertAlmostEqual((y + r * px) / size, 0, places=9)
+
+    def test_many_contacts(self):
+        contacts = []
+        for k in range(20):
+            n = [(3, 4), (4, 3), (5, 12), (12, 5), (8, 15)][k % 5]
+            turned = [n, (-n[1], n[0]), (-n[0], -n[1]), (n[1], -n[0])][k // 5]
+            contacts.append({"position": [f"{-turned[0] * (10 + k)}/100", f"{-turned[1] * (10 - k % 3)}/100"], "normal": turned})
+        path = os.path.join(self.folder, "many.json")
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump({"format": "stickslip-grasp/1", "name": "twenty", "defaults": {"friction": "2/5", "preload": 1},
+                       "contacts": contacts, "wrench": [1, -6, "1/2"]}, file)
+        answer = self.open(path)
+        self.assertLess(self.size, 1000000)
+        self.assertGreater(len(answer["states"]["cells"]), 1000)
+        self.find("#cell-after").click()
+        self.assertEqual(self.js("return StickslipPage.shown.cell"), 0)
+        self.still()
+        self.picture("twenty-contacts")
+
+
+def within(point, ring):
+    """Whether a point is inside of a polygon, by crossings."""
+    inside = False
+    for (x0, y0), (x1, y1) in zip(ring, ring[1:] + ring[:1]):
+        if (y0 > point[1]) != (y1 > point[1]) and point[0] < x0 + (point[1] - y0) * (x1 - x0) / (y1 - y0):
+            inside = not inside
+    return inside
+
+
+class Loads(PageTest):
+    def test_the_region_and_the_present_load(self):
+        for wrench, verdict in (("0,9/10,0", "stable"), ("1,3/5,0", "unstable"), ("-5,-2,0", "stable"), ("2,1/5,0", "unstable")):
+            with self.subTest(wrench):
+                self.open(FIG1, "--wrench", wrench)
+                self.assertEqual(decide(FIG1, "--wrench", wrench)["verdict"], verdict)
+                s, t = (float(x) for x in self.find("#region .present").get_attribute("data-load").split(","))
+                self.assertEqual([s, t], [float(Fraction(x)) for x in wrench.split(",")[:2]])
+                d = self.find("#region path.area").get_attribute("d")
+                ring = [tuple(map(float, p.split())) for p in d.strip("MZ").split("L")]
+                x, y = self.js("return StickslipPage.regionView().place([arguments[0], arguments[1]])", s, t)
+                self.assertEqual(within((x, y), ring), verdict == "stable")
+
+    def test_regions_without_end(self):
+        """Two areas' worth of half planes: what goes on without end is filled on the right side."""
+        grasp = example("bracket")
+        self.open(grasp)
+        d = self.find("#region path.area").get_attribute("d")
+        ring = [tuple(map(float, p.split())) for p in d.strip("MZ").split("L")]
+        for s, t in ((0, 0), (12, 0), (-12, 1), (0, 20), (0, -20), (8, -2), (-8, -2), (15, 14), (15, -3), (-20, 10)):
+            x, y = self.js("return StickslipPage.regionView().place([arguments[0], arguments[1]])", s, t)
+            torque = json.loads(run("region", grasp, "--json", "--torque", "-81/2"))["plane"]["origin"][2]
+            verdict = decide(grasp, "--wrench", f"{s},{t},{torque}")["verdict"]
+            self.assertEqual("stable" if within((x, y), ring) else "unstable", verdict, (s, t))
+
+    def test_the_margin(self):
+        self.open(example("more-friction-breaks"))
+        margin = json.loads(run("margin", example("more-friction-breaks"), "--json", "--direction", "-2,2,-2"))
+        for interval in margin["resisted"]:
+            for end in interval:
+                if end is not None:
+                    self.assertIn(end.replace("-", "\u2212"), self.text("#margin-note"))
+
+    def test_the_map_is_about_this_grasp(self):
+        answer = self.open(example("more-friction-breaks"))
+        self.assertEqual(len(self.all("#map .present")), 1)
+        self.assertEqual({cell["verdict"] for cell in answer["map"]["cells"]} - {"stable", "unstable", "undecided"}, set())
+        self.still()
+        self.picture("more-friction-breaks")
+
+
+class Proofs(PageTest):
+    def test_a_true_proof_is_accepted_and_a_false_one_is_not(self):
+        self.open(FIG1, "--wrench", "0,11/10,0")
+        self.assertEqual(self.check_proof(), "accepted")
+        self.assertIn("ms", self.text("#proof-result"))
+        self.js("""const { answer } = StickslipPage;
+                   answer.certificate = answer.certificate.replace('["leaf",0,-1,0]', '["leaf",0,1,0]');
+                   StickslipPage.draw();""")
+        self.assertTrue(self.js("return document.getElementById('proof-result').hidden"), "nothing is said of another proof")
+        self.assertEqual(self.js("return StickslipPage.checkProof().answer"), "rejected")
+        self.assertIn("leaf-bound", self.text("#proof-result"))
+
+    def test_the_options_of_the_question_are_the_checker_s(self):
+        self.open(FIG1, "--wrench", "1/3,1/2,0", "--preload", "2", "--normal-law", "bilateral")
+        self.assertEqual(self.check_proof(), "accepted")
+
+    def test_downloads(self):
+        self.open(FIG1)
+        self.find("#save-proof").click()
+        self.find("#save-grasp").click()
+        names = [os.path.join(self.downloads, name) for name in ("Fig-1.json", "Fig-1.certificate.json")]
+        self.wait(lambda: all(map(os.path.exists, names)), "two files")
+        checked = subprocess.run([STICKSLIP_CHECK, *names], capture_output=True, text=True, check=False)
+        self.assertEqual(checked.stdout.split("\n")[0], "accepted", checked.stderr)
+
+
+class Space(PageTest):
+    def colours(self):
+        """How many colours the drawing has."""
+        return self.js("""const from = document.getElementById('space-canvas'), to = document.createElement('canvas');
+            to.width = to.height = 64;
+            const context = to.getContext('2d');
+            context.drawImage(from, 0, 0, 64, 64);
+            return new Set(new Uint32Array(context.getImageData(0, 0, 64, 64).data.buffer)).size""")
+
+    def shot(self):
+        return self.js("return document.getElementById('space-canvas').toDataURL()")
+
+    def test_stable_with_a_witness(self):
+        self.open(example("space-cup"))
+        self.still()
+        self.assertLess(self.size, 1000000)
+        self.assertEqual(self.js("return document.getElementById('verdict').dataset.verdict"), "stable")
+        self.assertGreater(self.colours(), 30)
+        verdict = decide(example("space-cup"))
+        self.assertIn("(2, 0, 3/4)", self.text("#contacts"))
+        self.assertEqual(verdict["contacts"][0]["force"], ["2", "0", "3/4"])
+        self.assertEqual(self.check_proof(), "accepted")
+        self.picture("space-stable")
+        canvas = self.find("#space-canvas")
+        before = self.shot()
+        self.drag(canvas, 80, 30)
+        self.assertNotEqual(self.shot(), before)
+        self.js("arguments[0].focus()", canvas)
+        self.press(Keys.HOME)
+        self.assertEqual(self.shot(), before)
+        self.press(Keys.ARROW_LEFT)
+        self.assertNotEqual(self.shot(), before)
+
+    def test_stable_by_degree(self):
+        self.open(example("space-corner"))
+        self.still()
+        self.assertIn("walls of a box of motions", self.text("#why"))
+        self.assertEqual(self.check_proof(), "accepted")
+        self.picture("space-slipping")
+
+    def test_unstable(self):
+        self.open(example("space-book"), "--case", "too heavy")
+        self.still()
+        self.assertIn("work 9", self.text("#motion-words"))
+        self.assertIn("axis", self.text("#motion-words"))
+        self.assertEqual(self.check_proof(), "accepted")
+        self.picture("space-unstable")
+
+
+class Reading(PageTest):
+    def test_dark(self):
+        self.set_media(prefers_color_scheme="dark")
+        self.open(example("bracket"))
+        self.still()
+        colour = "return getComputedStyle(document.body).backgroundColor"
+        dark = self.js(colour)
+        self.assertLess(sum(map(int, re.findall(r"\d+", dark))), 150)
+        self.picture("dark")
+        self.find("#theme").click()
+        self.assertEqual(self.js("return document.documentElement.dataset.theme"), "light")
+        self.assertGreater(sum(map(int, re.findall(r"\d+", self.js(colour)))), 600)
+        self.find("#theme").click()
+        self.assertEqual(self.js(colour), dark)
+
+    def test_narrow(self):
+        for grasp, options, name in ((FIG1, ("--wrench", "0,11/10,0"), "narrow-unstable"), (example("bracket"), (), "narrow"),
+                                     (example("space-corner"), (), "narrow-space")):
+            self.set_size(360, 740)
+            self.open(grasp, *options)
+            self.still()
+            self.fits()
+            self.picture(name)
+
+    def test_with_the_keyboard_alone(self):
+        self.open(FIG1)
+        reached = []
+        for _ in range(40):
+            self.press(Keys.TAB)
+            name = self.js("return document.activeElement.id")
+            if name in reached:
+                break
+            reached.append(name)
+            if name == "sphere":
+                self.press(Keys.PAGE_DOWN)
+                self.press(Keys.PAGE_DOWN)
+                self.assertEqual(self.js("return StickslipPage.shown.cell"), 1)
+                self.press(Keys.ESCAPE)
+                self.assertEqual(self.js("return StickslipPage.motion().kind"), "equilibrium")
+                self.press(Keys.ENTER)
+                self.assertEqual(self.js("return StickslipPage.motion().kind"), "cell")
+            if name == "check":
+                self.press(Keys.ENTER)
+                self.wait(lambda: "accepted" in self.text("#proof-result"), "the proof is accepted")
+            if name == "pause":
+                paused = self.js("return StickslipPage.isPaused()")
+                self.press(Keys.ENTER)
+                self.assertNotEqual(self.js("return StickslipPage.isPaused()"), paused)
+                self.assertEqual(self.js("return document.activeElement.id"), "pause", "the focus stays")
+        for name in ("exact-numbers", "theme", "check", "save-proof", "save-grasp", "sphere", "cell-list"):
+            self.assertIn(name, reached)
+
+    def test_names_for_those_who_do_not_see(self):
+        self.open(FIG1)
+        for element in self.all("button, input, select, canvas, [role=img], [role=application]"):
+            name = element.accessible_name if hasattr(element, "accessible_name") else ""
+            self.assertNotEqual(name.strip(), "", element.get_attribute("outerHTML")[:200])
+
+
+if __name__ == "__main__":
+    unittest.main()

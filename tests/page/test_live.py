@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The live page: what is dragged and typed is asked of `stickslip serve`, and shown."""
+
+import json
+import os
+import re
+import subprocess
+import unittest
+from fractions import Fraction
+
+from browser import FIG1, STICKSLIP, STICKSLIP_CHECK, Keys, PageTest, decide, example
+
+
+class Live(PageTest):
+    def serve(self, grasp):
+        server = subprocess.Popen([STICKSLIP, "serve", grasp], stdout=subprocess.PIPE, text=True)
+        self.addCleanup(server.stdout.close)
+        self.addCleanup(server.wait)
+        self.addCleanup(server.terminate)
+        address = re.match(r"(http://127\.0\.0\.1:\d+/)", server.stdout.readline()).group(1)
+        self.go(address)
+        self.still()
+        return address
+
+    def rest(self):
+        """Until nothing is asked any more, and all parts are those of one grasp."""
+        self.wait(lambda: self.js("return !document.body.classList.contains('busy') && !document.querySelector('.panel.stale')"),
+                  "an answer")
+
+    def grasp_file(self):
+        path = os.path.join(self.folder, "live.json")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self.js("return StickslipPage.grasp.text()"))
+        return path
+
+    def agrees(self, *options):
+        """The page says what `stickslip decide` says of the grasp file that the page gives away, and has a proof of it."""
+        self.rest()
+        path = self.grasp_file()
+        verdict = decide(path, *options)["verdict"]
+        self.assertEqual(self.js("return document.getElementById('verdict').dataset.verdict"), verdict)
+        if verdict in ("stable", "unstable"):
+            proof = os.path.join(self.folder, "live.certificate.json")
+            with open(proof, "w", encoding="utf-8") as file:
+                file.write(self.js("return StickslipPage.answer.certificate"))
+            checked = subprocess.run([STICKSLIP_CHECK, path, proof, *options], capture_output=True, text=True, check=False)
+            self.assertEqual(checked.stdout.split("\n")[0], "accepted", checked.stderr)
+        return verdict
+
+    def handle(self, name):
+        return self.find(f'[data-handle="{name}"]')
+
+    def test_the_load_is_dragged(self):
+        self.serve(FIG1)
+        self.assertEqual(self.agrees(), "stable")
+        self.drag(self.handle("load"), 0, -30)
+        self.assertEqual(self.agrees(), "unstable")
+        wrench = [float(Fraction(w)) for w in json.loads(self.js("return StickslipPage.grasp.text()"))["wrench"]]
+        self.assertGreater(wrench[1], 1)
+        self.assertEqual(self.js("return StickslipPage.answer.wrench"), wrench)
+        self.picture("live-unstable")
+        self.drag(self.handle("load"), 40, 100)
+        self.assertEqual(self.agrees(), "stable")
+
+    def test_a_contact_is_dragged_along_the_outline(self):
+        self.serve(example("bracket"))
+        self.agrees()
+        self.drag(self.handle("contact-1"), -60, 25)
+        self.agrees()
+        contact = self.js("return StickslipPage.answer.contacts[1]")
+        self.assertEqual(contact["position"][1], 0, "it stays on the outline")
+        self.assertLess(contact["position"][0], 34)
+        self.assertEqual(contact["normal"], [0, 1])
+        # Round the corner, on the left side.
+        self.drag(self.handle("contact-0"), -60, -120)
+        self.agrees()
+        contact = self.js("return StickslipPage.answer.contacts[0]")
+        self.assertEqual(contact["position"][0], 0)
+        self.assertEqual(contact["normal"], [1, 0])
+        self.picture("live-outline")
+
+    def test_contacts_and_normals_without_an_outline(self):
+        self.serve(FIG1)
+        self.drag(self.handle("contact-1"), 40, -20)
+        self.agrees()
+        x, y = self.js("return StickslipPage.answer.contacts[1].position")
+        self.assertGreater(x, 0)
+        self.assertGreater(y, -1)
+        self.assertEqual((x, y), (round(x, 2), round(y, 2)), "short decimals")
+        self.drag(self.handle("normal-1"), 30, 10)
+        self.agrees()
+        n = [float(Fraction(c)) for c in json.loads(self.js("return StickslipPage.grasp.text()"))["contacts"][1]["normal"]]
+        self.assertAlmostEqual((n[0] ** 2 + n[1] ** 2) ** 0.5 % 1, 0, places=9, msg="of rational length")
+        self.assertGreater(n[0], 0)
+
+    def test_with_the_keyboard(self):
+        self.serve(FIG1)
+        self.js("arguments[0].focus()", self.handle("contact-0"))
+        before = self.js("return StickslipPage.answer.contacts[0].position")
+        for _ in range(3):
+            self.press(Keys.ARROW_UP)
+            self.rest()
+            self.assertEqual(self.js("return document.activeElement.dataset.handle"), "contact-0", "the focus stays")
+        self.agrees()
+        self.assertGreater(self.js("return StickslipPage.answer.contacts[0].position")[1], before[1])
+
+    def test_numbers(self):
+        self.serve(FIG1)
+        friction = self.find("#live-friction")
+        friction.clear()
+        friction.send_keys("0.4")
+        self.assertEqual(self.agrees(), "unstable")
+        self.assertEqual(json.loads(self.js("return StickslipPage.grasp.text()"))["contacts"][2]["friction"], "2/5")
+        self.js("arguments[0].value = '1'; arguments[0].dispatchEvent(new Event('input'))", self.find("#live-friction-range"))
+        self.assertEqual(self.agrees(), "stable")
+        load = self.find("#live-load-1")
+        load.clear()
+        load.send_keys("7/3", Keys.TAB)
+        self.assertEqual(self.agrees(), "unstable")
+        self.assertEqual(self.js("return StickslipPage.answer.decide.wrench[1]"), "7/3")
+
+    def test_a_range(self):
+        self.serve(FIG1)
+        self.js("""const list = document.getElementById('live-uncertain-friction');
+                   list.value = '10%'; list.dispatchEvent(new Event('change'))""")
+        self.assertEqual(self.agrees("--uncertain", "friction=10%"), "fragile")
+        self.picture("live-fragile")
+        load = self.find("#live-load-1")
+        load.clear()
+        load.send_keys("0.5", Keys.TAB)
+        self.assertEqual(self.agrees("--uncertain", "friction=10%"), "stable")
+        self.assertEqual(self.check_proof(), "accepted")
+
+    def test_the_link_has_the_grasp(self):
+        address = self.serve(FIG1)
+        self.drag(self.handle("load"), 20, -40)
+        self.rest()
+        text = self.js("return StickslipPage.grasp.text()")
+        link = self.js("return location.href")
+        self.assertTrue(link.startswith(address + "#"))
+        self.driver.get("about:blank")
+        self.allowed.append("about:blank")
+        self.go(link)
+        self.rest()
+        self.assertEqual(self.js("return StickslipPage.grasp.text()"), text)
+        self.agrees()
+
+    def test_a_link_to_a_grasp_in_space(self):
+        self.serve(example("space-cup"))
+        self.find("#live-load-0").send_keys(Keys.HOME, "1", Keys.TAB)
+        self.agrees()
+        link = self.js("return location.hash")
+        address = self.serve(FIG1)
+        self.go(address + "?" + link)
+        self.rest()
+        self.assertEqual(self.js("return StickslipPage.answer.dimension"), 6)
+        self.assertFalse(self.find("#body").is_displayed())
+        self.assertTrue(self.find("#space-canvas").is_displayed())
+        self.assertEqual(self.js("return document.getElementById('live-load-0').value"), "10")
+        self.agrees()
+
+    def test_what_cannot_be_asked_is_said(self):
+        self.serve(FIG1)
+        self.js("StickslipPage.grasp.set(0, 'stiffness', '-1');")
+        load = self.find("#live-load-0")
+        load.clear()
+        load.send_keys("1", Keys.TAB)
+        self.wait(lambda: "stiffness" in self.text("#live-error"), "the error")
+        self.driver.get_log("browser")  # the browser notes the status 400
+
+    def test_in_space(self):
+        self.serve(example("space-cup"))
+        self.agrees()
+        load = self.find("#live-load-2")
+        load.clear()
+        load.send_keys("-5", Keys.TAB)
+        self.assertEqual(self.agrees(), "unstable")
+        self.picture("live-space")
+
+
+if __name__ == "__main__":
+    unittest.main()

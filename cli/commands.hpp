@@ -47,6 +47,8 @@ void add_export_command(CLI::App& app, int& exit_code);
 void add_plot_command(CLI::App& app, int& exit_code);
 /// `plot region`, beside `region`.
 void add_region_plot(CLI::App& plot, int& exit_code);
+void add_page_command(CLI::App& app, int& exit_code);
+void add_serve_command(CLI::App& app, int& exit_code);
 void add_help_command(CLI::App& app, int& exit_code);
 /// `completion`, which prints the scripts, and what they call, `complete`, which is hidden.
 void add_completion_command(CLI::App& app, int& exit_code);

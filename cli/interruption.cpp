@@ -36,10 +36,31 @@ void say_message() {
   if (::write(STDERR_FILENO, text.data(), text.size()) < 0) return;  // nobody to tell
 }
 
+struct Stop {
+  std::mutex mutex;
+  std::function<void()> call;
+};
+
+/// Never destroyed, either.
+Stop& stop() {
+  static auto* const one = new Stop;
+  return *one;
+}
+
+/// False if there is nothing to call, or no more.
+bool call_stop() {
+  const std::lock_guard<std::mutex> lock(stop().mutex);
+  const std::function<void()> call = std::exchange(stop().call, nullptr);
+  if (call) call();
+  return call != nullptr;
+}
+
 /// In a thread of its own, where waiting is allowed, as it is not in a signal handler.
 void wait_for(sigset_t signals) {
   int signal_number = 0;
-  if (sigwait(&signals, &signal_number) != 0) return;
+  do {
+    if (sigwait(&signals, &signal_number) != 0) return;
+  } while (call_stop());
   end_by_signal(signal_number);
 }
 
@@ -84,6 +105,16 @@ InterruptionMessage::InterruptionMessage(std::function<std::string()> text) {
 InterruptionMessage::~InterruptionMessage() {
   const std::lock_guard<std::mutex> lock(message().mutex);
   message().text = nullptr;
+}
+
+InterruptionStop::InterruptionStop(std::function<void()> call) {
+  const std::lock_guard<std::mutex> lock(stop().mutex);
+  stop().call = std::move(call);
+}
+
+InterruptionStop::~InterruptionStop() {
+  const std::lock_guard<std::mutex> lock(stop().mutex);
+  stop().call = nullptr;
 }
 
 }  // namespace stickslip

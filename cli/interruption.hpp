@@ -26,4 +26,14 @@ class InterruptionMessage {
   InterruptionMessage& operator=(const InterruptionMessage&) = delete;
 };
 
+/// While this lives the first interruption calls `stop`, on a thread of its own, in place of
+/// ending the program; a second one ends it. There is one at a time.
+class InterruptionStop {
+ public:
+  explicit InterruptionStop(std::function<void()> stop);
+  ~InterruptionStop();  ///< waits for a call to return
+  InterruptionStop(const InterruptionStop&) = delete;
+  InterruptionStop& operator=(const InterruptionStop&) = delete;
+};
+
 }  // namespace stickslip

@@ -42,6 +42,8 @@ int main(int argc, char** argv) {
   stickslip::add_example_command(app, exit_code);
   stickslip::add_export_command(app, exit_code);
   stickslip::add_plot_command(app, exit_code);
+  stickslip::add_page_command(app, exit_code);
+  stickslip::add_serve_command(app, exit_code);
   stickslip::add_help_command(app, exit_code);
   stickslip::add_completion_command(app, exit_code);
   try {

@@ -43,6 +43,15 @@ stickslip_require_package(nlohmann_json nlohmann-json3-dev 3.10)
 stickslip_require_package(CLI11 libcli11-dev)
 stickslip_require_package(TBB libtbb-dev)
 stickslip_require_package(Threads libc6-dev)
+# Debian builds it with all of its options, and these are a part of its interface.
+stickslip_require_header(HTTPLIB_INCLUDE_DIR httplib.h libcpp-httplib-dev)
+stickslip_require_library(HTTPLIB_LIBRARY cpp-httplib libcpp-httplib-dev)
+add_library(stickslip_httplib INTERFACE)
+target_include_directories(stickslip_httplib SYSTEM INTERFACE ${HTTPLIB_INCLUDE_DIR})
+target_compile_definitions(stickslip_httplib INTERFACE CPPHTTPLIB_OPENSSL_SUPPORT
+  CPPHTTPLIB_ZLIB_SUPPORT CPPHTTPLIB_BROTLI_SUPPORT)
+target_link_libraries(stickslip_httplib INTERFACE ${HTTPLIB_LIBRARY} Threads::Threads)
+
 # CGAL's own configuration is verbose and adds flags; only arrangement/ and the
 # test oracles use it, header-only.
 stickslip_require_header(CGAL_INCLUDE_DIR CGAL/version.h libcgal-dev)

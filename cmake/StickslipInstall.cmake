@@ -5,7 +5,7 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(modules core lp arrangement equilibrium box space resistance earlier certificate batch crosscheck plot)
+set(modules core lp arrangement equilibrium box space resistance earlier certificate answers batch crosscheck plot page)
 foreach(module IN LISTS modules)
   install(TARGETS stickslip_${module} EXPORT stickslip)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${module}/include/stickslip TYPE INCLUDE)
@@ -15,6 +15,9 @@ foreach(dependency IN ITEMS gmp mpfr)
   install(TARGETS stickslip_${dependency} EXPORT stickslip)
 endforeach()
 install(TARGETS stickslip stickslip-check)
+if(STICKSLIP_BUILD_PROVED)
+  install(PROGRAMS ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/stickslip-proved TYPE BIN)
+endif()
 install(FILES ${PROJECT_SOURCE_DIR}/certificate/check.py ${PROJECT_SOURCE_DIR}/certificate/FORMAT.md
   DESTINATION ${CMAKE_INSTALL_DATADIR}/stickslip)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ TYPE DOC FILES_MATCHING PATTERN *.md

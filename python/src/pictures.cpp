@@ -5,6 +5,8 @@
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/earlier/comparison.hpp"
+#include "stickslip/page/answer.hpp"
+#include "stickslip/page/html.hpp"
 #include "stickslip/plot/grasp_plot.hpp"
 #include "stickslip/plot/region_plot.hpp"
 #include "stickslip/plot/states_plot.hpp"
@@ -112,6 +114,32 @@ py::str grasp_picture(const GraspFile& grasp, const py::object& wrench,
   }));
 }
 
+/// Numbers are spelled as on a command line; of no time limit, 0.
+template <class File>
+py::str page(const File& grasp, const std::string& wrench, const std::string& case_name,
+             const std::string& preload, bool bilateral, const std::string& uncertain,
+             std::size_t node_limit, double time_limit) {
+  QuestionText asked;
+  asked.wrench = wrench;
+  asked.case_name = case_name;
+  asked.preload = preload;
+  if (bilateral) asked.normal_law = "bilateral";
+  asked.uncertain = uncertain;
+  PageLimits limits;
+  limits.node_limit = node_limit;
+  limits.time = std::chrono::milliseconds(static_cast<std::int64_t>(1000 * time_limit));
+  try {
+    return text(without_gil([&] {
+      return page_html(page_answer(AnyGraspFile(grasp), asked, {}, limits, "grasp"));
+    }));
+  } catch (const InputError& error) {
+    // In the words of a command line.
+    const std::string& place = error.place();
+    if (place.rfind("--", 0) != 0) throw;
+    throw InputError(error.file(), place.substr(2), error.problem(), error.remedy());
+  }
+}
+
 py::str states_picture(const GraspFile& grasp) {
   return text(without_gil([&] { return plot_states(grasp.content.grasp); }));
 }
@@ -152,6 +180,8 @@ void bind_pictures(py::module_& module) {
   module.def("region", &region);
   module.def("plot_grasp", &grasp_picture);
   module.def("plot_states", &states_picture);
+  module.def("page", &page<GraspFile>);
+  module.def("page", &page<SpatialGrasp>);
   module.def("smtlib", &smtlib);
   module.def("compare", &compare);
 }

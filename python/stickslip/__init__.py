@@ -53,7 +53,7 @@ from .results import (
     SlipStates,
     StabilityMap,
 )
-from .views import Picture
+from .views import Page, Picture
 
 __version__: str = _core.version
 
@@ -75,6 +75,7 @@ __all__ = [
     "ModelWarning",
     "NearbyEquilibrium",
     "Outline",
+    "Page",
     "Picture",
     "Piece",
     "PlacedGrasp",

@@ -148,6 +148,16 @@ def compare(
     grasp: GraspData, wrench: Optional[List[Any]], preload: Any, bilateral: bool, length: Any
 ) -> List[Tuple[str, str, bool, str, Optional[bool], str, str]]: ...
 def plot_states(grasp: GraspData) -> str: ...
+def page(
+    grasp: Union[GraspData, SpatialGraspData],
+    wrench: str,
+    case: str,
+    preload: str,
+    bilateral: bool,
+    uncertain: str,
+    node_limit: int,
+    time_limit: float,
+) -> str: ...
 def smtlib(
     grasp: GraspData, wrench: Optional[List[Any]], preload: Any, bilateral: bool
 ) -> str: ...

@@ -16,6 +16,7 @@ from .arguments import (
     AXES,
     as_case_name,
     as_content,
+    as_count,
     as_json,
     as_list,
     as_number,
@@ -23,13 +24,15 @@ from .arguments import (
     as_outline,
     as_rows,
     as_text,
+    as_uncertain,
     as_units,
     as_wrench,
     coordinates_of,
+    is_bilateral,
 )
 from .errors import InputError
 from .outline import has_doubles, place, polygons_of, unit_if_rational
-from .views import call_of, nearest_root, shown
+from .views import Page, call_of, nearest_root, shown
 
 SNAPPED_WITHIN = "1e-12"
 """How far a normal in doubles may move unasked."""
@@ -240,6 +243,46 @@ class Grasp:
     def to_text(self) -> str:
         """The text of a grasp file. Equal grasps give equal texts, and reading gives the grasp."""
         return self._data.text()
+
+    def page(
+        self,
+        path: Union[str, os.PathLike[str], None] = None,
+        *,
+        wrench: Any = None,
+        case: str = "",
+        preload: Any = None,
+        normal_law: str = "unilateral",
+        uncertain: Union[str, Mapping[str, Any], None] = None,
+        node_limit: int = 0,
+        time_limit: float = 30,
+    ) -> Page:
+        """A page to look at and to turn, as HTML, with the verdict and its proof (docs/page.md).
+
+        It is written to ``path``, if there is one, and a notebook shows it.
+
+        Args:
+            wrench, preload, normal_law, uncertain: as of ``decide``.
+            case: the case whose load is applied; of a grasp with cases the first, by default.
+            node_limit: of each search, as of ``decide``.
+            time_limit: in seconds; regions, margins and maps that take longer are left out. 0 is
+                no limit.
+        """
+        def exactly(value: Any, name: str) -> str:
+            return str(_core.exact(as_number(value, name), name))
+
+        about, _ = self._asked(None if preload is None else _core.exact(preload, "preload"))
+        load = [] if wrench is None else as_wrench(wrench, "wrench", self._coordinates)
+        if not 0 <= time_limit <= 86400:
+            raise InputError("", "time_limit", f"found {time_limit!r}", "give 0 to 86400 seconds")
+        page = Page(_core.page(
+            about._data, ",".join(exactly(w, f"wrench[{i}]") for i, w in enumerate(load)),
+            as_text(case, "case"), "" if preload is None else exactly(preload, "preload"),
+            is_bilateral(normal_law), "" if uncertain is None else as_uncertain(uncertain),
+            as_count("node_limit", node_limit), time_limit))
+        if path is not None:
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(page)
+        return page
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"a Grasp is immutable; make another one to change {name}")

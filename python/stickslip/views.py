@@ -125,6 +125,17 @@ class Picture(str):
         return f"<Picture: SVG of {len(self)} characters>"
 
 
+class Page(str):
+    """An HTML document that loads nothing, which shows itself in a notebook."""
+
+    def _repr_html_(self) -> str:
+        return ("<iframe style='width:100%;height:48em;border:0' sandbox='allow-scripts allow-downloads' "
+                f"srcdoc='{html.escape(self)}'></iframe>")
+
+    def __repr__(self) -> str:
+        return f"<Page: HTML of {len(self)} characters>"
+
+
 class Answer:
     """What all answers share: their text has the fields that are declared for it."""
 

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Regions, pictures and exports are those of the program, and answers show themselves."""
 
+import json
 import os
+import re
 import subprocess
 import xml.etree.ElementTree as ElementTree
 from fractions import Fraction
@@ -154,3 +156,27 @@ def test_names_are_escaped():
     grasp = Grasp([[0, 0]], [[1, 0]], 1, name="<b> & \"c\"")
     for answer in (stickslip.decide(grasp), stickslip.slip_states(grasp)):
         ElementTree.fromstring(f"<div>{answer._repr_html_()}</div>")
+
+
+def answer_of(page):
+    return json.loads(re.search(r'id="answer">(.*?)</script>', page, re.S)[1])
+
+
+def test_pages_are_those_of_the_program(tmp_path, fig1):
+    path = tmp_path / "page.html"
+    page = fig1.page(path, wrench=(0, "1/2", 0), preload=2, time_limit=1000)
+    assert isinstance(page, stickslip.Page) and path.read_text(encoding="utf-8") == page
+    expected = printed(tmp_path, fig1, "page", "GRASP", "--wrench", "0,1/2,0", "--preload", "2", "--time-limit", "1000")
+    # A file of this grasp says every stiffness.
+    found, expected = answer_of(page), answer_of(expected)
+    assert '"stiffness"' in expected.pop("grasp") and '"stiffness"' not in found.pop("grasp")
+    assert found == expected
+    assert repr(page) == f"<Page: HTML of {len(page)} characters>"
+    assert page._repr_html_().count("<") == 2
+    boxed = answer_of(fig1.page(uncertain={"friction": "10%"}, normal_law="bilateral"))
+    assert boxed["question"]["uncertain"] == "friction=10%" and boxed["decide"]["box"]
+    for arguments, place in (({"wrench": (1, 2)}, "wrench"), ({"preload": -1}, "preload"), ({"case": "a"}, "case"),
+                             ({"uncertain": "x=1"}, "uncertain"), ({"time_limit": -1}, "time_limit")):
+        with pytest.raises(InputError) as error:
+            fig1.page(**arguments)
+        assert error.value.place == place

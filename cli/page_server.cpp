@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "page_server.hpp"
+
+#include <httplib.h>
+#include <poll.h>
+#include <sys/socket.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstring>
+#include <random>
+#include <thread>
+#include <utility>
+
+#include "stickslip/core/cancellation.hpp"
+#include "stickslip/core/error.hpp"
+#include "stickslip/core/number_text.hpp"
+
+namespace stickslip {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kThreads = 16;
+constexpr std::size_t kMostHeaderBytes = 16384;
+constexpr std::chrono::seconds kTimeToSend{5};      ///< a whole request
+constexpr std::chrono::seconds kTimeToReceive{10};  ///< a whole answer
+constexpr std::chrono::milliseconds kLookAround{50};
+
+/// A connection that has an end: so many bytes and so much time.
+class BoundedStream final : public httplib::Stream {
+ public:
+  BoundedStream(socket_t socket, const std::atomic<bool>& stopping)
+      : socket_(socket), stopping_(stopping) {}
+
+  bool is_readable() const override { return true; }
+  bool is_writable() const override { return true; }
+  socket_t socket() const override { return socket_; }
+  void get_remote_ip_and_port(std::string& /*ip*/, int& /*port*/) const override {}
+  void get_local_ip_and_port(std::string& /*ip*/, int& /*port*/) const override {}
+
+  ssize_t read(char* to, std::size_t size) override {
+    if (begin_ == end_ && !fill()) return -1;
+    const std::size_t taken = std::min(size, end_ - begin_);
+    std::memcpy(to, buffer_.data() + begin_, taken);
+    begin_ += taken;
+    return static_cast<ssize_t>(taken);
+  }
+
+  ssize_t write(const char* from, std::size_t size) override {
+    if (!writes_until_) writes_until_ = Clock::now() + kTimeToReceive;
+    if (!wait(POLLOUT, *writes_until_)) return -1;
+    return ::send(socket_, from, size, MSG_NOSIGNAL | MSG_DONTWAIT);
+  }
+
+  /// Whether the client has hung up.
+  bool is_deserted() const {
+    pollfd state{socket_, POLLRDHUP, 0};
+    return ::poll(&state, 1, 0) > 0;
+  }
+
+  /// Ends the connection. What is still on its way is taken first, as what a client has not
+  /// read is lost where the other side closes on unread data.
+  void close() {
+    ::shutdown(socket_, SHUT_WR);
+    constexpr std::chrono::milliseconds kLinger{500};
+    const auto until = Clock::now() + kLinger;
+    while (wait(POLLIN, until) && ::recv(socket_, buffer_.data(), buffer_.size(), 0) > 0) {
+    }
+    ::close(socket_);
+  }
+
+ private:
+  /// False if it is over.
+  bool wait(short event, Clock::time_point until) const {
+    pollfd state{socket_, event, 0};
+    while (!stopping_ && Clock::now() < until) {
+      if (::poll(&state, 1, static_cast<int>(kLookAround.count())) > 0) return true;
+    }
+    return false;
+  }
+
+  bool fill() {
+    if (left_ == 0 || !wait(POLLIN, reads_until_)) return false;
+    const ssize_t got =
+        ::recv(socket_, buffer_.data(), std::min(buffer_.size(), left_), MSG_DONTWAIT);
+    if (got <= 0) return false;
+    begin_ = 0;
+    end_ = static_cast<std::size_t>(got);
+    left_ -= end_;
+    return true;
+  }
+
+  socket_t socket_;
+  const std::atomic<bool>& stopping_;
+  std::size_t left_ = kMostHeaderBytes + PageServer::kMostBytes;
+  Clock::time_point reads_until_ = Clock::now() + kTimeToSend;
+  std::optional<Clock::time_point> writes_until_;
+  std::array<char, 16384> buffer_{};
+  std::size_t begin_ = 0;
+  std::size_t end_ = 0;
+};
+
+/// The connection that this thread serves.
+thread_local const BoundedStream* served_stream = nullptr;
+
+std::string new_nonce() {
+  std::random_device random;
+  std::string nonce;
+  for (int i = 0; i < 32; ++i) nonce += "0123456789abcdef"[random() % 16];
+  return nonce;
+}
+
+void set_error(httplib::Response& response, int status, const std::string& message) {
+  const Json json{{"error", {{"message", message}, {"place", ""}}}};
+  response.status = status;
+  response.set_content(json.dump(), "application/json");
+}
+
+}  // namespace
+
+class PageServer::Http : public httplib::Server {
+ public:
+  Http(ServedPage served, int port) : served_(std::move(served)) {
+    new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
+    set_tcp_nodelay(true);
+    // The library's own options would let two servers share a port.
+    set_socket_options([this](socket_t socket) {
+      const int yes = 1;
+      ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+      listening_ = socket;
+    });
+    set_payload_max_length(kMostBytes);
+    set_pre_routing_handler([this](const httplib::Request& request,
+                                   httplib::Response& response) {
+      return refuse(request, response) ? HandlerResponse::Handled : HandlerResponse::Unhandled;
+    });
+    set_post_routing_handler([](const httplib::Request&, httplib::Response& response) {
+      response.set_header("X-Content-Type-Options", "nosniff");
+      response.set_header("Cross-Origin-Resource-Policy", "same-origin");
+      response.set_header("Referrer-Policy", "no-referrer");
+      response.set_header("Cache-Control", "no-store");
+      if (!response.has_header("Content-Security-Policy")) {
+        response.set_header("Content-Security-Policy", "default-src 'none'");
+      }
+    });
+    set_error_handler([](const httplib::Request&, httplib::Response& response) {
+      if (response.body.empty()) set_error(response, response.status, "this is no request");
+    });
+    set_exception_handler(
+        [](const httplib::Request&, httplib::Response& response, std::exception_ptr thrown) {
+          try {
+            std::rethrow_exception(std::move(thrown));
+          } catch (const Cancelled&) {
+            set_error(response, 503, "the work was broken off");
+          } catch (const std::exception& error) {
+            set_error(response, 500, std::string("internal error: ") + error.what());
+          } catch (...) {
+            set_error(response, 500, "internal error");
+          }
+        });
+    Get("/", [this](const httplib::Request&, httplib::Response& response) {
+      const std::string nonce = new_nonce();
+      response.set_header("Content-Security-Policy",
+                          "default-src 'none'; script-src 'nonce-" + nonce +
+                              "'; style-src 'unsafe-inline'; img-src data: blob:; connect-src "
+                              "'self'; base-uri 'none'; form-action 'none'; frame-ancestors "
+                              "'none'");
+      response.set_content(served_.page(nonce), "text/html; charset=utf-8");
+    });
+    Post("/answer", [this](const httplib::Request&, httplib::Response& response,
+                           const httplib::ContentReader& read) { answer(response, read); });
+    port_ = port == 0 ? bind_to_any_port(kHost) : bind_to_port(kHost, port) ? port : -1;
+    if (port_ < 0) {
+      throw InputError("", "--port", "port " + std::to_string(port) + " cannot be had",
+                       "give one that nothing listens on, or leave the option out");
+    }
+    // The library lets five connections wait, and of more the system resets some.
+    constexpr int kMostWaiting = 512;
+    ::listen(listening_, kMostWaiting);
+  }
+
+  int port() const { return port_; }
+
+  void run() {
+    if (!stopping_) listen_after_bind();
+    done_ = true;
+  }
+
+  void stop_all() {
+    stopping_ = true;
+    // It may be about to begin, and then does not hear of it.
+    while (!done_) {
+      stop();
+      std::this_thread::sleep_for(kLookAround);
+    }
+  }
+
+ private:
+  static constexpr const char* kHost = "127.0.0.1";
+
+  bool process_and_close_socket(socket_t socket) override {
+    BoundedStream stream(socket, stopping_);
+    served_stream = &stream;
+    bool closed = false;
+    // Nobody needs a part of an answer, or a thousand of them.
+    const auto whole = [](httplib::Request& request) { request.ranges.clear(); };
+    const bool done = process_request(stream, true, closed, whole);
+    served_stream = nullptr;
+    stream.close();
+    return done;
+  }
+
+  /// Whether the request is none that this answers; then the response says so.
+  bool refuse(const httplib::Request& request, httplib::Response& response) const {
+    const std::string port = ":" + std::to_string(port_);
+    const auto is_own = [&](const std::string& header, const std::string& scheme) {
+      const std::string value = request.get_header_value(header.c_str());
+      return request.get_header_value_count(header.c_str()) == 1 &&
+             (value == scheme + kHost + port || value == scheme + "localhost" + port);
+    };
+    if (!is_own("Host", "")) {
+      set_error(response, 403, "this answers to 127.0.0.1 and localhost alone");
+    } else if (request.has_header("Origin") && !is_own("Origin", "http://")) {
+      set_error(response, 403, "this answers to its own page alone");
+    } else if (request.path != "/" && request.path != "/answer") {
+      set_error(response, 404, "there are / and /answer");
+    } else if (request.method != (request.path == "/" ? "GET" : "POST")) {
+      set_error(response, 405, "the methods are GET / and POST /answer");
+    } else if (request.path == "/answer" &&
+               request.get_header_value("Content-Type").rfind("application/json", 0) != 0) {
+      set_error(response, 415, "a question is application/json");
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  void answer(httplib::Response& response, const httplib::ContentReader& read) const {
+    std::string body;
+    bool fits = true;
+    const bool complete = read([&](const char* part, std::size_t size) {
+      fits = body.size() + size <= kMostBytes;
+      if (fits) body.append(part, size);
+      return fits;
+    });
+    if (!fits) return set_error(response, 413, "the question is too long");
+    if (!complete) {
+      if (response.status == 413) return set_error(response, 413, "the question is too long");
+      return set_error(response, 400, "the question does not end");
+    }
+    const Cancellation cancellation([&] {
+      return stopping_ || (served_stream != nullptr && served_stream->is_deserted());
+    });
+    auto [status, json] = served_.answer(body);
+    response.status = status;
+    response.set_content(std::move(json), "application/json");
+  }
+
+  ServedPage served_;
+  int port_ = -1;
+  socket_t listening_ = -1;
+  std::atomic<bool> stopping_{false};
+  std::atomic<bool> done_{false};
+};
+
+PageServer::PageServer(ServedPage served, int port)
+    : http_(std::make_unique<Http>(std::move(served), port)) {}
+
+PageServer::~PageServer() = default;
+
+int PageServer::port() const {
+  return http_->port();
+}
+
+void PageServer::run() {
+  http_->run();
+}
+
+void PageServer::stop() {
+  http_->stop_all();
+}
+
+}  // namespace stickslip

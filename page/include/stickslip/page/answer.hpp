@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// What the page shows of a grasp, as one JSON object, "stickslip-page/1" (docs/page.md).
+///
+/// Exact numbers are strings, each with its nearest double in a member X_float beside it;
+/// numbers for drawing are doubles. A part that was not asked for is left out. One that cannot
+/// be had is null, and a sentence of `messages` says why.
+///
+///  - `format` is "stickslip-page/1"; `live`: whether a server answers further questions.
+///  - `name` of the grasp; `dimension` of its motions, 3 in the plane and 6 in space.
+///  - `grasp`: the grasp file as text, of version 2. Places on the outline are written as
+///    positions and normals, and loads as a wrench.
+///  - `question`: `wrench`, `case`, `preload`, `normal_law` and `uncertain`, as text; null
+///  where
+///    the file is taken as it is.
+///  - `cases`: the names of the file's. Of one that has some, if nothing is chosen the first is
+///    asked about.
+///  - `contacts`: `position`, `normal` (of length 1), `friction`, `stiffness` and `preload` of
+///    each, and `wrench`, the load: doubles, of intervals their middle.
+///  - `outline`: a list of rings of points, or null.
+///  - `decide`: as `decide --json --floats` prints it; `certificate`: its text, or null.
+///  - `near`: of a stable verdict that is proved without stating an equilibrium, what may be
+///    drawn of one: `twist_float` and `contacts`, as `decide` has them else. It proves nothing.
+///  - `states`: the sphere of motions, cut by a circle for each contact. `circles`: of each
+///    [a, b, c], for a x + b y + c r = 0. `vertices`: a motion (x, y, r) each. `cells`: `kind`
+///    (face, edge or vertex), a `motion` inside, `states` (a character a contact; exact), and
+///    `boundary`, indices of vertices: of a face in order, counterclockwise from outside.
+///    Vectors have length 1.
+///  - `region`: as `region --json --floats`, of forces with the torque that the load has.
+///  - `margin`: as `margin --json --floats` along the load.
+///  - `map`: as `map --json --floats` over factors of friction and load, from 0 to 2.
+///  - `messages`: sentences for people.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+
+#include "stickslip/answers/question_text.hpp"
+#include "stickslip/core/number_text.hpp"
+
+namespace stickslip {
+
+/// \{ Up to so many contacts have their cells listed, and their region found.
+inline constexpr std::size_t kMostContactsWithCells = 20;
+inline constexpr std::size_t kMostContactsWithRegion = 64;
+/// \}
+
+/// Which parts are asked for.
+struct PageParts {
+  bool decide = true;    ///< the verdict; it brings `certificate` and `near`
+  bool states = true;    ///< the sphere of motions
+  bool region = true;    ///< what is resisted in a plane
+  bool margin = true;    ///< along the load
+  bool map = true;       ///< over friction and load
+  bool warnings = true;  ///< of `decide`: the model's traps, which take longer than the verdict
+};
+
+/// How much may be done for each part.
+struct PageLimits {
+  std::size_t node_limit = 0;         ///< of each search, as of `stickslip decide`
+  std::chrono::milliseconds time{0};  ///< 0: none
+  bool limits_verdict = false;        ///< whether the time is that of the verdict, too
+};
+
+/// The object. `name` stands for the file in errors. Throws InputError for what cannot be
+/// asked.
+Json page_answer(const AnyGraspFile& file, const QuestionText& asked, const PageParts& parts,
+                 const PageLimits& limits, const std::string& name);
+
+/// What a server says to a request.
+struct PageReply {
+  int status;        ///< of HTTP: 200, or 400 where the request is wrong
+  std::string body;  ///< JSON
+};
+
+/// The reply to `{"grasp": TEXT, "options": {...}, "parts": [...]}`: a live answer with these
+/// parts, all if none are named, or `{"error": {"message", "place"}}`. The options are those of
+/// `question`; a wrench may be an array of numbers, `"bilateral": true` is a normal law, and
+/// `"snap": true` asks about the grasp with rational unit normals in the plane, as `stickslip
+/// snap` makes it; that is then the answer's `grasp`. `"warnings": false` is quicker. Throws
+/// what Cancellation does, and nothing about a request.
+PageReply reply_to(const std::string& request, const PageLimits& limits);
+
+}  // namespace stickslip

@@ -1,0 +1,398 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/page/answer.hpp"
+
+#include <functional>
+#include <optional>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "cells.hpp"
+#include "doubles.hpp"
+#include "stickslip/answers/margin_answer.hpp"
+#include "stickslip/answers/plane_answers.hpp"
+#include "stickslip/answers/verdict_answer.hpp"
+#include "stickslip/core/cancellation.hpp"
+#include "stickslip/core/error.hpp"
+#include "stickslip/core/snap.hpp"
+#include "stickslip/core/spatial_forces.hpp"
+#include "stickslip/equilibrium/option_text.hpp"
+#include "stickslip/space/near_forces.hpp"
+
+namespace stickslip {
+
+using namespace page_detail;
+
+namespace {
+
+/// Of the finest cells of maps.
+constexpr unsigned kCoarsestMap = 2;
+constexpr unsigned kFinestMap = 4;
+
+using AnyQuestion = std::variant<Question, SpatialQuestion>;
+
+/// Why a part cannot be had.
+struct NotToBeHad {
+  std::string why;
+};
+
+/// The part of a text that a file of version 2 begins with. A file of version 1 is one, too.
+std::string in_version2(std::string text) {
+  const std::string first = "\"stickslip-grasp/1\"";
+  const std::size_t at = text.find(first);
+  if (at == std::string("{\"format\": ").size()) text[at + first.size() - 2] = '2';
+  return text;
+}
+
+std::string text_of(const AnyGraspFile& file) {
+  return in_version2(std::visit([](const auto& f) { return write_grasp_file(f); }, file));
+}
+
+std::vector<std::string> case_names(const AnyGraspFile& file) {
+  std::vector<std::string> names;
+  std::visit(
+      [&](const auto& f) {
+        for (const auto& each : f.cases) names.push_back(each.name);
+      },
+      file);
+  return names;
+}
+
+Json or_null(const std::string& text) {
+  return text.empty() ? Json() : Json(text);
+}
+
+Json question_json(const QuestionText& asked) {
+  return {{"wrench", or_null(asked.wrench)},
+          {"case", or_null(asked.case_name)},
+          {"preload", or_null(asked.preload)},
+          {"normal_law", asked.normal_law},
+          {"uncertain", or_null(asked.uncertain)}};
+}
+
+Json contacts_json(const Question& question) {
+  Json contacts = Json::array();
+  for (const Contact& c : question.loaded.grasp.contacts()) {
+    contacts.push_back({{"position", {to_double(c.position.x), to_double(c.position.y)}},
+                        {"normal", unit(std::array<Rational, 2>{c.normal.x, c.normal.y})},
+                        {"friction", to_double(c.friction)},
+                        {"stiffness", to_double(c.stiffness)},
+                        {"preload", to_double(c.preload)}});
+  }
+  return contacts;
+}
+
+Json contacts_json(const SpatialQuestion& question) {
+  Json contacts = Json::array();
+  for (const SpatialContact& c : question.grasp.contacts) {
+    Json position = Json::array();
+    for (const Interval& x : c.position) position.push_back(to_double(x.middle()));
+    contacts.push_back({{"position", std::move(position)},
+                        {"normal", unit(c.normal)},
+                        {"friction", to_double(c.friction.middle())},
+                        {"stiffness", to_double(c.stiffness.middle())},
+                        {"preload", to_double(c.preload.middle())}});
+  }
+  return contacts;
+}
+
+Json load_json(const Question& question) {
+  return in_doubles_json(coordinates(question.loaded.wrench));
+}
+
+Json load_json(const SpatialQuestion& question) {
+  Json json = Json::array();
+  for (const Interval& w : question.grasp.wrench) json.push_back(to_double(w.middle()));
+  return json;
+}
+
+Json outline_json(const Question& question) {
+  Json rings = Json::array();
+  for (const Polygon& polygon : question.loaded.grasp.description().outline) {
+    for (const Ring& ring : polygon) {
+      Json points = Json::array();
+      for (const Vector2& p : ring) points.push_back({to_double(p.x), to_double(p.y)});
+      rings.push_back(std::move(points));
+    }
+  }
+  return rings.empty() ? Json() : rings;
+}
+
+Json outline_json(const SpatialQuestion& /*question*/) {
+  return {};
+}
+
+// What may be drawn of an equilibrium, where the proof says none.
+
+Json near_json(const CaseAnswer& /*answer*/) {
+  return {};
+}
+
+/// Of the grasp in the middle, with rational normals.
+Json near_json(const BoxAnswer& answer) {
+  if (!std::holds_alternative<StableThroughout>(answer.decision.verdict)) return {};
+  LoadedGrasp middle = answer.question.box->middle();
+  middle.grasp = snap_normals(middle.grasp, Rational(1, 1000000000)).grasp;
+  const Problem problem(middle, answer.question.law);
+  const Verdict verdict = decide_by_cones(problem);
+  const auto* stable = std::get_if<Stable>(&verdict);
+  if (stable == nullptr) return {};
+  const Witness& witness = stable->witness;
+  Json contacts = Json::array();
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    const Vector2 force = force_vector(middle.grasp.contacts()[i].normal, witness.forces[i]);
+    const ContactMode mode = mode_of(problem, ContactId(i), witness.twist);
+    contacts.push_back({{"force_float", {to_double(force.x), to_double(force.y)}},
+                        {"slip", std::string(1, to_char(mode.slip))},
+                        {"closed", mode.closed}});
+  }
+  return {{"twist_float", in_doubles_json(coordinates(witness.twist))},
+          {"contacts", std::move(contacts)}};
+}
+
+Json near_json(const SpaceAnswer& answer) {
+  const auto* stable = std::get_if<SpatiallyStable>(&answer.decision.verdict);
+  if (stable == nullptr || std::holds_alternative<SpatialWitness>(stable->proof)) return {};
+  Json contacts = Json::array();
+  for (const SpatialForce& f : near_forces(answer.question, stable->motion)) {
+    contacts.push_back(
+        {{"force_float", in_doubles_json(f.force)}, {"closed", f.normal.sign() > 0}});
+  }
+  return {{"twist_float", in_doubles_json(stable->motion)}, {"contacts", std::move(contacts)}};
+}
+
+/// Some grasps of a box hold and some do not, so that nothing but its verdict is shown.
+[[noreturn]] void refuse_box() {
+  throw NotToBeHad{
+      "the question is about more than one grasp, and this is about one: give numbers, and "
+      "preloaded contacts normals of rational length (stickslip snap)"};
+}
+
+[[noreturn]] void refuse_space() {
+  throw NotToBeHad{"the grasp is in space, and this is found in the plane only"};
+}
+
+const Question& one_grasp(const AnyQuestion& question) {
+  const auto* planar = std::get_if<Question>(&question);
+  if (planar == nullptr) refuse_space();
+  if (planar->box) refuse_box();
+  return *planar;
+}
+
+class PageAnswer {
+ public:
+  PageAnswer(const AnyGraspFile& file, QuestionText asked, const PageLimits& limits,
+             const std::string& name)
+      : file_(file),
+        asked_(std::move(asked)),
+        limits_(limits),
+        name_(name),
+        question_(ask_about(asked_)) {}
+
+  Json answer(const PageParts& parts) {
+    Json json{{"format", "stickslip-page/1"},
+              {"live", false},
+              {"name", name_of(file_)},
+              {"dimension", std::holds_alternative<SpatialQuestion>(question_) ? 6 : 3},
+              {"grasp", text_of(file_)},
+              {"question", question_json(asked_)},
+              {"cases", case_names(file_)}};
+    std::visit(
+        [&](const auto& question) {
+          json["contacts"] = contacts_json(question);
+          json["wrench"] = load_json(question);
+          json["outline"] = outline_json(question);
+        },
+        question_);
+    if (parts.decide) decide(json, parts.warnings);
+    if (parts.states) part(json, "states", [&](Json& found) { found = states(); });
+    if (parts.region) part(json, "region", [&](Json& found) { found = region(); });
+    if (parts.margin) part(json, "margin", [&](Json& found) { found = margin(); });
+    if (parts.map) part(json, "map", [&](Json& found) { map(found); });
+    json["messages"] = std::move(messages_);
+    return json;
+  }
+
+  void add_message(const std::string& message) { messages_.push_back(message); }
+
+ private:
+  AnyQuestion ask_about(const QuestionText& text) const {
+    if (const auto* planar = std::get_if<GraspFile>(&file_)) {
+      return ask_with_options(*planar, question_options(text), name_, true);
+    }
+    return ask_with_options(std::get<SpatialGrasp>(file_), spatial_options(text), name_);
+  }
+
+  /// Null if `find` says why, or is not done in time. It may give what it has on its way.
+  void part(Json& json, const std::string& name, const std::function<void(Json& found)>& find) {
+    Json found;
+    const auto say = [&](const std::string& why) { add_message(name + ": " + why + "."); };
+    Cancellation* const outer = Cancellation::current();
+    const auto end = std::chrono::steady_clock::now() + limits_.time;
+    bool late = false;
+    try {
+      const Cancellation deadline([&] {
+        try {
+          if (outer != nullptr) outer->check();
+        } catch (const Cancelled&) {
+          return true;
+        }
+        late = limits_.time.count() > 0 && std::chrono::steady_clock::now() >= end;
+        return late;
+      });
+      find(found);
+    } catch (const Cancelled&) {
+      if (!late) throw;
+      say((found.is_null() ? "not known within " : "no more is known within ") +
+          to_readable_string(Rational(limits_.time.count(), 1000)) + " seconds");
+    } catch (const NotToBeHad& reason) {
+      say(reason.why);
+    } catch (const InputError& error) {
+      say(error.problem() + (error.remedy().empty() ? "" : "; " + error.remedy()));
+    }
+    json[name] = finished(found, true);
+  }
+
+  void decide(Json& json, bool warnings) {
+    std::optional<Answer> answer;
+    const auto find = [&](Json& found) {
+      AnswerOptions options;
+      options.node_limit = limits_.node_limit;
+      options.warnings = warnings;
+      answer = std::visit([&](const auto& question) { return answer_to(question, options); },
+                          question_);
+      found = to_json(*answer);
+    };
+    if (limits_.limits_verdict) {
+      part(json, "decide", find);
+    } else {
+      Json found;
+      find(found);
+      json["decide"] = finished(found, true);
+    }
+    json["certificate"] = nullptr;
+    json["near"] = nullptr;
+    if (!answer) return;
+    if (const auto certificate = certificate_of(*answer)) json["certificate"] = *certificate;
+    part(json, "near", [&](Json& found) {
+      found = std::visit([](const auto& a) { return near_json(a); }, *answer);
+    });
+  }
+
+  Json states() const {
+    const auto* planar = std::get_if<Question>(&question_);
+    if (planar == nullptr) refuse_space();
+    const Grasp& grasp = planar->loaded.grasp;
+    if (grasp.size() > kMostContactsWithCells) {
+      throw NotToBeHad{"the cells of " + std::to_string(grasp.size()) +
+                       " contacts are too many to show; up to " +
+                       std::to_string(kMostContactsWithCells) +
+                       " are, and `stickslip states` counts those of any number"};
+    }
+    return cells_json(grasp);
+  }
+
+  Json region() const {
+    const Question& question = one_grasp(question_);
+    if (question.loaded.grasp.size() > kMostContactsWithRegion) {
+      throw NotToBeHad{"there are more than " + std::to_string(kMostContactsWithRegion) +
+                       " contacts; `stickslip region` has no limit"};
+    }
+    const WrenchPlane plane = WrenchPlane::forces(question.loaded.wrench.torque);
+    RegionReport report;
+    auto found = resistible_pieces(problem_of(question), plane, {}, &report.work);
+    report.pieces = std::move(std::get<std::vector<ResistiblePiece>>(found));
+    report.region = unite(report.pieces);
+    report.pieces.clear();
+    return region_json(question, plane, report);
+  }
+
+  /// The load is the direction, and nothing else of it is left.
+  QuestionText along_the_load() const {
+    std::vector<Rational> load;
+    if (const auto* spatial = std::get_if<SpatialQuestion>(&question_)) {
+      for (const Interval& w : spatial->grasp.wrench) {
+        if (!w.is_point()) refuse_box();
+        load.push_back(w.low);
+      }
+    } else {
+      for (const Rational& w : coordinates(one_grasp(question_).loaded.wrench)) {
+        load.push_back(w);
+      }
+    }
+    std::string direction;
+    bool is_zero = true;
+    for (const Rational& w : load) {
+      direction += (direction.empty() ? "" : ",") + to_string(w);
+      is_zero = is_zero && w.is_zero();
+    }
+    if (is_zero) throw NotToBeHad{"there is no load, and so no multiple of it"};
+    QuestionText text = asked_;
+    text.wrench.clear();
+    text.case_name.clear();
+    text.direction = direction;
+    return text;
+  }
+
+  Json margin() const {
+    const AnyQuestion along = ask_about(along_the_load());
+    if (const auto* spatial = std::get_if<SpatialQuestion>(&along)) {
+      SpatialMarginOptions options;
+      options.search.node_limit = limits_.node_limit;
+      return margin_json(*spatial, find_margin(*spatial, options));
+    }
+    const auto& question = std::get<Question>(along);
+    ConeOptions options;
+    options.node_limit = limits_.node_limit;
+    MarginWork work;
+    const auto found = find_margin(problem_of(question), options, &work);
+    if (const auto* undecided = std::get_if<Undecided>(&found)) {
+      throw NotToBeHad{"given up at " + undecided->limit};
+    }
+    return margin_json(question, std::get<Margin>(found), work, std::nullopt);
+  }
+
+  /// Coarse, and then finer.
+  void map(Json& found) const {
+    const Question& question = one_grasp(question_);
+    const LoadedGrasp& loaded = question.loaded;
+    if (loaded.wrench == Wrench{}) throw NotToBeHad{"there is no load to vary"};
+    const MapAxis x = parse_axis(loaded, "friction=0:2", "x");
+    const MapAxis y = parse_axis(loaded, "load=0:2", "y");
+    MapOptions options;
+    options.box.node_limit = limits_.node_limit;
+    for (options.depth = kCoarsestMap; options.depth <= kFinestMap; ++options.depth) {
+      std::vector<MapCell> cells;
+      map_verdicts(loaded, question.law, x, y, options,
+                   [&](MapCell cell) { cells.push_back(std::move(cell)); });
+      found = map_json(question, x, y, cells);
+    }
+  }
+
+  const AnyGraspFile& file_;
+  QuestionText asked_;
+  const PageLimits& limits_;
+  const std::string& name_;
+  AnyQuestion question_;
+  std::vector<std::string> messages_;
+};
+
+}  // namespace
+
+Json page_answer(const AnyGraspFile& file, const QuestionText& asked, const PageParts& parts,
+                 const PageLimits& limits, const std::string& name) {
+  const std::vector<std::string> cases = case_names(file);
+  if (cases.empty() || !asked.wrench.empty() || !asked.case_name.empty()) {
+    return PageAnswer(file, asked, limits, name).answer(parts);
+  }
+  QuestionText first = asked;
+  first.case_name = cases.front();
+  PageAnswer answer(file, first, limits, name);
+  if (cases.size() > 1) {
+    answer.add_message("The file has " + std::to_string(cases.size()) + " cases; this is " +
+                       quote(cases.front()) + ", the first.");
+  }
+  return answer.answer(parts);
+}
+
+}  // namespace stickslip

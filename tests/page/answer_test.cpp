@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/page/answer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <set>
+
+#include "stickslip/core/cancellation.hpp"
+#include "stickslip/core/error.hpp"
+#include "stickslip/core/spatial_grasp.hpp"
+#include "stickslip/page/html.hpp"
+#include "web_files.hpp"
+
+namespace stickslip {
+namespace {
+
+constexpr const char* kPinch = R"({"format": "stickslip-grasp/1", "name": "</script><!-- \" ü",
+  "defaults": {"friction": "1/2", "preload": 1},
+  "contacts": [{"position": [-1, 0], "normal": [1, 0]}, {"position": [1, 0], "normal": [-1, 0]}],
+  "wrench": [0, "1/2", 0]})";
+
+Json answer_about(const std::string& grasp, const PageParts& parts = {},
+                  const PageLimits& limits = {}, const QuestionText& asked = {}) {
+  return page_answer(parse_any_grasp(grasp, "test"), asked, parts, limits, "test");
+}
+
+/// A grasp of contacts at these places, with these normals; certain and without preload.
+std::string grasp_of(const std::vector<std::array<int, 4>>& contacts) {
+  Json grasp{
+      {"format", "stickslip-grasp/2"}, {"contacts", Json::array()}, {"wrench", {0, 0, 0}}};
+  for (const auto& [x, y, nx, ny] : contacts) {
+    grasp["contacts"].push_back({{"position", {x, y}}, {"normal", {nx, ny}}, {"friction", 1}});
+  }
+  return grasp.dump();
+}
+
+std::size_t count(const Json& cells, const std::string& kind) {
+  std::size_t n = 0;
+  for (const Json& cell : cells) n += cell["kind"] == kind ? 1 : 0;
+  return n;
+}
+
+TEST(PageAnswer, WhatIsNotAskedForIsLeftOut) {
+  const Json answer = answer_about(kPinch, {false, true, false, false, false, true});
+  EXPECT_TRUE(answer.contains("states"));
+  for (const char* part : {"decide", "certificate", "near", "region", "margin", "map"}) {
+    EXPECT_FALSE(answer.contains(part)) << part;
+  }
+}
+
+TEST(PageAnswer, TheGraspIsOfVersion2AndTheSame) {
+  for (const std::string& text :
+       {std::string(kPinch),
+        std::string(R"({"format": "stickslip-grasp/2", "name": "\"stickslip-grasp/1\"",
+          "units": {"length": "m", "force": "N"}, "outline": [[0, 0], [4, 0], [4, 4], [0, 4]],
+          "contacts": [{"on": [0, "1/2"], "friction": {"min": 0, "max": 1}}],
+          "cases": [{"name": "a", "wrench": [0, 1, 2]}]})")}) {
+    const std::string written = answer_about(text)["grasp"];
+    EXPECT_EQ(written.rfind("{\"format\": \"stickslip-grasp/2\",", 0), 0) << written;
+    const auto first = std::get<GraspFile>(parse_any_grasp(text, "first"));
+    const auto second = std::get<GraspFile>(parse_any_grasp(written, "second"));
+    EXPECT_EQ(write_grasp_file(first), write_grasp_file(second));
+  }
+}
+
+// Of arrangements of every rank: Euler's formula, and boundaries that are where the cells are.
+TEST(PageAnswer, Cells) {
+  struct Sphere {
+    std::vector<std::array<int, 4>> contacts;
+    std::array<std::size_t, 3> counts;  // of faces, edges, vertices
+  };
+  for (const Sphere& expected : std::vector<Sphere>{
+           {{}, {1, 0, 0}},
+           {{{1, 0, -1, 0}}, {2, 1, 0}},
+           {{{1, 0, -1, 0}, {-1, 0, 1, 0}}, {4, 4, 2}},
+           {{{1000, 7, -1, 0}, {-1000, 7, 1, 0}, {3, 900, 0, -1}}, {8, 12, 6}}}) {
+    const Json answer = answer_about(grasp_of(expected.contacts));
+    const Json& states = answer["states"];
+    const Json& cells = states["cells"];
+    EXPECT_EQ(count(cells, "face"), expected.counts[0]);
+    EXPECT_EQ(count(cells, "edge"), expected.counts[1]);
+    EXPECT_EQ(count(cells, "vertex"), expected.counts[2]);
+    EXPECT_EQ(states["vertices"].size(), expected.counts[2]);
+    for (const Json& cell : cells) {
+      const auto d = cell["motion"].get<std::array<double, 3>>();
+      EXPECT_NEAR(d[0] * d[0] + d[1] * d[1] + d[2] * d[2], 1, 1e-6);
+      const std::string signs = cell["states"];
+      for (std::size_t i = 0; i < expected.contacts.size(); ++i) {
+        const auto& [x, y, nx, ny] = expected.contacts[i];
+        const double slip = -ny * (d[0] - d[2] * y) + nx * (d[1] + d[2] * x);
+        EXPECT_EQ(signs[i], std::abs(slip) < 1e-6 ? '0' : slip > 0 ? '+' : '-') << cell;
+      }
+      // A contact that sticks in the cell does so on its boundary.
+      for (const Json& vertex : cell["boundary"]) {
+        const Json& corner =
+            cells[cells.size() - expected.counts[2] + vertex.get<std::size_t>()];
+        EXPECT_EQ(corner["motion"], states["vertices"][vertex.get<std::size_t>()]);
+        const std::string at = corner["states"];
+        for (std::size_t i = 0; i < at.size(); ++i) {
+          EXPECT_TRUE(at[i] == '0' || at[i] == signs[i]) << cell << corner;
+        }
+      }
+    }
+  }
+}
+
+TEST(PageAnswer, PartsAreGivenUpInTimeAndSaySo) {
+  PageLimits limits;
+  limits.time = std::chrono::milliseconds(1);
+  limits.limits_verdict = true;
+  std::vector<std::array<int, 4>> ring;
+  for (int i = 0; i < 32; ++i) ring.push_back({i - 16, 2 * (i % 7), i % 5 - 2, i % 2 * 2 - 1});
+  const Json answer =
+      answer_about(grasp_of(ring), {false, false, true, false, false, true}, limits);
+  EXPECT_TRUE(answer["region"].is_null());
+  ASSERT_EQ(answer["messages"].size(), 1U);
+  EXPECT_EQ(answer["messages"][0], "region: not known within 0.001 seconds.");
+}
+
+TEST(PageAnswer, WhoeverAskedMayBreakItOff) {
+  const Cancellation cancellation([] { return true; });
+  EXPECT_THROW(answer_about(kPinch), Cancelled);
+  PageLimits limits;
+  limits.time = std::chrono::hours(1);
+  limits.limits_verdict = true;
+  EXPECT_THROW(answer_about(kPinch, {}, limits), Cancelled);
+}
+
+TEST(PageReply, ErrorsSayWhere) {
+  for (const auto& [request, place] : std::vector<std::pair<std::string, std::string>>{
+           {"", "1:1"},
+           {"[]", "top level"},
+           {"{}", "top level"},
+           {R"({"grasp": "{"})", "1:2"},
+           {R"({"grasp": "{}", "grasp": "{}"})", "top level"},
+           {R"({"grasp": 1})", "grasp"}}) {
+    const PageReply reply = reply_to(request, {});
+    EXPECT_EQ(reply.status, 400);
+    const Json error = Json::parse(reply.body)["error"];
+    EXPECT_NE(error["message"], "");
+    EXPECT_EQ(error["place"], place) << request;
+  }
+}
+
+TEST(PageReply, NormalsAreSnappedOnRequest) {
+  Json grasp = Json::parse(kPinch);
+  grasp["contacts"][0]["normal"] = {3, 1};
+  Json request{{"grasp", grasp.dump()}, {"parts", {"decide"}}};
+  const Json as_it_is = Json::parse(reply_to(request.dump(), {}).body);
+  EXPECT_EQ(as_it_is["decide"]["engine"], "box");
+  EXPECT_FALSE(as_it_is["certificate"].is_null());
+  request["options"] = {{"snap", true}};
+  const Json snapped = Json::parse(reply_to(request.dump(), {}).body);
+  EXPECT_EQ(snapped["decide"]["engine"], "cone");
+  EXPECT_EQ(snapped["decide"]["verdict"], as_it_is["decide"]["verdict"]);
+  // It is the grasp of the answer that the certificate is about.
+  EXPECT_NE(snapped["grasp"], as_it_is["grasp"]);
+}
+
+TEST(PageHtml, NothingInTheAnswerIsMarkup) {
+  const std::string text = json_in_html({{"a", "</script><!--<script>"}, {"b", "\\<"}});
+  EXPECT_EQ(text.find('<'), std::string::npos);
+  EXPECT_EQ(Json::parse(text), Json({{"a", "</script><!--<script>"}, {"b", "\\<"}}));
+}
+
+TEST(PageHtml, EveryScriptHasTheNonceAndTheAnswerIsThere) {
+  const Json answer = answer_about(kPinch);
+  const std::string html = page_html(answer, "0123");
+  std::size_t scripts = 0;
+  for (std::size_t at = html.find("<script"); at != std::string::npos;
+       at = html.find("<script", at + 1)) {
+    const std::string tag = html.substr(at, html.find('>', at) - at);
+    if (tag.find("application/json") == std::string::npos) {
+      EXPECT_EQ(tag, "<script nonce=\"0123\"");
+      ++scripts;
+    } else {
+      const std::size_t begin = html.find('>', at) + 1;
+      EXPECT_EQ(Json::parse(html.substr(begin, html.find("</script>", at) - begin)), answer);
+    }
+  }
+  EXPECT_GT(scripts, 0U);
+  EXPECT_EQ(html.find("<!-- include"), std::string::npos);
+}
+
+TEST(PageHtml, FilesDoNotEndTheElementThatTheyStandIn) {
+  for (const auto& [name, text] : page_detail::web_files()) {
+    if (name == "page.html") continue;
+    EXPECT_EQ(text.find("</script"), std::string::npos) << name;
+    EXPECT_EQ(text.find("</style"), std::string::npos) << name;
+    EXPECT_EQ(text.find("<!--"), std::string::npos) << name;
+  }
+}
+
+}  // namespace
+}  // namespace stickslip

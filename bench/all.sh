@@ -6,7 +6,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/../scripts/common.sh"
 install_packages "${build_packages[@]}" "${test_packages[@]}" "${python_packages[@]}"
 step "Configuring" configure cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release $together \
-  -DSTICKSLIP_BUILD_TESTS=ON -DSTICKSLIP_BUILD_BENCH=ON -DSTICKSLIP_BUILD_PYTHON=ON \
+  -DSTICKSLIP_BUILD_TESTS=ON -DSTICKSLIP_BUILD_BENCH=ON -DSTICKSLIP_BUILD_PYTHON=ON -DSTICKSLIP_BUILD_PROVED=ON \
   -DPython3_EXECUTABLE=/usr/bin/python3
 step "Building (several minutes the first time)" build cmake --build "$build" -j "$(jobs_for_build)"
 
@@ -31,6 +31,9 @@ measure space_peer /usr/bin/python3 "$root/bench/space/polygonal_peer.py" --prog
 measure batch batch_bench "$build/bin/stickslip"
 measure cluster /usr/bin/python3 "$root/bench/batch/cluster_bench.py" "$build/bin"
 measure float float_study --instances 960
+mkdir -p "$build/checked_grasps"
+measure checked_grasps verdict_bench --part targets --max-m 1000 --save "$build/checked_grasps"
+measure checkers /usr/bin/python3 "$root/bench/verdict/checkers.py" --programs "$build/bin" "$build/checked_grasps"
 for part in targets side-by-side engines growth; do
   measure "verdict_$part" verdict_bench --part "$part"
 done

@@ -18,6 +18,8 @@ int main(int argc, char** argv) {
   app.add_flag("--quick", report.quick, "Small sizes, no other solvers: for tests");
   app.add_flag("--verbose", report.verbose, "A line for each instance of the first table");
   app.add_option("--max-m", report.max_contacts, "The most contacts");
+  app.add_option("--save", report.folder,
+                 "Write each grasp of the first table to a file of this folder");
   app.add_option("--json", json_file, "Write every instance to a file");
   app.add_option("--part", part, "targets, side-by-side, engines, growth or all")
       ->check(CLI::IsMember({"targets", "side-by-side", "engines", "growth", "all"}));

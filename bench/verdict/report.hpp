@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <nlohmann/json.hpp>
+#include <string>
 
 namespace stickslip::bench {
 
@@ -15,6 +16,7 @@ struct Report {
   bool verbose = false;       ///< a line for each instance
   bool large_growth = false;  ///< one size more in report_growth
   std::size_t max_contacts = 10000;
+  std::string folder;  ///< where report_targets leaves its grasps as files; none if empty
   nlohmann::json json = nlohmann::json::object();
   int failures = 0;
 };

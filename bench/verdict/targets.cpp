@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
 
 #include "measure.hpp"
 #include "report.hpp"
 #include "statistics.hpp"
+#include "stickslip/core/grasp_file.hpp"
 
 namespace stickslip::bench {
 namespace {
@@ -29,6 +33,16 @@ Instance make_instance(const Row& row, std::size_t k) {
   }
   return make_unstable(k % kUnstableFamilies, row.contacts, 1 + k / kUnstableFamilies,
                        is_stable_by_cones);
+}
+
+/// Its name says what bench/verdict/checkers.py has to know: 100_stable_3_unilateral.json.
+void save(const std::string& folder, const Row& row, std::size_t k, const Question& question) {
+  const std::string name = std::to_string(row.contacts) +
+                           (row.stable ? "_stable_" : "_unstable_") + std::to_string(k) + "_" +
+                           to_string(question.law) + ".json";
+  std::ofstream out(std::filesystem::path(folder) / name, std::ios::binary);
+  out << write_grasp(question.loaded);
+  if (!out.flush()) throw std::runtime_error("cannot write " + name + " in " + folder);
 }
 
 /// Every family's name, from its smallest member.
@@ -175,9 +189,14 @@ void report_targets(Report& report) {
       row.stable = stable;
       std::vector<Result> results;
       for (std::size_t k = 0; k < row.count; ++k) {
-        results.push_back({k, family_of(stable, k),
-                           measure_limited(row.limit_seconds, row.patience_ms,
-                                           [&] { return make_instance(row, k); })});
+        results.push_back(
+            {k, family_of(stable, k), measure_limited(row.limit_seconds, row.patience_ms, [&] {
+               Instance made = make_instance(row, k);
+               if (!report.folder.empty()) {
+                 save(report.folder, row, k, made.question);
+               }
+               return made;
+             })});
         judge(report, row, results.back());
         if (report.verbose) print_instance(row, results.back());
         report.json["targets"].push_back(to_json(row, results.back()));

@@ -1,0 +1,80 @@
+(* SPDX-License-Identifier: MIT *)
+(* Which grasps (Model.v, SpaceModel.v) a question (Question.v) is about: one, or if numbers are uncertain a
+   box of them (FORMAT.md section 6); and what an answer claims about them. *)
+From Coq Require Import Reals List QArith Qreals.
+From Proved Require Import Question.
+From Proved Require Model SpaceModel.
+Import ListNotations.
+Open Scope R_scope.
+
+Definition within (i : interval) (x : R) := Q2R (low i) <= x <= Q2R (high i).
+
+(* n = n0 + e t0 with |e| <= slope, where n0 is the normal of the file and t0 is n0 turned
+   left. *)
+Definition chosen_contact (q : contact) (c : Model.contact) :=
+  (exists x y nx ny e,
+     position q = [x; y] /\ within x (Model.px c) /\ within y (Model.py c) /\
+     normal q = [nx; ny] /\ - Q2R (slope q) <= e <= Q2R (slope q) /\
+     Model.nx c = Q2R nx - e * Q2R ny /\ Model.ny c = Q2R ny + e * Q2R nx) /\
+  within (friction q) (Model.friction c) /\
+  within (stiffness q) (Model.stiffness c) /\
+  within (preload q) (Model.preload c) /\
+  Model.growth c = Q2R (preload_growth q).
+
+Definition chosen (q : question) (g : Model.grasp) :=
+  dimension q = 3%nat /\
+  Forall2 chosen_contact (contacts q) (Model.contacts g) /\
+  Forall2 within (wrench q)
+    [Model.along_x (Model.wrench g); Model.along_y (Model.wrench g);
+     Model.about_z (Model.wrench g)] /\
+  map Q2R (direction q) =
+    [Model.along_x (Model.direction g); Model.along_y (Model.direction g);
+     Model.about_z (Model.direction g)] /\
+  Model.normal g = if bilateral q then Model.bilateral else Model.unilateral.
+
+(* The same in space. *)
+Definition vector_of_three (q1 q2 q3 : Q) := SpaceModel.Vector (Q2R q1) (Q2R q2) (Q2R q3).
+
+Definition chosen_contact_in_space (q : contact) (c : SpaceModel.contact) :=
+  (exists x y z nx ny nz,
+     position q = [x; y; z] /\ normal q = [nx; ny; nz] /\
+     within x (SpaceModel.x (SpaceModel.position c)) /\
+     within y (SpaceModel.y (SpaceModel.position c)) /\
+     within z (SpaceModel.z (SpaceModel.position c)) /\
+     SpaceModel.normal c = vector_of_three nx ny nz) /\
+  within (friction q) (SpaceModel.friction c) /\
+  within (stiffness q) (SpaceModel.stiffness c) /\
+  within (preload q) (SpaceModel.preload c) /\
+  SpaceModel.growth c = Q2R (preload_growth q).
+
+Definition six_numbers (w : SpaceModel.screw) : list R :=
+  let f := SpaceModel.linear w in
+  let t := SpaceModel.angular w in
+  [SpaceModel.x f; SpaceModel.y f; SpaceModel.z f; SpaceModel.x t; SpaceModel.y t; SpaceModel.z t].
+
+Definition chosen_in_space (q : question) (g : SpaceModel.grasp) :=
+  dimension q = 6%nat /\
+  Forall2 chosen_contact_in_space (contacts q) (SpaceModel.contacts g) /\
+  Forall2 within (wrench q) (six_numbers (SpaceModel.wrench g)) /\
+  map Q2R (direction q) = six_numbers (SpaceModel.direction g) /\
+  SpaceModel.normal_law g = if bilateral q then Model.bilateral else Model.unilateral.
+
+Definition among (l : R) (i : Q * option Q) :=
+  Q2R (fst i) <= l /\ match snd i with Some h => l <= Q2R h | None => True end.
+
+(* What an answer says about a question.  That a certificate is rejected says nothing. *)
+Definition true_answer (q : question) (a : answer) : Prop :=
+  match a with
+  | Stable =>
+      (forall g, chosen q g -> Model.stable g) /\
+      (forall g, chosen_in_space q g -> SpaceModel.stable g)
+  | Unstable =>
+      (forall g, chosen q g -> ~ Model.stable g) /\
+      (forall g, chosen_in_space q g -> ~ SpaceModel.stable g)
+  | Margin intervals =>
+      dimension q = 3%nat /\
+      forall g, chosen q g ->
+      forall l, 0 <= l -> (Model.stable_at g l <-> Exists (among l) intervals)
+  | Rejected _ _ => True
+  | NotProvedHere _ => True
+  end.

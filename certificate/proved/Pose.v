@@ -1,0 +1,202 @@
+(* SPDX-License-Identifier: MIT *)
+(** The question that is asked of a grasp file with the options of the command line: FORMAT.md
+    section 1, the table and what follows it, and section 6. The certificate plays no part here. *)
+From Coq Require Import Bool List QArith Qabs String ZArith.
+From Proved Require Import Json Question ReadGrasp Root.
+Import ListNotations.
+Local Open Scope string_scope.
+
+(** A tolerance t, or t%. *)
+Record tolerance : Set := { amount : Q; percent : bool }.
+
+(** How preloads grow: in proportion to themselves, or by these numbers, one for each contact. *)
+Inductive growth : Set := Scale | By (numbers : list Q).
+
+(** What is not given is that of the grasp file, or none. *)
+Record options : Set := {
+  asked_wrench : option (list Q);
+  asked_case : option string;
+  asked_preload : option Q;
+  asked_bilateral : bool;
+  asked_direction : option (list Q);
+  asked_growth : option growth;
+  asked_uncertain : list (string * tolerance)  (** by kind *) }.
+
+Definition uncertain_kinds : list string :=
+  ["friction"; "stiffness"; "preload"; "position"; "normal"; "wrench"].
+
+Definition asks_margin (asked : options) : bool :=
+  match asked_direction asked, asked_growth asked with None, None => false | _, _ => true end.
+
+(** The question as it is judged, and as it is printed. *)
+Record posed : Set := {
+  the_question : question;
+  stated_wrench : list interval;  (** before it was widened *)
+  the_options : options;
+  is_box : bool }.
+
+(** Places that are about the question and not about the file begin so. *)
+Definition of_question (part : string) : path := [Member part; Member "the question"].
+
+Definition find_tolerance (kind : string) (asked : options) : option tolerance :=
+  match find (fun '(name, _) => String.eqb name kind) (asked_uncertain asked) with
+  | Some (_, it) => Some it
+  | None => None
+  end.
+
+Definition check_dimension (in_space : bool) (part : string) (numbers : option (list Q))
+  : result unit :=
+  match numbers with
+  | None => Fine tt
+  | Some v =>
+      check_that (has_length (if in_space then 6 else 3) v) (of_question part)
+        (if in_space then "expected 6 numbers, as the grasp is in space"
+         else "expected 3 numbers, as the grasp is planar")
+  end.
+
+Definition wrench_asked (file : grasp) (asked : options) : result (list interval) :=
+  let here := of_question "case" in
+  match asked_wrench asked, asked_case asked with
+  | Some _, Some _ => refuse here "a wrench is given as well; expected one of them"
+  | Some w, None => Fine (map exactly w)
+  | None, Some name =>
+      match find (fun '(other, _) => String.eqb other name) (cases file) with
+      | Some (_, w) => Fine w
+      | None => refuse here ("the grasp has no case """ ++ name ++ """")
+      end
+  | None, None =>
+      match asked_direction asked, cases file with
+      | Some d, _ => Fine (map (fun _ => exactly 0) d)
+      | None, [] => Fine (common_wrench file)
+      | None, (name, _) :: _ =>
+          refuse here ("the grasp has cases, and none is chosen; expected the name of one, such as """
+                       ++ name ++ """")
+      end
+  end.
+
+Definition widen (by_ : option tolerance) (it : interval) : interval :=
+  match by_ with
+  | None => it
+  | Some t =>
+      let off x := if percent t then amount t * Qabs x / 100 else amount t in
+      Interval (low it - off (low it)) (high it + off (high it))
+  end.
+
+(** The options applied to a contact, before its preload grows. *)
+Definition asked_contact (asked : options) (it : contact) : contact :=
+  let by_ kind := find_tolerance kind asked in
+  let given := match asked_preload asked with Some p => exactly p | None => preload it end in
+  {| position := map (widen (by_ "position")) (position it);
+     normal := normal it;
+     slope := match by_ "normal" with Some t => slope it + amount t | None => slope it end;
+     friction := widen (by_ "friction") (friction it);
+     stiffness := widen (by_ "stiffness") (stiffness it);
+     preload := widen (by_ "preload") given;
+     preload_growth := preload_growth it |}.
+
+Fixpoint check_tolerances (asked : options) (them : list (string * tolerance)) : result unit :=
+  match them with
+  | [] => Fine tt
+  | (kind, t) :: rest =>
+      let here := of_question "uncertain" in
+      let* _ := check_that (negb (asks_margin asked)) here
+                  "a margin is about one grasp; expected no uncertainty" in
+      let* _ := check_that (Qle_bool 0 (amount t)) here "expected tolerances of 0 or more" in
+      let* _ := check_that (negb (String.eqb kind "normal" && percent t)) here
+                  "of normals a slope is expected, such as 0.01" in
+      check_tolerances asked rest
+  end.
+
+Definition is_exact (it : interval) : bool := Qeq_bool (low it) (high it).
+Definition is_one_point (it : contact) : bool :=
+  forallb is_exact (position it) && is_0 (slope it) && is_exact (friction it)
+  && is_exact (stiffness it) && is_exact (preload it).
+
+(** Whether there is a preload along a normal of irrational length. *)
+Definition has_irrational_preload (it : contact) : bool :=
+  (negb (is_0 (high (preload it))) || negb (is_0 (preload_growth it)))
+  && match exact_root (sum_of_squares (normal it)) with Some _ => false | None => true end.
+
+(** What FORMAT.md section 6 does not allow, and whether the contact makes the question a box. *)
+Definition check_contact (margin in_space : bool) (at_path : path) (it : contact)
+  : result bool :=
+  let here name := (Member name :: at_path)%list in
+  let* _ := check_that (Qle_bool 0 (low (friction it))) (here "friction")
+              "it may be below 0; expected 0 or more" in
+  let* _ := check_that (Qle_bool 0 (low (preload it))) (here "preload")
+              "it may be below 0; expected 0 or more" in
+  let* _ := check_that (is_below 0 (low (stiffness it))) (here "stiffness")
+              "it may be 0 or less; expected above 0" in
+  let* _ := check_that (is_below (slope it) 1) (here "normal") "expected a slope below 1" in
+  let* _ := check_that (negb margin || is_one_point it) at_path
+              "found an interval, but a margin is about one grasp; expected numbers" in
+  let irrational := has_irrational_preload it in
+  let* _ := check_that (negb (irrational && margin && negb in_space)) (here "normal")
+              ("the contact has a preload and a normal of irrational length, so there is no exact "
+               ++ "question; run stickslip snap GRASP -o FILE, and ask about FILE") in
+  Fine (irrational || negb (is_one_point it)).
+
+(** Contacts with P^u, and under [Scale] without the file's preloads. *)
+Fixpoint with_growths (contacts : list contact) (numbers : list Q) (done : list contact)
+  : option (list contact) :=
+  match contacts, numbers with
+  | [], [] => Some (rev_append done [])
+  | it :: others, p :: rest =>
+      with_growths others rest
+        ({| position := position it; normal := normal it; slope := slope it; friction := friction it;
+            stiffness := stiffness it; preload := preload it; preload_growth := p |} :: done)
+  | _, _ => None
+  end.
+
+Definition scaled (it : contact) : contact :=
+  {| position := position it; normal := normal it; slope := slope it; friction := friction it;
+     stiffness := stiffness it; preload := exactly 0; preload_growth := low (preload it) |}.
+
+Definition pose (file : grasp) (asked : options) : result posed :=
+  let* _ := check_dimension (in_space file) "wrench" (asked_wrench asked) in
+  let* _ := check_dimension (in_space file) "direction" (asked_direction asked) in
+  let* _ := check_that (negb (in_space file) ||
+                        match find_tolerance "normal" asked with Some _ => false | None => true end)
+              (of_question "uncertain") "in space normals are certain; expected no tolerance of them" in
+  let* _ := check_that (match asked_preload asked with Some p => Qle_bool 0 p | None => true end)
+              (of_question "preload") "expected 0 or more" in
+  let* stated := wrench_asked file asked in
+  let* _ := check_tolerances asked (asked_uncertain asked) in
+  let them := map_all (asked_contact asked) (all_contacts file) in
+  let* them :=
+    match asked_growth asked with
+    | Some (By numbers) =>
+        let problem := "expected numbers of 0 or more, one for each contact" in
+        let* _ := check_that (forallb (Qle_bool 0) numbers) (of_question "preload direction") problem in
+        match with_growths them numbers [] with
+        | Some them => Fine them
+        | None => refuse (of_question "preload direction") problem
+        end
+    | _ => Fine them
+    end in
+  let margin := asks_margin asked in
+  let* boxes := each (check_contact margin (in_space file)) [Member "contacts"] them in
+  let widened := map (widen (find_tolerance "wrench" asked)) stated in
+  let certain := forallb is_exact widened in
+  let* _ := check_that (negb margin || certain) [Member "wrench"]
+              "found an interval, but a margin is about one grasp; expected numbers" in
+  let them := match asked_growth asked with
+              | Some Scale => map_all scaled them
+              | _ => them
+              end in
+  let u := match asked_direction asked with Some u => u | None => map (fun _ => 0%Q) stated end in
+  let* _ := check_that (negb margin || negb (forallb is_0 u)
+                        || existsb (fun it => negb (is_0 (preload_growth it))) them)
+              (of_question "direction")
+              ("neither the wrench nor a preload changes; expected a direction other than 0, or to "
+               ++ "scale preloads some of which are not 0") in
+  Fine {| the_question :=
+            {| dimension := if in_space file then 6 else 3;
+               bilateral := asked_bilateral asked;
+               is_margin := margin;
+               contacts := them;
+               wrench := widened;
+               direction := u |};
+          stated_wrench := stated;
+          the_options := asked;
+          is_box := negb certain || existsb (fun box => box) boxes |}.

@@ -1,0 +1,119 @@
+(* SPDX-License-Identifier: MIT *)
+(* What the reader hands to the checker, and what the checker answers.  Data only: integers,
+   rationals, lists and strings.  What a question means is said in Model.v (over the reals) and
+   Meaning.v (which real grasps a question is about); the rules are in Checker.v.
+
+   Rationals (Q) need not be in lowest terms anywhere; compare them by Qeq_bool, never by =.
+
+   The reader has already done all of FORMAT.md that makes a file malformed or a question
+   impossible to ask, and the rules `question-...` of section 3.  The checker does every other
+   rule, from `witness-box` on. *)
+From Coq Require Import List String ZArith QArith.
+
+(* [low, high], low <= high; a number is the interval from itself to itself. *)
+Record interval := Interval { low : Q; high : Q }.
+
+Definition exactly (q : Q) : interval := Interval q q.
+
+(* A contact of the question, after what the options replaced and widened (FORMAT.md 1, 6). *)
+Record contact := Contact {
+  position : list interval;  (* two coordinates in the plane, three in space *)
+  normal : list Q;           (* n0, not 0; so many *)
+  slope : Q;                 (* the normal has the direction of n0 + e t0 for some |e| <= slope *)
+  friction : interval;
+  stiffness : interval;
+  preload : interval;        (* P; of a margin with the preload direction `scale`, 0 *)
+  preload_growth : Q         (* P^u; 0 without a preload direction *)
+}.
+
+Record question := Question {
+  dimension : nat;           (* of motions: 3 in the plane, 6 in space *)
+  bilateral : bool;          (* the normal law *)
+  is_margin : bool;          (* a direction of either kind was given *)
+  contacts : list contact;
+  wrench : list interval;    (* w, after the table of FORMAT.md 1, widened *)
+  direction : list Q         (* u; as many zeros without a direction of wrenches *)
+}.
+
+(* The certificate, in the order of its text.  INDEX and CONTACT are whole numbers >= 0 of any
+   size. *)
+Inductive parameter := PX | PY | PZ | PTurn | PFriction | PPreload | PStiffness | PWrench.
+
+Inductive node :=
+  | Slip (contact_index : Z)
+  | Separation (contact_index : Z)
+  | Plane (numbers : list Q)          (* without the number of l in a verdict: as in the file *)
+  | Cut (name : parameter) (index : Z) (at_number : Q)             (* `part` *)
+  | Leaf (y : list Q).
+
+Record witness := Witness {
+  twist : list Q;
+  shares : list (Z * list Q)          (* a share is one number in the plane, three in space *)
+}.
+
+(* POINT of a margin in the plane: lambda, or None for null. *)
+Record point := Point { multiple : option Q; point_witness : witness }.
+
+(* None: begins with the last point of the segment before it. *)
+Record segment := Segment { first_point : option point; second_point : point }.
+
+(* PART of a stable verdict. *)
+Inductive part :=
+  | PartCut (name : parameter) (index : Z) (at_number : Q)
+  | PartProof (d0 : list Q) (walls : list (list Q)) (direction : list (list Q))
+      (tree : list node).
+
+(* CLAIM of a margin in space. *)
+Inductive claim :=
+  | ClaimPart (low : Q) (high : option Q) (proof : part)
+  | ClaimPoints (low : Q) (high : option Q) (points : list witness)
+  | ClaimUnstable (low : Q) (high : option Q) (tree : list node).
+
+(* All after the member `question`. *)
+Inductive proof :=
+  | StableByWitness (w : witness)
+  | StableByParts (parts : list part)
+  | UnstableByTree (tree : list node)
+  | MarginBy (resisted : list (Q * option Q)) (segments : list segment) (tree : list node)
+  | MarginInSpace (claims : list claim).
+
+Record certificate := Certificate {
+  bits : Z;                           (* 128 if left out *)
+  body : proof
+}.
+
+(* Where a rule failed; numbers from 0. *)
+Inductive place :=
+  | Nowhere
+  | AtNode (number : nat)
+  | AtContact (number : Z)            (* of a witness *)
+  | AtInterval (number : nat)
+  | AtSegment (number : nat)
+  | AtPoint (segment : nat) (second : bool).
+
+Inductive answer :=
+  | Stable                                         (* for every choice in the question *)
+  | Unstable                                       (* likewise *)
+  | Margin (resisted : list (Q * option Q))        (* exactly these multiples; None: no end *)
+  | Rejected (rule : string) (found_at : place)
+  | NotProvedHere (why : string).                  (* this checker cannot judge it *)
+
+(* Advice about one ray of a region, which nobody has to believe: to keep it, or to drop it as
+   factor * ray = sum of coefficient * (the ray of that number among those kept). *)
+Inductive advice :=
+  | Keep
+  | Drop (factor : Z) (terms : list (nat * Z)).
+
+(* An oracle has a memory of any type for each region.  `advise` hears that a region is cut by
+   form >= 0, or by form = 0 if the flag is set, and gives advice about each candidate ray in
+   the order of Cone.v.  Theorems hold for every oracle. *)
+Record oracle (memory : Type) := Oracle {
+  begin : nat -> memory;              (* all of R^n *)
+  advise : memory -> list Z -> bool -> memory * list advice
+}.
+Arguments begin {memory}.
+Arguments advise {memory}.
+
+(* The checker (Checker.v) is
+     check : forall memory, oracle memory -> question -> certificate -> answer. *)
+Definition checker := forall memory, oracle memory -> question -> certificate -> answer.

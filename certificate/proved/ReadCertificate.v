@@ -1,0 +1,424 @@
+(* SPDX-License-Identifier: MIT *)
+(** The certificate, `stickslip-certificate/2`, in the order of its text: FORMAT.md sections 2, 6
+    and 7. And the rules `question-...` of section 3. *)
+From Coq Require Import Ascii Bool List QArith String ZArith.
+From Proved Require Import Json Numeral Pose Question ReadGrasp.
+Import ListNotations.
+Local Open Scope string_scope.
+
+(** The member `question`: what whoever made the certificate was asked. *)
+Record statement : Set := {
+  stated_contacts : Z;
+  wrench_stated : list interval;
+  options_stated : options  (** without wrench and case *) }.
+
+(** What the numbers of a certificate depend on. *)
+Record shape : Set := { spatial : bool; of_margin : bool }.
+Definition size_of_twist (s : shape) : Z := if spatial s then 6 else 3.
+
+Definition read_numbers (count : Z) : path -> json -> result (list Q) :=
+  read_sized count (if count =? 6 then "an array of 6 numbers"
+                    else if count =? 3 then "an array of 3 numbers"
+                    else "an array of so many numbers as the dimension asks for")%Z read_fraction.
+Definition read_twist (s : shape) : path -> json -> result (list Q) := read_numbers (size_of_twist s).
+
+Definition read_or_null (at_path : path) (value : json) : result (option Q) :=
+  match value with
+  | Null => Fine None
+  | _ => let* x := read_fraction at_path value in Fine (Some x)
+  end.
+
+(** A NUMBER, or an interval of the grasp file. *)
+Definition read_stated_component (at_path : path) (value : json) : result interval :=
+  match value with
+  | Array [least; most] =>
+      let* a := read_fraction at_path least in
+      let* b := read_fraction at_path most in
+      Fine (Interval a b)
+  | Array _ => expected "a number, or [min, max]" at_path value
+  | _ => let* x := read_fraction at_path value in Fine (exactly x)
+  end.
+
+Definition read_law (at_path : path) (value : json) : result bool :=
+  if is_text "bilateral" value then Fine true
+  else if is_text "unilateral" value then Fine false
+  else expected """unilateral"" or ""bilateral""" at_path value.
+
+Definition read_growth (at_path : path) (value : json) : result growth :=
+  if is_text "scale" value then Fine Scale
+  else
+    let* numbers := read_array """scale"" or an array of numbers" read_fraction at_path value in
+    Fine (By numbers).
+
+(** The characters before the last one, if that is %. *)
+Definition before_percent (content : string) : option string :=
+  match rev_append (list_ascii_of_string content) [] with
+  | last :: others =>
+      if Ascii.eqb last "%" then Some (string_of_list_ascii (rev_append others [])) else None
+  | [] => None
+  end.
+
+Definition read_tolerance (at_path : path) (value : json) : result tolerance :=
+  let percentage := match value with Text content => before_percent content | _ => None end in
+  match percentage with
+  | Some spelled =>
+      let* x := read_fraction at_path (Text spelled) in Fine {| amount := x; percent := true |}
+  | None => let* x := read_fraction at_path value in Fine {| amount := x; percent := false |}
+  end.
+
+Fixpoint read_all_tolerances (at_path : path) (members : list (string * json))
+  : result (list (string * tolerance)) :=
+  match members with
+  | [] => Fine []
+  | (kind, value) :: rest =>
+      let* t := read_tolerance (Member kind :: at_path) value in
+      let* others := read_all_tolerances at_path rest in
+      Fine ((kind, t) :: others)
+  end.
+
+Definition read_tolerances (at_path : path) (value : json) : result (list (string * tolerance)) :=
+  let* members := members_in_order uncertain_kinds at_path value in
+  match members with
+  | [] => expected "an object of one tolerance or more" at_path value
+  | _ => read_all_tolerances at_path members
+  end.
+
+Definition read_statement (in_space : bool) (at_path : path) (value : json) : result statement :=
+  let* members :=
+    members_in_order ["contacts"; "wrench"; "preload"; "normal_law"; "direction";
+                      "preload_direction"; "uncertain"] at_path value in
+  let count := if in_space then 6%Z else 3%Z in
+  let* m := member "contacts" read_index at_path members in
+  let* w := member "wrench" (read_sized count "an array of the components" read_stated_component)
+              at_path members in
+  let* p := optional_member "preload" read_fraction at_path members in
+  let* law := member "normal_law" read_law at_path members in
+  let* u := optional_member "direction" (read_numbers count) at_path members in
+  let* growing := optional_member "preload_direction" read_growth at_path members in
+  let* uncertain := optional_member "uncertain" read_tolerances at_path members in
+  Fine {| stated_contacts := m;
+          wrench_stated := w;
+          options_stated :=
+            {| asked_wrench := None; asked_case := None; asked_preload := p; asked_bilateral := law;
+               asked_direction := u; asked_growth := growing;
+               asked_uncertain := match uncertain with Some it => it | None => [] end |} |}.
+
+(** Nodes. *)
+Definition read_parameter (s : shape) (at_path : path) (value : json) : result parameter :=
+  let is name := is_text name value in
+  if is "x" then Fine PX else if is "y" then Fine PY
+  else if spatial s && is "z" then Fine PZ else if negb (spatial s) && is "turn" then Fine PTurn
+  else if is "friction" then Fine PFriction else if is "preload" then Fine PPreload
+  else if is "stiffness" then Fine PStiffness else if is "wrench" then Fine PWrench
+  else expected (if spatial s then "x, y, z, friction, preload, stiffness or wrench"
+                 else "x, y, turn, friction, preload, stiffness or wrench") at_path value.
+
+Definition read_cut (s : shape) (at_path : path) (items : list json) (whole : json)
+  : result (parameter * Z * Q) :=
+  match items with
+  | [name; index; at_number] =>
+      let* p := read_parameter s at_path name in
+      let* i := read_index at_path index in
+      let* c := read_fraction at_path at_number in
+      Fine (p, i, c)
+  | _ => expected "part, a name, an index and a number" at_path whole
+  end.
+
+Definition read_node (s : shape) (at_path : path) (value : json) : result node :=
+  let contact_of (items : list json) : result Z :=
+    match items with
+    | [index] => read_index at_path index
+    | _ => expected "a kind and a contact" at_path value
+    end in
+  let twist := size_of_twist s in
+  match value with
+  | Array (Text kind :: items) =>
+      if kind =? "leaf" then
+        if has_length twist items
+        then let* y := each read_fraction at_path items in Fine (Leaf y)
+        else expected "leaf, and a number for each component of a twist" at_path value
+      else if kind =? "slip" then let* i := contact_of items in Fine (Slip i)
+      else if kind =? "separation" then let* i := contact_of items in Fine (Separation i)
+      else if kind =? "plane" then
+        if has_length (twist + (if of_margin s then 2 else 1)) items
+        then let* a := each read_fraction at_path items in Fine (Plane a)
+        else expected "plane, and a number for each coordinate of a point" at_path value
+      else if (kind =? "part") && negb (of_margin s) then
+        let* '(p, i, c) := read_cut s at_path items value in Fine (Cut p i c)
+      else expected "slip, separation, plane, leaf or, without a direction, part" at_path value
+  | _ => expected "an array that begins with the kind of the node" at_path value
+  end.
+
+Definition read_nodes (s : shape) : path -> json -> result (list node) :=
+  read_array "an array of nodes" (read_node s).
+
+(** Witnesses and points. *)
+Definition read_share (s : shape) (at_path : path) (value : json) : result (Z * list Q) :=
+  match value with
+  | Array [index; share] =>
+      let* i := read_index at_path index in
+      let* numbers := if spatial s then read_numbers 3 at_path share
+                      else let* x := read_fraction at_path share in Fine [x] in
+      Fine (i, numbers)
+  | _ => expected "[contact, share]" at_path value
+  end.
+
+Definition read_shares (s : shape) : path -> json -> result (list (Z * list Q)) :=
+  read_array "an array [[contact, share], ...]" (read_share s).
+
+Definition read_point (s : shape) (may_be_ray : bool) (at_path : path) (value : json)
+  : result point :=
+  match value with
+  | Array [lambda; motion; list] =>
+      let* lambda := if may_be_ray then read_or_null at_path lambda
+                     else let* x := read_fraction at_path lambda in Fine (Some x) in
+      let* d := read_twist s at_path motion in
+      let* them := read_shares s at_path list in
+      Fine (Point lambda (Witness d them))
+  | _ => expected "a point [lambda, twist, shares]" at_path value
+  end.
+
+(** [goes_on]: there is a segment before, and it ended with a number. *)
+Definition read_segment (s : shape) (goes_on : bool) (at_path : path) (value : json)
+  : result segment :=
+  match value with
+  | Array [begin; last] =>
+      let* a := read_point s false at_path begin in
+      let* b := read_point s true at_path last in
+      Fine (Segment (Some a) b)
+  | Array [last] =>
+      if goes_on then let* b := read_point s true at_path last in Fine (Segment None b)
+      else expected "two points, as no segment before ended with a number" at_path value
+  | _ => expected "two points, or one where the segment before ended with a number" at_path value
+  end.
+
+Fixpoint read_segments_from (s : shape) (goes_on : bool) (index : Z) (at_path : path)
+  (items : list json) (done : list segment) : result (list segment) :=
+  match items with
+  | [] => Fine (rev_append done [])
+  | item :: rest =>
+      match read_segment s goes_on (Element index :: at_path) item with
+      | Fine it =>
+          let ends := match multiple (second_point it) with Some _ => true | None => false end in
+          read_segments_from s ends (index + 1) at_path rest (it :: done)
+      | Malformed where_ found problem => Malformed where_ found problem
+      end
+  end.
+
+Definition read_segments (s : shape) (at_path : path) (value : json) : result (list segment) :=
+  match value with
+  | Array items => read_segments_from s false 0 at_path items []
+  | _ => expected "an array of segments" at_path value
+  end.
+
+Definition read_resisted (at_path : path) (value : json) : result (Q * option Q) :=
+  match value with
+  | Array [a; b] =>
+      let* a := read_fraction at_path a in
+      let* b := read_or_null at_path b in
+      Fine (a, b)
+  | _ => expected "[low, high] or [low, null]" at_path value
+  end.
+
+(** Proofs by degree. *)
+Definition read_matrix (s : shape) : path -> json -> result (list (list Q)) :=
+  read_sized (size_of_twist s) "a matrix with a row for each component of a twist" (read_twist s).
+
+Definition read_part (s : shape) (at_path : path) (value : json) : result part :=
+  match value with
+  | Array _ =>
+      let* it := read_node s at_path value in
+      match it with
+      | Cut p i c => Fine (PartCut p i c)
+      | _ => expected "a part" at_path value
+      end
+  | _ =>
+      let* members := members_in_order ["twist"; "walls"; "direction"; "tree"] at_path value in
+      let* d := member "twist" (read_twist s) at_path members in
+      let* e := member "walls" (read_matrix s) at_path members in
+      let* a := member "direction" (read_matrix s) at_path members in
+      let* tree := member "tree" (read_nodes s) at_path members in
+      Fine (PartProof d e a tree)
+  end.
+
+(** POINT of a margin in space. *)
+Definition read_spatial_point (s : shape) (at_path : path) (value : json) : result witness :=
+  let* members := members_in_order ["twist"; "shares"] at_path value in
+  let* d := member "twist" (read_twist s) at_path members in
+  let* them := member "shares" (read_shares s) at_path members in
+  Fine (Witness d them).
+
+Definition is_point (value : json) : bool :=
+  match value with Object members => has_member "shares" members | _ => false end.
+
+(** CLAIM. *)
+Definition read_claim (s : shape) (at_path : path) (value : json) : result claim :=
+  let what := "[""stable"", low, high, part], [""stable"", low, high, point, point] or "
+              ++ "[""unstable"", low, high, tree]" in
+  let one_or_two := "one point where low = high or high is null, else two" in
+  match value with
+  | Array (kind :: a :: b :: evidence) =>
+      let* a := read_fraction at_path a in
+      let* b := read_or_null at_path b in
+      let two := match b with Some b => negb (Qeq_bool a b) | None => false end in
+      if is_text "stable" kind then
+        match evidence with
+        | [first; second] =>
+            let* _ := check_that two at_path one_or_two in
+            let* p := read_spatial_point s at_path first in
+            let* q := read_spatial_point s at_path second in
+            Fine (ClaimPoints a b [p; q])
+        | [only] =>
+            if is_point only then
+              let* _ := check_that (negb two) at_path one_or_two in
+              let* p := read_spatial_point s at_path only in
+              Fine (ClaimPoints a b [p])
+            else let* it := read_part s at_path only in Fine (ClaimPart a b it)
+        | _ => expected what at_path value
+        end
+      else
+        match is_text "unstable" kind, evidence with
+        | true, [tree] => let* it := read_nodes s at_path tree in Fine (ClaimUnstable a b it)
+        | _, _ => expected what at_path value
+        end
+  | _ => expected what at_path value
+  end.
+
+(** The text, member by member. *)
+Definition next (name : string) (members : list (string * json))
+  : result (json * list (string * json)) :=
+  match members with
+  | (key, value) :: rest =>
+      if key =? name then Fine (value, rest)
+      else refuse [Member key] ("expected the member """ ++ name ++ """ here")
+  | [] => refuse [] ("the object ends, expected """ ++ name ++ """")
+  end.
+
+Definition next_read {A : Type} (name : string) (read : path -> json -> result A)
+  (members : list (string * json)) : result (A * list (string * json)) :=
+  let* '(value, rest) := next name members in
+  let* it := read [Member name] value in
+  Fine (it, rest).
+
+Definition begins_with (name : string) (members : list (string * json)) : bool :=
+  match members with (key, _) :: _ => key =? name | [] => false end.
+
+Definition finish {A : Type} (it : A * list (string * json)) : result A :=
+  match it with
+  | (value, []) => Fine value
+  | (_, (key, _) :: _) => refuse [Member key] "a member too many"
+  end.
+
+Definition default_bits : Z := 128.
+
+Definition read_bits (at_path : path) (value : json) : result Z :=
+  let* b := read_index at_path value in
+  if (64 <=? b)%Z && (b <=? 4096)%Z then Fine b
+  else expected "an integer from 64 to 4096" at_path value.
+
+Definition read_verdict (s : shape) (at_path : path) (value : json) : result bool :=
+  if of_margin s then
+    if is_text "margin" value then Fine true
+    else expected """margin"", as the question has a direction" at_path value
+  else if is_text "stable" value then Fine true
+  else if is_text "unstable" value then Fine false
+  else expected """stable"" or ""unstable"", as the question has no direction" at_path value.
+
+Definition read_body (s : shape) (good : bool) (members : list (string * json)) : result proof :=
+  if of_margin s then
+    if spatial s then
+      let* it := next_read "intervals" (read_array "an array of claims" (read_claim s)) members in
+      let* claims := finish it in
+      Fine (MarginInSpace claims)
+    else
+      let* '(resisted, rest) :=
+        next_read "resisted" (read_array "an array of intervals" read_resisted) members in
+      let* '(segments, rest) := next_read "segments" (read_segments s) rest in
+      let* it := next_read "tree" (read_nodes s) rest in
+      let* tree := finish it in
+      Fine (MarginBy resisted segments tree)
+  else if good then
+    if begins_with "parts" members then
+      let* it := next_read "parts" (read_array "an array of parts" (read_part s)) members in
+      let* parts := finish it in
+      Fine (StableByParts parts)
+    else
+      let* '(d, rest) := next_read "twist" (read_twist s) members in
+      let* it := next_read "shares" (read_shares s) rest in
+      let* them := finish it in
+      Fine (StableByWitness (Witness d them))
+  else
+    let* it := next_read "tree" (read_nodes s) members in
+    let* tree := finish it in
+    Fine (UnstableByTree tree).
+
+Definition read_known_format (at_path : path) (value : json) : result unit :=
+  if is_text "stickslip-certificate/2" value then Fine tt
+  else expected """stickslip-certificate/2"", the only one that this program knows" at_path value.
+
+Definition read_certificate (in_space : bool) (value : json) : result (statement * certificate) :=
+  match value with
+  | Object members =>
+      let* '(_, rest) := next_read "format" read_known_format members in
+      let* rest :=
+        if begins_with "producer" rest
+        then let* '(_, rest) := next_read "producer" read_any_text rest in Fine rest
+        else Fine rest in
+      let* '(stated, rest) := next_read "question" (read_statement in_space) rest in
+      let s := {| spatial := in_space; of_margin := asks_margin (options_stated stated) |} in
+      let* '(b, rest) :=
+        if begins_with "bits" rest && (negb (of_margin s) || in_space)
+        then next_read "bits" read_bits rest
+        else Fine (default_bits, rest) in
+      let* '(good, rest) := next_read "verdict" (read_verdict s) rest in
+      let* it := read_body s good rest in
+      Fine (stated, Certificate b it)
+  | _ => expected "an object {...}" [] value
+  end.
+
+(** The rules `question-...`: the first that fails, if one does. *)
+Fixpoint same_list {A : Type} (same : A -> A -> bool) (a b : list A) : bool :=
+  match a, b with
+  | [], [] => true
+  | x :: others, y :: rest => same x y && same_list same others rest
+  | _, _ => false
+  end.
+
+Definition same_option {A : Type} (same : A -> A -> bool) (a b : option A) : bool :=
+  match a, b with
+  | None, None => true
+  | Some x, Some y => same x y
+  | _, _ => false
+  end.
+
+Definition same_interval (a b : interval) : bool :=
+  Qeq_bool (low a) (low b) && Qeq_bool (high a) (high b).
+
+Definition same_growth (a b : growth) : bool :=
+  match a, b with
+  | Scale, Scale => true
+  | By x, By y => same_list Qeq_bool x y
+  | _, _ => false
+  end.
+
+Definition same_tolerance (a b : tolerance) : bool :=
+  Qeq_bool (amount a) (amount b) && Bool.eqb (percent a) (percent b).
+
+Definition broken_question_rule (stated : statement) (asked : posed) : option string :=
+  let said := options_stated stated in
+  let options := the_options asked in
+  let m := fold_left (fun count _ => count + 1)%Z (contacts (the_question asked)) 0%Z in
+  if negb (stated_contacts stated =? m)%Z then Some "question-contacts"
+  else if negb (same_list same_interval (wrench_stated stated) (stated_wrench asked))
+  then Some "question-wrench"
+  else if negb (same_option Qeq_bool (asked_preload said) (asked_preload options))
+  then Some "question-preload"
+  else if negb (Bool.eqb (asked_bilateral said) (asked_bilateral options)) then Some "question-law"
+  else if negb (same_option (same_list Qeq_bool) (asked_direction said) (asked_direction options))
+  then Some "question-direction"
+  else if negb (same_option same_growth (asked_growth said) (asked_growth options))
+  then Some "question-preload-direction"
+  else if negb (forallb (fun kind => same_option same_tolerance (find_tolerance kind said)
+                                       (find_tolerance kind options)) uncertain_kinds)
+  then Some "question-uncertain"
+  else None.

@@ -1,0 +1,317 @@
+(* SPDX-License-Identifier: MIT *)
+(* Trees (FORMAT.md section 4), the same in the plane and in space: regions, and the walk over a list of
+   nodes.  What a node's children are and when a leaf holds are arguments here, given by Tree.v for
+   the plane and SpaceTree.v for space; so is which points are solutions.  `walk_refutes`: if a
+   list of nodes is accepted for some roots, no solution is at home in any of them. *)
+From Coq Require Import List String ZArith QArith Reals Lra Lia Bool.
+From Proved Require Import Question Cone Leaf.
+Import ListNotations.
+
+Section Walk.
+Variable memory : Type.
+Variable advisor : oracle memory.
+Variable setting : Type.     (* the box that a tree is about *)
+
+Record region := Region {
+  rays : list ray;
+  strict : list (list form);      (* those that rays keep account of: conditions of the region *)
+  moving : list (list form);      (* slips in space, which are not *)
+  around : setting;
+  remembered : memory;
+  depth : Z
+}.
+
+(* What a child has more than its parent: conditions f >= 0, or f = 0 if the flag is set; strict
+   functions of one value among these; slips that are strict; and its box. *)
+Record branch := Branch {
+  conditions : list (form * bool);
+  new_strict : list form;
+  new_moving : list (list form);
+  branch_setting : setting
+}.
+
+Definition cut_region (r : region) (c : form * bool) : region :=
+  let (remembered', advices) := advise advisor (remembered r) (fst c) (snd c) in
+  Region (cut (rays r) (fst c) (snd c) advices) (strict r) (moving r) (around r) remembered'
+    (depth r).
+
+Definition strictly (r : region) (f : form) : region :=
+  Region (map (add_strict [f]) (rays r)) ([f] :: strict r) (moving r) (around r) (remembered r)
+    (depth r).
+
+Definition child (r : region) (b : branch) : region :=
+  let r := fold_left strictly (new_strict b) (fold_left cut_region (conditions b) r) in
+  Region (rays r) (strict r) (new_moving b ++ moving r) (branch_setting b) (remembered r) (depth r + 1).
+
+(* The children's branches, or the rule that fails. *)
+Variable split : setting -> node -> list branch + string.
+(* The rule that fails, at a leaf with these strict functions and rays. *)
+Variable leaf_fails : setting -> list (list form) -> list ray -> list Q -> option string.
+
+Definition at_leaf (r : region) : list (list form) * list ray :=
+  fold_left (fun sr fs => (fs :: fst sr, map (add_strict fs) (snd sr))) (moving r)
+    (strict r, rays r).
+
+Definition visit (most_depth : Z) (n : node) (r : region) : list region + string :=
+  if Z.ltb most_depth (depth r) then inr "node-depth"%string
+  else
+    match n with
+    | Leaf y =>
+        let (strict', rays') := at_leaf r in
+        match leaf_fails (around r) strict' rays' y with
+        | None => inl []
+        | Some rule => inr rule
+        end
+    | _ =>
+        match split (around r) n with
+        | inl bs => inl (map (child r) bs)
+        | inr rule => inr rule
+        end
+    end.
+
+(* The regions that nodes still have to be about, the next one first. *)
+Fixpoint walk (most_depth : Z) (nodes : list node) (todo : list region) (number : nat)
+    : option (string * nat) :=
+  match nodes, todo with
+  | [], [] => None
+  | [], _ :: _ => Some ("tree-short"%string, number)
+  | _ :: _, [] => Some ("tree-long"%string, number)
+  | n :: nodes', r :: todo' =>
+      match visit most_depth n r with
+      | inl children => walk most_depth nodes' (children ++ todo') (S number)
+      | inr rule => Some (rule, number)
+      end
+  end.
+
+Section Roots.
+Open Scope Z_scope.
+
+Fixpoint basis (before n : nat) : list form :=
+  match n with
+  | O => []
+  | S n' => (repeat 0 before ++ 1 :: repeat 0 n') :: basis (S before) n'
+  end.
+
+(* All of R^n: each line is two rays. *)
+Definition everywhere (n : nat) (s : setting) : region :=
+  Region (flat_map (fun e => [Ray e []; Ray (map Z.opp e) []]) (basis 0 n)) [] [] s
+    (begin advisor n) (-1).
+
+(* With one branch after another; its depth is then 0. *)
+Definition root (n : nat) (b : branch) : region := child (everywhere n (branch_setting b)) b.
+
+End Roots.
+
+(* ---- Proofs ---- *)
+
+Open Scope R_scope.
+
+(* Which points are solutions of a choice in a box. *)
+Variable solves : setting -> list R -> Prop.
+
+Definition meets (x : list R) (c : form * bool) :=
+  if snd c then rdot (fst c) x = 0 else 0 <= rdot (fst c) x.
+
+Definition not_zero (x : list R) (fs : list form) := Exists (fun f => rdot f x <> 0) fs.
+
+Record takes (b : branch) (x : list R) : Prop := Takes {
+  takes_solves : solves (branch_setting b) x;
+  takes_conditions : Forall (meets x) (conditions b);
+  takes_strict : Forall (fun f => rdot f x <> 0) (new_strict b);
+  takes_moving : Forall (not_zero x) (new_moving b)
+}.
+
+Hypothesis split_covers : forall s n bs x, (forall y, n <> Leaf y) ->
+  split s n = inl bs -> solves s x -> exists b, In b bs /\ takes b x.
+
+Hypothesis leaf_refutes : forall s strict' rays' y x,
+  leaf_fails s strict' rays' y = None -> Forall (knows strict') rays' ->
+  spans (map coordinates rays') (fun a => rdot a x) -> Forall (not_zero x) strict' ->
+  solves s x -> False.
+
+Record at_home (r : region) (x : list R) : Prop := AtHome {
+  home_solves : solves (around r) x;
+  home_spanned : spans (map coordinates (rays r)) (fun a => rdot a x);
+  home_strict : Forall (not_zero x) (strict r);
+  home_moving : Forall (not_zero x) (moving r)
+}.
+
+Definition good (r : region) := Forall (knows (strict r)) (rays r).
+
+Definition refuted (r : region) := forall x, ~ at_home r x.
+
+Lemma cut_good r c : good r -> good (cut_region r c).
+Proof.
+  unfold good, cut_region. destruct (advise advisor (remembered r) (fst c) (snd c)). cbn.
+  apply cut_knows.
+Qed.
+
+Lemma add_strict_all fs strict' rays' :
+  Forall (knows strict') rays' -> Forall (knows (fs :: strict')) (map (add_strict fs) rays').
+Proof.
+  intros H. apply Forall_map. eapply Forall_impl; [|exact H]. intros a. apply add_strict_knows.
+Qed.
+
+Lemma child_good r b : good r -> good (child r b).
+Proof.
+  intros G. unfold child. set (r1 := fold_left cut_region (conditions b) r).
+  assert (G1 : good r1).
+  { subst r1. revert r G. induction (conditions b) as [|c cs IH]; intros r G; cbn; auto.
+    apply IH. now apply cut_good. }
+  change (good (fold_left strictly (new_strict b) r1)). clearbody r1. clear r G.
+  revert r1 G1. induction (new_strict b) as [|f fs IH]; intros r G; cbn; auto.
+  apply IH. apply add_strict_all. exact G.
+Qed.
+
+Lemma cut_home r c x : at_home r x -> meets x c -> at_home (cut_region r c) x.
+Proof.
+  intros [S P T M] H. unfold cut_region.
+  destruct (advise advisor (remembered r) (fst c) (snd c)) as [m' adv].
+  constructor; cbn; [exact S| |exact T|exact M]. now apply cut_keeps_region.
+Qed.
+
+Lemma strictly_home r f x : at_home r x -> rdot f x <> 0 -> at_home (strictly r f) x.
+Proof.
+  intros [S P T M] H. constructor; cbn; [exact S| | |exact M].
+  - rewrite map_map. cbn. exact P.
+  - constructor; [|exact T]. now constructor.
+Qed.
+
+Lemma child_home r b x : at_home r x -> takes b x -> at_home (child r b) x.
+Proof.
+  intros H [S C T M]. unfold child.
+  assert (H1 : at_home (fold_left cut_region (conditions b) r) x).
+  { clear T M. revert r H. induction C as [|c cs Hc C IH]; intros r H; cbn; [exact H|].
+    apply IH. now apply cut_home. }
+  set (r1 := fold_left cut_region (conditions b) r) in *. clearbody r1.
+  assert (H2 : at_home (fold_left strictly (new_strict b) r1) x).
+  { clear H C M. revert r1 H1. induction T as [|f fs Hf T IH]; intros r1 H1; cbn; [exact H1|].
+    apply IH. now apply strictly_home. }
+  destruct H2 as [_ P T' M']. constructor; cbn; try assumption. now apply Forall_app.
+Qed.
+
+Lemma at_leaf_good r x strict' rays' : good r -> at_home r x -> at_leaf r = (strict', rays') ->
+  Forall (knows strict') rays' /\ spans (map coordinates rays') (fun a => rdot a x) /\
+  Forall (not_zero x) strict'.
+Proof.
+  intros G [_ P T M] E. unfold at_leaf in E.
+  assert (A : forall ms st rs, Forall (not_zero x) ms -> Forall (knows st) rs ->
+    spans (map coordinates rs) (fun a => rdot a x) -> Forall (not_zero x) st ->
+    forall st' rs', fold_left (fun sr fs => (fs :: fst sr, map (add_strict fs) (snd sr))) ms (st, rs)
+      = (st', rs') ->
+    Forall (knows st') rs' /\ spans (map coordinates rs') (fun a => rdot a x) /\
+    Forall (not_zero x) st').
+  { induction ms as [|m ms IH]; intros st rs HM K Sp S st' rs' F; cbn in F.
+    - injection F as <- <-. auto.
+    - inversion HM; subst. eapply IH; [assumption| | | |exact F].
+      + now apply add_strict_all.
+      + rewrite map_map. cbn. exact Sp.
+      + now constructor. }
+  eapply A; eassumption.
+Qed.
+
+Lemma visit_good most n r children : good r -> visit most n r = inl children ->
+  Forall good children.
+Proof.
+  intros G H. unfold visit in H. destruct (Z.ltb most (depth r)); [discriminate|].
+  assert (C : forall bs, Forall good (map (child r) bs)).
+  { intros bs. apply Forall_map, Forall_forall. intros b _. now apply child_good. }
+  destruct n; try (destruct (split (around r) _) as [bs|]; [|discriminate];
+    injection H as <-; apply C).
+  destruct (at_leaf r). destruct (leaf_fails _ _ _ _); [discriminate|]. injection H as <-. constructor.
+Qed.
+
+Lemma visit_refutes most n r children : good r -> visit most n r = inl children ->
+  Forall refuted children -> refuted r.
+Proof.
+  intros G H RF x Home. unfold visit in H. destruct (Z.ltb most (depth r)); [discriminate|].
+  rewrite Forall_forall in RF.
+  assert (C : forall n bs, (forall y, n <> Leaf y) -> split (around r) n = inl bs ->
+    children = map (child r) bs -> False).
+  { intros n' bs NL E ->. destruct (split_covers _ _ _ x NL E (home_solves _ _ Home)) as (b & Hb & T).
+    apply (RF (child r b) (in_map _ _ _ Hb) x). now apply child_home. }
+  destruct n; try (destruct (split (around r) _) as [bs|] eqn:E; [|discriminate];
+    injection H as <-; eapply C; [|exact E|reflexivity]; discriminate).
+  destruct (at_leaf r) as [strict' rays'] eqn:AL.
+  destruct (leaf_fails _ _ _ _) eqn:L; [discriminate|].
+  destruct (at_leaf_good r x _ _ G Home AL) as (K & Sp & T).
+  eapply leaf_refutes; try eassumption. apply Home.
+Qed.
+
+Theorem walk_refutes most nodes todo number : Forall good todo ->
+  walk most nodes todo number = None -> Forall refuted todo.
+Proof.
+  revert todo number. induction nodes as [|n nodes IH]; intros [|r todo] number G H; cbn in H;
+    try discriminate; [constructor|].
+  destruct (visit most n r) as [children|rule] eqn:V; [|discriminate].
+  inversion G as [|? ? Gr Gt]; subst.
+  assert (A : Forall refuted (children ++ todo)).
+  { eapply IH; [|exact H]. apply Forall_app. split; [eapply visit_good; eassumption|exact Gt]. }
+  apply Forall_app in A as [A B]. constructor; [|exact B].
+  eapply visit_refutes; eassumption.
+Qed.
+
+Lemma dot_opp a e : (dot a (map Z.opp e) = - dot a e)%Z.
+Proof. revert e. induction a as [|z a IH]; intros [|y e]; cbn; try lia. rewrite IH. lia. Qed.
+
+Lemma line_spans rs t (e : form) : In e rs -> In (map Z.opp e) rs ->
+  spans rs (fun a => t * IZR (dot a e)).
+Proof.
+  intros P N. destruct (Rle_dec 0 t) as [H|H].
+  - apply spans_multiple; [exact H|]. now apply spans_ray.
+  - apply spans_same with (fun a => - t * IZR (dot a (map Z.opp e))).
+    + intros a. rewrite dot_opp, opp_IZR. ring.
+    + apply spans_multiple; [lra|]. now apply spans_ray.
+Qed.
+
+Lemma dot_basis a k n : dot a (repeat 0 k ++ 1 :: repeat 0 n)%Z = nth k a 0%Z.
+Proof.
+  assert (Z0 : forall a n, dot a (repeat 0 n)%Z = 0%Z).
+  { induction a0 as [|z a0 IH]; intros [|n0]; cbn; try reflexivity. rewrite IH. lia. }
+  revert k. induction a as [|z a IH]; intros [|k]; cbn; try reflexivity.
+  - rewrite Z0. lia.
+  - rewrite IH. lia.
+Qed.
+
+Lemma basis_spans rs x k :
+  (forall e, In e (basis k (List.length x)) -> In e rs /\ In (map Z.opp e) rs) ->
+  spans rs (fun a => rdot (skipn k a) x).
+Proof.
+  revert k. induction x as [|t x IH]; intros k H.
+  - eapply spans_same; [|apply spans_zero]. intros a. cbn. now destruct (skipn k a).
+  - cbn [List.length basis] in H.
+    apply spans_same with (fun a => t * IZR (dot a (repeat 0 k ++ 1 :: repeat 0 (List.length x))%Z)
+                                    + rdot (skipn (S k) a) x).
+    + intros a. rewrite dot_basis. clear. revert k. induction a as [|z a IH]; intros k.
+      * cbn. destruct k; cbn; ring.
+      * destruct k as [|k]; [cbn; ring|]. exact (IH k).
+    + apply spans_sum.
+      * apply line_spans; apply (H _ (or_introl eq_refl)).
+      * apply IH. intros e He. apply H. now right.
+Qed.
+
+Lemma root_good n b : good (root n b).
+Proof.
+  apply child_good. unfold good. cbn. apply Forall_forall. intros r Hr.
+  apply in_flat_map in Hr as (e & _ & [<-|[<-|[]]]); constructor.
+Qed.
+
+Theorem root_home n b x : List.length x = n -> takes b x -> at_home (root n b) x.
+Proof.
+  intros L T. apply child_home; [|exact T]. constructor; [apply T| |constructor|constructor].
+  cbn [rays everywhere]. rewrite <- L. apply (basis_spans _ x 0). intros e He.
+  split; apply in_map_iff.
+  - exists (Ray e []). split; [reflexivity|]. apply in_flat_map. exists e. split; [exact He|now left].
+  - exists (Ray (map Z.opp e) []). split; [reflexivity|]. apply in_flat_map. exists e.
+    split; [exact He|right; now left].
+Qed.
+
+End Walk.
+
+Arguments Branch {setting}.
+Arguments conditions {setting}.
+Arguments new_strict {setting}.
+Arguments new_moving {setting}.
+Arguments branch_setting {setting}.
+Arguments takes {setting}.
+Arguments Takes {setting}.

@@ -1,0 +1,106 @@
+(* SPDX-License-Identifier: MIT *)
+(* The words of the command line, as stickslip-check takes them. What numbers mean is read by
+   Numeral.v. *)
+
+open Checker
+
+exception Usage of string
+
+type arguments = {
+  files : string list;  (* GRASP and CERTIFICATE, unless there is help or a batch *)
+  options : options;
+  json : bool;
+  help : bool;
+  batch : bool;
+}
+
+let nothing_asked =
+  { asked_wrench = None; asked_case = None; asked_preload = None; asked_bilateral = false;
+    asked_direction = None; asked_growth = None; asked_uncertain = [] }
+
+let usage option text problem = raise (Usage (option ^ ": " ^ Print.quote text ^ problem))
+
+let number option text =
+  match parse_decimal text with
+  | Some x -> x
+  | None -> usage option text " is not a number such as 2, -0.25, 1e-3 or 3/5"
+
+let list option text = List.map (number option) (String.split_on_char ',' text)
+
+let wrench option text =
+  let numbers = list option text in
+  if List.mem (List.length numbers) [ 3; 6 ] then numbers
+  else usage option text " is not WX,WY,T, such as 0,-11/10,0, or in space WX,WY,WZ,TX,TY,TZ"
+
+let tolerances option text =
+  let add found part =
+    let wrong () =
+      usage option part
+        (" is not KIND=TOLERANCE, such as friction=10%, where KIND is friction, stiffness, "
+         ^ "preload, position, normal or wrench, each at most once") in
+    match String.index_opt part '=' with
+    | None -> wrong ()
+    | Some equals ->
+      let kind = String.sub part 0 equals in
+      let spelled = String.sub part (equals + 1) (String.length part - equals - 1) in
+      if not (List.mem kind uncertain_kinds) || List.mem_assoc kind found then wrong ();
+      let last = String.length spelled - 1 in
+      let percent = last >= 0 && spelled.[last] = '%' in
+      let digits = if percent then String.sub spelled 0 last else spelled in
+      (kind, { amount = number option digits; percent }) :: found in
+  List.rev (List.fold_left add [] (String.split_on_char ',' text))
+
+let starts_with prefix word =
+  String.length word >= String.length prefix
+  && String.sub word 0 (String.length prefix) = prefix
+
+(* --help is a question only before the first file, and after -- nothing is an option, so that no
+   file's name makes the program end with success. *)
+let parse words =
+  let rec go a ended = function
+    | [] -> a
+    | word :: rest ->
+      let asks_help = word = "--help" || word = "-h" in
+      let help = asks_help && a.files = [] in
+      if ended || String.length word < 2 || word.[0] <> '-' || (asks_help && not help) then
+        go { a with files = a.files @ [ word ] } ended rest
+      else
+        let name, attached =
+          match String.index_opt word '=' with
+          | Some at when starts_with "--" word ->
+            (String.sub word 0 at, Some (String.sub word (at + 1) (String.length word - at - 1)))
+          | _ -> (word, None) in
+        let valued set =
+          match attached, rest with
+          | Some value, _ -> go { a with options = set value } ended rest
+          | None, value :: others -> go { a with options = set value } ended others
+          | None, [] -> raise (Usage (name ^ " needs a value")) in
+        let o = a.options in
+        match name, attached with
+        | "--wrench", _ -> valued (fun v -> { o with asked_wrench = Some (wrench name v) })
+        | "--case", _ -> valued (fun v -> { o with asked_case = Some v })
+        | "--preload", _ -> valued (fun v -> { o with asked_preload = Some (number name v) })
+        | "--normal-law", _ ->
+          valued (fun v ->
+              if v <> "unilateral" && v <> "bilateral" then
+                usage name v " is not unilateral or bilateral";
+              { o with asked_bilateral = v = "bilateral" })
+        | "--direction", _ -> valued (fun v -> { o with asked_direction = Some (wrench name v) })
+        | "--preload-direction", _ ->
+          valued (fun v ->
+              { o with asked_growth = Some (if v = "scale" then Scale else By (list name v)) })
+        | "--uncertain", _ -> valued (fun v -> { o with asked_uncertain = tolerances name v })
+        | "--json", None -> go { a with json = true } ended rest
+        | "--batch", None -> go { a with batch = true } ended rest
+        | "--", None -> go a true rest
+        | _ when help && attached = None -> { a with help = true }
+        | _ -> raise (Usage ("unknown option " ^ Print.quote word)) in
+  let a =
+    go { files = []; options = nothing_asked; json = false; help = false; batch = false } false words
+  in
+  let count = List.length a.files in
+  if (not a.help) && (not a.batch) && count <> 2 then
+    raise (Usage ("expected two files, GRASP and CERTIFICATE, found " ^ string_of_int count));
+  if a.files = [ "-"; "-" ] then
+    raise (Usage "only one of GRASP and CERTIFICATE can be standard input");
+  a

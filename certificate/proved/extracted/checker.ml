@@ -1,0 +1,6169 @@
+
+(** val negb : bool -> bool **)
+
+let negb = function
+| true -> false
+| false -> true
+
+type nat =
+| O
+| S of nat
+
+type ('a, 'b) sum =
+| Inl of 'a
+| Inr of 'b
+
+(** val fst : ('a1 * 'a2) -> 'a1 **)
+
+let fst = function
+| (x, _) -> x
+
+(** val snd : ('a1 * 'a2) -> 'a2 **)
+
+let snd = function
+| (_, y) -> y
+
+(** val app : 'a1 list -> 'a1 list -> 'a1 list **)
+
+let rec app l m =
+  match l with
+  | [] -> m
+  | a :: l1 -> a :: (app l1 m)
+
+type comparison =
+| Eq
+| Lt
+| Gt
+
+module Coq__1 = struct
+ (** val add : nat -> nat -> nat **)
+ let rec add n m =
+   match n with
+   | O -> m
+   | S p -> S (add p m)
+end
+include Coq__1
+
+(** val eqb : bool -> bool -> bool **)
+
+let eqb b1 b2 =
+  if b1 then b2 else if b2 then false else true
+
+module Nat =
+ struct
+  (** val eqb : nat -> nat -> bool **)
+
+  let rec eqb n m =
+    match n with
+    | O -> (match m with
+            | O -> true
+            | S _ -> false)
+    | S n' -> (match m with
+               | O -> false
+               | S m' -> eqb n' m')
+
+  (** val iter : nat -> ('a1 -> 'a1) -> 'a1 -> 'a1 **)
+
+  let rec iter n f x =
+    match n with
+    | O -> x
+    | S n0 -> f (iter n0 f x)
+ end
+
+module Pos =
+ struct
+  type mask =
+  | IsNul
+  | IsPos of Big_int_Z.big_int
+  | IsNeg
+ end
+
+module Coq_Pos =
+ struct
+  (** val succ : Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let rec succ = Big_int_Z.succ_big_int
+
+  (** val add :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let rec add = Big_int_Z.add_big_int
+
+  (** val add_carry :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  and add_carry x y =
+    (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+      (fun p ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun q0 ->
+        (fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+        (add_carry p q0))
+        (fun q0 -> Big_int_Z.mult_int_big_int 2 (add_carry p q0))
+        (fun _ ->
+        (fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+        (succ p))
+        y)
+      (fun p ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun q0 -> Big_int_Z.mult_int_big_int 2 (add_carry p q0))
+        (fun q0 ->
+        (fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+        (add p q0))
+        (fun _ -> Big_int_Z.mult_int_big_int 2 (succ p))
+        y)
+      (fun _ ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun q0 ->
+        (fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+        (succ q0))
+        (fun q0 -> Big_int_Z.mult_int_big_int 2 (succ q0))
+        (fun _ ->
+        (fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+        Big_int_Z.unit_big_int)
+        y)
+      x
+
+  (** val pred_double : Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let rec pred_double x =
+    (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+      (fun p ->
+      (fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+      (Big_int_Z.mult_int_big_int 2 p))
+      (fun p ->
+      (fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+      (pred_double p))
+      (fun _ -> Big_int_Z.unit_big_int)
+      x
+
+  type mask = Pos.mask =
+  | IsNul
+  | IsPos of Big_int_Z.big_int
+  | IsNeg
+
+  (** val succ_double_mask : mask -> mask **)
+
+  let succ_double_mask = function
+  | IsNul -> IsPos Big_int_Z.unit_big_int
+  | IsPos p ->
+    IsPos ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+      p)
+  | IsNeg -> IsNeg
+
+  (** val double_mask : mask -> mask **)
+
+  let double_mask = function
+  | IsPos p -> IsPos (Big_int_Z.mult_int_big_int 2 p)
+  | x0 -> x0
+
+  (** val double_pred_mask : Big_int_Z.big_int -> mask **)
+
+  let double_pred_mask x =
+    (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+      (fun p -> IsPos (Big_int_Z.mult_int_big_int 2
+      (Big_int_Z.mult_int_big_int 2 p)))
+      (fun p -> IsPos (Big_int_Z.mult_int_big_int 2
+      (pred_double p)))
+      (fun _ -> IsNul)
+      x
+
+  (** val sub_mask : Big_int_Z.big_int -> Big_int_Z.big_int -> mask **)
+
+  let rec sub_mask x y =
+    (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+      (fun p ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun q0 -> double_mask (sub_mask p q0))
+        (fun q0 -> succ_double_mask (sub_mask p q0))
+        (fun _ -> IsPos (Big_int_Z.mult_int_big_int 2 p))
+        y)
+      (fun p ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun q0 -> succ_double_mask (sub_mask_carry p q0))
+        (fun q0 -> double_mask (sub_mask p q0))
+        (fun _ -> IsPos (pred_double p))
+        y)
+      (fun _ ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun _ -> IsNeg)
+        (fun _ -> IsNeg)
+        (fun _ -> IsNul)
+        y)
+      x
+
+  (** val sub_mask_carry : Big_int_Z.big_int -> Big_int_Z.big_int -> mask **)
+
+  and sub_mask_carry x y =
+    (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+      (fun p ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun q0 -> succ_double_mask (sub_mask_carry p q0))
+        (fun q0 -> double_mask (sub_mask p q0))
+        (fun _ -> IsPos (pred_double p))
+        y)
+      (fun p ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun q0 -> double_mask (sub_mask_carry p q0))
+        (fun q0 -> succ_double_mask (sub_mask_carry p q0))
+        (fun _ -> double_pred_mask p)
+        y)
+      (fun _ -> IsNeg)
+      x
+
+  (** val sub :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let sub = (fun n m -> Big_int_Z.max_big_int
+  Big_int_Z.unit_big_int (Big_int_Z.sub_big_int n m))
+
+  (** val mul :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let rec mul = Big_int_Z.mult_big_int
+
+  (** val iter : ('a1 -> 'a1) -> 'a1 -> Big_int_Z.big_int -> 'a1 **)
+
+  let rec iter f x n =
+    (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+      (fun n' -> f (iter f (iter f x n') n'))
+      (fun n' -> iter f (iter f x n') n')
+      (fun _ -> f x)
+      n
+
+  (** val div2 : Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let div2 p =
+    (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+      (fun p0 -> p0)
+      (fun p0 -> p0)
+      (fun _ -> Big_int_Z.unit_big_int)
+      p
+
+  (** val div2_up : Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let div2_up p =
+    (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+      (fun p0 -> succ p0)
+      (fun p0 -> p0)
+      (fun _ -> Big_int_Z.unit_big_int)
+      p
+
+  (** val size_nat : Big_int_Z.big_int -> nat **)
+
+  let rec size_nat p =
+    (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+      (fun p0 -> S (size_nat p0))
+      (fun p0 -> S (size_nat p0))
+      (fun _ -> S O)
+      p
+
+  (** val size : Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let rec size p =
+    (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+      (fun p0 -> succ (size p0))
+      (fun p0 -> succ (size p0))
+      (fun _ -> Big_int_Z.unit_big_int)
+      p
+
+  (** val compare_cont :
+      comparison -> Big_int_Z.big_int -> Big_int_Z.big_int -> comparison **)
+
+  let rec compare_cont = (fun c x y -> let s = Big_int_Z.compare_big_int x y in
+  if s = 0 then c else if s < 0 then Lt else Gt)
+
+  (** val compare : Big_int_Z.big_int -> Big_int_Z.big_int -> comparison **)
+
+  let compare = (fun x y -> let s = Big_int_Z.compare_big_int x y in
+  if s = 0 then Eq else if s < 0 then Lt else Gt)
+
+  (** val eqb : Big_int_Z.big_int -> Big_int_Z.big_int -> bool **)
+
+  let rec eqb p q0 =
+    (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+      (fun p0 ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun q1 -> eqb p0 q1)
+        (fun _ -> false)
+        (fun _ -> false)
+        q0)
+      (fun p0 ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun _ -> false)
+        (fun q1 -> eqb p0 q1)
+        (fun _ -> false)
+        q0)
+      (fun _ ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun _ -> false)
+        (fun _ -> false)
+        (fun _ -> true)
+        q0)
+      p
+
+  (** val leb : Big_int_Z.big_int -> Big_int_Z.big_int -> bool **)
+
+  let leb x y =
+    match compare x y with
+    | Gt -> false
+    | _ -> true
+
+  (** val sqrtrem_step :
+      (Big_int_Z.big_int -> Big_int_Z.big_int) -> (Big_int_Z.big_int ->
+      Big_int_Z.big_int) -> (Big_int_Z.big_int * mask) ->
+      Big_int_Z.big_int * mask **)
+
+  let sqrtrem_step f g = function
+  | (s, y) ->
+    (match y with
+     | IsPos r ->
+       let s' =
+         (fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+         (Big_int_Z.mult_int_big_int 2 s)
+       in
+       let r' = g (f r) in
+       if leb s' r'
+       then (((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+              s), (sub_mask r' s'))
+       else ((Big_int_Z.mult_int_big_int 2 s), (IsPos r'))
+     | _ ->
+       ((Big_int_Z.mult_int_big_int 2 s),
+         (sub_mask (g (f Big_int_Z.unit_big_int))
+           (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+           Big_int_Z.unit_big_int)))))
+
+  (** val sqrtrem : Big_int_Z.big_int -> Big_int_Z.big_int * mask **)
+
+  let rec sqrtrem p =
+    (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+      (fun p0 ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun p1 ->
+        sqrtrem_step (fun x ->
+          (fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+          x) (fun x ->
+          (fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+          x) (sqrtrem p1))
+        (fun p1 ->
+        sqrtrem_step (fun x -> Big_int_Z.mult_int_big_int 2 x) (fun x ->
+          (fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+          x) (sqrtrem p1))
+        (fun _ -> (Big_int_Z.unit_big_int, (IsPos
+        (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int))))
+        p0)
+      (fun p0 ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun p1 ->
+        sqrtrem_step (fun x ->
+          (fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+          x) (fun x -> Big_int_Z.mult_int_big_int 2 x) (sqrtrem p1))
+        (fun p1 ->
+        sqrtrem_step (fun x -> Big_int_Z.mult_int_big_int 2 x) (fun x ->
+          Big_int_Z.mult_int_big_int 2 x) (sqrtrem p1))
+        (fun _ -> (Big_int_Z.unit_big_int, (IsPos Big_int_Z.unit_big_int)))
+        p0)
+      (fun _ -> (Big_int_Z.unit_big_int, IsNul))
+      p
+
+  (** val sqrt : Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let sqrt p =
+    fst (sqrtrem p)
+
+  (** val gcdn :
+      nat -> Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let rec gcdn n a b =
+    match n with
+    | O -> Big_int_Z.unit_big_int
+    | S n0 ->
+      ((fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+         (fun a' ->
+         (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+           (fun b' ->
+           match compare a' b' with
+           | Eq -> a
+           | Lt -> gcdn n0 (sub b' a') a
+           | Gt -> gcdn n0 (sub a' b') b)
+           (fun b0 -> gcdn n0 a b0)
+           (fun _ -> Big_int_Z.unit_big_int)
+           b)
+         (fun a0 ->
+         (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+           (fun _ -> gcdn n0 a0 b)
+           (fun b0 -> Big_int_Z.mult_int_big_int 2 (gcdn n0 a0 b0))
+           (fun _ -> Big_int_Z.unit_big_int)
+           b)
+         (fun _ -> Big_int_Z.unit_big_int)
+         a)
+
+  (** val gcd :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let gcd a b =
+    gcdn (Coq__1.add (size_nat a) (size_nat b)) a b
+ end
+
+(** val nth : nat -> 'a1 list -> 'a1 -> 'a1 **)
+
+let rec nth n l default =
+  match n with
+  | O -> (match l with
+          | [] -> default
+          | x :: _ -> x)
+  | S m -> (match l with
+            | [] -> default
+            | _ :: t -> nth m t default)
+
+(** val nth_error : 'a1 list -> nat -> 'a1 option **)
+
+let rec nth_error l = function
+| O -> (match l with
+        | [] -> None
+        | x :: _ -> Some x)
+| S n0 -> (match l with
+           | [] -> None
+           | _ :: l0 -> nth_error l0 n0)
+
+(** val rev_append : 'a1 list -> 'a1 list -> 'a1 list **)
+
+let rec rev_append l l' =
+  match l with
+  | [] -> l'
+  | a :: l0 -> rev_append l0 (a :: l')
+
+(** val concat : 'a1 list list -> 'a1 list **)
+
+let rec concat = function
+| [] -> []
+| x :: l0 -> app x (concat l0)
+
+(** val map : ('a1 -> 'a2) -> 'a1 list -> 'a2 list **)
+
+let rec map f = function
+| [] -> []
+| a :: t -> (f a) :: (map f t)
+
+(** val flat_map : ('a1 -> 'a2 list) -> 'a1 list -> 'a2 list **)
+
+let rec flat_map f = function
+| [] -> []
+| x :: t -> app (f x) (flat_map f t)
+
+(** val fold_left : ('a1 -> 'a2 -> 'a1) -> 'a2 list -> 'a1 -> 'a1 **)
+
+let rec fold_left f l a0 =
+  match l with
+  | [] -> a0
+  | b :: t -> fold_left f t (f a0 b)
+
+(** val fold_right : ('a2 -> 'a1 -> 'a1) -> 'a1 -> 'a2 list -> 'a1 **)
+
+let rec fold_right f a0 = function
+| [] -> a0
+| b :: t -> f b (fold_right f a0 t)
+
+(** val existsb : ('a1 -> bool) -> 'a1 list -> bool **)
+
+let rec existsb f = function
+| [] -> false
+| a :: l0 -> (||) (f a) (existsb f l0)
+
+(** val forallb : ('a1 -> bool) -> 'a1 list -> bool **)
+
+let rec forallb f = function
+| [] -> true
+| a :: l0 -> (&&) (f a) (forallb f l0)
+
+(** val filter : ('a1 -> bool) -> 'a1 list -> 'a1 list **)
+
+let rec filter f = function
+| [] -> []
+| x :: l0 -> if f x then x :: (filter f l0) else filter f l0
+
+(** val find : ('a1 -> bool) -> 'a1 list -> 'a1 option **)
+
+let rec find f = function
+| [] -> None
+| x :: tl -> if f x then Some x else find f tl
+
+(** val combine : 'a1 list -> 'a2 list -> ('a1 * 'a2) list **)
+
+let rec combine l l' =
+  match l with
+  | [] -> []
+  | x :: tl ->
+    (match l' with
+     | [] -> []
+     | y :: tl' -> (x, y) :: (combine tl tl'))
+
+(** val repeat : 'a1 -> nat -> 'a1 list **)
+
+let rec repeat x = function
+| O -> []
+| S k -> x :: (repeat x k)
+
+module Z =
+ struct
+  (** val double : Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let double x =
+    (fun fO fp fn z -> let s = Big_int_Z.sign_big_int z in
+  if s = 0 then fO () else if s > 0 then fp z
+  else fn (Big_int_Z.minus_big_int z))
+      (fun _ -> Big_int_Z.zero_big_int)
+      (fun p -> (Big_int_Z.mult_int_big_int 2 p))
+      (fun p -> Big_int_Z.minus_big_int (Big_int_Z.mult_int_big_int 2 p))
+      x
+
+  (** val succ_double : Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let succ_double x =
+    (fun fO fp fn z -> let s = Big_int_Z.sign_big_int z in
+  if s = 0 then fO () else if s > 0 then fp z
+  else fn (Big_int_Z.minus_big_int z))
+      (fun _ -> Big_int_Z.unit_big_int)
+      (fun p ->
+      ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+      p))
+      (fun p -> Big_int_Z.minus_big_int (Coq_Pos.pred_double p))
+      x
+
+  (** val pred_double : Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let pred_double x =
+    (fun fO fp fn z -> let s = Big_int_Z.sign_big_int z in
+  if s = 0 then fO () else if s > 0 then fp z
+  else fn (Big_int_Z.minus_big_int z))
+      (fun _ -> Big_int_Z.minus_big_int Big_int_Z.unit_big_int)
+      (fun p -> (Coq_Pos.pred_double p))
+      (fun p -> Big_int_Z.minus_big_int
+      ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x)) p))
+      x
+
+  (** val pos_sub :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let rec pos_sub x y =
+    (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+      (fun p ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun q0 -> double (pos_sub p q0))
+        (fun q0 -> succ_double (pos_sub p q0))
+        (fun _ -> (Big_int_Z.mult_int_big_int 2 p))
+        y)
+      (fun p ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun q0 -> pred_double (pos_sub p q0))
+        (fun q0 -> double (pos_sub p q0))
+        (fun _ -> (Coq_Pos.pred_double p))
+        y)
+      (fun _ ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun q0 -> Big_int_Z.minus_big_int (Big_int_Z.mult_int_big_int 2
+        q0))
+        (fun q0 -> Big_int_Z.minus_big_int (Coq_Pos.pred_double q0))
+        (fun _ -> Big_int_Z.zero_big_int)
+        y)
+      x
+
+  (** val add :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let add = Big_int_Z.add_big_int
+
+  (** val opp : Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let opp = Big_int_Z.minus_big_int
+
+  (** val sub :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let sub = Big_int_Z.sub_big_int
+
+  (** val mul :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let mul = Big_int_Z.mult_big_int
+
+  (** val pow_pos :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let pow_pos z0 =
+    Coq_Pos.iter (mul z0) Big_int_Z.unit_big_int
+
+  (** val pow :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let pow x y =
+    (fun fO fp fn z -> let s = Big_int_Z.sign_big_int z in
+  if s = 0 then fO () else if s > 0 then fp z
+  else fn (Big_int_Z.minus_big_int z))
+      (fun _ -> Big_int_Z.unit_big_int)
+      (fun p -> pow_pos x p)
+      (fun _ -> Big_int_Z.zero_big_int)
+      y
+
+  (** val compare : Big_int_Z.big_int -> Big_int_Z.big_int -> comparison **)
+
+  let compare = (fun x y -> let s = Big_int_Z.compare_big_int x y in
+  if s = 0 then Eq else if s < 0 then Lt else Gt)
+
+  (** val sgn : Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let sgn z0 =
+    (fun fO fp fn z -> let s = Big_int_Z.sign_big_int z in
+  if s = 0 then fO () else if s > 0 then fp z
+  else fn (Big_int_Z.minus_big_int z))
+      (fun _ -> Big_int_Z.zero_big_int)
+      (fun _ -> Big_int_Z.unit_big_int)
+      (fun _ -> Big_int_Z.minus_big_int Big_int_Z.unit_big_int)
+      z0
+
+  (** val leb : Big_int_Z.big_int -> Big_int_Z.big_int -> bool **)
+
+  let leb = Big_int_Z.le_big_int
+
+  (** val ltb : Big_int_Z.big_int -> Big_int_Z.big_int -> bool **)
+
+  let ltb = Big_int_Z.lt_big_int
+
+  (** val eqb : Big_int_Z.big_int -> Big_int_Z.big_int -> bool **)
+
+  let eqb = Big_int_Z.eq_big_int
+
+  (** val max :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let max = Big_int_Z.max_big_int
+
+  (** val abs : Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let abs = Big_int_Z.abs_big_int
+
+  (** val to_pos : Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let to_pos z0 =
+    (fun fO fp fn z -> let s = Big_int_Z.sign_big_int z in
+  if s = 0 then fO () else if s > 0 then fp z
+  else fn (Big_int_Z.minus_big_int z))
+      (fun _ -> Big_int_Z.unit_big_int)
+      (fun p -> p)
+      (fun _ -> Big_int_Z.unit_big_int)
+      z0
+
+  (** val pos_div_eucl :
+      Big_int_Z.big_int -> Big_int_Z.big_int ->
+      Big_int_Z.big_int * Big_int_Z.big_int **)
+
+  let rec pos_div_eucl a b =
+    (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+      (fun a' ->
+      let (q0, r) = pos_div_eucl a' b in
+      let r' =
+        add (mul (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int) r)
+          Big_int_Z.unit_big_int
+      in
+      if ltb r' b
+      then ((mul (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int) q0),
+             r')
+      else ((add
+              (mul (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int) q0)
+              Big_int_Z.unit_big_int), (sub r' b)))
+      (fun a' ->
+      let (q0, r) = pos_div_eucl a' b in
+      let r' = mul (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int) r in
+      if ltb r' b
+      then ((mul (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int) q0),
+             r')
+      else ((add
+              (mul (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int) q0)
+              Big_int_Z.unit_big_int), (sub r' b)))
+      (fun _ ->
+      if leb (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int) b
+      then (Big_int_Z.zero_big_int, Big_int_Z.unit_big_int)
+      else (Big_int_Z.unit_big_int, Big_int_Z.zero_big_int))
+      a
+
+  (** val div_eucl :
+      Big_int_Z.big_int -> Big_int_Z.big_int ->
+      Big_int_Z.big_int * Big_int_Z.big_int **)
+
+  let div_eucl = Big_int_Z.(fun x y ->
+  match sign_big_int y with
+  | 0 -> (zero_big_int, x)
+  | 1 -> quomod_big_int x y
+  | _ -> let (q, r) = quomod_big_int (add_int_big_int (-1) x) y in
+          (add_int_big_int (-1) q, add_big_int (add_int_big_int 1 y) r))
+
+  (** val div :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let div = Big_int_Z.(fun x y ->
+  match sign_big_int y with
+  | 0 -> zero_big_int
+  | 1 -> div_big_int x y
+  | _ -> add_int_big_int (-1) (div_big_int (add_int_big_int (-1) x) y))
+
+  (** val div2 : Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let div2 z0 =
+    (fun fO fp fn z -> let s = Big_int_Z.sign_big_int z in
+  if s = 0 then fO () else if s > 0 then fp z
+  else fn (Big_int_Z.minus_big_int z))
+      (fun _ -> Big_int_Z.zero_big_int)
+      (fun p ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun _ -> (Coq_Pos.div2 p))
+        (fun _ -> (Coq_Pos.div2 p))
+        (fun _ -> Big_int_Z.zero_big_int)
+        p)
+      (fun p -> Big_int_Z.minus_big_int (Coq_Pos.div2_up p))
+      z0
+
+  (** val log2 : Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let log2 z0 =
+    (fun fO fp fn z -> let s = Big_int_Z.sign_big_int z in
+  if s = 0 then fO () else if s > 0 then fp z
+  else fn (Big_int_Z.minus_big_int z))
+      (fun _ -> Big_int_Z.zero_big_int)
+      (fun p0 ->
+      (fun f2p1 f2p f1 p ->
+  if Big_int_Z.le_big_int p Big_int_Z.unit_big_int then f1 () else
+  let (q,r) = Big_int_Z.quomod_big_int p (Big_int_Z.big_int_of_int 2) in
+  if Big_int_Z.eq_big_int r Big_int_Z.zero_big_int then f2p q else f2p1 q)
+        (fun p -> (Coq_Pos.size p))
+        (fun p -> (Coq_Pos.size p))
+        (fun _ -> Big_int_Z.zero_big_int)
+        p0)
+      (fun _ -> Big_int_Z.zero_big_int)
+      z0
+
+  (** val sqrt : Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let sqrt = (fun n -> Big_int_Z.sqrt_big_int (Big_int_Z.max_big_int n Big_int_Z.zero_big_int))
+
+  (** val gcd :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let gcd = Big_int_Z.gcd_big_int
+
+  (** val shiftl :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let shiftl = Big_int_Z.(fun x y ->
+  let y = int_of_big_int y in
+  if y < 0 then shift_right_big_int x (-y)
+  else shift_left_big_int x y)
+
+  (** val lcm :
+      Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+  let lcm a b =
+    abs (mul a (div b (gcd a b)))
+ end
+
+(** val zeq_bool : Big_int_Z.big_int -> Big_int_Z.big_int -> bool **)
+
+let zeq_bool x y =
+  match Z.compare x y with
+  | Eq -> true
+  | _ -> false
+
+type q = { qnum : Big_int_Z.big_int; qden : Big_int_Z.big_int }
+
+(** val inject_Z : Big_int_Z.big_int -> q **)
+
+let inject_Z x =
+  { qnum = x; qden = Big_int_Z.unit_big_int }
+
+(** val qeq_bool : q -> q -> bool **)
+
+let qeq_bool x y =
+  zeq_bool (Z.mul x.qnum y.qden) (Z.mul y.qnum x.qden)
+
+(** val qle_bool : q -> q -> bool **)
+
+let qle_bool x y =
+  Z.leb (Z.mul x.qnum y.qden) (Z.mul y.qnum x.qden)
+
+(** val qplus : q -> q -> q **)
+
+let qplus x y =
+  { qnum = (Z.add (Z.mul x.qnum y.qden) (Z.mul y.qnum x.qden)); qden =
+    (Coq_Pos.mul x.qden y.qden) }
+
+(** val qmult : q -> q -> q **)
+
+let qmult x y =
+  { qnum = (Z.mul x.qnum y.qnum); qden = (Coq_Pos.mul x.qden y.qden) }
+
+(** val qopp : q -> q **)
+
+let qopp x =
+  { qnum = (Z.opp x.qnum); qden = x.qden }
+
+(** val qminus : q -> q -> q **)
+
+let qminus x y =
+  qplus x (qopp y)
+
+(** val qinv : q -> q **)
+
+let qinv x =
+  (fun fO fp fn z -> let s = Big_int_Z.sign_big_int z in
+  if s = 0 then fO () else if s > 0 then fp z
+  else fn (Big_int_Z.minus_big_int z))
+    (fun _ -> { qnum = Big_int_Z.zero_big_int; qden =
+    Big_int_Z.unit_big_int })
+    (fun p -> { qnum = x.qden; qden = p })
+    (fun p -> { qnum = (Big_int_Z.minus_big_int x.qden); qden = p })
+    x.qnum
+
+(** val qdiv : q -> q -> q **)
+
+let qdiv x y =
+  qmult x (qinv y)
+
+type json =
+| Null
+| Boolean of bool
+| Number of string
+| Text of string
+| Array of json list
+| Object of (string * json) list
+
+type step =
+| Member of string
+| Element of Big_int_Z.big_int
+
+type path = step list
+
+type 'a result =
+| Fine of 'a
+| Malformed of path * json option * string
+
+(** val bind : 'a1 result -> ('a1 -> 'a2 result) -> 'a2 result **)
+
+let bind first next0 =
+  match first with
+  | Fine value0 -> next0 value0
+  | Malformed (at_path, found, problem) -> Malformed (at_path, found, problem)
+
+(** val refuse : path -> string -> 'a1 result **)
+
+let refuse at_path problem =
+  Malformed (at_path, None, problem)
+
+(** val expected : string -> path -> json -> 'a1 result **)
+
+let expected what at_path found =
+  Malformed (at_path, (Some found), what)
+
+(** val check_that : bool -> path -> string -> unit result **)
+
+let check_that good at_path problem =
+  if good then Fine () else refuse at_path problem
+
+(** val is_text : string -> json -> bool **)
+
+let is_text wanted = function
+| Text content0 -> (=) content0 wanted
+| _ -> false
+
+(** val map_all : ('a1 -> 'a2) -> 'a1 list -> 'a2 list **)
+
+let map_all f items =
+  rev_append (fold_left (fun done0 item -> (f item) :: done0) items []) []
+
+(** val each_from :
+    (path -> 'a1 -> 'a2 result) -> Big_int_Z.big_int -> path -> 'a1 list ->
+    'a2 list -> 'a2 list result **)
+
+let rec each_from read index at_path items done0 =
+  match items with
+  | [] -> Fine (rev_append done0 [])
+  | item :: rest ->
+    (match read ((Element index) :: at_path) item with
+     | Fine value0 ->
+       each_from read (Z.add index Big_int_Z.unit_big_int) at_path rest
+         (value0 :: done0)
+     | Malformed (where_, found, problem) ->
+       Malformed (where_, found, problem))
+
+(** val each :
+    (path -> 'a1 -> 'a2 result) -> path -> 'a1 list -> 'a2 list result **)
+
+let each read at_path items =
+  each_from read Big_int_Z.zero_big_int at_path items []
+
+(** val read_array :
+    string -> (path -> json -> 'a1 result) -> path -> json -> 'a1 list result **)
+
+let read_array what read at_path value0 = match value0 with
+| Array items -> each read at_path items
+| _ -> expected what at_path value0
+
+(** val find_member : string -> (string * json) list -> json option **)
+
+let rec find_member name = function
+| [] -> None
+| p :: rest ->
+  let (key, value0) = p in
+  if (=) key name then Some value0 else find_member name rest
+
+(** val has_member : string -> (string * json) list -> bool **)
+
+let has_member name members =
+  match find_member name members with
+  | Some _ -> true
+  | None -> false
+
+(** val is_among : string -> string list -> bool **)
+
+let is_among name names =
+  existsb ((=) name) names
+
+(** val listed : string list -> string **)
+
+let listed names =
+  String.concat ", " names
+
+(** val check_members :
+    string list -> path -> (string * json) list -> unit result **)
+
+let rec check_members names at_path = function
+| [] -> Fine ()
+| p :: rest ->
+  let (key, _) = p in
+  if negb (is_among key names)
+  then refuse ((Member key) :: at_path)
+         ((^) "unknown member; known here are " (listed names))
+  else if has_member key rest
+       then refuse ((Member key) :: at_path)
+              "the member appears twice; keep one of them"
+       else check_members names at_path rest
+
+(** val members_of :
+    string list -> path -> json -> (string * json) list result **)
+
+let members_of names at_path value0 = match value0 with
+| Object members ->
+  bind (check_members names at_path members) (fun _ -> Fine members)
+| _ -> expected "an object {...}" at_path value0
+
+(** val after : string -> string list -> string list option **)
+
+let rec after key = function
+| [] -> None
+| name :: rest -> if (=) key name then Some rest else after key rest
+
+(** val check_order :
+    string list -> path -> (string * json) list -> unit result **)
+
+let rec check_order names at_path = function
+| [] -> Fine ()
+| p :: rest ->
+  let (key, _) = p in
+  (match after key names with
+   | Some names_left -> check_order names_left at_path rest
+   | None ->
+     refuse ((Member key) :: at_path) "the member is unknown or out of order")
+
+(** val members_in_order :
+    string list -> path -> json -> (string * json) list result **)
+
+let members_in_order names at_path value0 = match value0 with
+| Object members ->
+  bind (check_order names at_path members) (fun _ -> Fine members)
+| _ -> expected "an object {...}" at_path value0
+
+(** val member :
+    string -> (path -> json -> 'a1 result) -> path -> (string * json) list ->
+    'a1 result **)
+
+let member name read at_path members =
+  match find_member name members with
+  | Some value0 -> read ((Member name) :: at_path) value0
+  | None -> refuse at_path ((^) "the member \"" ((^) name "\" is missing"))
+
+(** val optional_member :
+    string -> (path -> json -> 'a1 result) -> path -> (string * json) list ->
+    'a1 option result **)
+
+let optional_member name read at_path members =
+  match find_member name members with
+  | Some value0 ->
+    bind (read ((Member name) :: at_path) value0) (fun it -> Fine (Some it))
+  | None -> Fine None
+
+type interval = { low : q; high : q }
+
+(** val exactly : q -> interval **)
+
+let exactly q0 =
+  { low = q0; high = q0 }
+
+type contact = { position : interval list; normal : q list; slope : q;
+                 friction : interval; stiffness : interval;
+                 preload : interval; preload_growth : q }
+
+type question = { dimension : nat; bilateral : bool; is_margin : bool;
+                  contacts : contact list; wrench : interval list;
+                  direction : q list }
+
+type parameter =
+| PX
+| PY
+| PZ
+| PTurn
+| PFriction
+| PPreload
+| PStiffness
+| PWrench
+
+type node =
+| Slip of Big_int_Z.big_int
+| Separation of Big_int_Z.big_int
+| Plane of q list
+| Cut of parameter * Big_int_Z.big_int * q
+| Leaf of q list
+
+type witness = { twist : q list; shares : (Big_int_Z.big_int * q list) list }
+
+type point = { multiple : q option; point_witness : witness }
+
+type segment = { first_point : point option; second_point : point }
+
+type part =
+| PartCut of parameter * Big_int_Z.big_int * q
+| PartProof of q list * q list list * q list list * node list
+
+type claim =
+| ClaimPart of q * q option * part
+| ClaimPoints of q * q option * witness list
+| ClaimUnstable of q * q option * node list
+
+type proof =
+| StableByWitness of witness
+| StableByParts of part list
+| UnstableByTree of node list
+| MarginBy of (q * q option) list * segment list * node list
+| MarginInSpace of claim list
+
+type certificate = { bits : Big_int_Z.big_int; body : proof }
+
+type place =
+| Nowhere
+| AtNode of nat
+| AtContact of Big_int_Z.big_int
+| AtInterval of nat
+| AtSegment of nat
+| AtPoint of nat * bool
+
+type answer =
+| Stable
+| Unstable
+| Margin of (q * q option) list
+| Rejected of string * place
+| NotProvedHere of string
+
+type advice =
+| Keep
+| Drop of Big_int_Z.big_int * (nat * Big_int_Z.big_int) list
+
+type 'memory oracle = { begin0 : (nat -> 'memory);
+                        advise : ('memory -> Big_int_Z.big_int list -> bool
+                                 -> 'memory * advice list) }
+
+(** val qabs : q -> q **)
+
+let qabs x =
+  let { qnum = n; qden = d } = x in { qnum = (Z.abs n); qden = d }
+
+type form = Big_int_Z.big_int list
+
+(** val dot : form -> form -> Big_int_Z.big_int **)
+
+let rec dot a b =
+  match a with
+  | [] -> Big_int_Z.zero_big_int
+  | x :: a' ->
+    (match b with
+     | [] -> Big_int_Z.zero_big_int
+     | y :: b' -> Z.add (Z.mul x y) (dot a' b'))
+
+(** val combine0 :
+    Big_int_Z.big_int -> form -> Big_int_Z.big_int -> form -> form **)
+
+let rec combine0 p a q0 b =
+  match a with
+  | [] -> map (Z.mul q0) b
+  | x :: a' ->
+    (match b with
+     | [] -> map (Z.mul p) a
+     | y :: b' -> (Z.add (Z.mul p x) (Z.mul q0 y)) :: (combine0 p a' q0 b'))
+
+(** val all_zero : form -> bool **)
+
+let all_zero a =
+  forallb (Z.eqb Big_int_Z.zero_big_int) a
+
+(** val content : form -> Big_int_Z.big_int **)
+
+let content a =
+  let g = fold_right Z.gcd Big_int_Z.zero_big_int a in
+  if Z.eqb g Big_int_Z.zero_big_int then Big_int_Z.unit_big_int else g
+
+(** val primitive : form -> form **)
+
+let primitive a =
+  let g = content a in
+  if Z.eqb g Big_int_Z.unit_big_int then a else map (fun x -> Z.div x g) a
+
+type ray = { coordinates : form; zeros : bool list }
+
+(** val both : bool list -> bool list -> bool list **)
+
+let rec both a b =
+  match a with
+  | [] -> []
+  | x :: a' -> (match b with
+                | [] -> []
+                | y :: b' -> ((&&) x y) :: (both a' b'))
+
+(** val add_strict : form list -> ray -> ray **)
+
+let add_strict fs r =
+  { coordinates = r.coordinates; zeros =
+    ((forallb (fun f -> Z.eqb (dot f r.coordinates) Big_int_Z.zero_big_int)
+       fs) :: r.zeros) }
+
+(** val common_zeros : form list list -> ray list -> bool list **)
+
+let common_zeros strict0 rays0 =
+  fold_right (fun r z0 -> both r.zeros z0) (map (fun _ -> true) strict0) rays0
+
+(** val barred : form list list -> ray list -> bool **)
+
+let barred strict0 rays0 =
+  existsb (fun z0 -> z0) (common_zeros strict0 rays0)
+
+type candidate =
+| Stays of ray
+| Joins of form * bool list * bool list
+
+(** val form_of : candidate -> form **)
+
+let form_of = function
+| Stays r -> r.coordinates
+| Joins (x, _, _) -> x
+
+(** val ray_of : candidate -> ray **)
+
+let ray_of = function
+| Stays r -> r
+| Joins (x, z1, z2) -> { coordinates = (primitive x); zeros = (both z1 z2) }
+
+(** val heights : form -> ray list -> (Big_int_Z.big_int * ray) list **)
+
+let heights a rays0 =
+  map (fun r -> ((dot a r.coordinates), r)) rays0
+
+(** val join :
+    (Big_int_Z.big_int * ray) -> (Big_int_Z.big_int * ray) -> candidate **)
+
+let join p n =
+  Joins
+    ((combine0 (fst p) (snd n).coordinates (Z.opp (fst n))
+       (snd p).coordinates), (snd p).zeros, (snd n).zeros)
+
+(** val candidates :
+    bool -> (Big_int_Z.big_int * ray) list -> candidate list **)
+
+let candidates equality hs =
+  let below = filter (fun p -> Z.ltb (fst p) Big_int_Z.zero_big_int) hs in
+  app
+    (map (fun p -> Stays (snd p))
+      (filter (fun p ->
+        if equality
+        then Z.eqb (fst p) Big_int_Z.zero_big_int
+        else Z.leb Big_int_Z.zero_big_int (fst p)) hs))
+    (flat_map (fun p -> map (join p) below)
+      (filter (fun p -> Z.ltb Big_int_Z.zero_big_int (fst p)) hs))
+
+(** val kept : candidate list -> advice list -> ray list **)
+
+let rec kept cs advices =
+  match cs with
+  | [] -> []
+  | c :: cs' ->
+    (match advices with
+     | [] -> (ray_of c) :: (kept cs' [])
+     | a :: advices' ->
+       (match a with
+        | Keep -> (ray_of c) :: (kept cs' advices')
+        | Drop (_, _) -> kept cs' advices'))
+
+(** val sum_of_rays : ray list -> (nat * Big_int_Z.big_int) list -> form **)
+
+let sum_of_rays rays0 terms =
+  fold_right (fun t s ->
+    match nth_error rays0 (fst t) with
+    | Some r -> combine0 (snd t) r.coordinates Big_int_Z.unit_big_int s
+    | None -> s) [] terms
+
+(** val reason_holds :
+    ray list -> form -> Big_int_Z.big_int -> (nat * Big_int_Z.big_int) list
+    -> bool **)
+
+let reason_holds rays0 x factor terms =
+  (&&)
+    ((&&) (Z.ltb Big_int_Z.zero_big_int factor)
+      (forallb (fun t -> Z.leb Big_int_Z.zero_big_int (snd t)) terms))
+    (all_zero
+      (combine0 factor x (Big_int_Z.minus_big_int Big_int_Z.unit_big_int)
+        (sum_of_rays rays0 terms)))
+
+(** val unjustified :
+    ray list -> candidate list -> advice list -> ray list **)
+
+let rec unjustified rays0 cs advices =
+  match cs with
+  | [] -> []
+  | c :: cs' ->
+    (match advices with
+     | [] -> []
+     | a :: advices' ->
+       (match a with
+        | Keep -> unjustified rays0 cs' advices'
+        | Drop (factor, terms) ->
+          if reason_holds rays0 (form_of c) factor terms
+          then unjustified rays0 cs' advices'
+          else (ray_of c) :: (unjustified rays0 cs' advices')))
+
+(** val cut : ray list -> form -> bool -> advice list -> ray list **)
+
+let cut rays0 a equality advices =
+  let cs = candidates equality (heights a rays0) in
+  let rest = kept cs advices in app rest (unjustified rest cs advices)
+
+(** val common_denominator : q list -> Big_int_Z.big_int **)
+
+let common_denominator qs =
+  fold_right (fun q0 d -> Z.lcm q0.qden d) Big_int_Z.unit_big_int qs
+
+type scaling = { over : Big_int_Z.big_int; times : Big_int_Z.big_int }
+
+(** val numerator : Big_int_Z.big_int -> q -> Big_int_Z.big_int **)
+
+let numerator d q0 =
+  Z.mul q0.qnum (Z.div d q0.qden)
+
+(** val scaling_of : q list -> scaling **)
+
+let scaling_of qs =
+  let d = common_denominator qs in
+  { over = d; times = (content (map (numerator d) qs)) }
+
+(** val to_integer : scaling -> q -> Big_int_Z.big_int **)
+
+let to_integer s q0 =
+  Z.div (numerator s.over q0) s.times
+
+(** val up : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+let up a b =
+  Z.opp (Z.div (Z.opp a) b)
+
+(** val certain : interval -> bool **)
+
+let certain i =
+  qeq_bool i.low i.high
+
+(** val ends : interval -> q list **)
+
+let ends i =
+  if certain i then i.low :: [] else i.low :: (i.high :: [])
+
+type 'a multi =
+| Tip of 'a
+| Fork of 'a multi * 'a multi
+
+(** val mmap : ('a1 -> 'a2) -> 'a1 multi -> 'a2 multi **)
+
+let rec mmap f = function
+| Tip a -> Tip (f a)
+| Fork (l, h) -> Fork ((mmap f l), (mmap f h))
+
+(** val tips : 'a1 multi -> 'a1 list **)
+
+let rec tips = function
+| Tip a -> a :: []
+| Fork (l, h) -> app (tips l) (tips h)
+
+(** val lows : 'a1 multi -> 'a1 multi **)
+
+let lows t = match t with
+| Tip _ -> t
+| Fork (l, _) -> l
+
+(** val highs : 'a1 multi -> 'a1 multi **)
+
+let highs t = match t with
+| Tip _ -> t
+| Fork (_, h) -> h
+
+(** val first_tip : 'a1 multi -> 'a1 **)
+
+let rec first_tip = function
+| Tip a -> a
+| Fork (l, _) -> first_tip l
+
+(** val spread : interval -> (q -> 'a1 multi) -> 'a1 multi **)
+
+let spread i f =
+  if certain i then f i.low else Fork ((f i.low), (f i.high))
+
+(** val product : (Big_int_Z.big_int multi * form multi) list -> form **)
+
+let product pairs0 =
+  fold_right (fun p s ->
+    combine0 (first_tip (fst p)) (first_tip (snd p)) Big_int_Z.unit_big_int s)
+    [] pairs0
+
+(** val bernstein :
+    nat -> (Big_int_Z.big_int multi * form multi) list -> form list **)
+
+let rec bernstein parameters0 pairs0 =
+  match parameters0 with
+  | O -> (product pairs0) :: []
+  | S n ->
+    app
+      (map
+        (map (Z.mul (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)))
+        (bernstein n (map (fun p -> ((lows (fst p)), (lows (snd p)))) pairs0)))
+      (app
+        (bernstein n
+          (flat_map (fun p -> ((lows (fst p)),
+            (highs (snd p))) :: (((highs (fst p)), (lows (snd p))) :: []))
+            pairs0))
+        (map
+          (map (Z.mul (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)))
+          (bernstein n
+            (map (fun p -> ((highs (fst p)), (highs (snd p)))) pairs0))))
+
+(** val power : nat -> Big_int_Z.big_int **)
+
+let rec power = function
+| O -> Big_int_Z.unit_big_int
+| S n' ->
+  Z.mul (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int) (power n')
+
+type cbox = { box_x : interval; box_y : interval; box_turn : interval;
+              box_friction : interval; box_preload : interval;
+              box_stiffness : interval; box_nx : q; box_ny : q; box_growth : 
+              q }
+
+(** val is_square : Big_int_Z.big_int -> bool **)
+
+let is_square z0 =
+  let r = Z.sqrt z0 in Z.eqb (Z.mul r r) z0
+
+(** val reduced : q -> q **)
+
+let reduced q0 =
+  let g = Z.gcd q0.qnum q0.qden in
+  { qnum = (Z.div q0.qnum g); qden = (Z.to_pos (Z.div q0.qden g)) }
+
+(** val root_between : Big_int_Z.big_int -> q -> interval **)
+
+let root_between bits0 q0 =
+  let n = q0.qnum in
+  let d = q0.qden in
+  if (&&) (is_square n) (is_square d)
+  then exactly { qnum = (Z.sqrt n); qden = (Z.to_pos (Z.sqrt d)) }
+  else let root0 = fun s ->
+         if Z.leb Big_int_Z.zero_big_int s
+         then Z.sqrt
+                (Z.div
+                  (Z.shiftl n
+                    (Z.mul (Big_int_Z.mult_int_big_int 2
+                      Big_int_Z.unit_big_int) s)) d)
+         else Z.sqrt
+                (Z.div n
+                  (Z.shiftl d
+                    (Z.mul (Big_int_Z.minus_big_int
+                      (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int))
+                      s)))
+       in
+       let s =
+         Z.sub bits0
+           (Z.div (Z.sub (Z.log2 n) (Z.log2 d)) (Big_int_Z.mult_int_big_int 2
+             Big_int_Z.unit_big_int))
+       in
+       let s0 =
+         if Z.ltb (root0 s) (Z.shiftl Big_int_Z.unit_big_int bits0)
+         then s
+         else Z.sub s Big_int_Z.unit_big_int
+       in
+       let s1 =
+         if Z.ltb (root0 s0) (Z.shiftl Big_int_Z.unit_big_int bits0)
+         then s0
+         else Z.sub s0 Big_int_Z.unit_big_int
+       in
+       let j = root0 s1 in
+       let over0 = fun j0 ->
+         if Z.leb Big_int_Z.zero_big_int s1
+         then reduced { qnum = j0; qden =
+                (Z.to_pos (Z.shiftl Big_int_Z.unit_big_int s1)) }
+         else { qnum = (Z.shiftl j0 (Z.opp s1)); qden =
+                Big_int_Z.unit_big_int }
+       in
+       { low = (over0 j); high = (over0 (Z.add j Big_int_Z.unit_big_int)) }
+
+(** val is_enclosure : interval -> q -> bool **)
+
+let is_enclosure i square0 =
+  (&&)
+    ((&&)
+      ((&&)
+        (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int } i.low)
+        (qle_bool (qmult (qmult i.low i.low) square0) { qnum =
+          Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }))
+      (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int } i.high))
+    (qle_bool { qnum = Big_int_Z.unit_big_int; qden =
+      Big_int_Z.unit_big_int } (qmult (qmult i.high i.high) square0))
+
+(** val inverse_length : Big_int_Z.big_int -> bool -> q -> interval option **)
+
+let inverse_length bits0 loaded square0 =
+  let i =
+    if loaded
+    then root_between bits0 (reduced (qinv square0))
+    else exactly { qnum = Big_int_Z.unit_big_int; qden =
+           Big_int_Z.unit_big_int }
+  in
+  if (||) (negb loaded) (is_enclosure i square0) then Some i else None
+
+(** val is_loaded : contact -> bool **)
+
+let is_loaded q0 =
+  (||)
+    (negb
+      (qeq_bool q0.preload.high { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int }))
+    (negb
+      (qeq_bool q0.preload_growth { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int }))
+
+(** val enlarge : Big_int_Z.big_int -> contact -> cbox option **)
+
+let enlarge bits0 q0 =
+  match q0.position with
+  | [] -> None
+  | x :: l ->
+    (match l with
+     | [] -> None
+     | y :: l0 ->
+       (match l0 with
+        | [] ->
+          (match q0.normal with
+           | [] -> None
+           | nx :: l1 ->
+             (match l1 with
+              | [] -> None
+              | ny :: l2 ->
+                (match l2 with
+                 | [] ->
+                   let square0 = qplus (qmult nx nx) (qmult ny ny) in
+                   let e2 = qmult q0.slope q0.slope in
+                   (match inverse_length bits0 (is_loaded q0) square0 with
+                    | Some l3 ->
+                      if (&&)
+                           ((&&)
+                             ((&&)
+                               ((&&)
+                                 ((&&)
+                                   ((&&)
+                                     (negb
+                                       (qle_bool square0 { qnum =
+                                         Big_int_Z.zero_big_int; qden =
+                                         Big_int_Z.unit_big_int }))
+                                     (qle_bool { qnum =
+                                       Big_int_Z.zero_big_int; qden =
+                                       Big_int_Z.unit_big_int }
+                                       q0.friction.low))
+                                   (qle_bool { qnum = Big_int_Z.zero_big_int;
+                                     qden = Big_int_Z.unit_big_int }
+                                     q0.preload.low))
+                                 (qle_bool { qnum = Big_int_Z.zero_big_int;
+                                   qden = Big_int_Z.unit_big_int }
+                                   q0.stiffness.low))
+                               (qle_bool { qnum = Big_int_Z.zero_big_int;
+                                 qden = Big_int_Z.unit_big_int } q0.slope))
+                             (qle_bool q0.slope { qnum =
+                               Big_int_Z.unit_big_int; qden =
+                               Big_int_Z.unit_big_int }))
+                           ((||)
+                             (qeq_bool q0.preload_growth { qnum =
+                               Big_int_Z.zero_big_int; qden =
+                               Big_int_Z.unit_big_int })
+                             ((&&) (certain l3)
+                               (qeq_bool q0.slope { qnum =
+                                 Big_int_Z.zero_big_int; qden =
+                                 Big_int_Z.unit_big_int })))
+                      then Some { box_x = x; box_y = y; box_turn = { low =
+                             (qopp q0.slope); high = q0.slope };
+                             box_friction = q0.friction; box_preload =
+                             { low =
+                             (qmult
+                               (qmult q0.preload.low
+                                 (qminus { qnum = Big_int_Z.unit_big_int;
+                                   qden = Big_int_Z.unit_big_int }
+                                   (qdiv e2 { qnum =
+                                     (Big_int_Z.mult_int_big_int 2
+                                     Big_int_Z.unit_big_int); qden =
+                                     Big_int_Z.unit_big_int }))) l3.low);
+                             high = (qmult q0.preload.high l3.high) };
+                             box_stiffness = { low =
+                             (qdiv
+                               (qmult q0.stiffness.low
+                                 (qminus { qnum = Big_int_Z.unit_big_int;
+                                   qden = Big_int_Z.unit_big_int } e2))
+                               square0); high =
+                             (qdiv q0.stiffness.high square0) }; box_nx = nx;
+                             box_ny = ny; box_growth =
+                             (if qeq_bool q0.preload_growth { qnum =
+                                   Big_int_Z.zero_big_int; qden =
+                                   Big_int_Z.unit_big_int }
+                              then { qnum = Big_int_Z.zero_big_int; qden =
+                                     Big_int_Z.unit_big_int }
+                              else qmult q0.preload_growth l3.low) }
+                      else None
+                    | None -> None)
+                 | _ :: _ -> None)))
+        | _ :: _ -> None))
+
+type row = { box : cbox; tau : form multi; minus_tau : form multi;
+             tau_certain : bool; edges_plus : form multi list;
+             edges_minus : form multi list; edges_none : form multi list;
+             pulls : form multi list; separates : form option;
+             parameters : nat; weight : Big_int_Z.big_int;
+             over_weight : Big_int_Z.big_int; pull_scale : scaling }
+
+(** val corners : cbox -> (q -> q -> q -> 'a1) -> 'a1 multi **)
+
+let corners b f =
+  spread b.box_x (fun x ->
+    spread b.box_y (fun y -> spread b.box_turn (fun e -> Tip (f x y e))))
+
+(** val at_point : q -> q -> q -> q -> q list **)
+
+let at_point x y fx fy =
+  fx :: (fy :: ((qminus (qmult x fy) (qmult y fx)) :: []))
+
+(** val turned_x : cbox -> q -> q **)
+
+let turned_x b e =
+  qminus b.box_nx (qmult e b.box_ny)
+
+(** val turned_y : cbox -> q -> q **)
+
+let turned_y b e =
+  qplus b.box_ny (qmult e b.box_nx)
+
+(** val t_at : cbox -> q -> q -> q -> q list **)
+
+let t_at b x y e =
+  at_point x y (qopp (turned_y b e)) (turned_x b e)
+
+(** val edge_at : cbox -> q -> q -> q -> q -> q list **)
+
+let edge_at b s x y e =
+  at_point x y (qminus (turned_x b e) (qmult s (turned_y b e)))
+    (qplus (turned_y b e) (qmult s (turned_x b e)))
+
+(** val pull_at : cbox -> q -> q -> q -> q -> q -> q list **)
+
+let pull_at b p k x y e =
+  app
+    (at_point x y (qmult (qopp k) (turned_x b e))
+      (qmult (qopp k) (turned_y b e))) (p :: (b.box_growth :: []))
+
+(** val scaling_of_trees : q list multi list -> scaling **)
+
+let scaling_of_trees trees =
+  scaling_of (concat (concat (map tips trees)))
+
+(** val integer_tree : scaling -> q list multi -> form multi **)
+
+let integer_tree s t =
+  mmap (map (to_integer s)) t
+
+(** val same_forms : form list -> bool **)
+
+let same_forms = function
+| [] -> true
+| f :: fs' ->
+  forallb (fun g ->
+    all_zero
+      (combine0 Big_int_Z.unit_big_int f (Big_int_Z.minus_big_int
+        Big_int_Z.unit_big_int) g)) fs'
+
+(** val negative : form -> form **)
+
+let negative f =
+  map Z.opp f
+
+(** val count : interval -> nat **)
+
+let count i =
+  if certain i then O else S O
+
+(** val minus_ends : interval -> q list **)
+
+let minus_ends i =
+  map qopp (ends i)
+
+(** val full_range : interval -> q list **)
+
+let full_range i =
+  if qeq_bool i.high { qnum = Big_int_Z.zero_big_int; qden =
+       Big_int_Z.unit_big_int }
+  then { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int } :: []
+  else (qopp i.high) :: (i.high :: [])
+
+(** val pull_ends : cbox -> (q * q) list **)
+
+let pull_ends b =
+  flat_map (fun p -> map (fun k -> (p, k)) (ends b.box_stiffness))
+    (ends b.box_preload)
+
+(** val make_row : cbox -> row **)
+
+let make_row b =
+  let t = corners b (t_at b) in
+  let ts = scaling_of_trees (t :: []) in
+  let tau0 = integer_tree ts t in
+  let edge0 = fun s -> corners b (edge_at b s) in
+  let plus = map edge0 (minus_ends b.box_friction) in
+  let minus = map edge0 (ends b.box_friction) in
+  let none = map edge0 (full_range b.box_friction) in
+  let es = scaling_of_trees (app plus (app minus none)) in
+  let pull = fun pk -> corners b (pull_at b (fst pk) (snd pk)) in
+  let all = map pull (pull_ends b) in
+  let ps = scaling_of_trees all in
+  let pulls1 = map (integer_tree ps) all in
+  let vs = map primitive (concat (map tips pulls1)) in
+  let n = add (count b.box_x) (add (count b.box_y) (count b.box_turn)) in
+  let numerator0 = Z.mul es.times ps.times in
+  let denominator = Z.mul (Z.mul es.over ps.over) (power n) in
+  let g = content (numerator0 :: (denominator :: [])) in
+  { box = b; tau = tau0; minus_tau = (mmap negative tau0); tau_certain =
+  (same_forms (map primitive (tips tau0))); edges_plus =
+  (map (integer_tree es) plus); edges_minus = (map (integer_tree es) minus);
+  edges_none = (map (integer_tree es) none); pulls = pulls1; separates =
+  (match vs with
+   | [] -> None
+   | f :: _ -> if same_forms vs then Some f else None); parameters = n;
+  weight = (Z.div numerator0 g); over_weight = (Z.div denominator g);
+  pull_scale = ps }
+
+(** val nowhere_negative : ray list -> form -> bool **)
+
+let nowhere_negative rays0 f =
+  forallb (fun r -> Z.leb Big_int_Z.zero_big_int (dot f r.coordinates)) rays0
+
+(** val nowhere_positive : ray list -> form -> bool **)
+
+let nowhere_positive rays0 f =
+  forallb (fun r -> Z.leb (dot f r.coordinates) Big_int_Z.zero_big_int) rays0
+
+(** val zeros_unless_negative :
+    (form -> Big_int_Z.big_int) -> ray list -> ray list option **)
+
+let rec zeros_unless_negative value0 = function
+| [] -> Some []
+| r :: rays' ->
+  let y = value0 r.coordinates in
+  if Z.ltb y Big_int_Z.zero_big_int
+  then None
+  else (match zeros_unless_negative value0 rays' with
+        | Some zs ->
+          Some (if Z.eqb y Big_int_Z.zero_big_int then r :: zs else zs)
+        | None -> None)
+
+(** val positive_at_home :
+    form list list -> ray list -> (form -> Big_int_Z.big_int) -> bool **)
+
+let positive_at_home strict0 rays0 value0 =
+  match zeros_unless_negative value0 rays0 with
+  | Some zs -> barred strict0 zs
+  | None -> false
+
+(** val has_sign : form list list -> ray list -> form multi -> bool **)
+
+let has_sign strict0 rays0 t =
+  forallb (fun f -> positive_at_home strict0 rays0 (dot f)) (tips t)
+
+(** val largest : Big_int_Z.big_int list -> Big_int_Z.big_int **)
+
+let largest = function
+| [] -> Big_int_Z.zero_big_int
+| z0 :: zs' -> fold_left Z.max zs' z0
+
+type term =
+| Nothing
+| Line of Big_int_Z.big_int * form
+| Bend of Big_int_Z.big_int * Big_int_Z.big_int * form list * bool
+
+(** val value : term -> form -> Big_int_Z.big_int **)
+
+let value t x =
+  match t with
+  | Nothing -> Big_int_Z.zero_big_int
+  | Line (factor, f) -> Z.mul factor (dot f x)
+  | Bend (n, d, forms, mixed) ->
+    let most = largest (map (fun f -> dot f x) forms) in
+    up (Z.mul n (if mixed then Z.max Big_int_Z.zero_big_int most else most)) d
+
+(** val edges : form list list -> ray list -> row -> form multi list **)
+
+let edges strict0 rays0 row1 =
+  match row1.edges_none with
+  | [] ->
+    if has_sign strict0 rays0 row1.tau
+    then row1.edges_plus
+    else if has_sign strict0 rays0 row1.minus_tau
+         then row1.edges_minus
+         else row1.edges_none
+  | _ :: l ->
+    (match l with
+     | [] -> row1.edges_none
+     | _ :: _ ->
+       if has_sign strict0 rays0 row1.tau
+       then row1.edges_plus
+       else if has_sign strict0 rays0 row1.minus_tau
+            then row1.edges_minus
+            else row1.edges_none)
+
+(** val work_tree : form -> form multi -> Big_int_Z.big_int multi **)
+
+let work_tree y edge0 =
+  mmap (fun f -> dot f y) edge0
+
+(** val pull_tips : row -> form list **)
+
+let pull_tips row1 =
+  concat (map tips row1.pulls)
+
+(** val products_with : row -> Big_int_Z.big_int multi -> form list **)
+
+let products_with row1 a =
+  flat_map (fun p -> bernstein row1.parameters ((a, p) :: [])) row1.pulls
+
+(** val mixed_forms : row -> Big_int_Z.big_int multi -> form list **)
+
+let mixed_forms row1 a =
+  if forallb (fun z0 -> Z.leb z0 Big_int_Z.zero_big_int) (tips a)
+  then []
+  else if forallb (fun z0 -> Z.leb Big_int_Z.zero_big_int z0) (tips a)
+       then products_with row1 a
+       else map
+              (map (Z.mul (Z.mul (power row1.parameters) (largest (tips a)))))
+              (pull_tips row1)
+
+(** val term_of :
+    Big_int_Z.big_int -> form -> form multi list -> bool -> row -> term **)
+
+let term_of m y es mixed row1 =
+  match row1.parameters with
+  | O ->
+    (match row1.pulls with
+     | [] ->
+       let forms =
+         flat_map (fun e ->
+           if mixed
+           then mixed_forms row1 (work_tree y e)
+           else products_with row1 (work_tree y e)) es
+       in
+       (match forms with
+        | [] -> Nothing
+        | _ :: _ ->
+          Bend ((Z.mul m row1.weight), row1.over_weight, forms, mixed))
+     | p :: l ->
+       (match l with
+        | [] ->
+          let c =
+            largest
+              (map (fun e ->
+                up (Z.mul (Z.mul m row1.weight) (dot (first_tip e) y))
+                  row1.over_weight) es)
+          in
+          let v = first_tip p in
+          if mixed
+          then if Z.leb c Big_int_Z.zero_big_int
+               then Nothing
+               else Bend (c, Big_int_Z.unit_big_int, (v :: []), true)
+          else Line (c, v)
+        | _ :: _ ->
+          let forms =
+            flat_map (fun e ->
+              if mixed
+              then mixed_forms row1 (work_tree y e)
+              else products_with row1 (work_tree y e)) es
+          in
+          (match forms with
+           | [] -> Nothing
+           | _ :: _ ->
+             Bend ((Z.mul m row1.weight), row1.over_weight, forms, mixed))))
+  | S _ ->
+    let forms =
+      flat_map (fun e ->
+        if mixed
+        then mixed_forms row1 (work_tree y e)
+        else products_with row1 (work_tree y e)) es
+    in
+    (match forms with
+     | [] -> Nothing
+     | _ :: _ -> Bend ((Z.mul m row1.weight), row1.over_weight, forms, mixed))
+
+(** val contact_term :
+    Big_int_Z.big_int -> form -> form list list -> ray list -> row -> term **)
+
+let contact_term m y strict0 rays0 row1 =
+  let vs = pull_tips row1 in
+  if forallb (nowhere_negative rays0) vs
+  then term_of m y (edges strict0 rays0 row1) false row1
+  else if forallb (nowhere_positive rays0) vs
+       then Nothing
+       else term_of m y (edges strict0 rays0 row1) true row1
+
+type load = { load_box : interval list; load_growth : q list;
+              lows_of_w : form; highs_of_w : form; form_of_u : form;
+              load_scaling : scaling }
+
+(** val make_load : interval list -> q list -> load **)
+
+let make_load w u =
+  let s =
+    scaling_of
+      (app (map (fun i -> i.low) w) (app (map (fun i -> i.high) w) u))
+  in
+  let z0 = map (to_integer s) in
+  { load_box = w; load_growth = u; lows_of_w = (z0 (map (fun i -> i.low) w));
+  highs_of_w = (z0 (map (fun i -> i.high) w)); form_of_u = (z0 u);
+  load_scaling = s }
+
+(** val most_work : form -> form -> form -> Big_int_Z.big_int **)
+
+let rec most_work y lows0 highs0 =
+  match y with
+  | [] -> Big_int_Z.zero_big_int
+  | c :: y' ->
+    (match lows0 with
+     | [] -> Big_int_Z.zero_big_int
+     | l :: lows' ->
+       (match highs0 with
+        | [] -> Big_int_Z.zero_big_int
+        | h :: highs' ->
+          Z.add (Z.mul c (if Z.ltb Big_int_Z.zero_big_int c then h else l))
+            (most_work y' lows' highs')))
+
+(** val load_term : Big_int_Z.big_int -> form -> load -> form **)
+
+let load_term m y ld =
+  let t = Z.mul m ld.load_scaling.times in
+  Big_int_Z.zero_big_int :: (Big_int_Z.zero_big_int :: (Big_int_Z.zero_big_int :: (
+  (up (Z.mul t (most_work y ld.lows_of_w ld.highs_of_w)) ld.load_scaling.over) :: (
+  (up (Z.mul t (dot ld.form_of_u y)) ld.load_scaling.over) :: []))))
+
+(** val collect :
+    ('a1 -> term) -> 'a1 list -> form -> term list -> form * term list **)
+
+let rec collect term_of_row rows1 linear bends =
+  match rows1 with
+  | [] -> (linear, bends)
+  | row1 :: rows' ->
+    (match term_of_row row1 with
+     | Nothing -> collect term_of_row rows' linear bends
+     | Line (c, f) ->
+       collect term_of_row rows' (combine0 Big_int_Z.unit_big_int linear c f)
+         bends
+     | Bend (numerator0, denominator, forms, mixed) ->
+       collect term_of_row rows' linear ((Bend (numerator0, denominator,
+         forms, mixed)) :: bends))
+
+(** val leaf_holds_by :
+    Big_int_Z.big_int -> row list -> load -> form list list -> ray list ->
+    form -> bool **)
+
+let leaf_holds_by m rows1 ld strict0 rays0 y = match y with
+| [] -> false
+| _ :: l ->
+  (match l with
+   | [] -> false
+   | _ :: l0 ->
+     (match l0 with
+      | [] -> false
+      | _ :: l1 ->
+        (match l1 with
+         | [] ->
+           (&&) (Z.ltb Big_int_Z.zero_big_int m)
+             (let (linear, bends) =
+                collect (contact_term m y strict0 rays0) rows1
+                  (load_term m y ld) []
+              in
+              positive_at_home strict0 rays0 (fun x ->
+                Z.opp
+                  (fold_left (fun s t -> Z.add s (value t x)) bends
+                    (dot linear x))))
+         | _ :: _ -> false)))
+
+type ('memory, 'setting) region = { rays : ray list; strict : form list list;
+                                    moving : form list list;
+                                    around : 'setting; remembered : 'memory;
+                                    depth : Big_int_Z.big_int }
+
+type 'setting branch = { conditions : (form * bool) list;
+                         new_strict : form list; new_moving : form list list;
+                         branch_setting : 'setting }
+
+(** val cut_region :
+    'a1 oracle -> ('a1, 'a2) region -> (form * bool) -> ('a1, 'a2) region **)
+
+let cut_region advisor r c =
+  let (remembered', advices) = advisor.advise r.remembered (fst c) (snd c) in
+  { rays = (cut r.rays (fst c) (snd c) advices); strict = r.strict; moving =
+  r.moving; around = r.around; remembered = remembered'; depth = r.depth }
+
+(** val strictly : ('a1, 'a2) region -> form -> ('a1, 'a2) region **)
+
+let strictly r f =
+  { rays = (map (add_strict (f :: [])) r.rays); strict =
+    ((f :: []) :: r.strict); moving = r.moving; around = r.around;
+    remembered = r.remembered; depth = r.depth }
+
+(** val child :
+    'a1 oracle -> ('a1, 'a2) region -> 'a2 branch -> ('a1, 'a2) region **)
+
+let child advisor r b =
+  let r0 =
+    fold_left strictly b.new_strict
+      (fold_left (cut_region advisor) b.conditions r)
+  in
+  { rays = r0.rays; strict = r0.strict; moving =
+  (app b.new_moving r0.moving); around = b.branch_setting; remembered =
+  r0.remembered; depth = (Z.add r0.depth Big_int_Z.unit_big_int) }
+
+(** val at_leaf : ('a1, 'a2) region -> form list list * ray list **)
+
+let at_leaf r =
+  fold_left (fun sr fs -> ((fs :: (fst sr)), (map (add_strict fs) (snd sr))))
+    r.moving (r.strict, r.rays)
+
+(** val visit :
+    'a1 oracle -> ('a2 -> node -> ('a2 branch list, string) sum) -> ('a2 ->
+    form list list -> ray list -> q list -> string option) ->
+    Big_int_Z.big_int -> node -> ('a1, 'a2) region -> (('a1, 'a2) region
+    list, string) sum **)
+
+let visit advisor split1 leaf_fails1 most_depth0 n r =
+  if Z.ltb most_depth0 r.depth
+  then Inr "node-depth"
+  else (match n with
+        | Leaf y ->
+          let (strict', rays') = at_leaf r in
+          (match leaf_fails1 r.around strict' rays' y with
+           | Some rule -> Inr rule
+           | None -> Inl [])
+        | _ ->
+          (match split1 r.around n with
+           | Inl bs -> Inl (map (child advisor r) bs)
+           | Inr rule -> Inr rule))
+
+(** val walk :
+    'a1 oracle -> ('a2 -> node -> ('a2 branch list, string) sum) -> ('a2 ->
+    form list list -> ray list -> q list -> string option) ->
+    Big_int_Z.big_int -> node list -> ('a1, 'a2) region list -> nat ->
+    (string * nat) option **)
+
+let rec walk advisor split1 leaf_fails1 most_depth0 nodes todo number =
+  match nodes with
+  | [] -> (match todo with
+           | [] -> None
+           | _ :: _ -> Some ("tree-short", number))
+  | n :: nodes' ->
+    (match todo with
+     | [] -> Some ("tree-long", number)
+     | r :: todo' ->
+       (match visit advisor split1 leaf_fails1 most_depth0 n r with
+        | Inl children ->
+          walk advisor split1 leaf_fails1 most_depth0 nodes'
+            (app children todo') (S number)
+        | Inr rule -> Some (rule, number)))
+
+(** val basis : nat -> nat -> form list **)
+
+let rec basis before = function
+| O -> []
+| S n' ->
+  (app (repeat Big_int_Z.zero_big_int before)
+    (Big_int_Z.unit_big_int :: (repeat Big_int_Z.zero_big_int n'))) :: 
+    (basis (S before) n')
+
+(** val everywhere : 'a1 oracle -> nat -> 'a2 -> ('a1, 'a2) region **)
+
+let everywhere advisor n s =
+  { rays =
+    (flat_map (fun e -> { coordinates = e; zeros = [] } :: ({ coordinates =
+      (map Z.opp e); zeros = [] } :: [])) (basis O n)); strict = []; moving =
+    []; around = s; remembered = (advisor.begin0 n); depth =
+    (Big_int_Z.minus_big_int Big_int_Z.unit_big_int) }
+
+(** val root : 'a1 oracle -> nat -> 'a2 branch -> ('a1, 'a2) region **)
+
+let root advisor n b =
+  child advisor (everywhere advisor n b.branch_setting) b
+
+(** val numbered : 'a1 list -> Big_int_Z.big_int -> 'a1 option **)
+
+let rec numbered l i =
+  match l with
+  | [] -> None
+  | a :: l' ->
+    if Z.eqb i Big_int_Z.zero_big_int
+    then Some a
+    else numbered l' (Z.sub i Big_int_Z.unit_big_int)
+
+(** val replace : 'a1 list -> Big_int_Z.big_int -> 'a1 -> 'a1 list **)
+
+let rec replace l i new0 =
+  match l with
+  | [] -> []
+  | a :: l' ->
+    if Z.eqb i Big_int_Z.zero_big_int
+    then new0 :: l'
+    else a :: (replace l' (Z.sub i Big_int_Z.unit_big_int) new0)
+
+type range = { range_low : q; range_high : q option; open_low : bool;
+               open_high : bool }
+
+type setting = { rows : row list; the_load : load; short : Big_int_Z.big_int;
+                 exact : Big_int_Z.big_int }
+
+(** val leaf_fails :
+    setting -> form list list -> ray list -> q list -> string option **)
+
+let leaf_fails s strict0 rays0 y =
+  let y' = map (to_integer (scaling_of y)) y in
+  let holds = fun m -> leaf_holds_by m s.rows s.the_load strict0 rays0 y' in
+  if (||) ((||) (barred strict0 rays0) (holds s.short))
+       ((&&) (negb (Z.eqb s.short s.exact)) (holds s.exact))
+  then None
+  else Some "leaf-bound"
+
+(** val get : cbox -> parameter -> interval **)
+
+let get b = function
+| PX -> b.box_x
+| PY -> b.box_y
+| PTurn -> b.box_turn
+| PFriction -> b.box_friction
+| PPreload -> b.box_preload
+| _ -> b.box_stiffness
+
+(** val set : cbox -> parameter -> interval -> cbox **)
+
+let set b name i =
+  let { box_x = x; box_y = y; box_turn = t; box_friction = f; box_preload =
+    p; box_stiffness = k; box_nx = nx; box_ny = ny; box_growth = g } = b
+  in
+  (match name with
+   | PX ->
+     { box_x = i; box_y = y; box_turn = t; box_friction = f; box_preload = p;
+       box_stiffness = k; box_nx = nx; box_ny = ny; box_growth = g }
+   | PY ->
+     { box_x = x; box_y = i; box_turn = t; box_friction = f; box_preload = p;
+       box_stiffness = k; box_nx = nx; box_ny = ny; box_growth = g }
+   | PTurn ->
+     { box_x = x; box_y = y; box_turn = i; box_friction = f; box_preload = p;
+       box_stiffness = k; box_nx = nx; box_ny = ny; box_growth = g }
+   | PFriction ->
+     { box_x = x; box_y = y; box_turn = t; box_friction = i; box_preload = p;
+       box_stiffness = k; box_nx = nx; box_ny = ny; box_growth = g }
+   | PPreload ->
+     { box_x = x; box_y = y; box_turn = t; box_friction = f; box_preload = i;
+       box_stiffness = k; box_nx = nx; box_ny = ny; box_growth = g }
+   | _ ->
+     { box_x = x; box_y = y; box_turn = t; box_friction = f; box_preload = p;
+       box_stiffness = i; box_nx = nx; box_ny = ny; box_growth = g })
+
+(** val is_inside : interval -> q -> bool **)
+
+let is_inside i c =
+  (&&) (negb (qle_bool c i.low)) (negb (qle_bool i.high c))
+
+(** val low_half : interval -> q -> interval **)
+
+let low_half i c =
+  { low = i.low; high = c }
+
+(** val high_half : interval -> q -> interval **)
+
+let high_half i c =
+  { low = c; high = i.high }
+
+(** val set_row : setting -> Big_int_Z.big_int -> cbox -> setting **)
+
+let set_row s index b =
+  let row1 = make_row b in
+  { rows = (replace s.rows index row1); the_load = s.the_load; short =
+  s.short; exact = (Z.lcm s.exact row1.over_weight) }
+
+(** val set_load : setting -> interval list -> setting **)
+
+let set_load s w =
+  let ld = make_load w s.the_load.load_growth in
+  { rows = s.rows; the_load = ld; short = s.short; exact =
+  (Z.lcm s.exact ld.load_scaling.over) }
+
+(** val halves :
+    setting -> parameter -> Big_int_Z.big_int -> q -> (setting * setting,
+    string) sum **)
+
+let halves s name index c =
+  match name with
+  | PZ -> Inr "part-contact"
+  | PWrench ->
+    (match numbered s.the_load.load_box index with
+     | Some i ->
+       if is_inside i c
+       then Inl
+              ((set_load s (replace s.the_load.load_box index (low_half i c))),
+              (set_load s (replace s.the_load.load_box index (high_half i c))))
+       else Inr "part-inside"
+     | None -> Inr "part-contact")
+  | _ ->
+    (match numbered s.rows index with
+     | Some row1 ->
+       let i = get row1.box name in
+       if is_inside i c
+       then Inl ((set_row s index (set row1.box name (low_half i c))),
+              (set_row s index (set row1.box name (high_half i c))))
+       else Inr "part-inside"
+     | None -> Inr "part-contact")
+
+(** val above : setting -> form -> setting branch **)
+
+let above s f =
+  { conditions = ((f, false) :: []); new_strict = (f :: []); new_moving = [];
+    branch_setting = s }
+
+(** val not_below : setting -> form -> setting branch **)
+
+let not_below s f =
+  { conditions = ((f, false) :: []); new_strict = []; new_moving = [];
+    branch_setting = s }
+
+(** val on_plane : setting -> form -> setting branch **)
+
+let on_plane s f =
+  { conditions = ((f, true) :: []); new_strict = []; new_moving = [];
+    branch_setting = s }
+
+(** val split : setting -> node -> (setting branch list, string) sum **)
+
+let split s = function
+| Slip i ->
+  (match numbered s.rows i with
+   | Some row1 ->
+     if row1.tau_certain
+     then let f = first_tip row1.tau in
+          Inl
+          ((above s f) :: ((on_plane s f) :: ((above s (negative f)) :: [])))
+     else Inr "node-certain"
+   | None -> Inr "node-contact")
+| Separation i ->
+  (match numbered s.rows i with
+   | Some row1 ->
+     (match row1.separates with
+      | Some f -> Inl ((not_below s f) :: ((above s (negative f)) :: []))
+      | None -> Inr "node-certain")
+   | None -> Inr "node-contact")
+| Plane a ->
+  let f = map (to_integer (scaling_of a)) a in
+  Inl ((not_below s f) :: ((above s (negative f)) :: []))
+| Cut (name, i, c) ->
+  (match halves s name i c with
+   | Inl p ->
+     let (l, h) = p in
+     Inl ({ conditions = []; new_strict = []; new_moving = [];
+     branch_setting = l } :: ({ conditions = []; new_strict = [];
+     new_moving = []; branch_setting = h } :: []))
+   | Inr rule -> Inr rule)
+| Leaf _ -> Inl []
+
+(** val l_above : nat -> q -> form **)
+
+let l_above d a =
+  app (repeat Big_int_Z.zero_big_int d) ((Z.opp a.qnum) :: (a.qden :: []))
+
+(** val h_form : nat -> form **)
+
+let h_form d =
+  app (repeat Big_int_Z.zero_big_int d) (Big_int_Z.unit_big_int :: [])
+
+(** val range_conditions : nat -> range -> form list **)
+
+let range_conditions d g =
+  (h_form d) :: ((l_above d g.range_low) :: (match g.range_high with
+                                             | Some b ->
+                                               (negative (l_above d b)) :: []
+                                             | None -> []))
+
+(** val range_strict : nat -> range -> form list **)
+
+let range_strict d g =
+  (h_form d) :: (app
+                  (if g.open_low then (l_above d g.range_low) :: [] else [])
+                  (match g.range_high with
+                   | Some b ->
+                     if g.open_high
+                     then (negative (l_above d b)) :: []
+                     else []
+                   | None -> []))
+
+(** val separating : row list -> form list **)
+
+let separating rows1 =
+  flat_map (fun r -> match r.separates with
+                     | Some f -> f :: []
+                     | None -> []) rows1
+
+(** val root_branch : bool -> setting -> range -> setting branch **)
+
+let root_branch two_sided s g =
+  { conditions =
+    (map (fun f -> (f, false))
+      (app (range_conditions (S (S (S O))) g)
+        (if two_sided then separating s.rows else []))); new_strict =
+    (range_strict (S (S (S O))) g); new_moving = []; branch_setting = s }
+
+(** val walk_ranges :
+    'a1 oracle -> Big_int_Z.big_int -> bool -> setting -> range list -> node
+    list -> (string * nat) option **)
+
+let walk_ranges advisor most_depth0 two_sided s ranges nodes =
+  walk advisor split leaf_fails most_depth0 nodes
+    (map (fun g ->
+      root advisor (S (S (S (S (S O))))) (root_branch two_sided s g)) ranges)
+    O
+
+(** val exact_box : cbox -> bool **)
+
+let exact_box b =
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&) ((&&) (certain b.box_x) (certain b.box_y)) (certain b.box_turn))
+        (certain b.box_friction)) (certain b.box_preload))
+    (certain b.box_stiffness)
+
+type state = { state_v : Big_int_Z.big_int; state_tau : Big_int_Z.big_int;
+               state_share : q }
+
+(** val exact_pull : row -> form **)
+
+let exact_pull r =
+  match r.pulls with
+  | [] -> []
+  | p :: _ -> first_tip p
+
+(** val share_of_slip : Big_int_Z.big_int -> q **)
+
+let share_of_slip tau0 =
+  if Z.ltb Big_int_Z.zero_big_int tau0
+  then { qnum = (Big_int_Z.minus_big_int Big_int_Z.unit_big_int); qden =
+         Big_int_Z.unit_big_int }
+  else if Z.ltb tau0 Big_int_Z.zero_big_int
+       then { qnum = Big_int_Z.unit_big_int; qden = Big_int_Z.unit_big_int }
+       else { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+
+(** val states :
+    row list -> form -> (Big_int_Z.big_int * q list) list ->
+    Big_int_Z.big_int -> (state list, Big_int_Z.big_int) sum **)
+
+let rec states rows1 x shares0 number =
+  match rows1 with
+  | [] ->
+    (match shares0 with
+     | [] -> Inl []
+     | p :: _ -> let (i, _) = p in Inr i)
+  | r :: rows' ->
+    let tau0 = dot (first_tip r.tau) x in
+    let with_share = fun share0 shares' ->
+      match states rows' x shares' (Z.add number Big_int_Z.unit_big_int) with
+      | Inl rest ->
+        Inl ({ state_v = (dot (exact_pull r) x); state_tau = tau0;
+          state_share = share0 } :: rest)
+      | Inr i -> Inr i
+    in
+    (match shares0 with
+     | [] -> with_share (share_of_slip tau0) []
+     | p :: shares' ->
+       let (i, s) = p in
+       if Z.eqb i number
+       then (match s with
+             | [] -> Inr i
+             | q0 :: l ->
+               (match l with
+                | [] ->
+                  if (&&)
+                       ((&&) (Z.eqb tau0 Big_int_Z.zero_big_int)
+                         (qle_bool { qnum = (Big_int_Z.minus_big_int
+                           Big_int_Z.unit_big_int); qden =
+                           Big_int_Z.unit_big_int } q0))
+                       (qle_bool q0 { qnum = Big_int_Z.unit_big_int; qden =
+                         Big_int_Z.unit_big_int })
+                  then with_share q0 shares'
+                  else Inr i
+                | _ :: _ -> Inr i))
+       else with_share (share_of_slip tau0) shares0)
+
+(** val contact_wrench : row -> state -> q list **)
+
+let contact_wrench r s =
+  if Z.leb s.state_v Big_int_Z.zero_big_int
+  then []
+  else let b = r.box in
+       let a = { qnum = (Z.mul s.state_v r.pull_scale.times); qden =
+         (Z.to_pos r.pull_scale.over) }
+       in
+       map (fun c -> reduced (qmult a c))
+         (edge_at b (qmult s.state_share b.box_friction.low) b.box_x.low
+           b.box_y.low b.box_turn.low)
+
+(** val load_at : load -> Big_int_Z.big_int -> Big_int_Z.big_int -> q list **)
+
+let load_at ld h l =
+  map (fun p ->
+    reduced
+      (qplus (qmult (inject_Z h) (fst p).low) (qmult (inject_Z l) (snd p))))
+    (combine ld.load_box ld.load_growth)
+
+(** val adds_up_to_zero : q list list -> bool **)
+
+let adds_up_to_zero wrenches =
+  let d = common_denominator (concat wrenches) in
+  all_zero
+    (fold_left (fun s w ->
+      combine0 Big_int_Z.unit_big_int s Big_int_Z.unit_big_int
+        (map (numerator d) w)) wrenches [])
+
+(** val contact_wrenches :
+    row list -> state list -> q list list -> q list list **)
+
+let rec contact_wrenches rows1 ss others =
+  match rows1 with
+  | [] -> others
+  | r :: rows' ->
+    (match ss with
+     | [] -> others
+     | s :: ss' -> contact_wrenches rows' ss' ((contact_wrench r s) :: others))
+
+(** val check_point :
+    bool -> row list -> load -> form -> (Big_int_Z.big_int * q list) list ->
+    (state list, string) sum **)
+
+let check_point bilateral0 rows1 ld x shares0 =
+  match x with
+  | [] -> Inr "witness-balance"
+  | _ :: l0 ->
+    (match l0 with
+     | [] -> Inr "witness-balance"
+     | _ :: l1 ->
+       (match l1 with
+        | [] -> Inr "witness-balance"
+        | _ :: l2 ->
+          (match l2 with
+           | [] -> Inr "witness-balance"
+           | h :: l3 ->
+             (match l3 with
+              | [] -> Inr "witness-balance"
+              | l :: l4 ->
+                (match l4 with
+                 | [] ->
+                   (match states rows1 x shares0 Big_int_Z.zero_big_int with
+                    | Inl ss ->
+                      if (&&) bilateral0
+                           (negb
+                             (forallb (fun s ->
+                               Z.leb Big_int_Z.zero_big_int s.state_v) ss))
+                      then Inr "witness-normal"
+                      else if adds_up_to_zero
+                                (contact_wrenches rows1 ss
+                                  ((load_at ld h l) :: []))
+                           then Inl ss
+                           else Inr "witness-balance"
+                    | Inr _ -> Inr "witness-share")
+                 | _ :: _ -> Inr "witness-balance")))))
+
+(** val opposite : Big_int_Z.big_int -> Big_int_Z.big_int -> bool **)
+
+let opposite x y =
+  Z.ltb (Z.mul x y) Big_int_Z.zero_big_int
+
+(** val one_mode : row -> state -> state -> bool **)
+
+let one_mode r s s' =
+  (&&) (negb (opposite s.state_v s'.state_v))
+    ((||)
+      ((||)
+        (qeq_bool r.box.box_friction.low { qnum = Big_int_Z.zero_big_int;
+          qden = Big_int_Z.unit_big_int })
+        ((&&) (Z.leb s.state_v Big_int_Z.zero_big_int)
+          (Z.leb s'.state_v Big_int_Z.zero_big_int)))
+      ((&&) (negb (opposite s.state_tau s'.state_tau))
+        (let slip = share_of_slip (Z.add s.state_tau s'.state_tau) in
+         (||)
+           (qeq_bool slip { qnum = Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int })
+           ((&&)
+             ((||) (Z.leb s.state_v Big_int_Z.zero_big_int)
+               (qeq_bool s.state_share slip))
+             ((||) (Z.leb s'.state_v Big_int_Z.zero_big_int)
+               (qeq_bool s'.state_share slip))))))
+
+(** val same_mode : row list -> state list -> state list -> bool **)
+
+let rec same_mode rows1 ss ss' =
+  match rows1 with
+  | [] -> true
+  | r :: rows' ->
+    (match ss with
+     | [] -> true
+     | s :: ss1 ->
+       (match ss' with
+        | [] -> true
+        | s' :: ss1' -> (&&) (one_mode r s s') (same_mode rows' ss1 ss1')))
+
+(** val exact_rows : row list -> bool **)
+
+let exact_rows rows1 =
+  forallb (fun r -> exact_box r.box) rows1
+
+(** val coordinates_of : point -> q list **)
+
+let coordinates_of p =
+  app p.point_witness.twist
+    (match p.multiple with
+     | Some l ->
+       { qnum = Big_int_Z.unit_big_int; qden =
+         Big_int_Z.unit_big_int } :: (l :: [])
+     | None ->
+       { qnum = Big_int_Z.zero_big_int; qden =
+         Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.unit_big_int; qden =
+         Big_int_Z.unit_big_int } :: []))
+
+(** val integer_point : point -> form **)
+
+let integer_point p =
+  map (to_integer (scaling_of (coordinates_of p))) (coordinates_of p)
+
+(** val check_at :
+    bool -> row list -> load -> point -> (state list, string) sum **)
+
+let check_at two_sided rows1 ld p =
+  check_point two_sided rows1 ld (integer_point p) p.point_witness.shares
+
+(** val qlt_bool : q -> q -> bool **)
+
+let qlt_bool a b =
+  negb (qle_bool b a)
+
+(** val beyond : q option -> q option -> bool **)
+
+let beyond high0 to1 =
+  match high0 with
+  | Some h -> (match to1 with
+               | Some t -> qlt_bool h t
+               | None -> true)
+  | None -> false
+
+(** val reaches : q option -> q option -> bool **)
+
+let reaches high0 to1 =
+  match high0 with
+  | Some h -> (match to1 with
+               | Some t -> qeq_bool h t
+               | None -> false)
+  | None -> (match to1 with
+             | Some _ -> false
+             | None -> true)
+
+(** val segments_fail :
+    bool -> row list -> load -> segment list -> (q * q option) list -> q
+    option -> (point * state list) option -> nat -> (string * place) option **)
+
+let rec segments_fail two_sided rows1 ld segments resisted from0 last number =
+  let out_of_chain = Some ("segment-chain", (AtSegment number)) in
+  (match segments with
+   | [] -> (match resisted with
+            | [] -> None
+            | _ :: _ -> out_of_chain)
+   | s :: segments' ->
+     (match resisted with
+      | [] -> out_of_chain
+      | p :: resisted' ->
+        let (lo, hi) = p in
+        let first =
+          match s.first_point with
+          | Some p0 -> Some (p0, (check_at two_sided rows1 ld p0))
+          | None ->
+            (match last with
+             | Some p0 -> let (p1, ss) = p0 in Some (p1, (Inl ss))
+             | None -> None)
+        in
+        let second = s.second_point in
+        (match first with
+         | Some p0 ->
+           let (p1, checked) = p0 in
+           (match p1.multiple with
+            | Some l1 ->
+              let start = match from0 with
+                          | Some e -> e
+                          | None -> lo in
+              if (||)
+                   ((||) (negb (qeq_bool l1 start))
+                     (beyond hi second.multiple))
+                   (match second.multiple with
+                    | Some l2 -> qlt_bool l2 l1
+                    | None -> false)
+              then out_of_chain
+              else (match checked with
+                    | Inl ss1 ->
+                      (match check_at two_sided rows1 ld second with
+                       | Inl ss2 ->
+                         if same_mode rows1 ss1 ss2
+                         then if reaches hi second.multiple
+                              then segments_fail two_sided rows1 ld segments'
+                                     resisted' None (Some (second, ss2)) (S
+                                     number)
+                              else segments_fail two_sided rows1 ld segments'
+                                     resisted second.multiple (Some (second,
+                                     ss2)) (S number)
+                         else Some ("segment-mode", (AtSegment number))
+                       | Inr rule -> Some (rule, (AtPoint (number, true))))
+                    | Inr rule -> Some (rule, (AtPoint (number, false))))
+            | None -> out_of_chain)
+         | None -> out_of_chain)))
+
+(** val order_fails :
+    q option -> bool -> (q * q option) list -> nat -> nat option **)
+
+let rec order_fails least first resisted number =
+  match resisted with
+  | [] -> None
+  | p :: resisted' ->
+    let (lo, hi) = p in
+    let starts =
+      match least with
+      | Some q0 -> if first then qle_bool q0 lo else qlt_bool q0 lo
+      | None -> false
+    in
+    let ends0 = match hi with
+                | Some h -> qle_bool lo h
+                | None -> true in
+    if (&&) starts ends0
+    then order_fails hi false resisted' (S number)
+    else Some number
+
+(** val gaps_from : q -> bool -> (q * q option) list -> range list **)
+
+let rec gaps_from from0 open0 = function
+| [] ->
+  { range_low = from0; range_high = None; open_low = open0; open_high =
+    true } :: []
+| p :: resisted' ->
+  let (lo, hi) = p in
+  app
+    (if qlt_bool from0 lo
+     then { range_low = from0; range_high = (Some lo); open_low = open0;
+            open_high = true } :: []
+     else [])
+    (match hi with
+     | Some h -> gaps_from h true resisted'
+     | None -> [])
+
+(** val gaps : (q * q option) list -> range list **)
+
+let gaps resisted =
+  gaps_from { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+    false resisted
+
+type cbox0 = { box_x0 : interval; box_y0 : interval; box_z : interval;
+               box_friction0 : interval; box_preload0 : interval;
+               box_stiffness0 : interval; box_nx0 : q; box_ny0 : q; box_nz : 
+               q }
+
+(** val square : cbox0 -> q **)
+
+let square b =
+  qplus (qplus (qmult b.box_nx0 b.box_nx0) (qmult b.box_ny0 b.box_ny0))
+    (qmult b.box_nz b.box_nz)
+
+(** val enlarge0 : Big_int_Z.big_int -> contact -> cbox0 option **)
+
+let enlarge0 bits0 q0 =
+  match q0.position with
+  | [] -> None
+  | x :: l ->
+    (match l with
+     | [] -> None
+     | y :: l0 ->
+       (match l0 with
+        | [] -> None
+        | z0 :: l1 ->
+          (match l1 with
+           | [] ->
+             (match q0.normal with
+              | [] -> None
+              | nx :: l2 ->
+                (match l2 with
+                 | [] -> None
+                 | ny :: l3 ->
+                   (match l3 with
+                    | [] -> None
+                    | nz :: l4 ->
+                      (match l4 with
+                       | [] ->
+                         let sq =
+                           qplus (qplus (qmult nx nx) (qmult ny ny))
+                             (qmult nz nz)
+                         in
+                         (match inverse_length bits0 (is_loaded q0) sq with
+                          | Some l5 ->
+                            if (&&)
+                                 ((&&)
+                                   ((&&)
+                                     ((&&)
+                                       (negb
+                                         (qle_bool sq { qnum =
+                                           Big_int_Z.zero_big_int; qden =
+                                           Big_int_Z.unit_big_int }))
+                                       (qle_bool { qnum =
+                                         Big_int_Z.zero_big_int; qden =
+                                         Big_int_Z.unit_big_int }
+                                         q0.friction.low))
+                                     (qle_bool { qnum =
+                                       Big_int_Z.zero_big_int; qden =
+                                       Big_int_Z.unit_big_int }
+                                       q0.preload.low))
+                                   (qle_bool { qnum = Big_int_Z.zero_big_int;
+                                     qden = Big_int_Z.unit_big_int }
+                                     q0.stiffness.low))
+                                 (qeq_bool q0.preload_growth { qnum =
+                                   Big_int_Z.zero_big_int; qden =
+                                   Big_int_Z.unit_big_int })
+                            then Some { box_x0 = x; box_y0 = y; box_z = z0;
+                                   box_friction0 = q0.friction;
+                                   box_preload0 = { low =
+                                   (qmult q0.preload.low l5.low); high =
+                                   (qmult q0.preload.high l5.high) };
+                                   box_stiffness0 = { low =
+                                   (qdiv q0.stiffness.low sq); high =
+                                   (qdiv q0.stiffness.high sq) }; box_nx0 =
+                                   nx; box_ny0 = ny; box_nz = nz }
+                            else None
+                          | None -> None)
+                       | _ :: _ -> None))))
+           | _ :: _ -> None)))
+
+type row0 = { box0 : cbox0; geometry : form list multi;
+              geometry_scale : scaling; slip_certain : bool;
+              pulls0 : form multi list; pull_scale0 : scaling;
+              separates0 : form option }
+
+(** val corners0 : cbox0 -> (q -> q -> q -> 'a1) -> 'a1 multi **)
+
+let corners0 b f =
+  spread b.box_x0 (fun x ->
+    spread b.box_y0 (fun y -> spread b.box_z (fun z0 -> Tip (f x y z0))))
+
+(** val at_point0 : q -> q -> q -> q -> q -> q -> q list **)
+
+let at_point0 x y z0 fx fy fz =
+  fx :: (fy :: (fz :: ((qminus (qmult y fz) (qmult z0 fy)) :: ((qminus
+                                                                 (qmult z0 fx)
+                                                                 (qmult x fz)) :: (
+    (qminus (qmult x fy) (qmult y fx)) :: [])))))
+
+(** val across : cbox0 -> q -> q -> q -> q -> (q * q) * q **)
+
+let across b nj ex ey ez =
+  (((qminus ex (qdiv (qmult nj b.box_nx0) (square b))),
+    (qminus ey (qdiv (qmult nj b.box_ny0) (square b)))),
+    (qminus ez (qdiv (qmult nj b.box_nz) (square b))))
+
+(** val at_point3 : q -> q -> q -> ((q * q) * q) -> q list **)
+
+let at_point3 x y z0 = function
+| (p, fz) -> let (fx, fy) = p in at_point0 x y z0 fx fy fz
+
+(** val geometry_at : cbox0 -> q -> q -> q -> q list list **)
+
+let geometry_at b x y z0 =
+  (at_point0 x y z0 b.box_nx0 b.box_ny0 b.box_nz) :: ((at_point3 x y z0
+                                                        (across b b.box_nx0
+                                                          { qnum =
+                                                          Big_int_Z.unit_big_int;
+                                                          qden =
+                                                          Big_int_Z.unit_big_int }
+                                                          { qnum =
+                                                          Big_int_Z.zero_big_int;
+                                                          qden =
+                                                          Big_int_Z.unit_big_int }
+                                                          { qnum =
+                                                          Big_int_Z.zero_big_int;
+                                                          qden =
+                                                          Big_int_Z.unit_big_int })) :: (
+    (at_point3 x y z0
+      (across b b.box_ny0 { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int } { qnum = Big_int_Z.unit_big_int; qden =
+        Big_int_Z.unit_big_int } { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int })) :: ((at_point3 x y z0
+                                         (across b b.box_nz { qnum =
+                                           Big_int_Z.zero_big_int; qden =
+                                           Big_int_Z.unit_big_int } { qnum =
+                                           Big_int_Z.zero_big_int; qden =
+                                           Big_int_Z.unit_big_int } { qnum =
+                                           Big_int_Z.unit_big_int; qden =
+                                           Big_int_Z.unit_big_int })) :: [])))
+
+(** val pull_at0 : cbox0 -> q -> q -> q -> q -> q -> q list **)
+
+let pull_at0 b p k x y z0 =
+  app
+    (at_point0 x y z0 (qmult (qopp k) b.box_nx0) (qmult (qopp k) b.box_ny0)
+      (qmult (qopp k) b.box_nz)) (p :: ({ qnum = Big_int_Z.zero_big_int;
+    qden = Big_int_Z.unit_big_int } :: []))
+
+(** val pull_ends0 : cbox0 -> (q * q) list **)
+
+let pull_ends0 b =
+  flat_map (fun p -> map (fun k -> (p, k)) (ends b.box_stiffness0))
+    (ends b.box_preload0)
+
+(** val geometry_tree : cbox0 -> q list list multi **)
+
+let geometry_tree b =
+  corners0 b (geometry_at b)
+
+(** val scaling_of_geometry : cbox0 -> scaling **)
+
+let scaling_of_geometry b =
+  scaling_of (concat (concat (tips (geometry_tree b))))
+
+(** val pull_tree : cbox0 -> (q * q) -> q list multi **)
+
+let pull_tree b pk =
+  corners0 b (pull_at0 b (fst pk) (snd pk))
+
+(** val pull_scaling : cbox0 -> scaling **)
+
+let pull_scaling b =
+  scaling_of_trees (map (pull_tree b) (pull_ends0 b))
+
+(** val make_row0 : cbox0 -> row0 **)
+
+let make_row0 b =
+  let gs = scaling_of_geometry b in
+  let ps = pull_scaling b in
+  let pulls1 = map (fun pk -> integer_tree ps (pull_tree b pk)) (pull_ends0 b)
+  in
+  let vs = map primitive (concat (map tips pulls1)) in
+  { box0 = b; geometry =
+  (mmap (map (map (to_integer gs))) (geometry_tree b)); geometry_scale = gs;
+  slip_certain =
+  ((&&) ((&&) (certain b.box_x0) (certain b.box_y0)) (certain b.box_z));
+  pulls0 = pulls1; pull_scale0 = ps; separates0 =
+  (match vs with
+   | [] -> None
+   | f :: _ -> if same_forms vs then Some f else None) }
+
+(** val slip_at : form list -> form -> form **)
+
+let slip_at t x =
+  (dot (nth (S O) t []) x) :: ((dot (nth (S (S O)) t []) x) :: ((dot
+                                                                  (nth (S (S
+                                                                    (S O))) t
+                                                                    []) x) :: []))
+
+(** val slips : form list multi -> ray list -> form list **)
+
+let slips g rays0 =
+  flat_map (fun t -> map (fun r -> slip_at t r.coordinates) rays0) (tips g)
+
+(** val less_along : form -> form -> form -> bool **)
+
+let less_along w s t =
+  Z.ltb (Z.mul (Z.mul (dot w s) (Z.abs (dot w s))) (dot t t))
+    (Z.mul (Z.mul (dot w t) (Z.abs (dot w t))) (dot s s))
+
+(** val nearest : form -> form list -> form option **)
+
+let nearest w gens =
+  fold_left (fun best s ->
+    if all_zero s
+    then best
+    else (match best with
+          | Some b -> if less_along w b s then Some s else best
+          | None -> Some s)) gens None
+
+(** val part_across : form -> form -> form **)
+
+let part_across w s =
+  combine0 (dot s s) w (Z.opp (dot w s)) s
+
+(** val nowhere_along : form list -> form -> bool **)
+
+let nowhere_along gens e =
+  forallb (fun s -> Z.leb (dot s e) Big_int_Z.zero_big_int) gens
+
+(** val separator : form list -> form -> form option **)
+
+let separator gens w =
+  let e =
+    match nearest w gens with
+    | Some s ->
+      if Z.ltb Big_int_Z.zero_big_int (dot w s) then part_across w s else w
+    | None -> w
+  in
+  if (&&) (nowhere_along gens e) (Z.ltb Big_int_Z.zero_big_int (dot w e))
+  then Some e
+  else None
+
+(** val opposed : form list -> form list -> (form * ray) list -> ray list **)
+
+let rec opposed gens separators = function
+| [] -> []
+| p :: rays' ->
+  let (s, r) = p in
+  let w = negative s in
+  if existsb (fun e -> Z.ltb Big_int_Z.zero_big_int (dot w e)) separators
+  then opposed gens separators rays'
+  else (match separator gens w with
+        | Some e -> opposed gens (e :: separators) rays'
+        | None -> r :: (opposed gens separators rays'))
+
+(** val must_move :
+    form list list -> form list multi -> form list -> ray list -> bool **)
+
+let must_move strict0 g gens rays0 =
+  forallb (fun t ->
+    barred strict0
+      (opposed gens [] (map (fun r -> ((slip_at t r.coordinates), r)) rays0)))
+    (tips g)
+
+(** val most_along :
+    form list -> form -> (bool * Big_int_Z.big_int) * Big_int_Z.big_int **)
+
+let most_along gens z0 =
+  let w = negative z0 in
+  let whole = ((false, (dot z0 z0)), Big_int_Z.unit_big_int) in
+  (match nearest w gens with
+   | Some s ->
+     let a = dot w s in
+     if Z.leb Big_int_Z.zero_big_int a
+     then if (&&) (nowhere_along gens (part_across w s))
+               (Z.ltb Big_int_Z.zero_big_int (dot s s))
+          then ((false, (Z.mul a a)), (dot s s))
+          else whole
+     else if (&&)
+               (forallb (fun g ->
+                 (&&) (Z.leb (dot w g) Big_int_Z.zero_big_int)
+                   (Z.leb (Z.mul (Z.mul a a) (dot g g))
+                     (Z.mul (Z.mul (dot w g) (dot w g)) (dot s s)))) gens)
+               (Z.ltb Big_int_Z.zero_big_int (dot s s))
+          then ((true, (Z.mul a a)), (dot s s))
+          else whole
+   | None -> whole)
+
+(** val root_above : q -> q **)
+
+let root_above q0 =
+  let u =
+    (root_between (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+      (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+      (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+      Big_int_Z.unit_big_int)))))) (reduced q0)).high
+  in
+  if (&&)
+       (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+         Big_int_Z.unit_big_int } u) (qle_bool q0 (qmult u u))
+  then u
+  else qplus q0 { qnum = Big_int_Z.unit_big_int; qden =
+         Big_int_Z.unit_big_int }
+
+(** val root_below : q -> q **)
+
+let root_below q0 =
+  let l =
+    (root_between (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+      (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+      (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+      Big_int_Z.unit_big_int)))))) (reduced q0)).low
+  in
+  if (&&)
+       (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+         Big_int_Z.unit_big_int } l) (qle_bool (qmult l l) q0)
+  then l
+  else { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+
+(** val unit_of : scaling -> q **)
+
+let unit_of s =
+  { qnum = s.times; qden = (Z.to_pos s.over) }
+
+(** val corner_alpha :
+    row0 -> q -> form -> form list -> bool -> form list -> q **)
+
+let corner_alpha row1 size0 y gens moves t =
+  let z0 = slip_at t y in
+  let (p, d) =
+    if moves
+    then most_along gens z0
+    else ((false, (dot z0 z0)), Big_int_Z.unit_big_int)
+  in
+  let (below, n) = p in
+  let mu =
+    if below
+    then row1.box0.box_friction0.low
+    else row1.box0.box_friction0.high
+  in
+  let u = qmult (unit_of row1.geometry_scale) size0 in
+  let q0 =
+    qmult (qmult (qmult (qmult mu mu) (square row1.box0)) (qmult u u))
+      { qnum = n; qden = (Z.to_pos d) }
+  in
+  reduced
+    (qplus (qmult u (inject_Z (dot (nth O t []) y)))
+      (if below
+       then if qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+                 Big_int_Z.unit_big_int } mu
+            then qopp (root_below q0)
+            else { qnum = Big_int_Z.zero_big_int; qden =
+                   Big_int_Z.unit_big_int }
+       else root_above q0))
+
+(** val largest_q : q list -> q **)
+
+let rec largest_q = function
+| [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+| q0 :: qs' ->
+  (match qs' with
+   | [] -> q0
+   | _ :: _ -> let m = largest_q qs' in if qle_bool q0 m then m else q0)
+
+(** val alpha :
+    form list list -> ray list -> bool -> row0 -> q -> form -> q **)
+
+let alpha strict0 rays0 slipping0 row1 size0 y =
+  let frictionless =
+    qeq_bool row1.box0.box_friction0.high { qnum = Big_int_Z.zero_big_int;
+      qden = Big_int_Z.unit_big_int }
+  in
+  let gens = if frictionless then [] else slips row1.geometry rays0 in
+  let moves =
+    (&&) (negb frictionless)
+      ((||) slipping0 (must_move strict0 row1.geometry gens rays0))
+  in
+  largest_q (map (corner_alpha row1 size0 y gens moves) (tips row1.geometry))
+
+(** val pull_tips0 : row0 -> form list **)
+
+let pull_tips0 row1 =
+  concat (map tips row1.pulls0)
+
+(** val term_of0 : Big_int_Z.big_int -> q -> bool -> row0 -> term **)
+
+let term_of0 m a mixed row1 =
+  let n = Z.mul (Z.mul m a.qnum) row1.pull_scale0.times in
+  let d = Z.mul a.qden row1.pull_scale0.over in
+  (match pull_tips0 row1 with
+   | [] ->
+     if (&&) mixed (Z.leb a.qnum Big_int_Z.zero_big_int)
+     then Nothing
+     else Bend ((Z.mul m row1.pull_scale0.times), d,
+            (map (map (Z.mul a.qnum)) []), mixed)
+   | v :: l ->
+     (match l with
+      | [] ->
+        let c = up n d in
+        if mixed
+        then if Z.leb c Big_int_Z.zero_big_int
+             then Nothing
+             else Bend (c, Big_int_Z.unit_big_int, (v :: []), true)
+        else Line (c, v)
+      | f :: l0 ->
+        if (&&) mixed (Z.leb a.qnum Big_int_Z.zero_big_int)
+        then Nothing
+        else Bend ((Z.mul m row1.pull_scale0.times), d,
+               (map (map (Z.mul a.qnum)) (v :: (f :: l0))), mixed)))
+
+(** val pressing :
+    form list list -> ray list -> Big_int_Z.big_int list -> q -> form -> row0
+    list -> Big_int_Z.big_int -> ((row0 * q) * bool) list **)
+
+let rec pressing strict0 rays0 slipping0 size0 y rows1 number =
+  match rows1 with
+  | [] -> []
+  | row1 :: rows' ->
+    let rest =
+      pressing strict0 rays0 slipping0 size0 y rows'
+        (Z.add number Big_int_Z.unit_big_int)
+    in
+    let vs = pull_tips0 row1 in
+    let it = fun mixed -> ((row1,
+      (alpha strict0 rays0 (existsb (Z.eqb number) slipping0) row1 size0 y)),
+      mixed)
+    in
+    if forallb (nowhere_negative rays0) vs
+    then (it false) :: rest
+    else if forallb (nowhere_positive rays0) vs
+         then rest
+         else (it true) :: rest
+
+(** val load_term0 : Big_int_Z.big_int -> q -> form -> load -> form **)
+
+let load_term0 m size0 y ld =
+  let t = Z.mul (Z.mul m size0.qnum) ld.load_scaling.times in
+  let d = Z.mul size0.qden ld.load_scaling.over in
+  Big_int_Z.zero_big_int :: (Big_int_Z.zero_big_int :: (Big_int_Z.zero_big_int :: (Big_int_Z.zero_big_int :: (Big_int_Z.zero_big_int :: (Big_int_Z.zero_big_int :: (
+  (up (Z.mul t (most_work y ld.lows_of_w ld.highs_of_w)) d) :: ((up
+                                                                  (Z.mul t
+                                                                    (dot
+                                                                    ld.form_of_u
+                                                                    y)) d) :: [])))))))
+
+(** val leaf_holds :
+    row0 list -> load -> Big_int_Z.big_int list -> form list list -> ray list
+    -> q list -> bool **)
+
+let leaf_holds rows1 ld slipping0 strict0 rays0 y =
+  let sc = scaling_of y in
+  let size0 = unit_of sc in
+  (match map (to_integer sc) y with
+   | [] -> false
+   | y1 :: l ->
+     (match l with
+      | [] -> false
+      | y2 :: l0 ->
+        (match l0 with
+         | [] -> false
+         | y3 :: l1 ->
+           (match l1 with
+            | [] -> false
+            | y4 :: l2 ->
+              (match l2 with
+               | [] -> false
+               | y5 :: l3 ->
+                 (match l3 with
+                  | [] -> false
+                  | y6 :: l4 ->
+                    (match l4 with
+                     | [] ->
+                       let y0 =
+                         y1 :: (y2 :: (y3 :: (y4 :: (y5 :: (y6 :: [])))))
+                       in
+                       let them =
+                         pressing strict0 rays0 slipping0 size0 y0 rows1
+                           Big_int_Z.zero_big_int
+                       in
+                       let m =
+                         fold_left (fun m it ->
+                           Z.lcm m
+                             (Z.mul (snd (fst it)).qden
+                               (fst (fst it)).pull_scale0.over)) them
+                           (Z.mul size0.qden ld.load_scaling.over)
+                       in
+                       (&&) (Z.ltb Big_int_Z.zero_big_int m)
+                         (let (linear, bends) =
+                            collect (fun it ->
+                              term_of0 m (snd (fst it)) (snd it)
+                                (fst (fst it))) them
+                              (load_term0 m size0 y0 ld) []
+                          in
+                          positive_at_home strict0 rays0 (fun x ->
+                            Z.opp
+                              (fold_left (fun s t -> Z.add s (value t x))
+                                bends (dot linear x))))
+                     | _ :: _ -> false)))))))
+
+type setting0 = { rows0 : row0 list; the_load0 : load;
+                  slipping : Big_int_Z.big_int list }
+
+(** val leaf_fails0 :
+    setting0 -> form list list -> ray list -> q list -> string option **)
+
+let leaf_fails0 s strict0 rays0 y =
+  if (||) (barred strict0 rays0)
+       (leaf_holds s.rows0 s.the_load0 s.slipping strict0 rays0 y)
+  then None
+  else Some "leaf-bound"
+
+(** val get0 : cbox0 -> parameter -> interval **)
+
+let get0 b = function
+| PX -> b.box_x0
+| PY -> b.box_y0
+| PZ -> b.box_z
+| PFriction -> b.box_friction0
+| PPreload -> b.box_preload0
+| _ -> b.box_stiffness0
+
+(** val set0 : cbox0 -> parameter -> interval -> cbox0 **)
+
+let set0 b name i =
+  let { box_x0 = x; box_y0 = y; box_z = z0; box_friction0 = f; box_preload0 =
+    p; box_stiffness0 = k; box_nx0 = nx; box_ny0 = ny; box_nz = nz } = b
+  in
+  (match name with
+   | PX ->
+     { box_x0 = i; box_y0 = y; box_z = z0; box_friction0 = f; box_preload0 =
+       p; box_stiffness0 = k; box_nx0 = nx; box_ny0 = ny; box_nz = nz }
+   | PY ->
+     { box_x0 = x; box_y0 = i; box_z = z0; box_friction0 = f; box_preload0 =
+       p; box_stiffness0 = k; box_nx0 = nx; box_ny0 = ny; box_nz = nz }
+   | PZ ->
+     { box_x0 = x; box_y0 = y; box_z = i; box_friction0 = f; box_preload0 =
+       p; box_stiffness0 = k; box_nx0 = nx; box_ny0 = ny; box_nz = nz }
+   | PFriction ->
+     { box_x0 = x; box_y0 = y; box_z = z0; box_friction0 = i; box_preload0 =
+       p; box_stiffness0 = k; box_nx0 = nx; box_ny0 = ny; box_nz = nz }
+   | PPreload ->
+     { box_x0 = x; box_y0 = y; box_z = z0; box_friction0 = f; box_preload0 =
+       i; box_stiffness0 = k; box_nx0 = nx; box_ny0 = ny; box_nz = nz }
+   | _ ->
+     { box_x0 = x; box_y0 = y; box_z = z0; box_friction0 = f; box_preload0 =
+       p; box_stiffness0 = i; box_nx0 = nx; box_ny0 = ny; box_nz = nz })
+
+(** val set_row0 : setting0 -> Big_int_Z.big_int -> cbox0 -> setting0 **)
+
+let set_row0 s index b =
+  { rows0 = (replace s.rows0 index (make_row0 b)); the_load0 = s.the_load0;
+    slipping = s.slipping }
+
+(** val set_load0 : setting0 -> interval list -> setting0 **)
+
+let set_load0 s w =
+  { rows0 = s.rows0; the_load0 = (make_load w s.the_load0.load_growth);
+    slipping = s.slipping }
+
+(** val halves0 :
+    setting0 -> parameter -> Big_int_Z.big_int -> q -> (setting0 * setting0,
+    string) sum **)
+
+let halves0 s name index c =
+  match name with
+  | PTurn -> Inr "part-contact"
+  | PWrench ->
+    (match numbered s.the_load0.load_box index with
+     | Some i ->
+       if is_inside i c
+       then Inl
+              ((set_load0 s
+                 (replace s.the_load0.load_box index (low_half i c))),
+              (set_load0 s
+                (replace s.the_load0.load_box index (high_half i c))))
+       else Inr "part-inside"
+     | None -> Inr "part-contact")
+  | _ ->
+    (match numbered s.rows0 index with
+     | Some row1 ->
+       let i = get0 row1.box0 name in
+       if is_inside i c
+       then Inl ((set_row0 s index (set0 row1.box0 name (low_half i c))),
+              (set_row0 s index (set0 row1.box0 name (high_half i c))))
+       else Inr "part-inside"
+     | None -> Inr "part-contact")
+
+(** val above0 : setting0 -> form -> setting0 branch **)
+
+let above0 s f =
+  { conditions = ((f, false) :: []); new_strict = (f :: []); new_moving = [];
+    branch_setting = s }
+
+(** val not_below0 : setting0 -> form -> setting0 branch **)
+
+let not_below0 s f =
+  { conditions = ((f, false) :: []); new_strict = []; new_moving = [];
+    branch_setting = s }
+
+(** val slip_forms : row0 -> form list **)
+
+let slip_forms row1 =
+  let t = first_tip row1.geometry in
+  (nth (S O) t []) :: ((nth (S (S O)) t []) :: ((nth (S (S (S O))) t []) :: []))
+
+(** val split0 : setting0 -> node -> (setting0 branch list, string) sum **)
+
+let split0 s = function
+| Slip i ->
+  (match numbered s.rows0 i with
+   | Some row1 ->
+     if row1.slip_certain
+     then let fs = slip_forms row1 in
+          Inl ({ conditions = (map (fun f -> (f, true)) fs); new_strict = [];
+          new_moving = []; branch_setting = s } :: ({ conditions = [];
+          new_strict = []; new_moving = (fs :: []); branch_setting =
+          { rows0 = s.rows0; the_load0 = s.the_load0; slipping =
+          (i :: s.slipping) } } :: []))
+     else Inr "node-certain"
+   | None -> Inr "node-contact")
+| Separation i ->
+  (match numbered s.rows0 i with
+   | Some row1 ->
+     (match row1.separates0 with
+      | Some f -> Inl ((not_below0 s f) :: ((above0 s (negative f)) :: []))
+      | None -> Inr "node-certain")
+   | None -> Inr "node-contact")
+| Plane a ->
+  let f = map (to_integer (scaling_of a)) a in
+  Inl ((not_below0 s f) :: ((above0 s (negative f)) :: []))
+| Cut (name, i, c) ->
+  (match halves0 s name i c with
+   | Inl p ->
+     let (l, h) = p in
+     Inl ({ conditions = []; new_strict = []; new_moving = [];
+     branch_setting = l } :: ({ conditions = []; new_strict = [];
+     new_moving = []; branch_setting = h } :: []))
+   | Inr rule -> Inr rule)
+| Leaf _ -> Inl []
+
+(** val separating0 : row0 list -> form list **)
+
+let separating0 rows1 =
+  flat_map (fun r -> match r.separates0 with
+                     | Some f -> f :: []
+                     | None -> []) rows1
+
+(** val root_branch0 : bool -> setting0 -> range -> setting0 branch **)
+
+let root_branch0 two_sided s g =
+  { conditions =
+    (map (fun f -> (f, false))
+      (app (range_conditions (S (S (S (S (S (S O)))))) g)
+        (if two_sided then separating0 s.rows0 else []))); new_strict =
+    (range_strict (S (S (S (S (S (S O)))))) g); new_moving = [];
+    branch_setting = s }
+
+(** val walk_ranges0 :
+    'a1 oracle -> Big_int_Z.big_int -> bool -> setting0 -> range list -> node
+    list -> (string * nat) option **)
+
+let walk_ranges0 advisor most_depth0 two_sided s ranges nodes =
+  walk advisor split0 leaf_fails0 most_depth0 nodes
+    (map (fun g ->
+      root advisor (S (S (S (S (S (S (S (S O))))))))
+        (root_branch0 two_sided s g)) ranges) O
+
+(** val exact_box0 : cbox0 -> bool **)
+
+let exact_box0 b =
+  (&&)
+    ((&&)
+      ((&&)
+        ((&&) ((&&) (certain b.box_x0) (certain b.box_y0)) (certain b.box_z))
+        (certain b.box_friction0)) (certain b.box_preload0))
+    (certain b.box_stiffness0)
+
+type state0 = { state_v0 : Big_int_Z.big_int; state_slip : form;
+                share : ((q * q) * q) }
+
+(** val no_share : (q * q) * q **)
+
+let no_share =
+  (({ qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int },
+    { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }),
+    { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })
+
+(** val exact_pull0 : row0 -> form **)
+
+let exact_pull0 r =
+  nth O (pull_tips0 r) []
+
+(** val exact_slip : row0 -> form -> form **)
+
+let exact_slip r x =
+  slip_at (first_tip r.geometry) x
+
+(** val share_fits : cbox0 -> ((q * q) * q) -> bool **)
+
+let share_fits b = function
+| (p, s3) ->
+  let (s1, s2) = p in
+  (&&)
+    (qeq_bool
+      (qplus (qplus (qmult s1 b.box_nx0) (qmult s2 b.box_ny0))
+        (qmult s3 b.box_nz)) { qnum = Big_int_Z.zero_big_int; qden =
+      Big_int_Z.unit_big_int })
+    (qle_bool (qplus (qplus (qmult s1 s1) (qmult s2 s2)) (qmult s3 s3))
+      (square b))
+
+(** val states0 :
+    row0 list -> form -> (Big_int_Z.big_int * q list) list ->
+    Big_int_Z.big_int -> state0 list option **)
+
+let rec states0 rows1 x shares0 number =
+  match rows1 with
+  | [] -> (match shares0 with
+           | [] -> Some []
+           | _ :: _ -> None)
+  | r :: rows' ->
+    let slip = exact_slip r x in
+    let with_share = fun s shares' ->
+      match states0 rows' x shares' (Z.add number Big_int_Z.unit_big_int) with
+      | Some rest ->
+        Some ({ state_v0 = (dot (exact_pull0 r) x); state_slip = slip;
+          share = s } :: rest)
+      | None -> None
+    in
+    (match shares0 with
+     | [] -> with_share no_share []
+     | p :: shares' ->
+       let (i, s) = p in
+       if Z.eqb i number
+       then (match s with
+             | [] -> None
+             | s1 :: l ->
+               (match l with
+                | [] -> None
+                | s2 :: l0 ->
+                  (match l0 with
+                   | [] -> None
+                   | s3 :: l1 ->
+                     (match l1 with
+                      | [] ->
+                        if (&&) (all_zero slip)
+                             (share_fits r.box0 ((s1, s2), s3))
+                        then with_share ((s1, s2), s3) shares'
+                        else None
+                      | _ :: _ -> None))))
+       else with_share no_share shares0)
+
+(** val sliding_share : cbox0 -> form -> ((q * q) * q) option **)
+
+let sliding_share b slip = match slip with
+| [] -> None
+| s1 :: l ->
+  (match l with
+   | [] -> None
+   | s2 :: l0 ->
+     (match l0 with
+      | [] -> None
+      | s3 :: l1 ->
+        (match l1 with
+         | [] ->
+           let ss = dot slip slip in
+           let root0 =
+             (root_between (Big_int_Z.mult_int_big_int 2
+               (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+               (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+               (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int))))))
+               (reduced (qdiv (square b) (inject_Z ss)))).low
+           in
+           let of_slip = fun s -> reduced (qmult (qopp root0) (inject_Z s)) in
+           let s = (((of_slip s1), (of_slip s2)), (of_slip s3)) in
+           if (&&)
+                ((&&)
+                  ((&&) (Z.ltb Big_int_Z.zero_big_int ss)
+                    (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+                      Big_int_Z.unit_big_int } root0))
+                  (qeq_bool (qmult (qmult root0 root0) (inject_Z ss))
+                    (square b))) (share_fits b s)
+           then Some s
+           else None
+         | _ :: _ -> None)))
+
+(** val with_roots : row0 list -> state0 list -> state0 list option **)
+
+let rec with_roots rows1 ss =
+  match rows1 with
+  | [] -> (match ss with
+           | [] -> Some []
+           | _ :: _ -> None)
+  | r :: rows' ->
+    (match ss with
+     | [] -> None
+     | s :: ss' ->
+       (match with_roots rows' ss' with
+        | Some rest ->
+          if all_zero s.state_slip
+          then Some (s :: rest)
+          else if (||) (Z.leb s.state_v0 Big_int_Z.zero_big_int)
+                    (qeq_bool r.box0.box_friction0.low { qnum =
+                      Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })
+               then Some ({ state_v0 = s.state_v0; state_slip = s.state_slip;
+                      share = no_share } :: rest)
+               else (match sliding_share r.box0 s.state_slip with
+                     | Some sh ->
+                       Some ({ state_v0 = s.state_v0; state_slip =
+                         s.state_slip; share = sh } :: rest)
+                     | None -> None)
+        | None -> None))
+
+(** val contact_wrench0 : row0 -> state0 -> q list **)
+
+let contact_wrench0 r s =
+  if Z.leb s.state_v0 Big_int_Z.zero_big_int
+  then []
+  else let b = r.box0 in
+       let a = { qnum = (Z.mul s.state_v0 r.pull_scale0.times); qden =
+         (Z.to_pos r.pull_scale0.over) }
+       in
+       let mu = b.box_friction0.low in
+       let (p, s3) = s.share in
+       let (s1, s2) = p in
+       map (fun c -> reduced (qmult a c))
+         (at_point0 b.box_x0.low b.box_y0.low b.box_z.low
+           (qplus b.box_nx0 (qmult mu s1)) (qplus b.box_ny0 (qmult mu s2))
+           (qplus b.box_nz (qmult mu s3)))
+
+(** val contact_wrenches0 : row0 list -> state0 list -> q list list **)
+
+let rec contact_wrenches0 rows1 ss =
+  match rows1 with
+  | [] -> []
+  | r :: rows' ->
+    (match ss with
+     | [] -> []
+     | s :: ss' -> (contact_wrench0 r s) :: (contact_wrenches0 rows' ss'))
+
+(** val shares_fit : row0 list -> state0 list -> bool **)
+
+let rec shares_fit rows1 ss =
+  match rows1 with
+  | [] -> true
+  | r :: rows' ->
+    (match ss with
+     | [] -> true
+     | s :: ss' -> (&&) (share_fits r.box0 s.share) (shares_fit rows' ss'))
+
+(** val witness_fails :
+    bool -> row0 list -> load -> witness -> string option **)
+
+let witness_fails two_sided rows1 ld w =
+  let x =
+    integer_point { multiple = (Some { qnum = Big_int_Z.zero_big_int; qden =
+      Big_int_Z.unit_big_int }); point_witness = w }
+  in
+  (match x with
+   | [] -> Some "witness-balance"
+   | _ :: l0 ->
+     (match l0 with
+      | [] -> Some "witness-balance"
+      | _ :: l1 ->
+        (match l1 with
+         | [] -> Some "witness-balance"
+         | _ :: l2 ->
+           (match l2 with
+            | [] -> Some "witness-balance"
+            | _ :: l3 ->
+              (match l3 with
+               | [] -> Some "witness-balance"
+               | _ :: l4 ->
+                 (match l4 with
+                  | [] -> Some "witness-balance"
+                  | _ :: l5 ->
+                    (match l5 with
+                     | [] -> Some "witness-balance"
+                     | h :: l6 ->
+                       (match l6 with
+                        | [] -> Some "witness-balance"
+                        | l :: l7 ->
+                          (match l7 with
+                           | [] ->
+                             (match states0 rows1 x w.shares
+                                      Big_int_Z.zero_big_int with
+                              | Some ss ->
+                                if (&&) two_sided
+                                     (negb
+                                       (forallb (fun s ->
+                                         Z.leb Big_int_Z.zero_big_int
+                                           s.state_v0) ss))
+                                then Some "witness-normal"
+                                else (match with_roots rows1 ss with
+                                      | Some ss0 ->
+                                        if (&&) (shares_fit rows1 ss0)
+                                             (adds_up_to_zero
+                                               ((load_at ld h l) :: (contact_wrenches0
+                                                                    rows1 ss0)))
+                                        then None
+                                        else Some "witness-balance"
+                                      | None -> Some "witness-root")
+                              | None -> Some "witness-share")
+                           | _ :: _ -> Some "witness-balance")))))))))
+
+(** val is_one_grasp : row0 list -> load -> bool **)
+
+let is_one_grasp rows1 ld =
+  (&&) (forallb (fun r -> exact_box0 r.box0) rows1)
+    (forallb certain ld.load_box)
+
+(** val enlarge_all : Big_int_Z.big_int -> contact list -> row list option **)
+
+let rec enlarge_all bits0 = function
+| [] -> Some []
+| q0 :: qs' ->
+  (match enlarge bits0 q0 with
+   | Some b ->
+     (match enlarge_all bits0 qs' with
+      | Some rows1 -> Some ((make_row b) :: rows1)
+      | None -> None)
+   | None -> None)
+
+(** val common_multiple : row list -> load -> Big_int_Z.big_int **)
+
+let common_multiple rows1 ld =
+  fold_left (fun m r -> Z.lcm m r.over_weight) rows1 ld.load_scaling.over
+
+(** val short_multiple :
+    row list -> Big_int_Z.big_int -> Big_int_Z.big_int **)
+
+let short_multiple rows1 multiple0 =
+  let most =
+    fold_left (fun b r -> Z.max b (Z.div r.over_weight r.weight)) rows1
+      Big_int_Z.unit_big_int
+  in
+  let short0 =
+    Z.shiftl Big_int_Z.unit_big_int
+      (Z.add (Z.log2 most)
+        ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+        (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+        (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+        (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)))))))
+  in
+  if Z.ltb short0 multiple0 then short0 else multiple0
+
+(** val most_depth : 'a1 list -> Big_int_Z.big_int **)
+
+let most_depth rows1 =
+  fold_left (fun n _ ->
+    Z.add n (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)) rows1
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    Big_int_Z.unit_big_int))))))))
+
+(** val setting_of : Big_int_Z.big_int -> question -> setting option **)
+
+let setting_of bits0 q0 =
+  match enlarge_all bits0 q0.contacts with
+  | Some rows1 ->
+    let ld = make_load q0.wrench q0.direction in
+    let m = common_multiple rows1 ld in
+    Some { rows = rows1; the_load = ld; short = (short_multiple rows1 m);
+    exact = m }
+  | None -> None
+
+(** val enlarge_all_in_space :
+    Big_int_Z.big_int -> contact list -> row0 list option **)
+
+let rec enlarge_all_in_space bits0 = function
+| [] -> Some []
+| q0 :: qs' ->
+  (match enlarge0 bits0 q0 with
+   | Some b ->
+     (match enlarge_all_in_space bits0 qs' with
+      | Some rows1 -> Some ((make_row0 b) :: rows1)
+      | None -> None)
+   | None -> None)
+
+(** val setting_in_space :
+    Big_int_Z.big_int -> question -> setting0 option **)
+
+let setting_in_space bits0 q0 =
+  match enlarge_all_in_space bits0 q0.contacts with
+  | Some rows1 ->
+    Some { rows0 = rows1; the_load0 = (make_load q0.wrench q0.direction);
+      slipping = [] }
+  | None -> None
+
+(** val is_one_grasp0 : setting -> bool **)
+
+let is_one_grasp0 s =
+  (&&) (exact_rows s.rows) (forallb certain s.the_load.load_box)
+
+(** val refute :
+    'a1 oracle -> question -> setting -> range list -> node list ->
+    (string * nat) option **)
+
+let refute advisor q0 s ranges nodes =
+  walk_ranges advisor (most_depth s.rows) q0.bilateral s ranges nodes
+
+(** val at_zero : range **)
+
+let at_zero =
+  { range_low = { qnum = Big_int_Z.zero_big_int; qden =
+    Big_int_Z.unit_big_int }; range_high = (Some { qnum =
+    Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }); open_low =
+    false; open_high = false }
+
+(** val check_in_plane : 'a1 oracle -> question -> certificate -> answer **)
+
+let check_in_plane advisor q0 c =
+  match setting_of c.bits q0 with
+  | Some s ->
+    (match c.body with
+     | StableByWitness w ->
+       if q0.is_margin
+       then NotProvedHere "a proof of something else than was asked"
+       else if is_one_grasp0 s
+            then (match check_at q0.bilateral s.rows s.the_load { multiple =
+                          (Some { qnum = Big_int_Z.zero_big_int; qden =
+                          Big_int_Z.unit_big_int }); point_witness = w } with
+                  | Inl _ -> Stable
+                  | Inr rule -> Rejected (rule, Nowhere))
+            else Rejected ("witness-box", Nowhere)
+     | StableByParts _ ->
+       if q0.is_margin
+       then NotProvedHere "a proof of something else than was asked"
+       else NotProvedHere "a proof by degree"
+     | UnstableByTree nodes ->
+       if q0.is_margin
+       then NotProvedHere "a proof of something else than was asked"
+       else (match refute advisor q0 s (at_zero :: []) nodes with
+             | Some p ->
+               let (rule, number) = p in Rejected (rule, (AtNode number))
+             | None -> Unstable)
+     | MarginBy (resisted, segments, nodes) ->
+       if q0.is_margin
+       then if is_one_grasp0 s
+            then (match order_fails (Some { qnum = Big_int_Z.zero_big_int;
+                          qden = Big_int_Z.unit_big_int }) true resisted O with
+                  | Some number ->
+                    Rejected ("resisted-order", (AtInterval number))
+                  | None ->
+                    (match segments_fail q0.bilateral s.rows s.the_load
+                             segments resisted None None O with
+                     | Some p ->
+                       let (rule, found_at) = p in Rejected (rule, found_at)
+                     | None ->
+                       (match refute advisor q0 s (gaps resisted) nodes with
+                        | Some p ->
+                          let (rule, number) = p in
+                          Rejected (rule, (AtNode number))
+                        | None -> Margin resisted)))
+            else NotProvedHere "a margin of a box"
+       else NotProvedHere "a proof of something else than was asked"
+     | MarginInSpace _ ->
+       NotProvedHere "a proof of something else than was asked")
+  | None -> NotProvedHere "numbers of the question"
+
+(** val check_in_space : 'a1 oracle -> question -> certificate -> answer **)
+
+let check_in_space advisor q0 c =
+  match c.body with
+  | StableByWitness w ->
+    if q0.is_margin
+    then NotProvedHere "a proof of something else than was asked"
+    else (match setting_in_space c.bits q0 with
+          | Some s ->
+            if is_one_grasp s.rows0 s.the_load0
+            then (match witness_fails q0.bilateral s.rows0 s.the_load0 w with
+                  | Some rule -> Rejected (rule, Nowhere)
+                  | None -> Stable)
+            else Rejected ("witness-box", Nowhere)
+          | None -> NotProvedHere "numbers of the question")
+  | StableByParts _ ->
+    if q0.is_margin
+    then NotProvedHere "a proof of something else than was asked"
+    else NotProvedHere "a proof by degree"
+  | UnstableByTree nodes ->
+    if q0.is_margin
+    then NotProvedHere "a proof of something else than was asked"
+    else (match setting_in_space c.bits q0 with
+          | Some s ->
+            (match walk_ranges0 advisor (most_depth s.rows0) q0.bilateral s
+                     (at_zero :: []) nodes with
+             | Some p ->
+               let (rule, number) = p in Rejected (rule, (AtNode number))
+             | None -> Unstable)
+          | None -> NotProvedHere "numbers of the question")
+  | MarginBy (_, _, _) ->
+    NotProvedHere "a proof of something else than was asked"
+  | MarginInSpace _ ->
+    if q0.is_margin
+    then NotProvedHere "a margin in space"
+    else NotProvedHere "a proof of something else than was asked"
+
+(** val check : 'a1 oracle -> question -> certificate -> answer **)
+
+let check advisor q0 c =
+  if Nat.eqb q0.dimension (S (S (S O)))
+  then check_in_plane advisor q0 c
+  else if Nat.eqb q0.dimension (S (S (S (S (S (S O))))))
+       then check_in_space advisor q0 c
+       else NotProvedHere "a question of no dimension"
+
+(** val digit : char -> Big_int_Z.big_int option **)
+
+let digit c =
+  if (=) c '0'
+  then Some Big_int_Z.zero_big_int
+  else if (=) c '1'
+       then Some Big_int_Z.unit_big_int
+       else if (=) c '2'
+            then Some (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)
+            else if (=) c '3'
+                 then Some
+                        ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                        Big_int_Z.unit_big_int)
+                 else if (=) c '4'
+                      then Some (Big_int_Z.mult_int_big_int 2
+                             (Big_int_Z.mult_int_big_int 2
+                             Big_int_Z.unit_big_int))
+                      else if (=) c '5'
+                           then Some
+                                  ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                                  (Big_int_Z.mult_int_big_int 2
+                                  Big_int_Z.unit_big_int))
+                           else if (=) c '6'
+                                then Some (Big_int_Z.mult_int_big_int 2
+                                       ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                                       Big_int_Z.unit_big_int))
+                                else if (=) c '7'
+                                     then Some
+                                            ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                                            ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                                            Big_int_Z.unit_big_int))
+                                     else if (=) c '8'
+                                          then Some
+                                                 (Big_int_Z.mult_int_big_int 2
+                                                 (Big_int_Z.mult_int_big_int 2
+                                                 (Big_int_Z.mult_int_big_int 2
+                                                 Big_int_Z.unit_big_int)))
+                                          else if (=) c '9'
+                                               then Some
+                                                      ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                                                      (Big_int_Z.mult_int_big_int 2
+                                                      (Big_int_Z.mult_int_big_int 2
+                                                      Big_int_Z.unit_big_int)))
+                                               else None
+
+(** val digits_after :
+    Big_int_Z.big_int -> Big_int_Z.big_int -> char list ->
+    (Big_int_Z.big_int * Big_int_Z.big_int) * char list **)
+
+let rec digits_after value0 count0 text = match text with
+| [] -> ((value0, count0), text)
+| c :: rest ->
+  (match digit c with
+   | Some d ->
+     digits_after
+       (Z.add
+         (Z.mul (Big_int_Z.mult_int_big_int 2
+           ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+           (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int))) value0) d)
+       (Z.add count0 Big_int_Z.unit_big_int) rest
+   | None -> ((value0, count0), text))
+
+(** val digits :
+    char list -> (Big_int_Z.big_int * Big_int_Z.big_int) * char list **)
+
+let digits =
+  digits_after Big_int_Z.zero_big_int Big_int_Z.zero_big_int
+
+(** val take : char -> char list -> bool * char list **)
+
+let take c text = match text with
+| [] -> (false, text)
+| first :: rest -> if (=) first c then (true, rest) else (false, text)
+
+(** val is_longer_than : Big_int_Z.big_int -> 'a1 list -> bool **)
+
+let rec is_longer_than limit = function
+| [] -> false
+| _ :: rest ->
+  (||) (Z.leb limit Big_int_Z.zero_big_int)
+    (is_longer_than (Z.sub limit Big_int_Z.unit_big_int) rest)
+
+(** val fraction :
+    bool -> Big_int_Z.big_int -> Big_int_Z.big_int -> q option **)
+
+let fraction negative0 num den =
+  (fun fO fp fn z -> let s = Big_int_Z.sign_big_int z in
+  if s = 0 then fO () else if s > 0 then fp z
+  else fn (Big_int_Z.minus_big_int z))
+    (fun _ -> None)
+    (fun p -> Some { qnum = (if negative0 then Z.opp num else num); qden =
+    p })
+    (fun _ -> None)
+    den
+
+(** val fraction_of_digits : bool -> char list -> q option **)
+
+let fraction_of_digits negative0 text =
+  let (p, rest) = digits text in
+  let (num, count0) = p in
+  let (slash, rest0) = take '/' rest in
+  let (p0, rest1) =
+    if slash
+    then digits rest0
+    else ((Big_int_Z.unit_big_int, Big_int_Z.unit_big_int), rest0)
+  in
+  let (den, den_count) = p0 in
+  (match rest1 with
+   | [] ->
+     if (||) (Z.eqb count0 Big_int_Z.zero_big_int)
+          (Z.eqb den_count Big_int_Z.zero_big_int)
+     then None
+     else fraction negative0 num den
+   | _ :: _ -> None)
+
+(** val parse_fraction : Big_int_Z.big_int -> string -> q option **)
+
+let parse_fraction limit spelled =
+  let text =
+    (fun s ->
+      Array.to_list (Array.init (String.length s) (fun i -> s.[i])))
+      spelled
+  in
+  if is_longer_than limit text
+  then None
+  else let (negative0, text0) = take '-' text in
+       fraction_of_digits negative0 text0
+
+(** val longest_decimal : Big_int_Z.big_int **)
+
+let longest_decimal =
+  (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    Big_int_Z.unit_big_int))))))))))))))
+
+(** val largest_exponent : Big_int_Z.big_int **)
+
+let largest_exponent =
+  (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    Big_int_Z.unit_big_int))))))))))))
+
+(** val exponent : char list -> (Big_int_Z.big_int * char list) option **)
+
+let exponent text =
+  let (small, text0) = take 'e' text in
+  let (large, text1) = if small then (true, text0) else take 'E' text0 in
+  if negb large
+  then Some (Big_int_Z.zero_big_int, text1)
+  else let (down, text2) = take '-' text1 in
+       let (_, text3) = if down then (true, text2) else take '+' text2 in
+       let (p, text4) = digits text3 in
+       let (size0, count0) = p in
+       if (||) (Z.eqb count0 Big_int_Z.zero_big_int)
+            (Z.ltb largest_exponent size0)
+       then None
+       else Some ((if down then Z.opp size0 else size0), text4)
+
+(** val parse_decimal : string -> q option **)
+
+let parse_decimal spelled =
+  let text =
+    (fun s ->
+      Array.to_list (Array.init (String.length s) (fun i -> s.[i])))
+      spelled
+  in
+  if is_longer_than longest_decimal text
+  then None
+  else let (negative0, text0) = take '-' text in
+       let (_, text1) = if negative0 then (true, text0) else take '+' text0 in
+       let (p, rest) = digits text1 in
+       let (value0, count0) = p in
+       if Z.eqb count0 Big_int_Z.zero_big_int
+       then None
+       else if fst (take '/' rest)
+            then fraction_of_digits negative0 text1
+            else let (point0, rest0) = take '.' rest in
+                 let (p0, rest1) =
+                   if point0
+                   then digits_after value0 Big_int_Z.zero_big_int rest0
+                   else ((value0, Big_int_Z.zero_big_int), rest0)
+                 in
+                 let (value1, decimals) = p0 in
+                 if (&&) point0 (Z.eqb decimals Big_int_Z.zero_big_int)
+                 then None
+                 else (match exponent rest1 with
+                       | Some p1 ->
+                         let (power0, l) = p1 in
+                         (match l with
+                          | [] ->
+                            let shift = Z.sub power0 decimals in
+                            if Z.leb Big_int_Z.zero_big_int shift
+                            then fraction negative0
+                                   (Z.mul value1
+                                     (Z.pow (Big_int_Z.mult_int_big_int 2
+                                       ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                                       (Big_int_Z.mult_int_big_int 2
+                                       Big_int_Z.unit_big_int))) shift))
+                                   Big_int_Z.unit_big_int
+                            else fraction negative0 value1
+                                   (Z.pow (Big_int_Z.mult_int_big_int 2
+                                     ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                                     (Big_int_Z.mult_int_big_int 2
+                                     Big_int_Z.unit_big_int))) (Z.opp shift))
+                          | _ :: _ -> None)
+                       | None -> None)
+
+(** val too_large : Big_int_Z.big_int **)
+
+let too_large =
+  let square0 = fun x -> Z.mul x x in
+  let power0 =
+    Nat.iter (S (S (S (S (S (S (S (S (S (S (S (S (S (S O))))))))))))))
+      square0 (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)
+  in
+  Z.sub power0
+    (Z.div power0
+      (Z.pow (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)
+        ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+        (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+        (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+        (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int))))))))
+
+(** val is_not_too_large : q -> bool **)
+
+let is_not_too_large x =
+  Z.ltb (Z.abs x.qnum) (Z.mul too_large x.qden)
+
+(** val read_decimal : path -> json -> q result **)
+
+let read_decimal at_path value0 =
+  let what = "a number such as 0.25 or 1e-3, or a string as \"3/5\"" in
+  let checked = fun spelled good ->
+    match parse_decimal spelled with
+    | Some x ->
+      if good x
+      then Fine x
+      else refuse at_path
+             "a number below 2^16384 is expected; a string spells larger ones"
+    | None -> expected what at_path value0
+  in
+  (match value0 with
+   | Number characters -> checked characters is_not_too_large
+   | Text content0 -> checked content0 (fun _ -> true)
+   | _ -> expected what at_path value0)
+
+(** val longest_fraction : Big_int_Z.big_int **)
+
+let longest_fraction =
+  (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    Big_int_Z.unit_big_int))))))))))))))))
+
+(** val longest_json_integer : Big_int_Z.big_int **)
+
+let longest_json_integer =
+  (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2
+    ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+    (Big_int_Z.mult_int_big_int 2
+    ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+    ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+    ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+    ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+    Big_int_Z.unit_big_int)))))))))))
+
+(** val read_fraction : path -> json -> q result **)
+
+let read_fraction at_path value0 =
+  let read =
+    match value0 with
+    | Null -> None
+    | Boolean _ -> None
+    | Number characters -> parse_fraction longest_json_integer characters
+    | Text content0 -> parse_fraction longest_fraction content0
+    | _ -> None
+  in
+  (match read with
+   | Some x -> Fine x
+   | None ->
+     expected "an integer, or a string such as \"-3/5\"" at_path value0)
+
+(** val read_index : path -> json -> Big_int_Z.big_int result **)
+
+let read_index at_path value0 =
+  let what = "an integer of 0 or more" in
+  (match value0 with
+   | Number characters ->
+     (match parse_fraction longest_json_integer characters with
+      | Some x ->
+        if Z.leb Big_int_Z.zero_big_int x.qnum
+        then Fine x.qnum
+        else expected what at_path value0
+      | None -> expected what at_path value0)
+   | _ -> expected what at_path value0)
+
+(** val exact_root : q -> q option **)
+
+let exact_root x =
+  let square0 = Z.mul x.qnum x.qden in
+  let root0 = Z.sqrt square0 in
+  if Z.eqb (Z.mul root0 root0) square0
+  then Some { qnum = root0; qden = x.qden }
+  else None
+
+(** val add_intervals : interval -> interval -> interval **)
+
+let add_intervals a b =
+  { low = (qplus a.low b.low); high = (qplus a.high b.high) }
+
+type grasp = { in_space : bool; all_contacts : contact list;
+               common_wrench : interval list;
+               cases : (string * interval list) list }
+
+(** val most_contacts : Big_int_Z.big_int **)
+
+let most_contacts =
+  (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+    (Big_int_Z.mult_int_big_int 2
+    ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+    ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+    ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+    Big_int_Z.unit_big_int)))))))))))))))))))
+
+type version = { is_second : bool; is_in_space : bool }
+
+(** val coordinates0 : version -> Big_int_Z.big_int **)
+
+let coordinates0 v =
+  if v.is_in_space
+  then ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+         Big_int_Z.unit_big_int)
+  else (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)
+
+(** val components : version -> Big_int_Z.big_int **)
+
+let components v =
+  if v.is_in_space
+  then (Big_int_Z.mult_int_big_int 2
+         ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+         Big_int_Z.unit_big_int))
+  else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+         Big_int_Z.unit_big_int)
+
+(** val needs_second : string **)
+
+let needs_second =
+  "it needs \"format\": \"stickslip-grasp/2\""
+
+(** val has_length : Big_int_Z.big_int -> 'a1 list -> bool **)
+
+let rec has_length size0 = function
+| [] -> Z.eqb size0 Big_int_Z.zero_big_int
+| _ :: rest ->
+  (&&) (Z.ltb Big_int_Z.zero_big_int size0)
+    (has_length (Z.sub size0 Big_int_Z.unit_big_int) rest)
+
+(** val read_sized :
+    Big_int_Z.big_int -> string -> (path -> json -> 'a1 result) -> path ->
+    json -> 'a1 list result **)
+
+let read_sized size0 what read at_path value0 = match value0 with
+| Array items ->
+  if has_length size0 items
+  then each read at_path items
+  else expected what at_path value0
+| _ -> expected what at_path value0
+
+(** val read_point : version -> path -> json -> q list result **)
+
+let read_point v =
+  read_sized (coordinates0 v)
+    (if v.is_in_space
+     then "3 coordinates [x, y, z]"
+     else "2 coordinates [x, y]") read_decimal
+
+(** val is_0 : q -> bool **)
+
+let is_0 x =
+  Z.eqb x.qnum Big_int_Z.zero_big_int
+
+(** val is_below : q -> q -> bool **)
+
+let is_below x y =
+  negb (qle_bool y x)
+
+(** val sum_of_squares : q list -> q **)
+
+let sum_of_squares v =
+  fold_right (fun x sum0 -> qplus (qmult x x) sum0) { qnum =
+    Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int } v
+
+(** val read_interval : version -> path -> json -> interval result **)
+
+let read_interval v at_path value0 = match value0 with
+| Object _ ->
+  bind (check_that v.is_second at_path needs_second) (fun _ ->
+    bind (members_of ("min" :: ("max" :: [])) at_path value0) (fun members ->
+      bind (member "min" read_decimal at_path members) (fun least ->
+        bind (member "max" read_decimal at_path members) (fun most ->
+          bind
+            (check_that (qle_bool least most) at_path "expected min <= max")
+            (fun _ -> Fine { low = least; high = most })))))
+| _ -> bind (read_decimal at_path value0) (fun x -> Fine (exactly x))
+
+(** val read_wrench : version -> path -> json -> interval list result **)
+
+let read_wrench v =
+  read_sized (components v)
+    (if v.is_in_space
+     then "an array [force x, force y, force z, torque x, torque y, torque z]"
+     else "an array [force x, force y, torque]") (read_interval v)
+
+type properties = { own_friction : interval option;
+                    own_stiffness : interval option;
+                    own_preload : interval option }
+
+(** val read_property : version -> bool -> path -> json -> interval result **)
+
+let read_property v positive0 at_path value0 =
+  bind (read_interval v at_path value0) (fun it ->
+    if if positive0
+       then is_below { qnum = Big_int_Z.zero_big_int; qden =
+              Big_int_Z.unit_big_int } it.low
+       else qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+              Big_int_Z.unit_big_int } it.low
+    then Fine it
+    else expected
+           (if positive0 then "a number above 0" else "a number of 0 or more")
+           at_path value0)
+
+(** val read_properties :
+    version -> path -> (string * json) list -> properties result **)
+
+let read_properties v at_path members =
+  bind (optional_member "friction" (read_property v false) at_path members)
+    (fun mu ->
+    bind (optional_member "stiffness" (read_property v true) at_path members)
+      (fun k ->
+      bind
+        (optional_member "preload" (read_property v false) at_path members)
+        (fun p -> Fine { own_friction = mu; own_stiffness = k; own_preload =
+        p })))
+
+(** val read_defaults : version -> path -> json -> properties result **)
+
+let read_defaults v at_path value0 =
+  bind
+    (members_of ("friction" :: ("stiffness" :: ("preload" :: []))) at_path
+      value0) (fun members -> read_properties v at_path members)
+
+type edge = { from : q list; to0 : q list; inwards : q list }
+
+(** val depth_of : json -> Big_int_Z.big_int **)
+
+let rec depth_of = function
+| Array items ->
+  (match items with
+   | [] -> Big_int_Z.unit_big_int
+   | first :: _ -> Z.add Big_int_Z.unit_big_int (depth_of first))
+| _ -> Big_int_Z.zero_big_int
+
+(** val same : q list -> q list -> bool **)
+
+let same a b =
+  forallb (fun pat -> let (x, y) = pat in qeq_bool x y) (combine a b)
+
+(** val pairs_to : 'a1 -> 'a1 list -> ('a1 * 'a1) list -> ('a1 * 'a1) list **)
+
+let rec pairs_to last items done0 =
+  match items with
+  | [] -> rev_append done0 []
+  | item :: rest ->
+    (match rest with
+     | [] -> rev_append ((item, last) :: done0) []
+     | next0 :: _ -> pairs_to last rest ((item, next0) :: done0))
+
+(** val pairs : 'a1 list -> ('a1 * 'a1) list **)
+
+let pairs items = match items with
+| [] -> []
+| first :: _ -> pairs_to first items []
+
+(** val cross : q list -> q list -> q **)
+
+let cross a b =
+  match a with
+  | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+  | ax :: l ->
+    (match l with
+     | [] -> { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+     | ay :: l0 ->
+       (match l0 with
+        | [] ->
+          (match b with
+           | [] ->
+             { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+           | bx :: l1 ->
+             (match l1 with
+              | [] ->
+                { qnum = Big_int_Z.zero_big_int; qden =
+                  Big_int_Z.unit_big_int }
+              | by_ :: l2 ->
+                (match l2 with
+                 | [] -> qminus (qmult ax by_) (qmult ay bx)
+                 | _ :: _ ->
+                   { qnum = Big_int_Z.zero_big_int; qden =
+                     Big_int_Z.unit_big_int })))
+        | _ :: _ ->
+          { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }))
+
+(** val with_length_1 : q list -> q list **)
+
+let with_length_1 n =
+  match exact_root (sum_of_squares n) with
+  | Some length -> map (fun x -> qdiv x length) n
+  | None -> n
+
+(** val make_edge : q -> (q list * q list) -> edge **)
+
+let make_edge side ends0 =
+  let n =
+    let (l, l0) = ends0 in
+    (match l with
+     | [] -> []
+     | ax :: l1 ->
+       (match l1 with
+        | [] -> []
+        | ay :: l2 ->
+          (match l2 with
+           | [] ->
+             (match l0 with
+              | [] -> []
+              | bx :: l3 ->
+                (match l3 with
+                 | [] -> []
+                 | by_ :: l4 ->
+                   (match l4 with
+                    | [] ->
+                      (qmult side (qminus ay by_)) :: ((qmult side
+                                                         (qminus bx ax)) :: [])
+                    | _ :: _ -> [])))
+           | _ :: _ -> [])))
+  in
+  { from = (fst ends0); to0 = (snd ends0); inwards = (with_length_1 n) }
+
+(** val read_ring : version -> bool -> path -> json -> edge list result **)
+
+let read_ring v hole at_path value0 =
+  let what = "a ring of three vertices [x, y] or more" in
+  bind (read_array what (read_point v) at_path value0) (fun ring ->
+    bind
+      (match ring with
+       | [] -> expected what at_path value0
+       | _ :: l0 ->
+         (match l0 with
+          | [] -> expected what at_path value0
+          | _ :: l2 ->
+            (match l2 with
+             | [] -> expected what at_path value0
+             | _ :: _ -> Fine ()))) (fun _ ->
+      let sides = pairs ring in
+      bind
+        (check_that
+          (negb (existsb (fun pat -> let (a, b) = pat in same a b) sides))
+          at_path "a vertex is the same as the next") (fun _ ->
+        let area =
+          fold_left (fun sum0 pat ->
+            let (a, b) = pat in qplus sum0 (cross a b)) sides { qnum =
+            Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }
+        in
+        bind (check_that (negb (is_0 area)) at_path "the ring has no area")
+          (fun _ ->
+          let side =
+            inject_Z
+              (if hole then Z.opp (Z.sgn area.qnum) else Z.sgn area.qnum)
+          in
+          Fine (map (make_edge side) sides)))))
+
+(** val read_polygon : version -> path -> json -> edge list result **)
+
+let read_polygon v at_path value0 =
+  let what = "a list of rings, of one or more" in
+  (match value0 with
+   | Array items ->
+     (match items with
+      | [] -> expected what at_path value0
+      | outer :: holes ->
+        bind
+          (read_ring v false ((Element Big_int_Z.zero_big_int) :: at_path)
+            outer) (fun first ->
+          bind
+            (each_from (read_ring v true) Big_int_Z.unit_big_int at_path
+              holes []) (fun others -> Fine (app first (concat others)))))
+   | _ -> expected what at_path value0)
+
+(** val read_outline : version -> path -> json -> edge list list result **)
+
+let read_outline v at_path value0 =
+  bind
+    (check_that (negb v.is_in_space) at_path
+      "expected none, as the grasp is in space") (fun _ ->
+    let what = "a list of polygons [[[[x, y], ...]]]" in
+    let depth0 = depth_of value0 in
+    if Z.leb depth0 Big_int_Z.unit_big_int
+    then expected what at_path value0
+    else read_array what (read_polygon v) at_path
+           (if Z.eqb depth0 (Big_int_Z.mult_int_big_int 2
+                 Big_int_Z.unit_big_int)
+            then Array ((Array (value0 :: [])) :: [])
+            else if Z.eqb depth0
+                      ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                      Big_int_Z.unit_big_int)
+                 then Array (value0 :: [])
+                 else value0))
+
+(** val at_point1 : q list -> q list -> q list **)
+
+let at_point1 p f =
+  match p with
+  | [] -> []
+  | x :: l ->
+    (match l with
+     | [] -> []
+     | y :: l0 ->
+       (match l0 with
+        | [] ->
+          (match f with
+           | [] -> []
+           | fx :: l1 ->
+             (match l1 with
+              | [] -> []
+              | fy :: l2 ->
+                (match l2 with
+                 | [] ->
+                   fx :: (fy :: ((qminus (qmult x fy) (qmult y fx)) :: []))
+                 | _ :: _ -> [])))
+        | z0 :: l1 ->
+          (match l1 with
+           | [] ->
+             (match f with
+              | [] -> []
+              | fx :: l2 ->
+                (match l2 with
+                 | [] -> []
+                 | fy :: l3 ->
+                   (match l3 with
+                    | [] -> []
+                    | fz :: l4 ->
+                      (match l4 with
+                       | [] ->
+                         fx :: (fy :: (fz :: ((qminus (qmult y fz)
+                                                (qmult z0 fy)) :: ((qminus
+                                                                    (qmult z0
+                                                                    fx)
+                                                                    (qmult x
+                                                                    fz)) :: (
+                           (qminus (qmult x fy) (qmult y fx)) :: [])))))
+                       | _ :: _ -> []))))
+           | _ :: _ -> [])))
+
+(** val read_pull :
+    version -> path -> (string * json) list -> q list result **)
+
+let read_pull v at_path members =
+  bind (member "weight" read_decimal at_path members) (fun size0 ->
+    bind
+      (check_that
+        (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int } size0) ((Member "weight") :: at_path)
+        "expected a number of 0 or more") (fun _ ->
+      bind (optional_member "direction" (read_point v) at_path members)
+        (fun direction0 ->
+        match direction0 with
+        | Some d ->
+          (match exact_root (sum_of_squares d) with
+           | Some length ->
+             bind
+               (check_that (negb (is_0 length)) ((Member
+                 "direction") :: at_path) "expected a vector other than 0")
+               (fun _ -> Fine (map (fun x -> qdiv (qmult size0 x) length) d))
+           | None ->
+             refuse ((Member "direction") :: at_path)
+               "expected a vector of rational length, such as [3, -4]")
+        | None ->
+          Fine
+            (if v.is_in_space
+             then { qnum = Big_int_Z.zero_big_int; qden =
+                    Big_int_Z.unit_big_int } :: ({ qnum =
+                    Big_int_Z.zero_big_int; qden =
+                    Big_int_Z.unit_big_int } :: ((qopp size0) :: []))
+             else { qnum = Big_int_Z.zero_big_int; qden =
+                    Big_int_Z.unit_big_int } :: ((qopp size0) :: [])))))
+
+(** val read_torque : version -> path -> json -> q list result **)
+
+let read_torque v at_path value0 =
+  if v.is_in_space
+  then bind (read_point v at_path value0) (fun t -> Fine
+         (app ({ qnum = Big_int_Z.zero_big_int; qden =
+           Big_int_Z.unit_big_int } :: ({ qnum = Big_int_Z.zero_big_int;
+           qden = Big_int_Z.unit_big_int } :: ({ qnum =
+           Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int } :: []))) t))
+  else bind (read_decimal at_path value0) (fun t -> Fine ({ qnum =
+         Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int } :: ({ qnum =
+         Big_int_Z.zero_big_int; qden =
+         Big_int_Z.unit_big_int } :: (t :: []))))
+
+(** val read_load : version -> path -> json -> q list result **)
+
+let read_load v at_path value0 =
+  let has = fun name ->
+    match value0 with
+    | Object members -> has_member name members
+    | _ -> false
+  in
+  if has "torque"
+  then bind (members_of ("torque" :: []) at_path value0) (fun members ->
+         member "torque" (read_torque v) at_path members)
+  else bind
+         (members_of
+           (if has "weight"
+            then "weight" :: ("at" :: ("direction" :: []))
+            else "force" :: ("at" :: [])) at_path value0) (fun members ->
+         bind
+           (if has "weight"
+            then read_pull v at_path members
+            else member "force" (read_point v) at_path members) (fun force ->
+           bind (member "at" (read_point v) at_path members) (fun p -> Fine
+             (at_point1 p force))))
+
+(** val no_wrench : version -> interval list **)
+
+let no_wrench v =
+  repeat
+    (exactly { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })
+    (if v.is_in_space then S (S (S (S (S (S O))))) else S (S (S O)))
+
+(** val add_wrench : interval list -> interval list -> interval list **)
+
+let add_wrench a b =
+  map (fun pat -> let (x, y) = pat in add_intervals x y) (combine a b)
+
+(** val read_loads : version -> path -> json -> interval list result **)
+
+let read_loads v at_path value0 =
+  bind (read_array "an array of loads" (read_load v) at_path value0)
+    (fun loads -> Fine
+    (fold_left (fun sum0 load0 -> add_wrench sum0 (map exactly load0)) loads
+      (no_wrench v)))
+
+(** val read_name : path -> json -> string result **)
+
+let read_name at_path value0 = match value0 with
+| Text name ->
+  ((* If this appears, you're using String internals. Please don't *)
+ (fun f0 f1 s ->
+    let l = String.length s in
+    if l = 0 then f0 () else f1 (String.get s 0) (String.sub s 1 (l-1)))
+
+     (fun _ ->
+     expected "a string that is not empty" at_path value0)
+     (fun _ _ -> Fine name)
+     name)
+| _ -> expected "a string that is not empty" at_path value0
+
+(** val read_case :
+    version -> path -> json -> (string * interval list) result **)
+
+let read_case v at_path value0 =
+  bind (members_of ("name" :: ("wrench" :: ("loads" :: []))) at_path value0)
+    (fun members ->
+    bind (member "name" read_name at_path members) (fun name ->
+      bind (optional_member "wrench" (read_wrench v) at_path members)
+        (fun own ->
+        bind (optional_member "loads" (read_loads v) at_path members)
+          (fun loads ->
+          match own with
+          | Some w ->
+            (match loads with
+             | Some _ ->
+               refuse at_path
+                 "expected one of the members \"wrench\" and \"loads\""
+             | None -> Fine (name, w))
+          | None ->
+            (match loads with
+             | Some w -> Fine (name, w)
+             | None ->
+               refuse at_path
+                 "expected one of the members \"wrench\" and \"loads\"")))))
+
+(** val check_names : path -> string list -> unit result **)
+
+let rec check_names at_path = function
+| [] -> Fine ()
+| name :: rest ->
+  bind
+    (check_that (negb (is_among name rest)) at_path
+      ((^) "the name \"" ((^) name "\" appears twice"))) (fun _ ->
+    check_names at_path rest)
+
+(** val read_cases :
+    version -> path -> json -> (string * interval list) list result **)
+
+let read_cases v at_path value0 =
+  let what = "an array of one case or more" in
+  bind (read_array what (read_case v) at_path value0) (fun them ->
+    bind
+      (match them with
+       | [] -> expected what at_path value0
+       | _ :: _ -> Fine ()) (fun _ ->
+      bind (check_names at_path (map fst them)) (fun _ -> Fine them)))
+
+(** val nth_from : Big_int_Z.big_int -> 'a1 list -> 'a1 option **)
+
+let rec nth_from index = function
+| [] -> None
+| item :: rest ->
+  if Z.eqb index Big_int_Z.zero_big_int
+  then Some item
+  else nth_from (Z.sub index Big_int_Z.unit_big_int) rest
+
+(** val choose : q -> 'a1 list -> 'a1 option **)
+
+let choose index items =
+  let whole = Z.div index.qnum index.qden in
+  if (&&)
+       (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+         Big_int_Z.unit_big_int } index) (qeq_bool index (inject_Z whole))
+  then nth_from whole items
+  else None
+
+(** val read_on :
+    edge list list -> path -> json -> (interval list * q list) result **)
+
+let read_on outline at_path value0 =
+  bind
+    (match value0 with
+     | Null ->
+       bind
+         (members_of ("polygon" :: ("edge" :: ("share" :: []))) at_path
+           value0) (fun members ->
+         bind (optional_member "polygon" read_decimal at_path members)
+           (fun polygon ->
+           bind (member "edge" read_decimal at_path members) (fun number ->
+             bind (member "share" read_decimal at_path members)
+               (fun share0 -> Fine
+               (((match polygon with
+                  | Some it -> it
+                  | None ->
+                    { qnum = Big_int_Z.zero_big_int; qden =
+                      Big_int_Z.unit_big_int }), number), share0)))))
+     | Boolean _ ->
+       bind
+         (members_of ("polygon" :: ("edge" :: ("share" :: []))) at_path
+           value0) (fun members ->
+         bind (optional_member "polygon" read_decimal at_path members)
+           (fun polygon ->
+           bind (member "edge" read_decimal at_path members) (fun number ->
+             bind (member "share" read_decimal at_path members)
+               (fun share0 -> Fine
+               (((match polygon with
+                  | Some it -> it
+                  | None ->
+                    { qnum = Big_int_Z.zero_big_int; qden =
+                      Big_int_Z.unit_big_int }), number), share0)))))
+     | Number _ ->
+       bind
+         (members_of ("polygon" :: ("edge" :: ("share" :: []))) at_path
+           value0) (fun members ->
+         bind (optional_member "polygon" read_decimal at_path members)
+           (fun polygon ->
+           bind (member "edge" read_decimal at_path members) (fun number ->
+             bind (member "share" read_decimal at_path members)
+               (fun share0 -> Fine
+               (((match polygon with
+                  | Some it -> it
+                  | None ->
+                    { qnum = Big_int_Z.zero_big_int; qden =
+                      Big_int_Z.unit_big_int }), number), share0)))))
+     | Text _ ->
+       bind
+         (members_of ("polygon" :: ("edge" :: ("share" :: []))) at_path
+           value0) (fun members ->
+         bind (optional_member "polygon" read_decimal at_path members)
+           (fun polygon ->
+           bind (member "edge" read_decimal at_path members) (fun number ->
+             bind (member "share" read_decimal at_path members)
+               (fun share0 -> Fine
+               (((match polygon with
+                  | Some it -> it
+                  | None ->
+                    { qnum = Big_int_Z.zero_big_int; qden =
+                      Big_int_Z.unit_big_int }), number), share0)))))
+     | Array items ->
+       (match items with
+        | [] -> expected "[edge, share], or an object" at_path value0
+        | number :: l ->
+          (match l with
+           | [] -> expected "[edge, share], or an object" at_path value0
+           | share0 :: l0 ->
+             (match l0 with
+              | [] ->
+                bind
+                  (read_decimal ((Element Big_int_Z.zero_big_int) :: at_path)
+                    number) (fun number0 ->
+                  bind
+                    (read_decimal ((Element
+                      Big_int_Z.unit_big_int) :: at_path) share0)
+                    (fun share1 -> Fine (({ qnum = Big_int_Z.zero_big_int;
+                    qden = Big_int_Z.unit_big_int }, number0), share1)))
+              | _ :: _ ->
+                expected "[edge, share], or an object" at_path value0)))
+     | Object _ ->
+       bind
+         (members_of ("polygon" :: ("edge" :: ("share" :: []))) at_path
+           value0) (fun members ->
+         bind (optional_member "polygon" read_decimal at_path members)
+           (fun polygon ->
+           bind (member "edge" read_decimal at_path members) (fun number ->
+             bind (member "share" read_decimal at_path members)
+               (fun share0 -> Fine
+               (((match polygon with
+                  | Some it -> it
+                  | None ->
+                    { qnum = Big_int_Z.zero_big_int; qden =
+                      Big_int_Z.unit_big_int }), number), share0))))))
+    (fun pat ->
+    let (p, share0) = pat in
+    let (polygon, number) = p in
+    bind
+      (check_that
+        ((&&)
+          (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int } share0)
+          (qle_bool share0 { qnum = Big_int_Z.unit_big_int; qden =
+            Big_int_Z.unit_big_int })) at_path "expected a share from 0 to 1")
+      (fun _ ->
+      match choose polygon outline with
+      | Some edges0 ->
+        (match choose number edges0 with
+         | Some it ->
+           let p0 =
+             map (fun pat0 ->
+               let (a, b) = pat0 in
+               exactly (qplus a (qmult share0 (qminus b a))))
+               (combine it.from it.to0)
+           in
+           Fine (p0, it.inwards)
+         | None -> refuse at_path "there is no such edge")
+      | None -> refuse at_path "there is no such polygon"))
+
+(** val read_normal : version -> path -> json -> (q list * q) result **)
+
+let read_normal v at_path value0 =
+  bind
+    (match value0 with
+     | Object _ ->
+       if v.is_in_space
+       then bind (read_point v at_path value0) (fun n -> Fine (n, { qnum =
+              Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }))
+       else bind (check_that v.is_second at_path needs_second) (fun _ ->
+              bind
+                (members_of ("direction" :: ("slope" :: [])) at_path value0)
+                (fun members ->
+                bind (member "direction" (read_point v) at_path members)
+                  (fun n ->
+                  bind (member "slope" read_decimal at_path members)
+                    (fun slope0 ->
+                    bind
+                      (check_that
+                        ((&&)
+                          (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+                            Big_int_Z.unit_big_int } slope0)
+                          (is_below slope0 { qnum = Big_int_Z.unit_big_int;
+                            qden = Big_int_Z.unit_big_int })) ((Member
+                        "slope") :: at_path)
+                        "expected a number of 0 or more and below 1")
+                      (fun _ -> Fine (n, slope0))))))
+     | _ ->
+       bind (read_point v at_path value0) (fun n -> Fine (n, { qnum =
+         Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })))
+    (fun pat ->
+    let (n, slope0) = pat in
+    bind
+      (check_that (negb (forallb is_0 n)) at_path
+        "the normal is 0; give a vector into the object") (fun _ -> Fine (n,
+      slope0)))
+
+(** val read_contact :
+    version -> edge list list -> properties -> path -> json -> contact result **)
+
+let read_contact v outline defaults at_path value0 =
+  bind
+    (members_of
+      ("position" :: ("normal" :: ("on" :: ("friction" :: ("stiffness" :: ("preload" :: []))))))
+      at_path value0) (fun members ->
+    bind
+      (match find_member "on" members with
+       | Some on ->
+         let here = (Member "on") :: at_path in
+         bind (check_that v.is_second here needs_second) (fun _ ->
+           bind
+             (check_that (negb v.is_in_space) here
+               "expected a position and a normal, as the grasp is in space")
+             (fun _ ->
+             bind
+               (check_that
+                 (negb
+                   ((||) (has_member "position" members)
+                     (has_member "normal" members))) here
+                 "it stands in place of \"position\" and \"normal\"")
+               (fun _ ->
+               bind (read_on outline here on) (fun pat ->
+                 let (p, n) = pat in
+                 Fine ((p, n), { qnum = Big_int_Z.zero_big_int; qden =
+                 Big_int_Z.unit_big_int })))))
+       | None ->
+         bind
+           (member "position"
+             (read_sized (coordinates0 v)
+               (if v.is_in_space
+                then "3 coordinates [x, y, z], as the first contact has"
+                else "2 coordinates [x, y], as the first contact has")
+               (read_interval v)) at_path members) (fun p ->
+           bind (member "normal" (read_normal v) at_path members) (fun pat ->
+             let (n, e) = pat in Fine ((p, n), e)))) (fun pat ->
+      let (p0, e) = pat in
+      let (p, n) = p0 in
+      bind (read_properties v at_path members) (fun own ->
+        let or0 = fun mine default ->
+          match mine with
+          | Some _ -> mine
+          | None -> default
+        in
+        let or_number = fun mine number ->
+          match mine with
+          | Some it -> it
+          | None -> exactly number
+        in
+        (match or0 own.own_friction defaults.own_friction with
+         | Some mu ->
+           Fine { position = p; normal = n; slope = e; friction = mu;
+             stiffness =
+             (or_number (or0 own.own_stiffness defaults.own_stiffness)
+               { qnum = Big_int_Z.unit_big_int; qden =
+               Big_int_Z.unit_big_int }); preload =
+             (or_number (or0 own.own_preload defaults.own_preload) { qnum =
+               Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int });
+             preload_growth = { qnum = Big_int_Z.zero_big_int; qden =
+             Big_int_Z.unit_big_int } }
+         | None ->
+           refuse at_path
+             "the member \"friction\" is missing, and \"defaults\" has none"))))
+
+(** val read_format : path -> json -> bool result **)
+
+let read_format at_path value0 =
+  if is_text "stickslip-grasp/2" value0
+  then Fine true
+  else if is_text "stickslip-grasp/1" value0
+       then Fine false
+       else expected "\"stickslip-grasp/1\" or \"stickslip-grasp/2\"" at_path
+              value0
+
+(** val read_any_text : path -> json -> unit result **)
+
+let read_any_text at_path value0 = match value0 with
+| Text _ -> Fine ()
+| _ -> expected "a string" at_path value0
+
+(** val is_unit : string -> bool **)
+
+let is_unit name =
+  (* If this appears, you're using String internals. Please don't *)
+ (fun f0 f1 s ->
+    let l = String.length s in
+    if l = 0 then f0 () else f1 (String.get s 0) (String.sub s 1 (l-1)))
+
+    (fun _ -> false)
+    (fun _ _ ->
+    negb
+      (is_longer_than (Big_int_Z.mult_int_big_int 2
+        (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+        (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int))))
+        ((fun s ->
+      Array.to_list (Array.init (String.length s) (fun i -> s.[i])))
+          name)))
+    name
+
+(** val read_unit : path -> json -> unit result **)
+
+let read_unit at_path value0 = match value0 with
+| Text name ->
+  if is_unit name
+  then Fine ()
+  else expected "a string of 1 to 16 bytes" at_path value0
+| _ -> expected "a string of 1 to 16 bytes" at_path value0
+
+(** val read_units : path -> json -> unit result **)
+
+let read_units at_path value0 =
+  bind (members_of ("length" :: ("force" :: [])) at_path value0)
+    (fun members ->
+    bind (member "length" read_unit at_path members) (fun _ ->
+      member "force" read_unit at_path members))
+
+(** val is_array : Big_int_Z.big_int -> json option -> bool **)
+
+let is_array size0 = function
+| Some j -> (match j with
+             | Array items -> has_length size0 items
+             | _ -> false)
+| None -> false
+
+(** val begins_in_space : (string * json) list -> bool **)
+
+let begins_in_space members =
+  match find_member "contacts" members with
+  | Some j ->
+    (match j with
+     | Array items ->
+       (match items with
+        | [] ->
+          is_array (Big_int_Z.mult_int_big_int 2
+            ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+            Big_int_Z.unit_big_int)) (find_member "wrench" members)
+        | j0 :: _ ->
+          (match j0 with
+           | Object first ->
+             is_array
+               ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+               Big_int_Z.unit_big_int) (find_member "position" first)
+           | _ -> false))
+     | _ -> false)
+  | None -> false
+
+(** val version_of : (string * json) list -> version result **)
+
+let version_of members =
+  bind (member "format" read_format [] members) (fun second ->
+    let only_second = fun name ->
+      check_that ((||) second (negb (has_member name members))) ((Member
+        name) :: []) needs_second
+    in
+    bind (only_second "units") (fun _ ->
+      bind (only_second "outline") (fun _ ->
+        bind (only_second "loads") (fun _ ->
+          bind (only_second "cases") (fun _ -> Fine { is_second = second;
+            is_in_space = ((&&) second (begins_in_space members)) })))))
+
+(** val read_grasp : json -> grasp result **)
+
+let read_grasp value0 =
+  bind
+    (members_of
+      ("format" :: ("name" :: ("units" :: ("outline" :: ("defaults" :: ("contacts" :: ("wrench" :: ("loads" :: ("cases" :: [])))))))))
+      [] value0) (fun members ->
+    bind (version_of members) (fun v ->
+      bind (optional_member "name" read_any_text [] members) (fun _ ->
+        bind (optional_member "units" read_units [] members) (fun _ ->
+          bind (optional_member "outline" (read_outline v) [] members)
+            (fun outline ->
+            bind (optional_member "defaults" (read_defaults v) [] members)
+              (fun defaults ->
+              let outline0 = match outline with
+                             | Some it -> it
+                             | None -> [] in
+              let defaults0 =
+                match defaults with
+                | Some it -> it
+                | None ->
+                  { own_friction = None; own_stiffness = None; own_preload =
+                    None }
+              in
+              let read_contacts = fun at_path value1 ->
+                match value1 with
+                | Array items ->
+                  bind
+                    (check_that (negb (is_longer_than most_contacts items))
+                      at_path "too many contacts") (fun _ ->
+                    each (read_contact v outline0 defaults0) at_path items)
+                | _ -> expected "an array of contacts" at_path value1
+              in
+              bind (member "contacts" read_contacts [] members) (fun them ->
+                bind (optional_member "wrench" (read_wrench v) [] members)
+                  (fun own ->
+                  bind (optional_member "loads" (read_loads v) [] members)
+                    (fun loads ->
+                    bind (optional_member "cases" (read_cases v) [] members)
+                      (fun named ->
+                      bind
+                        (check_that
+                          (negb
+                            ((&&) (has_member "wrench" members)
+                              (has_member "loads" members))) []
+                          "both \"wrench\" and \"loads\"; give one of them")
+                        (fun _ ->
+                        bind
+                          (check_that
+                            ((||)
+                              ((||) (has_member "wrench" members)
+                                (has_member "loads" members))
+                              (has_member "cases" members)) []
+                            "the member \"wrench\" is missing") (fun _ ->
+                          let common =
+                            match own with
+                            | Some w -> w
+                            | None ->
+                              (match loads with
+                               | Some w -> w
+                               | None -> no_wrench v)
+                          in
+                          let named0 =
+                            match named with
+                            | Some it -> it
+                            | None -> []
+                          in
+                          Fine { in_space = v.is_in_space; all_contacts =
+                          them; common_wrench = common; cases =
+                          (map (fun pat ->
+                            let (name, w) = pat in
+                            (name, (add_wrench w common))) named0) }))))))))))))
+
+type tolerance = { amount : q; percent : bool }
+
+type growth =
+| Scale
+| By of q list
+
+type options = { asked_wrench : q list option; asked_case : string option;
+                 asked_preload : q option; asked_bilateral : bool;
+                 asked_direction : q list option;
+                 asked_growth : growth option;
+                 asked_uncertain : (string * tolerance) list }
+
+(** val uncertain_kinds : string list **)
+
+let uncertain_kinds =
+  "friction" :: ("stiffness" :: ("preload" :: ("position" :: ("normal" :: ("wrench" :: [])))))
+
+(** val asks_margin : options -> bool **)
+
+let asks_margin asked =
+  match asked.asked_direction with
+  | Some _ -> true
+  | None -> (match asked.asked_growth with
+             | Some _ -> true
+             | None -> false)
+
+type posed = { the_question : question; stated_wrench : interval list;
+               the_options : options; is_box : bool }
+
+(** val of_question : string -> path **)
+
+let of_question part0 =
+  (Member part0) :: ((Member "the question") :: [])
+
+(** val find_tolerance : string -> options -> tolerance option **)
+
+let find_tolerance kind asked =
+  match find (fun pat -> let (name, _) = pat in (=) name kind)
+          asked.asked_uncertain with
+  | Some p -> let (_, it) = p in Some it
+  | None -> None
+
+(** val check_dimension : bool -> string -> q list option -> unit result **)
+
+let check_dimension in_space0 part0 = function
+| Some v ->
+  check_that
+    (has_length
+      (if in_space0
+       then (Big_int_Z.mult_int_big_int 2
+              ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+              Big_int_Z.unit_big_int))
+       else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+              Big_int_Z.unit_big_int)) v) (of_question part0)
+    (if in_space0
+     then "expected 6 numbers, as the grasp is in space"
+     else "expected 3 numbers, as the grasp is planar")
+| None -> Fine ()
+
+(** val wrench_asked : grasp -> options -> interval list result **)
+
+let wrench_asked file asked =
+  let here = of_question "case" in
+  (match asked.asked_wrench with
+   | Some w ->
+     (match asked.asked_case with
+      | Some _ ->
+        refuse here "a wrench is given as well; expected one of them"
+      | None -> Fine (map exactly w))
+   | None ->
+     (match asked.asked_case with
+      | Some name ->
+        (match find (fun pat -> let (other, _) = pat in (=) other name)
+                 file.cases with
+         | Some p -> let (_, w) = p in Fine w
+         | None ->
+           refuse here ((^) "the grasp has no case \"" ((^) name "\"")))
+      | None ->
+        (match asked.asked_direction with
+         | Some d ->
+           Fine
+             (map (fun _ ->
+               exactly { qnum = Big_int_Z.zero_big_int; qden =
+                 Big_int_Z.unit_big_int }) d)
+         | None ->
+           (match file.cases with
+            | [] -> Fine file.common_wrench
+            | p :: _ ->
+              let (name, _) = p in
+              refuse here
+                ((^)
+                  "the grasp has cases, and none is chosen; expected the name of one, such as \""
+                  ((^) name "\""))))))
+
+(** val widen : tolerance option -> interval -> interval **)
+
+let widen by_ it =
+  match by_ with
+  | Some t ->
+    let off = fun x ->
+      if t.percent
+      then qdiv (qmult t.amount (qabs x)) { qnum =
+             (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+             ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+             (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+             ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+             Big_int_Z.unit_big_int)))))); qden = Big_int_Z.unit_big_int }
+      else t.amount
+    in
+    { low = (qminus it.low (off it.low)); high =
+    (qplus it.high (off it.high)) }
+  | None -> it
+
+(** val asked_contact : options -> contact -> contact **)
+
+let asked_contact asked it =
+  let by_ = fun kind -> find_tolerance kind asked in
+  let given =
+    match asked.asked_preload with
+    | Some p -> exactly p
+    | None -> it.preload
+  in
+  { position = (map (widen (by_ "position")) it.position); normal =
+  it.normal; slope =
+  (match by_ "normal" with
+   | Some t -> qplus it.slope t.amount
+   | None -> it.slope); friction = (widen (by_ "friction") it.friction);
+  stiffness = (widen (by_ "stiffness") it.stiffness); preload =
+  (widen (by_ "preload") given); preload_growth = it.preload_growth }
+
+(** val check_tolerances :
+    options -> (string * tolerance) list -> unit result **)
+
+let rec check_tolerances asked = function
+| [] -> Fine ()
+| p :: rest ->
+  let (kind, t) = p in
+  let here = of_question "uncertain" in
+  bind
+    (check_that (negb (asks_margin asked)) here
+      "a margin is about one grasp; expected no uncertainty") (fun _ ->
+    bind
+      (check_that
+        (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int } t.amount) here
+        "expected tolerances of 0 or more") (fun _ ->
+      bind
+        (check_that (negb ((&&) ((=) kind "normal") t.percent)) here
+          "of normals a slope is expected, such as 0.01") (fun _ ->
+        check_tolerances asked rest)))
+
+(** val is_exact : interval -> bool **)
+
+let is_exact it =
+  qeq_bool it.low it.high
+
+(** val is_one_point : contact -> bool **)
+
+let is_one_point it =
+  (&&)
+    ((&&)
+      ((&&) ((&&) (forallb is_exact it.position) (is_0 it.slope))
+        (is_exact it.friction)) (is_exact it.stiffness)) (is_exact it.preload)
+
+(** val has_irrational_preload : contact -> bool **)
+
+let has_irrational_preload it =
+  (&&) ((||) (negb (is_0 it.preload.high)) (negb (is_0 it.preload_growth)))
+    (match exact_root (sum_of_squares it.normal) with
+     | Some _ -> false
+     | None -> true)
+
+(** val check_contact : bool -> bool -> path -> contact -> bool result **)
+
+let check_contact margin in_space0 at_path it =
+  let here = fun name -> (Member name) :: at_path in
+  bind
+    (check_that
+      (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+        Big_int_Z.unit_big_int } it.friction.low) (here "friction")
+      "it may be below 0; expected 0 or more") (fun _ ->
+    bind
+      (check_that
+        (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+          Big_int_Z.unit_big_int } it.preload.low) (here "preload")
+        "it may be below 0; expected 0 or more") (fun _ ->
+      bind
+        (check_that
+          (is_below { qnum = Big_int_Z.zero_big_int; qden =
+            Big_int_Z.unit_big_int } it.stiffness.low) (here "stiffness")
+          "it may be 0 or less; expected above 0") (fun _ ->
+        bind
+          (check_that
+            (is_below it.slope { qnum = Big_int_Z.unit_big_int; qden =
+              Big_int_Z.unit_big_int }) (here "normal")
+            "expected a slope below 1") (fun _ ->
+          bind
+            (check_that ((||) (negb margin) (is_one_point it)) at_path
+              "found an interval, but a margin is about one grasp; expected numbers")
+            (fun _ ->
+            let irrational = has_irrational_preload it in
+            bind
+              (check_that
+                (negb ((&&) ((&&) irrational margin) (negb in_space0)))
+                (here "normal")
+                ((^)
+                  "the contact has a preload and a normal of irrational length, so there is no exact "
+                  "question; run stickslip snap GRASP -o FILE, and ask about FILE"))
+              (fun _ -> Fine ((||) irrational (negb (is_one_point it)))))))))
+
+(** val with_growths :
+    contact list -> q list -> contact list -> contact list option **)
+
+let rec with_growths contacts0 numbers done0 =
+  match contacts0 with
+  | [] ->
+    (match numbers with
+     | [] -> Some (rev_append done0 [])
+     | _ :: _ -> None)
+  | it :: others ->
+    (match numbers with
+     | [] -> None
+     | p :: rest ->
+       with_growths others rest ({ position = it.position; normal =
+         it.normal; slope = it.slope; friction = it.friction; stiffness =
+         it.stiffness; preload = it.preload; preload_growth = p } :: done0))
+
+(** val scaled : contact -> contact **)
+
+let scaled it =
+  { position = it.position; normal = it.normal; slope = it.slope; friction =
+    it.friction; stiffness = it.stiffness; preload =
+    (exactly { qnum = Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int });
+    preload_growth = it.preload.low }
+
+(** val pose : grasp -> options -> posed result **)
+
+let pose file asked =
+  bind (check_dimension file.in_space "wrench" asked.asked_wrench) (fun _ ->
+    bind (check_dimension file.in_space "direction" asked.asked_direction)
+      (fun _ ->
+      bind
+        (check_that
+          ((||) (negb file.in_space)
+            (match find_tolerance "normal" asked with
+             | Some _ -> false
+             | None -> true)) (of_question "uncertain")
+          "in space normals are certain; expected no tolerance of them")
+        (fun _ ->
+        bind
+          (check_that
+            (match asked.asked_preload with
+             | Some p ->
+               qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+                 Big_int_Z.unit_big_int } p
+             | None -> true) (of_question "preload") "expected 0 or more")
+          (fun _ ->
+          bind (wrench_asked file asked) (fun stated ->
+            bind (check_tolerances asked asked.asked_uncertain) (fun _ ->
+              let them = map_all (asked_contact asked) file.all_contacts in
+              bind
+                (match asked.asked_growth with
+                 | Some g ->
+                   (match g with
+                    | Scale -> Fine them
+                    | By numbers ->
+                      let problem =
+                        "expected numbers of 0 or more, one for each contact"
+                      in
+                      bind
+                        (check_that
+                          (forallb
+                            (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+                              Big_int_Z.unit_big_int }) numbers)
+                          (of_question "preload direction") problem)
+                        (fun _ ->
+                        match with_growths them numbers [] with
+                        | Some them0 -> Fine them0
+                        | None ->
+                          refuse (of_question "preload direction") problem))
+                 | None -> Fine them) (fun them0 ->
+                let margin = asks_margin asked in
+                bind
+                  (each (check_contact margin file.in_space) ((Member
+                    "contacts") :: []) them0) (fun boxes ->
+                  let widened =
+                    map (widen (find_tolerance "wrench" asked)) stated
+                  in
+                  let certain0 = forallb is_exact widened in
+                  bind
+                    (check_that ((||) (negb margin) certain0) ((Member
+                      "wrench") :: [])
+                      "found an interval, but a margin is about one grasp; expected numbers")
+                    (fun _ ->
+                    let them1 =
+                      match asked.asked_growth with
+                      | Some g ->
+                        (match g with
+                         | Scale -> map_all scaled them0
+                         | By _ -> them0)
+                      | None -> them0
+                    in
+                    let u =
+                      match asked.asked_direction with
+                      | Some u -> u
+                      | None ->
+                        map (fun _ -> { qnum = Big_int_Z.zero_big_int; qden =
+                          Big_int_Z.unit_big_int }) stated
+                    in
+                    bind
+                      (check_that
+                        ((||) ((||) (negb margin) (negb (forallb is_0 u)))
+                          (existsb (fun it -> negb (is_0 it.preload_growth))
+                            them1)) (of_question "direction")
+                        ((^)
+                          "neither the wrench nor a preload changes; expected a direction other than 0, or to "
+                          "scale preloads some of which are not 0"))
+                      (fun _ -> Fine { the_question = { dimension =
+                      (if file.in_space
+                       then S (S (S (S (S (S O)))))
+                       else S (S (S O))); bilateral = asked.asked_bilateral;
+                      is_margin = margin; contacts = them1; wrench = widened;
+                      direction = u }; stated_wrench = stated; the_options =
+                      asked; is_box =
+                      ((||) (negb certain0)
+                        (existsb (fun box1 -> box1) boxes)) }))))))))))
+
+type statement = { stated_contacts : Big_int_Z.big_int;
+                   wrench_stated : interval list; options_stated : options }
+
+type shape = { spatial : bool; of_margin : bool }
+
+(** val size_of_twist : shape -> Big_int_Z.big_int **)
+
+let size_of_twist s =
+  if s.spatial
+  then (Big_int_Z.mult_int_big_int 2
+         ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+         Big_int_Z.unit_big_int))
+  else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+         Big_int_Z.unit_big_int)
+
+(** val read_numbers : Big_int_Z.big_int -> path -> json -> q list result **)
+
+let read_numbers count0 =
+  read_sized count0
+    (if Z.eqb count0 (Big_int_Z.mult_int_big_int 2
+          ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+          Big_int_Z.unit_big_int))
+     then "an array of 6 numbers"
+     else if Z.eqb count0
+               ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+               Big_int_Z.unit_big_int)
+          then "an array of 3 numbers"
+          else "an array of so many numbers as the dimension asks for")
+    read_fraction
+
+(** val read_twist : shape -> path -> json -> q list result **)
+
+let read_twist s =
+  read_numbers (size_of_twist s)
+
+(** val read_or_null : path -> json -> q option result **)
+
+let read_or_null at_path value0 = match value0 with
+| Null -> Fine None
+| _ -> bind (read_fraction at_path value0) (fun x -> Fine (Some x))
+
+(** val read_stated_component : path -> json -> interval result **)
+
+let read_stated_component at_path value0 = match value0 with
+| Array items ->
+  (match items with
+   | [] -> expected "a number, or [min, max]" at_path value0
+   | least :: l ->
+     (match l with
+      | [] -> expected "a number, or [min, max]" at_path value0
+      | most :: l0 ->
+        (match l0 with
+         | [] ->
+           bind (read_fraction at_path least) (fun a ->
+             bind (read_fraction at_path most) (fun b -> Fine { low = a;
+               high = b }))
+         | _ :: _ -> expected "a number, or [min, max]" at_path value0)))
+| _ -> bind (read_fraction at_path value0) (fun x -> Fine (exactly x))
+
+(** val read_law : path -> json -> bool result **)
+
+let read_law at_path value0 =
+  if is_text "bilateral" value0
+  then Fine true
+  else if is_text "unilateral" value0
+       then Fine false
+       else expected "\"unilateral\" or \"bilateral\"" at_path value0
+
+(** val read_growth : path -> json -> growth result **)
+
+let read_growth at_path value0 =
+  if is_text "scale" value0
+  then Fine Scale
+  else bind
+         (read_array "\"scale\" or an array of numbers" read_fraction at_path
+           value0) (fun numbers -> Fine (By numbers))
+
+(** val before_percent : string -> string option **)
+
+let before_percent content0 =
+  match rev_append
+          ((fun s ->
+      Array.to_list (Array.init (String.length s) (fun i -> s.[i])))
+            content0) [] with
+  | [] -> None
+  | last :: others ->
+    if (=) last '%'
+    then Some
+           ((fun l ->
+      let a = Array.of_list l in
+      String.init (Array.length a) (fun i -> a.(i)))
+             (rev_append others []))
+    else None
+
+(** val read_tolerance : path -> json -> tolerance result **)
+
+let read_tolerance at_path value0 =
+  let percentage =
+    match value0 with
+    | Null -> None
+    | Boolean _ -> None
+    | Number _ -> None
+    | Text content0 -> before_percent content0
+    | _ -> None
+  in
+  (match percentage with
+   | Some spelled ->
+     bind (read_fraction at_path (Text spelled)) (fun x -> Fine { amount = x;
+       percent = true })
+   | None ->
+     bind (read_fraction at_path value0) (fun x -> Fine { amount = x;
+       percent = false }))
+
+(** val read_all_tolerances :
+    path -> (string * json) list -> (string * tolerance) list result **)
+
+let rec read_all_tolerances at_path = function
+| [] -> Fine []
+| p :: rest ->
+  let (kind, value0) = p in
+  bind (read_tolerance ((Member kind) :: at_path) value0) (fun t ->
+    bind (read_all_tolerances at_path rest) (fun others -> Fine ((kind,
+      t) :: others)))
+
+(** val read_tolerances : path -> json -> (string * tolerance) list result **)
+
+let read_tolerances at_path value0 =
+  bind (members_in_order uncertain_kinds at_path value0) (fun members ->
+    match members with
+    | [] -> expected "an object of one tolerance or more" at_path value0
+    | _ :: _ -> read_all_tolerances at_path members)
+
+(** val read_statement : bool -> path -> json -> statement result **)
+
+let read_statement in_space0 at_path value0 =
+  bind
+    (members_in_order
+      ("contacts" :: ("wrench" :: ("preload" :: ("normal_law" :: ("direction" :: ("preload_direction" :: ("uncertain" :: [])))))))
+      at_path value0) (fun members ->
+    let count0 =
+      if in_space0
+      then (Big_int_Z.mult_int_big_int 2
+             ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+             Big_int_Z.unit_big_int))
+      else ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+             Big_int_Z.unit_big_int)
+    in
+    bind (member "contacts" read_index at_path members) (fun m ->
+      bind
+        (member "wrench"
+          (read_sized count0 "an array of the components"
+            read_stated_component) at_path members) (fun w ->
+        bind (optional_member "preload" read_fraction at_path members)
+          (fun p ->
+          bind (member "normal_law" read_law at_path members) (fun law ->
+            bind
+              (optional_member "direction" (read_numbers count0) at_path
+                members) (fun u ->
+              bind
+                (optional_member "preload_direction" read_growth at_path
+                  members) (fun growing ->
+                bind
+                  (optional_member "uncertain" read_tolerances at_path
+                    members) (fun uncertain -> Fine { stated_contacts = m;
+                  wrench_stated = w; options_stated = { asked_wrench = None;
+                  asked_case = None; asked_preload = p; asked_bilateral =
+                  law; asked_direction = u; asked_growth = growing;
+                  asked_uncertain =
+                  (match uncertain with
+                   | Some it -> it
+                   | None -> []) } }))))))))
+
+(** val read_parameter : shape -> path -> json -> parameter result **)
+
+let read_parameter s at_path value0 =
+  let is = fun name -> is_text name value0 in
+  if is "x"
+  then Fine PX
+  else if is "y"
+       then Fine PY
+       else if (&&) s.spatial (is "z")
+            then Fine PZ
+            else if (&&) (negb s.spatial) (is "turn")
+                 then Fine PTurn
+                 else if is "friction"
+                      then Fine PFriction
+                      else if is "preload"
+                           then Fine PPreload
+                           else if is "stiffness"
+                                then Fine PStiffness
+                                else if is "wrench"
+                                     then Fine PWrench
+                                     else expected
+                                            (if s.spatial
+                                             then "x, y, z, friction, preload, stiffness or wrench"
+                                             else "x, y, turn, friction, preload, stiffness or wrench")
+                                            at_path value0
+
+(** val read_cut :
+    shape -> path -> json list -> json ->
+    ((parameter * Big_int_Z.big_int) * q) result **)
+
+let read_cut s at_path items whole =
+  match items with
+  | [] -> expected "part, a name, an index and a number" at_path whole
+  | name :: l ->
+    (match l with
+     | [] -> expected "part, a name, an index and a number" at_path whole
+     | index :: l0 ->
+       (match l0 with
+        | [] -> expected "part, a name, an index and a number" at_path whole
+        | at_number :: l1 ->
+          (match l1 with
+           | [] ->
+             bind (read_parameter s at_path name) (fun p ->
+               bind (read_index at_path index) (fun i ->
+                 bind (read_fraction at_path at_number) (fun c -> Fine ((p,
+                   i), c))))
+           | _ :: _ ->
+             expected "part, a name, an index and a number" at_path whole)))
+
+(** val read_node : shape -> path -> json -> node result **)
+
+let read_node s at_path value0 =
+  let contact_of = fun items ->
+    match items with
+    | [] -> expected "a kind and a contact" at_path value0
+    | index :: l ->
+      (match l with
+       | [] -> read_index at_path index
+       | _ :: _ -> expected "a kind and a contact" at_path value0)
+  in
+  let twist0 = size_of_twist s in
+  (match value0 with
+   | Array items0 ->
+     (match items0 with
+      | [] ->
+        expected "an array that begins with the kind of the node" at_path
+          value0
+      | j :: items ->
+        (match j with
+         | Text kind ->
+           if (=) kind "leaf"
+           then if has_length twist0 items
+                then bind (each read_fraction at_path items) (fun y -> Fine
+                       (Leaf y))
+                else expected
+                       "leaf, and a number for each component of a twist"
+                       at_path value0
+           else if (=) kind "slip"
+                then bind (contact_of items) (fun i -> Fine (Slip i))
+                else if (=) kind "separation"
+                     then bind (contact_of items) (fun i -> Fine (Separation
+                            i))
+                     else if (=) kind "plane"
+                          then if has_length
+                                    (Z.add twist0
+                                      (if s.of_margin
+                                       then (Big_int_Z.mult_int_big_int 2
+                                              Big_int_Z.unit_big_int)
+                                       else Big_int_Z.unit_big_int)) items
+                               then bind (each read_fraction at_path items)
+                                      (fun a -> Fine (Plane a))
+                               else expected
+                                      "plane, and a number for each coordinate of a point"
+                                      at_path value0
+                          else if (&&) ((=) kind "part") (negb s.of_margin)
+                               then bind (read_cut s at_path items value0)
+                                      (fun pat ->
+                                      let (p0, c) = pat in
+                                      let (p, i) = p0 in Fine (Cut (p, i, c)))
+                               else expected
+                                      "slip, separation, plane, leaf or, without a direction, part"
+                                      at_path value0
+         | _ ->
+           expected "an array that begins with the kind of the node" at_path
+             value0))
+   | _ ->
+     expected "an array that begins with the kind of the node" at_path value0)
+
+(** val read_nodes : shape -> path -> json -> node list result **)
+
+let read_nodes s =
+  read_array "an array of nodes" (read_node s)
+
+(** val read_share :
+    shape -> path -> json -> (Big_int_Z.big_int * q list) result **)
+
+let read_share s at_path value0 = match value0 with
+| Array items ->
+  (match items with
+   | [] -> expected "[contact, share]" at_path value0
+   | index :: l ->
+     (match l with
+      | [] -> expected "[contact, share]" at_path value0
+      | share0 :: l0 ->
+        (match l0 with
+         | [] ->
+           bind (read_index at_path index) (fun i ->
+             bind
+               (if s.spatial
+                then read_numbers
+                       ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+                       Big_int_Z.unit_big_int) at_path share0
+                else bind (read_fraction at_path share0) (fun x -> Fine
+                       (x :: []))) (fun numbers -> Fine (i, numbers)))
+         | _ :: _ -> expected "[contact, share]" at_path value0)))
+| _ -> expected "[contact, share]" at_path value0
+
+(** val read_shares :
+    shape -> path -> json -> (Big_int_Z.big_int * q list) list result **)
+
+let read_shares s =
+  read_array "an array [[contact, share], ...]" (read_share s)
+
+(** val read_point0 : shape -> bool -> path -> json -> point result **)
+
+let read_point0 s may_be_ray at_path value0 = match value0 with
+| Array items ->
+  (match items with
+   | [] -> expected "a point [lambda, twist, shares]" at_path value0
+   | lambda :: l ->
+     (match l with
+      | [] -> expected "a point [lambda, twist, shares]" at_path value0
+      | motion :: l0 ->
+        (match l0 with
+         | [] -> expected "a point [lambda, twist, shares]" at_path value0
+         | list0 :: l1 ->
+           (match l1 with
+            | [] ->
+              bind
+                (if may_be_ray
+                 then read_or_null at_path lambda
+                 else bind (read_fraction at_path lambda) (fun x -> Fine
+                        (Some x))) (fun lambda0 ->
+                bind (read_twist s at_path motion) (fun d ->
+                  bind (read_shares s at_path list0) (fun them -> Fine
+                    { multiple = lambda0; point_witness = { twist = d;
+                    shares = them } })))
+            | _ :: _ ->
+              expected "a point [lambda, twist, shares]" at_path value0))))
+| _ -> expected "a point [lambda, twist, shares]" at_path value0
+
+(** val read_segment : shape -> bool -> path -> json -> segment result **)
+
+let read_segment s goes_on at_path value0 = match value0 with
+| Array items ->
+  (match items with
+   | [] ->
+     expected
+       "two points, or one where the segment before ended with a number"
+       at_path value0
+   | last :: l ->
+     (match l with
+      | [] ->
+        if goes_on
+        then bind (read_point0 s true at_path last) (fun b -> Fine
+               { first_point = None; second_point = b })
+        else expected "two points, as no segment before ended with a number"
+               at_path value0
+      | last0 :: l0 ->
+        (match l0 with
+         | [] ->
+           bind (read_point0 s false at_path last) (fun a ->
+             bind (read_point0 s true at_path last0) (fun b -> Fine
+               { first_point = (Some a); second_point = b }))
+         | _ :: _ ->
+           expected
+             "two points, or one where the segment before ended with a number"
+             at_path value0)))
+| _ ->
+  expected "two points, or one where the segment before ended with a number"
+    at_path value0
+
+(** val read_segments_from :
+    shape -> bool -> Big_int_Z.big_int -> path -> json list -> segment list
+    -> segment list result **)
+
+let rec read_segments_from s goes_on index at_path items done0 =
+  match items with
+  | [] -> Fine (rev_append done0 [])
+  | item :: rest ->
+    (match read_segment s goes_on ((Element index) :: at_path) item with
+     | Fine it ->
+       let ends0 =
+         match it.second_point.multiple with
+         | Some _ -> true
+         | None -> false
+       in
+       read_segments_from s ends0 (Z.add index Big_int_Z.unit_big_int)
+         at_path rest (it :: done0)
+     | Malformed (where_, found, problem) ->
+       Malformed (where_, found, problem))
+
+(** val read_segments : shape -> path -> json -> segment list result **)
+
+let read_segments s at_path value0 = match value0 with
+| Array items ->
+  read_segments_from s false Big_int_Z.zero_big_int at_path items []
+| _ -> expected "an array of segments" at_path value0
+
+(** val read_resisted : path -> json -> (q * q option) result **)
+
+let read_resisted at_path value0 = match value0 with
+| Array items ->
+  (match items with
+   | [] -> expected "[low, high] or [low, null]" at_path value0
+   | a :: l ->
+     (match l with
+      | [] -> expected "[low, high] or [low, null]" at_path value0
+      | b :: l0 ->
+        (match l0 with
+         | [] ->
+           bind (read_fraction at_path a) (fun a0 ->
+             bind (read_or_null at_path b) (fun b0 -> Fine (a0, b0)))
+         | _ :: _ -> expected "[low, high] or [low, null]" at_path value0)))
+| _ -> expected "[low, high] or [low, null]" at_path value0
+
+(** val read_matrix : shape -> path -> json -> q list list result **)
+
+let read_matrix s =
+  read_sized (size_of_twist s)
+    "a matrix with a row for each component of a twist" (read_twist s)
+
+(** val read_part : shape -> path -> json -> part result **)
+
+let read_part s at_path value0 = match value0 with
+| Array _ ->
+  bind (read_node s at_path value0) (fun it ->
+    match it with
+    | Cut (p, i, c) -> Fine (PartCut (p, i, c))
+    | _ -> expected "a part" at_path value0)
+| _ ->
+  bind
+    (members_in_order
+      ("twist" :: ("walls" :: ("direction" :: ("tree" :: [])))) at_path
+      value0) (fun members ->
+    bind (member "twist" (read_twist s) at_path members) (fun d ->
+      bind (member "walls" (read_matrix s) at_path members) (fun e ->
+        bind (member "direction" (read_matrix s) at_path members) (fun a ->
+          bind (member "tree" (read_nodes s) at_path members) (fun tree ->
+            Fine (PartProof (d, e, a, tree)))))))
+
+(** val read_spatial_point : shape -> path -> json -> witness result **)
+
+let read_spatial_point s at_path value0 =
+  bind (members_in_order ("twist" :: ("shares" :: [])) at_path value0)
+    (fun members ->
+    bind (member "twist" (read_twist s) at_path members) (fun d ->
+      bind (member "shares" (read_shares s) at_path members) (fun them ->
+        Fine { twist = d; shares = them })))
+
+(** val is_point : json -> bool **)
+
+let is_point = function
+| Object members -> has_member "shares" members
+| _ -> false
+
+(** val read_claim : shape -> path -> json -> claim result **)
+
+let read_claim s at_path value0 =
+  let what =
+    (^)
+      "[\"stable\", low, high, part], [\"stable\", low, high, point, point] or "
+      "[\"unstable\", low, high, tree]"
+  in
+  let one_or_two = "one point where low = high or high is null, else two" in
+  (match value0 with
+   | Array items ->
+     (match items with
+      | [] -> expected what at_path value0
+      | kind :: l ->
+        (match l with
+         | [] -> expected what at_path value0
+         | a :: l0 ->
+           (match l0 with
+            | [] -> expected what at_path value0
+            | b :: evidence ->
+              bind (read_fraction at_path a) (fun a0 ->
+                bind (read_or_null at_path b) (fun b0 ->
+                  let two =
+                    match b0 with
+                    | Some b1 -> negb (qeq_bool a0 b1)
+                    | None -> false
+                  in
+                  if is_text "stable" kind
+                  then (match evidence with
+                        | [] -> expected what at_path value0
+                        | only :: l1 ->
+                          (match l1 with
+                           | [] ->
+                             if is_point only
+                             then bind
+                                    (check_that (negb two) at_path one_or_two)
+                                    (fun _ ->
+                                    bind (read_spatial_point s at_path only)
+                                      (fun p -> Fine (ClaimPoints (a0, b0,
+                                      (p :: [])))))
+                             else bind (read_part s at_path only) (fun it ->
+                                    Fine (ClaimPart (a0, b0, it)))
+                           | second :: l2 ->
+                             (match l2 with
+                              | [] ->
+                                bind (check_that two at_path one_or_two)
+                                  (fun _ ->
+                                  bind (read_spatial_point s at_path only)
+                                    (fun p ->
+                                    bind
+                                      (read_spatial_point s at_path second)
+                                      (fun q0 -> Fine (ClaimPoints (a0, b0,
+                                      (p :: (q0 :: [])))))))
+                              | _ :: _ -> expected what at_path value0)))
+                  else if is_text "unstable" kind
+                       then (match evidence with
+                             | [] -> expected what at_path value0
+                             | tree :: l1 ->
+                               (match l1 with
+                                | [] ->
+                                  bind (read_nodes s at_path tree) (fun it ->
+                                    Fine (ClaimUnstable (a0, b0, it)))
+                                | _ :: _ -> expected what at_path value0))
+                       else expected what at_path value0)))))
+   | _ -> expected what at_path value0)
+
+(** val next :
+    string -> (string * json) list -> (json * (string * json) list) result **)
+
+let next name = function
+| [] -> refuse [] ((^) "the object ends, expected \"" ((^) name "\""))
+| p :: rest ->
+  let (key, value0) = p in
+  if (=) key name
+  then Fine (value0, rest)
+  else refuse ((Member key) :: [])
+         ((^) "expected the member \"" ((^) name "\" here"))
+
+(** val next_read :
+    string -> (path -> json -> 'a1 result) -> (string * json) list ->
+    ('a1 * (string * json) list) result **)
+
+let next_read name read members =
+  bind (next name members) (fun pat ->
+    let (value0, rest) = pat in
+    bind (read ((Member name) :: []) value0) (fun it -> Fine (it, rest)))
+
+(** val begins_with : string -> (string * json) list -> bool **)
+
+let begins_with name = function
+| [] -> false
+| p :: _ -> let (key, _) = p in (=) key name
+
+(** val finish : ('a1 * (string * json) list) -> 'a1 result **)
+
+let finish = function
+| (value0, l) ->
+  (match l with
+   | [] -> Fine value0
+   | p :: _ ->
+     let (key, _) = p in refuse ((Member key) :: []) "a member too many")
+
+(** val default_bits : Big_int_Z.big_int **)
+
+let default_bits =
+  (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+    (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)))))))
+
+(** val read_bits : path -> json -> Big_int_Z.big_int result **)
+
+let read_bits at_path value0 =
+  bind (read_index at_path value0) (fun b ->
+    if (&&)
+         (Z.leb (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+           (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+           (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+           Big_int_Z.unit_big_int)))))) b)
+         (Z.leb b (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+           (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+           (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+           (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+           (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+           (Big_int_Z.mult_int_big_int 2 (Big_int_Z.mult_int_big_int 2
+           Big_int_Z.unit_big_int)))))))))))))
+    then Fine b
+    else expected "an integer from 64 to 4096" at_path value0)
+
+(** val read_verdict : shape -> path -> json -> bool result **)
+
+let read_verdict s at_path value0 =
+  if s.of_margin
+  then if is_text "margin" value0
+       then Fine true
+       else expected "\"margin\", as the question has a direction" at_path
+              value0
+  else if is_text "stable" value0
+       then Fine true
+       else if is_text "unstable" value0
+            then Fine false
+            else expected
+                   "\"stable\" or \"unstable\", as the question has no direction"
+                   at_path value0
+
+(** val read_body : shape -> bool -> (string * json) list -> proof result **)
+
+let read_body s good members =
+  if s.of_margin
+  then if s.spatial
+       then bind
+              (next_read "intervals"
+                (read_array "an array of claims" (read_claim s)) members)
+              (fun it ->
+              bind (finish it) (fun claims -> Fine (MarginInSpace claims)))
+       else bind
+              (next_read "resisted"
+                (read_array "an array of intervals" read_resisted) members)
+              (fun pat ->
+              let (resisted, rest) = pat in
+              bind (next_read "segments" (read_segments s) rest) (fun pat0 ->
+                let (segments, rest0) = pat0 in
+                bind (next_read "tree" (read_nodes s) rest0) (fun it ->
+                  bind (finish it) (fun tree -> Fine (MarginBy (resisted,
+                    segments, tree))))))
+  else if good
+       then if begins_with "parts" members
+            then bind
+                   (next_read "parts"
+                     (read_array "an array of parts" (read_part s)) members)
+                   (fun it ->
+                   bind (finish it) (fun parts -> Fine (StableByParts parts)))
+            else bind (next_read "twist" (read_twist s) members) (fun pat ->
+                   let (d, rest) = pat in
+                   bind (next_read "shares" (read_shares s) rest) (fun it ->
+                     bind (finish it) (fun them -> Fine (StableByWitness
+                       { twist = d; shares = them }))))
+       else bind (next_read "tree" (read_nodes s) members) (fun it ->
+              bind (finish it) (fun tree -> Fine (UnstableByTree tree)))
+
+(** val read_known_format : path -> json -> unit result **)
+
+let read_known_format at_path value0 =
+  if is_text "stickslip-certificate/2" value0
+  then Fine ()
+  else expected
+         "\"stickslip-certificate/2\", the only one that this program knows"
+         at_path value0
+
+(** val read_certificate :
+    bool -> json -> (statement * certificate) result **)
+
+let read_certificate in_space0 value0 = match value0 with
+| Object members ->
+  bind (next_read "format" read_known_format members) (fun pat ->
+    let (_, rest) = pat in
+    bind
+      (if begins_with "producer" rest
+       then bind (next_read "producer" read_any_text rest) (fun pat0 ->
+              let (_, rest0) = pat0 in Fine rest0)
+       else Fine rest) (fun rest0 ->
+      bind (next_read "question" (read_statement in_space0) rest0)
+        (fun pat0 ->
+        let (stated, rest1) = pat0 in
+        let s = { spatial = in_space0; of_margin =
+          (asks_margin stated.options_stated) }
+        in
+        bind
+          (if (&&) (begins_with "bits" rest1)
+                ((||) (negb s.of_margin) in_space0)
+           then next_read "bits" read_bits rest1
+           else Fine (default_bits, rest1)) (fun pat1 ->
+          let (b, rest2) = pat1 in
+          bind (next_read "verdict" (read_verdict s) rest2) (fun pat2 ->
+            let (good, rest3) = pat2 in
+            bind (read_body s good rest3) (fun it -> Fine (stated, { bits =
+              b; body = it })))))))
+| _ -> expected "an object {...}" [] value0
+
+(** val same_list : ('a1 -> 'a1 -> bool) -> 'a1 list -> 'a1 list -> bool **)
+
+let rec same_list same0 a b =
+  match a with
+  | [] -> (match b with
+           | [] -> true
+           | _ :: _ -> false)
+  | x :: others ->
+    (match b with
+     | [] -> false
+     | y :: rest -> (&&) (same0 x y) (same_list same0 others rest))
+
+(** val same_option :
+    ('a1 -> 'a1 -> bool) -> 'a1 option -> 'a1 option -> bool **)
+
+let same_option same0 a b =
+  match a with
+  | Some x -> (match b with
+               | Some y -> same0 x y
+               | None -> false)
+  | None -> (match b with
+             | Some _ -> false
+             | None -> true)
+
+(** val same_interval : interval -> interval -> bool **)
+
+let same_interval a b =
+  (&&) (qeq_bool a.low b.low) (qeq_bool a.high b.high)
+
+(** val same_growth : growth -> growth -> bool **)
+
+let same_growth a b =
+  match a with
+  | Scale -> (match b with
+              | Scale -> true
+              | By _ -> false)
+  | By x -> (match b with
+             | Scale -> false
+             | By y -> same_list qeq_bool x y)
+
+(** val same_tolerance : tolerance -> tolerance -> bool **)
+
+let same_tolerance a b =
+  (&&) (qeq_bool a.amount b.amount) (eqb a.percent b.percent)
+
+(** val broken_question_rule : statement -> posed -> string option **)
+
+let broken_question_rule stated asked =
+  let said = stated.options_stated in
+  let options0 = asked.the_options in
+  let m =
+    fold_left (fun count0 _ -> Z.add count0 Big_int_Z.unit_big_int)
+      asked.the_question.contacts Big_int_Z.zero_big_int
+  in
+  if negb (Z.eqb stated.stated_contacts m)
+  then Some "question-contacts"
+  else if negb
+            (same_list same_interval stated.wrench_stated asked.stated_wrench)
+       then Some "question-wrench"
+       else if negb
+                 (same_option qeq_bool said.asked_preload
+                   options0.asked_preload)
+            then Some "question-preload"
+            else if negb (eqb said.asked_bilateral options0.asked_bilateral)
+                 then Some "question-law"
+                 else if negb
+                           (same_option (same_list qeq_bool)
+                             said.asked_direction options0.asked_direction)
+                      then Some "question-direction"
+                      else if negb
+                                (same_option same_growth said.asked_growth
+                                  options0.asked_growth)
+                           then Some "question-preload-direction"
+                           else if negb
+                                     (forallb (fun kind ->
+                                       same_option same_tolerance
+                                         (find_tolerance kind said)
+                                         (find_tolerance kind options0))
+                                       uncertain_kinds)
+                                then Some "question-uncertain"
+                                else None
+
+(** val ask : options -> json -> posed result **)
+
+let ask asked file =
+  bind (read_grasp file) (fun it -> pose it asked)
+
+(** val judge :
+    'a1 oracle -> posed -> json -> (answer * certificate) result **)
+
+let judge advisor asked text =
+  let q0 = asked.the_question in
+  bind
+    (read_certificate (Nat.eqb q0.dimension (S (S (S (S (S (S O))))))) text)
+    (fun pat ->
+    let (stated, it) = pat in
+    (match broken_question_rule stated asked with
+     | Some rule -> Fine ((Rejected (rule, Nowhere)), it)
+     | None -> Fine ((check advisor q0 it), it)))

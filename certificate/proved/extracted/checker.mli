@@ -1,0 +1,1197 @@
+
+val negb : bool -> bool
+
+type nat =
+| O
+| S of nat
+
+type ('a, 'b) sum =
+| Inl of 'a
+| Inr of 'b
+
+val fst : ('a1 * 'a2) -> 'a1
+
+val snd : ('a1 * 'a2) -> 'a2
+
+val app : 'a1 list -> 'a1 list -> 'a1 list
+
+type comparison =
+| Eq
+| Lt
+| Gt
+
+val add : nat -> nat -> nat
+
+val eqb : bool -> bool -> bool
+
+module Nat :
+ sig
+  val eqb : nat -> nat -> bool
+
+  val iter : nat -> ('a1 -> 'a1) -> 'a1 -> 'a1
+ end
+
+module Pos :
+ sig
+  type mask =
+  | IsNul
+  | IsPos of Big_int_Z.big_int
+  | IsNeg
+ end
+
+module Coq_Pos :
+ sig
+  val succ : Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val add : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val add_carry : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val pred_double : Big_int_Z.big_int -> Big_int_Z.big_int
+
+  type mask = Pos.mask =
+  | IsNul
+  | IsPos of Big_int_Z.big_int
+  | IsNeg
+
+  val succ_double_mask : mask -> mask
+
+  val double_mask : mask -> mask
+
+  val double_pred_mask : Big_int_Z.big_int -> mask
+
+  val sub_mask : Big_int_Z.big_int -> Big_int_Z.big_int -> mask
+
+  val sub_mask_carry : Big_int_Z.big_int -> Big_int_Z.big_int -> mask
+
+  val sub : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val mul : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val iter : ('a1 -> 'a1) -> 'a1 -> Big_int_Z.big_int -> 'a1
+
+  val div2 : Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val div2_up : Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val size_nat : Big_int_Z.big_int -> nat
+
+  val size : Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val compare_cont :
+    comparison -> Big_int_Z.big_int -> Big_int_Z.big_int -> comparison
+
+  val compare : Big_int_Z.big_int -> Big_int_Z.big_int -> comparison
+
+  val eqb : Big_int_Z.big_int -> Big_int_Z.big_int -> bool
+
+  val leb : Big_int_Z.big_int -> Big_int_Z.big_int -> bool
+
+  val sqrtrem_step :
+    (Big_int_Z.big_int -> Big_int_Z.big_int) -> (Big_int_Z.big_int ->
+    Big_int_Z.big_int) -> (Big_int_Z.big_int * mask) ->
+    Big_int_Z.big_int * mask
+
+  val sqrtrem : Big_int_Z.big_int -> Big_int_Z.big_int * mask
+
+  val sqrt : Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val gcdn :
+    nat -> Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val gcd : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+ end
+
+val nth : nat -> 'a1 list -> 'a1 -> 'a1
+
+val nth_error : 'a1 list -> nat -> 'a1 option
+
+val rev_append : 'a1 list -> 'a1 list -> 'a1 list
+
+val concat : 'a1 list list -> 'a1 list
+
+val map : ('a1 -> 'a2) -> 'a1 list -> 'a2 list
+
+val flat_map : ('a1 -> 'a2 list) -> 'a1 list -> 'a2 list
+
+val fold_left : ('a1 -> 'a2 -> 'a1) -> 'a2 list -> 'a1 -> 'a1
+
+val fold_right : ('a2 -> 'a1 -> 'a1) -> 'a1 -> 'a2 list -> 'a1
+
+val existsb : ('a1 -> bool) -> 'a1 list -> bool
+
+val forallb : ('a1 -> bool) -> 'a1 list -> bool
+
+val filter : ('a1 -> bool) -> 'a1 list -> 'a1 list
+
+val find : ('a1 -> bool) -> 'a1 list -> 'a1 option
+
+val combine : 'a1 list -> 'a2 list -> ('a1 * 'a2) list
+
+val repeat : 'a1 -> nat -> 'a1 list
+
+module Z :
+ sig
+  val double : Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val succ_double : Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val pred_double : Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val pos_sub : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val add : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val opp : Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val sub : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val mul : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val pow_pos : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val pow : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val compare : Big_int_Z.big_int -> Big_int_Z.big_int -> comparison
+
+  val sgn : Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val leb : Big_int_Z.big_int -> Big_int_Z.big_int -> bool
+
+  val ltb : Big_int_Z.big_int -> Big_int_Z.big_int -> bool
+
+  val eqb : Big_int_Z.big_int -> Big_int_Z.big_int -> bool
+
+  val max : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val abs : Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val to_pos : Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val pos_div_eucl :
+    Big_int_Z.big_int -> Big_int_Z.big_int ->
+    Big_int_Z.big_int * Big_int_Z.big_int
+
+  val div_eucl :
+    Big_int_Z.big_int -> Big_int_Z.big_int ->
+    Big_int_Z.big_int * Big_int_Z.big_int
+
+  val div : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val div2 : Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val log2 : Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val sqrt : Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val gcd : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val shiftl : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+  val lcm : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+ end
+
+val zeq_bool : Big_int_Z.big_int -> Big_int_Z.big_int -> bool
+
+type q = { qnum : Big_int_Z.big_int; qden : Big_int_Z.big_int }
+
+val inject_Z : Big_int_Z.big_int -> q
+
+val qeq_bool : q -> q -> bool
+
+val qle_bool : q -> q -> bool
+
+val qplus : q -> q -> q
+
+val qmult : q -> q -> q
+
+val qopp : q -> q
+
+val qminus : q -> q -> q
+
+val qinv : q -> q
+
+val qdiv : q -> q -> q
+
+type json =
+| Null
+| Boolean of bool
+| Number of string
+| Text of string
+| Array of json list
+| Object of (string * json) list
+
+type step =
+| Member of string
+| Element of Big_int_Z.big_int
+
+type path = step list
+
+type 'a result =
+| Fine of 'a
+| Malformed of path * json option * string
+
+val bind : 'a1 result -> ('a1 -> 'a2 result) -> 'a2 result
+
+val refuse : path -> string -> 'a1 result
+
+val expected : string -> path -> json -> 'a1 result
+
+val check_that : bool -> path -> string -> unit result
+
+val is_text : string -> json -> bool
+
+val map_all : ('a1 -> 'a2) -> 'a1 list -> 'a2 list
+
+val each_from :
+  (path -> 'a1 -> 'a2 result) -> Big_int_Z.big_int -> path -> 'a1 list -> 'a2
+  list -> 'a2 list result
+
+val each : (path -> 'a1 -> 'a2 result) -> path -> 'a1 list -> 'a2 list result
+
+val read_array :
+  string -> (path -> json -> 'a1 result) -> path -> json -> 'a1 list result
+
+val find_member : string -> (string * json) list -> json option
+
+val has_member : string -> (string * json) list -> bool
+
+val is_among : string -> string list -> bool
+
+val listed : string list -> string
+
+val check_members : string list -> path -> (string * json) list -> unit result
+
+val members_of : string list -> path -> json -> (string * json) list result
+
+val after : string -> string list -> string list option
+
+val check_order : string list -> path -> (string * json) list -> unit result
+
+val members_in_order :
+  string list -> path -> json -> (string * json) list result
+
+val member :
+  string -> (path -> json -> 'a1 result) -> path -> (string * json) list ->
+  'a1 result
+
+val optional_member :
+  string -> (path -> json -> 'a1 result) -> path -> (string * json) list ->
+  'a1 option result
+
+type interval = { low : q; high : q }
+
+val exactly : q -> interval
+
+type contact = { position : interval list; normal : q list; slope : q;
+                 friction : interval; stiffness : interval;
+                 preload : interval; preload_growth : q }
+
+type question = { dimension : nat; bilateral : bool; is_margin : bool;
+                  contacts : contact list; wrench : interval list;
+                  direction : q list }
+
+type parameter =
+| PX
+| PY
+| PZ
+| PTurn
+| PFriction
+| PPreload
+| PStiffness
+| PWrench
+
+type node =
+| Slip of Big_int_Z.big_int
+| Separation of Big_int_Z.big_int
+| Plane of q list
+| Cut of parameter * Big_int_Z.big_int * q
+| Leaf of q list
+
+type witness = { twist : q list; shares : (Big_int_Z.big_int * q list) list }
+
+type point = { multiple : q option; point_witness : witness }
+
+type segment = { first_point : point option; second_point : point }
+
+type part =
+| PartCut of parameter * Big_int_Z.big_int * q
+| PartProof of q list * q list list * q list list * node list
+
+type claim =
+| ClaimPart of q * q option * part
+| ClaimPoints of q * q option * witness list
+| ClaimUnstable of q * q option * node list
+
+type proof =
+| StableByWitness of witness
+| StableByParts of part list
+| UnstableByTree of node list
+| MarginBy of (q * q option) list * segment list * node list
+| MarginInSpace of claim list
+
+type certificate = { bits : Big_int_Z.big_int; body : proof }
+
+type place =
+| Nowhere
+| AtNode of nat
+| AtContact of Big_int_Z.big_int
+| AtInterval of nat
+| AtSegment of nat
+| AtPoint of nat * bool
+
+type answer =
+| Stable
+| Unstable
+| Margin of (q * q option) list
+| Rejected of string * place
+| NotProvedHere of string
+
+type advice =
+| Keep
+| Drop of Big_int_Z.big_int * (nat * Big_int_Z.big_int) list
+
+type 'memory oracle = { begin0 : (nat -> 'memory);
+                        advise : ('memory -> Big_int_Z.big_int list -> bool
+                                 -> 'memory * advice list) }
+
+val qabs : q -> q
+
+type form = Big_int_Z.big_int list
+
+val dot : form -> form -> Big_int_Z.big_int
+
+val combine0 : Big_int_Z.big_int -> form -> Big_int_Z.big_int -> form -> form
+
+val all_zero : form -> bool
+
+val content : form -> Big_int_Z.big_int
+
+val primitive : form -> form
+
+type ray = { coordinates : form; zeros : bool list }
+
+val both : bool list -> bool list -> bool list
+
+val add_strict : form list -> ray -> ray
+
+val common_zeros : form list list -> ray list -> bool list
+
+val barred : form list list -> ray list -> bool
+
+type candidate =
+| Stays of ray
+| Joins of form * bool list * bool list
+
+val form_of : candidate -> form
+
+val ray_of : candidate -> ray
+
+val heights : form -> ray list -> (Big_int_Z.big_int * ray) list
+
+val join : (Big_int_Z.big_int * ray) -> (Big_int_Z.big_int * ray) -> candidate
+
+val candidates : bool -> (Big_int_Z.big_int * ray) list -> candidate list
+
+val kept : candidate list -> advice list -> ray list
+
+val sum_of_rays : ray list -> (nat * Big_int_Z.big_int) list -> form
+
+val reason_holds :
+  ray list -> form -> Big_int_Z.big_int -> (nat * Big_int_Z.big_int) list ->
+  bool
+
+val unjustified : ray list -> candidate list -> advice list -> ray list
+
+val cut : ray list -> form -> bool -> advice list -> ray list
+
+val common_denominator : q list -> Big_int_Z.big_int
+
+type scaling = { over : Big_int_Z.big_int; times : Big_int_Z.big_int }
+
+val numerator : Big_int_Z.big_int -> q -> Big_int_Z.big_int
+
+val scaling_of : q list -> scaling
+
+val to_integer : scaling -> q -> Big_int_Z.big_int
+
+val up : Big_int_Z.big_int -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+val certain : interval -> bool
+
+val ends : interval -> q list
+
+type 'a multi =
+| Tip of 'a
+| Fork of 'a multi * 'a multi
+
+val mmap : ('a1 -> 'a2) -> 'a1 multi -> 'a2 multi
+
+val tips : 'a1 multi -> 'a1 list
+
+val lows : 'a1 multi -> 'a1 multi
+
+val highs : 'a1 multi -> 'a1 multi
+
+val first_tip : 'a1 multi -> 'a1
+
+val spread : interval -> (q -> 'a1 multi) -> 'a1 multi
+
+val product : (Big_int_Z.big_int multi * form multi) list -> form
+
+val bernstein :
+  nat -> (Big_int_Z.big_int multi * form multi) list -> form list
+
+val power : nat -> Big_int_Z.big_int
+
+type cbox = { box_x : interval; box_y : interval; box_turn : interval;
+              box_friction : interval; box_preload : interval;
+              box_stiffness : interval; box_nx : q; box_ny : q; box_growth : 
+              q }
+
+val is_square : Big_int_Z.big_int -> bool
+
+val reduced : q -> q
+
+val root_between : Big_int_Z.big_int -> q -> interval
+
+val is_enclosure : interval -> q -> bool
+
+val inverse_length : Big_int_Z.big_int -> bool -> q -> interval option
+
+val is_loaded : contact -> bool
+
+val enlarge : Big_int_Z.big_int -> contact -> cbox option
+
+type row = { box : cbox; tau : form multi; minus_tau : form multi;
+             tau_certain : bool; edges_plus : form multi list;
+             edges_minus : form multi list; edges_none : form multi list;
+             pulls : form multi list; separates : form option;
+             parameters : nat; weight : Big_int_Z.big_int;
+             over_weight : Big_int_Z.big_int; pull_scale : scaling }
+
+val corners : cbox -> (q -> q -> q -> 'a1) -> 'a1 multi
+
+val at_point : q -> q -> q -> q -> q list
+
+val turned_x : cbox -> q -> q
+
+val turned_y : cbox -> q -> q
+
+val t_at : cbox -> q -> q -> q -> q list
+
+val edge_at : cbox -> q -> q -> q -> q -> q list
+
+val pull_at : cbox -> q -> q -> q -> q -> q -> q list
+
+val scaling_of_trees : q list multi list -> scaling
+
+val integer_tree : scaling -> q list multi -> form multi
+
+val same_forms : form list -> bool
+
+val negative : form -> form
+
+val count : interval -> nat
+
+val minus_ends : interval -> q list
+
+val full_range : interval -> q list
+
+val pull_ends : cbox -> (q * q) list
+
+val make_row : cbox -> row
+
+val nowhere_negative : ray list -> form -> bool
+
+val nowhere_positive : ray list -> form -> bool
+
+val zeros_unless_negative :
+  (form -> Big_int_Z.big_int) -> ray list -> ray list option
+
+val positive_at_home :
+  form list list -> ray list -> (form -> Big_int_Z.big_int) -> bool
+
+val has_sign : form list list -> ray list -> form multi -> bool
+
+val largest : Big_int_Z.big_int list -> Big_int_Z.big_int
+
+type term =
+| Nothing
+| Line of Big_int_Z.big_int * form
+| Bend of Big_int_Z.big_int * Big_int_Z.big_int * form list * bool
+
+val value : term -> form -> Big_int_Z.big_int
+
+val edges : form list list -> ray list -> row -> form multi list
+
+val work_tree : form -> form multi -> Big_int_Z.big_int multi
+
+val pull_tips : row -> form list
+
+val products_with : row -> Big_int_Z.big_int multi -> form list
+
+val mixed_forms : row -> Big_int_Z.big_int multi -> form list
+
+val term_of :
+  Big_int_Z.big_int -> form -> form multi list -> bool -> row -> term
+
+val contact_term :
+  Big_int_Z.big_int -> form -> form list list -> ray list -> row -> term
+
+type load = { load_box : interval list; load_growth : q list;
+              lows_of_w : form; highs_of_w : form; form_of_u : form;
+              load_scaling : scaling }
+
+val make_load : interval list -> q list -> load
+
+val most_work : form -> form -> form -> Big_int_Z.big_int
+
+val load_term : Big_int_Z.big_int -> form -> load -> form
+
+val collect :
+  ('a1 -> term) -> 'a1 list -> form -> term list -> form * term list
+
+val leaf_holds_by :
+  Big_int_Z.big_int -> row list -> load -> form list list -> ray list -> form
+  -> bool
+
+type ('memory, 'setting) region = { rays : ray list; strict : form list list;
+                                    moving : form list list;
+                                    around : 'setting; remembered : 'memory;
+                                    depth : Big_int_Z.big_int }
+
+type 'setting branch = { conditions : (form * bool) list;
+                         new_strict : form list; new_moving : form list list;
+                         branch_setting : 'setting }
+
+val cut_region :
+  'a1 oracle -> ('a1, 'a2) region -> (form * bool) -> ('a1, 'a2) region
+
+val strictly : ('a1, 'a2) region -> form -> ('a1, 'a2) region
+
+val child : 'a1 oracle -> ('a1, 'a2) region -> 'a2 branch -> ('a1, 'a2) region
+
+val at_leaf : ('a1, 'a2) region -> form list list * ray list
+
+val visit :
+  'a1 oracle -> ('a2 -> node -> ('a2 branch list, string) sum) -> ('a2 ->
+  form list list -> ray list -> q list -> string option) -> Big_int_Z.big_int
+  -> node -> ('a1, 'a2) region -> (('a1, 'a2) region list, string) sum
+
+val walk :
+  'a1 oracle -> ('a2 -> node -> ('a2 branch list, string) sum) -> ('a2 ->
+  form list list -> ray list -> q list -> string option) -> Big_int_Z.big_int
+  -> node list -> ('a1, 'a2) region list -> nat -> (string * nat) option
+
+val basis : nat -> nat -> form list
+
+val everywhere : 'a1 oracle -> nat -> 'a2 -> ('a1, 'a2) region
+
+val root : 'a1 oracle -> nat -> 'a2 branch -> ('a1, 'a2) region
+
+val numbered : 'a1 list -> Big_int_Z.big_int -> 'a1 option
+
+val replace : 'a1 list -> Big_int_Z.big_int -> 'a1 -> 'a1 list
+
+type range = { range_low : q; range_high : q option; open_low : bool;
+               open_high : bool }
+
+type setting = { rows : row list; the_load : load; short : Big_int_Z.big_int;
+                 exact : Big_int_Z.big_int }
+
+val leaf_fails :
+  setting -> form list list -> ray list -> q list -> string option
+
+val get : cbox -> parameter -> interval
+
+val set : cbox -> parameter -> interval -> cbox
+
+val is_inside : interval -> q -> bool
+
+val low_half : interval -> q -> interval
+
+val high_half : interval -> q -> interval
+
+val set_row : setting -> Big_int_Z.big_int -> cbox -> setting
+
+val set_load : setting -> interval list -> setting
+
+val halves :
+  setting -> parameter -> Big_int_Z.big_int -> q -> (setting * setting,
+  string) sum
+
+val above : setting -> form -> setting branch
+
+val not_below : setting -> form -> setting branch
+
+val on_plane : setting -> form -> setting branch
+
+val split : setting -> node -> (setting branch list, string) sum
+
+val l_above : nat -> q -> form
+
+val h_form : nat -> form
+
+val range_conditions : nat -> range -> form list
+
+val range_strict : nat -> range -> form list
+
+val separating : row list -> form list
+
+val root_branch : bool -> setting -> range -> setting branch
+
+val walk_ranges :
+  'a1 oracle -> Big_int_Z.big_int -> bool -> setting -> range list -> node
+  list -> (string * nat) option
+
+val exact_box : cbox -> bool
+
+type state = { state_v : Big_int_Z.big_int; state_tau : Big_int_Z.big_int;
+               state_share : q }
+
+val exact_pull : row -> form
+
+val share_of_slip : Big_int_Z.big_int -> q
+
+val states :
+  row list -> form -> (Big_int_Z.big_int * q list) list -> Big_int_Z.big_int
+  -> (state list, Big_int_Z.big_int) sum
+
+val contact_wrench : row -> state -> q list
+
+val load_at : load -> Big_int_Z.big_int -> Big_int_Z.big_int -> q list
+
+val adds_up_to_zero : q list list -> bool
+
+val contact_wrenches : row list -> state list -> q list list -> q list list
+
+val check_point :
+  bool -> row list -> load -> form -> (Big_int_Z.big_int * q list) list ->
+  (state list, string) sum
+
+val opposite : Big_int_Z.big_int -> Big_int_Z.big_int -> bool
+
+val one_mode : row -> state -> state -> bool
+
+val same_mode : row list -> state list -> state list -> bool
+
+val exact_rows : row list -> bool
+
+val coordinates_of : point -> q list
+
+val integer_point : point -> form
+
+val check_at : bool -> row list -> load -> point -> (state list, string) sum
+
+val qlt_bool : q -> q -> bool
+
+val beyond : q option -> q option -> bool
+
+val reaches : q option -> q option -> bool
+
+val segments_fail :
+  bool -> row list -> load -> segment list -> (q * q option) list -> q option
+  -> (point * state list) option -> nat -> (string * place) option
+
+val order_fails : q option -> bool -> (q * q option) list -> nat -> nat option
+
+val gaps_from : q -> bool -> (q * q option) list -> range list
+
+val gaps : (q * q option) list -> range list
+
+type cbox0 = { box_x0 : interval; box_y0 : interval; box_z : interval;
+               box_friction0 : interval; box_preload0 : interval;
+               box_stiffness0 : interval; box_nx0 : q; box_ny0 : q; box_nz : 
+               q }
+
+val square : cbox0 -> q
+
+val enlarge0 : Big_int_Z.big_int -> contact -> cbox0 option
+
+type row0 = { box0 : cbox0; geometry : form list multi;
+              geometry_scale : scaling; slip_certain : bool;
+              pulls0 : form multi list; pull_scale0 : scaling;
+              separates0 : form option }
+
+val corners0 : cbox0 -> (q -> q -> q -> 'a1) -> 'a1 multi
+
+val at_point0 : q -> q -> q -> q -> q -> q -> q list
+
+val across : cbox0 -> q -> q -> q -> q -> (q * q) * q
+
+val at_point3 : q -> q -> q -> ((q * q) * q) -> q list
+
+val geometry_at : cbox0 -> q -> q -> q -> q list list
+
+val pull_at0 : cbox0 -> q -> q -> q -> q -> q -> q list
+
+val pull_ends0 : cbox0 -> (q * q) list
+
+val geometry_tree : cbox0 -> q list list multi
+
+val scaling_of_geometry : cbox0 -> scaling
+
+val pull_tree : cbox0 -> (q * q) -> q list multi
+
+val pull_scaling : cbox0 -> scaling
+
+val make_row0 : cbox0 -> row0
+
+val slip_at : form list -> form -> form
+
+val slips : form list multi -> ray list -> form list
+
+val less_along : form -> form -> form -> bool
+
+val nearest : form -> form list -> form option
+
+val part_across : form -> form -> form
+
+val nowhere_along : form list -> form -> bool
+
+val separator : form list -> form -> form option
+
+val opposed : form list -> form list -> (form * ray) list -> ray list
+
+val must_move :
+  form list list -> form list multi -> form list -> ray list -> bool
+
+val most_along :
+  form list -> form -> (bool * Big_int_Z.big_int) * Big_int_Z.big_int
+
+val root_above : q -> q
+
+val root_below : q -> q
+
+val unit_of : scaling -> q
+
+val corner_alpha : row0 -> q -> form -> form list -> bool -> form list -> q
+
+val largest_q : q list -> q
+
+val alpha : form list list -> ray list -> bool -> row0 -> q -> form -> q
+
+val pull_tips0 : row0 -> form list
+
+val term_of0 : Big_int_Z.big_int -> q -> bool -> row0 -> term
+
+val pressing :
+  form list list -> ray list -> Big_int_Z.big_int list -> q -> form -> row0
+  list -> Big_int_Z.big_int -> ((row0 * q) * bool) list
+
+val load_term0 : Big_int_Z.big_int -> q -> form -> load -> form
+
+val leaf_holds :
+  row0 list -> load -> Big_int_Z.big_int list -> form list list -> ray list
+  -> q list -> bool
+
+type setting0 = { rows0 : row0 list; the_load0 : load;
+                  slipping : Big_int_Z.big_int list }
+
+val leaf_fails0 :
+  setting0 -> form list list -> ray list -> q list -> string option
+
+val get0 : cbox0 -> parameter -> interval
+
+val set0 : cbox0 -> parameter -> interval -> cbox0
+
+val set_row0 : setting0 -> Big_int_Z.big_int -> cbox0 -> setting0
+
+val set_load0 : setting0 -> interval list -> setting0
+
+val halves0 :
+  setting0 -> parameter -> Big_int_Z.big_int -> q -> (setting0 * setting0,
+  string) sum
+
+val above0 : setting0 -> form -> setting0 branch
+
+val not_below0 : setting0 -> form -> setting0 branch
+
+val slip_forms : row0 -> form list
+
+val split0 : setting0 -> node -> (setting0 branch list, string) sum
+
+val separating0 : row0 list -> form list
+
+val root_branch0 : bool -> setting0 -> range -> setting0 branch
+
+val walk_ranges0 :
+  'a1 oracle -> Big_int_Z.big_int -> bool -> setting0 -> range list -> node
+  list -> (string * nat) option
+
+val exact_box0 : cbox0 -> bool
+
+type state0 = { state_v0 : Big_int_Z.big_int; state_slip : form;
+                share : ((q * q) * q) }
+
+val no_share : (q * q) * q
+
+val exact_pull0 : row0 -> form
+
+val exact_slip : row0 -> form -> form
+
+val share_fits : cbox0 -> ((q * q) * q) -> bool
+
+val states0 :
+  row0 list -> form -> (Big_int_Z.big_int * q list) list -> Big_int_Z.big_int
+  -> state0 list option
+
+val sliding_share : cbox0 -> form -> ((q * q) * q) option
+
+val with_roots : row0 list -> state0 list -> state0 list option
+
+val contact_wrench0 : row0 -> state0 -> q list
+
+val contact_wrenches0 : row0 list -> state0 list -> q list list
+
+val shares_fit : row0 list -> state0 list -> bool
+
+val witness_fails : bool -> row0 list -> load -> witness -> string option
+
+val is_one_grasp : row0 list -> load -> bool
+
+val enlarge_all : Big_int_Z.big_int -> contact list -> row list option
+
+val common_multiple : row list -> load -> Big_int_Z.big_int
+
+val short_multiple : row list -> Big_int_Z.big_int -> Big_int_Z.big_int
+
+val most_depth : 'a1 list -> Big_int_Z.big_int
+
+val setting_of : Big_int_Z.big_int -> question -> setting option
+
+val enlarge_all_in_space :
+  Big_int_Z.big_int -> contact list -> row0 list option
+
+val setting_in_space : Big_int_Z.big_int -> question -> setting0 option
+
+val is_one_grasp0 : setting -> bool
+
+val refute :
+  'a1 oracle -> question -> setting -> range list -> node list ->
+  (string * nat) option
+
+val at_zero : range
+
+val check_in_plane : 'a1 oracle -> question -> certificate -> answer
+
+val check_in_space : 'a1 oracle -> question -> certificate -> answer
+
+val check : 'a1 oracle -> question -> certificate -> answer
+
+val digit : char -> Big_int_Z.big_int option
+
+val digits_after :
+  Big_int_Z.big_int -> Big_int_Z.big_int -> char list ->
+  (Big_int_Z.big_int * Big_int_Z.big_int) * char list
+
+val digits : char list -> (Big_int_Z.big_int * Big_int_Z.big_int) * char list
+
+val take : char -> char list -> bool * char list
+
+val is_longer_than : Big_int_Z.big_int -> 'a1 list -> bool
+
+val fraction : bool -> Big_int_Z.big_int -> Big_int_Z.big_int -> q option
+
+val fraction_of_digits : bool -> char list -> q option
+
+val parse_fraction : Big_int_Z.big_int -> string -> q option
+
+val longest_decimal : Big_int_Z.big_int
+
+val largest_exponent : Big_int_Z.big_int
+
+val exponent : char list -> (Big_int_Z.big_int * char list) option
+
+val parse_decimal : string -> q option
+
+val too_large : Big_int_Z.big_int
+
+val is_not_too_large : q -> bool
+
+val read_decimal : path -> json -> q result
+
+val longest_fraction : Big_int_Z.big_int
+
+val longest_json_integer : Big_int_Z.big_int
+
+val read_fraction : path -> json -> q result
+
+val read_index : path -> json -> Big_int_Z.big_int result
+
+val exact_root : q -> q option
+
+val add_intervals : interval -> interval -> interval
+
+type grasp = { in_space : bool; all_contacts : contact list;
+               common_wrench : interval list;
+               cases : (string * interval list) list }
+
+val most_contacts : Big_int_Z.big_int
+
+type version = { is_second : bool; is_in_space : bool }
+
+val coordinates0 : version -> Big_int_Z.big_int
+
+val components : version -> Big_int_Z.big_int
+
+val needs_second : string
+
+val has_length : Big_int_Z.big_int -> 'a1 list -> bool
+
+val read_sized :
+  Big_int_Z.big_int -> string -> (path -> json -> 'a1 result) -> path -> json
+  -> 'a1 list result
+
+val read_point : version -> path -> json -> q list result
+
+val is_0 : q -> bool
+
+val is_below : q -> q -> bool
+
+val sum_of_squares : q list -> q
+
+val read_interval : version -> path -> json -> interval result
+
+val read_wrench : version -> path -> json -> interval list result
+
+type properties = { own_friction : interval option;
+                    own_stiffness : interval option;
+                    own_preload : interval option }
+
+val read_property : version -> bool -> path -> json -> interval result
+
+val read_properties :
+  version -> path -> (string * json) list -> properties result
+
+val read_defaults : version -> path -> json -> properties result
+
+type edge = { from : q list; to0 : q list; inwards : q list }
+
+val depth_of : json -> Big_int_Z.big_int
+
+val same : q list -> q list -> bool
+
+val pairs_to : 'a1 -> 'a1 list -> ('a1 * 'a1) list -> ('a1 * 'a1) list
+
+val pairs : 'a1 list -> ('a1 * 'a1) list
+
+val cross : q list -> q list -> q
+
+val with_length_1 : q list -> q list
+
+val make_edge : q -> (q list * q list) -> edge
+
+val read_ring : version -> bool -> path -> json -> edge list result
+
+val read_polygon : version -> path -> json -> edge list result
+
+val read_outline : version -> path -> json -> edge list list result
+
+val at_point1 : q list -> q list -> q list
+
+val read_pull : version -> path -> (string * json) list -> q list result
+
+val read_torque : version -> path -> json -> q list result
+
+val read_load : version -> path -> json -> q list result
+
+val no_wrench : version -> interval list
+
+val add_wrench : interval list -> interval list -> interval list
+
+val read_loads : version -> path -> json -> interval list result
+
+val read_name : path -> json -> string result
+
+val read_case : version -> path -> json -> (string * interval list) result
+
+val check_names : path -> string list -> unit result
+
+val read_cases :
+  version -> path -> json -> (string * interval list) list result
+
+val nth_from : Big_int_Z.big_int -> 'a1 list -> 'a1 option
+
+val choose : q -> 'a1 list -> 'a1 option
+
+val read_on :
+  edge list list -> path -> json -> (interval list * q list) result
+
+val read_normal : version -> path -> json -> (q list * q) result
+
+val read_contact :
+  version -> edge list list -> properties -> path -> json -> contact result
+
+val read_format : path -> json -> bool result
+
+val read_any_text : path -> json -> unit result
+
+val is_unit : string -> bool
+
+val read_unit : path -> json -> unit result
+
+val read_units : path -> json -> unit result
+
+val is_array : Big_int_Z.big_int -> json option -> bool
+
+val begins_in_space : (string * json) list -> bool
+
+val version_of : (string * json) list -> version result
+
+val read_grasp : json -> grasp result
+
+type tolerance = { amount : q; percent : bool }
+
+type growth =
+| Scale
+| By of q list
+
+type options = { asked_wrench : q list option; asked_case : string option;
+                 asked_preload : q option; asked_bilateral : bool;
+                 asked_direction : q list option;
+                 asked_growth : growth option;
+                 asked_uncertain : (string * tolerance) list }
+
+val uncertain_kinds : string list
+
+val asks_margin : options -> bool
+
+type posed = { the_question : question; stated_wrench : interval list;
+               the_options : options; is_box : bool }
+
+val of_question : string -> path
+
+val find_tolerance : string -> options -> tolerance option
+
+val check_dimension : bool -> string -> q list option -> unit result
+
+val wrench_asked : grasp -> options -> interval list result
+
+val widen : tolerance option -> interval -> interval
+
+val asked_contact : options -> contact -> contact
+
+val check_tolerances : options -> (string * tolerance) list -> unit result
+
+val is_exact : interval -> bool
+
+val is_one_point : contact -> bool
+
+val has_irrational_preload : contact -> bool
+
+val check_contact : bool -> bool -> path -> contact -> bool result
+
+val with_growths :
+  contact list -> q list -> contact list -> contact list option
+
+val scaled : contact -> contact
+
+val pose : grasp -> options -> posed result
+
+type statement = { stated_contacts : Big_int_Z.big_int;
+                   wrench_stated : interval list; options_stated : options }
+
+type shape = { spatial : bool; of_margin : bool }
+
+val size_of_twist : shape -> Big_int_Z.big_int
+
+val read_numbers : Big_int_Z.big_int -> path -> json -> q list result
+
+val read_twist : shape -> path -> json -> q list result
+
+val read_or_null : path -> json -> q option result
+
+val read_stated_component : path -> json -> interval result
+
+val read_law : path -> json -> bool result
+
+val read_growth : path -> json -> growth result
+
+val before_percent : string -> string option
+
+val read_tolerance : path -> json -> tolerance result
+
+val read_all_tolerances :
+  path -> (string * json) list -> (string * tolerance) list result
+
+val read_tolerances : path -> json -> (string * tolerance) list result
+
+val read_statement : bool -> path -> json -> statement result
+
+val read_parameter : shape -> path -> json -> parameter result
+
+val read_cut :
+  shape -> path -> json list -> json -> ((parameter * Big_int_Z.big_int) * q)
+  result
+
+val read_node : shape -> path -> json -> node result
+
+val read_nodes : shape -> path -> json -> node list result
+
+val read_share : shape -> path -> json -> (Big_int_Z.big_int * q list) result
+
+val read_shares :
+  shape -> path -> json -> (Big_int_Z.big_int * q list) list result
+
+val read_point0 : shape -> bool -> path -> json -> point result
+
+val read_segment : shape -> bool -> path -> json -> segment result
+
+val read_segments_from :
+  shape -> bool -> Big_int_Z.big_int -> path -> json list -> segment list ->
+  segment list result
+
+val read_segments : shape -> path -> json -> segment list result
+
+val read_resisted : path -> json -> (q * q option) result
+
+val read_matrix : shape -> path -> json -> q list list result
+
+val read_part : shape -> path -> json -> part result
+
+val read_spatial_point : shape -> path -> json -> witness result
+
+val is_point : json -> bool
+
+val read_claim : shape -> path -> json -> claim result
+
+val next :
+  string -> (string * json) list -> (json * (string * json) list) result
+
+val next_read :
+  string -> (path -> json -> 'a1 result) -> (string * json) list ->
+  ('a1 * (string * json) list) result
+
+val begins_with : string -> (string * json) list -> bool
+
+val finish : ('a1 * (string * json) list) -> 'a1 result
+
+val default_bits : Big_int_Z.big_int
+
+val read_bits : path -> json -> Big_int_Z.big_int result
+
+val read_verdict : shape -> path -> json -> bool result
+
+val read_body : shape -> bool -> (string * json) list -> proof result
+
+val read_known_format : path -> json -> unit result
+
+val read_certificate : bool -> json -> (statement * certificate) result
+
+val same_list : ('a1 -> 'a1 -> bool) -> 'a1 list -> 'a1 list -> bool
+
+val same_option : ('a1 -> 'a1 -> bool) -> 'a1 option -> 'a1 option -> bool
+
+val same_interval : interval -> interval -> bool
+
+val same_growth : growth -> growth -> bool
+
+val same_tolerance : tolerance -> tolerance -> bool
+
+val broken_question_rule : statement -> posed -> string option
+
+val ask : options -> json -> posed result
+
+val judge : 'a1 oracle -> posed -> json -> (answer * certificate) result

@@ -1,0 +1,220 @@
+(* SPDX-License-Identifier: MIT *)
+(* What is printed: the question as it was understood, and the answer, in the words of
+   stickslip-check. *)
+
+module Integer = Z  (* Zarith's; Checker has one of its own *)
+
+open Checker
+
+(* The text with every byte that is not printable ASCII as \xNN. *)
+let printable text =
+  let shown = Buffer.create (String.length text) in
+  let add c =
+    if c >= ' ' && c <= '~' then Buffer.add_char shown c
+    else Buffer.add_string shown (Printf.sprintf "\\x%02x" (Char.code c)) in
+  String.iter add text;
+  Buffer.contents shown
+
+let quote text =
+  let most = 40 in
+  if String.length text <= most then "\"" ^ printable text ^ "\""
+  else "\"" ^ printable (String.sub text 0 most) ^ "...\""
+
+let json_string text =
+  let result = Buffer.create (String.length text + 2) in
+  Buffer.add_char result '"';
+  let add c =
+    if c = '"' || c = '\\' then Buffer.add_char result '\\';
+    Buffer.add_char result c in
+  String.iter add (printable text);
+  Buffer.add_char result '"';
+  Buffer.contents result
+
+let rec int_of_nat = function O -> 0 | S n -> 1 + int_of_nat n
+
+(* In lowest terms. *)
+let number { qnum; qden } =
+  let divisor = Integer.gcd qnum qden in
+  let num = Integer.div qnum divisor and den = Integer.div qden divisor in
+  if Integer.equal den Integer.one then Integer.to_string num else Integer.to_string num ^ "/" ^ Integer.to_string den
+
+let separated show items = String.concat ", " (List.map show items)
+let vector items = "(" ^ separated number items ^ ")"
+let json_number x = json_string (number x)
+let json_vector items = "[" ^ separated json_number items ^ "]"
+
+let interval between { low; high } =
+  if qeq_bool low high then between low
+  else "[" ^ between low ^ ", " ^ between high ^ "]"
+
+let tolerance { amount; percent } = number amount ^ if percent then "%" else ""
+
+(* Those given, in the order of kinds. *)
+let tolerances asked =
+  List.filter_map
+    (fun kind -> Option.map (fun t -> (kind, t)) (find_tolerance kind asked))
+    uncertain_kinds
+
+let law asked = if asked.asked_bilateral then "bilateral" else "unilateral"
+
+let resisted_in_words = function
+  | [] -> "no multiple"
+  | intervals ->
+    separated
+      (fun (low, high) ->
+        "[" ^ number low ^ ", "
+        ^ match high with Some x -> number x ^ "]" | None -> "oo)")
+      intervals
+
+let json_resisted intervals =
+  let one (low, high) =
+    "[" ^ json_number low ^ ", "
+    ^ (match high with Some x -> json_number x | None -> "null") ^ "]" in
+  "[" ^ separated one intervals ^ "]"
+
+(* How long the proof is. *)
+type size = { nodes : int; leaves : int; parts : int; segments : int; trees : int }
+
+let size_of_tree size tree =
+  let leaves = List.length (List.filter (function Leaf _ -> true | _ -> false) tree) in
+  { size with nodes = size.nodes + List.length tree; leaves = size.leaves + leaves }
+
+(* The parts of [0, oo) that the intervals of a margin leave. *)
+let gaps = function
+  | [] -> 1
+  | (low, _) :: _ as intervals ->
+    let count = List.length intervals in
+    let ends = match snd (List.nth intervals (count - 1)) with Some _ -> 0 | None -> 1 in
+    count + 1 - ends - if Integer.sign low.qnum = 0 then 1 else 0
+
+let size_of certificate =
+  let none = { nodes = 0; leaves = 0; parts = 0; segments = 0; trees = 0 } in
+  let add_part size = function
+    | PartProof (_, _, _, tree) -> size_of_tree { size with parts = size.parts + 1 } tree
+    | PartCut _ -> size in
+  match certificate.body with
+  | StableByWitness _ -> none
+  | StableByParts parts -> List.fold_left add_part none parts
+  | UnstableByTree tree -> size_of_tree none tree
+  | MarginBy (resisted, segments, tree) ->
+    size_of_tree { none with segments = List.length segments; trees = gaps resisted } tree
+  | MarginInSpace claims ->
+    let add size = function
+      | ClaimPart (_, _, part) -> add_part size part
+      | ClaimPoints _ -> size
+      | ClaimUnstable (_, _, tree) -> size_of_tree { size with trees = size.trees + 1 } tree in
+    List.fold_left add none claims
+
+let in_words place =
+  match place with
+  | Nowhere -> None
+  | AtNode _ -> None
+  | AtContact i -> Some ("contact " ^ Integer.to_string i)
+  | AtInterval n -> Some ("interval " ^ string_of_int (int_of_nat n))
+  | AtSegment n -> Some ("segment " ^ string_of_int (int_of_nat n))
+  | AtPoint (n, second) ->
+    Some ("segment " ^ string_of_int (int_of_nat n)
+          ^ if second then ", second point" else ", first point")
+
+let node_of = function AtNode n -> Some (int_of_nat n) | _ -> None
+
+let question asked =
+  let o = asked.the_options in
+  let given name show = function Some it -> "\n" ^ name ^ show it | None -> "" in
+  let numbers = function Some (By numbers) -> " + f " ^ vector numbers | _ -> "" in
+  "\ncontacts    " ^ string_of_int (List.length asked.the_question.contacts)
+  ^ "\nwrench      (" ^ separated (interval number) asked.stated_wrench ^ ")"
+  ^ given "direction   " vector o.asked_direction
+  ^ "\npreload     "
+  ^ (match o.asked_growth with Some Scale -> "f times " | _ -> "")
+  ^ (match o.asked_preload with
+     | Some p -> number p ^ " at all contacts"
+     | None -> "as in the grasp file")
+  ^ numbers o.asked_growth
+  ^ "\nnormal law  " ^ law o
+  ^ match tolerances o with
+    | [] -> ""
+    | them -> "\nuncertain   " ^ separated (fun (kind, t) -> kind ^ " " ^ tolerance t) them
+
+let json_question asked =
+  let o = asked.the_options in
+  let or_null show = function Some it -> show it | None -> "null" in
+  let uncertain = match tolerances o with
+    | [] -> "null"
+    | them ->
+      let one (kind, t) = json_string kind ^ ": " ^ json_string (tolerance t) in
+      "{" ^ separated one them ^ "}" in
+  "{\"contacts\": " ^ string_of_int (List.length asked.the_question.contacts)
+  ^ ", \"wrench\": [" ^ separated (interval json_number) asked.stated_wrench ^ "]"
+  ^ ", \"preload\": " ^ or_null json_number o.asked_preload
+  ^ ", \"normal_law\": " ^ json_string (law o)
+  ^ ", \"direction\": " ^ or_null json_vector o.asked_direction
+  ^ ", \"preload_direction\": "
+  ^ or_null (function Scale -> "\"scale\"" | By numbers -> json_vector numbers) o.asked_growth
+  ^ ", \"uncertain\": " ^ uncertain ^ "}"
+
+type report =
+  | Judged of { asked : posed; answer : answer; certificate : certificate }
+  | Illegible of { file : string; place : string; problem : string }
+
+let proof answer size =
+  let tree = Printf.sprintf "%d nodes: %d leaves" size.nodes size.leaves in
+  match answer with
+  | Margin _ -> Printf.sprintf "segments: %d; trees: %d, of %s" size.segments size.trees tree
+  | Stable when size.parts > 0 -> Printf.sprintf "by degree, parts: %d; trees of %s" size.parts tree
+  | Stable -> "an equilibrium"
+  | _ -> "a tree of " ^ tree
+
+let accepted asked answer certificate =
+  let verdict = match answer with
+    | Margin resisted -> "resisted    " ^ resisted_in_words resisted
+    | Stable -> "verdict     stable"
+    | _ -> "verdict     unstable" in
+  let box = match answer with
+    | (Stable | Unstable) when asked.is_box -> ", for every grasp in the box"
+    | _ -> "" in
+  "accepted\n" ^ verdict ^ box ^ question asked
+  ^ "\nproof       " ^ proof answer (size_of certificate) ^ "\n"
+
+let as_text = function
+  | Illegible { file; place; problem } ->
+    printable (file ^ ": " ^ place ^ ": " ^ problem) ^ "\n"
+  | Judged { answer = Rejected (rule, at); _ } ->
+    let line name = function Some text -> name ^ text ^ "\n" | None -> "" in
+    "rejected\nrule   " ^ rule ^ "\n"
+    ^ line "node   " (Option.map string_of_int (node_of at))
+    ^ line "path   " (in_words at)
+  | Judged { answer = NotProvedHere why; _ } -> "not judged\nwhy    " ^ printable why ^ "\n"
+  | Judged { asked; answer; certificate } -> accepted asked answer certificate
+
+let as_json report =
+  let text it = match it with Some text -> json_string text | None -> "null" in
+  let line ?rule ?node ?path ?found ?verdict ?box ?size ?resisted ?asked result =
+    let number_of part = match size with Some s -> string_of_int (part s) | None -> "null" in
+    "{\"result\": " ^ json_string result ^ ", \"rule\": " ^ text rule ^ ", \"node\": "
+    ^ (match node with Some n -> string_of_int n | None -> "null")
+    ^ ", \"path\": " ^ text path ^ ", \"found\": " ^ text found ^ ", \"verdict\": " ^ text verdict
+    ^ ", \"box\": " ^ (match box with Some b -> string_of_bool b | None -> "null")
+    ^ ", \"nodes\": " ^ number_of (fun s -> s.nodes)
+    ^ ", \"leaves\": " ^ number_of (fun s -> s.leaves)
+    ^ ", \"resisted\": " ^ (match resisted with Some r -> json_resisted r | None -> "null")
+    ^ ", \"refuted\": null, \"question\": "
+    ^ (match asked with Some a -> json_question a | None -> "null") ^ "}\n" in
+  match report with
+  | Illegible { place; problem; _ } -> line "malformed" ~path:place ~found:problem
+  | Judged { answer = Rejected (rule, at); _ } ->
+    line "rejected" ~rule ?node:(node_of at) ?path:(in_words at) ~found:"see FORMAT.md"
+  | Judged { answer = NotProvedHere why; _ } -> line "not judged" ~found:why
+  | Judged { asked; answer; certificate } ->
+    let size = size_of certificate in
+    let tree = match answer with Stable -> size.parts > 0 | _ -> true in
+    line "accepted" ~box:asked.is_box ~asked
+      ~verdict:(match answer with Margin _ -> "margin" | Stable -> "stable" | _ -> "unstable")
+      ?size:(if tree then Some size else None)
+      ?resisted:(match answer with Margin r -> Some r | _ -> None)
+
+let exit_code = function
+  | Illegible _ -> 2
+  | Judged { answer = Rejected _; _ } -> 1
+  | Judged { answer = NotProvedHere _; _ } -> 3
+  | Judged _ -> 0

@@ -4,9 +4,10 @@
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-install_packages "${build_packages[@]}" "${test_packages[@]}" "${python_packages[@]}"
+install_packages "${build_packages[@]}" "${test_packages[@]}" "${python_packages[@]}" \
+  "${browser_packages[@]}"
 step "Configuring" configure cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release $together \
-  -DSTICKSLIP_BUILD_TESTS=ON -DSTICKSLIP_BUILD_BENCH=ON -DSTICKSLIP_WERROR=ON \
+  -DSTICKSLIP_BUILD_TESTS=ON -DSTICKSLIP_BUILD_BENCH=ON -DSTICKSLIP_WERROR=ON -DSTICKSLIP_BUILD_PROVED=ON \
   -DSTICKSLIP_BUILD_PYTHON=ON -DPython3_EXECUTABLE=/usr/bin/python3
 step "Building (several minutes the first time)" build cmake --build "$build" -j "$(jobs_for_build)"
 ctest --test-dir "$build" --output-on-failure -j "$(jobs_for_build)" "$@"

@@ -311,10 +311,11 @@ TEST(BoxMutations, EachIsRejectedAlikeAndByItsRule) {
   std::vector<CheckerInput> inputs;
   for (const Mutant& mutant : mutants) inputs.push_back(mutant.input);
   const std::vector<CheckerAnswer> python = test::ask_python_checker(inputs);
+  std::vector<CheckerAnswer> answers;
   std::map<std::string, int> fired;
   for (std::size_t i = 0; i < mutants.size(); ++i) {
     const Mutant& mutant = mutants[i];
-    const CheckerAnswer cpp = ask_cpp_checker(mutant.input);
+    const CheckerAnswer cpp = answers.emplace_back(ask_cpp_checker(mutant.input));
     EXPECT_TRUE(cpp.agrees_with(python[i]))
         << mutant.kind << "\nC++: " << describe(cpp) << "\nPython: " << describe(python[i]);
     if (mutant.rules.empty()) {
@@ -324,6 +325,8 @@ TEST(BoxMutations, EachIsRejectedAlikeAndByItsRule) {
       ++fired[cpp.rule];
     }
   }
+  test::expect_js_checker_agrees(inputs, answers);
+  test::expect_proved_checker_agrees(inputs, answers);
   std::cout << mutants.size() << " mutants\n";
   const Rules rules = test::rules_between("## 6. Boxes", "## 7.");
   EXPECT_EQ(rules.size(), 13u);

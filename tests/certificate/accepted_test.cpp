@@ -17,11 +17,14 @@ using test::CheckerInput;
 void expect_accepted(const std::vector<CheckerInput>& inputs,
                      const std::vector<std::string>& names) {
   const std::vector<CheckerAnswer> python = test::ask_python_checker(inputs);
+  std::vector<CheckerAnswer> answers;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
-    const CheckerAnswer cpp = ask_cpp_checker(inputs[i]);
+    const CheckerAnswer cpp = answers.emplace_back(ask_cpp_checker(inputs[i]));
     EXPECT_EQ(cpp.result, "accepted") << names[i] << ": " << describe(cpp);
     EXPECT_EQ(python[i].result, "accepted") << names[i] << ": " << describe(python[i]);
   }
+  test::expect_js_checker_agrees(inputs, answers);
+  test::expect_proved_checker_agrees(inputs, answers);
 }
 
 TEST(Accepted, CertificatesOfBothEngines) {

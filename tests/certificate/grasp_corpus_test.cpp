@@ -50,13 +50,16 @@ TEST(GraspCorpus, ReadAlike) {
   }
   EXPECT_GE(names.size(), 85u);
   const std::vector<CheckerAnswer> python = test::ask_python_checker(inputs);
+  std::vector<CheckerAnswer> answers;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::string expected = names[i].rfind("good", 0) == 0 ? "read" : "malformed";
     EXPECT_EQ(in_core(inputs[i].grasp), expected) << names[i];
-    const CheckerAnswer cpp = ask_cpp_checker(inputs[i]);
+    const CheckerAnswer cpp = answers.emplace_back(ask_cpp_checker(inputs[i]));
     EXPECT_EQ(in_checker(cpp), expected) << names[i] << ": " << describe(cpp);
     EXPECT_EQ(in_checker(python[i]), expected) << names[i] << ": " << describe(python[i]);
   }
+  test::expect_js_checker_agrees(inputs, answers);
+  test::expect_proved_checker_agrees(inputs, answers);
 }
 
 // The numbers of the files mean the same to each: the wrench is what the checkers compare.
@@ -75,10 +78,14 @@ TEST(GraspCorpus, NumbersMeanTheSame) {
     inputs.push_back({text, certificate, {}});
   }
   const std::vector<CheckerAnswer> python = test::ask_python_checker(inputs);
+  std::vector<CheckerAnswer> answers;
   for (std::size_t i = 0; i < inputs.size(); ++i) {
-    EXPECT_EQ(ask_cpp_checker(inputs[i]).rule, "tree-short") << inputs[i].grasp;
+    answers.push_back(ask_cpp_checker(inputs[i]));
+    EXPECT_EQ(answers[i].rule, "tree-short") << inputs[i].grasp;
     EXPECT_EQ(python[i].rule, "tree-short") << inputs[i].grasp;
   }
+  test::expect_js_checker_agrees(inputs, answers);
+  test::expect_proved_checker_agrees(inputs, answers);
 }
 
 }  // namespace

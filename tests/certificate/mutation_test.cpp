@@ -128,12 +128,13 @@ TEST(Mutations, EachIsAnsweredAlikeAndRightly) {
   for (const Mutant& mutant : mutants) inputs.push_back(mutant.input);
   const std::vector<CheckerAnswer> python = test::ask_python_checker(inputs);
 
+  std::vector<CheckerAnswer> answers;
   std::map<std::string, std::map<std::string, std::size_t>> tally;
   std::map<std::string, std::size_t> fired;
   std::size_t opinions = 0;
   for (std::size_t i = 0; i < mutants.size() && !HasFatalFailure(); ++i) {
     const Mutant& mutant = mutants[i];
-    const CheckerAnswer cpp = ask_cpp_checker(mutant.input);
+    const CheckerAnswer cpp = answers.emplace_back(ask_cpp_checker(mutant.input));
     EXPECT_TRUE(cpp.agrees_with(python[i]))
         << "C++: " << describe(cpp) << "\nPython: " << describe(python[i]) << "\n"
         << show(mutant);
@@ -151,6 +152,8 @@ TEST(Mutations, EachIsAnsweredAlikeAndRightly) {
     ++fired[cpp.rule];
   }
 
+  test::expect_js_checker_agrees(inputs, answers);
+  test::expect_proved_checker_agrees(inputs, answers);
   std::cout << certificates << " certificates, " << mutants.size() << " mutants of "
             << tally.size() << " kinds, " << opinions << " third opinions\n";
   for (const auto& [kind, results] : tally) {

@@ -1,12 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""Grasps, certificates, and both checkers asked the same for every case.
+"""Grasps, certificates, and all checkers asked the same for every case.
 
 certificate/check.py runs in this process. stickslip-check runs too if the environment variable
-STICKSLIP_CHECK names it, as it does under ctest: result, rule, node, path and everything else but
-the words of `found` (and where a malformed file is malformed) must be the same.
+STICKSLIP_CHECK names it, and page/web/check.js if STICKSLIP_NODE names node, as they do under ctest:
+result, rule, node, path and everything else but the words of `found` (and where a malformed file is
+malformed) must be the same. So does stickslip-proved, if STICKSLIP_PROVED names it; but its rules,
+nodes and paths may be others, and what its theorem does not cover it does not judge.
 """
 
+import atexit
 import contextlib
+import functools
 import io
 import json
 import os
@@ -17,7 +21,11 @@ import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 CHECK = os.path.join(HERE, "..", "..", "certificate", "check.py")
+CHECK_NODE = os.path.join(HERE, "..", "..", "page", "check_node.js")
 STICKSLIP_CHECK = os.environ.get("STICKSLIP_CHECK")
+STICKSLIP_NODE = os.environ.get("STICKSLIP_NODE")
+STICKSLIP_PROVED = os.environ.get("STICKSLIP_PROVED")
+NOT_JUDGED = 3  # by stickslip-proved: its theorem does not cover the question
 sys.path[:0] = [os.path.dirname(CHECK), HERE]
 
 import check  # noqa: E402
@@ -68,6 +76,15 @@ def as_bytes(content):
     return content if isinstance(content, bytes) else content.encode("utf-8")
 
 
+def is_covered(certificate_file):
+    """Whether stickslip-proved judges this: no proof by degree, and no margin in space."""
+    try:
+        content = json.loads(as_bytes(certificate_file))
+        return "parts" not in content and "intervals" not in content
+    except (ValueError, TypeError, RecursionError):
+        return True
+
+
 def in_process(arguments):
     """Exit code, standard output and standard error of check.py."""
     out, err = (io.TextIOWrapper(io.BytesIO(), encoding="utf-8") for _ in range(2))
@@ -85,13 +102,34 @@ def start(program, arguments, stdin=None, cwd=None):
     return done.returncode, done.stdout.decode(), done.stderr.decode()
 
 
-PROGRAMS = [[sys.executable, "-B", CHECK]] + ([[STICKSLIP_CHECK]] if STICKSLIP_CHECK else [])
+PROGRAMS = [[sys.executable, "-B", CHECK]]
+PROGRAMS += [[program] for program in (STICKSLIP_CHECK, STICKSLIP_PROVED) if program]
+PROGRAMS += [[STICKSLIP_NODE, CHECK_NODE]] if STICKSLIP_NODE else []
+
+
+@functools.lru_cache(maxsize=None)
+def node_process():
+    """check.js in one process for all questions."""
+    process = subprocess.Popen([STICKSLIP_NODE, CHECK_NODE, "--batch"], stdin=subprocess.PIPE,
+                               stdout=subprocess.PIPE, encoding="ascii")
+    atexit.register(lambda: (process.stdin.close(), process.stdout.close(), process.wait()))
+    return process
+
+
+def in_node(grasp_file, certificate_file, options):
+    """The report of check.js."""
+    process = node_process()
+    question = {"grasp": as_bytes(grasp_file).decode("latin-1"),
+                "certificate": as_bytes(certificate_file).decode("latin-1"), "options": options}
+    process.stdin.write(json.dumps(question) + "\n")
+    process.stdin.flush()
+    return json.loads(process.stdout.readline())
 
 
 class Case(unittest.TestCase):
     def run_both(self, grasp_file, certificate_file, *options):
         """Exit code, report, text and standard error of check.py; files are objects, texts or
-        bytes. stickslip-check must answer the same."""
+        bytes. stickslip-check and check.js must answer the same."""
         with tempfile.TemporaryDirectory() as folder:
             paths = []
             for name, content in (("g.json", grasp_file), ("c.json", certificate_file)):
@@ -104,15 +142,31 @@ class Case(unittest.TestCase):
             if STICKSLIP_CHECK:
                 other = start([STICKSLIP_CHECK], [*paths, *options, "--json"])
                 self.assertEqual(other[0], code, (other, out))
-                mine, theirs = dict(report), json.loads(other[1])
-                self.assertEqual(mine.pop("found") is None, theirs.pop("found") is None)
-                if code == 2:
-                    del mine["path"], theirs["path"]
-                self.assertEqual(list(mine.items()), list(theirs.items()))
+                self.compare(report, json.loads(other[1]))
                 if code == 0:
                     self.assertEqual(start([STICKSLIP_CHECK], [*paths, *options]), (0, text, ""))
+            if STICKSLIP_NODE:
+                self.compare(report, in_node(grasp_file, certificate_file, options))
+            if STICKSLIP_PROVED:
+                self.compare_proved(code, text, [*paths, *options], is_covered(certificate_file))
         self.assertTrue((text + err).isascii() and (text + err).replace("\n", "").isprintable())
         return code, report, text, err
+
+    def compare(self, report, other):
+        """Of two checkers."""
+        mine, theirs = dict(report), dict(other)
+        self.assertEqual(mine.pop("found") is None, theirs.pop("found") is None, (report, other))
+        if report["result"] == "malformed":
+            del mine["path"], theirs["path"]
+        self.assertEqual(list(mine.items()), list(theirs.items()), (report, other))
+
+    def compare_proved(self, code, text, arguments, covered):
+        """stickslip-proved accepts what the others do, in their words; its rules may be coarser."""
+        other, out, err = start([STICKSLIP_PROVED], arguments)
+        self.assertEqual(other == 2, code == 2, (out, err))
+        if covered or other != NOT_JUDGED:
+            self.assertEqual(other, code, (out, err))
+            self.assertEqual(out if code == 0 else "", text if code == 0 else "")
 
     def accepts(self, grasp_file, certificate_file, *options):
         code, report, text, err = self.run_both(grasp_file, certificate_file, *options)

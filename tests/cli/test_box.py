@@ -6,8 +6,8 @@ import os
 import unittest
 from fractions import Fraction
 
-from test_cli import (BAD_INPUT, CHECK, CHECK_PY, CORPUS, DONE, FIG1, STABLE, UNDECIDED, UNSTABLE,
-                      Case, read, run, stickslip)
+from test_cli import (BAD_INPUT, CORPUS, DONE, FIG1, STABLE, UNDECIDED, UNSTABLE,
+                      Case, checkers, read, run, stickslip)
 
 FRAGILE = 30
 QUICK = ("--node-limit", "1")
@@ -161,7 +161,7 @@ class Answers(Case):
     """What the engine answers; each proof is judged by both checkers."""
 
     def judged(self, grasp, proof, *words):
-        for checker in ((CHECK,), ("/usr/bin/env", "python3", CHECK_PY)):
+        for checker in checkers(proof):
             code, out, err = run(*checker, grasp, proof, *words)
             self.assertEqual((code, out.split("\n")[0]), (DONE, "accepted"), out + err)
 

@@ -3,7 +3,7 @@
 
 import unittest
 
-from test_cli import BAD_INPUT, CHECK, CHECK_PY, DONE, STABLE, UNDECIDED, UNSTABLE, Case, read, run, stickslip
+from test_cli import BAD_INPUT, CHECK, CHECK_PY, DONE, STABLE, UNDECIDED, UNSTABLE, Case, checkers, read, run, stickslip
 
 SHELF = {
     "format": "stickslip-grasp/2", "name": "shelf", "defaults": {"friction": "1/2", "stiffness": 1},
@@ -97,7 +97,7 @@ class Cases(Case):
         self.fails("decide", self.grasp, "--certificate", proof, naming=["--certificate", "--case NAME"])
         for name, verdict in VERDICTS.items():
             stickslip("decide", self.grasp, "--case", name, "--certificate", proof)
-            for checker in ([CHECK], ["/usr/bin/env", "python3", CHECK_PY]):
+            for checker in checkers(proof):
                 code, out, _ = run(*checker, self.grasp, proof, "--case", name)
                 self.assertEqual(code, 0, out)
                 self.assertIn(f"verdict     {verdict}\n", out)
@@ -195,7 +195,7 @@ class Cases(Case):
             for i, file in enumerate(files):
                 proofs.append(self.path(f"proof{i}.json"))
                 stickslip("decide", file, "--wrench", wrench, "--certificate", proofs[-1])
-            for checker in ([CHECK], ["/usr/bin/env", "python3", CHECK_PY]):
+            for checker in checkers(proofs[0]):
                 for file in files:
                     for proof in proofs:
                         self.assertEqual(run(*checker, file, proof, "--wrench", wrench)[0], 0)

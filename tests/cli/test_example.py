@@ -6,7 +6,7 @@ import os
 import re
 import unittest
 
-from test_cli import CHECK, CHECK_PY, DONE, HERE, Case, read, run, stickslip
+from test_cli import DONE, HERE, Case, checkers, read, run, stickslip
 
 ROOT = os.path.join(HERE, "..", "..")
 FOLDERS = [os.path.join(ROOT, "examples", "grasps"), os.path.join(ROOT, "paper_examples", "grasps")]
@@ -33,7 +33,7 @@ class Examples(Case):
                 continue
             code, _, err = stickslip("decide", grasp, "--certificate", proof)
             self.assertEqual((code, err), (DONE, ""), name)
-            for checker in ([CHECK], ["python3", "-B", CHECK_PY]):
+            for checker in checkers(proof):
                 self.assertEqual(run(*checker, grasp, proof)[0], DONE, name)
 
     def test_more_friction_breaks_it(self):

@@ -4,6 +4,7 @@
 import os
 import re
 import shutil
+import signal
 import subprocess
 import unittest
 
@@ -70,9 +71,20 @@ class Manual(Case):
         self.write("grasps.jsonl", read(FIG1).replace("\n", " ") + "\n")
         self.write("claims.jsonl", claim.replace("\n", " ") + "\n")
         for example in examples:
+            if example.startswith("stickslip serve"):
+                self.serves(example, environment)
+                continue
             result = subprocess.run(["bash", "-c", example], cwd=self.folder, env=environment,
                                     capture_output=True, text=True, check=False, timeout=300)
             self.assertEqual((result.returncode, result.stderr), (DONE, ""), example)
+
+    def serves(self, example, environment):
+        """It goes on until it is told to end."""
+        with subprocess.Popen(example.split(), cwd=self.folder, env=environment, stdout=subprocess.PIPE, text=True,
+                              preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL)) as server:
+            self.assertIn("http://127.0.0.1:", server.stdout.readline())
+            server.send_signal(signal.SIGINT)
+            self.assertEqual(server.wait(timeout=300), DONE)
 
     def lint(self, *tool):
         if shutil.which(tool[0]) is None:

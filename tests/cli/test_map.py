@@ -9,7 +9,7 @@ import xml.etree.ElementTree as ET
 from fractions import Fraction
 
 from test_box import A
-from test_cli import BAD_INPUT, CHECK, CHECK_PY, DONE, FIG1, Case, read, run, stickslip
+from test_cli import BAD_INPUT, DONE, FIG1, Case, checkers, read, run, stickslip
 from test_radius import C
 
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
@@ -59,7 +59,7 @@ class Map(Case):
             for contact, interval in ((2, cells[k][0]), (0, cells[k][1])):
                 self.assertEqual((Fraction(friction[contact]["min"]),
                                   Fraction(friction[contact]["max"])), interval)
-            for checker in ((CHECK,), ("/usr/bin/env", "python3", CHECK_PY)):
+            for checker in checkers(os.path.join(folder, f"cell{k}.certificate.json")):
                 code, out, err = run(*checker, grasp, os.path.join(folder, f"cell{k}.certificate.json"))
                 self.assertEqual((code, out.split("\n")[0]), (DONE, "accepted"), out + err)
                 self.assertRegex(out, rf"verdict +{cells[k][2]}\b")

@@ -6,18 +6,25 @@
   batch.py --clear FOLDER      makes the folder, and empties it of *.jsonl
   batch.py --spool FOLDER      answers all *.jsonl in it; fails unless each answer is as expected
 
+If the environment variable STICKSLIP_PROVED names stickslip-proved, it goes through the spool too.
+
 A question is {"grasp": TEXT, "certificate": TEXT, "options": [WORD, ...]}, in a spool with
 "expected": RESULT. Each character of a TEXT stands for the byte of its number, as files under test
 need not be UTF-8. An answer is what `check.py --json` prints.
+
+If the environment variable STICKSLIP_NODE names node, page/web/check.js goes through the spool, too.
 """
 
 import json
 import os
+import subprocess
 import sys
 import tempfile
 import traceback
 
+PROVED = os.environ.get("STICKSLIP_PROVED")
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+NODE = os.environ.get("STICKSLIP_NODE")
 sys.path.insert(0, os.path.join(ROOT, "certificate"))
 
 import check  # noqa: E402
@@ -61,6 +68,48 @@ def clear(folder):
     return 0
 
 
+def check_js(lines):
+    """The number of questions that check.js answers in another way than expected."""
+    program = os.path.join(ROOT, "page", "check_node.js")
+    done = subprocess.run([NODE, program, "--batch"], input="".join(lines), capture_output=True,
+                          text=True, check=True)
+    answers = [json.loads(line) for line in done.stdout.splitlines()]
+    assert len(answers) == len(lines)
+    wrong = [(answer, line) for answer, line in zip(answers, lines)
+             if answer["result"] != json.loads(line)["expected"]]
+    for answer, line in wrong:
+        print(f"check.js: {json.dumps(answer)}\n{line}")
+    print(f"check.js: {len(lines)} certificates, {len(wrong)} not answered as expected")
+    return len(wrong)
+
+
+def is_covered(question):
+    """Whether stickslip-proved judges this: no proof by degree, and no margin in space."""
+    try:
+        certificate = json.loads(question["certificate"])
+        return "parts" not in certificate and "intervals" not in certificate
+    except (ValueError, TypeError, RecursionError):
+        return True
+
+
+def check_proved(lines):
+    """The number of questions that stickslip-proved answers in another way than expected."""
+    done = subprocess.run([PROVED, "--batch"], input="".join(lines), capture_output=True, text=True,
+                          check=True)
+    answers = [json.loads(line)["result"] for line in done.stdout.splitlines()]
+    assert len(answers) == len(lines)
+    wrong = 0
+    for answer, line in zip(answers, lines):
+        question = json.loads(line)
+        if answer not in (question["expected"], "not judged") or (answer == "not judged"
+                                                                  and is_covered(question)):
+            wrong += 1
+            print(f"stickslip-proved: {answer}\n{line}")
+    print(f"stickslip-proved: {len(lines)} certificates, {answers.count('not judged')} not judged, "
+          f"{wrong} not answered as expected")
+    return wrong
+
+
 def check_spool(folder, asker):
     count = failures = 0
     seen = set()
@@ -78,6 +127,10 @@ def check_spool(folder, asker):
                     print(f"expected {question['expected']}, answered {json.dumps(answer)}\n"
                           f"{question['options']}\n{question['grasp']}\n{question['certificate']}")
     print(f"{count} certificates ({len(seen)} different), {failures} not answered as expected")
+    if NODE:
+        failures += check_js(sorted(seen))
+    if PROVED:
+        failures += check_proved(sorted(seen))
     if count == 0:
         print("Nothing to check: run the tests that fill the folder (all of ctest) first.")
     return 1 if failures or not count else 0

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -67,6 +68,41 @@ class TemporaryFile {
   std::string path_;
 };
 
+/// Answers of a program whose command reads questions from a file and writes replies to one; it
+/// is given both names, quoted.
+template <typename MakeCommand>
+std::vector<CheckerAnswer> ask_in_a_batch(const std::vector<CheckerInput>& inputs,
+                                          MakeCommand make_command) {
+  const TemporaryFile questions("_questions.jsonl");
+  const TemporaryFile replies("_replies.jsonl");
+  {
+    std::ofstream file(questions.path(), std::ios::binary);
+    for (const CheckerInput& input : inputs) file << json_line(input, "");
+    if (!file.flush()) throw std::runtime_error("cannot write " + questions.path());
+  }
+  const std::string command =
+      make_command("'" + questions.path() + "'", "'" + replies.path() + "'");
+  if (std::system(command.c_str()) != 0) throw std::runtime_error("failed: " + command);
+  std::vector<CheckerAnswer> answers;
+  std::ifstream file(replies.path());
+  for (std::string line; std::getline(file, line);) {
+    const Json json = Json::parse(line);
+    CheckerAnswer answer{json["result"].get<std::string>(),
+                         text_or_empty(json["rule"]),
+                         {},
+                         "",
+                         text_or_empty(json["found"])};
+    if (answer.result == "rejected") answer.path = text_or_empty(json["path"]);
+    if (json["node"].is_number()) answer.node = json["node"].get<std::uint64_t>();
+    answers.push_back(std::move(answer));
+  }
+  if (answers.size() != inputs.size()) {
+    throw std::runtime_error(std::to_string(answers.size()) + " answers to " +
+                             std::to_string(inputs.size()) + " questions: " + command);
+  }
+  return answers;
+}
+
 }  // namespace
 
 bool CheckerAnswer::agrees_with(const CheckerAnswer& other) const {
@@ -119,34 +155,49 @@ CheckerAnswer ask_cpp_checker(const CheckerInput& input) {
 }
 
 std::vector<CheckerAnswer> ask_python_checker(const std::vector<CheckerInput>& inputs) {
-  const TemporaryFile questions("_questions.jsonl");
-  const TemporaryFile replies("_replies.jsonl");
-  {
-    std::ofstream file(questions.path(), std::ios::binary);
-    for (const CheckerInput& input : inputs) file << json_line(input, "");
-    if (!file.flush()) throw std::runtime_error("cannot write " + questions.path());
+  return ask_in_a_batch(inputs, [](const std::string& questions, const std::string& replies) {
+    return "'" STICKSLIP_PYTHON "' -B '" STICKSLIP_BATCH "' " + questions + " " + replies;
+  });
+}
+
+void expect_js_checker_agrees(const std::vector<CheckerInput>& inputs,
+                              const std::vector<CheckerAnswer>& answers) {
+  const std::vector<CheckerAnswer> js =
+      ask_in_a_batch(inputs, [](const std::string& questions, const std::string& replies) {
+        return "'" STICKSLIP_NODE "' '" STICKSLIP_CHECK_NODE "' --batch <" + questions + " >" +
+               replies;
+      });
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    EXPECT_TRUE(js[i].agrees_with(answers[i]))
+        << "C++: " << describe(answers[i]) << "\nJavaScript: " << describe(js[i]) << "\n"
+        << describe(inputs[i]);
   }
-  const std::string command = std::string("'" STICKSLIP_PYTHON "' -B '" STICKSLIP_BATCH "' '") +
-                              questions.path() + "' '" + replies.path() + "'";
-  if (std::system(command.c_str()) != 0) throw std::runtime_error("failed: " + command);
-  std::vector<CheckerAnswer> answers;
-  std::ifstream file(replies.path());
-  for (std::string line; std::getline(file, line);) {
-    const Json json = Json::parse(line);
-    CheckerAnswer answer{json["result"].get<std::string>(),
-                         text_or_empty(json["rule"]),
-                         {},
-                         "",
-                         text_or_empty(json["found"])};
-    if (answer.result == "rejected") answer.path = text_or_empty(json["path"]);
-    if (json["node"].is_number()) answer.node = json["node"].get<std::uint64_t>();
-    answers.push_back(std::move(answer));
+}
+
+std::size_t expect_proved_checker_agrees(
+    [[maybe_unused]] const std::vector<CheckerInput>& inputs,
+    [[maybe_unused]] const std::vector<CheckerAnswer>& answers) {
+  std::size_t judged = 0;
+#ifdef STICKSLIP_PROVED
+  const std::vector<CheckerAnswer> proved =
+      ask_in_a_batch(inputs, [](const std::string& questions, const std::string& replies) {
+        return "'" STICKSLIP_PROVED "' --batch <" + questions + " >" + replies;
+      });
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const std::string seen = "C++: " + describe(answers[i]) +
+                             "\nproved: " + describe(proved[i]) + "\n" + describe(inputs[i]);
+    // Proofs by degree are outside of the theorem.
+    if (proved[i].result == "not judged" &&
+        inputs[i].certificate.find("\"parts\"") != std::string::npos) {
+      EXPECT_NE(answers[i].result, "malformed") << seen;
+      continue;
+    }
+    ++judged;
+    EXPECT_EQ(proved[i].result, answers[i].result) << seen;
   }
-  if (answers.size() != inputs.size()) {
-    throw std::runtime_error("check.py gave " + std::to_string(answers.size()) +
-                             " answers to " + std::to_string(inputs.size()) + " questions");
-  }
-  return answers;
+  std::cout << "stickslip-proved judged " << judged << " of " << inputs.size() << "\n";
+#endif
+  return judged;
 }
 
 std::vector<std::string> command_line(const QuestionOptions& options) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The two checkers of certificate/FORMAT.md, asked the same: the C++ checker through its
-/// library, check.py in batches, many files to one Python process (tests/support/batch.py).
+/// The checkers of certificate/FORMAT.md, asked the same: the C++ checker through its library,
+/// check.py in batches, many files to one Python process (tests/support/batch.py), and so
+/// page/web/check.js in one process of node, and stickslip-proved.
 #pragma once
 
 #include <cstdint>
@@ -42,6 +43,18 @@ CheckerAnswer ask_cpp_checker(const CheckerInput& input);
 
 /// Throws std::runtime_error when Python does not run or does not answer each.
 std::vector<CheckerAnswer> ask_python_checker(const std::vector<CheckerInput>& inputs);
+
+/// Fails the running test where check.js does not answer as the C++ checker, with these
+/// answers: result, rule, node and path.
+void expect_js_checker_agrees(const std::vector<CheckerInput>& inputs,
+                              const std::vector<CheckerAnswer>& answers);
+
+/// Fails the running test where stickslip-proved accepts, rejects or finds malformed what the
+/// C++ checker, with these answers about the plane, does not; its rules may be coarser. Proofs
+/// by degree it need not judge. Without STICKSLIP_BUILD_PROVED does nothing. Returns how many
+/// it judged.
+std::size_t expect_proved_checker_agrees(const std::vector<CheckerInput>& inputs,
+                                         const std::vector<CheckerAnswer>& answers);
 
 /// The options as both programs, `stickslip decide` and `stickslip margin` take them on the
 /// command line.

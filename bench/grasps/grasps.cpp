@@ -73,6 +73,43 @@ std::vector<Contact> on_boundary(RandomSource& random, std::size_t contacts, boo
   return result;
 }
 
+/// Between `low` and `high` percent, with a denominator of three to seven digits, as likely
+/// each.
+Rational varied(RandomSource& random, int low, int high) {
+  int least = 100;
+  for (int digits = random.between(0, 4); digits > 0; --digits) least *= 10;
+  const int denominator = random.between(least, 10 * least - 1);
+  const int percent = denominator / 100;
+  return Rational(random.between(percent * low + 1, percent * high)) / denominator;
+}
+
+/// A unit vector of the quarter that `quarter` begins, `share` percent of it on: the rational
+/// point (1 - t^2, 2 t) / (1 + t^2) of the circle.
+Vector2 varied_unit_vector(RandomSource& random, const Vector2& quarter, int share) {
+  const int denominator = random.between(20, 2000);
+  const Rational t(denominator * share / 100, denominator);
+  const Rational scale = 1 + t * t;
+  return rotated(quarter, {(1 - t * t) / scale, 2 * t / scale});
+}
+
+std::vector<Contact> on_varied_boundary(RandomSource& random, std::size_t contacts,
+                                        bool preloaded) {
+  const std::vector<Vector2> quarters{{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+  std::vector<Contact> result;
+  for (std::size_t i = 0; i < contacts; ++i) {
+    Contact c;
+    c.friction = varied(random, 20, 90);
+    c.stiffness = varied(random, 100, 500);
+    c.preload = preloaded ? varied(random, 25, 200) : Rational(0);
+    const std::size_t turns = i * quarters.size();
+    c.normal = varied_unit_vector(random, quarters[turns / contacts],
+                                  static_cast<int>(turns % contacts * 100 / contacts));
+    c.position = boundary_point(random, c.normal);
+    result.push_back(std::move(c));
+  }
+  return result;
+}
+
 std::vector<Vector2> arc_normals() {
   // 40 of the 100 directions around (0, 1).
   const std::vector<Vector2>& all = unit_directions();
@@ -193,6 +230,8 @@ const char* name_of(Layout layout) {
       return "jaws";
     case Layout::kDisc:
       return "disc";
+    case Layout::kVaried:
+      return "varied";
   }
   return "?";
 }
@@ -219,6 +258,9 @@ Grasp make_grasp(Layout layout, std::size_t contacts, bool preloaded, std::uint6
       break;
     case Layout::kDisc:
       result = on_disc(random, pairs, preloaded);
+      break;
+    case Layout::kVaried:
+      result = on_varied_boundary(random, contacts, preloaded);
       break;
   }
   return Grasp(std::move(result), std::string(name_of(layout)) + " " +

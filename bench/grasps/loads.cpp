@@ -51,6 +51,12 @@ Twist kept_closed(const std::vector<ContactRow>& rows, Twist d) {
   return d;
 }
 
+Wrench in_millionths(const Wrench& w) {
+  constexpr int kMillion = 1000000;
+  return {floor_to_grid(w.x, kMillion), floor_to_grid(w.y, kMillion),
+          floor_to_grid(w.torque, kMillion)};
+}
+
 std::string family_name(Layout layout, bool preloaded, const std::string& load) {
   return std::string(name_of(layout)) + (preloaded ? ", preload, " : ", ") + load;
 }
@@ -69,7 +75,8 @@ Question scaled_pull(Layout layout, std::size_t contacts, std::uint64_t seed,
                      const Wrench& direction, int steps, NormalLaw law) {
   Grasp grasp = make_grasp(layout, contacts, true, seed);
   const Rational share(steps, kShareSteps);
-  const Wrench pull = (share * total_preload(grasp)) * direction;
+  Wrench pull = (share * total_preload(grasp)) * direction;
+  if (layout == Layout::kVaried) pull = in_millionths(pull);
   return plain_question(std::move(grasp), pull, law);
 }
 
@@ -131,7 +138,7 @@ Wrench pulling_load(Layout layout, std::uint64_t seed) {
   RandomSource random(seed * 104729 + 29);
   const Rational across(random.between(-8, 8), 32);
   const Rational torque(random.between(-8, 8), 32);
-  if (layout == Layout::kRound) return {1, across, torque};
+  if (layout == Layout::kRound || layout == Layout::kVaried) return {1, across, torque};
   return {across, 1, torque};
 }
 
@@ -153,6 +160,14 @@ Instance make_stable(std::size_t family, std::size_t contacts, std::uint64_t see
     Grasp grasp = make_grasp(layout, contacts, preloaded, seed);
     const Wrench load = planted_load(grasp, NormalLaw::kUnilateral, seed);
     instance.family = family_name(layout, preloaded, "planted");
+    instance.question = plain_question(std::move(grasp), load);
+    return instance;
+  }
+  if (family >= 10) {
+    const bool preloaded = family == 11;
+    Grasp grasp = make_grasp(Layout::kVaried, contacts, preloaded, seed);
+    const Wrench load = in_millionths(planted_load(grasp, NormalLaw::kUnilateral, seed));
+    instance.family = family_name(Layout::kVaried, preloaded, "planted");
     instance.question = plain_question(std::move(grasp), load);
     return instance;
   }
@@ -188,10 +203,10 @@ Instance make_unstable(std::size_t family, std::size_t contacts, std::uint64_t s
         just_too_much(layout, contacts, seed, NormalLaw::kUnilateral, is_stable);
     return instance;
   }
-  if (family == 9) {
-    instance.family = "round, preload, bilateral, pulled too far";
-    instance.question =
-        just_too_much(Layout::kRound, contacts, seed, NormalLaw::kBilateral, is_stable);
+  if (family >= 9) {
+    const Layout layout = family == 9 ? Layout::kRound : Layout::kVaried;
+    instance.family = family_name(layout, true, "bilateral, pulled too far");
+    instance.question = just_too_much(layout, contacts, seed, NormalLaw::kBilateral, is_stable);
     return instance;
   }
   const bool on_jaws = family == 6 || (family == 8 && seed % 2 == 0);

@@ -76,8 +76,8 @@ int run(std::size_t largest) {
       "programs | nodes | segments | certificate, KiB |");
   std::puts("|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|");
   bool all_accepted = true;
-  for (const Layout layout :
-       {Layout::kRound, Layout::kArc, Layout::kEdges, Layout::kGrid, Layout::kJaws}) {
+  for (const Layout layout : {Layout::kRound, Layout::kVaried, Layout::kArc, Layout::kEdges,
+                              Layout::kGrid, Layout::kJaws}) {
     for (std::size_t m = 10; m <= largest; m *= 10) {
       std::vector<Row> rows;
       const std::uint64_t seeds = m < 1000 ? 9 : 3;

@@ -15,8 +15,8 @@
 namespace stickslip::bench {
 namespace {
 
-constexpr Layout kLayouts[] = {Layout::kRound, Layout::kArc,  Layout::kEdges,
-                               Layout::kGrid,  Layout::kJaws, Layout::kDisc};
+constexpr Layout kLayouts[] = {Layout::kRound, Layout::kArc,  Layout::kEdges, Layout::kGrid,
+                               Layout::kJaws,  Layout::kDisc, Layout::kVaried};
 
 std::vector<Contact> contacts_of(Layout layout, std::size_t contacts, bool preloaded,
                                  std::uint64_t seed) {
@@ -88,12 +88,30 @@ TEST(MakeGrasp, HasUnitNormalsAndTheAskedPreloads) {
 
 TEST(MakeGrasp, NumbersStayShort) {
   for (const Layout layout : kLayouts) {
+    if (layout == Layout::kVaried) continue;
     Rational sum;
     for (const Contact& c : contacts_of(layout, 1000, true, 3)) {
       sum += c.stiffness * tangent_row(c).torque;
     }
     EXPECT_LT(msb(denominator(sum)), 48u) << name_of(layout);
   }
+}
+
+TEST(MakeGrasp, VariedContactsShareNoDenominator) {
+  Rational sum;
+  std::set<Rational> frictions;
+  for (const Contact& c : contacts_of(Layout::kVaried, 100, true, 3)) {
+    for (const Rational& value : {c.friction, c.stiffness, c.preload, c.normal.x}) {
+      EXPECT_LE(denominator(value), 9999999) << value;
+    }
+    EXPECT_TRUE(c.friction > Rational(1, 5) && c.friction <= Rational(9, 10)) << c.friction;
+    EXPECT_TRUE(c.stiffness > 1 && c.stiffness <= 5) << c.stiffness;
+    EXPECT_TRUE(c.preload > Rational(1, 4) && c.preload <= 2) << c.preload;
+    frictions.insert(c.friction);
+    sum += c.stiffness * tangent_row(c).torque;
+  }
+  EXPECT_EQ(frictions.size(), 100u);
+  EXPECT_GT(msb(denominator(sum)), 1000u);
 }
 
 TEST(MakeGrasp, ContactsOfAnEdgeShareACircle) {

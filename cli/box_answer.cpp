@@ -22,7 +22,7 @@ struct Meaning {
   bool wide;  ///< some number is an interval
 
   std::string operator()(const StableThroughout& stable) const {
-    const std::size_t parts = count_parts(stable.parts);
+    const std::size_t parts = part_count(stable.parts);
     return (wide ? "Every grasp in the box holds the load. Proved for all of them at once"
                  : std::string("The grasp holds the load. Proved")) +
            (parts == 1 ? "" : ", in " + in_words(parts, "part")) +

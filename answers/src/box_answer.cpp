@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-
 #include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/certificate/certificate.hpp"
 
@@ -12,12 +10,6 @@ std::vector<std::size_t> enclosed_contacts(const GraspBox& box) {
     if (needs_enclosure({{box.contacts[i]}, {}})) contacts.push_back(i);
   }
   return contacts;
-}
-
-std::size_t count_parts(const StabilityProof& proof) {
-  return static_cast<std::size_t>(std::count_if(
-      proof.begin(), proof.end(),
-      [](const auto& part) { return std::holds_alternative<DegreeProof>(part); }));
 }
 
 Json to_json(const BoxAnswer& answer) {
@@ -38,7 +30,7 @@ Json to_json(const BoxAnswer& answer) {
     json["bits"] = decision.bits;
   }
   if (const auto* stable = std::get_if<StableThroughout>(&decision.verdict)) {
-    json["proof"] = {{"parts", count_parts(stable->parts)}};
+    json["proof"] = {{"parts", part_count(stable->parts)}};
   } else if (const auto* unstable = std::get_if<UnstableThroughout>(&decision.verdict)) {
     json["refutation"] = {{"nodes", unstable->tree.size()}};
   } else if (const auto* fragile = std::get_if<Fragile>(&decision.verdict)) {
@@ -49,11 +41,7 @@ Json to_json(const BoxAnswer& answer) {
   } else {
     json["limit"] = std::get<Undecided>(decision.verdict).limit;
   }
-  const BoxWork& work = decision.work;
-  json["stats"] = {{"nodes", work.nodes},
-                   {"proofs", work.proofs},
-                   {"examples", work.examples},
-                   {"parts", work.parts}};
+  json["stats"] = work_json(decision.work);
   return json;
 }
 

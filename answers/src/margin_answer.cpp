@@ -42,10 +42,7 @@ Json margin_json(const Question& question, const Margin& margin, const MarginWor
   if (question.preload_direction) {
     json["preload_direction"] = preload_direction_json(*question.preload_direction);
   }
-  json["resisted"] = Json::array();
-  for (const MarginInterval& interval : margin.resisted) {
-    json["resisted"].push_back({number_json(interval.low), number_or_null(interval.high)});
-  }
+  json["resisted"] = multiples_json(margin.resisted);
   json["least"] = number_or_null(least(margin));
   json["unbounded"] = !margin.resisted.empty() && !margin.resisted.back().high;
   if (warnings) json["warnings"] = warnings_json(*warnings);

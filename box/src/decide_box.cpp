@@ -21,6 +21,13 @@ BoxWork& BoxWork::operator+=(const BoxWork& part) {
   return *this;
 }
 
+std::vector<std::pair<std::string, std::size_t>> counters(const BoxWork& work) {
+  return {{"nodes", work.nodes},
+          {"proofs", work.proofs},
+          {"examples", work.examples},
+          {"parts", work.parts}};
+}
+
 const char* name_of(const BoxVerdict& verdict) {
   constexpr const char* kNames[] = {"stable", "unstable", "fragile", "undecided"};
   return kNames[verdict.index()];

@@ -239,16 +239,10 @@
       }),
     );
     const resting = svg("path", { class: "body", d: body, "fill-rule": "evenodd" });
-    const picture = svg(
-      "svg",
-      {
-        class: "stickslip",
-        width,
-        height,
-        viewBox: "0 0 " + width + " " + height,
-        role: "group",
-        "aria-label": "Drawing of the body: " + page.verdictWords(),
-      },
+    const picture = page.picture(
+      width,
+      height,
+      { role: "group", "aria-label": "Drawing of the body: " + page.verdictWords() },
       resting,
       answer.contacts.map((c) => {
         const at = view.place(c.position);

@@ -149,16 +149,10 @@
       ];
     });
     const everything = region.whole_plane ? svg("rect", { class: "area hue0", ...window_ }) : null;
-    const picture = svg(
-      "svg",
-      {
-        class: "stickslip",
-        width,
-        height,
-        viewBox: "0 0 " + width + " " + height,
-        role: "img",
-        "aria-label": "Region of resistible loads. " + regionWords(region, load),
-      },
+    const picture = page.picture(
+      width,
+      height,
+      { role: "img", "aria-label": "Region of resistible loads. " + regionWords(region, load) },
       svg("clipPath", { id: "region-window" }, svg("rect", window_)),
       svg("rect", { class: "paper", ...window_ }),
       everything,
@@ -310,16 +304,10 @@
       }),
     );
     const spatial = margin.refuted !== undefined;
-    const picture = svg(
-      "svg",
-      {
-        class: "stickslip",
-        width,
-        height,
-        viewBox: "0 0 " + width + " " + height,
-        role: "img",
-        "aria-label": "Multiples of the load that are resisted: " + page.marginText(),
-      },
+    const picture = page.picture(
+      width,
+      height,
+      { role: "img", "aria-label": "Multiples of the load that are resisted: " + page.marginText() },
       hatching("margin-hatch", "hue5"),
       svg("rect", {
         x: left,
@@ -423,16 +411,10 @@
     const frame = { x: left, y: top, width: side, height: side };
     page.put(
       "map",
-      svg(
-        "svg",
-        {
-          class: "stickslip",
-          width,
-          height,
-          viewBox: "0 0 " + width + " " + height,
-          role: "img",
-          "aria-label": "Map: where the grasp holds, over " + map.x.name + " and " + map.y.name,
-        },
+      page.picture(
+        width,
+        height,
+        { role: "img", "aria-label": "Map: where the grasp holds, over " + map.x.name + " and " + map.y.name },
         hatching("map-hatch", "hue5"),
         svg("rect", { class: "paper", ...frame }),
         svg("path", { class: "hue0", d: paths.stable, "shape-rendering": "crispEdges" }),

@@ -92,9 +92,13 @@
     return svg("path", { class: hollow ? "hollow" : "full", d: shapes[name](), ...attributes });
   };
 
+  /** A drawing of its own, in pixels from the upper left corner. */
+  page.picture = (width, height, attributes, ...content) =>
+    svg("svg", { class: "stickslip", width, height, viewBox: "0 0 " + width + " " + height, ...attributes }, ...content);
+
   /** A small drawing of one sign, for tables and legends. */
   page.sign = (draw, width = 26, height = 18) =>
-    svg("svg", { class: "sign", width, height, viewBox: "0 0 " + width + " " + height, "aria-hidden": "true" }, draw);
+    page.picture(width, height, { class: "sign", "aria-hidden": "true" }, draw);
   page.markSign = (name) => page.sign(page.mark([13, 9], [1, 0], name));
 
   /** The convex hull of points of the plane: Andrew's monotone chain. */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "bindings.hpp"
 #include "exact.hpp"
+#include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/arrangement/slip_states.hpp"
 #include "stickslip/box/map.hpp"
 #include "stickslip/box/radius.hpp"
@@ -179,8 +180,6 @@ py::dict box_fields(const Question& question, const char* verdict) {
   return result;
 }
 
-const std::string kBoxProducer = "stickslip " STICKSLIP_VERSION ", engine box";
-
 py::dict decide_grasp_box(const GraspFile& grasp, const std::string& uncertain,
                           const py::object& wrench, const py::object& preload, bool bilateral,
                           std::size_t node_limit) {
@@ -200,11 +199,11 @@ py::dict decide_grasp_box(const GraspFile& grasp, const std::string& uncertain,
     if (const auto* fragile = std::get_if<Fragile>(&decision.verdict)) {
       for (const bool stable : {true, false}) {
         found.push_back(proved_grasp(stable ? fragile->stable : fragile->unstable, description,
-                                     question.law, stable, kBoxProducer));
+                                     question.law, stable, producer_of("box")));
       }
     } else if (!std::holds_alternative<Undecided>(decision.verdict)) {
       found.push_back(
-          proved_box(*question.box, description, question.law, decision, kBoxProducer));
+          proved_box(*question.box, description, question.law, decision, producer_of("box")));
     }
     return Answer{std::move(question), std::move(decision), std::move(found)};
   });
@@ -213,9 +212,7 @@ py::dict decide_grasp_box(const GraspFile& grasp, const std::string& uncertain,
   if (const auto* undecided = std::get_if<Undecided>(&answer.decision.verdict)) {
     result["limit"] = undecided->limit;
   }
-  const BoxWork& work = answer.decision.work;
-  result["stats"] = py::dict("nodes"_a = work.nodes, "proofs"_a = work.proofs,
-                             "examples"_a = work.examples, "parts"_a = work.parts);
+  result["stats"] = stats(answer.decision.work);
   return result;
 }
 
@@ -239,7 +236,7 @@ py::dict find_grasp_radius(const GraspFile& grasp, const std::string& uncertain,
     Question question = box_question(grasp, asked, uncertain);
     Radius radius = find_radius(question.loaded, *question.box, question.law, options);
     std::vector<ProvedFiles> found;
-    if (radius.stable) found = proved_radius(question, radius, kBoxProducer);
+    if (radius.stable) found = proved_radius(question, radius, producer_of("box"));
     return Answer{std::move(question), std::move(radius), std::move(found)};
   });
   const Radius& radius = answer.radius;
@@ -291,7 +288,7 @@ py::dict map_grasp(const GraspFile& grasp, const std::string& x_text, const std:
       if (proofs && proved) {
         found.files.back() =
             proved_box(box_of_cell(loaded, x, y, cell.x, cell.y), loaded.grasp.description(),
-                       found.question.law, cell.decision, kBoxProducer);
+                       found.question.law, cell.decision, producer_of("box"));
       }
       found.cells.push_back(std::move(cell));
     });

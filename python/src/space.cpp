@@ -7,6 +7,7 @@
 
 #include "bindings.hpp"
 #include "exact.hpp"
+#include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/spatial_forces.hpp"
@@ -135,8 +136,6 @@ SpatialQuestion question_of(const SpatialGrasp& grasp, const py::object& wrench,
   return question_of(grasp, asked);
 }
 
-const std::string kSpaceProducer = "stickslip " STICKSLIP_VERSION ", engine space";
-
 struct Answer {
   SpatialQuestion question;
   SpatialDecision decision;
@@ -173,14 +172,14 @@ Answer answer_to_box(SpatialQuestion question, std::size_t node_limit) {
   const NormalLaw law = answer.question.law;
   const SpatialVerdict& verdict = answer.decision.verdict;
   if (const auto* fragile = std::get_if<SpatiallyFragile>(&verdict)) {
-    answer.files = {proved_grasp(fragile->stable, law, true, kSpaceProducer),
-                    proved_grasp(fragile->unstable, law, false, kSpaceProducer)};
+    answer.files = {proved_grasp(fragile->stable, law, true, producer_of("space")),
+                    proved_grasp(fragile->unstable, law, false, producer_of("space"))};
   } else if (!std::holds_alternative<Undecided>(verdict)) {
     SpatialOptions as_it_stands;
     as_it_stands.law = law;
     const SpatialQuestion proved = ask(answer.question.grasp, as_it_stands);
     answer.files = {{write_grasp_file(proved.grasp),
-                     spatial_certificate_text(proved, answer.decision, kSpaceProducer)}};
+                     spatial_certificate_text(proved, answer.decision, producer_of("space"))}};
   }
   return answer;
 }
@@ -205,7 +204,7 @@ py::dict decide_grasp(const SpatialGrasp& grasp, const py::object& wrench,
     if (std::holds_alternative<SpatiallyStable>(verdict) ||
         std::holds_alternative<SpatiallyUnstable>(verdict)) {
       found.certificate =
-          spatial_certificate_text(found.question, found.decision, kSpaceProducer);
+          spatial_certificate_text(found.question, found.decision, producer_of("space"));
     }
     return found;
   });
@@ -258,7 +257,7 @@ py::dict find_grasp_margin(const SpatialGrasp& grasp, const py::object& directio
   }
   const auto [margin, certificate] = without_gil([&] {
     SpatialMargin found = find_margin(question, options);
-    std::string text = spatial_margin_text(question, found, kSpaceProducer);
+    std::string text = spatial_margin_text(question, found, producer_of("space"));
     return std::pair(std::move(found), std::move(text));
   });
   const auto pairs = [](const std::vector<MarginInterval>& intervals) {

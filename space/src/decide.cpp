@@ -26,12 +26,6 @@ std::size_t leaf_count(const SpatialTrees& trees) {
       [](const SpatialNode& node) { return std::holds_alternative<LeafIn<6>>(node); }));
 }
 
-std::size_t part_count(const SpatialParts& parts) {
-  return static_cast<std::size_t>(std::count_if(
-      parts.begin(), parts.end(),
-      [](const auto& part) { return std::holds_alternative<SpatialDegreeProof>(part); }));
-}
-
 std::vector<std::pair<std::string, std::size_t>> counters(const SpatialWork& work) {
   return {{"nodes", work.nodes},
           {"leaves", work.leaves},
@@ -119,6 +113,7 @@ SpatialGrasp grasp_in(const SpatialGrasp& box, const SpaceModel& whole,
 /// Proofs about a box and its parts, until one fails or two parts seem to differ.
 class SpaceDecider {
  public:
+  /// `question` and `work` must outlive this.
   SpaceDecider(const SpatialQuestion& question, const SpatialSearchOptions& options,
                std::size_t most_parts, SpatialWork& work)
       : grasp_(question.grasp),
@@ -158,7 +153,7 @@ class SpaceDecider {
   /// Of all trees together, beyond which a box is cut no more.
   static constexpr std::size_t kMostSearches = 4;
 
-  SpatialGrasp grasp_;
+  const SpatialGrasp& grasp_;
   SpaceModel whole_;
   bool has_witness_;
   bool is_wide_;
@@ -239,7 +234,7 @@ bool SpaceDecider::prove_whole(const SpaceModel& box,
 bool SpaceDecider::prove(const SpaceModel& box) {
   std::optional<NearEquilibrium> near;
   const bool done = prove_whole(box, near);
-  examples_[near ? 0 : 1] = grasp_in(grasp_, whole_, box);
+  if (is_wide_) examples_[near ? 0 : 1] = grasp_in(grasp_, whole_, box);
   if (done) return true;
   if (examples_[0] && examples_[1]) return false;
   if (parts_left_ == 0 || work_.nodes > most_nodes_) return false;

@@ -128,6 +128,11 @@ template <std::size_t n>
 std::vector<RayIn<n>> ConeIn<n>::rays_between(const std::vector<Integer>& heights) {
   pairs_ = 0;
   std::vector<RayIn<n>> between;
+  const auto any = [&](int sign) {
+    return std::any_of(heights.begin(), heights.end(),
+                       [&](const Integer& height) { return height.sign() == sign; });
+  };
+  if (!any(1) || !any(-1)) return between;
   TightSets<n> tight(rays_, constraint_count_);
   const std::size_t free = 2 + lines_.size();
   const std::size_t least_shared = dimension_ > free ? dimension_ - free : 0;

@@ -104,7 +104,4 @@ std::vector<ContactReport> report_contacts(const CaseAnswer& answer, const Witne
 /// The contacts whose preload over the length of the normal is enclosed.
 std::vector<std::size_t> enclosed_contacts(const GraspBox& box);
 
-/// How many pieces of the box have a proof of their own.
-std::size_t count_parts(const StabilityProof& proof);
-
 }  // namespace stickslip

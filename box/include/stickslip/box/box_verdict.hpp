@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -65,6 +66,9 @@ struct BoxWork {
   /// Sums.
   BoxWork& operator+=(const BoxWork& part);
 };
+
+/// The work, by name; the order is that of the members.
+std::vector<std::pair<std::string, std::size_t>> counters(const BoxWork& work);
 
 /// The answer, and what it took.
 struct BoxDecision {

@@ -4,6 +4,7 @@
 /// sections 6 and 7).
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <variant>
 #include <vector>
@@ -38,5 +39,13 @@ struct PartSplit {
 /// Cuts of a box, and a proof of each of its parts, in preorder.
 template <class Proof>
 using PartsIn = std::vector<std::variant<PartSplit, Proof>>;
+
+/// How many parts have a proof of their own.
+template <class Proof>
+std::size_t part_count(const PartsIn<Proof>& parts) {
+  return static_cast<std::size_t>(
+      std::count_if(parts.begin(), parts.end(),
+                    [](const auto& part) { return std::holds_alternative<Proof>(part); }));
+}
 
 }  // namespace stickslip

@@ -104,9 +104,6 @@ struct SpatialDecision {
   unsigned bits = 128;     ///< of the proof
 };
 
-/// How many parts have a proof of their own.
-std::size_t part_count(const SpatialParts& parts);
-
 /// Whether every grasp in the box is stable, none is, or some are. Deterministic. Undecided
 /// when no proof and no two grasps that differ were found within the limits; on a threshold
 /// there need be neither.

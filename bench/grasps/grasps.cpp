@@ -79,8 +79,10 @@ Rational varied(RandomSource& random, int low, int high) {
   int least = 100;
   for (int digits = random.between(0, 4); digits > 0; --digits) least *= 10;
   const int denominator = random.between(least, 10 * least - 1);
-  const int percent = denominator / 100;
-  return Rational(random.between(percent * low + 1, percent * high)) / denominator;
+  const auto percent_of = [denominator](int percent) {
+    return static_cast<int>(std::int64_t{denominator} * percent / 100);
+  };
+  return Rational(random.between(percent_of(low) + 1, percent_of(high))) / denominator;
 }
 
 /// A unit vector of the quarter that `quarter` begins, `share` percent of it on: the rational

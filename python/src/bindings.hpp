@@ -8,6 +8,7 @@
 
 #include <pybind11/pybind11.h>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,6 +70,32 @@ std::string certificate_of(const Question& question, const Decision& decision);
 /// The fields of results.Decision.
 pybind11::dict decision_fields(const Question& question, const Problem& problem,
                                const Decision& decision, const std::string& certificate);
+
+/// One of many answers, whose whole becomes a Python value only when it is looked at.
+struct ManyAnswer {
+  const char* verdict = "";
+  std::vector<double> twist;  ///< of an equilibrium; empty if there is none
+  /// The grasp that was asked about, with the friction of the question, and the fields of
+  /// results.Decision.
+  std::function<pybind11::tuple()> whole;
+};
+
+/// What one of many questions says; None, or no friction, leaves the grasp's own.
+struct OneOfMany {
+  pybind11::object wrench;
+  pybind11::object preload;
+  const std::vector<Rational>* friction;  ///< by contact
+  std::string which;                      ///< follows the names in errors
+};
+
+/// \{ The question about a grasp of either class. What is returned decides it, without Python.
+std::function<ManyAnswer()> planar_question(const pybind11::handle& grasp,
+                                            const OneOfMany& asked, bool bilateral,
+                                            const std::string& engine, std::size_t node_limit);
+std::function<ManyAnswer()> spatial_question(const pybind11::handle& grasp,
+                                             const OneOfMany& asked, bool bilateral,
+                                             const std::string& engine, std::size_t node_limit);
+/// \}
 
 /// Force vectors in the frame of the body.
 pybind11::tuple force_vectors(const Grasp& grasp, const std::vector<ContactForce>& forces);

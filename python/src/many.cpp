@@ -17,21 +17,20 @@ namespace {
 
 namespace py = pybind11;
 
-/// Answers that become Python values only when they are looked at.
 struct Decisions {
-  struct Answer {
-    std::shared_ptr<const GraspFile> grasp;
-    QuestionOptions asked;
-    Decision decision;
-  };
-  std::vector<Answer> answers;
+  std::vector<ManyAnswer> answers;
+  std::size_t coordinates;  ///< of a motion
 };
 
-/// Entry i of a list with an entry for each question, or with one for all of them.
-template <class List>
-const auto& entry(const List& list, std::size_t i) {
+/// \{ Entry i of a list with an entry for each question, or with one for all of them.
+template <class Value>
+const Value& entry(const std::vector<Value>& list, std::size_t i) {
   return list[list.size() == 1 ? 0 : i];
 }
+py::object entry(const py::list& list, std::size_t i) {
+  return list[list.size() == 1 ? 0 : i];
+}
+/// \}
 
 /// Calls work(i) for all i below `count`, in parallel. Throws what the first i that throws
 /// does.
@@ -61,86 +60,61 @@ void for_all(std::size_t count, std::size_t threads, Work work) {
 }
 
 /// Each list has one entry for all questions or one for each; of the last three an empty one
-/// leaves the grasps' own.
-Decisions decide_many(std::size_t count, const py::list& given_grasps, const py::list& wrenches,
+/// leaves the grasps' own. The grasps are all in the plane, or all in space.
+Decisions decide_many(std::size_t count, const py::list& grasps, const py::list& wrenches,
                       const py::list& frictions, const py::list& preloads, bool bilateral,
                       const std::string& engine, std::size_t node_limit, std::size_t threads) {
-  std::vector<std::shared_ptr<const GraspFile>> grasps;
-  for (const py::handle grasp : given_grasps) {
-    grasps.push_back(grasp.cast<std::shared_ptr<GraspFile>>());
-  }
-  std::vector<QuestionOptions> asked(count);
-  const py::object none = py::none();
+  const auto of = [](const py::list& list, std::size_t i) -> py::object {
+    return list.empty() ? py::object(py::none()) : entry(list, i);
+  };
+  const bool in_space = !grasps.empty() && !py::isinstance<GraspFile>(grasps[0]);
   std::vector<std::vector<Rational>> friction;
   for (std::size_t i = 0; i < frictions.size(); ++i) {
-    friction.push_back(numbers(frictions[i], entry(grasps, i)->content.grasp.size(),
+    friction.push_back(numbers(frictions[i],
+                               entry(grasps, i).attr("size")().cast<std::size_t>(),
                                "friction[" + std::to_string(i) + "]"));
   }
-  const auto of = [&](const py::list& list, std::size_t i) -> py::object {
-    return list.empty() ? none : py::object(list[list.size() == 1 ? 0 : i]);
-  };
+  std::vector<std::function<ManyAnswer()>> questions;
   for (std::size_t i = 0; i < count; ++i) {
-    asked[i] = question_options(of(wrenches, i), of(preloads, i), bilateral, none, none,
-                                "[" + std::to_string(i) + "]");
+    const OneOfMany asked{of(wrenches, i), of(preloads, i),
+                          friction.empty() ? nullptr : &entry(friction, i),
+                          "[" + std::to_string(i) + "]"};
+    questions.push_back((in_space ? spatial_question : planar_question)(
+        entry(grasps, i), asked, bilateral, engine, node_limit));
   }
   return without_gil([&] {
-    ConeOptions options;
-    options.node_limit = node_limit;
-    std::vector<std::optional<Decisions::Answer>> answers(count);
+    Decisions result{std::vector<ManyAnswer>(count), in_space ? std::size_t{6} : 3};
     for_all(count, threads, [&](std::size_t i) {
       try {
-        std::shared_ptr<const GraspFile> grasp = entry(grasps, i);
-        if (!friction.empty()) {
-          grasp = std::make_shared<GraspFile>(with_friction(*grasp, entry(friction, i)));
-        }
-        const Question question = question_of(*grasp, asked[i]);
-        Decision decision =
-            decide(Problem(question.loaded, question.law), engine_named(engine), options);
-        answers[i] = Decisions::Answer{std::move(grasp), asked[i], std::move(decision)};
+        result.answers[i] = questions[i]();
       } catch (const InputError& error) {
         throw InputError("", "question " + std::to_string(i) + ", " + error.place(),
                          error.problem(), error.remedy());
       }
     });
-    Decisions result;
-    for (std::optional<Decisions::Answer>& answer : answers) {
-      result.answers.push_back(std::move(*answer));
-    }
     return result;
   });
 }
 
-/// The grasp that was asked about, with the friction of the question, and the fields of
-/// results.Decision.
 py::tuple decision_at(const Decisions& decisions, std::size_t i) {
-  const auto& [grasp, asked, decision] = decisions.answers.at(i);
-  const Question question = question_of(*grasp, asked);
-  return py::make_tuple(
-      *grasp, decision_fields(question, Problem(question.loaded, question.law), decision,
-                              certificate_of(question, decision)));
+  return decisions.answers.at(i).whole();
 }
 
 py::list verdicts(const Decisions& decisions) {
   py::list result;
-  for (const Decisions::Answer& answer : decisions.answers) {
-    result.append(name_of(answer.decision.verdict));
-  }
+  for (const ManyAnswer& answer : decisions.answers) result.append(answer.verdict);
   return result;
 }
 
-/// One row of three for each question; NaN where there is no motion.
+/// One row for each question; NaN where there is no motion.
 py::array_t<double> twists(const Decisions& decisions) {
-  const auto count = static_cast<py::ssize_t>(decisions.answers.size());
-  py::array_t<double> result({count, py::ssize_t{3}});
-  auto rows = result.mutable_unchecked<2>();
-  for (py::ssize_t i = 0; i < count; ++i) {
-    const Verdict& verdict = decisions.answers[static_cast<std::size_t>(i)].decision.verdict;
-    const auto* stable = std::get_if<Stable>(&verdict);
-    for (py::ssize_t j = 0; j < 3; ++j) {
-      rows(i, j) =
-          stable == nullptr
-              ? std::numeric_limits<double>::quiet_NaN()
-              : to_double(coordinates(stable->witness.twist)[static_cast<std::size_t>(j)]);
+  const std::size_t count = decisions.answers.size();
+  py::array_t<double> result({count, decisions.coordinates});
+  double* entry_of_row = result.mutable_data();
+  for (const ManyAnswer& answer : decisions.answers) {
+    for (std::size_t j = 0; j < decisions.coordinates; ++j) {
+      *entry_of_row++ =
+          answer.twist.empty() ? std::numeric_limits<double>::quiet_NaN() : answer.twist[j];
     }
   }
   return result;

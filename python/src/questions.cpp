@@ -347,6 +347,40 @@ py::dict decision_fields(const Question& question, const Problem& problem,
   return result;
 }
 
+std::function<ManyAnswer()> planar_question(const py::handle& given, const OneOfMany& asked,
+                                            bool bilateral, const std::string& engine,
+                                            std::size_t node_limit) {
+  auto grasp = given.cast<std::shared_ptr<const GraspFile>>();
+  std::optional<std::vector<Rational>> friction;
+  if (asked.friction != nullptr) friction = *asked.friction;
+  return [grasp = std::move(grasp), friction = std::move(friction),
+          options = question_options(asked.wrench, asked.preload, bilateral, py::none(),
+                                     py::none(), asked.which),
+          engine = engine_named(engine), node_limit] {
+    const auto about =
+        friction ? std::make_shared<const GraspFile>(with_friction(*grasp, *friction)) : grasp;
+    const Question question = question_of(*about, options);
+    ConeOptions limits;
+    limits.node_limit = node_limit;
+    const auto decision = std::make_shared<const Decision>(
+        decide(Problem(question.loaded, question.law), engine, limits));
+    ManyAnswer answer;
+    answer.verdict = name_of(decision->verdict);
+    if (const auto* stable = std::get_if<Stable>(&decision->verdict)) {
+      for (const Rational& value : coordinates(stable->witness.twist)) {
+        answer.twist.push_back(to_double(value));
+      }
+    }
+    answer.whole = [about, options, decision] {
+      const Question again = question_of(*about, options);
+      return py::make_tuple(*about,
+                            decision_fields(again, Problem(again.loaded, again.law), *decision,
+                                            certificate_of(again, *decision)));
+    };
+    return answer;
+  };
+}
+
 py::tuple force_vectors(const Grasp& grasp, const std::vector<ContactForce>& forces) {
   py::tuple vectors(forces.size());
   for (std::size_t i = 0; i < forces.size(); ++i) {

@@ -109,9 +109,12 @@ auto scalars(Interval SpatialContact::*member) {
 
 /// What the options of the plane say in space, with these wrenches of six numbers.
 SpatialOptions options_of(const py::object& wrench, const QuestionOptions& others,
-                          const py::object& direction = py::none()) {
+                          const py::object& direction = py::none(),
+                          const std::string& which = "") {
   SpatialOptions asked;
-  if (!wrench.is_none()) asked.wrench = exact_array<6>(wrench.cast<py::list>(), "wrench");
+  if (!wrench.is_none()) {
+    asked.wrench = exact_array<6>(wrench.cast<py::list>(), "wrench" + which);
+  }
   if (!direction.is_none()) {
     asked.direction = exact_array<6>(direction.cast<py::list>(), "direction");
   }
@@ -189,28 +192,25 @@ Answer answer_to_box(SpatialQuestion question, std::size_t node_limit) {
                    "traps of the model are known in the plane only; leave it out");
 }
 
-py::dict decide_grasp(const SpatialGrasp& grasp, const py::object& wrench,
-                      const py::object& preload, bool bilateral, const std::string& engine,
-                      std::size_t node_limit, bool warnings) {
-  if (engine != "auto") {
-    throw InputError("", "engine", "the grasp is in space, for which there is one engine",
-                     "leave it out");
+void refuse_engine(const std::string& engine) {
+  if (engine == "auto") return;
+  throw InputError("", "engine", "the grasp is in space, for which there is one engine",
+                   "leave it out");
+}
+
+void add_certificate(Answer& answer) {
+  const SpatialVerdict& verdict = answer.decision.verdict;
+  if (std::holds_alternative<SpatiallyStable>(verdict) ||
+      std::holds_alternative<SpatiallyUnstable>(verdict)) {
+    answer.certificate =
+        spatial_certificate_text(answer.question, answer.decision, producer_of("space"));
   }
-  if (warnings) refuse_warnings();
-  SpatialQuestion question = question_of(grasp, wrench, preload, bilateral);
-  const Answer answer = without_gil([&] {
-    Answer found = answer_to(std::move(question), node_limit);
-    const SpatialVerdict& verdict = found.decision.verdict;
-    if (std::holds_alternative<SpatiallyStable>(verdict) ||
-        std::holds_alternative<SpatiallyUnstable>(verdict)) {
-      found.certificate =
-          spatial_certificate_text(found.question, found.decision, producer_of("space"));
-    }
-    return found;
-  });
+}
+
+/// The fields of results.Decision.
+py::dict decision_fields(const Answer& answer) {
   py::dict result = fields_of(answer);
   result["engine"] = "space";
-  result["warnings"] = py::tuple();
   if (!answer.certificate.empty()) result["certificate"] = answer.certificate;
   const auto* stable = std::get_if<SpatiallyStable>(&answer.decision.verdict);
   if (stable == nullptr) return result;
@@ -225,6 +225,22 @@ py::dict decide_grasp(const SpatialGrasp& grasp, const py::object& wrench,
       tuple_of(forces, [](const SpatialForce& f) { return fractions_of(f.force); });
   result["closed"] =
       tuple_of(forces, [](const SpatialForce& f) { return py::bool_(f.normal.sign() > 0); });
+  return result;
+}
+
+py::dict decide_grasp(const SpatialGrasp& grasp, const py::object& wrench,
+                      const py::object& preload, bool bilateral, const std::string& engine,
+                      std::size_t node_limit, bool warnings) {
+  refuse_engine(engine);
+  if (warnings) refuse_warnings();
+  SpatialQuestion question = question_of(grasp, wrench, preload, bilateral);
+  const Answer answer = without_gil([&] {
+    Answer found = answer_to(std::move(question), node_limit);
+    add_certificate(found);
+    return found;
+  });
+  py::dict result = decision_fields(answer);
+  result["warnings"] = py::tuple();
   return result;
 }
 
@@ -289,10 +305,9 @@ py::str spatial_picture(const SpatialGrasp& grasp, const py::object& wrench,
   return text(without_gil([&] { return plot_grasp(question, decide(question).verdict); }));
 }
 
-SpatialGrasp with_friction(SpatialGrasp grasp, const py::object& friction) {
-  const std::vector<Rational> all = numbers(friction, grasp.contacts.size(), "friction");
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    grasp.contacts[i].friction = point_interval(all[i]);
+SpatialGrasp with_friction(SpatialGrasp grasp, const std::vector<Rational>& friction) {
+  for (std::size_t i = 0; i < friction.size(); ++i) {
+    grasp.contacts[i].friction = point_interval(friction[i]);
   }
   check(grasp);
   return grasp;
@@ -312,11 +327,49 @@ py::object parse(const std::string& content, const std::string& name) {
 
 }  // namespace
 
+std::function<ManyAnswer()> spatial_question(const py::handle& given, const OneOfMany& asked,
+                                             bool bilateral, const std::string& engine,
+                                             std::size_t node_limit) {
+  refuse_engine(engine);
+  auto grasp = given.cast<std::shared_ptr<const SpatialGrasp>>();
+  const py::object none = py::none();
+  std::optional<std::vector<Rational>> friction;
+  if (asked.friction != nullptr) friction = *asked.friction;
+  return [grasp = std::move(grasp), friction = std::move(friction),
+          options = options_of(
+              asked.wrench,
+              question_options(none, asked.preload, bilateral, none, none, asked.which), none,
+              asked.which),
+          node_limit] {
+    const auto about =
+        friction ? std::make_shared<const SpatialGrasp>(with_friction(*grasp, *friction))
+                 : grasp;
+    const auto found =
+        std::make_shared<Answer>(answer_to(question_of(*about, options), node_limit));
+    ManyAnswer answer;
+    answer.verdict = name_of(found->decision.verdict);
+    const auto* stable = std::get_if<SpatiallyStable>(&found->decision.verdict);
+    const auto* witness =
+        stable == nullptr ? nullptr : std::get_if<SpatialWitness>(&stable->proof);
+    if (witness != nullptr) {
+      for (const Rational& value : witness->twist) answer.twist.push_back(to_double(value));
+    }
+    answer.whole = [about, found] {
+      if (found->certificate.empty()) add_certificate(*found);
+      return py::make_tuple(*about, decision_fields(*found));
+    };
+    return answer;
+  };
+}
+
 void bind_space(py::module_& module) {
   py::class_<SpatialGrasp, std::shared_ptr<SpatialGrasp>>(module, "SpatialGraspData")
       .def(py::init(&make_grasp))
       .def("text", &text_of)
-      .def("with_friction", py::overload_cast<SpatialGrasp, const py::object&>(&with_friction))
+      .def("with_friction",
+           [](const SpatialGrasp& g, const py::object& friction) {
+             return with_friction(g, numbers(friction, g.contacts.size(), "friction"));
+           })
       .def("size", [](const SpatialGrasp& g) { return g.contacts.size(); })
       .def("name", [](const SpatialGrasp& g) { return text(g.name); })
       .def("positions", by_contact([](const SpatialContact& c) { return lows(c.position); }))

@@ -127,12 +127,11 @@ def decide(
 
     Of ``grasp``, ``wrench``, ``friction`` and ``preload`` each may be one or n, as NumPy
     broadcasts. If any is n, n questions are asked, on all cores, and the answer is a ``Decisions``.
-    In space questions are asked one at a time.
 
     Args:
         grasp: what is asked about, or a sequence of n grasps.
         wrench: (3,) or (n, 3), force x, force y and torque about the origin, applied to the
-            body; the grasp's own if None. In space (6,), as of a Grasp.
+            body; the grasp's own if None. In space (6,) or (n, 6), as of a Grasp.
         uncertain: how far numbers may be off, by kind, such as {"friction": "10%", "wrench": 0.1}
             or "friction=10%": the verdict is then a ``BoxDecision`` about all grasps in the box
             (docs/uncertainty.md). {} encloses the irrational lengths of preloaded normals, and
@@ -568,9 +567,11 @@ class Questions:
     def lists(self) -> Tuple[List[Any], List[Any], List[Any], List[Any]]:
         """Grasps, wrenches, frictions and preloads: n or 1 of each, 0 if it was not given."""
         given = list(self._grasps) if "grasp" in self._counts else [self._grasps]
-        if any(isinstance(grasp, Grasp) and grasp.in_space for grasp in given):
-            raise InputError("", "grasp", "the grasp is in space, and these are many questions",
-                             "ask one at a time")
+        dimensions = {_require_grasp(grasp)._coordinates for grasp in given}
+        if len(dimensions) > 1:
+            raise InputError("", "grasp", "some grasps are in the plane, and some in space",
+                             "ask about those in the plane, and about those in space")
+        n = 3 if 3 in dimensions else 2
         preloads = self._numbers("preload", as_number)
         largest = max((_core.exact(value, f"preload[{i}]") for i, value in enumerate(preloads)),
                       default=None)
@@ -580,11 +581,13 @@ class Questions:
             value, name, len(given[0])))
         wrenches: List[Any] = []
         if "wrench" in self._counts:
-            wrenches = as_list(self._given["wrench"], "wrench", (self._counts["wrench"], 3),
-                               "force x, force y and torque in each row")
+            rows, meaning = ((3, "force x, force y and torque") if n == 2
+                             else (6, "force x, y, z and torque x, y, z"))
+            wrenches = as_list(self._given["wrench"], "wrench", (self._counts["wrench"], rows),
+                               meaning + " in each row")
         elif self._given["wrench"] is not None:
-            wrenches = [as_wrench(self._given["wrench"], "wrench")]
-        return [grasp._planar() for grasp, _ in asked], wrenches, frictions, preloads
+            wrenches = [as_wrench(self._given["wrench"], "wrench", n)]
+        return [grasp._data for grasp, _ in asked], wrenches, frictions, preloads
 
     def _numbers(self, name: str, convert: Callable[[Any, str], Any]) -> List[Any]:
         value = self._given[name]

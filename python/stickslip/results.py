@@ -259,7 +259,8 @@ class Decisions(Sequence[Decision]):
 
     @property
     def twist_float(self) -> FloatArray:
-        """(n, 3), the motions of the equilibria in the nearest doubles; NaN where there is none."""
+        """(n, 3), in space (n, 6): the motions of the equilibria in the nearest doubles; NaN where
+        there is none, or none is known exactly."""
         return self._data.twists()
 
     def __len__(self) -> int:

@@ -19,8 +19,9 @@ def same(many, singles):
     assert [d.certificate for d in many] == [d.certificate for d in singles]
     assert many.verdict.tolist() == [d.verdict for d in singles]
     assert many.stable.tolist() == [d.verdict == "stable" for d in singles]
-    rows = [d.twist_float if d.twist else np.full(3, np.nan) for d in singles]
-    np.testing.assert_array_equal(many.twist_float, np.array(rows).reshape(-1, 3))
+    width = 6 if singles[0].grasp.in_space else 3
+    rows = [d.twist_float if d.twist else np.full(width, np.nan) for d in singles]
+    np.testing.assert_array_equal(many.twist_float, np.array(rows))
 
 
 def test_wrenches(fig1):
@@ -72,6 +73,25 @@ def test_grasps():
     assert all(d.check() for d in decide(asked))
 
 
+def test_in_space():
+    pinch = Grasp([(-1, 0, 0), (1, 0, 0)], [(1, 0, 0), (-1, 0, 0)], "1/2", preload=1)
+    table = Grasp([(-1, 0, 0), (1, -1, 0), (1, 1, 0)], [(0, 0, 1)] * 3, "1/4", preload=0)
+    loads = [(0, 0, "1/2", 0, 0, 0), (0, "3/5", "-4/5", 0, 0, 0), (0, 1, 1, 0, 0, 0)]
+    same(decide(pinch, loads), [decide(pinch, w) for w in loads])
+    many = decide(pinch, loads[1], friction=[[0, 0], ["1/2", "1/2"], [1, 2]], preload=[1, 2, 1])
+    same(many, [decide(pinch, loads[1], friction=0, preload=1),
+                decide(pinch, loads[1], preload=2), many[2]])
+    assert [d.verdict for d in many] == ["unstable", "stable", "stable"]
+    assert many[2].grasp.friction == (1, 2)
+    same(decide([pinch, table], (0, 0, -1, 0, 0, 0)),
+         [decide(g, (0, 0, -1, 0, 0, 0)) for g in (pinch, table)])
+    rng = np.random.default_rng(2)
+    many = decide(table, np.column_stack([np.round(rng.uniform(-1, 1, (12, 2)), 1),
+                                          np.full((12, 1), -2), np.zeros((12, 3))]))
+    assert 0 < many.stable.sum() < 12 and many.twist_float.shape == (12, 6)
+    assert all(d.check() for d in many)
+
+
 def test_one_and_none(fig1):
     same(decide([fig1]), [decide(fig1)])
     same(decide(fig1, [UP]), [decide(fig1, UP)])
@@ -96,6 +116,7 @@ def test_as_a_sequence(fig1):
 
 def test_errors_name_the_question(fig1):
     round_grasp = Grasp([[0, 0]], [[1, 1]], 1, preload=1)
+    in_space = Grasp([[0, 0, 0]], [[0, 0, 1]], 1, preload=1)
     for call, place in (
             (lambda: decide(fig1, [[0, 1, 0], [0, "x", 0]]), "wrench[1][1]"),
             (lambda: decide(fig1, [[0, 1, 0], [0, 1]]), "wrench[1]"),
@@ -110,7 +131,12 @@ def test_errors_name_the_question(fig1):
             (lambda: decide([fig1, round_grasp]), "question 1, contacts[0].normal"),
             (lambda: decide([fig1, fig1], WRENCHES), "grasp, wrench"),
             (lambda: decide(fig1, WRENCHES, warnings=True), "warnings"),
-            (lambda: decide(fig1, WRENCHES, engine="best"), "engine")):
+            (lambda: decide(fig1, WRENCHES, engine="best"), "engine"),
+            (lambda: decide([fig1, in_space]), "grasp"),
+            (lambda: decide(in_space, [(0, 0, 1)]), "wrench"),
+            (lambda: decide(in_space, [(0, 0, 1, 0, 0, 0), (0, 0, 1, 0, "x", 0)]), "wrench[1][4]"),
+            (lambda: decide([in_space], engine="cone"), "engine"),
+            (lambda: decide(in_space, friction=[1, -1]), "question 1, contacts[0].friction")):
         with pytest.raises(InputError) as caught:
             call()
         assert caught.value.place == place

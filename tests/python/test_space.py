@@ -205,8 +205,6 @@ def test_errors_of_questions(tmp_path, pinch):
             (lambda: stickslip.margin(pinch, (0, 0, -1)), "direction"),
             (lambda: stickslip.margin(pinch), "direction"),
             (lambda: stickslip.margin(pinch, DOWN, preload_direction=[1]), "preload_direction"),
-            (lambda: decide(pinch, [DOWN, DOWN]), "grasp"),
-            (lambda: decide([pinch], DOWN), "grasp"),
             (lambda: decide(pinch, DOWN, uncertain="normal=1/100"), "uncertain"),
             (lambda: decide(pinch, DOWN, uncertain={}), "uncertain")):
         with pytest.raises(InputError) as caught:

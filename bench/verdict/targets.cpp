@@ -169,7 +169,9 @@ std::vector<Row> rows_of(const Report& report) {
   return {{10, false, 20, 20, 10},
           {100, false, 20, 20, 40},
           {1000, false, 20, 20, 0},
-          {10000, false, 10, 120, 0}};
+          {10000, false, 12, 120, 0},
+          {100000, false, 12, 600, 0},
+          {1000000, false, 4, 3600, 0}};
 }
 
 }  // namespace
@@ -184,7 +186,7 @@ void report_targets(Report& report) {
   std::vector<std::pair<double, double>> medians;
   std::vector<std::pair<double, double>> means;
   for (Row row : rows_of(report)) {
-    if (row.contacts > report.max_contacts) continue;
+    if (row.contacts > report.max_contacts || row.contacts < report.min_contacts) continue;
     for (const bool stable : {false, true}) {
       row.stable = stable;
       std::vector<Result> results;

@@ -56,6 +56,9 @@ TEST(ConeEngine, SameAnswerEveryTime) {
     }
     EXPECT_EQ(texts[0], texts[1]);
     EXPECT_EQ(works[0], works[1]);
+    ConeWork work;
+    decide_by_cones(problem, {}, &work);
+    EXPECT_LE(work.contacts_visited, work.nodes * problem.size());
   }
 }
 

@@ -48,7 +48,6 @@ class Explorer {
     Node rest = Node::root(problem_);
     rest.region =
         rest.region.with_slip_state(problem_, std::vector<Sign>(problem_.size(), Sign::kZero));
-    for (UndecidedContact& u : rest.undecided) u.slip_cuts = false;
     if (!rest.region.is_void()) {
       table_.read(problem_, model_, rest);
       const SearchResult found = search_.search(rest, table_, work_);
@@ -69,6 +68,7 @@ class Explorer {
       ++work_.voids;
       return Step{VirtualWorkLeaf{}, {}};
     }
+    work_.contacts_visited += node.undecided->size();
     table_.read(problem_, model_, node);
     const SearchResult found = search_.search(node, table_, work_);
     if (found.separated) {
@@ -116,8 +116,8 @@ class Explorer {
       const bool sticks = std::fabs(slips[i]) <= kStill * fastest;
       guesses.push_back({closed, sticks, slips[i] > 0 ? -1 : 1});
     }
-    for (std::size_t q = 0; q < node.undecided.size(); ++q) {
-      ModeGuess& guess = guesses[node.undecided[q].contact];
+    for (std::size_t q = 0; q < node.undecided->size(); ++q) {
+      ModeGuess& guess = guesses[(*node.undecided)[q].contact];
       if (!guess.sticks || !(found.normal[q] > 0)) continue;
       guess.share = rounded_share(found.tangential[q] / found.normal[q]);
     }
@@ -126,20 +126,8 @@ class Explorer {
   }
 
   Step split_at(const Node& node, const ContactSplit& split) {
-    Step step{std::visit([](const auto& at) { return RefutationNode(at); }, split), {}};
-    if (const auto* slip = std::get_if<SlipSplit>(&split)) {
-      ++work_.slip_splits;
-      for (const Sign sign : {Sign::kPositive, Sign::kZero, Sign::kNegative}) {
-        step.children.push_back(node.slip_child(problem_, slip->contact, sign));
-      }
-    } else {
-      ++work_.separation_splits;
-      const ContactId contact = std::get<SeparationSplit>(split).contact;
-      for (const Separation side : {Separation::kClosed, Separation::kOpen}) {
-        step.children.push_back(node.separation_child(problem_, contact, side));
-      }
-    }
-    return step;
+    ++(std::holds_alternative<SlipSplit>(split) ? work_.slip_splits : work_.separation_splits);
+    return node.split(problem_, split);
   }
 
   /// The exact program of the region: a leaf, a witness, or the split that its point asks for.
@@ -186,6 +174,7 @@ ConeWork& ConeWork::operator+=(const ConeWork& part) {
   depth = std::max(depth, part.depth);
   searches += part.searches;
   support_points += part.support_points;
+  contacts_visited += part.contacts_visited;
   filter_hits += part.filter_hits;
   filter_misses += part.filter_misses;
   exact_programs += part.exact_programs;

@@ -4,13 +4,17 @@
 /// open, and the sum of those that are decided; with its rays in double precision.
 #pragma once
 
+#include <Eigen/Core>
 #include <array>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "stickslip/core/sign.hpp"
 #include "stickslip/equilibrium/search/nearest_point.hpp"
 #include "stickslip/equilibrium/search/region.hpp"
+#include "stickslip/equilibrium/search/region_program.hpp"
+#include "stickslip/equilibrium/search/tree_walk.hpp"
 
 namespace stickslip::equilibrium_detail {
 
@@ -24,6 +28,10 @@ struct ContactDoubles {
   Double5 separation;  ///< v_i
   double stiffness;
   bool frictionless;
+  /// \{ Bounds of the rounding of the functions' values at points with entries of at most 1.
+  double slip_error;
+  double separation_error;
+  /// \}
 };
 
 struct DoubleModel {
@@ -51,6 +59,17 @@ struct DoubleModel {
 /// 2^-1073 where an entry is so small that it underflows.
 Double5 to_doubles(const IntegerVector5& x);
 
+/// The error of a moderate function's value at a ray as above, by the sum of the absolute
+/// values of its five products.
+inline double rounding_bound(double magnitude) {
+  // Factors 3u, products u, sums 4u, second order: below 9u, with u = 2^-53; magnitude itself
+  // is rounded. What underflows, 2^-1073 in an entry of the ray, is at most 2^-873 in a
+  // product.
+  constexpr double kRelativeError = 1.2e-15;
+  constexpr double kUnderflow = 1e-250;
+  return kRelativeError * magnitude + kUnderflow;
+}
+
 /// value = dot(function, x) in double, with a moderate function and a ray as above: its sign,
 /// if the error bound decides.
 inline std::optional<Sign> certain_sign(const Double5& function, const Double5& x,
@@ -62,12 +81,7 @@ inline std::optional<Sign> certain_sign(const Double5& function, const Double5& 
     value += product;
     magnitude += product < 0 ? -product : product;
   }
-  // Factors 3u, products u, sums 4u, second order: below 9u, with u = 2^-53; magnitude itself
-  // is rounded. What underflows, 2^-1073 in an entry of the ray, is at most 2^-873 in a
-  // product.
-  constexpr double kRelativeError = 1.2e-15;
-  constexpr double kUnderflow = 1e-250;
-  const double bound = kRelativeError * magnitude + kUnderflow;
+  const double bound = rounding_bound(magnitude);
   if (value > bound) return Sign::kPositive;
   if (value < -bound) return Sign::kNegative;
   return std::nullopt;  // also for NaN
@@ -95,12 +109,30 @@ struct DecidedContacts {
 /// of slip on a region is so on every part of it.
 struct Node {
   Region region;
-  std::vector<UndecidedContact> undecided;
+  /// Before RayTable::read those of the node above, shared by all its children.
+  std::shared_ptr<const std::vector<UndecidedContact>> undecided;
   DecidedContacts decided;
 
-  static Node root(const Problem& problem);
+  static Node root(const Problem& problem) { return Node(problem, Region::root(problem)); }
+  /// Of which nothing is known yet.
+  Node(const Problem& problem, Region root);
   Node slip_child(const Problem& problem, ContactId contact, Sign slip) const;
   Node separation_child(const Problem& problem, ContactId contact, Separation side) const;
+  /// The node of a tree that splits it, and the regions of its children.
+  Branch<RefutationNode, Node> split(const Problem& problem, const ContactSplit& at) const;
+};
+
+/// Rays and contacts are taken in blocks: what is done with each is done with several at once.
+inline constexpr std::size_t kBlock = 4;
+using BlockDoubles = Eigen::Array<double, kBlock, 1>;
+
+/// What the search needs of some of a node's undecided contacts.
+struct UndecidedBlock {
+  std::array<BlockDoubles, 3> normal;    ///< N
+  std::array<BlockDoubles, 3> friction;  ///< mu T
+  BlockDoubles edge;                     ///< sigma if slip has a sign, else 0
+  BlockDoubles any_edge;                 ///< 0 if slip has a sign, else 1
+  BlockDoubles least;                    ///< of the work that counts: -inf if closed, else 0
 };
 
 /// The generators of one node's region; buffers are reused from node to node.
@@ -111,22 +143,44 @@ class RayTable {
   void read(const Problem& problem, const DoubleModel& model, Node& node);
 
   std::size_t ray_count() const { return rays_.size(); }
+  /// Blocks of rays; the last one is filled up with what stands for no ray.
+  std::size_t block_count() const { return blocks_.size(); }
+  const std::vector<Ray>& exact_rays() const { return generators_; }
   const std::vector<Double5>& rays() const { return rays_; }
-  /// v at each ray, of the node's undecided contact with this index. The signs are exact.
-  const double* separations(std::size_t u) const { return &separations_[u * rays_.size()]; }
-  /// Whether h > 0, or the growing load or a decided contact acts at the ray; exact.
+  /// The node's undecided contacts, in their order; the last block is filled up with zeros.
+  const std::vector<UndecidedBlock>& undecided() const { return undecided_; }
+  /// v at the rays of a block, by the node's undecided contacts. The signs are exact.
+  const std::vector<BlockDoubles>& separations(std::size_t block) const {
+    return separations_[block];
+  }
+  double separation(std::size_t undecided, std::size_t ray) const {
+    return separations_[ray / kBlock][undecided].data()[ray % kBlock];
+  }
+  /// Whether h > 0, or may be 0 at solutions; or the growing load or a decided contact acts at
+  /// the ray; exact.
   bool loaded(std::size_t ray) const { return loaded_[ray] != 0; }
+  /// Whether that is so at all rays of a block.
+  bool block_is_loaded(std::size_t block) const;
 
  private:
+  /// The coordinates of a block's rays.
+  using Block = std::array<BlockDoubles, 5>;
+
   Sign sign_at(const Double5& function, const IntegerVector5& plane, std::size_t ray,
                double& value) const;
+  void list_rays(const Problem& problem, const Node& node);
+  SignRange find_separations(const Problem& problem, const ContactDoubles& c,
+                             ContactId contact);
   void find_slip_sign(const Problem& problem, const DoubleModel& model, const Node& node,
                       UndecidedContact& u);
 
   bool doubles_decide_ = true;  ///< where their error bounds do
   std::vector<Ray> generators_;
   std::vector<Double5> rays_;
-  std::vector<double> separations_;
+  std::vector<Block> blocks_;
+  std::vector<BlockDoubles> values_;  ///< of one contact
+  std::vector<UndecidedBlock> undecided_;
+  std::vector<std::vector<BlockDoubles>> separations_;
   std::vector<char> loaded_;
   std::vector<const Ray*> zero_rays_;
 };

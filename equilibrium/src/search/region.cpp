@@ -71,6 +71,18 @@ Region Region::root(const Problem& problem) {
   return region;
 }
 
+Region Region::between(const Problem& problem, const std::vector<Cut>& cuts) {
+  Region region;
+  region.labels_.resize(problem.size());
+  region.cone_ = Cone(Cone::Multiples::kAny);
+  region.strict_.clear();
+  for (const Cut& cut : cuts) {
+    if (cut.strict) region.strict_.push_back(region.cone_.constraint_count());
+    region.cone_.cut(cut.plane, cut.side);
+  }
+  return region;
+}
+
 Region Region::slip_child(const Problem& problem, ContactId contact, Sign slip) const& {
   return Region(*this).slip_child(problem, contact, slip);
 }

@@ -2,6 +2,7 @@
 #include "stickslip/equilibrium/search/region_program.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "stickslip/core/cancellation.hpp"
 #include "stickslip/core/error.hpp"
@@ -15,13 +16,9 @@ struct OpenContact {
   bool mixed = false;
   std::optional<Sign> slip;
   std::vector<Rational> most;  ///< by generator: the largest a_i there, v_i or max(0, v_i)
+  Vector3 forward;             ///< the wrench of its edge 1, per unit of a_i
+  Vector3 backward;            ///< of its edge -1
   int edge = 0;                ///< of the current extreme point; 0: a_i = 0
-};
-
-/// A generator of the region, with what a program sees of it.
-struct Generator {
-  Vector5 x;
-  Vector3 wrench;  ///< of the load, and of all contacts on their current edges
 };
 
 /// An extreme point of the relaxation on one generator: the edges that the contacts push along.
@@ -31,8 +28,25 @@ struct Column {
   Vector3 wrench;                  ///< of the load and all contacts
 };
 
-/// Which positive function of a solution is made 1: h, or a strict function of the multiples.
-enum class Normalizer { kHeight, kFromLow, kToHigh };
+/// Those of a problem's own loads: positive are the strict functions of the multiples, and h.
+std::vector<LoadedGenerator> loaded_generators(const Problem& problem,
+                                               const std::vector<Ray>& rays) {
+  const MultipleRange& range = problem.multiples();
+  const bool above_low = problem.is_family() && !range.has_low;
+  const bool below_high = problem.is_family() && range.high;
+  std::vector<LoadedGenerator> generators;
+  for (const Ray& ray : rays) {
+    LoadedGenerator g;
+    for (std::size_t j = 0; j < 5; ++j) g.x[j] = Rational(ray.x[j]);
+    g.load = coordinates(g.x[3] * problem.wrench() + g.x[4] * problem.load_growth());
+    if (above_low) g.positive.push_back(g.x[4] - range.low * g.x[3]);
+    if (below_high) g.positive.push_back(*range.high * g.x[3] - g.x[4]);
+    // Between two finite ends h > 0 follows.
+    if (g.positive.empty() || !range.high) g.positive.push_back(g.x[3]);
+    generators.push_back(std::move(g));
+  }
+  return generators;
+}
 
 void add(LpWork& sum, const LpWork& part) {
   sum.double_pivots += part.double_pivots;
@@ -42,21 +56,49 @@ void add(LpWork& sum, const LpWork& part) {
   sum.largest_bits = std::max(sum.largest_bits, part.largest_bits);
 }
 
+/// How long the vector is, in multiples of a positive multiple of it.
+Rational scale_of(const Vector5& vector, const IntegerVector5& multiple) {
+  for (std::size_t j = 0; j < 5; ++j) {
+    if (!multiple[j].is_zero()) return vector[j] / Rational(multiple[j]);
+  }
+  return 0;
+}
+
 class ColumnGeneration {
  public:
-  ColumnGeneration(const Problem& problem, const Region& region) : problem_(problem) {
-    for (const Ray& ray : region.generators(problem)) {
-      Generator g;
-      for (std::size_t j = 0; j < 5; ++j) g.x[j] = Rational(ray.x[j]);
-      g.wrench = coordinates(g.x[3] * problem.wrench() + g.x[4] * problem.load_growth());
-      generators_.push_back(std::move(g));
+  /// Of the problem's own loads.
+  ColumnGeneration(const Problem& problem, const Region& region)
+      : ColumnGeneration(problem, region, region.generators(problem)) {}
+
+  /// Of other loads.
+  ColumnGeneration(const Problem& problem, const Region& region,
+                   std::vector<LoadedGenerator> generators)
+      : problem_(problem), region_(region), generators_(std::move(generators)) {
+    begin();
+  }
+
+  /// The rule leaf-bound: g is the work of the corners that do the most. Of the problem's own
+  /// loads.
+  bool is_refuted_by(const VirtualWorkLeaf& leaf) {
+    const Vector3 y = coordinates(twist_of(leaf.twist));
+    push_against(y);
+    std::vector<const Ray*> zeros;
+    for (std::size_t k = 0; k < rays_.size(); ++k) {
+      const int bound = dot(y, wrenches_[k]).sign();
+      if (bound > 0) return false;
+      if (bound == 0) zeros.push_back(&rays_[k]);
     }
-    for (std::size_t i = 0; i < problem.size(); ++i) add_contact(region, ContactId(i));
+    return region_.is_barred(zeros);
+  }
+
+  /// Begins with the corners that do the most work on a twist, where it is positive.
+  void start_from(const VirtualWorkLeaf& leaf) {
+    add_columns(coordinates(twist_of(leaf.twist)), kHeight, 0, 0);
   }
 
   std::variant<RelaxedPoint, VirtualWorkLeaf> solve(LpWork& work) {
     std::vector<Rational> sum;
-    for (const Normalizer scale : scales()) {
+    for (std::size_t scale = 0; scale < scales_; ++scale) {
       auto outcome = optimize(scale, 0, work);
       if (auto* twist = std::get_if<Vector3>(&outcome)) {
         return VirtualWorkLeaf{primitive_multiple(*twist)};
@@ -72,20 +114,65 @@ class ColumnGeneration {
   /// The largest (sign = 1) or smallest (sign = -1) multiple, or a ray on which it grows
   /// without end.
   std::optional<RelaxedPoint> extreme(int sign, LpWork& work) {
-    const auto outcome = optimize(Normalizer::kHeight, sign, work);
+    const auto outcome = optimize(kHeight, sign, work);
     if (std::holds_alternative<Vector3>(outcome)) return std::nullopt;
     if (const auto* unbounded = std::get_if<Unbounded>(&outcome)) return point(unbounded->ray);
     return point(std::get<Optimal>(outcome).point);
   }
 
  private:
-  void add_contact(const Region& region, ContactId contact) {
-    const Separation separation = region.separation(problem_, contact);
-    if (separation == Separation::kOpen) return;
-    OpenContact open{
-        contact, separation == Separation::kMixed, slip_for(region, contact), {}, 0};
-    for (const Generator& g : generators_) {
-      open.most.push_back(std::max(Rational(0), dot(problem_.separation(contact), g.x)));
+  /// In place of the number of a positive function.
+  static constexpr std::size_t kHeight = std::numeric_limits<std::size_t>::max();
+
+  /// Of what is made 1: a positive function, or h.
+  static const Rational& value_of(std::size_t scale, const LoadedGenerator& g) {
+    return scale == kHeight ? g.x[3] : g.positive[scale];
+  }
+
+  ColumnGeneration(const Problem& problem, const Region& region, std::vector<Ray> rays)
+      : problem_(problem),
+        region_(region),
+        rays_(std::move(rays)),
+        generators_(loaded_generators(problem, rays_)) {
+    begin();
+  }
+
+  void begin() {
+    for (const LoadedGenerator& g : generators_) wrenches_.push_back(g.load);
+    if (!generators_.empty()) scales_ = generators_.front().positive.size();
+    for (std::size_t i = 0; i < problem_.size(); ++i) add_contact(ContactId(i));
+  }
+
+  /// v_i at the generators; by integers where there are any, which is several times faster.
+  std::vector<Rational> separations(ContactId contact) const {
+    std::vector<Rational> result;
+    const Vector5& separation = problem_.separation(contact);
+    if (rays_.empty()) {
+      for (const LoadedGenerator& g : generators_) result.push_back(dot(separation, g.x));
+      return result;
+    }
+    const IntegerVector5& plane = problem_.separation_plane(contact);
+    const Rational scale = scale_of(separation, plane);
+    for (const Ray& ray : rays_) result.emplace_back(scale * Rational(dot(plane, ray.x)));
+    return result;
+  }
+
+  void add_contact(ContactId contact) {
+    std::vector<Rational> heights = separations(contact);
+    SignRange range;
+    for (const Rational& height : heights) {
+      const int sign = height.sign();
+      (sign < 0 ? range.negative : sign > 0 ? range.positive : range.zero) = true;
+    }
+    if (range.is_nonpositive() && !range.is_nonnegative()) return;
+    OpenContact open{contact,
+                     !range.is_nonnegative(),
+                     slip_for(contact),
+                     {},
+                     coordinates(problem_.edge_wrench(contact, 1)),
+                     coordinates(problem_.edge_wrench(contact, -1))};
+    for (Rational& height : heights) {
+      open.most.push_back(height.sign() > 0 ? std::move(height) : Rational(0));
     }
     if (!open.mixed) push_along(open, open.slip ? -to_int(*open.slip) : 1);
     if (open.slip && !open.mixed) {
@@ -96,46 +183,44 @@ class ColumnGeneration {
   }
 
   /// Without friction both edges of the cone are one: any sign serves.
-  std::optional<Sign> slip_for(const Region& region, ContactId contact) const {
+  std::optional<Sign> slip_for(ContactId contact) const {
     if (problem_.row(contact).friction.is_zero()) return Sign::kPositive;
-    return region.slip_sign(problem_, contact);
+    return region_.slip_sign(problem_, contact);
   }
 
   void push_along(OpenContact& open, int edge) {
-    Wrench change;
-    if (edge != 0) change = change + problem_.edge_wrench(open.contact, edge);
-    if (open.edge != 0)
-      change = change + Rational(-1) * problem_.edge_wrench(open.contact, open.edge);
+    Vector3 change{};
+    const auto add_edge = [&](int of, int sign) {
+      if (of == 0) return;
+      const Vector3& wrench = of > 0 ? open.forward : open.backward;
+      for (std::size_t j = 0; j < 3; ++j) change[j] += sign * wrench[j];
+    };
+    add_edge(edge, 1);
+    add_edge(open.edge, -1);
     open.edge = edge;
-    const Vector3 c = coordinates(change);
     for (std::size_t k = 0; k < generators_.size(); ++k) {
       if (open.most[k].is_zero()) continue;
-      for (std::size_t j = 0; j < 3; ++j) generators_[k].wrench[j] += open.most[k] * c[j];
+      for (std::size_t j = 0; j < 3; ++j) wrenches_[k][j] += open.most[k] * change[j];
     }
   }
 
-  std::vector<Normalizer> scales() const {
-    if (!problem_.is_family()) return {Normalizer::kHeight};
-    const MultipleRange& range = problem_.multiples();
-    std::vector<Normalizer> scales;
-    if (!range.has_low) scales.push_back(Normalizer::kFromLow);
-    if (range.high) scales.push_back(Normalizer::kToHigh);
-    // Between two finite ends h > 0 follows.
-    if (scales.empty() || !range.high) scales.push_back(Normalizer::kHeight);
-    return scales;
-  }
-
-  Rational value_of(Normalizer scale, const Vector5& x) const {
-    const MultipleRange& range = problem_.multiples();
-    if (scale == Normalizer::kHeight) return x[3];
-    if (scale == Normalizer::kFromLow) return x[4] - range.low * x[3];
-    return *range.high * x[3] - x[4];
+  /// Of all open contacts, along the edges that do the most work on a twist.
+  void push_against(const Vector3& twist) {
+    for (OpenContact& open : open_) {
+      const Rational forward = dot(open.forward, twist);
+      const Rational backward = dot(open.backward, twist);
+      const bool is_forward = open.slip ? *open.slip != Sign::kPositive : forward >= backward;
+      int edge = is_forward ? 1 : -1;
+      if (open.mixed && (is_forward ? forward : backward).sign() <= 0) edge = 0;
+      if (edge != open.edge) push_along(open, edge);
+    }
   }
 
   /// sum lambda_c (wrench_c, scale_c) = (0, 0, 0, 1), lambda >= 0, with the most of
   /// sign * multiple. Or a twist y with g <= 0 on all generators, = 0 only where the scale is
   /// 0.
-  std::variant<Optimal, Unbounded, Vector3> optimize(Normalizer scale, int sign, LpWork& work) {
+  std::variant<Optimal, Unbounded, Vector3> optimize(std::size_t scale, int sign,
+                                                     LpWork& work) {
     while (true) {
       LpWork master_work;
       const LpResult master = stickslip::solve(master_program(scale, sign), &master_work);
@@ -151,7 +236,7 @@ class ColumnGeneration {
     }
   }
 
-  LinearProgram master_program(Normalizer scale, int sign) const {
+  LinearProgram master_program(std::size_t scale, int sign) const {
     LinearProgram program;
     program.add_variables(columns_.size(), VariableKind::kNonNegative);
     for (std::size_t j = 0; j < 3; ++j) {
@@ -162,9 +247,9 @@ class ColumnGeneration {
     std::vector<Rational> scales;
     std::vector<Rational> cost;
     for (const Column& c : columns_) {
-      const Vector5& x = generators_[c.generator].x;
-      scales.push_back(value_of(scale, x));
-      cost.push_back(Rational(-sign) * x[4]);
+      const LoadedGenerator& g = generators_[c.generator];
+      scales.push_back(value_of(scale, g));
+      cost.push_back(Rational(-sign) * g.x[4]);
     }
     program.add_row(std::move(scales), Relation::kEqual, 1);
     program.minimize(std::move(cost));
@@ -173,20 +258,13 @@ class ColumnGeneration {
 
   /// Adds, on each generator, the extreme point that does the most work on the twist, if its
   /// reduced cost is negative: y.wrench + z scale > cost. False if there are none.
-  bool add_columns(const Vector3& twist, Normalizer scale, const Rational& z, int sign) {
-    const Twist y{twist[0], twist[1], twist[2]};
-    for (OpenContact& open : open_) {
-      const ContactRow& row = problem_.row(open.contact);
-      int edge = open.slip ? -to_int(*open.slip) : 1;
-      if (!open.slip && power(row.tangent, y).sign() < 0) edge = -1;
-      if (open.mixed && power(problem_.edge_wrench(open.contact, edge), y).sign() <= 0)
-        edge = 0;
-      if (edge != open.edge) push_along(open, edge);
-    }
+  bool add_columns(const Vector3& twist, std::size_t scale, const Rational& z, int sign) {
+    push_against(twist);
     bool added = false;
     for (std::size_t k = 0; k < generators_.size(); ++k) {
-      const auto& [x, wrench] = generators_[k];
-      Rational excess = z * value_of(scale, x) + Rational(sign) * x[4];
+      const LoadedGenerator& g = generators_[k];
+      const Vector3& wrench = wrenches_[k];
+      Rational excess = z * value_of(scale, g) + Rational(sign) * g.x[4];
       for (std::size_t j = 0; j < 3; ++j) excess += twist[j] * wrench[j];
       if (excess.sign() <= 0) continue;
       added = true;
@@ -207,7 +285,7 @@ class ColumnGeneration {
     for (std::size_t c = 0; c < weights.size(); ++c) {
       if (weights[c].is_zero()) continue;
       const Column& column = columns_[c];
-      const Generator& g = generators_[column.generator];
+      const LoadedGenerator& g = generators_[column.generator];
       for (std::size_t j = 0; j < 5; ++j) x[j] += weights[c] * g.x[j];
       for (std::size_t q = 0; q < open_.size(); ++q) {
         if (column.edges[q] == 0) continue;
@@ -234,10 +312,11 @@ class ColumnGeneration {
           a, Rational(edge) * problem_.row(contact).friction * a};
     }
     Rational widest = 0;
-    const auto consider = [&](Rational gap, ContactSplit split) {
-      if (gap <= widest) return;
-      widest = std::move(gap);
-      result.broken = split;
+    Rational widest_separation = 0;
+    const auto consider = [](const Rational& gap, Rational& most, auto split, auto& broken) {
+      if (gap <= most) return;
+      most = gap;
+      broken = split;
     };
     for (std::size_t q = 0; q < open_.size(); ++q) {
       const ContactId contact = open_[q].contact;
@@ -247,12 +326,14 @@ class ColumnGeneration {
       if (open_[q].mixed) {
         const Rational lawful = std::max(Rational(0), v_at(contact));
         // An energy of the spring, as the slip's gap is one of friction.
-        consider(abs(Rational(a - lawful)) * std::max(a, lawful) / row.stiffness,
-                 SeparationSplit{contact});
+        const Rational gap = abs(Rational(a - lawful)) * std::max(a, lawful) / row.stiffness;
+        consider(gap, widest, SeparationSplit{contact}, result.broken);
+        consider(gap, widest_separation, SeparationSplit{contact}, result.broken_separation);
       }
       if (!open_[q].slip) {
         const Rational slip = power(row.tangent, result.witness.twist);
-        consider(row.friction * a * abs(slip) + b * slip, SlipSplit{contact});
+        consider(row.friction * a * abs(slip) + b * slip, widest, SlipSplit{contact},
+                 result.broken);
       }
       result.witness.forces[contact.index()] = std::move(open_forces[q]);
     }
@@ -260,15 +341,19 @@ class ColumnGeneration {
   }
 
   const Problem& problem_;
-  std::vector<Generator> generators_;
+  const Region& region_;
+  std::vector<Ray> rays_;  ///< of the problem's own loads; then one for each generator
+  std::vector<LoadedGenerator> generators_;
+  std::vector<Vector3>
+      wrenches_;            ///< by generator: of the load, and of contacts on their edges
+  std::size_t scales_ = 1;  ///< how many functions are positive
   std::vector<std::pair<ContactId, int>> settled_;  ///< closed, with the edge of their force
   std::vector<OpenContact> open_;
   std::vector<Column> columns_;
 };
 
 /// A leaf near the given one whose twist has small entries, if one refutes.
-VirtualWorkLeaf with_small_integers(const Problem& problem, const Region& region,
-                                    const VirtualWorkLeaf& leaf) {
+VirtualWorkLeaf with_small_integers(ColumnGeneration& program, VirtualWorkLeaf leaf) {
   Integer largest = 0;
   for (const Integer& entry : leaf.twist) largest = std::max<Integer>(largest, abs(entry));
   constexpr long kLargestScale = 1L << 40;
@@ -284,7 +369,7 @@ VirtualWorkLeaf with_small_integers(const Problem& problem, const Region& region
       small.twist[j] = quotient;
     }
     small.twist = primitive(std::move(small.twist));
-    if (refutes(problem, region, small)) return small;
+    if (program.is_refuted_by(small)) return small;
   }
   return leaf;
 }
@@ -292,16 +377,34 @@ VirtualWorkLeaf with_small_integers(const Problem& problem, const Region& region
 }  // namespace
 
 std::variant<RelaxedPoint, VirtualWorkLeaf> solve_region(const Problem& problem,
-                                                         const Region& region, LpWork* work) {
+                                                         const Region& region, LpWork* work,
+                                                         const VirtualWorkLeaf* guess) {
   throw_if_cancelled();
   LpWork total{0, 0, true, LpTier::kInt64, 0};
-  auto outcome = ColumnGeneration(problem, region).solve(total);
+  std::variant<RelaxedPoint, VirtualWorkLeaf> outcome;
+  ColumnGeneration program(problem, region);
+  if (guess != nullptr && program.is_refuted_by(*guess)) {
+    outcome = *guess;
+  } else {
+    if (guess != nullptr) program.start_from(*guess);
+    outcome = program.solve(total);
+    if (auto* leaf = std::get_if<VirtualWorkLeaf>(&outcome)) {
+      *leaf = with_small_integers(program, std::move(*leaf));
+    }
+  }
   if (work != nullptr) *work = total;
   if (const auto* leaf = std::get_if<VirtualWorkLeaf>(&outcome)) {
     require(refutes(problem, region, *leaf), "a Farkas vector does not refute its region");
-    return with_small_integers(problem, region, *leaf);
   }
   return outcome;
+}
+
+std::variant<RelaxedPoint, VirtualWorkLeaf> solve_loaded_region(
+    const Problem& problem, const Region& region,
+    const std::vector<LoadedGenerator>& generators) {
+  throw_if_cancelled();
+  LpWork total{0, 0, true, LpTier::kInt64, 0};
+  return ColumnGeneration(problem, region, generators).solve(total);
 }
 
 std::optional<MultipleExtent> multiple_extent(const Problem& problem, const Region& region) {

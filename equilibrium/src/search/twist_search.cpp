@@ -8,13 +8,6 @@
 namespace stickslip::equilibrium_detail {
 namespace {
 
-/// The normal coefficient that counts at a ray of v v: v if closed; max(0, v) if mixed and
-/// the work is positive, else 0.
-double share(const UndecidedContact& u, double v, double alpha) {
-  if (u.separation == Separation::kClosed) return v;
-  return alpha > 0 ? std::max(0.0, v) : 0.0;
-}
-
 double magnitude_of(const ContactDoubles& c, const Double3& y) {
   double sum = 0;
   for (std::size_t j = 0; j < 3; ++j) {
@@ -31,40 +24,54 @@ double magnitude_of(const Double5& function, const Double5& x) {
 
 }  // namespace
 
-TwistSearch::Edge TwistSearch::edge(const UndecidedContact& u, const Double3& twist) const {
-  const ContactDoubles& c = model_.contacts[u.contact];
-  const double friction = dot(c.friction, twist);
-  const double sigma = u.slip != 0 ? -u.slip : friction >= 0 ? 1.0 : -1.0;
-  return {dot(c.normal, twist) + sigma * friction, sigma};
-}
-
-/// Fills edges_, and adds the undecided' parts to bounds_ and forces_.
-void TwistSearch::add_undecided_bounds(const Node& node, const RayTable& table,
-                                       const Double3& twist) {
-  const std::size_t ray_count = table.ray_count();
-  edges_.resize(node.undecided.size());
-  for (std::size_t q = 0; q < node.undecided.size(); ++q) {
-    const UndecidedContact& u = node.undecided[q];
-    edges_[q] = edge(u, twist);
-    const double alpha = edges_[q].alpha;
-    const double* separations = table.separations(q);
-    if (u.separation == Separation::kMixed) {
-      if (!(alpha > 0)) continue;
-      for (std::size_t r = 0; r < ray_count; ++r) {
-        const double a = separations[r] > 0 ? separations[r] : 0;
-        bounds_[r] += alpha * a;
-        forces_[r] += a;
-      }
-    } else {
-      for (std::size_t r = 0; r < ray_count; ++r) {
-        bounds_[r] += alpha * separations[r];
-        forces_[r] += separations[r];
-      }
+void TwistSearch::find_work(const RayTable& table, const Double3& twist) {
+  work_.resize(table.undecided().size());
+  for (std::size_t b = 0; b < work_.size(); ++b) {
+    const auto& [n, f, edge, any_edge, least] = table.undecided()[b];
+    auto& [sigma, alpha, bound, share] = work_[b];
+    const BlockDoubles friction = f[0] * twist[0] + f[1] * twist[1] + f[2] * twist[2];
+    const BlockDoubles normal = n[0] * twist[0] + n[1] * twist[1] + n[2] * twist[2];
+    alpha = normal + (edge * friction + any_edge * friction.abs());
+    bound = alpha.max(least);
+    for (std::size_t k = 0; k < kBlock; ++k) {
+      sigma.data()[k] = friction.data()[k] >= 0 ? 1.0 : -1.0;
+      share.data()[k] = alpha.data()[k] > least.data()[k] ? 1.0 : 0.0;
     }
+    sigma = edge + any_edge * sigma;
   }
 }
 
-/// The wrench whose work on the twist of the last add_undecided_bounds is the bound at the ray.
+BlockDoubles TwistSearch::coefficients(const Node& node, const RayTable& table,
+                                       std::size_t block, std::size_t ray) const {
+  BlockDoubles v = BlockDoubles::Zero();
+  const std::size_t begin = block * kBlock;
+  const std::size_t end = std::min(begin + kBlock, node.undecided->size());
+  for (std::size_t q = begin; q < end; ++q) v.data()[q - begin] = table.separation(q, ray);
+  return work_[block].share * v.max(0.0);
+}
+
+/// Adds the undecided' parts to bounds_ and forces_.
+void TwistSearch::add_undecided_bounds(const RayTable& table, const Double3& twist) {
+  find_work(table, twist);
+  for (std::size_t b = 0; b < table.block_count(); ++b) {
+    const std::vector<BlockDoubles>& separations = table.separations(b);
+    Eigen::Map<BlockDoubles> bounds(&bounds_[b * kBlock]);
+    BlockDoubles sum = bounds;
+    for (std::size_t q = 0; q < separations.size(); ++q) {
+      sum += work_[q / kBlock].bound.data()[q % kBlock] * separations[q].max(0.0);
+    }
+    bounds = sum;
+    if (table.block_is_loaded(b)) continue;
+    Eigen::Map<BlockDoubles> forces(&forces_[b * kBlock]);
+    sum = forces;
+    for (std::size_t q = 0; q < separations.size(); ++q) {
+      sum += work_[q / kBlock].share.data()[q % kBlock] * separations[q].max(0.0);
+    }
+    forces = sum;
+  }
+}
+
+/// The wrench whose work on the twist of the last find_work is the bound at the ray.
 Double3 TwistSearch::wrench_at(const Node& node, const RayTable& table, std::size_t ray) const {
   const Double5& x = table.rays()[ray];
   Double3 wrench{};
@@ -72,12 +79,13 @@ Double3 TwistSearch::wrench_at(const Node& node, const RayTable& table, std::siz
     wrench[j] = x[3] * model_.load[j] + x[4] * model_.growth[j];
     for (std::size_t k = 0; k < 5; ++k) wrench[j] += node.decided.value[j][k] * x[k];
   }
-  for (std::size_t q = 0; q < node.undecided.size(); ++q) {
-    const double a = share(node.undecided[q], table.separations(q)[ray], edges_[q].alpha);
-    if (a == 0) continue;
-    const ContactDoubles& c = model_.contacts[node.undecided[q].contact];
+  for (std::size_t b = 0; b < work_.size(); ++b) {
+    const BlockDoubles a = coefficients(node, table, b, ray);
+    const UndecidedBlock& contacts = table.undecided()[b];
     for (std::size_t j = 0; j < 3; ++j) {
-      wrench[j] += a * (c.normal[j] + edges_[q].sigma * c.friction[j]);
+      const BlockDoubles terms =
+          a * (contacts.normal[j] + work_[b].sigma * contacts.friction[j]);
+      for (std::size_t k = 0; k < kBlock; ++k) wrench[j] += terms.data()[k];
     }
   }
   return wrench;
@@ -98,9 +106,13 @@ void TwistSearch::scale_rays(const Node& node, const RayTable& table) {
       scales_[r] += std::fabs(decided);
     }
   }
-  for (std::size_t q = 0; q < node.undecided.size(); ++q) {
-    const double* separations = table.separations(q);
-    for (std::size_t r = 0; r < ray_count; ++r) scales_[r] += std::max(0.0, separations[r]);
+  for (std::size_t b = 0; b < table.block_count(); ++b) {
+    BlockDoubles sum = BlockDoubles::Zero();
+    for (const BlockDoubles& v : table.separations(b)) sum += v.max(0.0);
+    const std::size_t begin = b * kBlock;
+    for (std::size_t r = begin; r < std::min(begin + kBlock, ray_count); ++r) {
+      scales_[r] += sum.data()[r - begin];
+    }
   }
   for (double& scale : scales_) {
     scale = std::max(scale, std::numeric_limits<double>::min()) / model_.force;
@@ -115,10 +127,10 @@ std::pair<std::size_t, double> TwistSearch::worst_ray(const Node& node, const Ra
   for (std::size_t k = 0; k < 5; ++k) {
     for (std::size_t j = 0; j < 3; ++j) form[k] += twist[j] * node.decided.value[j][k];
   }
-  bounds_.resize(ray_count);
-  forces_.assign(ray_count, 0.0);
+  bounds_.assign(table.block_count() * kBlock, 0.0);
+  forces_.assign(table.block_count() * kBlock, 0.0);
   for (std::size_t r = 0; r < ray_count; ++r) bounds_[r] = dot(form, table.rays()[r]);
-  add_undecided_bounds(node, table, twist);
+  add_undecided_bounds(table, twist);
   std::pair<std::size_t, double> worst{ray_count, -HUGE_VAL};
   for (std::size_t r = 0; r < ray_count; ++r) {
     // Where nothing acts, g and h are 0: the ray is barred.
@@ -132,20 +144,24 @@ std::pair<std::size_t, double> TwistSearch::worst_ray(const Node& node, const Ra
 /// The motion and forces whose wrenches make up the nearest point.
 void TwistSearch::combine(const Node& node, const RayTable& table,
                           const std::vector<std::pair<double, Support>>& parts,
-                          SearchResult& result) const {
-  result.normal.assign(node.undecided.size(), 0.0);
-  result.tangential.assign(node.undecided.size(), 0.0);
+                          SearchResult& result) {
+  const std::size_t count = node.undecided->size();
+  result.normal.assign(count, 0.0);
+  result.tangential.assign(count, 0.0);
   for (const auto& [part, support] : parts) {
+    if (support.against) continue;
     const double weight = part / scales_[support.ray];
     for (std::size_t j = 0; j < 5; ++j) {
       result.motion[j] += weight * table.rays()[support.ray][j];
     }
-    for (std::size_t q = 0; q < node.undecided.size(); ++q) {
-      const Edge e = edge(node.undecided[q], support.twist);
-      const double a =
-          weight * share(node.undecided[q], table.separations(q)[support.ray], e.alpha);
-      result.normal[q] += a;
-      result.tangential[q] += e.sigma * a;
+    find_work(table, support.twist);
+    for (std::size_t b = 0; b < work_.size(); ++b) {
+      const BlockDoubles a = weight * coefficients(node, table, b, support.ray);
+      const BlockDoubles along = work_[b].sigma * a;
+      for (std::size_t q = b * kBlock; q < std::min((b + 1) * kBlock, count); ++q) {
+        result.normal[q] += a.data()[q % kBlock];
+        result.tangential[q] += along.data()[q % kBlock];
+      }
     }
   }
 }
@@ -159,6 +175,12 @@ SearchResult TwistSearch::search(const Node& node, const RayTable& table, ConeWo
     return {y[0], y[1], y[2] / length};
   };
   const Double3 start = unscaled(model_.start);
+  std::vector<Double3> against;
+  if (direction_ != nullptr) {
+    for (const Ray& ray : table.exact_rays()) {
+      against.push_back(direction_->against(ray.x, length));
+    }
+  }
   const auto found =
       nearest_wrench<3>({-start[0], -start[1], -start[2]}, [&](const Double3& y) {
         ++work.support_points;
@@ -168,6 +190,10 @@ SearchResult TwistSearch::search(const Node& node, const RayTable& table, ConeWo
         if (bound >= 0) {
           support.wrench = unscaled(wrench_at(node, table, ray));
           for (double& entry : support.wrench) entry /= scales_[ray];
+        }
+        for (std::size_t r = 0; r < against.size(); ++r) {
+          const double along = dot(against[r], y);
+          if (along > support.work) support = {along, against[r], r, twist, true};
         }
         return std::optional(support);
       });
@@ -196,8 +222,8 @@ std::optional<ContactSplit> TwistSearch::widest_gap(const Node& node,
   Widest separation;
   Widest slip;
   double energy = 0;
-  for (std::size_t q = 0; q < node.undecided.size(); ++q) {
-    const UndecidedContact& u = node.undecided[q];
+  for (std::size_t q = 0; q < node.undecided->size(); ++q) {
+    const UndecidedContact& u = (*node.undecided)[q];
     const ContactDoubles& c = model_.contacts[u.contact];
     const ContactId contact(u.contact);
     const double a = found.normal[q];
@@ -249,27 +275,29 @@ std::optional<bool> TwistSearch::certain_refutation(const Node& node, const RayT
       }
     }
   }
-  for (std::size_t q = 0; q < node.undecided.size(); ++q) {
-    const UndecidedContact& u = node.undecided[q];
+  find_work(table, twist);
+  for (std::size_t q = 0; q < node.undecided->size(); ++q) {
+    const UndecidedContact& u = (*node.undecided)[q];
     const ContactDoubles& c = model_.contacts[u.contact];
-    const Edge e = edge(u, twist);
     const double alpha_magnitude = magnitude_of(c, twist);
     const bool mixed = u.separation == Separation::kMixed;
     // alpha sums 6 products of factors rounded once: below 16 roundings of its magnitude.
     constexpr double kAlphaError = 2e-15;
-    if (mixed && e.alpha < -kAlphaError * alpha_magnitude) continue;
-    const double alpha = mixed ? std::max(0.0, e.alpha) : e.alpha;
-    const double* separations = table.separations(q);
+    if (mixed && work_[q / kBlock].alpha.data()[q % kBlock] < -kAlphaError * alpha_magnitude)
+      continue;
+    const double alpha = work_[q / kBlock].bound.data()[q % kBlock];
     for (std::size_t r = 0; r < ray_count; ++r) {
-      if (!(separations[r] > 0)) continue;  // exactly 0, or open at this ray
-      bounds_[r] += alpha * separations[r];
-      forces_[r] += separations[r];
+      const double v = table.separation(q, r);
+      if (!(v > 0)) continue;  // exactly 0, or open at this ray
+      bounds_[r] += alpha * v;
+      forces_[r] += v;
       errors_[r] += alpha_magnitude * magnitude_of(c.separation, table.rays()[r]);
     }
   }
   // A term has fewer than 64 roundings (alpha 16, v 8, aggregate and products 16), and
   // each partial sum adds one; u = 2^-53 < 1.2e-16 leaves room for second order.
-  const double roundings = 64 + static_cast<double>(node.decided.terms + node.undecided.size());
+  const double roundings =
+      64 + static_cast<double>(node.decided.terms + node.undecided->size());
   constexpr double kUnitRoundoff = 1.2e-16;
   // What underflows, 2^-873 in a v, is at most 2^-620 in a term, of which there are fewer
   // than 2^40.
@@ -287,11 +315,17 @@ std::optional<bool> TwistSearch::certain_refutation(const Node& node, const RayT
 
 std::optional<VirtualWorkLeaf> TwistSearch::confirm(const Problem& problem, const Node& node,
                                                     const RayTable& table, const Double3& twist,
-                                                    ConeWork& work) {
+                                                    ConeWork& work, bool exactly) {
+  std::vector<IntegerVector5> points;
+  if (direction_ != nullptr) {
+    for (const Ray& ray : table.exact_rays()) points.push_back(ray.x);
+  }
   const auto y = in_fewest_bits<3>(
       twist, {3, 6, 10, 16, 24, 36, 50}, [&](const IntegerVector3& candidate) {
+        if (direction_ != nullptr && !direction_->holds(candidate, points)) return false;
         const std::optional<bool> certain =
             certain_refutation(node, table, in_doubles(candidate));
+        if (!certain && !exactly) return false;
         if (certain) {
           if (*certain) ++work.filter_hits;
           return *certain;

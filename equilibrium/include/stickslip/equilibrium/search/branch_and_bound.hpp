@@ -38,9 +38,12 @@ struct ConeWork {
   std::size_t depth = 0;              ///< of the deepest node
   std::size_t searches = 0;           ///< searches for a virtual twist in double precision
   std::size_t support_points = 0;  ///< evaluations of the bounds on all rays in these searches
-  std::size_t filter_hits = 0;     ///< leaves confirmed by doubles with error bounds
-  std::size_t filter_misses = 0;   ///< leaves confirmed exactly
-  std::size_t exact_programs = 0;  ///< exact linear programs
+  /// Sum over the nodes of the contacts whose part in the bounds was still open there: what a
+  /// node costs, where O(nodes * m) is what it would without what nodes inherit.
+  std::size_t contacts_visited = 0;
+  std::size_t filter_hits = 0;         ///< leaves confirmed by doubles with error bounds
+  std::size_t filter_misses = 0;       ///< leaves confirmed exactly
+  std::size_t exact_programs = 0;      ///< exact linear programs
   std::size_t witness_attempts = 0;    ///< candidates for an equilibrium completed exactly
   std::size_t largest_twist_bits = 0;  ///< of an integer in a leaf
 

@@ -4,6 +4,7 @@
 /// there is no equilibrium (certificate/FORMAT.md, section 6).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -32,6 +33,8 @@ class Direction {
  public:
   /// A and d0.
   Direction(const SquareMatrix<D>& matrix, const std::array<Rational, D>& twist);
+  /// By its rows, as functions of points.
+  explicit Direction(const std::array<std::array<Rational, D + 2>, D>& rows);
 
   /// Whether the function is below 0 at none of the points.
   bool holds(const IntegerVector<D>& y, const std::vector<IntegerVector<D + 2>>& points) const;
@@ -43,29 +46,35 @@ class Direction {
 };
 
 template <std::size_t D>
-Direction<D>::Direction(const SquareMatrix<D>& matrix, const std::array<Rational, D>& twist) {
+Direction<D>::Direction(const std::array<std::array<Rational, D + 2>, D>& rows) {
   Integer common = 1;
-  std::array<Rational, D> heights;
-  for (std::size_t j = 0; j < D; ++j) {
-    heights[j] = -dot(matrix[j], twist);
-    common = lcm(common, denominator(heights[j]));
-    for (const Rational& entry : matrix[j]) common = lcm(common, denominator(entry));
+  for (const auto& row : rows) {
+    for (const Rational& entry : row) common = lcm(common, denominator(entry));
   }
-  const auto whole = [&](const Rational& value) -> Integer {
-    return numerator(value) * (common / denominator(value));
-  };
   for (std::size_t j = 0; j < D; ++j) {
-    for (std::size_t k = 0; k < D; ++k) rows_[j][k] = whole(matrix[j][k]);
-    rows_[j][D] = whole(heights[j]);
+    for (std::size_t k = 0; k < D + 2; ++k) {
+      rows_[j][k] = numerator(rows[j][k]) * (common / denominator(rows[j][k]));
+    }
   }
 }
+
+template <std::size_t D>
+Direction<D>::Direction(const SquareMatrix<D>& matrix, const std::array<Rational, D>& twist)
+    : Direction([&] {
+        std::array<std::array<Rational, D + 2>, D> rows{};
+        for (std::size_t j = 0; j < D; ++j) {
+          std::copy(matrix[j].begin(), matrix[j].end(), rows[j].begin());
+          rows[j][D] = -dot(matrix[j], twist);
+        }
+        return rows;
+      }()) {}
 
 template <std::size_t D>
 bool Direction<D>::holds(const IntegerVector<D>& y,
                          const std::vector<IntegerVector<D + 2>>& points) const {
   IntegerVector<D + 2> function{};
   for (std::size_t j = 0; j < D; ++j) {
-    for (std::size_t k = 0; k <= D; ++k) function[k] += y[j] * rows_[j][k];
+    for (std::size_t k = 0; k < D + 2; ++k) function[k] += y[j] * rows_[j][k];
   }
   return std::none_of(points.begin(), points.end(), [&](const IntegerVector<D + 2>& x) {
     return dot(function, x).sign() < 0;

@@ -20,6 +20,15 @@ class Region {
   /// of a family, with all multiples in its range.
   static Region root(const Problem& problem);
 
+  /// A half-space or plane that a region begins with.
+  struct Cut {
+    IntegerVector5 plane;  ///< a of a.x = 0
+    Side side;             ///< what is kept
+    bool strict = false;   ///< the plane is not 0 at solutions
+  };
+  /// All of {h >= 0} between these planes, for any multiples; h itself may be 0.
+  static Region between(const Problem& problem, const std::vector<Cut>& cuts);
+
   /// Its closure. Of a family in which only the load grows the motions alone, at l = 0: any of
   /// them goes with any multiple.
   const Cone& cone() const { return cone_; }
@@ -57,6 +66,8 @@ class Region {
 
   /// True if all rays are barred: no solution lies here.
   bool is_void() const;
+  /// Whether no solution has h = 0, as in root() and its parts.
+  bool has_height() const { return !strict_.empty() && strict_.front() == 0; }
 
  private:
   Cone cone_;

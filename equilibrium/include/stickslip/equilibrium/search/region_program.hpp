@@ -39,12 +39,31 @@ struct RelaxedPoint {
   /// The split at the contact that breaks its normal law (a_i > max(0, v_i)) or maximum
   /// dissipation with the most energy, if any does.
   std::optional<ContactSplit> broken;
+  std::optional<SeparationSplit> broken_separation;  ///< of the normal laws alone, if any is
 };
 
 /// Either a point of the relaxed system, for one of the problem's multiples, or a leaf that
-/// refutes the region (verified).
-std::variant<RelaxedPoint, VirtualWorkLeaf> solve_region(const Problem& problem,
-                                                         const Region& region, LpWork* work);
+/// refutes the region (verified): `guess` if it does; otherwise its twist, if given, is the one
+/// that the first columns are made for.
+std::variant<RelaxedPoint, VirtualWorkLeaf> solve_region(
+    const Problem& problem, const Region& region, LpWork* work,
+    const VirtualWorkLeaf* guess = nullptr);
+
+/// A generator of a region's points with what loads it.
+struct LoadedGenerator {
+  Vector5 x;     ///< d, h, l
+  Vector3 load;  ///< that acts there
+  /// Of functions that are nowhere negative on the region, and positive at solutions: their
+  /// values here, of at least one; h > 0 has to follow from the others, or be one of them.
+  std::vector<Rational> positive;
+};
+
+/// The same for loads that are no family's: those of these generators, whose motions and
+/// heights generate the region. The leaf is primitive, not verified, and the bounds of
+/// FORMAT.md's g on the generators are <= 0, and 0 only where one of the positive functions is.
+std::variant<RelaxedPoint, VirtualWorkLeaf> solve_loaded_region(
+    const Problem& problem, const Region& region,
+    const std::vector<LoadedGenerator>& generators);
 
 /// The smallest and the largest multiple of the relaxed system; `highest` is a ray if there is
 /// no largest.

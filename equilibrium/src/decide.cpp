@@ -51,9 +51,10 @@ Decision decide(const Problem& problem, Engine engine, const ConeOptions& option
 
 std::vector<std::pair<std::string, std::size_t>> counters(const StatesWork& work) {
   return {{"states", work.states},
+          {"states_refuted", work.states_refuted},
           {"states_solved", work.states_solved},
-          {"separation_patterns_refuted", work.patterns},
           {"linear_programs", work.programs},
+          {"twists_carried", work.twists_carried},
           {"double_pivots", work.double_pivots},
           {"exact_pivots", work.exact_pivots},
           {"bases_confirmed", work.bases_confirmed},
@@ -69,6 +70,7 @@ std::vector<std::pair<std::string, std::size_t>> counters(const ConeWork& work) 
           {"depth", work.depth},
           {"searches", work.searches},
           {"support_points", work.support_points},
+          {"contacts_visited", work.contacts_visited},
           {"filter_hits", work.filter_hits},
           {"filter_misses", work.filter_misses},
           {"exact_programs", work.exact_programs},

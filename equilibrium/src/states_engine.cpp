@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <map>
+#include <set>
 
 #include "few_shares.hpp"
 #include "stickslip/arrangement/slip_states.hpp"
@@ -15,6 +15,15 @@ using namespace equilibrium_detail;
 
 namespace {
 
+/// Slip states that a region has motions of.
+using Group = std::vector<const SlipState*>;
+struct GroupRegion {
+  Region region;
+  Group group;
+};
+
+/// Refutes the enumerated states in groups, as large as one virtual twist allows: all of them,
+/// those with one sign of slip at some contact, and so on down to single states.
 class StatesEngine {
  public:
   StatesEngine(const Problem& problem, StatesWork& work) : problem_(problem), work_(work) {}
@@ -25,89 +34,125 @@ class StatesEngine {
     const SlipStates slip = enumerate_slip_states_cgal(planes);
     work_.states = slip.states.size();
     const Region root = Region::root(problem_);
-    // From the end: all-stick sorts last, is the cheapest to solve, and often the answer.
-    for (auto state = slip.states.rbegin(); state != slip.states.rend(); ++state) {
-      ++work_.states_solved;
-      Refutation& refutation = refutations_[*state];
-      if (solve_separations(root.with_slip_state(problem_, *state), refutation)) {
-        return Stable{std::move(witness_)};
-      }
-    }
-    Refutation tree;
-    assemble(root, tree);
-    return Unstable{std::move(tree)};
+    // All-stick sorts last, is the cheapest to solve, and often the answer.
+    const SlipState& stick = slip.states.back();
+    if (!refute(root.with_slip_state(problem_, stick), {&stick}, Coverage::kPart))
+      return stable();
+    Group all;
+    for (const SlipState& state : slip.states) all.push_back(&state);
+    std::optional<Refutation> tree = refute(root, all, Coverage::kWhole);
+    if (!tree) return stable();
+    require(work_.states_refuted == work_.states, "a slip state is not refuted");
+    return Unstable{std::move(*tree)};
   }
 
  private:
-  /// Depth first over separation patterns. True when an equilibrium was found; otherwise
-  /// `refutation` has grown by a tree that covers the region.
-  bool solve_separations(const Region& region, Refutation& refutation) {
-    if (region.is_void()) {
-      refutation.emplace_back(VirtualWorkLeaf{});
-      return false;
+  /// Whether a region has all motions of its states, or those on one side of a separation.
+  enum class Coverage { kWhole, kPart };
+
+  /// A tree that covers the region; nothing when an equilibrium was found.
+  std::optional<Refutation> refute(const Region& region, const Group& group,
+                                   Coverage coverage) {
+    if (region.is_void()) return leaf(group, coverage, {});
+    require(!group.empty(), "a region's slip state is missing from the enumeration");
+    auto outcome = solve(region);
+    if (group.size() == 1 && solved_.insert(group.front()).second) ++work_.states_solved;
+    if (const auto* found = std::get_if<VirtualWorkLeaf>(&outcome)) {
+      return leaf(group, coverage, *found);
     }
+    auto& point = std::get<RelaxedPoint>(outcome);
+    if (!point.broken) {
+      witness_ = std::move(point.witness);
+      return std::nullopt;
+    }
+    if (point.broken_separation) {
+      return split_by_separation(region, group, coverage, point);
+    }
+    return split_by_slip(region, group, coverage, point);
+  }
+
+  Refutation leaf(const Group& group, Coverage coverage, const VirtualWorkLeaf& twist) {
+    if (coverage == Coverage::kWhole) work_.states_refuted += group.size();
+    return {twist};
+  }
+
+  std::optional<Refutation> split_by_slip(const Region& region, const Group& group,
+                                          Coverage coverage, const RelaxedPoint& point) {
+    const ContactId contact = std::get<SlipSplit>(*point.broken).contact;
+    const Sign at = sign_of(power(problem_.row(contact).tangent, point.witness.twist));
+    std::vector<GroupRegion> parts;
+    std::size_t first = 0;
+    for (const Sign sign : {Sign::kPositive, Sign::kZero, Sign::kNegative}) {
+      if (sign == at) first = parts.size();
+      parts.push_back({region.slip_child(problem_, contact, sign), {}});
+      for (const SlipState* state : group)
+        if ((*state)[contact.index()] == sign) parts.back().group.push_back(state);
+    }
+    return refute_parts(SlipSplit{contact}, parts, first, coverage);
+  }
+
+  std::optional<Refutation> split_by_separation(const Region& region, const Group& group,
+                                                Coverage coverage, const RelaxedPoint& point) {
+    const ContactId contact = point.broken_separation->contact;
+    const auto [x, y, r] = coordinates(point.witness.twist);
+    const Rational v = dot(problem_.separation(contact), Vector5{x, y, r, 1, 0});
+    auto tree =
+        refute_parts(SeparationSplit{contact},
+                     {{region.separation_child(problem_, contact, Separation::kClosed), group},
+                      {region.separation_child(problem_, contact, Separation::kOpen), group}},
+                     v.sign() < 0 ? 1 : 0, Coverage::kPart);
+    if (tree && coverage == Coverage::kWhole) work_.states_refuted += group.size();
+    return tree;
+  }
+
+  /// From the first on, which is where the point of the relaxation lies: an equilibrium may be
+  /// near.
+  std::optional<Refutation> refute_parts(const RefutationNode& node,
+                                         const std::vector<GroupRegion>& parts,
+                                         std::size_t first, Coverage coverage) {
+    std::vector<Refutation> trees(parts.size());
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const std::size_t p = (first + k) % parts.size();
+      std::optional<Refutation> tree = refute(parts[p].region, parts[p].group, coverage);
+      if (!tree) return std::nullopt;
+      trees[p] = std::move(*tree);
+    }
+    Refutation whole{node};
+    for (const Refutation& tree : trees) whole.insert(whole.end(), tree.begin(), tree.end());
+    return whole;
+  }
+
+  /// The common system of the states in a region. The twist that refuted the last ones may do
+  /// for these; if not, it is where to start from.
+  std::variant<RelaxedPoint, VirtualWorkLeaf> solve(const Region& region) {
     LpWork lp;
-    auto outcome = solve_region(problem_, region, &lp);
+    auto outcome = solve_region(problem_, region, &lp, last_ ? &*last_ : nullptr);
+    const auto* found = std::get_if<VirtualWorkLeaf>(&outcome);
+    if (found != nullptr && last_ && found->twist == last_->twist) {
+      ++work_.twists_carried;
+      return outcome;
+    }
     ++work_.programs;
     work_.double_pivots += static_cast<std::size_t>(lp.double_pivots);
     work_.exact_pivots += static_cast<std::size_t>(lp.exact_pivots);
     work_.bases_confirmed += lp.basis_confirmed ? 1 : 0;
     work_.largest_bits =
         std::max(work_.largest_bits, static_cast<std::size_t>(lp.largest_bits));
-    if (auto* leaf = std::get_if<VirtualWorkLeaf>(&outcome)) {
-      ++work_.patterns;
-      refutation.emplace_back(std::move(*leaf));
-      return false;
-    }
-    auto& point = std::get<RelaxedPoint>(outcome);
-    if (!point.broken) {
-      witness_ = std::move(point.witness);
-      if (auto with_few = find_forces(problem_, witness_.twist))
-        witness_ = std::move(*with_few);
-      const std::optional<std::string> violation = find_violation(problem_, witness_);
-      require(!violation, "a witness of a slip state is not an equilibrium");
-      return true;
-    }
-    // Slip is labelled throughout the state, so only a separation can be broken.
-    const ContactId contact = std::get<SeparationSplit>(*point.broken).contact;
-    refutation.emplace_back(SeparationSplit{contact});
-    return solve_separations(region.separation_child(problem_, contact, Separation::kClosed),
-                             refutation) ||
-           solve_separations(region.separation_child(problem_, contact, Separation::kOpen),
-                             refutation);
+    if (found != nullptr) last_ = *found;
+    return outcome;
   }
 
-  /// Splits by slip until every contact's friction is known as in a slip state, then appends
-  /// that state's refutation. Only contacts whose plane cuts the region need a split, or
-  /// touches it where no strict function excludes touching; so the tree follows the
-  /// arrangement.
-  void assemble(const Region& region, Refutation& tree) const {
-    if (region.is_void()) {
-      tree.emplace_back(VirtualWorkLeaf{});
-      return;
-    }
-    SlipState state;
-    for (std::size_t i = 0; i < problem_.size(); ++i) {
-      const ContactId contact(i);
-      const std::optional<Sign> sign = region.slip_sign(problem_, contact);
-      if (!sign && !signs_on(region.cone(), problem_.slip_plane(contact)).is_zero()) {
-        tree.emplace_back(SlipSplit{contact});
-        for (const Sign child : {Sign::kPositive, Sign::kZero, Sign::kNegative}) {
-          assemble(region.slip_child(problem_, contact, child), tree);
-        }
-        return;
-      }
-      state.push_back(sign.value_or(Sign::kZero));
-    }
-    const auto found = refutations_.find(state);
-    require(found != refutations_.end(),
-            "a region's slip state is missing from the enumeration");
-    tree.insert(tree.end(), found->second.begin(), found->second.end());
+  Stable stable() {
+    if (auto with_few = find_forces(problem_, witness_.twist)) witness_ = std::move(*with_few);
+    require(!find_violation(problem_, witness_),
+            "a witness of a slip state is not an equilibrium");
+    return {std::move(witness_)};
   }
 
   const Problem& problem_;
   StatesWork& work_;
-  std::map<SlipState, Refutation> refutations_;
+  std::set<const SlipState*> solved_;  ///< by themselves
+  std::optional<VirtualWorkLeaf> last_;
   Witness witness_;
 };
 

@@ -129,11 +129,63 @@ TEST(Work, CountsTheStatesOfThePaper) {
   StatesWork work;
   decide_by_states(Problem({test::fig1_grasp(0), {0, 1, 0}}, NormalLaw::kUnilateral), &work);
   EXPECT_EQ(work.states, 27u);
-  EXPECT_EQ(work.states_solved, 27u);
+  EXPECT_EQ(work.states_refuted, 27u);
   EXPECT_GE(work.programs, 1u);
   decide_by_states(Problem({test::fig4_grasp(0), {0, 2, 0}}, NormalLaw::kUnilateral), &work);
   EXPECT_EQ(work.states, 9u);
-  EXPECT_EQ(work.states_solved, 9u);
+  EXPECT_EQ(work.states_refuted, 9u);
+}
+
+/// The cases of an unstable load's proof.
+std::size_t cases_of(const Problem& problem, StatesWork& work) {
+  const Verdict verdict = decide_by_states(problem, &work);
+  return summarize(std::get<Unstable>(verdict).refutation).leaves;
+}
+
+// The README's first example: one twist for all states but those of two groups.
+TEST(Work, OneTwistRefutesAGroupOfStates) {
+  StatesWork work;
+  const LoadedGrasp pulled{test::fig1_grasp(1), {0, q("11/10"), 0}};
+  EXPECT_EQ(cases_of(Problem(pulled, NormalLaw::kUnilateral), work), 3u);
+  EXPECT_EQ(work.states_refuted, 27u);
+  EXPECT_EQ(work.states_solved, 1u);
+  EXPECT_EQ(work.programs, 6u);
+  EXPECT_EQ(judged_verdict({pulled, NormalLaw::kUnilateral}), "unstable");
+}
+
+TEST(Work, ATwistIsCarriedFromAStateToAll) {
+  StatesWork work;
+  const LoadedGrasp tilted{test::fig1_grasp(1), {0, 2, 1}};
+  EXPECT_EQ(cases_of(Problem(tilted, NormalLaw::kBilateral), work), 1u);
+  EXPECT_EQ(work.states_refuted, 27u);
+  EXPECT_EQ(work.programs, 1u);
+  EXPECT_EQ(work.twists_carried, 1u);
+}
+
+// Six contacts in general position have 123 states, most of which need no look of their own.
+TEST(Work, IsSharedByManyStates) {
+  RandomSource random(61);
+  std::size_t states = 0;
+  std::size_t solved = 0;
+  std::size_t programs = 0;
+  std::size_t refuted = 0;
+  std::size_t cases = 0;
+  for (int round = 0; round < 40; ++round) {
+    const Problem problem({test::generic_grasp(random, 6), test::small_wrench(random)},
+                          NormalLaw::kUnilateral);
+    StatesWork work;
+    const Verdict verdict = decide_by_states(problem, &work);
+    states += work.states;
+    solved += work.states_solved;
+    programs += work.programs;
+    if (!std::holds_alternative<Unstable>(verdict)) continue;
+    refuted += work.states_refuted;
+    cases += cases_of(problem, work);
+  }
+  EXPECT_LT(3 * programs, states);
+  EXPECT_LT(20 * solved, states);
+  EXPECT_GE(refuted, 300u);
+  EXPECT_LT(5 * cases, refuted);
 }
 
 TEST(Determinism, SameProblemSameEvidenceSameWork) {

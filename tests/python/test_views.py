@@ -116,7 +116,7 @@ def test_answers_are_a_few_lines(m):
 def test_the_text_of_an_answer(fig1):
     assert repr(decide(fig1, UP, engine="states")) == (
         "Decision(verdict='stable', engine='states', normal_law='unilateral', wrench=(0, 1, 0),\n"
-        "         twist=(0, 1, 1), forces=((1, -1/2), (0, 0), (-1, -1/2)), slip='0--',\n"
+        "         twist=(0, 1, 0), forces=((1, -1/2), (0, 0), (-1, -1/2)), slip='+0-',\n"
         "         closed=(True, True, True))")
     assert repr(margin(fig1, DOWN, wrench=(0, "1/3", 0))) == (
         "Margin(resisted=((0, None),), direction=(0, -1, 0), wrench=(0, 1/3, 0), "

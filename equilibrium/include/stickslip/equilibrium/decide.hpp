@@ -17,21 +17,25 @@ namespace stickslip {
 
 /// What the reference engine did; reproducible.
 struct StatesWork {
-  std::size_t states = 0;         ///< distinct slip states of the grasp
-  std::size_t states_solved = 0;  ///< those whose system was solved: all, if unstable
-  std::size_t patterns = 0;  ///< separation patterns refuted, each by a verified virtual twist
-  std::size_t programs = 0;  ///< linear programs solved
-  std::size_t double_pivots = 0;    ///< of all programs, in double precision
-  std::size_t exact_pivots = 0;     ///< of all programs, where the proposed basis was not final
+  std::size_t states = 0;          ///< distinct slip states of the grasp
+  std::size_t states_refuted = 0;  ///< alone or in a group; all, if unstable
+  std::size_t states_solved = 0;   ///< those that needed a system of their own
+  std::size_t programs = 0;        ///< linear programs solved, of groups and of states
+  std::size_t twists_carried = 0;  ///< programs spared, as the last twist refuted another group
+  std::size_t double_pivots = 0;   ///< of all programs, in double precision
+  std::size_t exact_pivots = 0;    ///< of all programs, where the proposed basis was not final
   std::size_t bases_confirmed = 0;  ///< programs whose double-precision basis was confirmed
   std::size_t largest_bits = 0;     ///< of an integer in exact elimination
 };
 
-/// The reference engine: enumerates the slip states and solves the system of each (Haas-Heger
-/// et al., RSS 2018, Algorithm 2), with detachment decided exactly inside each state.
+/// The reference engine: enumerates the slip states and solves their systems (Haas-Heger et
+/// al., RSS 2018, Algorithm 2), with detachment decided exactly. States are taken in groups,
+/// those with given signs of slip at some contacts: if the group's common system, in which the
+/// other contacts' friction is free in its cone, has no solution, one virtual twist refutes
+/// them all; if it has, the group is split, at worst down to single states, whose systems are
+/// exact. Each enumerated state is refuted before a grasp is called unstable.
 /// Stable with a witness, or Unstable with a refutation; never Undecided. Deterministic.
-/// O(m^2) slip states, for each a linear program of at most 4 + 2m rows, and O(m^3) programs
-/// in all when every contact can both open and close.
+/// O(m^2) slip states; O(m^3) programs in the worst case.
 Verdict decide_by_states(const Problem& problem, StatesWork* work = nullptr);
 
 /// kStates is the method of the paper and the reference. kAuto is kCone, which measures faster

@@ -63,6 +63,13 @@ std::string enclosure_text(const BoxAnswer& answer) {
          (proved ? ",\nand the verdict is proved for all numbers in there.\n" : ".\n");
 }
 
+/// Of one grasp, of which exact forces are not known.
+std::string near_text(const Vector3& motion, NumberText& text) {
+  return "An equilibrium is near the motion d = " + text(motion) +
+         ". Exact forces would have numbers of\nmany digits: --engine cone finds them, and the "
+         "warnings that need them.\n";
+}
+
 }  // namespace
 
 void print_text(const BoxAnswer& answer, const NumberOptions& output,
@@ -79,6 +86,7 @@ void print_text(const BoxAnswer& answer, const NumberOptions& output,
   } else {
     std::cout << std::visit(Meaning{!uncertain.empty()}, decision.verdict);
   }
+  if (const auto near = motion_near(answer)) std::cout << near_text(*near, text);
   std::cout << enclosure_text(answer) << text.note() << units_text(question.loaded.grasp)
             << engine_text("box", question.law);
 }

@@ -180,8 +180,10 @@ struct DecideArguments {
 };
 
 AnswerOptions options_of(const DecideArguments& arguments) {
-  return {arguments.engine == "states" ? Engine::kStates : Engine::kCone, arguments.node_limit,
-          !arguments.no_warnings};
+  const Engine engine = arguments.engine == "states" ? Engine::kStates
+                        : arguments.engine == "cone" ? Engine::kCone
+                                                     : Engine::kAuto;
+  return {engine, arguments.node_limit, !arguments.no_warnings};
 }
 
 Answer answered(Question question, const DecideArguments& arguments) {
@@ -273,8 +275,9 @@ void add_decide_command(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "--engine", arguments->engine,
-          "How to decide; every engine is exact. states: the system of every slip state, the "
-          "method of the paper. cone: branch and bound. auto: cone, which is faster")
+          "How to decide; every engine is exact. states: the systems of all slip states, in "
+          "groups, the method of the paper. cone: branch and bound. auto: cone, which is "
+          "faster")
       ->type_name("ENGINE")
       ->check(CLI::IsMember({"auto", "states", "cone"}))
       ->capture_default_str();

@@ -12,12 +12,20 @@ std::vector<std::size_t> enclosed_contacts(const GraspBox& box) {
   return contacts;
 }
 
+std::optional<Vector3> motion_near(const BoxAnswer& answer) {
+  const auto* stable = std::get_if<StableThroughout>(&answer.decision.verdict);
+  const GraspBox& box = *answer.question.box;
+  if (stable == nullptr || needs_enclosure(box) || !box.is_point()) return std::nullopt;
+  return std::get<DegreeProof>(stable->parts.front()).twist;
+}
+
 Json to_json(const BoxAnswer& answer) {
   const auto& [question, decision] = answer;
   const GraspBox& box = *question.box;
   Json json;
   json["verdict"] = name_of(decision.verdict);
-  json["box"] = true;
+  // One grasp in exact numbers is none, though it is proved as if it were.
+  if (needs_enclosure(box) || !box.is_point()) json["box"] = true;
   json["name"] = question.loaded.grasp.name();
   if (!question.case_name.empty()) json["case"] = question.case_name;
   add_units(json, question.loaded.grasp);
@@ -30,6 +38,7 @@ Json to_json(const BoxAnswer& answer) {
     json["bits"] = decision.bits;
   }
   if (const auto* stable = std::get_if<StableThroughout>(&decision.verdict)) {
+    if (const auto near = motion_near(answer)) json["near"] = number_json(*near);
     json["proof"] = {{"parts", part_count(stable->parts)}};
   } else if (const auto* unstable = std::get_if<UnstableThroughout>(&decision.verdict)) {
     json["refutation"] = {{"nodes", unstable->tree.size()}};

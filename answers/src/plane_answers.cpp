@@ -24,6 +24,20 @@ Json json_of(const Outline& outline) {
   return json;
 }
 
+/// Of pieces that were listed, or of the region alone.
+Json stats_json(const ResistibleWork& work) {
+  Json json;
+  if (work.nodes == 0) {
+    json["slip_states"] = work.slip_states;
+  } else {
+    json["nodes"] = work.nodes;
+    json["borders"] = work.borders;
+  }
+  json["modes"] = work.modes;
+  json["pieces"] = work.pieces;
+  return json;
+}
+
 Json ends_json(const Interval& interval) {
   return Json::array({number_json(interval.low), number_json(interval.high)});
 }
@@ -61,9 +75,7 @@ Json region_json(const Question& question, const WrenchPlane& plane,
       json["pieces"].push_back(std::move(entry));
     }
   }
-  json["stats"] = {{"slip_states", report.work.slip_states},
-                   {"modes", report.work.modes},
-                   {"pieces", report.work.pieces}};
+  json["stats"] = stats_json(report.work);
   return json;
 }
 

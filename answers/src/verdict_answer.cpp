@@ -5,6 +5,7 @@
 
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/sign.hpp"
+#include "stickslip/equilibrium/search/rounded_equilibrium.hpp"
 
 namespace stickslip {
 namespace {
@@ -38,6 +39,14 @@ Answer answer_to(Question question, const AnswerOptions& options) {
     return BoxAnswer{std::move(question), std::move(decision)};
   }
   Problem problem = problem_of(question);
+  if (options.engine == Engine::kAuto && has_long_equilibria(problem)) {
+    BoxOptions search;
+    search.node_limit = options.node_limit;
+    if (auto decision = prove_stable_by_degree(question.loaded, question.law, search)) {
+      question.box = box_of(question.loaded);
+      return BoxAnswer{std::move(question), std::move(*decision)};
+    }
+  }
   ConeOptions search;
   search.node_limit = options.node_limit;
   Decision decision = decide(problem, options.engine, search);

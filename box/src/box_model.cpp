@@ -115,7 +115,8 @@ BoxContact::BoxContact(const ParameterContact& contact) {
   }
 }
 
-BoxModel::BoxModel(const ParameterBox& box) : wrench(box.wrench()), law(box.law()) {
+BoxModel::BoxModel(const ParameterBox& box)
+    : wrench(box.wrench()), law(box.law()), is_point(box.is_point()) {
   for (const ParameterContact& contact : box.contacts()) contacts.emplace_back(contact);
   double farthest = 0;
   for (const ParameterContact& contact : box.contacts()) {

@@ -186,6 +186,7 @@ struct BoxModel {
   double length = 1;  ///< a typical distance, over which torques and forces are compared
   std::array<std::array<double, 2>, 3> load{};  ///< ends; torque over `length`
   double force = 1;                             ///< a typical force
+  bool is_point = false;                        ///< one grasp: nothing is uncertain
   /// Whether all entries are 0 or between 2^-200 and 2^200: otherwise doubles decide nothing.
   bool is_moderate = true;
 };

@@ -325,16 +325,96 @@ IntegerVector5 BoxSearch::Wrenches::plane_between_widest(const Found& found,
 
 std::optional<IntegerVector3> BoxSearch::confirm(const BoxRegion& region,
                                                  const Wrenches& wrenches,
-                                                 const Double3& twist) const {
+                                                 const Double3& twist) {
   return in_fewest_bits<3>({twist[0], twist[1], twist[2] / model_.length},
                            {3, 6, 10, 16, 24, 36, 50}, [&](const IntegerVector3& y) {
                              const auto certain = wrenches.certainly_refuted(y);
+                             if (!certain) ++exact_leaves_;
                              return certain ? *certain
                                             : region.is_refuted(model_, y, direction_);
                            });
 }
 
 namespace {
+
+/// Whether cuts by the planes would make rays of so many bits that all that is exact is slow.
+bool are_long(const std::vector<IntegerVector5>& planes) {
+  constexpr std::size_t kLongBits = 64;
+  for (const IntegerVector5& plane : planes) {
+    for (const Integer& entry : plane) {
+      if (!entry.is_zero() && msb(abs(entry)) >= kLongBits) return true;
+    }
+  }
+  return false;
+}
+
+/// In few bits, a little nearer to the motion than all of these planes, on this side of which
+/// it is, so that they have one sign beyond it; 0 if that is no plane of the region. Only where
+/// the region is narrow: what rounding takes away at its points can then be given back.
+IntegerVector5 short_plane(const BoxRegion& region, const std::vector<IntegerVector5>& planes,
+                           const ScaledPoint<3>& motion, int side, double length) {
+  using Scaled = std::array<double, 4>;  // d and h; of planes up to a factor
+  // Units of length and of motion, powers of two.
+  const int arm = std::ilogb(length);
+  double reach = 0;
+  std::vector<Scaled> points;
+  for (const IntegerVector5& point : region.points()) {
+    const std::array<double, 5> x = in_doubles(point);
+    points.push_back({x[0], x[1], std::ldexp(x[2], arm), x[3]});
+    const double size = std::hypot(x[0], x[1], points.back()[2]);
+    if (x[3] > 0) reach = std::max(reach, size / x[3]);
+  }
+  constexpr int kMostUnits = 200;
+  const int travel = reach > 0 && std::isfinite(reach) ? std::ilogb(reach) : 0;
+  if (std::abs(travel) > kMostUnits || std::abs(arm) > kMostUnits) return {};
+  const auto over_norm = [](Scaled x) {
+    const double size = std::sqrt(dot(x, x));
+    for (double& entry : x) entry /= size;
+    return x;
+  };
+  // A function that is above 0 on the region, if it is narrow.
+  Scaled inwards{};
+  for (Scaled& x : points) {
+    for (std::size_t j = 0; j < 3; ++j) x[j] = std::ldexp(x[j], -travel);
+    x = over_norm(x);
+    for (std::size_t j = 0; j < 4; ++j) inwards[j] += x[j];
+  }
+  inwards = over_norm(inwards);
+  double least = 1;
+  for (const Scaled& x : points) least = std::min(least, dot(inwards, x));
+  constexpr double kNarrow = 0.05;
+  if (!(least > kNarrow)) return {};
+  std::vector<Scaled> functions;
+  for (const IntegerVector5& plane : planes) {
+    const std::array<double, 5> p = in_doubles(plane);
+    functions.push_back(over_norm({std::ldexp(p[0], travel), std::ldexp(p[1], travel),
+                                   std::ldexp(p[2], travel - arm), p[3]}));
+  }
+  const Scaled at{motion[0], motion[1], motion[2] / length * std::ldexp(1.0, arm),
+                  std::ldexp(motion[3], travel)};
+  Scaled nearest = *std::min_element(
+      functions.begin(), functions.end(),
+      [&](const Scaled& a, const Scaled& b) { return side * dot(a, at) < side * dot(b, at); });
+  constexpr int kBits = 20;
+  double error = std::ldexp(4.0, -kBits);
+  for (const Scaled& x : points) {
+    for (const Scaled& f : functions) {
+      error = std::max(error, std::ldexp(4.0, -kBits) + std::fabs(dot(f, x) - dot(nearest, x)));
+    }
+  }
+  for (std::size_t j = 0; j < 4; ++j) nearest[j] -= side * error / least * inwards[j];
+  // Back to the units of the file.
+  const std::array<int, 4> units{0, 0, arm, travel};
+  const int lowest = std::min({0, arm, travel});
+  IntegerVector5 result{};
+  for (std::size_t j = 0; j < 4; ++j) {
+    const double entry = std::ldexp(nearest[j], kBits);
+    if (!std::isfinite(entry)) return {};
+    result[j] = Integer(std::llround(entry)) << static_cast<unsigned>(units[j] - lowest);
+  }
+  result = primitive(std::move(result));
+  return region.signs(result).cuts() ? result : IntegerVector5{};
+}
 
 /// A node whose children have a plane of one sign or another.
 struct Split {
@@ -426,8 +506,20 @@ std::optional<Split> broken_law(const BoxModel& model, const BoxRegion& region,
     }
     return nearest;
   };
+  // The second child is on the side of the motion, and strict.
+  const auto short_split =
+      [&](const std::vector<IntegerVector5>& planes) -> std::optional<Split> {
+    if (!are_long(planes) || stands_still) return std::nullopt;
+    const int side = sign_of_all(planes);
+    if (side == 0) return std::nullopt;
+    const IntegerVector5 plane = short_plane(region, planes, x, side, model.length);
+    if (is_zero(plane)) return std::nullopt;
+    const IntegerVector5 towards = side > 0 ? negated(plane) : plane;
+    return Split{PlaneSplit{towards}, towards};
+  };
   if (separation_gap > kNoticeable * energy) {
     const std::vector<IntegerVector5>& planes = model.contacts[separation].separations;
+    if (auto split = short_split(planes)) return split;
     if (planes.size() == 1) {
       return Split{SeparationSplit{ContactId(separation)}, planes.front()};
     }
@@ -439,6 +531,7 @@ std::optional<Split> broken_law(const BoxModel& model, const BoxRegion& region,
   }
   if (slip_gap > kNoticeable * energy) {
     const std::vector<IntegerVector5>& planes = model.contacts[slip].slips;
+    if (auto split = short_split(planes)) return split;
     if (planes.size() == 1) return Split{SlipSplit{ContactId(slip)}, planes.front(), true};
     if (const auto rotation = split_of_rotation()) return rotation;
     const int side = stands_still ? 1 : sign_of_all(planes);

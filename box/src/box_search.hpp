@@ -23,6 +23,8 @@ class BoxSearch {
   bool refute(const BoxRegion& region, BoxTrees& trees);
 
   std::size_t nodes() const { return nodes_; }
+  /// Rules of leaves that doubles did not decide.
+  std::size_t exact_leaves() const { return exact_leaves_; }
 
  private:
   using BoxBranch = equilibrium_detail::Branch<BoxNode, BoxRegion>;
@@ -30,12 +32,13 @@ class BoxSearch {
 
   std::optional<BoxBranch> examine(const BoxRegion& region, std::size_t depth);
   std::optional<IntegerVector3> confirm(const BoxRegion& region, const Wrenches& wrenches,
-                                        const std::array<double, 3>& twist) const;
+                                        const std::array<double, 3>& twist);
 
   const BoxModel& model_;
   const Direction<3>* direction_;
   std::size_t nodes_left_;
   std::size_t nodes_ = 0;
+  std::size_t exact_leaves_ = 0;
 };
 
 }  // namespace stickslip::box_detail

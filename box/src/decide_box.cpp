@@ -8,6 +8,7 @@
 #include "examples.hpp"
 #include "prove.hpp"
 #include "stickslip/box/box_verdict.hpp"
+#include "stickslip/core/error.hpp"
 
 namespace stickslip {
 
@@ -18,6 +19,7 @@ BoxWork& BoxWork::operator+=(const BoxWork& part) {
   proofs += part.proofs;
   examples += part.examples;
   parts += part.parts;
+  exact_leaves += part.exact_leaves;
   return *this;
 }
 
@@ -25,7 +27,8 @@ std::vector<std::pair<std::string, std::size_t>> counters(const BoxWork& work) {
   return {{"nodes", work.nodes},
           {"proofs", work.proofs},
           {"examples", work.examples},
-          {"parts", work.parts}};
+          {"parts", work.parts},
+          {"exact_leaves", work.exact_leaves}};
 }
 
 const char* name_of(const BoxVerdict& verdict) {
@@ -35,12 +38,22 @@ const char* name_of(const BoxVerdict& verdict) {
 
 namespace {
 
+/// Of each tree search.
+std::size_t node_limit(const ParameterBox& box, const BoxOptions& options) {
+  return options.node_limit != 0 ? options.node_limit : 500 + 50 * box.size();
+}
+
+/// Of one of the twelve trees of a part.
+std::size_t wall_limit(std::size_t node_limit) {
+  return std::max<std::size_t>(node_limit / 8, 1);
+}
+
 /// Proofs about a box and its parts, until one fails or two middles differ.
 class Decider {
  public:
   Decider(std::size_t node_limit, std::size_t most_parts, BoxWork& work)
       : node_limit_(node_limit),
-        wall_limit_(std::max<std::size_t>(node_limit / 8, 1)),
+        wall_limit_(wall_limit(node_limit)),
         parts_left_(most_parts),
         most_nodes_(kMostSearches * node_limit),
         work_(work) {}
@@ -48,6 +61,15 @@ class Decider {
   /// Proves what the middle of the box is of all of it; false if that failed.
   bool prove(const ParameterBox& box) {
     const Problem middle = problem_at(box.middle());
+    if (has_long_equilibria(middle)) {
+      const std::size_t before = work_.nodes;
+      if (const auto stable = prove_without_middle(box)) {
+        if (!first_) first_ = stable;
+        ++work_.parts;
+        return *first_ == *stable;
+      }
+      most_nodes_ += work_.nodes - before;  // what follows may take as much as ever
+    }
     const Verdict there = decide_by_cones(middle);
     const bool stable = std::holds_alternative<Stable>(there);
     if (!first_) first_ = stable;
@@ -59,19 +81,14 @@ class Decider {
       constexpr std::size_t kMostTried = 4;
       equilibria.resize(std::min(equilibria.size(), kMostTried));
       for (const Witness& equilibrium : equilibria) {
-        if (auto proof = prove_stable(box, equilibrium, wall_limit_, work_)) {
+        const RoundedEquilibrium near = rounded_equilibrium(middle, equilibrium);
+        if (auto proof = prove_stable(box, near, wall_limit_, work_)) {
           parts.push_back(std::move(*proof));
           return true;
         }
       }
-    } else {
-      const BoxModel model(box);
-      BoxSearch search(model, nullptr, node_limit_);
-      const std::size_t before = tree.size();
-      const bool done = search.refute(BoxRegion::root(model), tree);
-      work_.nodes += search.nodes();
-      if (done) return true;
-      tree.erase(tree.begin() + static_cast<std::ptrdiff_t>(before), tree.end());
+    } else if (refute(box)) {
+      return true;
     }
     if (parts_left_ == 0 || work_.nodes > most_nodes_) return false;
     --parts_left_;
@@ -89,10 +106,31 @@ class Decider {
   BoxTrees tree;
 
  private:
+  bool refute(const ParameterBox& box) {
+    const BoxModel model(box);
+    BoxSearch search(model, nullptr, node_limit_);
+    const std::size_t before = tree.size();
+    const bool done = search.refute(BoxRegion::root(model), tree);
+    work_.nodes += search.nodes();
+    work_.exact_leaves += search.exact_leaves();
+    if (!done) tree.erase(tree.begin() + static_cast<std::ptrdiff_t>(before), tree.end());
+    return done;
+  }
+
+  /// What the box is, without an exact verdict about its middle; nothing if that failed.
+  std::optional<bool> prove_without_middle(const ParameterBox& box) {
+    if (auto proof = prove_stable_by_degree(box, wall_limit_, work_)) {
+      parts.push_back(std::move(*proof));
+      return true;
+    }
+    if (refute(box)) return false;
+    return std::nullopt;
+  }
+
   std::optional<PartSplit> widest(const ParameterBox& box, const Verdict& there) const;
 
   std::size_t node_limit_;
-  std::size_t wall_limit_;  ///< of one of the twelve trees of a part
+  std::size_t wall_limit_;
   std::size_t parts_left_;
   /// Of all trees together, beyond which the box is cut no more: failures must be quick, too.
   static constexpr std::size_t kMostSearches = 8;
@@ -179,8 +217,7 @@ BoxDecision prove_with_bits(const GraspBox& box, NormalLaw law, const BoxOptions
                             std::size_t most_parts, unsigned bits) {
   BoxDecision decision{Undecided{}, {}, bits};
   const ParameterBox parameters(box, law, bits);
-  const std::size_t limit =
-      options.node_limit != 0 ? options.node_limit : 500 + 50 * parameters.size();
+  const std::size_t limit = node_limit(parameters, options);
   Decider decider(limit, most_parts, decision.work);
   if (!decider.prove(parameters)) {
     decision.verdict = Undecided{"no proof was found within " + std::to_string(limit) +
@@ -225,6 +262,20 @@ std::optional<bool> is_stable(const LoadedGrasp& loaded, NormalLaw law) {
 }
 
 }  // namespace box_detail
+
+std::optional<BoxDecision> prove_stable_by_degree(const LoadedGrasp& grasp, NormalLaw law,
+                                                  const BoxOptions& options) {
+  const GraspBox box = box_of(grasp);
+  require(!needs_enclosure(box), "a grasp whose lengths are irrational is a box");
+  const ParameterBox point(box, law);
+  BoxDecision decision;
+  auto proof =
+      prove_stable_by_degree(point, wall_limit(node_limit(point, options)), decision.work);
+  if (!proof) return std::nullopt;
+  decision.work.parts = 1;
+  decision.verdict = StableThroughout{{std::move(*proof)}};
+  return decision;
+}
 
 BoxDecision decide_box(const GraspBox& box, NormalLaw law, const BoxOptions& options) {
   BoxDecision decision = prove_box(box, law, options, 0);

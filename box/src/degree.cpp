@@ -51,7 +51,7 @@ class Walls {
   /// Of the model of the middle, and of the box, around an equilibrium.
   /// They enclose the equilibrium where it goes farthest, or as far as the first order says.
   Walls(const ParameterBox& box, const BoxModel& model, const BoxModel& middle,
-        const Witness& witness, bool first_order);
+        const RoundedEquilibrium& near, bool first_order);
 
   /// Whether the shape is one: three walls that enclose.
   bool is_sound() const { return sound_; }
@@ -65,6 +65,9 @@ class Walls {
 
   /// d0, E and A in few bits.
   DegreeProof proof() const;
+  /// Another A: the stiffness, and of each contact that sticks what friction it has left over
+  /// how far it can slip. It may serve where the force on the walls is not what fits best.
+  SquareMatrix<3> stiff_direction() const;
 
  private:
   struct Sticking {
@@ -73,6 +76,7 @@ class Walls {
     double off;    ///< the largest slip at motion_ that the box has
   };
 
+  SquareMatrix<3> in_few_bits(const Matrix& direction) const;
   void choose_rows(const std::vector<Vector>& moves);
   std::vector<Vector> extremes();
   void enclose(const std::vector<Vector>& moves);
@@ -93,31 +97,24 @@ class Walls {
 };
 
 Walls::Walls(const ParameterBox& box, const BoxModel& model, const BoxModel& middle,
-             const Witness& witness, bool first_order)
+             const RoundedEquilibrium& near, bool first_order)
     : length_(middle.length),
       force_(middle.force),
-      motion_(to_double(witness.twist.x), to_double(witness.twist.y),
-              to_double(witness.twist.r) * middle.length),
-      moving_(box, middle, witness) {
+      motion_(near.twist[0], near.twist[1], near.twist[2] * middle.length),
+      moving_(box, middle, near) {
   double stiffest = 0;
   for (std::size_t i = 0; i < middle.contacts.size(); ++i) {
-    const ContactForce& force = witness.forces[i];
+    const RoundedEquilibrium::Force& force = near.forces[i];
     const ContactNumbers<double>& c = middle.contacts[i].rounded;
     const Vector normal = as_vector(c.normals.front());
     const Vector tangent = as_vector(c.tangents.front());
     stiffest = std::max(stiffest, c.stiffnesses[0] * normal.squaredNorm());
-    if (force.normal.sign() <= 0) continue;
-    const double normal_force = to_double(force.normal);
-    const double friction = to_double(force.tangential);
-    stiffness_ +=
-        c.stiffnesses[0] * (normal + friction / normal_force * tangent) * normal.transpose();
-    const IntegerVector5& plane = middle.contacts[i].slips.front();
-    const Rational slip = Rational(plane[0]) * witness.twist.x +
-                          Rational(plane[1]) * witness.twist.y +
-                          Rational(plane[2]) * witness.twist.r;
-    const double most = c.frictions[0] * normal_force;
-    if (!slip.is_zero() || !(most > 0)) continue;
-    Sticking contact{tangent, most * 1.0000001 - std::fabs(friction), 0};
+    if (!(force.normal > 0)) continue;
+    stiffness_ += c.stiffnesses[0] * (normal + force.tangential / force.normal * tangent) *
+                  normal.transpose();
+    const double most = c.frictions[0] * force.normal;
+    if (!force.still || !(most > 0)) continue;
+    Sticking contact{tangent, most * 1.0000001 - std::fabs(force.tangential), 0};
     for (const auto& corner : model.contacts[i].rounded.tangents) {
       contact.off = std::max(contact.off, std::fabs(as_vector(corner).dot(motion_)));
     }
@@ -235,8 +232,32 @@ void Walls::enclose(const std::vector<Vector>& moves) {
   }
 }
 
+constexpr int kWallBits = 12;
+
+SquareMatrix<3> Walls::in_few_bits(const Matrix& direction) const {
+  SquareMatrix<3> result;
+  for (Eigen::Index j = 0; j < 3; ++j) {
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      const double units = (k == 2 ? length_ : 1) * (j == 2 ? length_ : 1);
+      result[static_cast<std::size_t>(j)][static_cast<std::size_t>(k)] =
+          rational_in_bits(direction(j, k) * units, kWallBits);
+    }
+  }
+  return result;
+}
+
+SquareMatrix<3> Walls::stiff_direction() const {
+  const Matrix corners = rows_.inverse() * ((above_ + below_) / 2).asDiagonal();
+  Matrix direction = stiffness_;
+  for (const Sticking& contact : sticking_) {
+    const double most = (contact.row.transpose() * corners).cwiseAbs().sum();
+    if (!(most > 0) || !(contact.spare > 0)) continue;
+    direction += contact.spare / most * contact.row * contact.row.transpose();
+  }
+  return in_few_bits(direction);
+}
+
 DegreeProof Walls::proof() const {
-  constexpr int kBits = 12;
   DegreeProof result;
   const Matrix inverse = rows_.inverse();
   const Vector shift = inverse * (above_ - below_) / 2;
@@ -285,13 +306,11 @@ DegreeProof Walls::proof() const {
   for (Eigen::Index j = 0; j < 3; ++j) {
     for (Eigen::Index k = 0; k < 3; ++k) {
       const double column = k == 2 ? length_ : 1;
-      const auto row = static_cast<std::size_t>(j);
-      const auto entry = static_cast<std::size_t>(k);
-      result.walls[row][entry] = rational_in_bits(walls(j, k) * column, kBits);
-      result.direction[row][entry] =
-          rational_in_bits(pull(j, k) * column * (j == 2 ? length_ : 1), kBits);
+      result.walls[static_cast<std::size_t>(j)][static_cast<std::size_t>(k)] =
+          rational_in_bits(walls(j, k) * column, kWallBits);
     }
   }
+  result.direction = in_few_bits(pull);
   const Vector centre = motion_ + shift;
   if (!centre.allFinite()) return {};  // no walls at all
   Vector3 d{rational_from_double(centre[0]), rational_from_double(centre[1]),
@@ -315,28 +334,38 @@ std::optional<DegreeProof> prove_within(Walls walls, const BoxModel& model,
     if (model.law == NormalLaw::kBilateral && !all_closed_inside<BoxRegion>(model, proof)) {
       return std::nullopt;
     }
-    const Direction<3> direction{proof.direction, proof.twist};
-    const auto refute = [&](bool second, std::size_t wall, int sign) {
+    // The walls that are not refuted.
+    const auto refute = [&](bool second) {
       const BoxModel& about = second ? middle : model;
-      BoxSearch search(about, second ? &direction : nullptr, node_limit);
-      const bool done = search.refute(
-          BoxRegion::wall(about, proof.walls, proof.twist, wall, sign), proof.trees);
-      work.nodes += search.nodes();
-      return done;
-    };
-    bool failed = false;
-    for (const bool second : {false, true}) {
-      if (failed) break;
+      const Direction<3> direction{proof.direction, proof.twist};
+      std::vector<std::pair<std::size_t, int>> open;
       for (std::size_t wall = 0; wall < 3; ++wall) {
         for (const int sign : {1, -1}) {
-          if (refute(second, wall, sign)) continue;
-          failed = true;
-          walls.grow(wall, sign);
+          BoxSearch search(about, second ? &direction : nullptr, node_limit);
+          const bool done = search.refute(
+              BoxRegion::wall(about, proof.walls, proof.twist, wall, sign), proof.trees);
+          work.nodes += search.nodes();
+          work.exact_leaves += search.exact_leaves();
+          if (!done) open.emplace_back(wall, sign);
         }
       }
-      if (failed && second && ++pulls > kMostPulls) return std::nullopt;
+      return open;
+    };
+    std::vector<std::pair<std::size_t, int>> open;
+    if (!model.is_point) open = refute(false);  // of one grasp list 2 is enough
+    if (open.empty()) {
+      const std::size_t first_list = proof.trees.size();
+      open = refute(true);
+      if (open.empty()) return proof;
+      proof.direction = walls.stiff_direction();
+      if (is_invertible(proof.direction)) {
+        proof.trees.erase(proof.trees.begin() + static_cast<std::ptrdiff_t>(first_list),
+                          proof.trees.end());
+        if (refute(true).empty()) return proof;
+      }
+      if (++pulls > kMostPulls) return std::nullopt;
     }
-    if (!failed) return proof;
+    for (const auto& [wall, sign] : open) walls.grow(wall, sign);
   }
   return std::nullopt;
 }
@@ -358,15 +387,31 @@ Problem problem_at(const ParameterBox& point) {
   return Problem(std::move(rows), {w[0].low, w[1].low, w[2].low}, point.law());
 }
 
-std::optional<DegreeProof> prove_stable(const ParameterBox& box, const Witness& witness,
+std::optional<DegreeProof> prove_stable(const ParameterBox& box, const RoundedEquilibrium& near,
                                         std::size_t node_limit, BoxWork& work) {
   const BoxModel model(box);
   const BoxModel middle(box.middle());
   for (const bool first_order : {false, true}) {
-    Walls walls(box, model, middle, witness, first_order);
+    Walls walls(box, model, middle, near, first_order);
     if (!walls.is_sound()) continue;
     auto proof = prove_within(std::move(walls), model, middle, node_limit, work);
     if (proof) return proof;
+  }
+  return std::nullopt;
+}
+
+std::optional<DegreeProof> prove_stable_by_degree(const ParameterBox& box,
+                                                  std::size_t node_limit, BoxWork& work) {
+  constexpr std::size_t kStarts = 12;
+  constexpr std::size_t kMostTried = 4;
+  std::size_t tried = 0;
+  const Problem middle = problem_at(box.middle());
+  for (const std::size_t starts : {std::size_t{0}, kStarts}) {
+    for (const RoundedEquilibrium& near : find_rounded_equilibria(middle, starts)) {
+      if (starts != 0 && tried >= kMostTried) break;
+      ++tried;
+      if (auto proof = prove_stable(box, near, node_limit, work)) return proof;
+    }
   }
   return std::nullopt;
 }

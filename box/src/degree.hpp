@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "stickslip/box/box_verdict.hpp"
+#include "stickslip/equilibrium/search/rounded_equilibrium.hpp"
 
 namespace stickslip::box_detail {
 
@@ -16,7 +17,12 @@ Problem problem_at(const ParameterBox& point);
 
 /// Tries to prove that every grasp in the box is stable, around this equilibrium of its middle.
 /// Adds to `work`.
-std::optional<DegreeProof> prove_stable(const ParameterBox& box, const Witness& middle,
+std::optional<DegreeProof> prove_stable(const ParameterBox& box,
+                                        const RoundedEquilibrium& middle,
                                         std::size_t node_limit, BoxWork& work);
+
+/// The same around equilibria in doubles, wherever Newton's method leads in the middle.
+std::optional<DegreeProof> prove_stable_by_degree(const ParameterBox& box,
+                                                  std::size_t node_limit, BoxWork& work);
 
 }  // namespace stickslip::box_detail

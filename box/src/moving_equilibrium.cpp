@@ -12,10 +12,9 @@ constexpr double kStill = 1e-9;  // of a typical motion
 }  // namespace
 
 MovingEquilibrium::MovingEquilibrium(const ParameterBox& box, const BoxModel& middle,
-                                     const Witness& witness)
+                                     const RoundedEquilibrium& near)
     : force_(middle.force),
-      start_{{to_double(witness.twist.x), to_double(witness.twist.y),
-              to_double(witness.twist.r) * middle.length},
+      start_{{near.twist[0], near.twist[1], near.twist[2] * middle.length},
              Eigen::VectorXd::Zero(static_cast<Eigen::Index>(box.size())),
              std::vector<bool>(box.size())} {
   const auto add = [&](const Interval& interval, Parameter parameter, std::size_t index,
@@ -42,10 +41,10 @@ MovingEquilibrium::MovingEquilibrium(const ParameterBox& box, const BoxModel& mi
     }
     const double n = std::hypot(directions_[i][0], directions_[i][1]);
     stiffest = std::max(stiffest, ranges_[i][5].middle * n);
-    const ContactForce& force = witness.forces[i];
-    const double most = ranges_[i][3].middle * to_double(force.normal);
+    const RoundedEquilibrium::Force& force = near.forces[i];
+    const double most = ranges_[i][3].middle * force.normal;
     if (!(most > 0)) continue;
-    const double share = to_double(force.tangential) / most;
+    const double share = force.tangential / most;
     start_.shares[static_cast<Eigen::Index>(i)] = share;
     start_.sticks[i] = std::fabs(share) < 1;
   }

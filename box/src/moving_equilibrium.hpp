@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "box_model.hpp"
-#include "stickslip/equilibrium/verdict.hpp"
+#include "stickslip/equilibrium/search/rounded_equilibrium.hpp"
 
 namespace stickslip::box_detail {
 
@@ -40,7 +40,8 @@ class MovingEquilibrium {
   using Place = Eigen::VectorXd;
 
   /// Of an equilibrium of the middle, of which this is the model.
-  MovingEquilibrium(const ParameterBox& box, const BoxModel& middle, const Witness& witness);
+  MovingEquilibrium(const ParameterBox& box, const BoxModel& middle,
+                    const RoundedEquilibrium& near);
 
   const std::vector<ParameterId>& numbers() const { return numbers_; }
   const Equilibrium& start() const { return start_; }  ///< in the middle

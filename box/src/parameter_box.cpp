@@ -63,6 +63,14 @@ std::pair<ParameterBox, ParameterBox> ParameterBox::halves(const PartSplit& spli
   return {half(false), half(true)};
 }
 
+bool ParameterBox::is_point() const {
+  const auto certain = [](const Interval& interval) { return interval.is_point(); };
+  return std::all_of(wrench_.begin(), wrench_.end(), certain) &&
+         std::all_of(contacts_.begin(), contacts_.end(), [&](const ParameterContact& c) {
+           return std::all_of(c.parameters.begin(), c.parameters.end(), certain);
+         });
+}
+
 ParameterBox ParameterBox::middle() const {
   ParameterBox result = *this;
   const auto shrink = [](Interval& interval) { interval = point_interval(interval.middle()); };

@@ -12,6 +12,7 @@
 #include "stickslip/equilibrium/decide.hpp"
 #include "stickslip/equilibrium/margin.hpp"
 #include "stickslip/equilibrium/model_warnings.hpp"
+#include "stickslip/equilibrium/search/rounded_equilibrium.hpp"
 #include "stickslip/plot/map_plot.hpp"
 
 namespace stickslip::python {
@@ -50,32 +51,84 @@ void add_witness(py::dict& result, const Question& question, const Problem& prob
   result["closed"] = closed;
 }
 
+/// The fields that answers about a box have in common.
+py::dict box_fields(const Question& question, const char* verdict) {
+  py::dict result("verdict"_a = verdict, "normal_law"_a = to_string(question.law),
+                  "wrench"_a = fractions(question.loaded.wrench));
+  if (question.preload) result["preload"] = fraction(*question.preload);
+  return result;
+}
+
+/// By an engine; or, where an exact equilibrium would be long, that the grasp
+/// is stable by degree.
+using Judgement = std::variant<Decision, BoxDecision>;
+
+Judgement judge(const Question& question, Engine engine, std::size_t node_limit,
+                bool by_degree = true) {
+  const Problem problem(question.loaded, question.law);
+  if (by_degree && engine == Engine::kAuto && has_long_equilibria(problem)) {
+    BoxOptions options;
+    options.node_limit = node_limit;
+    if (auto decision = prove_stable_by_degree(question.loaded, question.law, options)) {
+      return std::move(*decision);
+    }
+  }
+  ConeOptions options;
+  options.node_limit = node_limit;
+  return decide(problem, engine, options);
+}
+
+/// Of one grasp, about which the answer says the same as about a box.
+BoxAnswer degree_answer(Question question, const BoxDecision& decision) {
+  question.box = box_of(question.loaded);
+  return {std::move(question), decision};
+}
+
+std::string certificate_of(const Question& question, const Judgement& judgement) {
+  if (const auto* decision = std::get_if<Decision>(&judgement)) {
+    return python::certificate_of(question, *decision);
+  }
+  return *stickslip::certificate_of(degree_answer(question, std::get<BoxDecision>(judgement)));
+}
+
+/// The fields of results.Decision, but the warnings.
+py::dict judgement_fields(const Question& question, const Judgement& judgement,
+                          const std::string& certificate) {
+  if (const auto* decision = std::get_if<Decision>(&judgement)) {
+    return decision_fields(question, Problem(question.loaded, question.law), *decision,
+                           certificate);
+  }
+  const BoxDecision& decision = std::get<BoxDecision>(judgement);
+  py::dict result = box_fields(question, "stable");
+  result["engine"] = "box";
+  result["certificate"] = certificate;
+  const Vector3 near = *motion_near(degree_answer(question, decision));
+  result["near"] = fractions(Twist{near[0], near[1], near[2]});
+  result["stats"] = stats(decision.work);
+  return result;
+}
+
 py::dict decide_grasp(const GraspFile& grasp, const py::object& wrench,
                       const py::object& preload, bool bilateral, const std::string& engine,
                       std::size_t node_limit, bool warnings) {
   struct Answer {
     Question question;
-    Problem problem;
-    Decision decision;
+    Judgement judgement;
     std::string certificate;  ///< empty if undecided
     std::vector<ModelWarning> warnings;
   };
   const QuestionOptions asked = question_options(wrench, preload, bilateral);
   const Answer answer = without_gil([&] {
     Question question = question_of(grasp, asked);
-    Problem problem(question.loaded, question.law);
-    ConeOptions options;
-    options.node_limit = node_limit;
-    Decision decision = decide(problem, engine_named(engine), options);
-    std::string certificate = certificate_of(question, decision);
+    // Warnings need an exact equilibrium.
+    Judgement judgement = judge(question, engine_named(engine), node_limit, !warnings);
+    std::string certificate = certificate_of(question, judgement);
     std::vector<ModelWarning> found;
-    if (warnings) found = model_warnings(question, decision.verdict);
-    return Answer{std::move(question), std::move(problem), std::move(decision),
-                  std::move(certificate), std::move(found)};
+    if (warnings) found = model_warnings(question, std::get<Decision>(judgement).verdict);
+    return Answer{std::move(question), std::move(judgement), std::move(certificate),
+                  std::move(found)};
   });
-
-  py::dict result =
-      decision_fields(answer.question, answer.problem, answer.decision, answer.certificate);
+  py::dict result = judgement_fields(answer.question, answer.judgement, answer.certificate);
   result["warnings"] = as_list(answer.warnings);
   return result;
 }
@@ -161,8 +214,8 @@ py::dict find_grasp_margin(const GraspFile& grasp, const py::object& direction,
   return result;
 }
 
-/// The question about a grasp of which `uncertain`, as in --uncertain, says what may be off;
-/// may be nothing if `lengths` that are irrational are enough.
+/// The question about a grasp of which `uncertain`, as in --uncertain, says
+/// what may be off; may be nothing if `lengths` that are irrational are enough.
 Question box_question(const GraspFile& grasp, QuestionOptions asked,
                       const std::string& uncertain, bool lengths = false) {
   if (!uncertain.empty() || !lengths) asked.uncertain = parse_tolerances(uncertain);
@@ -170,14 +223,6 @@ Question box_question(const GraspFile& grasp, QuestionOptions asked,
   Question question = ask(grasp, asked);
   if (question.box && (lengths || !question.box->is_point())) return question;
   refuse_certain();
-}
-
-/// The fields that answers about a box have in common.
-py::dict box_fields(const Question& question, const char* verdict) {
-  py::dict result("verdict"_a = verdict, "normal_law"_a = to_string(question.law),
-                  "wrench"_a = fractions(question.loaded.wrench));
-  if (question.preload) result["preload"] = fraction(*question.preload);
-  return result;
 }
 
 py::dict decide_grasp_box(const GraspFile& grasp, const std::string& uncertain,
@@ -360,22 +405,22 @@ std::function<ManyAnswer()> planar_question(const py::handle& given, const OneOf
     const auto about =
         friction ? std::make_shared<const GraspFile>(with_friction(*grasp, *friction)) : grasp;
     const Question question = question_of(*about, options);
-    ConeOptions limits;
-    limits.node_limit = node_limit;
-    const auto decision = std::make_shared<const Decision>(
-        decide(Problem(question.loaded, question.law), engine, limits));
+    const auto judgement =
+        std::make_shared<const Judgement>(judge(question, engine, node_limit));
     ManyAnswer answer;
-    answer.verdict = name_of(decision->verdict);
-    if (const auto* stable = std::get_if<Stable>(&decision->verdict)) {
+    const auto* decision = std::get_if<Decision>(judgement.get());
+    answer.verdict = decision == nullptr ? "stable" : name_of(decision->verdict);
+    const auto* stable =
+        decision == nullptr ? nullptr : std::get_if<Stable>(&decision->verdict);
+    if (stable != nullptr) {
       for (const Rational& value : coordinates(stable->witness.twist)) {
         answer.twist.push_back(to_double(value));
       }
     }
-    answer.whole = [about, options, decision] {
+    answer.whole = [about, options, judgement] {
       const Question again = question_of(*about, options);
-      return py::make_tuple(*about,
-                            decision_fields(again, Problem(again.loaded, again.law), *decision,
-                                            certificate_of(again, *decision)));
+      return py::make_tuple(
+          *about, judgement_fields(again, *judgement, certificate_of(again, *judgement)));
     };
     return answer;
   };

@@ -47,7 +47,8 @@ class Asking(Case):
         self.assertEqual((answer["wrench"], answer["normal_law"], answer["engine"]),
                          (["-2", "2", "-2"], "unilateral", "box"))
         self.assertNotIn("bits", answer)
-        self.assertEqual(set(answer["stats"]), {"nodes", "proofs", "examples", "parts"})
+        self.assertEqual(set(answer["stats"]),
+                         {"nodes", "proofs", "examples", "parts", "exact_leaves"})
 
     def test_tolerances_widen(self):
         words = ("friction=10%,stiffness=1/2,preload=1,position=1/100,normal=0.0175,wrench=50%")

@@ -92,6 +92,20 @@ def test_in_space():
     assert all(d.check() for d in many)
 
 
+def test_long_numbers():
+    angles = np.linspace(0, 2 * np.pi, 200, endpoint=False) + 0.1
+    normals = np.column_stack([np.cos(angles), np.sin(angles)])
+    grasp = Grasp(-2 * normals, normals, 0.5, preload=0)
+    loads = [(1, 0, 0), (0, 2, 0.5)]
+    many = decide(grasp, loads)
+    same(many, [decide(grasp, w) for w in loads])
+    for answer in many:
+        assert (answer.verdict, answer.engine, answer.twist) == ("stable", "box", None)
+        assert answer.near is not None and len(answer.certificate) < 20_000
+        assert answer.check()
+    assert decide(grasp, loads, engine="cone")[0].twist is not None
+
+
 def test_one_and_none(fig1):
     same(decide([fig1]), [decide(fig1)])
     same(decide(fig1, [UP]), [decide(fig1, UP)])

@@ -11,6 +11,8 @@
 
 #include "../few_shares.hpp"
 #include "../long_rationals.hpp"
+#include "smooth_balance.hpp"
+#include "stickslip/equilibrium/search/rounded_equilibrium.hpp"
 
 namespace stickslip::equilibrium_detail {
 namespace {
@@ -216,107 +218,153 @@ std::optional<Witness> complete_exactly(const Problem& problem,
 
 namespace {
 
-/// Balance with friction made smooth, -mu c_n clamp(T.d / epsilon), as three equations in d.
-class SmoothBalance {
- public:
-  explicit SmoothBalance(const DoubleModel& model) : model_(model) {}
+constexpr double kConverged = 1e-13;  // of the force
 
-  void set_epsilon(double epsilon) { epsilon_ = epsilon; }
+/// Newton's method until nothing is left that can be told.
+double settle(const SmoothBalance& balance, const DoubleModel& model, Eigen::Vector3d& d,
+              int steps) {
+  return balance.solve(d, steps, kConverged * model.force);
+}
 
-  /// The sum of all wrenches, and its derivative.
-  Eigen::Vector3d residual(const Eigen::Vector3d& d, Eigen::Matrix3d& derivative) const {
-    const Double3& load = model_.load;
-    Eigen::Vector3d sum(load[0], load[1], load[2]);
-    derivative.setZero();
-    const Double5 x{d[0], d[1], d[2], 1, 0};
-    for (const ContactDoubles& c : model_.contacts) {
-      const double v = dot(c.separation, x);
-      if (v <= 0) continue;
-      const double slip = dot(c.slip, x);
-      const double ratio = friction_ratio(slip);
-      const Eigen::Map<const Eigen::Vector3d> normal(c.normal.data());
-      const Eigen::Map<const Eigen::Vector3d> friction(c.friction.data());
-      const Eigen::Vector3d edge = normal + ratio * friction;
-      sum += v * edge;
-      derivative += edge * Eigen::Map<const Eigen::RowVector3d>(c.separation.data());
-      if (std::fabs(ratio) < 1) {
-        derivative -=
-            (v / epsilon_) * friction * Eigen::Map<const Eigen::RowVector3d>(c.slip.data());
-      }
-    }
-    return sum;
+std::vector<ModeGuess> guesses(const SmoothBalance& balance, const DoubleModel& model,
+                               const Eigen::Vector3d& d) {
+  std::vector<ModeGuess> result;
+  result.reserve(model.contacts.size());
+  const Double5 x = balance.point(d);
+  for (const ContactDoubles& c : model.contacts) {
+    const double slip = dot(c.slip, x);
+    result.push_back({dot(c.separation, x) > 0, std::fabs(slip) < balance.epsilon(),
+                      rounded_share(balance.friction_ratio(slip))});
   }
+  return result;
+}
 
-  double norm(const Eigen::Vector3d& wrench) const {
-    return std::fabs(wrench[0]) + std::fabs(wrench[1]) + std::fabs(wrench[2]) / model_.length;
+RoundedEquilibrium near(const SmoothBalance& balance, const DoubleModel& model,
+                        const Eigen::Vector3d& d) {
+  RoundedEquilibrium result{{d[0], d[1], d[2]}, {}};
+  result.forces.reserve(model.contacts.size());
+  const Double5 x = balance.point(d);
+  for (const ContactDoubles& c : model.contacts) {
+    const double normal = std::max(0.0, dot(c.separation, x));
+    const double slip = dot(c.slip, x);
+    // The length of N is the translation's alone, and so is that of T.
+    const double length = std::hypot(c.normal[0], c.normal[1]);
+    const double most = normal * std::hypot(c.friction[0], c.friction[1]) / length;
+    result.forces.push_back(
+        {normal, balance.friction_ratio(slip) * most, std::fabs(slip) < balance.epsilon()});
   }
+  return result;
+}
 
-  /// Newton's method with step halving. Returns the norm of the residual reached.
-  double solve(Eigen::Vector3d& d, int steps) const {
-    Eigen::Matrix3d derivative;
-    Eigen::Vector3d sum = residual(d, derivative);
-    double size = norm(sum);
-    for (int step = 0; step < steps && size > kConverged * model_.force; ++step) {
-      // The derivative is negative definite without friction; this keeps it regular.
-      derivative.diagonal().array() -= 1e-12 * derivative.diagonal().cwiseAbs().sum() + 1e-300;
-      const Eigen::Vector3d change = derivative.partialPivLu().solve(-sum);
-      if (!change.allFinite()) return size;
-      const double before = size;
-      for (double factor = 1; factor > 1e-3 && !(size < before); factor *= 0.5) {
-        const Eigen::Vector3d next = d + factor * change;
-        const Eigen::Vector3d next_sum = residual(next, derivative);
-        const double next_size = norm(next_sum);
-        if (next_size < before) {
-          d = next;
-          sum = next_sum;
-          size = next_size;
-        }
-      }
-      if (!(size < before)) return size;
-    }
-    return size;
-  }
-
-  std::vector<ModeGuess> guesses(const Eigen::Vector3d& d) const {
-    std::vector<ModeGuess> result;
-    result.reserve(model_.contacts.size());
-    const Double5 x{d[0], d[1], d[2], 1, 0};
-    for (const ContactDoubles& c : model_.contacts) {
-      const double slip = dot(c.slip, x);
-      result.push_back({dot(c.separation, x) > 0, std::fabs(slip) < epsilon_,
-                        rounded_share(friction_ratio(slip))});
-    }
-    return result;
-  }
-
-  static constexpr double kConverged = 1e-13;
-
- private:
-  double friction_ratio(double slip) const { return std::clamp(-slip / epsilon_, -1.0, 1.0); }
-
-  const DoubleModel& model_;
-  double epsilon_ = 1;
-};
-
-}  // namespace
-
-std::optional<Witness> find_witness_from_rest(const Problem& problem,
-                                              const DoubleModel& model) {
+/// The residual that is reached from rest, and the motion: epsilon falls from the size of all
+/// motion to nothing. `each` sees the stages.
+template <class Each>
+void relax_from_rest(const DoubleModel& model, SmoothBalance& balance, const Each& each) {
   double stiffness = 0;
   for (const ContactDoubles& c : model.contacts) stiffness += c.stiffness;
-  if (!(stiffness > 0)) return complete_exactly(problem, {});
-  SmoothBalance balance(model);
+  if (!(stiffness > 0)) return;
   Eigen::Vector3d d = Eigen::Vector3d::Zero();
-  double size = HUGE_VAL;
   constexpr int kStages = 14;
   constexpr int kSteps = 12;
   double epsilon = model.force / stiffness * static_cast<double>(model.contacts.size());
   for (int stage = 0; stage < kStages; ++stage, epsilon *= 0.1) {
     balance.set_epsilon(epsilon);
-    size = balance.solve(d, kSteps);
+    each(d, settle(balance, model, d, kSteps));
+  }
+}
+
+/// Where the load moves springs that neither open nor slip, stiff in both directions.
+Eigen::Vector3d sprung_motion(const DoubleModel& model) {
+  Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
+  for (const ContactDoubles& c : model.contacts) {
+    for (const double* entries : {c.normal.data(), c.slip.data()}) {
+      const Eigen::Vector3d row(entries);
+      stiffness += c.stiffness * row * row.transpose();
+    }
+  }
+  return stiffness.fullPivLu().solve(Eigen::Vector3d(model.load.data()));
+}
+
+/// The same from contacts that press much harder, or from where springs would give, so that the
+/// contacts that will press are closed, and with less and less of both. Nothing if it does not
+/// balance in the end.
+std::optional<Eigen::Vector3d> relax_from_squeeze(const DoubleModel& model,
+                                                  SmoothBalance& balance, bool squeezed) {
+  double stiffness = 0;
+  for (const ContactDoubles& c : model.contacts) stiffness += c.stiffness;
+  if (!(stiffness > 0)) return std::nullopt;
+  Eigen::Vector3d d = Eigen::Vector3d::Zero();
+  constexpr int kSteps = 12;
+  const double travel = model.force / stiffness * static_cast<double>(model.contacts.size());
+  balance.set_epsilon(1e-2 * travel);
+  if (squeezed) {
+    for (double squeeze = 4 * model.force; squeeze > 1e-6 * model.force; squeeze *= 0.5) {
+      balance.set_squeeze(squeeze);
+      settle(balance, model, d, kSteps);
+    }
+    balance.set_squeeze(0);
+  } else {
+    d = sprung_motion(model);
+    if (!d.allFinite()) return std::nullopt;
+    for (double shrink = 1e4; shrink > 1e-2; shrink *= 0.3) {
+      balance.set_epsilon(shrink * travel);
+      settle(balance, model, d, kSteps);
+    }
+  }
+  double size = HUGE_VAL;
+  for (double shrink = 1e-2; shrink > 1e-13; shrink *= 0.1) {
+    balance.set_epsilon(shrink * travel);
+    Eigen::Vector3d next = d;
+    const double there = settle(balance, model, next, kSteps);
+    if (!(there <= 1e-9 * model.force) && size <= 1e-9 * model.force) {
+      balance.set_epsilon(10 * shrink * travel);
+      break;
+    }
+    d = next;
+    size = there;
   }
   if (!(size <= 1e-6 * model.force)) return std::nullopt;
-  return complete_exactly(problem, balance.guesses(d));
+  return d;
+}
+
+/// The same from other motions; `found` gets those where the method ends.
+template <class Found>
+void relax_around(const DoubleModel& model, std::size_t starts, SmoothBalance& balance,
+                  const Found& found) {
+  double stiffness = 0;
+  for (const ContactDoubles& c : model.contacts) stiffness += c.stiffness;
+  if (!(stiffness > 0)) return;
+  const double travel = model.force / stiffness * static_cast<double>(model.contacts.size());
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> within(-1, 1);
+  for (std::size_t start = 0; start < starts; ++start) {
+    const double reach = travel * std::pow(10.0, 1.5 * within(random));
+    Eigen::Vector3d d(reach * within(random), reach * within(random),
+                      reach * within(random) / model.length);
+    constexpr int kSteps = 30;
+    double size = HUGE_VAL;
+    for (const double shrink : {1e-1, 1e-3, 1e-5, 1e-7, 1e-9}) {
+      balance.set_epsilon(shrink * travel);
+      size = settle(balance, model, d, kSteps);
+    }
+    if (size <= 1e-6 * model.force) found(d);
+  }
+}
+
+}  // namespace
+
+std::optional<Witness> find_witness_from_rest(const Problem& problem,
+                                              const DoubleModel& model) {
+  SmoothBalance balance(model);
+  Eigen::Vector3d motion;
+  double residual = -1;
+  relax_from_rest(model, balance, [&](const Eigen::Vector3d& d, double size) {
+    motion = d;
+    residual = size;
+  });
+  if (residual == -1) return complete_exactly(problem, {});  // nothing resists
+  if (!(residual <= 1e-6 * model.force)) return std::nullopt;
+  return complete_exactly(problem, guesses(balance, model, motion));
 }
 
 std::optional<Witness> find_witness_near(const Problem& problem, const DoubleModel& model,
@@ -332,41 +380,90 @@ std::optional<Witness> find_witness_near(const Problem& problem, const DoubleMod
   // A start that is near converges at once; one that is not is left to the search.
   for (const double shrink : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
     balance.set_epsilon(shrink * travel);
-    if (!(balance.solve(d, kSteps) <= 1e-3 * model.force)) return std::nullopt;
+    if (!(settle(balance, model, d, kSteps) <= 1e-3 * model.force)) return std::nullopt;
   }
-  if (!(balance.solve(d, kSteps) <= 1e-6 * model.force)) return std::nullopt;
-  return complete_exactly(problem, balance.guesses(d));
+  if (!(settle(balance, model, d, kSteps) <= 1e-6 * model.force)) return std::nullopt;
+  return complete_exactly(problem, guesses(balance, model, d));
 }
 
 std::vector<Witness> find_witnesses_around(const Problem& problem, const DoubleModel& model,
                                            std::size_t starts) {
-  double stiffness = 0;
-  for (const ContactDoubles& c : model.contacts) stiffness += c.stiffness;
   std::vector<Witness> found;
-  if (!(stiffness > 0)) return found;
-  const double travel = model.force / stiffness * static_cast<double>(model.contacts.size());
   SmoothBalance balance(model);
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> within(-1, 1);
-  for (std::size_t start = 0; start < starts; ++start) {
-    const double reach = travel * std::pow(10.0, 1.5 * within(random));
-    Eigen::Vector3d d(reach * within(random), reach * within(random),
-                      reach * within(random) / model.length);
-    constexpr int kSteps = 30;
-    double size = HUGE_VAL;
-    for (const double shrink : {1e-1, 1e-3, 1e-5, 1e-7, 1e-9}) {
-      balance.set_epsilon(shrink * travel);
-      size = balance.solve(d, kSteps);
-    }
-    if (!(size <= 1e-6 * model.force)) continue;
-    auto witness = complete_exactly(problem, balance.guesses(d));
-    if (!witness) continue;
+  relax_around(model, starts, balance, [&](const Eigen::Vector3d& d) {
+    auto witness = complete_exactly(problem, guesses(balance, model, d));
+    if (!witness) return;
     const bool is_new = std::none_of(found.begin(), found.end(), [&](const Witness& other) {
       return other.twist == witness->twist;
     });
     if (is_new) found.push_back(std::move(*witness));
-  }
+  });
   return found;
 }
 
 }  // namespace stickslip::equilibrium_detail
+
+namespace stickslip {
+
+using namespace equilibrium_detail;
+
+RoundedEquilibrium rounded_equilibrium(const Problem& problem, const Witness& witness) {
+  RoundedEquilibrium result{
+      {to_double(witness.twist.x), to_double(witness.twist.y), to_double(witness.twist.r)}, {}};
+  const ScaledTwist scaled(witness.twist);
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    const ContactForce& force = witness.forces[i];
+    result.forces.push_back({to_double(force.normal), to_double(force.tangential),
+                             power(problem.rows()[i].tangent, scaled.twist).is_zero()});
+  }
+  return result;
+}
+
+std::vector<RoundedEquilibrium> find_rounded_equilibria(const Problem& problem,
+                                                        std::size_t starts) {
+  const DoubleModel model(problem);
+  SmoothBalance balance(model);
+  std::vector<RoundedEquilibrium> found;
+  constexpr double kBalanced = 1e-9;
+  relax_from_rest(model, balance, [&](const Eigen::Vector3d& d, double size) {
+    // The last stage that balances: friction is most nearly as it should be.
+    if (!(size <= kBalanced * model.force)) return;
+    found.clear();
+    found.push_back(near(balance, model, d));
+  });
+  const auto add = [&](const Eigen::Vector3d& d) {
+    const bool is_new = std::none_of(found.begin(), found.end(), [&](const auto& other) {
+      constexpr double kSame = 1e-6;
+      const Eigen::Vector3d there(other.twist[0], other.twist[1], other.twist[2]);
+      return (there - d).norm() <= kSame * (there.norm() + d.norm());
+    });
+    if (is_new) found.push_back(near(balance, model, d));
+  };
+  if (starts == 0) return found;
+  for (const bool squeezed : {false, true}) {
+    if (const auto d = relax_from_squeeze(model, balance, squeezed)) add(*d);
+  }
+  relax_around(model, starts, balance, add);
+  return found;
+}
+
+bool has_long_equilibria(const Problem& problem, std::size_t bits) {
+  Integer common = 1;
+  const auto add = [&](const Rational& value) {
+    const Integer d = denominator(value);
+    if (d == 1 || (common % d).is_zero()) return;
+    common = lcm(common, d);
+  };
+  for (const ContactRow& row : problem.rows()) {
+    for (const Wrench* w : {&row.normal, &row.tangent}) {
+      for (const Rational& entry : coordinates(*w)) add(entry);
+    }
+    add(row.friction);
+    add(row.stiffness);
+    add(row.preload);
+    if (msb(common) >= bits) return true;
+  }
+  return false;
+}
+
+}  // namespace stickslip

@@ -16,7 +16,7 @@ namespace stickslip {
 /// What is resisted in a plane of wrenches.
 struct RegionReport {
   std::vector<ResistiblePiece> pieces;   ///< by contact mode; may be left out
-  PlaneUnion region;                     ///< of all pieces
+  PlaneUnion region;                     ///< the union of all pieces
   ResistibleWork work;                   ///< to find them
   std::optional<Undecided> undecided{};  ///< if a limit was reached; then nothing else is known
 };

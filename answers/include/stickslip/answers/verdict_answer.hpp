@@ -32,9 +32,10 @@ struct CaseAnswer {
   const Verdict& verdict() const { return decision.verdict; }  ///< of the decision
 };
 
-/// About every grasp in a box.
+/// About every grasp in a box; or about one that is stable, and of which an exact equilibrium
+/// would be too long (has_long_equilibria).
 struct BoxAnswer {
-  Question question;     ///< a box
+  Question question;     ///< a box, perhaps of one point
   BoxDecision decision;  ///< the verdict
 };
 
@@ -100,6 +101,9 @@ struct ContactReport {
 
 /// By ContactId.
 std::vector<ContactReport> report_contacts(const CaseAnswer& answer, const Witness& witness);
+
+/// Of one grasp in exact numbers that is stable: a motion near that of an equilibrium.
+std::optional<Vector3> motion_near(const BoxAnswer& answer);
 
 /// The contacts whose preload over the length of the normal is enclosed.
 std::vector<std::size_t> enclosed_contacts(const GraspBox& box);

@@ -4,6 +4,7 @@
 /// explains; and how they are found.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -58,10 +59,11 @@ struct BoxOptions {
 
 /// What it took; reproducible.
 struct BoxWork {
-  std::size_t nodes = 0;     ///< of all trees, whether they were completed or given up
-  std::size_t proofs = 0;    ///< parallelepipeds tried
-  std::size_t examples = 0;  ///< grasps decided one by one
-  std::size_t parts = 0;     ///< pieces of the box with a proof of their own
+  std::size_t nodes = 0;         ///< of all trees, whether they were completed or given up
+  std::size_t proofs = 0;        ///< parallelepipeds tried
+  std::size_t examples = 0;      ///< grasps decided one by one
+  std::size_t parts = 0;         ///< pieces of the box with a proof of their own
+  std::size_t exact_leaves = 0;  ///< twists for leaves that doubles could not judge
 
   /// Sums.
   BoxWork& operator+=(const BoxWork& part);
@@ -81,5 +83,14 @@ struct BoxDecision {
 /// when no proof and no pair of grasps was found within the limits: the verdicts of a box with
 /// a threshold on its border, for instance, have neither.
 BoxDecision decide_box(const GraspBox& box, NormalLaw law, const BoxOptions& options = {});
+
+/// That one grasp is stable, by a parallelepiped of motions that encloses an equilibrium: in
+/// place of an exact one, whose numbers may have tens of thousands of digits
+/// (has_long_equilibria). Nothing if no proof was found, which says nothing about the verdict.
+/// Requires that preloaded normals have rational lengths; else decide_box() does the same. The
+/// decision is StableThroughout with one part. Deterministic. Mostly O(m) for each of some
+/// hundred nodes.
+std::optional<BoxDecision> prove_stable_by_degree(const LoadedGrasp& grasp, NormalLaw law,
+                                                  const BoxOptions& options = {});
 
 }  // namespace stickslip

@@ -44,6 +44,8 @@ class ParameterBox {
   const Interval& interval(Parameter parameter, std::size_t index) const;
   /// The halves below and above a cut. Requires low < value < high.
   std::pair<ParameterBox, ParameterBox> halves(const PartSplit& split) const;
+  /// Whether no interval has more than one number.
+  bool is_point() const;
   /// The one point in the middle of every interval.
   ParameterBox middle() const;
 

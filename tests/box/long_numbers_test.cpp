@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Many contacts with unit normals in doubles: an exact equilibrium has numbers of tens of
+// thousands of digits, so that verdicts are proved without one, and briefly.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "both_checkers.hpp"
+#include "stickslip/answers/verdict_answer.hpp"
+#include "stickslip/certificate/certificate.hpp"
+#include "stickslip/core/snap.hpp"
+#include "stickslip/equilibrium/search/rounded_equilibrium.hpp"
+
+namespace stickslip {
+namespace {
+
+enum class ShapeInDoubles { kRound, kBowl, kEdges };
+
+/// Contacts all round, below, or on three edges, as a program in doubles has them.
+GraspFile in_doubles(ShapeInDoubles shape, std::size_t contacts, const Rational& preload,
+                     Wrench load) {
+  const auto exact = [](double x, double y) {
+    return Vector2{rational_from_double(x), rational_from_double(y)};
+  };
+  const double pi = std::acos(-1.0);
+  std::vector<Contact> list;
+  for (std::size_t i = 0; i < contacts; ++i) {
+    const auto k = static_cast<double>(i);
+    const double part = k / static_cast<double>(contacts);
+    double angle = 2 * pi * part;
+    if (shape == ShapeInDoubles::kBowl) angle = -pi / 2 + 0.8 * pi * (part - 0.5);
+    double along = 0;
+    if (shape == ShapeInDoubles::kEdges) {
+      angle = -pi / 2 + (static_cast<double>(i % 3) - 1) * 1.2;
+      along = 0.04 * std::sin(k);
+    }
+    const double tilt = shape == ShapeInDoubles::kEdges ? angle : angle + 0.2 * std::sin(3 * k);
+    const double distance = 0.05 * (1 + 0.05 * std::cos(7 * k));
+    const double reach = shape == ShapeInDoubles::kEdges ? 0.05 : distance;
+    list.push_back({exact(reach * std::cos(angle) - along * std::sin(angle),
+                          reach * std::sin(angle) + along * std::cos(angle)),
+                    exact(-std::cos(tilt), -std::sin(tilt)), Rational(2 + i % 7, 10),
+                    Rational(1 + i % 5), preload});
+  }
+  const Rational many(static_cast<long>(contacts));
+  GraspFile file;
+  file.content = {Grasp(std::move(list)),
+                  {many * load.x, many * load.y, many * load.torque / 100}};
+  return file;
+}
+
+struct BriefAnswer {
+  std::string verdict;
+  std::size_t bytes = 0;  ///< of the certificate
+  BoxWork work{};
+};
+
+/// Answers, and has the certificate checked.
+BriefAnswer outcome_of(const GraspFile& file, const AnswerOptions& options = {}) {
+  const Answer answer = answer_to(ask(file, {}), options);
+  const auto certificate = certificate_of(answer);
+  BriefAnswer outcome{name_of(answer), certificate ? certificate->size() : 0, {}};
+  if (const auto* box = std::get_if<BoxAnswer>(&answer)) outcome.work = box->decision.work;
+  EXPECT_TRUE(certificate.has_value());
+  if (certificate) {
+    test::expect_accepted_by_both({write_grasp(file.content), *certificate, {}});
+  }
+  return outcome;
+}
+
+const AnswerOptions kQuick{Engine::kAuto, 0, false};
+
+void expect_brief(const BriefAnswer& outcome, const std::string& verdict,
+                  std::size_t contacts) {
+  EXPECT_EQ(outcome.verdict, verdict);
+  EXPECT_LE(outcome.bytes, 40000u);
+  EXPECT_LE(outcome.work.nodes, 1500u);
+  // What doubles leave open is the exception on walls, whatever the number of contacts. Trees
+  // of all motions begin with wide regions, which long planes cut.
+  EXPECT_LE(outcome.work.exact_leaves, verdict == "stable" ? 20u : 100u) << contacts;
+}
+
+TEST(LongNumbers, PreloadedIsProvedWithoutExactEquilibrium) {
+  for (const ShapeInDoubles shape :
+       {ShapeInDoubles::kRound, ShapeInDoubles::kBowl, ShapeInDoubles::kEdges}) {
+    const Wrench load = shape == ShapeInDoubles::kRound
+                            ? Wrench{Rational(1, 10), Rational(1, 20), 0}
+                            : Wrench{Rational(1, 20), Rational(-4, 5), 0};
+    expect_brief(outcome_of(in_doubles(shape, 300, 1, load), kQuick), "stable", 300);
+  }
+}
+
+TEST(LongNumbers, UnloadedContactsNeedNoSnapping) {
+  for (const ShapeInDoubles shape : {ShapeInDoubles::kRound, ShapeInDoubles::kBowl}) {
+    const Wrench load{Rational(1, 20), Rational(-4, 5), 0};
+    expect_brief(outcome_of(in_doubles(shape, 300, 0, load), kQuick), "stable", 300);
+  }
+}
+
+TEST(LongNumbers, UnstableIsProvedByATree) {
+  for (const int preload : {0, 1}) {
+    const Wrench load{Rational(1, 20), Rational(3), 0};
+    expect_brief(outcome_of(in_doubles(ShapeInDoubles::kBowl, 300, preload, load), kQuick),
+                 "unstable", 300);
+  }
+}
+
+TEST(LongNumbers, SnappedNormalsAreNoLonger) {
+  GraspFile file =
+      in_doubles(ShapeInDoubles::kRound, 300, 1, {Rational(1, 10), Rational(1, 20), 0});
+  file.content.grasp = snap_normals(file.content.grasp, Rational(1, 1000000000)).grasp;
+  expect_brief(outcome_of(file, kQuick), "stable", 300);
+}
+
+TEST(LongNumbers, ExactEnginesAgreeAndShortOnesKeepTheirWitness) {
+  const Wrench load{Rational(1, 20), Rational(-4, 5), 0};
+  const GraspFile file = in_doubles(ShapeInDoubles::kBowl, 200, 0, load);
+  const Problem problem(file.content, NormalLaw::kUnilateral);
+  ASSERT_TRUE(has_long_equilibria(problem));
+  EXPECT_TRUE(std::holds_alternative<BoxAnswer>(answer_to(ask(file, {}), kQuick)));
+  const Answer exact = answer_to(ask(file, {}), {Engine::kCone, 0, false});
+  ASSERT_TRUE(std::holds_alternative<CaseAnswer>(exact));
+  EXPECT_STREQ(name_of(exact), "stable");
+  const GraspFile few = in_doubles(ShapeInDoubles::kBowl, 30, 0, load);
+  EXPECT_TRUE(std::holds_alternative<CaseAnswer>(answer_to(ask(few, {}), kQuick)));
+}
+
+}  // namespace
+}  // namespace stickslip

@@ -77,8 +77,16 @@ void print_text(const Question& question, const Margin& margin, NumberText& text
   const auto count = [](std::size_t n, const char* what) {
     return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
   };
-  std::cout << "\nProved by equilibria in " << count(margin.segments.size(), "contact mode")
-            << (margin.gaps.empty() ? ", with nothing left to refute"
+  const auto proofs = static_cast<std::size_t>(
+      std::count_if(margin.segments.begin(), margin.segments.end(),
+                    [](const MarginSegment& segment) { return segment.proof.has_value(); }));
+  const std::size_t modes = margin.segments.size() - proofs;
+  std::cout << "\nProved ";
+  if (modes > 0 || proofs == 0) std::cout << "by equilibria in " << count(modes, "contact mode");
+  if (proofs > 0) {
+    std::cout << (modes > 0 ? " and " : "") << "by degree over " << count(proofs, "range");
+  }
+  std::cout << (margin.gaps.empty() ? ", with nothing left to refute"
                                     : ", and by case trees of " + count(nodes, "node") +
                                           " that nothing else is resisted")
             << ".\nNormal law: " << law_text(question.law) << ".\n"

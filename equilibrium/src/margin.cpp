@@ -6,14 +6,19 @@
 #include <utility>
 
 #include "margin_chain.hpp"
+#include "margin_degree.hpp"
 #include "short_segments.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/equilibrium/search/rounded_equilibrium.hpp"
 
 namespace stickslip {
 
 using namespace equilibrium_detail;
 
 namespace {
+
+/// In bits: from here on a margin's many equilibria take longer than its proofs by degree.
+constexpr std::size_t kLongDenominator = 1000;
 
 /// Checks one end of a segment after another.
 class FamilyJudge {
@@ -60,8 +65,9 @@ class MarginSearch {
   using Progress = std::function<void(const MarginWork&)>;
 
   MarginSearch(const Problem& family, const ConeOptions& options, MarginWork& work,
-               const Progress& progress)
+               const Progress& progress, SegmentForm form)
       : family_(family),
+        form_(form),
         options_(options),
         work_(work),
         progress_(progress),
@@ -69,6 +75,14 @@ class MarginSearch {
 
   std::variant<Margin, Undecided> run() {
     const MultipleRange all;
+    if (form_ == SegmentForm::kDegree ||
+        (form_ == SegmentForm::kByLength && has_long_equilibria(family_, kLongDenominator))) {
+      segments_ = DegreeChain(family_, work_).find();
+    }
+    if (!segments_.empty()) {
+      open_between_segments();
+      return search_all();
+    }
     // The multiple 0 is where the engine for single loads is quick, and most often stable.
     ConeWork cone;
     count(work_.ranges);
@@ -79,6 +93,11 @@ class MarginSearch {
     } else {
       open_.push_back(all);
     }
+    return search_all();
+  }
+
+ private:
+  std::variant<Margin, Undecided> search_all() {
     std::vector<std::pair<Rational, Refutation>> refuted;
     while (!open_.empty()) {
       const MultipleRange gap = std::move(open_.front());
@@ -94,7 +113,19 @@ class MarginSearch {
     return assemble(std::move(refuted));
   }
 
- private:
+  /// What the segments, which are increasing, leave.
+  void open_between_segments() {
+    Rational low = 0;
+    bool has_low = true;
+    for (const MarginSegment& segment : segments_) {
+      if (low < segment.low) open_.push_back({low, segment.low, has_low});
+      if (!segment.high) return;
+      low = *segment.high;
+      has_low = false;
+    }
+    open_.push_back({low, {}, has_low});
+  }
+
   void count(std::size_t& counter) {
     ++counter;
     if (progress_) progress_(work_);
@@ -151,8 +182,10 @@ class MarginSearch {
     shorten(segments_, family_);
     FamilyJudge judge(family_);
     for (const MarginSegment& segment : segments_) {
-      judge.require_equilibrium(segment.low, segment.start);
-      judge.require_equilibrium(segment.high, segment.end);
+      if (!segment.proof) {
+        judge.require_equilibrium(segment.low, segment.start);
+        judge.require_equilibrium(segment.high, segment.end);
+      }
       const bool continues =
           !margin.resisted.empty() && margin.resisted.back().high == segment.low;
       if (!continues) margin.resisted.push_back({segment.low, std::nullopt});
@@ -166,6 +199,7 @@ class MarginSearch {
   }
 
   const Problem& family_;
+  const SegmentForm form_;
   const ConeOptions& options_;
   MarginWork& work_;
   const Progress& progress_;
@@ -178,12 +212,12 @@ class MarginSearch {
 
 std::variant<Margin, Undecided> find_margin(
     const Problem& family, const ConeOptions& options, MarginWork* work,
-    const std::function<void(const MarginWork&)>& progress) {
+    const std::function<void(const MarginWork&)>& progress, SegmentForm form) {
   require(family.is_family(), "a margin is of a family");
   MarginWork unused;
   MarginWork& counters = work != nullptr ? *work : unused;
   counters = {};
-  return MarginSearch(family, options, counters, progress).run();
+  return MarginSearch(family, options, counters, progress, form).run();
 }
 
 }  // namespace stickslip

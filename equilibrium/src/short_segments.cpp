@@ -103,6 +103,10 @@ void shorten(std::vector<MarginSegment>& segments, const Problem& family) {
   // Friction at the ends of a segment is that of its inside.
   std::vector<Signs> slips;
   for (const MarginSegment& segment : segments) {
+    if (segment.proof) {
+      slips.emplace_back();
+      continue;
+    }
     slips.push_back(inside(start_of(segment).slips(), end_of(segment).slips()));
   }
   const auto shorten_alone = [](ShortWitness& witness, const SegmentEnd& end,
@@ -112,6 +116,7 @@ void shorten(std::vector<MarginSegment>& segments, const Problem& family) {
   };
   bool starts_as_other_ends = false;
   for (std::size_t k = 0; k < segments.size(); ++k) {
+    if (segments[k].proof) continue;
     if (!starts_as_other_ends) {
       shorten_alone(segments[k].start, start_of(segments[k]), slips[k]);
     }
@@ -119,7 +124,7 @@ void shorten(std::vector<MarginSegment>& segments, const Problem& family) {
     ShortWitness& witness = segments[k].end;
     const SegmentEnd end = end_of(segments[k]);
     MarginSegment* next = k + 1 < segments.size() ? &segments[k + 1] : nullptr;
-    if (next != nullptr && segments[k].high == next->low &&
+    if (next != nullptr && !next->proof && segments[k].high == next->low &&
         witness.twist == next->start.twist && !end.are_opposite(slips[k], slips[k + 1])) {
       // Both forces leave the same contacts open, if that leaves no choice they are one.
       starts_as_other_ends = end.is_determined(common(slips[k], slips[k + 1]));

@@ -15,7 +15,9 @@
 /// where the multiple does not fix the motion, and from the ends of that into the modes next to
 /// it, where a contact begins to slip, to stick, to open or to close; what is left of the range
 /// is searched again. Nothing is bisected: every end is where a condition of some mode has its
-/// zero. Every search settles a range or adds a mode's interval, of
+/// zero. Where equilibria would have numbers of many thousand digits, what is resisted from 0
+/// on is proved by degree first, dozens of modes at a time, and only what that does not reach
+/// is searched (margin_degree.hpp). Every search settles a range or adds a mode's interval, of
 /// which there are finitely many.
 #pragma once
 
@@ -25,6 +27,7 @@
 #include <vector>
 
 #include "stickslip/equilibrium/search/branch_and_bound.hpp"
+#include "stickslip/equilibrium/search/degree.hpp"
 
 namespace stickslip {
 
@@ -34,14 +37,22 @@ struct MarginInterval {
   std::optional<Rational> high;  ///< >= low
 };
 
+/// A parallelepiped of motions that moves with the multiple and holds an equilibrium of each
+/// (FORMAT.md, section 5, "Segments by degree").
+struct SegmentByDegree : DegreeProofIn<3, RefutationNode> {
+  Vector3 end_twist{};  ///< where its centre is at the high end; `twist`: at the low end
+};
+
 /// Two equilibria of one mode: between them every multiple is resisted, by a combination of the
 /// two. Without `high`, `end` is what may be added to the first without end, for the
-/// family's sake alone (FORMAT.md, section 5: a ray).
+/// family's sake alone (FORMAT.md, section 5: a ray). Or a proof by degree for all from low to
+/// high.
 struct MarginSegment {
-  Rational low;                  ///< the multiple at its low end
-  ShortWitness start;            ///< for that multiple
-  std::optional<Rational> high;  ///< the multiple at its high end
-  ShortWitness end;              ///< for that multiple, or a ray
+  Rational low;                            ///< the multiple at its low end
+  ShortWitness start;                      ///< for that multiple
+  std::optional<Rational> high;            ///< the multiple at its high end
+  ShortWitness end;                        ///< for that multiple, or a ray
+  std::optional<SegmentByDegree> proof{};  ///< and then `start` and `end` mean nothing
 };
 
 /// With the evidence of certificate/FORMAT.md, section 5.
@@ -56,14 +67,20 @@ struct Margin {
 struct MarginWork {
   std::size_t ranges = 0;  ///< searched
   std::size_t modes = 0;   ///< whose ends were looked for
+  std::size_t proofs = 0;  ///< by degree, that were tried
   ConeWork cone;           ///< of all searches
 };
+
+/// How what is resisted is proved: kByLength by equilibria or, where these would be very long
+/// (numbers that have nothing in common, of many contacts), by degree as far as that leads.
+enum class SegmentForm { kByLength, kEquilibria, kDegree };
 
 /// Of all l >= 0, whatever the family's range. Throws ContractError if the problem is no
 /// family. Undecided only when the node limit, of all searches together, is reached. `progress`
 /// is called now and then, with the work so far.
 std::variant<Margin, Undecided> find_margin(
     const Problem& family, const ConeOptions& options = {}, MarginWork* work = nullptr,
-    const std::function<void(const MarginWork&)>& progress = {});
+    const std::function<void(const MarginWork&)>& progress = {},
+    SegmentForm form = SegmentForm::kByLength);
 
 }  // namespace stickslip

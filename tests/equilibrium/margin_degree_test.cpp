@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Segments of margins proved by degree: against those proved by equilibria, against verdicts,
+// and made wrong, by all checkers.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "both_checkers.hpp"
+#include "family.hpp"
+#include "grasps.hpp"
+#include "judged.hpp"
+#include "loads.hpp"
+#include "rounds.hpp"
+#include "stickslip/equilibrium/margin.hpp"
+
+namespace stickslip {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using bench::Layout;
+using test::RandomSource;
+using test::rounds;
+
+Margin margin_of(const Question& question, SegmentForm form, MarginWork* work = nullptr) {
+  return std::get<Margin>(find_margin(problem_of(question), {}, work, {}, form));
+}
+
+std::size_t count_proofs(const Margin& margin) {
+  return static_cast<std::size_t>(
+      std::count_if(margin.segments.begin(), margin.segments.end(),
+                    [](const MarginSegment& segment) { return segment.proof.has_value(); }));
+}
+
+bool same(const std::vector<MarginInterval>& a, const std::vector<MarginInterval>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+    return x.low == y.low && x.high == y.high;
+  });
+}
+
+Question pulled(Layout layout, std::size_t contacts, std::uint64_t seed, NormalLaw law,
+                bool preloaded = true) {
+  Question question =
+      bench::plain_question(bench::make_grasp(layout, contacts, preloaded, seed), {}, law);
+  question.direction = bench::pulling_load(layout, seed);
+  return question;
+}
+
+/// The same intervals in both forms, and verdicts inside what is proved by degree.
+void expect_both_forms(const Question& question, std::size_t& proofs, std::size_t& endless) {
+  const Margin by_points = margin_of(question, SegmentForm::kEquilibria);
+  const Margin by_degree = margin_of(question, SegmentForm::kDegree);
+  EXPECT_EQ(count_proofs(by_points), 0U);
+  EXPECT_TRUE(same(by_points.resisted, by_degree.resisted));
+  test::expect_accepted_by_both(question, by_degree);
+  for (const MarginSegment& segment : by_degree.segments) {
+    if (!segment.proof) continue;
+    ++proofs;
+    if (!segment.high) ++endless;
+    const Rational high = segment.high.value_or(3 * segment.low + 7);
+    for (const Rational& share : {Rational(0), Rational(2, 7), Rational(1)}) {
+      const Rational multiple = segment.low + share * (high - segment.low);
+      EXPECT_EQ(test::judged_verdict({test::member(question, multiple), question.law}),
+                "stable")
+          << "at " << to_string(multiple);
+    }
+  }
+}
+
+TEST(MarginByDegree, AgreesWithEquilibria) {
+  RandomSource random(811);
+  std::size_t proofs = 0;
+  std::size_t endless = 0;
+  std::size_t margins = 0;
+  for (const Layout layout :
+       {Layout::kRound, Layout::kVaried, Layout::kArc, Layout::kEdges, Layout::kJaws}) {
+    for (int round = 0; round < rounds(4); ++round) {
+      const auto contacts = static_cast<std::size_t>(random.between(4, 12));
+      const auto seed = static_cast<std::uint64_t>(random.between(1, 1000));
+      const NormalLaw law = round % 2 == 0 ? NormalLaw::kUnilateral : NormalLaw::kBilateral;
+      SCOPED_TRACE(std::string(name_of(layout)) + " " + std::to_string(contacts) + " " +
+                   std::to_string(seed) + " " + std::to_string(round));
+      expect_both_forms(pulled(layout, contacts, seed, law), proofs, endless);
+      ++margins;
+    }
+  }
+  std::cout << margins << " margins, " << proofs << " segments by degree, " << endless
+            << " of them without end\n";
+  EXPECT_GE(proofs, margins);
+  EXPECT_GE(endless, rounds(2U));
+}
+
+TEST(MarginByDegree, AgreesAlongPreloads) {
+  RandomSource random(812);
+  std::size_t proofs = 0;
+  std::size_t endless = 0;
+  for (int round = 0; round < rounds(8); ++round) {
+    const auto contacts = static_cast<std::size_t>(random.between(4, 10));
+    const NormalLaw law = round % 2 == 0 ? NormalLaw::kUnilateral : NormalLaw::kBilateral;
+    const LoadedGrasp loaded{
+        bench::make_grasp(Layout::kRound, contacts, true,
+                          static_cast<std::uint64_t>(random.between(1, 1000))),
+        {Rational(1, 2), Rational(-1, 3), Rational(1, 5)}};
+    expect_both_forms(
+        test::margin_question(loaded, law, std::nullopt, PreloadDirection{true, {}}), proofs,
+        endless);
+  }
+  EXPECT_GE(proofs, rounds(8U));
+}
+
+// Without preload and load all multiples have one verdict, and one proof.
+TEST(MarginByDegree, OneProofWhereNothingIsButWhatGrows) {
+  const Question question = pulled(Layout::kRound, 12, 3, NormalLaw::kUnilateral, false);
+  const Margin margin = margin_of(question, SegmentForm::kDegree);
+  ASSERT_EQ(margin.segments.size(), 1U);
+  EXPECT_TRUE(margin.segments.front().proof.has_value());
+  EXPECT_EQ(margin.segments.front().low, 0);
+  EXPECT_FALSE(margin.segments.front().high.has_value());
+  test::expect_accepted_by_both(question, margin);
+}
+
+TEST(MarginByDegree, OnlyWhereEquilibriaAreLong) {
+  MarginWork work;
+  const Question round = pulled(Layout::kRound, 60, 1, NormalLaw::kUnilateral);
+  const Margin by_points = margin_of(round, SegmentForm::kByLength, &work);
+  EXPECT_EQ(work.proofs, 0U);
+  EXPECT_EQ(count_proofs(by_points), 0U);
+  const Question varied = pulled(Layout::kVaried, 60, 1, NormalLaw::kUnilateral);
+  const Margin by_degree = margin_of(varied, SegmentForm::kByLength, &work);
+  EXPECT_EQ(count_proofs(by_degree), by_degree.segments.size());
+  EXPECT_EQ(work.modes, 0U);  // no equilibrium was computed
+  EXPECT_LT(by_degree.segments.size(), 10U);
+  const test::CheckerInput input = test::input_of(varied, by_degree);
+  EXPECT_LT(input.certificate.size(), 40000U);
+  test::expect_accepted_by_both(varied, by_degree);
+}
+
+/// A certificate by degree in the text of which something is changed, and the rule that fails.
+class Mutants {
+ public:
+  explicit Mutants(test::CheckerInput original)
+      : original_(std::move(original)), json_(Json::parse(original_.certificate)) {}
+
+  std::size_t segments() const { return json_["segments"].size(); }
+  bool is_endless() const { return json_["resisted"].back()[1].is_null(); }
+  const Json& segment(std::size_t k) const { return json_["segments"][k]; }
+
+  /// `rule`: that fails, "malformed" or "accepted"; none if it may be another proof.
+  void add(const std::string& rule, const std::function<void(Json&)>& change) {
+    Json edited = json_;
+    change(edited);
+    inputs_.push_back(original_);
+    inputs_.back().certificate = edited.dump();
+    rules_.push_back(rule);
+  }
+
+  void expect_all() const {
+    std::vector<test::CheckerAnswer> answers;
+    for (const test::CheckerInput& input : inputs_) {
+      answers.push_back(test::ask_cpp_checker(input));
+    }
+    const auto twins = test::ask_python_checker(inputs_);
+    for (std::size_t k = 0; k < inputs_.size(); ++k) {
+      SCOPED_TRACE(std::to_string(k) + ", " + rules_[k]);
+      EXPECT_TRUE(answers[k].agrees_with(twins[k])) << test::describe(answers[k]) << "\n"
+                                                    << test::describe(twins[k]);
+      if (rules_[k].empty()) continue;
+      const bool by_rule = answers[k].result == "rejected";
+      EXPECT_EQ(by_rule ? answers[k].rule : answers[k].result, rules_[k]);
+    }
+    test::expect_js_checker_agrees(inputs_, answers);
+    test::expect_proved_checker_agrees(inputs_, answers);
+  }
+
+ private:
+  test::CheckerInput original_;
+  Json json_;
+  std::vector<test::CheckerInput> inputs_;
+  std::vector<std::string> rules_;
+};
+
+void add_mutants(Mutants& mutants, RandomSource& random) {
+  mutants.add("accepted", [](Json&) {});
+  for (std::size_t k = 0; k < mutants.segments(); ++k) {
+    if (!mutants.segment(k).is_object()) continue;
+    const auto edit = [&](const std::string& rule, const std::function<void(Json&)>& change) {
+      mutants.add(rule, [&](Json& json) { change(json["segments"][k]); });
+    };
+    const bool is_last = k + 1 == mutants.segments();
+    edit("malformed", [](Json& s) { s.erase("to"); });
+    edit("malformed", [](Json& s) { s["more"] = 1; });
+    edit("malformed", [](Json& s) { s["twists"].erase(0); });
+    edit("malformed", [](Json& s) { s["to"] = "x"; });
+    edit("malformed", [](Json& s) { s["walls"].erase(0); });
+    edit("malformed", [](Json& s) { s["tree"].push_back({"leaf", 1, 2}); });
+    edit("segment-chain", [](Json& s) { s["to"] = -1; });
+    edit("segment-chain", [&](Json& s) {
+      // It begins where the one before ends: no longer than nothing.
+      s["to"] = k == 0 ? Json(0) : mutants.segment(k - 1)["to"];
+    });
+    edit("degree-walls", [](Json& s) { s["walls"][1] = s["walls"][0]; });
+    edit("degree-direction", [](Json& s) { s["direction"][2] = {0, 0, 0}; });
+    edit("tree-long", [](Json& s) { s["tree"].push_back({"leaf", 0, 0, 0}); });
+    edit("tree-short", [](Json& s) { s["tree"].erase(s["tree"].size() - 1); });
+    edit("", [](Json& s) { std::swap(s["twists"][0], s["twists"][1]); });
+    edit("", [](Json& s) { s["twists"][1] = s["twists"][0]; });
+    edit("", [](Json& s) { s["direction"][0][0] = -1000000000; });
+    edit("", [](Json& s) { s["walls"][0] = {1, 0, 0}; });
+    edit("", [](Json& s) { s["to"] = 1000000; });
+    for (int n = 0; n < 4; ++n) {
+      const auto node = static_cast<std::size_t>(
+          random.between(0, static_cast<int>(mutants.segment(k)["tree"].size()) - 1));
+      edit("", [&](Json& s) { s["tree"].erase(node); });
+      edit("", [&](Json& s) { s["tree"][node] = {"leaf", 1, 0, 0}; });
+      edit("", [&](Json& s) { s["tree"][node] = {"plane", 0, 0, 0, -2, 1}; });
+    }
+    // Without it the next one by degree begins farther down, and may have to prove too much.
+    const bool next_begins_here = !is_last && mutants.segment(k + 1).is_object();
+    mutants.add(next_begins_here ? "" : "segment-chain",
+                [&](Json& json) { json["segments"].erase(k); });
+    // All multiples from 0 on, beyond an end, or else too many to prove so.
+    const bool may_be_endless = k > 0 && mutants.is_endless();
+    if (!is_last) {
+      edit(may_be_endless ? "" : "segment-chain", [](Json& s) { s["to"] = nullptr; });
+    }
+    // A POINT is stated in full after a segment that has none.
+    mutants.add("malformed", [&](Json& json) {
+      json["segments"].insert(json["segments"].begin() + static_cast<std::ptrdiff_t>(k) + 1,
+                              Json::array({Json::array({1, {0, 0, 0}, Json::array()})}));
+    });
+  }
+}
+
+TEST(MarginByDegree, AllCheckersRejectTheSameMutants) {
+  RandomSource random(813);
+  for (const NormalLaw law : {NormalLaw::kUnilateral, NormalLaw::kBilateral}) {
+    const Question question = pulled(Layout::kVaried, 8, 4, law);
+    const Margin margin = margin_of(question, SegmentForm::kDegree);
+    ASSERT_GE(count_proofs(margin), 1U);
+    Mutants mutants(test::input_of(question, margin));
+    add_mutants(mutants, random);
+    mutants.expect_all();
+  }
+}
+
+// Of a bilateral grasp K must not reach to where a contact pulls.
+TEST(MarginByDegree, WideWallsBreakTheBilateralLaw) {
+  const Question question = pulled(Layout::kVaried, 8, 4, NormalLaw::kBilateral);
+  const Margin margin = margin_of(question, SegmentForm::kDegree);
+  Mutants mutants(test::input_of(question, margin));
+  mutants.add("degree-law", [](Json& json) {
+    for (Json& row : json["segments"][0]["walls"]) {
+      for (Json& entry : row) entry = 0;
+    }
+    for (std::size_t j = 0; j < 3; ++j) json["segments"][0]["walls"][j][j] = "1/1000000";
+  });
+  mutants.expect_all();
+}
+
+}  // namespace
+}  // namespace stickslip

@@ -257,6 +257,7 @@ class PageAnswer {
     std::optional<Answer> answer;
     const auto find = [&](Json& found) {
       AnswerOptions options;
+      options.engine = Engine::kCone;  // pictures need exact forces, however long
       options.node_limit = limits_.node_limit;
       options.warnings = warnings;
       answer = std::visit([&](const auto& question) { return answer_to(question, options); },
@@ -300,10 +301,8 @@ class PageAnswer {
     }
     const WrenchPlane plane = WrenchPlane::forces(question.loaded.wrench.torque);
     RegionReport report;
-    auto found = resistible_pieces(problem_of(question), plane, {}, &report.work);
-    report.pieces = std::move(std::get<std::vector<ResistiblePiece>>(found));
-    report.region = unite(report.pieces);
-    report.pieces.clear();
+    auto found = resistible_region(problem_of(question), plane, {}, &report.work);
+    report.region = std::get<PlaneUnion>(std::move(found));
     return region_json(question, plane, report);
   }
 

@@ -25,17 +25,10 @@ std::string text_of(const PlanePoint& point) {
 
 class RegionPlot {
  public:
-  RegionPlot(const Question& question, const WrenchPlane& plane,
-             const std::vector<PlaneCell>& cells)
-      : question_(question), plane_(plane), region_(unite(cells)) {
+  RegionPlot(const Question& question, const WrenchPlane& plane, const PlaneUnion& region)
+      : question_(question), plane_(plane), region_(region) {
     find_window();
-    std::vector<PlaneCell> visible;
-    for (const PlaneCell& cell : cells) {
-      if (auto part = clip_to_box(cell, {-half_, -half_}, {half_, half_})) {
-        visible.push_back(std::move(*part));
-      }
-    }
-    visible_ = unite(visible);
+    visible_ = clip_to_box(region_, {-half_, -half_}, {half_, half_});
     find_ticks();
     t_name_ = wrap(axis_name(plane_.v(), "t"), "", kRegionSide);
     left_ = kMargin + kLine * static_cast<double>(t_name_.size()) + 15 + widest_tick_;
@@ -280,7 +273,7 @@ class RegionPlot {
 
   const Question& question_;
   const WrenchPlane& plane_;
-  PlaneUnion region_;
+  const PlaneUnion& region_;
   Rational half_ = 0;  ///< of the window's side
   std::set<PlanePoint> corners_;
   PlaneUnion visible_;
@@ -295,8 +288,8 @@ class RegionPlot {
 }  // namespace
 
 std::string plot_region(const Question& question, const WrenchPlane& plane,
-                        const std::vector<PlaneCell>& cells) {
-  return RegionPlot(question, plane, cells).draw();
+                        const PlaneUnion& region) {
+  return RegionPlot(question, plane, region).draw();
 }
 
 }  // namespace stickslip

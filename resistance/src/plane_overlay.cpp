@@ -2,9 +2,10 @@
 //
 // CGAL builds the arrangement of the cells' edges; this file reads it. All edges are segments:
 // the aggregate insertion of rays is not reliable in CGAL 5.5 (CGAL issue 7311), so unbounded
-// cells come cut off by a frame (plane_union.cpp). Coordinates are plain rationals: where the
-// doubles of the filtered kernel (Epeck) overflow, as those of lines to the frame do, it finds
-// no intersection of lines that have one.
+// cells come cut off by a frame (plane_cover.cpp). Coordinates are rationals that are known in
+// intervals of doubles first, and exactly where those do not tell (Lazy_exact_nt): each number
+// by itself, as where the doubles of the filtered kernel (Epeck) overflow, it finds no
+// intersection of lines that have one.
 //
 // Insides need no point location. Each edge knows by how much the number of cells to its left
 // exceeds that to its right; no cell is in the unbounded face; the numbers of all other faces
@@ -17,6 +18,7 @@
 #include <CGAL/Arrangement_2.h>
 #include <CGAL/Cartesian.h>
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Lazy_exact_nt.h>
 
 #include "stickslip/core/error.hpp"
 
@@ -33,21 +35,17 @@ constexpr std::size_t kUnset = static_cast<std::size_t>(-1);
 /// its left less cells to its right. Where edges overlap these add.
 using Step = int;
 
-struct VertexLabel {
-  PlanePoint point;
-  bool on_frame = false;
-};
-
 struct FaceLabel {
   bool reached = false;
   int cells = 0;
   std::size_t area = kUnset;
 };
 
-using Kernel = CGAL::Cartesian<CGAL::Exact_rational>;
+using Coordinate = CGAL::Lazy_exact_nt<CGAL::Exact_rational>;
+using Kernel = CGAL::Cartesian<Coordinate>;
 using Geometry =
     CGAL::Arr_curve_data_traits_2<CGAL::Arr_segment_traits_2<Kernel>, Step, std::plus<Step>>;
-using Dcel = CGAL::Arr_extended_dcel<Geometry, VertexLabel, bool, FaceLabel>;
+using Dcel = CGAL::Arr_extended_dcel<Geometry, bool, bool, FaceLabel>;
 using Arrangement = CGAL::Arrangement_2<Geometry, Dcel>;
 using Face = Arrangement::Face_handle;
 using Halfedge = Arrangement::Halfedge_handle;
@@ -62,19 +60,21 @@ auto raw(Exact& value) -> decltype(value.mpq()) {
   return value.mpq();
 }
 
-Kernel::Point_2 to_kernel(const PlanePoint& point) {
-  Kernel::FT x;
-  Kernel::FT y;
-  mpq_set(raw(x), point[0].backend().data());
-  mpq_set(raw(y), point[1].backend().data());
-  return {x, y};
+Coordinate to_kernel(const Rational& value) {
+  CGAL::Exact_rational result;
+  mpq_set(raw(result), value.backend().data());
+  return Coordinate(result);
+}
+
+Rational from_kernel(const Coordinate& value) {
+  const CGAL::Exact_rational& exact = value.exact();
+  Rational result;
+  mpq_set(result.backend().data(), raw(exact));
+  return result;
 }
 
 PlanePoint from_kernel(const Kernel::Point_2& point) {
-  PlanePoint result;
-  mpq_set(result[0].backend().data(), raw(point.x()));
-  mpq_set(result[1].backend().data(), raw(point.y()));
-  return result;
+  return {from_kernel(point.x()), from_kernel(point.y())};
 }
 
 int step_over(Halfedge edge) {
@@ -97,8 +97,11 @@ void for_each_halfedge(Face face, Visit visit) {
 
 class OverlayReader {
  public:
-  OverlayReader(Arrangement& arrangement, const Integer& frame)
-      : arrangement_(arrangement), frame_(frame) {}
+  OverlayReader(Arrangement& arrangement, const Integer& frame, int least)
+      : arrangement_(arrangement),
+        least_(least),
+        has_frame_(!frame.is_zero()),
+        side_(to_kernel(Rational(frame))) {}
 
   Overlay read() {
     label_vertices();
@@ -108,19 +111,19 @@ class OverlayReader {
     for (const bool from_frame : {true, false}) {
       for (Halfedge edge : arrangement_.halfedge_handles()) {
         if (edge->data() || !is_border(edge)) continue;
-        if (edge->source()->data().on_frame == from_frame) trace(edge);
+        if (edge->source()->data() == from_frame) trace(edge);
       }
     }
     for (Halfedge edge : arrangement_.edge_handles()) {
       if (is_inside(edge->face()) || is_inside(edge->twin()->face())) continue;
-      result_.thin_edges.emplace_back(edge->source()->data().point,
-                                      edge->target()->data().point);
+      result_.thin_edges.emplace_back(from_kernel(edge->source()->point()),
+                                      from_kernel(edge->target()->point()));
     }
     return std::move(result_);
   }
 
  private:
-  static bool is_inside(Face face) { return face->data().cells > 0; }
+  bool is_inside(Face face) const { return face->data().cells >= least_; }
 
   void count_cells() {
     std::vector<Face> open{arrangement_.unbounded_face()};
@@ -165,22 +168,22 @@ class OverlayReader {
     }
   }
 
+  bool is_side(const Coordinate& value) const { return value == side_ || value == -side_; }
+
+  /// Whether they are on the frame.
   void label_vertices() {
-    const Rational side(frame_);
     for (Arrangement::Vertex_handle vertex : arrangement_.vertex_handles()) {
-      const PlanePoint point = from_kernel(vertex->point());
-      vertex->set_data(
-          {point, side.sign() > 0 && (abs(point[0]) == side || abs(point[1]) == side)});
+      const Kernel::Point_2& p = vertex->point();
+      vertex->set_data(has_frame_ && (is_side(p.x()) || is_side(p.y())));
     }
   }
 
   /// On one side of it, then.
   bool is_along_frame(Halfedge edge) const {
-    const VertexLabel& a = edge->source()->data();
-    const VertexLabel& b = edge->target()->data();
-    if (!a.on_frame || !b.on_frame) return false;
-    const PlanePoint middle{(a.point[0] + b.point[0]) / 2, (a.point[1] + b.point[1]) / 2};
-    return abs(middle[0]) == Rational(frame_) || abs(middle[1]) == Rational(frame_);
+    if (!edge->source()->data() || !edge->target()->data()) return false;
+    const Kernel::Point_2& a = edge->source()->point();
+    const Kernel::Point_2& b = edge->target()->point();
+    return (a.x() == b.x() && is_side(a.x())) || (a.y() == b.y() && is_side(a.y()));
   }
 
   /// Between an area to its left and the outside.
@@ -201,9 +204,9 @@ class OverlayReader {
     Halfedge edge = first;
     while (true) {
       edge->set_data(true);
-      chain.points.push_back(edge->source()->data().point);
-      if (edge->target()->data().on_frame) {
-        chain.points.push_back(edge->target()->data().point);
+      chain.points.push_back(from_kernel(edge->source()->point()));
+      if (edge->target()->data()) {
+        chain.points.push_back(from_kernel(edge->target()->point()));
         break;
       }
       edge = next_on_border(edge);
@@ -218,28 +221,29 @@ class OverlayReader {
   }
 
   Arrangement& arrangement_;
-  const Integer frame_;
+  const int least_;
+  const bool has_frame_;
+  const Coordinate side_;
   Overlay result_;
 };
 
 }  // namespace
 
-Overlay overlay(const std::vector<PlaneCell>& cells, const Integer& frame) {
+Overlay overlay(const std::vector<PlanePoint>& points, const std::vector<OverlayEdge>& edges,
+                const Integer& frame, int least) {
+  std::vector<Kernel::Point_2> ends;
+  for (const PlanePoint& point : points)
+    ends.emplace_back(to_kernel(point[0]), to_kernel(point[1]));
   std::vector<Geometry::Curve_2> curves;
-  for (const PlaneCell& cell : cells) {
-    require(cell.is_bounded() && cell.dimension() > 0, "overlay: bounded cells, no points");
-    for (const PlaneEdge& edge : cell.edges()) {
-      const PlanePoint from = point_of(edge.from);
-      const PlanePoint to = point_of(edge.to);
-      // The cell is to the left of the edge.
-      const Step step = cell.dimension() < 2 ? 0 : from < to ? 1 : -1;
-      curves.emplace_back(Kernel::Segment_2(to_kernel(from), to_kernel(to)), step);
-    }
+  for (const OverlayEdge& edge : edges) {
+    const Kernel::Point_2& from = ends[edge.from];
+    const Kernel::Point_2& to = ends[edge.to];
+    curves.emplace_back(Kernel::Segment_2(from, to), from < to ? edge.cells : -edge.cells);
   }
   Arrangement arrangement;
   CGAL::insert(arrangement, curves.begin(), curves.end());
   for (Halfedge edge : arrangement.halfedge_handles()) edge->set_data(false);
-  return OverlayReader(arrangement, frame).read();
+  return OverlayReader(arrangement, frame, least).read();
 }
 
 }  // namespace stickslip::resistance_detail

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The overlay of bounded cells: which parts of it are inside of some cell.
+/// The overlay of the borders of bounded cells: which parts of it are inside of cells.
 #pragma once
 
 #include <cstddef>
@@ -26,8 +26,19 @@ struct Overlay {
   std::vector<std::pair<PlanePoint, PlanePoint>> thin_edges;
 };
 
-/// Requires bounded cells of dimension 1 or 2. If frame > 0, all lie in the square
-/// [-frame, frame]^2, and its sides are no borders: the inside goes on beyond them.
-Overlay overlay(const std::vector<PlaneCell>& cells, const Integer& frame);
+/// A segment between two of a list of points, with so many more cells to its left than to its
+/// right. A cell that is a segment counts for nothing.
+struct OverlayEdge {
+  std::size_t from = 0;
+  std::size_t to = 0;
+  int cells = 0;
+};
+
+/// Requires segments that are no points, together the whole borders of bounded cells. If frame
+/// > 0, all lie in the square [-frame, frame]^2, and its sides are no borders: the inside goes
+/// on beyond them. Fast where each point is listed once. Inside
+/// is what is in at least so many cells.
+Overlay overlay(const std::vector<PlanePoint>& points, const std::vector<OverlayEdge>& edges,
+                const Integer& frame, int least);
 
 }  // namespace stickslip::resistance_detail

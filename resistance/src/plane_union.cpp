@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Unbounded cells are cut off by a square frame that has all their vertices, and all crossings
-// of their rays, strictly inside: beyond it there is nothing but rays that no longer meet, so
-// that what is inside says all. In what comes back, ends on the frame are ends at infinity.
 #include "stickslip/resistance/plane_union.hpp"
 
 #include <algorithm>
-#include <map>
 #include <set>
-#include <tuple>
 
-#include "plane_overlay.hpp"
+#include "plane_cover.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
@@ -18,127 +12,6 @@ namespace stickslip {
 using namespace resistance_detail;
 
 namespace {
-
-/// Half the side of the frame; 0 if all cells are bounded. Two rays on lines with integer
-/// coefficients of at most M meet, by Cramer's rule, at coordinates of at most 2 M^2.
-Integer frame_of(const std::vector<PlaneCell>& cells) {
-  Integer vertices = 0;
-  Integer coefficients = 0;
-  bool unbounded = false;
-  for (const PlaneCell& cell : cells) {
-    unbounded = unbounded || !cell.is_bounded();
-    for (const PlanePoint& point : cell.vertices()) {
-      for (const Rational& value : point) {
-        vertices = std::max<Integer>(vertices, abs(numerator(value)) / denominator(value));
-      }
-    }
-    for (const PlaneEdge& edge : cell.edges()) {
-      if (!is_at_infinity(edge.from) && !is_at_infinity(edge.to)) continue;
-      const HomogeneousPoint& f = edge.from;
-      const HomogeneousPoint& t = edge.to;
-      const HomogeneousPoint line = primitive<3>(
-          {f[1] * t[2] - f[2] * t[1], f[2] * t[0] - f[0] * t[2], f[0] * t[1] - f[1] * t[0]});
-      for (const Integer& c : line) coefficients = std::max<Integer>(coefficients, abs(c));
-    }
-  }
-  if (!unbounded) return 0;
-  return 1 + std::max<Integer>(vertices + 1, 2 * coefficients * coefficients);
-}
-
-bool is_on_frame(const PlanePoint& point, const Integer& frame) {
-  return !frame.is_zero() &&
-         (abs(point[0]) == Rational(frame) || abs(point[1]) == Rational(frame));
-}
-
-PlaneDirection direction(const PlanePoint& from, const PlanePoint& to) {
-  return primitive_multiple<2>({to[0] - from[0], to[1] - from[1]});
-}
-
-/// The point of the line nearest to the origin.
-PlanePoint foot(const PlanePoint& point, const PlaneDirection& along) {
-  return PlaneCell::hull({homogeneous(point), homogeneous(along), homogeneous(negated(along))})
-      .vertices()
-      .front();
-}
-
-Outline outline_of(const OverlayChain& chain) {
-  Outline outline;
-  const std::vector<PlanePoint>& points = chain.points;
-  const std::size_t n = points.size();
-  const std::size_t ends = chain.is_closed ? 0 : 1;
-  for (std::size_t i = ends; i + ends < n; ++i) {
-    if (direction(points[(i + n - 1) % n], points[i]) !=
-        direction(points[i], points[(i + 1) % n])) {
-      outline.vertices.push_back(points[i]);
-    }
-  }
-  std::vector<PlanePoint>& vertices = outline.vertices;
-  if (!chain.is_closed) {
-    outline.from = direction(points[1], points[0]);
-    outline.to = direction(points[n - 2], points[n - 1]);
-    if (vertices.empty()) vertices.push_back(foot(points.front(), *outline.to));
-    return outline;
-  }
-  // A vertex may be there twice, so compare what follows it, too.
-  std::vector<PlanePoint> least = vertices;
-  for (std::size_t i = 1; i < vertices.size(); ++i) {
-    std::rotate(vertices.begin(), vertices.begin() + 1, vertices.end());
-    if (vertices < least) least = vertices;
-  }
-  vertices = std::move(least);
-  return outline;
-}
-
-/// By the least vertex, which is convex iff the outline runs counterclockwise.
-bool is_hole(const Outline& outline) {
-  if (!outline.is_closed()) return false;
-  const std::vector<PlanePoint>& v = outline.vertices;
-  return determinant(homogeneous(v.back()), homogeneous(v[0]), homogeneous(v[1])).sign() < 0;
-}
-
-/// 0: the outside, 1: open, 2: a hole.
-auto order_of(const Outline& outline) {
-  return std::make_tuple(!outline.is_closed() ? 1
-                         : is_hole(outline)   ? 2
-                                              : 0,
-                         std::cref(outline.vertices), outline.from, outline.to);
-}
-
-bool comes_before(const Outline& a, const Outline& b) {
-  return order_of(a) < order_of(b);
-}
-
-/// As long as possible, and with ends on the frame at infinity.
-std::vector<PlaneCell> merge_thin_edges(const Overlay& overlay, const Integer& frame) {
-  // Edges of one line in order; lines by direction and foot.
-  using Edge = std::pair<PlanePoint, PlanePoint>;
-  std::map<std::pair<PlaneDirection, PlanePoint>, std::vector<Edge>> lines;
-  for (Edge edge : overlay.thin_edges) {
-    if (edge.second < edge.first) std::swap(edge.first, edge.second);
-    const PlaneDirection along = direction(edge.first, edge.second);
-    lines[{along, foot(edge.first, along)}].push_back(std::move(edge));
-  }
-  std::vector<PlaneCell> curves;
-  for (auto& [line, edges] : lines) {
-    std::sort(edges.begin(), edges.end());
-    for (auto edge = edges.begin(); edge != edges.end();) {
-      PlanePoint low = edge->first;
-      PlanePoint high = edge->second;
-      for (++edge; edge != edges.end() && edge->first == high; ++edge) high = edge->second;
-      const bool from_infinity = is_on_frame(low, frame);
-      const bool to_infinity = is_on_frame(high, frame);
-      if (from_infinity && to_infinity) low = line.second;
-      std::vector<HomogeneousPoint> generators;
-      if (!from_infinity || to_infinity) generators.push_back(homogeneous(low));
-      if (!to_infinity) generators.push_back(homogeneous(high));
-      if (from_infinity) generators.push_back(homogeneous(negated(line.first)));
-      if (to_infinity) generators.push_back(homogeneous(line.first));
-      curves.push_back(PlaneCell::hull(std::move(generators)));
-    }
-  }
-  std::sort(curves.begin(), curves.end());
-  return curves;
-}
 
 /// Where the edge from `upper` to `lower` meets a line from p in direction `along` (see
 /// is_inside): how far from p and, to tell ties, how the distance grows below the line.
@@ -216,38 +89,31 @@ bool PlaneUnion::contains(const PlanePoint& point) const {
 }
 
 PlaneUnion unite(const std::vector<PlaneCell>& cells) {
-  const std::set<PlaneCell> distinct(cells.begin(), cells.end());
-  const Integer frame = frame_of(cells);
-  std::vector<PlaneCell> framed;
-  std::vector<PlanePoint> points;
-  for (const PlaneCell& cell : distinct) {
-    if (cell.dimension() == 0) {
-      points.push_back(cell.vertices().front());
-    } else if (cell.is_bounded()) {
-      framed.push_back(cell);
-    } else {
-      const Rational side(frame);
-      framed.push_back(*clip_to_box(cell, {-side, -side}, {side, side}));
-    }
-  }
+  PlaneCover cover;
+  for (const PlaneCell& cell : std::set<PlaneCell>(cells.begin(), cells.end())) cover.add(cell);
+  return cover.covered();
+}
+
+PlaneUnion clip_to_box(const PlaneUnion& region, const PlanePoint& low,
+                       const PlanePoint& high) {
+  PlaneCover cover;
+  cover.add(PlaneCell::hull({homogeneous(low), homogeneous(PlanePoint{high[0], low[1]}),
+                             homogeneous(high), homogeneous(PlanePoint{low[0], high[1]})}));
+  cover.add(region.areas);
   PlaneUnion result;
-  if (!framed.empty()) {
-    const Overlay found = overlay(framed, frame);
-    result.areas.resize(found.areas);
-    for (const OverlayChain& chain : found.chains) {
-      result.areas[chain.area].outlines.push_back(outline_of(chain));
-    }
-    for (PlaneArea& area : result.areas) {
-      std::sort(area.outlines.begin(), area.outlines.end(), comes_before);
-    }
-    std::sort(result.areas.begin(), result.areas.end(), [](const auto& a, const auto& b) {
-      return std::lexicographical_compare(a.outlines.begin(), a.outlines.end(),
-                                          b.outlines.begin(), b.outlines.end(), comes_before);
-    });
-    result.curves = merge_thin_edges(found, frame);
+  result.areas = cover.covered(2).areas;
+  std::set<PlanePoint> points(region.points.begin(), region.points.end());
+  for (const PlaneCell& curve : region.curves) {
+    const std::optional<PlaneCell> part = clip_to_box(curve, low, high);
+    if (!part) continue;
+    if (part->dimension() == 1) result.curves.push_back(*part);
+    if (part->dimension() == 0) points.insert(part->vertices().front());
   }
+  std::sort(result.curves.begin(), result.curves.end());
   for (const PlanePoint& point : points) {
-    if (!result.contains(point)) result.points.push_back(point);
+    const bool is_in_box =
+        low[0] <= point[0] && point[0] <= high[0] && low[1] <= point[1] && point[1] <= high[1];
+    if (is_in_box && !result.contains(point)) result.points.push_back(point);
   }
   return result;
 }

@@ -107,9 +107,8 @@ class PieceFinder {
     const std::vector<SlipState> states = enumerate_slip_states_sweep(planes).states;
     work_.slip_states = states.size();
     const Region root = Region::root(problem_);
-    for (std::size_t s = 0; s < states.size(); ++s) {
-      if (options_.progress) options_.progress(s, states.size());
-      state_ = &states[s];
+    for (const SlipState& state : states) {
+      state_ = &state;
       neighbours_.clear();
       for (const SlipState& face : states) {
         if (!has_stick(face) && is_neighbour(face, *state_)) neighbours_.push_back(&face);
@@ -143,6 +142,7 @@ class PieceFinder {
     }
     ++work_.modes;
     if (options_.mode_limit != 0 && work_.modes > options_.mode_limit) return false;
+    if (options_.progress) options_.progress(work_.modes);
     if (std::optional<PlaneCell> cell = cell_of(region)) {
       ++work_.pieces;
       std::vector<ContactMode> modes;
@@ -232,13 +232,6 @@ std::variant<std::vector<ResistiblePiece>, Undecided> resistible_pieces(
     return Undecided{"the limit of " + std::to_string(options.mode_limit) + " modes"};
   }
   return std::move(finder.pieces);
-}
-
-PlaneUnion unite(const std::vector<ResistiblePiece>& pieces) {
-  std::vector<PlaneCell> cells;
-  cells.reserve(pieces.size());
-  for (const ResistiblePiece& piece : pieces) cells.push_back(piece.cell);
-  return unite(cells);
 }
 
 }  // namespace stickslip

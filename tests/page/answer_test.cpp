@@ -110,7 +110,7 @@ TEST(PageAnswer, PartsAreGivenUpInTimeAndSaySo) {
   limits.time = std::chrono::milliseconds(1);
   limits.limits_verdict = true;
   std::vector<std::array<int, 4>> ring;
-  for (int i = 0; i < 32; ++i) ring.push_back({i - 16, 2 * (i % 7), i % 5 - 2, i % 2 * 2 - 1});
+  for (int i = 0; i < 100; ++i) ring.push_back({i - 50, 2 * (i % 7), i % 5 - 2, i % 2 * 2 - 1});
   const Json answer =
       answer_about(grasp_of(ring), {false, false, true, false, false, true}, limits);
   EXPECT_TRUE(answer["region"].is_null());

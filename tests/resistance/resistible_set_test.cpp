@@ -4,10 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <string>
+#include <utility>
 
 #include "paper_grasps.hpp"
 #include "random_grasps.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/grasp_file.hpp"
 #include "stickslip/equilibrium/decide.hpp"
 
 namespace stickslip {
@@ -24,10 +28,33 @@ using Points = std::vector<PlanePoint>;
 using Pieces = std::vector<ResistiblePiece>;
 
 const Rational kTiny(1, 1000000000);
+constexpr int kTwinRounds = 400;
 
+/// The naive twin: all pieces, united.
+PlaneUnion union_of_pieces(const Problem& problem, const WrenchPlane& plane) {
+  const auto found = resistible_pieces(problem, plane);
+  std::vector<PlaneCell> cells;
+  for (const ResistiblePiece& piece : std::get<Pieces>(found)) cells.push_back(piece.cell);
+  return unite(cells);
+}
+
+/// Which is that of all pieces.
 PlaneUnion region_of(const Grasp& grasp, NormalLaw law,
                      const WrenchPlane& plane = WrenchPlane::forces()) {
-  return unite(std::get<Pieces>(resistible_pieces(Problem({grasp, {0, 0, 0}}, law), plane)));
+  const Problem problem({grasp, {0, 0, 0}}, law);
+  PlaneUnion region = std::get<PlaneUnion>(resistible_region(problem, plane));
+  const std::string question = test::describe({{grasp, {0, 0, 0}}, law});
+  EXPECT_EQ(region, union_of_pieces(problem, plane)) << question;
+  // And its part in a box is the union of theirs.
+  const PlanePoint low{-2, -1};
+  const PlanePoint high{1, Rational(3, 2)};
+  std::vector<PlaneCell> parts;
+  const auto found = resistible_pieces(problem, plane);
+  for (const ResistiblePiece& piece : std::get<Pieces>(found)) {
+    if (auto part = clip_to_box(piece.cell, low, high)) parts.push_back(std::move(*part));
+  }
+  EXPECT_EQ(clip_to_box(region, low, high).areas, unite(parts).areas) << question;
+  return region;
 }
 
 bool is_stable(const Grasp& grasp, NormalLaw law, const Wrench& wrench, Engine engine) {
@@ -230,6 +257,90 @@ TEST(ResistibleRegion, OrderOfContactsDoesNotMatter) {
   }
 }
 
+/// Regions of all kinds of grasps, with and without preload, are the unions of all pieces.
+TEST(ResistibleRegion, IsTheUnionOfAllPieces) {
+  RandomSource random(23);
+  std::size_t areas = 0;
+  std::size_t thin = 0;
+  for (int round = 0; round < kTwinRounds; ++round) {
+    const auto m = static_cast<std::size_t>(random.between(1, round % 16 == 0 ? 8 : 6));
+    Grasp grasp = round % 4 == 0   ? generic_grasp(random, m)
+                  : round % 4 == 1 ? near_degenerate_grasp(random, m, Rational(1, 1000000))
+                                   : degenerate_grasp(random, m);
+    if (random.one_in(2)) {
+      std::vector<Contact> contacts = grasp.contacts();
+      for (Contact& c : contacts) {
+        if (random.one_in(2)) c.preload = 0;
+        if (random.one_in(6)) c.friction = 0;
+      }
+      grasp = Grasp(contacts);
+    }
+    const NormalLaw law = random.one_in(3) ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
+    const PlaneUnion region = region_of(grasp, law, random_plane(random));
+    areas += region.areas.size();
+    thin += region.curves.size() + region.points.size();
+    if (HasFailure()) return;
+  }
+  EXPECT_GT(areas, 100u);
+  EXPECT_GT(thin, 20u);
+}
+
+/// What is nearly degenerate, badly scaled or symmetric.
+TEST(ResistibleRegion, HardGrasps) {
+  std::size_t grasps = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(STICKSLIP_HARD_CASES)) {
+    const std::string name = entry.path().stem();
+    if (entry.path().extension() != ".json" || name.find("24") != name.npos) continue;
+    const LoadedGrasp loaded = read_grasp_file(entry.path()).content;
+    if (loaded.grasp.size() > 12) continue;
+    SCOPED_TRACE(name);
+    ++grasps;
+    const NormalLaw law =
+        name.find("bilateral") != name.npos ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
+    const Problem problem(loaded, law);
+    const WrenchPlane plane = WrenchPlane::forces(loaded.wrench.torque);
+    EXPECT_EQ(std::get<PlaneUnion>(resistible_region(problem, plane)),
+              union_of_pieces(problem, plane));
+  }
+  EXPECT_GE(grasps, 10u);
+}
+
+/// Preloaded contacts all round a body, with normals of length 1.
+Grasp ring(int contacts) {
+  std::vector<Contact> all_round;
+  for (int i = 0; i < contacts; ++i) {
+    const int n = i - contacts / 2;
+    const int d = contacts / 2 + 1;
+    const int side = i % 2 == 0 ? -1 : 1;
+    const Rational c(side * (d * d - n * n), d * d + n * n);
+    const Rational s(side * 2 * n * d, d * d + n * n);
+    all_round.push_back({{2 * c, s}, {-c, -s}, Rational(1, 3), 1, Rational(17 + i % 5, 10)});
+  }
+  return Grasp(all_round);
+}
+
+/// Of m^3 modes those are visited that are near the plane, and little of them is exact.
+TEST(ResistibleRegion, WorkGrowsWithTheSquare) {
+  const WrenchPlane plane({0, 0, 40}, {1, 0, 0}, {0, 1, 0});
+  for (const int m : {8, 12, 24, 36}) {
+    SCOPED_TRACE(m);
+    const Problem problem({ring(m), {0, 0, 0}}, NormalLaw::kUnilateral);
+    ResistibleWork work;
+    const PlaneUnion region =
+        std::get<PlaneUnion>(resistible_region(problem, plane, {}, &work));
+    if (m <= 12) {
+      EXPECT_EQ(region, union_of_pieces(problem, plane));
+    }
+    const auto square = static_cast<std::size_t>(m * m);
+    EXPECT_LT(work.modes, 6 * square);
+    EXPECT_GT(work.modes, square);
+    EXPECT_LT(work.nodes, 10 * work.modes);
+    EXPECT_LE(work.pieces, work.modes);
+    EXPECT_LT(work.borders, work.pieces);
+    EXPECT_LT(work.exact_sections + work.exact_turns, work.pieces / 5);
+  }
+}
+
 TEST(ResistibleRegion, PiecesNameTheirModes) {
   const Problem problem({fig1_grasp(1), {0, 0, 0}}, NormalLaw::kUnilateral);
   ResistibleWork work;
@@ -258,13 +369,10 @@ TEST(ResistibleRegion, LimitOnModes) {
   ResistibleWork work;
   ResistibleOptions options;
   std::size_t calls = 0;
-  options.progress = [&](std::size_t done, std::size_t all) {
-    EXPECT_EQ(done, calls++);
-    EXPECT_EQ(all, 27u);
-  };
+  options.progress = [&](std::size_t modes) { EXPECT_EQ(modes, ++calls); };
   ASSERT_TRUE(std::holds_alternative<Pieces>(
       resistible_pieces(problem, WrenchPlane::forces(), options, &work)));
-  EXPECT_EQ(calls, 27u);
+  EXPECT_EQ(calls, 86u);
   options = {};
   options.mode_limit = work.modes;
   EXPECT_TRUE(std::holds_alternative<Pieces>(
@@ -273,6 +381,24 @@ TEST(ResistibleRegion, LimitOnModes) {
   const auto given_up = resistible_pieces(problem, WrenchPlane::forces(), options);
   ASSERT_TRUE(std::holds_alternative<Undecided>(given_up));
   EXPECT_EQ(std::get<Undecided>(given_up).limit, "the limit of 85 modes");
+}
+
+TEST(ResistibleRegion, LimitOnModesOfRegions) {
+  const Problem problem({fig1_grasp(1), {0, 0, 0}}, NormalLaw::kUnilateral);
+  ResistibleWork work;
+  ResistibleOptions options;
+  std::size_t calls = 0;
+  options.progress = [&](std::size_t modes) { EXPECT_EQ(modes, ++calls); };
+  const auto all = resistible_region(problem, WrenchPlane::forces(), options, &work);
+  ASSERT_TRUE(std::holds_alternative<PlaneUnion>(all));
+  EXPECT_EQ(calls, work.modes);
+  options.progress = nullptr;
+  options.mode_limit = work.modes;
+  EXPECT_EQ(std::get<PlaneUnion>(all),
+            std::get<PlaneUnion>(resistible_region(problem, WrenchPlane::forces(), options)));
+  options.mode_limit = work.modes - 1;
+  EXPECT_TRUE(std::holds_alternative<Undecided>(
+      resistible_region(problem, WrenchPlane::forces(), options)));
 }
 
 TEST(WrenchPlane, Coordinates) {

@@ -43,7 +43,7 @@ namespace stickslip {
 
 /// \{ Up to so many contacts have their cells listed, and their region found.
 inline constexpr std::size_t kMostContactsWithCells = 20;
-inline constexpr std::size_t kMostContactsWithRegion = 64;
+inline constexpr std::size_t kMostContactsWithRegion = 100;
 /// \}
 
 /// Which parts are asked for.

@@ -73,4 +73,7 @@ struct PlaneUnion {
 /// Arrangement_2).
 PlaneUnion unite(const std::vector<PlaneCell>& cells);
 
+/// The part in [low_x, high_x] x [low_y, high_y], for drawing: of areas the interior.
+PlaneUnion clip_to_box(const PlaneUnion& region, const PlanePoint& low, const PlanePoint& high);
+
 }  // namespace stickslip

@@ -69,29 +69,39 @@ struct ResistiblePiece {
   PlaneCell cell;                  ///< the wrenches that it resists, in coordinates (s, t)
 };
 
-/// What resistible_pieces did; reproducible.
+/// What was done to find pieces or a region; reproducible.
 struct ResistibleWork {
-  std::size_t slip_states = 0;  ///< distinct slip states of the grasp
-  std::size_t modes = 0;        ///< that some motion has
+  std::size_t slip_states = 0;  ///< distinct slip states of the grasp; of pieces only
+  std::size_t nodes = 0;        ///< of the walk to the modes; of a region only, as is all below
+  std::size_t modes = 0;        ///< that some motion has; of a region those near the plane
   std::size_t pieces = 0;       ///< modes that resist some wrench of the plane
+  std::size_t borders = 0;      ///< edges of pieces that neighbours do not cancel
+  std::size_t exact_images = 0;    ///< generators of modes that were computed exactly
+  std::size_t exact_turns = 0;     ///< pieces whose orientation estimates did not tell
+  std::size_t exact_sections = 0;  ///< pieces made of exact points
 };
 
 /// How far to go, and whom to tell.
 struct ResistibleOptions {
   std::size_t mode_limit = 0;  ///< 0: none; otherwise Undecided when it is exceeded
-  /// Called before each slip state with the number of those done and of all.
-  std::function<void(std::size_t done, std::size_t all)> progress;
+  /// Called for each mode with the number of those found.
+  std::function<void(std::size_t modes)> progress;
 };
 
-/// What each mode resists, in the order of the slip states, then of the separations. The
-/// problem's own wrench plays no part. O(m^3) modes for m contacts: the cells that the planes
-/// tau_i = 0 and v_i = 0 cut from the space of motions. Undecided only when the limit is
-/// exceeded.
+/// The resistible wrenches of the plane. The problem's own wrench plays no part. Of the O(m^3)
+/// modes of m contacts it visits those near the plane, O(m^2) where motions that resist loads
+/// of it are a surface, and computes exactly only what makes borders. Undecided only when the
+/// limit is exceeded.
+std::variant<PlaneUnion, Undecided> resistible_region(const Problem& problem,
+                                                      const WrenchPlane& plane,
+                                                      const ResistibleOptions& options = {},
+                                                      ResistibleWork* work = nullptr);
+
+/// What each mode resists, in the order of the slip states, then of the separations: all O(m^3)
+/// modes, the cells that the planes tau_i = 0 and v_i = 0 cut from the space of motions. Their
+/// union is the region. Undecided only when the limit is exceeded.
 std::variant<std::vector<ResistiblePiece>, Undecided> resistible_pieces(
     const Problem& problem, const WrenchPlane& plane, const ResistibleOptions& options = {},
     ResistibleWork* work = nullptr);
-
-/// The union of the pieces: the resistible wrenches of the plane.
-PlaneUnion unite(const std::vector<ResistiblePiece>& pieces);
 
 }  // namespace stickslip

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Resistible regions of generated grasps, in the plane of forces: time and work; and, where
+// there are few contacts, the time of enumerating all pieces and uniting them. Exit code 1 if
+// the two differ.
+//
+//     region_bench [largest m, default 100] [--twin M] [--limit SECONDS] [--family NAME]
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "child.hpp"
+#include "grasps.hpp"
+#include "limited.hpp"
+#include "loads.hpp"
+#include "stickslip/resistance/resistible_set.hpp"
+
+namespace stickslip::bench {
+namespace {
+
+struct Row {
+  Layout layout;
+  std::size_t contacts;
+  bool preloaded;
+};
+
+Problem problem_of(const Row& row) {
+  return Problem({make_grasp(row.layout, row.contacts, row.preloaded, 1), {0, 0, 0}},
+                 NormalLaw::kUnilateral);
+}
+
+std::size_t vertices_of(const PlaneUnion& region) {
+  std::size_t count = region.points.size();
+  for (const PlaneArea& area : region.areas) {
+    for (const Outline& outline : area.outlines) count += outline.vertices.size();
+  }
+  for (const PlaneCell& curve : region.curves) count += curve.vertices().size();
+  return count;
+}
+
+std::string region_columns(const Row& row) {
+  ResistibleWork work;
+  PlaneUnion region;
+  const double seconds = seconds_per_call(
+      [&] {
+        region = std::get<PlaneUnion>(
+            resistible_region(problem_of(row), WrenchPlane::forces(), {}, &work));
+      },
+      1, 0);
+  std::ostringstream text;
+  text.precision(3);
+  text << seconds << " | " << work.nodes << " | " << work.modes << " | " << work.pieces << " | "
+       << work.borders << " | " << work.exact_images << " | " << work.exact_turns << " | "
+       << work.exact_sections << " | " << vertices_of(region);
+  return text.str();
+}
+
+/// The time, and whether the outlines are those of the region.
+std::string twin_columns(const Row& row) {
+  const Problem problem = problem_of(row);
+  PlaneUnion naive;
+  const double seconds = seconds_per_call(
+      [&] {
+        const auto found = resistible_pieces(problem, WrenchPlane::forces());
+        std::vector<PlaneCell> cells;
+        for (const ResistiblePiece& piece : std::get<std::vector<ResistiblePiece>>(found)) {
+          cells.push_back(piece.cell);
+        }
+        naive = unite(cells);
+      },
+      1, 0);
+  const bool same =
+      naive == std::get<PlaneUnion>(resistible_region(problem, WrenchPlane::forces()));
+  std::ostringstream text;
+  text.precision(3);
+  text << seconds << (same ? "" : " DIFFERENT");
+  return text.str();
+}
+
+int run(std::size_t largest, std::size_t largest_twin, double limit, const std::string& only) {
+  std::puts(
+      "| family | preload | m | all pieces, s | region, s | nodes | modes | pieces | borders | "
+      "exact images | exact turns | exact pieces | vertices |");
+  std::puts("|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|");
+  bool all_same = true;
+  for (const Layout layout : {Layout::kRound, Layout::kVaried, Layout::kArc, Layout::kGrid}) {
+    if (!only.empty() && only != name_of(layout)) continue;
+    for (const bool preloaded : {true, false}) {
+      for (const std::size_t m : {8, 16, 32, 64, 100}) {
+        if (m > largest) break;
+        const Row row{layout, m, preloaded};
+        std::string twin = "-";
+        if (m <= largest_twin) {
+          twin = run_limited(limit, [&] { return twin_columns(row); }).value_or("not in time");
+        }
+        all_same = all_same && twin.find("DIFFERENT") == std::string::npos;
+        const std::string region = run_limited(limit, [&] {
+                                     return region_columns(row);
+                                   }).value_or("not in time | | | | | | | |");
+        std::printf("| %s | %s | %zu | %s | %s |\n", name_of(layout), preloaded ? "yes" : "no",
+                    m, twin.c_str(), region.c_str());
+        std::fflush(stdout);
+      }
+    }
+  }
+  return all_same ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace stickslip::bench
+
+int main(int argc, char** argv) {
+  CLI::App app("Resistible regions of generated grasps: time and work.");
+  std::size_t largest = 100;
+  std::size_t largest_twin = 16;
+  double limit = 600;
+  std::string only;
+  app.add_option("LARGEST_M", largest, "Contacts: 8, 16, 32, 64, 100, up to this")
+      ->capture_default_str();
+  app.add_option("--twin", largest_twin, "All pieces too, up to so many contacts")
+      ->capture_default_str();
+  app.add_option("--limit", limit, "Seconds for one measurement")->capture_default_str();
+  app.add_option("--family", only, "This family alone");
+  CLI11_PARSE(app, argc, argv);
+  return stickslip::bench::run(largest, largest_twin, limit, only);
+}

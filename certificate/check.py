@@ -117,7 +117,7 @@ GRASP = FileKind(("stickslip-grasp/1", "stickslip-grasp/2"), True, 1 << 28, 32, 
                  16_384, 1 << 16, ("contacts",), re.compile(
                      r"([+-]?[0-9]+)(?:/([0-9]+)|(?:\.([0-9]+))?(?:[eE]([+-]?[0-9]+))?)"))
 CERTIFICATE = FileKind(("stickslip-certificate/2",), False, 1 << 30, 8, 65_536, 4_000, 65_536,
-                       1 << 22, ("segments", "tree", "parts", "intervals"),
+                       1 << 22, ("segments", "tree", "parts", "intervals", "pieces"),
                        re.compile(r"(-?[0-9]+)(?:/([0-9]+))?()()"))
 MAX_EXPONENT = 4096
 BEYOND_NUMERALS = 2 ** 16384 - 2 ** 16319  # what rounds to 2^16384 with a mantissa of 64 bits
@@ -377,9 +377,14 @@ class Options(NamedTuple):
     preload_direction: Union[None, str, Vector] = None  # "scale", or a number for each contact
     case: Optional[str] = None  # whose wrench is asked about, if none is given
     uncertain: Optional[Dict[str, Tolerance]] = None  # by kind
+    plane: Optional[Tuple[Vector, Vector]] = None     # §12: u and v
 
     def margin(self) -> bool:
         return self.direction is not None or self.preload_direction is not None
+
+    def family(self) -> str:
+        """What is about one grasp and many loads or preloads, if that is asked."""
+        return "a margin" if self.margin() else "a region" if self.plane else ""
 
 
 class Row(NamedTuple):
@@ -401,7 +406,7 @@ class Question(NamedTuple):
     asked: Options
     wrench: Wrench            # w, before it is widened
     widened: Wrench           # w
-    growth: Vector            # u
+    growths: Tuple[Vector, ...]  # u; §12: u and v
     contacts: List[Contact]   # with what was replaced and widened
     preload_growth: Vector    # Pᵘ
     rows: List[Row]
@@ -696,7 +701,7 @@ def wrench_asked(grasp: Grasp, asked: Options) -> Wrench:
         if asked.case not in grasp.cases:
             raise Malformed("the question", "case", f"the grasp has no case '{show(asked.case)}'")
         return grasp.cases[asked.case]
-    if asked.direction is not None:
+    if asked.direction is not None or asked.plane:
         return exact_wrench(zeros(grasp.dimension))
     if grasp.cases:
         raise Malformed("the question", "case", f"the grasp has {len(grasp.cases)} cases, and none "
@@ -714,10 +719,23 @@ def check_dimension(asked: Options, dimension: int) -> None:
         raise Malformed("the question", "uncertain", "normals in space are certain")
 
 
+def check_plane(asked: Options, dimension: int) -> None:
+    """§12: which plane cannot be asked about."""
+    if asked.plane is None:
+        return
+    u, v = asked.plane
+    problem = ("the grasp is in space" if dimension == SPACE else
+               "a direction is given as well" if asked.margin() else
+               "its directions are multiples of one another"
+               if all(u[j] * v[k] == u[k] * v[j] for j in range(PLANE) for k in range(j)) else "")
+    if problem:
+        raise Malformed("the question", "plane", problem)
+
+
 def check_tolerances(asked: Options) -> None:
     """§6: what cannot be asked, whatever the grasp."""
     for kind, tolerance in (asked.uncertain or {}).items():
-        problem = ("a margin is about one grasp" if asked.margin() else
+        problem = (f"{asked.family()} is about one grasp" if asked.family() else
                    "must be >= 0" if tolerance.size < 0 else
                    "must be a slope, such as 0.01" if kind == "normal" and tolerance.percent else "")
         if problem:
@@ -738,7 +756,7 @@ def widened(contact: Contact, asked: Options) -> Contact:
     return contact
 
 
-def check_contact(grasp_file: str, place: str, contact: Contact, grows: bool, margin: bool) -> bool:
+def check_contact(grasp_file: str, place: str, contact: Contact, grows: bool, family: str) -> bool:
     """§6: what cannot be asked of a contact; and whether it makes the question a box."""
     numbers = {"friction": contact.friction, "stiffness": contact.stiffness,
                "preload": contact.preload, "normal": Bounds(-contact.slope, contact.slope),
@@ -750,14 +768,14 @@ def check_contact(grasp_file: str, place: str, contact: Contact, grows: bool, ma
         if low < 0 or (name == "stiffness" and low == 0):
             raise Malformed(grasp_file, place + name, f"it may be {show(low)}, must be "
                                                       + ("> 0" if name == "stiffness" else ">= 0"))
-    if margin:
+    if family:
         for name, number in numbers.items():
             if not number.certain:
-                raise Malformed(grasp_file, place + name, f"found {show(number)}, but a margin is "
+                raise Malformed(grasp_file, place + name, f"found {show(number)}, but {family} is "
                                                           "about one grasp; give a number")
     irrational = (contact.preload.high or grows) and not rational_root(dot(contact.normal,
                                                                            contact.normal))
-    if irrational and margin and len(contact.normal) == 2:
+    if irrational and family and len(contact.normal) == 2:
         raise Malformed(grasp_file, place + "normal",
                         "the contact has a preload and a normal of irrational length, so there "
                         "is no exact question; run stickslip snap GRASP -o FILE, and ask about FILE")
@@ -771,6 +789,7 @@ def pose(grasp_file: str, asked: Options) -> Question:
     if asked.preload is not None and asked.preload < 0:
         raise Malformed("the question", "preload", f"found {show(asked.preload)}, must be >= 0")
     check_dimension(asked, grasp.dimension)
+    check_plane(asked, grasp.dimension)
     check_tolerances(asked)
     contacts = [widened(contact, asked) for contact in grasp.contacts]
     growth = zeros(m)
@@ -783,11 +802,11 @@ def pose(grasp_file: str, asked: Options) -> Question:
     tolerance = (asked.uncertain or {}).get("wrench")
     loads = tuple(map(tolerance.widen, wrench)) if tolerance else wrench
     is_box = not all(load.certain for load in loads)
-    if is_box and asked.margin():
-        raise Malformed(grasp_file, "wrench", f"found {show(loads)}, but a margin is about one "
-                                              "grasp; give numbers")
+    if is_box and asked.family():
+        raise Malformed(grasp_file, "wrench", f"found {show(loads)}, but {asked.family()} is about "
+                                              "one grasp; give numbers")
     for i, (contact, grown) in enumerate(zip(contacts, growth)):
-        is_box |= check_contact(grasp_file, f"contacts[{i}].", contact, bool(grown), asked.margin())
+        is_box |= check_contact(grasp_file, f"contacts[{i}].", contact, bool(grown), asked.family())
     if asked.preload_direction == "scale":
         growth = tuple(contact.preload.low for contact in contacts)
         contacts = [contact._replace(preload=exactly(Fraction(0))) for contact in contacts]
@@ -795,7 +814,7 @@ def pose(grasp_file: str, asked: Options) -> Question:
     if asked.margin() and not any(u) and not any(growth):
         raise Malformed("the question", "direction", "neither the wrench nor a preload changes")
     rows = [] if is_box else list(map(make_row, contacts, growth))
-    return Question(asked, wrench, loads, u, contacts, growth, rows, is_box)
+    return Question(asked, wrench, loads, asked.plane or (u,), contacts, growth, rows, is_box)
 
 
 # ---- §2 Syntax --------------------------------------------------------------------------------
@@ -810,7 +829,7 @@ class Claim(NamedTuple):
 
 class Node(NamedTuple):
     """§4: slip and separation have a contact, plane has numbers a, leaf has numbers y; §6: part has
-    a name, an index (`contact`) and a number."""
+    a name, an index (`contact`) and a number; §12: held has a piece (`contact`)."""
     kind: str
     contact: int = -1
     numbers: Vector = ()
@@ -818,20 +837,25 @@ class Node(NamedTuple):
 
 
 class DegreeProof(NamedTuple):
-    """§6, a PART that is not cut."""
-    twist: Vector            # d⁰
+    """§6, a PART that is not cut; or a segment by degree (§5)."""
+    twist: Vector            # d⁰, or d'
     walls: List[Vector]      # E
     direction: List[Vector]  # A
     tree: List[Node]
+    end_twist: Vector        # d⁰, or d"
+    to: Optional[Fraction] = None  # β of a segment
 
 
 class Witness(NamedTuple):
-    """§3: a point (d, 1, λ), or (d, 0, 1) for a ray, and the shares of friction."""
+    """§3: a point (d, 1, λ), or (d, 0, 1) for a ray, and the shares of friction; §12: (d, h, s, t)."""
     x: Vector
     shares: List[Tuple[int, Vector]]  # of one number, in space of three
 
 
 Interval = Tuple[Fraction, Optional[Fraction]]  # None for ∞
+
+
+Segment = Union[Tuple[Witness, Witness], DegreeProof]
 
 
 class RangeProof(NamedTuple):
@@ -845,23 +869,24 @@ class RangeProof(NamedTuple):
 
 class Certificate(NamedTuple):
     question: Claim
-    verdict: str                # "stable", "unstable" or "margin"
+    verdict: str                # "stable", "unstable", "margin" or "region"
     witness: Optional[Witness] = None  # of "stable"
-    tree: List[Node] = []       # of "unstable" and "margin"
+    tree: List[Node] = []       # of "unstable", "margin" and "region"
     resisted: List[Interval] = []      # of "margin", as is the next
-    segments: List[Tuple[Witness, Witness]] = []
+    segments: List[Segment] = []
     bits: int = 128
     parts: Optional[List[Union[Node, DegreeProof]]] = None  # of "stable", if there is no witness
     claims: Optional[List[RangeProof]] = None  # of "margin" in space, and then nothing else
+    pieces: Optional[List[List[Witness]]] = None  # of "region"
 
     def by_degree(self) -> List[DegreeProof]:
         """All parts that are not cut."""
-        parts = [*(self.parts or []), *(claim.part for claim in self.claims or [])]
+        parts = [*(self.parts or []), *(claim.part for claim in self.claims or []), *self.segments]
         return [part for part in parts if isinstance(part, DegreeProof)]
 
     def trees(self) -> List[Node]:
         """All nodes."""
-        nodes = self.tree + [node for part in self.by_degree() for node in part.tree]
+        nodes = [node for part in self.by_degree() for node in part.tree] + self.tree
         return nodes + [node for claim in self.claims or [] for node in claim.tree]
 
 
@@ -872,7 +897,7 @@ def read_certificate(name: str, dimension: int) -> Certificate:
     claimed = dict(source.root.pairs) if type(source.root) is Members else {}
     if "format" in claimed:
         source.check_format(claimed["format"])
-    evidence = {"stable": "parts" if "parts" in claimed else "twist shares",
+    evidence = {"region": "pieces tree", "stable": "parts" if "parts" in claimed else "twist shares",
                 "margin": "resisted segments tree" if dimension == PLANE else "intervals"}.get(
                     claimed["verdict"] if type(claimed.get("verdict")) is str else "", "tree")
     top = source.members(source.root, "", "format producer? question bits? verdict " + evidence,
@@ -880,14 +905,15 @@ def read_certificate(name: str, dimension: int) -> Certificate:
     if type(top.get("producer", "")) is not str:
         source.fail("producer", "must be a string")
     claim = read_claim(source, top["question"])
-    margin = claim.asked.margin()
+    margin, plane = claim.asked.margin(), claim.asked.plane is not None
     bits = source.index(top["bits"], "bits") if "bits" in top else 128
-    if margin and dimension == PLANE and "bits" in top:
-        source.fail("bits", "not where the question has a direction")
+    if (margin and dimension == PLANE or plane) and "bits" in top:
+        source.fail("bits", "not where the question has a direction or a plane")
     if not 64 <= bits <= 4096:
         source.fail("bits", "must be from 64 to 4096")
     verdict = source.choice(top["verdict"], "verdict",
-                            ("margin",) if margin else ("stable", "unstable"))
+                            ("region",) if plane else ("margin",) if margin else
+                            ("stable", "unstable"))
     if "parts" in top:
         parts = [read_part(source, part, f"parts[{k}]")
                  for k, part in enumerate(source.array(top["parts"], "parts"))]
@@ -898,28 +924,41 @@ def read_certificate(name: str, dimension: int) -> Certificate:
         return Certificate(claim, verdict, bits=bits, claims=claims)
     if verdict == "stable":
         return Certificate(claim, verdict, read_witness(source, top, "", Fraction(0)), bits=bits)
+    if verdict == "region":
+        pieces = [[read_load_point(source, point, f"pieces[{k}][{p}]")
+                   for p, point in enumerate(source.array(piece, f"pieces[{k}]"))]
+                  for k, piece in enumerate(source.array(top["pieces"], "pieces"))]
+        return Certificate(claim, verdict, pieces=pieces,
+                           tree=read_tree(source, top["tree"], "tree", 2))
     tree = read_tree(source, top["tree"], "tree", margin)
     if verdict == "unstable":
         return Certificate(claim, verdict, None, tree, bits=bits)
-    resisted, segments = [], []
+    resisted: List[Interval] = []
+    segments: List[Segment] = []
     for k, entry in enumerate(source.array(top["resisted"], "resisted")):
         low, high = source.array(entry, f"resisted[{k}]", 2)
         resisted.append((source.number(low, f"resisted[{k}]"),
                          None if high is None else source.number(high, f"resisted[{k}]")))
+    end: Optional[Witness] = None  # of the segment before, if that has points
     for k, entry in enumerate(source.array(top["segments"], "segments")):
         place = f"segments[{k}]"
-        if len(source.array(entry, place)) == 1 and segments and segments[-1][1].x[dimension]:
-            begin = segments[-1][1]
+        if type(entry) is Members:
+            segments.append(read_segment(source, entry, place))
+            end = None
+            continue
+        if len(source.array(entry, place)) == 1 and end and end.x[dimension]:
+            begin = end
         else:
             begin = read_point(source, source.array(entry, place, 2)[0], place, False)
-        segments.append((begin, read_point(source, entry[-1], place, True)))
+        end = read_point(source, entry[-1], place, True)
+        segments.append((begin, end))
     return Certificate(claim, verdict, None, tree, resisted, segments)
 
 
 def read_claim(source: Source, value: Any) -> Claim:
     fields = source.members(
         value, "question", "contacts wrench preload? normal_law direction? preload_direction? "
-                           "uncertain?", True)
+                           + "plane? " * (source.dimension == PLANE) + "uncertain?", True)
     preload = direction = growth = None
     if "preload" in fields:
         preload = source.number(fields["preload"], "question.preload")
@@ -932,12 +971,17 @@ def read_claim(source: Source, value: Any) -> Claim:
     uncertain = None
     if "uncertain" in fields:
         uncertain = read_tolerances(source, fields["uncertain"], "question.uncertain")
+    plane = None
+    if "plane" in fields:
+        u, v = source.array(fields["plane"], "question.plane", 2)
+        plane = (source.vector(u, "question.plane[0]", PLANE),
+                 source.vector(v, "question.plane[1]", PLANE))
     wrench = [read_load_entry(source, entry, "question.wrench")
               for entry in source.array(fields["wrench"], "question.wrench", source.dimension)]
     return Claim(source.index(fields["contacts"], "question.contacts"), tuple(wrench),
                  Options(None, preload,
                          source.choice(fields["normal_law"], "question.normal_law", LAWS),
-                         direction, growth, None, uncertain))
+                         direction, growth, None, uncertain, plane))
 
 
 def read_load_entry(source: Source, value: Any, place: str) -> Bounds:
@@ -984,13 +1028,23 @@ def read_point(source: Source, value: Any, place: str, may_be_ray: bool) -> Witn
     return Witness(source.vector(twist, place, source.dimension) + ends, read_shares(source, shares, place))
 
 
+def read_load_point(source: Source, value: Any, place: str) -> Witness:
+    """§12, POINT."""
+    word, s, t, twist, shares = source.array(value, place, 5)
+    h = Fraction(source.choice(word, place, ("at", "towards")) == "at")
+    return Witness(source.vector(twist, place, PLANE)
+                   + (h, source.number(s, place), source.number(t, place)),
+                   read_shares(source, shares, place))
+
+
 GEOMETRY = {PLANE: ("x", "y", "turn"), SPACE: ("x", "y", "z")}
 PARAMETERS = {dimension: names + ("friction", "preload", "stiffness")  # of a contact
               for dimension, names in GEOMETRY.items()}
 
 
-def read_tree(source: Source, value: Any, place: str, margin: bool) -> List[Node]:
-    return [read_node(source, node, f"{place}[{k}]", margin)
+def read_tree(source: Source, value: Any, place: str, more: int) -> List[Node]:
+    """With `more` coordinates of points behind h."""
+    return [read_node(source, node, f"{place}[{k}]", more)
             for k, node in enumerate(source.array(value, place))]
 
 
@@ -1026,30 +1080,46 @@ def read_range(source: Source, value: Any, place: str) -> RangeProof:
 def read_proof(source: Source, value: Any, place: str, margin: bool) -> DegreeProof:
     """A PART that is not cut."""
     fields = source.members(value, place, "twist walls direction tree", True)
+    twist = source.vector(fields["twist"], f"{place}.twist", source.dimension)
+    return DegreeProof(twist, *read_shape(source, fields, place, margin), twist)
+
+
+def read_segment(source: Source, value: Any, place: str) -> DegreeProof:
+    """BY_DEGREE."""
+    fields = source.members(value, place, "to twists walls direction tree", True)
+    to = None if fields["to"] is None else source.number(fields["to"], f"{place}.to")
+    twist, end_twist = (source.vector(d, f"{place}.twists", source.dimension)
+                        for d in source.array(fields["twists"], f"{place}.twists", 2))
+    return DegreeProof(twist, *read_shape(source, fields, place, True), end_twist, to)
+
+
+def read_shape(source: Source, fields: Dict[str, Any], place: str,
+               margin: bool) -> Tuple[List[Vector], List[Vector], List[Node]]:
+    """E, A and the trees."""
     walls, direction = ([source.vector(row, f"{place}.{key}", source.dimension)
                          for row in source.array(fields[key], f"{place}.{key}", source.dimension)]
                         for key in ("walls", "direction"))
-    twist = source.vector(fields["twist"], f"{place}.twist", source.dimension)
-    return DegreeProof(twist, walls, direction,
-                       read_tree(source, fields["tree"], f"{place}.tree", margin))
+    return walls, direction, read_tree(source, fields["tree"], f"{place}.tree", margin)
 
 
-def read_node(source: Source, value: Any, place: str, margin: bool) -> Node:
-    """§4, the table of nodes, and §6."""
+def read_node(source: Source, value: Any, place: str, more: int) -> Node:
+    """§4, the table of nodes, §6 and §12."""
     kind, *rest = source.array(value, place) or [None]
     dimension = source.dimension
-    if kind == "part" and not margin:
+    if kind == "part" and not more:
         name, i, cut = source.array(rest, place, 3)
         return Node(kind, source.index(i, place), (source.number(cut, place),),
                     source.choice(name, place, PARAMETERS[dimension] + ("wrench",)))
     if kind in ("slip", "separation") and len(rest) == 1:
         return Node(kind, source.index(rest[0], place))
-    if kind == "plane" and len(rest) == dimension + 1 + margin:
-        return Node(kind, numbers=source.vector(rest, place) + (Fraction(0),) * (not margin))
+    if kind == "held" and more == 2 and len(rest) == 1:
+        return Node(kind, source.index(rest[0], place))
+    if kind == "plane" and len(rest) == dimension + 1 + more:
+        return Node(kind, numbers=source.vector(rest, place) + (Fraction(0),) * (not more))
     if kind == "leaf" and len(rest) == dimension:
         return Node(kind, numbers=source.vector(rest, place))
     source.fail(place, "must be [\"slip\", i], [\"separation\", i], [\"plane\", a1, ...] with "
-                       f"{dimension + 1 + margin} numbers or [\"leaf\", y1, ...] with {dimension}")
+                       f"{dimension + 1 + more} numbers or [\"leaf\", y1, ...] with {dimension}")
 
 
 # ---- §3 The question agrees, and the stable verdict -------------------------------------------
@@ -1065,6 +1135,7 @@ def check_question(question: Question, claim: Claim) -> None:
                                 ("direction", said.direction, asked.direction),
                                 ("preload-direction", said.preload_direction,
                                  asked.preload_direction),
+                                ("plane", said.plane, asked.plane),
                                 ("uncertain", said.uncertain, asked.uncertain)):
         if found != wanted:
             raise Rejected(f"question-{rule}", f"the certificate says {show(found)}, asked was "
@@ -1111,8 +1182,9 @@ def check_witness(question: Question, witness: Witness) -> List[ContactForce]:
                 raise Rejected("witness-root", f"contact {i} slips by {show(force.slip)}, and the "
                                                "ratio of its normal's length to that is irrational")
             forces[i] = force._replace(b=times(-row.friction * force.a * ratio, force.slip))
-    *_, h, load = witness.x
-    total = pairwise_sum([tuple(h * w + load * u for w, u in zip(question.w(), question.growth))]
+    loads = witness.x[len(question.wrench):]  # h and what follows
+    total = pairwise_sum([tuple(dot(loads, column)
+                                for column in zip(question.w(), *question.growths))]
                          + [tuple(force.a * n + dot(force.b, rows)
                                   for n, *rows in zip(row.N, *row.slip))
                             for row, force in zip(question.rows, forces) if force.a])
@@ -1253,7 +1325,8 @@ class Terms:
 
     def work(self, region: Region, points: Sequence[Integers], y: Vector,
              mixed: bool) -> Union[Fraction, List[Fraction]]:
-        """α_i of a contact without uncertainty; of others the bounds b_i, one for each point."""
+        """α_i of a contact without uncertainty but of its preload in the plane; of others the
+        bounds b_i, one for each point."""
         raise NotImplementedError
 
 
@@ -1272,7 +1345,11 @@ class PlanarTerms(Terms):
         self.edges = {s: [tuple(int(z * edge_factor) for z in edge) for edge in edges]
                       for s, edges in ends.items()}
         self.edge_factor = edge_factor
-        if self.certain:
+        # Where P' alone is uncertain, §6 says no more than §4 of the P' that makes the bound large.
+        self.by_preload = (len(self.corners) == 1 and x["friction"].certain
+                           and stiffness.certain)
+        if self.by_preload:
+            self.all_v.sort(key=lambda v: v[PLANE:])
             return
         self.normals, normal_factor = [], integers([z for n in normals for z in n])[1]
         self.normals = [tuple(int(z * normal_factor) for z in n) for n in normals]
@@ -1301,7 +1378,7 @@ class PlanarTerms(Terms):
              mixed: bool) -> Union[Fraction, List[Fraction]]:
         sign_ = self.sign(region, points)
         scaled, factor = integers(y)
-        if not self.certain:
+        if not self.by_preload:
             return [b / factor for b in self.bound(scaled, sign_, mixed, points)]
         ends = {1: (-1,), -1: (1,), 0: (-1, 1)}[sign_]
         alpha = max(dot(scaled, self.edges[s * self.friction.low][0]) for s in ends)
@@ -1447,12 +1524,13 @@ def terms_of(c: Parameters) -> Terms:
 class Box:
     """§6: intervals of all parameters; and §1, of one grasp. A part of a box shares its Terms."""
 
-    def __init__(self, contacts: List[Parameters], wrench: Wrench, growth: Vector,
+    def __init__(self, contacts: List[Parameters], wrench: Wrench, growths: Tuple[Vector, ...],
                  terms: Optional[List[Terms]] = None) -> None:
-        self.contacts, self.wrench, self.growth = contacts, wrench, growth
+        self.contacts, self.wrench, self.growths = contacts, wrench, growths
         self.terms = list(map(terms_of, contacts)) if terms is None else terms
         self.most_depth = 2 * len(contacts) + MORE_DEPTH
         self.dimension = len(wrench)
+        self.coordinates = self.dimension + 1 + len(growths)  # of points
 
     @property
     def certain(self) -> bool:
@@ -1474,18 +1552,18 @@ class Box:
     def with_bounds(self, name: str, i: int, bounds: Bounds) -> Box:
         if name == "wrench":
             wrench = self.wrench[:i] + (bounds,) + self.wrench[i + 1:]
-            return Box(self.contacts, wrench, self.growth, self.terms)
+            return Box(self.contacts, wrench, self.growths, self.terms)
         contacts, terms = list(self.contacts), list(self.terms)
         contacts[i] = contacts[i]._replace(bounds={**contacts[i].bounds, name: bounds})
         terms[i] = terms_of(contacts[i])
-        return Box(contacts, self.wrench, self.growth, terms)
+        return Box(contacts, self.wrench, self.growths, terms)
 
     def middle(self) -> Box:
         """q⁰."""
         return Box([Parameters(contact.normal, {name: number.middle for name, number
                                                 in contact.bounds.items()}, contact.growth.middle)
                     for contact in self.contacts],
-                   tuple(load.middle for load in self.wrench), self.growth)
+                   tuple(load.middle for load in self.wrench), self.growths)
 
 
 def enlarged(question: Question, bits: int) -> Box:
@@ -1506,7 +1584,7 @@ def enlarged(question: Question, bits: int) -> Box:
                          contact.stiffness.high / square))
         names = PARAMETERS[len(question.wrench)]
         contacts.append(Parameters(contact.normal, dict(zip(names, bounds)), growth))
-    return Box(contacts, question.widened, question.growth)
+    return Box(contacts, question.widened, question.growths)
 
 
 def short_above(x: Fraction) -> Fraction:
@@ -1528,6 +1606,7 @@ class Root(NamedTuple):
     bilateral: bool = False       # cut also by v_i ≥ 0, where that is certain
     path: str = ""                # that leads here
     direction: Sequence[Vector] = ()  # of list 2 (§6): A(d − h d⁰), by rows
+    pieces: Sequence[Cone] = ()   # §12: the dual cones of the load parts of each
 
 
 class Region:
@@ -1548,6 +1627,7 @@ class Region:
         self.slips = slips        # the contacts whose slips are strict
         if parent:
             self.box, self.direction = box or parent.box, parent.direction
+            self.pieces = parent.pieces
             self.slips += parent.slips
 
     def open(self) -> None:
@@ -1585,15 +1665,14 @@ class Region:
         return ", ".join([region.step] * bool(region.step) + steps[::-1]) or "root"
 
 
-def all_points(dimension: int) -> Cone:
-    n = dimension + 2
+def all_points(n: int) -> Cone:
     return Cone([tuple(int(j == k) for k in range(n)) for j in range(n)], [], 0)
 
 
 def begin(root: Root) -> Region:
     region = Region(None, root.path)
-    region.box, region.direction = root.box, root.direction
-    region.cone = all_points(root.box.dimension)
+    region.box, region.direction, region.pieces = root.box, root.direction, root.pieces
+    region.cone = all_points(root.box.coordinates)
     conditions = list(root.conditions)
     if root.bilateral:
         conditions += [(term.v[0], False, False) for term in root.box.terms if len(term.v) == 1]
@@ -1651,7 +1730,8 @@ def leaf_refusal(region: Region, y: Vector,
     points = [x for x, _ in rays]
     work = sum(max(c * end for end in load) for c, load in zip(y, box.wrench))
     # Terms of g, `bends`: factor·max(0, v_i(x)), and the bounds of contacts that are uncertain.
-    linear = [zeros(box.dimension) + (Fraction(work), Fraction(dot(y, box.growth)))]
+    linear = [zeros(box.dimension) + (Fraction(work),)
+              + tuple(Fraction(dot(y, growth)) for growth in box.growths)]
     bends, bounds = [], []
     for term in box.terms:
         lows, highs = extremes(term.v, points)
@@ -1662,10 +1742,10 @@ def leaf_refusal(region: Region, y: Vector,
         if isinstance(found, list):
             bounds.append(list(map(shorten, found)))
             continue
-        v = term.all_v[0]
+        v = term.all_v[-1 if found > 0 else 0]
         weight = shorten(found / term.v_factor)
         if v_side > 0:
-            linear.append(tuple(weight * c for c in v))
+            linear.append(tuple(weight * c for c in v) + zeros(box.coordinates - len(v)))
         elif weight > 0:
             bends.append((weight, [dot(v, x) for x in points]))
     form, scale = integers(pairwise_sum(linear))
@@ -1691,7 +1771,7 @@ def check_leaf(region: Region, y: Vector) -> None:
         raise Rejected("leaf-bound", found or "")
     if not region.direction or region.bars(region.generators()):
         return
-    pull = [sum(c * row[k] for c, row in zip(y, region.direction)) for k in range(len(y) + 1)]
+    pull = [sum(c * row[k] for c, row in zip(y, region.direction)) for k in range(len(y) + 2)]
     for x, _ in region.cone.generators:
         if dot(pull, x) < 0:
             raise Rejected("leaf-direction", f"y.A(d - h d0) = {show(dot(pull, x))} at {show(x)}")
@@ -1727,10 +1807,24 @@ def children(region: Region, node: Node) -> List[Region]:
             Region(region, f"slip {i} -", below, strict=True)]
 
 
+def check_held(region: Region, piece: int) -> None:
+    """§12: `held-piece`, `held-inside`."""
+    if piece >= len(region.pieces):
+        raise Rejected("held-piece", f"piece {show(piece)}, of {len(region.pieces)}")
+    dual = region.pieces[piece]
+    for x, _ in region.generators():
+        load = x[PLANE:]
+        if any(dot(a, load) for a in dual.lines) or any(dot(a, load) < 0 for a, _ in dual.rays):
+            raise Rejected("held-inside", f"{show(x)} has its load outside of piece {piece}")
+
+
 def check_node(region: Region, node: Node) -> List[Region]:
     """The rules of one node, whose children are returned."""
     if region.depth > region.box.most_depth:
         raise Rejected("node-depth", f"{region.depth} nodes stand above this one")
+    if node.kind == "held":
+        check_held(region, node.contact)
+        return []
     if node.kind != "leaf":
         return children(region, node)
     check_leaf(region, node.numbers)
@@ -1782,33 +1876,43 @@ def multiple(point: Witness) -> Optional[Fraction]:
     return point.x[PLANE + 1] if point.x[PLANE] else None
 
 
-def check_segments(segments: Sequence[Tuple[Witness, Witness]], resisted: Sequence[Interval],
+def check_segments(segments: Sequence[Segment], resisted: Sequence[Interval],
                    question: Question) -> None:
-    """Each goes from where it must, in one mode, until all intervals are covered."""
+    """Each goes from where it must until all intervals are covered."""
     at = 0                            # the interval at hand
     done: Optional[Fraction] = None   # how far it is covered, if at all
     last: Optional[Witness] = None    # the last point, where a segment often begins
     forces: List[ContactForce] = []   # and its forces
-    for k, (first, second) in enumerate(segments):
+    box = enlarged(question, 128)
+    for k, segment in enumerate(segments):
         place = f"segment {k}"
         if at == len(resisted):
             raise Rejected("segment-chain", "the intervals are covered already", place)
         low, high = resisted[at]
-        begin, end = low if done is None else done, multiple(second)
-        if multiple(first) != begin:
-            raise Rejected("segment-chain", f"begins at {show(multiple(first))}, must begin at "
+        begin = low if done is None else done
+        by_degree = isinstance(segment, DegreeProof)
+        end = segment.to if isinstance(segment, DegreeProof) else multiple(segment[1])
+        if not isinstance(segment, DegreeProof) and multiple(segment[0]) != begin:
+            raise Rejected("segment-chain", f"begins at {show(multiple(segment[0]))}, must begin at "
                                             f"{show(begin)}", place)
         if high is not None and (end is None or end > high):
             raise Rejected("segment-chain", f"goes to {show(end)}, beyond {show(high)}", place)
-        if end is not None and end < begin:
-            raise Rejected("segment-chain", f"goes down, to {show(end)}", place)
-        for point, name in ((first, "first"), (second, "second")):
-            if point == last:
-                continue
-            before, forces = forces, check_point(question, point, f"{place}, {name} point")
-            if name == "second":
-                check_mode(question, before, forces, place)
-            last = point
+        if end is not None and (end < begin or (by_degree and end == begin)):
+            raise Rejected("segment-chain", f"goes from {show(begin)} to {show(end)}", place)
+        if isinstance(segment, DegreeProof):
+            if end is None and begin == 0 and not at_rest(question):
+                raise Rejected("segment-chain", "from 0 to infinity, but the wrench or a preload is "
+                                                "not 0", place)
+            start = Fraction(1) if end is None and begin == 0 else begin
+            check_degree(segment, box, question.asked.law == "bilateral", place, start, end)
+        else:
+            for point, name in zip(segment, ("first", "second")):
+                if point == last:
+                    continue
+                before, forces = forces, check_point(question, point, f"{place}, {name} point")
+                if name == "second":
+                    check_mode(question, before, forces, place)
+                last = point
         at, done = (at + 1, None) if end == high else (at, end)
     if at < len(resisted):
         raise Rejected("segment-chain", "missing: the intervals are not covered yet",
@@ -1877,47 +1981,73 @@ def determinant(m: Sequence[Vector]) -> Fraction:
     return found  # up to its sign
 
 
-def about(twist: Vector, row: Vector, more: int = 0) -> Vector:
-    """row·(d − h d⁰) + more·h as a function of points."""
-    return row + (more - dot(row, twist), Fraction(0))
+def shares_of(low: Fraction, high: Optional[Fraction]) -> Tuple[Vector, Vector]:
+    """s and t of §5 as functions of (h, ℓ): those with (h, ℓ) = s·(h, ℓ of x') + t·(h, ℓ of x"), by
+    Cramer's rule. If low == high, as of one verdict, x' and x" are one point: s = h, t = 0."""
+    (a, b), (c, d) = (1, low), (0, low) if high is None else (1, high)
+    det = a * d - b * c
+    if det == 0:
+        return (Fraction(1), Fraction(0)), (Fraction(0), Fraction(0))
+    return (Fraction(d) / det, Fraction(-c) / det), (Fraction(-b) / det, Fraction(a) / det)
 
 
-def cone_over(part: DegreeProof, loads: Range, wall: Optional[int] = None,
-              sign_: int = 0) -> List[Condition]:
-    """The cone over K and a range, or over a wall of K."""
-    conditions = within(loads, len(part.twist))
-    for k, row in enumerate(part.walls):
-        if k == wall:
-            conditions.append((about(part.twist, row, -sign_), True, False))
-        else:
-            conditions += [(about(part.twist, row, 1), False, False),
-                           (about(part.twist, times(Fraction(-1), row), 1), False, False)]
-    return conditions
+class Cell:
+    """K: its functions of points."""
+
+    def __init__(self, part: DegreeProof, low: Fraction, high: Optional[Fraction]) -> None:
+        self.part = part
+        self.zero = zeros(len(part.twist))
+        self.s, self.t = (self.zero + share for share in shares_of(low, high))
+        self.size = plus(self.s, Fraction(1), self.t)  # s + t
+        self.multiples = within(Range(low, high, True, True), len(part.twist))
+        if high is None:
+            self.multiples = [(self.s, False, False), (self.t, False, False),
+                              (self.size, False, True)]
+
+    def about(self, row: Vector, more: int = 0) -> Vector:
+        """row·e + more·(s + t)."""
+        found = row + (Fraction(0), Fraction(0))
+        for d, share in ((self.part.twist, self.s), (self.part.end_twist, self.t)):
+            found = plus(found, -dot(row, d), share)
+        return plus(found, Fraction(more), self.size)
+
+    def cone(self, multiples: List[Condition], wall: Optional[int] = None,
+             sign_: int = 0) -> List[Condition]:
+        """Over K, or over a wall of K."""
+        conditions = list(multiples)
+        for k, row in enumerate(self.part.walls):
+            if k == wall:
+                conditions.append((self.about(row, -sign_), True, False))
+            else:
+                conditions += [(self.about(row, 1), False, False),
+                               (self.about(times(Fraction(-1), row), 1), False, False)]
+        return conditions
 
 
 def check_degree(part: DegreeProof, box: Box, bilateral: bool, place: str,
-                 low: Fraction = Fraction(0), high: Fraction = Fraction(0)) -> None:
-    """A part that is not cut, for all λ from low to high."""
-    def between(begin: Fraction, end: Fraction) -> Range:
-        return Range(begin, end, True, True)
-
+                 low: Fraction = Fraction(0), high: Optional[Fraction] = Fraction(0)) -> None:
+    """A part that is not cut, or a segment, for all λ from low to high."""
     for rule, matrix in (("walls", part.walls), ("direction", part.direction)):
         if determinant(matrix) == 0:
             raise Rejected(f"degree-{rule}", "the determinant is 0", place)
+    cell = Cell(part, low, high)
     if bilateral:
-        region = begin(Root(box, cone_over(part, between(low, high))))
+        region = begin(Root(box, cell.cone(cell.multiples)))
         for i, term in enumerate(box.terms):
             lows, _ = extremes(term.v, [x for x, _ in region.cone.generators])
             if min(lows) < 0:
                 raise Rejected("degree-law", f"v of contact {i} may be below 0", place)
-    direction = [about(part.twist, row) for row in part.direction]
+    direction = [cell.about(row) for row in part.direction]
     walls = [(j, sign_) for j in range(box.dimension) for sign_ in (1, -1)]
-    middle = (low + high) / 2
-    lists = (("wall", box, between(low, high), ()),
-             ("middle wall", box.middle(), between(middle, middle), direction))
-    check_tree(part.tree, [Root(where, cone_over(part, loads, j, sign_), False,
+    if low == high:
+        halfway = cell.multiples
+    else:
+        halfway = [*cell.multiples, (plus(cell.s, Fraction(-1), cell.t), True, False)]
+    lists = (("wall", box, cell.multiples, ()),
+             ("middle wall", box.middle(), halfway, direction))
+    check_tree(part.tree, [Root(where, cell.cone(multiples, j, sign_), False,
                                 f"{place}, {name} {j + 1} {'+' if sign_ > 0 else '-'}", pull)
-                           for name, where, loads, pull in lists[box.certain and low == high:]
+                           for name, where, multiples, pull in lists[box.certain and low == high:]
                            for j, sign_ in walls], place)
 
 
@@ -1994,6 +2124,38 @@ def resisted_ranges(claims: Sequence[RangeProof]) -> List[Interval]:
     return found
 
 
+# ---- §12 Planes of loads ----------------------------------------------------------------------
+
+
+def check_piece(question: Question, points: Sequence[Witness], place: str) -> Cone:
+    """`witness-...`, `piece-mode`. Returns the dual cone of the load parts."""
+    forces = [check_point(question, point, f"{place}, point {p}") for p, point in enumerate(points)]
+    for i, row in enumerate(question.rows):
+        here = [force[i] for force in forces]
+        signs = {sign(force.v) for force in here}
+        if {1, -1} <= signs:
+            raise Rejected("piece-mode", f"contact {i}: v has opposite signs", place)
+        if row.friction == 0 or 1 not in signs:
+            continue
+        slips = {sign(force.slip[0]) for force in here} - {0}
+        if len(slips) == 2:
+            raise Rejected("piece-mode", f"contact {i} slips both ways", place)
+        if any(force.b[0] != -s * row.friction * force.a for s in slips for force in here):
+            raise Rejected("piece-mode", f"contact {i} slips at one point, and at another its "
+                                         "friction is not the same full share", place)
+    dual = all_points(3)
+    for point in points:
+        dual = dual.cut(integers(point.x[PLANE:])[0])
+    return dual
+
+
+def root_of(question: Question, box: Box, pieces: Sequence[Sequence[Witness]]) -> Root:
+    """The pieces are checked."""
+    duals = [check_piece(question, points, f"piece {k}") for k, points in enumerate(pieces)]
+    h = zeros(PLANE) + (Fraction(1), Fraction(0), Fraction(0))
+    return Root(box, [(h, False, True)], question.asked.law == "bilateral", pieces=duals)
+
+
 # ---- §8 What a checker answers ----------------------------------------------------------------
 
 USAGE = """check.py GRASP CERTIFICATE [options]
@@ -2007,6 +2169,9 @@ one of them may be - for standard input. Give the same options as to the program
   --direction WX,WY,T      ask for the margin: all factors f >= 0 for which the grasp is stable under
                            wrench + f direction, with wrench 0 unless given by --wrench or --case;
                            in space WX,WY,WZ,TX,TY,TZ
+  --plane UX,UY,UT,VX,VY,VT
+                           ask for the region: all (s, t) for which the (planar) grasp is stable
+                           under wrench + s U + t V, with wrench 0 unless given by --wrench or --case
   --preload-direction D    ask for the margin along preloads: P0,P1,..., of which f times is added to
                            the preloads; or scale: f times the preloads
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be off,
@@ -2076,7 +2241,7 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
             continue
         name, equals, value = word.partition("=") if word.startswith("--") else (word, "", "")
         if name not in ("--wrench", "--case", "--preload", "--normal-law", "--direction",
-                        "--preload-direction", "--uncertain"):
+                        "--preload-direction", "--plane", "--uncertain"):
             raise UsageError(f"unknown option '{show(word)}'")
         if not equals:
             if not waiting:
@@ -2086,6 +2251,11 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
             options = options._replace(wrench=list_option(name, value, (PLANE, SPACE)))
         elif name == "--direction":
             options = options._replace(direction=list_option(name, value, (PLANE, SPACE)))
+        elif name == "--plane":
+            values = list_option(name, value)
+            if len(values) != 2 * PLANE:
+                raise UsageError(f"{name}: '{show(value)}' is not UX,UY,UT,VX,VY,VT, two wrenches")
+            options = options._replace(plane=(values[:PLANE], values[PLANE:]))
         elif name == "--case":
             options = options._replace(case=value)
         elif name == "--preload":
@@ -2138,6 +2308,10 @@ def accepted_text(certificate: Certificate, question: Question, leaves: int, ran
     if certificate.claims is not None:
         lines += [f"resisted    {intervals or 'none claimed'}",
                   f"refuted     {gone or 'none claimed'}", "elsewhere   nothing is claimed"]
+    elif certificate.pieces is not None:
+        count = len(certificate.pieces)
+        lines += [f"resisted    of the plane exactly the pieces: {count}" if count else
+                  "resisted    no load of the plane"]
     elif margin:
         lines += [f"resisted    {intervals or 'no multiple'}"]
     else:
@@ -2147,14 +2321,20 @@ def accepted_text(certificate: Certificate, question: Question, leaves: int, ran
               f"wrench      ({', '.join(map(str, question.wrench))})"]
     if asked.direction is not None:
         lines.append(f"direction   ({', '.join(map(str, asked.direction))})")
+    if asked.plane is not None:
+        u, v = (", ".join(map(str, growth)) for growth in asked.plane)
+        lines.append(f"plane       wrench + s ({u}) + t ({v})")
     lines += [f"preload     {preload}", f"normal law  {asked.law}"]
     if asked.uncertain:
         lines.append("uncertain   " + ", ".join(map(" ".join, tolerances(asked).items())))
     lines += ["proof       " + (
         f"intervals by degree: {proofs}, refuted: {len(ranges)}; trees of {tree}"
         if certificate.claims is not None else
+        f"segments: {len(certificate.segments)}" + f", by degree: {proofs}" * (proofs > 0)
+        + f"; trees: {len(ranges)}, of {tree}" if margin else
+        f"pieces: {len(certificate.pieces)}; a tree of {tree}"
+        if certificate.pieces is not None else
         f"by degree, parts: {proofs}; trees of {tree}" if proofs else
-        f"segments: {len(certificate.segments)}; trees: {len(ranges)}, of {tree}" if margin else
         "an equilibrium" if certificate.witness else f"a tree of {tree}")]
     return "\n".join(lines) + "\n"
 
@@ -2174,7 +2354,10 @@ def answer(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
             check_resisted(certificate.resisted)
             check_segments(certificate.segments, certificate.resisted, question)
             ranges = gaps(certificate.resisted)
-        if certificate.witness:
+        if certificate.pieces is not None:
+            box = enlarged(question, certificate.bits)
+            check_tree(certificate.tree, [root_of(question, box, certificate.pieces)])
+        elif certificate.witness:
             check_witness(question, certificate.witness)
         elif certificate.claims is not None:
             ranges = check_ranges(question, certificate.claims,
@@ -2196,7 +2379,7 @@ def answer(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
         report.update(result="malformed", path=printable(failure.place) or None,
                       found=printable(failure.problem))
         return report, printable(str(failure)) + "\n", 2
-    leaves = sum(node.kind == "leaf" for node in certificate.trees())
+    leaves = sum(node.kind in ("leaf", "held") for node in certificate.trees())
     resisted = certificate.resisted + resisted_ranges(certificate.claims or [])
     asked, growth = question.asked, question.asked.preload_direction
     report.update(result="accepted", verdict=certificate.verdict, box=question.is_box, question={
@@ -2204,6 +2387,7 @@ def answer(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
         "preload": None if asked.preload is None else str(asked.preload), "normal_law": asked.law,
         "direction": listed(asked.direction),
         "preload_direction": growth if growth == "scale" else listed(growth),
+        **({"plane": list(map(listed, asked.plane))} if asked.plane else {}),
         "uncertain": tolerances(asked) or None})
     if not certificate.witness:
         report.update(nodes=len(certificate.trees()), leaves=leaves)
@@ -2213,6 +2397,8 @@ def answer(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
     if certificate.claims is not None:
         report["refuted"] = [[str(low), high if high is None else str(high), held]
                              for low, high, held, _ in ranges]
+    if certificate.pieces is not None:
+        report["pieces"] = len(certificate.pieces)
     return report, accepted_text(certificate, question, leaves, ranges, resisted), 0
 
 

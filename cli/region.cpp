@@ -6,10 +6,11 @@
 #include "commands.hpp"
 #include "question_options.hpp"
 #include "stickslip/answers/plane_answers.hpp"
+#include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/plot/region_plot.hpp"
-#include "stickslip/resistance/resistible_set.hpp"
+#include "stickslip/resistance/region_proof.hpp"
 #include "terminal.hpp"
 
 namespace stickslip {
@@ -23,6 +24,8 @@ struct RegionArguments {
   std::string v = "0,1,0";
   std::size_t mode_limit = 0;
   bool list = false;
+  std::string certificate;
+  std::size_t node_limit = 0;
   NumberOptions numbers;
   bool svg = false;
   std::string output = "-";
@@ -106,41 +109,84 @@ void print_text(const Question& question, const WrenchPlane& plane, const Region
   for (const ResistiblePiece& piece : report.pieces) {
     std::cout << "  " << mode_text(piece) << "  " << text_of(piece.cell, text) << '\n';
   }
-  std::cout << "\n"
-            << report.work.slip_states << " slip states, " << report.work.modes
-            << " contact modes, " << report.work.pieces
-            << " of them in the plane; normal law: " << law_text(question.law) << ".\n"
+  std::cout << "\n";
+  if (report.work.nodes == 0) {
+    std::cout << report.work.slip_states << " slip states, " << report.work.modes
+              << " contact modes, " << report.work.pieces << " of them in the plane";
+  } else {
+    std::cout << report.work.modes << " contact modes near the plane, " << report.work.pieces
+              << " of them in it";
+  }
+  std::cout << "; normal law: " << law_text(question.law) << ".\n"
             << units_text(question.loaded.grasp) << text.note();
 }
 
-/// All but the union: a picture makes its own.
 RegionReport find_region(const RegionArguments& arguments, const Question& question,
-                         const WrenchPlane& plane, Progress& progress) {
+                         const WrenchPlane& plane) {
   const Problem problem = problem_of(question);
+  Progress progress;
   RegionReport report;
   ResistibleOptions options;
   options.mode_limit = arguments.mode_limit;
-  options.progress = [&](std::size_t done, std::size_t all) {
-    progress.show("slip states: " + std::to_string(done) + " of " + std::to_string(all));
+  options.progress = [&](std::size_t modes) {
+    progress.show("contact modes: " + std::to_string(modes));
   };
-  auto found = resistible_pieces(problem, plane, options, &report.work);
-  if (auto* undecided = std::get_if<Undecided>(&found)) {
-    report.undecided = std::move(*undecided);
-  } else {
-    report.pieces = std::move(std::get<std::vector<ResistiblePiece>>(found));
-    progress.show("uniting " + std::to_string(report.pieces.size()) + " pieces");
+  // False if it was not found within the limit.
+  const auto take = [&](auto found, auto& result) {
+    if (auto* undecided = std::get_if<Undecided>(&found)) {
+      report.undecided = std::move(*undecided);
+      return false;
+    }
+    result = std::get<std::decay_t<decltype(result)>>(std::move(found));
+    return true;
+  };
+  if (take(resistible_region(problem, plane, options, &report.work), report.region) &&
+      arguments.list) {
+    take(resistible_pieces(problem, plane, options, &report.work), report.pieces);
   }
+  progress.clear();
   return report;
+}
+
+/// Writes the certificate. Why it could not be made, if it could not.
+std::optional<Undecided> write_certificate(const RegionArguments& arguments,
+                                           const Question& question, const WrenchPlane& plane) {
+  const Problem problem = problem_of(question);
+  Progress progress;
+  ResistibleOptions of_pieces;
+  of_pieces.mode_limit = arguments.mode_limit;
+  of_pieces.progress = [&](std::size_t modes) {
+    progress.show("contact modes: " + std::to_string(modes));
+  };
+  auto pieces = resistible_pieces(problem, plane, of_pieces);
+  if (auto* undecided = std::get_if<Undecided>(&pieces)) return std::move(*undecided);
+  RegionProofOptions options;
+  options.node_limit = arguments.node_limit;
+  options.progress = [&](const RegionProofWork& work) {
+    progress.show("refuting cell " + std::to_string(work.cells) + ", node " +
+                  std::to_string(work.nodes));
+  };
+  auto found =
+      prove_region(problem, plane, std::get<std::vector<ResistiblePiece>>(pieces), options);
+  progress.clear();
+  if (auto* undecided = std::get_if<Undecided>(&found)) return std::move(*undecided);
+  write_whole_file(arguments.certificate,
+                   region_certificate_text(question, plane, std::get<RegionProof>(found),
+                                           "stickslip " STICKSLIP_VERSION));
+  return std::nullopt;
 }
 
 int region(const RegionArguments& arguments) {
   const WrenchPlane plane = arguments.plane();
   const Question question = arguments.question.question();
-  Progress progress;
-  RegionReport report = find_region(arguments, question, plane, progress);
-  report.region = unite(report.pieces);
-  progress.clear();
-  if (!arguments.list) report.pieces.clear();
+  const RegionReport report = find_region(arguments, question, plane);
+  if (!arguments.certificate.empty() && !report.undecided) {
+    if (const auto undecided = write_certificate(arguments, question, plane)) {
+      std::cerr << "stickslip: given up at " << undecided->limit
+                << "; the region has no certificate\n";
+      return kUndecidedWithinLimit;
+    }
+  }
   arguments.numbers.json ? print_json(question, plane, report, arguments.numbers)
                          : print_text(question, plane, report, arguments.numbers);
   return report.undecided ? kUndecidedWithinLimit : kDone;
@@ -149,19 +195,13 @@ int region(const RegionArguments& arguments) {
 int draw_region(const RegionArguments& arguments) {
   const WrenchPlane plane = arguments.plane();
   const Question question = arguments.question.question();
-  Progress progress;
-  const RegionReport report = find_region(arguments, question, plane, progress);
+  const RegionReport report = find_region(arguments, question, plane);
   if (report.undecided) {
-    progress.clear();
     std::cerr << "stickslip: given up at " << report.undecided->limit
               << "; no region is known\n";
     return kUndecidedWithinLimit;
   }
-  std::vector<PlaneCell> cells;
-  for (const ResistiblePiece& piece : report.pieces) cells.push_back(piece.cell);
-  const std::string picture = plot_region(question, plane, cells);
-  progress.clear();
-  write_whole_file(arguments.output, picture);
+  write_whole_file(arguments.output, plot_region(question, plane, report.region));
   return kDone;
 }
 
@@ -198,11 +238,20 @@ void add_region_command(CLI::App& app, int& exit_code) {
   add_region_options(*command, *arguments);
   CLI::Option* list = command->add_flag(
       "--list", arguments->list,
-      "List the piece of each contact mode: slip state, closed contacts, polygon");
+      "List the piece of each contact mode: slip state, closed contacts, polygon. Modes grow "
+      "with the cube of the contacts");
+  CLI::Option* certificate =
+      command
+          ->add_option("--certificate", arguments->certificate,
+                       "Write a proof that exactly this region is resisted, which "
+                       "stickslip-check checks (certificate/FORMAT.md)")
+          ->type_name("FILE");
+  add_node_limit_option(*command, arguments->node_limit);
   arguments->numbers.add_to(*command);
   command->add_flag("--svg", arguments->svg, "Print a picture, as stickslip plot region does")
       ->excludes(command->get_option("--json"))
-      ->excludes(list);
+      ->excludes(list)
+      ->excludes(certificate);
   command->footer(footer_text(
       "By default the plane is that of forces at zero torque. The wrench in the file plays no "
       "part.\n",

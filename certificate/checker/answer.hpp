@@ -30,10 +30,11 @@ struct Range {
 /// The certificate proves `verdict` about the question.
 struct Accepted {
   Question question;
-  std::string verdict;             ///< "stable", "unstable" or "margin"
+  std::string verdict;             ///< "stable", "unstable", "margin" or "region"
   std::vector<Interval> resisted;  ///< of a margin: exactly these multiples, in space at least
   std::vector<Range> refuted;      ///< of a margin in space: none of these
   std::uint64_t segments = 0;      ///< of a margin in the plane
+  std::uint64_t pieces = 0;        ///< of a region, whose union it is
   std::size_t trees = 0;           ///< of a margin, one for each range without a multiple
   std::uint64_t parts = 0;         ///< proofs by degree
   std::uint64_t nodes = 0;         ///< of all trees; 0 for a witness

@@ -37,6 +37,16 @@ Vector parse_wrench(const std::string& option, const std::string& text) {
   return values;
 }
 
+std::vector<Vector> parse_plane(const std::string& option, const std::string& text) {
+  const Vector values = parse_list(option, text);
+  if (values.size() != 2 * kPlanar) {
+    throw UsageError{option + ": " + quote(text) +
+                     " is not UX,UY,UT,VX,VY,VT, two wrenches, such as 1,0,0,0,1,0"};
+  }
+  const auto middle = values.begin() + kPlanar;
+  return {Vector(values.begin(), middle), Vector(middle, values.end())};
+}
+
 std::map<std::string, Tolerance> parse_tolerances(const std::string& option,
                                                   const std::string& text) {
   std::map<std::string, Tolerance> result;
@@ -101,6 +111,8 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
       options.bilateral = law == "bilateral";
     } else if (word == "--direction") {
       options.direction = parse_wrench(word, value());
+    } else if (word == "--plane") {
+      options.plane = parse_plane(word, value());
     } else if (word == "--preload-direction") {
       const std::string growth = value();
       options.preload_direction.emplace();

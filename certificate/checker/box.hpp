@@ -99,10 +99,14 @@ std::shared_ptr<const Row> make_row(const ContactBox& contact);
 struct Box {
   std::vector<ContactBox> contacts;
   std::vector<Bounds> wrench;  ///< w
-  Vector growth;               ///< u; 0 unless of a margin
+  /// What the load gains with each coordinate of a point after h: u, which is 0 unless of a
+  /// margin; of a region, u and v.
+  std::vector<Vector> growths;
   std::vector<std::shared_ptr<const Row>> rows;
 
   std::size_t dimension() const { return wrench.size(); }
+  /// Of a point: D of the motion, h, and the others.
+  std::size_t coordinates() const { return dimension() + 1 + growths.size(); }
   /// Whether it is one point.
   bool certain() const;
   /// The interval of a parameter, or nothing if there is no such contact or component.

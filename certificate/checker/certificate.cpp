@@ -34,6 +34,7 @@ Claim CertificateReader::claim() {
   json_.expect(question.kind == Value::Kind::kObject, question, *name, "an object {...}");
   Claim claim = claim_of(question);
   margin_ = claim.asked.margin();
+  plane_ = claim.asked.plane.has_value();
   return claim;
 }
 
@@ -41,7 +42,7 @@ std::string CertificateReader::verdict() {
   constexpr unsigned kLeastBits = 64;
   constexpr unsigned kMostBits = 4096;
   std::optional<std::string> name = json_.next_member();
-  if (name == "bits" && (!margin_ || dimension_ == kSpatial)) {
+  if (name == "bits" && !plane_ && (!margin_ || dimension_ == kSpatial)) {
     const Value value = json_.value();
     const Rational bits = value.kind == Value::Kind::kNumber ? number(value, "bits") : 0;
     json_.expect(
@@ -52,7 +53,10 @@ std::string CertificateReader::verdict() {
   }
   expect_name(name, "verdict");
   const Value verdict = json_.value();
-  if (margin_) {
+  if (plane_) {
+    json_.expect(verdict.is_text("region"), verdict, "verdict",
+                 "\"region\", as the question has a plane");
+  } else if (margin_) {
     json_.expect(verdict.is_text("margin"), verdict, "verdict",
                  "\"margin\", as the question has a direction");
   } else {
@@ -93,16 +97,49 @@ std::vector<Interval> CertificateReader::resisted() {
   return result;
 }
 
-std::optional<std::pair<Witness, Witness>> CertificateReader::next_segment() {
+std::optional<Segment> CertificateReader::next_segment() {
   if (!next_element("segments")) return std::nullopt;
   const std::string place = "segments[" + std::to_string(elements_ - 1) + "]";
   const Value value = json_.value();
+  if (value.kind == Value::Kind::kObject) {
+    end_.reset();
+    return segment_by_degree(value, place);
+  }
   const bool goes_on = value.is_array(1) && end_ && end_->x[dimension_] != 0;
   json_.expect(goes_on || value.is_array(2), value, place,
-               "two points, or one where the segment before ended with a number");
-  Witness begin = goes_on ? std::move(*end_) : point(value.items[0], false, place);
+               "two points, or one where the segment before ended with a number, or an object");
+  Segment segment;
+  segment.points.push_back(goes_on ? std::move(*end_) : point(value.items[0], false, place));
   end_ = point(value.items.back(), true, place);
-  return std::pair(std::move(begin), *end_);
+  segment.points.push_back(*end_);
+  return segment;
+}
+
+Segment CertificateReader::segment_by_degree(const Value& value,
+                                             const std::string& place) const {
+  expect_order(value, place, {"to", "twists", "walls", "direction", "tree"});
+  Segment segment;
+  segment.to = number_or_null(member(value, place, "to"), place + ".to");
+  const std::string at_twists = place + ".twists";
+  const Value& twists = member(value, place, "twists");
+  json_.expect(twists.is_array(2), twists, at_twists, "two twists");
+  Vector begin = numbers(twists.items[0], at_twists, 0, dimension_);
+  Vector end = numbers(twists.items[1], at_twists, 0, dimension_);
+  segment.part = shape(value, place);
+  segment.part.twist = std::move(begin);
+  segment.part.end_twist = std::move(end);
+  return segment;
+}
+
+std::optional<std::vector<Witness>> CertificateReader::next_piece() {
+  if (!next_element("pieces")) return std::nullopt;
+  const std::string place = "pieces[" + std::to_string(elements_ - 1) + "]";
+  const Value value = json_.value();
+  std::vector<Witness> points;
+  for (const Value& entry : list(value, place, "an array of points")) {
+    points.push_back(load_point(entry, place));
+  }
+  return points;
 }
 
 std::optional<Node> CertificateReader::next_node() {
@@ -237,7 +274,7 @@ const Value& CertificateReader::member(const Value& value, const std::string& pl
 Claim CertificateReader::claim_of(const Value& value) const {
   expect_order(value, "question",
                {"contacts", "wrench", "preload", "normal_law", "direction", "preload_direction",
-                "uncertain"});
+                "plane", "uncertain"});
   Claim claim;
   claim.contacts = index(member(value, "question", "contacts"), "question.contacts");
   const std::string at_wrench = "question.wrench";
@@ -266,6 +303,15 @@ Claim CertificateReader::claim_of(const Value& value) const {
       for (const Value& entry : list(*growth, place, "\"scale\" or an array of numbers")) {
         asked.preload_direction->values.push_back(number(entry, place));
       }
+    }
+  }
+  if (const Value* plane = value.find("plane")) {
+    const std::string place = "question.plane";
+    json_.expect(dimension_ == kPlanar && plane->is_array(2), *plane, place,
+                 "two directions, of a question about a planar grasp");
+    asked.plane.emplace();
+    for (const Value& entry : plane->items) {
+      asked.plane->push_back(numbers(entry, place, 0, dimension_));
     }
   }
   if (const Value* uncertain = value.find("uncertain")) {
@@ -318,7 +364,15 @@ Part CertificateReader::part(const Value& value, const std::string& place) const
   }
   json_.expect(value.kind == Value::Kind::kObject, value, place, "a part");
   expect_order(value, place, {"twist", "walls", "direction", "tree"});
-  part.twist = numbers(member(value, place, "twist"), place + ".twist", 0, dimension_);
+  Vector twist = numbers(member(value, place, "twist"), place + ".twist", 0, dimension_);
+  part = shape(value, place);
+  part.twist = part.end_twist = std::move(twist);
+  return part;
+}
+
+/// E, A and trees.
+Part CertificateReader::shape(const Value& value, const std::string& place) const {
+  Part part;
   part.walls = matrix(member(value, place, "walls"), place + ".walls");
   part.direction = matrix(member(value, place, "direction"), place + ".direction");
   part.tree = nodes(member(value, place, "tree"), place + ".tree");
@@ -365,6 +419,20 @@ Witness CertificateReader::point_at(const Rational& multiple, const Value& value
   return witness;
 }
 
+/// POINT of a region.
+Witness CertificateReader::load_point(const Value& value, const std::string& place) const {
+  json_.expect(
+      value.is_array(5) && (value.items[0].is_text("at") || value.items[0].is_text("towards")),
+      value, place, R"(["at", s, t, twist, shares] or ["towards", ...])");
+  Witness witness;
+  witness.x = numbers(value.items[3], place, 0, dimension_);
+  witness.x.push_back(value.items[0].is_text("at") ? 1 : 0);
+  witness.x.push_back(number(value.items[1], place));
+  witness.x.push_back(number(value.items[2], place));
+  witness.shares = shares(value.items[4], place);
+  return witness;
+}
+
 std::vector<Node> CertificateReader::nodes(const Value& value, const std::string& place) const {
   std::vector<Node> result;
   for (const Value& entry : list(value, place, "an array of nodes")) {
@@ -384,9 +452,13 @@ Node CertificateReader::node(const Value& value, const std::string& place) const
     node.numbers = numbers(value, place, 1, dimension_);
   } else if (kind == "plane") {
     node.kind = NodeKind::kPlane;
-    node.numbers = numbers(value, place, 1, dimension_ + (margin_ ? 2 : 1));
-    node.numbers.resize(dimension_ + 2);
-  } else if (kind == "part" && !margin_) {
+    const std::size_t more = plane_ ? 3 : margin_ ? 2 : 1;  // than a motion has
+    node.numbers = numbers(value, place, 1, dimension_ + more);
+  } else if (kind == "held" && plane_) {
+    node.kind = NodeKind::kHeld;
+    json_.expect(value.is_array(2), value, place, "held, and a piece");
+    node.contact = index(value.items[1], place);
+  } else if (kind == "part" && !margin_ && !plane_) {
     node.kind = NodeKind::kPart;
     json_.expect(value.is_array(4), value, place, "part, a name, an index and a number");
     const auto name = std::find_if(kParameterNames.begin(), kParameterNames.end(),
@@ -399,9 +471,10 @@ Node CertificateReader::node(const Value& value, const std::string& place) const
     node.contact = index(value.items[2], place);
     node.numbers = {number(value.items[3], place)};
   } else {
-    json_.expect(
-        kind == "slip" || kind == "separation", value.items[0], place,
-        margin_ ? "slip, separation, plane or leaf" : "slip, separation, plane, part or leaf");
+    json_.expect(kind == "slip" || kind == "separation", value.items[0], place,
+                 plane_    ? "slip, separation, plane, leaf or held"
+                 : margin_ ? "slip, separation, plane or leaf"
+                           : "slip, separation, plane, part or leaf");
     node.kind = kind == "slip" ? NodeKind::kSlip : NodeKind::kSeparation;
     json_.expect(value.is_array(2), value, place, "a kind and a contact");
     node.contact = index(value.items[1], place);

@@ -32,7 +32,7 @@ class CertificateReader {
 
   /// All up to the member `question`.
   Claim claim();
-  /// "stable", "unstable" or "margin".
+  /// "stable", "unstable", "margin" or "region".
   std::string verdict();
   /// Of lengths that are irrational; known with the verdict.
   unsigned bits() const { return bits_; }
@@ -42,9 +42,12 @@ class CertificateReader {
   std::optional<Part> next_part();
   Witness witness();
 
-  // unstable, and margin in the plane
+  // region
+  std::optional<std::vector<Witness>> next_piece();
+
+  // unstable, region, and margin in the plane
   std::vector<Interval> resisted();
-  std::optional<std::pair<Witness, Witness>> next_segment();
+  std::optional<Segment> next_segment();
   std::optional<Node> next_node();
 
   // margin in space
@@ -74,21 +77,25 @@ class CertificateReader {
   std::map<std::string, Tolerance> tolerances(const Value& value) const;
   std::vector<Vector> matrix(const Value& value, const std::string& place) const;
   Part part(const Value& value, const std::string& place) const;
+  Part shape(const Value& value, const std::string& place) const;
+  Segment segment_by_degree(const Value& value, const std::string& place) const;
   std::vector<std::pair<Integer, Vector>> shares(const Value& value,
                                                  const std::string& place) const;
   Witness point(const Value& value, bool may_be_ray, const std::string& place) const;
   Witness point_at(const Rational& multiple, const Value& value,
                    const std::string& place) const;
+  Witness load_point(const Value& value, const std::string& place) const;
   Node node(const Value& value, const std::string& place) const;
   std::vector<Node> nodes(const Value& value, const std::string& place) const;
 
   JsonReader json_;
   std::size_t dimension_;
   bool margin_ = false;  ///< the question has a direction
+  bool plane_ = false;   ///< or a plane
   unsigned bits_ = kDefaultBits;
   std::string open_list_;  ///< whose elements are being taken
   std::size_t elements_ = 0;
-  std::optional<Witness> end_;  ///< of the last segment
+  std::optional<Witness> end_;  ///< of the last segment, if that has points
 };
 
 }  // namespace stickslip_check

@@ -6,6 +6,7 @@
 #include "certificate.hpp"
 #include "degree.hpp"
 #include "margin.hpp"
+#include "plane.hpp"
 
 namespace stickslip_check {
 namespace {
@@ -18,6 +19,10 @@ std::string in_words(const std::optional<PreloadDirection>& direction) {
   if (!direction) return "no direction of preloads";
   return direction->scale ? "scaled preloads"
                           : "the preload direction " + show(direction->values);
+}
+
+std::string in_words(const std::optional<std::vector<Vector>>& plane) {
+  return plane ? "the plane of " + show((*plane)[0]) + " and " + show((*plane)[1]) : "no plane";
 }
 
 std::string in_words(const std::optional<Rational>& preload) {
@@ -56,6 +61,8 @@ void check_question(const Claim& claim, const Question& question) {
           in_words(asked.direction));
   compare("question-preload-direction", said.preload_direction == asked.preload_direction,
           in_words(said.preload_direction), in_words(asked.preload_direction));
+  compare("question-plane", said.plane == asked.plane, in_words(said.plane),
+          in_words(asked.plane));
   compare("question-uncertain", said.uncertain == asked.uncertain, in_words(said.uncertain),
           in_words(asked.uncertain));
 }
@@ -85,7 +92,7 @@ Answer read_and_check(CertificateReader& certificate, Question question) {
   accepted.verdict = certificate.verdict();
   if (question.is_box) enlarge(question, certificate.bits());
   const bool in_ranges = accepted.verdict == "margin" && question.dimension() == kSpatial;
-  std::vector<Range> ranges{{0, 0}};  // of one verdict
+  std::vector<Root> roots;
   if (accepted.verdict == "stable" && certificate.has_parts()) {
     PartWalk walk(question.asked.bilateral, question.box);
     while (const std::optional<Part> part = certificate.next_part()) {
@@ -97,7 +104,8 @@ Answer read_and_check(CertificateReader& certificate, Question question) {
     accepted.leaves = walk.leaves();
   } else if (accepted.verdict == "stable") {
     const Witness witness = certificate.witness();
-    rejection.unless_rejected([&] { check_witness(question, witness); });
+    ForceSum sum;
+    rejection.unless_rejected([&] { check_witness(question, witness, sum); });
   } else if (in_ranges) {
     RangeProofs proofs(question, accepted);
     while (const std::optional<RangeProof> range = certificate.next_range()) {
@@ -106,23 +114,32 @@ Answer read_and_check(CertificateReader& certificate, Question question) {
   } else if (accepted.verdict == "margin") {
     accepted.resisted = certificate.resisted();
     rejection.unless_rejected([&] { check_order(accepted.resisted); });
-    Segments segments(question, accepted.resisted);
+    Segments segments(question, accepted);
     while (const auto segment = certificate.next_segment()) {
-      rejection.unless_rejected([&] { segments.visit(segment->first, segment->second); });
+      rejection.unless_rejected([&] { segments.visit(*segment); });
       ++accepted.segments;
     }
     rejection.unless_rejected([&] { segments.finish(); });
-    rejection.unless_rejected([&] { ranges = gaps(accepted.resisted); });
-    accepted.trees = ranges.size();
+    rejection.unless_rejected([&] { roots = roots_of(question, gaps(accepted.resisted)); });
+    accepted.trees = roots.size();
+  } else if (accepted.verdict == "region") {
+    Pieces pieces(question);
+    while (const auto piece = certificate.next_piece()) {
+      rejection.unless_rejected([&] { pieces.visit(*piece); });
+      ++accepted.pieces;
+    }
+    rejection.unless_rejected([&] { roots = {root_of(question, pieces.take())}; });
+  } else {
+    roots = roots_of(question, {{0, 0}});
   }
   if (accepted.verdict != "stable" && !in_ranges) {
-    TreeWalk walk(roots_of(question, ranges));
+    TreeWalk walk(std::move(roots));
     while (const std::optional<Node> node = certificate.next_node()) {
       rejection.unless_rejected([&] { walk.visit(*node); });
     }
     rejection.unless_rejected([&] { walk.finish(); });
-    accepted.nodes = walk.nodes();
-    accepted.leaves = walk.leaves();
+    accepted.nodes += walk.nodes();
+    accepted.leaves += walk.leaves();
   }
   certificate.finish();
   if (rejection.found) return *rejection.found;

@@ -22,28 +22,48 @@ bool singular(std::vector<Vector> m) {
   return false;
 }
 
-/// row.(d - h d0) as a function of points, plus h times `more`.
-Vector about(const Vector& twist, const Vector& row, int more = 0) {
+/// Of points, row.(d - c) + more z, where K is {|E_j.(d - c)| <= z}. For a multiple l of h = 1,
+/// c is on the way from twist to end_twist, and z = 1; without an end c = h twist + (l / low -
+/// h) end_twist, and z = l / low.
+Vector about(const Part& part, const Range& range, const Vector& row, int more = 0) {
+  const Rational begin = dot(row, part.twist);
+  const Rational way = dot(row, part.end_twist) - begin;
   Vector a = row;
-  a.emplace_back(more - dot(row, twist));
-  a.emplace_back(0);
+  if (!range.high) {
+    a.emplace_back(way);
+    a.emplace_back((more - begin - way) / range.low);
+    return a;
+  }
+  const Rational rate = way == 0 ? Rational(0) : Rational(way / (*range.high - range.low));
+  a.emplace_back(more - begin + range.low * rate);
+  a.emplace_back(-rate);
   return a;
 }
 
-/// The cone over K and a range, or over the wall E_j.(d - h d0) = sign h of K.
-std::vector<Condition> conditions_on(const Part& part, const Range& range, std::size_t wall,
-                                     int sign) {
-  const std::size_t dimension = part.walls.size();
+/// The multiples of a range; h may be 0 where there is no end.
+std::vector<Condition> multiples_in(const Range& range, std::size_t dimension) {
   std::vector<Condition> conditions = conditions_of(range, dimension);
-  for (std::size_t k = 0; k < dimension; ++k) {
+  if (range.high) return conditions;
+  conditions[0].strict = false;
+  Vector multiple(dimension + 2);
+  multiple.back() = 1;
+  conditions.push_back({std::move(multiple), false, true});
+  return conditions;
+}
+
+/// The cone over K and these multiples, or over the wall E_j.(d - c) = sign z of K.
+std::vector<Condition> conditions_on(const Part& part, const Range& range,
+                                     std::vector<Condition> conditions, std::size_t wall,
+                                     int sign) {
+  for (std::size_t k = 0; k < part.walls.size(); ++k) {
     if (k == wall) {
-      conditions.push_back({about(part.twist, part.walls[k], -sign), true});
+      conditions.push_back({about(part, range, part.walls[k], -sign), true});
       continue;
     }
-    Vector below = part.walls[k];
+    Vector below = about(part, range, part.walls[k], -1);
     for (Rational& c : below) c = -c;
-    conditions.push_back({about(part.twist, part.walls[k], 1)});
-    conditions.push_back({about(part.twist, below, 1)});
+    conditions.push_back({about(part, range, part.walls[k], 1)});
+    conditions.push_back({std::move(below)});
   }
   return conditions;
 }
@@ -52,7 +72,8 @@ std::vector<Condition> conditions_on(const Part& part, const Range& range, std::
 std::optional<std::size_t> opening(const Part& part, const Box& box, const Range& range) {
   const std::size_t no_wall = box.dimension();
   Cone cone(box.dimension() + 2);
-  for (const Condition& condition : conditions_on(part, range, no_wall, 0)) {
+  const auto multiples = multiples_in(range, box.dimension());
+  for (const Condition& condition : conditions_on(part, range, multiples, no_wall, 0)) {
     cone = cone.cut(make_form(condition.a), condition.equality);
   }
   for (std::size_t i = 0; i < box.rows.size(); ++i) {
@@ -81,16 +102,19 @@ TreeWalk check_degree(const Part& part, const std::shared_ptr<const Box>& box,
         "v of contact " + std::to_string(i.value_or(0)) + " may be below 0 at a vertex of K");
   }
   std::vector<Vector> direction;
-  for (const Vector& row : part.direction) direction.push_back(about(part.twist, row));
+  for (const Vector& row : part.direction) direction.push_back(about(part, range, row));
   const auto middle = std::make_shared<const Box>(box->middle());
-  const Rational middle_multiple = (range.low + *range.high) / 2;
+  const Rational middle_multiple =
+      range.high ? Rational((range.low + *range.high) / 2) : Rational(2 * range.low);
   std::vector<Root> roots;
   for (const bool second : {false, true}) {
-    if (!second && box->certain() && range.low == *range.high) continue;
-    const Range multiples = second ? Range{middle_multiple, middle_multiple} : range;
+    if (!second && box->certain() && range.high == range.low) continue;
+    const auto multiples = multiples_in(
+        second ? Range{middle_multiple, middle_multiple} : range, box->dimension());
     for (std::size_t j = 0; j < box->dimension(); ++j) {
       for (const int sign : {1, -1}) {
-        roots.push_back({second ? middle : box, conditions_on(part, multiples, j, sign), false,
+        roots.push_back({second ? middle : box, conditions_on(part, range, multiples, j, sign),
+                         false,
                          place + (second ? ", middle wall " : ", wall ") +
                              std::to_string(j + 1) + (sign > 0 ? " +" : " -"),
                          second ? direction : std::vector<Vector>{}});

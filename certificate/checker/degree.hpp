@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// Proofs that every grasp in a box is stable (FORMAT.md §6, "Stable: by degree"), for every
-/// multiple of a range (§7, "Margins").
+/// multiple of a range (§5, "Segments by degree", and §7, "Margins").
 #pragma once
 
 #include <cstdint>
@@ -19,13 +19,15 @@ struct Part {
   Node by;  ///< if cut
 
   // If not:
-  Vector twist;                   ///< d0
+  Vector twist;                   ///< d0, or of a segment that at its low end
+  Vector end_twist;               ///< the same, or that at its high end
   std::vector<Vector> walls;      ///< E
   std::vector<Vector> direction;  ///< A
   std::vector<Node> tree;
 };
 
-/// Checks a part that is not cut, at `place`, for all multiples from range.low to *range.high.
+/// Checks a part that is not cut, at `place`, for all multiples from range.low to *range.high,
+/// or from range.low > 0 on.
 /// Throws Rejected, or returns the walk over its trees.
 TreeWalk check_degree(const Part& part, const std::shared_ptr<const Box>& box,
                       const Range& range, bool bilateral, const std::string& place);

@@ -216,10 +216,13 @@ Bound bound_of(const Box& box, const Generators& region, const Vector& twist, bo
   Bound bound;
   bound.bends.reserve(box.rows.size());
   PairwiseSum terms;
-  Vector work(dimension + 2);
+  Vector work(box.coordinates());
   work[dimension] = most_work(twist, box.wrench);
-  work[dimension + 1] = dot(twist, box.growth);
+  for (std::size_t k = 0; k < box.growths.size(); ++k) {
+    work[dimension + 1 + k] = dot(twist, box.growths[k]);
+  }
   terms.add(work);
+  work.assign(work.size(), 0);
   for (std::size_t i = 0; i < box.rows.size(); ++i) {
     const Row& row = *box.rows[i];
     const int v_side = side(region, row.v);
@@ -239,7 +242,7 @@ Bound bound_of(const Box& box, const Generators& region, const Vector& twist, bo
     const Rational exact = alpha * row.weight;
     const Rational factor = rounded ? short_above(exact) : exact;
     if (v_side > 0) {
-      for (std::size_t j = 0; j < work.size(); ++j) work[j] = factor * row.v[0][j];
+      for (std::size_t j = 0; j < row.v[0].size(); ++j) work[j] = factor * row.v[0][j];
       terms.add(work);
     } else if (factor > 0) {
       bound.kinks.emplace_back(factor, &row.v[0]);

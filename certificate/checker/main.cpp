@@ -24,7 +24,8 @@ const char* const kHelp =
     R"(stickslip-check GRASP CERTIFICATE [options]
 
 Checks a proof that a frictional grasp, in the plane or in space, is stable, or unstable, under
-a wrench; or, with a direction, a proof of which multiples of the direction it resists.
+a wrench; or, with a direction, a proof of which multiples of the direction it resists; or, with
+a plane, a proof of which wrenches of the plane it resists.
 GRASP is the grasp file, CERTIFICATE the proof; one of them may be - for standard input.
 The grasp file is read afresh and nothing in the certificate is believed: this program
 rebuilds every contact row and recomputes every bound in exact arithmetic.
@@ -42,7 +43,10 @@ the program that produced the certificate:
   --preload-direction D    ask for the margin along preloads: D is P0,P1,..., one number for
                            each contact, which f times is added to its preload; or the word
                            scale: f times the preloads, that is, which multiples of them hold
-
+  --plane UX,UY,UT,VX,VY,VT
+                           ask for the region: all (s, t) for which the (planar) grasp is stable
+                           under wrench + s U + t V, where the wrench is 0 unless given by
+                           --wrench or --case
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be
                            off, such as friction=10%,stiffness=10%,preload=5%,
                            position=0.001,normal=0.0175,wrench=2%; any of them, absolute or
@@ -58,7 +62,8 @@ Numbers are exact: 1, -0.25, 1e-3, 3/5.
 Answers and exit codes:
   accepted   0   the certificate proves the verdict about the question that is printed;
                  of a margin, that exactly the factors printed as "resisted" are; in space,
-                 that those are, that those printed as "refuted" are not, and nothing of others
+                 that those are, that those printed as "refuted" are not, and nothing of others;
+                 of a region, that exactly the (s, t) in the certificate's pieces are
   rejected   1   it does not; the rule (named as in certificate/FORMAT.md) and the place
   (error)    2   a file or the command line cannot be understood, on standard error
 

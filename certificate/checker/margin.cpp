@@ -18,9 +18,9 @@ const char* const kSecond = ", second point";
 
 /// The rules `witness-...` of a point of what is at `place`.
 std::vector<ContactForce> check_point(const Question& question, const Witness& point,
-                                      const std::string& place) {
+                                      const std::string& place, ForceSum& sum) {
   try {
-    return check_witness(question, point);
+    return check_witness(question, point, sum);
   } catch (const Rejected& rejected) {
     throw Rejected{rejected.rule, std::nullopt, place, rejected.found};
   }
@@ -34,7 +34,19 @@ void check_mode(const Question& question, const std::vector<ContactForce>& first
   }
 }
 
+void count(const TreeWalk& walk, Accepted& accepted) {
+  accepted.nodes += walk.nodes();
+  accepted.leaves += walk.leaves();
+}
+
 }  // namespace
+
+bool at_rest(const Question& question) {
+  const auto zero = [](const Bounds& bounds) { return bounds == Bounds(0); };
+  return std::all_of(question.widened.begin(), question.widened.end(), zero) &&
+         std::all_of(question.contacts.begin(), question.contacts.end(),
+                     [&](const Contact& contact) { return zero(contact.preload); });
+}
 
 void check_order(const std::vector<Interval>& resisted) {
   std::optional<Rational> above;  // the high end of the interval before
@@ -66,29 +78,50 @@ std::vector<Range> gaps(const std::vector<Interval>& resisted) {
   return result;
 }
 
-void Segments::visit(const Witness& first, const Witness& second) {
+void Segments::visit(const Segment& segment) {
   if (interval_ == resisted_.size()) {
     throw out_of_chain("the intervals were complete before this segment");
   }
+  const bool by_degree = segment.points.empty();
   const auto& [low, high] = resisted_[interval_];
-  const Rational from = *multiple(first);
-  const std::optional<Rational> to = multiple(second);
-  if (from != end_.value_or(low)) {
-    throw out_of_chain("begins at " + show(from) + ", not at " + show(end_.value_or(low)));
+  const Rational here = end_.value_or(low);
+  const Rational from = by_degree ? here : *multiple(segment.points.front());
+  const std::optional<Rational> to = by_degree ? segment.to : multiple(segment.points.back());
+  if (from != here) {
+    throw out_of_chain("begins at " + show(from) + ", not at " + show(here));
   }
   if (high && (!to || *to > *high)) {
     throw out_of_chain((to ? "goes to " + show(*to) : "a ray") + ", beyond " + show(*high));
   }
   if (to && *to < from) throw out_of_chain("goes down, to " + show(*to));
-  if (!(first == last_)) last_forces_ = check_point(question_, first, place() + kFirst);
-  std::vector<ContactForce> forces = check_point(question_, second, place() + kSecond);
-  check_mode(question_, last_forces_, forces, place());
-  last_ = second;
-  last_forces_ = std::move(forces);
+  if (by_degree) {
+    if (to == from) throw out_of_chain("by degree, but ends where it begins");
+    const bool stands_for_all = !to && from == 0 && at_rest(question_);
+    if (!to && from == 0 && !stands_for_all) {
+      throw out_of_chain("by degree from 0 on, but the wrench or a preload is not 0");
+    }
+    check_by_degree(segment.part, {stands_for_all ? Rational(1) : from, to});
+  } else {
+    check_points(segment.points.front(), segment.points.back());
+  }
   const bool complete = to == high;
   if (complete) ++interval_;
   end_ = complete ? std::nullopt : to;
   ++visited_;
+}
+
+void Segments::check_points(const Witness& first, const Witness& second) {
+  if (!(first == last_)) last_forces_ = check_point(question_, first, place() + kFirst, sum_);
+  std::vector<ContactForce> forces = check_point(question_, second, place() + kSecond, sum_);
+  check_mode(question_, last_forces_, forces, place());
+  last_ = second;
+  last_forces_ = std::move(forces);
+}
+
+void Segments::check_by_degree(const Part& part, const Range& range) {
+  count(check_degree(part, question_.box, range, question_.asked.bilateral, place()),
+        accepted_);
+  ++accepted_.parts;
 }
 
 void Segments::finish() const {
@@ -103,14 +136,6 @@ std::string Segments::place() const {
 
 Rejected Segments::out_of_chain(const std::string& found) const {
   return {"segment-chain", std::nullopt, place(), found};
-}
-
-RangeProofs::RangeProofs(const Question& question, Accepted& accepted)
-    : question_(question), accepted_(accepted) {
-  const auto zero = [](const Bounds& bounds) { return bounds == Bounds(0); };
-  rests_ = std::all_of(question.widened.begin(), question.widened.end(), zero) &&
-           std::all_of(question.contacts.begin(), question.contacts.end(),
-                       [&](const Contact& contact) { return zero(contact.preload); });
 }
 
 void RangeProofs::visit(const RangeProof& claim) {
@@ -147,12 +172,14 @@ void RangeProofs::check_resisted(const RangeProof& claim, const std::string& pla
   if (claim.points.empty()) {
     // Without an end the laws are homogeneous, and 1 stands for all.
     const Range range = high ? Range{low, high} : Range{1, 1};
-    count(check_degree(claim.part, question_.box, range, question_.asked.bilateral, place));
+    count(check_degree(claim.part, question_.box, range, question_.asked.bilateral, place),
+          accepted_);
     ++accepted_.parts;
   } else {
-    const auto first = check_point(question_, claim.points.front(), place + kFirst);
+    ForceSum sum;
+    const auto first = check_point(question_, claim.points.front(), place + kFirst, sum);
     if (claim.points.size() == 2) {
-      const auto second = check_point(question_, claim.points.back(), place + kSecond);
+      const auto second = check_point(question_, claim.points.back(), place + kSecond, sum);
       check_mode(question_, first, second, place);
     }
   }
@@ -172,14 +199,9 @@ void RangeProofs::check_refuted(const RangeProof& claim, const std::string& plac
   TreeWalk walk(std::move(roots), place);
   for (const Node& node : claim.tree) walk.visit(node);
   walk.finish();
-  count(walk);
+  count(walk, accepted_);
   ++accepted_.trees;
   accepted_.refuted.push_back(range);
-}
-
-void RangeProofs::count(const TreeWalk& walk) {
-  accepted_.nodes += walk.nodes();
-  accepted_.leaves += walk.leaves();
 }
 
 }  // namespace stickslip_check

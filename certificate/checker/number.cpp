@@ -144,6 +144,7 @@ Form make_form(const Vector& x, Rational* scale) {
   Integer den = 1;
   for (const Rational& coordinate : x) den = lcm(den, coordinate.get_den());
   Form form;
+  form.reserve(x.size());
   for (const Rational& coordinate : x) {
     form.emplace_back(coordinate.get_num() * (den / coordinate.get_den()));
   }

@@ -104,6 +104,9 @@ std::string json_question(const Question& question) {
          R"(, "preload_direction": )" +
          (!growth ? "null"
                   : (growth->scale ? "\"scale\"" : list(growth->values, "[", "]", true))) +
+         (!asked.plane ? ""
+                       : R"(, "plane": [)" + list((*asked.plane)[0], "[", "]", true) + ", " +
+                             list((*asked.plane)[1], "[", "]", true) + "]") +
          R"(, "uncertain": )" +
          (asked.uncertain.empty() ? "null" : "{" + tolerances(asked, ": ", true) + "}") + "}";
 }
@@ -118,11 +121,14 @@ std::string text_of(const Accepted& a) {
   };
   std::string text = "accepted\n";
   if (margin && in_space) {
-    text += "resisted    " + list_or(in_words(a.resisted), "none claimed") +
-            "\nrefuted     " + list_or(in_words(a.refuted), "none claimed") +
-            "\nelsewhere   nothing is claimed";
+    text += "resisted    " + list_or(in_words(a.resisted), "none claimed") + "\nrefuted     " +
+            list_or(in_words(a.refuted), "none claimed") + "\nelsewhere   nothing is claimed";
   } else if (margin) {
     text += "resisted    " + list_or(in_words(a.resisted), "no multiple");
+  } else if (a.verdict == "region") {
+    text += "resisted    " +
+            (a.pieces == 0 ? "no load of the plane"
+                           : "of the plane exactly the pieces: " + std::to_string(a.pieces));
   } else {
     text += "verdict     " + a.verdict;
     if (a.question.is_box) text += ", for every grasp in the box";
@@ -130,6 +136,10 @@ std::string text_of(const Accepted& a) {
   text += "\ncontacts    " + std::to_string(a.question.contacts.size());
   text += "\nwrench      " + text_of(a.question.wrench);
   if (asked.direction) text += "\ndirection   " + list(*asked.direction, "(", ")", false);
+  if (asked.plane) {
+    text += "\nplane       wrench + s " + list((*asked.plane)[0], "(", ")", false) + " + t " +
+            list((*asked.plane)[1], "(", ")", false);
+  }
   text += "\npreload     ";
   if (growth && growth->scale) text += "f times ";
   text +=
@@ -144,8 +154,11 @@ std::string text_of(const Accepted& a) {
     text += "intervals by degree: " + std::to_string(a.parts) +
             ", refuted: " + std::to_string(a.trees) + "; trees of " + tree;
   } else if (margin) {
-    text += "segments: " + std::to_string(a.segments) + "; trees: " + std::to_string(a.trees) +
-            ", of " + tree;
+    text += "segments: " + std::to_string(a.segments) +
+            (a.parts > 0 ? ", by degree: " + std::to_string(a.parts) : "") +
+            "; trees: " + std::to_string(a.trees) + ", of " + tree;
+  } else if (a.verdict == "region") {
+    text += "pieces: " + std::to_string(a.pieces) + "; a tree of " + tree;
   } else if (a.parts > 0) {
     text += "by degree, parts: " + std::to_string(a.parts) + "; trees of " + tree;
   } else {
@@ -172,6 +185,7 @@ std::string as_json(const Answer& answer) {
   const auto* r = std::get_if<Rejected>(&answer);
   const auto* m = std::get_if<Malformed>(&answer);
   const bool margin = a != nullptr && a->verdict == "margin";
+  const bool region = a != nullptr && a->verdict == "region";
   const bool tree = a != nullptr && (a->verdict != "stable" || a->parts > 0);
   const std::string path = r != nullptr ? r->path : (m != nullptr ? m->place : "");
   const auto text = [](bool present, const std::string& content) {
@@ -192,7 +206,8 @@ std::string as_json(const Answer& answer) {
          number(tree, tree ? a->leaves : 0) + R"(, "resisted": )" +
          (margin ? json_intervals(a->resisted) : "null") + R"(, "refuted": )" +
          (margin && a->question.dimension() == kSpatial ? json_ranges(a->refuted) : "null") +
-         R"(, "question": )" + (a != nullptr ? json_question(a->question) : "null") + "}\n";
+         R"(, "question": )" + (a != nullptr ? json_question(a->question) : "null") +
+         (region ? R"(, "pieces": )" + std::to_string(a->pieces) : "") + "}\n";
 }
 
 std::string as_text(const Answer& answer) {

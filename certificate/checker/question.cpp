@@ -23,6 +23,9 @@ void check_dimension(const Grasp& grasp, const Options& options) {
   };
   check(options.wrench, "wrench");
   check(options.direction, "direction");
+  if (options.plane && grasp.dimension() == kSpatial) {
+    refuse("plane", "the grasp is in space; a region is about a planar grasp");
+  }
   if (grasp.dimension() == kSpatial && options.uncertain.count("normal") != 0) {
     refuse("uncertain", "found a tolerance of normals, but in space they are certain");
   }
@@ -40,13 +43,31 @@ Wrench wrench_asked(const Grasp& grasp, const Options& options) {
     if (found != grasp.cases.end()) return found->second;
     refuse("case", "the grasp has no case " + quote(*options.case_name));
   }
-  if (options.direction) return Wrench(grasp.dimension());
+  if (options.direction || options.plane) return Wrench(grasp.dimension());
   if (!grasp.cases.empty()) {
     refuse("case", "the grasp has " + std::to_string(grasp.cases.size()) +
                        " cases, and none is chosen; expected the name of one, such as " +
                        quote(grasp.cases.begin()->first));
   }
   return grasp.wrench;
+}
+
+/// Of what is asked about many loads.
+std::string kind_of(const Options& asked) {
+  return asked.plane ? "a region" : "a margin";
+}
+
+/// The plane of a region has two directions that differ, and nothing else grows.
+void check_plane(const Options& options) {
+  if (!options.plane) return;
+  if (options.margin()) refuse("plane", "a direction is given as well; expected one of them");
+  const Vector& u = (*options.plane)[0];
+  const Vector& v = (*options.plane)[1];
+  for (std::size_t j = 0; j < kPlanar; ++j) {
+    const std::size_t k = (j + 1) % kPlanar;
+    if (u[j] * v[k] != u[k] * v[j]) return;
+  }
+  refuse("plane", "its directions are multiples of one another; expected a plane");
 }
 
 bool below_zero(const Rational& x) {
@@ -76,9 +97,9 @@ void apply_uncertain(Question& question) {
   for (const auto& [kind, tolerance] : asked.uncertain) {
     const std::string found =
         kind + "=" + show(tolerance.size) + (tolerance.percent ? "%" : "");
-    if (asked.margin()) {
-      refuse("uncertain", "found " + found + ", but a margin is about one grasp; expected no " +
-                              "uncertainty");
+    if (asked.family()) {
+      refuse("uncertain", "found " + found + ", but " + kind_of(asked) +
+                              " is about one grasp; expected no uncertainty");
     }
     if (tolerance.size < 0) refuse("uncertain", "found " + found + ", expected 0 or more");
     if (kind == "normal" && tolerance.percent) {
@@ -95,10 +116,10 @@ void apply_uncertain(Question& question) {
 void check_uncertain(Question& question, const std::string& file) {
   const auto check = [&](const Bounds& bounds, const std::string& place) {
     if (!bounds.certain()) question.is_box = true;
-    if (bounds.certain() || !question.asked.margin()) return;
+    if (bounds.certain() || !question.asked.family()) return;
     throw Malformed{file, place,
-                    "found the interval " + show(bounds) +
-                        ", but a margin is about one grasp; expected a number"};
+                    "found the interval " + show(bounds) + ", but " + kind_of(question.asked) +
+                        " is about one grasp; expected a number"};
   };
   for (std::size_t i = 0; i < question.contacts.size(); ++i) {
     const Contact& contact = question.contacts[i];
@@ -121,7 +142,7 @@ void check_uncertain(Question& question, const std::string& file) {
     const bool loaded = contact.preload.high != 0 || question.preload_growth[i] != 0;
     if (!loaded || exact_sqrt(dot(contact.normal, contact.normal))) continue;
     question.is_box = true;
-    if (question.asked.margin() && question.dimension() == kPlanar) {
+    if (question.asked.family() && question.dimension() == kPlanar) {
       throw Malformed{
           file, place + "normal",
           "the contact has a preload and a normal of irrational length, so there is "
@@ -154,12 +175,13 @@ ContactBox enlarged(const Contact& contact, const Rational& growth, unsigned bit
 
 }  // namespace
 
-Question pose(const Grasp& grasp, const Options& options, const std::string& file) {
+Question pose(Grasp grasp, const Options& options, const std::string& file) {
   const std::size_t m = grasp.contacts.size();
   check_dimension(grasp, options);
+  check_plane(options);
   Question question;
   question.asked = options;
-  question.contacts = grasp.contacts;
+  question.contacts = std::move(grasp.contacts);
   question.preload_growth.resize(m);
   if (options.preload && *options.preload < 0) {
     refuse("preload", "found " + show(*options.preload) + ", expected 0 or more");
@@ -195,7 +217,7 @@ Question pose(const Grasp& grasp, const Options& options, const std::string& fil
 void enlarge(Question& question, unsigned bits) {
   auto box = std::make_shared<Box>();
   box->wrench = question.widened;
-  box->growth = question.growth;
+  box->growths = question.asked.plane.value_or(std::vector<Vector>{question.growth});
   for (std::size_t i = 0; i < question.contacts.size(); ++i) {
     box->contacts.push_back(enlarged(question.contacts[i], question.preload_growth[i], bits));
     box->rows.push_back(make_row(box->contacts.back()));

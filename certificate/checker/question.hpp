@@ -4,7 +4,8 @@
 /// and the box that follows from it. The certificate plays no part here.
 ///
 /// A *point* x = (d, h, l) is a motion d with two more coordinates, h = 1 and l = lambda. All
-/// conditions are homogeneous in it; a point of a verdict has l = 0.
+/// conditions are homogeneous in it; a point of a verdict has l = 0. A point of a region is
+/// x = (d, h, s, t).
 #pragma once
 
 #include <array>
@@ -54,11 +55,14 @@ struct Options {
   bool bilateral = false;           ///< the normal law
   std::optional<Vector> direction;  ///< of wrenches
   std::optional<PreloadDirection> preload_direction;
-  std::optional<std::string> case_name;  ///< whose wrench is asked about, if none is given
+  std::optional<std::vector<Vector>> plane;  ///< u and v, of wrenches
+  std::optional<std::string> case_name;      ///< whose wrench is asked about, if none is given
   std::map<std::string, Tolerance> uncertain;  ///< by kind; empty if not given
 
   /// Whether the margin along a direction is asked for, and not one verdict.
   bool margin() const { return direction || preload_direction; }
+  /// Whether it is about many loads or preloads of one grasp: a margin or a region.
+  bool family() const { return margin() || plane; }
 };
 
 struct Question {
@@ -75,7 +79,7 @@ struct Question {
 };
 
 /// Throws Malformed, with "the question" or with `file`, if it cannot be asked of this grasp.
-Question pose(const Grasp& grasp, const Options& options, const std::string& file);
+Question pose(Grasp grasp, const Options& options, const std::string& file);
 
 /// Sets `question.box` to the enlarged box, with so many bits for lengths that are irrational.
 void enlarge(Question& question, unsigned bits = kDefaultBits);

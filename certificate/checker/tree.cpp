@@ -70,6 +70,14 @@ std::vector<Root> roots_of(const Question& question, const std::vector<Range>& r
   return roots;
 }
 
+Root root_of(const Question& question, std::vector<Piece> pieces) {
+  Vector height(question.dimension() + 1);
+  height.back() = 1;
+  Root root{question.box, {{height, false, true}}, question.asked.bilateral};
+  root.pieces = std::make_shared<const std::vector<Piece>>(std::move(pieces));
+  return root;
+}
+
 TreeWalk::TreeWalk(std::vector<Root> roots, std::string place)
     : roots_(std::move(roots)), place_(std::move(place)) {}
 
@@ -84,12 +92,16 @@ void TreeWalk::visit(const Node& node) {
                     "more than " + std::to_string(most) + " nodes above this one");
   }
   std::optional<Rejected> rejected;
-  if (node.kind != NodeKind::kLeaf) {
+  if (node.kind != NodeKind::kLeaf && node.kind != NodeKind::kHeld) {
     push(node, std::move(region));
   } else {
     ++leaves_;
     try {
-      check_leaf(region, node.numbers);
+      if (node.kind == NodeKind::kHeld) {
+        check_held(region, node.contact);
+      } else {
+        check_leaf(std::move(region), node.numbers);
+      }
     } catch (const Rejected& leaf) {
       rejected = leaf;
     }
@@ -105,8 +117,13 @@ void TreeWalk::finish() const {
   }
 }
 
-TreeWalk::Region TreeWalk::begin(const Root& root) const {
-  Region region{Cone(root.box->dimension() + 2), {}, root.box};
+TreeWalk::Region TreeWalk::begin(const Root& root) {
+  const bool is_first = trees_ == 1;
+  if (is_first || root.box != roots_[trees_ - 2].box) {
+    const auto doubles = make_doubles(*root.box);
+    nothing_settled_ = doubles ? std::make_shared<const Settled>(*root.box, doubles) : nullptr;
+  }
+  Region region{Cone(root.box->coordinates()), {}, root.box, nothing_settled_};
   for (const Condition& condition : root.conditions) {
     if (condition.strict) insert(region.strict.conditions, region.cone.cuts());
     region.cone = region.cone.cut(make_form(condition.a), condition.equality);
@@ -125,7 +142,7 @@ TreeWalk::Region TreeWalk::child() {
   const unsigned which = parent.next++;
   if (parent.node.kind == NodeKind::kPart) {
     return {parent.region.cone, parent.region.strict,
-            which == 0 ? parent.halves.low : parent.halves.high};
+            which == 0 ? parent.halves.low : parent.halves.high, nullptr};
   }
   if (!parent.slip.empty()) {
     Region region = parent.region;
@@ -139,18 +156,29 @@ TreeWalk::Region TreeWalk::child() {
   const bool middle = parent.children == 3 && which == 1;
   Region region{which == 0 || middle ? parent.region.cone.cut(parent.cut, middle)
                                      : parent.region.cone.cut(negative(parent.cut)),
-                parent.region.strict, parent.region.box};
+                parent.region.strict, parent.region.box, parent.region.settled};
   const bool strict = parent.children == 3 ? !middle : which == 1;
   if (strict) insert(region.strict.conditions, parent.region.cone.cuts());
   return region;
 }
 
+/// What the region adds to what is settled above it, unless it is barred.
+void TreeWalk::settle(Region& region, const Generators& generators) {
+  if (!region.settled) return;
+  contacts_visited_ += region.settled->unsettled().size();
+  region.settled = std::make_shared<const Settled>(region.settled->within(generators));
+}
+
 /// `leaf-bound`, `leaf-direction`.
-void TreeWalk::check_leaf(const Region& region, const Vector& y) const {
+void TreeWalk::check_leaf(Region region, const Vector& y) {
   const Generators generators(*region.box, region.cone, region.strict);
   if (generators.barred()) return;
-  if (const auto found = leaf_refusal(*region.box, generators, y)) {
-    throw rejection("leaf-bound", *found);
+  settle(region, generators);
+  if (!region.settled || !region.settled->proves(generators, y)) {
+    ++exact_leaves_;
+    if (const auto found = leaf_refusal(*region.box, generators, y)) {
+      throw rejection("leaf-bound", *found);
+    }
   }
   const std::vector<Vector>& direction = roots_[trees_ - 1].direction;
   if (direction.empty()) return;
@@ -163,7 +191,27 @@ void TreeWalk::check_leaf(const Region& region, const Vector& y) const {
   }
 }
 
+/// `held-piece`, `held-inside`.
+void TreeWalk::check_held(const Region& region, const Integer& piece) const {
+  const std::vector<Piece>& pieces = *roots_[trees_ - 1].pieces;
+  if (piece >= pieces.size()) {
+    throw rejection("held-piece", "piece " + piece.get_str() + ", but there are " +
+                                      std::to_string(pieces.size()));
+  }
+  for (const Generator& generator : Generators(*region.box, region.cone, region.strict)) {
+    const Form& x = *generator.x;
+    if (!pieces[piece.get_ui()].contains(load_part(x))) {
+      throw rejection("held-inside", "the ray " + show(Vector(x.begin(), x.end())) +
+                                         " has its load outside of piece " + piece.get_str());
+    }
+  }
+}
+
 void TreeWalk::push(const Node& node, Region region) {
+  if (region.settled) {
+    const Generators generators(*region.box, region.cone, region.strict);
+    if (!generators.barred()) settle(region, generators);
+  }
   Frame frame{node, {}, {}, {}, std::move(region), 2, 0};
   const Box& box = *frame.region.box;
   if (node.kind == NodeKind::kPlane) {

@@ -11,16 +11,20 @@
 #include <vector>
 
 #include "answer.hpp"
+#include "plane.hpp"
 #include "region.hpp"
+#include "settled.hpp"
 
 namespace stickslip_check {
 
-enum class NodeKind : std::int8_t { kSlip, kSeparation, kPlane, kLeaf, kPart };
+enum class NodeKind : std::int8_t { kSlip, kSeparation, kPlane, kLeaf, kPart, kHeld };
 
 /// A node as the certificate states it; only its shape has been checked.
 struct Node {
   NodeKind kind = NodeKind::kLeaf;
-  Integer contact;  ///< of slip and separation; of a part, or the component of the wrench
+  /// Of slip and separation; of a part, or the component of the wrench; the piece of a held
+  /// one.
+  Integer contact;
   Vector
       numbers;  ///< a of a plane, one for each coordinate of a point; y of a leaf; c of a part
   Parameter parameter = Parameter::kWrench;  ///< of a part
@@ -51,6 +55,8 @@ struct Root {
   std::string path = {};   ///< that leads here
   /// Of list 2, A (d - h d0) as rows of functions of points: `leaf-direction` is asked for.
   std::vector<Vector> direction = {};
+  /// Of a region: the pieces, which `held` leaves name.
+  std::shared_ptr<const std::vector<Piece>> pieces = {};
 };
 /// The most nodes above one: `node-depth`.
 std::size_t most_depth(const Box& box);
@@ -58,6 +64,8 @@ std::size_t most_depth(const Box& box);
 std::vector<Condition> conditions_of(const Range& range, std::size_t dimension);
 /// One for each range.
 std::vector<Root> roots_of(const Question& question, const std::vector<Range>& ranges);
+/// The one of a region.
+Root root_of(const Question& question, std::vector<Piece> pieces);
 
 class TreeWalk {
  public:
@@ -72,12 +80,17 @@ class TreeWalk {
 
   std::uint64_t nodes() const { return nodes_; }
   std::uint64_t leaves() const { return leaves_; }
+  /// Sum over the nodes of the contacts that were not settled above them.
+  std::uint64_t contacts_visited() const { return contacts_visited_; }
+  /// Leaves that doubles with error bounds did not prove.
+  std::uint64_t exact_leaves() const { return exact_leaves_; }
 
  private:
   struct Region {
     Cone cone;
     Strict strict;
     std::shared_ptr<const Box> box;
+    std::shared_ptr<const Settled> settled;  ///< above it; none unless the box is one point
   };
   /// An inner node whose children are not all done.
   struct Frame {
@@ -90,19 +103,24 @@ class TreeWalk {
     unsigned next;  ///< child to come
   };
 
-  Region begin(const Root& root) const;
+  Region begin(const Root& root);
   Region child();
-  void check_leaf(const Region& region, const Vector& y) const;
+  void settle(Region& region, const Generators& generators);
+  void check_leaf(Region region, const Vector& y);
+  void check_held(const Region& region, const Integer& piece) const;
   void push(const Node& node, Region region);
   std::string path(unsigned ahead) const;
   Rejected rejection(const char* rule, std::string found) const;
 
   std::vector<Root> roots_;
   std::string place_;
+  std::shared_ptr<const Settled> nothing_settled_;  ///< of the box of the last root
   std::vector<Frame> stack_;
   std::size_t trees_ = 0;  ///< begun
   std::uint64_t nodes_ = 0;
   std::uint64_t leaves_ = 0;
+  std::uint64_t contacts_visited_ = 0;
+  std::uint64_t exact_leaves_ = 0;
 };
 
 }  // namespace stickslip_check

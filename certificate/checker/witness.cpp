@@ -84,35 +84,73 @@ void take_roots(const Box& box, std::vector<ContactForce>& forces) {
   }
 }
 
-/// All forces, and the load.
-Vector total(const Box& box, const Form& x, const std::vector<ContactForce>& forces) {
-  const std::size_t dimension = box.dimension();
-  PairwiseSum sum;
-  Vector term(dimension);
-  for (std::size_t j = 0; j < dimension; ++j) {
-    term[j] = x[dimension] * box.wrench[j].low + x[dimension + 1] * box.growth[j];
+/// a times N + b_1 S_1 + ..., with the shares times mu for b: the wrench of a contact.
+Vector wrench_of(const Row& row, const Rational& friction, const Vector& share,
+                 const Rational& a) {
+  Vector wrench(row.normals[0].size());
+  for (std::size_t j = 0; j < wrench.size(); ++j) wrench[j] = row.normals[0][j];
+  for (std::size_t k = 0; k < share.size(); ++k) {
+    const Rational b = friction * share[k];  // along row k of the slip
+    for (std::size_t j = 0; j < wrench.size(); ++j) wrench[j] += b * row.slips[0][k][j];
   }
-  sum.add(term);
-  for (std::size_t i = 0; i < forces.size(); ++i) {
-    const auto& [v, slip, share] = forces[i];
-    if (v <= 0) continue;
-    const Row& row = *box.rows[i];
-    const Rational a = row.v_scale * row.scale * v;
-    const Rational& friction = box.contacts[i][Parameter::kFriction].low;
-    for (std::size_t j = 0; j < dimension; ++j) term[j] = row.normals[0][j];
-    for (std::size_t k = 0; k < share.size(); ++k) {
-      const Rational b = friction * share[k];  // along row k of the slip
-      for (std::size_t j = 0; j < dimension; ++j) term[j] += b * row.slips[0][k][j];
-    }
-    for (Rational& entry : term) entry *= a;
-    sum.add(term);
-  }
-  return sum.total();
+  for (Rational& entry : wrench) entry *= a;
+  return wrench;
 }
 
 }  // namespace
 
-std::vector<ContactForce> check_witness(const Question& question, const Witness& witness) {
+/// A contact whose share is a whole number has the wrench (N + share mu T) v(x), a matrix times
+/// x. The matrices of all of them are kept as one sum, which changes from witness to witness by
+/// the contacts that do. Where v = 0 any share serves, and the one before is kept.
+Vector ForceSum::total(const Box& box, const Form& x, const std::vector<ContactForce>& forces) {
+  const std::size_t dimension = box.dimension();
+  const std::size_t width = dimension + 2;  // no contact sees more of x
+  held_.resize(forces.size());
+  PairwiseSum changes;
+  PairwiseSum wrenches;  // of the load, and of contacts that no matrix holds
+  changes.add(sum_.empty() ? Vector(dimension * width) : std::move(sum_));
+  Vector load;
+  for (std::size_t j = 0; j < dimension; ++j) {
+    load.emplace_back(x[dimension] * box.wrench[j].low);
+    for (std::size_t k = 0; k < box.growths.size(); ++k) {
+      load.back() += x[dimension + 1 + k] * box.growths[k][j];
+    }
+  }
+  wrenches.add(load);
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    const auto& [v, slip, share] = forces[i];
+    const Row& row = *box.rows[i];
+    const Rational& friction = box.contacts[i][Parameter::kFriction].low;
+    std::optional<int> held;
+    if (v > 0 && share.size() == 1 && share[0].get_den() == 1) held = sgn(share[0]);
+    if (v > 0 && !held) {
+      wrenches.add(wrench_of(row, friction, share, row.v_scale * row.scale * v));
+    }
+    if (v == 0 || held == held_[i]) continue;
+    const auto change = [&](const std::optional<int>& edge, int sign) {
+      if (!edge) return;
+      const Vector wrench =
+          wrench_of(row, friction, {Rational(*edge)}, sign * row.v_scale * row.scale);
+      Vector matrix;
+      for (const Rational& w : wrench) {
+        for (const Integer& c : row.v[0]) matrix.emplace_back(w * c);
+      }
+      changes.add(std::move(matrix));
+    };
+    change(held_[i], -1);
+    change(held, 1);
+    held_[i] = held;
+  }
+  sum_ = changes.total();
+  Vector total = wrenches.total();
+  for (std::size_t j = 0; j < dimension; ++j) {
+    for (std::size_t k = 0; k < width; ++k) total[j] += sum_[j * width + k] * x[k];
+  }
+  return total;
+}
+
+std::vector<ContactForce> check_witness(const Question& question, const Witness& witness,
+                                        ForceSum& sum) {
   if (question.is_box) {
     reject("witness-box", "an equilibrium of one grasp, but the question is about a box");
   }
@@ -128,10 +166,10 @@ std::vector<ContactForce> check_witness(const Question& question, const Witness&
     }
   }
   take_roots(box, forces);
-  Vector sum = total(box, x, forces);
-  if (sum != Vector(sum.size())) {
-    for (Rational& entry : sum) entry *= scale;
-    reject("witness-balance", "load and forces add up to " + show(sum) + ", not to 0");
+  Vector total = sum.total(box, x, forces);
+  if (total != Vector(total.size())) {
+    for (Rational& entry : total) entry *= scale;
+    reject("witness-balance", "load and forces add up to " + show(total) + ", not to 0");
   }
   return forces;
 }
@@ -139,23 +177,33 @@ std::vector<ContactForce> check_witness(const Question& question, const Witness&
 std::optional<std::string> mode_refusal(const Question& question,
                                         const std::vector<ContactForce>& first,
                                         const std::vector<ContactForce>& second) {
+  const char* const slips = "its two slips are not in one direction";
+  const char* const shares =
+      "it slips at one end, and at the other its friction has another share";
   const auto opposite = [](const Integer& x, const Integer& y) { return sgn(x) * sgn(y) < 0; };
   for (std::size_t i = 0; i < question.box->rows.size(); ++i) {
     const ContactForce& p = first[i];
     const ContactForce& q = second[i];
     if (opposite(p.v, q.v)) return name_of(i) + "v has opposite signs";
-    const Bounds& friction = question.box->contacts[i][Parameter::kFriction];
-    if (friction == Bounds(0) || (p.v <= 0 && q.v <= 0)) continue;
+    const Rational& friction = question.box->contacts[i][Parameter::kFriction].high;
+    if (friction == 0 || (p.v <= 0 && q.v <= 0)) continue;
+    if (p.slip.size() == 1) {  // the same in the plane, where a direction is a sign
+      if (opposite(p.slip[0], q.slip[0])) return name_of(i) + slips;
+      const int slip = sgn(p.slip[0]) != 0 ? sgn(p.slip[0]) : sgn(q.slip[0]);
+      for (const ContactForce* end : {&p, &q}) {
+        if (end->v > 0 && slip != 0 && end->share[0] != -slip) return name_of(i) + shares;
+      }
+      continue;
+    }
     if (!is_largest(dot(p.slip, q.slip), dot(p.slip, p.slip) * dot(q.slip, q.slip))) {
-      return name_of(i) + "its two slips are not in one direction";
+      return name_of(i) + slips;
     }
     Vector slip;
     for (std::size_t k = 0; k < p.slip.size(); ++k) slip.emplace_back(p.slip[k] + q.slip[k]);
     const Rational largest = longest_square(question.box->contacts[i]) * dot(slip, slip);
     for (const ContactForce* end : {&p, &q}) {
       if (end->v > 0 && !is_largest(-dot(end->share, slip), largest)) {
-        return name_of(i) +
-               "it slips at one end, and at the other its friction has another share";
+        return name_of(i) + shares;
       }
     }
   }

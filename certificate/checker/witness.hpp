@@ -15,7 +15,9 @@ namespace stickslip_check {
 
 /// A motion, and the shares of friction at contacts that stick.
 struct Witness {
-  Vector x;  ///< the point (d, 1, lambda); or (d, 0, 1) for a ray
+  /// The point (d, 1, lambda), or (d, 0, 1) for a ray; of a region (d, 1, s, t) or (d, 0, s,
+  /// t).
+  Vector x;
   std::vector<std::pair<Integer, Vector>> shares;  ///< of one number, in space of three
 
   bool operator==(const Witness& other) const { return x == other.x && shares == other.shares; }
@@ -31,8 +33,20 @@ struct ContactForce {
   bool slips() const { return sign_of_dot(slip, slip) != 0; }
 };
 
+/// What load and forces add up to, at one point after another of one question: in the plane it
+/// costs what changes in it.
+class ForceSum {
+ public:
+  Vector total(const Box& box, const Form& x, const std::vector<ContactForce>& forces);
+
+ private:
+  std::vector<std::optional<int>> held_;  ///< the shares of contacts in the sum
+  Vector sum_;                            ///< of the contacts held: a matrix, by rows
+};
+
 /// The rules `witness-...`. Throws Rejected, or returns the forces, one for each contact.
-std::vector<ContactForce> check_witness(const Question& question, const Witness& witness);
+std::vector<ContactForce> check_witness(const Question& question, const Witness& witness,
+                                        ForceSum& sum);
 
 /// `segment-mode`: why two witnesses with these forces share no mode, or nothing.
 std::optional<std::string> mode_refusal(const Question& question,

@@ -109,6 +109,7 @@ Definition check_in_plane (q : question) (c : certificate) : answer :=
             end
           else NotProvedHere "a margin of a box"
       | StableByParts _, false => NotProvedHere "a proof by degree"
+      | MarginByDegree, true => NotProvedHere "segments by degree"
       | _, _ => NotProvedHere "a proof of something else than was asked"
       end
   end.

@@ -75,7 +75,7 @@ Proof.
   intros D. assert (NS : forall (P : SpaceModel.grasp -> Prop) g, chosen_in_space q g -> P g).
   { intros P g (D6 & _). rewrite D in D6. discriminate. }
   unfold check_in_plane. destruct (setting_of (bits c) q) as [s|] eqn:S; [|exact I].
-  destruct (body c) as [w|parts|nodes|resisted segments nodes|claims];
+  destruct (body c) as [w|parts|nodes|resisted segments nodes| |claims];
     destruct (is_margin q); try exact I.
   - (* a witness *)
     destruct (is_one_grasp s) eqn:X; [|exact I].
@@ -108,7 +108,7 @@ Proof.
   intros D. assert (NP : forall (P : Model.grasp -> Prop) g, chosen q g -> P g).
   { intros P g (D3 & _). rewrite D in D3. discriminate. }
   unfold check_in_space.
-  destruct (body c) as [w|parts|nodes|resisted segments nodes|claims];
+  destruct (body c) as [w|parts|nodes|resisted segments nodes| |claims];
     destruct (is_margin q); try exact I;
     (destruct (setting_in_space (bits c) q) as [s|] eqn:S; [|exact I]).
   { (* a witness *)

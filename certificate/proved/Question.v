@@ -75,6 +75,7 @@ Inductive proof :=
   | StableByParts (parts : list part)
   | UnstableByTree (tree : list node)
   | MarginBy (resisted : list (Q * option Q)) (segments : list segment) (tree : list node)
+  | MarginByDegree                      (* in the plane, some segments of which are by degree *)
   | MarginInSpace (claims : list claim).
 
 Record certificate := Certificate {

@@ -98,6 +98,7 @@ let size_of certificate =
   | UnstableByTree tree -> size_of_tree none tree
   | MarginBy (resisted, segments, tree) ->
     size_of_tree { none with segments = List.length segments; trees = gaps resisted } tree
+  | MarginByDegree -> none
   | MarginInSpace claims ->
     let add size = function
       | ClaimPart (_, _, part) -> add_part size part

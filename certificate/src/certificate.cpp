@@ -62,6 +62,12 @@ struct NodeText {
   std::string operator()(const LeafIn<D>& node) const {
     return "[\"leaf\"," + list(node.twist) + "]";
   }
+  std::string operator()(const LoadSplit& node) const {
+    return "[\"plane\",0,0,0," + list(std::array{node.f[2], node.f[0], node.f[1]}) + "]";
+  }
+  std::string operator()(const HeldLeaf& node) const {
+    return "[\"held\"," + std::to_string(node.piece) + "]";
+  }
   std::string operator()(const PartSplit& node) const {
     return std::string("[\"part\",\"") + to_string(node.parameter) + "\"," +
            std::to_string(node.index) + "," + number(node.value) + "]";
@@ -172,10 +178,19 @@ std::string tree_text(const Nodes& nodes, bool margin = false) {
 }
 
 template <std::size_t D, class Node>
+std::string shape_text(const DegreeProofIn<D, Node>& proof, bool margin) {
+  return "\"walls\": " + rows(proof.walls) + ",\n \"direction\": " + rows(proof.direction) +
+         ",\n" + tree_text(proof.trees, margin) + "}";
+}
+
+template <std::size_t D, class Node>
 std::string degree_text(const DegreeProofIn<D, Node>& proof, bool margin = false) {
-  return "{\"twist\": [" + list(proof.twist) + "],\n \"walls\": " + rows(proof.walls) +
-         ",\n \"direction\": " + rows(proof.direction) + ",\n" +
-         tree_text(proof.trees, margin) + "}";
+  return "{\"twist\": [" + list(proof.twist) + "],\n " + shape_text(proof, margin);
+}
+
+std::string segment_text(const SegmentByDegree& proof, const std::optional<Rational>& high) {
+  return "{\"to\": " + (high ? number(*high) : "null") + ", \"twists\": [[" +
+         list(proof.twist) + "],[" + list(proof.end_twist) + "]],\n " + shape_text(proof, true);
 }
 
 std::string witness_text(const SpatialWitness& witness) {
@@ -317,6 +332,12 @@ std::string margin_certificate_text(const Question& question, const Margin& marg
   separator = "\n  ";
   std::string end;
   for (const MarginSegment& segment : margin.segments) {
+    if (segment.proof) {
+      text += separator + segment_text(*segment.proof, segment.high);
+      separator = ",\n  ";
+      end.clear();
+      continue;
+    }
     const std::string begin = point_text(segment.low, segment.start);
     text += separator + "[" + (begin == end ? "" : begin + ",\n   ");
     end = point_text(segment.high, segment.end);
@@ -327,6 +348,32 @@ std::string margin_certificate_text(const Question& question, const Margin& marg
   separator = "\n  ";
   for (const Refutation& gap : margin.gaps) append_nodes(text, gap, true, separator);
   return text + "]}\n";
+}
+
+std::string region_certificate_text(const Question& question, const WrenchPlane& plane,
+                                    const RegionProof& proof, const std::string& producer) {
+  require(!question.is_margin() && !question.box, "a region is one grasp's, in one plane");
+  std::string text = head(question, question.loaded.grasp.size(),
+                          list(coordinates(plane.origin())), producer) +
+                     ", \"plane\": [[" + list(coordinates(plane.u())) + "],[" +
+                     list(coordinates(plane.v())) + "]]" + tail(question) + kVerdict +
+                     "\"region\",\n \"pieces\": [";
+  std::string separator = "\n  ";
+  for (const ProvedPiece& piece : proof.pieces) {
+    text += separator + "[";
+    std::string between;
+    for (const LoadPoint& point : piece) {
+      const bool at_infinity = is_at_infinity(point.load);
+      text += between + (at_infinity ? "[\"towards\"," : "[\"at\",") +
+              (at_infinity ? list(direction_of(point.load)) : list(point_of(point.load))) +
+              ",[" + list(coordinates(point.witness.twist)) + "]," +
+              shares_text(point.witness) + "]";
+      between = ",\n   ";
+    }
+    text += "]";
+    separator = ",\n  ";
+  }
+  return text + "],\n" + tree_text(proof.tree) + "}\n";
 }
 
 }  // namespace stickslip

@@ -979,6 +979,10 @@ class CertificateReader {
     let last = null;
     return array_of(value, 'segments').map((segment, k) => {
       const place = `segments[${k}]`;
+      if (segment instanceof Map) {
+        last = null;
+        return this.segment_by_degree(segment, place);
+      }
       if (array_of(segment, place).length !== 1 && segment.length !== 2) expected('one POINT or two', segment, place);
       const points = segment.map((point) => {
         const [factor, twist, shares] = array_of(point, place, 3);
@@ -991,6 +995,14 @@ class CertificateReader {
       last = points[1];
       return points;
     });
+  }
+
+  segment_by_degree(value, place) {
+    const found = members_in_order(value, place, ['to', 'twists', 'walls', 'direction', 'tree']);
+    const to = found.to === null ? null : read_number(found.to, `${place}.to`);
+    const [twist, end_twist] = array_of(found.twists, `${place}.twists`, 2)
+        .map((x) => read_numbers(x, `${place}.twists`, this.size));
+    return {to, end_twist, ...this.degree({...found, twist}, place)};
   }
 
   range(value, place) {
@@ -1026,10 +1038,14 @@ class CertificateReader {
       return this.node(value, place);
     }
     const found = members_in_order(value, place, ['twist', 'walls', 'direction', 'tree']);
+    return this.degree({...found, twist: read_numbers(found.twist, `${place}.twist`, this.size)}, place);
+  }
+
+  degree(found, place) {
     const matrix = (name) => array_of(found[name], `${place}.${name}`, this.size)
         .map((row) => read_numbers(row, `${place}.${name}`, this.size));
-    return {kind: 'degree', twist: read_numbers(found.twist, `${place}.twist`, this.size), walls: matrix('walls'),
-      direction: matrix('direction'), tree: this.tree(found.tree, `${place}.tree`)};
+    return {kind: 'degree', twist: found.twist, walls: matrix('walls'), direction: matrix('direction'),
+      tree: this.tree(found.tree, `${place}.tree`)};
   }
 
   claim(value, place) {
@@ -1790,7 +1806,7 @@ function check_trees(question, nodes, roots, tree_place, tally) {
     if (refusal !== null) refuse('leaf-bound', refusal);
     if (turned !== null && !region.isBarred) {
       const row = turned(y);
-      if (region.generators.some(({d, h}) => dot(row, [...d, h]) < 0n)) {
+      if (region.generators.some(({d, h, l}) => dot(row, [...d, h, l]) < 0n)) {
         refuse('leaf-direction', 'y·A(d - h d0) is below 0 on a ray');
       }
     }
@@ -1840,7 +1856,26 @@ function inverse(matrix) {
 }
 
 /**
- * A part that is not cut: walls, direction, law, and its trees. of: in a margin {low, high}, the multiples of the claim.
+ * The multiples and the motions of K: e = d − s d' − t d" as functions of (h, ℓ), and the points for s = 1 and t = 1. Of a
+ * part that is not about multiples s = h and t = 0; of: {low, high}, high null without an end.
+ */
+function frame_of(part, of) {
+  if (!part.end_twist) {
+    const ends = (of === undefined ? [ZERO] : [of.low, of.high]).map((l) => ({twist: part.twist, h: ONE, l}));
+    return {s: [ONE, ZERO], t: [ZERO, ZERO], ends};
+  }
+  const first = {twist: part.twist, h: ONE, l: of.low};
+  if (of.high === null) {
+    return {s: [ONE, ZERO], t: [ONE.negated(), ONE.over(of.low)], ends: [first, {twist: part.end_twist, h: ZERO, l: of.low}]};
+  }
+  const length = of.high.minus(of.low);
+  return {s: [of.high.over(length), ONE.over(length).negated()], t: [of.low.over(length).negated(), ONE.over(length)],
+    ends: [first, {twist: part.end_twist, h: ONE, l: of.high}]};
+}
+
+/**
+ * A part that is not cut, or a segment by degree: walls, direction, law, and its trees. of: in a margin {low, high}, the
+ * multiples of the claim.
  */
 function check_degree(question, box, part, place, tally, of) {
   const {size, coordinates, m} = question;
@@ -1848,6 +1883,7 @@ function check_degree(question, box, part, place, tally, of) {
   const inverted = inverse(part.walls);
   if (inverted === null) refuse('degree-walls', 'det E = 0');
   if (inverse(part.direction) === null) refuse('degree-direction', 'det A = 0');
+  const {s, t, ends} = frame_of(part, of);
   if (question.bilateral) {
     // The largest N·d over the vertices of K is N·d⁰ + Σ |N·(column j of E⁻¹)|, at each corner of the box.
     for (let i = 0; i < m; ++i) {
@@ -1855,10 +1891,10 @@ function check_degree(question, box, part, place, tally, of) {
       for (const normal of normals) {
         const row = normal.map((x) => new Fraction(x, 1n));
         const spread = inverted[0].map((_, j) => dot_fractions(row, inverted.map((r) => r[j])).magnitude());
-        const height = spread.reduce((sum, x) => sum.plus(x), dot_fractions(row, part.twist));
-        for (const end of pull) {
-          for (const factor of of === undefined ? [ZERO] : [of.low, of.high]) {
-            const pushed = new Fraction(push[0][0], 1n).plus(new Fraction(push[0][1], 1n).times(factor));
+        for (const {twist, h, l} of ends) {
+          const height = spread.reduce((sum, x) => sum.plus(x), dot_fractions(row, twist));
+          const pushed = new Fraction(push[0][0], 1n).times(h).plus(new Fraction(push[0][1], 1n).times(l));
+          for (const end of pull) {
             if (pushed.compare(height.times(new Fraction(end, 1n))) < 0) {
               refuse('degree-law', `v may be below 0 at contact ${i}`);
             }
@@ -1867,39 +1903,49 @@ function check_degree(question, box, part, place, tally, of) {
       }
     }
   }
-  // E_k·(d − h d⁰) as a row of (d, h, …).
-  const offsets = part.walls.map((row) => [...row, dot_fractions(row, part.twist).negated(), ...Array(coordinates - size - 1).fill(ZERO)]);
-  const h = Array.from({length: coordinates}, (_, j) => (j === size ? 1n : 0n));
-  const wall_root = (one, j, sign, factors) => {
-    let region = Region.whole(question, one, coordinates).cut(h, {strict: true});
-    const against = (row, by) => integral(row.map((x, l) => (l === size ? x.plus(by) : x)));  // row + by·h
-    region = region.cut(against(offsets[j], Fraction.of(BigInt(-sign))), {equation: true});
-    const multiple = (x) => [...Array(size).fill(0n), -x.n, x.d];
-    if (factors.length === 1) region = region.cut(multiple(factors[0]), {equation: true});
-    if (factors.length === 2) region = region.cut(multiple(factors[0])).cut(negative(multiple(factors[1])));
-    offsets.forEach((row, k) => {
+  // Functions of (h, ℓ), and those of (e, h, ℓ), as rows of points.
+  const function_of = (at, motion = Array(size).fill(ZERO)) => [...motion, ...at].slice(0, coordinates);
+  const sum = (a, b, factor = ONE) => a.map((x, k) => x.plus(factor.times(b[k])));
+  const other = part.end_twist ?? part.twist;
+  const about = (row, by) => {  // row·e + by·(s + t)
+    const begin = s.map((x) => x.times(by.minus(dot_fractions(row, part.twist))));
+    return function_of(sum(begin, t, by.minus(dot_fractions(row, other))), row);
+  };
+  const wall_root = (one, j, sign, halfway) => {
+    let region = Region.whole(question, one, coordinates).cut(integral(function_of(sum(s, t))), {strict: true});
+    region = region.cut(integral(about(part.walls[j], Fraction.of(BigInt(-sign)))), {equation: true});
+    if (part.end_twist) {
+      for (const at of [s, t]) region = region.cut(integral(function_of(at)));
+      if (halfway) region = region.cut(integral(function_of(sum(s, t, ONE.negated()))), {equation: true});
+    } else if (of !== undefined) {
+      const multiple = (x) => [...Array(size).fill(0n), -x.n, x.d];
+      if (halfway) {
+        region = region.cut(multiple(middle([of.low, of.high])), {equation: true});
+      } else {
+        region = region.cut(multiple(of.low)).cut(negative(multiple(of.high)));
+      }
+    }
+    part.walls.forEach((row, k) => {
       if (k === j) return;
-      region = region.cut(against(row, ONE)).cut(against(row.map((x) => x.negated()), ONE));
+      region = region.cut(integral(about(row, ONE))).cut(integral(about(row.map((x) => x.negated()), ONE)));
     });
     return region;
   };
-  // y·A(d − h d⁰), a multiple above 0 of it.
-  const turned = (y) => {
-    const row = inverted[0].map((_, j) => dot_fractions(y.map((x) => new Fraction(x, 1n)), part.direction.map((r) => r[j])));
-    return integral([...row, dot_fractions(row, part.twist).negated()]);
-  };
+  // y·A e, a multiple above 0 of it.
+  const turned = (y) => integral(about(
+      inverted[0].map((_, j) => dot_fractions(y.map((x) => new Fraction(x, 1n)), part.direction.map((r) => r[j]))), ZERO));
   const roots = [];
-  const list = (one, prefix, factors, function_of) => {
+  const list = (one, prefix, halfway, function_of_leaf) => {
     for (let j = 0; j < size; ++j) {
       for (const sign of [1, -1]) {
         const path = new Path(null, `${place}, ${prefix}wall ${j + 1} ${sign > 0 ? '+' : '-'}`);
-        roots.push({path, make: () => ({region: wall_root(one, j, sign, factors), turned: function_of})});
+        roots.push({path, make: () => ({region: wall_root(one, j, sign, halfway), turned: function_of_leaf})});
       }
     }
   };
-  const single = box.isPoint() && (of === undefined || of.low.equals(of.high));
-  if (!single) list(box, '', of === undefined ? [] : [of.low, of.high], null);
-  list(box.middle(), 'middle ', of === undefined ? [] : [middle([of.low, of.high])], turned);
+  const single = box.isPoint() && (of === undefined || (of.high !== null && of.low.equals(of.high)));
+  if (!single) list(box, '', false, null);
+  list(box.middle(), 'middle ', true, turned);
   check_trees(question, part.tree, roots, place, tally);
   ++tally.degrees;
 }
@@ -1915,6 +1961,11 @@ function check_parts(question, box, parts, tally) {
 
 // ---------------------------------------------------------------------------- Margins (§5, §7)
 
+/** Whether w and all P are 0. */
+function is_unloaded(question) {
+  return question.load.every(([w]) => w.isZero()) && question.contacts.every((c) => c.preload[0].isZero());
+}
+
 function check_plane_margin(question, box, {resisted, segments, tree}, tally) {
   resisted.forEach(([low, high], k) => {
     const before = k > 0 ? resisted[k - 1][1] : undefined;
@@ -1926,26 +1977,36 @@ function check_plane_margin(question, box, {resisted, segments, tree}, tally) {
 
   // The interval that segments are about, and how far they have come, null where it begins.
   let interval = 0, reached = null;
-  segments.forEach(([first, second], k) => {
+  segments.forEach((segment, k) => {
     const place = `segment ${k}`;
     const broken = (found) => { throw new Rejected('segment-chain', found, place); };
     if (interval === resisted.length) broken('a segment is left over');
     const [low, high] = resisted[interval];
     const start = reached ?? low;
-    if (!first.factor.equals(start)) broken(`begins at ${printable(first.factor)}, not at ${printable(start)}`);
-    if (second.factor === null) {
+    const by_degree = segment.kind === 'degree';
+    const to = by_degree ? segment.to : segment[1].factor;
+    if (!by_degree && !segment[0].factor.equals(start)) {
+      broken(`begins at ${printable(segment[0].factor)}, not at ${printable(start)}`);
+    }
+    if (to === null) {
       if (high !== null) broken('a ray in an interval that ends');
     } else {
-      if (second.factor.compare(first.factor) < 0) broken('goes down');
-      if (high !== null && second.factor.compare(high) > 0) broken('goes beyond the end of its interval');
+      if (to.compare(start) < 0 || (by_degree && to.equals(start))) broken('does not go up');
+      if (high !== null && to.compare(high) > 0) broken('goes beyond the end of its interval');
     }
-    const ends = second.factor === null ? high === null : high !== null && second.factor.equals(high);
-    const states = [[first, 'first'], [second, 'second']].map(([point, name]) => {
-      const [h, factor] = point.factor === null ? [ZERO, ONE] : [ONE, point.factor];
-      return check_witness(question, box, point, h, factor, `${place}, ${name} point`);
-    });
-    check_mode(box, ...states, false, place);
-    [interval, reached] = ends ? [interval + 1, null] : [interval, second.factor];
+    const ends = to === null ? high === null : high !== null && to.equals(high);
+    if (by_degree) {
+      const all = to === null && start.isZero();
+      if (all && !is_unloaded(question)) broken('from 0 without an end, but the wrench or a preload is not 0');
+      check_degree(question, box, segment, place, tally, {low: all ? ONE : start, high: to});
+    } else {
+      const states = [[segment[0], 'first'], [segment[1], 'second']].map(([point, name]) => {
+        const [h, factor] = point.factor === null ? [ZERO, ONE] : [ONE, point.factor];
+        return check_witness(question, box, point, h, factor, `${place}, ${name} point`);
+      });
+      check_mode(box, ...states, false, place);
+    }
+    [interval, reached] = ends ? [interval + 1, null] : [interval, to];
   });
   if (interval < resisted.length) {
     throw new Rejected('segment-chain', `interval ${interval} is not proved to its end`, `segment ${segments.length}`);
@@ -1965,7 +2026,7 @@ function check_plane_margin(question, box, {resisted, segments, tree}, tally) {
 }
 
 function check_space_margin(question, box, claims, tally) {
-  const unloaded = question.load.every(([w]) => w.isZero()) && question.contacts.every((c) => c.preload[0].isZero());
+  const unloaded = is_unloaded(question);
   const resisted = [], refuted = [];
   claims.forEach(({kind, low, high, part, points, tree}, k) => {
     const place = `interval ${k}`, before = k > 0 ? claims[k - 1].high : ZERO;

@@ -51,6 +51,11 @@ struct ToDict {
       result["preload_direction"] =
           growth->scale ? py::object(py::str("scale")) : py::object(py::tuple(rates));
     }
+    if (q.asked.plane) {
+      result["plane"] =
+          py::make_tuple(wrench((*q.asked.plane)[0]), wrench((*q.asked.plane)[1]));
+      result["pieces"] = a.pieces;
+    }
     if (q.asked.margin()) {
       py::list resisted;
       for (const stickslip_check::Interval& interval : a.resisted) {
@@ -75,7 +80,8 @@ struct ToDict {
 py::dict check(const std::string& grasp, const std::string& certificate,
                const py::object& wrench, const py::object& preload, bool bilateral,
                const py::object& direction, const py::object& preload_direction,
-               const std::string& grasp_name, const std::string& certificate_name) {
+               const py::object& plane, const std::string& grasp_name,
+               const std::string& certificate_name) {
   const QuestionOptions asked =
       question_options(py::none(), preload, bilateral, py::none(), preload_direction);
   stickslip_check::Options options;
@@ -92,6 +98,12 @@ py::dict check(const std::string& grasp, const std::string& certificate,
   };
   options.wrench = read(wrench, "wrench");
   options.direction = read(direction, "direction");
+  if (!plane.is_none()) {
+    options.plane.emplace();
+    for (const py::handle& along : plane) {
+      options.plane->push_back(*read(py::reinterpret_borrow<py::object>(along), "plane"));
+    }
+  }
   if (asked.preload_direction) {
     options.preload_direction = for_checker(*asked.preload_direction);
   }

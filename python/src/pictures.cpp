@@ -10,7 +10,7 @@
 #include "stickslip/plot/grasp_plot.hpp"
 #include "stickslip/plot/region_plot.hpp"
 #include "stickslip/plot/states_plot.hpp"
-#include "stickslip/resistance/resistible_set.hpp"
+#include "stickslip/resistance/region_proof.hpp"
 
 namespace stickslip::python {
 namespace {
@@ -55,51 +55,75 @@ WrenchPlane plane(const py::list& origin, const py::list& u, const py::list& v) 
 
 py::object region(const GraspFile& grasp, const py::list& origin, const py::list& u,
                   const py::list& v, const py::object& preload, bool bilateral,
-                  std::size_t mode_limit, bool picture) {
+                  std::size_t mode_limit, bool with_pieces, bool certificate,
+                  std::size_t node_limit, bool picture) {
   struct Answer {
-    std::variant<std::vector<ResistiblePiece>, Undecided> found;
-    ResistibleWork work;
+    std::optional<Undecided> undecided;
     PlaneUnion united;
+    std::vector<ResistiblePiece> pieces;
+    ResistibleWork work;
+    std::string certificate;
     std::string picture;
   };
   const QuestionOptions asked = question_options(py::none(), preload, bilateral);
   const WrenchPlane where = plane(origin, u, v);
   const Answer answer = without_gil([&] {
     const Question question = question_of(grasp, asked);
+    const Problem problem(question.loaded, question.law);
     ResistibleOptions options;
     options.mode_limit = mode_limit;
-    ResistibleWork work;
-    Answer result{
-        resistible_pieces(Problem(question.loaded, question.law), where, options, &work),
-        work,
-        {},
-        {}};
-    if (const auto* pieces = std::get_if<std::vector<ResistiblePiece>>(&result.found)) {
-      if (picture) {
-        std::vector<PlaneCell> cells;
-        for (const ResistiblePiece& part : *pieces) cells.push_back(part.cell);
-        result.picture = plot_region(question, where, cells);
-      } else {
-        result.united = unite(*pieces);
+    Answer result;
+    const auto take = [&](auto found, auto& into) {
+      if (auto* undecided = std::get_if<Undecided>(&found)) {
+        result.undecided = std::move(*undecided);
+        return false;
       }
+      into = std::get<std::decay_t<decltype(into)>>(std::move(found));
+      return true;
+    };
+    if (!take(resistible_region(problem, where, options, &result.work), result.united)) {
+      return result;
     }
+    ResistibleWork of_pieces;
+    if ((with_pieces || certificate) &&
+        !take(resistible_pieces(problem, where, options, &of_pieces), result.pieces)) {
+      return result;
+    }
+    if (certificate) {
+      RegionProofOptions limit;
+      limit.node_limit = node_limit;
+      RegionProof proof;
+      if (!take(prove_region(problem, where, result.pieces, limit), proof)) return result;
+      result.certificate =
+          region_certificate_text(question, where, proof, "stickslip " STICKSLIP_VERSION);
+    }
+    if (with_pieces) {
+      result.work = of_pieces;
+    } else {
+      result.pieces.clear();
+    }
+    if (picture) result.picture = plot_region(question, where, result.united);
     return result;
   });
-  if (const auto* undecided = std::get_if<Undecided>(&answer.found)) {
-    return py::dict("limit"_a = undecided->limit);
-  }
+  if (answer.undecided) return py::dict("limit"_a = answer.undecided->limit);
   if (picture) return text(answer.picture);
   const PlaneUnion& all = answer.united;
+  py::dict stats("modes"_a = answer.work.modes, "pieces"_a = answer.work.pieces);
+  if (with_pieces) {
+    stats["slip_states"] = answer.work.slip_states;
+  } else {
+    stats["nodes"] = answer.work.nodes;
+    stats["borders"] = answer.work.borders;
+  }
   py::dict result(
       "areas"_a = tuple_of(
           all.areas, [](const PlaneArea& area) { return tuple_of(area.outlines, outline); }),
       "curves"_a = tuple_of(all.curves, cell), "points"_a = tuple_of(all.points, point),
-      "pieces"_a = tuple_of(std::get<std::vector<ResistiblePiece>>(answer.found), piece),
-      "origin"_a = fractions(where.origin()), "u"_a = fractions(where.u()),
-      "v"_a = fractions(where.v()), "whole_plane"_a = all.is_whole_plane(),
-      "stats"_a = py::dict("slip_states"_a = answer.work.slip_states,
-                           "modes"_a = answer.work.modes, "pieces"_a = answer.work.pieces));
+      "pieces"_a = tuple_of(answer.pieces, piece), "origin"_a = fractions(where.origin()),
+      "u"_a = fractions(where.u()), "v"_a = fractions(where.v()),
+      "whole_plane"_a = all.is_whole_plane(), "stats"_a = stats);
   if (asked.preload) result["preload"] = fraction(*asked.preload);
+  if (certificate) result["certificate"] = text(answer.certificate);
   return std::move(result);
 }
 

@@ -135,6 +135,9 @@ def region(
     preload: Any,
     bilateral: bool,
     mode_limit: int,
+    pieces: bool,
+    certificate: bool,
+    node_limit: int,
     picture: bool,
 ) -> Any: ...
 def plot_grasp(
@@ -194,6 +197,7 @@ def check(
     bilateral: bool,
     direction: Optional[List[Any]],
     preload_direction: Union[str, List[Any], None],
+    plane: Optional[List[List[Any]]],
     grasp_name: bytes,
     certificate_name: bytes,
 ) -> Dict[str, Any]: ...

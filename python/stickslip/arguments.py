@@ -106,6 +106,13 @@ def as_direction_or_none(values: Any, n: int = 2) -> Optional[List[Any]]:
     return None if values is None else as_wrench(values, "direction", n)
 
 
+def as_plane_or_none(values: Any) -> Optional[List[List[Any]]]:
+    """u and v."""
+    if values is None:
+        return None
+    return as_list(values, "plane", (2, 3), "two wrenches, u and v")
+
+
 def as_preload_direction_or_none(values: Any) -> Union[str, List[Any], None]:
     name = "preload_direction"
     if values is None:

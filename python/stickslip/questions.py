@@ -26,6 +26,7 @@ from .arguments import (
     as_number,
     as_number_or_none,
     as_numbers,
+    as_plane_or_none,
     as_preload_direction_or_none,
     as_uncertain,
     as_wrench,
@@ -141,8 +142,9 @@ def decide(
         preload: of every contact, one number or (n,); the grasp's own if None.
         normal_law: "unilateral", contacts may open, c_n = max(0, P - k N.d); or "bilateral", the
             paper's Eq. 4 literally, c_n = P - k N.d >= 0.
-        engine: "states" solves the system of every slip state, "cone" is a branch and bound for
-            many contacts, "auto" takes the one that suits. All are exact. In space there is one.
+        engine: "states" solves the systems of all slip states, in groups, "cone" is a branch and
+            bound for many contacts, "auto" takes the one that suits. All are exact. In space
+            there is one.
         node_limit: let the engine "cone" give up, undecided, after so many nodes; 0 is no limit.
             In space 0 is one with which twelve contacts take about a minute at most.
         threads: 0 is one a core. The answers do not depend on it.
@@ -276,6 +278,9 @@ def region(
     preload: Any = None,
     normal_law: str = "unilateral",
     mode_limit: int = 0,
+    pieces: bool = False,
+    certificate: bool = False,
+    node_limit: int = 0,
 ) -> Region:
     """Which wrenches origin + s u + t v does the grasp resist? The exact set of (s, t).
 
@@ -284,13 +289,18 @@ def region(
     Args:
         torque: short for the origin (0, 0, torque).
         mode_limit: give up at more than so many contact modes; 0 is no limit.
+        pieces: also what is resisted in each contact mode, all of them: their number grows with
+            the cube of the number of contacts.
+        certificate: also prove that exactly this region is resisted.
+        node_limit: of the search for the proof; 0 is no limit.
 
     Raises:
         InputError: an argument is wrong; u and v are not independent.
-        LimitReached: ``mode_limit``.
+        LimitReached: ``mode_limit`` or ``node_limit``.
     """
     about, snapped = _asked(grasp, preload)
-    fields = _region(about, torque, origin, u, v, preload, normal_law, mode_limit, False)
+    fields = _region(about, torque, origin, u, v, preload, normal_law, mode_limit, bool(pieces),
+                     False, bool(certificate), node_limit)
     fields["areas"] = tuple(
         tuple(Outline(*outline) for outline in outlines) for outlines in fields["areas"])
     fields["curves"] = tuple(Cell(*curve) for curve in fields["curves"])
@@ -312,7 +322,8 @@ def plot_region(
 ) -> Picture:
     """A picture of ``region``, as SVG."""
     about, _ = _asked(grasp, preload)
-    return Picture(_region(about, torque, origin, u, v, preload, normal_law, mode_limit, True))
+    return Picture(_region(
+        about, torque, origin, u, v, preload, normal_law, mode_limit, False, True))
 
 
 def plot_grasp(
@@ -476,6 +487,7 @@ def check(
     normal_law: str = "unilateral",
     direction: Any = None,
     preload_direction: Any = None,
+    plane: Any = None,
 ) -> CheckResult:
     """Does the certificate prove its verdict about this question?
 
@@ -487,6 +499,8 @@ def check(
         certificate: its text, or the path of a file, as a ``pathlib.Path``.
         direction: of a margin, whose certificate this then is; the wrench is then 0 unless given.
         preload_direction: of a margin, as for ``margin``.
+        plane: u and v of a region, whose certificate this then is; the wrench is its origin, and
+            0 unless given.
 
     Raises:
         InputError: the grasp or the certificate cannot be read, or the question not be asked.
@@ -514,6 +528,7 @@ def check(
         is_bilateral(normal_law),
         as_direction_or_none(direction, n),
         as_preload_direction_or_none(preload_direction),
+        as_plane_or_none(plane),
         grasp_name,
         name,
     ))
@@ -521,7 +536,7 @@ def check(
 
 def _region(
     grasp: Grasp, torque: Any, origin: Any, u: Any, v: Any, preload: Any, normal_law: str,
-    mode_limit: int, picture: bool,
+    mode_limit: int, pieces: bool, picture: bool, certificate: bool = False, node_limit: int = 0,
 ) -> Any:
     start = as_wrench(origin, "origin")
     if torque is not None:
@@ -531,7 +546,8 @@ def _region(
     found = _core.region(
         grasp._planar(), start, as_wrench(u, "u"), as_wrench(v, "v"),
         as_number_or_none(preload, "preload"), is_bilateral(normal_law),
-        as_count("mode_limit", mode_limit), picture)
+        as_count("mode_limit", mode_limit), pieces, certificate, as_count("node_limit", node_limit),
+        picture)
     if isinstance(found, dict) and "limit" in found:
         raise LimitReached(found["limit"])
     return found

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
-from .errors import LimitReached
+from .errors import InputError, LimitReached
 from .grasp import Grasp, Pair, SnappedNormal, Triple, Vector
 from .views import Answer, FloatArray, FloatView, Picture, doubles, nearest_root, table
 
@@ -51,7 +51,8 @@ class Decision(Answer):
     """The motion (x, y, r) of an equilibrium; there may be others. In space translation x, y, z and
     rotation x, y, z; None, and so the forces, where no equilibrium in fractions was found."""
     near: Optional[Vector] = None
-    """In space, without a twist: a motion near that of an equilibrium."""
+    """Stable without a twist: a motion near that of an equilibrium. In space, and in the plane where
+    an exact equilibrium would have numbers of many thousand digits (docs/python.md)."""
     forces: Optional[Tuple[Vector, ...]] = None
     """The force of each contact on the body, in the frame of the body."""
     coefficients: Optional[Tuple[Pair, ...]] = field(default=None, repr=False)
@@ -97,7 +98,7 @@ class Decision(Answer):
             raise LimitReached(self.limit or "")
         return CheckResult(**_core.check(
             self.grasp.to_text().encode(), self.certificate.encode(), list(self.wrench),
-            self.preload, self.normal_law == "bilateral", None, None, b"<grasp>",
+            self.preload, self.normal_law == "bilateral", None, None, None, b"<grasp>",
             b"<certificate>"))
 
     def _picture(self) -> Optional[Picture]:
@@ -118,7 +119,7 @@ class Proof(NamedTuple):
         """What the independent checker says of the two."""
         return CheckResult(**_core.check(
             self.grasp.encode(), self.certificate.encode(), None, None,
-            self.normal_law == "bilateral", None, None, b"<grasp>", b"<certificate>"))
+            self.normal_law == "bilateral", None, None, None, b"<grasp>", b"<certificate>"))
 
     def __repr__(self) -> str:
         return f"Proof({len(self.certificate)} characters)"
@@ -383,16 +384,33 @@ class Region(Answer):
     """Normals given in doubles that were rounded to ones of rational length, 1e-12 away or less;
     ``grasp`` has them."""
     pieces: Tuple[Piece, ...] = field(default=(), repr=False)
-    """The union of these is the region: one for each contact mode that resists something."""
+    """If they were asked for: one for each contact mode that resists something. Their union is the
+    region."""
+    certificate: Optional[str] = field(default=None, repr=False)
+    """The proof, if asked for with ``certificate=True`` (certificate/FORMAT.md, section 12)."""
     stats: Dict[str, int] = field(default_factory=dict, repr=False, compare=False)
 
     points_float = FloatView[FloatArray]("points", -1, 2)
+
+    def check(self) -> CheckResult:
+        """What the independent checker says of the certificate, to the same question.
+
+        Raises:
+            InputError: it was not asked for.
+        """
+        if self.certificate is None:
+            raise InputError("", "certificate", "the region has none",
+                             "ask for it by region(..., certificate=True)")
+        return CheckResult(**_core.check(
+            self.grasp.to_text().encode(), self.certificate.encode(), list(self.origin),
+            self.preload, self.normal_law == "bilateral", None, None,
+            [list(self.u), list(self.v)], b"<grasp>", b"<certificate>"))
 
     def plot(self) -> Picture:
         """As ``plot_region`` draws it."""
         return Picture(_core.region(
             self.grasp._planar(), list(self.origin), list(self.u), list(self.v), self.preload,
-            self.normal_law == "bilateral", 0, True))
+            self.normal_law == "bilateral", 0, False, False, 0, True))
 
     def _picture(self) -> Optional[Picture]:
         return self.plot()
@@ -437,7 +455,8 @@ class Margin(Answer):
             self.grasp.to_text().encode(), self.certificate.encode(), list(self.wrench),
             self.preload, self.normal_law == "bilateral",
             None if self.direction is None else list(self.direction),
-            list(along) if isinstance(along, tuple) else along, b"<grasp>", b"<certificate>"))
+            list(along) if isinstance(along, tuple) else along, None, b"<grasp>",
+            b"<certificate>"))
 
     @property
     def least(self) -> Optional[Fraction]:
@@ -578,6 +597,9 @@ class CheckResult(Answer):
     direction: Optional[Vector] = None
     preload_direction: Union[str, Tuple[Fraction, ...], None] = None
     resisted: Optional[Tuple[Tuple[Fraction, Optional[Fraction]], ...]] = None
+    # Of a region: exactly the wrenches of the plane in so many pieces of the certificate are.
+    plane: Optional[Tuple[Vector, Vector]] = None
+    pieces: Optional[int] = None
     # If rejected: the rule of certificate/FORMAT.md that does not hold, and where.
     rule: Optional[str] = None
     node: Optional[int] = None

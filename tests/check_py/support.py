@@ -80,8 +80,9 @@ def is_covered(certificate_file):
     """Whether stickslip-proved judges this: no proof by degree, and no margin in space."""
     try:
         content = json.loads(as_bytes(certificate_file))
-        return "parts" not in content and "intervals" not in content
-    except (ValueError, TypeError, RecursionError):
+        by_degree = any(isinstance(segment, dict) for segment in content.get("segments", []))
+        return "parts" not in content and "intervals" not in content and not by_degree
+    except (ValueError, TypeError, AttributeError, RecursionError):
         return True
 
 

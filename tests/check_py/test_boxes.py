@@ -361,7 +361,7 @@ def begun(box):
     """The root of its tree, in check.py."""
     here = check.Box([check.Parameters(c.normal, {
         name: check.Bounds(*ends) for name, ends in c.ends.items()}, check.exactly(Fraction(0)))
-        for c in box.contacts], tuple(check.Bounds(*ends) for ends in box.wrench), check.zeros(3))
+        for c in box.contacts], tuple(check.Bounds(*ends) for ends in box.wrench), (check.zeros(3),))
     return check.begin(check.Root(here, [((0, 0, 0, 1, 0), False, True), ((0, 0, 0, 0, 1), True, False)],
                                   box.law == "bilateral"))
 
@@ -589,8 +589,10 @@ def prove(box, sizes):
     """A part that is not cut, for K about 0 with these half widths."""
     walls = [[str(1 / Fraction(s)) if j == k else 0 for k in range(3)] for j, s in enumerate(sizes)]
     part = {"twist": [0, 0, 0], "walls": walls, "direction": UNIT}
-    proof = check.DegreeProof((Fraction(0),) * 3, *(
-        [tuple(map(Fraction, row)) for row in part[key]] for key in ("walls", "direction")), [])
+    middle = (Fraction(0),) * 3
+    walls, direction = ([tuple(map(Fraction, row)) for row in part[key]]
+                        for key in ("walls", "direction"))
+    proof = check.DegreeProof(middle, walls, direction, [], middle)
     tree = []
     with unittest.mock.patch.object(check, "check_tree", lambda _, roots, __: tree.extend(
             node for root in roots for node in search(root))):

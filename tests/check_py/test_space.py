@@ -1134,7 +1134,7 @@ def box_of(contacts, wrench, growth):
         return check.Parameters(c.normal, bounds, check.Bounds(*growth))
 
     return check.Box(list(map(parameters, contacts)), tuple(check.Bounds(*w) for w in wrench),
-                     check.zeros(6) if growth is None else growth)
+                     (check.zeros(6) if growth is None else growth,))
 
 
 class Walk:

@@ -220,6 +220,86 @@ TEST(Tree, RedundantRaysChangeNoLeaf) {
   EXPECT_GT(tally[1], 1000U);
 }
 
+// What a region inherits is what a look at all contacts gives, and what doubles prove is so.
+TEST(Tree, WhatIsSettledIsInherited) {
+  Random random(1618);
+  std::size_t settled_above = 0;
+  std::size_t visited = 0;
+  std::size_t holding = 0;
+  std::size_t proved = 0;
+  for (int trial = 0; trial < 1500; ++trial) {
+    const NaiveQuestion q = random_question(random, 6);
+    const Box& box = *q.question.box;
+    const auto doubles = make_doubles(box);
+    ASSERT_NE(doubles, nullptr);
+    const Settled nothing(box, doubles);
+    Settled inherited = nothing;
+    Cone cone(kN);
+    Set strict;
+    insert(strict, 0);
+    cone = cone.cut(make_form({0, 0, 0, 1, 0})).cut(make_form({0, 0, 0, 0, 1}), true);
+    for (int cuts = between(random, 0, 8); cuts >= 0; --cuts) {
+      const Generators region(box, cone, {strict, {}});
+      if (region.barred()) break;
+      settled_above += box.rows.size() - inherited.unsettled().size();
+      visited += inherited.unsettled().size();
+      inherited = inherited.within(region);
+      const Settled directly = nothing.within(region);
+      // Where v = 0, a contact that was closed above still is, and counts as open otherwise.
+      std::vector<Unsettled> both;
+      for (const Unsettled& contact : inherited.unsettled()) {
+        bool idle = true;
+        for (const Generator& generator : region) {
+          idle = idle && sign_of_dot(box.rows[contact.contact]->v[0], *generator.x) == 0;
+        }
+        if (!idle) both.push_back(contact);
+      }
+      ASSERT_EQ(both, directly.unsettled()) << "trial " << trial;
+      for (int leaves = 0; leaves < 3; ++leaves) {
+        const Vector y = leaf(random).numbers;
+        const bool holds = !leaf_refusal(box, region, y);
+        holding += holds ? 1 : 0;
+        for (const Settled& settled : {inherited, directly}) {
+          const bool is_proved = settled.proves(region, y);
+          proved += is_proved ? 1 : 0;
+          EXPECT_TRUE(holds || !is_proved) << "trial " << trial;
+        }
+      }
+      Vector a;
+      for (std::size_t j = 0; j < kN; ++j) a.emplace_back(between(random, -1, 1));
+      if (q.size() > 0) {
+        const std::size_t i =
+            static_cast<std::size_t>(between(random, 0, static_cast<int>(q.size()) - 1));
+        const int which = between(random, 0, 4);
+        if (which < 2) a = q.tau(i);
+        if (which >= 2 && which < 4) a = q.v(i);
+      }
+      if (between(random, 0, 2) == 0) {
+        for (Rational& c : a) c = -c;
+      }
+      if (between(random, 0, 1) == 0) insert(strict, cone.cuts());
+      cone = cone.cut(make_form(a));
+    }
+  }
+  EXPECT_GT(settled_above, visited / 16);
+  EXPECT_GT(holding, 500U);
+  // Those at a tie are left: here nearly all that hold are without a load.
+  EXPECT_GT(proved, holding / 2);
+}
+
+// Numbers that are out of all proportion leave everything to exact arithmetic.
+TEST(Tree, DoublesOfVeryDifferentSizeAreNotTaken) {
+  const auto doubles_of = [](const Contact& contact, const Rational& push) {
+    return make_doubles(*pose({{contact}, {0, push, 0}}, {}, "").box);
+  };
+  Rational tiny(1, Integer(1) << 200U);
+  EXPECT_NE(doubles_of({{0, 0}, {0, 1}, 0, 1, 0}, -1), nullptr);
+  EXPECT_EQ(doubles_of({{0, 0}, {0, 1}, 0, tiny, 0}, -1), nullptr);
+  EXPECT_EQ(doubles_of({{0, 0}, {0, 1}, tiny, 1, 0}, -1), nullptr);
+  EXPECT_EQ(doubles_of({{0, 0}, {0, 1}, 0, 1, tiny}, -1), nullptr);
+  EXPECT_EQ(doubles_of({{0, 0}, {0, 1}, 0, 1, 0}, tiny), nullptr);
+}
+
 TEST(Tree, EachRangeHasItsTree) {
   // Without contacts nothing resists but the load 0, at lambda = 1.
   Options options;

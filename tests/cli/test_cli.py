@@ -39,11 +39,11 @@ def stickslip(*words, stdin=None):
 
 
 def checkers(proof):
-    """The programs that have to judge a certificate. Proofs by degree and margins in space are not
-    stickslip-proved's."""
+    """The programs that have to judge a certificate. Proofs by degree, margins in space and regions
+    are not stickslip-proved's."""
     try:
         certificate = json.loads(read(proof))
-        covered = "parts" not in certificate and "intervals" not in certificate
+        covered = not {"parts", "intervals", "pieces"} & set(certificate)
     except ValueError:
         covered = True  # and malformed
     return [[CHECK], [sys.executable, "-B", CHECK_PY], *([[PROVED]] if PROVED and covered else [])]
@@ -602,7 +602,38 @@ class Region(Case):
         self.assertNotIn("areas", answer)
         self.assertIn("Given up", stickslip("region", FIG1, "--mode-limit", "3")[1])
 
+    def test_certificate(self):
+        proof = self.path("proof.json")
+        for words, same in (
+                (("--preload", "1"), ("--preload", "1", "--plane", "1,0,0,0,1,0")),
+                (("--torque", "1/2"), ("--wrench", "0,0,1/2", "--plane", "1,0,0,0,1,0")),
+                (("--u", "0,0,1", "--v", "0,-1,0", "--normal-law", "bilateral"),
+                 ("--plane=0,0,1,0,-1,0", "--normal-law", "bilateral"))):
+            self.assertEqual(self.json("region", FIG1, *words, "--certificate", proof),
+                             self.json("region", FIG1, *words))
+            answers = []
+            for checker in checkers(proof):
+                code, out, err = run(*checker, FIG1, proof, *same, "--json")
+                self.assertEqual((code, err), (0, ""), out)
+                answers.append(json.loads(out))
+                self.assertEqual(run(*checker, FIG1, proof, *same, "--plane=1,0,0,0,1,1")[0], 1)
+            self.assertEqual(answers[0]["verdict"], "region")
+            self.assertEqual(answers[0], answers[1])
+            texts = {run(*checker, FIG1, proof, *same)[1] for checker in checkers(proof)}
+            self.assertEqual(len(texts), 1)
+            for checker in filter(None, [PROVED]):
+                self.assertEqual(run(checker, FIG1, proof)[0], BAD_INPUT)
+
+    def test_no_certificate_at_a_limit(self):
+        proof = self.path("proof.json")
+        for limit in (("--node-limit", "1"), ("--mode-limit", "3")):
+            code, _, err = stickslip("region", FIG1, *limit, "--certificate", proof)
+            self.assertEqual(code, UNDECIDED, err)
+            self.assertFalse(os.path.exists(proof))
+
     def test_usage(self):
+        self.fails("region", FIG1, "--svg", "--certificate", self.path("proof.json"))
+        self.fails("region", FIG1, "--certificate", self.folder)
         self.fails("region", FIG1, "--u", "1,0,0", "--v", "2,0,0", naming=["--u, --v"])
         self.fails("region", FIG1, "--u", "1,0", naming=["--u"])
         self.fails("region", FIG1, "--torque", "x", naming=["--torque"])

@@ -141,9 +141,9 @@ class Page(Case):
         answer = answer_in(self.page("-", "--wrench", "0,0,0", stdin=json.dumps({**grasp, "wrench": [0, 0, 0]})))
         self.assertIsNone(answer["states"])
         self.assertRegex("".join(answer["messages"]), "21 contacts.*no load")
-        answer = answer_in(self.page(self.write("many.json", ring(65)), "--time-limit", "1"))
+        answer = answer_in(self.page(self.write("many.json", ring(101)), "--time-limit", "1"))
         self.assertIsNone(answer["region"])
-        self.assertIn("more than 64 contacts", "".join(answer["messages"]))
+        self.assertIn("more than 100 contacts", "".join(answer["messages"]))
 
     def test_errors(self):
         self.fails("page", self.path("missing.json"), naming=["missing.json"])
@@ -381,8 +381,11 @@ class Server(Case):
         grasp = json.dumps(ring(20))
         answer = self.ask(grasp, {}, ["decide", "region", "margin"])
         self.assertIn(answer["decide"]["verdict"], ("stable", "unstable", "undecided"))
-        # Far more than can be done in a second.
-        answer = self.ask(json.dumps(ring(60)), {}, ["region"])
+        # Far more than can be done in a second: every contact has denominators of its own.
+        many = ring(100)
+        for i, contact in enumerate(many["contacts"]):
+            contact.update(friction=f"{3000 + i}/{10007 + 10 * i}", preload=f"{20000 + i}/{10009 + 12 * i}")
+        answer = self.ask(json.dumps(many), {}, ["region"])
         self.assertIsNone(answer["region"])
         self.assertIn("not known within 1 seconds", answer["messages"][0])
 
@@ -403,7 +406,7 @@ class Server(Case):
     def test_ctrl_c_ends_it_in_the_middle_of_work(self):
         idle = socket.create_connection(("127.0.0.1", self.port), timeout=600)
         self.addCleanup(idle.close)
-        grasp = json.dumps(ring(60))
+        grasp = json.dumps(ring(100))
 
         def ask():
             try:

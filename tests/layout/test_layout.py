@@ -17,7 +17,7 @@ ALLOWED = {
     "space": {"core", "equilibrium"},
     "resistance": {"core", "arrangement", "equilibrium"},
     "earlier": {"core", "lp", "equilibrium"},
-    "certificate": {"core", "equilibrium", "box", "space"},
+    "certificate": {"core", "equilibrium", "box", "space", "resistance"},
     "batch": {"core", "equilibrium", "certificate"},
     "crosscheck": {"core", "equilibrium"},
     "answers": {"core", "equilibrium", "box", "space", "resistance", "certificate"},

@@ -57,7 +57,8 @@ def test_export(tmp_path, fig1):
 def test_region_is_that_of_the_program(tmp_path, fig1, options, words):
     (tmp_path / "grasp.json").write_text(fig1.to_text())
     said = program("region", tmp_path / "grasp.json", "--list", *words)
-    region = stickslip.region(fig1, **options)
+    region = stickslip.region(fig1, pieces=True, **options)
+    assert stickslip.region(fig1, **options).areas == region.areas
 
     def pairs(rows):
         return tuple(tuple(map(Fraction, row)) for row in rows)
@@ -84,6 +85,31 @@ def test_fig7(fig1):
     ((outline,),) = stickslip.region(fig1).areas
     assert outline.vertices_float.tolist() == [[2, 0], [0, 1], [-2, 0]]
     assert (outline.start, outline.end) == ((1, 0), (-1, 0))
+
+
+def test_region_is_proved(tmp_path, fig1):
+    region = stickslip.region(fig1, torque="1/2", certificate=True)
+    answer = region.check()
+    assert answer and answer.verdict == "region"
+    assert answer.wrench == (0, 0, Fraction(1, 2)) and answer.plane == ((1, 0, 0), (0, 1, 0))
+    file = tmp_path / "grasp.json"
+    file.write_text(fig1.to_text())
+    for grasp in (fig1, file):
+        assert stickslip.check(grasp, region.certificate, wrench=(0, 0, "1/2"),
+                               plane=(region.u, region.v)) == answer
+    other = stickslip.check(fig1, region.certificate, wrench=(0, 0, "1/2"),
+                            plane=((1, 0, 0), (0, 0, 1)))
+    assert (other.accepted, other.rule) == (False, "question-plane")
+    program("region", file, "--torque", "1/2", "--certificate", tmp_path / "proof.json")
+    assert (tmp_path / "proof.json").read_text() == region.certificate
+    with pytest.raises(InputError) as caught:
+        stickslip.region(fig1).check()
+    assert caught.value.place == "certificate"
+    with pytest.raises(LimitReached):
+        stickslip.region(fig1, certificate=True, node_limit=1)
+    with pytest.raises(InputError) as caught:
+        stickslip.check(fig1, region.certificate, plane=(1, 0, 0))
+    assert caught.value.place == "plane[0]"
 
 
 def test_region_errors(fig1):

@@ -87,8 +87,10 @@ def is_covered(question):
     """Whether stickslip-proved judges this: no proof by degree, and no margin in space."""
     try:
         certificate = json.loads(question["certificate"])
-        return "parts" not in certificate and "intervals" not in certificate
-    except (ValueError, TypeError, RecursionError):
+        segments = certificate.get("segments", [])
+        return ("parts" not in certificate and "intervals" not in certificate
+                and not any(isinstance(segment, dict) for segment in segments))
+    except (ValueError, TypeError, AttributeError, RecursionError):
         return True
 
 

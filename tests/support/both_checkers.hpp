@@ -17,11 +17,18 @@
 
 namespace stickslip::test {
 
+/// The directions of a plane of loads.
+struct LoadDirections {
+  Wrench u;
+  Wrench v;
+};
+
 /// What a checker is given: the content of both files, any bytes, and the options.
 struct CheckerInput {
   std::string grasp;
   std::string certificate;
   QuestionOptions options;
+  std::optional<LoadDirections> plane = std::nullopt;
 };
 
 struct CheckerAnswer {

@@ -1153,6 +1153,7 @@ type proof =
 | StableByParts of part list
 | UnstableByTree of node list
 | MarginBy of (q * q option) list * segment list * node list
+| MarginByDegree
 | MarginInSpace of claim list
 
 type certificate = { bits : Big_int_Z.big_int; body : proof }
@@ -3766,6 +3767,10 @@ let check_in_plane advisor q0 c =
                         | None -> Margin resisted)))
             else NotProvedHere "a margin of a box"
        else NotProvedHere "a proof of something else than was asked"
+     | MarginByDegree ->
+       if q0.is_margin
+       then NotProvedHere "segments by degree"
+       else NotProvedHere "a proof of something else than was asked"
      | MarginInSpace _ ->
        NotProvedHere "a proof of something else than was asked")
   | None -> NotProvedHere "numbers of the question"
@@ -3800,12 +3805,11 @@ let check_in_space advisor q0 c =
                let (rule, number) = p in Rejected (rule, (AtNode number))
              | None -> Unstable)
           | None -> NotProvedHere "numbers of the question")
-  | MarginBy (_, _, _) ->
-    NotProvedHere "a proof of something else than was asked"
   | MarginInSpace _ ->
     if q0.is_margin
     then NotProvedHere "a margin in space"
     else NotProvedHere "a proof of something else than was asked"
+  | _ -> NotProvedHere "a proof of something else than was asked"
 
 (** val check : 'a1 oracle -> question -> certificate -> answer **)
 
@@ -5765,33 +5769,6 @@ let read_segment s goes_on at_path value0 = match value0 with
   expected "two points, or one where the segment before ended with a number"
     at_path value0
 
-(** val read_segments_from :
-    shape -> bool -> Big_int_Z.big_int -> path -> json list -> segment list
-    -> segment list result **)
-
-let rec read_segments_from s goes_on index at_path items done0 =
-  match items with
-  | [] -> Fine (rev_append done0 [])
-  | item :: rest ->
-    (match read_segment s goes_on ((Element index) :: at_path) item with
-     | Fine it ->
-       let ends0 =
-         match it.second_point.multiple with
-         | Some _ -> true
-         | None -> false
-       in
-       read_segments_from s ends0 (Z.add index Big_int_Z.unit_big_int)
-         at_path rest (it :: done0)
-     | Malformed (where_, found, problem) ->
-       Malformed (where_, found, problem))
-
-(** val read_segments : shape -> path -> json -> segment list result **)
-
-let read_segments s at_path value0 = match value0 with
-| Array items ->
-  read_segments_from s false Big_int_Z.zero_big_int at_path items []
-| _ -> expected "an array of segments" at_path value0
-
 (** val read_resisted : path -> json -> (q * q option) result **)
 
 let read_resisted at_path value0 = match value0 with
@@ -5833,6 +5810,70 @@ let read_part s at_path value0 = match value0 with
         bind (member "direction" (read_matrix s) at_path members) (fun a ->
           bind (member "tree" (read_nodes s) at_path members) (fun tree ->
             Fine (PartProof (d, e, a, tree)))))))
+
+(** val read_segment_by_degree : shape -> path -> json -> unit result **)
+
+let read_segment_by_degree s at_path value0 =
+  bind
+    (members_in_order
+      ("to" :: ("twists" :: ("walls" :: ("direction" :: ("tree" :: [])))))
+      at_path value0) (fun members ->
+    bind (member "to" read_or_null at_path members) (fun _ ->
+      bind
+        (member "twists"
+          (read_sized (Big_int_Z.mult_int_big_int 2 Big_int_Z.unit_big_int)
+            "two twists" (read_twist s)) at_path members) (fun _ ->
+        bind (member "walls" (read_matrix s) at_path members) (fun _ ->
+          bind (member "direction" (read_matrix s) at_path members) (fun _ ->
+            bind (member "tree" (read_nodes s) at_path members) (fun _ ->
+              Fine ()))))))
+
+(** val read_segments_from :
+    shape -> bool -> Big_int_Z.big_int -> path -> json list -> segment list
+    option -> segment list option result **)
+
+let rec read_segments_from s goes_on index at_path items done0 =
+  match items with
+  | [] ->
+    Fine
+      (match done0 with
+       | Some them -> Some (rev_append them [])
+       | None -> None)
+  | item :: rest ->
+    (match item with
+     | Object members ->
+       (match read_segment_by_degree s ((Element index) :: at_path) (Object
+                members) with
+        | Fine _ ->
+          read_segments_from s false (Z.add index Big_int_Z.unit_big_int)
+            at_path rest None
+        | Malformed (where_, found, problem) ->
+          Malformed (where_, found, problem))
+     | _ ->
+       (match read_segment s goes_on ((Element index) :: at_path) item with
+        | Fine it ->
+          let ends0 =
+            match it.second_point.multiple with
+            | Some _ -> true
+            | None -> false
+          in
+          let them =
+            match done0 with
+            | Some them -> Some (it :: them)
+            | None -> None
+          in
+          read_segments_from s ends0 (Z.add index Big_int_Z.unit_big_int)
+            at_path rest them
+        | Malformed (where_, found, problem) ->
+          Malformed (where_, found, problem)))
+
+(** val read_segments :
+    shape -> path -> json -> segment list option result **)
+
+let read_segments s at_path value0 = match value0 with
+| Array items ->
+  read_segments_from s false Big_int_Z.zero_big_int at_path items (Some [])
+| _ -> expected "an array of segments" at_path value0
 
 (** val read_spatial_point : shape -> path -> json -> witness result **)
 
@@ -6012,8 +6053,10 @@ let read_body s good members =
               bind (next_read "segments" (read_segments s) rest) (fun pat0 ->
                 let (segments, rest0) = pat0 in
                 bind (next_read "tree" (read_nodes s) rest0) (fun it ->
-                  bind (finish it) (fun tree -> Fine (MarginBy (resisted,
-                    segments, tree))))))
+                  bind (finish it) (fun tree -> Fine
+                    (match segments with
+                     | Some them -> MarginBy (resisted, them, tree)
+                     | None -> MarginByDegree)))))
   else if good
        then if begins_with "parts" members
             then bind

@@ -328,6 +328,7 @@ type proof =
 | StableByParts of part list
 | UnstableByTree of node list
 | MarginBy of (q * q option) list * segment list * node list
+| MarginByDegree
 | MarginInSpace of claim list
 
 type certificate = { bits : Big_int_Z.big_int; body : proof }
@@ -1139,17 +1140,19 @@ val read_point0 : shape -> bool -> path -> json -> point result
 
 val read_segment : shape -> bool -> path -> json -> segment result
 
-val read_segments_from :
-  shape -> bool -> Big_int_Z.big_int -> path -> json list -> segment list ->
-  segment list result
-
-val read_segments : shape -> path -> json -> segment list result
-
 val read_resisted : path -> json -> (q * q option) result
 
 val read_matrix : shape -> path -> json -> q list list result
 
 val read_part : shape -> path -> json -> part result
+
+val read_segment_by_degree : shape -> path -> json -> unit result
+
+val read_segments_from :
+  shape -> bool -> Big_int_Z.big_int -> path -> json list -> segment list
+  option -> segment list option result
+
+val read_segments : shape -> path -> json -> segment list option result
 
 val read_spatial_point : shape -> path -> json -> witness result
 

@@ -10,6 +10,7 @@
 #include "stickslip/equilibrium/margin.hpp"
 #include "stickslip/equilibrium/question.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
+#include "stickslip/resistance/region_proof.hpp"
 #include "stickslip/space/spatial_margin.hpp"
 #include "stickslip/space/spatial_verdict.hpp"
 
@@ -38,6 +39,11 @@ std::string spatial_margin_text(const SpatialQuestion& question, const SpatialMa
 /// The certificate of the margin of problem_of(question) (FORMAT.md, section 5).
 std::string margin_certificate_text(const Question& question, const Margin& margin,
                                     const std::string& producer);
+
+/// The certificate of the resistible wrenches of a plane (FORMAT.md, section 12). The wrench of
+/// the question plays no part.
+std::string region_certificate_text(const Question& question, const WrenchPlane& plane,
+                                    const RegionProof& proof, const std::string& producer);
 
 /// The whole question as an SMT-LIB 2 problem in the logic QF_LRA, for solvers such as Z3 and
 /// cvc5. A complete script: declarations, the conditions of problem.hpp with their

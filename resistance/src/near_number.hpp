@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Doubles with a proved bound of their error: a filter for signs that exact numbers decide
+/// where it does not.
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+#include "stickslip/core/number.hpp"
+
+namespace stickslip::resistance_detail {
+
+/// Stands for a real number x with |x - value| <= error. Without an error it is known to be
+/// 0, whatever is added up or multiplied: exactly 0 stays exactly 0. Beyond the range of
+/// doubles the error is infinite or not a number, and no sign is known.
+struct NearNumber {
+  double value = 0;
+  double error = 0;
+
+  bool is_zero() const { return value == 0 && error == 0; }  ///< exactly
+  /// Of x, if it is certain.
+  std::optional<int> sign() const {
+    if (value > error) return 1;
+    if (value < -error) return -1;
+    if (is_zero()) return 0;
+    return std::nullopt;
+  }
+};
+
+/// \{ More than the rounding of one operation: relative, and of what is nearly 0.
+inline constexpr double kRounding = 0x1p-51;
+inline constexpr double kLeast = 0x1p-1070;
+/// \}
+
+inline NearNumber operator+(const NearNumber& a, const NearNumber& b) {
+  if (a.is_zero()) return b;
+  if (b.is_zero()) return a;
+  const double value = a.value + b.value;
+  return {value, (a.error + b.error) * (1 + kRounding) + std::fabs(value) * kRounding + kLeast};
+}
+
+inline NearNumber operator-(const NearNumber& a) {
+  return {-a.value, a.error};
+}
+
+inline NearNumber operator-(const NearNumber& a, const NearNumber& b) {
+  return a + -b;
+}
+
+inline NearNumber operator*(const NearNumber& a, const NearNumber& b) {
+  if (a.is_zero() || b.is_zero()) return {};
+  const double value = a.value * b.value;
+  const double spread =
+      std::fabs(a.value) * b.error + std::fabs(b.value) * a.error + a.error * b.error;
+  return {value, spread * (1 + 4 * kRounding) + std::fabs(value) * kRounding + kLeast};
+}
+
+inline NearNumber near_number(const Rational& exact) {
+  if (exact.is_zero()) return {};
+  const double value = to_double(exact);
+  return {value, std::fabs(value) * kRounding + kLeast};
+}
+
+}  // namespace stickslip::resistance_detail

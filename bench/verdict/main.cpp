@@ -17,6 +17,7 @@ int main(int argc, char** argv) {
   CLI::App app("Times and work of verdicts", "verdict_bench");
   app.add_flag("--quick", report.quick, "Small sizes, no other solvers: for tests");
   app.add_flag("--verbose", report.verbose, "A line for each instance of the first table");
+  app.add_option("--min-m", report.min_contacts, "The least contacts of the first table");
   app.add_option("--max-m", report.max_contacts, "The most contacts");
   app.add_option("--save", report.folder,
                  "Write each grasp of the first table to a file of this folder");

@@ -15,6 +15,7 @@ struct Report {
   bool quick = false;
   bool verbose = false;       ///< a line for each instance
   bool large_growth = false;  ///< one size more in report_growth
+  std::size_t min_contacts = 0;
   std::size_t max_contacts = 10000;
   std::string folder;  ///< where report_targets leaves its grasps as files; none if empty
   nlohmann::json json = nlohmann::json::object();

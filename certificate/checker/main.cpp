@@ -28,7 +28,7 @@ a wrench; or, with a direction, a proof of which multiples of the direction it r
 a plane, a proof of which wrenches of the plane it resists.
 GRASP is the grasp file, CERTIFICATE the proof; one of them may be - for standard input.
 The grasp file is read afresh and nothing in the certificate is believed: this program
-rebuilds every contact row and recomputes every bound in exact arithmetic.
+rebuilds every contact row and recomputes every bound; no rounding decides anything.
 
 The question is that of the grasp file unless replaced here. Give the same options as to
 the program that produced the certificate:

@@ -31,6 +31,25 @@ std::vector<ContactReport> report_contacts(const CaseAnswer& answer, const Witne
   return reports;
 }
 
+std::variant<Decision, BoxDecision> judge(const Question& question, const Problem& problem,
+                                          Engine engine, std::size_t node_limit) {
+  if (engine == Engine::kAuto && has_long_equilibria(problem)) {
+    BoxOptions search;
+    search.node_limit = node_limit;
+    if (auto decision = prove_stable_by_degree(question.loaded, question.law, search)) {
+      return std::move(*decision);
+    }
+  }
+  ConeOptions search;
+  search.node_limit = node_limit;
+  return decide(problem, engine, search);
+}
+
+BoxAnswer answer_by_degree(Question question, BoxDecision decision) {
+  question.box = box_of(question.loaded);
+  return {std::move(question), std::move(decision)};
+}
+
 Answer answer_to(Question question, const AnswerOptions& options) {
   if (question.box) {
     BoxOptions search;
@@ -39,17 +58,11 @@ Answer answer_to(Question question, const AnswerOptions& options) {
     return BoxAnswer{std::move(question), std::move(decision)};
   }
   Problem problem = problem_of(question);
-  if (options.engine == Engine::kAuto && has_long_equilibria(problem)) {
-    BoxOptions search;
-    search.node_limit = options.node_limit;
-    if (auto decision = prove_stable_by_degree(question.loaded, question.law, search)) {
-      question.box = box_of(question.loaded);
-      return BoxAnswer{std::move(question), std::move(*decision)};
-    }
+  auto judged = judge(question, problem, options.engine, options.node_limit);
+  if (auto* by_degree = std::get_if<BoxDecision>(&judged)) {
+    return answer_by_degree(std::move(question), std::move(*by_degree));
   }
-  ConeOptions search;
-  search.node_limit = options.node_limit;
-  Decision decision = decide(problem, options.engine, search);
+  auto& decision = std::get<Decision>(judged);
   Warnings warnings;
   if (options.warnings) warnings = model_warnings(question, decision.verdict);
   return CaseAnswer{std::move(question), std::move(problem), std::move(decision),

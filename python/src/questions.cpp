@@ -12,7 +12,6 @@
 #include "stickslip/equilibrium/decide.hpp"
 #include "stickslip/equilibrium/margin.hpp"
 #include "stickslip/equilibrium/model_warnings.hpp"
-#include "stickslip/equilibrium/search/rounded_equilibrium.hpp"
 #include "stickslip/plot/map_plot.hpp"
 
 namespace stickslip::python {
@@ -63,32 +62,12 @@ py::dict box_fields(const Question& question, const char* verdict) {
 /// is stable by degree.
 using Judgement = std::variant<Decision, BoxDecision>;
 
-Judgement judge(const Question& question, Engine engine, std::size_t node_limit,
-                bool by_degree = true) {
-  const Problem problem(question.loaded, question.law);
-  if (by_degree && engine == Engine::kAuto && has_long_equilibria(problem)) {
-    BoxOptions options;
-    options.node_limit = node_limit;
-    if (auto decision = prove_stable_by_degree(question.loaded, question.law, options)) {
-      return std::move(*decision);
-    }
-  }
-  ConeOptions options;
-  options.node_limit = node_limit;
-  return decide(problem, engine, options);
-}
-
-/// Of one grasp, about which the answer says the same as about a box.
-BoxAnswer degree_answer(Question question, const BoxDecision& decision) {
-  question.box = box_of(question.loaded);
-  return {std::move(question), decision};
-}
-
 std::string certificate_of(const Question& question, const Judgement& judgement) {
   if (const auto* decision = std::get_if<Decision>(&judgement)) {
     return python::certificate_of(question, *decision);
   }
-  return *stickslip::certificate_of(degree_answer(question, std::get<BoxDecision>(judgement)));
+  return *stickslip::certificate_of(
+      answer_by_degree(question, std::get<BoxDecision>(judgement)));
 }
 
 /// The fields of results.Decision, but the warnings.
@@ -102,7 +81,7 @@ py::dict judgement_fields(const Question& question, const Judgement& judgement,
   py::dict result = box_fields(question, "stable");
   result["engine"] = "box";
   result["certificate"] = certificate;
-  const Vector3 near = *motion_near(degree_answer(question, decision));
+  const Vector3 near = *motion_near(answer_by_degree(question, decision));
   result["near"] = fractions(Twist{near[0], near[1], near[2]});
   result["stats"] = stats(decision.work);
   return result;
@@ -121,7 +100,11 @@ py::dict decide_grasp(const GraspFile& grasp, const py::object& wrench,
   const Answer answer = without_gil([&] {
     Question question = question_of(grasp, asked);
     // Warnings need an exact equilibrium.
-    Judgement judgement = judge(question, engine_named(engine), node_limit, !warnings);
+    const Problem problem(question.loaded, question.law);
+    const Engine asked_for = engine_named(engine);
+    const bool exactly = warnings && asked_for == Engine::kAuto;
+    Judgement judgement =
+        judge(question, problem, exactly ? Engine::kCone : asked_for, node_limit);
     std::string certificate = certificate_of(question, judgement);
     std::vector<ModelWarning> found;
     if (warnings) found = model_warnings(question, std::get<Decision>(judgement).verdict);
@@ -405,8 +388,8 @@ std::function<ManyAnswer()> planar_question(const py::handle& given, const OneOf
     const auto about =
         friction ? std::make_shared<const GraspFile>(with_friction(*grasp, *friction)) : grasp;
     const Question question = question_of(*about, options);
-    const auto judgement =
-        std::make_shared<const Judgement>(judge(question, engine, node_limit));
+    const auto judgement = std::make_shared<const Judgement>(
+        judge(question, Problem(question.loaded, question.law), engine, node_limit));
     ManyAnswer answer;
     const auto* decision = std::get_if<Decision>(judgement.get());
     answer.verdict = decision == nullptr ? "stable" : name_of(decision->verdict);

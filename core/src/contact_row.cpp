@@ -1,32 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/core/contact_row.hpp"
 
+#include <utility>
+
+#include "short_arithmetic.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/snap.hpp"
 
 namespace stickslip {
+
+using namespace core_detail;
+
 namespace {
 
-Wrench unit_force_at(const Vector2& p, const Rational& fx, const Rational& fy) {
-  return {fx, fy, p.x * fy - p.y * fx};
+Vector2 tangent_of(const Contact& contact) {
+  return {-contact.normal.y, contact.normal.x};
+}
+
+Wrench unit_force_at(const Vector2& p, Vector2 force) {
+  Rational torque = determinant(p, force);
+  return {std::move(force.x), std::move(force.y), std::move(torque)};
 }
 
 }  // namespace
 
 Wrench normal_row(const Contact& contact) {
-  return unit_force_at(contact.position, contact.normal.x, contact.normal.y);
+  return unit_force_at(contact.position, contact.normal);
 }
 
 Wrench tangent_row(const Contact& contact) {
-  return unit_force_at(contact.position, -contact.normal.y, contact.normal.x);
+  return unit_force_at(contact.position, tangent_of(contact));
 }
 
 std::vector<ContactRow> contact_rows(const Grasp& grasp) {
   std::vector<ContactRow> rows;
   rows.reserve(grasp.size());
   for (const Contact& c : grasp.contacts()) {
-    const Rational length_squared = c.normal.x * c.normal.x + c.normal.y * c.normal.y;
-    Rational preload = 0;
+    const Rational length_squared = determinant(c.normal, tangent_of(c));
+    Rational preload;
     if (!c.preload.is_zero()) {
       const std::optional<Rational> length = exact_sqrt(length_squared);
       if (!length) {
@@ -40,7 +51,8 @@ std::vector<ContactRow> contact_rows(const Grasp& grasp) {
       preload = c.preload / *length;
     }
     rows.push_back(
-        {normal_row(c), tangent_row(c), c.friction, preload, c.stiffness / length_squared});
+        {normal_row(c), tangent_row(c), c.friction, std::move(preload),
+         length_squared == 1 ? c.stiffness : Rational(c.stiffness / length_squared)});
   }
   return rows;
 }

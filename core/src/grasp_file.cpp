@@ -22,7 +22,7 @@ using namespace core_detail;
 
 /// A number; or an interval, which is rare and kept apart.
 struct WrittenNumber {
-  Rational middle{0};
+  Rational middle{};
   std::shared_ptr<const Interval> interval{};  ///< unless it is one number
 
   Interval ends() const { return interval ? *interval : point_interval(middle); }
@@ -41,7 +41,7 @@ struct WrittenContact {
   WrittenNumber y;
   WrittenNumber z;  ///< in space only
   Vector2 normal;
-  Rational normal_z{0};           ///< in space only
+  Rational normal_z{};            ///< in space only
   std::optional<Rational> slope;  ///< of the normal, unless it is 0
   Properties own;
 };
@@ -53,25 +53,29 @@ using Kind = JsonNode::Kind;
 
 using Names = std::vector<std::string>;
 
-WrittenNumber written(const Interval& interval) {
-  if (interval.is_point()) return {interval.low};
+WrittenNumber read_written(const JsonNode& node, const std::string& path,
+                           IntervalReader& read) {
+  if (node.kind != Kind::kObject) return {read_number(node, path)};
+  Interval interval = read.number(node, path);
+  if (interval.is_point()) return {std::move(interval.low)};
   return {interval.middle(), std::make_shared<const Interval>(interval)};
 }
 
+constexpr const char* kTwoNumbers = "an array of two numbers [x, y]";
 constexpr const char* kThreeNumbers = "an array of three numbers [x, y, z]";
 
 Vector2 read_direction(const JsonNode& node, const std::string& path) {
-  const std::vector<Rational> v = read_vector(node, path, 2, "an array of two numbers [x, y]");
-  return {v[0], v[1]};
+  std::vector<Rational> v = read_vector(node, path, 2, kTwoNumbers);
+  return {std::move(v[0]), std::move(v[1])};
 }
 
 void read_position(const JsonNode& node, const std::string& path, IntervalReader& read,
                    WrittenContact& contact) {
   const JsonNode& position = member(node, path, "position", "add \"position\": [x, y]");
-  const std::vector<Interval> v = read.numbers(position, member_path(path, "position"), 2,
-                                               "an array of two numbers [x, y]");
-  contact.x = written(v[0]);
-  contact.y = written(v[1]);
+  const std::string place = member_path(path, "position");
+  expect_array(position, place, 2, kTwoNumbers);
+  contact.x = read_written(position.children[0], element_path(place, 0), read);
+  contact.y = read_written(position.children[1], element_path(place, 1), read);
 }
 
 /// [x, y], or {"direction": [x, y], "slope": E}.
@@ -98,11 +102,11 @@ void read_normal(const JsonNode& node, const std::string& path, IntervalReader& 
 void read_place_in_space(const JsonNode& node, const std::string& path, IntervalReader& read,
                          WrittenContact& contact) {
   const JsonNode& position = member(node, path, "position", "add \"position\": [x, y, z]");
-  const std::vector<Interval> p =
-      read.numbers(position, member_path(path, "position"), 3, kThreeNumbers);
-  contact.x = written(p[0]);
-  contact.y = written(p[1]);
-  contact.z = written(p[2]);
+  const std::string place = member_path(path, "position");
+  expect_array(position, place, 3, kThreeNumbers);
+  contact.x = read_written(position.children[0], element_path(place, 0), read);
+  contact.y = read_written(position.children[1], element_path(place, 1), read);
+  contact.z = read_written(position.children[2], element_path(place, 2), read);
   const JsonNode& normal =
       member(node, path, "normal", "add \"normal\": [x, y, z], pointing into the object");
   const std::vector<Rational> n =
@@ -116,14 +120,15 @@ Properties read_properties(const JsonNode& object, const std::string& path,
   const auto number = [&](const char* key) -> std::optional<WrittenNumber> {
     const JsonNode* node = object.find(key);
     if (node == nullptr) return std::nullopt;
-    return written(read.number(*node, member_path(path, key)));
+    return read_written(*node, member_path(path, key), read);
   };
   return {number("friction"), number("stiffness"), number("preload")};
 }
 
 WrittenContact read_contact(const JsonNode& node, const std::string& path, IntervalReader& read,
                             bool in_space) {
-  expect_object(node, path, {"position", "normal", "on", "friction", "stiffness", "preload"});
+  static const Names kMembers{"position", "normal", "on", "friction", "stiffness", "preload"};
+  expect_object(node, path, kMembers);
   WrittenContact contact;
   const JsonNode* on = node.find("on");
   if (in_space) {
@@ -148,24 +153,28 @@ WrittenContact read_contact(const JsonNode& node, const std::string& path, Inter
 }
 
 /// The contact, with 1 and 0 for what is not given.
-Contact middle_of(const WrittenContact& c) {
-  const auto value = [](const std::optional<WrittenNumber>& number, int otherwise) {
-    return number ? number->middle : Rational(otherwise);
+Contact middle_of(WrittenContact c) {
+  const auto value = [](std::optional<WrittenNumber>& number, int otherwise) {
+    return number ? std::move(number->middle) : Rational(otherwise);
   };
-  return {{c.x.middle, c.y.middle},
-          c.normal,
+  return {{std::move(c.x.middle), std::move(c.y.middle)},
+          std::move(c.normal),
           value(c.own.friction, 0),
           value(c.own.stiffness, 1),
           value(c.own.preload, 0)};
 }
 
+bool is_certain(const WrittenContact& c) {
+  bool certain = !c.slope && !c.x.interval && !c.y.interval;
+  for (const auto* number : {&c.own.friction, &c.own.stiffness, &c.own.preload}) {
+    certain = certain && !(*number && (*number)->interval);
+  }
+  return certain;
+}
+
 /// Its intervals, if it has any; checked, with errors at `path`.
 std::optional<UncertainContact> uncertain_of(const WrittenContact& c, const std::string& path) {
-  bool is_point = !c.slope && !c.x.interval && !c.y.interval;
-  for (const auto* number : {&c.own.friction, &c.own.stiffness, &c.own.preload}) {
-    is_point = is_point && !(*number && (*number)->interval);
-  }
-  if (is_point) return std::nullopt;
+  if (is_certain(c)) return std::nullopt;
   const auto ends = [](const std::optional<WrittenNumber>& number, int otherwise) {
     return number ? number->ends() : point_interval(otherwise);
   };
@@ -345,13 +354,18 @@ StreamedGrasp::StreamedGrasp() = default;
 StreamedGrasp::~StreamedGrasp() = default;
 
 void StreamedGrasp::add_contact(std::size_t index, const JsonNode& node) {
-  IntervalReader read(first_interval_);
+  std::string interval;
+  IntervalReader read(interval);
   if (index == 0) {
     const JsonNode* position = node.find("position");
     in_space_ =
         position != nullptr && position->kind == Kind::kArray && position->children.size() == 3;
   }
-  contacts_.push_back(read_contact(node, element_path("contacts", index), read, in_space_));
+  // Places within the contact, put below its own only when needed: to spell the paths of all
+  // numbers would take as long as to read them.
+  const std::string path = element_path("contacts", index);
+  contacts_.push_back(within(path, [&] { return read_contact(node, "", read, in_space_); }));
+  if (first_interval_.empty() && !interval.empty()) first_interval_ = path + "." + interval;
 }
 
 bool StreamedGrasp::in_space(const JsonNode& grasp) const {
@@ -389,12 +403,12 @@ GraspFile StreamedGrasp::finish(const JsonNode& grasp, Intervals intervals) {
   std::vector<Contact> contacts;
   contacts.reserve(contacts_.size());
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
-    const WrittenContact& contact = contacts_[i];
-    if (auto box = uncertain_of(contact, element_path("contacts", i))) {
-      uncertain.emplace_back(i, std::move(*box));
+    WrittenContact& contact = contacts_[i];
+    if (!is_certain(contact)) {
+      uncertain.emplace_back(i, *uncertain_of(contact, element_path("contacts", i)));
     }
     if (!contact.own.stiffness) file.assumed_stiffness.emplace_back(i);
-    contacts.push_back(middle_of(contact));
+    contacts.push_back(middle_of(std::move(contact)));
   }
   contacts_.clear();
   file.content = {

@@ -24,10 +24,7 @@ Interval IntervalReader::number(const JsonNode& node, const std::string& path) {
 
 std::vector<Interval> IntervalReader::numbers(const JsonNode& node, const std::string& path,
                                               std::size_t length, const char* form) {
-  expect(node, JsonNode::Kind::kArray, path, form);
-  if (node.children.size() != length) {
-    fail_at(path, "found " + describe(node), std::string("expected ") + form);
-  }
+  expect_array(node, path, length, form);
   std::vector<Interval> values;
   for (const JsonNode& child : node.children) {
     values.push_back(number(child, element_path(path, values.size())));

@@ -236,8 +236,20 @@ class Builder : public nlohmann::json_sax<Json> {
     count_node();
     const JsonStream* const elements = kind == JsonNode::Kind::kArray ? stream() : nullptr;
     open_.push_back({{kind, {}, {}, {}}, 0, nodes_before, elements});
+    // As many as most have: grown from one, the lists of contacts' members cost much of
+    // reading.
+    JsonNode& node = open_.back().node;
+    if (kind == JsonNode::Kind::kObject) {
+      node.keys.reserve(kUsualMembers);
+      node.children.reserve(kUsualMembers);
+    } else if (elements == nullptr) {
+      node.children.reserve(kUsualElements);
+    }
     return true;
   }
+
+  static constexpr std::size_t kUsualMembers = 5;
+  static constexpr std::size_t kUsualElements = 3;
 
   bool close() {
     Open closed = std::move(open_.back());
@@ -381,6 +393,13 @@ void expect_object(const JsonNode& node, const std::string& path,
   }
 }
 
+void expect_array(const JsonNode& node, const std::string& path, std::size_t length,
+                  const char* form) {
+  expect(node, JsonNode::Kind::kArray, path, form);
+  if (node.children.size() == length) return;
+  fail_at(path, "found " + describe(node), std::string("expected ") + form);
+}
+
 const JsonNode& member(const JsonNode& object, const std::string& path, const char* key,
                        const char* remedy) {
   const JsonNode* node = object.find(key);
@@ -402,10 +421,7 @@ Rational read_number(const JsonNode& node, const std::string& path) {
 
 std::vector<Rational> read_vector(const JsonNode& node, const std::string& path,
                                   std::size_t length, const char* form) {
-  expect(node, JsonNode::Kind::kArray, path, form);
-  if (node.children.size() != length) {
-    fail_at(path, "found " + describe(node), std::string("expected ") + form);
-  }
+  expect_array(node, path, length, form);
   std::vector<Rational> values;
   for (const JsonNode& child : node.children) {
     values.push_back(read_number(child, element_path(path, values.size())));

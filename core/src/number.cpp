@@ -3,13 +3,19 @@
 
 #include <mpfr.h>
 
+#include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 
+#include "short_arithmetic.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
+
+using namespace core_detail;
+
 namespace {
 
 bool is_digit(char c) {
@@ -41,6 +47,20 @@ Integer integer_from_digits(const std::string& digits) {
   // GMP would read a leading zero as octal.
   const std::size_t first = digits.find_first_not_of('0');
   return first == std::string::npos ? Integer(0) : Integer(digits.substr(first));
+}
+
+constexpr std::size_t kWordDigits = 18;  ///< a machine word holds every number of so many
+
+std::uint64_t word_from_digits(const std::string& digits) {
+  std::uint64_t value = 0;
+  for (const char c : digits) value = 10 * value + static_cast<std::uint64_t>(c - '0');
+  return value;
+}
+
+std::uint64_t word_power_of_ten(std::size_t exponent) {
+  std::uint64_t value = 1;
+  while (exponent-- > 0) value *= 10;
+  return value;
 }
 
 Integer power_of_ten(long exponent) {
@@ -116,9 +136,13 @@ Rational parse_rational(std::string_view text) {
     rest.remove_prefix(1);
     std::string denominator_digits;
     if (take_digits(rest, denominator_digits) == 0 || !rest.empty()) not_a_number(text);
-    const Integer denominator = integer_from_digits(denominator_digits);
-    if (denominator.is_zero()) throw NumberError(quote(text) + " divides by zero");
-    value = Rational(integer_from_digits(digits), denominator);
+    if (denominator_digits.find_first_not_of('0') == std::string::npos) {
+      throw NumberError(quote(text) + " divides by zero");
+    }
+    value =
+        std::max(digits.size(), denominator_digits.size()) <= kWordDigits
+            ? short_fraction(word_from_digits(digits), word_from_digits(denominator_digits))
+            : Rational(integer_from_digits(digits), integer_from_digits(denominator_digits));
   } else {
     long exponent = 0;
     if (!rest.empty() && rest.front() == '.') {
@@ -141,11 +165,17 @@ Rational parse_rational(std::string_view text) {
       exponent += negative_exponent ? -spelled : spelled;
     }
     if (!rest.empty()) not_a_number(text);
-    const Integer mantissa = integer_from_digits(digits);
-    value = exponent >= 0 ? Rational(mantissa * power_of_ten(exponent))
-                          : Rational(mantissa, power_of_ten(-exponent));
+    const auto shift = static_cast<std::size_t>(std::abs(exponent));
+    if (exponent <= 0 && std::max(digits.size(), shift) <= kWordDigits) {
+      value = short_fraction(word_from_digits(digits), word_power_of_ten(shift));
+    } else {
+      const Integer mantissa = integer_from_digits(digits);
+      value = exponent >= 0 ? Rational(mantissa * power_of_ten(exponent))
+                            : Rational(mantissa, power_of_ten(-exponent));
+    }
   }
-  return negative ? Rational(-value) : value;
+  if (negative) mpq_neg(value.backend().data(), value.backend().data());
+  return value;
 }
 
 std::string to_string(const Rational& value) {
@@ -169,6 +199,14 @@ Rational rational_in_bits(double value, int bits) {
 
 double to_double(const Rational& value) {
   using Double = std::numeric_limits<double>;
+  mpz_srcptr num = mpq_numref(value.backend().data());
+  mpz_srcptr den = mpq_denref(value.backend().data());
+  // Of two doubles, whose quotient the machine rounds once, and to nearest unless it is told
+  // otherwise.
+  if (FLT_EVAL_METHOD == 0 && mpz_sizeinbase(num, 2) <= Double::digits &&
+      mpz_sizeinbase(den, 2) <= Double::digits) {
+    return mpz_get_d(num) / mpz_get_d(den);
+  }
   mpfr_t rounded;
   mpfr_init2(rounded, Double::digits);
   // With the exponents of doubles, so that a subnormal is rounded once, to the digits it has.
@@ -184,14 +222,16 @@ double to_double(const Rational& value) {
 
 std::optional<Rational> exact_sqrt(const Rational& value) {
   require(value.sign() >= 0, "exact_sqrt of a negative number");
-  const Integer num = boost::multiprecision::numerator(value);
-  const Integer den = boost::multiprecision::denominator(value);
-  // Lowest terms: the root is rational iff both parts are squares.
-  if (mpz_perfect_square_p(num.backend().data()) == 0 ||
-      mpz_perfect_square_p(den.backend().data()) == 0) {
+  mpq_srcptr square = value.backend().data();
+  // Lowest terms: the root is rational iff both parts are squares, and then in lowest terms.
+  if (mpz_perfect_square_p(mpq_numref(square)) == 0 ||
+      mpz_perfect_square_p(mpq_denref(square)) == 0) {
     return std::nullopt;
   }
-  return Rational(boost::multiprecision::sqrt(num), boost::multiprecision::sqrt(den));
+  Rational root;
+  mpz_sqrt(mpq_numref(root.backend().data()), mpq_numref(square));
+  mpz_sqrt(mpq_denref(root.backend().data()), mpq_denref(square));
+  return root;
 }
 
 ShortRoot short_sqrt(const Rational& square, unsigned bits) {

@@ -3,18 +3,18 @@
 
 #include <utility>
 
+#include "short_arithmetic.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
+
+using namespace core_detail;
+
 namespace {
 
 Rational dot(const Vector2& a, const Vector2& b) {
   return a.x * b.x + a.y * b.y;
 }
-Rational cross(const Vector2& a, const Vector2& b) {
-  return a.x * b.y - a.y * b.x;
-}
-
 struct Fraction {
   Integer num;
   Integer den;
@@ -43,12 +43,14 @@ class Target {
   }
 
   /// Whether t lies below the parameter of the direction (never equal: that is irrational).
-  bool above(const Fraction& t) const { return cross(t.on_circle(), direction_).sign() > 0; }
+  bool above(const Fraction& t) const {
+    return determinant(t.on_circle(), direction_).sign() > 0;
+  }
 
   /// |u - n/L|^2 = 2 s^2 / (1 + c) with s, c the sine and cosine between u and n: no
   /// cancellation, so a few digits suffice at any tolerance.
   std::string distance_bound(const Vector2& u) const {
-    const Rational s = cross(u, direction_);
+    const Rational s = determinant(u, direction_);
     const Rational c = dot(u, direction_);
     const Rational cosine = parse_rational(enclose_sqrt(1, c * c / length_squared_).lower);
     return enclose_sqrt(1, 2 * s * s / (length_squared_ * (1 + cosine)), 3).upper;

@@ -16,19 +16,6 @@ using Pair = std::array<Rational, 2>;
 
 constexpr const char* kThreeNumbers = "an array of three numbers";
 
-/// What `read` returns; its errors, unless they are about another file, are about the value of
-/// `key`.
-template <class Read>
-auto within(const std::string& key, Read read) {
-  try {
-    return read();
-  } catch (const InputError& error) {
-    if (!error.file().empty()) throw;
-    const std::string below = error.place() == place_name("") ? "" : error.place();
-    fail_at(key + (below.empty() ? "" : "." + below), error.problem(), error.remedy());
-  }
-}
-
 /// A value of two spellings: whether it is the first.
 bool is_first(const JsonNode& node, const std::string& path, const std::string& first,
               const std::string& second) {

@@ -126,6 +126,22 @@ TEST(ContactRows, MeasureTheMotionOfTheContactPoint) {
   }
 }
 
+TEST(ContactRows, AreTheSameInAndBeyondMachineWords) {
+  Random random(14);
+  const auto number = [&] {
+    return random.integer(0, 1) == 0 ? random.extreme() : random.small();
+  };
+  for (int i = 0; i < 20000; ++i) {
+    const Vector2 p{number(), number()};
+    const Vector2 n{number(), number()};
+    if (n == Vector2{}) continue;
+    const ContactRow row = contact_rows(Grasp({{p, n, kHalf, 3, 0}}))[0];
+    EXPECT_EQ(row.normal, (Wrench{n.x, n.y, p.x * n.y - p.y * n.x}));
+    EXPECT_EQ(row.tangent, (Wrench{-n.y, n.x, p.x * n.x + p.y * n.y}));
+    EXPECT_EQ(row.stiffness, 3 / (n.x * n.x + n.y * n.y));
+  }
+}
+
 /// The object turned by a rational rotation and shifted: p' = R p + s, n' = R n. A motion d of
 /// the body is seen from the new frame as (R (x,y) - r J s, r), J the quarter turn; N'.d' =
 /// N.d.

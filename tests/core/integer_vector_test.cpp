@@ -45,5 +45,41 @@ TEST(IntegerVector, PrimitiveMultipleOfRationals) {
   }
 }
 
+/// By the definition alone: over a common denominator, and without a common divisor.
+template <std::size_t n>
+IntegerVector<n> naive_multiple(const std::array<Rational, n>& a) {
+  Integer common = 1;
+  for (const Rational& entry : a) common *= denominator(entry);
+  IntegerVector<n> result;
+  Integer divisor = 0;
+  for (std::size_t j = 0; j < n; ++j) {
+    result[j] = numerator(Rational(a[j] * common));
+    divisor = gcd(divisor, result[j]);
+  }
+  for (Integer& entry : result) {
+    if (!divisor.is_zero()) entry /= divisor;
+  }
+  return result;
+}
+
+TEST(IntegerVector, PrimitiveMultiplesAreTheSameInAndBeyondMachineWords) {
+  testing::Random random(62);
+  for (int i = 0; i < 20000; ++i) {
+    std::array<Rational, 5> a;
+    for (Rational& entry : a) {
+      const int kind = random.integer(0, 3);
+      if (kind > 0) entry = kind == 1 ? random.small() : random.extreme();
+    }
+    const IntegerVector<5> expected = naive_multiple(a);
+    EXPECT_EQ(primitive_multiple(a), expected);
+    IntegerVector<5> scaled = expected;
+    const Integer factor = abs(random.border());
+    if (factor.is_zero()) continue;
+    for (Integer& entry : scaled) entry *= factor;
+    EXPECT_EQ(primitive(scaled), expected);
+    EXPECT_EQ(primitive(negated(scaled)), negated(expected));
+  }
+}
+
 }  // namespace
 }  // namespace stickslip

@@ -67,6 +67,38 @@ TEST(ParseRational, ReadsEverySpellingExactly) {
   for (const auto& c : kCases) EXPECT_EQ(parse_rational(c.text), c.value) << c.text;
 }
 
+/// In machine words and beyond: the text is taken apart here, and put together by powers.
+TEST(ParseRational, ReadsNumbersOfAnyLength) {
+  Random random(8);
+  const auto digits = [&](int least) {
+    std::string text(static_cast<std::size_t>(random.integer(least, 22)), '0');
+    const bool nines = random.integer(0, 3) == 0;
+    for (char& c : text) c = nines ? '9' : static_cast<char>('0' + random.integer(0, 9));
+    return text;
+  };
+  const auto value_of = [](const std::string& text) {
+    Integer value = 0;
+    for (const char c : text) value = 10 * value + (c - '0');
+    return Rational(value);
+  };
+  for (int i = 0; i < 20000; ++i) {
+    const std::string whole = digits(1);
+    const std::string decimals = digits(0);
+    const int exponent = random.integer(-25, 25);
+    const std::string sign = random.integer(0, 1) == 0 ? "" : "-";
+    const Rational factor = sign.empty() ? 1 : -1;
+    const std::string point = decimals.empty() ? "" : "." + decimals;
+    const Rational decimal =
+        factor * value_of(whole + decimals) * ten_to(-static_cast<int>(decimals.size()));
+    EXPECT_EQ(parse_rational(sign + whole + point), decimal);
+    EXPECT_EQ(parse_rational(sign + whole + point + "e" + std::to_string(exponent)),
+              decimal * ten_to(exponent));
+    const std::string below = digits(0) + "1";
+    EXPECT_EQ(parse_rational(sign + whole + "/" + below),
+              factor * value_of(whole) / value_of(below));
+  }
+}
+
 TEST(ParseRational, RejectsEverythingElse) {
   for (const char* text :
        {"",     "+",     "-",    ".",     "1.",    ".5",    "-.5",   "e3",    "1e",
@@ -180,6 +212,24 @@ TEST(ToDouble, IsTheNearest) {
     EXPECT_EQ(to_double(middle + little), above);
     EXPECT_EQ(to_double(middle), is_even ? value : above);
     EXPECT_EQ(to_double(-middle - little), -above);
+  }
+}
+
+/// Where the machine divides, and where it cannot.
+TEST(ToDouble, OfShortFractionsIsTheNearest) {
+  Random random(9);
+  for (int i = 0; i < 20000; ++i) {
+    const Rational value = i % 2 == 0 ? random.extreme() : random.big(18);
+    const double nearest = to_double(value);
+    if (value.is_zero()) {
+      EXPECT_EQ(nearest, 0.0);
+      continue;
+    }
+    const Rational error = abs(value - rational_from_double(nearest));
+    for (const double end : {-HUGE_VAL, HUGE_VAL}) {
+      const Rational other = rational_from_double(std::nextafter(nearest, end));
+      EXPECT_LE(error, abs(value - other)) << value;
+    }
   }
 }
 

@@ -3,6 +3,7 @@
 /// Reproducible random rationals and grasps for property tests.
 #pragma once
 
+#include <iterator>
 #include <random>
 #include <vector>
 
@@ -31,6 +32,21 @@ class Random {
   Rational big(int length) {
     const Rational value(digits(integer(1, length)), digits(integer(0, length)) + 1);
     return integer(0, 1) == 0 ? value : Rational(-value);
+  }
+
+  /// 0, or at a border of what a double, half a machine word, a word or several hold.
+  Integer border() {
+    constexpr int kBits[] = {0, 1, 30, 31, 32, 52, 53, 62, 63, 64, 65, 127, 128, 300};
+    const int bits = kBits[integer(0, static_cast<int>(std::size(kBits)) - 1)];
+    const Integer value = (Integer(1) << static_cast<unsigned>(bits)) + integer(-1, 1);
+    return integer(0, 1) == 0 ? value : Integer(-value);
+  }
+
+  /// A fraction of such numbers or small ones; often an integer.
+  Rational extreme() {
+    const auto part = [&] { return integer(0, 1) == 0 ? border() : Integer(integer(-9, 9)); };
+    const Integer denominator = integer(0, 2) == 0 ? Integer(1) : Integer(abs(part()));
+    return Rational(part(), denominator.is_zero() ? Integer(1) : denominator);
   }
 
   Vector2 nonzero_vector() {

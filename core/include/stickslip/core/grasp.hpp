@@ -19,8 +19,8 @@ namespace stickslip {
 /// A point or a direction in the object frame.
 struct Vector2 {
   /// \{ A coordinate; of a point, a length in the user's unit.
-  Rational x{0};
-  Rational y{0};
+  Rational x{};
+  Rational y{};
   /// \}
 
   /// Exact.
@@ -59,9 +59,9 @@ struct GraspDescription {
 struct Contact {
   Vector2 position;       ///< of the point of contact, in the object frame
   Vector2 normal;         ///< nonzero, points into the object
-  Rational friction{0};   ///< coefficient mu >= 0
+  Rational friction{};    ///< coefficient mu >= 0
   Rational stiffness{1};  ///< of the normal spring, k > 0, force per length
-  Rational preload{0};    ///< P >= 0, force
+  Rational preload{};     ///< P >= 0, force
 };
 
 /// How normal forces answer the motion d, with v = P - k N.d (N of a unit normal).

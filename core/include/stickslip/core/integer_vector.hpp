@@ -13,6 +13,15 @@
 
 namespace stickslip {
 
+namespace core_detail {
+
+/// primitive() of these n integers, in place.
+void make_primitive(Integer* a, std::size_t n);
+/// primitive_multiple() of n fractions; `result` is 0 before.
+void primitive_multiple(const Rational* a, Integer* result, std::size_t n);
+
+}  // namespace core_detail
+
 /// n integers.
 template <std::size_t n>
 using IntegerVector = std::array<Integer, n>;
@@ -52,26 +61,16 @@ IntegerVector<n> negated(IntegerVector<n> a) {
 /// a divided by the greatest common divisor of its entries; 0 stays 0.
 template <std::size_t n>
 IntegerVector<n> primitive(IntegerVector<n> a) {
-  Integer divisor = 0;
-  for (const Integer& entry : a) {
-    divisor = gcd(divisor, entry);
-    if (divisor == 1) return a;
-  }
-  if (divisor.is_zero()) return a;
-  for (Integer& entry : a) entry /= divisor;
+  core_detail::make_primitive(a.data(), n);
   return a;
 }
 
 /// The primitive integer vector that is a positive multiple of `a`; 0 stays 0.
 template <std::size_t n>
 IntegerVector<n> primitive_multiple(const std::array<Rational, n>& a) {
-  Integer common = 1;
-  for (const Rational& entry : a) common = lcm(common, denominator(entry));
-  IntegerVector<n> scaled;
-  for (std::size_t j = 0; j < n; ++j) {
-    scaled[j] = numerator(a[j]) * (common / denominator(a[j]));
-  }
-  return primitive(std::move(scaled));
+  IntegerVector<n> result;
+  core_detail::primitive_multiple(a.data(), result.data(), n);
+  return result;
 }
 
 /// The primitive integer vector nearest to a multiple of `a` with entries of this many bits; 0

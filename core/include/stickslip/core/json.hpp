@@ -13,6 +13,7 @@
 #include <string_view>
 #include <vector>
 
+#include "stickslip/core/error.hpp"
 #include "stickslip/core/number.hpp"
 
 namespace stickslip {
@@ -94,6 +95,19 @@ class TextLines {
 /// Throws the InputError.
 [[noreturn]] void fail_at(const std::string& path, std::string problem, std::string remedy);
 
+/// What `read` returns; its errors, unless they are about another file, are about the value at
+/// `path`, in which their own places begin.
+template <class Read>
+auto within(const std::string& path, Read read) {
+  try {
+    return read();
+  } catch (const InputError& error) {
+    if (!error.file().empty()) throw;
+    const std::string below = error.place() == place_name("") ? "" : error.place();
+    fail_at(path + (below.empty() ? "" : "." + below), error.problem(), error.remedy());
+  }
+}
+
 /// The node has this kind; `expected` says so in words.
 void expect(const JsonNode& node, JsonNode::Kind kind, const std::string& path,
             const char* expected);
@@ -101,6 +115,10 @@ void expect(const JsonNode& node, JsonNode::Kind kind, const std::string& path,
 /// An object without keys other than these; a near miss is told what was meant.
 void expect_object(const JsonNode& node, const std::string& path,
                    const std::vector<std::string>& allowed);
+
+/// An array of `length` values; `form` describes it, "an array of two numbers [x, y]".
+void expect_array(const JsonNode& node, const std::string& path, std::size_t length,
+                  const char* form);
 
 /// The value of a required key.
 const JsonNode& member(const JsonNode& object, const std::string& path, const char* key,

@@ -19,9 +19,9 @@ using Vector3 = std::array<Rational, 3>;
 
 /// A small planar motion d = (x, y, r) of the object.
 struct Twist {
-  Rational x{0};  ///< displacement of the origin of the frame along x, a length
-  Rational y{0};  ///< displacement of the origin of the frame along y, a length
-  Rational r{0};  ///< rotation, counterclockwise, in radians
+  Rational x{};  ///< displacement of the origin of the frame along x, a length
+  Rational y{};  ///< displacement of the origin of the frame along y, a length
+  Rational r{};  ///< rotation, counterclockwise, in radians
 
   /// Exact.
   friend bool operator==(const Twist& a, const Twist& b) {
@@ -31,9 +31,9 @@ struct Twist {
 
 /// A planar force and its torque, w = (x, y, torque), on the object.
 struct Wrench {
-  Rational x{0};       ///< force along x
-  Rational y{0};       ///< force along y
-  Rational torque{0};  ///< about the origin of the frame, counterclockwise
+  Rational x{};       ///< force along x
+  Rational y{};       ///< force along y
+  Rational torque{};  ///< about the origin of the frame, counterclockwise
 
   /// Exact.
   friend bool operator==(const Wrench& a, const Wrench& b) {

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/core/integer_vector.hpp"
+
+#include <numeric>
+#include <optional>
+
+namespace stickslip::core_detail {
+namespace {
+
+mpz_srcptr numerator_of(const Rational& value) {
+  return mpq_numref(value.backend().data());
+}
+
+mpz_srcptr denominator_of(const Rational& value) {
+  return mpq_denref(value.backend().data());
+}
+
+/// What primitive_multiple() needs of its fractions.
+template <class Number>
+struct CommonParts {
+  Number numerators;    ///< their greatest common divisor; 0 if all are 0
+  Number denominators;  ///< their least common multiple
+};
+
+/// If all of it fits into machine words, as it mostly does.
+std::optional<CommonParts<mp_limb_t>> short_parts(const Rational* a, std::size_t n) {
+  CommonParts<mp_limb_t> parts{0, 1};
+  for (std::size_t j = 0; j < n; ++j) {
+    if (mpz_size(numerator_of(a[j])) > 1 || mpz_size(denominator_of(a[j])) > 1) {
+      return std::nullopt;
+    }
+    const mp_limb_t denominator = mpz_getlimbn(denominator_of(a[j]), 0);
+    parts.numerators = std::gcd(parts.numerators, mpz_getlimbn(numerator_of(a[j]), 0));
+    if (parts.denominators % denominator == 0) continue;
+    const mp_limb_t factor = denominator / std::gcd(parts.denominators, denominator);
+    if (__builtin_mul_overflow(parts.denominators, factor, &parts.denominators)) {
+      return std::nullopt;
+    }
+  }
+  return parts;
+}
+
+CommonParts<Integer> long_parts(const Rational* a, std::size_t n) {
+  CommonParts<Integer> parts{0, 1};
+  mpz_ptr divisor = parts.numerators.backend().data();
+  mpz_ptr common = parts.denominators.backend().data();
+  for (std::size_t j = 0; j < n; ++j) {
+    mpz_gcd(divisor, divisor, numerator_of(a[j]));
+    mpz_lcm(common, common, denominator_of(a[j]));
+  }
+  return parts;
+}
+
+}  // namespace
+
+void make_primitive(Integer* a, std::size_t n) {
+  Integer divisor;
+  mpz_ptr g = divisor.backend().data();
+  for (std::size_t j = 0; j < n; ++j) {
+    mpz_gcd(g, g, a[j].backend().data());
+    if (mpz_cmp_ui(g, 1) == 0) return;
+  }
+  if (divisor.is_zero()) return;
+  for (std::size_t j = 0; j < n; ++j) {
+    mpz_divexact(a[j].backend().data(), a[j].backend().data(), g);
+  }
+}
+
+void primitive_multiple(const Rational* a, Integer* result, std::size_t n) {
+  // Of fractions p_j / q_j in lowest terms: (p_j / gcd of all p) (lcm of all q / q_j).
+  if (const auto parts = short_parts(a, n)) {
+    if (parts->numerators == 0) return;
+    for (std::size_t j = 0; j < n; ++j) {
+      if (a[j].is_zero()) continue;
+      mpz_ptr entry = result[j].backend().data();
+      const mp_limb_t numerator = mpz_getlimbn(numerator_of(a[j]), 0) / parts->numerators;
+      const mp_limb_t factor = parts->denominators / mpz_getlimbn(denominator_of(a[j]), 0);
+      mp_limb_t product = 0;
+      if (__builtin_mul_overflow(numerator, factor, &product)) {
+        mpz_set_ui(entry, numerator);
+        mpz_mul_ui(entry, entry, factor);
+      } else {
+        mpz_set_ui(entry, product);
+      }
+      if (a[j].sign() < 0) mpz_neg(entry, entry);
+    }
+    return;
+  }
+  const CommonParts<Integer> parts = long_parts(a, n);
+  Integer factor;
+  for (std::size_t j = 0; j < n; ++j) {
+    if (a[j].is_zero()) continue;
+    mpz_ptr entry = result[j].backend().data();
+    mpz_divexact(entry, numerator_of(a[j]), parts.numerators.backend().data());
+    mpz_divexact(factor.backend().data(), parts.denominators.backend().data(),
+                 denominator_of(a[j]));
+    mpz_mul(entry, entry, factor.backend().data());
+  }
+}
+
+}  // namespace stickslip::core_detail

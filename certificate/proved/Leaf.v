@@ -397,7 +397,7 @@ Proof.
   intros H. pose proof (Rle_abs x). pose proof (Rle_abs (- x)). rewrite Rabs_Ropp in *. lra.
 Qed.
 
-Section Contact.
+Section Leaf.
 Open Scope R_scope.
 
 Variable strict : list (list form).
@@ -412,19 +412,20 @@ Hypothesis W : weights (map coordinates rays) ws.
 Hypothesis spanned : forall a, rdot a x = total a ws.
 Notation bound t := (over_rays (value t) ws).
 
+Variables y1 y2 y3 : Z.
+Let y := [y1; y2; y3].
+Let yv := Model.Vector (IZR y1) (IZR y2) (IZR y3).
+Variable m : Z.
+Hypothesis m_positive : (0 < m)%Z.
+
+Section Contact.
+
 Variable b : cbox.
 Variable e : R.
 Variable c : Model.contact.
 Hypothesis I : inside b e c.
 Let r := make_row b.
 Let ss := shares_in b e c.
-
-Variable y1 y2 y3 : Z.
-Let y := [y1; y2; y3].
-Let yv := Model.Vector (IZR y1) (IZR y2) (IZR y3).
-
-Variable m : Z.
-Hypothesis m_positive : (0 < m)%Z.
 
 (* y.(N + s T) *)
 Notation alpha s := (Model.work (Model.N c) yv + s * Model.work (Model.T c) yv).
@@ -791,9 +792,6 @@ End Contact.
 
 (* ---- The leaf ---- *)
 
-Section Leaf.
-Open Scope R_scope.
-
 Definition fits (row : row) (c : Model.contact) :=
   row = make_row (box row) /\ exists e, inside (box row) e c.
 
@@ -813,24 +811,6 @@ Record solution (rows : list row) (ld : load) (g : Model.grasp) (lambda : R)
   is_equilibrium : Model.equilibrium g lambda d forces
 }.
 
-Variable strict : list (list form).
-Variable rays : list ray.
-Variable d : Model.vector.
-Variable lambda : R.
-Let x := located d 1 lambda.
-Hypothesis rays_know : Forall (knows strict) rays.
-Hypothesis strict_at_x : Forall (Exists (fun f => rdot f x <> 0)) strict.
-Variable ws : list (R * form).
-Hypothesis W : weights (map coordinates rays) ws.
-Hypothesis spanned : forall a, rdot a x = total a ws.
-Notation bound t := (over_rays (value t) ws).
-
-Variables y1 y2 y3 : Z.
-Let y := [y1; y2; y3].
-Let yv := Model.Vector (IZR y1) (IZR y2) (IZR y3).
-Variable m : Z.
-Hypothesis m_positive : (0 < m)%Z.
-
 Lemma forces_bound rows law cs forces :
   Forall2 fits rows cs -> Forall2 (Model.obeys law lambda d) cs forces ->
   IZR m * Model.work (Model.sum (Model.contact_wrenches cs forces)) yv
@@ -839,9 +819,7 @@ Proof.
   intros F. revert forces. induction F as [|row c rows cs [Fr [e In_e]] F IH]; intros forces O.
   - inversion O; subst. cbn. unfold Model.work; cbn. lra.
   - inversion O as [|c' f cs' fs Oc Os]; subst. cbn [map bounds]. specialize (IH fs Os).
-    pose proof (contact_bound strict rays d lambda rays_know strict_at_x ws W spanned
-                  (box row) e c In_e y1 y2 y3 m m_positive law f Oc) as B.
-    rewrite <- Fr in B. fold y in B. fold yv in B.
+    pose proof (contact_bound (box row) e c In_e law f Oc) as B. rewrite <- Fr in B.
     assert (E : Model.work (Model.sum (Model.contact_wrenches (c :: cs) (f :: fs))) yv =
                 Model.work (Model.contact_wrench c f) yv +
                 Model.work (Model.sum (Model.contact_wrenches cs fs)) yv).

@@ -393,7 +393,7 @@ End Three.
 
 (* ---- A contact's force does at most alpha max(0, v) of work ---- *)
 
-Section Contact.
+Section Leaf.
 Open Scope R_scope.
 
 Lemma eval_sum {A} (f g : A -> R) t ss :
@@ -401,6 +401,36 @@ Lemma eval_sum {A} (f g : A -> R) t ss :
 Proof.
   revert ss. induction t as [a|l IHl h IHh]; intros ss; cbn; [reflexivity|].
   destruct ss; rewrite ?IHl, ?IHh; ring.
+Qed.
+
+(* y.w of lists *)
+Fixpoint works (y : form) (w : list R) : R :=
+  match y, w with c :: y', t :: w' => IZR c * t + works y' w' | _, _ => 0 end.
+
+Lemma most_work_bound sc y box w : 0 < unit sc ->
+  (forall i, In i box -> Q2R (low i) = unit sc * IZR (to_integer sc (low i)) /\
+                         Q2R (high i) = unit sc * IZR (to_integer sc (high i))) ->
+  Forall2 within box w ->
+  works y w <= unit sc * IZR (most_work y (map (to_integer sc) (map low box))
+                                (map (to_integer sc) (map high box))).
+Proof.
+  intros U H F. revert y. induction F as [|i t box w [L1 L2] F IH]; intros y.
+  - destruct y; cbn; lra.
+  - destruct y as [|c y]; [cbn; lra|]. cbn [works map most_work].
+    assert (IH' := IH ltac:(intros; apply H; now right) y).
+    destruct (H i (or_introl eq_refl)) as [E1 E2]. rewrite E1 in L1. rewrite E2 in L2.
+    rewrite plus_IZR, Rmult_plus_distr_l. apply Rplus_le_compat; [|exact IH']. rewrite mult_IZR.
+    destruct (Z.ltb_spec 0 c) as [P|P].
+    + apply IZR_lt in P. nra.
+    + apply IZR_le in P. nra.
+Qed.
+
+Lemma works_growth sc y us : (forall q, In q us -> Q2R q = unit sc * IZR (to_integer sc q)) ->
+  works y (map Q2R us) = unit sc * IZR (dot (map (to_integer sc) us) y).
+Proof.
+  revert y. induction us as [|q us IH]; intros y H; destruct y as [|c y]; cbn; try ring.
+  rewrite IH by (intros; apply H; now right). rewrite (H q) by now left.
+  rewrite plus_IZR, mult_IZR. ring.
 Qed.
 
 Variable strict : list (list form).
@@ -414,18 +444,20 @@ Variable ws : list (R * form).
 Hypothesis W : weights (map coordinates rays) ws.
 Hypothesis spanned : forall a, rdot a x = total a ws.
 
+Variables y1 y2 y3 y4 y5 y6 : Z.
+Let y := [y1; y2; y3; y4; y5; y6].
+Let yv := S.Screw (S.Vector (IZR y1) (IZR y2) (IZR y3)) (S.Vector (IZR y4) (IZR y5) (IZR y6)).
+Variable size : Q.
+Hypothesis size_positive : 0 < Q2R size.
+
+Section Contact.
+
 Variable b : cbox.
 Variable c : S.contact.
 Hypothesis I : inside b c.
 Let r := make_row b.
 Let ss := shares_in b c.
 Let u := unit (scaling_of_geometry b).
-
-Variables y1 y2 y3 y4 y5 y6 : Z.
-Let y := [y1; y2; y3; y4; y5; y6].
-Let yv := S.Screw (S.Vector (IZR y1) (IZR y2) (IZR y3)) (S.Vector (IZR y4) (IZR y5) (IZR y6)).
-Variable size : Q.
-Hypothesis size_positive : 0 < Q2R size.
 
 Let gens := slips (geometry r) rays.
 
@@ -877,9 +909,6 @@ End Contact.
 
 (* ---- The leaf ---- *)
 
-Section Leaf.
-Open Scope R_scope.
-
 Definition fits (row : row) (c : S.contact) := row = make_row (box row) /\ inside (box row) c.
 
 (* The coordinates of a wrench. *)
@@ -897,52 +926,6 @@ Record solution (rows : list row) (ld : load) (g : S.grasp) (lambda : R)
   is_equilibrium : S.equilibrium g lambda d forces
 }.
 
-(* y.w of lists *)
-Fixpoint works (y : form) (w : list R) : R :=
-  match y, w with c :: y', t :: w' => IZR c * t + works y' w' | _, _ => 0 end.
-
-Lemma most_work_bound sc y box w : 0 < unit sc ->
-  (forall i, In i box -> Q2R (low i) = unit sc * IZR (to_integer sc (low i)) /\
-                         Q2R (high i) = unit sc * IZR (to_integer sc (high i))) ->
-  Forall2 within box w ->
-  works y w <= unit sc * IZR (most_work y (map (to_integer sc) (map low box))
-                                (map (to_integer sc) (map high box))).
-Proof.
-  intros U H F. revert y. induction F as [|i t box w [L1 L2] F IH]; intros y.
-  - destruct y; cbn; lra.
-  - destruct y as [|c y]; [cbn; lra|]. cbn [works map most_work].
-    assert (IH' := IH ltac:(intros; apply H; now right) y).
-    destruct (H i (or_introl eq_refl)) as [E1 E2]. rewrite E1 in L1. rewrite E2 in L2.
-    rewrite plus_IZR, Rmult_plus_distr_l. apply Rplus_le_compat; [|exact IH']. rewrite mult_IZR.
-    destruct (Z.ltb_spec 0 c) as [P|P].
-    + apply IZR_lt in P. nra.
-    + apply IZR_le in P. nra.
-Qed.
-
-Lemma works_growth sc y us : (forall q, In q us -> Q2R q = unit sc * IZR (to_integer sc q)) ->
-  works y (map Q2R us) = unit sc * IZR (dot (map (to_integer sc) us) y).
-Proof.
-  revert y. induction us as [|q us IH]; intros y H; destruct y as [|c y]; cbn; try ring.
-  rewrite IH by (intros; apply H; now right). rewrite (H q) by now left.
-  rewrite plus_IZR, mult_IZR. ring.
-Qed.
-
-Variable strict : list (list form).
-Variable rays : list ray.
-Variable d : S.screw.
-Variable lambda : R.
-Let x := located d 1 lambda.
-Hypothesis rays_know : Forall (knows strict) rays.
-Hypothesis strict_at_x : Forall (Exists (fun f => rdot f x <> 0)) strict.
-Variable ws : list (R * form).
-Hypothesis W : weights (map coordinates rays) ws.
-Hypothesis spanned : forall a, rdot a x = total a ws.
-
-Variables y1 y2 y3 y4 y5 y6 : Z.
-Let y := [y1; y2; y3; y4; y5; y6].
-Let yv := S.Screw (S.Vector (IZR y1) (IZR y2) (IZR y3)) (S.Vector (IZR y4) (IZR y5) (IZR y6)).
-Variable size : Q.
-Hypothesis size_positive : 0 < Q2R size.
 Variable m : Z.
 Hypothesis m_positive : (0 < m)%Z.
 
@@ -1020,9 +1003,7 @@ Proof.
     assert (Law : a = Rmax 0 (S.v c lambda d)).
     { destruct Oc as [Law _]. destruct l; cbn in Law; [exact Law|]. rewrite Rmax_right; lra. }
     assert (A0 : 0 <= a) by (rewrite Law; apply Rmax_l).
-    pose proof (work_bound strict rays d lambda rays_know strict_at_x ws W spanned b c I
-      y1 y2 y3 y4 y5 y6 size size_positive l sl a f Oc A0 HS) as WB.
-    fold y in WB. fold yv in WB. rewrite <- Fr in WB.
+    pose proof (work_bound b c I l sl a f Oc A0 HS) as WB. rewrite <- Fr in WB.
     apply IZR_lt in m_positive as MP.
     assert (WB' : IZR m * (Q2R size * S.work (S.contact_wrench c (a, f)) yv) <=
                   IZR m * (a * Q2R (alpha strict rays sl row size y)))
@@ -1030,19 +1011,19 @@ Proof.
     destruct (forallb (nowhere_negative rays) (pull_tips row)) eqn:Closed;
       [|destruct (forallb (nowhere_positive rays) (pull_tips row)) eqn:Open].
     + cbn [map bounds fst snd].
-      assert (TB := term_bound rays d lambda ws W spanned b c I m m_positive
+      assert (TB := term_bound b c I m m_positive
         (alpha strict rays sl row size y) false a Law).
       rewrite <- Fr in TB. rewrite !Rmult_plus_distr_l. apply Rplus_le_compat; [|exact IH].
       eapply Rle_trans; [exact WB'|]. apply TB. intros _. split.
-      * apply (v_nonneg rays d lambda ws W spanned b c I). rewrite <- Fr. exact Closed.
+      * apply (v_nonneg b c I). rewrite <- Fr. exact Closed.
       * intros g Hg. rewrite forallb_forall in Closed.
         apply (nowhere_negative_nonneg rays _ ws W spanned). auto.
     + assert (V : S.v c lambda d <= 0).
-      { apply (v_nonpos rays d lambda ws W spanned b c I). rewrite <- Fr. exact Open. }
+      { apply (v_nonpos b c I). rewrite <- Fr. exact Open. }
       assert (a = 0) by (rewrite Law; apply Rmax_left; exact V). subst a.
       rewrite H in *. rewrite Rmult_0_l, Rmult_0_r in WB'. lra.
     + cbn [map bounds fst snd].
-      assert (TB := term_bound rays d lambda ws W spanned b c I m m_positive
+      assert (TB := term_bound b c I m m_positive
         (alpha strict rays sl row size y) true a Law).
       rewrite <- Fr in TB. rewrite !Rmult_plus_distr_l. apply Rplus_le_compat; [|exact IH].
       eapply Rle_trans; [exact WB'|]. apply TB. discriminate.

@@ -149,35 +149,23 @@ Lemma halves_cover s name i c l h g lambda d forces : halves s name i c = inl (l
    solution (rows h) (the_load h) g lambda d forces).
 Proof.
   intros H [F LE LW LU L E].
-  assert (Contacts : 
-    match Tree.numbered (rows s) i with
-      | None => inr "part-contact"%string
-      | Some row =>
-          if Tree.is_inside (get (box row) name) c then
-            inl (set_row s i (set (box row) name (Tree.low_half (get (box row) name) c)),
-                 set_row s i (set (box row) name (Tree.high_half (get (box row) name) c)))
-          else inr "part-inside"%string
-      end = inl (l, h) ->
-    (slipping l = slipping s /\ slipping h = slipping s) /\
-    (solution (rows l) (the_load l) g lambda d forces \/
-     solution (rows h) (the_load h) g lambda d forces)).
-  { intros H'. destruct (Tree.numbered (rows s) i) as [row|] eqn:N; [|discriminate].
-    destruct (Tree.is_inside _ c); [|discriminate]. injection H' as <- <-. cbn. split; [auto|].
-    destruct (Tree.numbered_replace_either fits (rows s) (S.contacts g) i row
-      (make_row (set (box row) name (Tree.low_half (get (box row) name) c)))
-      (make_row (set (box row) name (Tree.high_half (get (box row) name) c))) F N) as [F'|F'].
-    - intros k [_ Ie]. destruct (set_inside _ name c k Ie); [left|right];
-        (split; [reflexivity|assumption]).
-    - left. constructor; assumption.
-    - right. constructor; assumption. }
-  destruct name; cbn [halves] in H; try discriminate; try (apply Contacts; exact H).
-  clear Contacts. destruct (Tree.numbered (load_box (the_load s)) i) as [iv|] eqn:N; [|discriminate].
-  destruct (Tree.is_inside iv c); [|discriminate]. injection H as <- <-. cbn. split; [auto|].
-  destruct (Tree.numbered_replace_either within (load_box (the_load s)) _ i iv (Tree.low_half iv c)
-    (Tree.high_half iv c) LW N) as [F'|F'].
-  - intros x. apply Tree.within_halves.
-  - left. constructor; cbn; try assumption. reflexivity.
-  - right. constructor; cbn; try assumption. reflexivity.
+  destruct name; cbn [halves] in H; try discriminate.
+  7: {
+    destruct (Tree.numbered (load_box (the_load s)) i) as [iv|] eqn:N; [|discriminate].
+    destruct (Tree.is_inside iv c); [|discriminate]. injection H as <- <-. cbn. split; [auto|].
+    destruct (Tree.numbered_replace_either within (load_box (the_load s)) _ i iv (Tree.low_half iv c)
+      (Tree.high_half iv c) LW N) as [F'|F']; [intros x; apply Tree.within_halves|left|right];
+      constructor; cbn; try assumption; reflexivity. }
+  all: destruct (Tree.numbered (rows s) i) as [row|] eqn:N; [|discriminate];
+    destruct (Tree.is_inside _ c); [|discriminate]; injection H as <- <-; cbn; split; [auto|];
+    match goal with |- context [set _ ?name (Tree.low_half _ _)] =>
+      destruct (Tree.numbered_replace_either fits (rows s) (S.contacts g) i row
+        (make_row (set (box row) name (Tree.low_half (get (box row) name) c)))
+        (make_row (set (box row) name (Tree.high_half (get (box row) name) c))) F N) as [F'|F'];
+      [intros k [_ Ie]; destruct (set_inside _ name c k Ie); [left|right];
+         (split; [reflexivity|assumption])
+      |left; constructor; assumption|right; constructor; assumption]
+    end.
 Qed.
 
 Definition solves (s : setting) (x : list R) :=
@@ -241,19 +229,6 @@ Lemma split_covers s n bs x : (forall y, n <> Leaf y) -> split s n = inl bs -> s
   exists b, In b bs /\ takes solves b x.
 Proof.
   intros NL H S.
-  assert (Above : forall f, 0 < rdot f x -> takes solves (above s f) x).
-  { intros f P. constructor; cbn; [exact S| | |constructor].
-    - constructor; [|constructor]. unfold meets; cbn. lra.
-    - constructor; [lra|constructor]. }
-  assert (NotBelow : forall f, 0 <= rdot f x -> takes solves (not_below s f) x).
-  { intros f P. constructor; cbn; [exact S| |constructor|constructor].
-    constructor; [exact P|constructor]. }
-  assert (Two : forall f, bs = [not_below s f; above s (negative f)] ->
-    exists b, In b bs /\ takes solves b x).
-  { intros f ->. destruct (Rle_dec 0 (rdot f x)) as [P|P].
-    - exists (not_below s f). split; [now left|auto].
-    - exists (above s (negative f)). split; [right; now left|]. apply Above.
-      rewrite Tree.rdot_negative. lra. }
   destruct n as [i|i|a|name i c|y]; cbn in H.
   - destruct (Tree.numbered (rows s) i) as [row|] eqn:N; [|discriminate].
     destruct (slip_certain row) eqn:SC; [|discriminate]. injection H as <-.
@@ -281,8 +256,8 @@ Proof.
       intros k' c' H NC'. cbn in H. apply orb_true_iff in H as [H|H]; [|now apply (SL k' c')].
       apply Z.eqb_eq, Nat2Z.inj in H. subst k'. rewrite NC in NC'. injection NC' as <-. exact NZ.
   - destruct (Tree.numbered (rows s) i) as [row|]; [|discriminate].
-    destruct (separates row) as [f|]; [|discriminate]. injection H as <-. now apply (Two f).
-  - injection H as <-. now eapply Two.
+    destruct (separates row) as [f|]; [|discriminate]. injection H as <-. now apply (takes_side f).
+  - injection H as <-. now apply takes_side.
   - destruct (halves s name i c) as [[l h]|] eqn:E; [|discriminate]. injection H as <-.
     destruct S as (g & lambda & d & forces & X & S & SL).
     destruct (halves_cover _ _ _ _ _ _ g lambda d forces E S) as [[El Eh] [S'|S']].

@@ -142,8 +142,29 @@ End Checker.
 
 (* ---- Proofs ---- *)
 
-Section Exact.
+Section Motion.
 Open Scope R_scope.
+
+(* The motion t (x1, ..., x6) of a point in integers. *)
+Variables x1 x2 x3 x4 x5 x6 h l : Z.
+Let xz := [x1; x2; x3; x4; x5; x6; h; l].
+Variable t : R.
+Hypothesis t_positive : 0 < t.
+Hypothesis h_is : t * IZR h = 1.
+Hypothesis l_is : t * IZR l = 0.
+Let d := S.Screw (S.Vector (t * IZR x1) (t * IZR x2) (t * IZR x3))
+                 (S.Vector (t * IZR x4) (t * IZR x5) (t * IZR x6)).
+
+Lemma rdot_d f : rdot f (located d 1 0) = t * IZR (dot f xz).
+Proof.
+  assert (G : forall f (y : list Z), rdot f (map (fun z => t * IZR z) y) = t * IZR (dot f y)).
+  { clear. induction f as [|z f IH]; intros [|w y]; cbn; try ring.
+    rewrite IH, plus_IZR, mult_IZR. ring. }
+  rewrite <- G. unfold located, xz, d. cbn [map S.x S.y S.z S.linear S.angular].
+  now rewrite h_is, l_is.
+Qed.
+
+Section Exact.
 
 Variable row : row.
 Variable c : S.contact.
@@ -167,24 +188,24 @@ Proof.
   cbn [flat_map map app]. unfold pull_tree, corners, spread. rewrite Hx, Hy, Hz. cbn. eauto.
 Qed.
 
-Lemma exact_v lambda d :
-  S.v c lambda d = unit (pull_scale row) * rdot (exact_pull row) (located d 1 lambda).
+Lemma exact_v lambda m :
+  S.v c lambda m = unit (pull_scale row) * rdot (exact_pull row) (located m 1 lambda).
 Proof.
   destruct exact_tips as (f & Ef). pose proof F as [E I].
   assert (PS : pull_scale row = pull_scaling (box row)) by (rewrite E at 1; reflexivity).
   rewrite PS. unfold exact_pull. rewrite Ef. cbn [nth].
-  assert (A : forall factor, factor * S.v c lambda d <=
-    factor * (unit (pull_scaling (box row)) * rdot f (located d 1 lambda))).
-  { intros k. apply (v_bound d lambda (box row) c I). intros g Hg. rewrite <- E, Ef in Hg.
+  assert (A : forall factor, factor * S.v c lambda m <=
+    factor * (unit (pull_scaling (box row)) * rdot f (located m 1 lambda))).
+  { intros k. apply (v_bound m lambda (box row) c I). intros g Hg. rewrite <- E, Ef in Hg.
     destruct Hg as [<-|[]]. lra. }
   pose proof (A 1). pose proof (A (-1)). lra.
 Qed.
 
-Lemma exact_slip_is d h l j : (j < 3)%nat ->
-  component j (S.slip c d) = unit (scaling_of_geometry (box row)) *
-    rdot (nth (Datatypes.S j) (first_tip (geometry row)) []) (located d h l).
+Lemma exact_slip_is m h1 l1 j : (j < 3)%nat ->
+  component j (S.slip c m) = unit (scaling_of_geometry (box row)) *
+    rdot (nth (Datatypes.S j) (first_tip (geometry row)) []) (located m h1 l1).
 Proof.
-  intros J. pose proof F as [E I]. rewrite (slip_corners (box row) c I j d h l J).
+  intros J. pose proof F as [E I]. rewrite (slip_corners (box row) c I j m h1 l1 J).
   rewrite exact_shares, eval_first, <- E. reflexivity.
 Qed.
 
@@ -192,25 +213,6 @@ Lemma exact_friction : S.friction c = Q2R (low (box_friction (box row))).
 Proof.
   unfold exact_box in X. rewrite !andb_true_iff in X. destruct X as [[[[[_ _] _] Hf] _] _].
   apply certain_within; [exact Hf | apply inside_it].
-Qed.
-
-(* The motion t (x1, ..., x6) of a point in integers. *)
-Variables x1 x2 x3 x4 x5 x6 h l : Z.
-Let xz := [x1; x2; x3; x4; x5; x6; h; l].
-Variable t : R.
-Hypothesis t_positive : 0 < t.
-Hypothesis h_is : t * IZR h = 1.
-Hypothesis l_is : t * IZR l = 0.
-Let d := S.Screw (S.Vector (t * IZR x1) (t * IZR x2) (t * IZR x3))
-                 (S.Vector (t * IZR x4) (t * IZR x5) (t * IZR x6)).
-
-Lemma rdot_d f : rdot f (located d 1 0) = t * IZR (dot f xz).
-Proof.
-  assert (G : forall f (y : list Z), rdot f (map (fun z => t * IZR z) y) = t * IZR (dot f y)).
-  { clear. induction f as [|z f IH]; intros [|w y]; cbn; try ring.
-    rewrite IH, plus_IZR, mult_IZR. ring. }
-  rewrite <- G. unfold located, xz, d. cbn [map S.x S.y S.z S.linear S.angular].
-  now rewrite h_is, l_is.
 Qed.
 
 Definition share_vector (s : Q * Q * Q) : S.vector :=
@@ -354,81 +356,31 @@ Qed.
 
 End Exact.
 
-Section AllContacts.
-Open Scope R_scope.
-
 Definition short_list (w : list Q) := (List.length w = 0 \/ List.length w = 6)%nat.
 
 Lemma adds_up ws : Forall short_list ws -> adds_up_to_zero ws = true ->
   S.sum (map six_of ws) = S.no_screw.
 Proof.
-  intros L. unfold adds_up_to_zero. set (qs := List.concat ws).
-  set (D := common_denominator qs). intros Z.
-  assert (DP : 0 < IZR D) by (apply IZR_lt; apply common_denominator_positive).
-  assert (Q : forall w q, In w ws -> In q w -> IZR (numerator D q) = IZR D * Q2R q).
-  { intros w q Hw Hq. apply numerator_exact. apply in_concat. now exists w. }
-  assert (S : forall e (pick : S.screw -> R),
-    (forall a b, pick (S.add_screw a b) = pick a + pick b) -> pick S.no_screw = 0 ->
-    (forall w, In w ws -> IZR (dot e (map (numerator D) w)) = IZR D * pick (six_of w)) ->
-    pick (S.sum (map six_of ws)) = 0).
-  { intros e pick Add Zero H. clear Q.
-    assert (G : forall s, IZR (dot e (fold_left (fun s w => combine 1 s 1 (map (numerator D) w)) ws s))
-                = IZR (dot e s) + IZR D * pick (S.sum (map six_of ws))).
-    { clear Z L. clearbody qs D. induction ws as [|w ws' IH]; intros s; cbn [fold_left map].
-      - unfold S.sum; cbn [fold_right]. rewrite Zero. ring.
-      - rewrite IH by (intros; apply H; now right). rewrite dot_combine, plus_IZR, !mult_IZR.
-        rewrite (H w) by now left.
-        change (S.sum (six_of w :: map six_of ws')) with (S.add_screw (six_of w) (S.sum (map six_of ws'))).
-        rewrite Add. ring. }
-    specialize (G []). rewrite (dot_all_zero e _ Z), dot_nil_r in G.
-    assert (IZR D * pick (S.sum (map six_of ws)) = 0) by lra. nra. }
-  assert (Each : forall w, In w ws -> w = [] \/ exists a b c d e f, w = [a; b; c; d; e; f]).
-  { intros w Hw. rewrite Forall_forall in L. destruct (L w Hw) as [E|E].
-    - left. now apply length_zero_iff_nil.
-    - right. destruct w as [|a [|b [|c [|d [|e [|f [|? ?]]]]]]]; try discriminate.
-      now exists a, b, c, d, e, f. }
-  assert (One : forall k (pick : S.screw -> R),
-    (forall a b, pick (S.add_screw a b) = pick a + pick b) -> pick S.no_screw = 0 ->
-    (forall w, In w ws -> w <> [] -> pick (six_of w) = Q2R (nth k w 0%Q)) -> (k < 6)%nat ->
-    pick (S.sum (map six_of ws)) = 0).
-  { intros k pick Add Zero P K. apply (S (repeat 0%Z k ++ [1%Z])); [exact Add|exact Zero|].
-    intros w Hw. destruct (Each w Hw) as [->|(a & b & c & d & e & f & ->)].
-    - cbn [map six_of]. rewrite dot_nil_r, Zero. ring.
-    - rewrite (P _ Hw) by discriminate.
-      destruct k as [|[|[|[|[|[|k]]]]]]; [| | | | | |lia]; cbn [repeat app map dot nth];
-        rewrite !plus_IZR, !mult_IZR;
-        match goal with |- context [Q2R ?q] => rewrite (Q _ q Hw) by (cbn; tauto) end; ring. }
-  assert (X1 := One 0%nat (fun s => S.x (S.linear s)) ltac:(reflexivity) ltac:(reflexivity)).
-  assert (X2 := One 1%nat (fun s => S.y (S.linear s)) ltac:(reflexivity) ltac:(reflexivity)).
-  assert (X3 := One 2%nat (fun s => S.z (S.linear s)) ltac:(reflexivity) ltac:(reflexivity)).
-  assert (X4 := One 3%nat (fun s => S.x (S.angular s)) ltac:(reflexivity) ltac:(reflexivity)).
-  assert (X5 := One 4%nat (fun s => S.y (S.angular s)) ltac:(reflexivity) ltac:(reflexivity)).
-  assert (X6 := One 5%nat (fun s => S.z (S.angular s)) ltac:(reflexivity) ltac:(reflexivity)).
-  assert (P : forall w, In w ws -> w <> [] -> exists a b c d e f, w = [a; b; c; d; e; f]).
-  { intros w Hw NE. destruct (Each w Hw); [contradiction|assumption]. }
-  assert (Y1 := X1 ltac:(intros w Hw NE; destruct (P w Hw NE) as (?&?&?&?&?&?&->); reflexivity) ltac:(lia)).
-  assert (Y2 := X2 ltac:(intros w Hw NE; destruct (P w Hw NE) as (?&?&?&?&?&?&->); reflexivity) ltac:(lia)).
-  assert (Y3 := X3 ltac:(intros w Hw NE; destruct (P w Hw NE) as (?&?&?&?&?&?&->); reflexivity) ltac:(lia)).
-  assert (Y4 := X4 ltac:(intros w Hw NE; destruct (P w Hw NE) as (?&?&?&?&?&?&->); reflexivity) ltac:(lia)).
-  assert (Y5 := X5 ltac:(intros w Hw NE; destruct (P w Hw NE) as (?&?&?&?&?&?&->); reflexivity) ltac:(lia)).
-  assert (Y6 := X6 ltac:(intros w Hw NE; destruct (P w Hw NE) as (?&?&?&?&?&?&->); reflexivity) ltac:(lia)).
-  cbv beta in *. destruct (S.sum (map six_of ws)) as [[a1 a2 a3] [a4 a5 a6]]. cbn in *.
+  intros L Z. rewrite Forall_forall in L. set (q w k := Q2R (nth k w 0%Q)).
+  assert (E : forall w, In w ws ->
+    six_of w = S.Screw (S.Vector (q w 0%nat) (q w 1%nat) (q w 2%nat)) (S.Vector (q w 3%nat) (q w 4%nat) (q w 5%nat))).
+  { intros w Hw. destruct w as [|? [|? [|? [|? [|? [|? [|? ?]]]]]]]; destruct (L _ Hw); try discriminate;
+      [|reflexivity]. unfold q; cbn. now rewrite RMicromega.Q2R_0. }
+  assert (Entry := fun k pick => entry_adds_up S.add_screw S.no_screw six_of pick k ws Z).
+  assert (X1 := Entry 0%nat (fun s => S.x (S.linear s)) ltac:(reflexivity) eq_refl ltac:(intros w Hw; now rewrite E)).
+  assert (X2 := Entry 1%nat (fun s => S.y (S.linear s)) ltac:(reflexivity) eq_refl ltac:(intros w Hw; now rewrite E)).
+  assert (X3 := Entry 2%nat (fun s => S.z (S.linear s)) ltac:(reflexivity) eq_refl ltac:(intros w Hw; now rewrite E)).
+  assert (X4 := Entry 3%nat (fun s => S.x (S.angular s)) ltac:(reflexivity) eq_refl ltac:(intros w Hw; now rewrite E)).
+  assert (X5 := Entry 4%nat (fun s => S.y (S.angular s)) ltac:(reflexivity) eq_refl ltac:(intros w Hw; now rewrite E)).
+  assert (X6 := Entry 5%nat (fun s => S.z (S.angular s)) ltac:(reflexivity) eq_refl ltac:(intros w Hw; now rewrite E)).
+  unfold S.sum. destruct (fold_right _ _ _) as [[? ? ?] [? ? ?]]. cbn in *.
   unfold S.no_screw, S.zero. congruence.
 Qed.
-
-Variables x1 x2 x3 x4 x5 x6 h l : Z.
-Let xz := [x1; x2; x3; x4; x5; x6; h; l].
-Variable t : R.
-Hypothesis t_positive : 0 < t.
-Hypothesis h_is : t * IZR h = 1.
-Hypothesis l_is : t * IZR l = 0.
-Let d := S.Screw (S.Vector (t * IZR x1) (t * IZR x2) (t * IZR x3))
-                 (S.Vector (t * IZR x4) (t * IZR x5) (t * IZR x6)).
 
 Inductive all_good : list row -> list S.contact -> list state -> Prop :=
   | good_nil : all_good [] [] []
   | good_cons r c s rows cs ss : fits r c -> exact_box (box r) = true ->
-      is_state r x1 x2 x3 x4 x5 x6 h l s -> has_root r c s -> all_good rows cs ss ->
+      is_state r s -> has_root r c s -> all_good rows cs ss ->
       all_good (r :: rows) (c :: cs) (s :: ss).
 
 Lemma states_good rows cs shares n ss ss' : Forall2 fits rows cs ->
@@ -490,7 +442,7 @@ Qed.
 
 Fixpoint all_forces (rows : list row) (cs : list S.contact) (ss : list state) :=
   match rows, cs, ss with
-  | r :: rows', c :: cs', s :: ss' => force_of r c t s :: all_forces rows' cs' ss'
+  | r :: rows', c :: cs', s :: ss' => force_of r c s :: all_forces rows' cs' ss'
   | _, _, _ => []
   end.
 
@@ -500,7 +452,7 @@ Lemma all_obey (two_sided : bool) rows cs ss : all_good rows cs ss ->
     (all_forces rows cs ss).
 Proof.
   intros G. induction G as [|r c s rows cs ss Fr Xr Is Hr G IH]; intros B; cbn [all_forces]; constructor.
-  - apply (state_obeys r c Fr Xr x1 x2 x3 x4 x5 x6 h l t t_positive h_is l_is two_sided s Is Hr).
+  - apply (state_obeys r c Fr Xr two_sided s Is Hr).
     intros T. specialize (B T). now inversion B.
   - apply IH. intros T. specialize (B T). now inversion B.
 Qed.
@@ -513,10 +465,10 @@ Proof.
   intros G. induction G as [|r c s rows cs ss Fr Xr Is Hr G [IH1 IH2]].
   - split; [|constructor]. unfold S.sum, S.scale_screw, S.no_screw, S.zero, S.scale; cbn.
     f_equal; f_equal; ring.
-  - destruct (contact_wrench_is r c Fr Xr t s) as [W L]. cbn [contact_wrenches all_forces].
+  - destruct (contact_wrench_is r c Fr Xr s) as [W L]. cbn [contact_wrenches all_forces].
     split; [|constructor; assumption].
-    change (S.sum (S.contact_wrenches (c :: cs) (force_of r c t s :: all_forces rows cs ss)))
-      with (S.add_screw (S.contact_wrench c (force_of r c t s))
+    change (S.sum (S.contact_wrenches (c :: cs) (force_of r c s :: all_forces rows cs ss)))
+      with (S.add_screw (S.contact_wrench c (force_of r c s))
               (S.sum (S.contact_wrenches cs (all_forces rows cs ss)))).
     rewrite <- IH1, <- W. cbn [map].
     change (S.sum (six_of (contact_wrench r s) :: map six_of (contact_wrenches rows ss)))
@@ -524,7 +476,7 @@ Proof.
     unfold S.scale_screw, S.add_screw, S.scale, S.add; cbn. f_equal; f_equal; ring.
 Qed.
 
-End AllContacts.
+End Motion.
 
 Section Stable.
 Open Scope R_scope.

@@ -184,12 +184,6 @@ End Root.
 Section Proofs.
 Open Scope R_scope.
 
-Lemma rdot_negative f x : rdot (negative f) x = - rdot f x.
-Proof.
-  revert x. induction f as [|z f IH]; intros [|t x]; cbn; try ring.
-  rewrite opp_IZR. unfold negative in IH. rewrite IH. ring.
-Qed.
-
 (* A part: which half may depend on the point, here on the contact of that number. *)
 Lemma numbered_replace_either {A B} (P : A -> B -> Prop) l l' i a new new' :
   Forall2 P l l' -> numbered l i = Some a -> (forall b, P a b -> P new b \/ P new' b) ->
@@ -228,35 +222,23 @@ Lemma halves_cover s name i c l h g lambda d forces : halves s name i c = inl (l
   solution (rows h) (the_load h) g lambda d forces.
 Proof.
   intros H [F LE LW LU L E].
-  assert (Contacts : name <> PZ -> name <> PWrench ->
-    match numbered (rows s) i with
-      | None => inr "part-contact"%string
-      | Some row =>
-          if is_inside (get (box row) name) c then
-            inl (set_row s i (set (box row) name (low_half (get (box row) name) c)),
-                 set_row s i (set (box row) name (high_half (get (box row) name) c)))
-          else inr "part-inside"%string
-      end = inl (l, h) ->
-    solution (rows l) (the_load l) g lambda d forces \/
-    solution (rows h) (the_load h) g lambda d forces).
-  { intros _ _ H'. destruct (numbered (rows s) i) as [row|] eqn:N; [|discriminate].
-    destruct (is_inside _ c); [|discriminate]. injection H' as <- <-. cbn.
-    destruct (numbered_replace_either fits (rows s) (Model.contacts g) i row
-      (make_row (set (box row) name (low_half (get (box row) name) c)))
-      (make_row (set (box row) name (high_half (get (box row) name) c))) F N) as [F'|F'].
-    - intros k [_ (e & Ie)]. destruct (set_inside _ name c e k Ie); [left|right];
-        (split; [reflexivity|now exists e]).
-    - left. constructor; assumption.
-    - right. constructor; assumption. }
-  destruct name; cbn [halves] in H; try discriminate;
-    try (apply Contacts; [discriminate|discriminate|exact H]).
-  clear Contacts. destruct (numbered (load_box (the_load s)) i) as [iv|] eqn:N; [|discriminate].
-  destruct (is_inside iv c); [|discriminate]. injection H as <- <-. cbn.
-  destruct (numbered_replace_either within (load_box (the_load s)) _ i iv (low_half iv c)
-    (high_half iv c) LW N) as [F'|F'].
-  - intros x. apply within_halves.
-  - left. constructor; cbn; try assumption. reflexivity.
-  - right. constructor; cbn; try assumption. reflexivity.
+  destruct name; cbn [halves] in H; try discriminate.
+  7: {
+    destruct (numbered (load_box (the_load s)) i) as [iv|] eqn:N; [|discriminate].
+    destruct (is_inside iv c); [|discriminate]. injection H as <- <-. cbn.
+    destruct (numbered_replace_either within (load_box (the_load s)) _ i iv (low_half iv c)
+      (high_half iv c) LW N) as [F'|F']; [intros x; apply within_halves|left|right];
+      constructor; cbn; try assumption; reflexivity. }
+  all: destruct (numbered (rows s) i) as [row|] eqn:N; [|discriminate];
+    destruct (is_inside _ c); [|discriminate]; injection H as <- <-; cbn;
+    match goal with |- context [set _ ?name (low_half _ _)] =>
+      destruct (numbered_replace_either fits (rows s) (Model.contacts g) i row
+        (make_row (set (box row) name (low_half (get (box row) name) c)))
+        (make_row (set (box row) name (high_half (get (box row) name) c))) F N) as [F'|F'];
+      [intros k [_ (e & Ie)]; destruct (set_inside _ name c e k Ie); [left|right];
+         (split; [reflexivity|now exists e])
+      |left; constructor; assumption|right; constructor; assumption]
+    end.
 Qed.
 
 
@@ -365,30 +347,17 @@ Lemma split_covers s n bs x : (forall y, n <> Leaf y) -> split s n = inl bs -> s
   exists b, In b bs /\ takes solves b x.
 Proof.
   intros NL H S.
-  assert (Above : forall f, 0 < rdot f x -> takes solves (above s f) x).
-  { intros f P. constructor; cbn; [exact S| | |constructor].
-    - constructor; [|constructor]. unfold meets; cbn. lra.
-    - constructor; [lra|constructor]. }
-  assert (NotBelow : forall f, 0 <= rdot f x -> takes solves (not_below s f) x).
-  { intros f P. constructor; cbn; [exact S| |constructor|constructor].
-    constructor; [exact P|constructor]. }
-  assert (Two : forall f, bs = [not_below s f; above s (negative f)] ->
-    exists b, In b bs /\ takes solves b x).
-  { intros f ->. destruct (Rle_dec 0 (rdot f x)) as [P|P].
-    - exists (not_below s f). split; [now left|auto].
-    - exists (above s (negative f)). split; [right; now left|]. apply Above.
-      rewrite rdot_negative. lra. }
   destruct n as [i|i|a|name i c|y]; cbn in H.
   - destruct (numbered (rows s) i) as [row|]; [|discriminate].
     destruct (tau_certain row); [|discriminate]. set (f := first_tip (tau row)) in *.
     injection H as <-. destruct (Rtotal_order (rdot f x) 0) as [P|[P|P]].
-    + exists (above s (negative f)). split; [cbn; auto|]. apply Above. rewrite rdot_negative. lra.
+    + exists (above s (negative f)). split; [cbn; auto|]. apply takes_above; [exact S|]. rewrite rdot_negative. lra.
     + exists (on_plane s f). split; [cbn; auto|]. constructor; cbn; [exact S| |constructor|constructor].
       constructor; [exact P|constructor].
-    + exists (above s f). split; [cbn; auto|auto].
+    + exists (above s f). split; [cbn; auto|]. now apply takes_above.
   - destruct (numbered (rows s) i) as [row|]; [|discriminate].
-    destruct (separates row) as [f|]; [|discriminate]. injection H as <-. now apply (Two f).
-  - injection H as <-. now eapply Two.
+    destruct (separates row) as [f|]; [|discriminate]. injection H as <-. now apply (takes_side f).
+  - injection H as <-. now apply takes_side.
   - destruct (halves s name i c) as [[l h]|] eqn:E; [|discriminate]. injection H as <-.
     destruct S as (g & lambda & d & forces & X & S).
     destruct (halves_cover _ _ _ _ _ _ g lambda d forces E S) as [S'|S'].

@@ -4,7 +4,7 @@
    the plane and SpaceTree.v for space; so is which points are solutions.  `walk_refutes`: if a
    list of nodes is accepted for some roots, no solution is at home in any of them. *)
 From Coq Require Import List String ZArith QArith Reals Lra Lia Bool.
-From Proved Require Import Question Cone Leaf.
+From Proved Require Import Question Cone Box Leaf.
 Import ListNotations.
 
 Section Walk.
@@ -120,6 +120,28 @@ Record takes (b : branch) (x : list R) : Prop := Takes {
   takes_strict : Forall (fun f => rdot f x <> 0) (new_strict b);
   takes_moving : Forall (not_zero x) (new_moving b)
 }.
+
+(* f > 0; and the two sides of a form. *)
+Lemma takes_above s f x : solves s x -> 0 < rdot f x -> takes (Branch [(f, false)] [f] [] s) x.
+Proof.
+  intros S P. constructor; cbn; [exact S| | |constructor]; constructor; try constructor;
+    unfold meets; cbn; lra.
+Qed.
+
+Lemma rdot_negative f x : rdot (negative f) x = - rdot f x.
+Proof.
+  revert x. induction f as [|z f IH]; intros [|t x]; cbn; try ring.
+  rewrite opp_IZR. unfold negative in IH. rewrite IH. ring.
+Qed.
+
+Lemma takes_side s f x : solves s x -> exists b,
+  In b [Branch [(f, false)] [] [] s; Branch [(negative f, false)] [negative f] [] s] /\ takes b x.
+Proof.
+  intros S. destruct (Rle_dec 0 (rdot f x)) as [P|P]; eexists.
+  - split; [now left|]. constructor; cbn; [exact S| |constructor|constructor].
+    constructor; [exact P|constructor].
+  - split; [right; now left|]. apply takes_above; [exact S|]. rewrite rdot_negative. lra.
+Qed.
 
 Hypothesis split_covers : forall s n bs x, (forall y, n <> Leaf y) ->
   split s n = inl bs -> solves s x -> exists b, In b bs /\ takes b x.
@@ -315,3 +337,5 @@ Arguments new_moving {setting}.
 Arguments branch_setting {setting}.
 Arguments takes {setting}.
 Arguments Takes {setting}.
+Arguments takes_above {setting solves s f x}.
+Arguments takes_side {setting solves s} f {x}.

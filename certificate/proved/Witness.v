@@ -550,46 +550,45 @@ Proof.
   assert (0 < IZR (Zpos (Qden q))) by (apply IZR_lt; lia). field. lra.
 Qed.
 
+(* In the plane and in space: what the wrenches' entries of one place add up to. *)
+Lemma entry_adds_up {T} (add : T -> T -> T) (zero : T) (of : list Q -> T) (pick : T -> R) k ws :
+  adds_up_to_zero ws = true ->
+  (forall a b, pick (add a b) = pick a + pick b) -> pick zero = 0 ->
+  (forall w, In w ws -> pick (of w) = Q2R (nth k w 0%Q)) ->
+  pick (fold_right add zero (map of ws)) = 0.
+Proof.
+  unfold adds_up_to_zero. set (D := common_denominator (List.concat ws)). intros Z Add Zero Of.
+  assert (DP : 0 < IZR D) by (apply IZR_lt; apply common_denominator_positive).
+  set (e := repeat 0%Z k ++ [1%Z]).
+  assert (Entry : forall w, In w ws -> IZR (dot e (map (numerator D) w)) = IZR D * pick (of w)).
+  { intros w Hw. rewrite (Of w Hw).
+    replace (dot e (map (numerator D) w)) with (numerator D (nth k w 0%Q)).
+    - destruct (nth_in_or_default k w 0%Q) as [H|H]; [|rewrite H; unfold numerator, Q2R; cbn; ring].
+      apply numerator_exact, in_concat. now exists w.
+    - clear. unfold e. clear e. clearbody D. revert k. induction w as [|q w IH]; intros [|k]; cbn [repeat app map dot nth].
+      1, 2: reflexivity. + destruct (map (numerator D) w); cbn [dot]; lia. + rewrite IH. lia. }
+  assert (G : forall s, IZR (dot e (fold_left (fun s w => combine 1 s 1 (map (numerator D) w)) ws s))
+              = IZR (dot e s) + IZR D * pick (fold_right add zero (map of ws))).
+  { clear Z Of. clearbody D. induction ws as [|w ws' IH]; intros s; cbn [fold_left fold_right map].
+    - rewrite Zero. ring.
+    - rewrite IH by (intros; apply Entry; now right). rewrite dot_combine, plus_IZR, !mult_IZR.
+      rewrite (Entry w) by now left. rewrite Add. ring. }
+  specialize (G []). rewrite (dot_all_zero e _ Z), dot_nil_r in G. nra.
+Qed.
+
 Lemma adds_up ws : Forall short_list ws -> adds_up_to_zero ws = true ->
   Model.sum (map vector_of ws) = Model.zero.
 Proof.
-  intros L. unfold adds_up_to_zero. set (qs := List.concat ws).
-  set (D := common_denominator qs). intros Z.
-  assert (DP : 0 < IZR D) by (apply IZR_lt; apply common_denominator_positive).
-  assert (Q : forall w q, In w ws -> In q w -> IZR (numerator D q) = IZR D * Q2R q).
-  { intros w q Hw Hq. apply numerator_exact. apply in_concat. now exists w. }
-  assert (S : forall e (pick : Model.vector -> R),
-    (forall a b, pick (Model.add a b) = pick a + pick b) -> pick Model.zero = 0 ->
-    (forall w, In w ws -> IZR (dot e (map (numerator D) w)) = IZR D * pick (vector_of w)) ->
-    IZR D * pick (Model.sum (map vector_of ws)) = 0).
-  { intros e pick Add Zero H. clear Q.
-    assert (G : forall s, IZR (dot e (fold_left (fun s w => combine 1 s 1 (map (numerator D) w)) ws s))
-                = IZR (dot e s) + IZR D * pick (Model.sum (map vector_of ws))).
-    { clear Z L. clearbody qs D. induction ws as [|w ws' IH]; intros s; cbn.
-      - rewrite Zero. ring.
-      - rewrite IH by (intros; apply H; now right). rewrite dot_combine, plus_IZR, !mult_IZR.
-        rewrite (H w) by now left. rewrite Add.
-        change (fold_right Model.add Model.zero (map vector_of ws'))
-          with (Model.sum (map vector_of ws')). ring. }
-    specialize (G []). rewrite (dot_all_zero e _ Z), dot_nil_r in G. lra. }
-  assert (Each : forall w, In w ws -> w = [] \/ exists a b c, w = [a; b; c]).
-  { intros w Hw. rewrite Forall_forall in L. destruct (L w Hw) as [E|E].
-    - left. now apply length_zero_iff_nil.
-    - right. destruct w as [|a [|b [|c [|? ?]]]]; try discriminate. now exists a, b, c. }
-  assert (X := S [1%Z] Model.along_x ltac:(reflexivity) ltac:(reflexivity)).
-  assert (Y := S [0%Z; 1%Z] Model.along_y ltac:(reflexivity) ltac:(reflexivity)).
-  assert (T := S [0%Z; 0%Z; 1%Z] Model.about_z ltac:(reflexivity) ltac:(reflexivity)).
-  assert (X' : IZR D * Model.along_x (Model.sum (map vector_of ws)) = 0).
-  { apply X. intros w Hw. destruct (Each w Hw) as [->|(a & b & c & ->)]; [cbn; ring|].
-    cbn [map dot vector_of Model.along_x]. rewrite plus_IZR, mult_IZR, (Q _ _ Hw); cbn; [ring|tauto]. }
-  assert (Y' : IZR D * Model.along_y (Model.sum (map vector_of ws)) = 0).
-  { apply Y. intros w Hw. destruct (Each w Hw) as [->|(a & b & c & ->)]; [cbn; ring|].
-    cbn [map dot vector_of Model.along_y]. rewrite !plus_IZR, !mult_IZR, (Q _ b Hw); cbn; [ring|tauto]. }
-  assert (T' : IZR D * Model.about_z (Model.sum (map vector_of ws)) = 0).
-  { apply T. intros w Hw. destruct (Each w Hw) as [->|(a & b & c & ->)]; [cbn; ring|].
-    cbn [map dot vector_of Model.about_z]. rewrite !plus_IZR, !mult_IZR, (Q _ c Hw); cbn; [ring|tauto]. }
-  destruct (Model.sum (map vector_of ws)) as [s1 s2 s3]. cbn in *.
-  unfold Model.zero. f_equal; nra.
+  intros L Z. rewrite Forall_forall in L.
+  assert (E : forall w, In w ws -> vector_of w =
+    Model.Vector (Q2R (nth 0 w 0%Q)) (Q2R (nth 1 w 0%Q)) (Q2R (nth 2 w 0%Q))).
+  { intros w Hw. destruct w as [|a [|b [|c [|? ?]]]]; destruct (L _ Hw); try discriminate; [|reflexivity].
+    cbn. now rewrite RMicromega.Q2R_0. }
+  assert (Entry := fun k pick => entry_adds_up Model.add Model.zero vector_of pick k ws Z).
+  assert (X := Entry 0%nat Model.along_x ltac:(reflexivity) eq_refl ltac:(intros w Hw; now rewrite E)).
+  assert (Y := Entry 1%nat Model.along_y ltac:(reflexivity) eq_refl ltac:(intros w Hw; now rewrite E)).
+  assert (T := Entry 2%nat Model.about_z ltac:(reflexivity) eq_refl ltac:(intros w Hw; now rewrite E)).
+  unfold Model.sum. destruct (fold_right _ _ _). cbn in *. unfold Model.zero. congruence.
 Qed.
 
 (* The question is one grasp: what its load is. *)

@@ -92,12 +92,10 @@ void add_planar(const Functions& at, const Bounds& friction, Row& row) {
     t.resize(kPlanar + 2);
     add_new(row.tau, t);
   }
-  // If all is certain there are two edges.
-  const std::size_t step = row.certain ? 3 : 1;
   const Rational ends[]{Rational(-friction.high), Rational(-friction.low), friction.low,
                         friction.high};
   std::vector<Vector> edges;
-  for (std::size_t s = 0; s < 4; s += step) {
+  for (std::size_t s = 0; s < 4; ++s) {
     for (std::size_t k = 0; k < at.normals.size(); ++k) {
       edges.push_back(at.normals[k]);
       for (std::size_t j = 0; j < kPlanar; ++j) edges.back()[j] += ends[s] * at.slips[k][j];
@@ -105,7 +103,7 @@ void add_planar(const Functions& at, const Bounds& friction, Row& row) {
   }
   const std::vector<Form> forms = make_forms(edges, &edge_scale);
   for (std::size_t k = 0; k < forms.size(); ++k) {
-    row.edges[step * (k / at.normals.size())].push_back(forms[k]);
+    row.edges[k / at.normals.size()].push_back(forms[k]);
   }
   row.weight *= edge_scale;
 }
@@ -135,25 +133,71 @@ void add_pulls(const Functions& at, const ContactBox& c, Row& row) {
   }
 }
 
-}  // namespace
-
-Vector at_point(const Vector& p, const Vector& f) {
-  if (p.size() == 2) return {f[0], f[1], Rational(p[0] * f[1] - p[1] * f[0])};
-  Vector wrench = f;
-  for (std::size_t j = 0; j < 3; ++j) {
-    const std::size_t k = (j + 1) % 3;
-    const std::size_t l = (j + 2) % 3;
-    wrench.emplace_back(p[k] * f[l] - p[l] * f[k]);
-  }
-  return wrench;
+Integer whole(const Rational& x, const Integer& den) {
+  return x.get_num() * (den / x.get_den());
 }
 
-std::shared_ptr<const Row> make_row(const ContactBox& c) {
-  const Functions at = functions_of(c);
+/// In the plane, without uncertainty: what make_row says, in integers.
+Row make_point_row(const ContactBox& c) {
+  Rational length;
+  const Vector& straight = c.normal;
+  const Rational& turn = c[Parameter::kTurn].low;
+  const Form n = make_form(
+      {Rational(straight[0] - turn * straight[1]), Rational(straight[1] + turn * straight[0])},
+      &length);
+  const Rational& x = c[Parameter::kX].low;
+  const Rational& y = c[Parameter::kY].low;
+  const Integer den = lcm(x.get_den(), y.get_den());
+  const Integer px = whole(x, den);
+  const Integer py = whole(y, den);
+  Form both{den * n[0],  den * n[1], px * n[1] - py * n[0],   // N
+            -den * n[1], den * n[0], px * n[0] + py * n[1]};  // T
   Row row;
-  row.certain =
+  row.scale = length * make_primitive(both) / den;
+  const auto middle = both.begin() + kPlanar;
+  row.normals.emplace_back(both.begin(), middle);
+  row.slips.push_back({Form(middle, both.end())});
+  const Form& normal = row.normals[0];
+  const Form& slip = row.slips[0][0];
+
+  row.tau = {slip};
+  row.tau[0].resize(kPlanar + 2);
+  make_primitive(row.tau[0]);
+
+  const Rational& friction = c[Parameter::kFriction].low;
+  for (std::size_t j = 0; j < kPlanar; ++j) {
+    const Integer along = friction.get_num() * slip[j];
+    both[j] = friction.get_den() * normal[j];
+    both[j + kPlanar] = both[j] + along;
+    both[j] -= along;
+  }
+  row.weight = row.scale * make_primitive(both) / friction.get_den();
+  row.edges[0].emplace_back(both.begin(), middle);
+  row.edges[3].emplace_back(middle, both.end());
+
+  const Rational& preload = c[Parameter::kPreload].low;
+  const Rational& growth = c.growth.low;
+  const Rational pull = c[Parameter::kStiffness].low * row.scale;
+  const Integer all = lcm(Integer(lcm(pull.get_den(), preload.get_den())), growth.get_den());
+  const Integer times = -whole(pull, all);
+  Form v;
+  for (const Integer& entry : normal) v.emplace_back(times * entry);
+  v.push_back(whole(preload, all));
+  v.push_back(whole(growth, all));
+  row.v_scale = Rational(make_primitive(v)) / all;
+  row.v.push_back(std::move(v));
+  row.weight *= row.v_scale;
+  return row;
+}
+
+Row make_row(const ContactBox& c) {
+  const bool certain =
       c.growth.certain() && std::all_of(c.bounds.begin(), c.bounds.end(),
                                         [](const Bounds& bounds) { return bounds.certain(); });
+  if (certain && c.normal.size() == 2) return make_point_row(c);
+  const Functions at = functions_of(c);
+  Row row;
+  row.certain = certain;
   const std::size_t corners = at.normals.size();
   std::vector<Vector> all = at.normals;
   all.insert(all.end(), at.slips.begin(), at.slips.end());
@@ -179,18 +223,47 @@ std::shared_ptr<const Row> make_row(const ContactBox& c) {
   row.weight = row.v_scale;
   if (!row.certain) add_pulls(at, c, row);
   if (c.normal.size() == 2) add_planar(at, c[Parameter::kFriction], row);
-  return std::make_shared<const Row>(std::move(row));
+  return row;
+}
+
+}  // namespace
+
+Vector at_point(const Vector& p, const Vector& f) {
+  if (p.size() == 2) return {f[0], f[1], Rational(p[0] * f[1] - p[1] * f[0])};
+  Vector wrench = f;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const std::size_t k = (j + 1) % 3;
+    const std::size_t l = (j + 2) % 3;
+    wrench.emplace_back(p[k] * f[l] - p[l] * f[k]);
+  }
+  return wrench;
+}
+
+BoxContact::BoxContact(ContactBox contact) : box(std::move(contact)), row(make_row(box)) {}
+
+Box::Box(std::size_t size, Maker make, bool certain) : make_(std::move(make)), contacts_(size) {
+  for (std::size_t i = 0; i < size && !certain; ++i) made(i);
+}
+
+std::shared_ptr<const BoxContact> Box::passing(std::size_t i) const {
+  return contacts_[i] ? contacts_[i] : std::make_shared<const BoxContact>(make_(i));
+}
+
+const BoxContact& Box::made(std::size_t i) const {
+  contacts_[i] = passing(i);
+  return *contacts_[i];
 }
 
 bool Box::certain() const {
-  return std::all_of(rows.begin(), rows.end(), [](const auto& row) { return row->certain; }) &&
+  return std::all_of(contacts_.begin(), contacts_.end(),
+                     [](const auto& contact) { return !contact || contact->row.certain; }) &&
          std::all_of(wrench.begin(), wrench.end(), [](auto& w) { return w.certain(); });
 }
 
 const Bounds* Box::find(Parameter name, const Integer& index) const {
   const bool of_wrench = name == Parameter::kWrench;
-  if (index >= (of_wrench ? wrench.size() : contacts.size())) return nullptr;
-  return of_wrench ? &wrench[index.get_ui()] : &contacts[index.get_ui()][name];
+  if (index >= (of_wrench ? wrench.size() : size())) return nullptr;
+  return of_wrench ? &wrench[index.get_ui()] : &contact(index.get_ui())[name];
 }
 
 Box Box::with(Parameter name, std::size_t index, Bounds bounds) const {
@@ -198,8 +271,9 @@ Box Box::with(Parameter name, std::size_t index, Bounds bounds) const {
   if (name == Parameter::kWrench) {
     part.wrench[index] = std::move(bounds);
   } else {
-    part.contacts[index].bounds[static_cast<std::size_t>(name)] = std::move(bounds);
-    part.rows[index] = make_row(part.contacts[index]);
+    ContactBox changed = contact(index);
+    changed.bounds[static_cast<std::size_t>(name)] = std::move(bounds);
+    part.contacts_[index] = std::make_shared<const BoxContact>(std::move(changed));
   }
   return part;
 }
@@ -208,11 +282,12 @@ Box Box::middle() const {
   const auto shrink = [](Bounds& bounds) { bounds = (bounds.low + bounds.high) / 2; };
   Box point = *this;
   for (Bounds& w : point.wrench) shrink(w);
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    if (rows[i]->certain) continue;
-    for (Bounds& bounds : point.contacts[i].bounds) shrink(bounds);
-    shrink(point.contacts[i].growth);
-    point.rows[i] = make_row(point.contacts[i]);
+  for (auto& contact : point.contacts_) {
+    if (!contact || contact->row.certain) continue;
+    ContactBox changed = contact->box;
+    for (Bounds& bounds : changed.bounds) shrink(bounds);
+    shrink(changed.growth);
+    contact = std::make_shared<const BoxContact>(std::move(changed));
   }
   return point;
 }

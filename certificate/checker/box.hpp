@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -93,16 +94,33 @@ struct Row {
   Rational weight;
 };
 
-std::shared_ptr<const Row> make_row(const ContactBox& contact);
+/// A contact of a box with what follows for it.
+struct BoxContact {
+  explicit BoxContact(ContactBox contact);
 
-/// Rows are shared with the boxes that this one was cut from.
-struct Box {
-  std::vector<ContactBox> contacts;
+  ContactBox box;
+  Row row;
+};
+
+/// Its contacts are shared with the boxes that it was cut from. Those of a grasp
+/// without uncertain numbers are made when they are first asked for, as most never are.
+class Box {
+ public:
+  using Maker = std::function<ContactBox(std::size_t)>;
+
+  /// `make` is to make contact i < `size`. If `certain`, none of them has any uncertainty.
+  Box(std::size_t size, Maker make, bool certain);
+
   std::vector<Bounds> wrench;  ///< w
   /// What the load gains with each coordinate of a point after h: u, which is 0 unless of a
   /// margin; of a region, u and v.
   std::vector<Vector> growths;
-  std::vector<std::shared_ptr<const Row>> rows;
+
+  std::size_t size() const { return contacts_.size(); }
+  const ContactBox& contact(std::size_t i) const { return made(i).box; }
+  const Row& row(std::size_t i) const { return made(i).row; }
+  /// Contact i, not kept if it has not been asked for.
+  std::shared_ptr<const BoxContact> passing(std::size_t i) const;
 
   std::size_t dimension() const { return wrench.size(); }
   /// Of a point: D of the motion, h, and the others.
@@ -115,6 +133,12 @@ struct Box {
   Box with(Parameter name, std::size_t index, Bounds bounds) const;
   /// The one point q0 in the middle of all intervals.
   Box middle() const;
+
+ private:
+  const BoxContact& made(std::size_t i) const;
+
+  Maker make_;
+  mutable std::vector<std::shared_ptr<const BoxContact>> contacts_;  ///< null until made
 };
 
 }  // namespace stickslip_check

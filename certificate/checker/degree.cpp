@@ -76,8 +76,8 @@ std::optional<std::size_t> opening(const Part& part, const Box& box, const Range
   for (const Condition& condition : conditions_on(part, range, multiples, no_wall, 0)) {
     cone = cone.cut(make_form(condition.a), condition.equality);
   }
-  for (std::size_t i = 0; i < box.rows.size(); ++i) {
-    for (const Form& v : box.rows[i]->v) {
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    for (const Form& v : box.row(i).v) {
       for (const auto& ray : cone.rays()) {
         if (sign_of_dot(v, ray->x) < 0) return i;
       }

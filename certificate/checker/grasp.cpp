@@ -2,6 +2,9 @@
 #include "grasp.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <utility>
@@ -23,6 +26,28 @@ struct Edge {
   Vector from;
   Vector to;
   Vector inwards;  ///< the normal of contacts on it
+};
+
+/// Where a value is, such as contacts[3].position: put in words only for a message. What it
+/// was made from must outlive it.
+class Where {
+ public:
+  Where(const char* name) : name_(name) {}
+  Where operator+(const char* name) const { return {this, name, 0}; }
+  Where operator[](std::size_t index) const { return {this, nullptr, index}; }
+
+  operator std::string() const {
+    const std::string own = name_ != nullptr ? name_ : "[" + std::to_string(index_) + "]";
+    return above_ != nullptr ? std::string(*above_) + own : own;
+  }
+
+ private:
+  Where(const Where* above, const char* name, std::size_t index)
+      : above_(above), name_(name), index_(index) {}
+
+  const Where* above_ = nullptr;
+  const char* name_;
+  std::size_t index_ = 0;
 };
 
 /// "on" of a contact.
@@ -48,15 +73,18 @@ Value enclosed(Value value) {
   return array;
 }
 
-using Names = std::vector<std::string>;
-using Properties = std::map<std::string, Bounds>;  // friction, stiffness, preload
+using Names = std::initializer_list<const char*>;
+/// Those that are given.
+using Properties = std::array<std::optional<Bounds>, 3>;
+constexpr std::array<const char*, 3> kProperties{"friction", "stiffness", "preload"};
+constexpr std::uint8_t kAllOwn = 7;
 
 class GraspReader {
  public:
   GraspReader(std::istream& in, const std::string& file) : json_(in, file, kGraspLimits) {}
 
   Grasp read() {
-    Names seen;
+    std::vector<std::string> seen;
     std::map<std::string, Value> members;  // what the contacts decide how to read
     while (const std::optional<std::string> key = json_.next_member()) {
       allow(*key,
@@ -103,29 +131,29 @@ class GraspReader {
   void read_member(const std::string& key, Value value) {
     if (key == "format") {
       version2_ = value.is_text("stickslip-grasp/2");
-      json_.expect(version2_ || value.is_text("stickslip-grasp/1"), value, key,
-                   "\"stickslip-grasp/1\" or \"stickslip-grasp/2\"");
+      expect(version2_ || value.is_text("stickslip-grasp/1"), value, key.c_str(),
+             "\"stickslip-grasp/1\" or \"stickslip-grasp/2\"");
     } else if (key == "name") {
-      json_.expect(value.kind == Value::Kind::kString, value, key, "a string");
+      expect(value.kind == Value::Kind::kString, value, key.c_str(), "a string");
     } else if (key == "wrench") {
-      grasp_.wrench = uncertain_vector(value, key, dimension_);
+      grasp_.wrench = uncertain_vector(value, key.c_str(), dimension_);
     } else if (key == "loads") {
-      grasp_.wrench = sum_of_loads(value, key);
+      grasp_.wrench = sum_of_loads(value, key.c_str());
     } else if (key == "cases") {
       read_cases(value);
     } else if (key == "outline") {
-      json_.expect(dimension_ == kPlanar, value, key, "none, as the grasp is in space");
+      expect(dimension_ == kPlanar, value, key.c_str(), "none, as the grasp is in space");
       read_outline(std::move(value));
     } else if (key == "units") {
       read_units(value);
     } else {
-      expect_object(value, key, {"friction", "stiffness", "preload"});
-      defaults_ = properties(value, key);
+      expect_object(value, key.c_str(), {"friction", "stiffness", "preload"});
+      defaults_ = properties(value, key.c_str());
     }
   }
 
   /// `value` shows that the grasp is.
-  void put_in_space(const Value& value, const std::string& place) {
+  void put_in_space(const Value& value, const Where& place) {
     found_newer(value, place);
     dimension_ = kSpatial;
   }
@@ -138,33 +166,34 @@ class GraspReader {
       const Value& unit = member(value, "units", key);
       const bool is_unit = unit.kind == Value::Kind::kString && !unit.text.empty() &&
                            unit.text.size() <= kMostBytes;
-      json_.expect(is_unit, unit, std::string("units.") + key, "a string of 1 to 16 bytes");
+      expect(is_unit, unit, Where("units.") + key, "a string of 1 to 16 bytes");
     }
   }
 
   /// A list of polygons, a list of rings, or a ring.
   void read_outline(Value value) {
     constexpr std::size_t kDepth = 4;
-    json_.expect(depth_of(value) > 1, value, "outline", "a list of polygons [[[[x, y], ...]]]");
+    expect(depth_of(value) > 1, value, "outline", "a list of polygons [[[[x, y], ...]]]");
     while (depth_of(value) < kDepth) value = enclosed(std::move(value));
     for (const Value& polygon : value.items) {
-      const std::string place = "outline[" + std::to_string(outline_.size()) + "]";
-      json_.expect(polygon.kind == Value::Kind::kArray && !polygon.items.empty(), polygon,
-                   place, "a list of rings, of one or more");
+      const Where outline("outline");
+      const Where place = outline[outline_.size()];
+      expect(polygon.kind == Value::Kind::kArray && !polygon.items.empty(), polygon, place,
+             "a list of rings, of one or more");
       outline_.emplace_back();
       for (std::size_t k = 0; k < polygon.items.size(); ++k) {
-        read_ring(polygon.items[k], place + "[" + std::to_string(k) + "]", k > 0);
+        read_ring(polygon.items[k], place[k], k > 0);
       }
     }
   }
 
   /// FORMAT.md §1: the edges, and on which side of them the body is.
-  void read_ring(const Value& value, const std::string& place, bool hole) {
-    json_.expect(value.kind == Value::Kind::kArray && value.items.size() >= 3, value, place,
-                 "a ring of three vertices [x, y] or more");
+  void read_ring(const Value& value, const Where& place, bool hole) {
+    expect(value.kind == Value::Kind::kArray && value.items.size() >= 3, value, place,
+           "a ring of three vertices [x, y] or more");
     std::vector<Vector> ring;
     for (const Value& vertex : value.items) {
-      ring.push_back(vector(vertex, place + "[" + std::to_string(ring.size()) + "]", 2));
+      ring.push_back(vector(vertex, place[ring.size()], 2));
     }
     Rational area;
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -189,11 +218,11 @@ class GraspReader {
     }
   }
 
-  Place read_place(const Value& value, const std::string& place) const {
+  Place read_place(const Value& value, const Where& place) const {
     Place read{value.line, 0, 0, 0};
     if (value.is_array(2)) {
-      read.edge = number(value.items[0], place + "[0]");
-      read.share = number(value.items[1], place + "[1]");
+      read.edge = number(value.items[0], place[0]);
+      read.share = number(value.items[1], place[1]);
     } else {
       expect_object(value, place, {"polygon", "edge", "share"});
       const Value* polygon = value.find("polygon");
@@ -201,7 +230,7 @@ class GraspReader {
       read.edge = number(member(value, place, "edge"), place + ".edge");
       read.share = number(member(value, place, "share"), place + ".share");
     }
-    json_.expect(read.share >= 0 && read.share <= 1, value, place, "a share from 0 to 1");
+    expect(read.share >= 0 && read.share <= 1, value, place, "a share from 0 to 1");
     return read;
   }
 
@@ -217,11 +246,13 @@ class GraspReader {
       return list[index.get_num().get_ui()];
     };
     const Edge& edge = choose(choose(outline_, on.polygon, "polygon"), on.edge, "edge");
+    Contact contact = grasp_.contacts[i];
     for (std::size_t j = 0; j < 2; ++j) {
       const Rational p = edge.from[j] + on.share * (edge.to[j] - edge.from[j]);
-      grasp_.contacts[i].position.emplace_back(p);
+      contact.position.emplace_back(p);
     }
-    grasp_.contacts[i].normal = edge.inwards;
+    contact.normal = edge.inwards;
+    grasp_.contacts.set(i, contact);
   }
 
   static void add(Wrench& sum, const Wrench& term) {
@@ -232,15 +263,16 @@ class GraspReader {
   }
 
   void read_cases(const Value& value) {
-    json_.expect(value.kind == Value::Kind::kArray && !value.items.empty(), value, "cases",
-                 "an array of one case or more");
+    expect(value.kind == Value::Kind::kArray && !value.items.empty(), value, "cases",
+           "an array of one case or more");
     for (std::size_t k = 0; k < value.items.size(); ++k) {
       const Value& entry = value.items[k];
-      const std::string place = "cases[" + std::to_string(k) + "]";
+      const Where cases("cases");
+      const Where place = cases[k];
       expect_object(entry, place, {"name", "wrench", "loads"});
       const Value& name = member(entry, place, "name");
-      json_.expect(name.kind == Value::Kind::kString && !name.text.empty(), name,
-                   place + ".name", "a string that is not empty");
+      expect(name.kind == Value::Kind::kString && !name.text.empty(), name, place + ".name",
+             "a string that is not empty");
       const Value* wrench = entry.find("wrench");
       const Value* loads = entry.find("loads");
       if ((wrench == nullptr) == (loads == nullptr)) {
@@ -254,22 +286,22 @@ class GraspReader {
     }
   }
 
-  Wrench sum_of_loads(const Value& value, const std::string& place) const {
-    json_.expect(value.kind == Value::Kind::kArray, value, place, "an array of loads");
+  Wrench sum_of_loads(const Value& value, const Where& place) const {
+    expect(value.kind == Value::Kind::kArray, value, place, "an array of loads");
     Wrench sum(dimension_);
     for (std::size_t k = 0; k < value.items.size(); ++k) {
-      add(sum, wrench_of(value.items[k], place + "[" + std::to_string(k) + "]"));
+      add(sum, wrench_of(value.items[k], place[k]));
     }
     return sum;
   }
 
   /// The wrench of a force at a point, of a torque or of a weight.
-  Wrench wrench_of(const Value& value, std::string place) const {
+  Wrench wrench_of(const Value& value, const Where& place) const {
     if (const Value* torque = value.find("torque")) {
       expect_object(value, place, {"torque"});
-      place = place + ".torque";
-      if (dimension_ == kPlanar) return {0, 0, number(*torque, place)};
-      const Vector t = vector(*torque, place, 3);
+      const Where where = place + ".torque";
+      if (dimension_ == kPlanar) return {0, 0, number(*torque, where)};
+      const Vector t = vector(*torque, where, 3);
       return {0, 0, 0, t[0], t[1], t[2]};
     }
     Vector force;
@@ -285,9 +317,9 @@ class GraspReader {
     return {wrench.begin(), wrench.end()};
   }
 
-  Vector pull(const Value& load, const Value& weight, const std::string& place) const {
+  Vector pull(const Value& load, const Value& weight, const Where& place) const {
     const Rational size = number(weight, place + ".weight");
-    json_.expect(size >= 0, weight, place + ".weight", "a number of 0 or more");
+    expect(size >= 0, weight, place + ".weight", "a number of 0 or more");
     const Value* direction = load.find("direction");
     Vector force(coordinates());
     if (direction == nullptr) {
@@ -296,14 +328,15 @@ class GraspReader {
     }
     const Vector d = vector(*direction, place + ".direction", coordinates());
     const std::optional<Rational> length = exact_sqrt(dot(d, d));
-    json_.expect(length && *length > 0, *direction, place + ".direction",
-                 "a vector of rational length, not 0, such as [3, -4]");
+    expect(length && *length > 0, *direction, place + ".direction",
+           "a vector of rational length, not 0, such as [3, -4]");
     for (std::size_t j = 0; j < d.size(); ++j) force[j] = size * d[j] / *length;
     return force;
   }
 
   void read_contact(const Value& value) {
-    const std::string place = "contacts[" + std::to_string(own_.size()) + "]";
+    const Where contacts("contacts");
+    const Where place = contacts[own_.size()];
     if (own_.size() == kMaxContacts) json_.fail(value.line, "contacts", "too many contacts");
     expect_object(value, place,
                   {"position", "normal", "on", "friction", "stiffness", "preload"});
@@ -313,8 +346,8 @@ class GraspReader {
       put_in_space(*first, place + ".position");
     }
     if (const Value* on = value.find("on")) {
-      json_.expect(dimension_ == kPlanar, *on, place + ".on",
-                   "a position and a normal, as the grasp is in space");
+      expect(dimension_ == kPlanar, *on, place + ".on",
+             "a position and a normal, as the grasp is in space");
       if (value.find("position") != nullptr || value.find("normal") != nullptr) {
         json_.fail(value.line, place, R"("on" stands in place of "position" and "normal")");
       }
@@ -328,12 +361,19 @@ class GraspReader {
                    "the normal is " + show(contact.normal) + "; give a vector into the object");
       }
     }
-    grasp_.contacts.push_back(std::move(contact));
-    own_.push_back(properties(value, place));
+    Properties given = properties(value, place);
+    own_.push_back(0);
+    std::array<Bounds*, 3> own{&contact.friction, &contact.stiffness, &contact.preload};
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      if (!given[k]) continue;
+      *own[k] = std::move(*given[k]);
+      own_.back() |= static_cast<std::uint8_t>(1U << k);
+    }
+    grasp_.contacts.push_back(contact);
   }
 
   /// [x, y], or with a slope.
-  void read_normal(const Value& value, const std::string& place, Contact& contact) {
+  void read_normal(const Value& value, const Where& place, Contact& contact) {
     if (value.kind != Value::Kind::kObject || dimension_ == kSpatial) {
       contact.normal = vector(value, place, coordinates());
       return;
@@ -343,42 +383,50 @@ class GraspReader {
     contact.normal = vector(member(value, place, "direction"), place + ".direction", 2);
     const Value& slope = member(value, place, "slope");
     contact.slope = number(slope, place + ".slope");
-    json_.expect(contact.slope >= 0 && contact.slope < 1, slope, place + ".slope",
-                 "a number of 0 or more and below 1");
+    expect(contact.slope >= 0 && contact.slope < 1, slope, place + ".slope",
+           "a number of 0 or more and below 1");
   }
 
   /// What a contact does not say itself, defaults say, and else 1 and 0.
   void complete(std::size_t i) {
-    Properties all = std::move(own_[i]);
-    all.insert(defaults_.begin(), defaults_.end());
-    all.insert({{"stiffness", 1}, {"preload", 0}});
-    if (all.count("friction") == 0) {
-      throw Malformed{json_.file(), "contacts[" + std::to_string(i) + "]",
-                      "the member \"friction\" is missing, and \"defaults\" has none"};
-    }
-    Contact& contact = grasp_.contacts[i];
-    contact.friction = all["friction"];
-    contact.stiffness = all["stiffness"];
-    contact.preload = all["preload"];
+    if (own_[i] == kAllOwn) return;
+    Contact contact = grasp_.contacts[i];
+    const auto choose = [&](std::size_t k, Bounds& property, const char* otherwise) {
+      if (own_[i] >> k & 1U) return;
+      if (otherwise == nullptr && !defaults_[k]) {
+        throw Malformed{json_.file(), "contacts[" + std::to_string(i) + "]",
+                        "the member \"friction\" is missing, and \"defaults\" has none"};
+      }
+      property = defaults_[k] ? *defaults_[k] : Bounds(Rational(otherwise));
+    };
+    choose(0, contact.friction, nullptr);
+    choose(1, contact.stiffness, "1");
+    choose(2, contact.preload, "0");
+    grasp_.contacts.set(i, contact);
   }
 
-  void allow(const std::string& key, const Names& names, const std::string& place,
-             std::size_t line) const {
+  /// Throws unless `good`, saying what was found instead of `what`.
+  template <typename Text>
+  void expect(bool good, const Value& value, const Where& place, const Text& what) const {
+    if (!good) json_.expect(false, value, place, what);
+  }
+
+  void allow(const std::string& key, Names names, const Where& place, std::size_t line) const {
     if (std::find(names.begin(), names.end(), key) != names.end()) return;
     std::string list;
-    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-    const bool snapping = key == "normals" && place.empty();
+    for (const char* name : names) list += (list.empty() ? "" : ", ") + std::string(name);
+    const bool snapping = key == "normals" && std::string(place).empty();
     json_.fail(line, place,
                "unknown member " + quote(key) + "; known here are " + list +
                    (snapping ? "; to snap normals, run: stickslip snap GRASP -o FILE" : ""));
   }
 
-  void expect_object(const Value& value, const std::string& place, const Names& names) const {
-    json_.expect(value.kind == Value::Kind::kObject, value, place, "an object {...}");
+  void expect_object(const Value& value, const Where& place, Names names) const {
+    expect(value.kind == Value::Kind::kObject, value, place, "an object {...}");
     for (const std::string& key : value.keys) allow(key, names, place, value.line);
   }
 
-  const Value& member(const Value& object, const std::string& place, const char* key) const {
+  const Value& member(const Value& object, const Where& place, const char* key) const {
     const Value* value = object.find(key);
     if (value == nullptr) {
       json_.fail(object.line, place, std::string("the member \"") + key + "\" is missing");
@@ -386,25 +434,26 @@ class GraspReader {
     return *value;
   }
 
-  Rational number(const Value& value, const std::string& place) const {
+  Rational number(const Value& value, const Where& place) const {
     std::optional<Rational> read;
     if (value.kind == Value::Kind::kNumber || value.kind == Value::Kind::kString) {
       read = parse_decimal(value.text);
     }
-    json_.expect(read.has_value(), value, place,
-                 "a number such as 0.25 or 1e-3, or a string as \"3/5\"");
+    expect(read.has_value(), value, place,
+           "a number such as 0.25 or 1e-3, or a string as \"3/5\"");
     // What rounds to 2^16384 with a mantissa of 64 bits (docs/grasp_file.md).
     static const Integer kBeyond = (Integer(1) << 16384) - (Integer(1) << 16319);
-    json_.expect(value.kind == Value::Kind::kString || abs(*read) < kBeyond, value, place,
-                 "a number below 2^16384; a string spells larger ones");
+    expect(value.kind == Value::Kind::kString || abs(*read) < kBeyond, value, place,
+           "a number below 2^16384; a string spells larger ones");
     return *read;
   }
 
-  Vector vector(const Value& value, const std::string& place, std::size_t size) const {
-    json_.expect(value.is_array(size), value, place, array_of(size));
+  Vector vector(const Value& value, const Where& place, std::size_t size) const {
+    if (!value.is_array(size)) expect(false, value, place, array_of(size));
     Vector result;
+    result.reserve(size);
     for (std::size_t j = 0; j < size; ++j) {
-      result.push_back(number(value.items[j], place + "[" + std::to_string(j) + "]"));
+      result.push_back(number(value.items[j], place[j]));
     }
     return result;
   }
@@ -423,12 +472,12 @@ class GraspReader {
   std::size_t coordinates() const { return stickslip_check::coordinates(dimension_); }
 
   /// Version 1 has no intervals, no slopes and no space; the version may be stated later.
-  void found_newer(const Value& value, const std::string& place) {
+  void found_newer(const Value& value, const Where& place) {
     if (!newer_) newer_.emplace(value.line, place);
   }
 
   /// A number or an INTERVAL (FORMAT.md §6).
-  Bounds bounds(const Value& value, const std::string& place) {
+  Bounds bounds(const Value& value, const Where& place) {
     if (value.kind != Value::Kind::kObject) return number(value, place);
     found_newer(value, place);
     expect_object(value, place, {"min", "max"});
@@ -442,30 +491,32 @@ class GraspReader {
     return read;
   }
 
-  std::vector<Bounds> uncertain_vector(const Value& value, const std::string& place,
+  std::vector<Bounds> uncertain_vector(const Value& value, const Where& place,
                                        std::size_t size) {
-    json_.expect(value.is_array(size), value, place, array_of(size));
+    if (!value.is_array(size)) expect(false, value, place, array_of(size));
     std::vector<Bounds> result;
+    result.reserve(size);
     for (std::size_t j = 0; j < size; ++j) {
-      result.push_back(bounds(value.items[j], place + "[" + std::to_string(j) + "]"));
+      result.push_back(bounds(value.items[j], place[j]));
     }
     return result;
   }
 
-  Properties properties(const Value& object, const std::string& place) {
+  Properties properties(const Value& object, const Where& place) {
     Properties result;
-    for (const char* key : {"friction", "stiffness", "preload"}) {
-      const Value* value = object.find(key);
+    for (std::size_t k = 0; k < kProperties.size(); ++k) {
+      const Value* value = object.find(kProperties[k]);
       if (value == nullptr) continue;
-      const std::string where = place + "." + key;
-      const Bounds read = bounds(*value, where);
-      const bool above = std::string(key) == "stiffness";
+      const Where member = place + ".";
+      const Where where = member + kProperties[k];
+      Bounds read = bounds(*value, where);
+      const bool above = value == object.find("stiffness");
       if (read.low < 0 || (above && read.low == 0)) {
         json_.fail(value->line, where,
                    "found " + show(read.low) + ", expected a number " +
                        (above ? "above 0" : "of 0 or more"));
       }
-      result.emplace(key, read);
+      result[k] = std::move(read);
     }
     return result;
   }
@@ -477,11 +528,65 @@ class GraspReader {
   std::optional<std::pair<std::size_t, std::string>> newer_;  ///< line and place, the first
   std::vector<std::vector<Edge>> outline_;                    ///< by polygon
   std::map<std::size_t, Place> places_;                       ///< by contact
-  std::vector<Properties> own_;
+  std::vector<std::uint8_t> own_;  ///< by contact, which of kProperties it gives: bits
   Properties defaults_;
 };
 
 }  // namespace
+
+Contacts::Contacts(std::initializer_list<Contact> contacts) {
+  for (const Contact& contact : contacts) push_back(contact);
+}
+
+Contact Contacts::operator[](std::size_t i) const {
+  const Short& numbers = short_[i];
+  if (numbers[0].den == 0) return others_.at(i);
+  auto next = numbers.begin();
+  const auto take = [&] {
+    Rational x;
+    mpq_set_si(x.get_mpq_t(), next->num, static_cast<unsigned long>(next->den));
+    ++next;
+    return x;
+  };
+  Contact contact;
+  contact.friction = take();
+  contact.stiffness = take();
+  contact.preload = take();
+  const std::size_t size = numbers.back().den == 0 ? 2 : 3;
+  contact.position.reserve(size);
+  contact.normal.reserve(size);
+  for (std::size_t j = 0; j < size; ++j) contact.position.emplace_back(take());
+  for (std::size_t j = 0; j < size; ++j) contact.normal.push_back(take());
+  return contact;
+}
+
+void Contacts::push_back(const Contact& contact) {
+  short_.emplace_back();
+  set(short_.size() - 1, contact);
+}
+
+void Contacts::set(std::size_t i, const Contact& contact) {
+  Short numbers;
+  auto next = numbers.begin();
+  bool fits = contact.slope == 0 && contact.position.size() == contact.normal.size() &&
+              (contact.normal.size() == 2 || contact.normal.size() == 3);
+  const auto put = [&](const Rational& x) {
+    fits = fits && x.get_num().fits_slong_p() && x.get_den().fits_slong_p();
+    if (fits) *next++ = {x.get_num().get_si(), x.get_den().get_si()};
+  };
+  const auto put_certain = [&](const Bounds& bounds) {
+    fits = fits && bounds.certain();
+    put(bounds.low);
+  };
+  for (const Bounds* bounds : {&contact.friction, &contact.stiffness, &contact.preload}) {
+    put_certain(*bounds);
+  }
+  for (const Bounds& p : contact.position) put_certain(p);
+  for (const Rational& n : contact.normal) put(n);
+  short_[i] = fits ? numbers : Short{};
+  others_.erase(i);
+  if (!fits) others_.emplace(i, contact);
+}
 
 Grasp read_grasp(std::istream& in, const std::string& file) {
   return GraspReader(in, file).read();

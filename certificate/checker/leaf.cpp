@@ -179,9 +179,9 @@ Rational root_above(const Rational& x) {
 /// In space, alpha_i.
 Rational spatial_alpha(const Box& box, std::size_t i, const Generators& region, const Form& y,
                        const Rational& scale) {
-  const Row& row = *box.rows[i];
-  const Bounds& friction = box.contacts[i][Parameter::kFriction];
-  const Vector& normal = box.contacts[i].normal;
+  const Row& row = box.row(i);
+  const Bounds& friction = box.contact(i)[Parameter::kFriction];
+  const Vector& normal = box.contact(i).normal;
   SlipCone cone(normal);
   bool moves = false;
   if (friction.high > 0) {
@@ -214,7 +214,7 @@ Bound bound_of(const Box& box, const Generators& region, const Vector& twist, bo
   Rational scale;
   const Form y = make_form(twist, &scale);
   Bound bound;
-  bound.bends.reserve(box.rows.size());
+  bound.bends.reserve(box.size());
   PairwiseSum terms;
   Vector work(box.coordinates());
   work[dimension] = most_work(twist, box.wrench);
@@ -223,8 +223,8 @@ Bound bound_of(const Box& box, const Generators& region, const Vector& twist, bo
   }
   terms.add(work);
   work.assign(work.size(), 0);
-  for (std::size_t i = 0; i < box.rows.size(); ++i) {
-    const Row& row = *box.rows[i];
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    const Row& row = box.row(i);
     const int v_side = side(region, row.v);
     if (v_side < 0) continue;  // max(0, v_i) = 0
     if (dimension == kPlanar && !row.certain) {

@@ -43,9 +43,10 @@ void count(const TreeWalk& walk, Accepted& accepted) {
 
 bool at_rest(const Question& question) {
   const auto zero = [](const Bounds& bounds) { return bounds == Bounds(0); };
-  return std::all_of(question.widened.begin(), question.widened.end(), zero) &&
-         std::all_of(question.contacts.begin(), question.contacts.end(),
-                     [&](const Contact& contact) { return zero(contact.preload); });
+  for (std::size_t i = 0; i < question.contacts.size(); ++i) {
+    if (!zero(question.contacts[i].preload)) return false;
+  }
+  return std::all_of(question.widened.begin(), question.widened.end(), zero);
 }
 
 void check_order(const std::vector<Interval>& resisted) {

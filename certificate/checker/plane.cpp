@@ -28,7 +28,7 @@ std::optional<std::string> mode_refusal(const Question& question,
       if (slip != 0) slips[slip > 0 ? 1 : 0] = true;
     }
     if (closed && open) return found("v has opposite signs");
-    const Bounds& friction = question.box->contacts[i][Parameter::kFriction];
+    const Bounds& friction = question.box->contact(i)[Parameter::kFriction];
     if (!closed || friction == Bounds(0) || (!slips[0] && !slips[1])) continue;
     if (slips[0] && slips[1]) return found("it slips both ways");
     const int edge = slips[1] ? -1 : 1;

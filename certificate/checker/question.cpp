@@ -91,9 +91,10 @@ void widen(Contact& contact, const std::string& kind, const Tolerance& tolerance
   for (Bounds& p : contact.position) widen(p, tolerance);
 }
 
-/// After `wrench` and `contacts` are as in the file or replaced.
-void apply_uncertain(Question& question) {
+/// Replaces what is asked to be, and widens it; the wrench has been replaced.
+void apply_uncertain(Question& question, Contacts& contacts) {
   const Options& asked = question.asked;
+  question.widened = question.wrench;
   for (const auto& [kind, tolerance] : asked.uncertain) {
     const std::string found =
         kind + "=" + show(tolerance.size) + (tolerance.percent ? "%" : "");
@@ -105,51 +106,62 @@ void apply_uncertain(Question& question) {
     if (kind == "normal" && tolerance.percent) {
       refuse("uncertain", "found " + found + ", expected a slope, such as 0.01");
     }
-    for (Contact& contact : question.contacts) widen(contact, kind, tolerance);
     for (Bounds& w : question.widened) {
       if (kind == "wrench") widen(w, tolerance);
     }
   }
+  for (std::size_t i = 0; i < contacts.size() && (asked.preload || !asked.uncertain.empty());
+       ++i) {
+    Contact contact = contacts[i];
+    if (asked.preload) contact.preload = *asked.preload;
+    for (const auto& [kind, tolerance] : asked.uncertain) widen(contact, kind, tolerance);
+    contacts.set(i, contact);
+  }
 }
 
 /// What FORMAT.md §6 does not allow; and whether the question is a box.
-void check_uncertain(Question& question, const std::string& file) {
-  const auto check = [&](const Bounds& bounds, const std::string& place) {
-    if (!bounds.certain()) question.is_box = true;
-    if (bounds.certain() || !question.asked.family()) return;
-    throw Malformed{file, place,
+void check_uncertain(Question& question, const Contacts& contacts, const Vector& growth,
+                     const std::string& file) {
+  const auto check = [&](const Bounds& bounds, const auto& place) {
+    if (bounds.certain()) return;
+    question.is_box = true;
+    if (!question.asked.family()) return;
+    throw Malformed{file, place(),
                     "found the interval " + show(bounds) + ", but " + kind_of(question.asked) +
                         " is about one grasp; expected a number"};
   };
-  for (std::size_t i = 0; i < question.contacts.size(); ++i) {
-    const Contact& contact = question.contacts[i];
-    const std::string place = "contacts[" + std::to_string(i) + "].";
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const Contact contact = contacts[i];
+    const auto place = [i](const char* name) {
+      return "contacts[" + std::to_string(i) + "]." + name;
+    };
     const auto require = [&](bool good, const char* name, const Rational& found,
                              const char* expected) {
       if (good) return;
-      throw Malformed{file, place + name,
-                      "it may be " + show(found) + ", expected " + expected};
+      throw Malformed{file, place(name), "it may be " + show(found) + ", expected " + expected};
     };
     require(contact.friction.low >= 0, "friction", contact.friction.low, "0 or more");
     require(contact.preload.low >= 0, "preload", contact.preload.low, "0 or more");
     require(contact.stiffness.low > 0, "stiffness", contact.stiffness.low, "above 0");
     require(contact.slope < 1, "normal.slope", contact.slope, "a slope below 1");
-    check(contact.friction, place + "friction");
-    check(contact.preload, place + "preload");
-    check(contact.stiffness, place + "stiffness");
-    for (const Bounds& p : contact.position) check(p, place + "position");
-    check(Bounds(-contact.slope, contact.slope), place + "normal.slope");
-    const bool loaded = contact.preload.high != 0 || question.preload_growth[i] != 0;
+    check(contact.friction, [&] { return place("friction"); });
+    check(contact.preload, [&] { return place("preload"); });
+    check(contact.stiffness, [&] { return place("stiffness"); });
+    for (const Bounds& p : contact.position) check(p, [&] { return place("position"); });
+    if (contact.slope != 0) {
+      check(Bounds(-contact.slope, contact.slope), [&] { return place("normal.slope"); });
+    }
+    const bool loaded = contact.preload.high != 0 || (!growth.empty() && growth[i] != 0);
     if (!loaded || exact_sqrt(dot(contact.normal, contact.normal))) continue;
     question.is_box = true;
     if (question.asked.family() && question.dimension() == kPlanar) {
       throw Malformed{
-          file, place + "normal",
+          file, place("normal"),
           "the contact has a preload and a normal of irrational length, so there is "
           "no exact question; run stickslip snap GRASP -o FILE, and ask about FILE"};
     }
   }
-  for (const Bounds& w : question.widened) check(w, "wrench");
+  for (const Bounds& w : question.widened) check(w, [] { return std::string("wrench"); });
 }
 
 ContactBox enlarged(const Contact& contact, const Rational& growth, unsigned bits) {
@@ -176,52 +188,54 @@ ContactBox enlarged(const Contact& contact, const Rational& growth, unsigned bit
 }  // namespace
 
 Question pose(Grasp grasp, const Options& options, const std::string& file) {
-  const std::size_t m = grasp.contacts.size();
+  Contacts& contacts = grasp.contacts;
+  const std::size_t m = contacts.size();
   check_dimension(grasp, options);
   check_plane(options);
   Question question;
   question.asked = options;
-  question.contacts = std::move(grasp.contacts);
-  question.preload_growth.resize(m);
   if (options.preload && *options.preload < 0) {
     refuse("preload", "found " + show(*options.preload) + ", expected 0 or more");
   }
-  for (Contact& contact : question.contacts) {
-    if (options.preload) contact.preload = *options.preload;
-  }
   question.wrench = wrench_asked(grasp, options);
-  question.widened = question.wrench;
-  apply_uncertain(question);
-  Vector& growth = question.preload_growth;
+  apply_uncertain(question, contacts);
   const bool scaled = options.preload_direction && options.preload_direction->scale;
-  if (options.preload_direction && !scaled) growth = options.preload_direction->values;
-  if (growth.size() != m || std::any_of(growth.begin(), growth.end(), below_zero)) {
-    refuse("preload direction", "found " + show(growth) + ", expected " + std::to_string(m) +
-                                    " numbers of 0 or more, one for each contact");
+  Vector growth;
+  if (options.preload_direction && !scaled) {
+    growth = options.preload_direction->values;
+    if (growth.size() != m || std::any_of(growth.begin(), growth.end(), below_zero)) {
+      refuse("preload direction", "found " + show(growth) + ", expected " + std::to_string(m) +
+                                      " numbers of 0 or more, one for each contact");
+    }
   }
-  check_uncertain(question, file);
+  check_uncertain(question, contacts, growth, file);
   for (std::size_t i = 0; scaled && i < m; ++i) {
-    growth[i] = question.contacts[i].preload.low;
-    question.contacts[i].preload = Bounds(0);
+    Contact contact = contacts[i];
+    growth.push_back(contact.preload.low);
+    contact.preload = Bounds(0);
+    contacts.set(i, contact);
   }
   question.growth = options.direction.value_or(Vector(grasp.dimension()));
-  if (options.margin() && question.growth == Vector(grasp.dimension()) && growth == Vector(m)) {
+  if (options.margin() && question.growth == Vector(grasp.dimension()) &&
+      std::all_of(growth.begin(), growth.end(), [](const Rational& p) { return p == 0; })) {
     refuse("direction",
            "neither the wrench nor a preload changes; expected a direction other "
            "than 0, or to scale preloads some of which are not 0");
   }
+  question.contacts = Fixed<Contacts>(std::move(contacts));
+  question.preload_growth = Fixed<Vector>(std::move(growth));
   if (!question.is_box) enlarge(question);
   return question;
 }
 
 void enlarge(Question& question, unsigned bits) {
-  auto box = std::make_shared<Box>();
+  const auto make = [contacts = question.contacts, growth = question.preload_growth,
+                     bits](std::size_t i) {
+    return enlarged(contacts[i], growth.size() == 0 ? Rational(0) : growth[i], bits);
+  };
+  auto box = std::make_shared<Box>(question.contacts.size(), make, !question.is_box);
   box->wrench = question.widened;
   box->growths = question.asked.plane.value_or(std::vector<Vector>{question.growth});
-  for (std::size_t i = 0; i < question.contacts.size(); ++i) {
-    box->contacts.push_back(enlarged(question.contacts[i], question.preload_growth[i], bits));
-    box->rows.push_back(make_row(box->contacts.back()));
-  }
   question.box = std::move(box);
 }
 

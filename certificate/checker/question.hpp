@@ -13,6 +13,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "box.hpp"
@@ -65,13 +66,27 @@ struct Options {
   bool family() const { return margin() || plane; }
 };
 
+/// A list that nobody changes any more; copies are the same list.
+template <typename List>
+class Fixed {
+ public:
+  Fixed() : list_(std::make_shared<const List>()) {}
+  explicit Fixed(List list) : list_(std::make_shared<const List>(std::move(list))) {}
+
+  std::size_t size() const { return list_->size(); }
+  decltype(auto) operator[](std::size_t i) const { return (*list_)[i]; }
+
+ private:
+  std::shared_ptr<const List> list_;
+};
+
 struct Question {
   Options asked;
-  std::vector<Contact> contacts;   ///< with what was replaced and widened
+  Fixed<Contacts> contacts;        ///< with what was replaced and widened
   Wrench wrench;                   ///< w, before it was widened
   Wrench widened;                  ///< w
   Vector growth;                   ///< u; 0 for one verdict
-  Vector preload_growth;           ///< P^u
+  Fixed<Vector> preload_growth;    ///< P^u; empty if none is asked for
   bool is_box = false;             ///< FORMAT.md §6, §7
   std::shared_ptr<const Box> box;  ///< what trees are about; of a box, by enlarge()
 

@@ -9,7 +9,7 @@ Generators::Generators(const Box& box, const Cone& cone, const Strict& strict)
     : strict_(strict.conditions), slips_(strict.slips) {
   const auto add = [&](const Form& x, Set zero) {
     for (std::size_t k = 0; k < slips_.size(); ++k) {
-      const std::vector<Form>& slip = box.rows[slips_[k]]->slips[0];
+      const std::vector<Form>& slip = box.row(slips_[k]).slips[0];
       const bool sticks = std::all_of(slip.begin(), slip.end(),
                                       [&](const Form& s) { return sign_of_dot(s, x) == 0; });
       if (sticks) insert(zero, cone.cuts() + k);

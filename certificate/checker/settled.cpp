@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -11,17 +13,21 @@ namespace {
 
 constexpr std::size_t kPoint = kPlanar + 2;
 constexpr long kMostBits = 150;
+constexpr long kMantissaBits = 53;
 
 /// Numbers over 2^exponent.
 struct Scaled {
   std::vector<double> numbers;  ///< the largest between 1/2 and 1, or all 0
+  double unit = 0;              ///< if not 0, all are exact, and multiples of it
   long exponent = 0;
 };
 
-/// Nothing if one that is not 0 is below 2^-150 of the largest.
+/// Nothing if one that is not 0 is below 2^-151 of the largest.
 std::optional<Scaled> scaled(const Form& x) {
   Scaled result;
   std::vector<long> exponents;
+  result.numbers.reserve(x.size());
+  exponents.reserve(x.size());
   bool any = false;
   for (const Integer& entry : x) {
     long exponent = 0;
@@ -36,6 +42,9 @@ std::optional<Scaled> scaled(const Form& x) {
     const long down = exponents[j] - result.exponent;
     if (down < -kMostBits) return std::nullopt;
     result.numbers[j] = std::ldexp(result.numbers[j], static_cast<int>(down));
+  }
+  if (result.exponent <= kMantissaBits) {
+    result.unit = std::ldexp(1.0, -static_cast<int>(result.exponent));
   }
   return result;
 }
@@ -66,6 +75,8 @@ std::optional<RowDoubles> in_doubles(const Row& row) {
   const auto weight = times_power(row.weight, v->exponent + edges->exponent);
   if (!weight) return std::nullopt;
   RowDoubles result;
+  result.v_unit = v->unit;
+  result.tau_unit = tau->unit;
   copy(v->numbers, 0, result.v);
   copy(tau->numbers, 0, result.tau);
   copy(edges->numbers, 0, result.edges[0]);
@@ -89,11 +100,14 @@ struct Sum {
     }
   }
 
-  /// 0 if it is not certain. Each factor is rounded by 2u and each product and sum by u: 9u.
-  int sign() const {
+  /// If doubles tell. Each factor is rounded by 2u and each product and sum by u: 9u. With
+  /// units of the two factors whose product is `unit`, or 0: see settled.hpp, "Signs".
+  std::optional<int> sign(double unit) const {
     constexpr double kError = 0x1p-49;
-    if (value > kError * magnitude) return 1;
-    return value < -kError * magnitude ? -1 : 0;
+    if (std::fabs(value) > kError * magnitude || magnitude == 0 || magnitude < 0x1p53 * unit) {
+      return (value > 0 ? 1 : 0) - (value < 0 ? 1 : 0);
+    }
+    return std::nullopt;
   }
 };
 
@@ -101,6 +115,7 @@ struct Sum {
 struct Point {
   const Generator* exact;
   bool usable;
+  double unit;
   std::array<double, kPoint> x;
 };
 
@@ -108,48 +123,97 @@ std::vector<Point> points_of(const Generators& region) {
   std::vector<Point> points;
   for (const Generator& generator : region) {
     const auto numbers = scaled(*generator.x);
-    points.push_back({&generator, numbers.has_value(), {}});
+    points.push_back({&generator, numbers.has_value(), numbers ? numbers->unit : 0, {}});
     if (numbers) copy(numbers->numbers, 0, points.back().x);
   }
   return points;
 }
 
-template <std::size_t n>
-int sign_at(const Point& point, const std::array<double, n>& doubles, const Form& exact) {
+/// Of contact i, whose exact functions are made only if doubles do not tell.
+int sign_of_v(const Point& point, const RowDoubles& row, const Box& box, std::size_t i) {
   if (point.usable) {
-    if (const int sign = Sum(doubles, point.x.data()).sign()) return sign;
+    const auto sign = Sum(row.v, point.x.data()).sign(row.v_unit * point.unit);
+    if (sign) return *sign;
   }
-  return sign_of_dot(exact, *point.exact->x);
+  return sign_of_dot(box.row(i).v[0], *point.exact->x);
 }
 
+int sign_of_tau(const Point& point, const RowDoubles& row, const Box& box, std::size_t i) {
+  if (point.usable) {
+    const auto sign = Sum(row.tau, point.x.data()).sign(row.tau_unit * point.unit);
+    if (sign) return *sign;
+  }
+  return sign_of_dot(box.row(i).tau[0], *point.exact->x);
+}
+
+/// Two points where a function of some contact was above 0 and below 0: those of the next
+/// contact, which mostly is near, are looked for there first.
+struct Opposites {
+  std::size_t above = 0;
+  std::size_t below = 0;
+
+  /// Whether there are two for this function, whose sign at a point is `sign_at(point)`.
+  template <typename SignAt>
+  bool found(const std::vector<Point>& points, const SignAt& sign_at) const {
+    return !points.empty() && sign_at(points[above]) > 0 && sign_at(points[below]) < 0;
+  }
+  void keep(int sign, std::size_t k) {
+    if (sign != 0) (sign > 0 ? above : below) = k;
+  }
+};
+
 /// 1 or -1 if the contact has that sign of slip (FORMAT.md §4), else 0.
-int slip_sign(const Generators& region, const std::vector<Point>& points,
-              const RowDoubles& doubles, const Row& row) {
+int slip_sign(const Generators& region, const std::vector<Point>& points, const RowDoubles& row,
+              const Box& box, std::size_t i, Opposites& last) {
+  const auto sign_at = [&](const Point& point) { return sign_of_tau(point, row, box, i); };
+  if (last.found(points, sign_at)) return 0;
   int sign = 0;
-  for (const Point& point : points) {
-    const int here = sign_at(point, doubles.tau, row.tau[0]);
+  Barring zeros(region);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const int here = sign_at(points[k]);
+    last.keep(here, k);
     if (sign != 0 && here == -sign) return 0;
+    if (here == 0) zeros.add(*points[k].exact);
     if (here != 0) sign = here;
   }
-  if (sign == 0) return 0;  // sticks everywhere
-  Barring zeros(region);
-  for (const Point& point : points) {
-    if (sign_at(point, doubles.tau, row.tau[0]) == 0) zeros.add(*point.exact);
-  }
-  return zeros.barred() ? sign : 0;
+  return zeros.barred() ? sign : 0;  // 0 if it sticks everywhere
 }
 
 /// 1 if v >= 0 on all, -1 if v <= 0, which is preferred; else 0.
-int side_of(const std::vector<Point>& points, const RowDoubles& doubles, const Row& row) {
+int side_of(const std::vector<Point>& points, const RowDoubles& row, const Box& box,
+            std::size_t i, Opposites& last) {
+  const auto sign_at = [&](const Point& point) { return sign_of_v(point, row, box, i); };
+  if (last.found(points, sign_at)) return 0;
   bool above = false;
   bool below = false;
-  for (const Point& point : points) {
-    const int here = sign_at(point, doubles.v, row.v[0]);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const int here = sign_at(points[k]);
+    last.keep(here, k);
     above = above || here > 0;
     below = below || here < 0;
     if (above && below) return 0;
   }
   return above ? 1 : -1;
+}
+
+/// load(x), for a box of one point.
+Vector load_at(const Box& box, const Form& x) {
+  Vector load;
+  for (std::size_t j = 0; j < kPlanar; ++j) {
+    load.emplace_back(box.wrench[j].low * x[kPlanar] + box.growths[0][j] * x[kPlanar + 1]);
+  }
+  return load;
+}
+
+static_assert(std::numeric_limits<double>::is_iec559 &&
+              std::numeric_limits<double>::digits == 53);
+
+/// What sums of LongSum round by: emulated machines may have no more than doubles.
+double long_rounding() {
+  constexpr LongSum kStep = std::numeric_limits<LongSum>::epsilon();
+  volatile LongSum one = 1;
+  volatile LongSum next = one + kStep;
+  return next > one ? std::max(static_cast<double>(kStep), 0x1p-63) : 0x1p-52;
 }
 
 }  // namespace
@@ -158,9 +222,9 @@ std::shared_ptr<const BoxDoubles> make_doubles(const Box& box) {
   const bool is_planar = box.dimension() == kPlanar && box.coordinates() == kPoint;
   if (!is_planar || !box.certain()) return nullptr;
   auto result = std::make_shared<BoxDoubles>();
-  result->rows.reserve(box.rows.size());
-  for (const auto& row : box.rows) {
-    const auto doubles = in_doubles(*row);
+  result->rows.reserve(box.size());
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    const auto doubles = in_doubles(box.passing(i)->row);
     if (!doubles) return nullptr;
     result->rows.push_back(*doubles);
   }
@@ -177,10 +241,31 @@ std::shared_ptr<const BoxDoubles> make_doubles(const Box& box) {
   return result;
 }
 
+Cone cut_by_normal_law(Cone cone, const Box& box, const BoxDoubles& doubles) {
+  // Contacts far apart first: the later ones then cut less often.
+  const std::size_t m = box.size();
+  std::size_t step = m * 5 / 8 + 1;
+  while (std::gcd(step, m) > 1) ++step;
+  std::size_t i = 0;
+  for (std::size_t seen = 0; seen < m;) {
+    const Generators generators(box, cone, {});
+    const std::vector<Point> points = points_of(generators);
+    const auto is_closed = [&](const Point& point) {
+      return sign_of_v(point, doubles.rows[i], box, i) >= 0;
+    };
+    while (seen < m && std::all_of(points.begin(), points.end(), is_closed)) {
+      i = (i + step) % m;
+      ++seen;
+    }
+    if (seen < m) cone = cone.cut(box.row(i).v[0]);
+  }
+  return cone;
+}
+
 Settled::Settled(const Box& box, std::shared_ptr<const BoxDoubles> doubles)
-    : box_(&box), doubles_(std::move(doubles)), push_(kPoint) {
+    : box_(&box), doubles_(std::move(doubles)) {
   auto all = std::make_shared<std::vector<Unsettled>>();
-  for (std::size_t i = 0; i < box.rows.size(); ++i) {
+  for (std::size_t i = 0; i < box.size(); ++i) {
     // Without friction both signs of slip come to the same.
     const bool one_edge = doubles_->rows[i].one_edge;
     all->push_back(
@@ -205,23 +290,25 @@ Settled Settled::within(const Generators& region) const {
   const std::vector<Point> points = points_of(region);
   Settled inside = *this;
   auto rest = std::make_shared<std::vector<Unsettled>>();
+  rest->reserve(unsettled_->size());
+  Opposites presses;
+  Opposites slips;
   for (Unsettled contact : *unsettled_) {
     const RowDoubles& doubles = doubles_->rows[contact.contact];
-    const Row& row = *box_->rows[contact.contact];
     if (!contact.closed) {
-      const int side = side_of(points, doubles, row);
+      const int side = side_of(points, doubles, *box_, contact.contact, presses);
       if (side < 0) continue;
       contact.closed = side > 0;
     }
     if (contact.slip == 0) {
-      contact.slip = static_cast<std::int8_t>(slip_sign(region, points, doubles, row));
+      contact.slip = static_cast<std::int8_t>(
+          slip_sign(region, points, doubles, *box_, contact.contact, slips));
     }
     if (!contact.closed || contact.slip == 0) {
       rest->push_back(contact);
       continue;
     }
     inside.add(doubles, contact.slip);
-    for (std::size_t k = 0; k < kPoint; ++k) inside.push_[k] += row.v[0][k];
   }
   inside.unsettled_ = std::move(rest);
   return inside;
@@ -235,11 +322,23 @@ bool Settled::proves(const Generators& region, const Vector& twist) const {
 
   struct At {
     const Point* point;
-    double bound = 0;  ///< g, but for rounding
+    LongSum bound = 0;  ///< g, but for rounding
     double magnitude = 0;
-    bool acts = false;  ///< some number that g is a multiple of is not 0
+    bool pressed = false;  ///< by an unsettled contact: v > 0
   };
   const std::vector<Point> points = points_of(region);
+  /// Whether v is not 0 there for some contact that is settled, and so closed.
+  const auto some_press = [&](const Point& point) {
+    auto unsettled = unsettled_->begin();
+    for (std::size_t i = 0; i < doubles_->rows.size(); ++i) {
+      if (unsettled != unsettled_->end() && unsettled->contact == i) {
+        ++unsettled;
+      } else if (sign_of_v(point, doubles_->rows[i], *box_, i) > 0) {
+        return true;
+      }
+    }
+    return false;
+  };
   std::vector<At> all;
   const Sum load(doubles_->load, y.data());
   const Sum growth(doubles_->growth, y.data());
@@ -249,11 +348,9 @@ bool Settled::proves(const Generators& region, const Vector& twist) const {
     at.bound = load.value * point.x[kPlanar] + growth.value * point.x[kPlanar + 1];
     at.magnitude = load.magnitude * std::fabs(point.x[kPlanar]) +
                    growth.magnitude * std::fabs(point.x[kPlanar + 1]);
-    at.acts = point.x[kPlanar] != 0 || point.x[kPlanar + 1] != 0 ||
-              sign_of_dot(push_, *point.exact->x) != 0;
-    for (std::size_t j = 0; at.acts && j < kPlanar; ++j) {
+    for (std::size_t j = 0; j < kPlanar; ++j) {
       for (std::size_t k = 0; k < kPoint; ++k) {
-        at.bound += sum_[j][k] * y[j] * point.x[k];
+        at.bound += sum_[j][k] * static_cast<LongSum>(y[j] * point.x[k]);
         at.magnitude += magnitude_[j][k] * std::fabs(y[j]) * std::fabs(point.x[k]);
       }
     }
@@ -273,19 +370,26 @@ bool Settled::proves(const Generators& region, const Vector& twist) const {
     if (!contact.closed) alpha = std::max(alpha, 0.0);
     for (At& at : all) {
       const Sum v(row.v, at.point->x.data());
-      if (!contact.closed && v.sign() < 0) continue;  // max(0, v_i) = 0
+      const double unit = row.v_unit * at.point->unit;
+      if (!contact.closed && v.sign(unit).value_or(0) < 0) continue;  // max(0, v_i) = 0
       at.bound += alpha * (contact.closed ? v.value : std::max(v.value, 0.0));
       at.magnitude += size * v.magnitude;
       // Of a closed contact it is not below 0 anywhere.
-      at.acts = at.acts || sign_at(*at.point, row.v, box_->rows[contact.contact]->v[0]) > 0;
+      at.pressed = at.pressed || sign_of_v(*at.point, row, *box_, contact.contact) > 0;
     }
   }
   const double terms = static_cast<double>(terms_ + unsettled_->size() + 64);
-  const double error = 2 * (64 + terms) * 0x1p-53;
+  const double error = 2 * (64 * 0x1p-53 + terms * long_rounding());
   Barring flat(region);  // where g = 0
   for (const At& at : all) {
-    if (at.acts && !(at.bound < -error * at.magnitude)) return false;
-    if (!at.acts) flat.add(*at.point->exact);
+    if (!(at.bound < -error * at.magnitude)) {
+      if (at.pressed || some_press(*at.point)) return false;
+      // No contact does any work there.
+      const Form& x = *at.point->exact->x;
+      const Rational work = dot(twist, load_at(*box_, x));
+      if (work > 0) return false;
+      if (work == 0) flat.add(*at.point->exact);
+    }
     if (!flat.barred()) return false;
   }
   return true;

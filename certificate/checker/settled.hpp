@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 /// \file
-/// What the regions of a tree in the plane inherit, so that a leaf costs the contacts that are
-/// not settled above it; and `leaf-bound` in doubles with error bounds, which accept what they
-/// prove and leave everything else to leaf.hpp.
+/// What the regions of a tree in the plane inherit, so that most leaves cost the contacts that
+/// are not settled above them; and `leaf-bound` in doubles with error bounds, which accept what
+/// they prove and leave everything else to leaf.hpp.
 ///
 /// *Inheritance.* A region that is cut from another has generators in its cone and all of its
 /// strict functions. So v_i <= 0 on the one (open) gives v_i <= 0 on the other, and v_i >= 0
@@ -14,12 +14,23 @@
 /// y and x: it is added to a matrix.
 ///
 /// *Doubles.* With u = 2^-53. Numbers are taken with a relative error of at most 6u, as
-/// fractions of a power of two, and no nonzero one is below 2^-150 after that, so no product
+/// fractions of a power of two, and no nonzero one is below 2^-151 after that, so no product
 /// underflows; an overflow makes an infinity or NaN, by which nothing is proved. A term of g is
 /// a product of sums of products; all that is rounded in it, at most 60 times, is relative to
 /// the same term with every number replaced by its absolute value, its *magnitude*. Adding N
-/// terms and more rounds by at most N u times the sum of magnitudes. The magnitudes' own
-/// rounding is within a factor of 2.
+/// terms and more, in a type that rounds by e, rounds by at most N e times the sum of
+/// magnitudes. The magnitudes' own rounding is within a factor of 2.
+///
+/// *Signs.* The sum of a_j x_j has the sign of the computed one where that is above 9u times
+/// its magnitude. And where all a_j are integers below 2^53 times a power of 2, their *unit*,
+/// and all x_j as well, every product is a multiple of the product U of the two units.
+/// Multiples of U that are at most 2^53 U are doubles, and numbers that round to less than
+/// 2^53 U are less than that. So if the computed magnitude is less, or 0, nothing was rounded
+/// in it, nor in the sum, and the sum's sign is exact, 0 included. All other signs are found in
+/// integers, for which the exact numbers of the contact are made (box.hpp).
+///
+/// *No force.* At a ray where no contact has v > 0, of those that are not dropped and not mixed
+/// with alpha_i < 0, every b_i is 0, and g is y.load, which is computed exactly.
 #pragma once
 
 #include <array>
@@ -37,6 +48,8 @@ struct RowDoubles {
   std::array<double, kPlanar + 2> v;
   std::array<double, kPlanar> tau;
   std::array<double, kPlanar> edges[2];  ///< for a slip > 0 and < 0
+  double v_unit;                         ///< if not 0, v is exact, and of multiples of it
+  double tau_unit;
   double weight;
   bool one_edge;  ///< both are the same
 };
@@ -51,6 +64,13 @@ struct BoxDoubles {
 /// Nothing for a box that is more than a point or in space, for a plane of loads, or where
 /// numbers differ too much in size.
 std::shared_ptr<const BoxDoubles> make_doubles(const Box& box);
+
+/// For sums of many terms. More than doubles where the machine has it, which is asked of the
+/// machine and not of the type.
+using LongSum = long double;
+
+/// The part of the cone where no v_i is below 0: cut by those that are somewhere.
+Cone cut_by_normal_law(Cone cone, const Box& box, const BoxDoubles& doubles);
 
 /// A contact that is neither open nor closed with a sign of slip.
 struct Unsettled {
@@ -85,10 +105,9 @@ class Settled {
   std::shared_ptr<const std::vector<Unsettled>> unsettled_;
 
   // The contacts that are closed and have a sign:
-  double sum_[kPlanar][kPlanar + 2] = {};        ///< of weight edge v
+  LongSum sum_[kPlanar][kPlanar + 2] = {};       ///< of weight edge v
   double magnitude_[kPlanar][kPlanar + 2] = {};  ///< of its terms
   std::size_t terms_ = 0;
-  Form push_;  ///< the sum of v: zero at a generator iff every one of them is
 };
 
 }  // namespace stickslip_check

@@ -10,6 +10,7 @@ namespace stickslip_check {
 namespace {
 
 constexpr std::size_t kMoreDepth = 256;  // FORMAT.md `node-depth`
+constexpr std::size_t kSettleEvery = 4;
 
 /// A v_i or tau_i that a node splits, up to a positive factor.
 const Form* certain_one(const std::vector<Form>& corners) {
@@ -19,7 +20,7 @@ const Form* certain_one(const std::vector<Form>& corners) {
 }  // namespace
 
 std::size_t most_depth(const Box& box) {
-  return 2 * box.rows.size() + kMoreDepth;
+  return 2 * box.size() + kMoreDepth;
 }
 
 Halves cut_in_two(const Box& box, const Node& part) {
@@ -120,17 +121,20 @@ void TreeWalk::finish() const {
 TreeWalk::Region TreeWalk::begin(const Root& root) {
   const bool is_first = trees_ == 1;
   if (is_first || root.box != roots_[trees_ - 2].box) {
-    const auto doubles = make_doubles(*root.box);
-    nothing_settled_ = doubles ? std::make_shared<const Settled>(*root.box, doubles) : nullptr;
+    doubles_ = make_doubles(*root.box);
+    nothing_settled_ =
+        doubles_ ? std::make_shared<const Settled>(*root.box, doubles_) : nullptr;
   }
   Region region{Cone(root.box->coordinates()), {}, root.box, nothing_settled_};
   for (const Condition& condition : root.conditions) {
     if (condition.strict) insert(region.strict.conditions, region.cone.cuts());
     region.cone = region.cone.cut(make_form(condition.a), condition.equality);
   }
-  if (root.bilateral) {
-    for (const auto& row : root.box->rows) {
-      if (const Form* v = certain_one(row->v)) region.cone = region.cone.cut(*v);
+  if (root.bilateral && doubles_) {
+    region.cone = cut_by_normal_law(region.cone, *root.box, *doubles_);
+  } else if (root.bilateral) {
+    for (std::size_t i = 0; i < root.box->size(); ++i) {
+      if (const Form* v = certain_one(root.box->row(i).v)) region.cone = region.cone.cut(*v);
     }
   }
   return region;
@@ -208,7 +212,8 @@ void TreeWalk::check_held(const Region& region, const Integer& piece) const {
 }
 
 void TreeWalk::push(const Node& node, Region region) {
-  if (region.settled) {
+  // At every node it would cost more than it saves.
+  if (region.settled && stack_.size() % kSettleEvery == 0) {
     const Generators generators(*region.box, region.cone, region.strict);
     if (!generators.barred()) settle(region, generators);
   }
@@ -223,12 +228,11 @@ void TreeWalk::push(const Node& node, Region region) {
       throw rejection(rejected.rule.c_str(), rejected.found);
     }
   } else {
-    if (node.contact >= box.rows.size()) {
+    if (node.contact >= box.size()) {
       throw rejection("node-contact", "contact " + show(Rational(node.contact)) +
-                                          ", but the grasp has " +
-                                          std::to_string(box.rows.size()));
+                                          ", but the grasp has " + std::to_string(box.size()));
     }
-    const Row& row = *box.rows[node.contact.get_ui()];
+    const Row& row = box.row(node.contact.get_ui());
     const bool slip = node.kind == NodeKind::kSlip;
     const bool in_space = box.dimension() == kSpatial;
     const Form* cut = certain_one(slip ? row.tau : row.v);
@@ -238,7 +242,7 @@ void TreeWalk::push(const Node& node, Region region) {
     }
     if (slip && in_space) {
       // n.s = 0, so where n_j is not 0 the other two components are enough.
-      const Vector& n = box.contacts[node.contact.get_ui()].normal;
+      const Vector& n = box.contact(node.contact.get_ui()).normal;
       const auto j = std::find_if(n.begin(), n.end(), [](const Rational& c) { return c != 0; });
       frame.slip = row.slips[0];
       frame.slip.erase(frame.slip.begin() + (j - n.begin()));

@@ -80,7 +80,8 @@ class TreeWalk {
 
   std::uint64_t nodes() const { return nodes_; }
   std::uint64_t leaves() const { return leaves_; }
-  /// Sum over the nodes of the contacts that were not settled above them.
+  /// Sum over the leaves, and the nodes that look for what is settled, of the contacts that were
+  /// not settled above them.
   std::uint64_t contacts_visited() const { return contacts_visited_; }
   /// Leaves that doubles with error bounds did not prove.
   std::uint64_t exact_leaves() const { return exact_leaves_; }
@@ -114,7 +115,9 @@ class TreeWalk {
 
   std::vector<Root> roots_;
   std::string place_;
-  std::shared_ptr<const Settled> nothing_settled_;  ///< of the box of the last root
+  // Of the box of the last root:
+  std::shared_ptr<const BoxDoubles> doubles_;
+  std::shared_ptr<const Settled> nothing_settled_;
   std::vector<Frame> stack_;
   std::size_t trees_ = 0;  ///< begun
   std::uint64_t nodes_ = 0;

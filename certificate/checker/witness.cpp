@@ -31,13 +31,14 @@ bool is_largest(const Rational& product, const Rational& squares) {
 /// v and the slips; the shares of contacts that slip in the plane.
 std::vector<ContactForce> motion_of(const Box& box, const Form& x) {
   std::vector<ContactForce> forces;
-  forces.reserve(box.rows.size());
-  for (const auto& row : box.rows) {
+  forces.reserve(box.size());
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    const Row& row = box.row(i);
     Form slip;
-    for (const Form& component : row->slips[0]) slip.push_back(dot(component, x));
+    for (const Form& component : row.slips[0]) slip.push_back(dot(component, x));
     Vector share(slip.size());
     if (slip.size() == 1) share[0] = -sgn(slip[0]);
-    forces.push_back({dot(row->v[0], x), std::move(slip), std::move(share)});
+    forces.push_back({dot(row.v[0], x), std::move(slip), std::move(share)});
   }
   return forces;
 }
@@ -53,10 +54,10 @@ void take_shares(const Box& box, const Witness& witness, std::vector<ContactForc
     require(contact < forces.size(), "there is none");
     ContactForce& force = forces[contact.get_ui()];
     require(!force.slips(), "it slips");
-    const Vector& normal = box.contacts[contact.get_ui()].normal;
+    const Vector& normal = box.contact(contact.get_ui()).normal;
     const bool in_space = share.size() == 3;
     require(!in_space || dot(share, normal) == 0, show(share) + " is not across its normal");
-    require(dot(share, share) <= longest_square(box.contacts[contact.get_ui()]),
+    require(dot(share, share) <= longest_square(box.contact(contact.get_ui())),
             in_space ? show(share) + " is longer than its normal"
                      : show(share[0]) + " is not in [-1, 1]");
     force.share = share;
@@ -68,7 +69,7 @@ void take_shares(const Box& box, const Witness& witness, std::vector<ContactForc
 void take_roots(const Box& box, std::vector<ContactForce>& forces) {
   for (std::size_t i = 0; i < forces.size(); ++i) {
     ContactForce& force = forces[i];
-    const ContactBox& contact = box.contacts[i];
+    const ContactBox& contact = box.contact(i);
     if (force.slip.size() == 1 || !force.slips() || force.v <= 0 ||
         contact[Parameter::kFriction] == Bounds(0)) {
       continue;
@@ -119,8 +120,8 @@ Vector ForceSum::total(const Box& box, const Form& x, const std::vector<ContactF
   wrenches.add(load);
   for (std::size_t i = 0; i < forces.size(); ++i) {
     const auto& [v, slip, share] = forces[i];
-    const Row& row = *box.rows[i];
-    const Rational& friction = box.contacts[i][Parameter::kFriction].low;
+    const Row& row = box.row(i);
+    const Rational& friction = box.contact(i)[Parameter::kFriction].low;
     std::optional<int> held;
     if (v > 0 && share.size() == 1 && share[0].get_den() == 1) held = sgn(share[0]);
     if (v > 0 && !held) {
@@ -181,11 +182,11 @@ std::optional<std::string> mode_refusal(const Question& question,
   const char* const shares =
       "it slips at one end, and at the other its friction has another share";
   const auto opposite = [](const Integer& x, const Integer& y) { return sgn(x) * sgn(y) < 0; };
-  for (std::size_t i = 0; i < question.box->rows.size(); ++i) {
+  for (std::size_t i = 0; i < question.box->size(); ++i) {
     const ContactForce& p = first[i];
     const ContactForce& q = second[i];
     if (opposite(p.v, q.v)) return name_of(i) + "v has opposite signs";
-    const Rational& friction = question.box->contacts[i][Parameter::kFriction].high;
+    const Rational& friction = question.box->contact(i)[Parameter::kFriction].high;
     if (friction == 0 || (p.v <= 0 && q.v <= 0)) continue;
     if (p.slip.size() == 1) {  // the same in the plane, where a direction is a sign
       if (opposite(p.slip[0], q.slip[0])) return name_of(i) + slips;
@@ -200,7 +201,7 @@ std::optional<std::string> mode_refusal(const Question& question,
     }
     Vector slip;
     for (std::size_t k = 0; k < p.slip.size(); ++k) slip.emplace_back(p.slip[k] + q.slip[k]);
-    const Rational largest = longest_square(question.box->contacts[i]) * dot(slip, slip);
+    const Rational largest = longest_square(question.box->contact(i)) * dot(slip, slip);
     for (const ContactForce* end : {&p, &q}) {
       if (end->v > 0 && !is_largest(-dot(end->share, slip), largest)) {
         return name_of(i) + shares;

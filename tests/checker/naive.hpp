@@ -40,7 +40,9 @@ struct NaiveRow {
 struct NaiveQuestion {
   explicit NaiveQuestion(Question asked, Range of = {0, 0})
       : question(std::move(asked)), range(std::move(of)) {
-    for (const ContactBox& contact : question.box->contacts) rows.emplace_back(contact);
+    for (std::size_t i = 0; i < question.box->size(); ++i) {
+      rows.emplace_back(question.box->contact(i));
+    }
     for (const Bounds& w : question.box->wrench) wrench.push_back(w.low);
   }
 

@@ -53,7 +53,8 @@ TEST(Question, PrecedenceOfValues) {
 /// The preload coefficients and those of their growth, for unit normals the values themselves.
 std::pair<Vector, Vector> preloads(const Question& question) {
   std::pair<Vector, Vector> result;
-  for (const ContactBox& contact : question.box->contacts) {
+  for (std::size_t i = 0; i < question.box->size(); ++i) {
+    const ContactBox& contact = question.box->contact(i);
     result.first.push_back(contact[Parameter::kPreload].low);
     result.second.push_back(contact.growth.low);
   }
@@ -137,7 +138,7 @@ TEST(Question, RowsOfAnyLength) {
   Options options;
   options.preload_direction = PreloadDirection{false, {15}};
   const Question question = pose(grasp, options, "grasp");
-  const Row& row = *question.box->rows[0];
+  const Row& row = question.box->row(0);
   ASSERT_TRUE(row.certain);
   // N = (3, 4, 2 * 4 - 5 * 3), T = (-4, 3, 2 * 3 + 5 * 4), v = (-7/25 N, 2, 3).
   EXPECT_EQ(row.v, (std::vector<Form>{{-21, -28, 49, 50, 75}}));
@@ -155,10 +156,13 @@ TEST(Question, IrrationalLengthsWhereTheyAreNeeded) {
   Options options;
   const Question plain = pose(grasp, options, "grasp");
   EXPECT_FALSE(plain.is_box);
-  EXPECT_EQ(plain.box->contacts[0][Parameter::kStiffness], Rational(7, 2));
-  grasp.contacts[0].preload = 1;
+  EXPECT_EQ(plain.box->contact(0)[Parameter::kStiffness], Rational(7, 2));
+  Contact contact = grasp.contacts[0];
+  contact.preload = 1;
+  grasp.contacts.set(0, contact);
   EXPECT_TRUE(pose(grasp, options, "grasp").is_box);
-  grasp.contacts[0].preload = 0;
+  contact.preload = 0;
+  grasp.contacts.set(0, contact);
   options.preload_direction = PreloadDirection{false, {1}};
   try {
     pose(grasp, options, "grasp");

@@ -12,7 +12,7 @@ namespace {
 TEST(Space, RowsOfAnyLength) {
   const Contact contact{{1, 2, 3}, {1, 2, 2}, Rational(1, 2), 9, 6};
   const Question question = pose({{contact}, Wrench(kSpatial)}, {}, "grasp");
-  const Row& row = *question.box->rows[0];
+  const Row& row = question.box->row(0);
   ASSERT_TRUE(row.certain);
   // N = (n, p x n); v = (-9/9 N, 6/3).
   EXPECT_EQ(row.v, (std::vector<Form>{{-1, -2, -2, 2, -1, 0, 2, 0}}));
@@ -32,13 +32,13 @@ TEST(Space, MarginsKnowLengthsWithinAnInterval) {
   Question question = pose({{contact}, Wrench(kSpatial)}, options, "grasp");
   EXPECT_TRUE(question.is_box);
   enlarge(question, 4);
-  const Row& row = *question.box->rows[0];
+  const Row& row = question.box->row(0);
   EXPECT_FALSE(row.certain);
   EXPECT_EQ(row.v,
             (std::vector<Form>{{-1, -1, 0, 0, 0, 0, 11, 22}, {-1, -1, 0, 0, 0, 0, 12, 24}}));
   const Box middle = question.box->middle();
   EXPECT_TRUE(middle.certain());
-  EXPECT_EQ(middle.rows[0]->v, (std::vector<Form>{{-2, -2, 0, 0, 0, 0, 23, 46}}));
+  EXPECT_EQ(middle.row(0).v, (std::vector<Form>{{-2, -2, 0, 0, 0, 0, 23, 46}}));
 }
 
 TEST(Space, TheFirstContactThatDiffersIsNamed) {
@@ -78,11 +78,11 @@ Box random_box(Random& random) {
   }
   for (Bounds& w : grasp.wrench) w = between(random, -3, 3);
   Box box = *pose(grasp, {}, "").box;
-  for (std::size_t i = 0; i < box.contacts.size(); ++i) {
+  for (std::size_t i = 0; i < box.size(); ++i) {
     for (const Parameter name : {Parameter::kX, Parameter::kZ, Parameter::kFriction,
                                  Parameter::kPreload, Parameter::kStiffness}) {
       if (between(random, 0, 3) > 0) continue;
-      const Rational low = box.contacts[i][name].low;
+      const Rational low = box.contact(i)[name].low;
       box = box.with(name, i, Bounds(low, low + Rational(1, 8)));
     }
   }
@@ -100,7 +100,7 @@ TEST(Space, RedundantRaysChangeNoLeaf) {
     cone = cone.cut({0, 0, 0, 0, 0, 0, 1, 0}).cut({0, 0, 0, 0, 0, 0, 0, 1}, true);
     for (int cuts = between(random, 0, 6); cuts > 0; --cuts) {
       const std::size_t i = static_cast<std::size_t>(between(random, 0, 5));
-      if (i < box.rows.size() && box.rows[i]->slips.size() == 1) {
+      if (i < box.size() && box.row(i).slips.size() == 1) {
         strict.slips.push_back(i);
         continue;
       }

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "leaf.hpp"
 #include "naive.hpp"
 
@@ -191,7 +193,7 @@ TEST(Tree, RedundantRaysChangeNoLeaf) {
       for (const Parameter name : {Parameter::kX, Parameter::kTurn, Parameter::kFriction,
                                    Parameter::kPreload, Parameter::kStiffness}) {
         if (between(random, 0, 2) > 0) continue;
-        const Rational& low = box.contacts[i][name].low;
+        const Rational& low = box.contact(i)[name].low;
         box = box.with(name, i, Bounds(low, low + Rational(between(random, 1, 3)) / 8));
       }
     }
@@ -203,7 +205,7 @@ TEST(Tree, RedundantRaysChangeNoLeaf) {
       Vector a;
       for (std::size_t j = 0; j < kN; ++j) a.emplace_back(between(random, -1, 1));
       const std::size_t i = static_cast<std::size_t>(between(random, 0, 3));
-      if (i < q.size() && box.rows[i]->tau.size() == 1) a = q.tau(i);
+      if (i < q.size() && box.row(i).tau.size() == 1) a = q.tau(i);
       if (between(random, 0, 1) == 0) insert(strict, cone.cuts());
       cone = cone.cut(make_form(a));
     }
@@ -241,7 +243,7 @@ TEST(Tree, WhatIsSettledIsInherited) {
     for (int cuts = between(random, 0, 8); cuts >= 0; --cuts) {
       const Generators region(box, cone, {strict, {}});
       if (region.barred()) break;
-      settled_above += box.rows.size() - inherited.unsettled().size();
+      settled_above += box.size() - inherited.unsettled().size();
       visited += inherited.unsettled().size();
       inherited = inherited.within(region);
       const Settled directly = nothing.within(region);
@@ -250,7 +252,7 @@ TEST(Tree, WhatIsSettledIsInherited) {
       for (const Unsettled& contact : inherited.unsettled()) {
         bool idle = true;
         for (const Generator& generator : region) {
-          idle = idle && sign_of_dot(box.rows[contact.contact]->v[0], *generator.x) == 0;
+          idle = idle && sign_of_dot(box.row(contact.contact).v[0], *generator.x) == 0;
         }
         if (!idle) both.push_back(contact);
       }
@@ -285,6 +287,104 @@ TEST(Tree, WhatIsSettledIsInherited) {
   EXPECT_GT(holding, 500U);
   // Those at a tie are left: here nearly all that hold are without a load.
   EXPECT_GT(proved, holding / 2);
+}
+
+/// What a region settles, by exact signs alone.
+std::vector<Unsettled> unsettled_exactly(const Box& box, const Generators& region) {
+  std::vector<Unsettled> all;
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    const Row& row = box.row(i);
+    bool has[2][3]{};  // of v and tau: whether it is somewhere below 0, 0, above 0
+    Barring sticks(region);
+    for (const Generator& generator : region) {
+      const int slip = sign_of_dot(row.tau[0], *generator.x);
+      has[0][sign_of_dot(row.v[0], *generator.x) + 1] = true;
+      has[1][slip + 1] = true;
+      if (slip == 0) sticks.add(generator);
+    }
+    if (!has[0][2]) continue;
+    const bool closed = !has[0][0];
+    int slip = has[1][2] == has[1][0] || !sticks.barred() ? 0 : has[1][2] ? 1 : -1;
+    if (row.edges[0] == row.edges[3]) slip = 1;
+    if (closed && slip != 0) continue;
+    all.push_back({static_cast<std::uint32_t>(i), closed, static_cast<std::int8_t>(slip)});
+  }
+  return all;
+}
+
+// Signs that doubles give are the exact ones: of numbers far apart, of sums that cancel to 0 or
+// to next to nothing, and of numbers that doubles do not hold.
+TEST(Tree, DoublesSettleWhatExactSignsDo) {
+  Random random(1729);
+  const auto power = [](int exponent) {
+    const Integer size = Integer(1) << static_cast<unsigned>(std::abs(exponent));
+    return exponent < 0 ? Rational(1, size) : Rational(size);
+  };
+  // Mostly small, some a little off, some huge or tiny.
+  const auto number = [&](int most) {
+    Rational x = between(random, -3, 3);
+    if (between(random, 0, 3) == 0) x += power(between(random, -70, -40));
+    if (between(random, 0, 3) == 0) x *= power(between(random, -most, most));
+    return x;
+  };
+  std::size_t with_doubles = 0;
+  std::size_t settled = 0;
+  std::size_t holding = 0;
+  std::size_t proved = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const int most = between(random, 0, 4) == 0 ? 250 : 40;
+    Grasp grasp{{}, Wrench(3)};
+    for (Bounds& w : grasp.wrench) w = number(most);
+    for (int k = between(random, 1, 5); k > 0; --k) {
+      Contact contact{{number(most), number(most)}, {number(most), number(most)}, 0, 1, 0};
+      if (contact.normal == Vector(2)) contact.normal = {3, 4};
+      contact.friction = Rational(abs(number(most)));
+      contact.stiffness = Rational(abs(number(most)) + power(-most));
+      if (between(random, 0, 1) == 0 && exact_sqrt(dot(contact.normal, contact.normal))) {
+        contact.preload = Rational(abs(number(most)));
+      }
+      grasp.contacts.push_back(contact);
+    }
+    const Question question = pose(grasp, {}, "");
+    const Box& box = *question.box;
+    const auto doubles = make_doubles(box);
+    if (!doubles) continue;
+    ++with_doubles;
+    const Settled nothing(box, doubles);
+    Cone cone(kN);
+    Set strict;
+    insert(strict, 0);
+    cone = cone.cut(make_form({0, 0, 0, 1, 0})).cut(make_form({0, 0, 0, 0, 1}), true);
+    for (int cuts = between(random, 0, 6); cuts >= 0; --cuts) {
+      const Generators region(box, cone, {strict, {}});
+      if (region.barred()) break;
+      const Settled inside = nothing.within(region);
+      const auto exactly = unsettled_exactly(box, region);
+      ASSERT_EQ(inside.unsettled(), exactly) << "trial " << trial;
+      settled += box.size() - exactly.size();
+      for (int leaves = 0; leaves < 3; ++leaves) {
+        const Vector y{number(most), number(most), number(most)};
+        const bool holds = !leaf_refusal(box, region, y);
+        const bool is_proved = inside.proves(region, y);
+        holding += holds ? 1 : 0;
+        proved += is_proved ? 1 : 0;
+        ASSERT_TRUE(holds || !is_proved) << "trial " << trial;
+      }
+      const Row& row = box.row(
+          static_cast<std::size_t>(between(random, 0, static_cast<int>(box.size()) - 1)));
+      Form a = between(random, 0, 1) == 0 ? row.v[0] : row.tau[0];
+      const int which = between(random, 0, 3);
+      if (which == 0)
+        a = make_form({number(most), number(most), number(most), number(most), 0});
+      if (which == 1) a = negative(a);
+      if (between(random, 0, 1) == 0) insert(strict, cone.cuts());
+      cone = cone.cut(a);
+    }
+  }
+  EXPECT_GT(with_doubles, 1000U);
+  EXPECT_GT(settled, 1000U);
+  EXPECT_GT(holding, 100U);
+  EXPECT_GT(proved, holding / 4);
 }
 
 // Numbers that are out of all proportion leave everything to exact arithmetic.

@@ -109,8 +109,9 @@ std::string truth_in_space(const Input& input, const Question& question,
     grasp.wrench[j] = at_multiple(question.widened[j], question.growth[j]);
   }
   for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
-    grasp.contacts[i].preload =
-        at_multiple(question.contacts[i].preload, question.preload_growth[i]);
+    grasp.contacts[i].preload = at_multiple(
+        question.contacts[i].preload,
+        question.preload_growth.size() == 0 ? Rational(0) : question.preload_growth[i]);
   }
   stickslip::SpatialOptions options;
   if (question.asked.bilateral) options.law = stickslip::NormalLaw::kBilateral;

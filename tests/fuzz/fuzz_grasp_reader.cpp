@@ -152,7 +152,8 @@ std::vector<std::string> numbers(const stickslip_check::Grasp& grasp) {
     all.push_back(bounds.low.get_str());
     all.push_back(bounds.high.get_str());
   };
-  for (const stickslip_check::Contact& c : grasp.contacts) {
+  for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
+    const stickslip_check::Contact c = grasp.contacts[i];
     for (const stickslip_check::Bounds& coordinate : c.position) add(coordinate);
     for (const auto* bounds : {&c.friction, &c.stiffness, &c.preload}) add(*bounds);
     for (const stickslip_check::Rational& entry : c.normal) all.push_back(entry.get_str());

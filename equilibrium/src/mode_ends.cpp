@@ -65,18 +65,8 @@ IntegerVector5 circle_of(const IntegerVector5& slip_plane) {
 }  // namespace
 
 std::optional<ModeEnds> ends_by_programs(const Problem& family, const FamilyMode& mode) {
-  Region region = Region::root(family);
-  for (std::size_t i = 0; i < mode.size(); ++i) {
-    const ContactId contact(i);
-    if (family.law() == NormalLaw::kUnilateral) {
-      region = std::move(region).separation_child(
-          family, contact, mode[i].closed ? Separation::kClosed : Separation::kOpen);
-    }
-    if (mode[i].closed && !family.row(contact).friction.is_zero()) {
-      region = std::move(region).slip_child(family, contact, mode[i].slip);
-    }
-  }
-  const std::optional<MultipleExtent> extent = multiple_extent(family, region);
+  const std::optional<MultipleExtent> extent =
+      multiple_extent(family, Region::of_mode(family, mode));
   if (!extent) return std::nullopt;
   require(!extent->lowest.broken && !extent->highest.broken, "a mode has nothing to split");
   const auto point_of = [&](const RelaxedPoint& end) {

@@ -66,18 +66,7 @@ std::vector<ModePiece> joined(const Problem& problem,
 
 /// An equilibrium of the closed mode under a load that it resists.
 ShortWitness witness_in(const Problem& problem, const std::vector<ContactMode>& mode) {
-  Region region = Region::root(problem);
-  for (std::size_t i = 0; i < mode.size(); ++i) {
-    const ContactId contact(i);
-    if (problem.law() == NormalLaw::kUnilateral) {
-      region = std::move(region).separation_child(
-          problem, contact, mode[i].closed ? Separation::kClosed : Separation::kOpen);
-    }
-    if (mode[i].closed && !problem.row(contact).friction.is_zero()) {
-      region = std::move(region).slip_child(problem, contact, mode[i].slip);
-    }
-  }
-  const auto outcome = solve_region(problem, region, nullptr);
+  const auto outcome = solve_region(problem, Region::of_mode(problem, mode), nullptr);
   const auto* point = std::get_if<RelaxedPoint>(&outcome);
   require(point != nullptr && !point->broken, "a corner of a mode's piece is resisted by it");
   return in_short(problem.rows(), point->witness);

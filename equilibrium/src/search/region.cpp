@@ -83,6 +83,21 @@ Region Region::between(const Problem& problem, const std::vector<Cut>& cuts) {
   return region;
 }
 
+Region Region::of_mode(const Problem& problem, const std::vector<ContactMode>& mode) {
+  Region region = root(problem);
+  for (std::size_t i = 0; i < mode.size(); ++i) {
+    const ContactId contact(i);
+    if (problem.law() == NormalLaw::kUnilateral) {
+      region = std::move(region).separation_child(
+          problem, contact, mode[i].closed ? Separation::kClosed : Separation::kOpen);
+    }
+    if (mode[i].closed && !problem.row(contact).friction.is_zero()) {
+      region = std::move(region).slip_child(problem, contact, mode[i].slip);
+    }
+  }
+  return region;
+}
+
 Region Region::slip_child(const Problem& problem, ContactId contact, Sign slip) const& {
   return Region(*this).slip_child(problem, contact, slip);
 }

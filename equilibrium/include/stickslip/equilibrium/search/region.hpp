@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "stickslip/equilibrium/contact_mode.hpp"
 #include "stickslip/equilibrium/search/strict_cone.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 
@@ -19,6 +20,9 @@ class Region {
   /// All motions that the normal law allows: {h >= 0}, and v_i >= 0 for all i when bilateral;
   /// of a family, with all multiples in its range.
   static Region root(const Problem& problem);
+  /// The part of root() in which each contact is closed or open, and slips where it is closed
+  /// and has friction, as in the mode, by ContactId.
+  static Region of_mode(const Problem& problem, const std::vector<ContactMode>& mode);
 
   /// A half-space or plane that a region begins with.
   struct Cut {

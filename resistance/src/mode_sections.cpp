@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mode_sections.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "generated_cone.hpp"
+#include "stickslip/core/cancellation.hpp"
+
+namespace stickslip::resistance_detail {
+namespace {
+
+/// The vertices of the friction of classes that stick, in order round the polygon that it is:
+/// each with the signs of the classes.
+std::vector<FrictionSigns> friction_polygon(const MotionRays& rays,
+                                            const std::vector<std::size_t>& sticking) {
+  if (sticking.empty()) return {{}};
+  if (sticking.size() == 1) return {{-1}, {1}};
+  // Turned into one half of the plane that their tangents span, and sorted by angle.
+  const auto tangent = [&](std::size_t k) { return rays.classes()[sticking[k]].tangent; };
+  const IntegerVector3 normal = cross(tangent(0), tangent(1));
+  const auto turn = [&](std::size_t a, std::size_t b) {
+    return dot(cross(tangent(a), tangent(b)), normal).sign();
+  };
+  std::vector<std::int8_t> turned(sticking.size(), 1);
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < sticking.size(); ++k) {
+    order.push_back(k);
+    if (turn(0, k) < 0) turned[k] = -1;
+  }
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return turned[a] * turned[b] * turn(a, b) > 0;
+  });
+  FrictionSigns at(sticking.size());
+  for (std::size_t k = 0; k < at.size(); ++k) at[k] = static_cast<std::int8_t>(-turned[k]);
+  std::vector<FrictionSigns> vertices;
+  for (int half = 0; half < 2; ++half) {
+    for (const std::size_t k : order) {
+      vertices.push_back(at);
+      at[k] = static_cast<std::int8_t>(-at[k]);
+    }
+  }
+  return vertices;
+}
+
+/// The vertices in order, if the edges are one cycle through all; else nothing.
+std::vector<std::size_t> cycle_of(const std::set<std::pair<std::size_t, std::size_t>>& edges,
+                                  std::size_t vertices) {
+  if (vertices < 3 || edges.size() != vertices) return {};
+  std::vector<std::vector<std::size_t>> next(vertices);
+  for (const auto& [a, b] : edges) {
+    next[a].push_back(b);
+    next[b].push_back(a);
+  }
+  std::vector<std::size_t> cycle{0};
+  std::size_t before = 0;
+  for (std::size_t at = 0; cycle.size() <= vertices;) {
+    if (next[at].size() != 2) return {};
+    const std::size_t to = next[at][0] != before || at == 0 ? next[at][0] : next[at][1];
+    if (to == 0) break;
+    before = at;
+    at = to;
+    cycle.push_back(at);
+  }
+  if (cycle.size() != vertices) return {};
+  return cycle;
+}
+
+}  // namespace
+
+void ModeSections::add(const std::vector<RayIndex>& rays, const std::vector<PlaneIndex>& planes,
+                       const std::vector<Known>& slips) {
+  std::vector<std::size_t> sticking;
+  for (std::size_t c = 0; c < slips.size(); ++c) {
+    if (slips[c] == Known::kZero) sticking.push_back(c);
+  }
+  const std::vector<FrictionSigns> friction = friction_polygon(rays_, sticking);
+  std::map<GeneratorIndex, TightPlanes> tight;
+  for (const RayIndex ray : rays) {
+    const TightPlanes on_planes = tight_at(rays_, ray, planes, friction.size());
+    for (std::size_t k = 0; k < friction.size(); ++k) {
+      FrictionSigns signs;
+      for (const std::uint32_t c : rays_[ray].sticking) {
+        const auto found = std::lower_bound(sticking.begin(), sticking.end(), c);
+        signs.push_back(found != sticking.end() && *found == c
+                            ? friction[k][static_cast<std::size_t>(found - sticking.begin())]
+                            : static_cast<std::int8_t>(slips[c]));
+      }
+      TightPlanes on = on_planes;
+      if (friction.size() > 1) on.insert(planes.size() + k);
+      if (friction.size() > 2) on.insert(planes.size() + (k + 1) % friction.size());
+      const auto [at, is_new] = tight.emplace(images_.index_of(ray, signs), on);
+      if (!is_new) at->second |= on;
+    }
+  }
+  std::vector<GeneratorIndex> generators;
+  std::vector<TightPlanes> on;
+  std::vector<int> sides;
+  for (auto& [g, bits] : tight) {
+    generators.push_back(g);
+    on.push_back(std::move(bits));
+    sides.push_back(images_.side(g));
+  }
+  const auto has = [&](int side) {
+    return std::find(sides.begin(), sides.end(), side) != sides.end();
+  };
+  if (!has(0) && !(has(1) && has(-1))) return;
+  if (!has(0) && add_polygon(generators, on, sides, planes.size() + friction.size())) {
+    ++work_.pieces;
+    return;
+  }
+  if (add_hull(generators)) ++work_.pieces;
+}
+
+/// False if the section may not be a polygon with the vertices and edges that signs tell.
+bool ModeSections::add_polygon(const std::vector<GeneratorIndex>& generators,
+                               const std::vector<TightPlanes>& on,
+                               const std::vector<int>& sides, std::size_t facets) {
+  std::vector<SectionVertex> vertices;
+  std::vector<TightPlanes> on_facets;
+  for (std::size_t a = 0; a < generators.size(); ++a) {
+    if (sides[a] < 0) continue;
+    for (std::size_t b = 0; b < generators.size(); ++b) {
+      if (sides[b] > 0 || !are_neighbours(on, a, b)) continue;
+      vertices.emplace_back(generators[a], generators[b]);
+      on_facets.push_back(on[a] & on[b]);
+    }
+  }
+  std::set<std::pair<std::size_t, std::size_t>> edges;
+  for (std::size_t f = 0; f < facets; ++f) {
+    std::vector<std::size_t> ends;
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+      if (on_facets[v].contains(f)) ends.push_back(v);
+    }
+    // All of them: not a facet but a plane that all lies in.
+    if (ends.size() == 2 && vertices.size() > 2) edges.emplace(ends[0], ends[1]);
+    if (ends.size() > 2 && ends.size() < vertices.size()) return false;
+  }
+  const std::vector<std::size_t> cycle = cycle_of(edges, vertices.size());
+  if (cycle.empty()) return false;
+  std::vector<SectionVertex> polygon;
+  for (const std::size_t v : cycle) polygon.push_back(vertices[v]);
+  const int turn = turn_of(polygon);
+  if (turn == 0) return false;
+  if (turn < 0) std::reverse(polygon.begin(), polygon.end());
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const SectionVertex& from = polygon[k];
+    const SectionVertex& to = polygon[(k + 1) % polygon.size()];
+    if (is_at_infinity(from) && is_at_infinity(to)) {
+      arcs_.emplace_back(from, to);
+    } else {
+      const bool ordered = from < to;
+      borders_[ordered ? std::make_pair(from, to) : std::make_pair(to, from)] +=
+          ordered ? 1 : -1;
+    }
+  }
+  return true;
+}
+
+bool ModeSections::is_at_infinity(const SectionVertex& v) const {
+  return rays_[images_.ray(v.first)].h == 0 && rays_[images_.ray(v.second)].h == 0;
+}
+
+/// Whether the vertices turn left or right, as three of them do that are not on one line; 0
+/// if all are.
+int ModeSections::turn_of(const std::vector<SectionVertex>& polygon) {
+  const std::size_t n = polygon.size();
+  std::vector<std::array<NearNumber, 3>> near;
+  for (const auto& [a, b] : polygon) {
+    const std::array<NearNumber, 4>& high = images_.estimate(a);
+    const std::array<NearNumber, 4>& low = images_.estimate(b);
+    std::array<NearNumber, 3> v;
+    for (const std::size_t j : {0, 1, 2}) {
+      const std::size_t from = j == 2 ? 3 : j;
+      v[j] = high[2] * low[from] - low[2] * high[from];
+    }
+    near.push_back(v);
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    const auto& a = near[k];
+    const auto& b = near[(k + 1) % n];
+    const auto& c = near[(k + 2) % n];
+    const NearNumber turn = a[0] * (b[1] * c[2] - b[2] * c[1]) -
+                            a[1] * (b[0] * c[2] - b[2] * c[0]) +
+                            a[2] * (b[0] * c[1] - b[1] * c[0]);
+    const std::optional<int> sign = turn.sign();
+    if (sign && *sign != 0) return *sign;
+  }
+  ++work_.exact_turns;
+  for (std::size_t k = 0; k < n; ++k) {
+    const int sign =
+        determinant(exact(polygon[k]), exact(polygon[(k + 1) % n]), exact(polygon[(k + 2) % n]))
+            .sign();
+    if (sign != 0) return sign;
+  }
+  return 0;
+}
+
+const HomogeneousPoint& ModeSections::exact(const SectionVertex& vertex) {
+  const auto [found, is_new] = exact_vertices_.emplace(vertex, HomogeneousPoint{});
+  if (!is_new) return found->second;
+  const IntegerVector4& high = images_.exact(vertex.first);
+  const IntegerVector4& low = images_.exact(vertex.second);
+  for (const std::size_t j : {0, 1, 2}) {
+    const std::size_t from = j == 2 ? 3 : j;
+    found->second[j] = high[2] * low[from] - low[2] * high[from];
+  }
+  found->second = primitive(std::move(found->second));
+  return found->second;
+}
+
+/// False if the section is empty.
+bool ModeSections::add_hull(const std::vector<GeneratorIndex>& generators) {
+  ++work_.exact_sections;
+  std::set<IntegerVector4> images;
+  for (const GeneratorIndex g : generators) images.insert(images_.exact(g));
+  std::vector<HomogeneousPoint> points;
+  bool has_point = false;
+  for (const IntegerVector4& g :
+       cut<4>({images.begin(), images.end()}, {0, 0, 1, 0}, Keep::kPlane)) {
+    if (is_zero(g)) continue;
+    points.push_back({g[0], g[1], g[3]});
+    has_point = has_point || !g[3].is_zero();
+  }
+  if (has_point) cover_.add(PlaneCell::hull(std::move(points)));
+  return has_point;
+}
+
+PlaneUnion ModeSections::united() {
+  const IntegerVector4& none = images_.no_wrench();
+  if (some_motion_is_free_ && none[2].is_zero()) {
+    cover_.add(PlaneCell::hull({{none[0], none[1], none[3]}}));
+  }
+  for (const auto& [ends, cells] : borders_) {
+    throw_if_cancelled();
+    if (cells == 0) continue;
+    ++work_.borders;
+    cover_.add_border({exact(ends.first), exact(ends.second)}, cells);
+  }
+  for (const auto& [from, to] : arcs_) {
+    cover_.add_arc(direction_of(exact(from)), direction_of(exact(to)));
+  }
+  work_.exact_images = images_.exact_images();
+  return cover_.covered();
+}
+
+}  // namespace stickslip::resistance_detail

@@ -8,7 +8,7 @@
 #include "examples.hpp"
 #include "prove.hpp"
 #include "stickslip/box/box_verdict.hpp"
-#include "stickslip/core/error.hpp"
+#include "stickslip/equilibrium/stable_by_degree.hpp"
 
 namespace stickslip {
 
@@ -51,8 +51,10 @@ std::size_t wall_limit(std::size_t node_limit) {
 /// Proofs about a box and its parts, until one fails or two middles differ.
 class Decider {
  public:
-  Decider(std::size_t node_limit, std::size_t most_parts, BoxWork& work)
-      : node_limit_(node_limit),
+  /// `is_one_grasp`: all that is uncertain are roots.
+  Decider(std::size_t node_limit, std::size_t most_parts, bool is_one_grasp, BoxWork& work)
+      : is_one_grasp_(is_one_grasp),
+        node_limit_(node_limit),
         wall_limit_(wall_limit(node_limit)),
         parts_left_(most_parts),
         most_nodes_(kMostSearches * node_limit),
@@ -61,7 +63,8 @@ class Decider {
   /// Proves what the middle of the box is of all of it; false if that failed.
   bool prove(const ParameterBox& box) {
     const Problem middle = problem_at(box.middle());
-    if (has_long_equilibria(middle)) {
+    // Roots are enclosed in so many bits that an exact equilibrium takes longer than a proof.
+    if (is_one_grasp_ || has_long_equilibria(middle)) {
       const std::size_t before = work_.nodes;
       if (const auto stable = prove_without_middle(box)) {
         if (!first_) first_ = stable;
@@ -129,6 +132,7 @@ class Decider {
 
   std::optional<PartSplit> widest(const ParameterBox& box, const Verdict& there) const;
 
+  bool is_one_grasp_;
   std::size_t node_limit_;
   std::size_t wall_limit_;
   std::size_t parts_left_;
@@ -218,7 +222,7 @@ BoxDecision prove_with_bits(const GraspBox& box, NormalLaw law, const BoxOptions
   BoxDecision decision{Undecided{}, {}, bits};
   const ParameterBox parameters(box, law, bits);
   const std::size_t limit = node_limit(parameters, options);
-  Decider decider(limit, most_parts, decision.work);
+  Decider decider(limit, most_parts, box.is_point(), decision.work);
   if (!decider.prove(parameters)) {
     decision.verdict = Undecided{"no proof was found within " + std::to_string(limit) +
                                  " nodes a tree, and no two grasps that differ"};
@@ -263,17 +267,18 @@ std::optional<bool> is_stable(const LoadedGrasp& loaded, NormalLaw law) {
 
 }  // namespace box_detail
 
-std::optional<BoxDecision> prove_stable_by_degree(const LoadedGrasp& grasp, NormalLaw law,
-                                                  const BoxOptions& options) {
-  const GraspBox box = box_of(grasp);
-  require(!needs_enclosure(box), "a grasp whose lengths are irrational is a box");
-  const ParameterBox point(box, law);
-  BoxDecision decision;
-  auto proof =
-      prove_stable_by_degree(point, wall_limit(node_limit(point, options)), decision.work);
-  if (!proof) return std::nullopt;
+std::optional<BoxDecision> prove_stable_by_degree(const Problem& problem) {
+  DegreeWork work;
+  const std::optional<ProofByDegree> found = prove_by_degree(problem, &work);
+  if (!found) return std::nullopt;
+  DegreeProof proof{found->twist, found->walls, found->direction, {}};
+  for (const RefutationNode& node : found->trees) {
+    std::visit([&](const auto& n) { proof.trees.emplace_back(n); }, node);
+  }
+  BoxDecision decision{StableThroughout{{std::move(proof)}}, {}};
+  decision.work.nodes = work.cone.nodes;
+  decision.work.proofs = work.proofs;
   decision.work.parts = 1;
-  decision.verdict = StableThroughout{{std::move(*proof)}};
   return decision;
 }
 

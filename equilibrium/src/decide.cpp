@@ -70,7 +70,7 @@ std::vector<std::pair<std::string, std::size_t>> counters(const ConeWork& work) 
           {"depth", work.depth},
           {"searches", work.searches},
           {"support_points", work.support_points},
-          {"contacts_visited", work.contacts_visited},
+          {"visits", work.visits},
           {"filter_hits", work.filter_hits},
           {"filter_misses", work.filter_misses},
           {"exact_programs", work.exact_programs},

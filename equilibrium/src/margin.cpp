@@ -77,7 +77,10 @@ class MarginSearch {
     const MultipleRange all;
     if (form_ == SegmentForm::kDegree ||
         (form_ == SegmentForm::kByLength && has_long_equilibria(family_, kLongDenominator))) {
-      segments_ = DegreeChain(family_, work_).find();
+      DegreeChain chain(family_);
+      segments_ = chain.find();
+      work_.proofs += chain.work().proofs;
+      work_.cone += chain.work().cone;
     }
     if (!segments_.empty()) {
       open_between_segments();

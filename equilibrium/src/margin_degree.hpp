@@ -13,39 +13,28 @@
 
 #include <vector>
 
-#include "search/smooth_balance.hpp"
-#include "stickslip/equilibrium/margin.hpp"
+#include "degree_search.hpp"
 
 namespace stickslip::equilibrium_detail {
 
 class DegreeChain {
  public:
   /// A family for all l >= 0, which has to outlive this.
-  explicit DegreeChain(const Problem& family, MarginWork& work);
+  explicit DegreeChain(const Problem& family) : search_(family) {}
 
   /// Segments by degree, increasing and disjoint but for their ends: from 0 upwards as far as
   /// they go, and from a few multiples beyond.
   std::vector<MarginSegment> find();
 
+  /// What it took.
+  const DegreeWork& work() const { return search_.work(); }
+
  private:
-  using Motion = Eigen::Vector3d;
+  using Motion = DegreeSearch::Motion;
 
   void extend(const Rational& low, double typical, std::vector<MarginSegment>& found);
-  double force_of(double h, double l) const;
-  Motion sprung(double h, double l) const;
-  std::optional<Motion> settle(double h, double l, const Motion* near);
-  std::optional<SegmentByDegree> prove(const Rational& low, const std::optional<Rational>& high,
-                                       const Motion& from, const Motion& to, bool is_short);
-  std::optional<SegmentByDegree> prove_with(const Rational& low,
-                                            const std::optional<Rational>& high,
-                                            SegmentByDegree shape);
 
-  const Problem& family_;
-  MarginWork& work_;
-  DoubleModel model_;
-  SmoothBalance balance_;
-  double stiffness_ = 0;       ///< of all contacts
-  std::size_t last_size_ = 0;  ///< of K, that served
+  DegreeSearch search_;
 };
 
 }  // namespace stickslip::equilibrium_detail

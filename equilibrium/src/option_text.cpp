@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "stickslip/core/error.hpp"
 
@@ -49,12 +50,15 @@ InputError in_options(const InputError& error, const std::string& name) {
   return error.in_file(name);
 }
 
-Question ask_with_options(const GraspFile& file, const QuestionOptions& options,
+Question ask_with_options(GraspFile file, const QuestionOptions& options,
                           const std::string& name, bool takes_boxes) {
   try {
-    Question question = ask(file, options);
+    Question question = ask(std::move(file), options);
     if (takes_boxes && question.box) return question;
-    problem_of(question);  // as every answer will: here the options are known
+    // What problem_of() refuses is refused here, where the options are known. Of a question
+    // that is neither a box nor a margin it refuses nothing: ask() made a box of irrational
+    // preloads.
+    if (question.box || question.is_margin()) problem_of(question);
     return question;
   } catch (const InputError& error) {
     throw in_options(error, name);

@@ -3,7 +3,7 @@
 /// The signs of v_i and tau_i at one point after another.
 #pragma once
 
-#include "search/node.hpp"
+#include "search/double_model.hpp"
 
 namespace stickslip::equilibrium_detail {
 
@@ -13,7 +13,7 @@ struct FilteredFunction {
   const Double5* rounded;  ///< none: always exact
 };
 
-/// Exact signs: from doubles where their error bound decides (search/node.hpp), else from
+/// Exact signs: from doubles where their error bound decides (search/double_model.hpp), else from
 /// integers.
 class PointSigns {
  public:

@@ -12,14 +12,21 @@ Problem::Problem(const LoadedGrasp& loaded, NormalLaw law)
 
 Problem::Problem(std::vector<ContactRow> rows, const Wrench& wrench, NormalLaw law)
     : rows_(std::move(rows)), wrench_(wrench), law_(law) {
+  // One list after the other, so that the numbers of each lie together in memory: whoever goes
+  // through one at every node of a search waits for memory otherwise.
+  slip_planes_.reserve(size());
+  for (const ContactRow& row : rows_) {
+    const Wrench& t = row.tangent;
+    slip_planes_.push_back(primitive_multiple<5>({t.x, t.y, t.torque, {}, {}}));
+  }
+  separations_.reserve(size());
   for (const ContactRow& row : rows_) {
     const Wrench& n = row.normal;
-    const Wrench& t = row.tangent;
-    slip_planes_.push_back(primitive_multiple<5>({t.x, t.y, t.torque, 0, 0}));
-    separations_.push_back({-row.stiffness * n.x, -row.stiffness * n.y,
-                            -row.stiffness * n.torque, row.preload, 0});
-    separation_planes_.push_back(primitive_multiple(separations_.back()));
+    const Rational k = -row.stiffness;
+    separations_.push_back({k * n.x, k * n.y, k * n.torque, row.preload, {}});
   }
+  separation_planes_.reserve(size());
+  for (const Vector5& v : separations_) separation_planes_.push_back(primitive_multiple(v));
 }
 
 bool Problem::is_family() const {

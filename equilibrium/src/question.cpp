@@ -2,6 +2,7 @@
 #include "stickslip/equilibrium/question.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "stickslip/core/contact_row.hpp"
 #include "stickslip/core/error.hpp"
@@ -45,8 +46,8 @@ bool has_irrational_preload(const Grasp& grasp) {
 }
 
 /// Sets the box of a question that is one.
-void enclose(Question& question, const GraspFile& file, const WrenchBox& wrench) {
-  const bool certain = !file.box && wrench == box_of(question.loaded.wrench);
+void enclose(Question& question, std::optional<GraspBox> of_file, const WrenchBox& wrench) {
+  const bool certain = !of_file && wrench == box_of(question.loaded.wrench);
   if (question.is_margin()) {
     if (!certain || question.uncertain.any()) refuse_uncertain_margin();
     return;
@@ -54,7 +55,7 @@ void enclose(Question& question, const GraspFile& file, const WrenchBox& wrench)
   if (certain && !question.uncertain.any() && !has_irrational_preload(question.loaded.grasp)) {
     return;
   }
-  GraspBox box = file.box ? *file.box : box_of(question.loaded);
+  GraspBox box = of_file ? std::move(*of_file) : box_of(question.loaded);
   if (question.preload) {
     for (UncertainContact& c : box.contacts) c.preload = point_interval(*question.preload);
   }
@@ -106,12 +107,12 @@ void require_growth(bool load_grows, const std::vector<Rational>& growth,
                        : "give a number above 0 to a contact whose preload grows");
 }
 
-Question ask(const GraspFile& file, const QuestionOptions& options) {
+Question ask(GraspFile file, const QuestionOptions& options) {
   const WrenchBox wrench = wrench_asked(file, options);
-  Question question{{file.content.grasp, middle(wrench)},
+  Question question{{std::move(file.content.grasp), middle(wrench)},
                     options.law,
                     options.preload,
-                    file.assumed_stiffness,
+                    std::move(file.assumed_stiffness),
                     options.direction,
                     options.preload_direction,
                     {},
@@ -135,7 +136,7 @@ Question ask(const GraspFile& file, const QuestionOptions& options) {
     require_growth(!(question.direction.value_or(Wrench{}) == Wrench{}),
                    question.preload_growth, question.preload_direction);
   }
-  enclose(question, file, wrench);
+  enclose(question, std::move(file.box), wrench);
   return question;
 }
 
@@ -145,7 +146,7 @@ Problem problem_of(const Question& question) {
                      "give one number for each; only whether the load is held can be asked of "
                      "all grasps in a box");
   }
-  const Problem base(question.loaded, question.law);
+  Problem base(question.loaded, question.law);
   if (!question.is_margin()) return base;
   Growth growth{question.direction.value_or(Wrench{})};
   if (!question.preload_growth.empty()) {

@@ -18,16 +18,33 @@ std::string at_contact(const char* condition, std::size_t contact) {
   return std::string(condition) + " fails at contact " + std::to_string(contact);
 }
 
+/// By what is known of a contact, with its friction, and the T of that.
+template <class ContactOf, class TangentOf>
+ShortWitness in_short(const Witness& witness, ContactOf contact_of, TangentOf tangent_of) {
+  const ScaledTwist scaled(witness.twist);
+  ShortWitness result{witness.twist, {}};
+  for (std::size_t i = 0; i < witness.forces.size(); ++i) {
+    const auto& [a, b] = witness.forces[i];
+    if (b.is_zero()) continue;
+    const auto& contact = contact_of(i);
+    if (!power(tangent_of(contact), scaled.twist).is_zero()) continue;
+    result.shares.emplace_back(ContactId(i), b / (contact.friction * a));
+  }
+  return result;
+}
+
 }  // namespace
 
 ShortWitness in_short(const std::vector<ContactRow>& rows, const Witness& witness) {
-  ShortWitness result{witness.twist, {}};
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const auto& [a, b] = witness.forces[i];
-    if (b.is_zero() || !power(rows[i].tangent, witness.twist).is_zero()) continue;
-    result.shares.emplace_back(ContactId(i), b / (rows[i].friction * a));
-  }
-  return result;
+  return in_short(
+      witness, [&](std::size_t i) -> const ContactRow& { return rows[i]; },
+      [](const ContactRow& row) -> const Wrench& { return row.tangent; });
+}
+
+ShortWitness in_short(const Grasp& grasp, const Witness& witness) {
+  return in_short(
+      witness, [&](std::size_t i) -> const Contact& { return grasp.contacts()[i]; },
+      tangent_row);
 }
 
 std::optional<std::string> find_violation(const Problem& problem, const Witness& witness) {

@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iostream>
 
 #include "both_checkers.hpp"
+#include "loads.hpp"
+#include "rounds.hpp"
 #include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/snap.hpp"
@@ -123,6 +126,61 @@ TEST(LongNumbers, ExactEnginesAgreeAndShortOnesKeepTheirWitness) {
   EXPECT_STREQ(name_of(exact), "stable");
   const GraspFile few = in_doubles(ShapeInDoubles::kBowl, 30, 0, load);
   EXPECT_TRUE(std::holds_alternative<CaseAnswer>(answer_to(ask(few, {}), kQuick)));
+}
+
+/// With a pull of `tenths` of the sum of preloads, or of as many units as there are contacts;
+/// or a load that some motion meets.
+LoadedGrasp pulled_or_planted(bench::Layout layout, std::size_t contacts, bool preloaded,
+                              std::uint64_t seed, NormalLaw law, int tenths) {
+  Grasp grasp = bench::make_grasp(layout, contacts, preloaded, seed);
+  if (tenths == 0) {
+    Wrench load = bench::planted_load(grasp, law, seed);
+    return {std::move(grasp), std::move(load)};
+  }
+  Rational sum = 0;
+  for (const Contact& c : grasp.contacts()) sum += preloaded ? c.preload : Rational(1);
+  Wrench load = bench::pulling_load(layout, seed);
+  for (Rational* entry : {&load.x, &load.y, &load.torque}) *entry *= sum * Rational(tenths, 10);
+  return {std::move(grasp), std::move(load)};
+}
+
+// However short their equilibria are: few grasps that are stable have no proof by degree, none
+// that is unstable has one.
+TEST(LongNumbers, ByDegreeWhatTheConeEngineFindsStable) {
+  using bench::Layout;
+  std::size_t grasps = 0;
+  std::size_t stable = 0;
+  std::size_t proved = 0;
+  std::uint64_t seed = 0;
+  for (const Layout layout : {Layout::kRound, Layout::kArc, Layout::kEdges, Layout::kVaried}) {
+    for (const NormalLaw law : {NormalLaw::kUnilateral, NormalLaw::kBilateral}) {
+      for (const int tenths : {0, 1, 5, 20}) {
+        for (std::size_t round = 0; round < test::rounds(8U); ++round) {
+          const bool preloaded = round % 4 != 0;
+          const std::size_t contacts = 3 + 5 * round % 38;
+          const Question question{
+              pulled_or_planted(layout, contacts, preloaded, ++seed, law, tenths), law, {}};
+          const Problem problem = problem_of(question);
+          const Decision truth = decide(problem, Engine::kCone);
+          const bool is_stable = std::holds_alternative<Stable>(truth.verdict);
+          const auto by_degree = prove_stable_by_degree(problem);
+          SCOPED_TRACE(question.loaded.grasp.name() + " " + std::to_string(tenths));
+          ++grasps;
+          if (is_stable) ++stable;
+          if (!by_degree) continue;
+          ++proved;
+          EXPECT_TRUE(is_stable);
+          const auto certificate = certificate_of(answer_by_degree(question, *by_degree));
+          ASSERT_TRUE(certificate.has_value());
+          test::CheckerInput input{write_grasp(question.loaded), *certificate, {}};
+          input.options.law = law;
+          test::expect_accepted_by_both(input);
+        }
+      }
+    }
+  }
+  std::cout << grasps << " grasps, " << stable << " stable, " << proved << " by degree\n";
+  EXPECT_GE(proved, stable / 2);
 }
 
 }  // namespace

@@ -18,13 +18,17 @@ using namespace equilibrium_detail;
 
 namespace {
 
-using Step = Branch<RefutationNode, Node>;
+using Step = Branch<RefutationNode, Region>;
 
 /// Explores the tree.
 class Explorer {
  public:
   Explorer(const Problem& problem, const DoubleModel& model, const ConeOptions& options)
-      : problem_(problem), model_(model), options_(options), search_(model) {}
+      : problem_(problem),
+        model_(model),
+        options_(options),
+        forces_(problem, model),
+        search_(model) {}
 
   const ConeWork& work() const { return work_; }
   std::optional<Witness>& witness() { return witness_; }
@@ -34,10 +38,10 @@ class Explorer {
   /// Depth first, in preorder. Nothing if it ended early: at a witness, or at the limit.
   std::optional<Refutation> explore() {
     Refutation tree;
-    const auto step = [&](Node node, std::size_t depth) {
-      return examine(std::move(node), depth);
+    const auto step = [&](const Region& region, std::size_t depth) {
+      return examine(region, depth);
     };
-    if (!append_tree(Node::root(problem_), tree, step)) return std::nullopt;
+    if (!append_tree(Region::root(problem_), tree, step)) return std::nullopt;
     return tree;
   }
 
@@ -45,13 +49,12 @@ class Explorer {
   /// search finds in the all-stick state if it exists, and where Newton's method leads from
   /// rest.
   bool try_witness_from_rest() {
-    Node rest = Node::root(problem_);
-    rest.region =
-        rest.region.with_slip_state(problem_, std::vector<Sign>(problem_.size(), Sign::kZero));
-    if (!rest.region.is_void()) {
-      table_.read(problem_, model_, rest);
-      const SearchResult found = search_.search(rest, table_, work_);
-      if (!found.separated && try_witness_of(rest, found)) return true;
+    const Region rest = Region::root(problem_).with_slip_state(
+        problem_, std::vector<Sign>(problem_.size(), Sign::kZero));
+    if (!rest.is_void()) {
+      forces_.read(rest);
+      const SearchResult found = search_.search(forces_, true, work_);
+      if (!found.separated && try_witness_of(found)) return true;
     }
     ++work_.witness_attempts;
     witness_ = find_witness_from_rest(problem_, model_);
@@ -60,32 +63,38 @@ class Explorer {
 
  private:
   /// Closes or splits one node; nothing if it found a witness, or at the limit.
-  std::optional<Step> examine(Node node, std::size_t depth) {
+  std::optional<Step> examine(const Region& region, std::size_t depth) {
     if (options_.node_limit != 0 && work_.nodes >= options_.node_limit) return std::nullopt;
     ++work_.nodes;
     work_.depth = std::max(work_.depth, depth);
-    if (node.region.is_void()) {
+    if (region.is_void()) {
       ++work_.voids;
       return Step{VirtualWorkLeaf{}, {}};
     }
-    work_.contacts_visited += node.undecided->size();
-    table_.read(problem_, model_, node);
-    const SearchResult found = search_.search(node, table_, work_);
-    if (found.separated) {
-      if (auto leaf = search_.confirm(problem_, node, table_, found.twist, work_)) {
-        ++work_.leaves;
-        return Step{std::move(*leaf), {}};
+    forces_.read(region);
+    work_.visits += forces_.visits();
+    for (const bool precisely : {false, true}) {
+      const bool is_last = precisely || forces_.all_are_single();
+      const SearchResult found = search_.search(forces_, precisely, work_);
+      if (found.separated) {
+        if (auto leaf =
+                search_.confirm(problem_, region, forces_, found.twist, work_, is_last)) {
+          ++work_.leaves;
+          return Step{std::move(*leaf), {}};
+        }
+      } else {
+        // A relaxed equilibrium may be near a real one. Trying costs as much as many nodes, so
+        // it is done where nodes are few: at counts 1, 2, 4, 8, ...
+        const bool is_due =
+            !precisely && !problem_.is_family() && (work_.nodes & (work_.nodes - 1)) == 0;
+        const std::optional<ContactSplit> split = search_.widest_gap(forces_, found);
+        if (is_due && try_witness_near(found.motion)) return std::nullopt;
+        if (split) return split_at(region, *split);
+        if (is_last && !problem_.is_family() && try_witness_of(found)) return std::nullopt;
       }
-    } else {
-      // A relaxed equilibrium may be near a real one. Trying costs as much as many nodes, so it
-      // is done where nodes are few: at counts 1, 2, 4, 8, ...
-      const bool is_due = !problem_.is_family() && (work_.nodes & (work_.nodes - 1)) == 0;
-      const std::optional<ContactSplit> split = search_.widest_gap(node, found);
-      if (is_due && try_witness_near(found.motion)) return std::nullopt;
-      if (split) return split_at(node, *split);
-      if (!problem_.is_family() && try_witness_of(node, found)) return std::nullopt;
+      if (is_last) break;
     }
-    return solve_exactly(node);
+    return solve_exactly(region);
   }
 
   /// From the motion of a relaxed equilibrium, by Newton's method.
@@ -93,14 +102,14 @@ class Explorer {
     if (!(motion[3] > 0)) return false;
     ++work_.witness_attempts;
     witness_ = find_witness_near(
-        problem_, model_,
-        {motion[0] / motion[3], motion[1] / motion[3], motion[2] / motion[3]});
+        problem_, model_, {motion[0] / motion[3], motion[1] / motion[3], motion[2] / motion[3]},
+        &failed_modes_);
     return witness_.has_value();
   }
 
   /// The relaxed equilibrium itself, taken at its word: its motion says which contacts are
   /// closed and which slip, its forces how much friction there is where they stick.
-  bool try_witness_of(const Node& node, const SearchResult& found) {
+  bool try_witness_of(const SearchResult& found) {
     if (!(found.motion[3] > 0)) return false;
     ++work_.witness_attempts;
     std::vector<double> slips;
@@ -116,31 +125,34 @@ class Explorer {
       const bool sticks = std::fabs(slips[i]) <= kStill * fastest;
       guesses.push_back({closed, sticks, slips[i] > 0 ? -1 : 1});
     }
-    for (std::size_t q = 0; q < node.undecided->size(); ++q) {
-      ModeGuess& guess = guesses[(*node.undecided)[q].contact];
-      if (!guess.sticks || !(found.normal[q] > 0)) continue;
-      guess.share = rounded_share(found.tangential[q] / found.normal[q]);
+    for (const UndecidedGroup& u : forces_.undecided()) {
+      forces_.for_each_contact(u, [&](std::uint32_t contact) {
+        if (!guesses[contact].sticks) return;
+        const RelaxedForce force = search_.force(contact, u.freedom, found);
+        if (force.normal > 0)
+          guesses[contact].share = rounded_share(force.tangential / force.normal);
+      });
     }
     witness_ = complete_exactly(problem_, guesses);
     return witness_.has_value();
   }
 
-  Step split_at(const Node& node, const ContactSplit& split) {
+  Step split_at(const Region& region, const ContactSplit& split) {
     ++(std::holds_alternative<SlipSplit>(split) ? work_.slip_splits : work_.separation_splits);
-    return node.split(problem_, split);
+    return split_region(problem_, region, split);
   }
 
   /// The exact program of the region: a leaf, a witness, or the split that its point asks for.
-  std::optional<Step> solve_exactly(const Node& node) {
+  std::optional<Step> solve_exactly(const Region& region) {
     ++work_.exact_programs;
-    auto outcome = solve_region(problem_, node.region, nullptr);
+    auto outcome = solve_region(problem_, region, nullptr);
     if (auto* leaf = std::get_if<VirtualWorkLeaf>(&outcome)) {
       ++work_.leaves;
       ++work_.filter_misses;
       return Step{std::move(*leaf), {}};
     }
     auto& point = std::get<RelaxedPoint>(outcome);
-    if (point.broken) return split_at(node, *point.broken);
+    if (point.broken) return split_at(region, *point.broken);
     witness_ = std::move(point.witness);
     multiple_ = std::move(point.multiple);
     const Problem there = problem_.at(multiple_);
@@ -152,9 +164,10 @@ class Explorer {
   const Problem& problem_;
   const DoubleModel& model_;
   const ConeOptions& options_;
-  RayTable table_;
+  RegionForces forces_;
   TwistSearch search_;
   ConeWork work_;
+  std::vector<ModeGuess> failed_modes_;  ///< of the last relaxed equilibrium tried
   std::optional<Witness> witness_;
   Rational multiple_ = 0;
 };
@@ -174,7 +187,7 @@ ConeWork& ConeWork::operator+=(const ConeWork& part) {
   depth = std::max(depth, part.depth);
   searches += part.searches;
   support_points += part.support_points;
-  contacts_visited += part.contacts_visited;
+  visits += part.visits;
   filter_hits += part.filter_hits;
   filter_misses += part.filter_misses;
   exact_programs += part.exact_programs;

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "node.hpp"
+#include "double_model.hpp"
 
 namespace stickslip::equilibrium_detail {
 
@@ -28,6 +28,16 @@ class SmoothBalance {
   Double5 point(const Eigen::Vector3d& d) const { return {d[0], d[1], d[2], h_, l_}; }
   /// The friction over its most.
   double friction_ratio(double slip) const { return std::clamp(-slip / epsilon_, -1.0, 1.0); }
+
+  /// Whether some contact is pulled at noticeably, as no law allows: here they open.
+  bool opens(const Eigen::Vector3d& d) const {
+    constexpr double kNoticeable = 1e-6;
+    const Double5 x = point(d);
+    return std::any_of(model_.contacts.begin(), model_.contacts.end(), [&](const auto& c) {
+      const double pull = -dot(c.separation, x) * std::hypot(c.normal[0], c.normal[1]);
+      return pull > kNoticeable * model_.force;
+    });
+  }
 
   /// The sum of all wrenches, and its derivative.
   Eigen::Vector3d residual(const Eigen::Vector3d& d, Eigen::Matrix3d& derivative) const {

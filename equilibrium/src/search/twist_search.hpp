@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "node.hpp"
+#include "region_forces.hpp"
 #include "stickslip/equilibrium/search/branch_and_bound.hpp"
 #include "stickslip/equilibrium/search/degree.hpp"
 #include "stickslip/equilibrium/search/nearest_wrench.hpp"
@@ -16,14 +16,27 @@
 
 namespace stickslip::equilibrium_detail {
 
+/// A motion in a region, and a twist on which its contacts do the most work.
+struct PushedMotion {
+  Double5 motion;  ///< of a ray, times the weight
+  Double3 twist;
+  std::size_t ray;
+  double weight;
+};
+
 /// A virtual twist along which every wrench of the region does negative work, or a relaxed
 /// equilibrium.
 struct SearchResult {
   bool separated = false;
-  Double3 twist{};                 ///< if separated
-  Double5 motion{};                ///< otherwise x ...
-  std::vector<double> normal;      ///< ... and of the node's undecided a_i ...
-  std::vector<double> tangential;  ///< ... and b_i / mu_i
+  Double3 twist{};                   ///< if separated
+  std::vector<PushedMotion> pushed;  ///< else: what it is the sum of
+  Double5 motion{};                  ///< and the sum of the motions
+};
+
+/// a_i and b_i / mu_i of a relaxed equilibrium.
+struct RelaxedForce {
+  double normal = 0;
+  double tangential = 0;
 };
 
 class TwistSearch {
@@ -32,32 +45,26 @@ class TwistSearch {
   explicit TwistSearch(const DoubleModel& model, const Direction<3>* direction = nullptr)
       : model_(model), direction_(direction) {}
 
-  SearchResult search(const Node& node, const RayTable& table, ConeWork& work);
+  /// Unless `precisely`, contacts of a group have the edges that are best in its middle: the
+  /// result is about right, and costs O(groups rays) for each twist that is tried.
+  SearchResult search(const RegionForces& forces, bool precisely, ConeWork& work);
+
+  /// Of an undecided contact.
+  RelaxedForce force(std::uint32_t contact, const ContactFreedom& freedom,
+                     const SearchResult& found) const;
 
   /// The separation, else the slip, whose law the relaxed equilibrium breaks with the most
   /// energy; nothing if it breaks none noticeably.
-  std::optional<ContactSplit> widest_gap(const Node& node, const SearchResult& found) const;
+  std::optional<ContactSplit> widest_gap(const RegionForces& forces,
+                                         const SearchResult& found) const;
 
-  /// The twist rounded to the smallest integers that still refute the node's region; where
-  /// error bounds do not decide, exactly or, unless `exactly`, not.
-  std::optional<VirtualWorkLeaf> confirm(const Problem& problem, const Node& node,
-                                         const RayTable& table, const Double3& twist,
+  /// The twist rounded to the smallest integers that still refute the region; where error
+  /// bounds do not decide, exactly or, unless `exactly`, not.
+  std::optional<VirtualWorkLeaf> confirm(const Problem& problem, const Region& region,
+                                         const RegionForces& forces, const Double3& twist,
                                          ConeWork& work, bool exactly = true);
 
  private:
-  /// The undecided contacts on a twist y, by blocks: the most work per unit of normal
-  /// coefficient, alpha = y.N + sigma y.mu T on an edge of the friction cone.
-  struct Work {
-    BlockDoubles sigma;
-    BlockDoubles alpha;
-    BlockDoubles bound;  ///< alpha if closed, else max(0, alpha)
-    BlockDoubles share;  ///< of max(0, v) that counts: 1, or 0 if not closed and alpha <= 0
-  };
-  void find_work(const RayTable& table, const Double3& twist);
-  /// By a block of undecided contacts: the normal coefficients that count at a ray in the last
-  /// find_work.
-  BlockDoubles coefficients(const Node& node, const RayTable& table, std::size_t block,
-                            std::size_t ray) const;
   /// A wrench that entered the hull: that of a ray, on the twist on which it was the worst.
   struct Support {
     double work;
@@ -66,22 +73,31 @@ class TwistSearch {
     Double3 twist;
     bool against = false;  ///< it is what the direction excludes there
   };
-  void scale_rays(const Node& node, const RayTable& table);
-  std::pair<std::size_t, double> worst_ray(const Node& node, const RayTable& table,
-                                           const Double3& twist);
-  void combine(const Node& node, const RayTable& table,
-               const std::vector<std::pair<double, Support>>& parts, SearchResult& result);
-  void add_undecided_bounds(const RayTable& table, const Double3& twist);
-  Double3 wrench_at(const Node& node, const RayTable& table, std::size_t ray) const;
+  /// Upper bounds of what contacts of a group break their laws by.
+  struct GapBounds {
+    double separation = 0;
+    double slip = 0;
+  };
+  void scale_rays(const RegionForces& forces);
+  std::pair<std::size_t, double> worst_ray(const RegionForces& forces, const Double3& twist,
+                                           bool precisely);
+  void add_undecided_bounds(const RegionForces& forces, const Double3& twist, bool precisely);
+  Double3 wrench_at(const RegionForces& forces, const Double3& twist, std::size_t ray,
+                    bool precisely) const;
+  /// `visit(contact, sigma, alpha)`, by contact of an undecided group that can work.
+  template <class Visit>
+  void for_each_working(const RegionForces& forces, const UndecidedGroup& u,
+                        const Double3& twist, const Visit& visit) const;
+  GapBounds gap_bounds(const ContactGroup& group, const ContactFreedom& freedom,
+                       const SearchResult& found) const;
+  double energy(const RegionForces& forces, const SearchResult& found) const;
   /// Whether g <= 0 with zeros only where nothing acts, if error bounds decide.
-  std::optional<bool> certain_refutation(const Node& node, const RayTable& table,
-                                         const Double3& twist);
+  std::optional<bool> certain_refutation(const RegionForces& forces, const Double3& twist);
 
   const DoubleModel& model_;
   const Direction<3>* direction_;
-  std::vector<Work> work_;      ///< of find_work
   std::vector<double> bounds_;  ///< g(r)
-  std::vector<double> forces_;  ///< sum of the undecided' normal coefficients at r
+  std::vector<double> acting_;  ///< above 0 where an undecided contact may act
   std::vector<double> errors_;  ///< magnitudes of g(r)'s terms
   std::vector<double> scales_;  ///< by ray: comparable sizes of wrenches
 };

@@ -4,9 +4,10 @@
 /// search of branch_and_bound.hpp without its exact program, and not for equilibria.
 #pragma once
 
-#include "node.hpp"
+#include "double_model.hpp"
 #include "stickslip/equilibrium/search/branch_and_bound.hpp"
 #include "stickslip/equilibrium/search/degree.hpp"
+#include "stickslip/equilibrium/search/region.hpp"
 
 namespace stickslip::equilibrium_detail {
 

@@ -239,6 +239,20 @@ std::vector<ModeGuess> guesses(const SmoothBalance& balance, const DoubleModel& 
   return result;
 }
 
+/// Contacts open at d and must not: SmoothBalance lets them, and to find that out exactly may
+/// take minutes.
+bool opens_unlawfully(const Problem& problem, const SmoothBalance& balance,
+                      const Eigen::Vector3d& d) {
+  return problem.law() == NormalLaw::kBilateral && balance.opens(d);
+}
+
+/// An equilibrium in the mode at d.
+std::optional<Witness> complete(const Problem& problem, const SmoothBalance& balance,
+                                const DoubleModel& model, const Eigen::Vector3d& d) {
+  if (opens_unlawfully(problem, balance, d)) return std::nullopt;
+  return complete_exactly(problem, guesses(balance, model, d));
+}
+
 RoundedEquilibrium near(const SmoothBalance& balance, const DoubleModel& model,
                         const Eigen::Vector3d& d) {
   RoundedEquilibrium result{{d[0], d[1], d[2]}, {}};
@@ -364,11 +378,11 @@ std::optional<Witness> find_witness_from_rest(const Problem& problem,
   });
   if (residual == -1) return complete_exactly(problem, {});  // nothing resists
   if (!(residual <= 1e-6 * model.force)) return std::nullopt;
-  return complete_exactly(problem, guesses(balance, model, motion));
+  return complete(problem, balance, model, motion);
 }
 
 std::optional<Witness> find_witness_near(const Problem& problem, const DoubleModel& model,
-                                         Double3 start) {
+                                         Double3 start, std::vector<ModeGuess>* failed) {
   double travel = 0;
   for (const ContactDoubles& c : model.contacts) {
     travel = std::max(travel, std::fabs(dot(c.slip, {start[0], start[1], start[2], 1, 0})));
@@ -383,7 +397,19 @@ std::optional<Witness> find_witness_near(const Problem& problem, const DoubleMod
     if (!(settle(balance, model, d, kSteps) <= 1e-3 * model.force)) return std::nullopt;
   }
   if (!(settle(balance, model, d, kSteps) <= 1e-6 * model.force)) return std::nullopt;
-  return complete_exactly(problem, guesses(balance, model, d));
+  if (opens_unlawfully(problem, balance, d)) return std::nullopt;
+  std::vector<ModeGuess> modes = guesses(balance, model, d);
+  // How much friction there is where contacts stick is not what fails.
+  const auto are_one = [](const ModeGuess& a, const ModeGuess& b) {
+    return a.closed == b.closed && a.sticks == b.sticks && (a.sticks || a.share == b.share);
+  };
+  if (failed != nullptr &&
+      std::equal(modes.begin(), modes.end(), failed->begin(), failed->end(), are_one)) {
+    return std::nullopt;
+  }
+  auto witness = complete_exactly(problem, modes);
+  if (failed != nullptr) *failed = std::move(modes);
+  return witness;
 }
 
 std::vector<Witness> find_witnesses_around(const Problem& problem, const DoubleModel& model,
@@ -391,7 +417,7 @@ std::vector<Witness> find_witnesses_around(const Problem& problem, const DoubleM
   std::vector<Witness> found;
   SmoothBalance balance(model);
   relax_around(model, starts, balance, [&](const Eigen::Vector3d& d) {
-    auto witness = complete_exactly(problem, guesses(balance, model, d));
+    auto witness = complete(problem, balance, model, d);
     if (!witness) return;
     const bool is_new = std::none_of(found.begin(), found.end(), [&](const Witness& other) {
       return other.twist == witness->twist;

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "node.hpp"
+#include "double_model.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 
 namespace stickslip::equilibrium_detail {
@@ -39,9 +39,11 @@ std::optional<Witness> complete_exactly(const Problem& problem,
 /// of all motion to nothing. O(m) for each of at most a few hundred steps.
 std::optional<Witness> find_witness_from_rest(const Problem& problem, const DoubleModel& model);
 
-/// The same from d = `start` with a small epsilon; gives up early unless `start` is near.
+/// The same from d = `start` with a small epsilon; gives up early unless `start` is near, or if
+/// it comes to the modes of `failed`, if given, which then gets those that fail here.
 std::optional<Witness> find_witness_near(const Problem& problem, const DoubleModel& model,
-                                         Double3 start);
+                                         Double3 start,
+                                         std::vector<ModeGuess>* failed = nullptr);
 
 /// Different equilibria, by the same method from this many motions at random (always the same);
 /// not all that there are, and maybe none.

@@ -84,13 +84,8 @@ struct BoxDecision {
 /// a threshold on its border, for instance, have neither.
 BoxDecision decide_box(const GraspBox& box, NormalLaw law, const BoxOptions& options = {});
 
-/// That one grasp is stable, by a parallelepiped of motions that encloses an equilibrium: in
-/// place of an exact one, whose numbers may have tens of thousands of digits
-/// (has_long_equilibria). Nothing if no proof was found, which says nothing about the verdict.
-/// Requires that preloaded normals have rational lengths; else decide_box() does the same. The
-/// decision is StableThroughout with one part. Deterministic. Mostly O(m) for each of some
-/// hundred nodes.
-std::optional<BoxDecision> prove_stable_by_degree(const LoadedGrasp& grasp, NormalLaw law,
-                                                  const BoxOptions& options = {});
+/// That one grasp in exact numbers is stable, as prove_by_degree() finds: StableThroughout with
+/// one part. Nothing if no proof was found, which says nothing about the verdict.
+std::optional<BoxDecision> prove_stable_by_degree(const Problem& problem);
 
 }  // namespace stickslip

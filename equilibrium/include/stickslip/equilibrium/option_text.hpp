@@ -25,7 +25,7 @@ InputError in_options(const InputError& error, const std::string& name);
 
 /// ask(), and the rows that every answer needs: errors are in the words of the command line,
 /// and those of a contact name the grasp `name`. Refuses a box unless the command takes them.
-Question ask_with_options(const GraspFile& file, const QuestionOptions& options,
+Question ask_with_options(GraspFile file, const QuestionOptions& options,
                           const std::string& name, bool takes_boxes = false);
 
 }  // namespace stickslip

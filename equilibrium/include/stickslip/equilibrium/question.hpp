@@ -61,7 +61,7 @@ struct Question {
 /// "preload", "direction" or "preload_direction"; and with the place "case" when the wrench of
 /// a file with cases is needed and the options give neither one of them nor a wrench. Of a box
 /// also as GraspBox::widened; and with the place "uncertain" if a margin is asked about.
-Question ask(const GraspFile& file, const QuestionOptions& options);
+Question ask(GraspFile file, const QuestionOptions& options);
 
 /// \{ Of questions in the plane and in space: how much preloads grow, by those that there are
 /// without it; that something grows; and that numbers are certain. Throw InputError as ask().

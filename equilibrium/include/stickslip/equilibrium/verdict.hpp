@@ -45,8 +45,10 @@ struct ShortWitness {
   }
 };
 
-/// What has to be said of this one, by contact rows whose preloads do not matter.
+/// \{ What has to be said of this one, by contacts or their rows; preloads do not matter.
 ShortWitness in_short(const std::vector<ContactRow>& rows, const Witness& witness);
+ShortWitness in_short(const Grasp& grasp, const Witness& witness);
+/// \}
 
 /// Which condition of problem.hpp fails first, and where; nothing for an equilibrium. Not of a
 /// family.

@@ -13,6 +13,12 @@
 /// substitution. When nothing is left to split, or double precision fails, the exact linear
 /// program of region_program.hpp decides.
 ///
+/// Contacts are taken in groups that are alike, and in groups of these: where all of a group are
+/// open, closed, or slip in one direction on a region, that is found and added up at once, by
+/// boxes around the coefficients of their functions with bounds of what is rounded. The search
+/// takes the best edges in the middle of a group for those of all of it; where that leads
+/// nowhere it is done again precisely, and it only proposes.
+///
 /// *Guarantee.* Only planes that cut a region's relative interior are split (or touch it where
 /// no strict function bars touching), each at most once on a path, so the leaves other than
 /// void ones are no more than the cells of the arrangement of the 2m planes tau_i = 0, v_i = 0
@@ -38,9 +44,9 @@ struct ConeWork {
   std::size_t depth = 0;              ///< of the deepest node
   std::size_t searches = 0;           ///< searches for a virtual twist in double precision
   std::size_t support_points = 0;  ///< evaluations of the bounds on all rays in these searches
-  /// Sum over the nodes of the contacts whose part in the bounds was still open there: what a
-  /// node costs, where O(nodes * m) is what it would without what nodes inherit.
-  std::size_t contacts_visited = 0;
+  /// Sum over the nodes of the groups of contacts, and single contacts, that were looked at:
+  /// what a node costs. It would be nodes * m if contacts were not taken in groups.
+  std::size_t visits = 0;
   std::size_t filter_hits = 0;         ///< leaves confirmed by doubles with error bounds
   std::size_t filter_misses = 0;       ///< leaves confirmed exactly
   std::size_t exact_programs = 0;      ///< exact linear programs

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "degree_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "search/wall_search.hpp"
+#include "stickslip/core/error.hpp"
+#include "stickslip/equilibrium/search/degree.hpp"
+
+namespace stickslip::equilibrium_detail {
+namespace {
+
+using Function = Vector5;  ///< of points
+
+Function sum(Function a, const Rational& factor, const Function& b) {
+  for (std::size_t j = 0; j < 5; ++j) a[j] += factor * b[j];
+  return a;
+}
+
+/// K and its multiples as functions of points.
+class Cell {
+ public:
+  Cell(const std::optional<MarginInterval>& range, const SegmentByDegree& shape)
+      : shape_(shape), moves_(range) {
+    if (!range) {
+      s_ = {0, 0, 0, 1, 0};
+      t_ = {0, 0, 0, 0, 1};
+    } else if (const auto& [low, high] = *range; high) {
+      const Rational length = *high - low;
+      s_ = {0, 0, 0, *high / length, -1 / length};
+      t_ = {0, 0, 0, -low / length, 1 / length};
+    } else {
+      s_ = {0, 0, 0, 1, 0};
+      t_ = {0, 0, 0, -1, 1 / low};
+    }
+  }
+
+  /// row.e
+  Function of_motion(const Vector3& row) const {
+    Function f{row[0], row[1], row[2], 0, 0};
+    f = sum(std::move(f), -dot(row, shape_.twist), s_);
+    return sum(std::move(f), -dot(row, shape_.end_twist), t_);
+  }
+
+  Region wall(const Problem& problem, std::size_t wall, int sign, bool middle) const {
+    std::vector<Region::Cut> cuts;
+    const Function size = sum(s_, 1, t_);
+    const auto cut = [&](const Function& f, Side side, bool strict = false) {
+      cuts.push_back({primitive_multiple(f), side, strict});
+    };
+    cut(s_, Side::kPositive);
+    cut(t_, moves_ ? Side::kPositive : Side::kZero);
+    cut(size, Side::kPositive, true);
+    if (moves_ && middle) cut(sum(s_, -1, t_), Side::kZero);
+    for (std::size_t j = 0; j < 3; ++j) {
+      const Function f = of_motion(shape_.walls[j]);
+      if (j == wall) {
+        cut(sum(f, -sign, size), Side::kZero);
+      } else {
+        cut(sum(f, -1, size), Side::kNegative);
+        cut(sum(f, 1, size), Side::kPositive);
+      }
+    }
+    return Region::between(problem, cuts);
+  }
+
+ private:
+  const SegmentByDegree& shape_;
+  bool moves_;
+  Function s_, t_;  ///< t = 0 of one grasp
+};
+
+/// Rounded to a part in 256 of K, as one whose walls have this column.
+Rational rounded(double value, double steepest) {
+  if (!(steepest > 0) || !std::isfinite(steepest)) return rational_from_double(value);
+  const double grain = std::ldexp(1.0, -static_cast<int>(std::ceil(std::log2(steepest))) - 8);
+  return rational_from_double(std::round(value / grain) * grain);
+}
+
+/// How large K is to be.
+struct CellSize {
+  double force;  ///< left over on the walls, over all normal forces
+  double slip;   ///< over which friction is smooth, beside what that force moves
+};
+constexpr std::array<CellSize, 10> kSizes{{{0.3, 1},
+                                           {0.3, 0.1},
+                                           {0.1, 1},
+                                           {0.1, 0.1},
+                                           {0.3, 0.01},
+                                           {0.03, 1},
+                                           {0.03, 0.1},
+                                           {0.1, 10},
+                                           {0.1, 0.01},
+                                           {0.01, 1}}};
+/// The first one for one grasp: on a small K few contacts change. Where multiples have to be
+/// covered it seldom serves.
+constexpr std::size_t kSizeForOne = 6;
+
+}  // namespace
+
+DegreeSearch::DegreeSearch(const Problem& problem)
+    : problem_(problem), model_(problem), balance_(model_) {
+  for (const ContactDoubles& c : model_.contacts) stiffness_ += c.stiffness;
+}
+
+/// What acts on the member with h and l, more or less.
+double DegreeSearch::force_of(double h, double l) const {
+  const auto size = [&](const Double3& w) {
+    return std::hypot(w[0], w[1]) + std::fabs(w[2]) / model_.length;
+  };
+  double force = h * size(model_.load) + l * size(model_.growth);
+  for (const ContactDoubles& c : model_.contacts) {
+    force += (h * c.separation[3] + l * c.separation[4]) * std::hypot(c.normal[0], c.normal[1]);
+  }
+  return force;
+}
+
+/// Where the load moves springs that neither open nor slip.
+DegreeSearch::Motion DegreeSearch::sprung(double h, double l) const {
+  Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
+  for (const ContactDoubles& c : model_.contacts) {
+    for (const double* entries : {c.normal.data(), c.slip.data()}) {
+      const Motion row(entries);
+      stiffness += c.stiffness * row * row.transpose();
+    }
+  }
+  const Motion load = h * Motion(model_.load.data()) + l * Motion(model_.growth.data());
+  const Motion d = stiffness.partialPivLu().solve(load);
+  return d.allFinite() ? d : Motion::Zero();
+}
+
+/// An equilibrium of the member with h and l, in doubles: with friction less and less smooth,
+/// as far as that goes.
+std::optional<DegreeSearch::Motion> DegreeSearch::settle(double h, double l,
+                                                         const Motion* near) {
+  const double force = force_of(h, l);
+  if (!(stiffness_ > 0) || !(force > 0)) return std::nullopt;
+  balance_.set_member(h, l);
+  const double travel = force / stiffness_;
+  constexpr double kFinest = 1e-7;
+  constexpr double kNear = 1e-2;
+  constexpr double kFar = 10;
+  constexpr int kSteps = 15;
+  std::optional<Motion> best;
+  const auto relax = [&](Motion d, double shrink) {
+    for (; shrink > kFinest; shrink *= 0.1) {
+      balance_.set_epsilon(shrink * travel);
+      if (balance_.solve(d, kSteps, 1e-9 * force) <= 1e-8 * force) best = d;
+    }
+    return best.has_value();
+  };
+  // At rest contacts without preload do not resist.
+  if (near == nullptr || !relax(*near, kNear)) {
+    if (!relax(Motion::Zero(), kFar)) relax(sprung(h, l), kFar);
+  }
+  return best;
+}
+
+std::optional<SegmentByDegree> DegreeSearch::prove_one() {
+  const std::optional<Motion> at = settle(1, 0, nullptr);
+  if (!at) return std::nullopt;
+  last_size_ = kSizeForOne;
+  return prove_around(*at, std::nullopt, *at, *at, kSizes.size());
+}
+
+std::optional<SegmentByDegree> DegreeSearch::prove_segment(const MarginInterval& range,
+                                                           const Motion& from, const Motion& to,
+                                                           bool is_short) {
+  const double alpha = to_double(range.low);
+  const double h = range.high ? 1 : 0.5;
+  const double l = range.high ? (alpha + to_double(*range.high)) / 2 : alpha;
+  const Motion middle = (from + to) / 2;
+  const std::optional<Motion> there = settle(h, l, &middle);
+  if (!there) return std::nullopt;
+  // Half of the multiples are easier, until they are few.
+  return prove_around(*there, range, from, to, is_short ? kSizes.size() : 4);
+}
+
+/// `there` is an equilibrium of the member of balance_.
+std::optional<SegmentByDegree> DegreeSearch::prove_around(
+    const Motion& there, const std::optional<MarginInterval>& range, const Motion& from,
+    const Motion& to, std::size_t tries) {
+  if (problem_.law() == NormalLaw::kBilateral && balance_.opens(there)) return std::nullopt;
+  double force = 0;
+  const Double5 x = balance_.point(there);
+  for (const ContactDoubles& c : model_.contacts) {
+    force += std::max(0.0, dot(c.separation, x)) * std::hypot(c.normal[0], c.normal[1]);
+  }
+  if (!(force > 0)) return std::nullopt;
+  constexpr double kWithin = 0.7;
+  const Motion middle = (from + to) / 2;
+  for (std::size_t attempt = 0; attempt < tries; ++attempt) {
+    // What served last comes first.
+    const CellSize& size = kSizes[attempt == 0            ? last_size_
+                                  : attempt <= last_size_ ? attempt - 1
+                                                          : attempt];
+    const double left = size.force * force;
+    balance_.set_epsilon(size.slip * left / stiffness_);
+    Eigen::Matrix3d answer;
+    balance_.residual(there, answer);
+    Eigen::Matrix3d walls = -answer / left;
+    walls.row(2) /= model_.length;
+    if (!walls.allFinite()) return std::nullopt;
+    if ((walls * (there - middle)).lpNorm<Eigen::Infinity>() > kWithin) continue;
+    SegmentByDegree shape;
+    constexpr int kBits = 12;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const auto row = static_cast<Eigen::Index>(j);
+      const double steepest = walls.col(row).lpNorm<Eigen::Infinity>();
+      shape.twist[j] = rounded(from[row], steepest);
+      shape.end_twist[j] = rounded(to[row], steepest);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto column = static_cast<Eigen::Index>(k);
+        shape.walls[j][k] = rational_in_bits(walls(row, column), kBits);
+        shape.direction[j][k] = rational_in_bits(-answer(row, column), kBits);
+      }
+    }
+    ++work_.proofs;
+    if (auto proof = prove_with(range, std::move(shape))) {
+      last_size_ = static_cast<std::size_t>(&size - kSizes.data());
+      return proof;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<SegmentByDegree> DegreeSearch::prove_with(
+    const std::optional<MarginInterval>& range, SegmentByDegree shape) {
+  if (!is_invertible(shape.walls) || !is_invertible(shape.direction)) return std::nullopt;
+  const Cell cell(range, shape);
+  std::array<Function, 3> rows;
+  for (std::size_t j = 0; j < 3; ++j) rows[j] = cell.of_motion(shape.direction[j]);
+  const Direction<3> direction(rows);
+  // A segment that is hard can be cut; for one grasp what comes next is an exact equilibrium.
+  const std::size_t most_nodes = range ? 100 : 1000;
+  // List 2 is the shorter one, and fails as often; of one grasp it is all.
+  Refutation second_list;
+  for (const bool second : {true, false}) {
+    if (!second && !range) break;
+    Refutation& trees = second ? second_list : shape.trees;
+    for (std::size_t wall = 0; wall < 3; ++wall) {
+      for (const int sign : {1, -1}) {
+        Region region = cell.wall(problem_, wall, sign, second);
+        if (second == !range && problem_.law() == NormalLaw::kBilateral) {
+          for (std::size_t i = 0; i < problem_.size(); ++i) {
+            if (region.separation(problem_, ContactId(i)) != Separation::kClosed)
+              return std::nullopt;
+          }
+        }
+        if (!append_wall(problem_, model_, std::move(region), second ? &direction : nullptr,
+                         most_nodes, trees, work_.cone)) {
+          return std::nullopt;
+        }
+      }
+    }
+  }
+  shape.trees.insert(shape.trees.end(), second_list.begin(), second_list.end());
+  return shape;
+}
+
+}  // namespace stickslip::equilibrium_detail
+
+namespace stickslip {
+
+std::optional<ProofByDegree> prove_by_degree(const Problem& problem, DegreeWork* work) {
+  require(!problem.is_family(), "a proof by degree is of one member of a family");
+  equilibrium_detail::DegreeSearch search(problem);
+  std::optional<ProofByDegree> proof;
+  if (search.is_possible()) proof = search.prove_one();
+  if (work != nullptr) *work = search.work();
+  return proof;
+}
+
+}  // namespace stickslip

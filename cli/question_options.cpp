@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 #include <vector>
 
 #include "stickslip/core/error.hpp"
@@ -173,9 +174,8 @@ GraspFile QuestionArguments::read() const {
   return read_grasp_file(file_, takes_boxes_ ? Intervals::kAllowed : Intervals::kRefused);
 }
 
-Question QuestionArguments::ask_about(const GraspFile& file,
-                                      const QuestionOptions& options) const {
-  return ask_with_options(file, options, name_of_file(), takes_boxes_);
+Question QuestionArguments::ask_about(GraspFile file, const QuestionOptions& options) const {
+  return ask_with_options(std::move(file), options, name_of_file(), takes_boxes_);
 }
 
 Question QuestionArguments::question() const {
@@ -188,18 +188,18 @@ std::vector<Question> QuestionArguments::questions() const {
 
 std::variant<std::vector<Question>, std::vector<SpatialQuestion>>
 QuestionArguments::any_questions() const {
-  const AnyGraspFile file = read_any_grasp_file(file_);
+  AnyGraspFile file = read_any_grasp_file(file_);
   if (const auto* grasp = std::get_if<SpatialGrasp>(&file)) return questions_about(*grasp);
-  return questions_about(std::get<GraspFile>(file));
+  return questions_about(std::get<GraspFile>(std::move(file)));
 }
 
 std::variant<Question, SpatialQuestion> QuestionArguments::any_question() const {
-  const AnyGraspFile file =
+  AnyGraspFile file =
       read_any_grasp_file(file_, takes_boxes_ ? Intervals::kAllowed : Intervals::kRefused);
   if (const auto* grasp = std::get_if<SpatialGrasp>(&file)) {
     return ask_about(*grasp, spatial_options(text_));
   }
-  return ask_about(std::get<GraspFile>(file), options());
+  return ask_about(std::get<GraspFile>(std::move(file)), options());
 }
 
 SpatialQuestion QuestionArguments::ask_about(const SpatialGrasp& grasp,
@@ -219,12 +219,13 @@ std::vector<SpatialQuestion> QuestionArguments::questions_about(
   return questions;
 }
 
-std::vector<Question> QuestionArguments::questions_about(const GraspFile& file) const {
+std::vector<Question> QuestionArguments::questions_about(GraspFile file) const {
   QuestionOptions asked = options();
-  if (file.cases.empty() || asked.case_name || asked.wrench) {
-    return {ask_about(file, asked)};
-  }
   std::vector<Question> questions;
+  if (file.cases.empty() || asked.case_name || asked.wrench) {
+    questions.push_back(ask_about(std::move(file), asked));
+    return questions;
+  }
   for (const NamedLoad& load : file.cases) {
     asked.case_name = load.name;
     questions.push_back(ask_about(file, asked));

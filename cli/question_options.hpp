@@ -57,9 +57,9 @@ class QuestionArguments {
  private:
   void add_model_options_to(CLI::App& command);
   GraspFile read() const;
-  std::vector<Question> questions_about(const GraspFile& file) const;
+  std::vector<Question> questions_about(GraspFile file) const;
   std::vector<SpatialQuestion> questions_about(const SpatialGrasp& grasp) const;
-  Question ask_about(const GraspFile& file, const QuestionOptions& options) const;
+  Question ask_about(GraspFile file, const QuestionOptions& options) const;
   SpatialQuestion ask_about(const SpatialGrasp& grasp, const SpatialOptions& options) const;
 
   std::string file_;

@@ -6,11 +6,9 @@
 #include "commands.hpp"
 #include "question_options.hpp"
 #include "stickslip/answers/plane_answers.hpp"
-#include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/plot/region_plot.hpp"
-#include "stickslip/resistance/region_proof.hpp"
 #include "terminal.hpp"
 
 namespace stickslip {
@@ -58,11 +56,6 @@ std::string text_of(const PlaneCell& cell, NumberText& text) {
   return line;
 }
 
-void print_json(const Question& question, const WrenchPlane& plane, const RegionReport& report,
-                const NumberOptions& output) {
-  std::cout << finished(region_json(question, plane, report), output.floats).dump(1) << '\n';
-}
-
 void print_outline(const Outline& outline, NumberText& text) {
   std::cout << "  " << (outline.is_closed() ? "closed:" : "open:  ");
   if (outline.from)
@@ -72,17 +65,16 @@ void print_outline(const Outline& outline, NumberText& text) {
   std::cout << '\n';
 }
 
-void print_text(const Question& question, const WrenchPlane& plane, const RegionReport& report,
-                const NumberOptions& output) {
+void print_text(const RegionAnswer& answer, const NumberOptions& output) {
+  const auto& [question, plane, region, pieces, work, undecided] = answer;
   NumberText text(output);
   const std::string& name = question.loaded.grasp.name();
   std::cout << (name.empty() ? "" : name + ": ") << "resistible wrenches\n\n"
             << "  plane  " << text(coordinates(plane.origin())) << " + s "
             << text(coordinates(plane.u())) << " + t " << text(coordinates(plane.v()))
             << "\n\n";
-  const PlaneUnion& region = report.region;
-  if (report.undecided) {
-    std::cout << "Given up at " << report.undecided->limit << "; no region is known.\n";
+  if (undecided) {
+    std::cout << "Given up at " << undecided->limit << "; no region is known.\n";
   } else if (region.is_empty()) {
     std::cout << "No wrench of the plane is resisted.\n";
   } else if (region.is_whole_plane()) {
@@ -104,104 +96,74 @@ void print_text(const Question& question, const WrenchPlane& plane, const Region
       std::cout << "point " << text(point) << '\n';
     }
   }
-  if (!report.pieces.empty())
+  if (!pieces.empty())
     std::cout << "\nPieces, by contact mode (+ and - slip, 0 sticks, . is detached):\n";
-  for (const ResistiblePiece& piece : report.pieces) {
+  for (const ResistiblePiece& piece : pieces) {
     std::cout << "  " << mode_text(piece) << "  " << text_of(piece.cell, text) << '\n';
   }
   std::cout << "\n";
-  if (report.work.nodes == 0) {
-    std::cout << report.work.slip_states << " slip states, " << report.work.modes
-              << " contact modes, " << report.work.pieces << " of them in the plane";
+  if (work.nodes == 0) {
+    std::cout << work.slip_states << " slip states, " << work.modes << " contact modes, "
+              << work.pieces << " of them in the plane";
   } else {
-    std::cout << report.work.modes << " contact modes near the plane, " << report.work.pieces
+    std::cout << work.modes << " contact modes near the plane, " << work.pieces
               << " of them in it";
   }
   std::cout << "; normal law: " << law_text(question.law) << ".\n"
             << units_text(question.loaded.grasp) << text.note();
 }
 
-RegionReport find_region(const RegionArguments& arguments, const Question& question,
-                         const WrenchPlane& plane) {
-  const Problem problem = problem_of(question);
-  Progress progress;
-  RegionReport report;
-  ResistibleOptions options;
-  options.mode_limit = arguments.mode_limit;
-  options.progress = [&](std::size_t modes) {
+RegionOptions options_of(const RegionArguments& arguments, Progress& progress) {
+  RegionOptions options;
+  options.list = arguments.list;
+  options.modes.mode_limit = arguments.mode_limit;
+  options.modes.progress = [&](std::size_t modes) {
     progress.show("contact modes: " + std::to_string(modes));
   };
-  // False if it was not found within the limit.
-  const auto take = [&](auto found, auto& result) {
-    if (auto* undecided = std::get_if<Undecided>(&found)) {
-      report.undecided = std::move(*undecided);
-      return false;
-    }
-    result = std::get<std::decay_t<decltype(result)>>(std::move(found));
-    return true;
-  };
-  if (take(resistible_region(problem, plane, options, &report.work), report.region) &&
-      arguments.list) {
-    take(resistible_pieces(problem, plane, options, &report.work), report.pieces);
-  }
-  progress.clear();
-  return report;
-}
-
-/// Writes the certificate. Why it could not be made, if it could not.
-std::optional<Undecided> write_certificate(const RegionArguments& arguments,
-                                           const Question& question, const WrenchPlane& plane) {
-  const Problem problem = problem_of(question);
-  Progress progress;
-  ResistibleOptions of_pieces;
-  of_pieces.mode_limit = arguments.mode_limit;
-  of_pieces.progress = [&](std::size_t modes) {
-    progress.show("contact modes: " + std::to_string(modes));
-  };
-  auto pieces = resistible_pieces(problem, plane, of_pieces);
-  if (auto* undecided = std::get_if<Undecided>(&pieces)) return std::move(*undecided);
-  RegionProofOptions options;
-  options.node_limit = arguments.node_limit;
-  options.progress = [&](const RegionProofWork& work) {
+  options.proof.node_limit = arguments.node_limit;
+  options.proof.progress = [&](const RegionProofWork& work) {
     progress.show("refuting cell " + std::to_string(work.cells) + ", node " +
                   std::to_string(work.nodes));
   };
-  auto found =
-      prove_region(problem, plane, std::get<std::vector<ResistiblePiece>>(pieces), options);
-  progress.clear();
-  if (auto* undecided = std::get_if<Undecided>(&found)) return std::move(*undecided);
-  write_whole_file(arguments.certificate,
-                   region_certificate_text(question, plane, std::get<RegionProof>(found),
-                                           "stickslip " STICKSLIP_VERSION));
-  return std::nullopt;
+  return options;
 }
 
 int region(const RegionArguments& arguments) {
   const WrenchPlane plane = arguments.plane();
-  const Question question = arguments.question.question();
-  const RegionReport report = find_region(arguments, question, plane);
-  if (!arguments.certificate.empty() && !report.undecided) {
-    if (const auto undecided = write_certificate(arguments, question, plane)) {
+  Progress progress;
+  const RegionOptions options = options_of(arguments, progress);
+  const RegionAnswer answer = answer_to(arguments.question.question(), plane, options);
+  if (!arguments.certificate.empty() && !answer.undecided) {
+    const auto proved = certificate_of(answer, options);
+    progress.clear();
+    if (const auto* undecided = std::get_if<Undecided>(&proved)) {
       std::cerr << "stickslip: given up at " << undecided->limit
                 << "; the region has no certificate\n";
       return kUndecidedWithinLimit;
     }
+    write_whole_file(arguments.certificate, std::get<std::string>(proved));
   }
-  arguments.numbers.json ? print_json(question, plane, report, arguments.numbers)
-                         : print_text(question, plane, report, arguments.numbers);
-  return report.undecided ? kUndecidedWithinLimit : kDone;
+  progress.clear();
+  if (arguments.numbers.json) {
+    std::cout << finished(to_json(answer), arguments.numbers.floats).dump(1) << '\n';
+  } else {
+    print_text(answer, arguments.numbers);
+  }
+  return answer.undecided ? kUndecidedWithinLimit : kDone;
 }
 
 int draw_region(const RegionArguments& arguments) {
   const WrenchPlane plane = arguments.plane();
-  const Question question = arguments.question.question();
-  const RegionReport report = find_region(arguments, question, plane);
-  if (report.undecided) {
-    std::cerr << "stickslip: given up at " << report.undecided->limit
+  Progress progress;
+  const RegionAnswer answer =
+      answer_to(arguments.question.question(), plane, options_of(arguments, progress));
+  progress.clear();
+  if (answer.undecided) {
+    std::cerr << "stickslip: given up at " << answer.undecided->limit
               << "; no region is known\n";
     return kUndecidedWithinLimit;
   }
-  write_whole_file(arguments.output, plot_region(question, plane, report.region));
+  write_whole_file(arguments.output, plot_region(answer.question, plane, answer.region));
   return kDone;
 }
 

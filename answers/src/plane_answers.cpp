@@ -3,6 +3,9 @@
 
 #include <utility>
 
+#include "stickslip/certificate/certificate.hpp"
+#include "stickslip/core/error.hpp"
+
 namespace stickslip {
 namespace {
 
@@ -44,8 +47,42 @@ Json ends_json(const Interval& interval) {
 
 }  // namespace
 
-Json region_json(const Question& question, const WrenchPlane& plane,
-                 const RegionReport& report) {
+RegionAnswer answer_to(Question question, const WrenchPlane& plane,
+                       const RegionOptions& options) {
+  RegionAnswer answer{std::move(question), plane};
+  const Problem problem = problem_of(answer.question);
+  // False if it was not found within the limit.
+  const auto take = [&](auto found, auto& result) {
+    if (auto* undecided = std::get_if<Undecided>(&found)) {
+      answer.undecided = std::move(*undecided);
+      return false;
+    }
+    result = std::get<std::decay_t<decltype(result)>>(std::move(found));
+    return true;
+  };
+  if (take(resistible_region(problem, plane, options.modes, &answer.work), answer.region) &&
+      options.list) {
+    take(resistible_pieces(problem, plane, options.modes, &answer.work), answer.pieces);
+  }
+  return answer;
+}
+
+std::variant<std::string, Undecided> certificate_of(const RegionAnswer& answer,
+                                                    const RegionOptions& options) {
+  const auto& [question, plane, region, listed, work, undecided] = answer;
+  require(!undecided, "a region that is not known has no certificate");
+  const Problem problem = problem_of(question);
+  std::variant<std::vector<ResistiblePiece>, Undecided> pieces = listed;
+  if (listed.empty()) pieces = resistible_pieces(problem, plane, options.modes);
+  if (auto* limit = std::get_if<Undecided>(&pieces)) return std::move(*limit);
+  auto proof = prove_region(problem, plane, std::get<0>(pieces), options.proof);
+  if (auto* limit = std::get_if<Undecided>(&proof)) return std::move(*limit);
+  return region_certificate_text(question, plane, std::get<RegionProof>(proof),
+                                 "stickslip " STICKSLIP_VERSION);
+}
+
+Json to_json(const RegionAnswer& answer) {
+  const auto& [question, plane, region, pieces, work, undecided] = answer;
   Json json{{"name", question.loaded.grasp.name()},
             {"normal_law", to_string(question.law)},
             {"plane",
@@ -53,29 +90,29 @@ Json region_json(const Question& question, const WrenchPlane& plane,
               {"u", number_json(coordinates(plane.u()))},
               {"v", number_json(coordinates(plane.v()))}}}};
   add_units(json, question.loaded.grasp);
-  if (report.undecided) {
-    json["limit"] = report.undecided->limit;
+  if (undecided) {
+    json["limit"] = undecided->limit;
   } else {
-    json["empty"] = report.region.is_empty();
-    json["whole_plane"] = report.region.is_whole_plane();
+    json["empty"] = region.is_empty();
+    json["whole_plane"] = region.is_whole_plane();
     Json& areas = json["areas"] = Json::array();
-    for (const PlaneArea& area : report.region.areas) {
+    for (const PlaneArea& area : region.areas) {
       Json outlines = Json::array();
       for (const Outline& outline : area.outlines) outlines.push_back(json_of(outline));
       areas.push_back({{"outlines", std::move(outlines)}});
     }
     Json& curves = json["curves"] = Json::array();
-    for (const PlaneCell& curve : report.region.curves) curves.push_back(json_of(curve));
+    for (const PlaneCell& curve : region.curves) curves.push_back(json_of(curve));
     Json& points = json["points"] = Json::array();
-    for (const PlanePoint& point : report.region.points) points.push_back(number_json(point));
-    for (const ResistiblePiece& piece : report.pieces) {
+    for (const PlanePoint& point : region.points) points.push_back(number_json(point));
+    for (const ResistiblePiece& piece : pieces) {
       Json entry{{"slip", slips_text(piece.modes)}, {"closed", Json::array()}};
       for (const ContactMode mode : piece.modes) entry["closed"].push_back(mode.closed);
       entry.update(json_of(piece.cell));
       json["pieces"].push_back(std::move(entry));
     }
   }
-  json["stats"] = stats_json(report.work);
+  json["stats"] = stats_json(work);
   return json;
 }
 

@@ -31,14 +31,10 @@ std::vector<ContactReport> report_contacts(const CaseAnswer& answer, const Witne
   return reports;
 }
 
-std::variant<Decision, BoxDecision> judge(const Question& question, const Problem& problem,
-                                          Engine engine, std::size_t node_limit) {
+std::variant<Decision, BoxDecision> judge(const Problem& problem, Engine engine,
+                                          std::size_t node_limit) {
   if (engine == Engine::kAuto && has_long_equilibria(problem)) {
-    BoxOptions search;
-    search.node_limit = node_limit;
-    if (auto decision = prove_stable_by_degree(question.loaded, question.law, search)) {
-      return std::move(*decision);
-    }
+    if (auto decision = prove_stable_by_degree(problem)) return std::move(*decision);
   }
   ConeOptions search;
   search.node_limit = node_limit;
@@ -58,7 +54,7 @@ Answer answer_to(Question question, const AnswerOptions& options) {
     return BoxAnswer{std::move(question), std::move(decision)};
   }
   Problem problem = problem_of(question);
-  auto judged = judge(question, problem, options.engine, options.node_limit);
+  auto judged = judge(problem, options.engine, options.node_limit);
   if (auto* by_degree = std::get_if<BoxDecision>(&judged)) {
     return answer_by_degree(std::move(question), std::move(*by_degree));
   }

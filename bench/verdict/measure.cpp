@@ -11,12 +11,9 @@
 
 #include "check.hpp"
 #include "limited.hpp"
-#include "stickslip/box/box_verdict.hpp"
+#include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/certificate/certificate.hpp"
-#include "stickslip/core/error.hpp"
 #include "stickslip/core/grasp_file.hpp"
-#include "stickslip/equilibrium/decide.hpp"
-#include "stickslip/equilibrium/search/rounded_equilibrium.hpp"
 
 namespace stickslip::bench {
 namespace {
@@ -87,54 +84,51 @@ double Measurement::counter(const std::string& name) const {
   for (const auto& [key, value] : counters) {
     if (key == name) return value;
   }
-  throw ContractError("no counter " + name);
+  return 0;
 }
 
 namespace {
 
-/// A verdict, in the way in which `stickslip decide` finds it.
-struct Decided {
-  std::string verdict;
-  ConeWork work;                             ///< by degree the nodes alone
-  std::function<std::string()> certificate;  ///< its text
-};
+/// As `stickslip decide` finds it.
+using Judgement = std::variant<Decision, BoxDecision>;
 
-Decided decided(const Question& question) {
-  const Problem problem(question.loaded, question.law);
-  constexpr const char* kProducer = "verdict_bench";
-  Decided result;
-  if (has_long_equilibria(problem)) {
-    if (const auto by_degree = prove_stable_by_degree(question.loaded, question.law)) {
-      result.verdict = name_of(by_degree->verdict);
-      result.work.nodes = by_degree->work.nodes;
-      Question as_box = question;
-      as_box.box = box_of(question.loaded);
-      result.certificate = [as_box, decision = *by_degree] {
-        return box_certificate_text(as_box, decision, kProducer);
-      };
-      return result;
-    }
+Judgement judged(const Question& question) {
+  return judge(Problem(question.loaded, question.law), Engine::kAuto, 0);
+}
+
+std::string verdict_of(const Judgement& judgement) {
+  return std::visit([](const auto& d) { return name_of(d.verdict); }, judgement);
+}
+
+auto work_of(const Judgement& judgement) {
+  if (const auto* by_degree = std::get_if<BoxDecision>(&judgement)) {
+    return counters(by_degree->work);
   }
-  const Verdict verdict = decide_by_cones(problem, {}, &result.work);
-  result.verdict = name_of(verdict);
-  result.certificate = [&question, verdict] {
-    return certificate_text(question, verdict, kProducer);
-  };
-  return result;
+  return std::visit([](const auto& work) { return counters(work); },
+                    std::get<Decision>(judgement).work);
+}
+
+std::string certificate_of(const Question& question, const Judgement& judgement) {
+  if (const auto* by_degree = std::get_if<BoxDecision>(&judgement)) {
+    return *certificate_of(answer_by_degree(question, *by_degree));
+  }
+  const auto& decision = std::get<Decision>(judgement);
+  return certificate_text(question, decision.verdict, producer_of(decision.engine()));
 }
 
 }  // namespace
 
 Measurement measure(const Question& question, double patience_ms) {
   Measurement result;
-  Decided first;
-  result.decide_ms = fastest_ms(patience_ms, [&] { first = decided(question); });
-  result.verdict = first.verdict;
-  for (const auto& [name, value] : counters(first.work)) {
+  Judgement first;
+  result.decide_ms = fastest_ms(patience_ms, [&] { first = judged(question); });
+  result.verdict = verdict_of(first);
+  for (const auto& [name, value] : work_of(first)) {
     result.counters.emplace_back(name, static_cast<double>(value));
   }
   std::string proof;
-  result.certificate_ms = fastest_ms(patience_ms, [&] { proof = first.certificate(); });
+  result.certificate_ms =
+      fastest_ms(patience_ms, [&] { proof = certificate_of(question, first); });
   result.certificate_bytes = static_cast<double>(proof.size());
 
   const auto directory = std::filesystem::temp_directory_path();
@@ -152,9 +146,9 @@ Measurement measure(const Question& question, double patience_ms) {
     result.is_accepted = checks(question, grasp, proof, result.verdict);
   });
 
-  const Decided second = decided(question);
+  const Judgement second = judged(question);
   result.is_reproducible =
-      counters(second.work) == counters(first.work) && second.certificate() == proof;
+      work_of(second) == work_of(first) && certificate_of(question, second) == proof;
   return result;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// One instance decided by the cone engine, its certificate written and checked.
+/// One instance decided as `stickslip decide` does, its certificate written and checked.
 #pragma once
 
 #include <functional>
@@ -23,12 +23,12 @@ struct Measurement {
   double certificate_bytes = 0;
   bool is_accepted = false;      ///< by the checker
   bool is_reproducible = false;  ///< two runs gave the same counters and the same certificate
-  std::vector<std::pair<std::string, double>> counters;  ///< of ConeWork, by name
+  std::vector<std::pair<std::string, double>> counters;  ///< of what decided, by name
 
   double total_ms() const { return decide_ms + certificate_ms; }
   /// What has to be done to have a certificate from a grasp file; the checker reads it too.
   double from_file_ms() const { return read_ms + total_ms(); }
-  double counter(const std::string& name) const;
+  double counter(const std::string& name) const;  ///< 0 if there is none of the name
 };
 
 /// Short runs are repeated for at most about `patience_ms` and the fastest counts.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "stickslip/core/contact_row.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
@@ -237,8 +236,8 @@ std::string certificate_text(const Question& question, const Verdict& verdict,
   require(!question.box, "a box has certificates of its own");
   std::string text = head(question, producer) + kVerdict + "\"" + name_of(verdict) + "\",\n";
   if (const auto* stable = std::get_if<Stable>(&verdict)) {
-    text += " \"twist\": [" + list(coordinates(stable->witness.twist)) + "],\n \"shares\": " +
-            shares_text(in_short(contact_rows(question.loaded.grasp), stable->witness));
+    text += " \"twist\": [" + list(coordinates(stable->witness.twist)) +
+            "],\n \"shares\": " + shares_text(in_short(question.loaded.grasp, stable->witness));
   } else {
     text += tree_text(std::get<Unstable>(verdict).refutation);
   }

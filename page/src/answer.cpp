@@ -300,10 +300,7 @@ class PageAnswer {
                        " contacts; `stickslip region` has no limit"};
     }
     const WrenchPlane plane = WrenchPlane::forces(question.loaded.wrench.torque);
-    RegionReport report;
-    auto found = resistible_region(problem_of(question), plane, {}, &report.work);
-    report.region = std::get<PlaneUnion>(std::move(found));
-    return region_json(question, plane, report);
+    return to_json(answer_to(question, plane));
   }
 
   /// The load is the direction, and nothing else of it is left.

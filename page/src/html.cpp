@@ -22,7 +22,7 @@ const std::string& web_file(const std::string& name) {
 /// The element with a file that the page includes.
 std::string element(const std::string& name, const std::string& nonce) {
   const std::string ending = name.substr(name.find_last_of('.') + 1);
-  if (ending == "css") return "<style>\n" + web_file(name) + "</style>";
+  if (ending == "css") return "<style id=\"" + name + "\">\n" + web_file(name) + "</style>";
   const std::string attribute = nonce.empty() ? "" : " nonce=\"" + nonce + "\"";
   return "<script" + attribute + ">\n" + web_file(name) + "</script>";
 }

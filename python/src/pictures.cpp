@@ -2,6 +2,7 @@
 // Pictures, resistible regions, other methods, and the question for other solvers.
 #include "bindings.hpp"
 #include "exact.hpp"
+#include "stickslip/answers/plane_answers.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/earlier/comparison.hpp"
@@ -10,7 +11,6 @@
 #include "stickslip/plot/grasp_plot.hpp"
 #include "stickslip/plot/region_plot.hpp"
 #include "stickslip/plot/states_plot.hpp"
-#include "stickslip/resistance/region_proof.hpp"
 
 namespace stickslip::python {
 namespace {
@@ -57,57 +57,37 @@ py::object region(const GraspFile& grasp, const py::list& origin, const py::list
                   const py::list& v, const py::object& preload, bool bilateral,
                   std::size_t mode_limit, bool with_pieces, bool certificate,
                   std::size_t node_limit, bool picture) {
-  struct Answer {
-    std::optional<Undecided> undecided;
-    PlaneUnion united;
-    std::vector<ResistiblePiece> pieces;
-    ResistibleWork work;
-    std::string certificate;
-    std::string picture;
+  struct Found {
+    RegionAnswer answer;
+    std::string certificate{};
+    std::string picture{};
   };
   const QuestionOptions asked = question_options(py::none(), preload, bilateral);
   const WrenchPlane where = plane(origin, u, v);
-  const Answer answer = without_gil([&] {
-    const Question question = question_of(grasp, asked);
-    const Problem problem(question.loaded, question.law);
-    ResistibleOptions options;
-    options.mode_limit = mode_limit;
-    Answer result;
-    const auto take = [&](auto found, auto& into) {
-      if (auto* undecided = std::get_if<Undecided>(&found)) {
-        result.undecided = std::move(*undecided);
-        return false;
+  const Found found = without_gil([&] {
+    RegionOptions options;
+    options.list = with_pieces;
+    options.modes.mode_limit = mode_limit;
+    options.proof.node_limit = node_limit;
+    Found result{answer_to(question_of(grasp, asked), where, options)};
+    RegionAnswer& answer = result.answer;
+    if (certificate && !answer.undecided) {
+      auto proved = certificate_of(answer, options);
+      if (auto* undecided = std::get_if<Undecided>(&proved)) {
+        answer.undecided = std::move(*undecided);
+      } else {
+        result.certificate = std::get<std::string>(std::move(proved));
       }
-      into = std::get<std::decay_t<decltype(into)>>(std::move(found));
-      return true;
-    };
-    if (!take(resistible_region(problem, where, options, &result.work), result.united)) {
-      return result;
     }
-    ResistibleWork of_pieces;
-    if ((with_pieces || certificate) &&
-        !take(resistible_pieces(problem, where, options, &of_pieces), result.pieces)) {
-      return result;
+    if (picture && !answer.undecided) {
+      result.picture = plot_region(answer.question, where, answer.region);
     }
-    if (certificate) {
-      RegionProofOptions limit;
-      limit.node_limit = node_limit;
-      RegionProof proof;
-      if (!take(prove_region(problem, where, result.pieces, limit), proof)) return result;
-      result.certificate =
-          region_certificate_text(question, where, proof, "stickslip " STICKSLIP_VERSION);
-    }
-    if (with_pieces) {
-      result.work = of_pieces;
-    } else {
-      result.pieces.clear();
-    }
-    if (picture) result.picture = plot_region(question, where, result.united);
     return result;
   });
+  const RegionAnswer& answer = found.answer;
   if (answer.undecided) return py::dict("limit"_a = answer.undecided->limit);
-  if (picture) return text(answer.picture);
-  const PlaneUnion& all = answer.united;
+  if (picture) return text(found.picture);
+  const PlaneUnion& all = answer.region;
   py::dict stats("modes"_a = answer.work.modes, "pieces"_a = answer.work.pieces);
   if (with_pieces) {
     stats["slip_states"] = answer.work.slip_states;
@@ -123,7 +103,7 @@ py::object region(const GraspFile& grasp, const py::list& origin, const py::list
       "u"_a = fractions(where.u()), "v"_a = fractions(where.v()),
       "whole_plane"_a = all.is_whole_plane(), "stats"_a = stats);
   if (asked.preload) result["preload"] = fraction(*asked.preload);
-  if (certificate) result["certificate"] = text(answer.certificate);
+  if (certificate) result["certificate"] = text(found.certificate);
   return std::move(result);
 }
 

@@ -103,8 +103,7 @@ py::dict decide_grasp(const GraspFile& grasp, const py::object& wrench,
     const Problem problem(question.loaded, question.law);
     const Engine asked_for = engine_named(engine);
     const bool exactly = warnings && asked_for == Engine::kAuto;
-    Judgement judgement =
-        judge(question, problem, exactly ? Engine::kCone : asked_for, node_limit);
+    Judgement judgement = judge(problem, exactly ? Engine::kCone : asked_for, node_limit);
     std::string certificate = certificate_of(question, judgement);
     std::vector<ModelWarning> found;
     if (warnings) found = model_warnings(question, std::get<Decision>(judgement).verdict);
@@ -389,7 +388,7 @@ std::function<ManyAnswer()> planar_question(const py::handle& given, const OneOf
         friction ? std::make_shared<const GraspFile>(with_friction(*grasp, *friction)) : grasp;
     const Question question = question_of(*about, options);
     const auto judgement = std::make_shared<const Judgement>(
-        judge(question, Problem(question.loaded, question.law), engine, node_limit));
+        judge(Problem(question.loaded, question.law), engine, node_limit));
     ManyAnswer answer;
     const auto* decision = std::get_if<Decision>(judgement.get());
     answer.verdict = decision == nullptr ? "stable" : name_of(decision->verdict);

@@ -1,29 +1,47 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Regions and maps as `region --json` and `map --json` print them.
+/// Regions, found and proved, as `region --json` prints them, and maps as `map --json` does.
 #pragma once
 
 #include <optional>
+#include <string>
+#include <variant>
 #include <vector>
 
 #include "stickslip/box/map.hpp"
 #include "stickslip/core/number_text.hpp"
 #include "stickslip/equilibrium/question.hpp"
-#include "stickslip/resistance/resistible_set.hpp"
+#include "stickslip/resistance/region_proof.hpp"
 
 namespace stickslip {
 
 /// What is resisted in a plane of wrenches.
-struct RegionReport {
-  std::vector<ResistiblePiece> pieces;   ///< by contact mode; may be left out
-  PlaneUnion region;                     ///< the union of all pieces
-  ResistibleWork work;                   ///< to find them
-  std::optional<Undecided> undecided{};  ///< if a limit was reached; then nothing else is known
+struct RegionAnswer {
+  Question question;                      ///< its wrench plays no part
+  WrenchPlane plane;                      ///< of the wrenches
+  PlaneUnion region{};                    ///< the union of all pieces
+  std::vector<ResistiblePiece> pieces{};  ///< by contact mode, if they were asked for
+  ResistibleWork work{};                  ///< to find the pieces; if not, the region
+  std::optional<Undecided> undecided{};   ///< at a limit; then nothing else is known
 };
 
-/// Before finished().
-Json region_json(const Question& question, const WrenchPlane& plane,
-                 const RegionReport& report);
+/// How far to go, and whom to tell.
+struct RegionOptions {
+  bool list = false;         ///< the pieces, too
+  ResistibleOptions modes;   ///< of the region, and of its pieces
+  RegionProofOptions proof;  ///< of the certificate
+};
+
+/// Finds the region.
+RegionAnswer answer_to(Question question, const WrenchPlane& plane,
+                       const RegionOptions& options = {});
+
+/// What `region --json` prints, before finished().
+Json to_json(const RegionAnswer& answer);
+
+/// Proves it: the certificate of a region that is known, or the limit at which there is none.
+std::variant<std::string, Undecided> certificate_of(const RegionAnswer& answer,
+                                                    const RegionOptions& options = {});
 
 /// The cells of a map over these axes, before finished().
 Json map_json(const Question& question, const MapAxis& x, const MapAxis& y,

@@ -56,10 +56,9 @@ struct AnswerOptions {
 };
 
 /// The verdict about one grasp: by the engine; or with kAuto, where an exact equilibrium would
-/// be too long (has_long_equilibria), that it is stable, by degree. `problem` is the
-/// question's.
-std::variant<Decision, BoxDecision> judge(const Question& question, const Problem& problem,
-                                          Engine engine, std::size_t node_limit);
+/// be too long (has_long_equilibria), that it is stable, by degree.
+std::variant<Decision, BoxDecision> judge(const Problem& problem, Engine engine,
+                                          std::size_t node_limit);
 
 /// What judge() said by degree about one grasp.
 BoxAnswer answer_by_degree(Question question, BoxDecision decision);

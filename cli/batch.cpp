@@ -90,7 +90,7 @@ class Batch {
 
   int run() {
     to_file_ = writes_to_file();
-    if (!head_.empty()) write(head_);
+    if (!head_.empty()) write(head_, 0);
     using oneapi::tbb::global_control;
     std::optional<global_control> allowed;  // more than there are cores, without a warning
     if (arguments_.threads > 0) {
@@ -198,13 +198,13 @@ class Batch {
   }
 
   void write(const LineResult& result) {
-    write(result.text);
+    write(result.text, 1);
     tally_.count(result.number, result.outcome);
-    ++written_;
     progress_->show(progress_text());
   }
 
-  void write(const std::string& text) {
+  /// An interruption finds the results in the file and their number, or neither.
+  void write(const std::string& text, std::size_t results) {
     std::optional<FileWrite> whole_line;
     if (to_file_) whole_line.emplace();
     errno = 0;
@@ -213,6 +213,7 @@ class Batch {
     if (!*out_) {
       throw cannot_write(arguments_.output == "-" ? "<stdout>" : arguments_.output, errno);
     }
+    written_ += results;
   }
 
   std::string interruption_text() const {

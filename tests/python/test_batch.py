@@ -428,7 +428,7 @@ def test_the_scheduler_does_not_come_back(gated, tmp_path, own_cluster, cluster)
     out = tmp_path / "out.jsonl"
     own_cluster.start_worker()
     process = started(gated, "-o", out, "--scheduler", own_cluster.address,
-                      env={**os.environ, "DASK_DISTRIBUTED__COMM__TIMEOUTS__CONNECT": "1s"})
+                      env={**os.environ, "DASK_DISTRIBUTED__COMM__TIMEOUTS__CONNECT": "5s"})
     kill(own_cluster.scheduler)
     _, err = process.communicate(timeout=DEADLINE)
     assert process.returncode == BAD_INPUT

@@ -2,9 +2,14 @@
 (function (page) {
   const kThemes = ["auto", "light", "dark"];
   const kNames = { auto: "Theme: as the system", light: "Theme: light", dark: "Theme: dark" };
+  const kDark = "(prefers-color-scheme: dark)";
+  /** When the colours are the dark ones. */
+  const kMedia = { auto: kDark, light: "not all", dark: "all" };
+  const dark = [...page.find("style.css").sheet.cssRules].find((rule) => rule.conditionText === kDark);
 
   function setTheme(theme) {
     document.documentElement.dataset.theme = theme;
+    dark.media.mediaText = kMedia[theme];
     page.find("theme").textContent = kNames[theme];
     try {
       localStorage.setItem("stickslip-theme", theme);
@@ -65,7 +70,7 @@
       if (window.innerWidth !== width) page.draw();
       width = window.innerWidth;
     });
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", page.draw);
+    matchMedia(kDark).addEventListener("change", page.draw);
     document.body.dataset.ready = "yes";
   }
   page.views.push(page.restoreFocus);

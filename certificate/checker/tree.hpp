@@ -80,8 +80,8 @@ class TreeWalk {
 
   std::uint64_t nodes() const { return nodes_; }
   std::uint64_t leaves() const { return leaves_; }
-  /// Sum over the leaves, and the nodes that look for what is settled, of the contacts that were
-  /// not settled above them.
+  /// Sum over the leaves, and the nodes that look for what is settled, of the contacts that
+  /// were not settled above them.
   std::uint64_t contacts_visited() const { return contacts_visited_; }
   /// Leaves that doubles with error bounds did not prove.
   std::uint64_t exact_leaves() const { return exact_leaves_; }

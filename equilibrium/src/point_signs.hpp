@@ -13,8 +13,8 @@ struct FilteredFunction {
   const Double5* rounded;  ///< none: always exact
 };
 
-/// Exact signs: from doubles where their error bound decides (search/double_model.hpp), else from
-/// integers.
+/// Exact signs: from doubles where their error bound decides (search/double_model.hpp), else
+/// from integers.
 class PointSigns {
  public:
   explicit PointSigns(const Problem& problem) : problem_(problem), model_(problem) {}

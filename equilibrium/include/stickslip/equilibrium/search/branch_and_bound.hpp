@@ -13,11 +13,11 @@
 /// substitution. When nothing is left to split, or double precision fails, the exact linear
 /// program of region_program.hpp decides.
 ///
-/// Contacts are taken in groups that are alike, and in groups of these: where all of a group are
-/// open, closed, or slip in one direction on a region, that is found and added up at once, by
-/// boxes around the coefficients of their functions with bounds of what is rounded. The search
-/// takes the best edges in the middle of a group for those of all of it; where that leads
-/// nowhere it is done again precisely, and it only proposes.
+/// Contacts are taken in groups that are alike, and in groups of these: where all of a group
+/// are open, closed, or slip in one direction on a region, that is found and added up at once,
+/// by boxes around the coefficients of their functions with bounds of what is rounded. The
+/// search takes the best edges in the middle of a group for those of all of it; where that
+/// leads nowhere it is done again precisely, and it only proposes.
 ///
 /// *Guarantee.* Only planes that cut a region's relative interior are split (or touch it where
 /// no strict function bars touching), each at most once on a path, so the leaves other than

@@ -101,7 +101,7 @@ RegionForces::Signs RegionForces::settled(const ShortVector5& plane,
   for (std::size_t r = 0; r < rays_.size(); ++r) {
     std::int8_t& sign = signs_[r];
     if (sign == kUnsure) sign = static_cast<std::int8_t>(exact_sign(plane, long_plane, r));
-    (sign > 0 ? result.positive : sign < 0 ? result.negative : result.zero) = true;
+    result.add(sign);
   }
   return result;
 }
@@ -161,7 +161,7 @@ RegionForces::Signs RegionForces::separation_signs(std::uint32_t place) {
                              problem_.separation_plane(ContactId(contact)));
     const double size = std::isfinite(value) ? std::fabs(value) : 1;
     value = sign * std::max(size, std::numeric_limits<double>::min());
-    (sign > 0 ? result.positive : sign < 0 ? result.negative : result.zero) = true;
+    result.add(sign);
   }
   return result;
 }
@@ -223,7 +223,7 @@ ContactFreedom RegionForces::contact_slip(const Region& region, std::uint32_t pl
         sign_at(c.slip, c.slip_error, r, slips_[r / kBlock].data()[r % kBlock],
                 model_.planes[contact].slip, problem_.slip_plane(ContactId(contact)));
     signs_[r] = static_cast<std::int8_t>(sign);
-    (sign > 0 ? found.positive : sign < 0 ? found.negative : found.zero) = true;
+    found.add(sign);
   }
   return slip_freedom(region, found);
 }

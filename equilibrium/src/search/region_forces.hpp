@@ -42,8 +42,10 @@ struct ContactFreedom {
 struct UndecidedGroup {
   std::uint32_t group = 0;  ///< of ContactGroups
   ContactFreedom freedom;
-  std::uint32_t begin = 0;  ///< \{ of RegionForces::members()
-  std::uint32_t end = 0;    ///< \} nothing if they are all of the group
+  /// \{ Those that are listed one by one; begin = end if they are all of the group.
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+  /// \}
 };
 
 /// The decided contacts: the sum of (N + sigma mu T) (x) v, so that y.value.x is the work of
@@ -120,6 +122,7 @@ class RegionForces {
     bool unsure = false;
 
     bool cuts() const { return negative && positive; }
+    void add(int sign) { (sign > 0 ? positive : sign < 0 ? negative : zero) = true; }
   };
 
   void list_rays(const Region& region);

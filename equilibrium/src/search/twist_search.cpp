@@ -113,33 +113,35 @@ void TwistSearch::for_each_working(const RegionForces& forces, const UndecidedGr
   });
 }
 
-/// Adds the parts of undecided contacts to bounds_ and acting_.
-void TwistSearch::add_undecided_bounds(const RegionForces& forces, const Double3& twist,
-                                       bool precisely) {
-  const auto [y0, y1, y2] = twist;
-  const std::size_t block_count = forces.blocks().size();
+template <class OnGroup, class OnContact>
+void TwistSearch::for_each_part(const RegionForces& forces, const Double3& twist,
+                                bool precisely, const OnGroup& on_group,
+                                const OnContact& on_contact) const {
   for (std::size_t k = 0; k < forces.undecided().size(); ++k) {
     const UndecidedGroup& u = forces.undecided()[k];
     const ContactGroup& group = model_.groups.groups()[u.group];
-    const BlockForces* sums = forces.block_forces(k);
     if (precisely) {
       const GroupWork work = group_work(group, u.freedom, twist);
       if (work.is_idle(u.freedom)) continue;
       if (!work.is_one_form(u.freedom)) {
-        for_each_working(forces, u, twist, [&](std::uint32_t contact, double, double alpha) {
-          if (alpha == 0) return;
-          for (std::size_t r = 0; r < forces.ray_count(); ++r) {
-            const double push = push_at(model_.contacts[contact], forces.rays()[r]);
-            bounds_[r] += alpha * push;
-            acting_[r] += push;
-          }
-        });
+        for_each_working(forces, u, twist,
+                         [&](std::uint32_t contact, double sigma, double alpha) {
+                           if (alpha != 0) on_contact(model_.contacts[contact], sigma, alpha);
+                         });
         continue;
       }
     }
     const double sigma = middle_edge(group, u.freedom, twist);
-    if (sigma == 0) continue;
-    for (std::size_t b = 0; b < block_count; ++b) {
+    if (sigma != 0) on_group(forces.block_forces(k), sigma);
+  }
+}
+
+/// Adds the parts of undecided contacts to bounds_ and acting_.
+void TwistSearch::add_undecided_bounds(const RegionForces& forces, const Double3& twist,
+                                       bool precisely) {
+  const auto [y0, y1, y2] = twist;
+  const auto add_group = [&, y0 = y0, y1 = y1, y2 = y2](const BlockForces* sums, double sigma) {
+    for (std::size_t b = 0; b < forces.blocks().size(); ++b) {
       const auto& [n, f, pressing, pushes] = sums[b];
       Eigen::Map<BlockDoubles> bounds(&bounds_[b * kBlock]);
       bounds +=
@@ -147,7 +149,15 @@ void TwistSearch::add_undecided_bounds(const RegionForces& forces, const Double3
       Eigen::Map<BlockDoubles> acting(&acting_[b * kBlock]);
       acting += pushes;
     }
-  }
+  };
+  const auto add_contact = [&](const ContactDoubles& c, double, double alpha) {
+    for (std::size_t r = 0; r < forces.ray_count(); ++r) {
+      const double push = push_at(c, forces.rays()[r]);
+      bounds_[r] += alpha * push;
+      acting_[r] += push;
+    }
+  };
+  for_each_part(forces, twist, precisely, add_group, add_contact);
 }
 
 /// The wrench whose work on the twist is the bound at the ray.
@@ -159,33 +169,20 @@ Double3 TwistSearch::wrench_at(const RegionForces& forces, const Double3& twist,
     wrench[j] = x[3] * model_.load[j] + x[4] * model_.growth[j];
     for (std::size_t k = 0; k < 5; ++k) wrench[j] += forces.decided().value[j][k] * x[k];
   }
-  for (std::size_t k = 0; k < forces.undecided().size(); ++k) {
-    const UndecidedGroup& u = forces.undecided()[k];
-    const ContactGroup& group = model_.groups.groups()[u.group];
-    if (precisely) {
-      const GroupWork work = group_work(group, u.freedom, twist);
-      if (work.is_idle(u.freedom)) continue;
-      if (!work.is_one_form(u.freedom)) {
-        for_each_working(forces, u, twist,
-                         [&](std::uint32_t contact, double sigma, double alpha) {
-                           if (alpha == 0) return;
-                           const ContactDoubles& c = model_.contacts[contact];
-                           const double push = push_at(c, x);
-                           for (std::size_t j = 0; j < 3; ++j) {
-                             wrench[j] += push * (c.normal[j] + sigma * c.friction[j]);
-                           }
-                         });
-        continue;
-      }
-    }
-    const double edge = middle_edge(group, u.freedom, twist);
-    if (edge == 0) continue;
-    const BlockForces& sums = forces.block_forces(k)[ray / kBlock];
+  const auto add_group = [&](const BlockForces* blocks, double sigma) {
+    const BlockForces& sums = blocks[ray / kBlock];
     for (std::size_t j = 0; j < 3; ++j) {
       wrench[j] +=
-          sums.normal[j].data()[ray % kBlock] + edge * sums.friction[j].data()[ray % kBlock];
+          sums.normal[j].data()[ray % kBlock] + sigma * sums.friction[j].data()[ray % kBlock];
     }
-  }
+  };
+  const auto add_contact = [&](const ContactDoubles& c, double sigma, double) {
+    const double push = push_at(c, x);
+    for (std::size_t j = 0; j < 3; ++j) {
+      wrench[j] += push * (c.normal[j] + sigma * c.friction[j]);
+    }
+  };
+  for_each_part(forces, twist, precisely, add_group, add_contact);
   return wrench;
 }
 

@@ -84,6 +84,12 @@ class TwistSearch {
   void add_undecided_bounds(const RegionForces& forces, const Double3& twist, bool precisely);
   Double3 wrench_at(const RegionForces& forces, const Double3& twist, std::size_t ray,
                     bool precisely) const;
+  /// What undecided contacts do most on a twist: `on_group(blocks, sigma)` with the sums of a
+  /// group that has one edge, or, unless `precisely`, is taken to; else by contact
+  /// `on_contact(contact, sigma, alpha)`.
+  template <class OnGroup, class OnContact>
+  void for_each_part(const RegionForces& forces, const Double3& twist, bool precisely,
+                     const OnGroup& on_group, const OnContact& on_contact) const;
   /// `visit(contact, sigma, alpha)`, by contact of an undecided group that can work.
   template <class Visit>
   void for_each_working(const RegionForces& forces, const UndecidedGroup& u,

@@ -76,7 +76,7 @@ class Walls {
     double off;    ///< the largest slip at motion_ that the box has
   };
 
-  SquareMatrix<3> in_few_bits(const Matrix& direction) const;
+  SquareMatrix<3> direction_of(const Matrix& direction) const;
   void choose_rows(const std::vector<Vector>& moves);
   std::vector<Vector> extremes();
   void enclose(const std::vector<Vector>& moves);
@@ -232,15 +232,19 @@ void Walls::enclose(const std::vector<Vector>& moves) {
   }
 }
 
-constexpr int kWallBits = 12;
+/// Of a wall or of A; 0 if the proposal is not finite.
+Rational in_few_bits(double entry) {
+  constexpr int kWallBits = 12;
+  return std::isfinite(entry) ? rational_in_bits(entry, kWallBits) : 0;
+}
 
-SquareMatrix<3> Walls::in_few_bits(const Matrix& direction) const {
+SquareMatrix<3> Walls::direction_of(const Matrix& direction) const {
   SquareMatrix<3> result;
   for (Eigen::Index j = 0; j < 3; ++j) {
     for (Eigen::Index k = 0; k < 3; ++k) {
       const double units = (k == 2 ? length_ : 1) * (j == 2 ? length_ : 1);
       result[static_cast<std::size_t>(j)][static_cast<std::size_t>(k)] =
-          rational_in_bits(direction(j, k) * units, kWallBits);
+          in_few_bits(direction(j, k) * units);
     }
   }
   return result;
@@ -254,7 +258,7 @@ SquareMatrix<3> Walls::stiff_direction() const {
     if (!(most > 0) || !(contact.spare > 0)) continue;
     direction += contact.spare / most * contact.row * contact.row.transpose();
   }
-  return in_few_bits(direction);
+  return direction_of(direction);
 }
 
 DegreeProof Walls::proof() const {
@@ -303,16 +307,16 @@ DegreeProof Walls::proof() const {
   }
   const Matrix walls = halves.cwiseInverse().asDiagonal() * rows_;
   const Matrix pull = best * walls;
+  const Vector centre = motion_ + shift;
+  if (!centre.allFinite() || !std::isfinite(centre[2] / length_)) return {};  // no walls at all
   for (Eigen::Index j = 0; j < 3; ++j) {
     for (Eigen::Index k = 0; k < 3; ++k) {
       const double column = k == 2 ? length_ : 1;
       result.walls[static_cast<std::size_t>(j)][static_cast<std::size_t>(k)] =
-          rational_in_bits(walls(j, k) * column, kWallBits);
+          in_few_bits(walls(j, k) * column);
     }
   }
-  result.direction = in_few_bits(pull);
-  const Vector centre = motion_ + shift;
-  if (!centre.allFinite()) return {};  // no walls at all
+  result.direction = direction_of(pull);
   Vector3 d{rational_from_double(centre[0]), rational_from_double(centre[1]),
             rational_from_double(centre[2] / length_)};
   result.twist = rounded_motion(d, result.walls);

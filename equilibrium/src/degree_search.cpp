@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "search/mode_balance.hpp"
 #include "search/wall_search.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/equilibrium/search/degree.hpp"
@@ -77,6 +78,29 @@ Rational rounded(double value, double steepest) {
   if (!(steepest > 0) || !std::isfinite(steepest)) return rational_from_double(value);
   const double grain = std::ldexp(1.0, -static_cast<int>(std::ceil(std::log2(steepest))) - 8);
   return rational_from_double(std::round(value / grain) * grain);
+}
+
+/// K and A in few bits, with the middle of K going from one motion to another; all 0 if
+/// something is not finite.
+SegmentByDegree in_few_bits(const Eigen::Matrix3d& walls, const Eigen::Matrix3d& direction,
+                            const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+  SegmentByDegree shape;
+  if (!walls.allFinite() || !direction.allFinite() || !from.allFinite() || !to.allFinite()) {
+    return shape;
+  }
+  constexpr int kBits = 12;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const auto row = static_cast<Eigen::Index>(j);
+    const double steepest = walls.col(row).lpNorm<Eigen::Infinity>();
+    shape.twist[j] = rounded(from[row], steepest);
+    shape.end_twist[j] = rounded(to[row], steepest);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto column = static_cast<Eigen::Index>(k);
+      shape.walls[j][k] = rational_in_bits(walls(row, column), kBits);
+      shape.direction[j][k] = rational_in_bits(direction(row, column), kBits);
+    }
+  }
+  return shape;
 }
 
 /// How large K is to be.
@@ -162,7 +186,26 @@ std::optional<SegmentByDegree> DegreeSearch::prove_one() {
   const std::optional<Motion> at = settle(1, 0, nullptr);
   if (!at) return std::nullopt;
   last_size_ = kSizeForOne;
-  return prove_around(*at, std::nullopt, *at, *at, kSizes.size());
+  if (auto proof = prove_around(*at, std::nullopt, *at, *at, kSizes.size())) return proof;
+  // What follows takes longer than to refute all motions, where that is easy.
+  constexpr std::size_t kFewNodes = 10;
+  Refutation tree;
+  if (append_wall(problem_, model_, Region::root(problem_), nullptr, kFewNodes, tree,
+                  work_.cone)) {
+    return std::nullopt;
+  }
+  for (const RoundedEquilibrium& near : find_rounded_equilibria(problem_, 1)) {
+    const ModeCell cell = ModeBalance(model_, near).cell();
+    // Where its mode ends at the equilibrium, or near, K has to be larger, and may hold
+    // several.
+    for (const double times : {0.5, 4.0, 32.0}) {
+      ++work_.proofs;
+      auto proof = prove_with(std::nullopt, in_few_bits(cell.walls / times, cell.direction,
+                                                        cell.middle, cell.middle));
+      if (proof) return proof;
+    }
+  }
+  return std::nullopt;
 }
 
 std::optional<SegmentByDegree> DegreeSearch::prove_segment(const MarginInterval& range,
@@ -204,21 +247,8 @@ std::optional<SegmentByDegree> DegreeSearch::prove_around(
     walls.row(2) /= model_.length;
     if (!walls.allFinite()) return std::nullopt;
     if ((walls * (there - middle)).lpNorm<Eigen::Infinity>() > kWithin) continue;
-    SegmentByDegree shape;
-    constexpr int kBits = 12;
-    for (std::size_t j = 0; j < 3; ++j) {
-      const auto row = static_cast<Eigen::Index>(j);
-      const double steepest = walls.col(row).lpNorm<Eigen::Infinity>();
-      shape.twist[j] = rounded(from[row], steepest);
-      shape.end_twist[j] = rounded(to[row], steepest);
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto column = static_cast<Eigen::Index>(k);
-        shape.walls[j][k] = rational_in_bits(walls(row, column), kBits);
-        shape.direction[j][k] = rational_in_bits(-answer(row, column), kBits);
-      }
-    }
     ++work_.proofs;
-    if (auto proof = prove_with(range, std::move(shape))) {
+    if (auto proof = prove_with(range, in_few_bits(walls, -answer, from, to))) {
       last_size_ = static_cast<std::size_t>(&size - kSizes.data());
       return proof;
     }
@@ -244,8 +274,9 @@ std::optional<SegmentByDegree> DegreeSearch::prove_with(
       for (const int sign : {1, -1}) {
         Region region = cell.wall(problem_, wall, sign, second);
         if (second == !range && problem_.law() == NormalLaw::kBilateral) {
+          const ConeSigns signs(region.cone());
           for (std::size_t i = 0; i < problem_.size(); ++i) {
-            if (region.separation(problem_, ContactId(i)) != Separation::kClosed)
+            if (Region::separation(problem_, ContactId(i), signs) != Separation::kClosed)
               return std::nullopt;
           }
         }

@@ -10,7 +10,9 @@
 /// line from one of them to another and is |J e| <= rho by coordinates: J is how forces answer
 /// motions half-way, with friction made smooth over the slips that K has, so that on a wall a
 /// force of about rho is left over, whatever friction does that K leaves open. The trees of the
-/// walls are sought for one rho after another.
+/// walls are sought for one rho after another. Then, for one grasp, K is what keeps the mode of
+/// an equilibrium (mode_balance.hpp): there little is left to decide, however many contacts
+/// would slip otherwise or open close by.
 #pragma once
 
 #include <optional>

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <iostream>
+#include <set>
 
 #include "both_checkers.hpp"
 #include "loads.hpp"
@@ -128,6 +128,21 @@ TEST(LongNumbers, ExactEnginesAgreeAndShortOnesKeepTheirWitness) {
   EXPECT_TRUE(std::holds_alternative<CaseAnswer>(answer_to(ask(few, {}), kQuick)));
 }
 
+// Whose squares and quotients vanish or overflow as doubles: some proposals are no numbers.
+TEST(LongNumbers, TinyOnesEndInAnAnswer) {
+  const Rational tiny = parse_rational("1e-160");
+  const auto at = [&](long x, long y) { return Vector2{x * tiny, y * tiny}; };
+  GraspFile file;
+  file.content = {Grasp({{at(-4, 5), {-7, 6}, 2, 3 * tiny, 0},
+                         {at(7, 3), {2, -5}, 2, 4 * tiny, 2},
+                         {at(2, 6), {5, -5}, Rational(1, 2), 2 * tiny, 1},
+                         {at(7, -5), {-3, 3}, 2, 3 * tiny, 0},
+                         {at(-2, 8), {-6, -9}, Rational(1, 2), 5 * tiny, 0},
+                         {at(5, 9), {-2, 9}, 1, 2 * tiny, 3}}),
+                  {7 * tiny, -6 * tiny, -2 * tiny * tiny}};
+  EXPECT_NO_THROW(answer_to(ask(file, {}), kQuick));
+}
+
 /// With a pull of `tenths` of the sum of preloads, or of as many units as there are contacts;
 /// or a load that some motion meets.
 LoadedGrasp pulled_or_planted(bench::Layout layout, std::size_t contacts, bool preloaded,
@@ -144,43 +159,51 @@ LoadedGrasp pulled_or_planted(bench::Layout layout, std::size_t contacts, bool p
   return {std::move(grasp), std::move(load)};
 }
 
-// However short their equilibria are: few grasps that are stable have no proof by degree, none
-// that is unstable has one.
+/// By their seeds: stable, and no proof by degree is found. Without preload, a load that so few
+/// contacts bear that equilibria are not isolated (1, 65, 69, 129, 193), or an equilibrium that
+/// is not found (201). With preload, one at which two branches of equilibria meet and end
+/// (194), or one that is not found, near the opening of contacts (98, 100, 103).
+const std::set<std::uint64_t> kStableWithoutProof{1, 65, 69, 98, 100, 103, 129, 193, 194, 201};
+
+// However short their equilibria are: all other grasps that are stable have a proof by degree,
+// none that is unstable has one.
 TEST(LongNumbers, ByDegreeWhatTheConeEngineFindsStable) {
   using bench::Layout;
-  std::size_t grasps = 0;
-  std::size_t stable = 0;
-  std::size_t proved = 0;
-  std::uint64_t seed = 0;
+  constexpr std::size_t kRounds = 8;
+  std::uint64_t first = 1;
   for (const Layout layout : {Layout::kRound, Layout::kArc, Layout::kEdges, Layout::kVaried}) {
     for (const NormalLaw law : {NormalLaw::kUnilateral, NormalLaw::kBilateral}) {
       for (const int tenths : {0, 1, 5, 20}) {
-        for (std::size_t round = 0; round < test::rounds(8U); ++round) {
+        for (std::size_t step = 0; step < test::rounds(kRounds); ++step) {
+          const std::size_t round = 3 * step % kRounds;  // some of each kind come first
+          const std::uint64_t seed = first + round;
           const bool preloaded = round % 4 != 0;
           const std::size_t contacts = 3 + 5 * round % 38;
           const Question question{
-              pulled_or_planted(layout, contacts, preloaded, ++seed, law, tenths), law, {}};
+              pulled_or_planted(layout, contacts, preloaded, seed, law, tenths), law, {}};
           const Problem problem = problem_of(question);
           const Decision truth = decide(problem, Engine::kCone);
           const bool is_stable = std::holds_alternative<Stable>(truth.verdict);
           const auto by_degree = prove_stable_by_degree(problem);
-          SCOPED_TRACE(question.loaded.grasp.name() + " " + std::to_string(tenths));
-          ++grasps;
-          if (is_stable) ++stable;
+          SCOPED_TRACE(question.loaded.grasp.name() + " " + std::to_string(seed));
+          // Where nothing presses, all contacts are on the point of opening at every
+          // equilibrium, so that no K around one keeps them closed.
+          const bool is_idle =
+              law == NormalLaw::kBilateral && !preloaded && question.loaded.wrench == Wrench{};
+          const bool is_listed = kStableWithoutProof.count(seed) != 0;
+          EXPECT_TRUE(is_stable || !is_listed);
+          EXPECT_EQ(by_degree.has_value(), is_stable && !is_idle && !is_listed);
           if (!by_degree) continue;
-          ++proved;
-          EXPECT_TRUE(is_stable);
           const auto certificate = certificate_of(answer_by_degree(question, *by_degree));
           ASSERT_TRUE(certificate.has_value());
           test::CheckerInput input{write_grasp(question.loaded), *certificate, {}};
           input.options.law = law;
           test::expect_accepted_by_both(input);
         }
+        first += kRounds;
       }
     }
   }
-  std::cout << grasps << " grasps, " << stable << " stable, " << proved << " by degree\n";
-  EXPECT_GE(proved, stable / 2);
 }
 
 }  // namespace

@@ -37,8 +37,9 @@ class RegionProgram {
       program_.add_row(std::move(coefficients), Relation::kEqual,
                        -coordinates(problem.wrench())[j]);
     }
+    const ConeSigns signs(region.cone());
     for (std::size_t i = 0; i < problem.size(); ++i) {
-      separations_.push_back(region.separation(problem, ContactId(i)));
+      separations_.push_back(Region::separation(problem, ContactId(i), signs));
       add_contact(i);
     }
   }

@@ -89,14 +89,10 @@ IntegerVector5 plane_of(const Wrench& row) {
 
 /// The sign that the plane has on all accelerations of the region, if it has one.
 std::optional<Sign> sign_on(const Region& region, const IntegerVector5& plane) {
-  const SignRange range = signs_on(region.cone(), plane);
+  const ConeSigns signs(region.cone());
+  const SignRange range = signs.on(plane);
   if (range.is_zero()) return Sign::kZero;
-  if (range.is_mixed()) return std::nullopt;
-  std::vector<const Ray*> on_plane;
-  for (const Ray& ray : region.cone().rays()) {
-    if (dot(plane, ray.x).is_zero()) on_plane.push_back(&ray);
-  }
-  if (!region.is_barred(on_plane)) return std::nullopt;
+  if (range.is_mixed() || !region.is_barred(signs.rays_in(plane))) return std::nullopt;
   return range.negative ? Sign::kNegative : Sign::kPositive;
 }
 

@@ -79,6 +79,7 @@ class CellRefuter::View {
   View(const Problem& problem, const Region& region, const Loads& loads, double length)
       : problem_(problem),
         region_(region),
+        signs_(region.cone()),
         loads_(loads),
         length_(length),
         rays_(region.generators(problem)) {
@@ -107,7 +108,7 @@ class CellRefuter::View {
   bool is_hopeless(const IntegerVector3& y) const;
   Found search() const;
   /// Where the combination of wrenches breaks a law with the most energy.
-  std::optional<Split> broken_law(const Found& found) const;
+  std::optional<ContactSplit> broken_law(const Found& found) const;
   /// Near a multiple of y.
   std::optional<IntegerVector3> confirm(const std::array<double, 3>& y) const {
     return in_fewest_bits<3>(y, {3, 6, 10, 16, 24, 36, 50},
@@ -118,12 +119,12 @@ class CellRefuter::View {
 
  private:
   void add_pusher(ContactId contact) {
-    const Separation separation = region_.separation(problem_, contact);
+    const Separation separation = Region::separation(problem_, contact, signs_);
     if (separation == Separation::kOpen) return;
     const ContactRow& row = problem_.row(contact);
     Pusher p{contact,
              separation == Separation::kMixed,
-             region_.slip_sign(problem_, contact),
+             region_.slip_sign(problem_, contact, signs_),
              {},
              {},
              rounded(coordinates(row.normal), length_),
@@ -151,6 +152,7 @@ class CellRefuter::View {
 
   const Problem& problem_;
   const Region& region_;
+  ConeSigns signs_;
   const Loads& loads_;
   double length_;
   std::vector<Ray> rays_;  ///< lines both ways as well
@@ -328,7 +330,7 @@ CellRefuter::View::Found CellRefuter::View::search() const {
   });
 }
 
-std::optional<CellRefuter::Split> CellRefuter::View::broken_law(const Found& found) const {
+std::optional<ContactSplit> CellRefuter::View::broken_law(const Found& found) const {
   std::array<double, 4> x{};
   std::vector<double> normal(pushers_.size());
   std::vector<double> tangential(pushers_.size());  // b / mu
@@ -347,14 +349,14 @@ std::optional<CellRefuter::Split> CellRefuter::View::broken_law(const Found& fou
   }
   double energy = 0;
   double widest = 0;
-  std::optional<Split> split;
+  std::optional<ContactSplit> split;
   for (std::size_t k = 0; k < pushers_.size(); ++k) {
     const Pusher& p = pushers_[k];
     const ContactRow& row = problem_.row(p.contact);
     const double stiffness = to_double(row.stiffness);
     const double a = normal[k];
     energy += a * a / stiffness;
-    const auto consider = [&](double gap, Split at) {
+    const auto consider = [&](double gap, ContactSplit at) {
       if (!(gap > widest)) return;
       widest = gap;
       split = at;
@@ -372,7 +374,7 @@ std::optional<CellRefuter::Split> CellRefuter::View::broken_law(const Found& fou
     const double slip = to_double(row.tangent.x) * x[0] + to_double(row.tangent.y) * x[1] +
                         to_double(row.tangent.torque) * x[2];
     const double gap = to_double(row.friction) * (a * std::fabs(slip) + tangential[k] * slip);
-    if (gap > widest && !signs_on(region_.cone(), problem_.slip_plane(p.contact)).is_zero()) {
+    if (gap > widest && !signs_.on(problem_.slip_plane(p.contact)).is_zero()) {
       consider(gap, SlipSplit{p.contact});
     }
   }
@@ -394,19 +396,9 @@ CellRefuter::CellRefuter(const Problem& problem, const WrenchPlane& plane,
   if (most > 0 && std::isfinite(most)) length_ = most;
 }
 
-CellRefuter::Step CellRefuter::split_at(const Region& region, const Split& split) const {
-  Step step{std::visit([](const auto& at) { return RegionNode(at); }, split), {}};
-  if (const auto* slip = std::get_if<SlipSplit>(&split)) {
-    for (const Sign sign : {Sign::kPositive, Sign::kZero, Sign::kNegative}) {
-      step.children.push_back(region.slip_child(problem_, slip->contact, sign));
-    }
-  } else {
-    const ContactId contact = std::get<SeparationSplit>(split).contact;
-    for (const Separation side : {Separation::kClosed, Separation::kOpen}) {
-      step.children.push_back(region.separation_child(problem_, contact, side));
-    }
-  }
-  return step;
+CellRefuter::Step CellRefuter::split_at(const Region& region, const ContactSplit& at) const {
+  return {std::visit([](const auto& split) { return RegionNode(split); }, at),
+          region.children(problem_, at)};
 }
 
 /// Closes or splits one node; nothing at the limit.

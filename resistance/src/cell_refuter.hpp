@@ -25,12 +25,11 @@ class CellRefuter {
 
  private:
   using Step = equilibrium_detail::Branch<RegionNode, Region>;
-  using Split = std::variant<SlipSplit, SeparationSplit>;
   struct Loads;
   class View;
 
   std::optional<Step> examine(const Region& region, const Loads& loads);
-  Step split_at(const Region& region, const Split& split) const;
+  Step split_at(const Region& region, const ContactSplit& at) const;
 
   const Problem& problem_;
   const WrenchPlane& plane_;

@@ -126,8 +126,9 @@ class PieceFinder {
   bool separate(const Region& region, std::size_t contact) {
     throw_if_cancelled();
     if (!has_motion(region)) return true;
+    const ConeSigns signs(region.cone());
     for (; contact < problem_.size(); ++contact) {
-      const Separation separation = region.separation(problem_, ContactId(contact));
+      const Separation separation = Region::separation(problem_, ContactId(contact), signs);
       closed_[contact] = separation != Separation::kOpen;
       if (separation != Separation::kMixed) continue;
       for (const bool closed : {true, false}) {

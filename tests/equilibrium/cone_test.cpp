@@ -177,7 +177,7 @@ TEST(Cone, CanBecomeEmpty) {
   const Cone cone = cone_of(cuts);
   EXPECT_TRUE(cone.rays().empty());
   EXPECT_TRUE(cone.directions().empty());
-  const SignRange range = signs_on(cone, {1, 2, 3, 4});
+  const SignRange range = ConeSigns(cone).on({1, 2, 3, 4});
   EXPECT_TRUE(range.is_zero() && range.is_nonnegative() && range.is_nonpositive());
 }
 
@@ -274,7 +274,7 @@ TEST(Cone, OrderOfCutsDoesNotMatter) {
   }
 }
 
-TEST(SignsOn, AgreesWithSubstitution) {
+TEST(ConeSigns, AgreeWithSubstitution) {
   RandomSource random(3);
   for (int round = 0; round < 300; ++round) {
     Cone cone;
@@ -288,13 +288,49 @@ TEST(SignsOn, AgreesWithSubstitution) {
       negative = negative || dot(plane, x) < 0;
       positive = positive || dot(plane, x) > 0;
     }
-    const SignRange range = signs_on(cone, plane);
+    const SignRange range = ConeSigns(cone).on(plane);
     EXPECT_EQ(range.negative, negative);
     EXPECT_EQ(range.positive, positive);
     EXPECT_EQ(range.is_nonnegative(), !negative);
     EXPECT_EQ(range.is_nonpositive(), !positive);
     EXPECT_EQ(range.is_zero(), !negative && !positive);
     EXPECT_EQ(range.is_mixed(), negative && positive);
+  }
+}
+
+// Planes that pass a ray by so little that doubles cannot see on which side, or through it.
+TEST(ConeSigns, AreExactWhereDoublesGiveOut) {
+  RandomSource random(5);
+  for (const unsigned bits : {4U, 60U, 200U, 1100U}) {
+    std::size_t cones = 0;
+    for (int round = 0; round < 60; ++round) {
+      Cone cone;
+      for (int n = 0; n < 6; ++n) {
+        IntegerVector5 plane = random_plane(random, 9);
+        for (Integer& entry : plane) entry = (entry << bits) + random.between(-3, 3);
+        cone.cut(plane, random_side(random));
+      }
+      if (cone.rays().empty() || !cone.lines().empty()) continue;
+      ++cones;
+      // (a, x) = beside * h on the first ray.
+      const IntegerVector5& x = cone.rays()[0].x;
+      for (const int beside : {-1, 0, 1}) {
+        const IntegerVector5 plane = {x[1] * x[3], -x[0] * x[3], 0, beside, 0};
+        SignRange range;
+        std::size_t through = 0;
+        for (const Ray& ray : cone.rays()) {
+          const int sign = dot(plane, ray.x).sign();
+          (sign < 0 ? range.negative : sign > 0 ? range.positive : range.zero) = true;
+          if (sign == 0) ++through;
+        }
+        const ConeSigns signs(cone);
+        EXPECT_EQ(signs.on(plane).negative, range.negative);
+        EXPECT_EQ(signs.on(plane).zero, range.zero);
+        EXPECT_EQ(signs.on(plane).positive, range.positive);
+        EXPECT_EQ(signs.rays_in(plane).size(), through);
+      }
+    }
+    EXPECT_GE(cones, 20U) << bits;
   }
 }
 

@@ -83,6 +83,32 @@ TEST(Region, BilateralRootOpensNoContact) {
   }
 }
 
+// Though most of them cut nothing, and whatever the order.
+TEST(Region, BilateralRootIsCutByAllContacts) {
+  RandomSource random(11);
+  const auto sorted_rays = [](const Cone& cone) {
+    std::vector<IntegerVector5> rays;
+    for (const Ray& ray : cone.rays()) rays.push_back(ray.x);
+    std::sort(rays.begin(), rays.end());
+    return rays;
+  };
+  for (int round = 0; round < 300; ++round) {
+    const auto contacts = static_cast<std::size_t>(random.between(1, 12));
+    const Grasp grasp = random.one_in(2) ? test::degenerate_grasp(random, contacts)
+                                         : test::generic_grasp(random, contacts);
+    const Problem problem({grasp, {1, 2, 3}}, NormalLaw::kBilateral);
+    Cone naive;
+    for (std::size_t i = 0; i < problem.size(); ++i) {
+      naive.cut(problem.separation_plane(ContactId(i)), Side::kPositive);
+    }
+    const Region root = Region::root(problem);
+    ASSERT_EQ(root.cone().lines().size(), naive.lines().size());
+    EXPECT_EQ(root.cone().rays().size(), naive.rays().size());
+    if (!naive.lines().empty()) continue;  // modulo lines rays have no one form
+    EXPECT_EQ(sorted_rays(root.cone()), sorted_rays(naive));
+  }
+}
+
 TEST(Region, SlipChildrenCarryLabels) {
   const Problem problem = fig4(0);
   const Region root = Region::root(problem);
@@ -165,7 +191,7 @@ TEST(Region, WithSlipStateIsTheClosedCell) {
   EXPECT_FALSE(cell.is_void());
   for (std::size_t i = 0; i < state.size(); ++i) {
     EXPECT_EQ(cell.label(ContactId(i)), state[i]);
-    const SignRange range = signs_on(cell.cone(), problem.slip_plane(ContactId(i)));
+    const SignRange range = ConeSigns(cell.cone()).on(problem.slip_plane(ContactId(i)));
     EXPECT_EQ(range.is_zero(), state[i] == Sign::kZero);
     EXPECT_TRUE(range.is_nonnegative());
   }

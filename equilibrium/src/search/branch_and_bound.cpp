@@ -27,6 +27,7 @@ class Explorer {
       : problem_(problem),
         model_(model),
         options_(options),
+        root_(Region::root(problem)),
         forces_(problem, model),
         search_(model) {}
 
@@ -38,10 +39,16 @@ class Explorer {
   /// Depth first, in preorder. Nothing if it ended early: at a witness, or at the limit.
   std::optional<Refutation> explore() {
     Refutation tree;
-    const auto step = [&](const Region& region, std::size_t depth) {
+    const auto step = [&](const Region& region, std::size_t depth) -> std::optional<Step> {
+      // Small trees find equilibria in less time, and with simpler numbers.
+      constexpr std::size_t kFirst = 64;
+      if (work_.nodes >= kFirst && near_) {
+        search_within(*std::exchange(near_, std::nullopt));
+        if (witness_) return std::nullopt;
+      }
       return examine(region, depth);
     };
-    if (!append_tree(Region::root(problem_), tree, step)) return std::nullopt;
+    if (!append_tree(root_, tree, step)) return std::nullopt;
     return tree;
   }
 
@@ -49,19 +56,46 @@ class Explorer {
   /// search finds in the all-stick state if it exists, and where Newton's method leads from
   /// rest.
   bool try_witness_from_rest() {
-    const Region rest = Region::root(problem_).with_slip_state(
-        problem_, std::vector<Sign>(problem_.size(), Sign::kZero));
+    const Region rest =
+        root_.with_slip_state(problem_, std::vector<Sign>(problem_.size(), Sign::kZero));
     if (!rest.is_void()) {
       forces_.read(rest);
       const SearchResult found = search_.search(forces_, true, work_);
       if (!found.separated && try_witness_of(found)) return true;
     }
     ++work_.witness_attempts;
-    witness_ = find_witness_from_rest(problem_, model_);
+    witness_ = find_witness_from_rest(problem_, model_, near_);
     return witness_.has_value();
   }
 
  private:
+  /// Explores a tree of a few motions, of which a witness is all that is wanted. Its nodes are
+  /// not counted: they are in no refutation.
+  void search_within(const MotionBox& box) {
+    Region region = root_;
+    for (std::size_t j = 0; j < 3; ++j) {
+      for (const int side : {-1, 1}) {
+        Vector5 face{};
+        face[j] = -side;
+        face[3] =
+            side * rational_from_double(box.middle[j]) + rational_from_double(box.reach[j]);
+        region = std::move(region).plane_child(primitive_multiple(face), Side::kPositive);
+      }
+    }
+    constexpr std::size_t kMostNodes = 200;  // where an equilibrium is near, mostly one will do
+    const ConeWork tree_work = std::exchange(work_, {});
+    Refutation tree;
+    append_tree(std::move(region), tree, [&](const Region& part, std::size_t depth) {
+      return work_.nodes < kMostNodes ? examine(part, depth) : std::nullopt;
+    });
+    const ConeWork here = std::exchange(work_, tree_work);
+    work_.searches += here.searches;
+    work_.support_points += here.support_points;
+    work_.visits += here.visits;
+    work_.exact_programs += here.exact_programs;
+    work_.witness_attempts += here.witness_attempts;
+  }
+
   /// Closes or splits one node; nothing if it found a witness, or at the limit.
   std::optional<Step> examine(const Region& region, std::size_t depth) {
     if (options_.node_limit != 0 && work_.nodes >= options_.node_limit) return std::nullopt;
@@ -164,9 +198,11 @@ class Explorer {
   const Problem& problem_;
   const DoubleModel& model_;
   const ConeOptions& options_;
+  Region root_;
   RegionForces forces_;
   TwistSearch search_;
   ConeWork work_;
+  std::optional<MotionBox> near_;        ///< where an equilibrium may be; not yet searched
   std::vector<ModeGuess> failed_modes_;  ///< of the last relaxed equilibrium tried
   std::optional<Witness> witness_;
   Rational multiple_ = 0;

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <numeric>
 
+#include "double_model.hpp"
+
 namespace stickslip {
 namespace {
 
@@ -204,16 +206,43 @@ std::pair<ConeIn<n>, ConeIn<n>> ConeIn<n>::halves(const IntegerVector<n>& plane)
 template class ConeIn<5>;
 template class ConeIn<8>;
 
-SignRange signs_on(const Cone& cone, const IntegerVector5& plane) {
-  SignRange range;
-  for (const IntegerVector5& line : cone.lines()) {
+ConeSigns::ConeSigns(const Cone& cone) : cone_(cone) {
+  rounded_.reserve(cone.rays().size());
+  for (const Ray& ray : cone.rays()) {
+    rounded_.push_back(equilibrium_detail::to_doubles(ray.x));
+  }
+}
+
+template <class Visit>
+void ConeSigns::for_each_sign(const IntegerVector5& plane, const Visit& visit) const {
+  const std::array<double, 5> rounded = equilibrium_detail::to_doubles(plane);
+  for (std::size_t r = 0; r < rounded_.size(); ++r) {
+    double value = 0;
+    const auto certain = equilibrium_detail::certain_sign(rounded, rounded_[r], value);
+    const Ray& ray = cone_.rays()[r];
+    visit(ray, certain ? *certain : sign_of(dot(plane, ray.x)));
+  }
+}
+
+SignRange ConeSigns::on(const IntegerVector5& plane) const {
+  for (const IntegerVector5& line : cone_.lines()) {
     if (!dot(plane, line).is_zero()) return {true, true, true};
   }
-  for (const Ray& ray : cone.rays()) {
-    const int sign = dot(plane, ray.x).sign();
-    (sign < 0 ? range.negative : sign > 0 ? range.positive : range.zero) = true;
-  }
+  SignRange range;
+  for_each_sign(plane, [&](const Ray&, Sign sign) {
+    (sign == Sign::kNegative   ? range.negative
+     : sign == Sign::kPositive ? range.positive
+                               : range.zero) = true;
+  });
   return range;
+}
+
+std::vector<const Ray*> ConeSigns::rays_in(const IntegerVector5& plane) const {
+  std::vector<const Ray*> result;
+  for_each_sign(plane, [&](const Ray& ray, Sign sign) {
+    if (sign == Sign::kZero) result.push_back(&ray);
+  });
+  return result;
 }
 
 }  // namespace stickslip

@@ -195,6 +195,15 @@ class GroupMaker {
 
 }  // namespace
 
+ShortVector5::ShortVector5(const IntegerVector5& x) {
+  constexpr std::size_t kBits = 61;  // five products stay below 2^125
+  for (std::size_t j = 0; j < 5 && is_short; ++j) {
+    const auto* entry = x[j].backend().data();
+    is_short = mpz_sizeinbase(entry, 2) <= kBits;
+    entries[j] = mpz_get_si(entry);
+  }
+}
+
 ContactGroups::ContactGroups(const Problem& problem,
                              const std::vector<ContactDoubles>& contacts, double length,
                              std::size_t smallest)
@@ -204,14 +213,18 @@ ContactGroups::ContactGroups(const Problem& problem,
   GroupMaker(problem, contacts, length, smallest, order_, groups_)
       .add(0, static_cast<std::uint32_t>(order_.size()));
   rows_.reserve(order_.size());
+  planes_.reserve(order_.size());
   for (const std::uint32_t i : order_) {
+    planes_.push_back({ShortVector5(problem.slip_plane(ContactId(i))),
+                       ShortVector5(problem.separation_plane(ContactId(i)))});
     const ContactDoubles& c = contacts[i];
     rows_.push_back({c.separation,
                      c.separation_error,
                      {c.slip[0], c.slip[1], c.slip[2]},
                      c.slip_error,
                      c.normal,
-                     c.friction});
+                     c.friction,
+                     c.frictionless});
   }
 }
 

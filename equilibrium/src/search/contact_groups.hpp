@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "stickslip/equilibrium/problem.hpp"
@@ -15,6 +16,28 @@
 namespace stickslip::equilibrium_detail {
 
 struct ContactDoubles;
+
+/// An integer vector of which no entry is beyond 2^61, or a note that it is none.
+struct ShortVector5 {
+  explicit ShortVector5(const IntegerVector5& x);
+  std::array<std::int64_t, 5> entries{};  ///< if it is short
+  bool is_short = true;
+};
+
+/// The sign of a.b, if both are short.
+inline std::optional<int> short_sign(const ShortVector5& a, const ShortVector5& b) {
+  if (!a.is_short || !b.is_short) return std::nullopt;
+  __extension__ using Wide = __int128;
+  Wide sum = 0;
+  for (std::size_t j = 0; j < 5; ++j) sum += static_cast<Wide>(a.entries[j]) * b.entries[j];
+  return (sum > 0) - (sum < 0);
+}
+
+/// Positive multiples of a contact's tau_i and v_i.
+struct ContactPlanes {
+  ShortVector5 slip;
+  ShortVector5 separation;
+};
 
 /// A box around vectors of n coefficients in double precision, each within four unit roundoffs
 /// of an exact one, entry by entry; 0 where that is 0.
@@ -57,6 +80,7 @@ struct ContactRowDoubles {
   double slip_error;
   std::array<double, 3> normal;
   std::array<double, 3> friction;
+  bool frictionless;
 };
 
 /// A binary tree of groups, in preorder. O(m log m) to make.
@@ -74,12 +98,15 @@ class ContactGroups {
   bool are_single() const { return are_single_; }
   /// The contacts, a group's beside each other.
   const std::vector<std::uint32_t>& order() const { return order_; }
-  /// In this order.
+  /// \{ In this order.
   const std::vector<ContactRowDoubles>& rows() const { return rows_; }
+  const std::vector<ContactPlanes>& planes() const { return planes_; }
+  /// \}
 
  private:
   bool are_single_ = false;
   std::vector<ContactRowDoubles> rows_;
+  std::vector<ContactPlanes> planes_;
   std::vector<ContactGroup> groups_;
   std::vector<std::uint32_t> order_;
 };

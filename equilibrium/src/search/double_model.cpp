@@ -15,23 +15,6 @@ double sum_of_sizes(const Double5& a) {
 
 }  // namespace
 
-ShortVector5::ShortVector5(const IntegerVector5& x) {
-  constexpr std::size_t kBits = 61;  // five products stay below 2^125
-  for (std::size_t j = 0; j < 5 && is_short; ++j) {
-    const auto* entry = x[j].backend().data();
-    is_short = mpz_sizeinbase(entry, 2) <= kBits;
-    entries[j] = mpz_get_si(entry);
-  }
-}
-
-std::optional<int> short_sign(const ShortVector5& a, const ShortVector5& b) {
-  if (!a.is_short || !b.is_short) return std::nullopt;
-  __extension__ using Wide = __int128;
-  Wide sum = 0;
-  for (std::size_t j = 0; j < 5; ++j) sum += static_cast<Wide>(a.entries[j]) * b.entries[j];
-  return (sum > 0) - (sum < 0);
-}
-
 double DoubleModel::read(const Rational& value) {
   constexpr double kLargest = 0x1p200;
   const double rounded = to_double(value);
@@ -46,8 +29,6 @@ DoubleModel::DoubleModel(const Problem& problem) {
     const ContactRow& row = problem.rows()[i];
     const ContactId id(i);
     ContactDoubles c{};
-    planes.push_back(
-        {ShortVector5(problem.slip_plane(id)), ShortVector5(problem.separation_plane(id))});
     c.normal = read(row.normal);
     c.friction = read(row.friction * row.tangent);
     const Double3 tangent = read(row.tangent);

@@ -17,16 +17,6 @@ namespace stickslip::equilibrium_detail {
 
 using Double5 = std::array<double, 5>;
 
-/// An integer vector of which no entry is beyond 2^61, or a note that it is none.
-struct ShortVector5 {
-  explicit ShortVector5(const IntegerVector5& x);
-  std::array<std::int64_t, 5> entries{};  ///< if it is short
-  bool is_short = true;
-};
-
-/// The sign of a.b, if both are short.
-std::optional<int> short_sign(const ShortVector5& a, const ShortVector5& b);
-
 /// One contact; every entry is within one unit roundoff of the exact value if that is moderate.
 struct ContactDoubles {
   Double3 normal;      ///< N
@@ -41,19 +31,12 @@ struct ContactDoubles {
   /// \}
 };
 
-/// Positive multiples of a contact's tau_i and v_i.
-struct ContactPlanes {
-  ShortVector5 slip;
-  ShortVector5 separation;
-};
-
 struct DoubleModel {
   explicit DoubleModel(const Problem& problem);
 
   std::vector<ContactDoubles> contacts;
-  std::vector<ContactPlanes> planes;  ///< by contact
-  Double3 load;                       ///< w
-  Double3 growth;                     ///< u, of a family
+  Double3 load;      ///< w
+  Double3 growth;    ///< u, of a family
   Double3 start{};   ///< the load at the high end of the multiples, or u: where to begin
   double length;     ///< a typical distance, to make torques and forces comparable
   double force = 0;  ///< a typical force
@@ -75,19 +58,18 @@ struct DoubleModel {
 /// 2^-1073 where an entry is so small that it underflows.
 Double5 to_doubles(const IntegerVector5& x);
 
-/// The error of a moderate function's value at a ray as above, by the sum of the absolute
-/// values of its five products.
+/// The error of the value at a ray as above of a moderate function, or of one in integers
+/// rounded as rays are, by the sum of the absolute values of its five products.
 inline double rounding_bound(double magnitude) {
-  // Factors 3u, products u, sums 4u, second order: below 9u, with u = 2^-53; magnitude itself
-  // is rounded. What underflows, 2^-1073 in an entry of the ray, is at most 2^-873 in a
-  // product.
+  // Factors 4u, products u, sums 4u, second order: below 10u, with u = 2^-53; magnitude itself
+  // is rounded. What underflows, 2^-1073 in a rounded entry, is at most 2^-873 in a product.
   constexpr double kRelativeError = 1.2e-15;
   constexpr double kUnderflow = 1e-250;
   return kRelativeError * magnitude + kUnderflow;
 }
 
-/// value = dot(function, x) in double, with a moderate function and a ray as above: its sign,
-/// if the error bound decides.
+/// value = dot(function, x) in double, with a function and a ray as above: its sign, if the
+/// error bound decides.
 inline std::optional<Sign> certain_sign(const Double5& function, const Double5& x,
                                         double& value) {
   double magnitude = 0;

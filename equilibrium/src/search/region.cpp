@@ -44,6 +44,24 @@ IntegerVector5 with_multiple(const IntegerVector5& x, const Rational& multiple) 
   return primitive(std::move(result));
 }
 
+/// The part of the cone where no v_i is below 0: cut by those that are somewhere. O(m rays).
+void cut_by_normal_law(Cone& cone, const Problem& problem) {
+  const std::size_t m = problem.size();
+  // Contacts far apart first: the later ones then cut less often.
+  std::size_t step = m / 2 + m / 8 + 1;
+  while (std::gcd(step, m) > 1) ++step;
+  std::size_t i = 0;
+  for (std::size_t seen = 0; seen < m;) {
+    const ConeSigns signs(cone);
+    const IntegerVector5* cutting = nullptr;
+    for (; seen < m && cutting == nullptr; ++seen, i = (i + step) % m) {
+      const IntegerVector5& plane = problem.separation_plane(ContactId(i));
+      if (!signs.on(plane).is_nonnegative()) cutting = &plane;
+    }
+    if (cutting != nullptr) cone.cut(*cutting, Side::kPositive);
+  }
+}
+
 }  // namespace
 
 Region Region::root(const Problem& problem) {
@@ -63,11 +81,7 @@ Region Region::root(const Problem& problem) {
     if (!range.has_low) region.strict_.push_back(kAboveLow);
     if (range.high) region.strict_.push_back(kBelowHigh);
   }
-  if (problem.law() == NormalLaw::kBilateral) {
-    for (std::size_t i = 0; i < problem.size(); ++i) {
-      region.cone_.cut(problem.separation_plane(ContactId(i)), Side::kPositive);
-    }
-  }
+  if (problem.law() == NormalLaw::kBilateral) cut_by_normal_law(region.cone_, problem);
   return region;
 }
 
@@ -135,40 +149,63 @@ Region Region::plane_child(const IntegerVector5& plane, Side side) && {
   return std::move(*this);
 }
 
+std::vector<Region> Region::children(const Problem& problem, const ContactSplit& at) const {
+  std::vector<Region> children;
+  if (const auto* slip = std::get_if<SlipSplit>(&at)) {
+    for (const Sign sign : {Sign::kPositive, Sign::kZero, Sign::kNegative}) {
+      children.push_back(slip_child(problem, slip->contact, sign));
+    }
+  } else {
+    const ContactId contact = std::get<SeparationSplit>(at).contact;
+    for (const Separation side : {Separation::kClosed, Separation::kOpen}) {
+      children.push_back(separation_child(problem, contact, side));
+    }
+  }
+  return children;
+}
+
 Region Region::with_slip_state(const Problem& problem, const std::vector<Sign>& state) const {
   require(state.size() == problem.size(), "a slip state has one sign per contact");
   Region region = *this;
+  std::optional<ConeSigns> signs(region.cone_);
   for (std::size_t i = 0; i < state.size(); ++i) {
     const IntegerVector5& plane = problem.slip_plane(ContactId(i));
     region.labels_[i] = state[i];
-    const SignRange range = signs_on(region.cone_, plane);
+    const SignRange range = signs->on(plane);
     const bool satisfied = state[i] == Sign::kZero       ? range.is_zero()
                            : state[i] == Sign::kPositive ? range.is_nonnegative()
                                                          : range.is_nonpositive();
-    if (!satisfied) region.cone_.cut(plane, side_of(state[i]));
+    if (satisfied) continue;
+    region.cone_.cut(plane, side_of(state[i]));
+    signs.emplace(region.cone_);
   }
   return region;
 }
 
 Separation Region::separation(const Problem& problem, ContactId contact) const {
-  const SignRange range = signs_on(cone_, problem.separation_plane(contact));
+  return separation(problem, contact, ConeSigns(cone_));
+}
+
+Separation Region::separation(const Problem& problem, ContactId contact,
+                              const ConeSigns& signs) {
+  const SignRange range = signs.on(problem.separation_plane(contact));
   if (range.is_nonnegative()) return Separation::kClosed;
   return range.is_nonpositive() ? Separation::kOpen : Separation::kMixed;
 }
 
 std::optional<Sign> Region::slip_sign(const Problem& problem, ContactId contact) const {
+  return slip_sign(problem, contact, ConeSigns(cone_));
+}
+
+std::optional<Sign> Region::slip_sign(const Problem& problem, ContactId contact,
+                                      const ConeSigns& signs) const {
   if (const std::optional<Sign> known = label(contact)) {
     if (*known == Sign::kZero) return std::nullopt;
     return known;
   }
   const IntegerVector5& plane = problem.slip_plane(contact);
-  const SignRange range = signs_on(cone_, plane);
-  if (range.is_mixed()) return std::nullopt;
-  std::vector<const Ray*> on_plane;
-  for (const Ray& ray : cone_.rays()) {
-    if (dot(plane, ray.x).is_zero()) on_plane.push_back(&ray);
-  }
-  if (!is_barred(on_plane)) return std::nullopt;
+  const SignRange range = signs.on(plane);
+  if (range.is_mixed() || !is_barred(signs.rays_in(plane))) return std::nullopt;
   return range.negative ? Sign::kNegative : Sign::kPositive;
 }
 
@@ -233,12 +270,13 @@ std::vector<Rational> work_bounds_on(const std::vector<Ray>& generators, const P
     const Vector5* v;
   };
   std::vector<Kink> kinks;
+  const ConeSigns signs(region.cone());
   for (std::size_t i = 0; i < problem.size(); ++i) {
     const ContactId contact(i);
-    const Separation separation = region.separation(problem, contact);
+    const Separation separation = Region::separation(problem, contact, signs);
     if (separation == Separation::kOpen) continue;
     const ContactRow& row = problem.row(contact);
-    const std::optional<Sign> slip = region.slip_sign(problem, contact);
+    const std::optional<Sign> slip = region.slip_sign(problem, contact, signs);
     const Rational friction = row.friction * power(row.tangent, y);
     Rational alpha = power(row.normal, y);
     alpha += slip ? Rational(-to_int(*slip)) * friction : abs(friction);

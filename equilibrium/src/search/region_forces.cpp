@@ -14,19 +14,8 @@ constexpr std::int8_t kUnsure = 2;
 
 Branch<RefutationNode, Region> split_region(const Problem& problem, const Region& region,
                                             const ContactSplit& at) {
-  Branch<RefutationNode, Region> branch{
-      std::visit([](const auto& split) { return RefutationNode(split); }, at), {}};
-  if (const auto* slip = std::get_if<SlipSplit>(&at)) {
-    for (const Sign sign : {Sign::kPositive, Sign::kZero, Sign::kNegative}) {
-      branch.children.push_back(region.slip_child(problem, slip->contact, sign));
-    }
-  } else {
-    const ContactId contact = std::get<SeparationSplit>(at).contact;
-    for (const Separation side : {Separation::kClosed, Separation::kOpen}) {
-      branch.children.push_back(region.separation_child(problem, contact, side));
-    }
-  }
-  return branch;
+  return {std::visit([](const auto& split) { return RefutationNode(split); }, at),
+          region.children(problem, at)};
 }
 
 void RegionForces::list_rays(const Region& region) {
@@ -153,12 +142,13 @@ RegionForces::Signs RegionForces::separation_signs(std::uint32_t place) {
   if (model_.is_moderate && nearest.minCoeff() > c.separation_error) {
     return {least.minCoeff() < 0, false, most.maxCoeff() > 0, false};
   }
-  const std::uint32_t contact = model_.groups.order()[place];
+  const IntegerVector5& plane =
+      problem_.separation_plane(ContactId(model_.groups.order()[place]));
   Signs result;
   for (std::size_t r = 0; r < rays_.size(); ++r) {
     double& value = values_[r / kBlock].data()[r % kBlock];
-    const int sign = sign_at(f, c.separation_error, r, value, model_.planes[contact].separation,
-                             problem_.separation_plane(ContactId(contact)));
+    const int sign = sign_at(f, c.separation_error, r, value,
+                             model_.groups.planes()[place].separation, plane);
     const double size = std::isfinite(value) ? std::fabs(value) : 1;
     value = sign * std::max(size, std::numeric_limits<double>::min());
     result.add(sign);
@@ -192,19 +182,19 @@ std::optional<ContactFreedom> RegionForces::group_slip(const Region& region,
   if (found.unsure && !found.cuts()) {
     if (!group.has_one_slip_plane) return std::nullopt;
     const ContactId first(model_.groups.order()[group.begin]);
-    found = settled(model_.planes[first.index()].slip, problem_.slip_plane(first));
+    found = settled(model_.groups.planes()[group.begin].slip, problem_.slip_plane(first));
   }
   return slip_freedom(region, found);
 }
 
 ContactFreedom RegionForces::contact_slip(const Region& region, std::uint32_t place) {
-  const std::uint32_t contact = model_.groups.order()[place];
+  const ContactRowDoubles& c = model_.groups.rows()[place];
   // Both edges are one.
-  if (model_.contacts[contact].frictionless) return {Separation::kMixed, 1, false};
-  if (const std::optional<Sign> label = region.label(ContactId(contact))) {
+  if (c.frictionless) return {Separation::kMixed, 1, false};
+  const ContactId contact(model_.groups.order()[place]);
+  if (const std::optional<Sign> label = region.label(contact)) {
     return {Separation::kMixed, static_cast<std::int8_t>(to_int(*label)), false};
   }
-  const ContactRowDoubles& c = model_.groups.rows()[place];
   BlockDoubles least = BlockDoubles::Constant(HUGE_VAL);
   BlockDoubles most = -least;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
@@ -219,9 +209,8 @@ ContactFreedom RegionForces::contact_slip(const Region& region, std::uint32_t pl
   }
   Signs found;
   for (std::size_t r = 0; r < rays_.size() && !found.cuts(); ++r) {
-    const int sign =
-        sign_at(c.slip, c.slip_error, r, slips_[r / kBlock].data()[r % kBlock],
-                model_.planes[contact].slip, problem_.slip_plane(ContactId(contact)));
+    const int sign = sign_at(c.slip, c.slip_error, r, slips_[r / kBlock].data()[r % kBlock],
+                             model_.groups.planes()[place].slip, problem_.slip_plane(contact));
     signs_[r] = static_cast<std::int8_t>(sign);
     found.add(sign);
   }

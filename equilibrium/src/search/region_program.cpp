@@ -73,7 +73,10 @@ class ColumnGeneration {
   /// Of other loads.
   ColumnGeneration(const Problem& problem, const Region& region,
                    std::vector<LoadedGenerator> generators)
-      : problem_(problem), region_(region), generators_(std::move(generators)) {
+      : problem_(problem),
+        region_(region),
+        signs_(region.cone()),
+        generators_(std::move(generators)) {
     begin();
   }
 
@@ -132,6 +135,7 @@ class ColumnGeneration {
   ColumnGeneration(const Problem& problem, const Region& region, std::vector<Ray> rays)
       : problem_(problem),
         region_(region),
+        signs_(region.cone()),
         rays_(std::move(rays)),
         generators_(loaded_generators(problem, rays_)) {
     begin();
@@ -185,7 +189,7 @@ class ColumnGeneration {
   /// Without friction both edges of the cone are one: any sign serves.
   std::optional<Sign> slip_for(ContactId contact) const {
     if (problem_.row(contact).friction.is_zero()) return Sign::kPositive;
-    return region_.slip_sign(problem_, contact);
+    return region_.slip_sign(problem_, contact, signs_);
   }
 
   void push_along(OpenContact& open, int edge) {
@@ -342,6 +346,7 @@ class ColumnGeneration {
 
   const Problem& problem_;
   const Region& region_;
+  ConeSigns signs_;
   std::vector<Ray> rays_;  ///< of the problem's own loads; then one for each generator
   std::vector<LoadedGenerator> generators_;
   std::vector<Vector3>

@@ -62,18 +62,6 @@ struct GroupWork {
   }
 };
 
-/// The edge on which friction works most, or 0 if it does not count: in the middle of a group.
-double middle_edge(const ContactGroup& group, const ContactFreedom& freedom, const Double3& y) {
-  double normal = 0;
-  double friction = 0;
-  for (std::size_t j = 0; j < 3; ++j) {
-    normal -= group.separation.center[j] * y[j];
-    friction += group.friction.center[j] * y[j];
-  }
-  const double sigma = freedom.edge(friction);
-  return freedom.is_closed() || normal + sigma * friction > 0 ? sigma : 0;
-}
-
 GroupWork group_work(const ContactGroup& group, const ContactFreedom& freedom,
                      const Double3& y) {
   const ValueRange minus_normal = range_of(group.separation, y);
@@ -118,10 +106,9 @@ void TwistSearch::for_each_part(const RegionForces& forces, const Double3& twist
                                 bool precisely, const OnGroup& on_group,
                                 const OnContact& on_contact) const {
   for (std::size_t k = 0; k < forces.undecided().size(); ++k) {
-    const UndecidedGroup& u = forces.undecided()[k];
-    const ContactGroup& group = model_.groups.groups()[u.group];
     if (precisely) {
-      const GroupWork work = group_work(group, u.freedom, twist);
+      const UndecidedGroup& u = forces.undecided()[k];
+      const GroupWork work = group_work(model_.groups.groups()[u.group], u.freedom, twist);
       if (work.is_idle(u.freedom)) continue;
       if (!work.is_one_form(u.freedom)) {
         for_each_working(forces, u, twist,
@@ -131,7 +118,7 @@ void TwistSearch::for_each_part(const RegionForces& forces, const Double3& twist
         continue;
       }
     }
-    const double sigma = middle_edge(group, u.freedom, twist);
+    const double sigma = middles_[k].edge(twist);
     if (sigma != 0) on_group(forces.block_forces(k), sigma);
   }
 }
@@ -184,6 +171,15 @@ Double3 TwistSearch::wrench_at(const RegionForces& forces, const Double3& twist,
   };
   for_each_part(forces, twist, precisely, add_group, add_contact);
   return wrench;
+}
+
+void TwistSearch::list_middles(const RegionForces& forces) {
+  middles_.clear();
+  for (const UndecidedGroup& u : forces.undecided()) {
+    const ContactGroup& group = model_.groups.groups()[u.group];
+    const auto& v = group.separation.center;
+    middles_.push_back({{-v[0], -v[1], -v[2]}, group.friction.center, u.freedom});
+  }
 }
 
 /// Rays are as long as their directions happen to be; their wrenches compare by force.
@@ -240,6 +236,7 @@ std::pair<std::size_t, double> TwistSearch::worst_ray(const RegionForces& forces
 
 SearchResult TwistSearch::search(const RegionForces& forces, bool precisely, ConeWork& work) {
   ++work.searches;
+  list_middles(forces);
   scale_rays(forces);
   // In torques over the length.
   const double length = model_.length;
@@ -339,15 +336,14 @@ TwistSearch::GapBounds TwistSearch::gap_bounds(const ContactGroup& group,
 double TwistSearch::energy(const RegionForces& forces, const SearchResult& found) const {
   double sum = 0;
   for (std::size_t k = 0; k < forces.undecided().size(); ++k) {
-    const UndecidedGroup& u = forces.undecided()[k];
-    const ContactGroup& group = model_.groups.groups()[u.group];
     double pressing = 0;
     for (const PushedMotion& pushed : found.pushed) {
-      if (middle_edge(group, u.freedom, pushed.twist) == 0) continue;
+      if (middles_[k].edge(pushed.twist) == 0) continue;
       const BlockForces& sums = forces.block_forces(k)[pushed.ray / kBlock];
       pressing += pushed.weight * sums.pressing.data()[pushed.ray % kBlock];
     }
-    sum += pressing * pressing / group.stiffness;
+    const UndecidedGroup& u = forces.undecided()[k];
+    sum += pressing * pressing / model_.groups.groups()[u.group].stiffness;
   }
   return sum;
 }

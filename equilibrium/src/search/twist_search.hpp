@@ -78,6 +78,23 @@ class TwistSearch {
     double separation = 0;
     double slip = 0;
   };
+  /// The middle of an undecided group, side by side in memory with those of others.
+  struct Middle {
+    Double3 normal;
+    Double3 friction;
+    ContactFreedom freedom;
+
+    /// The edge on which friction works most, or 0 if it does not count.
+    double edge(const Double3& y) const {
+      const double work = y[0] * friction[0] + y[1] * friction[1] + y[2] * friction[2];
+      const double sigma = freedom.edge(work);
+      if (freedom.is_closed()) return sigma;
+      const double alpha =
+          y[0] * normal[0] + y[1] * normal[1] + y[2] * normal[2] + sigma * work;
+      return alpha > 0 ? sigma : 0;
+    }
+  };
+  void list_middles(const RegionForces& forces);
   void scale_rays(const RegionForces& forces);
   std::pair<std::size_t, double> worst_ray(const RegionForces& forces, const Double3& twist,
                                            bool precisely);
@@ -102,6 +119,7 @@ class TwistSearch {
 
   const DoubleModel& model_;
   const Direction<3>* direction_;
+  std::vector<Middle> middles_;
   std::vector<double> bounds_;  ///< g(r)
   std::vector<double> acting_;  ///< above 0 where an undecided contact may act
   std::vector<double> errors_;  ///< magnitudes of g(r)'s terms

@@ -270,21 +270,42 @@ RoundedEquilibrium near(const SmoothBalance& balance, const DoubleModel& model,
   return result;
 }
 
-/// The residual that is reached from rest, and the motion: epsilon falls from the size of all
-/// motion to nothing. `each` sees the stages.
-template <class Each>
-void relax_from_rest(const DoubleModel& model, SmoothBalance& balance, const Each& each) {
+/// A balance from rest, with friction as little smooth as it was found: epsilon, which stays
+/// set, falls from the size of all motion to nothing, in shorter steps where it goes too fast.
+/// `last_move` gets the last change. Nothing if none was found, or nothing resists.
+std::optional<Eigen::Vector3d> relax_from_rest(const DoubleModel& model, SmoothBalance& balance,
+                                               Eigen::Vector3d& last_move) {
   double stiffness = 0;
   for (const ContactDoubles& c : model.contacts) stiffness += c.stiffness;
-  if (!(stiffness > 0)) return;
-  Eigen::Vector3d d = Eigen::Vector3d::Zero();
-  constexpr int kStages = 14;
+  if (!(stiffness > 0)) return std::nullopt;
+  constexpr int kStages = 20;  // 14, and some shorter steps
   constexpr int kSteps = 12;
-  double epsilon = model.force / stiffness * static_cast<double>(model.contacts.size());
-  for (int stage = 0; stage < kStages; ++stage, epsilon *= 0.1) {
+  constexpr double kFinest = 5e-14;
+  constexpr double kShortest = 0.75;  // of 0.1^(1/8); no balance is near that such a step loses
+  const double coarsest = model.force / stiffness * static_cast<double>(model.contacts.size());
+  Eigen::Vector3d d = Eigen::Vector3d::Zero();
+  double balanced = 0;  // the last epsilon that did
+  double epsilon = coarsest;
+  double step = 0.1;
+  for (int stage = 0; stage < kStages && epsilon >= kFinest * coarsest; ++stage) {
     balance.set_epsilon(epsilon);
-    each(d, settle(balance, model, d, kSteps));
+    Eigen::Vector3d next = d;
+    constexpr double kBalanced = 1e-6;
+    if (settle(balance, model, next, kSteps) <= kBalanced * model.force) {
+      last_move = next - d;
+      d = next;
+      balanced = epsilon;
+    } else if (balanced == 0) {
+      d = next;  // the first stages may only come near
+    } else {
+      step = std::sqrt(step);
+      if (step > kShortest) break;
+    }
+    epsilon = (balanced > 0 ? balanced : epsilon) * step;
   }
+  if (!(balanced > 0)) return std::nullopt;
+  balance.set_epsilon(balanced);
+  return d;
 }
 
 /// Where the load moves springs that neither open nor slip, stiff in both directions.
@@ -367,18 +388,25 @@ void relax_around(const DoubleModel& model, std::size_t starts, SmoothBalance& b
 
 }  // namespace
 
-std::optional<Witness> find_witness_from_rest(const Problem& problem,
-                                              const DoubleModel& model) {
+std::optional<Witness> find_witness_from_rest(const Problem& problem, const DoubleModel& model,
+                                              std::optional<MotionBox>& otherwise) {
+  const bool any_resists = std::any_of(model.contacts.begin(), model.contacts.end(),
+                                       [](const auto& c) { return c.stiffness > 0; });
+  if (!any_resists) return complete_exactly(problem, {});
   SmoothBalance balance(model);
-  Eigen::Vector3d motion;
-  double residual = -1;
-  relax_from_rest(model, balance, [&](const Eigen::Vector3d& d, double size) {
-    motion = d;
-    residual = size;
-  });
-  if (residual == -1) return complete_exactly(problem, {});  // nothing resists
-  if (!(residual <= 1e-6 * model.force)) return std::nullopt;
-  return complete(problem, balance, model, motion);
+  Eigen::Vector3d move = Eigen::Vector3d::Zero();
+  const std::optional<Eigen::Vector3d> d = relax_from_rest(model, balance, move);
+  if (!d || opens_unlawfully(problem, balance, *d)) return std::nullopt;
+  if (auto witness = complete_exactly(problem, guesses(balance, model, *d))) return witness;
+  // Farther than the last step, as the next ones, which did not balance, would have gone on.
+  constexpr double kFarther = 16;
+  move[2] *= model.length;
+  const double reach = kFarther * move.norm();
+  const double turn = reach / model.length;
+  if (std::isfinite(reach) && std::isfinite(turn)) {
+    otherwise = MotionBox{{(*d)[0], (*d)[1], (*d)[2]}, {reach, reach, turn}};
+  }
+  return std::nullopt;
 }
 
 std::optional<Witness> find_witness_near(const Problem& problem, const DoubleModel& model,
@@ -450,13 +478,10 @@ std::vector<RoundedEquilibrium> find_rounded_equilibria(const Problem& problem,
   const DoubleModel model(problem);
   SmoothBalance balance(model);
   std::vector<RoundedEquilibrium> found;
-  constexpr double kBalanced = 1e-9;
-  relax_from_rest(model, balance, [&](const Eigen::Vector3d& d, double size) {
-    // The last stage that balances: friction is most nearly as it should be.
-    if (!(size <= kBalanced * model.force)) return;
-    found.clear();
-    found.push_back(near(balance, model, d));
-  });
+  Eigen::Vector3d move;
+  if (const auto d = relax_from_rest(model, balance, move)) {
+    found.push_back(near(balance, model, *d));
+  }
   const auto add = [&](const Eigen::Vector3d& d) {
     const bool is_new = std::none_of(found.begin(), found.end(), [&](const auto& other) {
       constexpr double kSame = 1e-6;

@@ -34,10 +34,18 @@ std::optional<Witness> complete_exactly(const Problem& problem,
                                         const std::vector<ModeGuess>& guesses,
                                         const Witness* near = nullptr);
 
+/// Motions d within `reach` of a middle, by coordinates.
+struct MotionBox {
+  Double3 middle;
+  Double3 reach;
+};
+
 /// Newton's method in the three unknowns of d for balance with friction made smooth,
 /// -mu c_n clamp(T.d / epsilon); then complete_exactly. From rest: epsilon falls from the size
-/// of all motion to nothing. O(m) for each of at most a few hundred steps.
-std::optional<Witness> find_witness_from_rest(const Problem& problem, const DoubleModel& model);
+/// of all motion to nothing. If it ends at a balance that cannot be completed, `otherwise` gets
+/// where an equilibrium may be near. O(m) for each of at most a few hundred steps.
+std::optional<Witness> find_witness_from_rest(const Problem& problem, const DoubleModel& model,
+                                              std::optional<MotionBox>& otherwise);
 
 /// The same from d = `start` with a small epsilon; gives up early unless `start` is near, or if
 /// it comes to the modes of `failed`, if given, which then gets those that fail here.

@@ -11,7 +11,8 @@
 /// relaxed equilibrium; the contact that breaks the laws the most is split by its slip or
 /// separation plane. Candidates for an equilibrium are completed exactly and verified by
 /// substitution. When nothing is left to split, or double precision fails, the exact linear
-/// program of region_program.hpp decides.
+/// program of region_program.hpp decides. Where the tree grows beyond a few dozen nodes and
+/// Newton's method from rest had come to a balance, the motions near that are searched first.
 ///
 /// Contacts are taken in groups that are alike, and in groups of these: where all of a group
 /// are open, closed, or slip in one direction on a region, that is found and added up at once,
@@ -36,7 +37,7 @@ namespace stickslip {
 
 /// What the engine did; reproducible.
 struct ConeWork {
-  std::size_t nodes = 0;              ///< regions looked at
+  std::size_t nodes = 0;              ///< regions looked at, but for those near such a balance
   std::size_t leaves = 0;             ///< virtual-work leaves
   std::size_t voids = 0;              ///< void leaves
   std::size_t slip_splits = 0;        ///< nodes split by slip, into three

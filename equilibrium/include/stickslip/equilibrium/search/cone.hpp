@@ -6,6 +6,7 @@
 /// description method revisited", 1996), in integers.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -94,7 +95,25 @@ struct SignRange {
   bool is_mixed() const { return negative && positive; }
 };
 
-/// The signs of plane.x for x in the cone. O(rays + lines).
-SignRange signs_on(const Cone& cone, const IntegerVector5& plane);
+/// The signs of linear functions on one cone, which has to outlive this: from doubles where
+/// their error bounds tell, else from integers.
+class ConeSigns {
+ public:
+  /// Rounds its rays.
+  explicit ConeSigns(const Cone& cone);
+
+  /// Those of plane.x for x in the cone. O(rays + lines).
+  SignRange on(const IntegerVector5& plane) const;
+  /// The rays on which plane.x = 0.
+  std::vector<const Ray*> rays_in(const IntegerVector5& plane) const;
+
+ private:
+  /// `visit(ray, sign)`
+  template <class Visit>
+  void for_each_sign(const IntegerVector5& plane, const Visit& visit) const;
+
+  const Cone& cone_;
+  std::vector<std::array<double, 5>> rounded_;  ///< by ray
+};
 
 }  // namespace stickslip

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "stickslip/equilibrium/contact_mode.hpp"
@@ -13,6 +14,9 @@
 #include "stickslip/equilibrium/verdict.hpp"
 
 namespace stickslip {
+
+/// A split by what one contact does.
+using ContactSplit = std::variant<SlipSplit, SeparationSplit>;
 
 /// A set of motions between the planes of its splits. A split makes new ones.
 class Region {
@@ -53,6 +57,8 @@ class Region {
   Region plane_child(const IntegerVector5& plane, Side side) const&;
   Region plane_child(const IntegerVector5& plane, Side side) &&;
   /// \}
+  /// All children of a split, in the order of a tree.
+  std::vector<Region> children(const Problem& problem, const ContactSplit& at) const;
 
   /// The intersection with all of a slip state at once: contact i has label state[i].
   Region with_slip_state(const Problem& problem, const std::vector<Sign>& state) const;
@@ -63,6 +69,13 @@ class Region {
   /// The sign of slip that every solution in the region has, so that friction is on one edge of
   /// its cone; nothing when friction may lie anywhere in it ("has the sign", FORMAT.md).
   std::optional<Sign> slip_sign(const Problem& problem, ContactId contact) const;
+
+  /// \{ The same where many are asked for, with the signs on cone().
+  static Separation separation(const Problem& problem, ContactId contact,
+                               const ConeSigns& signs);
+  std::optional<Sign> slip_sign(const Problem& problem, ContactId contact,
+                                const ConeSigns& signs) const;
+  /// \}
 
   /// True if some strict function is 0 on all of these generators or rays of cone(): no
   /// solution is a combination of them and lines alone.

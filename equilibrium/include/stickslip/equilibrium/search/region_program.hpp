@@ -28,9 +28,6 @@
 
 namespace stickslip {
 
-/// A split that a region's relaxation asks for.
-using ContactSplit = std::variant<SlipSplit, SeparationSplit>;
-
 /// A point of the relaxation; an equilibrium iff nothing is broken.
 struct RelaxedPoint {
   Witness witness;        ///< motion and forces

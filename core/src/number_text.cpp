@@ -2,7 +2,10 @@
 #include "stickslip/core/number_text.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+
+#include "stickslip/core/error.hpp"
 
 namespace stickslip {
 namespace {
@@ -23,9 +26,21 @@ bool holds_numbers(const Json& value) {
          (value.is_array() && std::any_of(value.begin(), value.end(), holds_numbers));
 }
 
+/// Not by parse_rational(): it limits what people write, and answers have longer numbers and
+/// larger exponents.
+double nearest_double(const std::string& text) {
+  if (text.find_first_of(".e") == std::string::npos) return to_double(Rational(text));
+  double nearest = 0;
+  const char* end = text.data() + text.size();
+  const auto found = std::from_chars(text.data(), end, nearest);
+  require(found.ptr == end, "an answer has numbers of its own form");
+  if (found.ec != std::errc::result_out_of_range) return nearest;
+  return text.find("e-") == std::string::npos ? HUGE_VAL : 0.0;
+}
+
 Json nearest_doubles(const Json& value) {
   if (value.is_binary()) {
-    const double nearest = to_double(parse_rational(text_of(value)));
+    const double nearest = nearest_double(text_of(value));
     return std::isfinite(nearest) ? Json(nearest) : Json();
   }
   if (!value.is_array()) return value;

@@ -62,7 +62,8 @@ py::object region(const GraspFile& grasp, const py::list& origin, const py::list
     std::string certificate{};
     std::string picture{};
   };
-  const QuestionOptions asked = question_options(py::none(), preload, bilateral);
+  QuestionOptions asked = question_options(py::none(), preload, bilateral);
+  asked.wrench = Wrench{};  // the plane stands for all loads of the grasp
   const WrenchPlane where = plane(origin, u, v);
   const Found found = without_gil([&] {
     RegionOptions options;

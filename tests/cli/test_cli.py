@@ -653,7 +653,7 @@ class Floats(Case):
 
     def numbers(self, value):
         """The nearest doubles to the exact numbers that a member is, or None if it is not such."""
-        if isinstance(value, str) and re.fullmatch(r"-?\d+(/\d+|\.\d+)?(e[-+]\d+)?", value):
+        if isinstance(value, str) and re.fullmatch(r"-?\d+(/\d+|\.\d+)?(e[-+]?\d+)?", value):
             try:
                 return float(Fraction(value))
             except OverflowError:
@@ -715,6 +715,23 @@ class Floats(Case):
         self.assertEqual(answer["wrench_float"], [None, 0, 123456789123456789123 / 7])
         text = stickslip("decide", FIG1, "--wrench", "1e400,-1e-400,123456789123456789123/7")[1]
         self.assertIn("(1e400, -1e-400, ~1.76367e19)", text)
+
+    def test_numbers_that_no_file_holds(self):
+        """Longer than a grasp file may spell them; and with larger exponents."""
+        self.addCleanup(sys.set_int_max_str_digits, sys.get_int_max_str_digits())
+        sys.set_int_max_str_digits(0)
+        short = self.write("short.json", {
+            "format": "stickslip-grasp/1", "wrench": [0, 0, "1e4096"], "defaults": {"friction": 100},
+            "contacts": [{"position": [0, 0], "normal": [1, 1]},
+                         {"position": ["1e-4096", 0], "normal": [-1, -1]},
+                         {"position": [0, "1e-4096"], "normal": [1, 2]}]})
+        for at_least, needle, *words in (
+                (5, r'"-?[0-9/]{16385,}"', "region", os.path.join(CORPUS, "good", "exact_numbers.json")),
+                (5, r'"-?[.0-9]+e8191"', "decide", short)):
+            plain, answer = self.json(*words), self.json(*words, "--floats")
+            self.assertRegex(json.dumps(plain), needle)
+            self.assertGreaterEqual(self.check(answer), at_least, words)
+            self.assertEqual(answer, plain)
 
     def test_usage(self):
         self.fails("decide", FIG1, "--floats", naming=["--json"])

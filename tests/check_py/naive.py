@@ -8,6 +8,7 @@ References "§" are to certificate/FORMAT.md.
 
 from fractions import Fraction
 from itertools import combinations, product
+from math import gcd, lcm
 
 
 def dot(a, b):
@@ -17,18 +18,28 @@ def dot(a, b):
 # ---- Linear algebra ---------------------------------------------------------------------------
 
 
+def integers(row):
+    """The positive multiple that is integer and has no common factor."""
+    common = lcm(*(Fraction(c).denominator for c in row))
+    row = [int(c * common) for c in row]
+    factor = gcd(*row) or 1
+    return [c // factor for c in row]
+
+
 def row_echelon(rows):
-    """The reduced row echelon form: a list of (pivot column, row)."""
+    """The reduced row echelon form but for multiples of its rows: a list of (pivot column, row)."""
+
+    def without(row, pivot, other):
+        return integers([other[pivot] * c - row[pivot] * e for c, e in zip(row, other)])
+
     result = []
-    for row in rows:
-        row = [Fraction(c) for c in row]
+    for row in map(integers, rows):
         for pivot, other in result:
-            row = [c - row[pivot] * e for c, e in zip(row, other)]
+            row = without(row, pivot, other)
         pivot = next((j for j, c in enumerate(row) if c), None)
         if pivot is None:
             continue
-        row = [c / row[pivot] for c in row]
-        result = [(p, [c - other[pivot] * e for c, e in zip(other, row)]) for p, other in result]
+        result = [(p, without(other, pivot, row)) for p, other in result]
         result.append((pivot, row))
     return result
 
@@ -46,8 +57,8 @@ def null_space(rows, n):
         x = [Fraction(0)] * n
         x[free] = Fraction(1)
         for pivot, row in echelon:
-            x[pivot] = -row[free]
-        basis.append(tuple(x))
+            x[pivot] = Fraction(-row[free], row[pivot])
+        basis.append(tuple(integers(x)))
     return basis
 
 
@@ -57,7 +68,7 @@ def generators(conditions, n):
     An extreme ray is, modulo the lines, the only direction in which its tight conditions leave
     freedom; so every set of conditions of rank one less than all of them proposes a pair ±x.
     """
-    rows = [a for a, _ in conditions]
+    rows = [integers(a) for a, _ in conditions]
     lines = null_space(rows, n)
     full = n - len(lines)
     rays = {}
@@ -66,7 +77,7 @@ def generators(conditions, n):
         for x in free if len(free) == 1 else ():
             for ray in (x, tuple(-c for c in x)):
                 if all(dot(a, ray) == 0 if equality else dot(a, ray) >= 0
-                       for a, equality in conditions):
+                       for a, (_, equality) in zip(rows, conditions)):
                     rays[frozenset(k for k, a in enumerate(rows) if dot(a, ray) == 0)] = ray
     return lines, rays
 

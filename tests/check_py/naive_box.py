@@ -105,10 +105,12 @@ class Contact:
 
 
 def powers(value):
-    """The coefficients of a function of degree 1 in each of three variables in [0, 1]."""
-    corners = list(product((0, 1), repeat=3))
-    return {i: sum((-1) ** (sum(i) - sum(bits)) * value(bits) for bits in corners
-                   if all(b <= c for b, c in zip(bits, i))) for i in corners}
+    """The coefficients, but those that are 0, of a function of degree 1 in each of three variables
+    in [0, 1]."""
+    values = {bits: value(bits) for bits in product((0, 1), repeat=3)}
+    found = {i: sum((-1) ** (sum(i) - sum(bits)) * values[bits] for bits in values
+                    if all(b <= c for b, c in zip(bits, i))) for i in values}
+    return {i: coefficient for i, coefficient in found.items() if coefficient}
 
 
 @lru_cache(maxsize=None)

@@ -18,6 +18,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 CHECK = os.path.join(HERE, "..", "..", "certificate", "check.py")
@@ -96,6 +97,19 @@ def in_process(arguments):
     return code, out.buffer.getvalue().decode(), err.buffer.getvalue().decode()
 
 
+def both_ways(arguments):
+    """in_process() without and with --json. The certificate is judged once."""
+    judge, found = check.answer, []
+
+    def answer(asked):
+        if not found:
+            found.append(judge(asked))
+        return found[0]
+
+    with unittest.mock.patch.object(check, "answer", answer):
+        return in_process(arguments), in_process([*arguments, "--json"])
+
+
 def start(program, arguments, stdin=None, cwd=None):
     """Exit code, standard output and standard error of one of PROGRAMS."""
     done = subprocess.run([*program, *arguments], input=stdin, capture_output=True, timeout=300,
@@ -137,8 +151,7 @@ class Case(unittest.TestCase):
                 paths.append(os.path.join(folder, name))
                 with open(paths[-1], "wb") as file:
                     file.write(as_bytes(content))
-            code, text, err = in_process([*paths, *options])
-            _, out, _ = in_process([*paths, *options, "--json"])
+            (code, text, err), (_, out, _) = both_ways([*paths, *options])
             report = json.loads(out)
             if STICKSLIP_CHECK:
                 other = start([STICKSLIP_CHECK], [*paths, *options, "--json"])

@@ -282,7 +282,8 @@ class Random(Space):
             verdict = self.verdict(written(contacts, wrench))
             text = smt([[c[key] for key in ("p", "n", "friction", "stiffness", "preload")]
                         for c in contacts], wrench)
-            z3 = run(Z3, "-T:4", "-in", stdin=text)[1].strip()
+            # It answers in a twentieth of a second, or not in many.
+            z3 = run(Z3, "-T:2", "-in", stdin=text)[1].strip()
             self.assertNotIn((verdict, z3), (("stable", "unsat"), ("unstable", "sat")))
             if (verdict, z3) in (("stable", "sat"), ("unstable", "unsat")):
                 agreed[z3] += 1
@@ -305,7 +306,7 @@ class Near(Space):
             answer = self.decide(content)
             self.assertEqual(answer["verdict"], {"s": "stable", "u": "unstable"}[name[-1]], name)
             self.assertLessEqual(answer["stats"]["nodes"], 1.3 * nodes, name)
-            self.assertEqual(self.decide(content)["stats"], answer["stats"])
+            self.assertEqual(self.json("decide", self.path("g.json")), answer)
             self.assertLess(os.path.getsize(self.path("c.json")), 200_000)
 
 

@@ -2,6 +2,7 @@
 """Chromium without a network, and the pages that the program writes."""
 
 import base64
+import functools
 import json
 import os
 import subprocess
@@ -30,6 +31,12 @@ def example(name):
 
 def run(*arguments, **more):
     return subprocess.run([STICKSLIP, *arguments], check=True, capture_output=True, text=True, **more).stdout
+
+
+@functools.lru_cache(maxsize=None)
+def page_of(grasp, content, options):
+    """The page of a grasp file with this content: many tests open the same, and its map takes seconds."""
+    return run("page", grasp, *options, encoding="utf-8")
 
 
 def decide(grasp, *options):
@@ -75,7 +82,10 @@ class PageTest(unittest.TestCase):
     def open(self, grasp, *options):
         """Writes the page of a grasp file, and opens it. Returns its answer."""
         path = os.path.join(self.folder, "page.html")
-        run("page", grasp, "-o", path, *options)
+        with open(grasp, "rb") as file:
+            content = file.read()
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(page_of(grasp, content, options))
         self.size = os.path.getsize(path)
         self.go("file://" + path)
         return self.js("return StickslipPage.answer")

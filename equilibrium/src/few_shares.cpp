@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "long_rationals.hpp"
-#include "stickslip/equilibrium/search/nearest_point.hpp"
 #include "stickslip/core/integer_vector.hpp"
+#include "stickslip/equilibrium/search/nearest_point.hpp"
 
 namespace stickslip::equilibrium_detail {
 namespace {

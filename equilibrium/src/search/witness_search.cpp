@@ -281,7 +281,7 @@ std::optional<Eigen::Vector3d> relax_from_rest(const DoubleModel& model, SmoothB
   constexpr int kStages = 20;  // 14, and some shorter steps
   constexpr int kSteps = 12;
   constexpr double kFinest = 5e-14;
-  constexpr double kShortest = 0.75;  // of 0.1^(1/8); no balance is near that such a step loses
+  constexpr double kShortest = 0.75;  // after 0.1 and three square roots
   const double coarsest = model.force / stiffness * static_cast<double>(model.contacts.size());
   Eigen::Vector3d d = Eigen::Vector3d::Zero();
   double balanced = 0;  // the last epsilon that did

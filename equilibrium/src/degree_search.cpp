@@ -7,6 +7,7 @@
 
 #include "search/mode_balance.hpp"
 #include "search/wall_search.hpp"
+#include "search/witness_search.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/equilibrium/search/degree.hpp"
 
@@ -125,9 +126,7 @@ constexpr std::size_t kSizeForOne = 6;
 }  // namespace
 
 DegreeSearch::DegreeSearch(const Problem& problem)
-    : problem_(problem), model_(problem), balance_(model_) {
-  for (const ContactDoubles& c : model_.contacts) stiffness_ += c.stiffness;
-}
+    : problem_(problem), model_(problem), balance_(model_) {}
 
 /// What acts on the member with h and l, more or less.
 double DegreeSearch::force_of(double h, double l) const {
@@ -143,15 +142,8 @@ double DegreeSearch::force_of(double h, double l) const {
 
 /// Where the load moves springs that neither open nor slip.
 DegreeSearch::Motion DegreeSearch::sprung(double h, double l) const {
-  Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
-  for (const ContactDoubles& c : model_.contacts) {
-    for (const double* entries : {c.normal.data(), c.slip.data()}) {
-      const Motion row(entries);
-      stiffness += c.stiffness * row * row.transpose();
-    }
-  }
   const Motion load = h * Motion(model_.load.data()) + l * Motion(model_.growth.data());
-  const Motion d = stiffness.partialPivLu().solve(load);
+  const Motion d = spring_stiffness(model_).partialPivLu().solve(load);
   return d.allFinite() ? d : Motion::Zero();
 }
 
@@ -160,9 +152,9 @@ DegreeSearch::Motion DegreeSearch::sprung(double h, double l) const {
 std::optional<DegreeSearch::Motion> DegreeSearch::settle(double h, double l,
                                                          const Motion* near) {
   const double force = force_of(h, l);
-  if (!(stiffness_ > 0) || !(force > 0)) return std::nullopt;
+  if (!(model_.stiffness > 0) || !(force > 0)) return std::nullopt;
   balance_.set_member(h, l);
-  const double travel = force / stiffness_;
+  const double travel = force / model_.stiffness;
   constexpr double kFinest = 1e-7;
   constexpr double kNear = 1e-2;
   constexpr double kFar = 10;
@@ -194,7 +186,7 @@ std::optional<SegmentByDegree> DegreeSearch::prove_one() {
                   work_.cone)) {
     return std::nullopt;
   }
-  for (const RoundedEquilibrium& near : find_rounded_equilibria(problem_, 1)) {
+  for (const RoundedEquilibrium& near : find_rounded_equilibria(model_, 1)) {
     const ModeCell cell = ModeBalance(model_, near).cell();
     // Where its mode ends at the equilibrium, or near, K has to be larger, and may hold
     // several.
@@ -240,7 +232,7 @@ std::optional<SegmentByDegree> DegreeSearch::prove_around(
                                   : attempt <= last_size_ ? attempt - 1
                                                           : attempt];
     const double left = size.force * force;
-    balance_.set_epsilon(size.slip * left / stiffness_);
+    balance_.set_epsilon(size.slip * left / model_.stiffness);
     Eigen::Matrix3d answer;
     balance_.residual(there, answer);
     Eigen::Matrix3d walls = -answer / left;

@@ -34,7 +34,7 @@ class DegreeSearch {
   const DegreeWork& work() const { return work_; }
 
   /// Whether proofs are worth trying.
-  bool is_possible() const { return model_.is_moderate && stiffness_ > 0; }
+  bool is_possible() const { return model_.is_moderate && model_.stiffness > 0; }
   /// What acts on the member with h and l, more or less; 1 and 0 are those of one grasp.
   double force_of(double h, double l) const;
   /// An equilibrium of the member with h and l, in doubles: with friction less and less smooth,
@@ -61,7 +61,6 @@ class DegreeSearch {
   DegreeWork work_;
   DoubleModel model_;
   SmoothBalance balance_;
-  double stiffness_ = 0;       ///< of all contacts
   std::size_t last_size_ = 0;  ///< of K, that served
 };
 

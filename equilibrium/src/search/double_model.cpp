@@ -36,6 +36,7 @@ DoubleModel::DoubleModel(const Problem& problem) {
     const Vector5& v = problem.separation(id);
     for (std::size_t j = 0; j < 5; ++j) c.separation[j] = read(v[j]);
     c.stiffness = read(row.stiffness);
+    stiffness += c.stiffness;
     c.frictionless = row.friction.is_zero();
     c.slip_error = rounding_bound(sum_of_sizes(c.slip));
     c.separation_error = rounding_bound(sum_of_sizes(c.separation));

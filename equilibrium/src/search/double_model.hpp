@@ -35,11 +35,12 @@ struct DoubleModel {
   explicit DoubleModel(const Problem& problem);
 
   std::vector<ContactDoubles> contacts;
-  Double3 load;      ///< w
-  Double3 growth;    ///< u, of a family
-  Double3 start{};   ///< the load at the high end of the multiples, or u: where to begin
-  double length;     ///< a typical distance, to make torques and forces comparable
-  double force = 0;  ///< a typical force
+  Double3 load;          ///< w
+  Double3 growth;        ///< u, of a family
+  Double3 start{};       ///< the load at the high end of the multiples, or u: where to begin
+  double length;         ///< a typical distance, to make torques and forces comparable
+  double force = 0;      ///< a typical force
+  double stiffness = 0;  ///< of all contacts
 
   /// Whether all entries are moderate: 0, or between 2^-200 and 2^200. No product of a load, or
   /// of an N and a v, with a ray and a twist of 50 bits then overflows, and what it loses by

@@ -11,6 +11,18 @@
 
 namespace stickslip::equilibrium_detail {
 
+/// How forces answer motions where contacts neither open nor slip: springs in both directions.
+inline Eigen::Matrix3d spring_stiffness(const DoubleModel& model) {
+  Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
+  for (const ContactDoubles& c : model.contacts) {
+    for (const double* entries : {c.normal.data(), c.slip.data()}) {
+      const Eigen::Vector3d row(entries);
+      stiffness += c.stiffness * row * row.transpose();
+    }
+  }
+  return stiffness;
+}
+
 /// Balance with friction made smooth, -mu c_n clamp(T.d / epsilon), as three equations in d.
 class SmoothBalance {
  public:

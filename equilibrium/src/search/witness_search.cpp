@@ -275,14 +275,13 @@ RoundedEquilibrium near(const SmoothBalance& balance, const DoubleModel& model,
 /// `last_move` gets the last change. Nothing if none was found, or nothing resists.
 std::optional<Eigen::Vector3d> relax_from_rest(const DoubleModel& model, SmoothBalance& balance,
                                                Eigen::Vector3d& last_move) {
-  double stiffness = 0;
-  for (const ContactDoubles& c : model.contacts) stiffness += c.stiffness;
-  if (!(stiffness > 0)) return std::nullopt;
+  if (!(model.stiffness > 0)) return std::nullopt;
   constexpr int kStages = 20;  // 14, and some shorter steps
   constexpr int kSteps = 12;
   constexpr double kFinest = 5e-14;
   constexpr double kShortest = 0.75;  // after 0.1 and three square roots
-  const double coarsest = model.force / stiffness * static_cast<double>(model.contacts.size());
+  const double coarsest =
+      model.force / model.stiffness * static_cast<double>(model.contacts.size());
   Eigen::Vector3d d = Eigen::Vector3d::Zero();
   double balanced = 0;  // the last epsilon that did
   double epsilon = coarsest;
@@ -308,29 +307,16 @@ std::optional<Eigen::Vector3d> relax_from_rest(const DoubleModel& model, SmoothB
   return d;
 }
 
-/// Where the load moves springs that neither open nor slip, stiff in both directions.
-Eigen::Vector3d sprung_motion(const DoubleModel& model) {
-  Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
-  for (const ContactDoubles& c : model.contacts) {
-    for (const double* entries : {c.normal.data(), c.slip.data()}) {
-      const Eigen::Vector3d row(entries);
-      stiffness += c.stiffness * row * row.transpose();
-    }
-  }
-  return stiffness.fullPivLu().solve(Eigen::Vector3d(model.load.data()));
-}
-
 /// The same from contacts that press much harder, or from where springs would give, so that the
 /// contacts that will press are closed, and with less and less of both. Nothing if it does not
 /// balance in the end.
 std::optional<Eigen::Vector3d> relax_from_squeeze(const DoubleModel& model,
                                                   SmoothBalance& balance, bool squeezed) {
-  double stiffness = 0;
-  for (const ContactDoubles& c : model.contacts) stiffness += c.stiffness;
-  if (!(stiffness > 0)) return std::nullopt;
+  if (!(model.stiffness > 0)) return std::nullopt;
   Eigen::Vector3d d = Eigen::Vector3d::Zero();
   constexpr int kSteps = 12;
-  const double travel = model.force / stiffness * static_cast<double>(model.contacts.size());
+  const double travel =
+      model.force / model.stiffness * static_cast<double>(model.contacts.size());
   balance.set_epsilon(1e-2 * travel);
   if (squeezed) {
     for (double squeeze = 4 * model.force; squeeze > 1e-6 * model.force; squeeze *= 0.5) {
@@ -339,7 +325,7 @@ std::optional<Eigen::Vector3d> relax_from_squeeze(const DoubleModel& model,
     }
     balance.set_squeeze(0);
   } else {
-    d = sprung_motion(model);
+    d = spring_stiffness(model).fullPivLu().solve(Eigen::Vector3d(model.load.data()));
     if (!d.allFinite()) return std::nullopt;
     for (double shrink = 1e4; shrink > 1e-2; shrink *= 0.3) {
       balance.set_epsilon(shrink * travel);
@@ -366,10 +352,9 @@ std::optional<Eigen::Vector3d> relax_from_squeeze(const DoubleModel& model,
 template <class Found>
 void relax_around(const DoubleModel& model, std::size_t starts, SmoothBalance& balance,
                   const Found& found) {
-  double stiffness = 0;
-  for (const ContactDoubles& c : model.contacts) stiffness += c.stiffness;
-  if (!(stiffness > 0)) return;
-  const double travel = model.force / stiffness * static_cast<double>(model.contacts.size());
+  if (!(model.stiffness > 0)) return;
+  const double travel =
+      model.force / model.stiffness * static_cast<double>(model.contacts.size());
   std::mt19937 random(1);
   std::uniform_real_distribution<double> within(-1, 1);
   for (std::size_t start = 0; start < starts; ++start) {
@@ -390,9 +375,7 @@ void relax_around(const DoubleModel& model, std::size_t starts, SmoothBalance& b
 
 std::optional<Witness> find_witness_from_rest(const Problem& problem, const DoubleModel& model,
                                               std::optional<MotionBox>& otherwise) {
-  const bool any_resists = std::any_of(model.contacts.begin(), model.contacts.end(),
-                                       [](const auto& c) { return c.stiffness > 0; });
-  if (!any_resists) return complete_exactly(problem, {});
+  if (!(model.stiffness > 0)) return complete_exactly(problem, {});  // nothing resists
   SmoothBalance balance(model);
   Eigen::Vector3d move = Eigen::Vector3d::Zero();
   const std::optional<Eigen::Vector3d> d = relax_from_rest(model, balance, move);
@@ -461,21 +444,8 @@ namespace stickslip {
 
 using namespace equilibrium_detail;
 
-RoundedEquilibrium rounded_equilibrium(const Problem& problem, const Witness& witness) {
-  RoundedEquilibrium result{
-      {to_double(witness.twist.x), to_double(witness.twist.y), to_double(witness.twist.r)}, {}};
-  const ScaledTwist scaled(witness.twist);
-  for (std::size_t i = 0; i < problem.size(); ++i) {
-    const ContactForce& force = witness.forces[i];
-    result.forces.push_back({to_double(force.normal), to_double(force.tangential),
-                             power(problem.rows()[i].tangent, scaled.twist).is_zero()});
-  }
-  return result;
-}
-
-std::vector<RoundedEquilibrium> find_rounded_equilibria(const Problem& problem,
-                                                        std::size_t starts) {
-  const DoubleModel model(problem);
+std::vector<RoundedEquilibrium> equilibrium_detail::find_rounded_equilibria(
+    const DoubleModel& model, std::size_t starts) {
   SmoothBalance balance(model);
   std::vector<RoundedEquilibrium> found;
   Eigen::Vector3d move;
@@ -496,6 +466,23 @@ std::vector<RoundedEquilibrium> find_rounded_equilibria(const Problem& problem,
   }
   relax_around(model, starts, balance, add);
   return found;
+}
+
+RoundedEquilibrium rounded_equilibrium(const Problem& problem, const Witness& witness) {
+  RoundedEquilibrium result{
+      {to_double(witness.twist.x), to_double(witness.twist.y), to_double(witness.twist.r)}, {}};
+  const ScaledTwist scaled(witness.twist);
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    const ContactForce& force = witness.forces[i];
+    result.forces.push_back({to_double(force.normal), to_double(force.tangential),
+                             power(problem.rows()[i].tangent, scaled.twist).is_zero()});
+  }
+  return result;
+}
+
+std::vector<RoundedEquilibrium> find_rounded_equilibria(const Problem& problem,
+                                                        std::size_t starts) {
+  return find_rounded_equilibria(DoubleModel(problem), starts);
 }
 
 bool has_long_equilibria(const Problem& problem, std::size_t bits) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "double_model.hpp"
+#include "stickslip/equilibrium/search/rounded_equilibrium.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 
 namespace stickslip::equilibrium_detail {
@@ -57,5 +58,9 @@ std::optional<Witness> find_witness_near(const Problem& problem, const DoubleMod
 /// not all that there are, and maybe none.
 std::vector<Witness> find_witnesses_around(const Problem& problem, const DoubleModel& model,
                                            std::size_t starts);
+
+/// Those of one grasp whose model is there (rounded_equilibrium.hpp).
+std::vector<RoundedEquilibrium> find_rounded_equilibria(const DoubleModel& model,
+                                                        std::size_t starts);
 
 }  // namespace stickslip::equilibrium_detail

@@ -31,10 +31,9 @@ BoxRegion BoxRegion::root(const BoxModel& model) {
   return BoxRegion(model, std::move(cone));
 }
 
-BoxRegion BoxRegion::wall(const BoxModel& model, const SquareMatrix<3>& walls,
-                          const Vector3& centre, std::size_t wall, int sign) {
+BoxRegion BoxRegion::wall(const BoxModel& model, const ConvexBody<3>& body, std::size_t wall) {
   StrictCone cone;
-  cone.cut_to_wall(walls, centre, wall, sign);
+  cone.cut_to_wall(body, wall);
   return BoxRegion(model, std::move(cone));
 }
 

@@ -16,8 +16,7 @@ class BoxRegion : public StrictCone<3> {
   /// {h >= 0}, and under the bilateral law v_i >= 0 where that is certain.
   static BoxRegion root(const BoxModel& model);
   /// As StrictCone::cut_to_wall.
-  static BoxRegion wall(const BoxModel& model, const SquareMatrix<3>& walls,
-                        const Vector3& centre, std::size_t wall, int sign);
+  static BoxRegion wall(const BoxModel& model, const ConvexBody<3>& body, std::size_t wall);
 
   /// The part with plane.x >= 0, = 0 or <= 0; strict: the plane is not 0 at solutions.
   BoxRegion child(const BoxModel& model, const IntegerVector5& plane, Side side,

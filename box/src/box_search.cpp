@@ -555,7 +555,10 @@ std::optional<BoxSearch::BoxBranch> BoxSearch::examine(const BoxRegion& region,
                                                        std::size_t depth) {
   // Below the depth that the format allows, by more than the parts of a box above this tree.
   const std::size_t deepest = 2 * model_.contacts.size() + 200;
-  if (nodes_left_ == 0 || depth > deepest) return std::nullopt;
+  if (nodes_left_ == 0 || depth > deepest) {
+    end_ = nodes_left_ == 0 ? SearchEnd::kNodes : SearchEnd::kDepth;
+    return std::nullopt;
+  }
   --nodes_left_;
   ++nodes_;
   if (region.is_barred()) return BoxBranch{VirtualWorkLeaf{}, {}};
@@ -566,14 +569,20 @@ std::optional<BoxSearch::BoxBranch> BoxSearch::examine(const BoxRegion& region,
       nearest_wrench<3>(start, [&](const Double3& y) { return wrenches.worst(y); });
   if (found.separated) {
     const auto y = confirm(region, wrenches, found.twist);
-    if (!y) return std::nullopt;
+    if (!y) {
+      end_ = SearchEnd::kTwist;
+      return std::nullopt;
+    }
     return BoxBranch{VirtualWorkLeaf{*y}, {}};
   }
   const BoxRelaxation relaxed = wrenches.combine(found);
   auto split = broken_law(model_, region, relaxed);
   if (!split) {
     const IntegerVector5 plane = wrenches.plane_between_widest(found, relaxed.motion);
-    if (!region.signs(plane).cuts()) return std::nullopt;
+    if (!region.signs(plane).cuts()) {
+      end_ = SearchEnd::kPlane;
+      return std::nullopt;
+    }
     split = Split{PlaneSplit{plane}, plane};
   }
   BoxBranch branch{split->node, {}};
@@ -586,6 +595,7 @@ std::optional<BoxSearch::BoxBranch> BoxSearch::examine(const BoxRegion& region,
 }
 
 bool BoxSearch::refute(const BoxRegion& region, BoxTrees& trees) {
+  end_ = SearchEnd::kNone;
   return append_tree(region, trees, [&](const BoxRegion& at, std::size_t depth) {
     return examine(at, depth);
   });

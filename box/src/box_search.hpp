@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "box_region.hpp"
+#include "stickslip/equilibrium/search/search_end.hpp"
 #include "stickslip/equilibrium/search/tree_walk.hpp"
 
 namespace stickslip::box_detail {
@@ -22,6 +23,8 @@ class BoxSearch {
   /// nodes more.
   bool refute(const BoxRegion& region, BoxTrees& trees);
 
+  /// Of the last search.
+  SearchEnd end() const { return end_; }
   std::size_t nodes() const { return nodes_; }
   /// Rules of leaves that doubles did not decide.
   std::size_t exact_leaves() const { return exact_leaves_; }
@@ -37,6 +40,7 @@ class BoxSearch {
   const BoxModel& model_;
   const Direction<3>* direction_;
   std::size_t nodes_left_;
+  SearchEnd end_ = SearchEnd::kNone;
   std::size_t nodes_ = 0;
   std::size_t exact_leaves_ = 0;
 };

@@ -93,7 +93,7 @@ class Decider {
     } else if (refute(box)) {
       return true;
     }
-    if (parts_left_ == 0 || work_.nodes > most_nodes_) return false;
+    if (parts_left_ == 0 || is_spent()) return false;
     --parts_left_;
     const auto split = widest(box, there);
     if (!split) return false;
@@ -104,6 +104,10 @@ class Decider {
   }
 
   std::optional<bool> first() const { return first_; }
+  /// \{ Of the last tree for all motions, and of all.
+  SearchEnd end() const { return end_; }
+  bool is_spent() const { return work_.nodes > most_nodes_; }
+  /// \}
 
   StabilityProof parts;
   BoxTrees tree;
@@ -116,6 +120,7 @@ class Decider {
     const bool done = search.refute(BoxRegion::root(model), tree);
     work_.nodes += search.nodes();
     work_.exact_leaves += search.exact_leaves();
+    end_ = search.end();
     if (!done) tree.erase(tree.begin() + static_cast<std::ptrdiff_t>(before), tree.end());
     return done;
   }
@@ -141,6 +146,7 @@ class Decider {
   std::size_t most_nodes_;
   BoxWork& work_;
   std::optional<bool> first_;
+  SearchEnd end_ = SearchEnd::kNone;
 };
 
 /// The middle of the interval that matters most: of its contact's force, or of the load.
@@ -224,8 +230,8 @@ BoxDecision prove_with_bits(const GraspBox& box, NormalLaw law, const BoxOptions
   const std::size_t limit = node_limit(parameters, options);
   Decider decider(limit, most_parts, box.is_point(), decision.work);
   if (!decider.prove(parameters)) {
-    decision.verdict = Undecided{"no proof was found within " + std::to_string(limit) +
-                                 " nodes a tree, and no two grasps that differ"};
+    decision.verdict =
+        undecided_by({decider.end(), limit, decider.is_spent(), !box.is_point(), {}});
   } else if (*decider.first()) {
     decision.verdict = StableThroughout{std::move(decider.parts)};
   } else {
@@ -271,7 +277,7 @@ std::optional<BoxDecision> prove_stable_by_degree(const Problem& problem) {
   DegreeWork work;
   const std::optional<ProofByDegree> found = prove_by_degree(problem, &work);
   if (!found) return std::nullopt;
-  DegreeProof proof{found->twist, found->walls, found->direction, {}};
+  DegreeProof proof{*found, found->direction, {}};
   for (const RefutationNode& node : found->trees) {
     std::visit([&](const auto& n) { proof.trees.emplace_back(n); }, node);
   }

@@ -23,7 +23,7 @@ Vector as_vector(const std::array<double, 3>& a) {
 }
 
 /// d rounded to a small part of the parallelepiped.
-Vector3 rounded_motion(const Vector3& exact, const SquareMatrix<3>& walls) {
+Vector3 rounded_motion(const Vector3& exact, const std::vector<Vector3>& walls) {
   Vector3 result;
   for (std::size_t k = 0; k < 3; ++k) {
     Rational steepest = 0;
@@ -309,6 +309,7 @@ DegreeProof Walls::proof() const {
   const Matrix pull = best * walls;
   const Vector centre = motion_ + shift;
   if (!centre.allFinite() || !std::isfinite(centre[2] / length_)) return {};  // no walls at all
+  result.walls.resize(3);
   for (Eigen::Index j = 0; j < 3; ++j) {
     for (Eigen::Index k = 0; k < 3; ++k) {
       const double column = k == 2 ? length_ : 1;
@@ -334,7 +335,7 @@ std::optional<DegreeProof> prove_within(Walls walls, const BoxModel& model,
   for (std::size_t growth = 0; growth <= kMostGrowths; ++growth) {
     ++work.proofs;
     DegreeProof proof = walls.proof();
-    if (!is_invertible(proof.walls) || !is_invertible(proof.direction)) return std::nullopt;
+    if (!has_full_rank(proof)) return std::nullopt;
     if (model.law == NormalLaw::kBilateral && !all_closed_inside<BoxRegion>(model, proof)) {
       return std::nullopt;
     }
@@ -347,7 +348,7 @@ std::optional<DegreeProof> prove_within(Walls walls, const BoxModel& model,
         for (const int sign : {1, -1}) {
           BoxSearch search(about, second ? &direction : nullptr, node_limit);
           const bool done = search.refute(
-              BoxRegion::wall(about, proof.walls, proof.twist, wall, sign), proof.trees);
+              BoxRegion::wall(about, proof, 2 * wall + (sign > 0 ? 0 : 1)), proof.trees);
           work.nodes += search.nodes();
           work.exact_leaves += search.exact_leaves();
           if (!done) open.emplace_back(wall, sign);
@@ -362,7 +363,7 @@ std::optional<DegreeProof> prove_within(Walls walls, const BoxModel& model,
       open = refute(true);
       if (open.empty()) return proof;
       proof.direction = walls.stiff_direction();
-      if (is_invertible(proof.direction)) {
+      if (has_full_rank(proof)) {
         proof.trees.erase(proof.trees.begin() + static_cast<std::ptrdiff_t>(first_list),
                           proof.trees.end());
         if (refute(true).empty()) return proof;

@@ -62,6 +62,25 @@ void check_uncertain(const UncertainContact& contact, const std::string& path) {
                    "degrees");
 }
 
+void check_widened(const Tolerances& tolerances, const std::function<void()>& check) {
+  try {
+    check();
+  } catch (const InputError& error) {
+    const std::string& place = error.place();
+    for (const NamedTolerance& asked : given(tolerances)) {
+      const std::string kind = asked.kind;
+      const bool is_of_kind = place.size() > kind.size() &&
+                              place.compare(place.size() - kind.size(), kind.size(), kind) == 0;
+      if (!is_of_kind || asked.tolerance.relative || asked.tolerance.amount < 1) continue;
+      const std::string amount = to_string(asked.tolerance.amount);
+      throw InputError(error.file(), place, error.problem(),
+                       "did you mean " + kind + "=" + amount + "%, and not " + amount +
+                           " up and down? " + error.remedy());
+    }
+    throw;
+  }
+}
+
 }  // namespace core_detail
 
 namespace {
@@ -198,7 +217,7 @@ GraspBox GraspBox::widened(const Tolerances& tolerances) const {
     }
   }
   for (Interval& component : box.wrench) widen(tolerances.wrench, component);
-  check(box);
+  check_widened(tolerances, [&] { check(box); });
   return box;
 }
 

@@ -4,6 +4,8 @@
 #include <numeric>
 #include <optional>
 
+#include "stickslip/core/error.hpp"
+
 namespace stickslip::core_detail {
 namespace {
 
@@ -95,6 +97,22 @@ void primitive_multiple(const Rational* a, Integer* result, std::size_t n) {
     mpz_divexact(factor.backend().data(), parts.denominators.backend().data(),
                  denominator_of(a[j]));
     mpz_mul(entry, entry, factor.backend().data());
+  }
+}
+
+void round_to_one(const Integer* a, double* result, std::size_t n) {
+  constexpr long kVanishes = 2000;
+  std::array<long, 16> exponents;
+  require(n <= exponents.size(), "a vector has few entries");
+  std::optional<long> largest;
+  for (std::size_t j = 0; j < n; ++j) {
+    result[j] = mpz_get_d_2exp(&exponents[j], a[j].backend().data());
+    if (result[j] != 0) largest = std::max(largest.value_or(exponents[j]), exponents[j]);
+  }
+  for (std::size_t j = 0; j < n; ++j) {
+    if (result[j] == 0) continue;
+    const long shift = std::max(exponents[j] - *largest, -kVanishes);
+    result[j] = std::ldexp(result[j], static_cast<int>(shift));
   }
 }
 

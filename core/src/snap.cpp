@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/core/snap.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "short_arithmetic.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/integer_vector.hpp"
 
 namespace stickslip {
 
@@ -12,9 +15,45 @@ using namespace core_detail;
 
 namespace {
 
+using stickslip::dot;
 Rational dot(const Vector2& a, const Vector2& b) {
   return a.x * b.x + a.y * b.y;
 }
+
+/// A direction of the plane or of space, whose length is irrational.
+template <class Vector>
+class Target {
+ public:
+  Target(Vector direction, const Rational& tolerance)
+      : direction_(std::move(direction)), length_squared_(dot(direction_, direction_)) {
+    const Rational cosine = 1 - tolerance * tolerance / 2;
+    threshold_ = cosine * cosine * length_squared_;
+  }
+
+  const Vector& direction() const { return direction_; }
+
+  /// Of a unit vector: |u - n/L| <= tolerance <=> u.n >= L (1 - tolerance^2/2), squared: no
+  /// root is taken.
+  bool accepts(const Vector& u) const {
+    const Rational projection = dot(u, direction_);
+    return projection.sign() > 0 && projection * projection >= threshold_;
+  }
+
+  /// |u - n/L|^2 = 2 s^2 / (1 + c) with s, c the sine and cosine between u and n; s^2 L^2 is
+  /// exact, so a few digits suffice at any tolerance.
+  std::string distance_bound(const Vector& u) const {
+    const Rational c = dot(u, direction_);
+    const Rational s_squared = length_squared_ - c * c;
+    const Rational cosine = parse_rational(enclose_sqrt(1, c * c / length_squared_).lower);
+    return enclose_sqrt(1, 2 * s_squared / (length_squared_ * (1 + cosine)), 3).upper;
+  }
+
+ private:
+  Vector direction_;
+  Rational length_squared_;
+  Rational threshold_;
+};
+
 struct Fraction {
   Integer num;
   Integer den;
@@ -27,53 +66,24 @@ struct Fraction {
   }
 };
 
-/// A direction in the first octant, 0 <= y <= x, whose length is irrational.
-class Target {
- public:
-  Target(Vector2 direction, const Rational& tolerance)
-      : direction_(std::move(direction)), length_squared_(dot(direction_, direction_)) {
-    const Rational cosine = 1 - tolerance * tolerance / 2;
-    threshold_ = cosine * cosine * length_squared_;
-  }
-
-  /// |u - n/L| <= tolerance <=> u.n >= L (1 - tolerance^2/2), squared: no root is taken.
-  bool accepts(const Fraction& t) const {
-    const Rational projection = dot(t.on_circle(), direction_);
-    return projection.sign() > 0 && projection * projection >= threshold_;
-  }
-
-  /// Whether t lies below the parameter of the direction (never equal: that is irrational).
-  bool above(const Fraction& t) const {
-    return determinant(t.on_circle(), direction_).sign() > 0;
-  }
-
-  /// |u - n/L|^2 = 2 s^2 / (1 + c) with s, c the sine and cosine between u and n: no
-  /// cancellation, so a few digits suffice at any tolerance.
-  std::string distance_bound(const Vector2& u) const {
-    const Rational s = determinant(u, direction_);
-    const Rational c = dot(u, direction_);
-    const Rational cosine = parse_rational(enclose_sqrt(1, c * c / length_squared_).lower);
-    return enclose_sqrt(1, 2 * s * s / (length_squared_ * (1 + cosine)), 3).upper;
-  }
-
- private:
-  Vector2 direction_;
-  Rational length_squared_;
-  Rational threshold_;
-};
-
 Fraction mediant(const Fraction& fixed, const Integer& times, const Fraction& end) {
   return {fixed.num + times * end.num, fixed.den + times * end.den};
 }
 
-/// The simplest fraction that `target` accepts. It lies on the Stern-Brocot path to the
+/// The simplest fraction whose unit vector is accepted, of a direction in the first octant,
+/// 0 <= y <= x. It lies on the Stern-Brocot path to the
 /// target's own irrational parameter, because that parameter is inside the accepted interval.
 /// Steps in one direction are taken by doubling and bisection, so a parameter of 1e-20 costs
 /// 67 steps and not 1e20.
-Fraction simplest(const Target& target) {
+Vector2 nearby_unit(const Target<Vector2>& target) {
   Fraction low{0, 1};
   Fraction high{1, 1};
-  if (target.accepts(low)) return low;
+  const auto accepted = [&](const Fraction& t) { return target.accepts(t.on_circle()); };
+  // Whether t lies below the parameter of the direction (never equal: that is irrational).
+  const auto below = [&](const Fraction& t) {
+    return determinant(t.on_circle(), target.direction()).sign() > 0;
+  };
+  if (accepted(low)) return low.on_circle();
   // Not so `high`: t <= tan(22.5 degrees) is nearer to 0 than to 1.
   for (bool upward = false;; upward = !upward) {
     Fraction& moving = upward ? low : high;
@@ -81,7 +91,7 @@ Fraction simplest(const Target& target) {
     // A step falls short while it is still on the side of `moving` and not accepted.
     const auto short_of = [&](const Integer& times) {
       const Fraction t = mediant(moving, times, end);
-      return target.above(t) == upward && !target.accepts(t);
+      return below(t) == upward && !accepted(t);
     };
     Integer reached = 0;
     Integer beyond = 1;
@@ -94,8 +104,37 @@ Fraction simplest(const Target& target) {
       (short_of(middle) ? reached : beyond) = middle;
     }
     const Fraction candidate = mediant(moving, beyond, end);
-    if (target.accepts(candidate)) return candidate;
+    if (accepted(candidate)) return candidate.on_circle();
     moving = mediant(moving, reached, end);
+  }
+}
+
+/// Of a number >= 0.
+Integer whole_part(const Rational& value) {
+  return numerator(value) / denominator(value);
+}
+
+/// Of a direction with 0 <= x, y <= z > 0. The entries s = x/(|n| + z) and t are rounded to
+/// multiples of 1/2, 1/4, ... until the point of the sphere is accepted: a distance of h in
+/// each moves it by less than 3 h.
+Vector3 nearby_unit(const Target<Vector3>& target) {
+  const Vector3& n = target.direction();
+  const Rational x = n[0] / n[2];
+  const Rational y = n[1] / n[2];
+  const Rational squared = 1 + x * x + y * y;
+  for (unsigned bits = 1;; ++bits) {
+    const Integer q = Integer(1) << bits;
+    const Integer fine = q * 16;  // proposes; accepts() disposes
+    const Rational length(sqrt(whole_part(squared * Rational(fine * fine))), fine);
+    const auto rounded = [&](const Rational& entry) {
+      return whole_part(q * entry / (length + 1) + Rational(1, 2));
+    };
+    const Integer a = rounded(x);
+    const Integer b = rounded(y);
+    const Integer plus = q * q + a * a + b * b;
+    const Vector3 u{Rational(2 * a * q, plus), Rational(2 * b * q, plus),
+                    Rational(q * q - a * a - b * b, plus)};
+    if (target.accepts(u)) return u;
   }
 }
 
@@ -103,29 +142,65 @@ Rational with_sign_of(const Rational& magnitude, const Rational& sign) {
   return sign.sign() < 0 ? Rational(-magnitude) : magnitude;
 }
 
-}  // namespace
+/// The unit vector near n, and how far it is away at most; nothing if n has a rational length.
+std::optional<std::pair<Vector2, std::string>> snapped(const Vector2& n,
+                                                       const Rational& tolerance) {
+  if (exact_sqrt(dot(n, n))) return std::nullopt;
+  const Rational x = abs(n.x);
+  const Rational y = abs(n.y);
+  const bool steep = y > x;
+  const Target target(steep ? Vector2{y, x} : Vector2{x, y}, tolerance);
+  const Vector2 u = nearby_unit(target);
+  return std::pair(
+      Vector2{with_sign_of(steep ? u.y : u.x, n.x), with_sign_of(steep ? u.x : u.y, n.y)},
+      target.distance_bound(u));
+}
 
-SnapResult snap_normals(const Grasp& grasp, const Rational& tolerance) {
+std::optional<std::pair<Vector3, std::string>> snapped(const Vector3& n,
+                                                       const Rational& tolerance) {
+  if (exact_sqrt(dot(n, n))) return std::nullopt;
+  Vector3 sizes{abs(n[0]), abs(n[1]), abs(n[2])};
+  Rational& largest = *std::max_element(sizes.begin(), sizes.end());
+  const auto axis = static_cast<std::size_t>(&largest - sizes.data());
+  std::swap(sizes[axis], sizes[2]);
+  const Target target(sizes, tolerance);
+  Vector3 u = nearby_unit(target);
+  std::string moved = target.distance_bound(u);
+  std::swap(u[axis], u[2]);
+  for (std::size_t j = 0; j < 3; ++j) u[j] = with_sign_of(u[j], n[j]);
+  return std::pair(u, std::move(moved));
+}
+
+/// Of contacts of the plane or of space.
+template <class Contact>
+auto snap_contacts(std::vector<Contact>& contacts, const Rational& tolerance) {
   if (tolerance.sign() <= 0 || tolerance >= 1) {
     throw InputError("", "within", "the value is " + to_string(tolerance),
                      "it must lie between 0 and 1, such as 1e-9");
   }
-  std::vector<Contact> contacts = grasp.contacts();
-  std::vector<SnappedNormal> snapped;
+  std::vector<SnappedNormalOf<decltype(Contact::normal)>> result;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const Vector2 n = contacts[i].normal;
-    if (exact_sqrt(dot(n, n))) continue;
-    const Rational x = abs(n.x);
-    const Rational y = abs(n.y);
-    const bool steep = y > x;
-    const Target target(steep ? Vector2{y, x} : Vector2{x, y}, tolerance);
-    const Vector2 u = simplest(target).on_circle();
-    const Vector2 after{with_sign_of(steep ? u.y : u.x, n.x),
-                        with_sign_of(steep ? u.x : u.y, n.y)};
-    contacts[i].normal = after;
-    snapped.push_back({ContactId(i), n, after, target.distance_bound(u)});
+    auto& normal = contacts[i].normal;
+    if (auto found = snapped(normal, tolerance)) {
+      result.push_back({ContactId(i), normal, found->first, std::move(found->second)});
+      normal = std::move(found->first);
+    }
   }
+  return result;
+}
+
+}  // namespace
+
+SnapResult snap_normals(const Grasp& grasp, const Rational& tolerance) {
+  std::vector<Contact> contacts = grasp.contacts();
+  std::vector<SnappedNormal> snapped = snap_contacts(contacts, tolerance);
   return {Grasp(std::move(contacts), grasp.description()), std::move(snapped)};
+}
+
+SpatialSnapResult snap_normals(const SpatialGrasp& grasp, const Rational& tolerance) {
+  SpatialSnapResult result{grasp, {}};
+  result.snapped = snap_contacts(result.grasp.contacts, tolerance);
+  return result;
 }
 
 }  // namespace stickslip

@@ -43,7 +43,7 @@ SpatialGrasp widened(SpatialGrasp grasp, const Tolerances& tolerances) {
     widen(c.preload, tolerances.preload);
   }
   for (Interval& component : grasp.wrench) widen(component, tolerances.wrench);
-  check(grasp);
+  core_detail::check_widened(tolerances, [&] { check(grasp); });
   return grasp;
 }
 

@@ -3,6 +3,7 @@
 /// What the numbers of a box must satisfy.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "stickslip/core/box.hpp"
@@ -19,5 +20,9 @@ void check_laws(const Interval& friction, const Interval& stiffness, const Inter
 
 /// The requirements stated at UncertainContact. Throws InputError naming "<path>.<member>".
 void check_uncertain(const UncertainContact& contact, const std::string& path);
+
+/// Runs a check of what was widened by these tolerances. If a law breaks that an absolute
+/// tolerance of 1 or more has widened, its InputError asks whether percents were meant.
+void check_widened(const Tolerances& tolerances, const std::function<void()>& check);
 
 }  // namespace stickslip::core_detail

@@ -86,6 +86,7 @@ Rational rounded(double value, double steepest) {
 SegmentByDegree in_few_bits(const Eigen::Matrix3d& walls, const Eigen::Matrix3d& direction,
                             const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   SegmentByDegree shape;
+  shape.walls.resize(3);
   if (!walls.allFinite() || !direction.allFinite() || !from.allFinite() || !to.allFinite()) {
     return shape;
   }
@@ -250,7 +251,7 @@ std::optional<SegmentByDegree> DegreeSearch::prove_around(
 
 std::optional<SegmentByDegree> DegreeSearch::prove_with(
     const std::optional<MarginInterval>& range, SegmentByDegree shape) {
-  if (!is_invertible(shape.walls) || !is_invertible(shape.direction)) return std::nullopt;
+  if (!has_full_rank(shape)) return std::nullopt;
   const Cell cell(range, shape);
   std::array<Function, 3> rows;
   for (std::size_t j = 0; j < 3; ++j) rows[j] = cell.of_motion(shape.direction[j]);

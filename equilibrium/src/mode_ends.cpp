@@ -151,8 +151,8 @@ std::optional<ModeLines::Line> ModeLines::line_of(const FamilyMode& mode) {
 /// no later one fails.
 std::optional<Vector5> ModeLines::within(const std::vector<Condition>& conditions,
                                          const Line& line, bool from_above) {
-  const Double5 start = to_doubles(primitive_multiple(line.start));
-  const Double5 rate = to_doubles(primitive_multiple(line.rate));
+  const Double5 start = in_doubles(primitive_multiple(line.start));
+  const Double5 rate = in_doubles(primitive_multiple(line.rate));
   Vector5 x = from_above ? line.rate : line.start;
   while (true) {
     signs_.go_to(x);

@@ -22,7 +22,7 @@ class PointSigns {
   /// The point whose signs are asked for from now on.
   void go_to(const Vector5& x) {
     x_ = primitive_multiple(x);
-    rounded_ = to_doubles(x_);
+    rounded_ = in_doubles(x_);
   }
 
   FilteredFunction separation(std::size_t contact) const {

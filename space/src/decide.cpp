@@ -7,8 +7,11 @@
 #include <vector>
 
 #include "equilibria.hpp"
+#include "free_motions.hpp"
+#include "rest.hpp"
 #include "space_search.hpp"
 #include "spatial_degree.hpp"
+#include "stickslip/equilibrium/search/search_end.hpp"
 #include "stickslip/space/spatial_verdict.hpp"
 
 namespace stickslip {
@@ -18,6 +21,12 @@ using namespace space_detail;
 const char* name_of(const SpatialVerdict& verdict) {
   constexpr const char* kNames[] = {"stable", "unstable", "fragile", "undecided"};
   return kNames[verdict.index()];
+}
+
+bool are_at_rest(const SpatialParts& parts) {
+  return std::none_of(parts.begin(), parts.end(), [](const auto& part) {
+    return std::holds_alternative<SpatialDegreeProof>(part);
+  });
 }
 
 std::size_t leaf_count(const SpatialTrees& trees) {
@@ -124,11 +133,14 @@ class SpaceDecider {
                     : is_wide_              ? kWideLimit
                                             : kDefaultLimit),
         parts_left_(most_parts),
-        most_nodes_(kMostSearches * node_limit_),
+        most_nodes_(work.nodes + kMostSearches * node_limit_),
         work_(work) {}
 
   bool prove() { return prove(whole_); }
-  std::size_t node_limit() const { return node_limit_; }
+  /// If that failed.
+  SearchReport report() const {
+    return {end_, node_limit_, work_.nodes > most_nodes_, is_wide_, near_};
+  }
   /// Of grasps in the middle of parts that seem to be stable, and unstable; empty, or the last
   /// one of a kind.
   const std::array<std::optional<SpatialGrasp>, 2>& examples() const { return examples_; }
@@ -159,7 +171,7 @@ class SpaceDecider {
   bool is_wide_;
   std::size_t node_limit_;  ///< of a tree
   std::size_t parts_left_;
-  std::size_t most_nodes_;
+  std::size_t most_nodes_;  ///< where the work of all is to end
   SpatialWork& work_;
   std::array<std::optional<SpatialGrasp>, 2> examples_;
   std::optional<bool> stable_;  ///< what was proved of the first part
@@ -167,6 +179,8 @@ class SpaceDecider {
   Vector6 motion_{};
   SpatialParts parts_;
   SpatialTrees tree_;
+  SearchEnd end_ = SearchEnd::kNone;
+  std::vector<Rational> near_;  ///< an equilibrium in doubles without a proof
 };
 
 bool SpaceDecider::prove_stable_near(const SpaceModel& box, const SpaceModel& middle,
@@ -177,11 +191,19 @@ bool SpaceDecider::prove_stable_near(const SpaceModel& box, const SpaceModel& mi
       return true;
     }
   }
+  if (auto rest = prove_at_rest(box, near)) {
+    parts_.emplace_back(std::move(*rest));
+    return true;
+  }
   const std::size_t limit = std::max<std::size_t>(node_limit_ / (is_wide_ ? 8 : 24), 1);
   const std::vector<EigenVector6> moves =
       is_wide_ ? moves_within(box, near) : std::vector<EigenVector6>{};
-  auto proof = prove_stable(box, middle, near, limit, work_, moves);
-  if (!proof) return false;
+  auto proof = prove_stable(box, middle, near, limit, most_nodes_, work_, moves);
+  if (!proof) {
+    const Vector6 motion = motion_of(box, near);
+    near_.assign(motion.begin(), motion.end());
+    return false;
+  }
   if (parts_.empty()) motion_ = motion_of(box, near);
   parts_.emplace_back(std::move(*proof));
   return true;
@@ -205,6 +227,16 @@ bool SpaceDecider::prove_whole(const SpaceModel& box,
     if (!near_middle) near_middle = near;
     return holds = prove_stable_near(box, middle, near);
   };
+  // What no force opposes is found exactly: in doubles it would be missed by a little.
+  const std::optional<IntegerVector<6>> unopposed =
+      stable_ != true ? ForceSpan(box).unopposed(box) : std::nullopt;
+  if (unopposed && SpaceRegion::root(box).is_refuted(box, *unopposed, nullptr)) {
+    tree_.emplace_back(LeafIn<6>{*unopposed});
+    ++work_.nodes;
+    ++work_.leaves;
+    stable_ = false;
+    return true;
+  }
   if (stable_ != false) {
     constexpr std::size_t kStarts = 3;
     for (const NearEquilibrium& near : newton.solve_from(kStarts)) {
@@ -223,6 +255,7 @@ bool SpaceDecider::prove_whole(const SpaceModel& box,
     return near && (prove_near(*near) || is_wide_);
   });
   const bool refuted = search.refute(SpaceRegion::root(box), tree_);
+  end_ = search.end();
   if (!refuted) tree_.erase(tree_.begin() + static_cast<std::ptrdiff_t>(before), tree_.end());
   if (!refuted && !holds) return false;
   // (Of another part it may have been proved that it is unstable.)
@@ -327,7 +360,7 @@ SpatialDecision decide(const SpatialQuestion& question, const SpatialSearchOptio
   SpatialDecision decision{Undecided{}, {}, options.bits};
   const bool is_wide = !question.grasp.is_point();
   ExampleSearch examples(question, options, decision.work);
-  std::size_t limit = 0;
+  SearchReport report;
   constexpr std::size_t kMostParts = 32;
   for (const std::size_t most_parts : {std::size_t{0}, kMostParts}) {
     SpaceDecider decider(question, options, most_parts, decision.work);
@@ -335,7 +368,7 @@ SpatialDecision decide(const SpatialQuestion& question, const SpatialSearchOptio
       decision.verdict = std::move(decider).verdict();
       return decision;
     }
-    limit = decider.node_limit();
+    report = decider.report();
     if (!is_wide) break;
     for (const auto& grasp : decider.examples()) {
       if (grasp) examples.try_grasp(*grasp);
@@ -350,9 +383,7 @@ SpatialDecision decide(const SpatialQuestion& question, const SpatialSearchOptio
       return decision;
     }
   }
-  decision.verdict =
-      Undecided{"no proof was found within " + std::to_string(limit) + " nodes a tree" +
-                (is_wide ? ", and no two grasps that differ" : "")};
+  decision.verdict = undecided_by(report);
   return decision;
 }
 

@@ -272,12 +272,6 @@ std::vector<NearEquilibrium> NewtonMethod::solve_from(std::size_t starts) const 
   return result;
 }
 
-namespace {
-
-using RationalMatrix = Eigen::Matrix<Rational, Eigen::Dynamic, Eigen::Dynamic>;
-using RationalVector = Eigen::Matrix<Rational, Eigen::Dynamic, 1>;
-
-/// Directions across n: two of its rational tangents.
 std::array<Vector3, 2> tangents_of(const Vector3& n) {
   std::size_t least = 0;
   for (std::size_t j = 1; j < 3; ++j) {
@@ -288,6 +282,11 @@ std::array<Vector3, 2> tangents_of(const Vector3& n) {
   const Vector3 first = cross(n, unit);
   return {first, cross(n, first)};
 }
+
+namespace {
+
+using RationalMatrix = Eigen::Matrix<Rational, Eigen::Dynamic, Eigen::Dynamic>;
+using RationalVector = Eigen::Matrix<Rational, Eigen::Dynamic, 1>;
 
 /// A basis of the motions with no slip at these contacts, by columns.
 RationalMatrix motions_without_slip(const SpaceModel& model,

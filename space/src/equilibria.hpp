@@ -69,6 +69,9 @@ class NewtonMethod {
   const SpaceModel& model_;
 };
 
+/// Directions across n: two of its rational tangents.
+std::array<Vector3, 2> tangents_of(const Vector3& n);
+
 /// An exact equilibrium with these modes, if there is one: none may slip where friction acts.
 std::optional<SpatialWitness> exact_witness(const SpaceModel& model,
                                             const NearEquilibrium& near);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "equilibria.hpp"
+#include "rest.hpp"
 #include "space_search.hpp"
 #include "spatial_degree.hpp"
 #include "stickslip/core/error.hpp"
@@ -80,7 +81,10 @@ class SpatialMarginSearch {
     } else {
       const Rational end = follow_from_zero();
       if (margin_.claims.empty()) {
-        claim_all({0, {}, true, 0, most()});
+        searches_ = kMostSearches / 2;  // the others are for what is refuted
+        for (const Rational& multiple : seeds()) look_at(multiple);
+        searches_ = kMostSearches;
+        claim_between();
       } else if (end < most()) {
         claim_all({end + least_step(end), {}, false, end, most()});
       }
@@ -97,7 +101,9 @@ class SpatialMarginSearch {
   static constexpr std::size_t kStarts = 3;
 
   /// Of all searches together.
-  bool is_spent() const { return margin_.work.nodes > kMostSearches * node_limit_; }
+  bool is_spent() const { return margin_.work.nodes > searches_ * node_limit_; }
+  /// Of a wall's tree.
+  std::size_t wall_limit() const { return std::max<std::size_t>(node_limit_ / 24, 1); }
   /// What is resisted is followed no farther.
   Rational most() const { return 1024 * unit_; }
   Rational least_step(const Rational& multiple) const {
@@ -111,7 +117,9 @@ class SpatialMarginSearch {
     const auto holds = [&](const NearEquilibrium& near) {
       if (auto witness = witness_at(1, near)) {
         claim_resisted(0, {}, SpatialSegment{std::move(*witness), {}});
-      } else if (auto proof = prove({1, 1}, there, near, {}, node_limit_ / 24)) {
+      } else if (auto rest = prove_at_rest(model_.within({1, 1}), near)) {
+        claim_resisted(0, {}, std::move(*rest));
+      } else if (auto proof = prove({1, 1}, there, near, {}, wall_limit())) {
         claim_resisted(0, {}, std::move(*proof));
       }
       return !margin_.claims.empty();
@@ -133,6 +141,67 @@ class SpatialMarginSearch {
       }
     }
     margin_.claims.emplace_back(RefutedMultiples{0, {}, std::move(tree)});
+  }
+
+  /// Where to look for what is resisted, if that does not begin at 0.
+  std::vector<Rational> seeds() const {
+    std::vector<Rational> result{0};
+    for (Rational multiple = unit_ / 8; multiple <= 64 * unit_; multiple *= 2) {
+      result.push_back(multiple);
+    }
+    return result;
+  }
+
+  /// Follows an equilibrium of this multiple both ways, if no claim is about it.
+  void look_at(const Rational& multiple) {
+    if (is_spent()) return;
+    Rational floor = 0;
+    Rational ceiling = most();
+    for (const MultiplesClaim& claim : margin_.claims) {
+      const auto& resisted = std::get<ResistedMultiples>(claim);
+      if (resisted.low <= multiple && multiple <= *resisted.high) return;
+      if (*resisted.high < multiple) floor = std::max(floor, *resisted.high);
+      if (resisted.low > multiple) ceiling = std::min(ceiling, resisted.low);
+    }
+    for (const NearEquilibrium& near : NewtonMethod(model_.at(multiple)).solve_from(kStarts)) {
+      const Member start = member(multiple, near);
+      const Rational up = follow(start, ceiling);
+      const Rational down = follow(start, floor);
+      if (up != down || claim_one(start)) return;
+    }
+  }
+
+  /// Claims this one multiple.
+  bool claim_one(const Member& at) {
+    if (at.witness) {
+      claim_resisted(at.multiple, at.multiple, SpatialSegment{*at.witness, {}});
+      return true;
+    }
+    auto proof =
+        prove({at.multiple, at.multiple}, model_.at(at.multiple), at.near, {}, wall_limit());
+    if (proof) claim_resisted(at.multiple, at.multiple, std::move(*proof));
+    return proof.has_value();
+  }
+
+  /// What lies between claims, below and above them.
+  void claim_between() {
+    std::vector<std::pair<Rational, Rational>> known;
+    for (const MultiplesClaim& claim : margin_.claims) {
+      const auto& resisted = std::get<ResistedMultiples>(claim);
+      known.emplace_back(resisted.low, *resisted.high);
+    }
+    std::sort(known.begin(), known.end());
+    // What is above all is mostly refuted at once.
+    std::vector<Range> gaps;
+    Range gap{0, {}, true, 0, most()};
+    for (const auto& [from, to] : known) {
+      gap.high = from - least_step(from);
+      gap.ceiling = from;
+      gaps.push_back(gap);
+      gap = {to + least_step(to), {}, false, to, most()};
+    }
+    if (gap.floor < most()) gaps.push_back(gap);
+    for (auto range = gaps.rbegin(); range != gaps.rend(); ++range) claim_all(*range);
   }
 
   /// How far it came.
@@ -240,6 +309,7 @@ class SpatialMarginSearch {
     while (from.multiple != to) {
       const Rational before = from.multiple;
       from = follow_by_witnesses(std::move(from), to);
+      from = follow_at_rest(std::move(from), to);
       from = follow_by_degree(std::move(from), to);
       if (from.multiple == before) break;
     }
@@ -277,11 +347,39 @@ class SpatialMarginSearch {
     return last;
   }
 
-  /// In steps that are small first, until there is a witness.
+  /// As far as friction holds whatever is closed.
+  Member follow_at_rest(Member from, const Rational& to) {
+    Rational step = abs(to - from.multiple);
+    while (from.multiple != to && step >= least_step(from.multiple) / 8) {
+      const Rational next = towards(from.multiple, to, step);
+      const MultipleRange range{std::min(from.multiple, next), std::max(from.multiple, next)};
+      const auto between = equilibrium_at((range.low + *range.high) / 2, from.near);
+      auto proof = between ? prove_at_rest(model_.within(range), *between) : std::nullopt;
+      const auto there = proof ? equilibrium_at(next, *between) : std::nullopt;
+      if (there) {
+        claim_resisted(range.low, range.high, std::move(*proof));
+        from = member(next, *there);
+      } else {
+        step /= 2;
+      }
+    }
+    return from;
+  }
+
+  /// In steps that are small first, until there is a witness. Only where that leads nowhere are
+  /// proofs tried that take long.
   Member follow_by_degree(Member from, const Rational& to) {
-    Rational step = 4 * least_step(from.multiple);
+    const Rational begin = from.multiple;
+    const Rational first = 4 * least_step(begin);
+    Rational step = first;
+    std::size_t limit = 0;
     bool grows = true;  // a step that has failed seldom serves a little farther on
-    while (from.multiple != to && step >= least_step(from.multiple) && !is_spent()) {
+    while (from.multiple != to && !is_spent()) {
+      if (step < least_step(from.multiple)) {
+        if (limit != 0 || from.multiple != begin) break;
+        limit = wall_limit();
+        step = first;
+      }
       const Rational next = towards(from.multiple, to, step);
       const MultipleRange range{std::min(from.multiple, next), std::max(from.multiple, next)};
       const auto there = equilibrium_at(next, from.near);
@@ -289,8 +387,9 @@ class SpatialMarginSearch {
       const auto between = there ? equilibrium_at(middle, from.near) : std::nullopt;
       std::optional<SpatialDegreeProof> proof;
       if (between) {
-        proof = prove(range, model_.at(middle), *between,
-                      {from.near.motion - between->motion, there->motion - between->motion}, 0);
+        proof =
+            prove(range, model_.at(middle), *between,
+                  {from.near.motion - between->motion, there->motion - between->motion}, limit);
       }
       if (!proof) {
         step /= 2;
@@ -325,7 +424,8 @@ class SpatialMarginSearch {
                                           const NearEquilibrium& near,
                                           const std::vector<EigenVector6>& moves,
                                           std::size_t limit) {
-    return prove_stable(model_.within(range), middle, near, limit, margin_.work, moves);
+    return prove_stable(model_.within(range), middle, near, limit, kMostSearches * node_limit_,
+                        margin_.work, moves);
   }
 
   void claim_resisted(const Rational& low, const std::optional<Rational>& high,
@@ -345,6 +445,7 @@ class SpatialMarginSearch {
   const std::function<void(const SpatialMargin&)>& progress_;
   Rational unit_ = 1;  ///< a typical multiple, a power of 2
   bool is_homogeneous_ = true;
+  std::size_t searches_ = kMostSearches;  ///< whose nodes may be spent by now
   SpatialMargin margin_;
 };
 

@@ -10,11 +10,6 @@
 namespace stickslip::space_detail {
 namespace {
 
-std::vector<Rational> ends_of(const Interval& interval) {
-  if (interval.is_point()) return {interval.low};
-  return {interval.low, interval.high};
-}
-
 std::array<double, 2> rounded(const Interval& interval) {
   return {to_double(interval.low), to_double(interval.high)};
 }
@@ -59,14 +54,13 @@ CornerRow row_at(const Vector3& p, const Vector3& n) {
 }
 
 void add_corners(SpaceContact& contact) {
+  contact.centre = row_at({contact.position[0].middle(), contact.position[1].middle(),
+                           contact.position[2].middle()},
+                          contact.normal);
   contact.corners.clear();
-  for (const Rational& x : ends_of(contact.position[0])) {
-    for (const Rational& y : ends_of(contact.position[1])) {
-      for (const Rational& z : ends_of(contact.position[2])) {
-        contact.corners.push_back(row_at({x, y, z}, contact.normal));
-      }
-    }
-  }
+  for_each_corner(contact.position, [&](const Vector3& p) {
+    contact.corners.push_back(row_at(p, contact.normal));
+  });
 }
 
 /// P' and P^u' at their ends.
@@ -166,13 +160,24 @@ void SpaceModel::complete() {
     const double across = std::sqrt(dot(c.tangents[0], c.tangents[0]));
     for (double& entry : c.tangents[0]) entry /= across;
     c.tangents[1] = cross(n, c.tangents[0]);
+    c.is_moderate = true;
+    const auto over = [&](const Rational& exact, double scale) {
+      const double value = to_double(exact) / scale;
+      const double magnitude = std::fabs(value);
+      const bool is_moderate = magnitude >= 0x1p-200 && magnitude <= 0x1p200;
+      c.is_moderate = c.is_moderate && (exact.is_zero() || is_moderate);
+      return value;
+    };
+    for (const Interval* interval : {&c.preload, &c.rate, &c.stiffness}) {
+      over(interval->low, 1);
+      over(interval->high, 1);
+    }
     for (CornerRow& row : c.corners) {
-      const double factor = to_double(row.slip_factor);
       for (std::size_t j = 0; j < 6; ++j) {
         const double scale = j < 3 ? 1 : length;
-        row.normal_rounded[j] = to_double(row.normal[j]) / scale;
+        row.normal_rounded[j] = over(row.normal[j], scale);
         for (std::size_t k = 0; k < 3; ++k) {
-          row.slip_rounded[k][j] = to_double(Rational(row.slip[k][j])) / factor / scale;
+          row.slip_rounded[k][j] = over(row.slip[k][j] / row.slip_factor, scale);
         }
       }
     }

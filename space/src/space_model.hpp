@@ -19,6 +19,22 @@ using Point = IntegerVector<8>;
 using Double3 = std::array<double, 3>;
 using Double6 = std::array<double, 6>;
 
+/// The different ends of an interval.
+inline std::vector<Rational> ends_of(const Interval& interval) {
+  if (interval.is_point()) return {interval.low};
+  return {interval.low, interval.high};
+}
+
+/// Calls visit(p) for all corners of a position, z changing from one to the next.
+template <class Visit>
+void for_each_corner(const std::array<Interval, 3>& position, const Visit& visit) {
+  for (const Rational& x : ends_of(position[0])) {
+    for (const Rational& y : ends_of(position[1])) {
+      for (const Rational& z : ends_of(position[2])) visit(Vector3{x, y, z});
+    }
+  }
+}
+
 /// N and S with the contact at a corner of its position.
 struct CornerRow {
   Vector6 normal;                        ///< N
@@ -40,6 +56,7 @@ struct SpaceContact {
   Interval rate;                   ///< P^u' of a margin, whose ends go with those of P'
   Interval stiffness;              ///< k'
   bool geometry_is_certain;        ///< one corner
+  CornerRow centre;                ///< the row of the middle of the position
 
   /// v at all corners of all parameters, without repetition: positive multiples, and factors
   /// that make them v.
@@ -54,6 +71,9 @@ struct SpaceContact {
   std::array<double, 2> rates;
   std::array<double, 2> stiffnesses;
   std::array<Double3, 2> tangents;  ///< of length 1, across n
+  /// Whether rows, preloads, rates and stiffnesses are 0 or between 2^-200 and 2^200, so that
+  /// no product with a point of norm 1 overflows or vanishes. If not, doubles decide no sign.
+  bool is_moderate;
   /// \}
 };
 

@@ -11,6 +11,31 @@ IntegerVector3 exact_slip(const CornerRow& row, const Point& x) {
   return {dot(row.slip_planes[0], x), dot(row.slip_planes[1], x), dot(row.slip_planes[2], x)};
 }
 
+/// The sum of terms that are, up to rounding and one positive factor, those of function.x: with
+/// the exact sign, and to a few digits even where they cancel.
+double sum_of(const std::array<double, 8>& terms, bool may_be_rounded, const Point& function,
+              const Point& x) {
+  double sum = 0;
+  double magnitude = 0;
+  std::size_t largest = 0;
+  for (std::size_t j = 0; j < terms.size(); ++j) {
+    sum += terms[j];
+    magnitude += std::fabs(terms[j]);
+    if (std::fabs(terms[j]) > std::fabs(terms[largest])) largest = j;
+  }
+  constexpr double kLost = 1e-10;
+  constexpr double kLeast = 1e-200;  // beside which what underflows is nothing
+  if (may_be_rounded && std::fabs(sum) > kLost * magnitude + kLeast) return sum;
+  const Integer exact = dot(function, x);
+  if (exact.is_zero()) return 0;
+  const Integer term = function[largest] * x[largest];
+  const std::array<double, 2> both = in_doubles(IntegerVector<2>{exact, term});
+  const double value = both[0] / both[1] * terms[largest];
+  // What underflows is tiny, but not 0.
+  constexpr double kTiny = 1e-300;
+  return std::isfinite(value) && value * exact.sign() > 0 ? value : exact.sign() * kTiny;
+}
+
 /// The sign of (a x b).n: whether b is to the left of a, seen against n.
 int turn(const IntegerVector3& a, const IntegerVector3& b, const IntegerVector3& n) {
   return dot(cross(a, b), n).sign();
@@ -78,14 +103,14 @@ SpaceRegion SpaceRegion::root(const SpaceModel& model) {
   return SpaceRegion(model, std::move(cone));
 }
 
-SpaceRegion SpaceRegion::wall(const SpaceModel& model, const SquareMatrix<6>& walls,
-                              const Vector6& centre, std::size_t wall, int sign) {
+SpaceRegion SpaceRegion::wall(const SpaceModel& model, const ConvexBody<6>& body,
+                              std::size_t wall) {
   StrictCone cone = whole_cone(model);
   if (model.is_family) {
     cone.cut(end_plane(model.multiples.low, 1), Side::kPositive);
     cone.cut(end_plane(*model.multiples.high, -1), Side::kPositive);
   }
-  cone.cut_to_wall(walls, centre, wall, sign);
+  cone.cut_to_wall(body, wall);
   return SpaceRegion(model, std::move(cone));
 }
 
@@ -178,18 +203,12 @@ void SpaceRegion::compute_slips(const SpaceModel& model, std::size_t contact) {
       }
       // Where much is lost to cancellation the direction is that of the exact slip.
       constexpr double kLost = 1e-5;
-      if (!(dot(s, s) > kLost * kLost * size * size)) {
-        const IntegerVector3 exact = exact_slip(row, points()[g]);
-        Integer most = 0;
-        for (const Integer& entry : exact) most = std::max(most, Integer(abs(entry)));
-        const double before = std::sqrt(dot(s, s));
-        for (std::size_t k = 0; k < 3; ++k) {
-          s[k] = most.is_zero() ? 0 : to_double(Rational(exact[k], most));
-        }
-        if (!most.is_zero()) {
-          const double to = std::max(before, 1e-300) / std::sqrt(dot(s, s));
-          for (double& entry : s) entry *= to;
-        }
+      if (!model.contacts[contact].is_moderate || !(dot(s, s) > kLost * kLost * size * size)) {
+        constexpr double kLeast = 1e-100;  // whose square does not vanish
+        const double before = std::max(std::sqrt(dot(s, s)), kLeast);
+        s = in_doubles(exact_slip(row, points()[g]));
+        equilibrium_detail::normalize(s);
+        for (double& entry : s) entry *= before;
       }
       slip_values_[first_slip_[contact] + g * corners.size() + c] = s;
     }
@@ -204,33 +223,21 @@ void SpaceRegion::find_separation(const SpaceModel& model, std::size_t contact) 
     const ScaledPoint<6>& at = generators_[g];
     double high = -HUGE_VAL;
     double low = HUGE_VAL;
-    const auto take = [&](double value, double magnitude, const auto& exact_sign) {
-      constexpr double kClear = 1e-13;
-      if (!(std::fabs(value) > kClear * magnitude)) {
-        const int sign = exact_sign();
-        if (sign == 0) value = 0;
-        if (sign * value < 0 || (sign != 0 && value == 0)) value = sign * 1e-300;
-      }
-      high = std::max(high, value);
-      low = std::min(low, value);
-    };
     std::size_t plane = 0;
     for (const CornerRow& row : c.corners) {
-      double rise = 0;
-      double size = 0;
-      for (std::size_t j = 0; j < 6; ++j) {
-        const double term = row.normal_rounded[j] * at[j];
-        rise += term;
-        size += std::fabs(term);
-      }
       const bool certain = c.preload.is_point() && c.rate.is_point();
       for (std::size_t k = 0; k < (c.stiffness.is_point() ? 1U : 2U); ++k) {
         for (std::size_t p = 0; p < (certain ? 1U : 2U); ++p) {
-          const Point& exact = c.separations[plane++];
-          const double preload = c.preloads[p] * at[6] + c.rates[p] * at[7];
-          const double parts = c.preloads[p] * at[6] + c.rates[p] * std::fabs(at[7]);
-          take(preload - c.stiffnesses[k] * rise, parts + c.stiffnesses[k] * size,
-               [&] { return dot(exact, points()[g]).sign(); });
+          std::array<double, 8> terms;
+          for (std::size_t j = 0; j < 6; ++j) {
+            terms[j] = -c.stiffnesses[k] * row.normal_rounded[j] * at[j];
+          }
+          terms[6] = c.preloads[p] * at[6];
+          terms[7] = c.rates[p] * at[7];
+          const double value =
+              sum_of(terms, c.is_moderate, c.separations[plane++], points()[g]);
+          high = std::max(high, value);
+          low = std::min(low, value);
         }
       }
     }
@@ -292,24 +299,32 @@ void SpaceRegion::find_slips(const SpaceModel& model, std::size_t contact) {
   const bool may_be_half = gap < kPi + kClose;
   const double first = directions[after].angle;
   const double last = first + 2 * kPi - gap;
-  bool has_middle = !may_be_half;
+  std::optional<std::pair<std::size_t, std::size_t>> middle;
   for (const Direction& d : directions) {
     const double angle = d.angle < first ? d.angle + 2 * kPi : d.angle;
     const bool is_side = angle < first + kClose || angle > last - kClose;
-    if (is_side || !has_middle) cone.sides.emplace_back(d.generator, d.corner);
-    has_middle = has_middle || !is_side;
+    const bool is_middle = may_be_half && !is_side && !middle;
+    if (is_middle) middle = {d.generator, d.corner};
+    if (is_side || is_middle) cone.sides.emplace_back(d.generator, d.corner);
   }
-  if (cone.moves) return;
   if (may_be_half) {
     std::vector<IntegerVector3> sides;
     for (const auto& [g, k] : cone.sides) {
       sides.push_back(exact_slip(c.corners[k], points()[g]));
     }
+    const auto is_opposed = [&](std::size_t g, std::size_t k) {
+      return is_in_cone(negated(exact_slip(c.corners[k], points()[g])), sides, c.axis);
+    };
+    if (middle && is_opposed(middle->first, middle->second)) {
+      cone.whole = true;
+      cone.sides.clear();
+      return;
+    }
     for (const auto& [g, k] : cone.sides) {
-      const IntegerVector3 s = exact_slip(c.corners[k], points()[g]);
-      if (is_in_cone(negated(s), sides, c.axis)) still[k].push_back(g);
+      if (!cone.moves && is_opposed(g, k)) still[k].push_back(g);
     }
   }
+  if (cone.moves) return;
   cone.moves = std::all_of(still.begin(), still.end(),
                            [&](const auto& zeros) { return bars_all(model, zeros); });
 }

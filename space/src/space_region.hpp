@@ -31,8 +31,7 @@ class SpaceRegion : public StrictCone<6> {
   /// {h >= 0}, and under the bilateral law v_i >= 0 where that is certain.
   static SpaceRegion root(const SpaceModel& model);
   /// As StrictCone::cut_to_wall.
-  static SpaceRegion wall(const SpaceModel& model, const SquareMatrix<6>& walls,
-                          const Vector6& centre, std::size_t wall, int sign);
+  static SpaceRegion wall(const SpaceModel& model, const ConvexBody<6>& body, std::size_t wall);
 
   /// \{ Children. The strict side of a plane is the negative one.
   std::vector<SpaceRegion> halves(const SpaceModel& model, const Point& plane) const;

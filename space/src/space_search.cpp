@@ -173,6 +173,7 @@ class Wrenches {
       if (work > best.work && (acts || !region_.bars_point(model_, g))) best = {work, {}, g};
     }
     for (std::size_t g = 0; g < against_.size(); ++g) {
+      if (dot(against_[g], against_[g]) == 0) continue;  // a free motion
       const double work = dot(against_[g], y);
       if (work > best.work) best = {work, against_[g], g, true};
     }
@@ -242,6 +243,20 @@ class Wrenches {
   std::vector<Double6> against_;
 };
 
+/// How far a force in this direction at the contact may turn the object, beside one at the
+/// middle of its position: p.(f x omega) changes by at most the sum of far_k |omega_k|.
+Vector3 farthest_arm(const SpaceContact& c, const Vector3& f) {
+  Vector3 radius;
+  for (std::size_t j = 0; j < 3; ++j) radius[j] = (c.position[j].high - c.position[j].low) / 2;
+  Vector3 far{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t a = (k + 1) % 3;
+    const std::size_t b = (k + 2) % 3;
+    far[k] = radius[a] * abs(f[b]) + radius[b] * abs(f[a]);
+  }
+  return far;
+}
+
 }  // namespace
 
 /// The twist in the fewest bits that still refute the region.
@@ -286,6 +301,68 @@ std::optional<IntegerVector<6>> SpaceSearch::confirm(const SpaceRegion& region,
   return found;
 }
 
+/// A plane beside the wedge, towards the motion: all that lies beyond it, strictly, has one
+/// sign. Rotations have one sign first, so that such a plane is one. Nothing in the wedge.
+std::optional<SpaceSearch::SpaceBranch> SpaceSearch::split_wedge(const SpaceRegion& region,
+                                                                 const SpaceRelaxation& found,
+                                                                 const Wedge& wedge) const {
+  Double6 motion = motion_of<6>(found.motion);
+  for (std::size_t j = 3; j < 6; ++j) motion[j] /= model_.length;
+  double value = 0;
+  double width = 0;
+  for (std::size_t j = 0; j < 6; ++j) value += to_double(wedge.middle[j]) * motion[j];
+  for (std::size_t k = 0; k < 3; ++k)
+    width += to_double(wedge.far[k]) * std::fabs(motion[k + 3]);
+  const double height = found.motion[6];
+  const int side = value + to_double(wedge.low) * height - width > 0    ? 1
+                   : value + to_double(wedge.high) * height + width < 0 ? -1
+                                                                        : 0;
+  if (side == 0) return std::nullopt;
+  std::array<Rational, 8> towards{};
+  for (std::size_t j = 0; j < 6; ++j) towards[j] = side * wedge.middle[j];
+  towards[6] = side > 0 ? wedge.low : Rational(-wedge.high);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (wedge.far[k].is_zero()) continue;
+    Point rotation{};
+    rotation[k + 3] = 1;
+    const PlaneSigns signs = region.signs(rotation);
+    if (signs.cuts()) {
+      return SpaceBranch{PlaneSplitIn<6>{rotation}, region.halves(model_, rotation)};
+    }
+    towards[k + 3] -= (signs.negative ? -1 : 1) * wedge.far[k];
+  }
+  const Point plane = negated(primitive_multiple(towards));
+  if (!region.signs(plane).negative) return std::nullopt;
+  return SpaceBranch{PlaneSplitIn<6>{plane}, region.halves(model_, plane)};
+}
+
+std::optional<SpaceSearch::SpaceBranch> SpaceSearch::split_separation(
+    const SpaceRegion& region, const SpaceRelaxation& found, std::size_t contact) const {
+  const SpaceContact& c = model_.contacts[contact];
+  if (c.has_certain_separation()) {
+    return SpaceBranch{SeparationSplit{ContactId(contact)},
+                       region.halves(model_, c.separations.front())};
+  }
+  if (!model_.is_family) {  // v / k'
+    Wedge wedge{c.centre.normal, c.preload.low / c.stiffness.high,
+                c.preload.high / c.stiffness.low, farthest_arm(c, c.normal)};
+    for (Rational& entry : wedge.middle) entry = -entry;
+    return split_wedge(region, found, wedge);
+  }
+  // The corner's plane that is nearest to the motion, of those that cut the region.
+  const Point* nearest = nullptr;
+  double least = HUGE_VAL;
+  for (const Point& plane : c.separations) {
+    const double value = std::fabs(value_at<6>(plane, found.motion, model_.length));
+    if (value < least && region.signs(plane).cuts()) {
+      least = value;
+      nearest = &plane;
+    }
+  }
+  if (nearest == nullptr) return std::nullopt;
+  return SpaceBranch{PlaneSplitIn<6>{*nearest}, region.halves(model_, *nearest)};
+}
+
 /// Across the mean of the slip and of the one that friction implies: first whether there is any
 /// slip, and then on which side.
 std::optional<SpaceSearch::SpaceBranch> SpaceSearch::split_slip(const SpaceRegion& region,
@@ -328,6 +405,19 @@ std::optional<SpaceSearch::SpaceBranch> SpaceSearch::split_slip(const SpaceRegio
   }
   const SlipCone& cone = region.slips(contact);
   const bool narrow = cone.moves && !cone.whole;
+  if (!c.geometry_is_certain && !narrow) {
+    const IntegerVector3 direction = in_bits<3>(mean, 6);
+    Wedge wedge{{}, 0, 0, {}};
+    Vector3 across{};  // the direction without its part along the normal
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t j = 0; j < 6; ++j) {
+        wedge.middle[j] += Rational(direction[k] * c.centre.slip[k][j]) / c.centre.slip_factor;
+      }
+    }
+    for (std::size_t k = 0; k < 3; ++k) across[k] = wedge.middle[k];
+    wedge.far = farthest_arm(c, across);
+    return split_wedge(region, found, wedge);
+  }
   auto plane = plane_along(narrow ? turned : mean);
   if (!plane) plane = plane_along(narrow ? mean : turned);
   if (!plane) return std::nullopt;
@@ -339,8 +429,7 @@ std::optional<SpaceSearch::SpaceBranch> SpaceSearch::split(const SpaceRegion& re
   const std::size_t m = model_.contacts.size();
   const Double6 motion = motion_of<6>(found.motion);
   double energy = 0;
-  double separation_gap = 0;
-  std::size_t separation = m;
+  std::vector<std::pair<double, std::size_t>> separations;
   std::vector<std::pair<double, std::size_t>> slips;
   for (std::size_t i = 0; i < m; ++i) {
     const SpaceContact& c = model_.contacts[i];
@@ -356,10 +445,7 @@ std::optional<SpaceSearch::SpaceBranch> SpaceSearch::split(const SpaceRegion& re
       }
       lawful = std::max(0.0, lawful);
       const double gap = std::fabs(a - lawful) * std::max(a, lawful) / stiffness;
-      if (gap > separation_gap) {
-        separation_gap = gap;
-        separation = i;
-      }
+      separations.emplace_back(gap, i);
     }
     if (c.slopes[1] > 0 && a > 0 && !region.is_still(i)) {
       const Double3 s = mean_slip(c, motion_of<6>(found.motion));
@@ -367,36 +453,28 @@ std::optional<SpaceSearch::SpaceBranch> SpaceSearch::split(const SpaceRegion& re
       slips.emplace_back(gap, i);
     }
   }
+  std::sort(separations.rbegin(), separations.rend());
   std::sort(slips.rbegin(), slips.rend());
-  if (escapes(found, energy)) return std::nullopt;
+  if (escapes(found, energy)) {
+    end_ = SearchEnd::kUnbounded;
+    return std::nullopt;
+  }
   // Trying an equilibrium costs as much as many nodes: it is done at counts 1, 2, 4, 8, ... and
   // where the relaxed one is nearer than before.
-  const double gap =
-      std::max(separation_gap, slips.empty() ? 0.0 : slips.front().first) / energy;
+  const double gap = std::max(separations.empty() ? 0.0 : separations.front().first,
+                              slips.empty() ? 0.0 : slips.front().first) /
+                     energy;
   const bool is_near = gap < least_gap_ / 10;
   if (is_near) least_gap_ = gap;
   const bool is_due = (nodes_ & (nodes_ - 1)) == 0;
-  if ((is_near || is_due) && is_candidate(region, found)) return std::nullopt;
+  if ((is_near || is_due) && is_candidate(region, found)) {
+    end_ = SearchEnd::kCandidate;
+    return std::nullopt;
+  }
   constexpr double kNoticeable = 1e-12;  // of the energy; only chooses between splits
-  if (separation_gap > kNoticeable * energy) {
-    const SpaceContact& c = model_.contacts[separation];
-    if (c.has_certain_separation()) {
-      return SpaceBranch{SeparationSplit{ContactId(separation)},
-                         region.halves(model_, c.separations.front())};
-    }
-    // The corner's plane that is nearest to the motion, of those that cut the region.
-    const Point* nearest = nullptr;
-    double least = HUGE_VAL;
-    for (const Point& plane : c.separations) {
-      const double value = std::fabs(value_at<6>(plane, found.motion, model_.length));
-      if (value < least && region.signs(plane).cuts()) {
-        least = value;
-        nearest = &plane;
-      }
-    }
-    if (nearest != nullptr) {
-      return SpaceBranch{PlaneSplitIn<6>{*nearest}, region.halves(model_, *nearest)};
-    }
+  for (const auto& [separation_gap, contact] : separations) {
+    if (!(separation_gap > kNoticeable * energy)) break;
+    if (auto branch = split_separation(region, found, contact)) return branch;
   }
   for (const auto& [slip_gap, contact] : slips) {
     if (!(slip_gap > kNoticeable * energy)) break;
@@ -411,6 +489,7 @@ std::optional<SpaceSearch::SpaceBranch> SpaceSearch::split(const SpaceRegion& re
       return SpaceBranch{PlaneSplitIn<6>{plane}, region.halves(model_, plane)};
     }
   }
+  end_ = SearchEnd::kPlane;
   return std::nullopt;
 }
 
@@ -449,7 +528,10 @@ std::optional<SpaceSearch::SpaceBranch> SpaceSearch::examine(const SpaceRegion& 
                                                              std::size_t depth) {
   // Below the depth that the format allows.
   const std::size_t deepest = 2 * model_.contacts.size() + 250;
-  if (nodes_left_ == 0 || depth > deepest) return std::nullopt;
+  if (nodes_left_ == 0 || depth > deepest) {
+    end_ = nodes_left_ == 0 ? SearchEnd::kNodes : SearchEnd::kDepth;
+    return std::nullopt;
+  }
   --nodes_left_;
   ++nodes_;
   ++work_.nodes;
@@ -467,12 +549,16 @@ std::optional<SpaceSearch::SpaceBranch> SpaceSearch::examine(const SpaceRegion& 
       nearest_wrench<6>(start, [&](const Double6& y) { return wrenches.worst(y); });
   if (!found.separated) return split(region, wrenches.combine(found));
   const auto y = confirm(region, found.twist);
-  if (!y) return std::nullopt;
+  if (!y) {
+    end_ = SearchEnd::kTwist;
+    return std::nullopt;
+  }
   ++work_.leaves;
   return SpaceBranch{LeafIn<6>{*y}, {}};
 }
 
 bool SpaceSearch::refute(const SpaceRegion& region, SpatialTrees& trees) {
+  end_ = SearchEnd::kNone;
   return append_tree(region, trees, [&](const SpaceRegion& at, std::size_t depth) {
     return examine(at, depth);
   });

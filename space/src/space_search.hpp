@@ -10,6 +10,7 @@
 
 #include "equilibria.hpp"
 #include "space_region.hpp"
+#include "stickslip/equilibrium/search/search_end.hpp"
 #include "stickslip/equilibrium/search/tree_walk.hpp"
 
 namespace stickslip::space_detail {
@@ -20,6 +21,16 @@ struct SpaceRelaxation {
   std::vector<double> normal;       ///< a by contact
   std::vector<Double3> friction;    ///< f by contact
   std::vector<std::size_t> points;  ///< generators that take part, of largest weight first
+};
+
+/// A function of points that a contact's uncertain position makes uncertain: it lies between
+/// low h + middle - far.|omega| and high h + middle + far.|omega| (of the rotation omega of a
+/// point).
+struct Wedge {
+  Vector6 middle;  ///< a function of motions
+  Rational low;    ///< of the height
+  Rational high;   ///< of the height
+  Vector3 far;     ///< >= 0
 };
 
 /// One search, or several that share a limit.
@@ -38,8 +49,8 @@ class SpaceSearch {
   /// Appends a tree that refutes the region; false if none was found, and then `trees` has some
   /// nodes more.
   bool refute(const SpaceRegion& region, SpatialTrees& trees);
-  /// The limit was reached.
-  bool is_spent() const { return nodes_left_ == 0; }
+  /// Of the last search.
+  SearchEnd end() const { return end_; }
 
  private:
   using SpaceBranch = equilibrium_detail::Branch<SpatialNode, SpaceRegion>;
@@ -47,14 +58,21 @@ class SpaceSearch {
   std::optional<SpaceBranch> examine(const SpaceRegion& region, std::size_t depth);
   std::optional<IntegerVector<6>> confirm(const SpaceRegion& region, const Double6& twist);
   std::optional<SpaceBranch> split(const SpaceRegion& region, const SpaceRelaxation& found);
+  std::optional<SpaceBranch> split_separation(const SpaceRegion& region,
+                                              const SpaceRelaxation& found,
+                                              std::size_t contact) const;
   std::optional<SpaceBranch> split_slip(const SpaceRegion& region, const SpaceRelaxation& found,
                                         std::size_t contact) const;
+  std::optional<SpaceBranch> split_wedge(const SpaceRegion& region,
+                                         const SpaceRelaxation& found,
+                                         const Wedge& wedge) const;
   bool is_candidate(const SpaceRegion& region, const SpaceRelaxation& found) const;
   bool escapes(const SpaceRelaxation& found, double energy) const;
 
   const SpaceModel& model_;
   const Direction<6>* direction_;
   std::size_t nodes_left_;
+  SearchEnd end_ = SearchEnd::kNone;
   std::size_t nodes_ = 0;
   double least_gap_ = 1e-3;  ///< of relaxed equilibria that were tried, over the energy
   Candidate candidate_;

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include "random_numbers.hpp"
 
 namespace stickslip {
@@ -79,6 +83,48 @@ TEST(IntegerVector, PrimitiveMultiplesAreTheSameInAndBeyondMachineWords) {
     EXPECT_EQ(primitive(scaled), expected);
     EXPECT_EQ(primitive(negated(scaled)), negated(expected));
   }
+}
+
+/// a as doubles over its largest entry, by exact quotients.
+template <std::size_t n>
+std::array<double, n> over_largest(const IntegerVector<n>& a) {
+  Integer largest = 1;
+  for (const Integer& entry : a) largest = std::max(largest, Integer(abs(entry)));
+  std::array<double, n> result;
+  for (std::size_t j = 0; j < n; ++j) result[j] = to_double(Rational(a[j], largest));
+  return result;
+}
+
+TEST(IntegerVector, DoublesNeitherOverflowNorVanishWhateverTheBits) {
+  testing::Random random(11);
+  for (const unsigned bits : {1U, 53U, 100U, 500U, 512U, 900U, 1024U, 2000U, 20000U}) {
+    for (int k = 0; k < 40; ++k) {
+      IntegerVector<8> a{};
+      for (Integer& entry : a) {
+        entry = random.digits(18) * random.integer(-1, 1);
+        entry <<= bits;
+      }
+      a[3] >>= bits / 2;  // entries of very different sizes
+      const std::array<double, 8> x = in_doubles(a);
+      if (is_zero(a)) {
+        EXPECT_EQ(x, (std::array<double, 8>{}));
+        continue;
+      }
+      double largest = 0;
+      for (const double entry : x) largest = std::max(largest, std::fabs(entry));
+      EXPECT_GE(largest, 0.5);
+      EXPECT_LT(largest, 1);
+      const std::array<double, 8> exact = over_largest(a);
+      for (std::size_t j = 0; j < 8; ++j) {
+        EXPECT_NEAR(x[j] / largest, exact[j], 8e-16 * std::fabs(exact[j]) + 1e-300) << bits;
+      }
+    }
+  }
+}
+
+TEST(IntegerVector, DoublesOfShortEntriesAreExact) {
+  EXPECT_EQ((in_doubles(Vector{3, -4, 0})), (std::array<double, 3>{0.375, -0.5, 0}));
+  EXPECT_EQ((in_doubles(Vector{0, 0, 0})), (std::array<double, 3>{}));
 }
 
 }  // namespace

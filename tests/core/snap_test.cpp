@@ -7,6 +7,7 @@
 #include "random_numbers.hpp"
 #include "stickslip/core/contact_row.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/integer_vector.hpp"
 
 namespace stickslip {
 namespace {
@@ -143,6 +144,87 @@ TEST(SnapNormals, CopesWithNearlyAxisParallelNormals) {
   EXPECT_EQ(squared_length(u), 1);
   EXPECT_TRUE(within(u, n, parse_rational("1e-40")));
   EXPECT_FALSE(u == (Vector2{1, 0}));
+}
+
+SpatialGrasp in_space(const std::vector<Vector3>& normals) {
+  SpatialGrasp grasp;
+  for (const Vector3& n : normals) {
+    grasp.contacts.push_back({{}, n, point_interval(1), point_interval(2), point_interval(3)});
+  }
+  return grasp;
+}
+
+Vector3 snap_one(const Vector3& n, const Rational& tolerance) {
+  return snap_normals(in_space({n}), tolerance).grasp.contacts[0].normal;
+}
+
+/// As within() of the plane.
+bool within(const Vector3& u, const Vector3& n, const Rational& bound) {
+  const Rational p = dot(u, n);
+  const Rational factor = 1 - bound * bound / 2;
+  return factor.sign() > 0 && p.sign() > 0 && p * p >= dot(n, n) * factor * factor;
+}
+
+TEST(SnapNormals, InSpaceGivesUnitVectorsWithinTheTolerance) {
+  Random random(24);
+  int moved = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Vector2 v = random.nonzero_vector();
+    const Vector3 n{v.x, v.y, random.small()};
+    if (exact_sqrt(dot(n, n))) continue;
+    for (const std::string& text : kTolerances) {
+      const Rational tolerance = parse_rational(text);
+      SCOPED_TRACE(to_string(n[0]) + " " + to_string(n[1]) + " " + to_string(n[2]) + " " +
+                   text);
+      const SpatialSnapResult result = snap_normals(in_space({n}), tolerance);
+      ASSERT_EQ(result.snapped.size(), 1U);
+      const SpatialSnappedNormal& s = result.snapped[0];
+      EXPECT_EQ(s.before, n);
+      EXPECT_EQ(s.after, result.grasp.contacts[0].normal);
+      EXPECT_EQ(dot(s.after, s.after), 1);
+      EXPECT_TRUE(within(s.after, n, tolerance));
+      const Rational bound = parse_rational(s.moved);
+      EXPECT_TRUE(within(s.after, n, bound)) << s.moved;
+      EXPECT_FALSE(within(s.after, n, bound * Rational(9, 10))) << s.moved;
+      EXPECT_LE(s.moved.size(), 9U) << s.moved;
+      ++moved;
+    }
+  }
+  EXPECT_GT(moved, 1000);
+}
+
+TEST(SnapNormals, InSpaceRespectsSignsSwapsAndScale) {
+  Random random(25);
+  for (int i = 0; i < 200; ++i) {
+    const Vector2 v = random.nonzero_vector();
+    const Vector3 n{v.x, v.y, random.small()};
+    if (exact_sqrt(dot(n, n))) continue;
+    const Rational tolerance = parse_rational(kTolerances[static_cast<std::size_t>(i) % 5]);
+    const Vector3 u = snap_one(n, tolerance);
+    EXPECT_EQ(snap_one(Vector3{-n[0], n[1], -n[2]}, tolerance), (Vector3{-u[0], u[1], -u[2]}));
+    EXPECT_EQ(snap_one(Vector3{n[0] * 7 / 3, n[1] * 7 / 3, n[2] * 7 / 3}, tolerance), u);
+    for (std::size_t j = 0; j < 3; ++j) EXPECT_TRUE(!n[j].is_zero() || u[j].is_zero());
+    if (abs(n[0]) != abs(n[1]) && abs(n[1]) != abs(n[2]) && abs(n[0]) != abs(n[2])) {
+      EXPECT_EQ(snap_one(Vector3{n[2], n[1], n[0]}, tolerance), (Vector3{u[2], u[1], u[0]}));
+    }
+  }
+}
+
+TEST(SnapNormals, InSpaceLeavesRationalLengthsAlone) {
+  const SpatialGrasp grasp = in_space({{2, 1, -2}, {1, 1, 1}, {0, 0, Rational(-1, 7)}});
+  const SpatialSnapResult result = snap_normals(grasp, parse_rational("1e-9"));
+  ASSERT_EQ(result.snapped.size(), 1U);
+  EXPECT_EQ(result.snapped[0].contact, ContactId(1));
+  for (const std::size_t i : {0U, 2U}) {
+    EXPECT_EQ(result.grasp.contacts[i].normal, grasp.contacts[i].normal);
+  }
+  EXPECT_EQ(result.grasp.contacts[1].preload, point_interval(3));
+  EXPECT_TRUE(snap_normals(result.grasp, parse_rational("1e-12")).snapped.empty());
+  // As short as a double's: 62 bits for each number at 1e-9.
+  for (const Rational& entry : result.snapped[0].after) {
+    EXPECT_LE(mpz_sizeinbase(denominator(entry).backend().data(), 2), 63U);
+  }
+  EXPECT_THROW(snap_normals(grasp, 1), InputError);
 }
 
 TEST(SnapNormals, RejectsABadTolerance) {

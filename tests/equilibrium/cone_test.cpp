@@ -9,6 +9,8 @@
 
 #include "naive_region.hpp"
 #include "random_grasps.hpp"
+#include "stickslip/equilibrium/search/strict_cone.hpp"
+#include "stickslip/equilibrium/search/tree_walk.hpp"
 
 namespace stickslip {
 namespace {
@@ -332,6 +334,38 @@ TEST(ConeSigns, AreExactWhereDoublesGiveOut) {
     }
     EXPECT_GE(cones, 20U) << bits;
   }
+}
+
+class SpatialRegion : public StrictCone<6> {
+ public:
+  SpatialRegion() { list_points(); }
+  SpatialRegion above(const Point& plane) const {
+    SpatialRegion part = *this;
+    part.cut(plane, Side::kPositive);
+    part.list_points();
+    return part;
+  }
+};
+
+/// Checkers may give up on more points than this (FORMAT.md, section 4), so that engines do.
+TEST(StrictCone, NoTreeHasRegionsOfTooManyPoints) {
+  std::size_t most = 0;
+  int t = 0;
+  std::vector<int> tree;
+  const bool whole = equilibrium_detail::append_tree(
+      SpatialRegion(), tree, [&](const SpatialRegion& region, std::size_t) {
+        most = std::max(most, region.points().size());
+        using Branch = equilibrium_detail::Branch<int, SpatialRegion>;
+        if (t == 30) return std::optional<Branch>({t, {}});
+        ++t;
+        SpatialRegion::Point moment{};
+        Integer power = 1;
+        for (std::size_t k = 0; k < 7; ++k, power *= t) moment[k] = power;
+        return std::optional<Branch>({t, {region.above(moment)}});
+      });
+  EXPECT_FALSE(whole);
+  EXPECT_GT(most, 200U);
+  EXPECT_LE(most, SpatialRegion::kMostPoints);
 }
 
 }  // namespace

@@ -26,6 +26,10 @@ Question question(Grasp grasp, const Wrench& w = {}, std::vector<ContactId> assu
   return asked;
 }
 
+std::vector<ModelWarning> model_warnings(const Question& asked, const Verdict& verdict) {
+  return stickslip::model_warnings(asked, problem_of(asked), verdict);
+}
+
 std::vector<ModelTrap> traps(const Question& asked, const Verdict& verdict) {
   std::vector<ModelTrap> found;
   for (const ModelWarning& warning : model_warnings(asked, verdict)) {

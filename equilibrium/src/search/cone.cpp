@@ -209,13 +209,13 @@ template class ConeIn<8>;
 ConeSigns::ConeSigns(const Cone& cone) : cone_(cone) {
   rounded_.reserve(cone.rays().size());
   for (const Ray& ray : cone.rays()) {
-    rounded_.push_back(equilibrium_detail::to_doubles(ray.x));
+    rounded_.push_back(in_doubles(ray.x));
   }
 }
 
 template <class Visit>
 void ConeSigns::for_each_sign(const IntegerVector5& plane, const Visit& visit) const {
-  const std::array<double, 5> rounded = equilibrium_detail::to_doubles(plane);
+  const std::array<double, 5> rounded = in_doubles(plane);
   for (std::size_t r = 0; r < rounded_.size(); ++r) {
     double value = 0;
     const auto certain = equilibrium_detail::certain_sign(rounded, rounded_[r], value);

@@ -46,7 +46,7 @@ struct CoefficientBox {
   std::array<double, n> center{};
   std::array<double, n> radius{};
   /// Of the rounding of center.x -+ radius.|x| as bounds of the exact functions at points with
-  /// entries of at most 1 as to_doubles gives them.
+  /// entries of at most 1 as in_doubles gives them.
   double error = 0;
 };
 

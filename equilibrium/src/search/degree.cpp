@@ -7,20 +7,20 @@
 namespace stickslip {
 
 template <std::size_t D>
-bool is_invertible(const SquareMatrix<D>& m) {
-  constexpr auto kSize = static_cast<int>(D);
-  Eigen::Matrix<Rational, kSize, kSize> matrix;
-  for (int j = 0; j < kSize; ++j) {
-    for (int k = 0; k < kSize; ++k) {
-      matrix(j, k) = m[static_cast<std::size_t>(j)][static_cast<std::size_t>(k)];
+std::size_t rank_of(const std::vector<std::array<Rational, D>>& rows) {
+  using Matrix = Eigen::Matrix<Rational, Eigen::Dynamic, static_cast<int>(D)>;
+  Matrix matrix(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(D));
+  for (std::size_t j = 0; j < rows.size(); ++j) {
+    for (std::size_t k = 0; k < D; ++k) {
+      matrix(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)) = rows[j][k];
     }
   }
-  Eigen::FullPivLU<Eigen::Matrix<Rational, kSize, kSize>> lu(matrix);
+  Eigen::FullPivLU<Matrix> lu(matrix);
   lu.setThreshold(0);  // of rationals, whose zeros are zeros
-  return lu.isInvertible();
+  return static_cast<std::size_t>(lu.rank());
 }
 
-template bool is_invertible<3>(const SquareMatrix<3>& matrix);
-template bool is_invertible<6>(const SquareMatrix<6>& matrix);
+template std::size_t rank_of<3>(const std::vector<std::array<Rational, 3>>& rows);
+template std::size_t rank_of<6>(const std::vector<std::array<Rational, 6>>& rows);
 
 }  // namespace stickslip

@@ -67,23 +67,4 @@ DoubleModel::DoubleModel(const Problem& problem) {
       ContactGroups(problem, contacts, length, contacts.size() < kFew ? 1 : kSmallestGroup);
 }
 
-Double5 to_doubles(const IntegerVector5& x) {
-  std::array<double, 5> mantissa{};
-  std::array<long, 5> exponent{};
-  long largest = 0;
-  bool any = false;
-  for (std::size_t j = 0; j < 5; ++j) {
-    if (x[j].is_zero()) continue;
-    mantissa[j] = mpz_get_d_2exp(&exponent[j], x[j].backend().data());
-    largest = any ? std::max(largest, exponent[j]) : exponent[j];
-    any = true;
-  }
-  Double5 result{};
-  for (std::size_t j = 0; j < 5; ++j) {
-    const long shift = std::max<long>(exponent[j] - largest, -2000);
-    result[j] = std::ldexp(mantissa[j], static_cast<int>(shift));
-  }
-  return result;
-}
-
 }  // namespace stickslip::equilibrium_detail

@@ -55,12 +55,8 @@ struct DoubleModel {
   Double3 read(const Wrench& w) { return {read(w.x), read(w.y), read(w.torque)}; }
 };
 
-/// A ray scaled by a power of two to entries of about 1; within two unit roundoffs, or within
-/// 2^-1073 where an entry is so small that it underflows.
-Double5 to_doubles(const IntegerVector5& x);
-
-/// The error of the value at a ray as above of a moderate function, or of one in integers
-/// rounded as rays are, by the sum of the absolute values of its five products.
+/// The error of the value at a ray as in_doubles() gives it of a moderate function, or of one
+/// in integers rounded as rays are, by the sum of the absolute values of its five products.
 inline double rounding_bound(double magnitude) {
   // Factors 4u, products u, sums 4u, second order: below 10u, with u = 2^-53; magnitude itself
   // is rounded. What underflows, 2^-1073 in a rounded entry, is at most 2^-873 in a product.

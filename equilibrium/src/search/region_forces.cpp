@@ -24,7 +24,7 @@ void RegionForces::list_rays(const Region& region) {
   short_rays_.clear();
   rays_are_moderate_ = true;
   for (const Ray& ray : generators_) {
-    rays_.push_back(to_doubles(ray.x));
+    rays_.push_back(in_doubles(ray.x));
     short_rays_.emplace_back(ray.x);
     for (std::size_t j = 0; j < 5; ++j) {
       constexpr double kSmallest = 0x1p-300;

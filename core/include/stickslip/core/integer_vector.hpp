@@ -19,6 +19,8 @@ namespace core_detail {
 void make_primitive(Integer* a, std::size_t n);
 /// primitive_multiple() of n fractions; `result` is 0 before.
 void primitive_multiple(const Rational* a, Integer* result, std::size_t n);
+/// in_doubles() of n integers.
+void round_to_one(const Integer* a, double* result, std::size_t n);
 
 }  // namespace core_detail
 
@@ -33,6 +35,16 @@ template <class Number, std::size_t n>
 Number dot(const std::array<Number, n>& a, const std::array<Number, n>& b) {
   Number sum = 0;
   for (std::size_t j = 0; j < n; ++j) sum += a[j] * b[j];
+  return sum;
+}
+
+/// Of integers without a temporary for each product.
+template <std::size_t n>
+Integer dot(const IntegerVector<n>& a, const IntegerVector<n>& b) {
+  Integer sum;
+  for (std::size_t j = 0; j < n; ++j) {
+    mpz_addmul(sum.backend().data(), a[j].backend().data(), b[j].backend().data());
+  }
   return sum;
 }
 
@@ -91,20 +103,14 @@ IntegerVector<n> in_bits(const std::array<double, n>& a, int bits) {
   return primitive(std::move(result));
 }
 
-/// The entries as doubles, over a power of two where they are beyond the range of doubles.
+/// a over a power of two, with its largest entry between 1/2 and 1, so that neither squares nor
+/// sums of products overflow, whatever the bits: each entry within two unit roundoffs, or
+/// within 2^-1073 where it is so small beside the largest that it underflows. Exact for entries
+/// of at most 53 bits; 0 stays 0.
 template <std::size_t n>
 std::array<double, n> in_doubles(const IntegerVector<n>& a) {
-  std::size_t bits = 0;
-  for (const Integer& entry : a) {
-    if (!entry.is_zero()) bits = std::max<std::size_t>(bits, msb(abs(entry)) + 1);
-  }
-  constexpr std::size_t kMostBits = 900;
-  const std::size_t shift = bits > kMostBits ? bits - kMostBits : 0;
-  std::array<double, n> result{};
-  for (std::size_t j = 0; j < n; ++j) {
-    result[j] = shift == 0 ? a[j].template convert_to<double>()
-                           : Integer(a[j] >> shift).template convert_to<double>();
-  }
+  std::array<double, n> result;
+  core_detail::round_to_one(a.data(), result.data(), n);
   return result;
 }
 

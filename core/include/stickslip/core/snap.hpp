@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "stickslip/core/grasp.hpp"
+#include "stickslip/core/spatial_grasp.hpp"
 
 namespace stickslip {
 
@@ -15,19 +16,30 @@ namespace stickslip {
 inline constexpr const char* kSnapRemedy =
     "run stickslip snap GRASP -o FILE, and ask about FILE";
 
-/// A contact whose normal was replaced.
-struct SnappedNormal {
+/// A contact whose normal was replaced; `Normal` is a vector of the plane or of space.
+template <class Normal>
+struct SnappedNormalOf {
   ContactId contact;  ///< whose normal it is
-  Vector2 before;     ///< as it was given
-  Vector2 after;      ///< rational, of length exactly 1
+  Normal before;      ///< as it was given
+  Normal after;       ///< rational, of length exactly 1
   std::string moved;  ///< upper bound of |after - before/|before||, a decimal
 };
 
 /// A grasp with rational lengths of normals, and what was done for that.
-struct SnapResult {
-  Grasp grasp;                         ///< with the new normals, otherwise as it was
-  std::vector<SnappedNormal> snapped;  ///< those that were replaced, by ContactId
+template <class SomeGrasp, class Normal>
+struct SnapResultOf {
+  SomeGrasp grasp;                               ///< new normals, otherwise as it was
+  std::vector<SnappedNormalOf<Normal>> snapped;  ///< those that were replaced, by ContactId
 };
+
+/// \{ In the plane.
+using SnappedNormal = SnappedNormalOf<Vector2>;
+using SnapResult = SnapResultOf<Grasp, Vector2>;
+/// \}
+/// \{ In space.
+using SpatialSnappedNormal = SnappedNormalOf<Vector3>;
+using SpatialSnapResult = SnapResultOf<SpatialGrasp, Vector3>;
+/// \}
 
 /// Replaces every normal of irrational length by a rational unit vector u with
 /// |u - n/|n|| <= tolerance, decided exactly, using the rational parametrisation
@@ -41,5 +53,14 @@ struct SnapResult {
 /// symmetry). Each normal costs O(log^2(1/tolerance)) operations on numbers of
 /// O(log(1/tolerance)) bits.
 SnapResult snap_normals(const Grasp& grasp, const Rational& tolerance);
+
+/// The same in space, by the stereographic projection of the sphere: where n_z is the largest
+/// entry of n and none is below 0, u = (2 s, 2 t, 1 - s^2 - t^2) / (1 + s^2 + t^2), with s and
+/// t in [0, 1/2] rounded to the shortest binary fractions of one length that serve. Other
+/// normals are brought there by signs and by a swap of the largest entry with z, and u is
+/// brought back: u depends on the direction of n alone, changes sign with its entries, and is 0
+/// where n is. Each normal costs O(log(1/tolerance)) operations on numbers of
+/// O(log(1/tolerance)) bits.
+SpatialSnapResult snap_normals(const SpatialGrasp& grasp, const Rational& tolerance);
 
 }  // namespace stickslip

@@ -9,49 +9,33 @@
 ///   the axes, around the contacts (a width of 0, as that of one contact, is not compared). The
 ///   model is linear in the motion. Another equilibrium may move less.
 /// - *Unbalanced preload*: at the motion d = 0, with normal forces P_i and no load, no friction
-///   in the cones balances. Decided exactly, as the system of the one motion d = 0
-///   (region_program.hpp). The body then moves before any load is applied.
+///   in the cones balances. Decided exactly: doubles find a virtual twist or forces that tell,
+///   or else the system of the one motion d = 0 does (region_program.hpp). The body then moves
+///   before any load is applied.
 /// - *Lost preload*, of a stable verdict: some contact is preloaded, and none that is keeps
 ///   P_i / kLeastPartOfPreload as normal force.
 /// - *Assumed stiffness*: with another stiffness of one contact for which the file gives none,
 ///   the verdict is the opposite. Tried are the smallest and the largest that the file gives to
 ///   others, kStiffnessFactor and its inverse, for each such contact in turn, in grasps of at
-///   most kMostContactsToVary contacts. Silence proves nothing. A common factor of all
-///   stiffnesses changes no verdict, since it divides the motion and leaves every
+///   most kMostContactsToVary contacts. Doubles choose what is decided, and all of it together
+///   takes as many nodes as the verdict, and kNodesToVary. Silence proves nothing. A common
+///   factor of all stiffnesses changes no verdict, since it divides the motion and leaves every
 ///   v_i = P_i - k_i N_i.d and direction of slip as it is: only ratios matter.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "stickslip/equilibrium/margin.hpp"
+#include "stickslip/equilibrium/model_traps.hpp"
 #include "stickslip/equilibrium/question.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 
 namespace stickslip {
 
-/// \{ Thresholds.
-inline constexpr int kLargestRotation = 1;       ///< in radians
-inline constexpr int kLeastPartOfPreload = 100;  ///< one part in so many
-inline constexpr int kStiffnessFactor = 10;
-inline constexpr std::size_t kMostContactsToVary = 16;
-/// \}
-
-/// The sorts of warning, in the order in which they are given.
-enum class ModelTrap { kLargeMotion, kUnbalancedPreload, kLostPreload, kAssumedStiffness };
-
-/// "large-motion", "unbalanced-preload", "lost-preload", "assumed-stiffness".
-const char* to_string(ModelTrap trap);
-
-/// At most one of each sort.
-struct ModelWarning {
-  ModelTrap trap;    ///< for programs
-  std::string text;  ///< one line for people, with rounded numbers
-};
-
-/// The warnings about a question and the verdict on it. Throws InputError as Problem does.
-/// O(m) rational operations, one exact program, and the decisions named above.
-std::vector<ModelWarning> model_warnings(const Question& question, const Verdict& verdict);
+/// The warnings about a question, its problem and the verdict on it. They take about as long as
+/// a verdict: O(m) rational operations, and the decisions named above.
+std::vector<ModelWarning> model_warnings(const Question& question, const Problem& problem,
+                                         const Verdict& verdict);
 
 /// The same of a margin, about the equilibria at the ends of its segments, the first that each
 /// sort is true of; and about the preloads that a family begins with or, if these are 0, with

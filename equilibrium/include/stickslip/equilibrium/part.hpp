@@ -37,15 +37,15 @@ struct PartSplit {
 };
 
 /// Cuts of a box, and a proof of each of its parts, in preorder.
-template <class Proof>
-using PartsIn = std::vector<std::variant<PartSplit, Proof>>;
+template <class... Proof>
+using PartsIn = std::vector<std::variant<PartSplit, Proof...>>;
 
 /// How many parts have a proof of their own.
-template <class Proof>
-std::size_t part_count(const PartsIn<Proof>& parts) {
+template <class... Proof>
+std::size_t part_count(const std::vector<std::variant<PartSplit, Proof...>>& parts) {
   return static_cast<std::size_t>(
       std::count_if(parts.begin(), parts.end(),
-                    [](const auto& part) { return std::holds_alternative<Proof>(part); }));
+                    [](const auto& part) { return !std::holds_alternative<PartSplit>(part); }));
 }
 
 }  // namespace stickslip

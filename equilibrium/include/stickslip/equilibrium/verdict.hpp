@@ -93,9 +93,13 @@ struct Stable {
 struct Unstable {
   Refutation refutation;  ///< the proof
 };
-/// Neither was proved within the limit that `limit` describes.
+/// Neither was proved.
 struct Undecided {
-  std::string limit;  ///< in words, for people
+  std::string limit;             ///< why, in words, for people
+  std::string reason = "limit";  ///< the same in one word, for programs (docs/space.md)
+  std::string remedy{};          ///< what to do, in words; may be empty
+  /// A motion, from doubles, at which the laws seem to hold, though that was not proved; or empty.
+  std::vector<Rational> near{};
 };
 
 /// The answer, which owns its evidence.

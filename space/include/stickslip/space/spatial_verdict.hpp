@@ -10,6 +10,7 @@
 /// equilibrium breaks a law with the most energy. Doubles propose; a leaf is confirmed exactly.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -39,8 +40,24 @@ using SpatialTrees = std::vector<SpatialNode>;
 /// Of every grasp of the box.
 using SpatialDegreeProof = DegreeProofIn<6, SpatialNode>;
 
+/// Nothing moves: friction at rest f0 + sum of G_l z_l, with whatever |z_l| <= reach_l balances
+/// a grasp of the box (certificate/FORMAT.md, section 6, "Stable: at rest").
+struct RestProof {
+  /// G of a contact: the friction with which it answers a unit of each component of a wrench.
+  struct Answer {
+    ContactId contact;              ///< whose friction it is
+    std::array<Vector3, 6> forces;  ///< across its normal
+  };
+  std::vector<std::pair<ContactId, Vector3>> friction;  ///< f0 by contact, increasing
+  std::vector<Answer> answers;                          ///< by contact, increasing
+  Vector6 reach{};                                      ///< >= 0
+};
+
 /// Of every grasp of the box, part by part.
-using SpatialParts = PartsIn<SpatialDegreeProof>;
+using SpatialParts = PartsIn<SpatialDegreeProof, RestProof>;
+
+/// Whether all parts are proved at rest.
+bool are_at_rest(const SpatialParts& parts);
 
 /// An equilibrium exists, for every grasp in the box.
 struct SpatiallyStable {

@@ -13,19 +13,23 @@
 
 namespace stickslip {
 
-/// There is an equilibrium in {d : |E_j.(d - d0)| <= 1}, with motions of D coordinates and
-/// trees of such nodes.
+/// There is an equilibrium in a body of motions of D coordinates; with trees of such nodes.
 template <std::size_t D, class Node>
-struct DegreeProofIn {
-  std::array<Rational, D> twist{};  ///< d0
-  SquareMatrix<D> walls{};          ///< E
-  SquareMatrix<D> direction{};      ///< A
-  std::vector<Node> trees;          ///< list 1 unless it is not needed, and list 2: 2 D each
+struct DegreeProofIn : ConvexBody<D> {
+  SquareMatrix<D> direction{};  ///< A
+  std::vector<Node> trees;  ///< list 1 unless it is not needed, and list 2; one for each wall
 };
 
-/// The exact determinant is not 0. For D = 3 and 6.
+/// The exact rank of a matrix of these rows. For D = 3 and 6.
 template <std::size_t D>
-bool is_invertible(const SquareMatrix<D>& matrix);
+std::size_t rank_of(const std::vector<std::array<Rational, D>>& rows);
+
+/// `degree-walls` and `degree-direction` where no motion is free: both have the rank D.
+template <std::size_t D, class Node>
+bool has_full_rank(const DegreeProofIn<D, Node>& proof) {
+  return rank_of<D>(proof.walls) == D &&
+         rank_of<D>({proof.direction.begin(), proof.direction.end()}) == D;
+}
 
 /// What `leaf-direction` asks of list 2: y.A(d - h d0) >= 0.
 template <std::size_t D>
@@ -89,21 +93,18 @@ std::array<double, D> Direction<D>::against(const IntegerVector<D + 2>& x,
   for (std::size_t j = 0; j < D; ++j) exact[j] = -dot(rows_[j], x);
   std::array<double, D> result = in_doubles(exact);
   for (std::size_t j = equilibrium_detail::kFirstRotation<D>; j < D; ++j) result[j] /= length;
-  const double size = std::sqrt(dot(result, result));
-  for (double& entry : result) entry /= size;
+  equilibrium_detail::normalize(result);
   return result;
 }
 
-/// `degree-law`: every contact is closed at the vertices of the parallelepiped, which are the
-/// rays of the walls' regions.
+/// `degree-law`: every contact is closed at the vertices of the body, which are the rays of the
+/// walls' regions.
 template <class Region, class Model, class Proof>
 bool all_closed_inside(const Model& model, const Proof& proof) {
-  for (std::size_t wall = 0; wall < proof.walls.size(); ++wall) {
-    for (const int sign : {1, -1}) {
-      const Region region = Region::wall(model, proof.walls, proof.twist, wall, sign);
-      for (std::size_t i = 0; i < model.contacts.size(); ++i) {
-        if (region.separation(i) != Separation::kClosed) return false;
-      }
+  for (std::size_t wall = 0; wall < proof.wall_count(); ++wall) {
+    const Region region = Region::wall(model, proof, wall);
+    for (std::size_t i = 0; i < model.contacts.size(); ++i) {
+      if (region.separation(i) != Separation::kClosed) return false;
     }
   }
   return true;

@@ -22,6 +22,9 @@ class IndependentRows {
     for (const Row& b : basis_) v -= b.dot(v) * b;
     return v;
   }
+  /// Adds a direction; one that is new.
+  void take(const Row& row) { basis_.push_back(beyond(row).normalized()); }
+  std::size_t size() const { return basis_.size(); }  ///< how many were taken
   /// Of candidates, which have members `row` and `spare`, the one with most spare times what is
   /// new of its row, if that is more than the part `least` of it; it is taken.
   template <class Candidate>
@@ -36,7 +39,7 @@ class IndependentRows {
         chosen = k;
       }
     }
-    if (chosen) basis_.push_back(beyond(candidates[*chosen].row).normalized());
+    if (chosen) take(candidates[*chosen].row);
     return chosen;
   }
   /// Orthonormal vectors across all that were taken, by columns.

@@ -28,13 +28,23 @@ std::array<double, D> motion_of(const ScaledPoint<D>& x) {
   return d;
 }
 
+/// Over its norm; 0 stays 0. Finite entries suffice: their squares may overflow or vanish.
+template <std::size_t n>
+void normalize(std::array<double, n>& x) {
+  double largest = 0;
+  for (const double entry : x) largest = std::max(largest, std::fabs(entry));
+  if (!(largest > 0)) return;
+  for (double& entry : x) entry /= largest;
+  const double size = std::sqrt(dot(x, x));
+  for (double& entry : x) entry /= size;
+}
+
 /// Of norm 1.
 template <std::size_t D>
 ScaledPoint<D> scaled_point(const IntegerVector<D + 2>& exact, double length) {
   ScaledPoint<D> x = in_doubles(exact);
   for (std::size_t j = kFirstRotation<D>; j < D; ++j) x[j] *= length;
-  const double size = std::sqrt(dot(x, x));
-  for (double& entry : x) entry /= size;
+  normalize(x);
   return x;
 }
 
@@ -59,7 +69,8 @@ template <std::size_t D>
 double value_at(const IntegerVector<D + 2>& plane, const ScaledPoint<D>& x, double length) {
   ScaledPoint<D> p = in_doubles(plane);
   for (std::size_t j = kFirstRotation<D>; j < D; ++j) p[j] /= length;
-  return dot(p, x) / std::sqrt(dot(p, p));
+  normalize(p);
+  return dot(p, x);
 }
 
 }  // namespace stickslip::equilibrium_detail

@@ -21,6 +21,18 @@ enum class Separation { kClosed, kOpen, kMixed };
 template <std::size_t D>
 using SquareMatrix = std::array<std::array<Rational, D>, D>;
 
+/// A parallelepiped of motions {d : |E_j.(d - d0)| <= 1} or a simplex {d : E_j.(d - d0) <= 1},
+/// along which motions that no E sees go without end.
+template <std::size_t D>
+struct ConvexBody {
+  std::array<Rational, D> twist{};             ///< d0, inside
+  bool is_simplex = false;                     ///< and then there is one E more
+  std::vector<std::array<Rational, D>> walls;  ///< E, by rows
+
+  /// Those of a parallelepiped in the order E_1 +, E_1 -, E_2 +, ...
+  std::size_t wall_count() const { return is_simplex ? walls.size() : 2 * walls.size(); }
+};
+
 /// The signs of a linear function on a region.
 struct PlaneSigns {
   bool positive = false;      ///< somewhere
@@ -35,6 +47,8 @@ struct PlaneSigns {
 template <std::size_t D>
 class StrictCone {
  public:
+  /// Of points().
+  static constexpr std::size_t kMostPoints = 1000;
   /// A point, or a linear function of points.
   using Point = IntegerVector<D + 2>;
 
@@ -58,12 +72,13 @@ class StrictCone {
     return both;
   }
 
-  /// Keeps the cone over a wall of {d : |E_j.(d - d0)| <= 1}: E_wall.(d - d0) = sign.
-  void cut_to_wall(const SquareMatrix<D>& walls, const std::array<Rational, D>& centre,
-                   std::size_t wall, int sign);
+  /// Keeps the cone over a wall of the body.
+  void cut_to_wall(const ConvexBody<D>& body, std::size_t wall);
 
   /// Of which all points are sums of nonnegative multiples: lines both ways, and rays.
   const std::vector<Point>& points() const { return points_; }
+  /// More of them than a tree may have in space (FORMAT.md, section 4): checkers may give up.
+  bool has_too_many_points() const { return D == 6 && points_.size() > kMostPoints; }
   /// As ConeIn::pairs().
   std::size_t pairs() const { return cone_.pairs(); }
   /// Of these, by index: some strict function is 0 on all of them.
@@ -88,20 +103,19 @@ class StrictCone {
 };
 
 template <std::size_t D>
-void StrictCone<D>::cut_to_wall(const SquareMatrix<D>& walls,
-                                const std::array<Rational, D>& centre, std::size_t wall,
-                                int sign) {
+void StrictCone<D>::cut_to_wall(const ConvexBody<D>& body, std::size_t wall) {
   const auto plane = [&](std::size_t j, int height) {  // E_j.(d - h d0) - height h
     std::array<Rational, D + 2> a{};
-    std::copy(walls[j].begin(), walls[j].end(), a.begin());
-    a[D] = -dot(walls[j], centre) - height;
+    std::copy(body.walls[j].begin(), body.walls[j].end(), a.begin());
+    a[D] = -dot(body.walls[j], body.twist) - height;
     return primitive_multiple(a);
   };
-  cut(plane(wall, sign), Side::kZero);
-  for (std::size_t j = 0; j < D; ++j) {
-    if (j == wall) continue;
+  const std::size_t row = body.is_simplex ? wall : wall / 2;
+  cut(plane(row, body.is_simplex || wall % 2 == 0 ? 1 : -1), Side::kZero);
+  for (std::size_t j = 0; j < body.walls.size(); ++j) {
+    if (j == row) continue;
     cut(plane(j, 1), Side::kNegative);
-    cut(plane(j, -1), Side::kPositive);
+    if (!body.is_simplex) cut(plane(j, -1), Side::kPositive);
   }
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -18,8 +19,17 @@ struct Branch {
   std::vector<Region> children;  ///< their regions, in order; of a leaf none
 };
 
+/// Whether regions of this type know when they have more points than a tree may hold.
+template <class Region, class = void>
+constexpr bool kIsLimited = false;
+template <class Region>
+constexpr bool
+    kIsLimited<Region, std::void_t<decltype(std::declval<Region>().has_too_many_points())>> =
+        true;
+
 /// Appends a tree in preorder, depth first. `examine(region, depth)` returns an optional
-/// Branch, or nothing to end the walk: then the tree is not whole, and the result false.
+/// Branch, or nothing to end the walk, as a region of too many points does: then the tree is
+/// not whole, and the result false.
 template <class Region, class Node, class Examine>
 bool append_tree(Region root, std::vector<Node>& tree, Examine examine) {
   std::vector<std::pair<Region, std::size_t>> pending;
@@ -28,6 +38,9 @@ bool append_tree(Region root, std::vector<Node>& tree, Examine examine) {
     throw_if_cancelled();
     auto [region, depth] = std::move(pending.back());
     pending.pop_back();
+    if constexpr (kIsLimited<Region>) {
+      if (region.has_too_many_points()) return false;
+    }
     auto branch = examine(std::move(region), depth);
     if (!branch) return false;
     tree.push_back(std::move(branch->node));

@@ -5,7 +5,8 @@
 Written from FORMAT.md and in its order, with nothing but the standard library of Python 3.9 or
 newer; shares nothing with any solver or other checker. "§4" and the like are sections of
 FORMAT.md; docs/grasp_file.md describes grasp files. Arithmetic is exact (integers and Fraction),
-no floating point occurs. Exit codes: 0 accepted, 1 rejected, 2 malformed or wrong usage.
+no floating point occurs. Exit codes: 0 accepted, 1 rejected, 2 malformed or wrong usage, 3 not
+judged.
 """
 
 from __future__ import annotations
@@ -20,7 +21,8 @@ import re
 import signal
 import sys
 from fractions import Fraction
-from typing import Any, Callable, Dict, List, NamedTuple, NoReturn, Optional, Sequence, Tuple, Union
+from typing import (Any, Callable, Dict, List, NamedTuple, NoReturn, Optional, Sequence, Tuple, Type,
+                    TypeVar, Union)
 
 Vector = Tuple[Fraction, ...]
 Integers = Tuple[int, ...]
@@ -43,6 +45,35 @@ class Rejected(Exception):
                  node: Optional[int] = None) -> None:
         super().__init__(found)
         self.rule, self.found, self.path, self.node = rule, found, path, node
+
+
+class NotJudged(Exception):
+    """§8, exit 3: the proof takes more work than this program does for files of their length."""
+
+
+class Work:
+    """§8: steps of about a microsecond, counted and not timed; and, within `with Work():`, the most
+    for files of so many bytes."""
+    limited = False
+    bytes_read = steps = 0
+
+    def __enter__(self) -> None:
+        Work.limited, Work.bytes_read, Work.steps = True, 0, 0
+
+    def __exit__(self, *_: Any) -> None:
+        Work.limited = False
+
+    @classmethod
+    def spend(cls, steps: int) -> None:
+        cls.steps += steps
+        most = 2_000_000 + cls.bytes_read ** 2 // 50
+        if cls.limited and cls.steps > most:
+            raise NotJudged(f"it takes more than {most} steps, the most for {cls.bytes_read} bytes")
+
+
+def weight(vector: Sequence[int]) -> int:
+    """What a product with it costs, with numbers of a few words as the unit."""
+    return 1 + (max(map(int.bit_length, vector)) >> 9)
 
 
 def show(value: Any) -> str:
@@ -201,6 +232,7 @@ class Source:
         except (OSError, ValueError, AttributeError) as error:
             reason = getattr(error, "strerror", None) or str(error)
             self.fail("opening", f"{reason}; name a file, or - for standard input")
+        Work.bytes_read += len(data)
         if len(data) > self.kind.max_bytes:
             self.fail("", f"longer than {self.kind.max_bytes} bytes")
         try:
@@ -836,14 +868,29 @@ class Node(NamedTuple):
     name: str = ""
 
 
+class RestProof(NamedTuple):
+    """§6, a PART at rest."""
+    rest: List[Tuple[int, List[Vector]]]     # f⁰: one friction force each
+    answers: List[Tuple[int, List[Vector]]]  # G: D each
+    reach: Vector                            # Z
+
+
 class DegreeProof(NamedTuple):
-    """§6, a PART that is not cut; or a segment by degree (§5)."""
+    """§6, a PART by degree; or a segment by degree (§5)."""
     twist: Vector            # d⁰, or d'
     walls: List[Vector]      # E
     direction: List[Vector]  # A
     tree: List[Node]
     end_twist: Vector        # d⁰, or d"
     to: Optional[Fraction] = None  # β of a segment
+    simplex: bool = False    # else K is a parallelepiped
+
+    def faces(self) -> List[Tuple[str, Vector]]:
+        """The walls, by name: the rows F."""
+        if self.simplex:
+            return [(f"{j}", row) for j, row in enumerate(self.walls, 1)]
+        return [(f"{j} {name}", times(Fraction(sign_), row)) for j, row in enumerate(self.walls, 1)
+                for name, sign_ in (("+", 1), ("-", -1))]
 
 
 class Witness(NamedTuple):
@@ -855,6 +902,10 @@ class Witness(NamedTuple):
 Interval = Tuple[Fraction, Optional[Fraction]]  # None for ∞
 
 
+Part = Union[Node, DegreeProof, RestProof]
+Proof = TypeVar("Proof", DegreeProof, RestProof)
+
+
 Segment = Union[Tuple[Witness, Witness], DegreeProof]
 
 
@@ -863,7 +914,7 @@ class RangeProof(NamedTuple):
     stable: bool
     interval: Interval
     points: List[Witness] = []  # of a stable claim: two, or one, or none and then
-    part: Optional[DegreeProof] = None
+    part: Union[None, DegreeProof, RestProof] = None
     tree: List[Node] = []       # of an unstable claim
 
 
@@ -875,18 +926,18 @@ class Certificate(NamedTuple):
     resisted: List[Interval] = []      # of "margin", as is the next
     segments: List[Segment] = []
     bits: int = 128
-    parts: Optional[List[Union[Node, DegreeProof]]] = None  # of "stable", if there is no witness
+    parts: Optional[List[Part]] = None  # of "stable", if there is no witness
     claims: Optional[List[RangeProof]] = None  # of "margin" in space, and then nothing else
     pieces: Optional[List[List[Witness]]] = None  # of "region"
 
-    def by_degree(self) -> List[DegreeProof]:
-        """All parts that are not cut."""
+    def proofs(self, kind: Type[Proof]) -> List[Proof]:
+        """All parts that are not cut, of one kind."""
         parts = [*(self.parts or []), *(claim.part for claim in self.claims or []), *self.segments]
-        return [part for part in parts if isinstance(part, DegreeProof)]
+        return [part for part in parts if isinstance(part, kind)]
 
     def trees(self) -> List[Node]:
         """All nodes."""
-        nodes = [node for part in self.by_degree() for node in part.tree] + self.tree
+        nodes = [node for part in self.proofs(DegreeProof) for node in part.tree] + self.tree
         return nodes + [node for claim in self.claims or [] for node in claim.tree]
 
 
@@ -1004,13 +1055,17 @@ def read_tolerances(source: Source, value: Any, place: str) -> Dict[str, Toleran
     return found
 
 
+def read_friction(source: Source, value: Any, place: str) -> Vector:
+    """A share, or F."""
+    return (source.vector(value, place, 3) if source.dimension == SPACE else
+            (source.number(value, place),))
+
+
 def read_shares(source: Source, value: Any, place: str) -> List[Tuple[int, Vector]]:
     shares = []
     for entry in source.array(value, place):
         i, share = source.array(entry, place, 2)
-        shares.append((source.index(i, place),
-                       source.vector(share, place, 3) if source.dimension == SPACE else
-                       (source.number(share, place),)))
+        shares.append((source.index(i, place), read_friction(source, share, place)))
     return shares
 
 
@@ -1048,7 +1103,7 @@ def read_tree(source: Source, value: Any, place: str, more: int) -> List[Node]:
             for k, node in enumerate(source.array(value, place))]
 
 
-def read_part(source: Source, value: Any, place: str) -> Union[Node, DegreeProof]:
+def read_part(source: Source, value: Any, place: str) -> Part:
     """PART."""
     if type(value) is list:
         node = read_node(source, value, place, False)
@@ -1077,11 +1132,32 @@ def read_range(source: Source, value: Any, place: str) -> RangeProof:
         for point, load in zip(proofs, loads)])
 
 
-def read_proof(source: Source, value: Any, place: str, margin: bool) -> DegreeProof:
+def read_proof(source: Source, value: Any, place: str, margin: bool) -> Union[DegreeProof, RestProof]:
     """A PART that is not cut."""
-    fields = source.members(value, place, "twist walls direction tree", True)
+    if type(value) is Members and "rest" in dict(value.pairs):
+        return read_rest(source, value, place)
+    simplex = type(value) is Members and "simplex" in dict(value.pairs)
+    walls = "simplex" if simplex else "walls"
+    fields = source.members(value, place, f"twist {walls} direction tree", True)
     twist = source.vector(fields["twist"], f"{place}.twist", source.dimension)
-    return DegreeProof(twist, *read_shape(source, fields, place, margin), twist)
+    if not 1 <= len(source.array(fields[walls], f"{place}.{walls}")) - simplex <= source.dimension:
+        source.fail(f"{place}.{walls}", f"must be an array of {1 + simplex} to "
+                                        f"{source.dimension + simplex}")
+    return DegreeProof(twist, *read_shape(source, fields, walls, place, margin), twist,
+                       simplex=simplex)
+
+
+def read_rest(source: Source, value: Any, place: str) -> RestProof:
+    """A PART at rest."""
+    fields = source.members(value, place, "rest answers reach", True)
+    rest = [(i, [force]) for i, force in read_shares(source, fields["rest"], f"{place}.rest")]
+    answers = []
+    for entry in source.array(fields["answers"], f"{place}.answers"):
+        i, forces = source.array(entry, f"{place}.answers", 2)
+        answers.append((source.index(i, f"{place}.answers"), [
+            read_friction(source, force, f"{place}.answers")
+            for force in source.array(forces, f"{place}.answers", source.dimension)]))
+    return RestProof(rest, answers, source.vector(fields["reach"], f"{place}.reach", source.dimension))
 
 
 def read_segment(source: Source, value: Any, place: str) -> DegreeProof:
@@ -1090,16 +1166,18 @@ def read_segment(source: Source, value: Any, place: str) -> DegreeProof:
     to = None if fields["to"] is None else source.number(fields["to"], f"{place}.to")
     twist, end_twist = (source.vector(d, f"{place}.twists", source.dimension)
                         for d in source.array(fields["twists"], f"{place}.twists", 2))
-    return DegreeProof(twist, *read_shape(source, fields, place, True), end_twist, to)
+    source.array(fields["walls"], f"{place}.walls", source.dimension)
+    return DegreeProof(twist, *read_shape(source, fields, "walls", place, True), end_twist, to)
 
 
-def read_shape(source: Source, fields: Dict[str, Any], place: str,
+def read_shape(source: Source, fields: Dict[str, Any], walls: str, place: str,
                margin: bool) -> Tuple[List[Vector], List[Vector], List[Node]]:
     """E, A and the trees."""
-    walls, direction = ([source.vector(row, f"{place}.{key}", source.dimension)
-                         for row in source.array(fields[key], f"{place}.{key}", source.dimension)]
-                        for key in ("walls", "direction"))
-    return walls, direction, read_tree(source, fields["tree"], f"{place}.tree", margin)
+    source.array(fields["direction"], f"{place}.direction", source.dimension)
+    rows, direction = ([source.vector(row, f"{place}.{key}", source.dimension)
+                        for row in source.array(fields[key], f"{place}.{key}")]
+                       for key in (walls, "direction"))
+    return rows, direction, read_tree(source, fields["tree"], f"{place}.tree", margin)
 
 
 def read_node(source: Source, value: Any, place: str, more: int) -> Node:
@@ -1242,10 +1320,12 @@ class Cone:
     def __init__(self, lines: List[Integers], rays: List[Tuple[Integers, int]], cuts: int) -> None:
         self.lines, self.rays, self.cuts = lines, rays, cuts
         self.generators = rays + [(x, -1) for line in lines for x in (line, negated(line))]
+        self.weight = max((weight(x) for x, _ in self.generators), default=1)
 
     def cut(self, a: Integers, equality: bool = False) -> Cone:
         """The part with a·x ≥ 0, or a·x = 0."""
         bit = 1 << self.cuts
+        Work.spend(weight(a) * self.weight * len(self.generators))
         crossing = next((line for line in self.lines if dot(a, line)), None)
         if crossing is not None:
             # Move all other generators along this line into the plane; half of it stays, as a ray.
@@ -1265,14 +1345,17 @@ class Cone:
                 if height == 0 or (height > 0 and not equality)]
         # The face that two rays span is given by so many conditions at least.
         least = len(a) - len(self.lines) - 2
-        for p, p_zero, up in heights:
-            for q, q_zero, down in heights:
-                if up > 0 > down:
-                    both = p_zero & q_zero
-                    if bin(both).count("1") >= least and all(
-                            zero & both != both or x is p or x is q for x, zero in self.rays):
-                        rays.append((reduced(tuple(up * c - down * e for c, e in zip(q, p))),
-                                     both | bit))
+        above, below = ([one for one in heights if sign(one[2]) == side_] for side_ in (1, -1))
+        for p, p_zero, up in above:
+            Work.spend(1 + len(below) // 4)
+            for q, q_zero, down in below:
+                both = p_zero & q_zero
+                if bin(both).count("1") < least:
+                    continue
+                Work.spend(len(self.rays) // 8 + weight((up,)) * self.weight)
+                if all(zero & both != both or x is p or x is q for x, zero in self.rays):
+                    rays.append((reduced(tuple(up * c - down * e for c, e in zip(q, p))),
+                                 both | bit))
         return Cone(self.lines, rays, self.cuts + 1)
 
 
@@ -1314,6 +1397,12 @@ class Terms:
         self.all_v = [forms[k:k + len(values[0])] for k in range(0, len(forms), len(values[0]))]
         self.v = list(dict.fromkeys(map(reduced, self.all_v)))
         self.slip = [[integers(row)[0] + (0, 0) for row in rows] for rows in self.rows]
+        # What one ray costs in a leaf.
+        self.steps = sum(map(weight, itertools.chain(self.all_v, *self.slip)))
+
+    def extremes(self, points: Sequence[Integers]) -> Tuple[List[int], List[int]]:
+        """The signs, at least, of the least and of the largest v on each point."""
+        return extremes(self.v, points)
 
     def slip_rows(self) -> Optional[List[Integers]]:
         """What a node splits, or None where that is uncertain."""
@@ -1357,14 +1446,35 @@ class PlanarTerms(Terms):
         self.preload = [p * normal_factor for p in scaled[:2]]
         self.stiffness = scaled[2:]
         self.weight = Fraction(1, edge_factor * normal_factor * factor * len(self.corners))
-        # For each k = c + c' the pairs of corners (their numbers), and what makes means of sums.
+        # For each k = c + c' the pairs of corners (their numbers, the first ones and the second
+        # ones), and what makes means of sums.
         pairs: Dict[Integers, List[Tuple[int, int]]] = {}
         for (a, c1), (b, c2) in itertools.product(enumerate(self.corners), repeat=2):
             pairs.setdefault(tuple(map(operator.add, c1, c2)), []).append((a, b))
-        self.pairs = [(found, len(self.corners) // len(found)) for found in pairs.values()]
+        self.cells = [(tuple(a for a, _ in found), tuple(b for _, b in found),
+                       len(self.corners) // len(found)) for found in pairs.values()]
+        # Of the rays last seen: a leaf asks for them more than once.
+        self.heights = functools.lru_cache(maxsize=64)(self.compute_heights)
+        self.steps += len(self.corners) ** 2 // 4 * weight(self.edges[self.friction.high][0])
 
     def slip_rows(self) -> Optional[List[Integers]]:
         return self.tau if len(self.tau) == 1 else None
+
+    def compute_heights(self, x: Integers) -> Tuple[int, int, List[List[int]]]:
+        """N·d: the least and the largest of the corners, and those of the second ones by k."""
+        height = [dot(n, x) for n in self.normals]
+        return min(height), max(height), [[height[b] for b in second] for _, second, _ in self.cells]
+
+    def extremes(self, points: Sequence[Integers]) -> Tuple[List[int], List[int]]:
+        if self.by_preload:
+            return super().extremes(points)
+        # v = P' h − k' N·d, at all ends: what P' and N·d are largest or least is the same for all.
+        lows, highs = [], []
+        for x in points:
+            pushes, (least, most, _) = [p * x[PLANE] for p in self.preload], self.heights(x)
+            lows.append(min(pushes) - max(k * most for k in self.stiffness))
+            highs.append(max(pushes) - min(k * least for k in self.stiffness))
+        return lows, highs
 
     def sign(self, region: Region, points: Sequence[Integers]) -> int:
         """+1, −1, or 0 for none."""
@@ -1394,26 +1504,24 @@ class PlanarTerms(Terms):
                 found = [0] * len(points)
             elif mixed and min(alpha) < 0:
                 most = max(alpha) * len(self.corners)
-                found = [most * max(0, *(x[PLANE] * max(self.preload) - k * dot(n, x)
-                                         for n in self.normals for k in self.stiffness))
-                         for x in points]
+                found = [most * max(0, high) for high in self.extremes(points)[1]]
             else:
-                # Σ α(c) over the pairs of each k, times the end of P' that makes it large.
-                pushes = [max(p * sum(alpha[a] for a, _ in pairs) for p in self.preload)
-                          for pairs, _ in self.pairs]
-                found = [self.largest(alpha, pushes, x) for x in points]
+                # By k: the α(c) of its pairs, and their sum times the end of P' that makes it large.
+                at_first = [[alpha[a] for a in first] for first, _, _ in self.cells]
+                pushes = [max(p * total for p in self.preload) for total in map(sum, at_first)]
+                found = [self.largest(at_first, pushes, x) for x in points]
                 if mixed:
                     found = [max(0, value) for value in found]
             best = list(map(max, best, found)) if best else found
         return [self.weight * value for value in best]
 
-    def largest(self, alpha: Sequence[int], pushes: Sequence[int], x: Integers) -> int:
+    def largest(self, at_first: Sequence[Sequence[int]], pushes: Sequence[int], x: Integers) -> int:
         """U_s(r), times the denominator of the weight."""
-        height = [dot(n, x) for n in self.normals]  # N·d
+        (_, _, at_second), h, (low, high) = self.heights(x), x[PLANE], self.stiffness
         found = []
-        for (pairs, repeat), push in zip(self.pairs, pushes):
-            pull = sum(alpha[a] * height[b] for a, b in pairs)
-            found.append(repeat * (x[PLANE] * push + max(-k * pull for k in self.stiffness)))
+        for (_, _, repeat), alpha, height, push in zip(self.cells, at_first, at_second, pushes):
+            pull = dot(alpha, height)
+            found.append(repeat * (h * push - (low if pull > 0 else high) * pull))
         return max(found)
 
 
@@ -1425,6 +1533,7 @@ class SlipCone:
         # Two coordinates tell, if the third component of n is not 0.
         left_out = next(j for j in range(3) if normal[j])
         self.seen = [j for j in range(3) if j != left_out]
+        self.steps = 1 + max(map(weight, slips), default=1) ** 2 // 8  # of a turn
         self.directions = sorted(set(map(reduced, filter(any, slips))),
                                  key=functools.cmp_to_key(self.compare))
         follow = self.directions[1:] + self.directions[:1]
@@ -1433,6 +1542,7 @@ class SlipCone:
 
     def turn(self, a: Integers, b: Integers) -> int:
         """Above 0 if b is at the left of a, by less than half a turn."""
+        Work.spend(self.steps)
         j, k = self.seen
         return a[j] * b[k] - a[k] * b[j]
 
@@ -1734,7 +1844,8 @@ def leaf_refusal(region: Region, y: Vector,
               + tuple(Fraction(dot(y, growth)) for growth in box.growths)]
     bends, bounds = [], []
     for term in box.terms:
-        lows, highs = extremes(term.v, points)
+        Work.spend(term.steps * region.cone.weight * len(points))
+        lows, highs = term.extremes(points)
         v_side = side(lows, highs)
         if v_side < 0:
             continue  # max(0, v_i) = 0
@@ -1965,20 +2076,117 @@ def gaps(resisted: Sequence[Interval]) -> List[Range]:
     return found + [Range(low, None, contained, False)]
 
 
+# ---- §6 Stable: at rest -----------------------------------------------------------------------
+
+
+def friction_of(proof: RestProof, box: Box, place: str) -> Dict[int, List[Vector]]:
+    """`rest-share`: f⁰ and G_1, …, G_D of each contact that is listed; 0 where they are not stated."""
+    found: Dict[int, List[Vector]] = {}
+    zero = zeros(3 if box.dimension == SPACE else 1)
+    for entries, first in ((proof.rest, 0), (proof.answers, 1)):
+        before = -1
+        for i, forces in entries:
+            if not before < i < len(box.contacts):
+                raise Rejected("rest-share", f"contact {show(i)} after {show(before)}", place)
+            if box.dimension == SPACE and any(dot(f, box.contacts[i].normal) for f in forces):
+                raise Rejected("rest-share", f"contact {i}: not across its normal", place)
+            found.setdefault(i, [zero] * (1 + box.dimension))[first:first + len(forces)] = forces
+            before = i
+    return found
+
+
+def rest_wrenches(term: Terms, push: Bounds, forces: Sequence[Vector]) -> List[Vector]:
+    """Of one contact: P' N + Sᵀ f⁰, Sᵀ G_1, …, Sᵀ G_D in one, the least and the largest entries."""
+    found = []
+    for normal, rows in zip(term.N, term.rows):
+        columns = [tuple(dot(force, entries) for entries in zip(*rows)) for force in forces]
+        found += [sum(columns[1:], plus(columns[0], p, normal)) for p in set(push)]
+    return [tuple(map(end, zip(*found))) for end in (min, max)]
+
+
+def check_rest(proof: RestProof, box: Box, place: str, multiples: Sequence[Fraction] = (Fraction(0),)) -> None:
+    """A part at rest, for all λ between two."""
+    size = box.dimension
+    friction = friction_of(proof, box, place)
+    none = [zeros(3 if size == SPACE else 1)] * (1 + size)
+    unit = tuple(Fraction(-(k == l)) for l in range(size) for k in range(size))
+    for multiple in multiples:
+        pushes = [Bounds(*(p + multiple * grown for p, grown in zip(c.bounds["preload"], c.growth)))
+                  for c in box.contacts]
+        ends = []
+        for end in (0, 1):
+            load = tuple(w[end] + multiple * u for w, u in zip(box.wrench, box.growths[0]))
+            ends.append([load + unit])
+        for i, (term, push) in enumerate(zip(box.terms, pushes)):
+            if push.high or i in friction:
+                for terms, wrenches in zip(ends, rest_wrenches(term, push, friction.get(i, none))):
+                    terms.append(wrenches)
+        left = [max(-low, high) for low, high in zip(*map(pairwise_sum, ends))]
+        factors = (Fraction(1), *proof.reach)
+        for k, reach in enumerate(proof.reach):
+            if reach < 0 or dot(left[k::size], factors) > reach:
+                raise Rejected("rest-reach", f"Z_{k + 1} = {show(reach)} is too small", place)
+        for i, forces in sorted(friction.items()):
+            most, lengths = box.contacts[i].bounds["friction"].low * pushes[i].low, []
+            if size == SPACE:
+                most *= root_bounds(dot(box.contacts[i].normal, box.contacts[i].normal), ROOT_BITS).low
+                lengths = [root_bounds(dot(f, f), ROOT_BITS).high for f in forces]
+            else:
+                lengths = [abs(f[0]) for f in forces]
+            if dot(lengths, factors) > most:
+                raise Rejected("rest-cone", f"contact {i}: friction may be {show(dot(lengths, factors))}, "
+                                            f"the cone allows {show(most)}", place)
+
+
 # ---- §6 Stable: by degree ---------------------------------------------------------------------
 
 
-def determinant(m: Sequence[Vector]) -> Fraction:
-    """By elimination."""
-    found, rows = Fraction(1), list(m)
-    while rows:
-        pivot = next((row for row in rows if row[0]), None)
+def kernel(rows: Sequence[Vector]) -> List[Vector]:
+    """A basis of the vectors that have the product 0 with every row: by elimination."""
+    reduced_rows: Dict[int, Vector] = {}  # by the column in which it alone has a 1, and no other
+    for row in rows:
+        for j, other in reduced_rows.items():
+            row = plus(row, -row[j], other)
+        pivot = next((j for j, c in enumerate(row) if c), None)
         if pivot is None:
-            return Fraction(0)
-        found *= pivot[0]
-        rows = [tuple(c - row[0] / pivot[0] * p for c, p in zip(row[1:], pivot[1:]))
-                for row in rows if row is not pivot]
-    return found  # up to its sign
+            continue
+        row = times(1 / row[pivot], row)
+        reduced_rows = {j: plus(other, -other[pivot], row) for j, other in reduced_rows.items()}
+        reduced_rows[pivot] = row
+    return [tuple(-reduced_rows[j][free] if j in reduced_rows else Fraction(j == free)
+                  for j in range(len(rows[0])))
+            for free in range(len(rows[0])) if free not in reduced_rows]
+
+
+def what_sees(z: Vector, box: Box) -> Optional[str]:
+    """`degree-free`: what sees the motion z, if anything."""
+    for i, term in enumerate(box.terms):
+        if any(dot(normal, z) for normal in term.N):
+            return f"contact {i} presses along {show(z)}"
+        if term.friction.high and any(dot(row, z) for rows in term.rows for row in rows):
+            return f"contact {i} has friction along {show(z)}"
+    least = [load.low for load in box.wrench]
+    if any(c and not load.certain for c, load in zip(z, box.wrench)) or any(
+            dot(load, z) for load in (least, *box.growths)):
+        return f"the load works on {show(z)}"
+    return None
+
+
+def check_shape(part: DegreeProof, box: Box, place: str) -> None:
+    """`degree-walls`, `degree-free`, `degree-direction`."""
+    dependent = kernel(list(zip(*part.walls)))  # the c with Σ c_j E_j = 0
+    if len(dependent) != part.simplex or any(abs(sum(map(sign, c))) < len(c) for c in dependent):
+        raise Rejected("degree-walls", "the rows of E are not independent, or of a simplex they are "
+                                       "not around 0", place)
+    free = kernel(part.walls)
+    for z in free:
+        seen = what_sees(z, box)
+        if seen:
+            raise Rejected("degree-free", seen, place)
+    for matrix in (part.direction, list(zip(*part.direction))):
+        if len(kernel(matrix)) != len(free) or any(dot(row, z) for row in matrix for z in free):
+            raise Rejected("degree-direction", f"A has not the rank {len(box.wrench) - len(free)}, or "
+                                               "takes or gives free motions", place)
 
 
 def shares_of(low: Fraction, high: Optional[Fraction]) -> Tuple[Vector, Vector]:
@@ -2011,47 +2219,38 @@ class Cell:
             found = plus(found, -dot(row, d), share)
         return plus(found, Fraction(more), self.size)
 
-    def cone(self, multiples: List[Condition], wall: Optional[int] = None,
-             sign_: int = 0) -> List[Condition]:
+    def cone(self, multiples: List[Condition], wall: Optional[int] = None) -> List[Condition]:
         """Over K, or over a wall of K."""
         conditions = list(multiples)
-        for k, row in enumerate(self.part.walls):
-            if k == wall:
-                conditions.append((self.about(row, -sign_), True, False))
-            else:
-                conditions += [(self.about(row, 1), False, False),
-                               (self.about(times(Fraction(-1), row), 1), False, False)]
+        for k, (_, row) in enumerate(self.part.faces()):
+            conditions.append((self.about(times(Fraction(-1), row), 1), k == wall, False))
         return conditions
 
 
 def check_degree(part: DegreeProof, box: Box, bilateral: bool, place: str,
                  low: Fraction = Fraction(0), high: Optional[Fraction] = Fraction(0)) -> None:
-    """A part that is not cut, or a segment, for all λ from low to high."""
-    for rule, matrix in (("walls", part.walls), ("direction", part.direction)):
-        if determinant(matrix) == 0:
-            raise Rejected(f"degree-{rule}", "the determinant is 0", place)
+    """A part by degree, or a segment, for all λ from low to high."""
+    check_shape(part, box, place)
     cell = Cell(part, low, high)
     if bilateral:
         region = begin(Root(box, cell.cone(cell.multiples)))
         for i, term in enumerate(box.terms):
-            lows, _ = extremes(term.v, [x for x, _ in region.cone.generators])
+            lows, _ = term.extremes([x for x, _ in region.cone.generators])
             if min(lows) < 0:
                 raise Rejected("degree-law", f"v of contact {i} may be below 0", place)
     direction = [cell.about(row) for row in part.direction]
-    walls = [(j, sign_) for j in range(box.dimension) for sign_ in (1, -1)]
     if low == high:
         halfway = cell.multiples
     else:
         halfway = [*cell.multiples, (plus(cell.s, Fraction(-1), cell.t), True, False)]
     lists = (("wall", box, cell.multiples, ()),
              ("middle wall", box.middle(), halfway, direction))
-    check_tree(part.tree, [Root(where, cell.cone(multiples, j, sign_), False,
-                                f"{place}, {name} {j + 1} {'+' if sign_ > 0 else '-'}", pull)
+    check_tree(part.tree, [Root(where, cell.cone(multiples, j), False, f"{place}, {name} {wall}", pull)
                            for name, where, multiples, pull in lists[box.certain and low == high:]
-                           for j, sign_ in walls], place)
+                           for j, (wall, _) in enumerate(part.faces())], place)
 
 
-def check_parts(parts: Sequence[Union[Node, DegreeProof]], box: Box, bilateral: bool) -> None:
+def check_parts(parts: Sequence[Part], box: Box, bilateral: bool) -> None:
     """`waiting` holds the boxes that are still to come, with their paths and depths."""
     waiting = [(box, "", 0)]
     for k, part in enumerate(parts):
@@ -2061,6 +2260,9 @@ def check_parts(parts: Sequence[Union[Node, DegreeProof]], box: Box, bilateral: 
         place = f"part {k}{path}"
         if depth > here.most_depth:
             raise Rejected("node-depth", f"{depth} parts stand above this one", place)
+        if isinstance(part, RestProof):
+            check_rest(part, here, place)
+            continue
         if isinstance(part, DegreeProof):
             check_degree(part, here, bilateral, place)
             continue
@@ -2104,6 +2306,9 @@ def check_ranges(question: Question, claims: Sequence[RangeProof], box: Box) -> 
                 raise Rejected("interval-whole", "a proof about all multiples, but the wrench, a "
                                                  "preload or the low end is not 0", place)
             low = high = Fraction(1)  # for all: the laws are homogeneous
+        if isinstance(claim.part, RestProof):
+            check_rest(claim.part, box, place, sorted({low, high}))
+            continue
         if claim.part:
             check_degree(claim.part, box, question.asked.law == "bilateral", place, low, high)
             continue
@@ -2163,6 +2368,7 @@ USAGE = """check.py GRASP CERTIFICATE [options]
 Checks a stickslip certificate, as FORMAT.md says. GRASP is the grasp file, CERTIFICATE the proof;
 one of them may be - for standard input. Give the same options as to the program that made it:
   --wrench WX,WY,T         replaces the file's; in space WX,WY,WZ,TX,TY,TZ
+  --torque T               short for --wrench 0,0,T
   --case NAME              the wrench of this case of the grasp file
   --preload P              one preload for all contacts
   --normal-law LAW         unilateral (the default) or bilateral
@@ -2181,7 +2387,8 @@ one of them may be - for standard input. Give the same options as to the program
   --json                   answer as one JSON object
   -h, --help               this text, if it comes before GRASP
   --                       no options follow
-Exit codes: 0 accepted, 1 rejected, 2 a file or the command line cannot be understood.
+Exit codes: 0 accepted, 1 rejected, 2 a file or the command line cannot be understood, 3 not judged:
+to see whether it proves its verdict takes more work than the files' length allows.
 """
 
 
@@ -2240,7 +2447,7 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
             ended, as_json = ended or word == "--", as_json or word == "--json"
             continue
         name, equals, value = word.partition("=") if word.startswith("--") else (word, "", "")
-        if name not in ("--wrench", "--case", "--preload", "--normal-law", "--direction",
+        if name not in ("--wrench", "--torque", "--case", "--preload", "--normal-law", "--direction",
                         "--preload-direction", "--plane", "--uncertain"):
             raise UsageError(f"unknown option '{show(word)}'")
         if not equals:
@@ -2256,6 +2463,8 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
             if len(values) != 2 * PLANE:
                 raise UsageError(f"{name}: '{show(value)}' is not UX,UY,UT,VX,VY,VT, two wrenches")
             options = options._replace(plane=(values[:PLANE], values[PLANE:]))
+        elif name == "--torque":
+            options = options._replace(wrench=(Fraction(0), Fraction(0), number_option(name, value)))
         elif name == "--case":
             options = options._replace(case=value)
         elif name == "--preload":
@@ -2299,7 +2508,7 @@ def accepted_text(certificate: Certificate, question: Question, leaves: int, ran
     if growth is not None and growth != "scale":
         preload += f" + f ({', '.join(map(str, growth))})"
     tree = f"{len(certificate.trees())} nodes: {leaves} leaves"
-    proofs = len(certificate.by_degree())
+    proofs, rests = (len(certificate.proofs(kind)) for kind in (DegreeProof, RestProof))
     intervals = ", ".join(f"[{low}, oo)" if high is None else f"[{low}, {high}]"
                           for low, high in resisted)
     gone = ", ".join(f"{'(['[held]}{low}, {'oo' if high is None else high})"
@@ -2328,19 +2537,27 @@ def accepted_text(certificate: Certificate, question: Question, leaves: int, ran
     if asked.uncertain:
         lines.append("uncertain   " + ", ".join(map(" ".join, tolerances(asked).items())))
     lines += ["proof       " + (
-        f"intervals by degree: {proofs}, refuted: {len(ranges)}; trees of {tree}"
+        f"intervals by degree: {proofs}" + f", at rest: {rests}" * (rests > 0)
+        + f", refuted: {len(ranges)}; trees of {tree}"
         if certificate.claims is not None else
         f"segments: {len(certificate.segments)}" + f", by degree: {proofs}" * (proofs > 0)
         + f"; trees: {len(ranges)}, of {tree}" if margin else
         f"pieces: {len(certificate.pieces)}; a tree of {tree}"
         if certificate.pieces is not None else
-        f"by degree, parts: {proofs}; trees of {tree}" if proofs else
+        "; ".join([f"at rest, parts: {rests}"] * (rests > 0)
+                  + [f"by degree, parts: {proofs}; trees of {tree}"] * (proofs > 0))
+        if certificate.parts is not None else
         "an equilibrium" if certificate.witness else f"a tree of {tree}")]
     return "\n".join(lines) + "\n"
 
 
 def answer(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
     """The answer as an object, in which every key is there, and as text; and the exit code."""
+    with Work():
+        return judge(arguments)
+
+
+def judge(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
     report: Dict[str, Any] = dict.fromkeys(("result", "rule", "node", "path", "found", "verdict",
                                             "box", "nodes", "leaves", "resisted",
                                             "refuted", "question"))
@@ -2375,6 +2592,9 @@ def answer(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
         lines += [f"path   {failure.path}"] * (failure.path is not None)
         return report, "\n".join(["rejected", f"rule   {failure.rule}", *lines, f"found  {found}",
                                   ""]), 1
+    except NotJudged as failure:
+        report.update(result="not judged", found=str(failure))
+        return report, f"not judged\nwhy    {failure}\n", 3
     except Malformed as failure:
         report.update(result="malformed", path=printable(failure.place) or None,
                       found=printable(failure.problem))
@@ -2416,7 +2636,7 @@ def write(text: str, code: int) -> int:
 
 
 def main(words: Sequence[str]) -> int:
-    """Exit code 0 says accepted and 1 says rejected; anything unforeseen must be neither."""
+    """Exit code 0 says accepted, 1 rejected and 3 not judged; anything unforeseen must be 2."""
     if hasattr(sys, "set_int_max_str_digits"):  # Python 3.11's limit is below that of §2
         sys.set_int_max_str_digits(0)
     for stream in (sys.stdout, sys.stderr):

@@ -36,6 +36,7 @@ struct Accepted {
   std::uint64_t segments = 0;      ///< of a margin in the plane
   std::uint64_t pieces = 0;        ///< of a region, whose union it is
   std::size_t trees = 0;           ///< of a margin, one for each range without a multiple
+  std::uint64_t rests = 0;         ///< proofs at rest
   std::uint64_t parts = 0;         ///< proofs by degree
   std::uint64_t nodes = 0;         ///< of all trees; 0 for a witness
   std::uint64_t leaves = 0;
@@ -59,6 +60,12 @@ struct Malformed {
   std::string problem;  ///< what is wrong, and what would be right
 };
 
-using Answer = std::variant<Accepted, Rejected, Malformed>;
+/// The proof may be right, but takes more work than this checker does. Also thrown inside the
+/// checker.
+struct NotJudged {
+  std::string why;
+};
+
+using Answer = std::variant<Accepted, Rejected, Malformed, NotJudged>;
 
 }  // namespace stickslip_check

@@ -99,6 +99,8 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
     Options& options = arguments.options;
     if (word == "--wrench") {
       options.wrench = parse_wrench(word, value());
+    } else if (word == "--torque") {
+      options.wrench = Vector{0, 0, parse_number(word, value())};
     } else if (word == "--case") {
       options.case_name = value();
     } else if (word == "--preload") {

@@ -125,7 +125,7 @@ Segment CertificateReader::segment_by_degree(const Value& value,
   json_.expect(twists.is_array(2), twists, at_twists, "two twists");
   Vector begin = numbers(twists.items[0], at_twists, 0, dimension_);
   Vector end = numbers(twists.items[1], at_twists, 0, dimension_);
-  segment.part = shape(value, place);
+  segment.part = shape(value, place, dimension_);
   segment.part.twist = std::move(begin);
   segment.part.end_twist = std::move(end);
   return segment;
@@ -344,10 +344,13 @@ std::map<std::string, Tolerance> CertificateReader::tolerances(const Value& valu
   return result;
 }
 
-std::vector<Vector> CertificateReader::matrix(const Value& value,
-                                              const std::string& place) const {
-  json_.expect(value.is_array(dimension_), value, place,
-               "a matrix of " + std::to_string(dimension_) + " rows");
+/// Of so many rows.
+std::vector<Vector> CertificateReader::matrix(const Value& value, const std::string& place,
+                                              std::size_t least, std::size_t most) const {
+  const std::string what = "a matrix of " + std::to_string(least) +
+                           (least < most ? " to " + std::to_string(most) : "") + " rows";
+  const std::size_t count = list(value, place, what).size();
+  json_.expect(count >= least && count <= most, value, place, what);
   std::vector<Vector> rows;
   for (const Value& row : value.items) rows.push_back(numbers(row, place, 0, dimension_));
   return rows;
@@ -363,20 +366,60 @@ Part CertificateReader::part(const Value& value, const std::string& place) const
     return part;
   }
   json_.expect(value.kind == Value::Kind::kObject, value, place, "a part");
-  expect_order(value, place, {"twist", "walls", "direction", "tree"});
+  if (value.find("rest") != nullptr) {
+    part.at_rest = at_rest(value, place);
+    return part;
+  }
+  expect_order(
+      value, place,
+      {"twist", value.find("simplex") != nullptr ? "simplex" : "walls", "direction", "tree"});
   Vector twist = numbers(member(value, place, "twist"), place + ".twist", 0, dimension_);
-  part = shape(value, place);
+  part = shape(value, place, 1);
   part.twist = part.end_twist = std::move(twist);
   return part;
 }
 
-/// E, A and trees.
-Part CertificateReader::shape(const Value& value, const std::string& place) const {
+/// E, A and trees. A parallelepiped has `least_walls` pairs of walls or more.
+Part CertificateReader::shape(const Value& value, const std::string& place,
+                              std::size_t least_walls) const {
   Part part;
-  part.walls = matrix(member(value, place, "walls"), place + ".walls");
-  part.direction = matrix(member(value, place, "direction"), place + ".direction");
+  part.simplex = value.find("simplex") != nullptr;
+  const std::string walls = part.simplex ? "simplex" : "walls";
+  const std::size_t more = part.simplex ? 1 : 0;
+  part.walls = matrix(member(value, place, walls), place + "." + walls, least_walls + more,
+                      dimension_ + more);
+  part.direction =
+      matrix(member(value, place, "direction"), place + ".direction", dimension_, dimension_);
   part.tree = nodes(member(value, place, "tree"), place + ".tree");
   return part;
+}
+
+/// A PART at rest.
+RestProof CertificateReader::at_rest(const Value& value, const std::string& place) const {
+  expect_order(value, place, {"rest", "answers", "reach"});
+  RestProof proof;
+  for (auto& [contact, force] : shares(member(value, place, "rest"), place + ".rest")) {
+    proof.rest.push_back({contact, {force}});
+  }
+  const std::string at_answers = place + ".answers";
+  for (const Value& entry :
+       list(member(value, place, "answers"), at_answers, "an array [[contact, forces], ...]")) {
+    json_.expect(entry.is_array(2) && entry.items[1].is_array(dimension_), entry, at_answers,
+                 "[contact, forces], with " + std::to_string(dimension_) + " forces");
+    std::vector<Vector> forces;
+    for (const Value& force : entry.items[1].items) {
+      forces.push_back(friction(force, at_answers));
+    }
+    proof.answers.emplace_back(index(entry.items[0], at_answers), std::move(forces));
+  }
+  proof.reach = numbers(member(value, place, "reach"), place + ".reach", 0, dimension_);
+  return proof;
+}
+
+/// A share, or F: one number, or in space three.
+Vector CertificateReader::friction(const Value& value, const std::string& place) const {
+  if (dimension_ == kSpatial) return numbers(value, place, 0, 3);
+  return {number(value, place)};
 }
 
 std::vector<std::pair<Integer, Vector>> CertificateReader::shares(
@@ -384,10 +427,7 @@ std::vector<std::pair<Integer, Vector>> CertificateReader::shares(
   std::vector<std::pair<Integer, Vector>> result;
   for (const Value& entry : list(value, place, "an array [[contact, share], ...]")) {
     json_.expect(entry.is_array(2), entry, place, "[contact, share]");
-    const Value& share = entry.items[1];
-    result.emplace_back(index(entry.items[0], place), dimension_ == kSpatial
-                                                          ? numbers(share, place, 0, 3)
-                                                          : Vector{number(share, place)});
+    result.emplace_back(index(entry.items[0], place), friction(entry.items[1], place));
   }
   return result;
 }

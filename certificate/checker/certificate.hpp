@@ -75,9 +75,12 @@ class CertificateReader {
   Claim claim_of(const Value& value) const;
   Bounds wrench_component(const Value& value, const std::string& place) const;
   std::map<std::string, Tolerance> tolerances(const Value& value) const;
-  std::vector<Vector> matrix(const Value& value, const std::string& place) const;
+  std::vector<Vector> matrix(const Value& value, const std::string& place, std::size_t least,
+                             std::size_t most) const;
   Part part(const Value& value, const std::string& place) const;
-  Part shape(const Value& value, const std::string& place) const;
+  Part shape(const Value& value, const std::string& place, std::size_t least_walls) const;
+  RestProof at_rest(const Value& value, const std::string& place) const;
+  Vector friction(const Value& value, const std::string& place) const;
   Segment segment_by_degree(const Value& value, const std::string& place) const;
   std::vector<std::pair<Integer, Vector>> shares(const Value& value,
                                                  const std::string& place) const;

@@ -7,6 +7,7 @@
 #include "degree.hpp"
 #include "margin.hpp"
 #include "plane.hpp"
+#include "work.hpp"
 
 namespace stickslip_check {
 namespace {
@@ -67,8 +68,8 @@ void check_question(const Claim& claim, const Question& question) {
           in_words(asked.uncertain));
 }
 
-/// A rule that fails is remembered, and the rest of the file is still read: what is malformed
-/// anywhere is malformed.
+/// A rule that fails, or the limit of work, is remembered, and the rest of the file is still
+/// read: what is malformed anywhere is malformed.
 class FirstRejection {
  public:
   template <typename Action>
@@ -78,10 +79,12 @@ class FirstRejection {
       action();
     } catch (const Rejected& rejected) {
       found = rejected;
+    } catch (const NotJudged& not_judged) {
+      found = not_judged;
     }
   }
 
-  std::optional<Rejected> found;
+  std::optional<Answer> found;
 };
 
 Answer read_and_check(CertificateReader& certificate, Question question) {
@@ -99,6 +102,7 @@ Answer read_and_check(CertificateReader& certificate, Question question) {
       rejection.unless_rejected([&] { walk.visit(*part); });
     }
     rejection.unless_rejected([&] { walk.finish(); });
+    accepted.rests = walk.rests();
     accepted.parts = walk.proofs();
     accepted.nodes = walk.nodes();
     accepted.leaves = walk.leaves();
@@ -151,12 +155,15 @@ Answer read_and_check(CertificateReader& certificate, Question question) {
 
 Answer check(std::istream& grasp, std::istream& certificate, const Options& options,
              const std::string& grasp_name, const std::string& certificate_name) {
+  const LimitedWork limited;
   try {
     Question question = pose(read_grasp(grasp, grasp_name), options, grasp_name);
     CertificateReader reader(certificate, certificate_name, question.dimension());
     return read_and_check(reader, std::move(question));
   } catch (const Malformed& malformed) {
     return malformed;
+  } catch (const NotJudged& not_judged) {
+    return not_judged;
   }
 }
 

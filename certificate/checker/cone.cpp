@@ -5,10 +5,13 @@
 #include <bitset>
 #include <utility>
 
+#include "work.hpp"
+
 namespace stickslip_check {
 namespace {
 
 constexpr std::size_t kWordBits = 64;
+constexpr std::uint64_t kStepsOfARay = 64;  // to make one, of which it keeps the memory
 
 /// p a - q b
 Form combine(const Integer& p, const Form& a, const Integer& q, const Form& b) {
@@ -59,6 +62,7 @@ Cone::Cone(std::size_t n) {
 }
 
 void Cone::add(Form x, Set zero) {
+  spend(kStepsOfARay + words(x));
   rays_.push_back(std::make_shared<const Ray>(Ray{std::move(x), std::move(zero)}));
 }
 
@@ -108,9 +112,11 @@ Cone Cone::cut(const Form& a, bool equality) const {
   const std::size_t n = rays_.empty() ? 0 : rays_.front()->x.size();
   const std::size_t least = n - std::min(n, lines_.size() + 2);
   for (std::size_t i = 0; i < rays_.size(); ++i) {
+    if (height[i] > 0) spend(rays_.size());
     for (std::size_t j = 0; j < rays_.size(); ++j) {
       if (height[i] <= 0 || height[j] >= 0) continue;
       if (common_size(rays_[i]->zero, rays_[j]->zero) < least) continue;
+      spend(rays_.size());
       Set common = intersection(rays_[i]->zero, rays_[j]->zero);
       std::size_t holders = 0;  // of all common zeros; the two themselves are
       for (std::size_t k = 0; k < rays_.size() && holders <= 2; ++k) {

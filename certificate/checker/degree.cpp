@@ -7,22 +7,122 @@
 namespace stickslip_check {
 namespace {
 
-/// Whether the determinant is 0: by elimination.
-bool singular(std::vector<Vector> m) {
-  for (std::size_t j = 0; j < m.size(); ++j) {
-    const auto pivot = std::find_if(m.begin() + static_cast<std::ptrdiff_t>(j), m.end(),
-                                    [&](const Vector& row) { return row[j] != 0; });
-    if (pivot == m.end()) return true;
-    std::swap(*pivot, m[j]);
-    for (std::size_t i = j + 1; i < m.size(); ++i) {
-      const Rational factor = m[i][j] / m[j][j];
-      for (std::size_t k = j; k < m.size(); ++k) m[i][k] -= factor * m[j][k];
-    }
-  }
-  return false;
+/// a += factor b.
+void add(Vector& a, const Rational& factor, const Vector& b) {
+  for (std::size_t j = 0; j < a.size(); ++j) a[j] += factor * b[j];
 }
 
-/// Of points, row.(d - c) + more z, where K is {|E_j.(d - c)| <= z}. For a multiple l of h = 1,
+/// A basis of the vectors that have the product 0 with every row: by elimination.
+std::vector<Vector> kernel(std::vector<Vector> rows) {
+  const std::size_t columns = rows[0].size();
+  std::vector<Vector> basis;
+  std::vector<std::size_t> pivots;  // column pivots[k] is 1 in row k, and else 0
+  for (std::size_t j = 0; j < columns; ++j) {
+    const std::size_t rank = pivots.size();
+    const auto pivot = std::find_if(rows.begin() + static_cast<std::ptrdiff_t>(rank),
+                                    rows.end(), [&](const Vector& row) { return row[j] != 0; });
+    if (pivot == rows.end()) continue;
+    std::swap(*pivot, rows[rank]);
+    const Rational inverse = 1 / rows[rank][j];
+    for (Rational& c : rows[rank]) c *= inverse;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      if (k != rank) add(rows[k], Rational(-rows[k][j]), rows[rank]);
+    }
+    pivots.push_back(j);
+  }
+  for (std::size_t j = 0; j < columns; ++j) {
+    if (std::find(pivots.begin(), pivots.end(), j) != pivots.end()) continue;
+    basis.emplace_back(columns);
+    basis.back()[j] = 1;
+    for (std::size_t k = 0; k < pivots.size(); ++k) basis.back()[pivots[k]] = -rows[k][j];
+  }
+  return basis;
+}
+
+std::vector<Vector> transposed(const std::vector<Vector>& rows) {
+  std::vector<Vector> result(rows[0].size());
+  for (const Vector& row : rows) {
+    for (std::size_t j = 0; j < row.size(); ++j) result[j].push_back(row[j]);
+  }
+  return result;
+}
+
+/// `degree-free`: what knows of the motion z, or nothing.
+std::string what_sees(const Vector& z, const Box& box) {
+  const Form motion = make_form(z);
+  const auto sees = [&](const Form& row) { return sign_of_dot(row, motion) != 0; };
+  const auto any = [&](const std::vector<Form>& rows) {
+    return std::any_of(rows.begin(), rows.end(), sees);
+  };
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    const Row& row = box.row(i);
+    if (any(row.normals)) return "contact " + std::to_string(i) + " presses";
+    if (box.contact(i)[Parameter::kFriction].high > 0 &&
+        std::any_of(row.slips.begin(), row.slips.end(), any)) {
+      return "contact " + std::to_string(i) + " has friction";
+    }
+  }
+  Vector least;
+  bool works = false;
+  for (std::size_t j = 0; j < z.size(); ++j) {
+    least.push_back(box.wrench[j].low);
+    works = works || (z[j] != 0 && !box.wrench[j].certain());
+  }
+  works = works || dot(least, z) != 0;
+  for (const Vector& growth : box.growths) works = works || dot(growth, z) != 0;
+  return works ? "the load works" : "";
+}
+
+/// `degree-walls`, `degree-free`, `degree-direction`.
+void check_shape(const Part& part, const Box& box, const std::string& place) {
+  const auto require = [&](bool good, const char* rule, const std::string& found) {
+    if (!good) throw Rejected{rule, std::nullopt, place, found};
+  };
+  // The c with sum c_j E_j = 0.
+  const std::vector<Vector> dependent = kernel(transposed(part.walls));
+  require(
+      dependent.size() == (part.simplex ? 1 : 0), "degree-walls",
+      part.simplex ? "E has not one row more than its rank" : "the rows of E are dependent");
+  for (const Vector& c : dependent) {
+    const auto same = [&](const Rational& x) { return sgn(x) != 0 && sgn(x) == sgn(c[0]); };
+    require(std::all_of(c.begin(), c.end(), same), "degree-walls",
+            "the rows of E are not on all sides, as c = " + show(c));
+  }
+  const std::vector<Vector> free = kernel(part.walls);
+  for (const Vector& z : free) {
+    const std::string seen = what_sees(z, box);
+    require(seen.empty(), "degree-free", seen + " along " + show(z));
+  }
+  for (const std::vector<Vector>& matrix : {part.direction, transposed(part.direction)}) {
+    require(kernel(matrix).size() == free.size(), "degree-direction",
+            "the rank of A is not " + std::to_string(box.dimension() - free.size()));
+    for (const Vector& z : free) {
+      const auto zero = [&](const Vector& row) { return dot(row, z) == 0; };
+      require(std::all_of(matrix.begin(), matrix.end(), zero), "degree-direction",
+              "A takes or gives the free motion " + show(z));
+    }
+  }
+}
+
+/// A wall F.(d - c) = z of K = {F.(d - c) <= z for all F}.
+struct Wall {
+  Vector outwards;  ///< F
+  std::string name;
+};
+
+std::vector<Wall> walls_of(const Part& part) {
+  std::vector<Wall> walls;
+  for (std::size_t j = 0; j < part.walls.size(); ++j) {
+    const std::string name = std::to_string(j + 1);
+    walls.push_back({part.walls[j], part.simplex ? name : name + " +"});
+    if (part.simplex) continue;
+    walls.push_back({part.walls[j], name + " -"});
+    for (Rational& c : walls.back().outwards) c = -c;
+  }
+  return walls;
+}
+
+/// Of points, row.(d - c) + more z, where K is {F.(d - c) <= z}. For a multiple l of h = 1,
 /// c is on the way from twist to end_twist, and z = 1; without an end c = h twist + (l / low -
 /// h) end_twist, and z = l / low.
 Vector about(const Part& part, const Range& range, const Vector& row, int more = 0) {
@@ -51,29 +151,23 @@ std::vector<Condition> multiples_in(const Range& range, std::size_t dimension) {
   return conditions;
 }
 
-/// The cone over K and these multiples, or over the wall E_j.(d - c) = sign z of K.
+/// The cone over K and these multiples, or over one of its walls.
 std::vector<Condition> conditions_on(const Part& part, const Range& range,
-                                     std::vector<Condition> conditions, std::size_t wall,
-                                     int sign) {
-  for (std::size_t k = 0; k < part.walls.size(); ++k) {
-    if (k == wall) {
-      conditions.push_back({about(part, range, part.walls[k], -sign), true});
-      continue;
-    }
-    Vector below = about(part, range, part.walls[k], -1);
+                                     std::vector<Condition> conditions,
+                                     const Wall* on = nullptr) {
+  for (const Wall& wall : walls_of(part)) {
+    Vector below = about(part, range, wall.outwards, -1);
     for (Rational& c : below) c = -c;
-    conditions.push_back({about(part, range, part.walls[k], 1)});
-    conditions.push_back({std::move(below)});
+    conditions.push_back({std::move(below), on != nullptr && on->name == wall.name});
   }
   return conditions;
 }
 
 /// `degree-law`: the contact whose v_i may be below 0 in K, or nothing.
 std::optional<std::size_t> opening(const Part& part, const Box& box, const Range& range) {
-  const std::size_t no_wall = box.dimension();
   Cone cone(box.dimension() + 2);
   const auto multiples = multiples_in(range, box.dimension());
-  for (const Condition& condition : conditions_on(part, range, multiples, no_wall, 0)) {
+  for (const Condition& condition : conditions_on(part, range, multiples)) {
     cone = cone.cut(make_form(condition.a), condition.equality);
   }
   for (std::size_t i = 0; i < box.size(); ++i) {
@@ -90,16 +184,12 @@ std::optional<std::size_t> opening(const Part& part, const Box& box, const Range
 
 TreeWalk check_degree(const Part& part, const std::shared_ptr<const Box>& box,
                       const Range& range, bool bilateral, const std::string& place) {
-  const auto require = [&](bool good, const char* rule, const std::string& found) {
-    if (!good) throw Rejected{rule, std::nullopt, place, found};
-  };
-  require(!singular(part.walls), "degree-walls", "det E = 0");
-  require(!singular(part.direction), "degree-direction", "det A = 0");
-  if (bilateral) {
-    const auto i = opening(part, *box, range);
-    require(
-        !i, "degree-law",
-        "v of contact " + std::to_string(i.value_or(0)) + " may be below 0 at a vertex of K");
+  check_shape(part, *box, place);
+  const auto opens = bilateral ? opening(part, *box, range) : std::nullopt;
+  if (opens) {
+    throw Rejected{
+        "degree-law", std::nullopt, place,
+        "v of contact " + std::to_string(*opens) + " may be below 0 at a vertex of K"};
   }
   std::vector<Vector> direction;
   for (const Vector& row : part.direction) direction.push_back(about(part, range, row));
@@ -111,14 +201,10 @@ TreeWalk check_degree(const Part& part, const std::shared_ptr<const Box>& box,
     if (!second && box->certain() && range.high == range.low) continue;
     const auto multiples = multiples_in(
         second ? Range{middle_multiple, middle_multiple} : range, box->dimension());
-    for (std::size_t j = 0; j < box->dimension(); ++j) {
-      for (const int sign : {1, -1}) {
-        roots.push_back({second ? middle : box, conditions_on(part, range, multiples, j, sign),
-                         false,
-                         place + (second ? ", middle wall " : ", wall ") +
-                             std::to_string(j + 1) + (sign > 0 ? " +" : " -"),
-                         second ? direction : std::vector<Vector>{}});
-      }
+    for (const Wall& wall : walls_of(part)) {
+      roots.push_back({second ? middle : box, conditions_on(part, range, multiples, &wall),
+                       false, place + (second ? ", middle wall " : ", wall ") + wall.name,
+                       second ? direction : std::vector<Vector>{}});
     }
   }
   TreeWalk walk(std::move(roots), place);
@@ -141,6 +227,11 @@ void PartWalk::visit(const Part& part) {
   if (here.depth > most_depth(*here.box)) {
     throw Rejected{"node-depth", std::nullopt, place,
                    "more than " + std::to_string(most_depth(*here.box)) + " parts above this"};
+  }
+  if (part.at_rest) {
+    check_rest(*part.at_rest, *here.box, {0, 0}, place);
+    ++rests_;
+    return;
   }
   if (!part.cut) {
     const TreeWalk walk = check_degree(part, here.box, {0, 0}, bilateral_, place);

@@ -6,9 +6,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "rest.hpp"
 #include "tree.hpp"
 
 namespace stickslip_check {
@@ -18,15 +20,18 @@ struct Part {
   bool cut = false;
   Node by;  ///< if cut
 
-  // If not:
+  std::optional<RestProof> at_rest;  ///< if not cut, but at rest
+
+  // If by degree:
   Vector twist;                   ///< d0, or of a segment that at its low end
   Vector end_twist;               ///< the same, or that at its high end
   std::vector<Vector> walls;      ///< E
+  bool simplex = false;           ///< K is one, else a parallelepiped
   std::vector<Vector> direction;  ///< A
   std::vector<Node> tree;
 };
 
-/// Checks a part that is not cut, at `place`, for all multiples from range.low to *range.high,
+/// Checks a part by degree, at `place`, for all multiples from range.low to *range.high,
 /// or from range.low > 0 on.
 /// Throws Rejected, or returns the walk over its trees.
 TreeWalk check_degree(const Part& part, const std::shared_ptr<const Box>& box,
@@ -42,7 +47,8 @@ class PartWalk {
   /// The list has ended. Throws Rejected (`tree-short`).
   void finish() const;
 
-  std::uint64_t proofs() const { return proofs_; }  ///< parts that are not cut
+  std::uint64_t rests() const { return rests_; }    ///< parts at rest
+  std::uint64_t proofs() const { return proofs_; }  ///< parts by degree
   std::uint64_t nodes() const { return nodes_; }
   std::uint64_t leaves() const { return leaves_; }
 
@@ -57,6 +63,7 @@ class PartWalk {
   bool bilateral_;
   std::vector<Awaited> awaited_;  ///< the next one last
   std::uint64_t parts_ = 0;
+  std::uint64_t rests_ = 0;
   std::uint64_t proofs_ = 0;
   std::uint64_t nodes_ = 0;
   std::uint64_t leaves_ = 0;

@@ -6,6 +6,7 @@
 
 #include "answer.hpp"
 #include "number.hpp"
+#include "work.hpp"
 
 namespace stickslip_check {
 namespace {
@@ -124,6 +125,7 @@ int JsonReader::take() {
   if (taken == kEnd) {
     fail_here(in_.bad() ? "the file cannot be read" : "the text ends here; is it complete?");
   }
+  note_byte();
   if (++bytes_ > limits_.bytes)
     fail_here("more than " + std::to_string(limits_.bytes) + " bytes");
   if (taken == '\n') {

@@ -19,6 +19,13 @@ using namespace stickslip_check;
 constexpr int kExitAccepted = 0;
 constexpr int kExitRejected = 1;
 constexpr int kExitMalformed = 2;
+constexpr int kExitNotJudged = 3;
+
+int exit_code_of(const Answer& answer) {
+  if (std::holds_alternative<Malformed>(answer)) return kExitMalformed;
+  if (std::holds_alternative<NotJudged>(answer)) return kExitNotJudged;
+  return std::holds_alternative<Rejected>(answer) ? kExitRejected : kExitAccepted;
+}
 
 const char* const kHelp =
     R"(stickslip-check GRASP CERTIFICATE [options]
@@ -34,6 +41,7 @@ The question is that of the grasp file unless replaced here. Give the same optio
 the program that produced the certificate:
   --wrench WX,WY,T         wrench applied to the object: force x, force y, torque; in space
                            WX,WY,WZ,TX,TY,TZ: force x, y, z and torque x, y, z
+  --torque T               short for --wrench 0,0,T
   --case NAME              the wrench of this case of the grasp file
   --preload P              one preload for all contacts
   --normal-law LAW         unilateral (contacts may open; the default) or bilateral
@@ -66,6 +74,7 @@ Answers and exit codes:
                  of a region, that exactly the (s, t) in the certificate's pieces are
   rejected   1   it does not; the rule (named as in certificate/FORMAT.md) and the place
   (error)    2   a file or the command line cannot be understood, on standard error
+  not judged 3   it may, but to see it takes more work than the files' length allows
 
 Example:
   stickslip decide grasp.json --certificate proof.json
@@ -119,9 +128,7 @@ int run(const Arguments& arguments) {
   static const Answer& answer = *new Answer(answer_to(arguments));
   const bool malformed = std::holds_alternative<Malformed>(answer);
   if (malformed) std::cerr << "stickslip-check: " << as_text(answer);
-  const int exit_code =
-      malformed ? kExitMalformed
-                : (std::holds_alternative<Rejected>(answer) ? kExitRejected : kExitAccepted);
+  const int exit_code = exit_code_of(answer);
   if (arguments.json) return write(as_json(answer), exit_code);
   return malformed ? exit_code : write(as_text(answer), exit_code);
 }

@@ -170,9 +170,12 @@ void RangeProofs::check_order(const RangeProof& claim, const std::string& place)
 
 void RangeProofs::check_resisted(const RangeProof& claim, const std::string& place) {
   const auto& [low, high] = claim.range;
-  if (claim.points.empty()) {
-    // Without an end the laws are homogeneous, and 1 stands for all.
-    const Range range = high ? Range{low, high} : Range{1, 1};
+  // Without an end the laws are homogeneous, and 1 stands for all.
+  const Range range = high ? Range{low, high} : Range{1, 1};
+  if (claim.part.at_rest) {
+    check_rest(*claim.part.at_rest, *question_.box, range, place);
+    ++accepted_.rests;
+  } else if (claim.points.empty()) {
     count(check_degree(claim.part, question_.box, range, question_.asked.bilateral, place),
           accepted_);
     ++accepted_.parts;

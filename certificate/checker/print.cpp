@@ -152,6 +152,7 @@ std::string text_of(const Accepted& a) {
       std::to_string(a.nodes) + " nodes: " + std::to_string(a.leaves) + " leaves";
   if (margin && in_space) {
     text += "intervals by degree: " + std::to_string(a.parts) +
+            (a.rests > 0 ? ", at rest: " + std::to_string(a.rests) : "") +
             ", refuted: " + std::to_string(a.trees) + "; trees of " + tree;
   } else if (margin) {
     text += "segments: " + std::to_string(a.segments) +
@@ -159,8 +160,12 @@ std::string text_of(const Accepted& a) {
             "; trees: " + std::to_string(a.trees) + ", of " + tree;
   } else if (a.verdict == "region") {
     text += "pieces: " + std::to_string(a.pieces) + "; a tree of " + tree;
-  } else if (a.parts > 0) {
-    text += "by degree, parts: " + std::to_string(a.parts) + "; trees of " + tree;
+  } else if (a.rests > 0 || a.parts > 0) {
+    if (a.rests > 0) text += "at rest, parts: " + std::to_string(a.rests);
+    if (a.rests > 0 && a.parts > 0) text += "; ";
+    if (a.parts > 0) {
+      text += "by degree, parts: " + std::to_string(a.parts) + "; trees of " + tree;
+    }
   } else {
     text += a.verdict == "stable" ? "an equilibrium" : "a tree of " + tree;
   }
@@ -178,28 +183,38 @@ std::string text_of(const Malformed& m) {
   return printable(m.file + ": " + m.place + ": " + m.problem) + "\n";
 }
 
+std::string text_of(const NotJudged& n) {
+  return "not judged\nwhy    " + printable(n.why) + "\n";
+}
+
 }  // namespace
 
 std::string as_json(const Answer& answer) {
   const auto* a = std::get_if<Accepted>(&answer);
   const auto* r = std::get_if<Rejected>(&answer);
   const auto* m = std::get_if<Malformed>(&answer);
+  const auto* n = std::get_if<NotJudged>(&answer);
   const bool margin = a != nullptr && a->verdict == "margin";
   const bool region = a != nullptr && a->verdict == "region";
-  const bool tree = a != nullptr && (a->verdict != "stable" || a->parts > 0);
+  const bool tree = a != nullptr && (a->verdict != "stable" || a->rests + a->parts > 0);
   const std::string path = r != nullptr ? r->path : (m != nullptr ? m->place : "");
+  const std::string result = a != nullptr   ? "accepted"
+                             : r != nullptr ? "rejected"
+                             : m != nullptr ? "malformed"
+                                            : "not judged";
   const auto text = [](bool present, const std::string& content) {
     return present ? json_string(content) : "null";
   };
   const auto number = [](bool present, std::uint64_t value) {
     return present ? std::to_string(value) : "null";
   };
-  return R"({"result": )" +
-         json_string(a != nullptr ? "accepted" : (r != nullptr ? "rejected" : "malformed")) +
-         R"(, "rule": )" + text(r != nullptr, r != nullptr ? r->rule : "") + R"(, "node": )" +
+  return R"({"result": )" + json_string(result) + R"(, "rule": )" +
+         text(r != nullptr, r != nullptr ? r->rule : "") + R"(, "node": )" +
          number(r != nullptr && r->node, r != nullptr ? r->node.value_or(0) : 0) +
          R"(, "path": )" + text(!path.empty(), path) + R"(, "found": )" +
-         text(a == nullptr, r != nullptr ? r->found : (m != nullptr ? m->problem : "")) +
+         text(a == nullptr, r != nullptr
+                                ? r->found
+                                : (m != nullptr ? m->problem : (n != nullptr ? n->why : ""))) +
          R"(, "verdict": )" + text(a != nullptr, a != nullptr ? a->verdict : "") +
          R"(, "box": )" + (a == nullptr ? "null" : (a->question.is_box ? "true" : "false")) +
          R"(, "nodes": )" + number(tree, tree ? a->nodes : 0) + R"(, "leaves": )" +

@@ -108,7 +108,7 @@ Definition check_in_plane (q : question) (c : certificate) : answer :=
                 end
             end
           else NotProvedHere "a margin of a box"
-      | StableByParts _, false => NotProvedHere "a proof by degree"
+      | StableByParts _, false => NotProvedHere "a proof by degree or at rest"
       | MarginByDegree, true => NotProvedHere "segments by degree"
       | _, _ => NotProvedHere "a proof of something else than was asked"
       end
@@ -138,7 +138,7 @@ Definition check_in_space (q : question) (c : certificate) : answer :=
             end
           else Rejected "witness-box" Nowhere
       end
-  | StableByParts _, false => NotProvedHere "a proof by degree"
+  | StableByParts _, false => NotProvedHere "a proof by degree or at rest"
   | MarginInSpace _, true => NotProvedHere "a margin in space"
   | _, _ => NotProvedHere "a proof of something else than was asked"
   end.

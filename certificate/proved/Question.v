@@ -61,7 +61,8 @@ Record segment := Segment { first_point : option point; second_point : point }.
 Inductive part :=
   | PartCut (name : parameter) (index : Z) (at_number : Q)
   | PartProof (d0 : list Q) (walls : list (list Q)) (direction : list (list Q))
-      (tree : list node).
+      (tree : list node)
+  | PartAtRest.                         (* this checker only reads it *)
 
 (* CLAIM of a margin in space. *)
 Inductive claim :=

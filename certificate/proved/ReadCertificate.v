@@ -153,12 +153,15 @@ Definition read_nodes (s : shape) : path -> json -> result (list node) :=
   read_array "an array of nodes" (read_node s).
 
 (** Witnesses and points. *)
+Definition read_friction (s : shape) (at_path : path) (value : json) : result (list Q) :=
+  if spatial s then read_numbers 3 at_path value
+  else let* x := read_fraction at_path value in Fine [x].
+
 Definition read_share (s : shape) (at_path : path) (value : json) : result (Z * list Q) :=
   match value with
   | Array [index; share] =>
       let* i := read_index at_path index in
-      let* numbers := if spatial s then read_numbers 3 at_path share
-                      else let* x := read_fraction at_path share in Fine [x] in
+      let* numbers := read_friction s at_path share in
       Fine (i, numbers)
   | _ => expected "[contact, share]" at_path value
   end.
@@ -205,7 +208,48 @@ Definition read_resisted (at_path : path) (value : json) : result (Q * option Q)
 Definition read_matrix (s : shape) : path -> json -> result (list (list Q)) :=
   read_sized (size_of_twist s) "a matrix with a row for each component of a twist" (read_twist s).
 
+Fixpoint has_at_most {A : Type} (size : Z) (items : list A) : bool :=
+  match items with
+  | [] => true
+  | _ :: rest => (0 <? size)%Z && has_at_most (size - 1) rest
+  end.
+
+(** E, of so many rows more than one to D. *)
+Definition read_walls (s : shape) (more : Z) (at_path : path) (value : json)
+  : result (list (list Q)) :=
+  let what := "one row or more, of a simplex two or more, and no more than it can have" in
+  match value with
+  | Array items =>
+      if has_at_most (size_of_twist s + more) items && negb (has_at_most more items)
+      then each (read_twist s) at_path items
+      else expected what at_path value
+  | _ => expected what at_path value
+  end.
+
+(** Friction forces of a contact, one for each component of a wrench. *)
+Definition read_answers (s : shape) (at_path : path) (value : json) : result unit :=
+  match value with
+  | Array [contact; forces] =>
+      let* _ := read_index at_path contact in
+      let* _ := read_sized (size_of_twist s) "a force for each component of a wrench"
+                  (read_friction s) at_path forces in
+      Fine tt
+  | _ => expected "[contact, forces]" at_path value
+  end.
+
+Definition read_at_rest (s : shape) (at_path : path) (value : json) : result part :=
+  let* members := members_in_order ["rest"; "answers"; "reach"] at_path value in
+  let* _ := member "rest" (read_shares s) at_path members in
+  let* _ := member "answers" (read_array "an array [[contact, forces], ...]" (read_answers s))
+              at_path members in
+  let* _ := member "reach" (read_twist s) at_path members in
+  Fine PartAtRest.
+
+Definition is_at_rest (value : json) : bool :=
+  match value with Object members => has_member "rest" members | _ => false end.
+
 Definition read_part (s : shape) (at_path : path) (value : json) : result part :=
+  if is_at_rest value then read_at_rest s at_path value else
   match value with
   | Array _ =>
       let* it := read_node s at_path value in
@@ -214,9 +258,12 @@ Definition read_part (s : shape) (at_path : path) (value : json) : result part :
       | _ => expected "a part" at_path value
       end
   | _ =>
-      let* members := members_in_order ["twist"; "walls"; "direction"; "tree"] at_path value in
+      let simplex :=
+        match value with Object members => has_member "simplex" members | _ => false end in
+      let walls := if simplex then "simplex" else "walls" in
+      let* members := members_in_order ["twist"; walls; "direction"; "tree"] at_path value in
       let* d := member "twist" (read_twist s) at_path members in
-      let* e := member "walls" (read_matrix s) at_path members in
+      let* e := member walls (read_walls s (if simplex then 1 else 0)%Z) at_path members in
       let* a := member "direction" (read_matrix s) at_path members in
       let* tree := member "tree" (read_nodes s) at_path members in
       Fine (PartProof d e a tree)

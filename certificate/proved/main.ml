@@ -45,7 +45,8 @@ Answers and exit codes:
   rejected    1   it does not; the rule (named as in certificate/FORMAT.md) and the place
   (error)     2   a file or the command line cannot be understood, on standard error
   not judged  3   the theorem does not cover such proofs, which stickslip-check judges: of
-                  stability by degree, and of margins in space
+                  stability by degree, and of margins in space; or it takes more work than the
+                  files' length allows
 
 Example:
   stickslip decide grasp.json --certificate proof.json
@@ -117,16 +118,21 @@ let tokens file limits text =
     raise (Illegible { file; place = Printf.sprintf "line %d, column %d" line column; problem })
 
 let answer_to options (grasp_name, grasp) (certificate_name, certificate) =
+  Work.begin_question ();
+  let read name limits text =
+    Work.bytes := !Work.bytes + String.length text;
+    tokens name limits text in
   try
     let asked =
-      or_illegible grasp_name (ask options (tokens grasp_name Tokenise.of_grasp (grasp ()))) in
+      or_illegible grasp_name (ask options (read grasp_name Tokenise.of_grasp (grasp ()))) in
     let answer, certificate =
       or_illegible certificate_name
-        (judge Oracle.oracle asked (tokens certificate_name Tokenise.of_certificate (certificate ()))) in
+        (judge Oracle.oracle asked (read certificate_name Tokenise.of_certificate (certificate ()))) in
     Print.Judged { asked; answer; certificate }
   with
   | Illegible { file; place; problem } -> Print.Illegible { file; place; problem }
   | Unreadable { file; problem } -> Print.Illegible { file; place = "opening"; problem }
+  | Work.Too_much why -> Print.Too_much why
 
 (* The bytes that characters below 256 stand for, in UTF-8. *)
 let bytes_of text =
@@ -187,7 +193,21 @@ let run (arguments : Arguments.arguments) =
     code
   end
 
+(* What is extracted calls itself once for each contact, and the system's stack ends at a hundred
+   thousand or so. So the program starts itself again, by a shell, with all the stack that it may
+   have; without a shell it goes on with what there is. *)
+let with_a_large_stack () =
+  let mark = "STICKSLIP_PROVED_STACK" in
+  if Sys.getenv_opt mark = None then begin
+    Unix.putenv mark "large";
+    let again = {|ulimit -s unlimited 2>/dev/null || ulimit -s "$(ulimit -H -s)" 2>/dev/null; exec "$0" "$@"|} in
+    let words = "/bin/sh" :: "-c" :: again :: Sys.executable_name :: List.tl (Array.to_list Sys.argv) in
+    try Unix.execv "/bin/sh" (Array.of_list words) with Unix.Unix_error _ -> ()
+  end
+
 let () =
+  with_a_large_stack ();
+  Work.watch ();
   let code =
     try
       let code = run (Arguments.parse (List.tl (Array.to_list Sys.argv))) in

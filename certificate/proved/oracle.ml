@@ -254,6 +254,8 @@ let free_number forms =
 
 let advise region form equality =
   let valued = List.map (fun g -> (g, dot form g.x)) region.generators in
+  let count good = List.length (List.filter (fun (_, v) -> good (Integer.sign v)) valued) in
+  Work.spend (List.length valued + (count (fun s -> s > 0) * count (fun s -> s < 0)));
   let all = candidates equality valued in
   let number = free_number region.forms in
   let form_bit = if equality then Integer.zero else bit number in

@@ -91,7 +91,7 @@ let size_of certificate =
   let none = { nodes = 0; leaves = 0; parts = 0; segments = 0; trees = 0 } in
   let add_part size = function
     | PartProof (_, _, _, tree) -> size_of_tree { size with parts = size.parts + 1 } tree
-    | PartCut _ -> size in
+    | PartCut _ | PartAtRest -> size in
   match certificate.body with
   | StableByWitness _ -> none
   | StableByParts parts -> List.fold_left add_part none parts
@@ -157,6 +157,7 @@ let json_question asked =
 type report =
   | Judged of { asked : posed; answer : answer; certificate : certificate }
   | Illegible of { file : string; place : string; problem : string }
+  | Too_much of string  (* work *)
 
 let proof answer size =
   let tree = Printf.sprintf "%d nodes: %d leaves" size.nodes size.leaves in
@@ -185,7 +186,7 @@ let as_text = function
     "rejected\nrule   " ^ rule ^ "\n"
     ^ line "node   " (Option.map string_of_int (node_of at))
     ^ line "path   " (in_words at)
-  | Judged { answer = NotProvedHere why; _ } -> "not judged\nwhy    " ^ printable why ^ "\n"
+  | Judged { answer = NotProvedHere why; _ } | Too_much why -> "not judged\nwhy    " ^ printable why ^ "\n"
   | Judged { asked; answer; certificate } -> accepted asked answer certificate
 
 let as_json report =
@@ -205,7 +206,7 @@ let as_json report =
   | Illegible { place; problem; _ } -> line "malformed" ~path:place ~found:problem
   | Judged { answer = Rejected (rule, at); _ } ->
     line "rejected" ~rule ?node:(node_of at) ?path:(in_words at) ~found:"see FORMAT.md"
-  | Judged { answer = NotProvedHere why; _ } -> line "not judged" ~found:why
+  | Judged { answer = NotProvedHere why; _ } | Too_much why -> line "not judged" ~found:why
   | Judged { asked; answer; certificate } ->
     let size = size_of certificate in
     let tree = match answer with Stable -> size.parts > 0 | _ -> true in
@@ -217,5 +218,5 @@ let as_json report =
 let exit_code = function
   | Illegible _ -> 2
   | Judged { answer = Rejected _; _ } -> 1
-  | Judged { answer = NotProvedHere _; _ } -> 3
+  | Judged { answer = NotProvedHere _; _ } | Too_much _ -> 3
   | Judged _ -> 0

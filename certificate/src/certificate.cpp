@@ -178,8 +178,9 @@ std::string tree_text(const Nodes& nodes, bool margin = false) {
 
 template <std::size_t D, class Node>
 std::string shape_text(const DegreeProofIn<D, Node>& proof, bool margin) {
-  return "\"walls\": " + rows(proof.walls) + ",\n \"direction\": " + rows(proof.direction) +
-         ",\n" + tree_text(proof.trees, margin) + "}";
+  return std::string(proof.is_simplex ? "\"simplex\": " : "\"walls\": ") + rows(proof.walls) +
+         ",\n \"direction\": " + rows(proof.direction) + ",\n" +
+         tree_text(proof.trees, margin) + "}";
 }
 
 template <std::size_t D, class Node>
@@ -202,7 +203,25 @@ std::string witness_text(const SpatialWitness& witness) {
   return text + "]";
 }
 
+std::string rest_text(const RestProof& proof) {
+  std::string text = "{\"rest\": [";
+  std::string separator;
+  for (const auto& [contact, force] : proof.friction) {
+    text += separator + "[" + std::to_string(contact.index()) + ",[" + list(force) + "]]";
+    separator = ",";
+  }
+  text += "],\n \"answers\": [";
+  separator.clear();
+  for (const RestProof::Answer& answer : proof.answers) {
+    text += separator + "[" + std::to_string(answer.contact.index()) + "," +
+            rows(answer.forces) + "]";
+    separator = ",\n  ";
+  }
+  return text + "],\n \"reach\": [" + list(proof.reach) + "]}";
+}
+
 struct PartText {
+  std::string operator()(const RestProof& proof) const { return rest_text(proof); }
   std::string operator()(const PartSplit& cut) const { return NodeText{false}(cut); }
   template <std::size_t D, class Node>
   std::string operator()(const DegreeProofIn<D, Node>& proof) const {
@@ -210,8 +229,8 @@ struct PartText {
   }
 };
 
-template <class Proof>
-std::string parts_text(const PartsIn<Proof>& parts) {
+template <class Parts>
+std::string parts_text(const Parts& parts) {
   std::string text = " \"parts\": [";
   std::string separator = "\n  ";
   for (const auto& part : parts) {
@@ -289,6 +308,7 @@ struct ClaimText {
   std::string operator()(const SpatialDegreeProof& proof) const {
     return degree_text(proof, true);
   }
+  std::string operator()(const RestProof& proof) const { return rest_text(proof); }
   std::string operator()(const SpatialSegment& segment) const {
     return "{" + witness_text(segment.start) + "}" +
            (segment.end ? ",\n   {" + witness_text(*segment.end) + "}" : "");

@@ -57,9 +57,11 @@ TEST(BoxCertificate, Unstable) {
 TEST(BoxCertificate, Stable) {
   const SquareMatrix<3> walls{Vector3{1, 0, 0}, Vector3{0, Rational(1, 2), 0}, Vector3{0, 0, -3}};
   const SquareMatrix<3> direction{Vector3{1, 2, 3}, Vector3{4, 5, 6}, Vector3{7, 8, Rational(9, 2)}};
-  const DegreeProof proof{{0, 1, Rational(2, 3)}, walls, direction, every_node()};
+  const std::vector<Vector3> rows(walls.begin(), walls.end());
+  const DegreeProof proof{
+      ConvexBody<3>{{0, 1, Rational(2, 3)}, false, rows}, direction, every_node()};
   const StabilityProof parts{PartSplit{Parameter::kTurn, 0, 0}, proof,
-                             DegreeProof{{}, walls, walls, {}}};
+                             DegreeProof{ConvexBody<3>{{}, false, rows}, walls, {}}};
   const std::string text = box_certificate_text(question_of(file_of({0, 1}, 1), "normal=1/9"),
                                                 {StableThroughout{parts}, {}}, "us");
   EXPECT_THAT(text, HasSubstr(std::string(R"("uncertain": {"normal": "1/9"}},

@@ -78,7 +78,7 @@ def as_bytes(content):
 
 
 def is_covered(certificate_file):
-    """Whether stickslip-proved judges this: no proof by degree, and no margin in space."""
+    """Whether stickslip-proved judges this: no proof by degree or at rest, and no margin in space."""
     try:
         content = json.loads(as_bytes(certificate_file))
         by_degree = any(isinstance(segment, dict) for segment in content.get("segments", []))

@@ -4,15 +4,13 @@ proofs that a search for small grasps finds. Both checkers.
 """
 
 import itertools
-import json
-import os
 import random
-import tempfile
 import unittest
-import unittest.mock
 from fractions import Fraction
 
 import naive_box
+import proofs
+from proofs import EASY, box_of
 from support import Case, certificate, check
 
 
@@ -209,7 +207,7 @@ class SyntaxTest(Case):
                      ["part", "friction", -1, 1], ["part", "friction", 0, None]):
             self.bad("tree[0]", pulled([node]))
         for part in (0, [], ["leaf", 0, 0, 0], {}, {**PROOF, "tree": 0}, {**PROOF, "twist": [0, 0]},
-                     {**PROOF, "walls": [[1, 0, 0]]}, {**PROOF, "direction": [[0, 0]] * 3},
+                     {**PROOF, "walls": [[1, 0]]}, {**PROOF, "direction": [[0, 0]] * 3},
                      {**PROOF, "tree": [["leaf"]]}, {**PROOF, "more": 0},
                      {key: PROOF[key] for key in ("twist", "walls", "direction")},
                      {key: PROOF[key] for key in ("walls", "twist", "direction", "tree")}):
@@ -354,9 +352,6 @@ def said(box):
     return [list(map(str, ends)) if ends[0] != ends[1] else str(ends[0]) for ends in box.wrench]
 
 
-EASY = [y for y in itertools.product((-1, 0, 1), repeat=3) if any(y)]
-
-
 def begun(box):
     """The root of its tree, in check.py."""
     here = check.Box([check.Parameters(c.normal, {
@@ -367,6 +362,39 @@ def begun(box):
 
 
 class TwinTest(Case):
+    def test_signs_of_v(self):
+        """Least and largest v are found from ends, without v at every corner."""
+        rng = random.Random(12)
+        signs = set()
+        for _ in range(150):
+            box = random_box(rng, 1, "unilateral")
+            (contact,), (term,) = box.contacts, begun(box).box.terms
+            points = [(*(rng.randint(-2, 2) for _ in range(3)), rng.randint(0, 2), 0)
+                      for _ in range(6)]
+            lows, highs = term.extremes(points)
+            for x, low, high in zip(points, lows, highs):
+                values = [contact.v(q, x) for q in contact.corners()]
+                wanted = check.sign(min(values)), check.sign(max(values))
+                self.assertEqual((check.sign(low), check.sign(high)), wanted)
+                signs.add(wanted + (x[3] > 0,))
+        self.assertEqual(len(signs), 12)
+
+    def test_bounds_of_work(self):
+        rng = random.Random(13)
+        compared = 0
+        while compared < 60:
+            box = random_box(rng, 1, "unilateral")
+            (contact,), (term,) = box.contacts, begun(box).box.terms
+            if term.by_preload:
+                continue
+            y = tuple(rng.randint(-2, 2) for _ in range(3))
+            x = (*(rng.randint(-2, 2) for _ in range(3)), rng.randint(0, 2), 0)
+            low, high = contact.ends["friction"]
+            for slip, slopes in ((1, (-low, -high)), (-1, (low, high)), (0, (-high, high))):
+                self.assertEqual(term.bound(y, slip, False, [x]),
+                                 [max(contact.greatest(s, y, x) for s in slopes)])
+            compared += 1
+
     def test_random_trees(self):
         """First children only, down to a leaf, which fails; or holds, and the next node is missing.
         Nodes that may not stand there are rejected."""
@@ -544,60 +572,10 @@ SAID = {"friction": "10%", "stiffness": "5%", "preload": "2%", "position": "1/10
         "normal": "1/100", "wrench": "1/100"}
 
 
-def search(root, most_depth=12):
-    """The nodes of a tree of one root: a leaf where one of some twists holds, else the region is
-    halved across its longest side."""
-    nodes = []
-
-    def visit(region):
-        rays = [x for x, _ in region.cone.generators]
-        points = [[Fraction(c, x[3]) for c in x[:3]] for x in rays] or [[Fraction(0)] * 3]
-        mean = [sum(column) / len(points) for column in zip(*points)]
-        largest = max(map(abs, mean)) or 1
-        pushed = tuple(Fraction(round(8 * c / largest), 8) for c in mean)
-        for y in ((Fraction(0),) * 3, pushed, *(tuple(map(Fraction, y)) for y in EASY)):
-            try:
-                check.check_leaf(region, y)
-            except check.Rejected:
-                continue
-            nodes.append(["leaf", *map(str, y)])
-            return
-        if region.depth == most_depth:
-            raise LookupError
-        j = max(range(3), key=lambda j: max(p[j] for p in points) - min(p[j] for p in points))
-        at = Fraction(round(mean[j] * 1024), 1024)
-        row = [Fraction(int(k == j)) for k in range(3)] + [-at]
-        nodes.append(["plane", *map(str, row)])
-        for child in check.children(region, check.Node("plane", -1, (*row, Fraction(0)))):
-            child.open()
-            visit(child)
-
-    visit(check.begin(root))
-    return nodes
-
-
-def box_of(file, options):
-    with tempfile.TemporaryDirectory() as folder:
-        name = os.path.join(folder, "g.json")
-        with open(name, "w", encoding="utf-8") as out:
-            json.dump(file, out)
-        asked = check.parse_arguments([name, name, *options]).options
-        return check.enlarged(check.pose(name, asked), 128)
-
-
 def prove(box, sizes):
     """A part that is not cut, for K about 0 with these half widths."""
     walls = [[str(1 / Fraction(s)) if j == k else 0 for k in range(3)] for j, s in enumerate(sizes)]
-    part = {"twist": [0, 0, 0], "walls": walls, "direction": UNIT}
-    middle = (Fraction(0),) * 3
-    walls, direction = ([tuple(map(Fraction, row)) for row in part[key]]
-                        for key in ("walls", "direction"))
-    proof = check.DegreeProof(middle, walls, direction, [], middle)
-    tree = []
-    with unittest.mock.patch.object(check, "check_tree", lambda _, roots, __: tree.extend(
-            node for root in roots for node in search(root))):
-        check.check_degree(proof, box, False, "")
-    return {**part, "tree": tree}
+    return proofs.prove(box, {"twist": [0, 0, 0], "walls": walls, "direction": UNIT})
 
 
 class DegreeTest(Case):

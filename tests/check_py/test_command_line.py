@@ -5,11 +5,13 @@ stickslip-check and stickslip-proved, and where STICKSLIP_NODE names node page/c
 import json
 import os
 import random
+import resource
 import subprocess
 import tempfile
 import unittest
 
-from support import FIG1, HERE, PROGRAMS, UP, UP_TREE, Case, certificate, check, in_process, start, up
+from support import (FIG1, HERE, NOT_JUDGED, PROGRAMS, STICKSLIP_PROVED, UP, UP_TREE, Case, certificate,
+                     check, grasp, in_process, start, up)
 
 
 class CommandLineTest(Case):
@@ -54,6 +56,74 @@ class CommandLineTest(Case):
             self.both(files, 2, "the file is empty")
         comma = self.write("comma", json.dumps(FIG1).replace("]}]", "]},]"))
         self.both([comma, self.c], 2, "a comma after the last element; remove it")
+
+    def test_more_work_than_the_files_allow(self):
+        # On the moment curve: so many planes bound a region of many more rays.
+        planes = [["plane", *(t ** k for k in range(7))] for t in range(1, 49)]
+        wrench = [0] * 6
+        g = self.write("no_contacts.json", {"format": "stickslip-grasp/2", "wrench": wrench, "contacts": []})
+        c = self.write("planes.json", certificate(0, wrench, verdict="unstable", tree=planes))
+
+        def limit():  # a hang is a failure: it must not take all of the machine
+            resource.setrlimit(resource.RLIMIT_CPU, (60, 60))
+
+        for program in PROGRAMS:
+            for options in ([], ["--json"]):
+                done = subprocess.run([*program, g, c, *options], capture_output=True, check=False,
+                                      preexec_fn=limit, encoding="utf-8")
+                self.assertEqual((done.returncode, done.stderr), (NOT_JUDGED, ""), program)
+                if options:
+                    report = json.loads(done.stdout)
+                    self.assertEqual(report["result"], "not judged", program)
+                    self.assertRegex(report["found"], "it takes more than [0-9]+ .*, the most for (the )?[0-9]+ bytes")
+                else:
+                    self.assertRegex(done.stdout, "^not judged\nwhy    it takes more than ")
+            usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+            self.assertLess(usage.ru_maxrss, 1_000_000, program)
+
+    def test_planes_of_loads(self):
+        # FORMAT.md §9, §12, for those that know planes: no contacts, so that nothing but 0 is resisted. A ray whose
+        # load part is 0 is inside every piece, even one of "towards" alone, and one without points.
+        none = {"format": "stickslip-grasp/2", "wrench": [0, 0, 0], "contacts": []}
+        u, v = [1, 0, 0], [0, 1, 0]
+        pieces = [[["at", 0, 0, [0, 0, 0], []]], [["towards", 0, 0, [0, 0, 0], []]], []]
+
+        def sides(coordinate, above, on, below):
+            row = [0] * 6
+            row[coordinate] = 1
+            return [["plane", *row], ["plane", *(-c for c in row)], *on, ["leaf", *above], ["leaf", *below]]
+
+        def tree(h_too, piece):
+            # s > 0, s < 0, t > 0 and t < 0 are refuted, or where h = 0 barred; the rest is held.
+            cells = sides(4, [-1, 0, 0], sides(5, [0, -1, 0], [["held", piece]], [0, 1, 0]), [1, 0, 0])
+            return [["plane", 0, 0, 0, -1, 0, 0], *cells, *tree(False, 0)] if h_too else cells
+
+        options = ["--plane", "1,0,0,0,1,0"]
+        g = self.write("none.json", none)
+        for h_too, piece, code in ((False, 0, 0), (False, 1, 1), (False, 2, 1), (True, 0, 0), (True, 1, 0), (True, 2, 0)):
+            text = certificate(0, [0, 0, 0], verdict="region", pieces=pieces, tree=tree(h_too, piece))
+            text["question"]["plane"] = [u, v]
+            c = self.write("plane.json", text)
+            for program in PROGRAMS:
+                knows = "proved" not in program[-1] and "node" not in program[-1]
+                found, out, err = start(program, [g, c, *options])
+                self.assertEqual(found, code if knows else 2, (program, h_too, piece, out, err))
+                self.assertIn("rule   held-inside" if knows and code else "", out)
+                self.assertIn("" if knows else "unknown option", err)
+                if not knows:
+                    self.assertEqual(start(program, [g, c])[0], 2, program)
+
+    @unittest.skipUnless(STICKSLIP_PROVED, "only stickslip-proved calls itself once for each contact")
+    def test_many_contacts(self):
+        count = 150_000
+        pair = [{"position": [0, 0], "normal": [0, 1]}, {"position": [0, 1], "normal": [0, -1]}]
+        g = self.write("many.json", grasp([], [], defaults={"friction": 1, "preload": 1},
+                                          contacts=pair * (count // 2)))
+        c = self.write("witness.json", certificate(count, [0, 0, 0], verdict="stable", twist=[0, 0, 0],
+                                                   shares=[[i, 0] for i in range(count)]))
+        code, out, err = start([STICKSLIP_PROVED], [g, c])
+        self.assertEqual((code, err), (0, ""))
+        self.assertRegex(out, f"^accepted\nverdict     stable\ncontacts    {count}\n")
 
     def test_usage(self):
         for arguments in ([], ["g"], ["g", "c", "d"], ["-", "-"], ["g", "c", "--bogus"],

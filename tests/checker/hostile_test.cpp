@@ -162,6 +162,30 @@ TEST(Hostile, ManyContactsAreStillLinear) {
       "accepted");
 }
 
+/// On the moment curve: so many planes bound a region of many more rays.
+TEST(Hostile, MoreWorkThanTheFilesAllow) {
+  std::string nodes;
+  for (std::uint64_t t = 1; t <= 48; ++t) {
+    nodes += nodes.empty() ? "[\"plane\"" : ", [\"plane\"";
+    for (std::uint64_t k = 0, power = 1; k < 7; ++k, power *= t) {
+      nodes += ", " + std::to_string(power);
+    }
+    nodes += "]";
+  }
+  const std::string grasp =
+      R"({"format": "stickslip-grasp/2", "wrench": [0, 0, 0, 0, 0, 0], "contacts": []})";
+  const std::string certificate =
+      R"({"format": "stickslip-certificate/2",
+ "question": {"contacts": 0, "wrench": [0, 0, 0, 0, 0, 0], "normal_law": "unilateral"},
+ "verdict": "unstable", "tree": [)" +
+      nodes + "]}";
+  const Answer answer = ask(grasp, certificate);
+  EXPECT_EQ(outcome(answer), "not judged") << explain(answer);
+  // The limit is of one question, not of all.
+  EXPECT_EQ(outcome(ask(fig1("0", "0, 1, 0"), refutation(header(3, "0, 1, 0"), {}))),
+            "tree-short");
+}
+
 TEST(Hostile, StreamsThatFail) {
   std::istringstream grasp(fig1("0", "0, 1, 0"));
   std::istream broken(nullptr);

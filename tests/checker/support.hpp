@@ -25,9 +25,10 @@ inline Answer ask(const std::string& grasp, const std::string& certificate,
   return check(grasp_in, certificate_in, options);
 }
 
-/// "accepted", the rule, or "malformed".
+/// "accepted", the rule, "malformed" or "not judged".
 inline std::string outcome(const Answer& answer) {
   if (std::holds_alternative<Accepted>(answer)) return "accepted";
+  if (std::holds_alternative<NotJudged>(answer)) return "not judged";
   const auto* rejected = std::get_if<Rejected>(&answer);
   return rejected != nullptr ? rejected->rule : "malformed";
 }
@@ -41,6 +42,7 @@ inline std::string explain(const Answer& answer) {
   if (const auto* m = std::get_if<Malformed>(&answer)) {
     return m->file + ": " + m->place + ": " + m->problem;
   }
+  if (const auto* n = std::get_if<NotJudged>(&answer)) return "not judged: " + n->why;
   return "accepted";
 }
 

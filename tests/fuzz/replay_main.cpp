@@ -3,8 +3,12 @@
 //   replay CORPUS ROUNDS [FILE ...]   every seed and file, then ROUNDS mutated seeds, the same
 //                                     ones each time
 //   replay CORPUS --seeds FOLDER      writes the seeds for libFuzzer
-// When the program dies, the input at hand is left beside it, in the file <program>.crash.
+// When the program dies, the input at hand is left beside it, in the file <program>.crash. It
+// dies, too, of an input of at most 10 kB that takes more than 10 s of the processor, or 1 GB:
+// that is a hang.
 #include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -32,7 +36,22 @@ extern "C" void keep_input(int signal_number) {
   std::raise(signal_number);
 }
 
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool kSanitized = true;
+#else
+constexpr bool kSanitized = false;
+#endif
+
+/// SIGVTALRM comes after so many seconds of the processor; 0: not at all.
+void set_alarm(int seconds) {
+  const itimerval timer{{0, 0}, {seconds, 0}};
+  setitimer(ITIMER_VIRTUAL, &timer, nullptr);
+}
+
 void run(const std::string& input) {
+  constexpr std::size_t kShort = 10'000;
+  constexpr int kMostSeconds = kSanitized ? 50 : 10;
+  set_alarm(input.size() <= kShort ? kMostSeconds : 0);
   current_input = &input;
   LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(input.data()), input.size());
 }
@@ -192,8 +211,13 @@ int main(int argc, char** argv) {
     return 0;
   }
   crash_file = std::string(argv[0]) + ".crash";
-  for (const int signal_number : {SIGABRT, SIGSEGV, SIGFPE, SIGILL}) {
+  for (const int signal_number : {SIGABRT, SIGSEGV, SIGFPE, SIGILL, SIGVTALRM}) {
     std::signal(signal_number, keep_input);
+  }
+  if (!kSanitized) {  // which take all addresses there are
+    constexpr rlim_t kMostMemory = 1'000'000'000;
+    const rlimit memory{kMostMemory, kMostMemory};
+    setrlimit(RLIMIT_AS, &memory);
   }
   for (const Seed& seed : seeds) run(seed.bytes);
   for (std::size_t i = 2; i < words.size(); ++i) run(read(words[i]));

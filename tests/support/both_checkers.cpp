@@ -159,6 +159,9 @@ CheckerAnswer ask_cpp_checker(const CheckerInput& input) {
             "",
             malformed->file + ": " + malformed->place + ": " + malformed->problem};
   }
+  if (const auto* not_judged = std::get_if<stickslip_check::NotJudged>(&answer)) {
+    return {"not judged", "", {}, "", not_judged->why};
+  }
   return {"accepted", "", {}, "", ""};
 }
 

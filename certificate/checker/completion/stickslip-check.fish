@@ -1,6 +1,7 @@
 # fish completion for stickslip-check
 # SPDX-License-Identifier: MIT
 complete -c stickslip-check -l wrench -x -d 'Wrench applied to the object'
+complete -c stickslip-check -l torque -x -d 'Short for --wrench 0,0,T'
 complete -c stickslip-check -l case -x -d 'Case of the grasp file whose wrench is asked about'
 complete -c stickslip-check -l direction -x -d 'Ask for the margin in this direction'
 complete -c stickslip-check -l preload -x -d 'One preload for all contacts'

@@ -1142,6 +1142,7 @@ type segment = { first_point : point option; second_point : point }
 type part =
 | PartCut of parameter * Big_int_Z.big_int * q
 | PartProof of q list * q list list * q list list * node list
+| PartAtRest
 
 type claim =
 | ClaimPart of q * q option * part
@@ -3739,7 +3740,7 @@ let check_in_plane advisor q0 c =
      | StableByParts _ ->
        if q0.is_margin
        then NotProvedHere "a proof of something else than was asked"
-       else NotProvedHere "a proof by degree"
+       else NotProvedHere "a proof by degree or at rest"
      | UnstableByTree nodes ->
        if q0.is_margin
        then NotProvedHere "a proof of something else than was asked"
@@ -3793,7 +3794,7 @@ let check_in_space advisor q0 c =
   | StableByParts _ ->
     if q0.is_margin
     then NotProvedHere "a proof of something else than was asked"
-    else NotProvedHere "a proof by degree"
+    else NotProvedHere "a proof by degree or at rest"
   | UnstableByTree nodes ->
     if q0.is_margin
     then NotProvedHere "a proof of something else than was asked"
@@ -5680,6 +5681,15 @@ let read_node s at_path value0 =
 let read_nodes s =
   read_array "an array of nodes" (read_node s)
 
+(** val read_friction : shape -> path -> json -> q list result **)
+
+let read_friction s at_path value0 =
+  if s.spatial
+  then read_numbers
+         ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
+         Big_int_Z.unit_big_int) at_path value0
+  else bind (read_fraction at_path value0) (fun x -> Fine (x :: []))
+
 (** val read_share :
     shape -> path -> json -> (Big_int_Z.big_int * q list) result **)
 
@@ -5694,13 +5704,8 @@ let read_share s at_path value0 = match value0 with
         (match l0 with
          | [] ->
            bind (read_index at_path index) (fun i ->
-             bind
-               (if s.spatial
-                then read_numbers
-                       ((fun x -> Big_int_Z.succ_big_int (Big_int_Z.mult_int_big_int 2 x))
-                       Big_int_Z.unit_big_int) at_path share0
-                else bind (read_fraction at_path share0) (fun x -> Fine
-                       (x :: []))) (fun numbers -> Fine (i, numbers)))
+             bind (read_friction s at_path share0) (fun numbers -> Fine (i,
+               numbers)))
          | _ :: _ -> expected "[contact, share]" at_path value0)))
 | _ -> expected "[contact, share]" at_path value0
 
@@ -5792,24 +5797,102 @@ let read_matrix s =
   read_sized (size_of_twist s)
     "a matrix with a row for each component of a twist" (read_twist s)
 
+(** val has_at_most : Big_int_Z.big_int -> 'a1 list -> bool **)
+
+let rec has_at_most size0 = function
+| [] -> true
+| _ :: rest ->
+  (&&) (Z.ltb Big_int_Z.zero_big_int size0)
+    (has_at_most (Z.sub size0 Big_int_Z.unit_big_int) rest)
+
+(** val read_walls :
+    shape -> Big_int_Z.big_int -> path -> json -> q list list result **)
+
+let read_walls s more at_path value0 =
+  let what =
+    "one row or more, of a simplex two or more, and no more than it can have"
+  in
+  (match value0 with
+   | Array items ->
+     if (&&) (has_at_most (Z.add (size_of_twist s) more) items)
+          (negb (has_at_most more items))
+     then each (read_twist s) at_path items
+     else expected what at_path value0
+   | _ -> expected what at_path value0)
+
+(** val read_answers : shape -> path -> json -> unit result **)
+
+let read_answers s at_path value0 = match value0 with
+| Array items ->
+  (match items with
+   | [] -> expected "[contact, forces]" at_path value0
+   | contact0 :: l ->
+     (match l with
+      | [] -> expected "[contact, forces]" at_path value0
+      | forces :: l0 ->
+        (match l0 with
+         | [] ->
+           bind (read_index at_path contact0) (fun _ ->
+             bind
+               (read_sized (size_of_twist s)
+                 "a force for each component of a wrench" (read_friction s)
+                 at_path forces) (fun _ -> Fine ()))
+         | _ :: _ -> expected "[contact, forces]" at_path value0)))
+| _ -> expected "[contact, forces]" at_path value0
+
+(** val read_at_rest : shape -> path -> json -> part result **)
+
+let read_at_rest s at_path value0 =
+  bind
+    (members_in_order ("rest" :: ("answers" :: ("reach" :: []))) at_path
+      value0) (fun members ->
+    bind (member "rest" (read_shares s) at_path members) (fun _ ->
+      bind
+        (member "answers"
+          (read_array "an array [[contact, forces], ...]" (read_answers s))
+          at_path members) (fun _ ->
+        bind (member "reach" (read_twist s) at_path members) (fun _ -> Fine
+          PartAtRest))))
+
+(** val is_at_rest : json -> bool **)
+
+let is_at_rest = function
+| Object members -> has_member "rest" members
+| _ -> false
+
 (** val read_part : shape -> path -> json -> part result **)
 
-let read_part s at_path value0 = match value0 with
-| Array _ ->
-  bind (read_node s at_path value0) (fun it ->
-    match it with
-    | Cut (p, i, c) -> Fine (PartCut (p, i, c))
-    | _ -> expected "a part" at_path value0)
-| _ ->
-  bind
-    (members_in_order
-      ("twist" :: ("walls" :: ("direction" :: ("tree" :: [])))) at_path
-      value0) (fun members ->
-    bind (member "twist" (read_twist s) at_path members) (fun d ->
-      bind (member "walls" (read_matrix s) at_path members) (fun e ->
-        bind (member "direction" (read_matrix s) at_path members) (fun a ->
-          bind (member "tree" (read_nodes s) at_path members) (fun tree ->
-            Fine (PartProof (d, e, a, tree)))))))
+let read_part s at_path value0 =
+  if is_at_rest value0
+  then read_at_rest s at_path value0
+  else (match value0 with
+        | Array _ ->
+          bind (read_node s at_path value0) (fun it ->
+            match it with
+            | Cut (p, i, c) -> Fine (PartCut (p, i, c))
+            | _ -> expected "a part" at_path value0)
+        | _ ->
+          let simplex =
+            match value0 with
+            | Object members -> has_member "simplex" members
+            | _ -> false
+          in
+          let walls = if simplex then "simplex" else "walls" in
+          bind
+            (members_in_order
+              ("twist" :: (walls :: ("direction" :: ("tree" :: [])))) at_path
+              value0) (fun members ->
+            bind (member "twist" (read_twist s) at_path members) (fun d ->
+              bind
+                (member walls
+                  (read_walls s
+                    (if simplex
+                     then Big_int_Z.unit_big_int
+                     else Big_int_Z.zero_big_int)) at_path members) (fun e ->
+                bind (member "direction" (read_matrix s) at_path members)
+                  (fun a ->
+                  bind (member "tree" (read_nodes s) at_path members)
+                    (fun tree -> Fine (PartProof (d, e, a, tree))))))))
 
 (** val read_segment_by_degree : shape -> path -> json -> unit result **)
 

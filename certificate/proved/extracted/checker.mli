@@ -317,6 +317,7 @@ type segment = { first_point : point option; second_point : point }
 type part =
 | PartCut of parameter * Big_int_Z.big_int * q
 | PartProof of q list * q list list * q list list * node list
+| PartAtRest
 
 type claim =
 | ClaimPart of q * q option * part
@@ -1131,6 +1132,8 @@ val read_node : shape -> path -> json -> node result
 
 val read_nodes : shape -> path -> json -> node list result
 
+val read_friction : shape -> path -> json -> q list result
+
 val read_share : shape -> path -> json -> (Big_int_Z.big_int * q list) result
 
 val read_shares :
@@ -1143,6 +1146,17 @@ val read_segment : shape -> bool -> path -> json -> segment result
 val read_resisted : path -> json -> (q * q option) result
 
 val read_matrix : shape -> path -> json -> q list list result
+
+val has_at_most : Big_int_Z.big_int -> 'a1 list -> bool
+
+val read_walls :
+  shape -> Big_int_Z.big_int -> path -> json -> q list list result
+
+val read_answers : shape -> path -> json -> unit result
+
+val read_at_rest : shape -> path -> json -> part result
+
+val is_at_rest : json -> bool
 
 val read_part : shape -> path -> json -> part result
 

@@ -26,7 +26,7 @@ struct Meaning {
     return (wide ? "Every grasp in the box holds the load. Proved for all of them at once"
                  : std::string("The grasp holds the load. Proved")) +
            (parts == 1 ? "" : ", in " + in_words(parts, "part")) +
-           ": the forces on\nthe walls of a box of motions leave no way out but an equilibrium "
+           ": the forces on\nthe walls around some motions leave no way out but an equilibrium "
            "inside.\n";
   }
   std::string operator()(const UnstableThroughout& unstable) const {

@@ -118,6 +118,15 @@ std::string load_text(const BoxAnswer& answer, NumberText& text) {
   return load_text(answer.question.box->wrench, text);
 }
 
+std::vector<ModelWarning> warnings_of(const Answer& answer) {
+  if (const auto* planar = std::get_if<CaseAnswer>(&answer)) {
+    return planar->warnings.value_or(std::vector<ModelWarning>{});
+  }
+  const auto* spatial = std::get_if<SpaceAnswer>(&answer);
+  return (spatial != nullptr ? spatial->warnings : Warnings{})
+      .value_or(std::vector<ModelWarning>{});
+}
+
 void print_cases_json(const std::vector<Answer>& answers, const NumberOptions& output) {
   const std::string name = subject_of(answers.front()).name;
   Json json{{"name", name}, {"cases", Json::array()}};
@@ -139,8 +148,7 @@ void print_cases_text(const std::vector<Answer>& answers, const NumberOptions& o
                     std::visit([&](const auto& a) { return load_text(a, text); }, each)});
     const auto* answer = std::get_if<CaseAnswer>(&each);
     if (answer != nullptr && engine.empty()) engine = engine_text(*answer);
-    if (answer == nullptr || !answer->warnings) continue;
-    for (const ModelWarning& warning : *answer->warnings) {
+    for (const ModelWarning& warning : warnings_of(each)) {
       const auto known = std::find_if(warnings.begin(), warnings.end(), [&](const auto& other) {
         return other.first == warning.text;
       });

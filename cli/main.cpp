@@ -12,7 +12,9 @@
 int main(int argc, char** argv) {
   stickslip::finish_files_when_interrupted();
   stickslip::protect_inputs();
-  CLI::App app("Exact passive stability of planar frictional grasps, with proofs", "stickslip");
+  CLI::App app(
+      "Exact passive stability of frictional grasps, in the plane and in space, with proofs",
+      "stickslip");
   app.set_version_flag("--version", "stickslip " STICKSLIP_VERSION);
   app.require_subcommand(1);
   app.get_formatter()->column_width(34);
@@ -56,7 +58,12 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
       const bool asked_for_help = error.get_exit_code() == 0;
       stickslip::refuse_unknown_words(app, {argv + 1, argv + argc}, !asked_for_help);
-      if (app.exit(error) != 0) return stickslip::kBadInput;
+      if (!asked_for_help) {
+        std::cerr << "stickslip: " << error.what()
+                  << "\nRun with --help for more information.\n";
+        return stickslip::kBadInput;
+      }
+      app.exit(error);
       exit_code = stickslip::kDone;
     }
   } catch (const stickslip::InputError& error) {

@@ -82,7 +82,8 @@ void print_text(const Question& question, const Margin& margin, NumberText& text
                     [](const MarginSegment& segment) { return segment.proof.has_value(); }));
   const std::size_t modes = margin.segments.size() - proofs;
   std::cout << "\nProved ";
-  if (modes > 0 || proofs == 0) std::cout << "by equilibria in " << count(modes, "contact mode");
+  if (modes > 0 || proofs == 0)
+    std::cout << "by equilibria in " << count(modes, "contact mode");
   if (proofs > 0) {
     std::cout << (modes > 0 ? " and " : "") << "by degree over " << count(proofs, "range");
   }
@@ -115,8 +116,8 @@ int margin_in_space(const SpatialQuestion& question, const MarginArguments& argu
                      "give a number above 0, such as 1/1000");
   }
   search.search.node_limit = arguments.node_limit;
-  return answer_margin_in_space(
-      question, {arguments.certificate, search, arguments.output, arguments.least});
+  return answer_margin_in_space(question, {arguments.certificate, search, arguments.output,
+                                           arguments.least, !arguments.no_warnings});
 }
 
 int margin(const MarginArguments& arguments) {

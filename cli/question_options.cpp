@@ -116,10 +116,12 @@ void QuestionArguments::add_options_to(CLI::App& command) {
               "Wrench applied to the object: force x, force y and torque about the origin "
               "(replaces the file's); of a grasp in space, force x, y, z and torque x, y, z")
           ->type_name("WX,WY,T");
-  command.add_option("--case", text_.case_name, "The case of the file whose load is applied")
-      ->type_name("NAME")
-      ->excludes(wrench);
+  add_case_to(command, "The case of the file whose load is applied")->excludes(wrench);
   add_model_options_to(command);
+}
+
+CLI::Option* QuestionArguments::add_case_to(CLI::App& command, const std::string& description) {
+  return command.add_option("--case", text_.case_name, description)->type_name("NAME");
 }
 
 void QuestionArguments::add_without_wrench_to(CLI::App& command) {
@@ -166,7 +168,7 @@ void QuestionArguments::add_with_directions_to(CLI::App& command) {
 
 QuestionOptions QuestionArguments::options() const {
   QuestionOptions options = question_options(text_);
-  if (has_no_wrench_) options.wrench = Wrench{};
+  if (has_no_wrench_ && !chooses_case()) options.wrench = Wrench{};
   return options;
 }
 

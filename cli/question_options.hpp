@@ -33,8 +33,10 @@ class QuestionArguments {
   void add_with_directions_to(CLI::App& command);
   /// The same but GRASP, for commands that read many.
   void add_options_to(CLI::App& command);
-  /// The same but --wrench and --case, for what does not depend on a load.
+  /// The same but --wrench and --case, for what does not depend on a load: it is then 0.
   void add_without_wrench_to(CLI::App& command);
+  /// --case alone, whose load replaces that 0.
+  CLI::Option* add_case_to(CLI::App& command, const std::string& description);
 
   /// What to replace. Throws InputError naming the option.
   QuestionOptions options() const;
@@ -49,6 +51,7 @@ class QuestionArguments {
   /// The file itself, and what is to be replaced, as it is spelled.
   AnyGraspFile file() const { return read_any_grasp_file(file_); }
   const QuestionText& text() const { return text_; }
+  const std::string& name_of_argument() const { return file_; }  ///< GRASP as it was given
   /// Of the file, in errors.
   std::string name_of_file() const { return file_ == "-" ? "<stdin>" : file_; }
   /// Whether --case is given.

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cctype>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "commands.hpp"
 #include "question_options.hpp"
@@ -28,8 +31,9 @@ struct RegionArguments {
   bool svg = false;
   std::string output = "-";
 
-  WrenchPlane plane() const {
-    Wrench from{0, 0, 0};
+  /// Through the load of a case, if one is chosen.
+  WrenchPlane plane(const Question& asked) const {
+    Wrench from = asked.loaded.wrench;
     if (!origin.empty()) from = wrench_option("--origin", origin);
     if (!torque.empty()) from.torque = number_option("--torque", torque);
     try {
@@ -113,6 +117,37 @@ void print_text(const RegionAnswer& answer, const NumberOptions& output) {
             << units_text(question.loaded.grasp) << text.note();
 }
 
+/// As a shell reads it.
+std::string in_shell(const std::string& word) {
+  const bool is_plain = !word.empty() && std::all_of(word.begin(), word.end(), [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view("_./,:=+-%").find(c) != std::string_view::npos;
+  });
+  if (is_plain) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+/// The checker's command for the certificate.
+std::string check_text(const RegionArguments& arguments, const WrenchPlane& plane) {
+  const auto numbers = [](const Wrench& w) {
+    return to_string(w.x) + "," + to_string(w.y) + "," + to_string(w.torque);
+  };
+  const QuestionText& asked = arguments.question.text();
+  std::string command = "stickslip-check " + in_shell(arguments.question.name_of_argument()) +
+                        " " + in_shell(arguments.certificate) +
+                        " --plane=" + numbers(plane.u()) + "," + numbers(plane.v());
+  if (!asked.case_name.empty()) {
+    command += " --case " + in_shell(asked.case_name);
+  } else if (!(plane.origin() == Wrench{})) {
+    command += " --wrench=" + numbers(plane.origin());
+  }
+  if (!asked.preload.empty()) command += " --preload " + in_shell(asked.preload);
+  if (asked.normal_law != "unilateral") command += " --normal-law " + asked.normal_law;
+  return "Check it: " + command + "\n";
+}
+
 RegionOptions options_of(const RegionArguments& arguments, Progress& progress) {
   RegionOptions options;
   options.list = arguments.list;
@@ -129,10 +164,11 @@ RegionOptions options_of(const RegionArguments& arguments, Progress& progress) {
 }
 
 int region(const RegionArguments& arguments) {
-  const WrenchPlane plane = arguments.plane();
+  const Question question = arguments.question.question();
+  const WrenchPlane plane = arguments.plane(question);
   Progress progress;
   const RegionOptions options = options_of(arguments, progress);
-  const RegionAnswer answer = answer_to(arguments.question.question(), plane, options);
+  const RegionAnswer answer = answer_to(question, plane, options);
   if (!arguments.certificate.empty() && !answer.undecided) {
     const auto proved = certificate_of(answer, options);
     progress.clear();
@@ -148,15 +184,18 @@ int region(const RegionArguments& arguments) {
     std::cout << finished(to_json(answer), arguments.numbers.floats).dump(1) << '\n';
   } else {
     print_text(answer, arguments.numbers);
+    if (!arguments.certificate.empty() && !answer.undecided) {
+      std::cout << check_text(arguments, plane);
+    }
   }
   return answer.undecided ? kUndecidedWithinLimit : kDone;
 }
 
 int draw_region(const RegionArguments& arguments) {
-  const WrenchPlane plane = arguments.plane();
+  const Question question = arguments.question.question();
+  const WrenchPlane plane = arguments.plane(question);
   Progress progress;
-  const RegionAnswer answer =
-      answer_to(arguments.question.question(), plane, options_of(arguments, progress));
+  const RegionAnswer answer = answer_to(question, plane, options_of(arguments, progress));
   progress.clear();
   if (answer.undecided) {
     std::cerr << "stickslip: given up at " << answer.undecided->limit
@@ -176,9 +215,13 @@ void add_region_options(CLI::App& command, RegionArguments& arguments) {
               "--origin", arguments.origin,
               "The plane asked about is ORIGIN + s U + t V; the origin is 0,0,0 by default")
           ->type_name("WX,WY,T");
-  command.add_option("--torque", arguments.torque, "Short for --origin 0,0,T")
-      ->type_name("T")
-      ->excludes(origin);
+  CLI::Option* torque =
+      command.add_option("--torque", arguments.torque, "Short for --origin 0,0,T")
+          ->type_name("T")
+          ->excludes(origin);
+  arguments.question.add_case_to(command, "The origin is the load of this case of the file")
+      ->excludes(origin)
+      ->excludes(torque);
   command.add_option("--u", arguments.u, "First direction of the plane")
       ->type_name("WX,WY,T")
       ->capture_default_str();
@@ -216,7 +259,7 @@ void add_region_command(CLI::App& app, int& exit_code) {
       ->excludes(certificate);
   command->footer(footer_text(
       "By default the plane is that of forces at zero torque. The wrench in the file plays no "
-      "part.\n",
+      "part,\nunless --case chooses one.\n",
       kExitCodesWithLimit, "stickslip region fig1.json --preload 1"));
   command->callback([arguments, &exit_code] {
     exit_code = arguments->svg ? draw_region(*arguments) : region(*arguments);

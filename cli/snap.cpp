@@ -18,19 +18,21 @@ struct SnapArguments {
   NumberOptions numbers;
 };
 
-Json report_json(const GraspFile& file, const std::vector<SnappedNormal>& snapped) {
+template <class Snapped>
+Json report_json(const std::string& name, const Snapped& snapped) {
   Json moved = Json::array();
-  for (const SnappedNormal& normal : snapped) {
+  for (const auto& normal : snapped) {
     moved.push_back({{"contact", normal.contact.index()},
                      {"normal", number_json(normal.after)},
                      {"moved_at_most", decimal_json(normal.moved)}});
   }
-  return {{"name", file.content.grasp.name()}, {"moved", std::move(moved)}};
+  return {{"name", name}, {"moved", std::move(moved)}};
 }
 
-std::string report_text(const std::vector<SnappedNormal>& snapped, NumberText text) {
+template <class Snapped>
+std::string report_text(const Snapped& snapped, NumberText text) {
   std::string lines;
-  for (const SnappedNormal& normal : snapped) {
+  for (const auto& normal : snapped) {
     lines += "contact " + std::to_string(normal.contact.index()) + ": normal " +
              text(normal.before) + " moved by at most " + normal.moved + ", to " +
              text(normal.after) + '\n';
@@ -39,25 +41,38 @@ std::string report_text(const std::vector<SnappedNormal>& snapped, NumberText te
   return lines + text.note();
 }
 
-void snap(const SnapArguments& arguments) {
-  const Rational within = number_option("--within", arguments.within);
-  GraspFile file = read_grasp_file(arguments.file);
-  SnapResult result = [&] {
+/// The part of a file that has the normals.
+Grasp& grasp_in(GraspFile& file) {
+  return file.content.grasp;
+}
+SpatialGrasp& grasp_in(SpatialGrasp& file) {
+  return file;
+}
+
+template <class File>
+void snap(File file, const SnapArguments& arguments, const Rational& within) {
+  auto result = [&] {
     try {
-      return snap_normals(file.content.grasp, within);
+      return snap_normals(grasp_in(file), within);
     } catch (const InputError& error) {
       throw InputError("", "--within", error.problem(), error.remedy());
     }
   }();
-  file.content.grasp = std::move(result.grasp);
+  grasp_in(file) = std::move(result.grasp);
   write_whole_file(arguments.output, write_grasp_file(file));
   std::ostream& out = arguments.output == "-" ? std::cerr : std::cout;
   if (arguments.numbers.json) {
-    out << finished(report_json(file, result.snapped), arguments.numbers.floats).dump(1)
-        << '\n';
+    const Json report = report_json(name_of(AnyGraspFile(file)), result.snapped);
+    out << finished(report, arguments.numbers.floats).dump(1) << '\n';
   } else {
     out << report_text(result.snapped, NumberText(arguments.numbers));
   }
+}
+
+void snap(const SnapArguments& arguments) {
+  const Rational within = number_option("--within", arguments.within);
+  std::visit([&](auto&& file) { snap(std::forward<decltype(file)>(file), arguments, within); },
+             read_any_grasp_file(arguments.file, Intervals::kRefused));
 }
 
 }  // namespace

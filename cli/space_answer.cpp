@@ -10,6 +10,7 @@
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/spatial_forces.hpp"
 #include "terminal.hpp"
+#include "warnings.hpp"
 
 namespace stickslip {
 namespace {
@@ -22,13 +23,16 @@ struct SpatialMeaning {
       return "These forces balance the load, lie in their friction cones and oppose slip; "
              "checked exactly.\n";
     }
-    const std::size_t parts = part_count(std::get<SpatialParts>(stable.proof));
+    const auto& proofs = std::get<SpatialParts>(stable.proof);
+    const std::size_t parts = part_count(proofs);
     return (wide ? "Every grasp in the box holds the load. Proved for all of them at once"
                  : std::string("The grasp holds the load. Proved")) +
            (parts == 1 ? "" : ", in " + std::to_string(parts) + " parts") +
-           ": the forces on the walls\nof a box of motions around this one leave no way out "
-           "but "
-           "an equilibrium inside.\n";
+           (are_at_rest(proofs)
+                ? ": nothing moves,\nas friction answers whatever load is left.\n"
+                : ": the forces on the walls\naround motions near this one leave no way out "
+                  "but "
+                  "an equilibrium inside.\n");
   }
   std::string operator()(const SpatiallyUnstable& unstable) const {
     const std::size_t leaves = leaf_count(unstable.tree);
@@ -41,9 +45,9 @@ struct SpatialMeaning {
   }
   std::string operator()(const SpatiallyFragile& /*fragile*/) const { return ""; }
   std::string operator()(const Undecided& undecided) const {
-    return "Not decided: " + undecided.limit + ". Nothing is known about the verdict" +
-           (wide ? ", which need\nnot be the same for all grasps in the box.\n"
-                 : "; on a threshold\nthere need not be a proof at all.\n");
+    return "Not decided: " + undecided.limit + ".\nNothing is known about the verdict" +
+           (wide ? ", which need not be the same for all grasps in the box" : "") + ";\n" +
+           undecided.remedy + ".\n";
   }
 };
 
@@ -55,7 +59,7 @@ std::string load_text(const SpaceAnswer& answer, NumberText& text) {
 
 void print_text(const SpaceAnswer& answer, const NumberOptions& output,
                 const std::string& examples) {
-  const auto& [question, decision] = answer;
+  const auto& [question, decision, warnings] = answer;
   NumberText text(output);
   std::cout << heading(question.grasp.name, question.case_name) << name_of(decision.verdict)
             << "\n\n"
@@ -89,10 +93,11 @@ void print_text(const SpaceAnswer& answer, const NumberOptions& output,
                "radians.\n"
             << text.note() << units_text(question.grasp.units)
             << engine_text("space", question.law);
+  print(warnings);
 }
 
 void write_examples(const SpaceAnswer& answer, const std::string& folder) {
-  const auto& [question, decision] = answer;
+  const auto& [question, decision, warnings] = answer;
   const auto* fragile = std::get_if<SpatiallyFragile>(&decision.verdict);
   if (fragile == nullptr) {
     return say_no_examples(

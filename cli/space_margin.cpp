@@ -12,6 +12,7 @@
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/file.hpp"
 #include "terminal.hpp"
+#include "warnings.hpp"
 
 namespace stickslip {
 namespace {
@@ -80,15 +81,20 @@ int answer_margin_in_space(const SpatialQuestion& question,
     write_whole_file(arguments.certificate,
                      spatial_margin_text(question, margin, producer_of("space")));
   }
+  Warnings warnings;
+  if (arguments.warnings) warnings = model_warnings(question, margin);
   NumberText text(arguments.output);
   if (arguments.output.json) {
-    std::cout << finished(margin_json(question, margin), arguments.output.floats).dump(1)
-              << '\n';
+    std::cout
+        << finished(margin_json(question, margin, warnings), arguments.output.floats).dump(1)
+        << '\n';
   } else if (arguments.least) {
     print_least(margin, text);
   } else {
     print_text(question, margin, text);
   }
+  if (!arguments.output.json) print(warnings);
+  if (margin.claims.empty()) return kUndecidedWithinLimit;
   return arguments.least && margin.resisted().empty() ? kAnswerUnstable : kDone;
 }
 

@@ -16,6 +16,7 @@ struct SpaceMarginArguments {
   SpatialMarginOptions search;
   NumberOptions output;
   bool least;
+  bool warnings;  ///< look for traps of the model
 };
 
 /// The exit code.

@@ -13,6 +13,7 @@ Checks a stickslip certificate with the checker of the page, page/web/check.js. 
 codes are those of stickslip-check; see certificate/FORMAT.md.
 
   --wrench WX,WY,T         wrench applied to the object; in space WX,WY,WZ,TX,TY,TZ
+  --torque T               short for --wrench 0,0,T
   --case NAME              the wrench of this case of the grasp file
   --preload P              one preload for all contacts
   --normal-law LAW         unilateral (the default) or bilateral
@@ -43,6 +44,7 @@ function numbers(text, lengths, what) {
 const WRENCH = 'WX,WY,T, such as 0,-11/10,0, or in space WX,WY,WZ,TX,TY,TZ';
 const OPTIONS = {
   '--wrench': (o, text) => { o.wrench = numbers(text, [3, 6], WRENCH); },
+  '--torque': (o, text) => { o.wrench = ['0', '0', ...numbers(text, [1], 'a number')]; },
   '--case': (o, text) => { o.case = text; },
   '--preload': (o, text) => { [o.preload] = numbers(text, [1], 'a number'); },
   '--normal-law': (o, text) => {
@@ -148,8 +150,9 @@ function accepted_text(answer) {
     rows.push(['uncertain', Object.entries(question.uncertain).map(([kind, t]) => `${kind} ${t}`).join(', ')]);
   }
   rows.push(['proof', verdict === 'margin' ? (refuted === null ? `segments: ${proof.segments}; trees: ${proof.trees}, of ${trees}`
-      : `intervals by degree: ${proof.degrees}, refuted: ${proof.trees}; trees of ${trees}`)
-    : proof.degrees > 0 ? `by degree, parts: ${proof.degrees}; trees of ${trees}`
+      : `intervals by degree: ${proof.degrees}${proof.rests > 0 ? `, at rest: ${proof.rests}` : ''}, refuted: ${proof.trees}; trees of ${trees}`)
+    : proof.rests + proof.degrees > 0 ? [...(proof.rests > 0 ? [`at rest, parts: ${proof.rests}`] : []),
+      ...(proof.degrees > 0 ? [`by degree, parts: ${proof.degrees}; trees of ${trees}`] : [])].join('; ')
       : answer.nodes === null ? 'an equilibrium' : `a tree of ${trees}`]);
   return 'accepted\n' + rows.map(([name, value]) => `${name.padEnd(11)} ${value}\n`).join('');
 }
@@ -240,8 +243,12 @@ function main(words) {
       return fail([answer.file === 'question' ? '' : printed(answer.file), printed(answer.place), printed(answer.found)]
           .filter((x) => x !== '').join(': '));
     }
-    if (!given.json) write(1, answer.answer === 'accepted' ? accepted_text(answer) : rejected_text(answer));
-    return answer.answer === 'accepted' ? 0 : 1;
+    const codes = {accepted: 0, rejected: 1, 'not judged': 3};
+    if (!given.json) {
+      write(1, answer.answer === 'accepted' ? accepted_text(answer)
+        : answer.answer === 'rejected' ? rejected_text(answer) : `not judged\nwhy    ${answer.found}\n`);
+    }
+    return codes[answer.answer];
   } catch (error) {
     if (error instanceof Usage) return fail(`${error.message}; try check_node.js --help`);
     if (error.code === 'EPIPE') return 2;

@@ -48,7 +48,7 @@ Json to_json(const BoxAnswer& answer) {
     json["differences"] =
         differences_json(differences(box, fragile->stable, fragile->unstable));
   } else {
-    json["limit"] = std::get<Undecided>(decision.verdict).limit;
+    add_undecided(json, std::get<Undecided>(decision.verdict));
   }
   json["stats"] = work_json(decision.work);
   return json;

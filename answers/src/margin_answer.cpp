@@ -53,7 +53,8 @@ Json margin_json(const Question& question, const Margin& margin, const MarginWor
   return json;
 }
 
-Json margin_json(const SpatialQuestion& question, const SpatialMargin& margin) {
+Json margin_json(const SpatialQuestion& question, const SpatialMargin& margin,
+                 const Warnings& warnings) {
   Json json;
   json["name"] = question.grasp.name;
   if (!question.case_name.empty()) json["case"] = question.case_name;
@@ -69,6 +70,7 @@ Json margin_json(const SpatialQuestion& question, const SpatialMargin& margin) {
   json["refuted"] = multiples_json(margin.refuted());
   json["least"] = resisted.empty() ? Json() : number_json(resisted.front().low);
   json["unbounded"] = !resisted.empty() && !resisted.back().high;
+  if (warnings) json["warnings"] = warnings_json(*warnings);
   json["stats"] = work_json(margin.work);
   return json;
 }

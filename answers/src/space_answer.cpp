@@ -6,7 +6,7 @@
 namespace stickslip {
 
 Json to_json(const SpaceAnswer& answer) {
-  const auto& [question, decision] = answer;
+  const auto& [question, decision, warnings] = answer;
   Json json;
   json["verdict"] = name_of(decision.verdict);
   if (question.is_box) json["box"] = true;
@@ -34,7 +34,8 @@ Json to_json(const SpaceAnswer& answer) {
         nodes += proof != nullptr ? proof->trees.size() : 0;
       }
       json["near"] = number_json(stable->motion);
-      json["proof"] = {{"nodes", nodes}, {"parts", part_count(parts)}};
+      json["proof"] = {
+          {"nodes", nodes}, {"parts", part_count(parts)}, {"at_rest", are_at_rest(parts)}};
     }
   } else if (const auto* unstable = std::get_if<SpatiallyUnstable>(&decision.verdict)) {
     json["refutation"] = {{"nodes", unstable->tree.size()}};
@@ -44,8 +45,9 @@ Json to_json(const SpaceAnswer& answer) {
     json["differences"] =
         differences_json(differences(question.grasp, fragile->stable, fragile->unstable));
   } else {
-    json["limit"] = std::get<Undecided>(decision.verdict).limit;
+    add_undecided(json, std::get<Undecided>(decision.verdict));
   }
+  if (warnings) json["warnings"] = warnings_json(*warnings);
   json["stats"] = work_json(decision.work);
   return json;
 }

@@ -60,7 +60,7 @@ Answer answer_to(Question question, const AnswerOptions& options) {
   }
   auto& decision = std::get<Decision>(judged);
   Warnings warnings;
-  if (options.warnings) warnings = model_warnings(question, decision.verdict);
+  if (options.warnings) warnings = model_warnings(question, problem, decision.verdict);
   return CaseAnswer{std::move(question), std::move(problem), std::move(decision),
                     std::move(warnings)};
 }
@@ -69,7 +69,16 @@ Answer answer_to(SpatialQuestion question, const AnswerOptions& options) {
   SpatialSearchOptions search;
   search.node_limit = options.node_limit;
   SpatialDecision decision = decide(question, search);
-  return SpaceAnswer{std::move(question), std::move(decision)};
+  Warnings warnings;
+  if (options.warnings) warnings = model_warnings(question, decision);
+  return SpaceAnswer{std::move(question), std::move(decision), std::move(warnings)};
+}
+
+void add_undecided(Json& json, const Undecided& undecided) {
+  json["limit"] = undecided.limit;
+  json["reason"] = undecided.reason;
+  if (!undecided.remedy.empty()) json["remedy"] = undecided.remedy;
+  for (const Rational& d : undecided.near) json["near"].push_back(number_json(d));
 }
 
 const char* name_of(const Answer& answer) {
@@ -101,7 +110,7 @@ Json to_json(const CaseAnswer& answer) {
     const RefutationSummary summary = summarize(unstable->refutation);
     json["refutation"] = {{"nodes", summary.nodes}, {"leaves", summary.leaves}};
   } else {
-    json["limit"] = std::get<Undecided>(verdict).limit;
+    add_undecided(json, std::get<Undecided>(verdict));
   }
   if (warnings) json["warnings"] = warnings_json(*warnings);
   json["stats"] = std::visit([](const auto& work) { return work_json(work); }, decision.work);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/page/answer.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -18,6 +19,7 @@
 #include "stickslip/core/spatial_forces.hpp"
 #include "stickslip/equilibrium/option_text.hpp"
 #include "stickslip/space/near_forces.hpp"
+#include "stickslip/space/spatial_margin.hpp"
 
 namespace stickslip {
 
@@ -161,6 +163,26 @@ Json near_json(const SpaceAnswer& answer) {
   return {{"twist_float", in_doubles_json(stable->motion)}, {"contacts", std::move(contacts)}};
 }
 
+/// The claims of a margin on its way, in order; their proofs may be long.
+SpatialMargin without_proofs(const SpatialMargin& so_far) {
+  SpatialMargin claims;
+  claims.work = so_far.work;
+  for (const MultiplesClaim& claim : so_far.claims) {
+    if (const auto* resisted = std::get_if<ResistedMultiples>(&claim)) {
+      claims.claims.emplace_back(ResistedMultiples{resisted->low, resisted->high, {}});
+    } else {
+      const auto& refuted = std::get<RefutedMultiples>(claim);
+      claims.claims.emplace_back(RefutedMultiples{refuted.low, refuted.high, {}});
+    }
+  }
+  const auto low = [](const MultiplesClaim& claim) -> const Rational& {
+    return std::visit([](const auto& c) -> const Rational& { return c.low; }, claim);
+  };
+  std::sort(claims.claims.begin(), claims.claims.end(),
+            [&](const auto& a, const auto& b) { return low(a) < low(b); });
+  return claims;
+}
+
 /// Some grasps of a box hold and some do not, so that nothing but its verdict is shown.
 [[noreturn]] void refuse_box() {
   throw NotToBeHad{
@@ -207,7 +229,7 @@ class PageAnswer {
     if (parts.decide) decide(json, parts.warnings);
     if (parts.states) part(json, "states", [&](Json& found) { found = states(); });
     if (parts.region) part(json, "region", [&](Json& found) { found = region(); });
-    if (parts.margin) part(json, "margin", [&](Json& found) { found = margin(); });
+    if (parts.margin) part(json, "margin", [&](Json& found) { margin(found); });
     if (parts.map) part(json, "map", [&](Json& found) { map(found); });
     json["messages"] = std::move(messages_);
     return json;
@@ -273,11 +295,27 @@ class PageAnswer {
     }
     json["certificate"] = nullptr;
     json["near"] = nullptr;
+    json["examples"] = nullptr;
     if (!answer) return;
     if (const auto certificate = certificate_of(*answer)) json["certificate"] = *certificate;
     part(json, "near", [&](Json& found) {
       found = std::visit([](const auto& a) { return near_json(a); }, *answer);
     });
+    // While a verdict has to follow a drag, it is alone.
+    if (limits_.limits_verdict || !json["decide"].contains("examples")) return;
+    part(json, "examples", [&](Json& found) { found = examples(json["decide"]["examples"]); });
+  }
+
+  /// Of grasp files: what a page shows of each.
+  Json examples(const Json& files) const {
+    QuestionText asked;
+    asked.normal_law = asked_.normal_law;
+    Json answers;
+    for (const auto& [verdict, file] : files.items()) {
+      answers[verdict] = page_answer(parse_any_grasp(file.dump(), name_), asked,
+                                     {true, false, false, false, false, false}, limits_, name_);
+    }
+    return answers;
   }
 
   Json states() const {
@@ -330,22 +368,27 @@ class PageAnswer {
     return text;
   }
 
-  Json margin() const {
+  /// In space what is known so far, and then all that is found.
+  void margin(Json& found) const {
     const AnyQuestion along = ask_about(along_the_load());
     if (const auto* spatial = std::get_if<SpatialQuestion>(&along)) {
       SpatialMarginOptions options;
       options.search.node_limit = limits_.node_limit;
-      return margin_json(*spatial, find_margin(*spatial, options));
+      const auto keep = [&](const SpatialMargin& so_far) {
+        found = margin_json(*spatial, without_proofs(so_far), std::nullopt);
+      };
+      found = margin_json(*spatial, find_margin(*spatial, options, keep), std::nullopt);
+      return;
     }
     const auto& question = std::get<Question>(along);
     ConeOptions options;
     options.node_limit = limits_.node_limit;
     MarginWork work;
-    const auto found = find_margin(problem_of(question), options, &work);
-    if (const auto* undecided = std::get_if<Undecided>(&found)) {
+    const auto margin = find_margin(problem_of(question), options, &work);
+    if (const auto* undecided = std::get_if<Undecided>(&margin)) {
       throw NotToBeHad{"given up at " + undecided->limit};
     }
-    return margin_json(question, std::get<Margin>(found), work, std::nullopt);
+    found = margin_json(question, std::get<Margin>(margin), work, std::nullopt);
   }
 
   /// Coarse, and then finer.

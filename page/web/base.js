@@ -5,6 +5,7 @@
 
 const StickslipPage = {
   answer: null, // what the page shows; see docs/page.md
+  fragile: null, // while one grasp of a fragile box is shown: the answer about the box, and which: {whole, name}
   views: [], // of each part of the page: a function that draws it again
   // What is looked at: a kind of motion, one of "equilibrium", "cell" and "twist"; the cell that is chosen, and the one
   // that is pointed at; the case of the refutation; and whether numbers are printed with all digits.

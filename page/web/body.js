@@ -335,7 +335,7 @@
       ]),
       (page.answer.outline && page.answer.outline.length) || page.answer.contacts.length === 0
         ? null
-        : page.html("p", { class: "muted" }, "No outline is given: the hull of the contacts stands for the body."),
+        : page.html("p", { class: "muted" }, "No outline is given: the body is sketched around the contacts."),
     ];
   }
   page.views.push(draw);

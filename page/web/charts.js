@@ -115,7 +115,7 @@
       unplace: ([x, y]) => [(x - middle[0]) / scale, (middle[1] - y) / scale],
     };
     const window_ = { x: left, y: top, width: side, height: side };
-    const borders = [];
+    const borders = []; // lists of points
     const far = 8 * half;
     for (const outline of region.areas.flatMap((area) => area.outlines)) {
       const v = outline.vertices_float;
@@ -126,7 +126,7 @@
             ...v,
             page.vector.add(v[v.length - 1], far, page.vector.unit(outline.to_float)),
           ];
-      borders.push("M" + points.map(place).map(path.at).join("L"));
+      borders.push(points.map(place));
     }
     for (const curve of region.curves) {
       const rays = curve.rays_float || [];
@@ -135,7 +135,7 @@
         page.vector.add(v[k === 0 ? 0 : v.length - 1] || [0, 0], far, page.vector.unit(ray)),
       );
       const points = ends.length === 2 ? [ends[0], ...v, ends[1]] : [...v, ...ends];
-      borders.push("M" + points.map(place).map(path.at).join("L"));
+      borders.push(points.map(place));
     }
     const values = page.ticks(-half, half, Math.max(4, Math.floor(side / 62)));
     const grid = values.map((value) => {
@@ -167,14 +167,14 @@
       svg(
         "g",
         { "clip-path": "url(#region-window)" },
-        svg("path", { class: "border", d: borders.join("") || "M0 0" }),
+        svg("path", { class: "border", d: borders.map((line) => "M" + line.map(path.at).join("L")).join("") || "M0 0" }),
         (region.points_float || []).map((p) =>
           svg("circle", { class: "full", cx: place(p)[0], cy: place(p)[1], r: 4.5 }),
         ),
         corners.length <= 12
           ? corners.map((p) => svg("circle", { class: "full", cx: place(p)[0], cy: place(p)[1], r: 3 }))
           : null,
-        corners.length <= 8 ? cornerLabels(region, place, middle) : null,
+        corners.length <= 8 ? cornerLabels(region, place, window_, borders, load) : null,
       ),
       svg("rect", { class: "frame", ...window_ }),
       load ? loadMark(load, place) : null,
@@ -196,28 +196,77 @@
     );
   }
 
-  /** Exact if that is short; corners' coordinates are near their drawing anyway. */
-  const shortText = (value) =>
-    /^~/.test(page.text(value)) ? page.near(page.Fraction.of(value).toNumber(), 3) : page.text(value);
+  const kLetters = document.createElement("canvas").getContext("2d");
+  function textWidth(text) {
+    kLetters.font = "13px " + getComputedStyle(document.body).fontFamily;
+    return kLetters.measureText(text).width;
+  }
 
-  /** Corners, away from the middle, where they leave room for each other. */
-  function cornerLabels(region, place, middle) {
+  /** Whether a line from a to b runs through a box {x, y, width, height}: the part of it within, along each axis. */
+  function crosses(a, b, box) {
+    let [begin, end] = [0, 1];
+    for (const [from, step, low, size] of [
+      [a[0], b[0] - a[0], box.x, box.width],
+      [a[1], b[1] - a[1], box.y, box.height],
+    ]) {
+      if (step === 0) {
+        if (from <= low || from >= low + size) return false;
+        continue;
+      }
+      const cuts = [(low - from) / step, (low + size - from) / step];
+      begin = Math.max(begin, Math.min(...cuts));
+      end = Math.min(end, Math.max(...cuts));
+    }
+    return begin < end;
+  }
+
+  /** Labels of corners where they have room: they cover neither borders, corners and the load nor each other. */
+  function cornerLabels(region, place, window_, borders, load) {
     const exact = [
       ...region.areas.flatMap((area) => area.outlines.flatMap((o) => o.vertices)),
       ...region.curves.flatMap((curve) => curve.vertices),
     ];
-    const taken = [];
-    return exact.map((corner) => {
-      const [x, y] = place(corner.map((c) => page.Fraction.of(c).toNumber()));
-      const text = "(" + corner.map(shortText).join(", ") + ")";
-      const at = [x, y + (y > middle[1] + 4 ? 20 : -11)];
-      const half = 3.4 * text.length + 4;
-      if (
-        taken.some((other) => Math.abs(other.at[1] - at[1]) < 15 && Math.abs(other.at[0] - at[0]) < half + other.half)
-      )
-        return null;
-      taken.push({ at, half });
-      return svg("text", { class: "halo middle", x: at[0], y: at[1] }, text);
+    const kHigh = 16;
+    const texts = page.pointLabels(exact);
+    const at = exact.map((corner) => place(corner.map((c) => page.Fraction.of(c).toNumber())));
+    const around = ([x, y], size) => ({ x: x - size, y: y - size, width: 2 * size, height: 2 * size });
+    const taken = [...at.map((p) => around(p, 4)), ...(load ? [around(place([load.s, load.t]), 8)] : [])];
+    const lines = load && load.inside ? [...borders, [place([0, 0]), place([load.s, load.t])]] : borders;
+    const meet = (a, b) =>
+      a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+    const isFree = (box) =>
+      box.x >= window_.x &&
+      box.y >= window_.y &&
+      box.x + box.width <= window_.x + window_.width &&
+      box.y + box.height <= window_.y + window_.height &&
+      !taken.some((other) => meet(other, box)) &&
+      !lines.some((line) => line.some((p, k) => k > 0 && crosses(line[k - 1], p, box)));
+    return at.map(([x, y], k) => {
+      const width = textWidth(texts[k]) + 4;
+      const away = y > window_.y + window_.height / 2 + 4 ? 1 : -1; // from the middle
+      const beside = width / 2 - 8;
+      const places = [7, 12].flatMap((gap) =>
+        [
+          [0, away],
+          [beside, away],
+          [-beside, away],
+          [gap + width / 2, 0],
+          [-gap - width / 2, 0],
+          [beside, -away],
+          [-beside, -away],
+          [width / 2 + 3, -away],
+          [-width / 2 - 3, -away],
+        ].map(([right, down]) => ({
+          x: x + right - width / 2,
+          y: y + down * (gap + kHigh / 2) - kHigh / 2,
+          width,
+          height: kHigh,
+        })),
+      );
+      const box = places.find(isFree);
+      if (!box) return null;
+      taken.push(box);
+      return svg("text", { class: "halo middle", x: box.x + width / 2, y: box.y + 12.5 }, texts[k]);
     });
   }
 
@@ -259,65 +308,77 @@
 
   // The margin.
 
-  const ends = (interval) => [page.text(interval[0]), interval[1] === null ? "\u221E" : page.text(interval[1])];
+  /** "[0, 2] and [3, \u221E)", with all digits if asked for. */
   page.marginText = function (all = false) {
-    const { margin } = page.answer;
-    if (!margin || !margin.resisted) return "";
-    const text = (interval) =>
-      (all ? interval.map((x) => (x === null ? "\u221E" : page.typeset(x))) : ends(interval)).join(", ");
-    if (margin.resisted.length === 0) return "none";
-    return margin.resisted.map((interval) => "[" + text(interval) + (interval[1] === null ? ")" : "]")).join(" and ");
+    const text = all ? page.typeset : page.text;
+    const intervals = page.answer.margin.resisted.map(
+      ([low, high]) => "[" + text(low) + ", " + (high === null ? "\u221E)" : text(high) + "]"),
+    );
+    return intervals.join(" and ") || "none";
   };
+
+  /**
+   * What is neither resisted nor refuted, [low, high] from low to high. In the plane all is known; in space the ends of what
+   * is resisted are algebraic numbers, and nothing is known very near them.
+   */
+  function unknownMultiples({ resisted, refuted }) {
+    if (!refuted) return [];
+    const number = page.Fraction.of;
+    const above = (a, b) => number(a).minus(number(b)).sign() > 0;
+    const known = [...resisted, ...refuted].sort((a, b) => (above(a[0], b[0]) ? 1 : -1));
+    const unknown = [];
+    let end = "0";
+    for (const [low, high] of known) {
+      if (above(low, end)) unknown.push([end, low]);
+      end = high;
+    }
+    return end === null ? unknown : [...unknown, [end, null]];
+  }
 
   function drawMargin() {
     const { margin } = page.answer;
     page.find("margin-panel").hidden = !margin;
     if (!margin) return;
-    if (!margin.resisted)
-      return void page.put("margin", html("p", {}, "Undecided" + (margin.limit ? ": " + margin.limit : "") + "."));
+    const doubles = (intervals) =>
+      intervals.map((interval) => interval.map((end) => (end === null ? null : page.Fraction.of(end).toNumber())));
+    const resisted = doubles(margin.resisted);
+    const refuted = doubles(margin.refuted || []);
+    const unknown = doubles(unknownMultiples(margin));
     const width = page.canvasWidth("margin", 460);
     const [left, right, height] = [14, 30, 96];
-    const finite = [...margin.resisted_float, ...(margin.refuted_float || [])].flat().filter((x) => x !== null);
+    const finite = [...resisted, ...refuted].flat().filter((x) => x !== null);
     const high = 1.25 * Math.max(1, ...finite.filter((x) => x < 1e6));
     const scale = (width - left - right) / high;
     const x = (value) => left + scale * (value === null ? high : Math.min(value, high));
-    const bar = (interval, name, attributes) =>
-      svg("rect", {
-        class: name,
-        x: x(interval[0]),
-        y: 30,
-        height: 22,
-        width: Math.max(2, x(interval[1]) - x(interval[0])) + (interval[1] === null ? 10 : 0),
-        ...attributes,
-      });
+    const kLeast = { resisted: 2, unresisted: 0, unknown: 4 }; // pixels: what is narrower is drawn so wide, about its middle
+    const bar = ([low, top], kind, attributes) => {
+      const [from, to] = [x(low), top === null ? x(null) + 10 : x(top)];
+      const wide = Math.max(kLeast[kind], to - from);
+      const begin = Math.max(left, Math.min((from + to - wide) / 2, x(null) + 10 - wide));
+      return svg("rect", { "data-multiples": kind, x: begin, y: 30, height: 22, width: wide, ...attributes });
+    };
+    const hatched = { style: "fill: url(#margin-hatch)" };
     const labels = [];
     const kRow = 15;
     margin.resisted.forEach((interval, k) =>
       interval.forEach((end, j) => {
         if (end === null || (j === 1 && end === interval[0])) return;
-        const at = x(margin.resisted_float[k][j]);
-        const text = page.text(end);
+        const at = x(resisted[k][j]);
+        const text = page.label(end);
         const half = 3.6 * text.length + 3;
         let row = 0;
         while (labels.some((other) => other.row === row && Math.abs(other.at - at) < other.half + half)) ++row;
         if (row < 2) labels.push({ at, text, half, row });
       }),
     );
-    const spatial = margin.refuted !== undefined;
     const picture = page.picture(
       width,
       height,
       { role: "img", "aria-label": "Multiples of the load that are resisted: " + page.marginText() },
       hatching("margin-hatch", "hue5"),
-      svg("rect", {
-        x: left,
-        y: 30,
-        width: width - left - right + 10,
-        height: 22,
-        ...(spatial ? { class: "paper" } : { style: "fill: url(#margin-hatch)" }),
-      }),
-      (margin.refuted_float || []).map((interval) => bar(interval, null, { style: "fill: url(#margin-hatch)" })),
-      margin.resisted_float.map((interval) => bar(interval, "hue0")),
+      (margin.refuted ? refuted : [[0, null]]).map((interval) => bar(interval, "unresisted", hatched)),
+      resisted.map((interval) => bar(interval, "resisted", { class: "hue0" })),
+      unknown.map((interval) => bar(interval, "unknown", { class: "unknown" })),
       svg("path", { class: "frame", d: "M" + (width - right + 10) + " 30H" + left + "v22H" + (width - right + 10) }),
       svg("path", { class: "rule", d: "M" + (width - right + 13) + " 41h6m-4 -4l4 4l-4 4" }),
       labels.map(({ at, text, row }) => [
@@ -336,26 +397,9 @@
       svg("text", { class: "middle", x: x(1), y: 13 }, "this load"),
     );
     page.put("margin", picture);
-    const held = margin.resisted_float.some(([low, top]) => low <= 1 && (top === null || top >= 1));
-    const last = margin.resisted_float.find(([low, top]) => low <= 1 && (top === null || top >= 1));
-    const below = margin.resisted
-      .filter((_, k) => margin.resisted_float[k][1] !== null && margin.resisted_float[k][1] < 1)
-      .pop();
     page.put(
       "margin-note",
-      html(
-        "p",
-        {},
-        "Resisted multiples \u03BB of the load: ",
-        html("strong", {}, page.marginText()),
-        ". ",
-        held && last[1] !== null && last[1] > 1 ? "The load may grow to " + page.near(last[1]) + " times. " : "",
-        !held && below && Number(below[1]) !== 0
-          ? ["Of this load, ", page.number(below[1]), " would be resisted. "]
-          : null,
-        held && last[1] === null ? "It may grow without end. " : "",
-        held && last[1] === 1 ? "It is on the border: no more will do. " : "",
-      ),
+      marginWords(margin),
       page.legend([
         { drawing: page.sign(svg("rect", { class: "hue0", x: 2, y: 2, width: 22, height: 14 })), text: "resisted" },
         {
@@ -365,12 +409,58 @@
           ]),
           text: "not resisted",
         },
-        spatial && {
-          drawing: page.sign(svg("rect", { class: "paper frame", x: 2, y: 2, width: 22, height: 14 })),
+        unknown.length > 0 && {
+          drawing: page.sign(svg("rect", { class: "unknown", x: 2, y: 2, width: 22, height: 14 })),
           text: "not known",
         },
       ]),
     );
+  }
+
+  /** What is resisted, what of it is this load, and what is not known. */
+  function marginWords(margin) {
+    const unknown = unknownMultiples(margin);
+    const sign = (end, value) => page.Fraction.of(end).minus(page.Fraction.of(value)).sign();
+    const holds = margin.resisted.find(([low, high]) => sign(low, 1) <= 0 && (high === null || sign(high, 1) >= 0));
+    const below = margin.resisted.filter(([, high]) => high !== null && sign(high, 1) < 0).pop();
+    // Where nothing is known from an end on, more may be resisted.
+    const least = (end) => unknown.some(([low]) => sign(low, end) === 0);
+    const lines = [
+      html(
+        "p",
+        {},
+        "Resisted multiples \u03BB of the load: ",
+        html("strong", {}, margin.resisted.length === 0 && unknown.length > 0 ? "none is known" : page.marginText()),
+        ". ",
+        holds && holds[1] === null ? "It may grow without end. " : "",
+        holds && holds[1] !== null && sign(holds[1], 1) > 0
+          ? ["The load may grow to " + (least(holds[1]) ? "at least " : ""), page.number(holds[1]), " times. "]
+          : "",
+        holds && holds[1] !== null && sign(holds[1], 1) === 0 && !least(holds[1])
+          ? "It is on the border: no more will do. "
+          : "",
+        !holds && below && sign(below[1], 0) > 0 ? ["Of this load, ", page.number(below[1]), " would be resisted. "] : "",
+      ),
+    ];
+    if (unknown.length > 0) {
+      const places = unknown.map(([low, high]) =>
+        high === null ? "above " + page.text(low) : "between " + page.text(low) + " and " + page.text(high),
+      );
+      const all = margin.resisted.length === 0 && unknown.length === 1 && unknown[0][1] === null;
+      lines.push(
+        html(
+          "p",
+          {},
+          "Nothing is known of " + (all ? "any multiple" : "multiples " + places.join(", and ")) + ": ",
+          "no proof was found that they are resisted, and none that they are not. ",
+          margin.resisted.length > 0
+            ? "In space what is resisted mostly ends at an irrational multiple, so some near it are left; " +
+                "a part too narrow to be seen is drawn wider than it is."
+            : "",
+        ),
+      );
+    }
+    return lines;
   }
 
   // The map.

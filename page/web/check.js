@@ -8,6 +8,32 @@
 
 (function (scope) {
 
+// ---------------------------------------------------------------------------- Work (§8)
+
+/** Exit 3: the proof takes more work than this program does for files of their length. */
+class NotJudged extends Error {}
+
+/** Steps of less than a microsecond, counted and not timed; and the length of what was read. Limited while a question is answered. */
+const work = {limited: false, bytes: 0, steps: 0};
+
+function spend(steps) {
+  work.steps += steps;
+  const most = 8000000 + Math.floor(work.bytes * work.bytes / 12);
+  if (work.limited && work.steps > most) throw new NotJudged(`it takes more than ${most} steps, the most for ${work.bytes} bytes`);
+}
+
+const SIZES = [[1n << 1024n, 8], [1n << 8192n, 100], [1n << 32768n, 1000]];
+
+/** What a product of this length, or a common divisor, costs. */
+function size_steps(n) {
+  let steps = 1;
+  for (const [least, more] of SIZES) {
+    if (n < least && n > -least) break;
+    steps = more;
+  }
+  return steps;
+}
+
 // ---------------------------------------------------------------------------- Numbers
 
 const absolute = (n) => (n < 0n ? -n : n);
@@ -53,6 +79,7 @@ const LONG = 1n << 4096n;
 function gcd(a, b) {
   a = absolute(a);
   b = absolute(b);
+  if (a > LONG && b > LONG) spend(10 * size_steps(a < b ? a : b));
   while (a > LONG && b > LONG) {
     [a, b] = a < b ? [a, b % a] : [b, a % b];
     if (b === 0n) return a;
@@ -144,6 +171,7 @@ function dot(a, b) {
   for (let j = 0; j < a.length; ++j) {
     if (a[j] !== 0n && b[j] !== 0n) sum += a[j] * b[j];
   }
+  spend(size_steps(sum));
   return sum;
 }
 
@@ -257,6 +285,7 @@ const utf8_length = (text) => new TextEncoder().encode(text).length;
 /** The text of a file given as bytes or, by those who have read it themselves, as a string. */
 function text_of(file, limits, byte_order_mark) {
   let text = file;
+  work.bytes += file.length;
   if (typeof file !== 'string') {
     if (file.length > limits.bytes) throw new Malformed('', `the file is longer than ${limits.bytes} bytes`);
     try {
@@ -970,10 +999,13 @@ class CertificateReader {
       shares: array_of(shares, inside(place, 'shares')).map((entry, k) => {
         const where = `${inside(place, 'shares')}[${k}]`;
         const [i, share] = array_of(entry, where, 2);
-        return [read_index(i, where), this.space ? read_numbers(share, where, 3) : [read_number(share, where)]];
+        return [read_index(i, where), this.friction(share, where)];
       }),
     };
   }
+
+  /** A share, or F: three numbers in space, in the plane one. */
+  friction(value, place) { return this.space ? read_numbers(value, place, 3) : [read_number(value, place)]; }
 
   segments(value) {
     let last = null;
@@ -1002,6 +1034,7 @@ class CertificateReader {
     const to = found.to === null ? null : read_number(found.to, `${place}.to`);
     const [twist, end_twist] = array_of(found.twists, `${place}.twists`, 2)
         .map((x) => read_numbers(x, `${place}.twists`, this.size));
+    array_of(found.walls, `${place}.walls`, this.size);
     return {to, end_twist, ...this.degree({...found, twist}, place)};
   }
 
@@ -1037,15 +1070,33 @@ class CertificateReader {
       if (value[0] !== 'part') expected('part', value[0], place);
       return this.node(value, place);
     }
-    const found = members_in_order(value, place, ['twist', 'walls', 'direction', 'tree']);
+    if (object_at(value, place).has('rest')) return this.at_rest(value, place);
+    const shape = value.has('simplex') ? 'simplex' : 'walls';
+    const found = members_in_order(value, place, ['twist', shape, 'direction', 'tree']);
     return this.degree({...found, twist: read_numbers(found.twist, `${place}.twist`, this.size)}, place);
   }
 
+  at_rest(value, place) {
+    const found = members_in_order(value, place, ['rest', 'answers', 'reach']);
+    const listed = (name, forces) => array_of(found[name], `${place}.${name}`).map((entry, k) => {
+      const where = `${place}.${name}[${k}]`, [i, stated] = array_of(entry, where, 2);
+      return [read_index(i, where), forces(stated, where).map((force) => this.friction(force, where))];
+    });
+    return {kind: 'rest', rest: listed('rest', (force) => [force]),
+      answers: listed('answers', (forces, where) => array_of(forces, where, this.size)),
+      reach: read_numbers(found.reach, `${place}.reach`, this.size)};
+  }
+
+  /** Of E there are `walls`, one to D, or those of a simplex, one more. */
   degree(found, place) {
-    const matrix = (name) => array_of(found[name], `${place}.${name}`, this.size)
-        .map((row) => read_numbers(row, `${place}.${name}`, this.size));
-    return {kind: 'degree', twist: found.twist, walls: matrix('walls'), direction: matrix('direction'),
-      tree: this.tree(found.tree, `${place}.tree`)};
+    const simplex = 'simplex' in found, name = simplex ? 'simplex' : 'walls', more = simplex ? 1 : 0;
+    const rows = (value, at) => value.map((row) => read_numbers(row, at, this.size));
+    const walls = rows(array_of(found[name], `${place}.${name}`), `${place}.${name}`);
+    if (walls.length < 1 + more || walls.length > this.size + more) {
+      expected(`an array of ${1 + more} to ${this.size + more}`, found[name], `${place}.${name}`);
+    }
+    const direction = rows(array_of(found.direction, `${place}.direction`, this.size), `${place}.direction`);
+    return {kind: 'degree', twist: found.twist, simplex, walls, direction, tree: this.tree(found.tree, `${place}.tree`)};
   }
 
   claim(value, place) {
@@ -1057,7 +1108,7 @@ class CertificateReader {
       return {kind, low, high, tree: this.tree(evidence[0], `${place}, tree`)};
     }
     if (kind !== 'stable') expected('"stable" or "unstable"', kind, place);
-    if (evidence.length === 1 && evidence[0] instanceof Map && evidence[0].has('walls')) {
+    if (evidence.length === 1 && evidence[0] instanceof Map && !evidence[0].has('shares')) {
       return {kind, low, high, part: this.part(evidence[0], place)};
     }
     if (evidence.length !== (high === null || low.equals(high) ? 1 : 2)) expected('a PART, or one POINT for each end', value, place);
@@ -1363,6 +1414,7 @@ class Cone {
     if (!equation) for (const [ray] of above) rays.push(ray);
     for (const [up, high] of above) {
       for (const [down, low] of below) {
+        spend(1 + (this.rays.length >> 4));
         const common = up.zero & down.zero;
         // Two rays span a face unless a third lies in every face that both lie in.
         if (this.rays.some((ray) => ray !== up && ray !== down && (ray.zero & common) === common)) continue;
@@ -1836,41 +1888,117 @@ function range_root(question, box, range) {
   return region;
 }
 
-// ---------------------------------------------------------------------------- Stable by degree (§6, §7)
+// ---------------------------------------------------------------------------- Stable at rest (§6, §7)
 
-/** The inverse of a square matrix of fractions, or null. */
-function inverse(matrix) {
-  const n = matrix.length;
-  const rows = matrix.map((row, j) => [...row, ...row.map((_, k) => (j === k ? ONE : ZERO))]);
-  for (let j = 0; j < n; ++j) {
-    const pivot = rows.findIndex((row, k) => k >= j && !row[j].isZero());
-    if (pivot < 0) return null;
-    [rows[j], rows[pivot]] = [rows[pivot], rows[j]];
-    rows[j] = rows[j].map((x) => x.over(rows[j][j]));
-    for (let k = 0; k < n; ++k) {
-      const factor = rows[k][j];
-      if (k !== j && !factor.isZero()) rows[k] = rows[k].map((x, l) => x.minus(factor.times(rows[j][l])));
+/** A part at rest, for the multiples from factors[0] to factors[1], or for the only one. */
+function check_rest(question, box, {rest, answers, reach}, place, tally, factors) {
+  const {m, size, space} = question, none = Array(space ? 3 : 1).fill(ZERO);
+  const refuse = (rule, found) => { throw new Rejected(rule, found, place); };
+  // f⁰ and G_1, ..., G_D of contacts: the column l is multiplied by scales[l].
+  const columns = new Map(), scales = [ONE, ...reach];
+  for (const [list, first] of [[rest, 0], [answers, 1]]) {
+    let before = -1;
+    for (const [i, forces] of list) {
+      const wrong = (found) => refuse('rest-share', `contact ${printable(i)}: ${found}`);
+      if (i <= before || i >= m) wrong(`out of order, or not one of ${m}`);
+      if (space && !forces.every((force) => dot_fractions(force, box.contacts[i].n).isZero())) wrong('a force has a part along n');
+      if (!columns.has(i)) columns.set(i, Array(1 + size).fill(none));
+      columns.get(i).splice(first, forces.length, ...forces);
+      before = i;
     }
   }
-  return rows.map((row) => row.slice(n));
+  const scaled_sum = (values) => values.reduce((sum, x, l) => sum.plus(x.times(scales[l])), ZERO);
+  for (const factor of factors) {
+    const pushes = box.contacts.map(({push}) => push.map(([p, growth]) => p.plus(growth.times(factor))));
+    // The least and the largest entries of W, and of the columns of M less the unit matrix.
+    const lows = new Sum(size * (size + 1)), highs = new Sum(size * (size + 1));
+    [lows, highs].forEach((sum, end) => {
+      const load = box.wrench.map((w, k) => w[end].plus(factor.times(question.u[k])));
+      const unit = load.flatMap((_, l) => load.map((__, k) => (k === l ? ONE.negated() : ZERO)));
+      sum.add_fractions([...load, ...unit]);
+    });
+    box.contacts.forEach((contact, i) => {
+      if (pushes[i][1].isZero() && !columns.has(i)) return;
+      const forces = columns.get(i) ?? Array(1 + size).fill(none);
+      const corners = corners_of(contact.geometry).flatMap((corner) => {
+        const [normal, slips] = contact.rowsAt(corner);
+        const [first, ...others] = forces.map((force) => normal.map((_, k) => dot_fractions(force, slips.map((row) => row[k]))));
+        return pushes[i].map((push) => [...first.map((x, k) => x.plus(push.times(normal[k]))), ...others.flat()]);
+      });
+      lows.add_fractions(corners[0].map((_, k) => least(corners.map((values) => values[k]))));
+      highs.add_fractions(corners[0].map((_, k) => largest(corners.map((values) => values[k]))));
+    });
+    const [low, high] = [lows, highs].map((sum) => {
+      const [row, d] = sum.total();
+      return row.map((x) => Fraction.of(x, d));
+    });
+    reach.forEach((z, k) => {
+      if (z.sign() < 0) refuse('rest-reach', `Z_${k + 1} is below 0`);
+      const left = scales.map((_, l) => largest([low[l * size + k].negated(), high[l * size + k]]));
+      if (scaled_sum(left).compare(z) > 0) refuse('rest-reach', `Z_${k + 1} = ${printable(z)} is too small`);
+    });
+    for (const i of [...columns.keys()].sort((a, b) => a - b)) {
+      const {mu, square} = box.contacts[i];
+      let most = mu[0].times(pushes[i][0]);
+      if (space) most = most.times(root_above(square, -1).negated());
+      const lengths = columns.get(i).map((force) => (space ? root_above(dot_fractions(force, force), 1) : force[0].magnitude()));
+      if (scaled_sum(lengths).compare(most) > 0) refuse('rest-cone', `contact ${i}: friction may be more than its cone allows`);
+    }
+  }
+  ++tally.rests;
+}
+
+// ---------------------------------------------------------------------------- Stable by degree (§6, §7)
+
+/** A basis of the vectors that are 0 by every row: elimination to rows that each have a column of their own. */
+function kernel(rows) {
+  const size = rows[0].length, own = new Map();  // row by its column
+  const clear = (row, at, pivot) => (row[at].isZero() ? row : row.map((x, k) => x.minus(row[at].times(pivot[k]))));
+  for (let row of rows) {
+    for (const [at, pivot] of own) row = clear(row, at, pivot);
+    const at = row.findIndex((x) => !x.isZero());
+    if (at < 0) continue;
+    row = row.map((x) => x.over(row[at]));
+    for (const [other, pivot] of own) own.set(other, clear(pivot, at, row));
+    own.set(at, row);
+  }
+  const columns = Array.from({length: size}, (_, j) => j);
+  return columns.filter((j) => !own.has(j))
+      .map((free) => columns.map((j) => (own.has(j) ? own.get(j)[free].negated() : j === free ? ONE : ZERO)));
+}
+
+/** `degree-free`: whether some contact, friction or load of the box does work on z. */
+function sees(question, box, z) {
+  const motion = integral(z);
+  const works = (rows) => rows.some((row) => dot(row, motion) !== 0n);
+  return box.contacts.some(({rows}) => works(rows.normals) || (rows.friction[1] !== 0n && rows.slips.some(works))) ||
+    box.wrench.some((w, j) => !is_point(w) && !z[j].isZero()) || !dot_fractions(box.wrench.map(([w]) => w), z).isZero() ||
+    (question.margin && !dot_fractions(question.u, z).isZero());
+}
+
+/** `degree-walls`, `degree-free`, `degree-direction`. */
+function check_shape(question, box, {walls, simplex, direction}, refuse) {
+  const transposed = (rows) => rows[0].map((_, j) => rows.map((row) => row[j]));
+  const dependent = kernel(transposed(walls));  // the c with Σ c_j E_j = 0
+  if (dependent.length !== (simplex ? 1 : 0)) refuse('degree-walls', 'the rank of E is another');
+  if (dependent.some((c) => c.some((x) => x.sign() * c[0].sign() <= 0))) refuse('degree-walls', 'E is not around 0');
+  const free = kernel(walls);
+  if (free.some((z) => sees(question, box, z))) refuse('degree-free', 'a force or a load works on Z');
+  for (const matrix of [direction, transposed(direction)]) {
+    if (kernel(matrix).length !== free.length) refuse('degree-direction', 'the rank of A is another');
+    if (matrix.some((row) => free.some((z) => !dot_fractions(row, z).isZero()))) refuse('degree-direction', 'A is not about R^D / Z');
+  }
 }
 
 /**
- * The multiples and the motions of K: e = d − s d' − t d" as functions of (h, ℓ), and the points for s = 1 and t = 1. Of a
- * part that is not about multiples s = h and t = 0; of: {low, high}, high null without an end.
+ * The multiples and the motions of K: e = d − s d' − t d" as functions of (h, ℓ). Of a part that is not about multiples s = h and
+ * t = 0; of: {low, high}, high null without an end.
  */
 function frame_of(part, of) {
-  if (!part.end_twist) {
-    const ends = (of === undefined ? [ZERO] : [of.low, of.high]).map((l) => ({twist: part.twist, h: ONE, l}));
-    return {s: [ONE, ZERO], t: [ZERO, ZERO], ends};
-  }
-  const first = {twist: part.twist, h: ONE, l: of.low};
-  if (of.high === null) {
-    return {s: [ONE, ZERO], t: [ONE.negated(), ONE.over(of.low)], ends: [first, {twist: part.end_twist, h: ZERO, l: of.low}]};
-  }
+  if (!part.end_twist) return {s: [ONE, ZERO], t: [ZERO, ZERO]};
+  if (of.high === null) return {s: [ONE, ZERO], t: [ONE.negated(), ONE.over(of.low)]};
   const length = of.high.minus(of.low);
-  return {s: [of.high.over(length), ONE.over(length).negated()], t: [of.low.over(length).negated(), ONE.over(length)],
-    ends: [first, {twist: part.end_twist, h: ONE, l: of.high}]};
+  return {s: [of.high.over(length), ONE.over(length).negated()], t: [of.low.over(length).negated(), ONE.over(length)]};
 }
 
 /**
@@ -1880,29 +2008,8 @@ function frame_of(part, of) {
 function check_degree(question, box, part, place, tally, of) {
   const {size, coordinates, m} = question;
   const refuse = (rule, found) => { throw new Rejected(rule, found, place); };
-  const inverted = inverse(part.walls);
-  if (inverted === null) refuse('degree-walls', 'det E = 0');
-  if (inverse(part.direction) === null) refuse('degree-direction', 'det A = 0');
-  const {s, t, ends} = frame_of(part, of);
-  if (question.bilateral) {
-    // The largest N·d over the vertices of K is N·d⁰ + Σ |N·(column j of E⁻¹)|, at each corner of the box.
-    for (let i = 0; i < m; ++i) {
-      const {normals, push, pull, d} = box.contacts[i].rows;
-      for (const normal of normals) {
-        const row = normal.map((x) => new Fraction(x, 1n));
-        const spread = inverted[0].map((_, j) => dot_fractions(row, inverted.map((r) => r[j])).magnitude());
-        for (const {twist, h, l} of ends) {
-          const height = spread.reduce((sum, x) => sum.plus(x), dot_fractions(row, twist));
-          const pushed = new Fraction(push[0][0], 1n).times(h).plus(new Fraction(push[0][1], 1n).times(l));
-          for (const end of pull) {
-            if (pushed.compare(height.times(new Fraction(end, 1n))) < 0) {
-              refuse('degree-law', `v may be below 0 at contact ${i}`);
-            }
-          }
-        }
-      }
-    }
-  }
+  check_shape(question, box, part, refuse);
+  const {s, t} = frame_of(part, of);
   // Functions of (h, ℓ), and those of (e, h, ℓ), as rows of points.
   const function_of = (at, motion = Array(size).fill(ZERO)) => [...motion, ...at].slice(0, coordinates);
   const sum = (a, b, factor = ONE) => a.map((x, k) => x.plus(factor.times(b[k])));
@@ -1911,9 +2018,12 @@ function check_degree(question, box, part, place, tally, of) {
     const begin = s.map((x) => x.times(by.minus(dot_fractions(row, part.twist))));
     return function_of(sum(begin, t, by.minus(dot_fractions(row, other))), row);
   };
-  const wall_root = (one, j, sign, halfway) => {
+  const minus = (row) => row.map((x) => x.negated());
+  const walls = part.walls.flatMap((row, j) => (part.simplex ? [[`${j + 1}`, row]]
+    : [[`${j + 1} +`, row], [`${j + 1} -`, minus(row)]]));
+  // Over K, or over one of its walls.
+  const region_on = (one, on, halfway) => {
     let region = Region.whole(question, one, coordinates).cut(integral(function_of(sum(s, t))), {strict: true});
-    region = region.cut(integral(about(part.walls[j], Fraction.of(BigInt(-sign)))), {equation: true});
     if (part.end_twist) {
       for (const at of [s, t]) region = region.cut(integral(function_of(at)));
       if (halfway) region = region.cut(integral(function_of(sum(s, t, ONE.negated()))), {equation: true});
@@ -1925,22 +2035,23 @@ function check_degree(question, box, part, place, tally, of) {
         region = region.cut(multiple(of.low)).cut(negative(multiple(of.high)));
       }
     }
-    part.walls.forEach((row, k) => {
-      if (k === j) return;
-      region = region.cut(integral(about(row, ONE))).cut(integral(about(row.map((x) => x.negated()), ONE)));
-    });
+    for (const [name, row] of walls) region = region.cut(integral(about(minus(row), ONE)), {equation: name === on});
     return region;
   };
+  if (question.bilateral) {
+    const whole = region_on(box, null, false);
+    box.contacts.forEach(({rows}, i) => {
+      if (whole.generators.some((ray) => pressures(rows, ray)[0] < 0n)) refuse('degree-law', `v may be below 0 at contact ${i}`);
+    });
+  }
   // y·A e, a multiple above 0 of it.
   const turned = (y) => integral(about(
-      inverted[0].map((_, j) => dot_fractions(y.map((x) => new Fraction(x, 1n)), part.direction.map((r) => r[j]))), ZERO));
+      part.twist.map((_, j) => dot_fractions(y.map((x) => new Fraction(x, 1n)), part.direction.map((r) => r[j]))), ZERO));
   const roots = [];
   const list = (one, prefix, halfway, function_of_leaf) => {
-    for (let j = 0; j < size; ++j) {
-      for (const sign of [1, -1]) {
-        const path = new Path(null, `${place}, ${prefix}wall ${j + 1} ${sign > 0 ? '+' : '-'}`);
-        roots.push({path, make: () => ({region: wall_root(one, j, sign, halfway), turned: function_of_leaf})});
-      }
+    for (const [name] of walls) {
+      const path = new Path(null, `${place}, ${prefix}wall ${name}`);
+      roots.push({path, make: () => ({region: region_on(one, name, halfway), turned: function_of_leaf})});
     }
   };
   const single = box.isPoint() && (of === undefined || (of.high !== null && of.low.equals(of.high)));
@@ -1954,7 +2065,8 @@ function check_parts(question, box, parts, tally) {
   const where = (path, number) => [[`part ${number}`, path === null ? '' : path.toString()].filter((x) => x !== '').join(', '), null];
   walk(parts, [{make: () => box, path: new Path(null, '')}], question.m, where, (part, own, refuse, place) => {
     if (part.kind === 'part') return part_children(part, own, refuse, question.m, question.size);
-    check_degree(question, own, part, place(), tally);
+    if (part.kind === 'rest') check_rest(question, own, part, place(), tally, [ZERO]);
+    else check_degree(question, own, part, place(), tally);
     return [];
   });
 }
@@ -2045,7 +2157,9 @@ function check_space_margin(question, box, claims, tally) {
       ++tally.trees;
       return;
     }
-    if (part !== undefined) {
+    if (part !== undefined && part.kind === 'rest') {
+      check_rest(question, box, part, place, tally, high === null ? [ONE] : low.equals(high) ? [low] : [low, high]);
+    } else if (part !== undefined) {
       check_degree(question, box, part, place, tally, high === null ? {low: ONE, high: ONE} : {low, high});
     } else {
       const factors = high === null ? [ONE] : [low, high].slice(0, points.length);
@@ -2083,7 +2197,7 @@ function question_as_asked(question) {
  * ("unilateral" or "bilateral"), preload_direction ("scale" or an array of texts) and uncertain (an object of
  * tolerances as texts, such as {friction: "10%"}).
  *
- * answer is "accepted", "rejected" or "malformed". If rejected, rule, place, node (the number of a node in its list) and
+ * answer is "accepted", "rejected", "malformed" or "not judged", which found explains. If rejected, rule, place, node (the number of a node in its list) and
  * found say why; if malformed, file ("grasp", "certificate" or "question"), place and found. If accepted, verdict is
  * "stable", "unstable" or "margin"; box says whether the question is a box; question is as it was understood; resisted and,
  * in space, refuted are the intervals of a margin, [low, high or null] as texts, of refuted with whether low belongs to
@@ -2093,6 +2207,7 @@ function check(grasp, certificate, options = {}) {
   const answer = {answer: null, rule: null, node: null, place: null, found: null, file: null, verdict: null, box: null,
     nodes: null, leaves: null, resisted: null, refuted: null, question: null, proof: null};
   let file = 'grasp';
+  Object.assign(work, {limited: true, bytes: 0, steps: 0});
   try {
     const read = read_grasp(text_of(grasp, GRASP_LIMITS, true));
     file = 'question';
@@ -2102,7 +2217,7 @@ function check(grasp, certificate, options = {}) {
     const proof = new CertificateReader(question.space).read(text_of(certificate, CERTIFICATE_LIMITS, false));
     agree(question, proof.question);
 
-    const tally = {nodes: 0, leaves: 0, degrees: 0, trees: 0, segments: 0};
+    const tally = {nodes: 0, leaves: 0, rests: 0, degrees: 0, trees: 0, segments: 0};
     const box = Box.of(question, proof.bits);
     let intervals = null;
     if (proof.claims !== undefined) {
@@ -2131,9 +2246,13 @@ function check(grasp, certificate, options = {}) {
       Object.assign(answer, {answer: 'malformed', file, place: error.place, found: error.message});
     } else if (error instanceof Rejected) {
       Object.assign(answer, {answer: 'rejected', rule: error.rule, place: error.place, node: error.node, found: error.message});
+    } else if (error instanceof NotJudged) {
+      Object.assign(answer, {answer: 'not judged', found: error.message});
     } else {
       throw error;  // an error of this program, or no memory: no answer
     }
+  } finally {
+    work.limited = false;
   }
   return answer;
 }

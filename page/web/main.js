@@ -46,6 +46,13 @@
     page.draw();
   };
 
+  /** Of a fragile verdict: shows its "stable" or its "unstable" grasp, or the box of all again (null). */
+  page.showExample = function (name) {
+    const whole = page.fragile ? page.fragile.whole : page.answer;
+    page.fragile = name ? { whole, name } : null;
+    page.setAnswer(name ? whole.examples[name] : whole);
+  };
+
   function start() {
     const answer = JSON.parse(page.find("answer").textContent);
     page.find("theme").addEventListener("click", () => {

@@ -69,14 +69,11 @@
   page.near = (value, digits = 4) =>
     page.typeset(Object.is(value, -0) || Math.abs(value) < 1e-300 ? 0 : Number(value.toPrecision(digits)));
 
-  /**
-   * As the program prints it: short fractions, else six digits, marked if rounded; all digits where
-   * the reader asked for them.
-   */
-  page.text = function (value) {
+  /** As the program prints it: short fractions, else six digits, marked if rounded. */
+  function shortText(value) {
     const exact = Fraction.of(value);
     const bound = exact.d === 1n ? 1000000000n : 100n;
-    if (page.shown.exact || (exact.abs().n < bound && exact.d < bound)) return page.typeset(exact);
+    if (exact.abs().n < bound && exact.d < bound) return page.typeset(exact);
     const near = Number(exact.toNumber().toPrecision(6));
     let spelled = String(near);
     if (!spelled.includes("e")) {
@@ -84,6 +81,26 @@
       if (same.n === exact.n && same.d === exact.d) return page.typeset(spelled);
     }
     return page.typeset(kRounded + spelled);
+  }
+  /** So; with all digits where the reader asked for them. */
+  page.text = (value) => (page.shown.exact ? page.typeset(Fraction.of(value)) : shortText(value));
+  /** In drawings, where there is no room for all digits. */
+  page.label = function (value) {
+    const text = shortText(value);
+    return text.startsWith(kRounded) ? kRounded + page.near(Fraction.of(value).toNumber()) : text;
+  };
+  /**
+   * Points as labels of one drawing: all in short fractions, or all in decimals of at most four digits with one mark before
+   * what is rounded, as in pictures.
+   */
+  page.pointLabels = function (points) {
+    const inFractions = points.flat().every((x) => /^[\u2212\d/]+$/.test(shortText(x)));
+    return points.map((point) => {
+      const near = point.map((x) => Fraction.of(inFractions ? x : Fraction.of(x).toNumber().toPrecision(4)));
+      const exact = near.every((x, j) => x.minus(Fraction.of(point[j])).sign() === 0);
+      const texts = near.map((x) => (inFractions ? page.typeset(x) : page.near(x.toNumber())));
+      return (exact ? "" : kRounded) + "(" + texts.join(", ") + ")";
+    });
   };
   page.tuple = (values) => "(" + values.map(page.text).join(", ") + ")";
   page.nearTuple = (values) => "(" + values.map((value) => page.near(value)).join(", ") + ")";

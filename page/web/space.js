@@ -445,7 +445,7 @@
       html(
         "p",
         { class: "muted" },
-        "The hull of the contacts stands for the body. Turn it with the mouse or the arrow keys.",
+        "The body is sketched around the contacts. Turn it with the mouse or the arrow keys.",
       ),
     ];
   }

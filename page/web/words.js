@@ -44,9 +44,11 @@
     page.put(
       "verdict",
       html("span", { class: "symbol", "aria-hidden": "true" }, kSymbols[decide.verdict] || ""),
-      html("span", {}, html("strong", { class: "word" }, word + ": "), html("span", { class: "sentence" }, sentence)),
+      html("span", {}, html("strong", { class: "word" }, word + ": "), html("span", { class: "sentence" }, sentence, ofTheBox())),
     );
   }
+
+  const ofTheBox = () => (page.fragile ? " It is one grasp of the box of uncertain numbers, and others differ." : "");
 
   function casesTable(cases) {
     return html(
@@ -125,8 +127,10 @@
             {},
             "The body moves by nearly d = ",
             page.nearTuple(decide.near_float || []),
-            ". Proved: the forces on the walls of a box of motions around this one leave no way out but an equilibrium inside. " +
-              "What is drawn is near it, in floating point.",
+            decide.proof && decide.proof.at_rest
+              ? ". Proved: nothing moves, as friction answers whatever load is left. "
+              : ". Proved: the forces on the walls around motions near this one leave no way out but an equilibrium inside. ",
+            "What is drawn is near it, in floating point.",
           ),
         );
       } else if (decide.verdict === "unstable") {
@@ -254,8 +258,31 @@
     if (page.refutation().cases.length > 0) choices.push(["twist", "Virtual twist"]);
     if (answer.states && shown.cell !== null) choices.push(["cell", "Motion on the sphere"]);
     const moving = motion.twist && motion.twist.some((x) => x !== 0);
+    const examples = (page.fragile ? page.fragile.whole : answer).examples;
     page.put(
       "choice",
+      examples && !answer.live
+        ? html(
+            "div",
+            { role: "group", "aria-label": "Which grasp is shown", class: "segments" },
+            [
+              [null, "The box"],
+              ["stable", "One that holds"],
+              ["unstable", "One that does not"],
+            ].map(([name, text]) =>
+              html(
+                "button",
+                {
+                  type: "button",
+                  "aria-pressed": String(name === (page.fragile ? page.fragile.name : null)),
+                  "data-choice": "grasp-" + (name || "box"),
+                  onclick: () => page.showExample(name),
+                },
+                text,
+              ),
+            ),
+          )
+        : null,
       choices.length === 0
         ? null
         : html(
@@ -407,10 +434,14 @@
     const cell = ([name, show], contact, i) =>
       html(
         name === "contact" ? "th" : "td",
-        { scope: name === "contact" ? "row" : null, "data-contact-does": name === "does" ? motion.marks[i] : null },
+        {
+          scope: name === "contact" ? "row" : null,
+          "data-column": name,
+          "data-contact-does": name === "does" ? motion.marks[i] : null,
+        },
         show(contact, i),
       );
-    page.put(
+    const place = page.put(
       "contacts",
       answer.contacts.length === 0
         ? html("p", {}, "There are no contacts.")
@@ -440,6 +471,9 @@
             ),
           ),
     );
+    // Where the columns have no room beside each other, their names stand in the rows.
+    const table = place.querySelector("table");
+    if (table && place.scrollWidth > place.clientWidth) table.classList.toggle("cards", true);
     const slips = page.isSpatial() ? "" : "Slip: + is along the normal turned by +90 degrees, \u2212 against it. ";
     page.put(
       "table-note",
@@ -469,7 +503,7 @@
       if (decide.near) add("near the motion", all(decide.near));
       (decide.contacts || []).forEach((contact, i) => add("force of contact " + i, all(contact.force)));
     }
-    if (answer.margin) add("multiples resisted", page.marginText ? page.marginText(true) : "");
+    if (answer.margin) add("multiples resisted", page.marginText(true));
     page.put(
       "exact",
       html("table", {}, html("tbody", {}, rows)),

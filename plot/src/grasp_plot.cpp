@@ -320,7 +320,7 @@ class GraspPlot {
       svg.path(SvgPath().polygon({at(4) + InkPoint{0, 7}, at(48) + InkPoint{0, 7},
                                   at(44) - InkPoint{0, 7}, at(8) - InkPoint{0, 7}}),
                "body");
-      row(ink_.outline_is_given ? "body" : "body: hull of the contacts");
+      row(ink_.outline_is_given ? "body" : "body: a sketch");
     }
     svg.close();
     return y;

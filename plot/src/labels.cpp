@@ -22,6 +22,7 @@ constexpr double kRingCost = 2;     ///< points of covered ink
 constexpr int kPlaces = 16;         ///< tried in each direction of a polygon
 constexpr double kAwayCost = 0.05;  ///< for each pixel from its middle
 constexpr double kAdjacent = 22;    ///< pixels; labels further away get a line
+constexpr double kBehindCost = 12;  ///< for each line between a label and its anchor
 
 /// Of the characters from blank to tilde, in hundredths of the size of the font.
 constexpr unsigned char kWidths[] = {
@@ -79,12 +80,23 @@ std::vector<InkPoint> points_on(InkPoint from, InkPoint to) {
   return points;
 }
 
+InkPoint nearest_in(const Box& box, InkPoint p) {
+  return {std::clamp(p.x, box.low.x, box.high.x), std::clamp(p.y, box.low.y, box.high.y)};
+}
+
 /// The line to a label that is not next to its anchor; empty if it is.
 std::vector<InkPoint> leader(InkPoint anchor, const Box& box) {
-  const InkPoint near{std::clamp(anchor.x, box.low.x, box.high.x),
-                      std::clamp(anchor.y, box.low.y, box.high.y)};
+  const InkPoint near = nearest_in(box, anchor);
   if (length(near - anchor) <= kAdjacent) return {};
   return points_on(anchor, near);
+}
+
+/// Whether two lines cross, ends excluded.
+bool cross_each_other(InkPoint a, InkPoint b, InkPoint c, InkPoint d) {
+  const auto side = [](InkPoint from, InkPoint to, InkPoint p) {
+    return (to.x - from.x) * (p.y - from.y) - (to.y - from.y) * (p.x - from.x);
+  };
+  return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
 InkPoint middle_of(const Box& box) {
@@ -95,6 +107,25 @@ InkPoint middle_of(const Box& box) {
 
 bool overlap(const Box& a, const Box& b) {
   return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+}
+
+bool crosses(InkPoint from, InkPoint to, const Box& box) {
+  // The part of the line that is within the box along each axis (Liang and Barsky).
+  double begin = 0;
+  double end = 1;
+  const auto cut = [&](double start, double step, double low, double high) {
+    if (step == 0) {
+      if (start <= low || start >= high) end = -1;
+      return;
+    }
+    const double a = (low - start) / step;
+    const double b = (high - start) / step;
+    begin = std::max(begin, std::min(a, b));
+    end = std::min(end, std::max(a, b));
+  };
+  cut(from.x, to.x - from.x, box.low.x, box.high.x);
+  cut(from.y, to.y - from.y, box.low.y, box.high.y);
+  return begin < end;
 }
 
 bool contains(const Box& outer, const Box& inner) {
@@ -239,7 +270,9 @@ void LabelPlacer::avoid(const std::vector<InkPoint>& line) {
 
 bool LabelPlacer::is_taken(const Box& box) const {
   return std::any_of(taken_.begin(), taken_.end(),
-                     [&](const Box& other) { return overlap(other, box); });
+                     [&](const Box& other) { return overlap(other, box); }) ||
+         std::any_of(lines_.begin(), lines_.end(),
+                     [&](const Line& line) { return crosses(line.from, line.to, box); });
 }
 
 bool LabelPlacer::place(Svg& svg, const std::string& css_class, const std::string& text,
@@ -261,7 +294,12 @@ bool LabelPlacer::place(Svg& svg, const std::string& css_class, const std::strin
     const auto covered = std::count_if(ink_.begin(), ink_.end(), [&](InkPoint p) {
       return contains(box, {p, p});
     });
-    const double cost = place.cost + static_cast<double>(covered);
+    const auto between = std::count_if(lines_.begin(), lines_.end(), [&](const Line& l) {
+      return anchor != nullptr &&
+             cross_each_other(*anchor, nearest_in(box, *anchor), l.from, l.to);
+    });
+    const double cost =
+        place.cost + static_cast<double>(covered) + kBehindCost * static_cast<double>(between);
     if (best != nullptr && cost >= least) continue;
     best = &place;
     best_box = box;

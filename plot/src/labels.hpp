@@ -24,6 +24,7 @@ struct Box {
 
 /// \{ Touching is no overlap.
 bool overlap(const Box& a, const Box& b);
+bool crosses(InkPoint from, InkPoint to, const Box& box);  ///< the line from one to the other
 bool contains(const Box& outer, const Box& inner);
 /// \}
 
@@ -69,6 +70,9 @@ class LabelPlacer {
   void avoid(const std::vector<InkPoint>& line);
   /// \}
 
+  /// Ink that no label covers, and that is seldom between one and its anchor: a line.
+  void keep_off(InkPoint from, InkPoint to) { lines_.push_back({from, to}); }
+
   /// Draws the text, with the class "middle", at the free place of least cost, covered ink
   /// included; the first of equals. False, and nothing drawn, if no place is free. A thin line
   /// leads to `*anchor` from a label that is not next to it.
@@ -78,8 +82,14 @@ class LabelPlacer {
  private:
   bool is_taken(const Box& box) const;
 
+  struct Line {
+    InkPoint from;
+    InkPoint to;
+  };
+
   Box frame_;
-  std::vector<Box> taken_;  ///< by labels and the lines to them
+  std::vector<Line> lines_;  ///< that no label covers
+  std::vector<Box> taken_;   ///< by labels and the lines to them
   std::vector<InkPoint> ink_;
 };
 

@@ -2,6 +2,7 @@
 #include "picture_frame.hpp"
 
 #include <algorithm>
+#include <cstdio>
 
 namespace stickslip::plot_detail {
 namespace {
@@ -10,6 +11,36 @@ constexpr std::size_t kFarAway = 2;  ///< sizes of the grasp
 
 Vector2 difference(const Vector2& a, const Vector2& b) {
   return {a.x - b.x, a.y - b.y};
+}
+
+/// The largest that is not above `value` > 0.
+Rational power_of_ten_below(const Rational& value) {
+  // The number of digits gives the power of ten to within one.
+  const auto digits = [](const Integer& n) { return static_cast<long>(n.str().size()); };
+  const long exponent = digits(numerator(value)) - digits(denominator(value)) + 1;
+  const Integer power = pow(Integer(10), static_cast<unsigned>(std::abs(exponent)));
+  Rational ten = exponent >= 0 ? Rational(power) : Rational(Integer(1), power);
+  while (ten > value) ten /= 10;
+  return ten;
+}
+
+/// The nearest number of four significant digits; of two, the one away from 0.
+Rational few_digits(const Rational& value) {
+  if (value.is_zero()) return 0;
+  const Rational size = abs(value);
+  const Rational unit = power_of_ten_below(size) / 1000;
+  const Rational units = size / unit + Rational(1, 2);
+  const Rational rounded = unit * Rational(numerator(units) / denominator(units));
+  return value.sign() < 0 ? Rational(-rounded) : rounded;
+}
+
+/// Of a number of four significant digits.
+std::string decimal(const Rational& value) {
+  const std::string text = to_readable_string(value);
+  if (text.find('/') == std::string::npos) return text;
+  char digits[16];
+  std::snprintf(digits, sizeof digits, "%.4g", to_double(value));
+  return digits;
 }
 
 }  // namespace
@@ -83,12 +114,7 @@ PictureFrame picture_frame(const Grasp& grasp) {
 }
 
 Rational round_down(const Rational& value) {
-  // The number of digits gives the power of ten to within one.
-  const auto digits = [](const Integer& n) { return static_cast<long>(n.str().size()); };
-  const long exponent = digits(numerator(value)) - digits(denominator(value)) + 1;
-  const Integer power = pow(Integer(10), static_cast<unsigned>(std::abs(exponent)));
-  Rational ten = exponent >= 0 ? Rational(power) : Rational(Integer(1), power);
-  while (ten > value) ten /= 10;
+  const Rational ten = power_of_ten_below(value);
   for (const int factor : {5, 2}) {
     if (factor * ten <= value) return factor * ten;
   }
@@ -112,6 +138,26 @@ std::string short_tuple(const std::vector<Rational>& values) {
     text += (text.empty() ? "(" : ", ") + short_text(value);
   }
   return text + ")";
+}
+
+std::vector<std::string> point_labels(const std::vector<std::array<Rational, 2>>& points) {
+  bool in_fractions = true;
+  for (const auto& point : points) {
+    for (const Rational& x : point) {
+      in_fractions = in_fractions && short_text(x).find_first_of(".e") == std::string::npos;
+    }
+  }
+  std::vector<std::string> labels;
+  for (const auto& [x, y] : points) {
+    const Rational near[] = {in_fractions ? x : few_digits(x),
+                             in_fractions ? y : few_digits(y)};
+    const auto text = [&](const Rational& value) {
+      return typeset(in_fractions ? to_readable_string(value) : decimal(value));
+    };
+    labels.push_back((near[0] == x && near[1] == y ? "" : std::string(1, kRounded)) + "(" +
+                     text(near[0]) + ", " + text(near[1]) + ")");
+  }
+  return labels;
 }
 
 std::string force_unit(const std::optional<Units>& units) {

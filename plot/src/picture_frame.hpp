@@ -4,6 +4,7 @@
 /// no double is ever out of range.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,6 +49,12 @@ Rational round_down(const Rational& value);
 
 /// to_readable_string with minus signs as U+2212: "3/5", "~0.333333".
 std::string short_text(const Rational& value);
+
+/// Points as labels of one picture: all in short fractions, "(-8/3, 2)", or where some
+/// coordinate has no such all in decimals of at most four digits, with one mark before what is
+/// rounded:
+/// "~(-2.667, 2)".
+std::vector<std::string> point_labels(const std::vector<std::array<Rational, 2>>& points);
 /// "(0, 1, \u22121/2)"
 std::string short_tuple(const std::vector<Rational>& values);
 /// Names of units behind a number, with a blank before; nothing if nobody gave them.

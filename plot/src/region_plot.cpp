@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
+#include <vector>
 
 #include "labels.hpp"
 #include "marks.hpp"
@@ -29,6 +31,7 @@ class RegionPlot {
       : question_(question), plane_(plane), region_(region) {
     find_window();
     visible_ = clip_to_box(region_, {-half_, -half_}, {half_, half_});
+    find_borders();
     find_ticks();
     t_name_ = wrap(axis_name(plane_.v(), "t"), "", kRegionSide);
     left_ = kMargin + kLine * static_cast<double>(t_name_.size()) + 15 + widest_tick_;
@@ -175,9 +178,23 @@ class RegionPlot {
 
   static std::string tuple(const Wrench& w) { return short_tuple({w.x, w.y, w.torque}); }
 
+  void find_borders() {
+    const auto add = [&](const PlanePoint& from, const PlanePoint& to) {
+      if (!along_frame(from, to)) borders_.emplace_back(from, to);
+    };
+    for (const PlaneArea& area : visible_.areas) {
+      for (const Outline& outline : area.outlines) {
+        const std::vector<PlanePoint>& v = outline.vertices;
+        for (std::size_t k = 0; k < v.size(); ++k) add(v[k], v[(k + 1) % v.size()]);
+      }
+    }
+    for (const PlaneCell& curve : visible_.curves) {
+      add(curve.vertices().front(), curve.vertices().back());
+    }
+  }
+
   void draw_borders(Svg& svg) const {
-    const auto draw = [&](const PlanePoint& from, const PlanePoint& to) {
-      if (along_frame(from, to)) return;
+    for (const auto& [from, to] : borders_) {
       svg.line(place(from), place(to), "border",
                {{"data-from", text_of(from)}, {"data-to", text_of(to)}});
       // The frame cuts off what has no end.
@@ -187,15 +204,6 @@ class RegionPlot {
       if (on_frame(from)) {
         draw_arrow(svg, place(from), place(from) - kHead * along, "border unbounded");
       }
-    };
-    for (const PlaneArea& area : visible_.areas) {
-      for (const Outline& outline : area.outlines) {
-        const std::vector<PlanePoint>& v = outline.vertices;
-        for (std::size_t k = 0; k < v.size(); ++k) draw(v[k], v[(k + 1) % v.size()]);
-      }
-    }
-    for (const PlaneCell& curve : visible_.curves) {
-      draw(curve.vertices().front(), curve.vertices().back());
     }
     for (const PlanePoint& point : visible_.points) {
       svg.circle(place(point), 4.5, "full", {{"data-point", text_of(point)}});
@@ -214,15 +222,18 @@ class RegionPlot {
         if (visible_.contains(point)) labels.avoid(place(point));
       }
     }
-    for (const PlanePoint& corner : corners_) {
+    for (const auto& [from, to] : borders_) labels.keep_off(place(from), place(to));
+    const std::vector<PlanePoint> corners(corners_.begin(), corners_.end());
+    for (const PlanePoint& corner : corners) {
       const InkPoint at = place(corner);
       svg.circle(at, 3, "full", {{"data-corner", text_of(corner)}});
-      labels.avoid(at - InkPoint{4, 4}, at + InkPoint{4, 4});
+      labels.keep_off(at - InkPoint{4, 4}, at + InkPoint{4, 4});
     }
-    for (const PlanePoint& corner : corners_) {
-      const InkPoint at = place(corner);
-      const std::string text = "(" + short_text(corner[0]) + ", " + short_text(corner[1]) + ")";
-      if (!labels.place(svg, "halo", text, places_around(at, 10, {0, -1}, "", text), &at)) {
+    const std::vector<std::string> texts = point_labels(corners);
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+      const InkPoint at = place(corners[k]);
+      if (!labels.place(svg, "halo", texts[k], places_around(at, 10, {0, -1}, "", texts[k]),
+                        &at)) {
         ++left_out_;
       }
     }
@@ -277,6 +288,7 @@ class RegionPlot {
   Rational half_ = 0;  ///< of the window's side
   std::set<PlanePoint> corners_;
   PlaneUnion visible_;
+  std::vector<std::pair<PlanePoint, PlanePoint>> borders_;  ///< of what is visible
   std::vector<Tick> ticks_;
   double widest_tick_ = 0;
   std::vector<std::string> t_name_;  ///< of the axis, in lines

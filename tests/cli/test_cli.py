@@ -7,6 +7,7 @@ The programs are named by the environment variables STICKSLIP, STICKSLIP_CHECK a
 import json
 import os
 import re
+import shlex
 import stat
 import subprocess
 import sys
@@ -624,6 +625,33 @@ class Region(Case):
             for checker in filter(None, [PROVED]):
                 self.assertEqual(run(checker, FIG1, proof)[0], BAD_INPUT)
 
+    def test_the_checkers_command(self):
+        """What region prints is what the checkers take, and so is what it was given itself."""
+        grasp = self.write("my grasp.json", {
+            **{key: value for key, value in json.loads(read(FIG1)).items() if key != "wrench"},
+            "format": "stickslip-grasp/2",
+            "cases": [{"name": "at rest", "wrench": [0, 0, 0]}, {"name": "the drop", "wrench": [0, 0, "1/2"]}]})
+        proof = self.path("proof.json")
+        for words in (("--torque", "1/2"), ("--case", "the drop"), ("--origin", "0,1,0", "--u=0,0,1"),
+                      ("--preload", "1", "--normal-law", "bilateral")):
+            code, out, err = stickslip("region", grasp, *words, "--certificate", proof)
+            self.assertEqual((code, err), (DONE, ""))
+            command = shlex.split(out.splitlines()[-1].removeprefix("Check it: "))
+            self.assertEqual(command[:3], ["stickslip-check", grasp, proof])
+            for checker in checkers(proof)[:2]:
+                code, out, err = run(*checker, *command[1:])
+                self.assertEqual(code, 0, out + err)
+        plane = "--plane=1,0,0,0,1,0"
+        torque = self.json("region", grasp, "--torque", "1/2", "--certificate", proof)
+        self.assertEqual(torque, self.json("region", grasp, "--case", "the drop"))
+        for checker in checkers(proof)[:2]:
+            for origin in (("--torque", "1/2"), ("--torque=1/2",), ("--case", "the drop")):
+                self.assertEqual(run(*checker, grasp, proof, plane, *origin)[0], 0)
+            self.assertEqual(run(*checker, grasp, proof, plane, "--torque", "1")[0], 1)
+            self.assertEqual(run(*checker, grasp, proof, plane, "--torque", "x")[0], BAD_INPUT)
+        self.fails("region", grasp, "--case", "nobody", naming=["--case"])
+        self.fails("region", grasp, "--case", "the drop", "--torque", "1", naming=["stickslip: "])
+
     def test_no_certificate_at_a_limit(self):
         proof = self.path("proof.json")
         for limit in (("--node-limit", "1"), ("--mode-limit", "3")):
@@ -843,8 +871,15 @@ class BadInput(Case):
                       ("decide", FIG1, FIG4), ("decide", FIG1, "--engine", "guess"),
                       ("decide", FIG1, "--normal-law", "both"),
                       ("decide", FIG1, "--node-limit", "-1"), ("states", FIG1, "--threads", "-1"),
-                      ("states", FIG1, "--engine", "guess")):
-            self.fails(*words)
+                      ("states", FIG1, "--engine", "guess"), ("decide", FIG1, "--preload"),
+                      ("region", FIG1, "--torque", "1", "--origin", "0,0,1")):
+            self.assertTrue(self.fails(*words).startswith("stickslip: "), words)
+
+    def test_percents_that_were_meant(self):
+        for kind in ("friction", "preload", "stiffness"):
+            self.assertIn(f"did you mean {kind}=10%, and not 10 up and down?",
+                          self.fails("decide", FIG1, "--uncertain", f"{kind}=10", naming=[f".{kind}"]))
+            self.assertNotIn("did you mean", self.fails("decide", FIG1, "--uncertain", f"{kind}=200%"))
 
     def test_misspelt_words_get_the_nearest(self):
         for words, meant in ((("decides", FIG1), "decide"), (("plot", "grap", FIG1), "grasp"),

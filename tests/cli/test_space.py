@@ -375,6 +375,145 @@ class Boxes(Space):
             self.assertTrue(answer["box"])
 
 
+def in_doubles(values):
+    return [F(float(x)) for x in values]
+
+
+def round_grasp(rng, m, preloaded=True):
+    """Unit normals all round, in doubles with all their digits, and a direction of loads."""
+    contacts = []
+    for _ in range(m):
+        n = rng.normal(size=3)
+        n /= np.linalg.norm(n)
+        contacts.append({"p": in_doubles(-n), "n": in_doubles(n), "friction": F(rng.uniform(0.3, 0.9)),
+                         "stiffness": F(rng.uniform(0.5, 2)),
+                         "preload": F(rng.uniform(0, 2)) if preloaded else F(0)})
+    return contacts, in_doubles(rng.uniform(-1, 1, size=6))
+
+
+def fingers(m, load, digits=None, **laws):
+    """m of them around a cylinder, which `load` pulls down."""
+    angles = 2 * np.pi * np.arange(m) / m
+    around = [[np.cos(a), np.sin(a), 0.0] for a in angles]
+    if digits is not None:
+        around = [[round(x, digits) for x in n] for n in around]
+    return grasp([contact(in_doubles([-x for x in n]), in_doubles(n), **laws) for n in around],
+                 (0, 0, -F(load), 0, 0, 0))
+
+
+class Doubles(Space):
+    """The numbers that NumPy has: unit normals are of irrational length, and nothing is short."""
+
+    def test_random_grasps_are_decided_and_newton_agrees(self):
+        verdicts = {"stable": 0, "unstable": 0}
+        for m in (3, 4, 6):
+            for k in range(4):
+                rng = np.random.default_rng(100 * m + k)
+                contacts, wrench = round_grasp(rng, m, preloaded=k % 4 != 3)
+                wrench = [F(rng.choice([0.03, 0.1, 0.5])) * w for w in wrench]
+                verdict = self.verdict(written(contacts, wrench))
+                verdicts[verdict] += 1
+                found = equilibria(contacts, wrench, 100, rng)
+                self.assertEqual(found > 0, verdict == "stable", (m, k))
+        self.assertGreaterEqual(min(verdicts.values()), 2, verdicts)
+
+    def test_slips_that_span_half_a_plane_but_for_rounding(self):
+        # Contacts on the faces of a cube that is turned: planes coincide but for the last digit.
+        for seed, m in ((1, 6), (4, 8)):
+            rng = np.random.default_rng(seed)
+            turn, _ = np.linalg.qr(rng.normal(size=(3, 3)))
+            contacts = []
+            for _ in range(m):
+                p, n = rng.uniform(-1, 1, size=3), np.zeros(3)
+                axis, side = rng.integers(3), rng.choice([-1.0, 1.0])
+                p[axis], n[axis] = side, -side
+                contacts.append({"p": in_doubles(turn @ p), "n": in_doubles(turn @ n), "friction": F(1, 2),
+                                 "stiffness": F(1), "preload": F(rng.uniform(0, 2))})
+            wrench = in_doubles(2 * rng.uniform(-1, 1, size=6))
+            self.assertNotEqual(self.verdict(written(contacts, wrench)), "undecided", seed)
+
+    def test_what_is_at_rest_is_proved_at_once(self):
+        for m in (3, 5, 20):
+            for digits in (7, None):
+                # Each finger holds 0.4 of what its friction may.
+                file = fingers(m, F(1, 5) * m, digits, friction="1/2", preload=1)
+                answer = self.decide(file)
+                self.assertEqual((answer["verdict"], answer["stats"]["nodes"]), ("stable", 0), (m, digits))
+                words = ("--uncertain", "friction=5%,preload=1%,wrench=2%,position=0.001")
+                answer = self.decide(file, *words)
+                self.assertEqual((answer["verdict"], answer["stats"]["nodes"]), ("stable", 0), (m, digits))
+                self.assertIn('"rest"', read(self.path("c.json")))
+
+    def test_a_pinch_turns_freely_and_is_stable_all_the_same(self):
+        rng = np.random.default_rng(3)
+        for n in ([1.0, 0.0, 0.0], rng.normal(size=3)):
+            n = np.array(n) / np.linalg.norm(n)
+            hands = [contact(in_doubles(-side * n), in_doubles(side * n), friction="1/2", preload=4)
+                     for side in (-1, 1)]
+            file = grasp(hands, (0, 0, -1, 0, 0, 0))
+            for words in ((), ("--uncertain", "friction=1%"), ("--uncertain", "preload=1%"),
+                          ("--uncertain", "friction=1%,preload=1%,wrench=1%")):
+                self.assertEqual(self.verdict(file, *words), "stable", (n, words))
+            # A torque about the line through the fingers nothing holds.
+            self.assertEqual(self.verdict(grasp(hands, [0, 0, -1, *in_doubles(n)])), "unstable", n)
+            # Where that line lies is uncertain, and then the load turns the body about it.
+            self.assertEqual(self.verdict(file, "--uncertain", "position=0.001"), "fragile", n)
+
+    def test_a_book_held_at_places_known_to_a_billionth(self):
+        file = os.path.join(EXAMPLES, "space-book.json")
+        for case in ("held at its middle", "held near its top"):
+            answer = self.json("decide", file, "--case", case, "--uncertain", "position=1e-9")
+            self.assertEqual(answer["verdict"], "stable", case)
+
+
+class Undecided(Space):
+    def test_only_what_was_reached_is_named(self):
+        contacts, wrench = round_grasp(np.random.default_rng(602), 6)
+        file = self.write("g.json", written(contacts, wrench))
+        code, out, _ = stickslip("decide", file, "--json", "--node-limit", "3")
+        answer = json.loads(out)
+        self.assertEqual((code, answer["verdict"], answer["reason"]), (UNDECIDED, "undecided", "nodes"))
+        self.assertIn("limit of 3 nodes", answer["limit"])
+        self.assertIn("--node-limit", answer["remedy"])
+        _, out, _ = stickslip("decide", file, "--node-limit", "3")
+        self.assertIn("limit of 3 nodes", out)
+        self.assertIn("--node-limit", out)
+
+    def test_the_limit_bounds_all_trees_together(self):
+        file = os.path.join(EXAMPLES, "space-book.json")
+        words = ("--case", "too heavy", "--uncertain", "position=1e-9", "--node-limit", "100")
+        stats = json.loads(stickslip("decide", file, *words, "--json")[1])["stats"]
+        self.assertLessEqual(stats["nodes"], 30 * 100)
+
+
+class Margins(Space):
+    def test_margins_of_doubles_know_what_decide_does(self):
+        for seed in (22, 24, 29):
+            contacts, wrench = round_grasp(np.random.default_rng(seed), 4)
+            file = self.write("g.json", written(contacts, wrench))
+            words = ("--direction", ",".join(str(w) for w in wrench))
+            proof = self.path("m.json")
+            known = self.json("margin", file, *words, "--certificate", proof)
+            for checker in checkers(proof):
+                code, out, err = run(*checker, file, proof, *words)
+                self.assertEqual(code, 0, out + err)
+            (low, end), = known["resisted"]
+            (begin, beyond), = known["refuted"]
+            self.assertEqual((F(low), beyond), (0, None))
+            self.assertLess(F(begin), F(end) * F(101, 100))
+            for multiple in (F(1, 4) * F(end), F(99, 100) * F(end), F(101, 100) * F(end), 3 * F(end)):
+                verdict = self.verdict(written(contacts, [multiple * w for w in wrench]))
+                self.assertEqual(verdict, "stable" if multiple < F(end) else "unstable", (seed, multiple))
+
+    def test_where_nothing_is_known_the_exit_code_says_so(self):
+        contacts, wrench = round_grasp(np.random.default_rng(602), 6)
+        file = self.write("g.json", written(contacts, wrench))
+        code, out, _ = stickslip("margin", file, "--node-limit", "1",
+                                 "--direction", ",".join(str(w) for w in wrench))
+        self.assertEqual(code, UNDECIDED, out)
+        self.assertIn("No l is known to be resisted", out)
+
+
 class Files(Space):
     def test_examples_say_what_they_do(self):
         for name, verdicts in (("cup", ["stable"]), ("corner", ["stable"]),
@@ -439,6 +578,81 @@ class Files(Space):
         self.assertRegex(out, r"Proved in \d+ cases?")
         code, out, _ = stickslip("decide", file, "--exit-code", "--node-limit", "1", "--wrench", "1,2,-3,1,2,1")
         self.assertIn(code, (UNDECIDED, UNSTABLE))
+
+
+class Warnings(Space):
+    """The traps of the model, as in the plane."""
+
+    def traps(self, content, *words):
+        answer = self.json("decide", self.write("w.json", content), *words)
+        return {warning["trap"]: warning["text"] for warning in answer["warnings"]}
+
+    def floor(self, weight):
+        """On three springs of stiffness 1, each of which takes a third."""
+        points = [(0, 0, 0), (1, 0, 0), (0, 1, 0)]
+        return grasp([contact(p, (0, 0, 1), friction=F(1, 2)) for p in points],
+                     force_at((0, 0, -weight), (F(1, 3), F(1, 3), 0)))
+
+    def test_a_motion_that_is_larger_than_the_grasp(self):
+        # Wide by the root of 2, in which the floor goes down by a third of the weight.
+        self.assertEqual(self.traps(self.floor(F(42, 10))), {})
+        text = self.traps(self.floor(F(43, 10)))["large-motion"]
+        self.assertEqual(text, "the motion found is too large for the model: contact 0 moves by 1.43 in a grasp 1.41 "
+                               "wide; stiffness not given was taken as 1")
+        file = self.write("w.json", self.floor(300))
+        self.assertIn("\nWarning: the motion found is too large", stickslip("decide", file)[1])
+        self.assertNotIn("Warning", stickslip("decide", file, "--no-warnings")[1])
+        self.assertNotIn("warnings", self.json("decide", file, "--no-warnings"))
+
+    def test_preloads_that_do_not_balance(self):
+        def squeezed(*preloads):
+            return grasp([contact((-1, 0, 0), (1, 0, 0), friction=F(3, 5), stiffness=100, preload=preloads[0]),
+                          contact((1, 0, 0), (-1, 0, 0), friction=F(3, 5), stiffness=100, preload=preloads[1])],
+                         [0, 0, -1, 0, 0, 0])
+        self.assertNotIn("unbalanced-preload", self.traps(squeezed(12, 12)))
+        self.assertEqual(self.traps(squeezed(12, 9))["unbalanced-preload"],
+                         "the preloads do not balance, even with friction: the object moves before any load is applied")
+        # Three fingers as doubles have them; friction makes up for what the third presses more.
+        def fingers(friction, last):
+            spots = [(np.cos(a), np.sin(a), 0.0) for a in 2 * np.pi * np.arange(3) / 3]
+            return grasp([contact(p, [-x for x in p], friction=friction, stiffness=100, preload=P)
+                          for p, P in zip(spots, (1, 1, last))], [0] * 6)
+        self.assertNotIn("unbalanced-preload", self.traps(fingers(F(1, 2), 1)))
+        self.assertNotIn("unbalanced-preload", self.traps(fingers(F(1, 2), F(3, 2))))
+        self.assertIn("unbalanced-preload", self.traps(fingers(F(1, 10), F(3, 2))))
+
+    def test_a_preload_that_is_all_but_gone(self):
+        def finger(load):
+            return grasp([contact((0, 0, 0), (0, 0, 1), friction=1, stiffness=20000, preload=100)],
+                         [0, 0, -load, 0, 0, 0])
+        self.assertNotIn("lost-preload", self.traps(finger(1)))
+        self.assertEqual(self.traps(finger(F(1, 2)))["lost-preload"],
+                         "the preload is all but gone in this equilibrium: no contact keeps more than 0.5 % of its own")
+
+    def test_a_stiffness_that_nobody_gave(self):
+        """Of three supports the middle one alone has friction, and bears 3 k / (2 + k) of 10."""
+        def plank(push, **stiffness):
+            return grasp([contact((x, 0, 0), (0, 0, 1), friction=F(1, 2) if x == 0 else 0,
+                                  **(stiffness if x == 0 else {"stiffness": 1})) for x in (-1, 0, 1)],
+                         [push, 0, -30, 0, 0, 0])
+        text = "no stiffness is given for contact 1, so 1 was taken; with {} the verdict would be {}"
+        self.assertEqual(self.traps(plank(2))["assumed-stiffness"], text.format("1/10", "unstable"))
+        self.assertEqual(self.traps(plank(6))["assumed-stiffness"], text.format("10", "stable"))
+        for quiet in (plank(F(1, 2)), plank(14), plank(2, stiffness=1)):
+            self.assertNotIn("assumed-stiffness", self.traps(quiet))
+
+    def test_numbers_that_are_uncertain_have_none(self):
+        file = self.write("w.json", self.floor(300))
+        answer = json.loads(stickslip("decide", file, "--uncertain", "wrench=1%", "--node-limit", "50", "--json")[1])
+        self.assertEqual((answer["box"], answer["warnings"]), (True, []))
+
+    def test_of_a_margin(self):
+        file = self.write("w.json", self.floor(1))
+        direction = ",".join(map(str, force_at((0, 0, -1), (F(1, 3), F(1, 3), 0))))
+        answer = self.json("margin", file, "--direction", direction, "--accuracy", "1/10")
+        self.assertIsInstance(answer["warnings"], list)
+        self.assertNotIn("warnings", self.json("margin", file, "--direction", direction, "--accuracy", "1/10",
+                                               "--no-warnings"))
 
 
 if __name__ == "__main__":

@@ -118,6 +118,39 @@ TEST(PageAnswer, PartsAreGivenUpInTimeAndSaySo) {
   EXPECT_EQ(answer["messages"][0], "region: not known within 0.001 seconds.");
 }
 
+// At first a witness is followed, which takes a moment, and then come hundreds of proofs by
+// degree.
+TEST(PageAnswer, AMarginInSpaceThatIsGivenUpKeepsWhatIsKnown) {
+  Json grasp{{"format", "stickslip-grasp/2"},
+             {"defaults", {{"friction", "1/2"}, {"preload", 1}}},
+             {"contacts", Json::array()},
+             {"wrench", {1, -3, 2, 1, 0, -2}}};
+  const std::vector<std::array<int, 3>> normals{{3, 4, 0},  {0, -3, 4}, {-4, 0, 3},
+                                                {1, 2, -2}, {-2, 1, 2}, {2, -2, -1}};
+  for (std::size_t i = 0; i < normals.size(); ++i) {
+    Json position = Json::array();
+    for (const int n : normals[i]) position.push_back(0.25 * static_cast<double>(i % 3) - n);
+    grasp["contacts"].push_back({{"position", position}, {"normal", normals[i]}});
+  }
+  Json answer;
+  PageLimits limits;
+  for (limits.time = std::chrono::milliseconds(10); answer["margin"].is_null();
+       limits.time *= 2) {
+    answer = answer_about(grasp.dump(), {false, false, false, true, false, true}, limits);
+    ASSERT_EQ(answer["messages"].size(), 1U);
+  }
+  const std::string said = answer["messages"][0];
+  EXPECT_EQ(said.rfind("margin: no more is known within ", 0), 0U) << said;
+  const Json& resisted = answer["margin"]["resisted_float"];
+  ASSERT_GE(resisted.size(), 1U);
+  double end = -1;
+  for (const Json& interval : resisted) {
+    EXPECT_GT(interval[0].get<double>(), end);
+    EXPECT_GT(interval[1], interval[0]);
+    end = interval[1];
+  }
+}
+
 TEST(PageAnswer, WhoeverAskedMayBreakItOff) {
   const Cancellation cancellation([] { return true; });
   EXPECT_THROW(answer_about(kPinch), Cancelled);

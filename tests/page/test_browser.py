@@ -35,9 +35,17 @@ class Planar(PageTest):
         self.assertEqual(forces, [[float(Fraction(x)) for x in c["force"]] for c in verdict["contacts"]])
         # Two rings: the outside and the hole.
         self.assertEqual(self.find("#body path.body").get_attribute("d").count("M"), 2)
-        self.assertIn("unbalanced", "".join(w["trap"] for w in verdict["warnings"]))
-        self.assertIn(verdict["warnings"][0]["text"], self.text("#why"))
+        # An example to start from is no example of a trap.
+        self.assertEqual(verdict["warnings"], [])
+        self.assertNotIn("Warning", self.text("#why"))
         self.picture("stable-outline")
+
+    def test_warnings_are_shown(self):
+        grasp = example("more-preload-breaks")
+        self.open(grasp)
+        warning, = decide(grasp)["warnings"]
+        self.assertEqual(warning["trap"], "unbalanced-preload")
+        self.assertIn(warning["text"], self.text("#why"))
 
     def test_all_digits_are_there_for_who_asks(self):
         self.open(FIG1, "--wrench", "1/3,-100/301,0")
@@ -245,6 +253,31 @@ class Loads(PageTest):
                 x, y = self.js("return StickslipPage.regionView().place([arguments[0], arguments[1]])", s, t)
                 self.assertEqual(within((x, y), ring), verdict == "stable")
 
+    def test_labels_of_corners_keep_off_borders_and_each_other(self):
+        fig4 = os.path.join(os.path.dirname(FIG1), "fig4.json")
+        for width in (375, 1300):
+            for grasp, options in ((example("bracket"), ()), (example("more-friction-breaks"), ()),
+                                   (fig4, ("--wrench", "1,1,1/7", "--preload", "0.7654321"))):
+                with self.subTest((grasp, width)):
+                    self.set_size(width, 900)
+                    self.open(grasp, *options)
+                    labels = self.js("""return [...document.querySelectorAll('#region text.halo')].map((e) => {
+                        const { x, y, width, height } = e.getBBox();
+                        return [e.textContent, x, y + 2, x + width, y + height - 2];
+                    })""")
+                    self.assertGreater(len(labels), 1)
+                    d = self.find("#region path.border").get_attribute("d")
+                    lines = [[tuple(map(float, p.split())) for p in part.split("L")] for part in d.split("M")[1:]]
+                    for k, (text, x0, y0, x1, y1) in enumerate(labels):
+                        self.assertLessEqual(text.count("~"), 1)
+                        for other in labels[:k]:
+                            self.assertFalse(x0 < other[3] and other[1] < x1 and y0 < other[4] and other[2] < y1, (text, other))
+                        for line in lines:
+                            for (ax, ay), (bx, by) in zip(line, line[1:]):
+                                for step in range(501):
+                                    x, y = ax + (bx - ax) * step / 500, ay + (by - ay) * step / 500
+                                    self.assertFalse(x0 < x < x1 and y0 < y < y1, text)
+
     def test_regions_without_end(self):
         """Two areas' worth of half planes: what goes on without end is filled on the right side."""
         grasp = example("bracket")
@@ -335,7 +368,7 @@ class Space(PageTest):
     def test_stable_by_degree(self):
         self.open(example("space-corner"))
         self.still()
-        self.assertIn("walls of a box of motions", self.text("#why"))
+        self.assertIn("walls around motions", self.text("#why"))
         self.assertEqual(self.check_proof(), "accepted")
         self.picture("space-slipping")
 
@@ -346,6 +379,38 @@ class Space(PageTest):
         self.assertIn("axis", self.text("#motion-words"))
         self.assertEqual(self.check_proof(), "accepted")
         self.picture("space-unstable")
+
+    def test_undecided(self):
+        """A drawing, no proof to check, and a bar of multiples about which nothing is known."""
+        answer = self.open(example("space-corner"), "--node-limit", "1")
+        self.assertEqual(self.js("return document.getElementById('verdict').dataset.verdict"), "undecided")
+        self.assertGreater(self.colours(), 30)
+        self.assertIn(answer["decide"]["limit"], self.text("#why"))
+        self.assertFalse(self.find("#check").is_displayed())
+        self.assertFalse(self.find("#save-proof").is_displayed())
+        self.assertEqual((answer["margin"]["resisted"], answer["margin"]["refuted"]), ([], []))
+        self.assertTrue(self.find("#margin [data-multiples=unknown]").is_displayed())
+        self.assertIn("Nothing is known of any multiple", self.text("#margin-note"))
+        self.picture("space-undecided")
+
+    def test_fragile(self):
+        answer = self.open(example("space-cup"), "--uncertain", "friction=90%")
+        self.assertEqual(self.js("return document.getElementById('verdict').dataset.verdict"), "fragile")
+        self.assertGreater(self.colours(), 30)
+        self.assertFalse(self.find("#check").is_displayed())
+        self.assertIn(answer["decide"]["differences"][0]["place"], self.text("#why"))
+        self.picture("space-fragile")
+        before = self.shot()
+        for verdict in ("stable", "unstable"):
+            self.find(f"[data-choice=grasp-{verdict}]").click()
+            self.still()
+            self.assertEqual(self.js("return document.getElementById('verdict').dataset.verdict"), verdict)
+            self.assertNotEqual(self.shot(), before)
+            self.assertEqual(self.check_proof(), "accepted")
+            self.picture("space-fragile-" + verdict)
+        self.find("[data-choice=grasp-box]").click()
+        self.assertEqual(self.shot(), before)
+        self.assertFalse(self.find("#check").is_displayed())
 
 
 class Reading(PageTest):
@@ -371,6 +436,42 @@ class Reading(PageTest):
             self.still()
             self.fits()
             self.picture(name)
+
+    def test_tables_are_not_cut(self):
+        """At the widths of a telephone, a tablet and a screen, with short and with long numbers."""
+        digits = [f"0.{k}23456789" for k in range(1, 7)]
+        files = {}
+        for name, of in (("plane", FIG1), ("space", example("space-cup"))):
+            with open(of, encoding="utf-8") as file:
+                grasp = json.load(file)
+            for k, contact in enumerate(grasp["contacts"]):
+                contact["friction"], contact["preload"] = f"0.5{k}3456789", f"1.{k}23456789"
+            grasp.pop("loads", None)
+            grasp["wrench"] = digits[:3 if name == "plane" else 6]
+            files[name] = os.path.join(self.folder, name + ".json")
+            with open(files[name], "w", encoding="utf-8") as file:
+                json.dump(grasp, file)
+        for name, path in files.items():
+            for width in (375, 768, 1300):
+                for exact in (False, True):
+                    with self.subTest((name, width, exact)):
+                        self.set_size(width, 900)
+                        answer = self.open(path)
+                        self.assertEqual(answer["decide"]["verdict"], "stable")
+                        self.js("document.querySelector('details').open = true; StickslipPage.show({ exact: arguments[0] })", exact)
+                        self.fits()
+                        for part in self.all(".wide"):
+                            self.assertTrue(part.is_displayed())
+                            self.assertLessEqual(part.get_property("scrollWidth"), part.get_property("clientWidth"))
+                        # Whichever way they stand, all numbers are there.
+                        rows = self.all("#contacts tbody tr")
+                        self.assertEqual(len(rows), len(answer["contacts"]))
+                        for contact, row in zip(answer["decide"]["contacts"], rows):
+                            if exact:
+                                for x in contact["force"]:
+                                    self.assertIn(x.replace("-", "\u2212"), row.text)
+                        self.still()
+                        self.picture(f"table-{name}-{width}{'-exact' if exact else ''}")
 
     def test_with_the_keyboard_alone(self):
         self.open(FIG1)

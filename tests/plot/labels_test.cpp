@@ -83,6 +83,30 @@ TEST(LabelPlacer, AvoidsInkWhereItCan) {
   EXPECT_NE(svg.finish().find("x=\"50\" y=\"6"), std::string::npos);
 }
 
+TEST(Box, LinesThroughIt) {
+  const Box box{{0, 0}, {10, 4}};
+  EXPECT_TRUE(crosses({-5, 2}, {15, 2}, box));
+  EXPECT_TRUE(crosses({5, -5}, {5, 20}, box));
+  EXPECT_TRUE(crosses({1, 1}, {2, 2}, box));  // inside
+  EXPECT_TRUE(crosses({-1, 3}, {3, 7}, {{0, 0}, {10, 5}}));
+  EXPECT_FALSE(crosses({-2, 3}, {2, 7}, box));    // past the corner
+  EXPECT_FALSE(crosses({-5, 2}, {-1, 2}, box));   // ends before it
+  EXPECT_FALSE(crosses({-5, 4}, {15, 4}, box));   // touches it
+  EXPECT_FALSE(crosses({10, -5}, {10, 9}, box));  // likewise
+}
+
+TEST(LabelPlacer, NoLabelCoversWhatIsKeptOff) {
+  Svg svg(100, 100, "t", "");
+  LabelPlacer labels({{0, 0}, {100, 100}});
+  labels.keep_off({0, 50}, {100, 50});
+  EXPECT_FALSE(labels.place(svg, "", "a", {{{50, 50}, 0}}));
+  EXPECT_TRUE(labels.place(svg, "", "a", {{{50, 50}, 0}, {{50, 20}, 99}}));
+  // On the near side of it, though that is dearer.
+  const InkPoint anchor{20, 60};
+  EXPECT_TRUE(labels.place(svg, "", "b", {{{20, 40}, 0}, {{20, 80}, 3}}, &anchor));
+  EXPECT_FALSE(labels.place(svg, "", "c", {{{20, 80}, 0}}));
+}
+
 TEST(LabelPlacer, ALineLeadsFromAfarAndIsNotCovered) {
   Svg svg(200, 200, "", "");
   LabelPlacer labels({{0, 0}, {200, 200}});

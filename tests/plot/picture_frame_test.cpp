@@ -60,6 +60,16 @@ TEST(ShortText, IsExactWhileShort) {
   EXPECT_LT(short_text(parse_rational("-3e4000")).size(), 30U);
 }
 
+TEST(PointLabels, AreSpelledAlikeInOnePicture) {
+  using Labels = std::vector<std::string>;
+  EXPECT_EQ(point_labels({{Rational(-8, 3), 2}, {Rational(1, 2), 0}}),
+            (Labels{"(\u22128/3, 2)", "(1/2, 0)"}));
+  EXPECT_EQ(point_labels({{Rational(-8, 3), 2}, {Rational(1, 2), 0}, {Rational(100, 17), 7}}),
+            (Labels{"~(\u22122.667, 2)", "(0.5, 0)", "~(5.882, 7)"}));
+  EXPECT_EQ(point_labels({{parse_rational("99995e-5"), parse_rational("123456e400")}}),
+            (Labels{"~(1, 1.235e405)"}));
+}
+
 TEST(PictureFrame, ContactsLieInTheUnitSquare) {
   const std::vector<std::vector<Vector2>> worlds = {
       {},

@@ -67,7 +67,7 @@ class Outlines(unittest.TestCase):
         plain = {key: FRAME[key] for key in ("wrench", "defaults")}
         plain.update(format="stickslip-grasp/1", contacts=[{"position": [0, 0], "normal": [0, 1]}])
         hull = Picture(stickslip("plot", "grasp", "-", stdin=json.dumps(plain))[1])
-        self.assertIn("body: hull of the contacts", hull.texts())
+        self.assertIn("body: a sketch", hull.texts())
 
     def test_all_of_it_is_on_the_page(self):
         far = [[[-1000, -1], [1000, -1], [1000, 1], [-1000, 1]]]

@@ -3,14 +3,16 @@
 
 import json
 import os
+import re
 import tempfile
 import unittest
 from fractions import Fraction
 
-from pictures import Picture, stickslip
+from pictures import Picture, stickslip, text_boxes
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 PAPER = os.path.join(HERE, "..", "..", "paper_examples", "grasps")
+EXAMPLES = os.path.join(HERE, "..", "..", "examples", "grasps")
 FIG1 = os.path.join(PAPER, "fig1.json")
 FIG4 = os.path.join(PAPER, "fig4.json")
 
@@ -94,6 +96,59 @@ class RegionPlots(unittest.TestCase):
         self.assertEqual(len(labels), 8)
         places = {(e.get("x"), e.get("y")) for e in labels}
         self.assertEqual(len(places), 8)
+
+    def labelled(self):
+        """Pictures with labels that had no room, or several spellings of numbers."""
+        for name in ("bracket", "more-friction-breaks", "cup", "all-friction-not-monotone"):
+            yield name, os.path.join(EXAMPLES, name + ".json"), []
+        yield "fig4", FIG4, ["--preload", 1]
+        yield "fig4, long", FIG4, ["--preload", "0.7654321", "--torque", "1/7"]
+        yield "fig1, long", FIG1, ["--preload", "1.123456789", "--v", "0.123456789,0.987654321,-0.111111111"]
+        yield "tiny", FIG1, ["--preload", "1e-300"]
+
+    def test_labels_keep_off_outlines_and_each_other(self):
+        for name, source, words in self.labelled():
+            with self.subTest(name):
+                picture = Picture(self.ask(("plot", "region"), source, words))
+                labels = [box for box in text_boxes(picture) if "halo" in box.classes]
+                self.assertTrue(labels)
+                borders = [(complex(float(e.get("x1")), float(e.get("y1"))),
+                            complex(float(e.get("x2")), float(e.get("y2"))))
+                           for e in picture.all("border") if e.get("data-from")]
+                self.assertTrue(borders)
+                for k, label in enumerate(labels):
+                    self.assertFalse(any(label.overlaps(other) for other in labels[:k]), label)
+                    for a, b in borders:
+                        for step in range(1001):
+                            p = a + (b - a) * step / 1000
+                            inside = (label.low[0] < p.real < label.high[0]
+                                      and label.low[1] < p.imag < label.high[1])
+                            self.assertFalse(inside, label)
+
+    def test_labels_of_a_picture_are_spelled_alike(self):
+        """Short fractions, or decimals of four digits with one mark for what is rounded."""
+        styles = set()
+        for name, source, words in self.labelled():
+            with self.subTest(name):
+                picture = Picture(self.ask(("plot", "region"), source, words))
+                texts = ["".join(e.itertext()).replace("\u2212", "-") for e in picture.all("halo")]
+                corners = {tuple(map(Fraction, e.get("data-corner").split(",")))
+                           for e in picture.root.iter() if e.get("data-corner")}
+                fractions = all(re.fullmatch(r"\(-?\d+(/\d+)?, -?\d+(/\d+)?\)", t) for t in texts)
+                styles.add(fractions)
+                for text in texts:
+                    self.assertEqual("~" in text, text.startswith("~"))
+                    self.assertEqual(text.count("~"), int(text.startswith("~")))
+                    if not fractions:
+                        self.assertNotIn("/", text)
+                    values = [Fraction(part) for part in text.strip("~()").split(", ")]
+                    if text.startswith("~"):
+                        near = [c for c in corners if all(abs(a - b) <= abs(a) / 2000 for a, b in zip(c, values))]
+                        self.assertTrue(near, text)
+                        self.assertNotIn(tuple(values), corners)
+                    else:
+                        self.assertIn(tuple(values), corners)
+        self.assertEqual(styles, {True, False})
 
     def test_written_whole_or_undecided(self):
         with tempfile.TemporaryDirectory() as folder:

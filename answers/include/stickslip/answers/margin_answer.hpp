@@ -14,7 +14,8 @@ namespace stickslip {
 /// \{ Before finished().
 Json margin_json(const Question& question, const Margin& margin, const MarginWork& work,
                  const Warnings& warnings);
-Json margin_json(const SpatialQuestion& question, const SpatialMargin& margin);
+Json margin_json(const SpatialQuestion& question, const SpatialMargin& margin,
+                 const Warnings& warnings);
 /// \}
 
 /// The least multiple that is resisted, if there is one.

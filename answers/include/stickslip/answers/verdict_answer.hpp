@@ -15,7 +15,7 @@
 #include "stickslip/core/number_text.hpp"
 #include "stickslip/equilibrium/contact_mode.hpp"
 #include "stickslip/equilibrium/model_warnings.hpp"
-#include "stickslip/space/spatial_verdict.hpp"
+#include "stickslip/space/spatial_warnings.hpp"
 
 namespace stickslip {
 
@@ -43,6 +43,7 @@ struct BoxAnswer {
 struct SpaceAnswer {
   SpatialQuestion question;  ///< not a margin
   SpatialDecision decision;  ///< the verdict
+  Warnings warnings;         ///< about it
 };
 
 /// To one question.
@@ -52,7 +53,7 @@ using Answer = std::variant<CaseAnswer, BoxAnswer, SpaceAnswer>;
 struct AnswerOptions {
   Engine engine = Engine::kAuto;  ///< of one grasp in the plane
   std::size_t node_limit = 0;     ///< as of each engine; 0: its own, or none
-  bool warnings = true;           ///< look for traps of the model (in the plane)
+  bool warnings = true;           ///< look for traps of the model, of one grasp
 };
 
 /// The verdict about one grasp: by the engine; or with kAuto, where an exact equilibrium would
@@ -67,6 +68,9 @@ BoxAnswer answer_by_degree(Question question, BoxDecision decision);
 Answer answer_to(Question question, const AnswerOptions& options);
 Answer answer_to(SpatialQuestion question, const AnswerOptions& options);
 /// \}
+
+/// Why, as "limit" in words and as "reason" in one; "remedy" and "near" if there are any.
+void add_undecided(Json& json, const Undecided& undecided);
 
 /// "stable", "unstable", "fragile", "undecided".
 const char* name_of(const Answer& answer);

@@ -21,6 +21,9 @@
 ///  - `decide`: as `decide --json --floats` prints it; `certificate`: its text, or null.
 ///  - `near`: of a stable verdict that is proved without stating an equilibrium, what may be
 ///    drawn of one: `twist_float` and `contacts`, as `decide` has them else. It proves nothing.
+///  - `examples`: of a fragile verdict the answers about its two grasps, `stable` and
+///  `unstable`,
+///    with `decide` and what it brings; else null, and where the verdict's time is limited.
 ///  - `states`: the sphere of motions, cut by a circle for each contact. `circles`: of each
 ///    [a, b, c], for a x + b y + c r = 0. `vertices`: a motion (x, y, r) each. `cells`: `kind`
 ///    (face, edge or vertex), a `motion` inside, `states` (a character a contact; exact), and
@@ -48,7 +51,7 @@ inline constexpr std::size_t kMostContactsWithRegion = 100;
 
 /// Which parts are asked for.
 struct PageParts {
-  bool decide = true;    ///< the verdict; it brings `certificate` and `near`
+  bool decide = true;    ///< the verdict; brings `certificate`, `near`, `examples`
   bool states = true;    ///< the sphere of motions
   bool region = true;    ///< what is resisted in a plane
   bool margin = true;    ///< along the load

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Pages of every verdict are drawn, to the last of their parts. Answers are those of the program, or such with parts put in
+// their place that it can give.
+"use strict";
+
+const assert = require("node:assert");
+const { execFileSync } = require("node:child_process");
+const fs = require("node:fs");
+const os = require("node:os");
+const path = require("node:path");
+const { test } = require("node:test");
+const { open } = require("./document.js");
+
+const ROOT = path.join(__dirname, "..", "..");
+const FIG1 = path.join(ROOT, "paper_examples", "grasps", "fig1.json");
+const example = (name) => path.join(ROOT, "examples", "grasps", name + ".json");
+
+const pages = new Map();
+/** The page of a grasp file, and its answer. */
+function pageOf(grasp, ...options) {
+  const words = ["page", grasp, "--time-limit", "5", ...options];
+  const key = words.join(" ");
+  if (!pages.has(key)) {
+    const text = execFileSync(process.env.STICKSLIP, words, { encoding: "utf-8", maxBuffer: 1e8 });
+    pages.set(key, { text, answer: JSON.parse(/id="answer">(.*?)<\/script>/s.exec(text)[1]) });
+  }
+  return pages.get(key);
+}
+
+/** Opens it with these parts of the answer in the place of its own. */
+function openWith({ text, answer }, parts = {}) {
+  return open(text, { ...answer, ...parts });
+}
+
+const kPlanar = [FIG1, "--wrench", "0,1/2,0"];
+const kSpatial = [example("space-cup")];
+/** What else than stable may be said; without a proof but of the unstable. */
+const kNoProof = { certificate: null, near: null };
+function undecided({ answer }) {
+  const { verdict, twist, twist_float, contacts, near, proof, ...rest } = answer.decide;
+  return { decide: { ...rest, verdict: "undecided", limit: "the node limit of 1" }, ...kNoProof };
+}
+
+/** Everything is drawn, and nothing but what there is. */
+function isWhole(opened, answer, verdict) {
+  const { find, text, page, root } = opened;
+  assert.strictEqual(find("#verdict").dataset.verdict, verdict);
+  assert.ok(find("#contacts table"), "the table of contacts");
+  assert.strictEqual(find("#proof-panel").shown, Boolean(answer.certificate), "a proof is offered where there is one");
+  assert.strictEqual(find("#check").shown, Boolean(answer.certificate));
+  assert.strictEqual(find("#margin-panel").shown, Boolean(answer.margin));
+  assert.strictEqual(find("#body-legend").shown, true);
+  if (answer.dimension === 6) {
+    assert.ok(page.spaceState().drawn > answer.contacts.length, "contacts are in the scene");
+    assert.ok(opened.rendered() > 0, "the scene is drawn");
+  } else assert.ok(find("#body path.body"));
+  for (const element of root.querySelectorAll("[d]")) assert.doesNotMatch(element.getAttribute("d"), /NaN|undefined/);
+  assert.doesNotMatch(text("main"), /undefined|NaN|\bnull\b|\[object/);
+}
+
+for (const [name, grasp] of Object.entries({ "in the plane": kPlanar, "in space": kSpatial })) {
+  test("a stable grasp " + name, () => {
+    const made = pageOf(...grasp);
+    isWhole(openWith(made), made.answer, "stable");
+  });
+
+  test("an undecided grasp " + name + ", of which nothing is known", () => {
+    const made = pageOf(...grasp);
+    const parts = undecided(made);
+    const margin = { ...made.answer.margin, resisted: [], refuted: [], least: null, unbounded: false };
+    for (const float of ["resisted_float", "refuted_float", "least_float"]) delete margin[float];
+    if (name === "in the plane") delete margin.refuted;
+    for (const given of [margin, null]) {
+      const opened = openWith(made, { ...parts, margin: given });
+      isWhole(opened, { ...made.answer, ...parts, margin: given }, "undecided");
+      assert.match(opened.text("#why"), /the node limit of 1/);
+      assert.strictEqual(opened.find("#choice").shown, false);
+    }
+  });
+
+  test("a fragile grasp " + name, () => {
+    const made = pageOf(...grasp, "--uncertain", "friction=95%");
+    assert.strictEqual(made.answer.decide.verdict, "fragile");
+    const opened = openWith(made);
+    isWhole(opened, made.answer, "fragile");
+    assert.match(opened.text("#why"), /stable at .*unstable at /);
+    // Its two grasps, each with a proof that is accepted, and back.
+    for (const verdict of ["stable", "unstable"]) {
+      opened.find(`[data-choice="grasp-${verdict}"]`).click();
+      isWhole(opened, opened.page.answer, verdict);
+      assert.strictEqual(opened.page.checkProof().answer, "accepted");
+      assert.match(opened.text("#verdict"), /one grasp of the box/);
+      assert.strictEqual(opened.find(`[data-choice="grasp-${verdict}"]`).getAttribute("aria-pressed"), "true");
+      assert.strictEqual(opened.page.grasp.text(), made.answer.examples[verdict].grasp);
+    }
+    opened.find('[data-choice="grasp-box"]').click();
+    isWhole(opened, made.answer, "fragile");
+    assert.doesNotMatch(opened.text("#verdict"), /one grasp of the box/);
+  });
+}
+
+test("an unstable grasp in the plane", () => {
+  const made = pageOf(FIG1, "--wrench", "0,11/10,0");
+  isWhole(openWith(made), made.answer, "unstable");
+});
+
+test("an unstable grasp in space", () => {
+  const made = pageOf(example("space-book"), "--case", "too heavy");
+  const opened = openWith(made);
+  isWhole(opened, made.answer, "unstable");
+  assert.strictEqual(opened.page.checkProof().answer, "accepted");
+});
+
+test("regions of every shape are drawn", () => {
+  const contact = { position: [0, 0], normal: [0, 1], friction: 0 };
+  const grasps = {
+    "a point": [],
+    "a ray": [contact],
+    "a line": [contact, { ...contact, normal: [0, -1] }],
+    "a cone": [{ ...contact, friction: 1 }],
+    "all": [contact, { ...contact, normal: [0, -1] }].flatMap((c) =>
+      [-1, 1].map((x) => ({ ...c, position: [x, 0], friction: 1, preload: 1 })),
+    ),
+  };
+  for (const [name, contacts] of Object.entries(grasps)) {
+    const file = path.join(fs.mkdtempSync(path.join(os.tmpdir(), "page-")), "grasp.json");
+    fs.writeFileSync(file, JSON.stringify({ format: "stickslip-grasp/1", name, contacts, wrench: [0, -1, 0] }));
+    const made = pageOf(file);
+    fs.rmSync(path.dirname(file), { recursive: true });
+    const { find, root } = openWith(made);
+    assert.ok(made.answer.region, name);
+    assert.ok(find("#region svg"), name);
+    for (const element of root.querySelectorAll("[d]")) assert.doesNotMatch(element.getAttribute("d"), /NaN|undefined/, name);
+  }
+});
+
+test("labels of points are all fractions, or all decimals with one mark", () => {
+  const { page } = openWith(pageOf(...kPlanar));
+  assert.deepStrictEqual([...page.pointLabels([["-8/3", "2"], ["1/2", "0"]])], ["(\u22128/3, 2)", "(1/2, 0)"]);
+  assert.deepStrictEqual(
+    [...page.pointLabels([["-8/3", "2"], ["1/2", "0"], ["100/17", "123456/1000"]])],
+    ["~(\u22122.667, 2)", "(0.5, 0)", "~(5.882, 123.5)"],
+  );
+});
+
+// Margins.
+
+const kMargin = { name: "", normal_law: "unilateral", least: null, unbounded: false, stats: {} };
+/** What the page says and draws of a margin in space: the note, and bars as [kind, from, to] in multiples. */
+function marginOf(resisted, refuted) {
+  const made = pageOf(...kSpatial);
+  const opened = openWith(made, { margin: { ...kMargin, resisted, refuted } });
+  const bars = opened.root.querySelectorAll("[data-multiples]").map((e) => {
+    const [x, width] = ["x", "width"].map((name) => Number(e.getAttribute(name)));
+    return [e.dataset.multiples, x, width];
+  });
+  return { note: opened.text("#margin-note").replace(/\s+/g, " "), bars };
+}
+const widths = (bars, kind) => bars.filter((bar) => bar[0] === kind).map((bar) => bar[2]);
+
+test("slivers of multiples about which nothing is known are seen and said", () => {
+  const { note, bars } = marginOf([["0", "8885/10000"]], [["889/1000", null]]);
+  assert.match(note, /Nothing is known of multiples between 0.8885 and 0.889:/);
+  assert.match(note, /not known/);
+  assert.strictEqual(widths(bars, "unknown").length, 1);
+  assert.ok(widths(bars, "unknown")[0] >= 4);
+});
+
+test("all multiples are known where none is left", () => {
+  for (const [resisted, refuted] of [[[["0", null]], []], [[], [["0", null]]], [[["0", "1"]], [["1", null]]]]) {
+    const { note, bars } = marginOf(resisted, refuted);
+    assert.doesNotMatch(note, /known/, JSON.stringify(resisted));
+    assert.deepStrictEqual(widths(bars, "unknown"), []);
+  }
+});
+
+test("nothing known is not nothing resisted", () => {
+  const { note, bars } = marginOf([], []);
+  assert.match(note, /none is known/);
+  assert.match(note, /Nothing is known of any multiple:/);
+  assert.strictEqual(widths(bars, "unknown").length, 1);
+  assert.doesNotMatch(marginOf([], [["0", null]]).note, /is known/);
+});
+
+test("how far the load may grow is a lower bound where nothing is known beyond", () => {
+  assert.match(marginOf([["0", "2"]], [["3", null]]).note, /may grow to at least 2 times/);
+  assert.match(marginOf([["0", "2"]], [["2", null]]).note, /may grow to 2 times/);
+  assert.match(marginOf([["0", "1"]], [["1", null]]).note, /no more will do/);
+  assert.doesNotMatch(marginOf([["0", "1"]], [["2", null]]).note, /no more will do/);
+  assert.match(marginOf([["0", "2"], ["5", null]], [["3", "4"]]).note, /between 2 and 3, and between 4 and 5/);
+  assert.match(marginOf([["0", "2"]], []).note, /above 2/);
+});

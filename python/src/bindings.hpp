@@ -16,6 +16,7 @@
 #include "stickslip/certificate/proved_files.hpp"
 #include "stickslip/core/cancellation.hpp"
 #include "stickslip/equilibrium/decide.hpp"
+#include "stickslip/equilibrium/model_warnings.hpp"
 #include "stickslip/equilibrium/question.hpp"
 
 namespace stickslip::python {
@@ -55,6 +56,11 @@ pybind11::dict units_of(const std::optional<Units>& units);
 /// Throws InputError: a box was asked about, and nothing is uncertain.
 [[noreturn]] void refuse_certain();
 
+/// The fields limit, reason, remedy and near of an answer.
+void add_undecided(pybind11::dict& result, const Undecided& undecided);
+/// The arguments of results.ModelWarning.
+pybind11::tuple warning_fields(const std::vector<ModelWarning>& warnings);
+
 /// The same grasp with the friction of each contact replaced.
 GraspFile with_friction(const GraspFile& file, const std::vector<Rational>& friction);
 
@@ -73,8 +79,12 @@ pybind11::dict decision_fields(const Question& question, const Problem& problem,
 
 /// One of many answers, whose whole becomes a Python value only when it is looked at.
 struct ManyAnswer {
-  const char* verdict = "";
-  std::vector<double> twist;  ///< of an equilibrium; empty if there is none
+  std::string verdict;
+  std::string engine;
+  std::string limit;           ///< why there is no answer; empty if there is one
+  std::vector<double> wrench;  ///< that was asked about
+  std::vector<double> twist;   ///< of an equilibrium; empty if there is none
+  std::vector<double> forces;  ///< of it, contact by contact
   /// The grasp that was asked about, with the friction of the question, and the fields of
   /// results.Decision.
   std::function<pybind11::tuple()> whole;
@@ -106,6 +116,14 @@ pybind11::tuple tuple_of(const Values& values, Convert convert) {
   pybind11::tuple result(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) result[i] = convert(values[i]);
   return result;
+}
+
+/// (contact, normal, moved at most) of each normal that moved.
+template <class Snapped, class Convert>
+pybind11::tuple moved_normals(const Snapped& snapped, Convert convert) {
+  return tuple_of(snapped, [&convert](const auto& normal) {
+    return pybind11::make_tuple(normal.contact.index(), convert(normal.after), normal.moved);
+  });
 }
 
 /// Runs `work`, which must not touch Python, while other Python threads run. On the main thread

@@ -75,6 +75,11 @@ struct ToDict {
   py::dict operator()(const stickslip_check::Malformed& m) const {
     throw InputError(m.file == "the question" ? "" : m.file, m.place, m.problem, "");
   }
+  py::dict operator()(const stickslip_check::NotJudged& given_up) const {
+    const py::object error = py::module_::import("stickslip.errors").attr("LimitReached");
+    PyErr_SetString(error.ptr(), given_up.why.c_str());
+    throw py::error_already_set();
+  }
 };
 
 py::dict check(const std::string& grasp, const std::string& certificate,

@@ -88,14 +88,11 @@ std::string text_of(GraspFile file) {
 /// moved.
 py::tuple snapped(const GraspFile& file, const py::object& within) {
   const SnapResult result = snap_normals(file.content.grasp, exact(within, "within"));
-  py::tuple moved(result.snapped.size());
-  for (std::size_t i = 0; i < moved.size(); ++i) {
-    const SnappedNormal& s = result.snapped[i];
-    moved[i] = py::make_tuple(s.contact.index(), fractions(s.after.x, s.after.y), s.moved);
-  }
   GraspFile grasp = file;
   grasp.content.grasp = result.grasp;
-  return py::make_tuple(std::move(grasp), moved);
+  return py::make_tuple(std::move(grasp), moved_normals(result.snapped, [](const Vector2& n) {
+                          return fractions(n.x, n.y);
+                        }));
 }
 
 /// One value a contact.

@@ -4,7 +4,9 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 #include <pybind11/numpy.h>
+#include <pybind11/stl.h>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 
@@ -100,25 +102,57 @@ py::tuple decision_at(const Decisions& decisions, std::size_t i) {
   return decisions.answers.at(i).whole();
 }
 
-py::list verdicts(const Decisions& decisions) {
+/// Of every question.
+py::list texts(const Decisions& decisions, std::string ManyAnswer::*member) {
   py::list result;
-  for (const ManyAnswer& answer : decisions.answers) result.append(answer.verdict);
+  for (const ManyAnswer& answer : decisions.answers) result.append(text(answer.*member));
   return result;
 }
 
-/// One row for each question; NaN where there is no motion.
-py::array_t<double> twists(const Decisions& decisions) {
-  const std::size_t count = decisions.answers.size();
-  py::array_t<double> result({count, decisions.coordinates});
-  double* entry_of_row = result.mutable_data();
+/// One row of this width for each question, with NaN where it has fewer numbers.
+py::array_t<double> rows(const Decisions& decisions, std::vector<double> ManyAnswer::*member,
+                         std::size_t width) {
+  py::array_t<double> result({decisions.answers.size(), width});
+  double* row = result.mutable_data();
   for (const ManyAnswer& answer : decisions.answers) {
-    for (std::size_t j = 0; j < decisions.coordinates; ++j) {
-      *entry_of_row++ =
-          answer.twist.empty() ? std::numeric_limits<double>::quiet_NaN() : answer.twist[j];
-    }
+    const std::vector<double>& numbers = answer.*member;
+    std::fill(std::copy(numbers.begin(), numbers.end(), row), row + width,
+              std::numeric_limits<double>::quiet_NaN());
+    row += width;
   }
   return result;
 }
+
+/// A row has all forces of a question; it is as long as the longest.
+py::array_t<double> forces(const Decisions& decisions) {
+  std::size_t width = 0;
+  for (const ManyAnswer& answer : decisions.answers) {
+    width = std::max(width, answer.forces.size());
+  }
+  return rows(decisions, &ManyAnswer::forces, width);
+}
+
+/// \{ The answers as they are, each as a whole.
+py::tuple pickled(const Decisions& decisions) {
+  return py::make_tuple(decisions.coordinates,
+                        tuple_of(decisions.answers, [](const ManyAnswer& a) {
+                          return py::make_tuple(a.verdict, a.engine, a.limit, a.wrench, a.twist,
+                                                a.forces, a.whole());
+                        }));
+}
+
+Decisions unpickled(const py::tuple& state) {
+  Decisions decisions{{}, state[0].cast<std::size_t>()};
+  for (const py::handle entry : state[1]) {
+    const auto a = entry.cast<py::tuple>();
+    const auto numbers = [&a](std::size_t i) { return a[i].cast<std::vector<double>>(); };
+    decisions.answers.push_back({a[0].cast<std::string>(), a[1].cast<std::string>(),
+                                 a[2].cast<std::string>(), numbers(3), numbers(4), numbers(5),
+                                 [whole = a[6].cast<py::tuple>()] { return whole; }});
+  }
+  return decisions;
+}
+/// \}
 
 }  // namespace
 
@@ -126,8 +160,15 @@ void bind_many(py::module_& module) {
   py::class_<Decisions>(module, "DecisionsData")
       .def("size", [](const Decisions& d) { return d.answers.size(); })
       .def("at", &decision_at)
-      .def("verdicts", &verdicts)
-      .def("twists", &twists);
+      .def("verdicts", [](const Decisions& d) { return texts(d, &ManyAnswer::verdict); })
+      .def("engines", [](const Decisions& d) { return texts(d, &ManyAnswer::engine); })
+      .def("limits", [](const Decisions& d) { return texts(d, &ManyAnswer::limit); })
+      .def("wrenches",
+           [](const Decisions& d) { return rows(d, &ManyAnswer::wrench, d.coordinates); })
+      .def("twists",
+           [](const Decisions& d) { return rows(d, &ManyAnswer::twist, d.coordinates); })
+      .def("forces", &forces)
+      .def(py::pickle(&pickled, &unpickled));
   module.def("decide_many", &decide_many);
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures, resistible regions, other methods, and the question for other solvers.
+#include <pybind11/stl.h>
+
 #include "bindings.hpp"
 #include "exact.hpp"
 #include "stickslip/answers/plane_answers.hpp"
@@ -108,11 +110,14 @@ py::object region(const GraspFile& grasp, const py::list& origin, const py::list
   return std::move(result);
 }
 
+/// With the limit of an answer that is known to be undecided, without deciding again.
 py::str grasp_picture(const GraspFile& grasp, const py::object& wrench,
-                      const py::object& preload, bool bilateral, const std::string& engine) {
+                      const py::object& preload, bool bilateral, const std::string& engine,
+                      const std::optional<std::string>& limit) {
   const QuestionOptions asked = question_options(wrench, preload, bilateral);
   return text(without_gil([&] {
     const Question question = question_of(grasp, asked);
+    if (limit) return plot_grasp(question, Undecided{*limit});
     const Decision decision =
         decide(Problem(question.loaded, question.law), engine_named(engine));
     return plot_grasp(question, decision.verdict);

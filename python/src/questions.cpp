@@ -20,17 +20,11 @@ namespace {
 namespace py = pybind11;
 using py::literals::operator""_a;
 
+constexpr const char* kBoxEngine = "box";
+
 void require_load(const GraspFile& grasp, const QuestionOptions& options) {
   if (options.wrench || options.direction || grasp.cases.empty()) return;
   refuse_without_case(grasp.cases.front().name);
-}
-
-py::list as_list(const std::vector<ModelWarning>& warnings) {
-  py::list list;
-  for (const ModelWarning& warning : warnings) {
-    list.append(py::make_tuple(to_string(warning.trap), warning.text));
-  }
-  return list;
 }
 
 /// The evidence of a stable verdict, contact by contact.
@@ -79,12 +73,24 @@ py::dict judgement_fields(const Question& question, const Judgement& judgement,
   }
   const BoxDecision& decision = std::get<BoxDecision>(judgement);
   py::dict result = box_fields(question, "stable");
-  result["engine"] = "box";
+  result["engine"] = kBoxEngine;
   result["certificate"] = certificate;
   const Vector3 near = *motion_near(answer_by_degree(question, decision));
   result["near"] = fractions(Twist{near[0], near[1], near[2]});
   result["stats"] = stats(decision.work);
   return result;
+}
+
+/// The motion and the forces of an equilibrium.
+void add_doubles(ManyAnswer& answer, const Grasp& grasp, const Witness& witness) {
+  for (const Rational& value : coordinates(witness.twist)) {
+    answer.twist.push_back(to_double(value));
+  }
+  for (std::size_t i = 0; i < grasp.size(); ++i) {
+    const Vector2 force = force_vector(grasp.contacts()[i].normal, witness.forces[i]);
+    answer.forces.push_back(to_double(force.x));
+    answer.forces.push_back(to_double(force.y));
+  }
 }
 
 py::dict decide_grasp(const GraspFile& grasp, const py::object& wrench,
@@ -106,12 +112,14 @@ py::dict decide_grasp(const GraspFile& grasp, const py::object& wrench,
     Judgement judgement = judge(problem, exactly ? Engine::kCone : asked_for, node_limit);
     std::string certificate = certificate_of(question, judgement);
     std::vector<ModelWarning> found;
-    if (warnings) found = model_warnings(question, std::get<Decision>(judgement).verdict);
+    if (warnings) {
+      found = model_warnings(question, problem, std::get<Decision>(judgement).verdict);
+    }
     return Answer{std::move(question), std::move(judgement), std::move(certificate),
                   std::move(found)};
   });
   py::dict result = judgement_fields(answer.question, answer.judgement, answer.certificate);
-  result["warnings"] = as_list(answer.warnings);
+  result["warnings"] = warning_fields(answer.warnings);
   return result;
 }
 
@@ -185,8 +193,8 @@ py::dict find_grasp_margin(const GraspFile& grasp, const py::object& direction,
   const Question& question = answer.question;
   py::dict result("resisted"_a = resisted, "wrench"_a = fractions(question.loaded.wrench),
                   "normal_law"_a = to_string(question.law),
-                  "certificate"_a = answer.certificate, "warnings"_a = as_list(answer.warnings),
-                  "stats"_a = work);
+                  "certificate"_a = answer.certificate,
+                  "warnings"_a = warning_fields(answer.warnings), "stats"_a = work);
   result["direction"] =
       question.direction ? py::object(fractions(*question.direction)) : py::object(py::none());
   if (question.preload) result["preload"] = fraction(*question.preload);
@@ -226,18 +234,19 @@ py::dict decide_grasp_box(const GraspFile& grasp, const std::string& uncertain,
     if (const auto* fragile = std::get_if<Fragile>(&decision.verdict)) {
       for (const bool stable : {true, false}) {
         found.push_back(proved_grasp(stable ? fragile->stable : fragile->unstable, description,
-                                     question.law, stable, producer_of("box")));
+                                     question.law, stable, producer_of(kBoxEngine)));
       }
     } else if (!std::holds_alternative<Undecided>(decision.verdict)) {
-      found.push_back(
-          proved_box(*question.box, description, question.law, decision, producer_of("box")));
+      found.push_back(proved_box(*question.box, description, question.law, decision,
+                                 producer_of(kBoxEngine)));
     }
     return Answer{std::move(question), std::move(decision), std::move(found)};
   });
   py::dict result = box_fields(answer.question, name_of(answer.decision.verdict));
+  result["engine"] = kBoxEngine;
   add_files(result, answer.files);
   if (const auto* undecided = std::get_if<Undecided>(&answer.decision.verdict)) {
-    result["limit"] = undecided->limit;
+    add_undecided(result, *undecided);
   }
   result["stats"] = stats(answer.decision.work);
   return result;
@@ -263,7 +272,7 @@ py::dict find_grasp_radius(const GraspFile& grasp, const std::string& uncertain,
     Question question = box_question(grasp, asked, uncertain);
     Radius radius = find_radius(question.loaded, *question.box, question.law, options);
     std::vector<ProvedFiles> found;
-    if (radius.stable) found = proved_radius(question, radius, producer_of("box"));
+    if (radius.stable) found = proved_radius(question, radius, producer_of(kBoxEngine));
     return Answer{std::move(question), std::move(radius), std::move(found)};
   });
   const Radius& radius = answer.radius;
@@ -315,7 +324,7 @@ py::dict map_grasp(const GraspFile& grasp, const std::string& x_text, const std:
       if (proofs && proved) {
         found.files.back() =
             proved_box(box_of_cell(loaded, x, y, cell.x, cell.y), loaded.grasp.description(),
-                       found.question.law, cell.decision, producer_of("box"));
+                       found.question.law, cell.decision, producer_of(kBoxEngine));
       }
       found.cells.push_back(std::move(cell));
     });
@@ -350,6 +359,20 @@ void refuse_certain() {
                    "say how far numbers may be off, as in {\"friction\": \"10%\"}");
 }
 
+void add_undecided(py::dict& result, const Undecided& undecided) {
+  result["limit"] = undecided.limit;
+  result["reason"] = undecided.reason;
+  if (!undecided.remedy.empty()) result["remedy"] = undecided.remedy;
+  if (undecided.near.empty()) return;
+  result["near"] = tuple_of(undecided.near, [](const Rational& d) { return fraction(d); });
+}
+
+py::tuple warning_fields(const std::vector<ModelWarning>& warnings) {
+  return tuple_of(warnings, [](const ModelWarning& warning) {
+    return py::make_tuple(to_string(warning.trap), warning.text);
+  });
+}
+
 std::string certificate_of(const Question& question, const Decision& decision) {
   if (std::holds_alternative<Undecided>(decision.verdict)) return {};
   return certificate_text(
@@ -369,7 +392,7 @@ py::dict decision_fields(const Question& question, const Problem& problem,
   if (const auto* stable = std::get_if<Stable>(&verdict)) {
     add_witness(result, question, problem, stable->witness);
   } else if (const auto* undecided = std::get_if<Undecided>(&verdict)) {
-    result["limit"] = undecided->limit;
+    add_undecided(result, *undecided);
   }
   return result;
 }
@@ -390,14 +413,20 @@ std::function<ManyAnswer()> planar_question(const py::handle& given, const OneOf
     const auto judgement = std::make_shared<const Judgement>(
         judge(Problem(question.loaded, question.law), engine, node_limit));
     ManyAnswer answer;
-    const auto* decision = std::get_if<Decision>(judgement.get());
-    answer.verdict = decision == nullptr ? "stable" : name_of(decision->verdict);
-    const auto* stable =
-        decision == nullptr ? nullptr : std::get_if<Stable>(&decision->verdict);
-    if (stable != nullptr) {
-      for (const Rational& value : coordinates(stable->witness.twist)) {
-        answer.twist.push_back(to_double(value));
+    for (const Rational& value : coordinates(question.loaded.wrench)) {
+      answer.wrench.push_back(to_double(value));
+    }
+    if (const auto* decision = std::get_if<Decision>(judgement.get())) {
+      answer.verdict = name_of(decision->verdict);
+      answer.engine = decision->engine();
+      if (const auto* stable = std::get_if<Stable>(&decision->verdict)) {
+        add_doubles(answer, question.loaded.grasp, stable->witness);
+      } else if (const auto* undecided = std::get_if<Undecided>(&decision->verdict)) {
+        answer.limit = undecided->limit;
       }
+    } else {
+      answer.verdict = "stable";
+      answer.engine = kBoxEngine;
     }
     answer.whole = [about, options, judgement] {
       const Question again = question_of(*about, options);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Grasps in space: the class beside GraspData, and the questions that it answers to. The
 // functions have the names and arguments of those of the plane.
+#include <pybind11/stl.h>
+
 #include <algorithm>
 #include <type_traits>
 #include <utility>
@@ -10,9 +12,11 @@
 #include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/snap.hpp"
 #include "stickslip/core/spatial_forces.hpp"
 #include "stickslip/plot/grasp_plot.hpp"
 #include "stickslip/space/spatial_margin.hpp"
+#include "stickslip/space/spatial_warnings.hpp"
 
 namespace stickslip::python {
 namespace {
@@ -139,6 +143,8 @@ SpatialQuestion question_of(const SpatialGrasp& grasp, const py::object& wrench,
   return question_of(grasp, asked);
 }
 
+constexpr const char* kEngine = "space";
+
 struct Answer {
   SpatialQuestion question;
   SpatialDecision decision;
@@ -146,17 +152,28 @@ struct Answer {
   std::vector<ProvedFiles> files;  ///< of a box that was asked for: the proof, or two examples
 };
 
+/// In an answer; nothing if no equilibrium is known in fractions.
+const SpatialWitness* witness_of(const Answer& answer) {
+  const auto* stable = std::get_if<SpatiallyStable>(&answer.decision.verdict);
+  return stable == nullptr ? nullptr : std::get_if<SpatialWitness>(&stable->proof);
+}
+
+std::vector<SpatialForce> forces_in(const Answer& answer, const SpatialWitness& witness) {
+  return forces_of(answer.question.grasp, witness.twist, witness.shares);
+}
+
 /// The fields that all answers have in common.
 py::dict fields_of(const Answer& answer) {
   const SpatialQuestion& question = answer.question;
   const SpatialDecision& decision = answer.decision;
-  py::dict result(
-      "verdict"_a = name_of(decision.verdict), "normal_law"_a = to_string(question.law),
-      "wrench"_a = tuple_of(question.grasp.wrench,
-                            [](const Interval& w) { return fraction(w.middle()); }));
+  py::dict result("verdict"_a = name_of(decision.verdict), "engine"_a = kEngine,
+                  "normal_law"_a = to_string(question.law),
+                  "wrench"_a = tuple_of(question.grasp.wrench, [](const Interval& w) {
+                    return fraction(w.middle());
+                  }));
   if (question.preload) result["preload"] = fraction(*question.preload);
   if (const auto* undecided = std::get_if<Undecided>(&decision.verdict)) {
-    result["limit"] = undecided->limit;
+    add_undecided(result, *undecided);
   }
   result["stats"] = stats(decision.work);
   return result;
@@ -175,21 +192,16 @@ Answer answer_to_box(SpatialQuestion question, std::size_t node_limit) {
   const NormalLaw law = answer.question.law;
   const SpatialVerdict& verdict = answer.decision.verdict;
   if (const auto* fragile = std::get_if<SpatiallyFragile>(&verdict)) {
-    answer.files = {proved_grasp(fragile->stable, law, true, producer_of("space")),
-                    proved_grasp(fragile->unstable, law, false, producer_of("space"))};
+    answer.files = {proved_grasp(fragile->stable, law, true, producer_of(kEngine)),
+                    proved_grasp(fragile->unstable, law, false, producer_of(kEngine))};
   } else if (!std::holds_alternative<Undecided>(verdict)) {
     SpatialOptions as_it_stands;
     as_it_stands.law = law;
     const SpatialQuestion proved = ask(answer.question.grasp, as_it_stands);
     answer.files = {{write_grasp_file(proved.grasp),
-                     spatial_certificate_text(proved, answer.decision, producer_of("space"))}};
+                     spatial_certificate_text(proved, answer.decision, producer_of(kEngine))}};
   }
   return answer;
-}
-
-[[noreturn]] void refuse_warnings() {
-  throw InputError("", "warnings", "the grasp is in space",
-                   "traps of the model are known in the plane only; leave it out");
 }
 
 void refuse_engine(const std::string& engine) {
@@ -203,23 +215,22 @@ void add_certificate(Answer& answer) {
   if (std::holds_alternative<SpatiallyStable>(verdict) ||
       std::holds_alternative<SpatiallyUnstable>(verdict)) {
     answer.certificate =
-        spatial_certificate_text(answer.question, answer.decision, producer_of("space"));
+        spatial_certificate_text(answer.question, answer.decision, producer_of(kEngine));
   }
 }
 
 /// The fields of results.Decision.
 py::dict decision_fields(const Answer& answer) {
   py::dict result = fields_of(answer);
-  result["engine"] = "space";
   if (!answer.certificate.empty()) result["certificate"] = answer.certificate;
   const auto* stable = std::get_if<SpatiallyStable>(&answer.decision.verdict);
   if (stable == nullptr) return result;
-  const auto* witness = std::get_if<SpatialWitness>(&stable->proof);
+  const SpatialWitness* witness = witness_of(answer);
   if (witness == nullptr) {
     result["near"] = fractions_of(stable->motion);
     return result;
   }
-  const auto forces = forces_of(answer.question.grasp, witness->twist, witness->shares);
+  const auto forces = forces_in(answer, *witness);
   result["twist"] = fractions_of(witness->twist);
   result["forces"] =
       tuple_of(forces, [](const SpatialForce& f) { return fractions_of(f.force); });
@@ -232,15 +243,16 @@ py::dict decide_grasp(const SpatialGrasp& grasp, const py::object& wrench,
                       const py::object& preload, bool bilateral, const std::string& engine,
                       std::size_t node_limit, bool warnings) {
   refuse_engine(engine);
-  if (warnings) refuse_warnings();
   SpatialQuestion question = question_of(grasp, wrench, preload, bilateral);
+  std::vector<ModelWarning> traps;
   const Answer answer = without_gil([&] {
     Answer found = answer_to(std::move(question), node_limit);
     add_certificate(found);
+    if (warnings) traps = model_warnings(found.question, found.decision);
     return found;
   });
   py::dict result = decision_fields(answer);
-  result["warnings"] = py::tuple();
+  result["warnings"] = warning_fields(traps);
   return result;
 }
 
@@ -260,7 +272,6 @@ py::dict find_grasp_margin(const SpatialGrasp& grasp, const py::object& directio
                            const py::object& wrench, const py::object& preload,
                            const py::object& preload_direction, bool bilateral,
                            std::size_t node_limit, bool warnings, const py::object& accuracy) {
-  if (warnings) refuse_warnings();
   const QuestionOptions others =
       question_options(py::none(), preload, bilateral, py::none(), preload_direction);
   const SpatialQuestion question = question_of(grasp, options_of(wrench, others, direction));
@@ -271,9 +282,11 @@ py::dict find_grasp_margin(const SpatialGrasp& grasp, const py::object& directio
     throw InputError("", "accuracy", "the value is " + to_string(options.accuracy),
                      "give a number above 0, such as 1/1000");
   }
+  std::vector<ModelWarning> traps;
   const auto [margin, certificate] = without_gil([&] {
     SpatialMargin found = find_margin(question, options);
-    std::string text = spatial_margin_text(question, found, producer_of("space"));
+    std::string text = spatial_margin_text(question, found, producer_of(kEngine));
+    if (warnings) traps = model_warnings(question, found);
     return std::pair(std::move(found), std::move(text));
   });
   const auto pairs = [](const std::vector<MarginInterval>& intervals) {
@@ -288,7 +301,7 @@ py::dict find_grasp_margin(const SpatialGrasp& grasp, const py::object& directio
                   "refuted"_a = pairs(margin.refuted()),
                   "wrench"_a = lows(question.grasp.wrench),
                   "normal_law"_a = to_string(question.law), "certificate"_a = certificate,
-                  "warnings"_a = py::tuple(), "stats"_a = stats(margin.work));
+                  "warnings"_a = warning_fields(traps), "stats"_a = stats(margin.work));
   result["direction"] = question.direction ? py::object(fractions_of(*question.direction))
                                            : py::object(py::none());
   if (question.preload) result["preload"] = fraction(*question.preload);
@@ -300,9 +313,12 @@ py::dict find_grasp_margin(const SpatialGrasp& grasp, const py::object& directio
 
 py::str spatial_picture(const SpatialGrasp& grasp, const py::object& wrench,
                         const py::object& preload, bool bilateral,
-                        const std::string& /*engine*/) {
+                        const std::string& /*engine*/,
+                        const std::optional<std::string>& limit) {
   const SpatialQuestion question = question_of(grasp, wrench, preload, bilateral);
-  return text(without_gil([&] { return plot_grasp(question, decide(question).verdict); }));
+  return text(without_gil([&] {
+    return plot_grasp(question, limit ? Undecided{*limit} : decide(question).verdict);
+  }));
 }
 
 SpatialGrasp with_friction(SpatialGrasp grasp, const std::vector<Rational>& friction) {
@@ -348,11 +364,18 @@ std::function<ManyAnswer()> spatial_question(const py::handle& given, const OneO
         std::make_shared<Answer>(answer_to(question_of(*about, options), node_limit));
     ManyAnswer answer;
     answer.verdict = name_of(found->decision.verdict);
-    const auto* stable = std::get_if<SpatiallyStable>(&found->decision.verdict);
-    const auto* witness =
-        stable == nullptr ? nullptr : std::get_if<SpatialWitness>(&stable->proof);
-    if (witness != nullptr) {
+    answer.engine = kEngine;
+    for (const Interval& value : found->question.grasp.wrench) {
+      answer.wrench.push_back(to_double(value.low));
+    }
+    if (const auto* undecided = std::get_if<Undecided>(&found->decision.verdict)) {
+      answer.limit = undecided->limit;
+    }
+    if (const SpatialWitness* witness = witness_of(*found)) {
       for (const Rational& value : witness->twist) answer.twist.push_back(to_double(value));
+      for (const SpatialForce& contact : forces_in(*found, *witness)) {
+        for (const Rational& value : contact.force) answer.forces.push_back(to_double(value));
+      }
     }
     answer.whole = [about, found] {
       if (found->certificate.empty()) add_certificate(*found);
@@ -386,6 +409,12 @@ void bind_space(py::module_& module) {
              return result;
            })
       .def("units", [](const SpatialGrasp& g) { return units_of(g.units); })
+      .def("snap",
+           [](const SpatialGrasp& g, const py::object& within) {
+             SpatialSnapResult result = snap_normals(g, exact(within, "within"));
+             return py::make_tuple(std::move(result.grasp),
+                                   moved_normals(result.snapped, fractions_of<Vector3>));
+           })
       .def(py::pickle(
           [](const SpatialGrasp& g) { return py::make_tuple(py::bytes(write_grasp_file(g))); },
           &unpickled));

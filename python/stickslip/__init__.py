@@ -16,6 +16,7 @@ wrench is the one applied to the body. See docs/python.md.
 from . import _core
 from .errors import ContractError, InputError, LimitReached
 from .grasp import Grasp, PlacedGrasp, SnappedNormal, SnapResult
+from .loads import wrench_of
 from .questions import (
     check,
     compare,
@@ -100,4 +101,5 @@ __all__ = [
     "region",
     "slip_states",
     "stability_map",
+    "wrench_of",
 ]

@@ -31,11 +31,11 @@ class ContractError(RuntimeError):
 
 
 class LimitReached(RuntimeError):
-    """The answer was not found within the limit that ``limit`` describes."""
+    """The answer is not known; ``limit`` says why, such as "the limit of 300 nodes"."""
 
     def __init__(self, limit: str) -> None:
         super().__init__(limit)
         self.limit = limit
 
     def __str__(self) -> str:
-        return f"given up at {self.limit}; the answer is not known"
+        return f"the answer is not known: {self.limit}"

@@ -6,7 +6,7 @@ from __future__ import annotations
 import os
 from fractions import Fraction
 from types import MappingProxyType
-from typing import Any, Mapping, NamedTuple, Sequence, Tuple, Union
+from typing import Any, List, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -27,12 +27,13 @@ from .arguments import (
     as_uncertain,
     as_units,
     as_wrench,
+    as_wrench_or_none,
     coordinates_of,
     is_bilateral,
 )
 from .errors import InputError
 from .outline import has_doubles, place, polygons_of, unit_if_rational
-from .views import Page, call_of, nearest_root, shown
+from .views import FloatArray, FloatView, Page, call_of, nearest_root, shown
 
 SNAPPED_WITHIN = "1e-12"
 """How far a normal in doubles may move unasked."""
@@ -57,7 +58,8 @@ class Grasp:
         stiffness: of the normal springs, force per length, > 0; 1 if None.
         preload: normal force before the wrench is applied, >= 0.
         wrench: (3,), force x, force y and torque about the origin, applied *to* the body; in
-            space (6,), force x, y, z and torque x, y, z. None is no load.
+            space (6,), force x, y, z and torque x, y, z; ``wrench_of`` sums forces at points
+            and weights. If None every question gives its own.
         name: for people.
         cases: named loads, each a question of its own: a mapping of names to wrenches, each
             the whole load. ``decide(grasp, grasp.cases[name])`` asks about one.
@@ -77,9 +79,10 @@ class Grasp:
     Fraction(1, 2)
     """
 
-    __slots__ = ("_data", "_doubles")
+    __slots__ = ("_data", "_doubles", "_loaded")
     _data: Union[_core.GraspData, _core.SpatialGraspData]
     _doubles: bool  # whether there are floats among the normals
+    _loaded: bool  # whether somebody gave a load, be it 0
 
     def __init__(
         self,
@@ -121,6 +124,7 @@ class Grasp:
         object.__setattr__(self, "_data", data)
         object.__setattr__(self, "_doubles", any(
             isinstance(entry, (float, np.floating)) for row in directions for entry in row))
+        object.__setattr__(self, "_loaded", wrench is not None or len(cases) > 0)
 
     @classmethod
     def from_outline(
@@ -132,7 +136,7 @@ class Grasp:
         preload: Any = 0,
         *,
         tolerance: Any = None,
-        wrench: Any = (0, 0, 0),
+        wrench: Any = None,
         name: str = "",
     ) -> PlacedGrasp:
         """The body with this outline, held at these points of it; normals are those of the edges.
@@ -169,7 +173,7 @@ class Grasp:
         *,
         pad: Any = 0,
         stiffness: Any = None,
-        wrench: Any = (0, 0, 0),
+        wrench: Any = None,
         name: str = "",
     ) -> Grasp:
         """A body of this width between two parallel jaws, which close along x about the origin.
@@ -210,12 +214,21 @@ class Grasp:
         return cls._of(_core.parse_grasp(content, as_text(name, "name").encode()))
 
     @classmethod
-    def _of(cls, data: Union[_core.GraspData, _core.SpatialGraspData],
+    def _of(cls, data: Union[_core.GraspData, _core.SpatialGraspData], loaded: bool = True,
             doubles: bool = False) -> Grasp:
         grasp = cls.__new__(cls)
         object.__setattr__(grasp, "_data", data)
+        object.__setattr__(grasp, "_loaded", loaded)
         object.__setattr__(grasp, "_doubles", doubles)
         return grasp
+
+    def _load(self, wrench: Any, needed: bool = True) -> Optional[List[Any]]:
+        """That a question is about, by this argument of it; None is the grasp's own."""
+        if wrench is None and needed and not self._loaded:
+            n = 6 if self.in_space else 3
+            raise InputError("", "wrench", "the grasp has no load, and none is given",
+                             f"give a wrench of {n} numbers, here or to Grasp; no load is {(0,) * n}")
+        return as_wrench_or_none(wrench, self._coordinates)
 
     def _asked(self, preload: Any = None) -> Tuple[Grasp, Tuple[SnappedNormal, ...]]:
         """The grasp that a question with this preload is about, and what moved for that.
@@ -241,7 +254,8 @@ class Grasp:
         return self._data
 
     def to_text(self) -> str:
-        """The text of a grasp file. Equal grasps give equal texts, and reading gives the grasp."""
+        """The text of a grasp file. Equal grasps give equal texts, and reading gives the grasp;
+        one without a load is written with, and equals one with, a wrench of 0."""
         return self._data.text()
 
     def page(
@@ -271,7 +285,7 @@ class Grasp:
             return str(_core.exact(as_number(value, name), name))
 
         about, _ = self._asked(None if preload is None else _core.exact(preload, "preload"))
-        load = [] if wrench is None else as_wrench(wrench, "wrench", self._coordinates)
+        load = (None if case else self._load(wrench)) or []
         if not 0 <= time_limit <= 86400:
             raise InputError("", "time_limit", f"found {time_limit!r}", "give 0 to 86400 seconds")
         page = Page(_core.page(
@@ -280,8 +294,7 @@ class Grasp:
             is_bilateral(normal_law), "" if uncertain is None else as_uncertain(uncertain),
             as_count("node_limit", node_limit), time_limit))
         if path is not None:
-            with open(path, "w", encoding="utf-8") as file:
-                file.write(page)
+            page.save(path)
         return page
 
     def __setattr__(self, name: str, value: Any) -> None:
@@ -294,7 +307,7 @@ class Grasp:
 
     @property
     def positions(self) -> Tuple[Vector, ...]:
-        """m rows; ``np.array(grasp.positions, float)`` is an array again."""
+        """m rows; ``positions_float`` is an array again."""
         return self._data.positions()
 
     @property
@@ -314,9 +327,16 @@ class Grasp:
         return self._data.preload()
 
     @property
-    def wrench(self) -> Vector:
-        """With ``cases``, what is common to them."""
-        return self._data.wrench()
+    def wrench(self) -> Optional[Vector]:
+        """None if nobody gave a load; with ``cases``, what is common to them."""
+        return self._data.wrench() if self._loaded else None
+
+    positions_float = FloatView[FloatArray]("positions", -1, 2)
+    normals_float = FloatView[FloatArray]("normals", -1, 2)
+    friction_float = FloatView[FloatArray]("friction")
+    stiffness_float = FloatView[FloatArray]("stiffness")
+    preload_float = FloatView[FloatArray]("preload")
+    wrench_float = FloatView[Optional[FloatArray]]("wrench")
 
     @property
     def outline(self) -> Tuple[Tuple[Tuple[Pair, ...], ...], ...]:
@@ -340,12 +360,14 @@ class Grasp:
     def snap(self, within: Any = "1e-9") -> SnapResult:
         """The same grasp with rational unit normals, and how far each normal moved for that.
 
-        A preloaded contact needs a normal of rational length, and unit vectors in floating point
-        seldom have one. Each normal of irrational length is replaced by a rational unit vector
-        at a distance of at most ``within``, between 0 and 1; the others stay as they are.
+        In the plane a preloaded contact needs a normal of rational length, and so do margins with
+        preload; unit vectors in floating point seldom have one. Each normal of irrational length
+        is replaced by a rational unit vector at a distance of at most ``within``, between 0 and 1;
+        the others stay as they are.
         """
-        data, moved = self._planar().snap(as_number(within, "within"))
-        return SnapResult(Grasp._of(data), tuple(SnappedNormal(*normal) for normal in moved))
+        data, moved = self._data.snap(as_number(within, "within"))
+        return SnapResult(Grasp._of(data, self._loaded),
+                          tuple(SnappedNormal(*normal) for normal in moved))
 
     def __len__(self) -> int:
         """The number of contacts."""
@@ -363,15 +385,16 @@ class Grasp:
         return hash(self.to_text())
 
     def __reduce__(self) -> Tuple[Any, ...]:
-        return _restored, (self._data, self._doubles)
+        return _restored, (self._data, self._loaded, self._doubles)
 
     def __repr__(self) -> str:
         return call_of("Grasp", [("name", self.name), ("contacts", len(self)),
                                  ("wrench", self.wrench)])
 
 
-def _restored(data: Union[_core.GraspData, _core.SpatialGraspData], doubles: bool) -> Grasp:
-    return Grasp._of(data, doubles)
+def _restored(data: Union[_core.GraspData, _core.SpatialGraspData], loaded: bool,
+              doubles: bool) -> Grasp:
+    return Grasp._of(data, loaded, doubles)
 
 
 class PlacedGrasp(NamedTuple):
@@ -385,7 +408,7 @@ class SnappedNormal(NamedTuple):
     """A contact whose normal was replaced by a rational unit vector."""
 
     contact: int
-    normal: Pair
+    normal: Vector
     moved_at_most: str  # a decimal, rounded up
 
     def __repr__(self) -> str:

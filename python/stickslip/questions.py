@@ -36,7 +36,7 @@ from .arguments import (
     one_of,
 )
 from .errors import InputError, LimitReached
-from .grasp import Grasp, SnappedNormal
+from .grasp import Grasp, SnappedNormal, Vector
 from .results import (
     BoxDecision,
     Cell,
@@ -62,7 +62,7 @@ from .results import (
 from .views import Picture
 
 Number = Union[int, float, str, Fraction, Decimal]
-OneWrench = Union[Tuple[Any, Any, Any], Tuple[Any, Any, Any, Any, Any, Any]]
+OneWrench = Union[Tuple[Any, Any, Any], Tuple[Any, Any, Any, Any, Any, Any], Vector]
 
 
 @overload
@@ -132,7 +132,8 @@ def decide(
     Args:
         grasp: what is asked about, or a sequence of n grasps.
         wrench: (3,) or (n, 3), force x, force y and torque about the origin, applied to the
-            body; the grasp's own if None. In space (6,) or (n, 6), as of a Grasp.
+            body; the grasp's own if None. In space (6,) or (n, 6), as of a Grasp. ``wrench_of``
+            sums forces at points and weights.
         uncertain: how far numbers may be off, by kind, such as {"friction": "10%", "wrench": 0.1}
             or "friction=10%": the verdict is then a ``BoxDecision`` about all grasps in the box
             (docs/uncertainty.md). {} encloses the irrational lengths of preloaded normals, and
@@ -152,15 +153,18 @@ def decide(
             does not balance (docs/model.md). Takes longer than most verdicts; of one question.
 
     Raises:
-        InputError: an argument is wrong, or a preloaded contact has a normal of irrational
-            length (``Grasp.snap``, or ``uncertain={}``).
+        InputError: an argument is wrong, there is no load, or a preloaded contact has a normal of
+            irrational length (``Grasp.snap``, or ``uncertain={}``).
     """
     if uncertain is not None:
         one_of("engine", engine, ("auto",))
+        if warnings:
+            raise InputError("", "warnings", "the question is about a box of grasps",
+                             "ask for the warnings of one grasp, without uncertain")
         about = _with_friction(grasp, friction)
         tolerances = as_uncertain(uncertain)
         result = _core.decide_box(
-            about._data, tolerances, _wrench_of(about, wrench),
+            about._data, tolerances, about._load(wrench),
             as_number_or_none(preload, "preload"), is_bilateral(normal_law),
             as_count("node_limit", node_limit))
         return BoxDecision(grasp=about, uncertain=tolerances,
@@ -176,10 +180,10 @@ def decide(
         if warnings:
             raise InputError("", "warnings", "these are many questions",
                              "ask for the warnings of one question at a time")
-        return Decisions(_core.decide_many(many.count, *many.lists(), *how, at_once), many.snapped)
+        return Decisions(_core.decide_many(many.count, *many.lists(), *how, at_once), many.asked)
     about, snapped = _asked(grasp, preload)
     about = _with_friction(about, friction)
-    result = _core.decide(about._data, _wrench_of(about, wrench),
+    result = _core.decide(about._data, about._load(wrench),
                           as_number_or_none(preload, "preload"), *how, bool(warnings))
     result["warnings"] = tuple(ModelWarning(*w) for w in result["warnings"])
     return Decision(grasp=about, snapped=snapped, **result)
@@ -206,7 +210,7 @@ def radius(
     about = _with_friction(grasp, friction)
     tolerances = as_uncertain(uncertain)
     result = _core.radius(
-        about._planar(), tolerances, as_wrench_or_none(wrench), as_number_or_none(preload, "preload"),
+        about._planar(), tolerances, about._load(wrench), as_number_or_none(preload, "preload"),
         is_bilateral(normal_law), as_number(accuracy, "accuracy"),
         as_count("node_limit", node_limit))
     return Radius(grasp=about, uncertain=tolerances,
@@ -237,7 +241,7 @@ def stability_map(
     """
     about = _with_friction(grasp, friction)
     result = _core.stability_map(
-        about._planar(), str(x), str(y), as_wrench_or_none(wrench),
+        about._planar(), str(x), str(y), about._load(wrench),
         as_number_or_none(preload, "preload"), is_bilateral(normal_law),
         as_count("depth", depth, 12), as_count("node_limit", node_limit), bool(proofs))
     law = result["normal_law"]
@@ -333,8 +337,8 @@ def plot_grasp(
     hold it, or the virtual twist that wins. In space from three sides."""
     about, _ = _asked(grasp, preload)
     return Picture(_core.plot_grasp(
-        about._data, _wrench_of(about, wrench), as_number_or_none(preload, "preload"),
-        is_bilateral(normal_law), "auto"))
+        about._data, about._load(wrench), as_number_or_none(preload, "preload"),
+        is_bilateral(normal_law), "auto", None))
 
 
 def plot_states(grasp: Grasp) -> Picture:
@@ -356,7 +360,7 @@ def compare(
     """
     about, snapped = _asked(grasp, preload)
     rows = _core.compare(
-        about._planar(), as_wrench_or_none(wrench), as_number_or_none(preload, "preload"),
+        about._planar(), about._load(wrench), as_number_or_none(preload, "preload"),
         is_bilateral(normal_law), as_number(length, "length"))
     return Comparison(tuple(Method(*row[:-1], json.loads(row[-1])) for row in rows), about, snapped)
 
@@ -365,10 +369,9 @@ def export(
     grasp: Grasp, wrench: Any = None, *, preload: Any = None, normal_law: str = "unilateral"
 ) -> str:
     """The question for Z3, cvc5 and others: SMT-LIB 2, logic QF_LRA; sat means stable."""
-    return _core.smtlib(
-        _asked(grasp, preload)[0]._planar(), as_wrench_or_none(wrench),
-        as_number_or_none(preload, "preload"),
-        is_bilateral(normal_law))
+    about, _ = _asked(grasp, preload)
+    return _core.smtlib(about._planar(), about._load(wrench), as_number_or_none(preload, "preload"),
+                        is_bilateral(normal_law))
 
 
 def margin(
@@ -414,7 +417,7 @@ def margin(
     result = _core.margin(
         about._data,
         as_direction_or_none(direction, about._coordinates),
-        _wrench_of(about, wrench),
+        about._load(wrench, needed=direction is None),
         as_number_or_none(preload, "preload"),
         as_preload_direction_or_none(preload_direction),
         is_bilateral(normal_law),
@@ -461,7 +464,7 @@ def crosscheck(
         None if twist is None else as_list(twist, "twist", (3,), "motion x, y and rotation r"),
         None if forces is None
         else as_list(forces, "forces", (len(about), 2), "one vector for each contact"),
-        as_wrench_or_none(wrench),
+        about._load(wrench),
         as_number_or_none(preload, "preload"),
         is_bilateral(normal_law),
         as_number(tie, "tie"),
@@ -509,12 +512,14 @@ def check(
         about, _ = _asked(grasp, preload if preload_direction is None else 1)
         grasp_bytes, grasp_name = about.to_text().encode(), b"<grasp>"
         n = about._coordinates
+        load = about._load(wrench, needed=direction is None and plane is None)
     else:
         grasp_bytes, grasp_name = as_content(
             grasp, "grasp", "give a stickslip.Grasp, or the path of its file")
         in_space = any(values is not None and as_array(values, name).shape == (6,)
                        for name, values in (("wrench", wrench), ("direction", direction)))
         n = 3 if in_space else 2
+        load = as_wrench_or_none(wrench, n)
     remedy = "give its text as a str, or the path of its file as a pathlib.Path"
     if isinstance(certificate, str):
         certificate_bytes, name = as_json(certificate, "certificate", remedy), b"<certificate>"
@@ -523,7 +528,7 @@ def check(
     return CheckResult(**_core.check(
         grasp_bytes,
         certificate_bytes,
-        as_wrench_or_none(wrench, n),
+        load,
         as_number_or_none(preload, "preload"),
         is_bilateral(normal_law),
         as_direction_or_none(direction, n),
@@ -559,8 +564,8 @@ class Questions:
     def __init__(self, grasp: Any, wrench: Any, friction: Any, preload: Any) -> None:
         self._grasps = grasp
         self._given = {"wrench": wrench, "friction": friction, "preload": preload}
-        self.snapped: List[Tuple[SnappedNormal, ...]] = []
-        """Of each grasp, once they are in lists()."""
+        self.asked: List[Tuple[Grasp, Tuple[SnappedNormal, ...]]] = []
+        """Each grasp with the normals that moved, once they are in lists()."""
         counts = {}
         if isinstance(grasp, (list, tuple)) or (
                 isinstance(grasp, np.ndarray) and grasp.ndim == 1):
@@ -591,8 +596,7 @@ class Questions:
         preloads = self._numbers("preload", as_number)
         largest = max((_core.exact(value, f"preload[{i}]") for i, value in enumerate(preloads)),
                       default=None)
-        asked = [_asked(grasp, largest) for grasp in given]
-        self.snapped = [snapped for _, snapped in asked]
+        self.asked = [_asked(grasp, largest) for grasp in given]
         frictions = self._numbers("friction", lambda value, name: as_numbers(
             value, name, len(given[0])))
         wrenches: List[Any] = []
@@ -603,7 +607,10 @@ class Questions:
                                meaning + " in each row")
         elif self._given["wrench"] is not None:
             wrenches = [as_wrench(self._given["wrench"], "wrench", n)]
-        return [grasp._data for grasp, _ in asked], wrenches, frictions, preloads
+        else:
+            for grasp in given:
+                grasp._load(None)
+        return [grasp._data for grasp, _ in self.asked], wrenches, frictions, preloads
 
     def _numbers(self, name: str, convert: Callable[[Any, str], Any]) -> List[Any]:
         value = self._given[name]
@@ -627,7 +634,7 @@ def _with_friction(grasp: Grasp, friction: Any) -> Grasp:
     data = _require_grasp(grasp)._data
     if friction is None:
         return grasp
-    return Grasp._of(data.with_friction(as_number(friction, "friction")))
+    return Grasp._of(data.with_friction(as_number(friction, "friction")), grasp._loaded)
 
 
 def _with_proofs(fields: Dict[str, Any], *names: str) -> Dict[str, Any]:
@@ -642,10 +649,6 @@ def _with_proofs(fields: Dict[str, Any], *names: str) -> Dict[str, Any]:
             fields[name] = (proof(value) if isinstance(value[0], str)
                             else tuple(proof(texts) for texts in value))
     return fields
-
-
-def _wrench_of(grasp: Grasp, wrench: Any) -> Optional[List[Any]]:
-    return as_wrench_or_none(wrench, grasp._coordinates)
 
 
 def _require_grasp(grasp: Grasp) -> Grasp:

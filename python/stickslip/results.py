@@ -6,6 +6,8 @@
 
 from __future__ import annotations
 
+import importlib
+import json
 import operator
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -16,7 +18,7 @@ from numpy.typing import NDArray
 
 from . import _core
 from .errors import InputError, LimitReached
-from .grasp import Grasp, Pair, SnappedNormal, Triple, Vector
+from .grasp import SNAPPED_WITHIN, Grasp, Pair, SnappedNormal, Triple, Vector
 from .views import Answer, FloatArray, FloatView, Picture, doubles, nearest_root, table
 
 _MOST_CONTACTS_TO_SHOW = 100  # in a notebook, unasked
@@ -52,7 +54,8 @@ class Decision(Answer):
     rotation x, y, z; None, and so the forces, where no equilibrium in fractions was found."""
     near: Optional[Vector] = None
     """Stable without a twist: a motion near that of an equilibrium. In space, and in the plane where
-    an exact equilibrium would have numbers of many thousand digits (docs/python.md)."""
+    an exact equilibrium would have numbers of many thousand digits (docs/python.md). If undecided, one
+    at which the laws seem to hold in doubles."""
     forces: Optional[Tuple[Vector, ...]] = None
     """The force of each contact on the body, in the frame of the body."""
     coefficients: Optional[Tuple[Pair, ...]] = field(default=None, repr=False)
@@ -64,7 +67,11 @@ class Decision(Answer):
     closed: Optional[Tuple[bool, ...]] = None
     """False where the contact has opened."""
     limit: Optional[str] = None
-    """The limit that was reached, if undecided."""
+    """Why there is no answer, if undecided."""
+    reason: Optional[str] = None
+    """The same in one word, such as "nodes" or "degree" (docs/space.md, "My grasp is undecided")."""
+    remedy: Optional[str] = None
+    """What may help, if anything is known to."""
     warnings: Tuple[ModelWarning, ...] = ()
     """What decide was asked to look for with ``warnings=True``."""
     stats: Dict[str, int] = field(default_factory=dict, repr=False, compare=False)
@@ -77,16 +84,11 @@ class Decision(Answer):
     coefficients_float = FloatView[Optional[FloatArray]]("coefficients", -1, 2)
 
     def plot(self) -> Picture:
-        """The grasp, its load and the evidence, as ``plot_grasp`` draws them.
-
-        Raises:
-            LimitReached: undecided.
-        """
-        if self.limit is not None:
-            raise LimitReached(self.limit)
+        """The grasp, its load and the evidence, as ``plot_grasp`` draws them; if undecided there is
+        none."""
         return Picture(_core.plot_grasp(
             self.grasp._data, list(self.wrench), self.preload, self.normal_law == "bilateral",
-            self.engine))
+            self.engine, self.limit))
 
     def check(self) -> CheckResult:
         """What the independent checker says of the certificate, to the same question.
@@ -102,8 +104,7 @@ class Decision(Answer):
             b"<certificate>"))
 
     def _picture(self) -> Optional[Picture]:
-        few = len(self.grasp) <= _MOST_CONTACTS_TO_SHOW
-        return self.plot() if few and self.limit is None else None
+        return self.plot() if len(self.grasp) <= _MOST_CONTACTS_TO_SHOW else None
 
 
 class Proof(NamedTuple):
@@ -131,6 +132,7 @@ class BoxDecision(Answer):
 
     verdict: str
     """"stable" or "unstable" throughout; "fragile", some are and some are not; or "undecided"."""
+    engine: str
     normal_law: str
     wrench: Vector
     """In the middle."""
@@ -146,6 +148,12 @@ class BoxDecision(Answer):
     """If fragile: a grasp of the box that is stable, and one that is not."""
     limit: Optional[str] = None
     """Why there is no answer, if undecided."""
+    reason: Optional[str] = None
+    """The same in one word, such as "nodes" or "degree" (docs/space.md, "My grasp is undecided")."""
+    remedy: Optional[str] = None
+    """What may help, if anything is known to."""
+    near: Optional[Tuple[Fraction, ...]] = None
+    """If undecided: a motion at which the laws seem to hold in doubles."""
     stats: Dict[str, int] = field(default_factory=dict, repr=False, compare=False)
     """Work counters of the engine; reproducible."""
 
@@ -169,6 +177,22 @@ class BoxDecision(Answer):
         if self.proof is None:
             raise LimitReached(self.limit or "")
         return self.proof.check()
+
+    def plot(self) -> Picture:
+        """The grasp in the middle, as ``plot_grasp`` draws it: with its own verdict, which in a
+        fragile box is that of some grasps only; if undecided without evidence."""
+        file = json.loads(self.grasp.to_text())
+        box = "a fragile box" if self.verdict == "fragile" else "a box"
+        file["name"] = f"{self.grasp.name or 'Grasp'}, in the middle of {box}"
+        middle = Grasp.from_text(json.dumps(file))
+        if not middle.in_space:  # lengths may be irrational
+            middle = middle.snap(SNAPPED_WITHIN).grasp
+        return Picture(_core.plot_grasp(
+            middle._data, list(self.wrench), self.preload, self.normal_law == "bilateral", "auto",
+            self.limit))
+
+    def _picture(self) -> Optional[Picture]:
+        return self.plot() if len(self.grasp) <= _MOST_CONTACTS_TO_SHOW else None
 
 
 @dataclass(frozen=True, repr=False)
@@ -233,7 +257,8 @@ class StabilityMap(Answer):
 
 
 class Decisions(Sequence[Decision]):
-    """The answers to many questions, in their order. Each becomes a Decision when it is looked at.
+    """The answers to many questions, in their order. Each becomes a Decision when it is looked at;
+    all of them do to be compared or pickled.
 
     >>> from stickslip import Grasp, decide
     >>> jaws = Grasp([[-1, 0], [1, 0]], [[1, 0], [-1, 0]], friction="1/2", preload=1)
@@ -247,22 +272,70 @@ class Decisions(Sequence[Decision]):
     """
 
     def __init__(self, data: _core.DecisionsData,
-                 snapped: Sequence[Tuple[SnappedNormal, ...]]) -> None:
+                 asked: Sequence[Tuple[Grasp, Tuple[SnappedNormal, ...]]]) -> None:
         self._data = data
-        self._snapped = snapped  # of all or of each
+        self._asked = asked  # of all or of each
         self.verdict: NDArray[np.str_] = np.array(data.verdicts(), dtype="<U9")
         """(n,), "stable", "unstable" or "undecided"."""
+        self.engine: NDArray[np.str_] = np.array(data.engines(), dtype="<U6")
+        """(n,), as of a Decision."""
+
+    @property
+    def undecided(self) -> NDArray[np.bool_]:
+        """(n,), where the verdict is "undecided"."""
+        return np.equal(self.verdict, "undecided")
 
     @property
     def stable(self) -> NDArray[np.bool_]:
-        """(n,), where the verdict is "stable"."""
+        """(n,), True where the verdict is "stable", and False where it is "unstable".
+
+        Raises:
+            LimitReached: one is undecided, which is neither. ``verdict == "stable"`` is what is
+                proved to be stable.
+        """
+        open_ones = np.count_nonzero(self.undecided)
+        if open_ones > 0:
+            raise LimitReached(f"{open_ones} of {len(self)} questions are undecided, and .undecided "
+                               "says which; .verdict == 'stable' is where stability is proved")
         return np.equal(self.verdict, "stable")
+
+    @property
+    def wrench_float(self) -> FloatArray:
+        """(n, 3), in space (n, 6): the loads in the nearest doubles."""
+        return self._data.wrenches()
 
     @property
     def twist_float(self) -> FloatArray:
         """(n, 3), in space (n, 6): the motions of the equilibria in the nearest doubles; NaN where
         there is none, or none is known exactly."""
         return self._data.twists()
+
+    @property
+    def forces_float(self) -> FloatArray:
+        """(n, m, 2), in space (n, m, 3): the forces of the contacts on the body in the nearest
+        doubles; NaN where there are none, or none are known exactly, and beyond the last contact
+        of a grasp that has fewer than another."""
+        coordinates = 3 if self.twist_float.shape[1] == 6 else 2
+        forces = self._data.forces()
+        contacts = max((len(grasp) for grasp, _ in self._asked), default=0)
+        result = np.full((len(self), contacts, coordinates), np.nan)
+        given = forces.reshape(len(self), forces.shape[1] // coordinates, coordinates)
+        result[:, :given.shape[1]] = given
+        return result
+
+    def to_dataframe(self) -> Any:
+        """A ``pandas.DataFrame`` with a row for each question: verdict, engine, why it is undecided
+        (``limit``), and in doubles the load and the motion that holds it."""
+        pandas = importlib.import_module("pandas")
+        wrench, motion = (
+            (("force_x", "force_y", "torque"), ("motion_x", "motion_y", "rotation"))
+            if self.twist_float.shape[1] == 3 else
+            tuple(tuple(f"{name}_{axis}" for name in names for axis in "xyz")
+                  for names in (("force", "torque"), ("motion", "rotation"))))
+        limits = [limit or None for limit in self._data.limits()]
+        return pandas.DataFrame({
+            "verdict": self.verdict, "engine": self.engine, "limit": limits,
+            **dict(zip(wrench, self.wrench_float.T)), **dict(zip(motion, self.twist_float.T))})
 
     def __len__(self) -> int:
         return self._data.size()
@@ -279,9 +352,17 @@ class Decisions(Sequence[Decision]):
         i = operator.index(index)
         if not -len(self) <= i < len(self):
             raise IndexError(f"there are {len(self)} decisions")
-        grasp, fields = self._data.at(i % len(self))
-        snapped = self._snapped[0 if len(self._snapped) == 1 else i % len(self)]
-        return Decision(grasp=Grasp._of(grasp), snapped=snapped, **fields)
+        data, fields = self._data.at(i % len(self))
+        grasp, snapped = self._asked[0 if len(self._asked) == 1 else i % len(self)]
+        return Decision(grasp=Grasp._of(data, grasp._loaded), snapped=snapped, **fields)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Decisions):
+            return NotImplemented
+        return np.array_equal(self.verdict, other.verdict) and tuple(self) == tuple(other)
+
+    def __hash__(self) -> int:
+        return hash(self.verdict.tobytes())
 
     def _counts(self) -> Tuple[Tuple[str, int], ...]:
         verdicts, counts = np.unique(self.verdict, return_counts=True)

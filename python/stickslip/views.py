@@ -6,8 +6,9 @@ from __future__ import annotations
 import dataclasses
 import html
 import math
+import os
 from fractions import Fraction
-from typing import Any, Generic, Iterable, Optional, Sequence, Tuple, Type, TypeVar, cast
+from typing import Any, Generic, Iterable, Optional, Sequence, Tuple, Type, TypeVar, Union, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -112,28 +113,48 @@ def call_of(name: str, fields: Iterable[Tuple[str, Any]]) -> str:
     return name + "(" + "\n".join(lines)[len(margin):].removesuffix(",") + ")"
 
 
-class Picture(str):
-    """An SVG document, which shows itself in a notebook.
+class Document(str):
+    """A text to keep or to show, of which ``print`` and ``repr`` say one line.
 
-    ``pathlib.Path("grasp.svg").write_text(picture)`` keeps it.
+    In all else it is the str of its text, also in an f-string.
     """
 
-    def _repr_svg_(self) -> str:
-        return str(self)
+    _language = ""
+
+    def save(self, path: Union[str, os.PathLike[str]]) -> None:
+        """Writes it to a file, over what is there."""
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(self)
 
     def __repr__(self) -> str:
-        return f"<Picture: SVG of {len(self)} characters>"
+        return f"<{type(self).__name__}: {self._language} of {len(self)} characters>"
+
+    __str__ = __repr__
+
+    def __format__(self, how: str) -> str:
+        return format(self[:], how)
+
+    def __reduce__(self) -> Tuple[Any, ...]:  # the oldest protocols would keep str(self)
+        return type(self), (self[:],)
 
 
-class Page(str):
-    """An HTML document that loads nothing, which shows itself in a notebook."""
+class Picture(Document):
+    """An SVG document, which shows itself in a notebook; ``save("grasp.svg")`` keeps it."""
+
+    _language = "SVG"
+
+    def _repr_svg_(self) -> str:
+        return self[:]
+
+
+class Page(Document):
+    """An HTML document that loads nothing, which shows itself in a notebook; ``save`` keeps it."""
+
+    _language = "HTML"
 
     def _repr_html_(self) -> str:
         return ("<iframe style='width:100%;height:48em;border:0' sandbox='allow-scripts allow-downloads' "
-                f"srcdoc='{html.escape(self)}'></iframe>")
-
-    def __repr__(self) -> str:
-        return f"<Page: HTML of {len(self)} characters>"
+                f"srcdoc='{html.escape(self[:])}'></iframe>")
 
 
 class Answer:

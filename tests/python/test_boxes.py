@@ -56,7 +56,7 @@ def test_irrational_lengths(fig1, tmp_path):
     found = program("decide", path)
     assert (answer.verdict, answer.stats) == (found["verdict"], found["stats"])
     assert answer.uncertain == "" and judged(tmp_path, answer.proof) == "stable"
-    for ask in (lambda: decide(fig1, uncertain={}), lambda: radius(turned, uncertain={})):
+    for ask in (lambda: decide(fig1, LOAD, uncertain={}), lambda: radius(turned, uncertain={})):
         with pytest.raises(InputError) as error:
             ask()
         assert error.value.place == "uncertain"
@@ -109,6 +109,8 @@ def test_arguments(fig1):
                 ask(fig1, LOAD, uncertain=value)
     with pytest.raises(InputError, match="engine"):
         decide(fig1, LOAD, uncertain="friction=1%", engine="states")
+    with pytest.raises(InputError, match="warnings: the question is about a box"):
+        decide(fig1, LOAD, uncertain="friction=1%", warnings=True)
     for accuracy in (0, 1, -1, "x"):
         with pytest.raises(InputError, match="accuracy"):
             radius(fig1, LOAD, uncertain="friction=1%", accuracy=accuracy)

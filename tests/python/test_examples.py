@@ -33,7 +33,7 @@ def test_crosscheck_numpy():
     }
 
 
-@pytest.mark.parametrize("module", [stickslip, stickslip.grasp])
+@pytest.mark.parametrize("module", [stickslip, stickslip.grasp, stickslip.loads])
 def test_docstrings(module):
     result = doctest.testmod(module, extraglobs={"Grasp": stickslip.Grasp})
     assert result.attempted > 0 and result.failed == 0

@@ -305,7 +305,9 @@ def test_equality_and_copies(fig1):
         for same in (pickle.loads(pickle.dumps(grasp)), copy.deepcopy(grasp)):
             assert same == grasp and hash(same) == hash(grasp)
     assert fig1 != diagonal and fig1 != "fig1"
-    assert repr(fig1) == "Grasp(name='fig1', contacts=3, wrench=(0, 0, 0))"
+    assert repr(fig1) == "Grasp(name='fig1', contacts=3)"
+    loaded = Grasp(fig1.positions, fig1.normals, "1/2", wrench=(0, 0, 0.5))
+    assert repr(loaded) == "Grasp(contacts=3, wrench=(0, 0, 1/2))"
 
 
 def test_snapping():

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Many questions in one call: the same answers as one at a time."""
 
+import importlib.util
+import pickle
 from fractions import Fraction
 
 import numpy as np
 import pytest
 from conftest import GOOD
-from stickslip import Decision, Decisions, Grasp, InputError, decide
+from stickslip import Decision, Decisions, Grasp, InputError, LimitReached, decide
 
 UP = (0, 1, 0)
 WRENCHES = [(0, 1, 0), (0, "11/10", 0), (1, 0, 0), (0, 0, 0.25), (-1, -1, "1/3")]
@@ -18,10 +20,27 @@ def same(many, singles):
     assert list(many) == singles
     assert [d.certificate for d in many] == [d.certificate for d in singles]
     assert many.verdict.tolist() == [d.verdict for d in singles]
-    assert many.stable.tolist() == [d.verdict == "stable" for d in singles]
-    width = 6 if singles[0].grasp.in_space else 3
-    rows = [d.twist_float if d.twist else np.full(width, np.nan) for d in singles]
+    assert many.engine.tolist() == [d.engine for d in singles]
+    assert many.undecided.tolist() == [d.verdict == "undecided" for d in singles]
+    if many.undecided.any():
+        with pytest.raises(LimitReached, match="questions are undecided.*[.]undecided"):
+            many.stable
+    else:
+        assert many.stable.tolist() == [d.verdict == "stable" for d in singles]
+    n = 3 if singles[0].grasp.in_space else 2
+    rows = [d.twist_float if d.twist else np.full(3 * n - 3, np.nan) for d in singles]
     np.testing.assert_array_equal(many.twist_float, np.array(rows))
+    np.testing.assert_array_equal(many.wrench_float, [d.wrench_float for d in singles])
+    forces = np.full((len(singles), max(len(d.grasp) for d in singles), n), np.nan)
+    for row, d in zip(forces, singles):
+        if d.forces:
+            row[:len(d.forces)] = d.forces_float
+    np.testing.assert_array_equal(many.forces_float, forces)
+    again = pickle.loads(pickle.dumps(many))
+    assert again == many and hash(again) == hash(many) and repr(again) == repr(many)
+    assert again != many[:1] and [d.stats for d in again] == [d.stats for d in many]
+    np.testing.assert_array_equal(again.forces_float, forces)
+    np.testing.assert_array_equal(again.twist_float, many.twist_float)
 
 
 def test_wrenches(fig1):
@@ -107,11 +126,14 @@ def test_long_numbers():
 
 
 def test_one_and_none(fig1):
-    same(decide([fig1]), [decide(fig1)])
+    own = Grasp(fig1.positions, fig1.normals, "1/2", preload=1, wrench=UP)
+    same(decide([own]), [decide(own)])
     same(decide(fig1, [UP]), [decide(fig1, UP)])
     same(decide([fig1], WRENCHES), [decide(fig1, w) for w in WRENCHES])
-    for nothing in (decide(fig1, np.zeros((0, 3))), decide([]), decide(fig1, friction=[])):
+    for nothing in (decide(fig1, np.zeros((0, 3))), decide([]), decide(own, friction=[])):
         assert len(nothing) == 0 and nothing.twist_float.shape == (0, 3)
+        assert nothing.forces_float.shape[0] == len(nothing.to_dataframe()) == 0
+        assert pickle.loads(pickle.dumps(nothing)) == nothing
         assert repr(nothing) == "Decisions(0 questions)"
 
 
@@ -128,6 +150,23 @@ def test_as_a_sequence(fig1):
     assert "<td" in many._repr_html_()
 
 
+@pytest.mark.skipif(importlib.util.find_spec("pandas") is None, reason="pandas is not installed")
+def test_dataframe(fig1):
+    many = decide(fig1, WRENCHES, node_limit=1, engine="cone")
+    frame = many.to_dataframe()
+    assert frame.columns.tolist() == ["verdict", "engine", "limit", "force_x", "force_y", "torque",
+                                      "motion_x", "motion_y", "rotation"]
+    assert frame["verdict"].tolist() == many.verdict.tolist()
+    assert frame["limit"].tolist() == [d.limit for d in many]
+    np.testing.assert_array_equal(frame[["force_x", "force_y", "torque"]], many.wrench_float)
+    np.testing.assert_array_equal(frame[["motion_x", "motion_y", "rotation"]], many.twist_float)
+    assert set(frame.groupby("verdict").size().index) >= {"undecided", "stable"}
+    in_space = decide(Grasp([(0, 0, 0)], [(0, 0, 1)], 1), [(0, 0, -1, 0, 0, 0)]).to_dataframe()
+    assert in_space.columns.tolist()[3:] == [
+        f"{name}_{axis}" for name in ("force", "torque", "motion", "rotation") for axis in "xyz"]
+    assert in_space.loc[0, "force_z"] == -1
+
+
 def test_errors_name_the_question(fig1):
     round_grasp = Grasp([[0, 0]], [[1, 1]], 1, preload=1)
     in_space = Grasp([[0, 0, 0]], [[0, 0, 1]], 1, preload=1)
@@ -141,16 +180,18 @@ def test_errors_name_the_question(fig1):
             (lambda: decide(fig1, UP, preload=[1, -1]), "question 1, preload"),
             (lambda: decide(fig1, UP, preload=[1, None]), "preload[1]"),
             (lambda: decide(fig1, WRENCHES, friction=[1, 2]), "wrench, friction"),
-            (lambda: decide([fig1, 3]), "grasp"),
-            (lambda: decide([fig1, round_grasp]), "question 1, contacts[0].normal"),
+            (lambda: decide([fig1, 3], UP), "grasp"),
+            (lambda: decide([fig1, round_grasp], UP), "question 1, contacts[0].normal"),
             (lambda: decide([fig1, fig1], WRENCHES), "grasp, wrench"),
             (lambda: decide(fig1, WRENCHES, warnings=True), "warnings"),
             (lambda: decide(fig1, WRENCHES, engine="best"), "engine"),
             (lambda: decide([fig1, in_space]), "grasp"),
             (lambda: decide(in_space, [(0, 0, 1)]), "wrench"),
             (lambda: decide(in_space, [(0, 0, 1, 0, 0, 0), (0, 0, 1, 0, "x", 0)]), "wrench[1][4]"),
-            (lambda: decide([in_space], engine="cone"), "engine"),
-            (lambda: decide(in_space, friction=[1, -1]), "question 1, contacts[0].friction")):
+            (lambda: decide([in_space], (0,) * 6, engine="cone"), "engine"),
+            (lambda: decide(in_space, (0,) * 6, friction=[1, -1]), "question 1, contacts[0].friction"),
+            (lambda: decide([fig1]), "wrench"),
+            (lambda: decide(fig1, friction=[1, 2]), "wrench")):
         with pytest.raises(InputError) as caught:
             call()
         assert caught.value.place == place

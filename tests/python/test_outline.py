@@ -21,7 +21,7 @@ def test_sides_of_a_plate():
         assert grasp.normals == inward
         assert grasp.positions == ((1, 0), (4, 1), (Fraction(1, 3), 3), (0, 2))
         assert moved == (0, 0, 0, 0)
-        assert decide(grasp).verdict == "stable"
+        assert decide(grasp, (0, 0, 0)).verdict == "stable"
         assert sorted(grasp.outline[0][0]) == sorted(map(tuple, PLATE))
 
 

@@ -3,6 +3,7 @@
 
 import json
 import os
+import pickle
 import re
 import subprocess
 import xml.etree.ElementTree as ElementTree
@@ -39,8 +40,13 @@ def test_pictures_are_those_of_the_program(tmp_path, fig1):
              ["region", "GRASP", "--u", "0,0,1", "--origin", "1,0,0"])):
         assert isinstance(picture, Picture)
         assert picture == printed(tmp_path, fig1, "plot", *words)
-        assert picture._repr_svg_() == str(picture)
-        assert repr(picture) == f"<Picture: SVG of {len(picture)} characters>"
+        assert picture._repr_svg_() == picture[:] == f"{picture}" and type(picture[:]) is str
+        assert repr(picture) == str(picture) == f"<Picture: SVG of {len(picture)} characters>"
+        picture.save(tmp_path / "kept.svg")
+        assert (tmp_path / "kept.svg").read_text(encoding="utf-8") == picture
+        for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
+            again = pickle.loads(pickle.dumps(picture, protocol))
+            assert again == picture and type(again) is Picture
         ElementTree.fromstring(picture)
 
 
@@ -132,7 +138,7 @@ def test_region_errors(fig1):
 def test_comparison_is_that_of_the_program(tmp_path, fig1, options, words):
     (tmp_path / "grasp.json").write_text(fig1.to_text())
     said = program("compare", tmp_path / "grasp.json", *words)["methods"]
-    comparison = stickslip.compare(fig1, **options)
+    comparison = stickslip.compare(fig1, **{"wrench": (0, 0, 0), **options})
     assert [row._asdict() for row in comparison.methods] == [
         {**{key: row[key] for key in ("method", "source", "verdict", "agrees", "why", "evidence")},
          "about_the_load": row["about"] == "load"} for row in said]
@@ -142,7 +148,7 @@ def test_comparison_is_that_of_the_program(tmp_path, fig1, options, words):
     with pytest.raises(KeyError):
         comparison["best"]
     with pytest.raises(InputError, match="above 0"):
-        stickslip.compare(fig1, length=0)
+        stickslip.compare(fig1, (0, 0, 0), length=0)
 
 
 def test_answers_show_themselves(fig1):
@@ -156,7 +162,7 @@ def test_answers_show_themselves(fig1):
         page = ElementTree.fromstring(f"<div>{html}</div>")
         assert page.find("table") is not None
         svg = answer._repr_svg_()
-        assert html.startswith(svg or "<table>")
+        assert html.startswith(svg or "<table>") and "<Picture" not in html
         assert (svg is not None) == hasattr(answer, "plot")
         if svg is not None:
             assert svg == answer.plot()
@@ -166,20 +172,19 @@ def test_answers_show_themselves(fig1):
 
 def test_what_cannot_be_drawn(fig1):
     undecided = stickslip.decide(fig1, (0, 2, 0), node_limit=1)
-    assert undecided.verdict == "undecided"
-    assert undecided._repr_svg_() is None and "undecided" in undecided._repr_html_()
-    for call in (undecided.plot, undecided.check):
-        with pytest.raises(LimitReached):
-            call()
+    assert undecided.verdict == "undecided" and "undecided" in undecided._repr_html_()
+    with pytest.raises(LimitReached) as caught:
+        undecided.check()
+    assert str(caught.value) == "the answer is not known: the limit of 1 nodes"
     angles = np.linspace(0, 6, 101)
     many = np.round(1000 * np.column_stack([np.cos(angles), np.sin(angles)]))
     crowd = Grasp(many, -many, 1)
-    assert stickslip.decide(crowd)._repr_svg_() is None
+    assert stickslip.decide(crowd, (0, 0, 0))._repr_svg_() is None
     assert stickslip.slip_states(crowd, list_states=False)._repr_svg_() is None
 
 
 def test_names_are_escaped():
-    grasp = Grasp([[0, 0]], [[1, 0]], 1, name="<b> & \"c\"")
+    grasp = Grasp([[0, 0]], [[1, 0]], 1, name="<b> & \"c\"", wrench=(0, 0, 0))
     for answer in (stickslip.decide(grasp), stickslip.slip_states(grasp)):
         ElementTree.fromstring(f"<div>{answer._repr_html_()}</div>")
 
@@ -197,12 +202,13 @@ def test_pages_are_those_of_the_program(tmp_path, fig1):
     found, expected = answer_of(page), answer_of(expected)
     assert '"stiffness"' in expected.pop("grasp") and '"stiffness"' not in found.pop("grasp")
     assert found == expected
-    assert repr(page) == f"<Page: HTML of {len(page)} characters>"
+    assert repr(page) == str(page) == f"<Page: HTML of {len(page)} characters>"
+    assert 60 > len(repr(page)) and f"{page:.9}" == "<!DOCTYPE"
     assert page._repr_html_().count("<") == 2
-    boxed = answer_of(fig1.page(uncertain={"friction": "10%"}, normal_law="bilateral"))
+    boxed = answer_of(fig1.page(wrench=(0, 0, 0), uncertain={"friction": "10%"}, normal_law="bilateral"))
     assert boxed["question"]["uncertain"] == "friction=10%" and boxed["decide"]["box"]
     for arguments, place in (({"wrench": (1, 2)}, "wrench"), ({"preload": -1}, "preload"), ({"case": "a"}, "case"),
                              ({"uncertain": "x=1"}, "uncertain"), ({"time_limit": -1}, "time_limit")):
         with pytest.raises(InputError) as error:
-            fig1.page(**arguments)
+            fig1.page(**{"wrench": (0, 0, 0), **arguments})
         assert error.value.place == place

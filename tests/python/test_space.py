@@ -107,7 +107,7 @@ def test_arrays_in_and_out(pinch):
     assert pinch.normals == ((1, 0, 0), (-1, 0, 0))
     assert (pinch.friction, pinch.stiffness, pinch.preload) == (
         (Fraction(1, 2),) * 2, (1, 1), (4, 4))
-    assert pinch.wrench == (0,) * 6 and pinch.outline == () and not pinch.units
+    assert pinch.wrench is None and pinch.outline == () and not pinch.units
     decision = decide(pinch, np.array([0, 0, -1.5, 0, 0, 0]))
     assert decision.forces_float.tolist() == [[4, 0, 0.75], [-4, 0, 0.75]]
     assert decision.wrench_float.tolist() == [0, 0, -1.5, 0, 0, 0]
@@ -199,8 +199,6 @@ def test_errors_of_questions(tmp_path, pinch):
             (lambda: decide(pinch, (0, 0, 1, 0, 0, "x")), "wrench[5]"),
             (lambda: decide(pinch, DOWN, preload=-1), "contacts[0].preload"),
             (lambda: decide(pinch, DOWN, engine="cone"), "engine"),
-            (lambda: decide(pinch, DOWN, warnings=True), "warnings"),
-            (lambda: stickslip.margin(pinch, DOWN, warnings=True), "warnings"),
             (lambda: stickslip.margin(pinch, DOWN, accuracy=0), "accuracy"),
             (lambda: stickslip.margin(pinch, (0, 0, -1)), "direction"),
             (lambda: stickslip.margin(pinch), "direction"),
@@ -218,6 +216,16 @@ def test_errors_of_questions(tmp_path, pinch):
         assert caught.value.problem in said_by_the_program(path, "decide", *words)
 
 
+def test_warnings_are_the_programs(tmp_path):
+    # Preloads that push the body up, and a stiffness that nobody gave.
+    feet = Grasp([[3, 2, 0], [3, -2, 0], [-3, 0, 0]], [[0, 0, 1]] * 3, "1/2", preload=1)
+    path = written(tmp_path, feet)
+    found = decide(feet, DOWN, warnings=True).warnings
+    same = program("decide", path, "--wrench", ",".join(map(str, DOWN)))["warnings"]
+    assert [w.trap for w in found] == [w["trap"] for w in same] != []
+    assert decide(feet, DOWN).warnings == ()
+
+
 def test_what_is_about_the_plane_says_so_as_the_program_does(tmp_path, pinch):
     said = said_by_the_program(written(tmp_path, pinch), "states")
     for ask in (lambda: stickslip.radius(pinch, DOWN, uncertain="friction=1%"),
@@ -225,7 +233,7 @@ def test_what_is_about_the_plane_says_so_as_the_program_does(tmp_path, pinch):
                 lambda: stickslip.slip_states(pinch), lambda: stickslip.region(pinch),
                 lambda: stickslip.plot_region(pinch), lambda: stickslip.plot_states(pinch),
                 lambda: stickslip.compare(pinch), lambda: stickslip.export(pinch),
-                lambda: stickslip.crosscheck(pinch, "stable"), pinch.snap):
+                lambda: stickslip.crosscheck(pinch, "stable")):
         with pytest.raises(InputError, match="the grasp is in space; ") as caught:
             ask()
         assert f"{caught.value.problem}; {caught.value.remedy}" in said
@@ -273,6 +281,37 @@ def test_normals_of_irrational_length_need_nothing(tmp_path):
     floats = Grasp(np.array(hands.positions, float), np.array(hands.normals, float) / np.sqrt(3), 0.3,
                    preload=4, wrench=np.array(hands.wrench, float))
     assert decide(floats).verdict == "stable" and decide(floats).grasp == floats
+
+
+def test_snapping(tmp_path):
+    circle = [(np.cos(t), np.sin(t), z) for t, z in ((0.1, 0.3), (2.2, -0.2), (4.3, 0))]
+    fingers = Grasp(circle, [(-x, -y, -z) for x, y, z in circle], 0.5, preload=1,
+                    cases={"held": (0, 0, "-1/10", 0, 0, 0)})
+    flat = Grasp([(0, 0, 0)] * 3, [(2, 1, -2), (1, 1, 0), (0, 0, -3)], 1, preload=1, wrench=DOWN)
+    for grasp, contacts in ((fingers, (0, 1, 2)), (flat, (1,))):
+        for within in ("1e-9", "1e-12", 0.25):
+            snapped, moved = grasp.snap(within)
+            assert tuple(one.contact for one in moved) == contacts
+            for i, normal, far in moved:
+                assert sum(x * x for x in normal) == 1 and snapped.normals[i] == normal
+                unit = grasp.normals_float[i] / np.linalg.norm(grasp.normals_float[i])
+                assert np.linalg.norm(snapped.normals_float[i] - unit) <= float(far) + 1e-15
+                assert 0 < float(far) <= float(within)
+            assert snapped.snap(within) == (snapped, ())
+            report = program("snap", written(tmp_path, grasp), "-o", tmp_path / "s.json", "--within",
+                             within)
+            assert (tmp_path / "s.json").read_text() == snapped.to_text()
+            assert report == {"name": grasp.name, "moved": [
+                {"contact": i, "normal": list(map(str, normal)), "moved_at_most": far}
+                for i, normal, far in moved]}
+            assert (snapped.positions, snapped.preload, snapped.cases, snapped.wrench) == (
+                grasp.positions, grasp.preload, grasp.cases, grasp.wrench)
+    assert flat.snap().grasp.normals[1][2] == 0 and flat.snap() == flat.snap("1e-9")
+    assert decide(flat.snap().grasp).check()
+    for within in (0, 1, "x"):
+        with pytest.raises(InputError) as caught:
+            fingers.snap(within)
+        assert caught.value.place == "within"
 
 
 @pytest.mark.parametrize("words, options", [

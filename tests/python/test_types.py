@@ -10,7 +10,7 @@ from conftest import ROOT
 
 USER = '''
 from fractions import Fraction
-from typing import Sequence, Tuple, Union
+from typing import Any, Sequence, Tuple, Union
 
 import numpy as np
 import stickslip
@@ -33,6 +33,12 @@ cells: Tuple[stickslip.MapCell, ...] = stickslip.stability_map(
     grasp, "load=0:1", "friction=0:1", (0, 1, 0), depth=1).cells
 pinch = Grasp(np.zeros((1, 3)), [[0, 0, 1]], 1)
 in_space: Decision = stickslip.decide(pinch, (0, 0, -1, 0, 0, 0))
+load: Tuple[Fraction, ...] = stickslip.wrench_of([{"weight": 1.5, "at": (0, "1/2")}])
+loaded: Decision = stickslip.decide(grasp, load)
+pushes: np.ndarray[Any, np.dtype[np.float64]] = many.forces_float + many.twist_float[0, 0]
+corner: float = float(grasp.positions_float[0, 0])
+box.plot().save("box.svg")
+normal: Tuple[Fraction, ...] = pinch.snap().grasp.normals[0]
 factor: Fraction = stickslip.radius(grasp, (0, 1, 0), uncertain="friction=10%").proved
 '''
 

@@ -97,7 +97,7 @@ def answers(grasp):
     return [stable, decide(grasp, (0, 10**6, 0)), limits, slip_states(grasp),
             check(grasp, stable.certificate, wrench=DOWN),
             check(grasp, limits.certificate, direction=UP),
-            check(grasp, stable.certificate), crosscheck(grasp, "stable", **claim),
+            check(grasp, stable.certificate, wrench=UP), crosscheck(grasp, "stable", **claim),
             crosscheck(grasp, "unstable", wrench=DOWN)]
 
 
@@ -121,7 +121,7 @@ def test_the_text_of_an_answer(fig1):
     assert repr(margin(fig1, DOWN, wrench=(0, "1/3", 0))) == (
         "Margin(resisted=((0, None),), direction=(0, -1, 0), wrench=(0, 1/3, 0), "
         "normal_law='unilateral')")
-    assert repr(check(fig1, decide(fig1).certificate, wrench=DOWN)).startswith(
+    assert repr(check(fig1, decide(fig1, UP).certificate, wrench=DOWN)).startswith(
         "CheckResult(accepted=False, rule='question-wrench',")
     assert repr(Residual(Fraction(2), 1)) == "Residual(value=~1.41421, contact=1)"
     assert repr(Residual(Fraction(0), None)) == "Residual(value=0, contact=None)"

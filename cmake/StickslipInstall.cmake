@@ -20,6 +20,7 @@ if(STICKSLIP_BUILD_PROVED)
 endif()
 install(FILES ${PROJECT_SOURCE_DIR}/certificate/check.py ${PROJECT_SOURCE_DIR}/certificate/FORMAT.md
   DESTINATION ${CMAKE_INSTALL_DATADIR}/stickslip)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE TYPE DOC RENAME copyright)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ TYPE DOC FILES_MATCHING PATTERN *.md
   PATTERN doxygen EXCLUDE)
 
@@ -31,8 +32,10 @@ install(DIRECTORY ${PROJECT_BINARY_DIR}/man/man1 TYPE MAN OPTIONAL)
 install(FILES ${checker}/stickslip-check.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES ${completion}/stickslip ${checker}/completion/stickslip-check
   DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
-install(FILES ${completion}/_stickslip ${checker}/completion/_stickslip-check
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/site-functions)
+foreach(folder IN ITEMS site-functions vendor-completions)  # zsh's own, and Debian's for packages
+  install(FILES ${completion}/_stickslip ${checker}/completion/_stickslip-check
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/${folder})
+endforeach()
 install(FILES ${completion}/stickslip.fish ${checker}/completion/stickslip-check.fish
   DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 
@@ -45,11 +48,13 @@ write_basic_package_version_file(stickslipConfigVersion.cmake COMPATIBILITY Same
 install(FILES ${PROJECT_BINARY_DIR}/stickslipConfig.cmake
   ${PROJECT_BINARY_DIR}/stickslipConfigVersion.cmake DESTINATION ${package_folder})
 
-# Libraries in the order of linking: whoever uses one stands before it.
+# pkg-config finds the prefix from the place of the file, wherever that was unpacked; and the
+# libraries in the order of linking: whoever uses one stands before it.
+set(pkg_config_folder ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+file(RELATIVE_PATH to_prefix /${pkg_config_folder} /)
 set(pkg_config_libraries "")
 foreach(module IN LISTS modules)
   string(PREPEND pkg_config_libraries " -lstickslip_${module}")
 endforeach()
 configure_file(${PROJECT_SOURCE_DIR}/cmake/stickslip.pc.in stickslip.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/stickslip.pc
-  DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+install(FILES ${PROJECT_BINARY_DIR}/stickslip.pc DESTINATION ${pkg_config_folder})

@@ -10,11 +10,14 @@ export CCACHE_BASEDIR=${CCACHE_BASEDIR:-$root} CCACHE_NOHASHDIR=${CCACHE_NOHASHD
 build_packages=(g++ cmake ninja-build libcgal-dev libgmp-dev libmpfr-dev libboost-dev
   libboost-graph-dev libeigen3-dev nlohmann-json3-dev libcli11-dev libcpp-httplib-dev libtbb-dev)
 test_packages=(libgtest-dev libgmock-dev libglpk-dev pkg-config z3 cvc5 python3 ccache doxygen
-  help2man mandoc man-db zsh fish parallel nodejs ocaml ocaml-findlib libzarith-ocaml-dev coq)
+  help2man mandoc man-db zsh fish parallel nodejs ocaml ocaml-findlib libzarith-ocaml-dev coq dpkg-dev)
 # The Python module (python/), its installation by pip, and its tests.
 python_packages=(pybind11-dev python3-dev python3-pybind11 python3-numpy python3-scipy python3-pytest python3-pip
-  python3-setuptools python3-wheel mypy python3-nbconvert python3-ipykernel python3-shapely
+  python3-setuptools python3-wheel python3-venv mypy python3-nbconvert python3-ipykernel python3-shapely
   python3-distributed python3-pandas)
+# What scripts/package.sh needs besides.
+package_packages=(dpkg-dev help2man ocaml ocaml-findlib libzarith-ocaml-dev pybind11-dev python3-dev
+  python3-numpy python3-pip python3-setuptools python3-wheel)
 # A browser, in which pages are tested.
 browser_packages=(chromium chromium-driver python3-selenium)
 

@@ -35,6 +35,7 @@ measure cluster /usr/bin/python3 "$root/bench/batch/cluster_bench.py" "$build/bi
 measure float float_study --instances 960
 mkdir -p "$build/checked_grasps"
 measure checked_grasps verdict_bench --part targets --max-m 1000 --save "$build/checked_grasps"
+measure default_options /usr/bin/python3 "$root/bench/verdict/default_options.py" "$build/bin/stickslip"
 measure checkers /usr/bin/python3 "$root/bench/verdict/checkers.py" --programs "$build/bin" "$build/checked_grasps"
 for part in targets side-by-side engines growth; do
   measure "verdict_$part" verdict_bench --part "$part"

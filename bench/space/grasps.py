@@ -3,8 +3,10 @@
 of this folder. A threshold is where Newton's method of the tests finds no equilibrium any more as the load
 grows, from 70 starts and in doubles, by bisection; so it does not depend on what is measured.
 
-    python3 bench/space/grasps.py FOLDER [--on sphere|box|pads] [--contacts M] [--grasps N] [--gaps PART...]
-        [--at MULTIPLE...] [--digits D] [--seed S]
+    python3 bench/space/grasps.py FOLDER [--on sphere|box|pads|fingers|pinch] [--contacts M] [--grasps N]
+        [--gaps PART...] [--at MULTIPLE...] [--digits D | --doubles [--no-preload]] [--seed S]
+
+With --doubles all numbers are doubles with all their digits, as NumPy has them, unit normals among them.
 
 Names tell what is in a file: box8_3_0.001u.json is the grasp number 3 with 8 contacts on a box, 0.1 % beyond
 (u, as it should be unstable; s is before).
@@ -57,6 +59,55 @@ def pads(rng):
         for u, v in octagon:
             yield {"p": [-x - radius * u * y, -y + radius * u * x, height + radius * v],
                    "n": [F(x), F(y), F(0)], "friction": friction, "stiffness": 1, "preload": preload}
+
+
+def unit_in_doubles(rng):
+    n = np.array([rng.gauss(0, 1) for _ in range(3)])
+    return n / np.linalg.norm(n)
+
+
+def turned_at_random(rng):
+    """A rotation, in doubles."""
+    q, r = np.linalg.qr(np.array([[rng.gauss(0, 1) for _ in range(3)] for _ in range(3)]))
+    return q * np.sign(np.diag(r))
+
+
+def places_in_doubles(rng, on, m):
+    """Positions and unit normals."""
+    if on == "pinch":
+        n = unit_in_doubles(rng)
+        return [(-n, n), (n, -n)]
+    if on == "fingers":  # three to five on a cylinder, of 1, 2 or 4 contacts each
+        fingers = next(k for k in (3, 4, 5) if m % k == 0 and m // k in (1, 2, 4))
+        places, turn = [], turned_at_random(rng)
+        for k in range(fingers):
+            angle, height = 2 * np.pi * (k + rng.uniform(-0.2, 0.2)) / fingers, rng.uniform(-0.5, 0.5)
+            for j in range(m // fingers):
+                at, up = angle + 0.15 * (j % 2), height + 0.3 * (j // 2)
+                out = np.array([np.cos(at), np.sin(at), 0.0])
+                places.append((turn @ (out + [0, 0, up]), turn @ -out))
+        return places
+    if on == "sphere":
+        return [(-n, n) for n in (unit_in_doubles(rng) for _ in range(m))]
+    places, turn = [], turned_at_random(rng)
+    for _ in range(m):
+        axis, side = rng.randrange(3), rng.choice((-1.0, 1.0))
+        p, n = np.array([rng.uniform(-1, 1) for _ in range(3)]), np.zeros(3)
+        p[axis], n[axis] = side, -side
+        places.append((turn @ p, turn @ n))
+    return places
+
+
+def grasp_in_doubles(rng, on, m, preloaded):
+    """Contacts, and the direction of a load. That of a pinch is a weight in the middle: it has no
+    torque about the line through the contacts, about which nothing holds."""
+    friction = rng.uniform(0.3, 0.9)
+    contacts = [{"p": [F(x) for x in p], "n": [F(x) for x in n],
+                 "friction": F(friction * rng.uniform(0.8, 1.25)), "stiffness": F(rng.uniform(0.5, 2)),
+                 "preload": F(rng.uniform(0, 2) if on in ("sphere", "box") else rng.uniform(0.8, 1.2))
+                 if preloaded else F(0)} for p, n in places_in_doubles(rng, on, m)]
+    torque = [F(0)] * 3 if on == "pinch" else [F(rng.uniform(-1, 1)) for _ in range(3)]
+    return contacts, [F(rng.uniform(-1, 1)) for _ in range(3)] + torque
 
 
 def random_grasp(rng, on, m, digits, rough):
@@ -135,12 +186,14 @@ def write_near(folder, name, contacts, direction, gaps):
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n", maxsplit=1)[0])
     parser.add_argument("folder")
-    parser.add_argument("--on", choices=("sphere", "box", "pads"), default="sphere")
+    parser.add_argument("--on", choices=("sphere", "box", "pads", "fingers", "pinch"), default="sphere")
     parser.add_argument("--contacts", type=int, default=4, help="of pads there are always 24")
     parser.add_argument("--grasps", type=int, default=6)
     parser.add_argument("--gaps", type=float, nargs="+", default=[0.01, 0.001])
-    parser.add_argument("--at", type=int, nargs="+", default=[], help="multiples of the load; no threshold is sought")
+    parser.add_argument("--at", type=F, nargs="+", default=[], help="multiples of the load; no threshold is sought")
     parser.add_argument("--digits", type=int, default=0)
+    parser.add_argument("--doubles", action="store_true")
+    parser.add_argument("--no-preload", dest="preload", action="store_false")
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()
     os.makedirs(options.folder, exist_ok=True)
@@ -148,10 +201,14 @@ def main():
     rng, rough = random.Random(seed), random.Random(seed)
     count = 0
     while count < options.grasps:
-        contacts, direction = random_grasp(rng, options.on, options.contacts, options.digits, rough)
-        name = f"{options.on}{len(contacts)}{'d' * (options.digits > 0)}_{count}"
+        if options.doubles:
+            contacts, direction = grasp_in_doubles(rng, options.on, options.contacts, options.preload)
+        else:
+            contacts, direction = random_grasp(rng, options.on, options.contacts, options.digits, rough)
+        kind = "doubles" * options.doubles or "d" * (options.digits > 0)
+        name = f"{options.on}{len(contacts)}{kind}{'idle' * (not options.preload)}_{count}"
         for multiple in options.at:
-            write(options.folder, f"{name}_at{multiple}", contacts, [multiple * u for u in direction])
+            write(options.folder, f"{name}_at{float(multiple):g}", contacts, [multiple * u for u in direction])
         count += bool(options.at) or write_near(options.folder, name, contacts, direction, options.gaps)
 
 

@@ -28,6 +28,8 @@ NOT_RUN = {
     "paper_examples/report.sh": ("builds, then writes the report",
                                  "tests/paper_examples/test_report.py"),
     "apt-get install": ("needs root", "scripts/common.sh"),
+    "scripts/package.sh": ("builds, then makes packages", "tests/package/test_package.sh"),
+    "pip install build/package/": ("is of a package", "tests/package/test_package.sh"),
     "stickslip serve": ("goes on until it is told to end", "tests/cli/test_page.py"),
     "python3 -m venv": ("pip compiles the module", "tests/python/test_install.py"),
     "~/stickslip-env/bin/": ("pip compiles the module", "tests/python/test_install.py"),

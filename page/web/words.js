@@ -126,7 +126,7 @@
             "p",
             {},
             "The body moves by nearly d = ",
-            page.nearTuple(decide.near_float || page.answer.near.twist_float),
+            page.nearTuple(decide.near_float || (page.answer.near || {}).twist_float || []),
             decide.proof && decide.proof.at_rest
               ? ". Proved: nothing moves, as friction answers whatever load is left. "
               : ". Proved: the forces on the walls around motions near this one leave no way out but an equilibrium inside. ",

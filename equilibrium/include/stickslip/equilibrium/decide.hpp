@@ -53,7 +53,7 @@ struct Decision {
   }
 };
 
-/// Decides whether an equilibrium exists (problem.hpp), exactly. `options` are those of the
+/// Decides whether an equilibrium exists (problem.hpp), exactly. `options` are those of
 /// branch and bound; Undecided only if they limit its nodes.
 Decision decide(const Problem& problem, Engine engine = Engine::kAuto,
                 const ConeOptions& options = {});

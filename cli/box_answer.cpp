@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "box_answer.hpp"
 
-#include <algorithm>
 #include <iostream>
 #include <utility>
 #include <vector>
@@ -38,36 +37,17 @@ struct Meaning {
            "the\ncontacts can take up.\n";
   }
   std::string operator()(const Undecided& undecided) const {
-    return "Not decided: " + undecided.limit + ".\n" +
-           (wide ? "Neither is the whole box proved, nor are two grasps with opposite verdicts "
-                   "known.\n"
-                 : "");
+    return undecided_text(undecided, wide);
   }
   std::string operator()(const Fragile& /*fragile*/) const { return ""; }
 };
 
-std::string enclosure_text(const BoxAnswer& answer) {
-  const std::vector<std::size_t> contacts = enclosed_contacts(*answer.question.box);
-  if (contacts.empty()) return "";
-  constexpr std::size_t kMostNamed = 8;
-  std::string names;
-  for (std::size_t i = 0; i < std::min(contacts.size(), kMostNamed); ++i) {
-    names += (i == 0 ? "" : ", ") + std::to_string(contacts[i]);
-  }
-  if (contacts.size() > kMostNamed) names += ", ...";
-  const bool proved = !std::holds_alternative<Undecided>(answer.decision.verdict);
-  return (contacts.size() == 1 ? "The normal of contact " : "The normals of contacts ") +
-         names +
-         (contacts.size() == 1 ? " has an irrational length" : " have irrational lengths") +
-         " |n|: P/|n| was enclosed to " + std::to_string(answer.decision.bits) + " bits" +
-         (proved ? ",\nand the verdict is proved for all numbers in there.\n" : ".\n");
-}
-
 /// Of one grasp, of which exact forces are not known.
-std::string near_text(const Vector3& motion, NumberText& text) {
-  return "An equilibrium is near the motion d = " + text(motion) +
-         ". Exact forces would have numbers of\nmany digits: --engine cone finds them, and the "
-         "warnings that need them.\n";
+std::string near_text(const Vector3& motion, bool are_rational, NumberText& text) {
+  return "An equilibrium is near the motion d = " + text(motion) + "." +
+         (are_rational ? " Exact forces would have numbers of\nmany digits: --engine "
+                         "branch-and-bound finds them, and the warnings that need them.\n"
+                       : "\n");
 }
 
 }  // namespace
@@ -86,20 +66,25 @@ void print_text(const BoxAnswer& answer, const NumberOptions& output,
   } else {
     std::cout << std::visit(Meaning{!uncertain.empty()}, decision.verdict);
   }
-  if (const auto near = motion_near(answer)) std::cout << near_text(*near, text);
-  std::cout << enclosure_text(answer) << text.note() << units_text(question.loaded.grasp)
-            << engine_text("box", question.law);
+  const std::vector<std::size_t> enclosed = enclosed_contacts(*question.box);
+  if (const auto near = motion_near(answer)) {
+    std::cout << near_text(*near, enclosed.empty(), text);
+  }
+  std::cout << enclosure_text(enclosed, decision.bits,
+                              !std::holds_alternative<Undecided>(decision.verdict))
+            << text.note() << units_text(question.loaded.grasp)
+            << engine_text(kIntervalsEngine, question.law);
 }
 
 void write_examples(const BoxAnswer& answer, const std::string& folder) {
   const auto* fragile = std::get_if<Fragile>(&answer.decision.verdict);
   if (fragile == nullptr) {
-    return say_no_examples("the box is", name_of(answer.decision.verdict));
+    return say_no_examples(!answer.question.box->is_point(), name_of(answer.decision.verdict));
   }
   const Question& question = answer.question;
   const auto proved = [&](const LoadedGrasp& grasp, bool stable) {
     return proved_grasp(grasp, question.loaded.grasp.description(), question.law, stable,
-                        producer_of("box"));
+                        producer_of(kIntervalsEngine));
   };
   write_two_examples(folder, proved(fragile->stable, true), proved(fragile->unstable, false));
 }

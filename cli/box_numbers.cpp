@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "box_numbers.hpp"
 
+#include <algorithm>
+
 #include "terminal.hpp"
 
 namespace stickslip {
@@ -12,6 +14,22 @@ std::string uncertain_text(const std::vector<UncertainNumber>& numbers, NumberTe
     rows.push_back({number.label(), text(number.interval.low), text(number.interval.high)});
   }
   return short_table(rows) + "\n";
+}
+
+std::string enclosure_text(const std::vector<std::size_t>& contacts, unsigned bits,
+                           bool proved) {
+  if (contacts.empty()) return "";
+  constexpr std::size_t kMostNamed = 8;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(contacts.size(), kMostNamed); ++i) {
+    names += (i == 0 ? "" : ", ") + std::to_string(contacts[i]);
+  }
+  if (contacts.size() > kMostNamed) names += ", ...";
+  return (contacts.size() == 1 ? "The normal of contact " : "The normals of contacts ") +
+         names +
+         (contacts.size() == 1 ? " has an irrational length" : " have irrational lengths") +
+         " |n|: P/|n| was enclosed to " + std::to_string(bits) + " bits" +
+         (proved ? ",\nand the verdict is proved for all numbers in there.\n" : ".\n");
 }
 
 std::string short_table(std::vector<std::vector<std::string>> rows) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,10 @@ std::string load_text(const std::array<Interval, n>& load, NumberText& text) {
   }
   return result + ")";
 }
+
+/// Which lengths are irrational, and what stands in their place; nothing for no contacts.
+std::string enclosure_text(const std::vector<std::size_t>& contacts, unsigned bits,
+                           bool proved);
 
 /// A table of them and a line below; nothing if there are none.
 std::string uncertain_text(const std::vector<UncertainNumber>& numbers, NumberText& text);

@@ -130,7 +130,7 @@ std::string distance_text(const ThresholdDistance& distance, NumberText& number)
   } else if (!distance.limit) {
     text = "  No change of the load along itself or an axis changes the verdict.\n";
   }
-  if (distance.limit) text += "  The threshold was not found within " + *distance.limit + ".\n";
+  if (distance.limit) text += "  The threshold was not found: " + *distance.limit + ".\n";
   return text;
 }
 
@@ -218,7 +218,7 @@ std::string to_text(const JudgedLine& judged, const ClaimOptions& options, Numbe
                      name_of(report.claim_class) + ": claimed " +
                      claimed_verdict(judged.line.claim);
   if (const auto* undecided = std::get_if<Undecided>(&report.decision.verdict)) {
-    text += ", not decided within " + undecided->limit;
+    text += ", not decided: " + undecided->limit;
   } else {
     text += std::string(", exactly ") + name_of(report.decision.verdict);
   }

@@ -28,21 +28,22 @@ void print_json(const Json& json, const NumberOptions& output) {
 
 void explain(const RefutationSummary& summary, NumberText& text) {
   // On a leaf's own twist the load does negative work: the way that the contacts lose is back.
-  const std::string twist = text.direction(negated(summary.largest_case_twist));
+  const std::string twist = text.direction(negated(summary.largest_leaf_twist));
   if (summary.leaves == 0) {
     std::cout << "\nThe normal law allows no motion at all.\n";
     return;
   }
-  if (summary.largest_case.empty()) {
+  if (summary.largest_leaf.empty()) {
     std::cout << "\nWhatever the contacts do: along the virtual twist " << twist
               << "\nthe load does more work than they can take up.\n";
     return;
   }
-  std::cout << "\nNo motion and forces satisfy all conditions. Proved in " << summary.leaves
-            << " cases, which together\ncover all motions: in each, along some virtual twist, "
-               "the load "
-               "does more work than\nthe contacts can take up. The largest case:\n";
-  for (const std::string& condition : summary.largest_case)
+  std::cout
+      << "\nNo motion and forces satisfy all conditions. Proved by a tree of " << summary.leaves
+      << (summary.leaves == 1 ? " leaf" : " leaves")
+      << ", which\ntogether cover all motions: in each, along some virtual twist, the load "
+         "does more\nwork than the contacts can take up. The largest leaf:\n";
+  for (const std::string& condition : summary.largest_leaf)
     std::cout << "  " << condition << '\n';
   std::cout << "  twist " << twist << "\n\n";
 }
@@ -79,8 +80,7 @@ void print_text(const CaseAnswer& answer, const NumberOptions& output) {
   } else if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
     explain(summarize(unstable->refutation, &problem), text);
   } else {
-    std::cout << "\nGiven up at " << std::get<Undecided>(verdict).limit
-              << "; nothing is known about the verdict.\n";
+    std::cout << '\n' << undecided_text(std::get<Undecided>(verdict), false);
   }
   std::cout << text.note() << units_text(question.loaded.grasp) << engine_text(answer);
   print(warnings);
@@ -162,7 +162,7 @@ void print_cases_text(const std::vector<Answer>& answers, const NumberOptions& o
   const Subject subject = subject_of(answers.front());
   const bool in_space = std::holds_alternative<SpaceAnswer>(answers.front());
   const bool all_boxes = engine.empty() && !in_space;
-  if (engine.empty()) engine = engine_text(in_space ? "space" : "box", subject.law);
+  if (engine.empty()) engine = engine_text(in_space ? "space" : kIntervalsEngine, subject.law);
   const std::string& grasp = subject.name;
   const std::size_t n = answers.size();
   std::cout << (grasp.empty() ? "" : grasp + ": ") << n << (n == 1 ? " case" : " cases")
@@ -188,16 +188,21 @@ struct DecideArguments {
 };
 
 AnswerOptions options_of(const DecideArguments& arguments) {
-  const Engine engine = arguments.engine == "states" ? Engine::kStates
-                        : arguments.engine == "cone" ? Engine::kCone
-                                                     : Engine::kAuto;
+  const Engine engine = arguments.engine == "states"             ? Engine::kStates
+                        : arguments.engine == "branch-and-bound" ? Engine::kBranchAndBound
+                                                                 : Engine::kAuto;
   return {engine, arguments.node_limit, !arguments.no_warnings};
 }
 
 Answer answered(Question question, const DecideArguments& arguments) {
   if (question.box && arguments.engine != "auto") {
+    if (question.box->is_point()) {
+      throw InputError(
+          "", "--engine", "a preloaded contact has a normal of irrational length",
+          "leave the option out, or ask about the file that stickslip snap writes");
+    }
     throw InputError("", "--engine", "the question is a box, about all grasps in it at once",
-                     "leave the option out: boxes have a method of their own");
+                     "leave the option out: there is one engine for boxes");
   }
   return answer_to(std::move(question), options_of(arguments));
 }
@@ -216,8 +221,7 @@ void write_certificate(const CaseAnswer& answer, const std::string& file) {
 }
 
 void write_examples(const CaseAnswer& answer, const std::string& /*folder*/) {
-  say_no_examples("the question is about one grasp, which is",
-                  stickslip::name_of(answer.verdict()));
+  say_no_examples(false, stickslip::name_of(answer.verdict()));
 }
 
 void print_text(const CaseAnswer& answer, const NumberOptions& output,
@@ -283,11 +287,15 @@ void add_decide_command(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "--engine", arguments->engine,
-          "How to decide; every engine is exact. states: the systems of all slip states, in "
-          "groups, the method of the paper. cone: branch and bound. auto: cone, which is "
-          "faster")
+          "How to decide about one grasp in the plane; all engines are exact. states: the "
+          "systems of all slip states, in groups, the method of the paper. branch-and-bound: "
+          "splits sets of motions. auto: branch-and-bound, which is faster, but without forces "
+          "where these would be long")
       ->type_name("ENGINE")
-      ->check(CLI::IsMember({"auto", "states", "cone"}))
+      ->transform([](const std::string& name) {  // its name of old
+        return name == "cone" ? std::string("branch-and-bound") : name;
+      })
+      ->check(CLI::IsMember({"auto", "states", "branch-and-bound"}))
       ->capture_default_str();
   command
       ->add_option("--certificate", arguments->certificate,

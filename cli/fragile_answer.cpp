@@ -27,9 +27,10 @@ void write_two_examples(const std::string& folder, ProvedFiles stable, ProvedFil
                      {{"stable", std::move(stable)}, {"unstable", std::move(unstable)}});
 }
 
-void say_no_examples(const std::string& about, const std::string& verdict) {
-  std::cerr << "stickslip: --examples: nothing is written: " << about << ' ' << verdict
-            << (about == "the box is" ? ", and only one that is fragile has two examples" : "")
+void say_no_examples(bool is_box, const std::string& verdict) {
+  std::cerr << "stickslip: --examples: nothing is written: "
+            << (is_box ? "the box is " : "the question is about one grasp, which is ")
+            << verdict << (is_box ? ", and only one that is fragile has two examples" : "")
             << '\n';
 }
 

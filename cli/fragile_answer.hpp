@@ -19,9 +19,9 @@ std::string fragile_text(const std::vector<Difference>& differences, NumberText&
 /// stable.json and unstable.json, each with its certificate, for --examples.
 void write_two_examples(const std::string& folder, ProvedFiles stable, ProvedFiles unstable);
 
-/// Says on standard error that there are none: what was asked about is a box or one grasp, with
+/// Says on standard error that there are none: what was asked about, a box or one grasp, has
 /// this verdict.
-void say_no_examples(const std::string& about, const std::string& verdict);
+void say_no_examples(bool is_box, const std::string& verdict);
 
 /// Says on standard error that a fragile box has two certificates, and how to get them.
 void say_two_certificates();

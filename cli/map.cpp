@@ -8,6 +8,7 @@
 #include "commands.hpp"
 #include "question_options.hpp"
 #include "stickslip/answers/plane_answers.hpp"
+#include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/plot/map_plot.hpp"
@@ -50,7 +51,7 @@ void print_text(const Question& question, const MapAxis& x, const MapAxis& y,
     const Rational share = share_of(cells, verdict++, x, y);
     if (*words != '\0') rows.push_back({words, to_readable_string(100 * share) + " %"});
   }
-  std::cout << format_table(rows) << '\n' << engine_text("box", question.law);
+  std::cout << format_table(rows) << '\n' << engine_text(kIntervalsEngine, question.law);
 }
 
 int map(const MapArguments& arguments) {

@@ -88,7 +88,7 @@ void print_text(const Question& question, const Margin& margin, NumberText& text
     std::cout << (modes > 0 ? " and " : "") << "by degree over " << count(proofs, "range");
   }
   std::cout << (margin.gaps.empty() ? ", with nothing left to refute"
-                                    : ", and by case trees of " + count(nodes, "node") +
+                                    : ", and by trees of " + count(nodes, "node") +
                                           " that nothing else is resisted")
             << ".\nNormal law: " << law_text(question.law) << ".\n"
             << units_text(question.loaded.grasp) << text.note();
@@ -143,7 +143,7 @@ int margin(const MarginArguments& arguments) {
       });
   progress.clear();
   if (const auto* undecided = std::get_if<Undecided>(&result)) {
-    std::cerr << "stickslip: given up at " << undecided->limit << "; the margin is not known\n";
+    std::cerr << "stickslip: the margin is not known: " << in_words(*undecided) << '\n';
     return kUndecidedWithinLimit;
   }
   const auto& found = std::get<Margin>(result);

@@ -46,6 +46,12 @@ std::string law_text(NormalLaw law) {
                                           : " (contacts may not detach)");
 }
 
+std::string undecided_text(const Undecided& undecided, bool is_box) {
+  return "Not decided: " + undecided.limit + ".\nNothing is known about the verdict" +
+         (is_box ? ", which need not be the same for all grasps in the box" : "") +
+         (undecided.remedy.empty() ? "" : ";\n" + undecided.remedy) + ".\n";
+}
+
 std::string engine_text(const std::string& engine, NormalLaw law) {
   return "Engine: " + engine + "; normal law: " + law_text(law) + ".\n";
 }
@@ -81,8 +87,7 @@ CLI::Validator whole_number(std::uint64_t most) {
 void add_node_limit_option(CLI::App& command, std::size_t& node_limit) {
   add_count_option(
       command, "--node-limit", node_limit,
-      "Let the cone engine give up, undecided, after N nodes of its search; 0 is no "
-      "limit");
+      "Give up, undecided, after N nodes of a search; 0 is the program's own limit, or none");
 }
 
 void add_time_limit_option(CLI::App& command, unsigned& seconds,

@@ -93,6 +93,9 @@ std::string units_text(const Grasp& grasp);
 /// For people: "unilateral (contacts may detach)".
 std::string law_text(NormalLaw law);
 
+/// For people, three lines: why there is no verdict, and what may help.
+std::string undecided_text(const Undecided& undecided, bool is_box);
+
 /// For people, a line: which engine answered under which law.
 std::string engine_text(const std::string& engine, NormalLaw law);
 

@@ -7,6 +7,7 @@
 #include "box_numbers.hpp"
 #include "commands.hpp"
 #include "question_options.hpp"
+#include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/core/error.hpp"
 #include "terminal.hpp"
 
@@ -114,7 +115,7 @@ void Report::print() {
     std::cout << "The grasp in the centre is not decided, and so is nothing about it.\n";
   }
   std::cout << text_.note() << units_text(question_.loaded.grasp)
-            << engine_text("box", question_.law);
+            << engine_text(kIntervalsEngine, question_.law);
 }
 
 void print_json(const Question& question, const Radius& radius, bool floats) {
@@ -123,7 +124,7 @@ void print_json(const Question& question, const Radius& radius, bool floats) {
   json["name"] = question.loaded.grasp.name();
   if (!question.case_name.empty()) json["case"] = question.case_name;
   add_units(json, question.loaded.grasp);
-  json["engine"] = "box";
+  json["engine"] = kIntervalsEngine;
   json["normal_law"] = to_string(question.law);
   json["wrench"] = number_json(coordinates(question.loaded.wrench));
   json["uncertain"] = uncertain_json(uncertain_numbers(*question.box));

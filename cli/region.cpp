@@ -78,7 +78,7 @@ void print_text(const RegionAnswer& answer, const NumberOptions& output) {
             << text(coordinates(plane.u())) << " + t " << text(coordinates(plane.v()))
             << "\n\n";
   if (undecided) {
-    std::cout << "Given up at " << undecided->limit << "; no region is known.\n";
+    std::cout << "No region is known: " << in_words(*undecided) << ".\n";
   } else if (region.is_empty()) {
     std::cout << "No wrench of the plane is resisted.\n";
   } else if (region.is_whole_plane()) {
@@ -110,8 +110,8 @@ void print_text(const RegionAnswer& answer, const NumberOptions& output) {
     std::cout << work.slip_states << " slip states, " << work.modes << " contact modes, "
               << work.pieces << " of them in the plane";
   } else {
-    std::cout << work.modes << " contact modes near the plane, " << work.pieces
-              << " of them in it";
+    std::cout << work.modes << " contact modes visited, " << work.pieces
+              << " of them in the plane";
   }
   std::cout << "; normal law: " << law_text(question.law) << ".\n"
             << units_text(question.loaded.grasp) << text.note();
@@ -173,8 +173,7 @@ int region(const RegionArguments& arguments) {
     const auto proved = certificate_of(answer, options);
     progress.clear();
     if (const auto* undecided = std::get_if<Undecided>(&proved)) {
-      std::cerr << "stickslip: given up at " << undecided->limit
-                << "; the region has no certificate\n";
+      std::cerr << "stickslip: the region has no certificate: " << in_words(*undecided) << '\n';
       return kUndecidedWithinLimit;
     }
     write_whole_file(arguments.certificate, std::get<std::string>(proved));
@@ -198,8 +197,7 @@ int draw_region(const RegionArguments& arguments) {
   const RegionAnswer answer = answer_to(question, plane, options_of(arguments, progress));
   progress.clear();
   if (answer.undecided) {
-    std::cerr << "stickslip: given up at " << answer.undecided->limit
-              << "; no region is known\n";
+    std::cerr << "stickslip: no region is known: " << in_words(*answer.undecided) << '\n';
     return kUndecidedWithinLimit;
   }
   write_whole_file(arguments.output, plot_region(answer.question, plane, answer.region));

@@ -38,16 +38,18 @@ struct SpatialMeaning {
     const std::size_t leaves = leaf_count(unstable.tree);
     return std::string(wide ? "No grasp in the box holds the load: no"
                             : "The grasp does not hold the load: no") +
-           " motion and forces satisfy all conditions.\nProved in " + std::to_string(leaves) +
-           (leaves == 1 ? " case" : " cases, which together cover all motions: in each") +
-           ", along some virtual twist, the\nload does more work than the contacts can take "
-           "up.\n";
+           " motion and forces satisfy all conditions.\n" +
+           (leaves == 1
+                ? "Whatever the contacts do, along some virtual twist the load does more work "
+                  "than they\ncan take up.\n"
+                : "Proved by a tree of " + std::to_string(leaves) +
+                      " leaves, which together cover all motions: in each, along some\n"
+                      "virtual twist, the load does more work than the contacts can take "
+                      "up.\n");
   }
   std::string operator()(const SpatiallyFragile& /*fragile*/) const { return ""; }
   std::string operator()(const Undecided& undecided) const {
-    return "Not decided: " + undecided.limit + ".\nNothing is known about the verdict" +
-           (wide ? ", which need not be the same for all grasps in the box" : "") + ";\n" +
-           undecided.remedy + ".\n";
+    return undecided_text(undecided, wide);
   }
 };
 
@@ -89,6 +91,8 @@ void print_text(const SpaceAnswer& answer, const NumberOptions& output,
                               text, examples);
   }
   std::cout << std::visit(SpatialMeaning{!uncertain.empty()}, decision.verdict)
+            << enclosure_text(enclosed_contacts(question.grasp), decision.bits,
+                              !std::holds_alternative<Undecided>(decision.verdict))
             << "Load: force x, y, z, torque x, y, z. Motion: x, y, z, rotation x, y, z in "
                "radians.\n"
             << text.note() << units_text(question.grasp.units)
@@ -100,9 +104,7 @@ void write_examples(const SpaceAnswer& answer, const std::string& folder) {
   const auto& [question, decision, warnings] = answer;
   const auto* fragile = std::get_if<SpatiallyFragile>(&decision.verdict);
   if (fragile == nullptr) {
-    return say_no_examples(
-        question.grasp.is_point() ? "the question is about one grasp, which is" : "the box is",
-        name_of(decision.verdict));
+    return say_no_examples(!question.grasp.is_point(), name_of(decision.verdict));
   }
   write_two_examples(
       folder, proved_grasp(fragile->stable, question.law, true, producer_of("space")),

@@ -19,6 +19,8 @@ codes are those of stickslip-check; see certificate/FORMAT.md.
   --normal-law LAW         unilateral (the default) or bilateral
   --direction WX,WY,T      ask for the margin along a wrench; in space WX,WY,WZ,TX,TY,TZ
   --preload-direction D    ask for the margin along preloads: P0,P1,..., or the word scale
+  --plane UX,UY,UT,VX,VY,VT
+                           ask for the region of a plane of wrenches: not judged
   --uncertain LIST         such as friction=10%,position=0.001: ask about every grasp in the box
   --json                   answer as one JSON object
   --batch                  instead of two files, questions from standard input: on each line a JSON object
@@ -56,6 +58,7 @@ const OPTIONS = {
     o.preload_direction = text === 'scale' ? text : text === '' ? (() => { throw new Usage('no number'); })()
       : numbers(text, null, 'P0,P1,... or scale');
   },
+  '--plane': (o, text) => { o.plane = numbers(text, [6], 'UX,UY,UT,VX,VY,VT, two wrenches'); },
   '--uncertain': (o, text) => {
     o.uncertain = {};
     for (const one of text.split(',')) {

@@ -15,8 +15,9 @@ std::vector<std::size_t> enclosed_contacts(const GraspBox& box) {
 std::optional<Vector3> motion_near(const BoxAnswer& answer) {
   const auto* stable = std::get_if<StableThroughout>(&answer.decision.verdict);
   const GraspBox& box = *answer.question.box;
-  if (stable == nullptr || needs_enclosure(box) || !box.is_point()) return std::nullopt;
-  return std::get<DegreeProof>(stable->parts.front()).twist;
+  if (stable == nullptr || !box.is_point()) return std::nullopt;
+  const auto* proof = std::get_if<DegreeProof>(&stable->parts.front());
+  return proof != nullptr ? std::optional(proof->twist) : std::nullopt;
 }
 
 Json to_json(const BoxAnswer& answer) {
@@ -24,19 +25,16 @@ Json to_json(const BoxAnswer& answer) {
   const GraspBox& box = *question.box;
   Json json;
   json["verdict"] = name_of(decision.verdict);
-  // One grasp in exact numbers is none, though it is proved as if it were.
-  if (needs_enclosure(box) || !box.is_point()) json["box"] = true;
+  // One grasp is none, though it is proved as if it were.
+  if (!box.is_point()) json["box"] = true;
   json["name"] = question.loaded.grasp.name();
   if (!question.case_name.empty()) json["case"] = question.case_name;
   add_units(json, question.loaded.grasp);
-  json["engine"] = "box";
+  json["engine"] = kIntervalsEngine;
   json["normal_law"] = to_string(question.law);
   json["wrench"] = wrench_json(box.wrench);
   json["uncertain"] = uncertain_json(uncertain_numbers(box));
-  if (needs_enclosure(box)) {
-    json["enclosed"] = enclosed_contacts(box);
-    json["bits"] = decision.bits;
-  }
+  add_enclosed(json, enclosed_contacts(box), decision.bits);
   if (const auto* stable = std::get_if<StableThroughout>(&decision.verdict)) {
     if (const auto near = motion_near(answer)) json["near"] = number_json(*near);
     json["proof"] = {{"parts", part_count(stable->parts)}};
@@ -59,7 +57,7 @@ std::optional<std::string> certificate_of(const BoxAnswer& answer) {
   if (std::holds_alternative<Undecided>(verdict) || std::holds_alternative<Fragile>(verdict)) {
     return std::nullopt;
   }
-  return box_certificate_text(answer.question, answer.decision, producer_of("box"));
+  return box_certificate_text(answer.question, answer.decision, producer_of(kIntervalsEngine));
 }
 
 }  // namespace stickslip

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 
@@ -91,7 +92,7 @@ Json to_json(const RegionAnswer& answer) {
               {"v", number_json(coordinates(plane.v()))}}}};
   add_units(json, question.loaded.grasp);
   if (undecided) {
-    json["limit"] = undecided->limit;
+    add_undecided(json, *undecided);
   } else {
     json["empty"] = region.is_empty();
     json["whole_plane"] = region.is_whole_plane();

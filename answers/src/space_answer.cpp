@@ -5,18 +5,31 @@
 
 namespace stickslip {
 
+std::vector<std::size_t> enclosed_contacts(const SpatialGrasp& box) {
+  std::vector<std::size_t> contacts;
+  for (std::size_t i = 0; i < box.contacts.size(); ++i) {
+    const SpatialContact& c = box.contacts[i];
+    if (!c.preload.high.is_zero() && !exact_sqrt(dot(c.normal, c.normal))) {
+      contacts.push_back(i);
+    }
+  }
+  return contacts;
+}
+
 Json to_json(const SpaceAnswer& answer) {
   const auto& [question, decision, warnings] = answer;
   Json json;
   json["verdict"] = name_of(decision.verdict);
-  if (question.is_box) json["box"] = true;
+  const bool is_box = !question.grasp.is_point();
+  if (is_box) json["box"] = true;
   json["name"] = question.grasp.name;
   if (!question.case_name.empty()) json["case"] = question.case_name;
   add_units(json, question.grasp.units);
   json["engine"] = "space";
   json["normal_law"] = to_string(question.law);
   json["wrench"] = wrench_json(question.grasp.wrench);
-  if (question.is_box) json["uncertain"] = uncertain_json(uncertain_numbers(question.grasp));
+  if (is_box) json["uncertain"] = uncertain_json(uncertain_numbers(question.grasp));
+  add_enclosed(json, enclosed_contacts(question.grasp), decision.bits);
   if (const auto* stable = std::get_if<SpatiallyStable>(&decision.verdict)) {
     if (const auto* witness = std::get_if<SpatialWitness>(&stable->proof)) {
       json["twist"] = number_json(witness->twist);

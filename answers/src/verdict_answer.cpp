@@ -81,6 +81,12 @@ void add_undecided(Json& json, const Undecided& undecided) {
   for (const Rational& d : undecided.near) json["near"].push_back(number_json(d));
 }
 
+void add_enclosed(Json& json, const std::vector<std::size_t>& contacts, unsigned bits) {
+  if (contacts.empty()) return;
+  json["enclosed"] = contacts;
+  json["bits"] = bits;
+}
+
 const char* name_of(const Answer& answer) {
   return std::visit([](const auto& a) { return name_of(a.decision.verdict); }, answer);
 }

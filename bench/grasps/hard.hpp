@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Families meant to make the cone engine's tree grow: what is nearly degenerate, badly scaled,
-/// or symmetric, under loads next to a threshold, where no bound has room to spare.
+/// Families meant to make the tree of branch and bound grow: what is nearly degenerate, badly
+/// scaled, or symmetric, under loads next to a threshold, where no bound has room to spare.
 #pragma once
 
 #include <cstddef>

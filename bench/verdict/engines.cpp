@@ -63,7 +63,8 @@ std::pair<double, std::string> timed(const Problem& problem, Engine engine) {
 
 void report_engines(Report& report) {
   std::printf(
-      "| m | short numbers: `cone` | `states` | unit normals in doubles: `cone` | `states` |\n"
+      "| m | short numbers: `branch-and-bound` | `states` | unit normals in doubles: "
+      "`branch-and-bound` | `states` |\n"
       "|--:|--:|--:|--:|--:|\n");
   for (std::size_t contacts = 1; contacts <= 6; ++contacts) {
     std::printf("| %zu |", contacts);
@@ -73,7 +74,7 @@ void report_engines(Report& report) {
       for (std::size_t k = 0; k < kGrasps; ++k) {
         const Question question = make(contacts, k).question;
         const Problem problem(question.loaded, question.law);
-        const auto by_cones = timed(problem, Engine::kCone);
+        const auto by_cones = timed(problem, Engine::kBranchAndBound);
         const auto by_states = timed(problem, Engine::kStates);
         if (by_cones.second != by_states.second) ++report.failures;
         cone.push_back(by_cones.first);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cone engine's times and work against the project's targets, side by side with other ways
-// to ask the same question, and on families meant to be hard. Prints Markdown tables, as in
-// bench/README.md. Exit code 1 if a verdict, a certificate or a counter is wrong; never for a
-// time.
+// The times of branch and bound and its work against the project's targets, side by side with
+// other ways to ask the same question, and on families meant to be hard. Prints Markdown
+// tables, as in bench/README.md. Exit code 1 if a verdict, a certificate or a counter is wrong;
+// never for a time.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <fstream>

@@ -38,7 +38,7 @@ Measurement measure(const Question& question, double patience_ms);
 std::optional<Measurement> measure_limited(double seconds, double patience_ms,
                                            const std::function<Instance()>& make);
 
-/// Decides by the cone engine.
+/// Decides by branch and bound.
 bool is_stable_by_cones(const Question& question);
 
 }  // namespace stickslip::bench

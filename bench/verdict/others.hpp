@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// What the cone engine is compared with: the reference engine, two SMT solvers on the exported
-/// question, and a linear program in floating point for a weaker question.
+/// What branch and bound is compared with: the reference engine, two SMT solvers on the
+/// exported question, and a linear program in floating point for a weaker question.
 #pragma once
 
 #include <optional>

@@ -25,7 +25,7 @@ struct Report {
 /// Medians over generated grasps of 10 to 10,000 contacts, with work counters.
 void report_targets(Report& report);
 
-/// The same grasps put to the cone engine, the reference engine, Z3, cvc5 and GLPK.
+/// The same grasps put to branch and bound, the reference engine, Z3, cvc5 and GLPK.
 void report_side_by_side(Report& report);
 
 /// The two engines on one to six contacts, with short numbers and with those of doubles.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kAnswerSeconds = 20;
 
-/// Nobody but the cone engine, and the weaker question, is asked about more contacts.
+/// Nobody but branch and bound, and the weaker question, is asked about more contacts.
 constexpr std::size_t kMostContactsForOthers = 24;
 
 /// After so many unanswered questions of one size a competitor is asked no more.
@@ -61,7 +61,7 @@ std::string show(const Column& column, std::size_t asked) {
 
 void report_side_by_side(Report& report) {
   const std::vector<Competitor> others = competitors();
-  std::printf("| m | cone, ms |");
+  std::printf("| m | `branch-and-bound`, ms |");
   for (const Competitor& other : others) {
     std::printf(" %s%s%s%s |", other.name.c_str(), other.remark.empty() ? "" : " (",
                 other.remark.c_str(), other.remark.empty() ? "" : ")");

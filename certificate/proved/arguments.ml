@@ -12,6 +12,7 @@ type arguments = {
   json : bool;
   help : bool;
   batch : bool;
+  plane : bool;  (* a plane of loads is asked about, which is not judged here *)
 }
 
 let nothing_asked =
@@ -70,14 +71,22 @@ let parse words =
           | Some at when starts_with "--" word ->
             (String.sub word 0 at, Some (String.sub word (at + 1) (String.length word - at - 1)))
           | _ -> (word, None) in
-        let valued set =
+        let with_value use =
           match attached, rest with
-          | Some value, _ -> go { a with options = set value } ended rest
-          | None, value :: others -> go { a with options = set value } ended others
+          | Some value, _ -> go (use value) ended rest
+          | None, value :: others -> go (use value) ended others
           | None, [] -> raise (Usage (name ^ " needs a value")) in
+        let valued set = with_value (fun value -> { a with options = set value }) in
         let o = a.options in
         match name, attached with
         | "--wrench", _ -> valued (fun v -> { o with asked_wrench = Some (wrench name v) })
+        | "--torque", _ ->
+          valued (fun v -> { o with asked_wrench = Some (List.map (number name) [ "0"; "0"; v ]) })
+        | "--plane", _ ->
+          with_value (fun v ->
+              if List.length (list name v) <> 6 then
+                usage name v " is not UX,UY,UT,VX,VY,VT, two wrenches";
+              { a with plane = true })
         | "--case", _ -> valued (fun v -> { o with asked_case = Some v })
         | "--preload", _ -> valued (fun v -> { o with asked_preload = Some (number name v) })
         | "--normal-law", _ ->
@@ -96,7 +105,8 @@ let parse words =
         | _ when help && attached = None -> { a with help = true }
         | _ -> raise (Usage ("unknown option " ^ Print.quote word)) in
   let a =
-    go { files = []; options = nothing_asked; json = false; help = false; batch = false } false words
+    go { files = []; options = nothing_asked; json = false; help = false; batch = false;
+         plane = false } false words
   in
   let count = List.length a.files in
   if (not a.help) && (not a.batch) && count <> 2 then

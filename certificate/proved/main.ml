@@ -17,6 +17,7 @@ GRASP is the grasp file, CERTIFICATE the proof; one of them may be - for standar
 The question is that of the grasp file unless replaced here. Give the same options as to
 the program that produced the certificate:
   --wrench WX,WY,T         wrench applied to the object: force x, force y, torque
+  --torque T               short for --wrench 0,0,T
   --case NAME              the wrench of this case of the grasp file
   --preload P              one preload for all contacts
   --normal-law LAW         unilateral (contacts may open; the default) or bilateral
@@ -26,6 +27,8 @@ the program that produced the certificate:
   --preload-direction D    ask for the margin along preloads: D is P0,P1,..., one number for
                            each contact, which f times is added to its preload; or the word
                            scale: f times the preloads, that is, which multiples of them hold
+  --plane UX,UY,UT,VX,VY,VT
+                           ask for the region of a plane of wrenches: not judged
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be
                            off, such as friction=10%,stiffness=10%,preload=5%,
                            position=0.001,normal=0.0175,wrench=2%
@@ -45,8 +48,8 @@ Answers and exit codes:
   rejected    1   it does not; the rule (named as in certificate/FORMAT.md) and the place
   (error)     2   a file or the command line cannot be understood, on standard error
   not judged  3   the theorem does not cover such proofs, which stickslip-check judges: of
-                  stability by degree, and of margins in space; or it takes more work than the
-                  files' length allows
+                  stability by degree or at rest, of margins in space, and of regions; or it
+                  takes more work than the files' length allows
 
 Example:
   stickslip decide grasp.json --certificate proof.json
@@ -117,12 +120,14 @@ let tokens file limits text =
   with Tokenise.Not_json { line; column; problem } ->
     raise (Illegible { file; place = Printf.sprintf "line %d, column %d" line column; problem })
 
-let answer_to options (grasp_name, grasp) (certificate_name, certificate) =
+let answer_to (arguments : Arguments.arguments) (grasp_name, grasp) (certificate_name, certificate) =
+  let options = arguments.options in
   Work.begin_question ();
   let read name limits text =
     Work.bytes := !Work.bytes + String.length text;
     tokens name limits text in
-  try
+  if arguments.plane then Print.Not_judged "regions of a plane: stickslip-check judges them"
+  else try
     let asked =
       or_illegible grasp_name (ask options (read grasp_name Tokenise.of_grasp (grasp ()))) in
     let answer, certificate =
@@ -132,7 +137,7 @@ let answer_to options (grasp_name, grasp) (certificate_name, certificate) =
   with
   | Illegible { file; place; problem } -> Print.Illegible { file; place; problem }
   | Unreadable { file; problem } -> Print.Illegible { file; place = "opening"; problem }
-  | Work.Too_much why -> Print.Too_much why
+  | Work.Too_much why -> Print.Not_judged why
 
 (* The bytes that characters below 256 stand for, in UTF-8. *)
 let bytes_of text =
@@ -163,8 +168,8 @@ let batch_line line =
     let words = match List.assoc "options" members with
       | Array items -> List.map (function Text word -> bytes_of word | _ -> raise Not_found) items
       | _ -> raise Not_found in
-    let options = (Arguments.parse ("grasp" :: "certificate" :: words)).options in
-    answer_to options
+    answer_to
+      (Arguments.parse ("grasp" :: "certificate" :: words))
       ("grasp", fun () -> text "grasp") ("certificate", fun () -> text "certificate")
   | _ -> raise Not_found
 
@@ -185,7 +190,7 @@ let run (arguments : Arguments.arguments) =
       let name = List.nth arguments.files k in
       (shown name, fun () -> content name limits.bytes) in
     let report =
-      answer_to arguments.options (file 0 Tokenise.of_grasp) (file 1 Tokenise.of_certificate) in
+      answer_to arguments (file 0 Tokenise.of_grasp) (file 1 Tokenise.of_certificate) in
     let code = Print.exit_code report in
     if code = 2 then complain (Print.as_text report);
     if arguments.json then print_string (Print.as_json report)

@@ -157,7 +157,7 @@ let json_question asked =
 type report =
   | Judged of { asked : posed; answer : answer; certificate : certificate }
   | Illegible of { file : string; place : string; problem : string }
-  | Too_much of string  (* work *)
+  | Not_judged of string
 
 let proof answer size =
   let tree = Printf.sprintf "%d nodes: %d leaves" size.nodes size.leaves in
@@ -186,7 +186,7 @@ let as_text = function
     "rejected\nrule   " ^ rule ^ "\n"
     ^ line "node   " (Option.map string_of_int (node_of at))
     ^ line "path   " (in_words at)
-  | Judged { answer = NotProvedHere why; _ } | Too_much why -> "not judged\nwhy    " ^ printable why ^ "\n"
+  | Judged { answer = NotProvedHere why; _ } | Not_judged why -> "not judged\nwhy    " ^ printable why ^ "\n"
   | Judged { asked; answer; certificate } -> accepted asked answer certificate
 
 let as_json report =
@@ -206,7 +206,7 @@ let as_json report =
   | Illegible { place; problem; _ } -> line "malformed" ~path:place ~found:problem
   | Judged { answer = Rejected (rule, at); _ } ->
     line "rejected" ~rule ?node:(node_of at) ?path:(in_words at) ~found:"see FORMAT.md"
-  | Judged { answer = NotProvedHere why; _ } | Too_much why -> line "not judged" ~found:why
+  | Judged { answer = NotProvedHere why; _ } | Not_judged why -> line "not judged" ~found:why
   | Judged { asked; answer; certificate } ->
     let size = size_of certificate in
     let tree = match answer with Stable -> size.parts > 0 | _ -> true in
@@ -218,5 +218,5 @@ let as_json report =
 let exit_code = function
   | Illegible _ -> 2
   | Judged { answer = Rejected _; _ } -> 1
-  | Judged { answer = NotProvedHere _; _ } | Too_much _ -> 3
+  | Judged { answer = NotProvedHere _; _ } | Not_judged _ -> 3
   | Judged _ -> 0

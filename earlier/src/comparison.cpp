@@ -29,25 +29,25 @@ MethodAnswer of_load(bool accepts, std::string why, Json evidence) {
 }
 
 MethodAnswer given_up(const Undecided& undecided) {
-  return {kNotComputed, "given up at " + undecided.limit, {{"limit", undecided.limit}}};
+  return {kNotComputed, in_words(undecided), {{"limit", undecided.limit}}};
 }
 
 std::string contact_name(std::size_t index) {
   return "contact " + std::to_string(index);
 }
 
-std::string cases_refuted(std::size_t count) {
-  return "(" + std::to_string(count) + (count == 1 ? " case refuted)" : " cases refuted)");
+std::string leaves_refuted(std::size_t count) {
+  return "(" + std::to_string(count) + (count == 1 ? " leaf refuted)" : " leaves refuted)");
 }
 
 Json motion_json(const Twist& d) {
   return {{"motion", number_json(coordinates(d))}};
 }
 
-/// `why`, and in parentheses how many cases were refuted.
+/// `why`, and in parentheses how many leaves were refuted.
 MethodAnswer refuted(const Refutation& refutation, const std::string& why) {
   const RefutationSummary summary = summarize(refutation);
-  return of_load(false, why + " " + cases_refuted(summary.leaves),
+  return of_load(false, why + " " + leaves_refuted(summary.leaves),
                  {{"refutation", {{"nodes", summary.nodes}, {"leaves", summary.leaves}}}});
 }
 
@@ -112,7 +112,7 @@ class Comparison {
       return refuted(unstable->refutation, "no motion satisfies all conditions");
     }
     passive_undecided_ = true;
-    return {"undecided", "given up at " + std::get<Undecided>(verdict).limit};
+    return {"undecided", in_words(std::get<Undecided>(verdict))};
   }
 
   void note_friction(const Witness& witness) {
@@ -177,7 +177,7 @@ class Comparison {
     if (const auto* found = std::get_if<StronglyStable>(&result)) {
       return of_load(
           true,
-          "rigid contacts leave no acceleration " + cases_refuted(found->cases) +
+          "rigid contacts leave no acceleration " + leaves_refuted(found->cases) +
               unless_passive(),
           {{"forces", forces_json(found->equilibrium.forces)}, {"cases", found->cases}});
     }
@@ -201,7 +201,7 @@ class Comparison {
   MethodAnswer wrench_space(ForceBound bound) {
     if (problem_.size() > kMostContactsForWrenchSpace) {
       const std::string limit = std::to_string(kMostContactsForWrenchSpace) + " contacts";
-      return {kNotComputed, "beyond " + limit, {{"limit", limit}}};
+      return {kNotComputed, "there are more than " + limit, {{"limit", limit}}};
     }
     std::vector<HalfSpace> facets;
     try {

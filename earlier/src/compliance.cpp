@@ -148,8 +148,9 @@ std::variant<SpringBalance, UnresistedMotion> linear_compliance(const Problem& p
 std::variant<SpringStates, NoSpringStates, Undecided> three_state_compliance(
     const Problem& problem, std::size_t most_contacts) {
   if (problem.size() > most_contacts) {
-    return Undecided{"3^" + std::to_string(problem.size()) + " combinations, beyond 3^" +
-                     std::to_string(most_contacts)};
+    return Undecided{"there are 3^" + std::to_string(problem.size()) +
+                     " combinations, and at most 3^" + std::to_string(most_contacts) +
+                     " are tried"};
   }
   States states(problem.size(), SpringState::kStick);
   NoSpringStates none;

@@ -165,7 +165,8 @@ ConesVerdict friction_cones_alone(const Problem& problem, std::size_t most_progr
   SeparationSearch search(problem, most_programs);
   switch (search.run(Region::root(problem))) {
     case SeparationSearch::Outcome::kLimit:
-      return Undecided{std::to_string(most_programs) + " linear programs"};
+      return Undecided{"it takes more than " + std::to_string(most_programs) +
+                       " linear programs"};
     case SeparationSearch::Outcome::kRefuted:
       return std::move(search.tree);
     default:

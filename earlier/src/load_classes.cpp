@@ -291,7 +291,8 @@ std::variant<StronglyStable, Acceleration, Undecided> strongly_stable_load(
   AccelerationSearch search(problem, inertia, most_programs);
   switch (search.run()) {
     case AccelerationSearch::Outcome::kLimit:
-      return Undecided{std::to_string(most_programs) + " linear programs"};
+      return Undecided{"it takes more than " + std::to_string(most_programs) +
+                       " linear programs"};
     case AccelerationSearch::Outcome::kFound:
       return checked(problem, inertia, search.found());
     default:

@@ -23,14 +23,14 @@ std::vector<std::string> child_conditions(const RefutationNode& node) {
   return {};
 }
 
-/// How many contacts slip or open as the case says when the object moves against its twist.
+/// How many contacts slip or open as the leaf says when the object moves against its twist.
 std::size_t count_alike(const RefutationSummary& found, const Problem& problem) {
-  const Twist drift = twist_of(negated(found.largest_case_twist));
+  const Twist drift = twist_of(negated(found.largest_leaf_twist));
   std::size_t count = 0;
-  for (const auto& [contact, slip] : found.largest_case_slips) {
+  for (const auto& [contact, slip] : found.largest_leaf_slips) {
     if (sign_of(power(problem.row(contact).tangent, drift)) == slip) ++count;
   }
-  for (const ContactId contact : found.largest_case_open) {
+  for (const ContactId contact : found.largest_leaf_open) {
     if (power(problem.row(contact).normal, drift).sign() > 0) ++count;
   }
   return count;
@@ -93,23 +93,23 @@ RefutationSummary summarize(const Refutation& refutation, const Problem* problem
     const auto* leaf = std::get_if<VirtualWorkLeaf>(&node);
     if (leaf != nullptr && !is_zero(leaf->twist)) {
       ++summary.leaves;
-      if (summary.leaves == 1 || path.size() <= summary.largest_case.size()) {
+      if (summary.leaves == 1 || path.size() <= summary.largest_leaf.size()) {
         RefutationSummary found = summary;
-        found.largest_case.clear();
-        found.largest_case_slips.clear();
-        found.largest_case_open.clear();
-        found.largest_case_twist = leaf->twist;
+        found.largest_leaf.clear();
+        found.largest_leaf_slips.clear();
+        found.largest_leaf_open.clear();
+        found.largest_leaf_twist = leaf->twist;
         for (const Level& level : path) {
-          found.largest_case.push_back(level.conditions[level.current]);
+          found.largest_leaf.push_back(level.conditions[level.current]);
           if (const auto* slip = std::get_if<SlipSplit>(level.node)) {
             constexpr Sign kSlips[] = {Sign::kPositive, Sign::kZero, Sign::kNegative};
-            found.largest_case_slips[slip->contact] = kSlips[level.current];
+            found.largest_leaf_slips[slip->contact] = kSlips[level.current];
           } else if (const auto* separation = std::get_if<SeparationSplit>(level.node)) {
-            if (level.current == 1) found.largest_case_open.insert(separation->contact);
+            if (level.current == 1) found.largest_leaf_open.insert(separation->contact);
           }
         }
         const std::size_t alike = problem == nullptr ? 0 : count_alike(found, *problem);
-        if (summary.leaves == 1 || path.size() < summary.largest_case.size() ||
+        if (summary.leaves == 1 || path.size() < summary.largest_leaf.size() ||
             alike > most_alike) {
           summary = std::move(found);
           most_alike = alike;

@@ -10,6 +10,7 @@
 #include "short_segments.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/equilibrium/search/rounded_equilibrium.hpp"
+#include "stickslip/equilibrium/search/search_end.hpp"
 
 namespace stickslip {
 
@@ -148,7 +149,7 @@ class MarginSearch {
     ConeOptions options = options_;
     if (options.node_limit != 0) {
       if (work_.cone.nodes >= options.node_limit) {
-        return Undecided{"the limit of " + std::to_string(options.node_limit) + " nodes"};
+        return limit_reached(options.node_limit);
       }
       options.node_limit -= work_.cone.nodes;
     }
@@ -156,6 +157,10 @@ class MarginSearch {
     ConeWork cone;
     auto found = search_family(family_.within(gap), options, &cone);
     work_.cone += cone;
+    // Of all nodes, and not of those that were left.
+    if (std::holds_alternative<Undecided>(found)) {
+      return limit_reached(options_.node_limit);
+    }
     return found;
   }
 

@@ -89,6 +89,10 @@ const char* name_of(const Verdict& verdict) {
   return "undecided";
 }
 
+std::string in_words(const Undecided& undecided) {
+  return undecided.limit + (undecided.remedy.empty() ? "" : "; " + undecided.remedy);
+}
+
 namespace {
 
 /// Pushes a node's children, the first one last; or says what is wrong with the node.

@@ -186,8 +186,14 @@ SpatialMargin without_proofs(const SpatialMargin& so_far) {
 /// Some grasps of a box hold and some do not, so that nothing but its verdict is shown.
 [[noreturn]] void refuse_box() {
   throw NotToBeHad{
-      "the question is about more than one grasp, and this is about one: give numbers, and "
-      "preloaded contacts normals of rational length (stickslip snap)"};
+      "the question is about more than one grasp, and this is about one: give numbers for all "
+      "intervals"};
+}
+
+[[noreturn]] void refuse_irrational_lengths() {
+  throw NotToBeHad{
+      "a preloaded contact has a normal of irrational length; `stickslip snap` writes the "
+      "grasp with rational ones"};
 }
 
 [[noreturn]] void refuse_space() {
@@ -197,7 +203,7 @@ SpatialMargin without_proofs(const SpatialMargin& so_far) {
 const Question& one_grasp(const AnyQuestion& question) {
   const auto* planar = std::get_if<Question>(&question);
   if (planar == nullptr) refuse_space();
-  if (planar->box) refuse_box();
+  if (planar->box) planar->box->is_point() ? refuse_irrational_lengths() : refuse_box();
   return *planar;
 }
 
@@ -279,7 +285,7 @@ class PageAnswer {
     std::optional<Answer> answer;
     const auto find = [&](Json& found) {
       AnswerOptions options;
-      options.engine = Engine::kCone;  // pictures need exact forces, however long
+      options.engine = Engine::kBranchAndBound;  // pictures need exact forces, however long
       options.node_limit = limits_.node_limit;
       options.warnings = warnings;
       answer = std::visit([&](const auto& question) { return answer_to(question, options); },
@@ -386,7 +392,7 @@ class PageAnswer {
     MarginWork work;
     const auto margin = find_margin(problem_of(question), options, &work);
     if (const auto* undecided = std::get_if<Undecided>(&margin)) {
-      throw NotToBeHad{"given up at " + undecided->limit};
+      throw NotToBeHad{in_words(*undecided)};
     }
     found = margin_json(question, std::get<Margin>(margin), work, std::nullopt);
   }

@@ -8,7 +8,7 @@ const StickslipPage = {
   fragile: null, // while one grasp of a fragile box is shown: the answer about the box, and which: {whole, name}
   views: [], // of each part of the page: a function that draws it again
   // What is looked at: a kind of motion, one of "equilibrium", "cell" and "twist"; the cell that is chosen, and the one
-  // that is pointed at; the case of the refutation; and whether numbers are printed with all digits.
+  // that is pointed at; the leaf of the refutation; and whether numbers are printed with all digits.
   shown: { motion: "equilibrium", cell: null, pointed: null, leaf: null, exact: false },
 };
 

@@ -85,7 +85,7 @@
     regionView = null;
     page.find("region-panel").hidden = !region;
     if (!region) return;
-    if (region.limit) return void page.put("region", html("p", {}, "Undecided: " + region.limit + "."));
+    if (region.limit) return void page.put("region", html("p", {}, "No region is known: " + region.limit + (region.remedy ? "; " + region.remedy : "") + "."));
     const load = loadInPlane(region);
     const corners = [
       ...region.areas.flatMap((area) => area.outlines.flatMap((o) => o.vertices_float)),

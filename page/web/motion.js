@@ -148,7 +148,7 @@
     }
     if (shown.motion === "twist" || (decide && decide.verdict === "unstable" && shown.motion === "equilibrium")) {
       const found = page.refutation();
-      const drift = found.cases.length > 0 ? page.drift(found.cases[page.leafShown()]) : null;
+      const drift = found.leaves.length > 0 ? page.drift(found.leaves[page.leafShown()]) : null;
       if (drift) {
         return {
           kind: "twist",

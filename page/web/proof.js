@@ -63,7 +63,7 @@
       "proof-size",
       "The proof has " +
         sizeText(new Blob([certificate]).size) +
-        (page.refutation().cases.length ? " and " + page.count(page.refutation().cases.length, "case") : "") +
+        (page.refutation().leaves.length ? " and " + page.count(page.refutation().leaves.length, "leaf", "leaves") : "") +
         ".",
     );
     if (!result || result.certificate !== certificate) return void page.put("proof-result");

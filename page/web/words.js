@@ -8,7 +8,7 @@
     stable: ["Stable", "the grasp holds this load."],
     unstable: ["Unstable", "the grasp does not hold this load."],
     fragile: ["Fragile", "some grasps in the box hold this load, and others do not."],
-    undecided: ["Undecided", "a limit was reached before there was an answer."],
+    undecided: ["Undecided", "nothing is known about the verdict."],
   };
   const kBoxVerdicts = {
     stable: ["Stable throughout", "every grasp in the box of uncertain numbers holds its load."],
@@ -126,7 +126,7 @@
             "p",
             {},
             "The body moves by nearly d = ",
-            page.nearTuple(decide.near_float || []),
+            page.nearTuple(decide.near_float || (page.answer.near || {}).twist_float || []),
             decide.proof && decide.proof.at_rest
               ? ". Proved: nothing moves, as friction answers whatever load is left. "
               : ". Proved: the forces on the walls around motions near this one leave no way out but an equilibrium inside. ",
@@ -134,10 +134,10 @@
           ),
         );
       } else if (decide.verdict === "unstable") {
-        const { cases } = page.refutation();
+        const { leaves } = page.refutation();
         const many =
-          cases.length > 1
-            ? "Proved in " + cases.length + " cases, which together cover all motions: in each, along"
+          leaves.length > 1
+            ? "Proved by a tree of " + leaves.length + " leaves, which together cover all motions: in each, along"
             : "Along";
         lines.push(
           html(
@@ -166,9 +166,23 @@
           ),
         );
       } else if (decide.limit) {
-        lines.push(html("p", {}, "Limit: " + decide.limit + "."));
+        lines.push(html("p", {}, "Not decided: " + decide.limit + (decide.remedy ? "; " + decide.remedy : "") + "."));
       }
       for (const uncertain of [groupUncertain(decide.uncertain || [])]) if (uncertain) lines.push(uncertain);
+      if (decide.enclosed)
+        lines.push(
+          html(
+            "p",
+            {},
+            (decide.enclosed.length === 1
+              ? "The normal of " + page.contacts(decide.enclosed) + " has an irrational length"
+              : "The normals of " + page.contacts(decide.enclosed) + " have irrational lengths") +
+              " |n|: P/|n| was enclosed to " +
+              decide.bits +
+              " bits" +
+              (decide.verdict === "undecided" ? "." : ", and the verdict is proved for all numbers in there."),
+          ),
+        );
       lines.push(
         html(
           "p",
@@ -248,14 +262,14 @@
     return parts.filter(Boolean).join(", ");
   }
 
-  // What is looked at: the equilibrium, a motion of the sphere, or the virtual twist of a case.
+  // What is looked at: the equilibrium, a motion of the sphere, or the virtual twist of a leaf.
   function drawChoice() {
     const { answer, shown } = page;
     const motion = page.motion();
     const decide = page.decided();
     const choices = [];
     if (decide && (decide.twist || decide.near || page.answer.near)) choices.push(["equilibrium", "Equilibrium"]);
-    if (page.refutation().cases.length > 0) choices.push(["twist", "Virtual twist"]);
+    if (page.refutation().leaves.length > 0) choices.push(["twist", "Virtual twist"]);
     if (answer.states && shown.cell !== null) choices.push(["cell", "Motion on the sphere"]);
     const moving = motion.twist && motion.twist.some((x) => x !== 0);
     const examples = (page.fragile ? page.fragile.whole : answer).examples;
@@ -328,7 +342,7 @@
   function drawMotionWords() {
     const motion = page.motion();
     const lines = [];
-    if (motion.kind === "twist") lines.push(...caseLines());
+    if (motion.kind === "twist") lines.push(...leafLines());
     if (motion.kind === "cell") {
       const { cell } = motion;
       lines.push(
@@ -349,15 +363,15 @@
 
   page.drawMotionWords = drawMotionWords;
 
-  function caseLines() {
-    const { cases } = page.refutation();
+  function leafLines() {
+    const { leaves } = page.refutation();
     const k = page.leafShown();
-    const found = cases[k];
+    const found = leaves[k];
     const drift = page.drift(found);
     const whole = found.conditions.length === 0;
     const oppose = drift.opposing.flatMap((yes, i) => (yes ? [i] : []));
     const idle = drift.opposing.flatMap((yes, i) => (yes ? [] : [i]));
-    const step = (by) => () => page.show({ motion: "twist", leaf: (k + by + cases.length) % cases.length });
+    const step = (by) => () => page.show({ motion: "twist", leaf: (k + by + leaves.length) % leaves.length });
     const load = !drift.work
       ? "Its load"
       : drift.work.sign() > 0
@@ -366,19 +380,19 @@
           ? "The load works against this motion"
           : "The load does no work on this motion";
     return [
-      cases.length > 1
+      leaves.length > 1
         ? html(
             "p",
             { class: "stepper" },
             html(
               "button",
-              { type: "button", "data-choice": "case-before", "aria-label": "Case before", onclick: step(-1) },
+              { type: "button", "data-choice": "leaf-before", "aria-label": "Leaf before", onclick: step(-1) },
               "\u2190",
             ),
-            " Case " + (k + 1) + " of " + cases.length + " ",
+            " Leaf " + (k + 1) + " of " + leaves.length + " ",
             html(
               "button",
-              { type: "button", "data-choice": "case-after", "aria-label": "Next case", onclick: step(1) },
+              { type: "button", "data-choice": "leaf-after", "aria-label": "Next leaf", onclick: step(1) },
               "\u2192",
             ),
           )

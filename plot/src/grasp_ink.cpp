@@ -57,8 +57,7 @@ class GraspReader {
     } else if (const auto* unstable = std::get_if<Unstable>(&verdict_)) {
       add_refutation(unstable->refutation);
     } else {
-      ink_.caption.push_back("Undecided: given up at " + std::get<Undecided>(verdict_).limit +
-                             ".");
+      ink_.caption.push_back("Undecided: " + in_words(std::get<Undecided>(verdict_)) + ".");
     }
     ink_.scenes.push_back(std::move(scene_));
     return std::move(ink_);
@@ -158,19 +157,19 @@ class GraspReader {
       ink_.caption.push_back("The normal law allows no motion at all.");
       return;
     }
-    const bool is_whole = proof.largest_case.empty();
+    const bool is_whole = proof.largest_leaf.empty();
     if (!is_whole) {
-      ink_.caption.push_back("No motion and forces satisfy all conditions: proved in " +
-                             std::to_string(proof.leaves) +
-                             " cases. Shown is the largest one: " +
-                             listed(proof.largest_case, "conditions") + ".");
+      ink_.caption.push_back(
+          "No motion and forces satisfy all conditions: proved by a tree of " +
+          std::to_string(proof.leaves) +
+          " leaves. Shown is the largest: " + listed(proof.largest_leaf, "conditions") + ".");
     }
     // Along the leaf's twist the wrenches of load and contacts together do negative work
     // whatever the contacts do; so against it, they drive the object.
-    Twist drift = twist_of(negated(proof.largest_case_twist));
+    Twist drift = twist_of(negated(proof.largest_leaf_twist));
     const Rational largest =
         std::max(largest_entry({drift.x, drift.y}), Rational(abs(drift.r)));
-    if (largest.is_zero()) return;  // the case has no motion
+    if (largest.is_zero()) return;  // the leaf has no motion
     if (largest >= kLongTwist) {
       const Rational unit = round_down(largest);
       drift = {drift.x / unit, drift.y / unit, drift.r / unit};
@@ -200,16 +199,16 @@ class GraspReader {
         contacts_text("; ", idle, "cannot oppose it", "cannot oppose it") + ".");
   }
 
-  /// Whether some force that the contact can have in the case does negative work on the drift.
+  /// Whether some force that the contact can have in the leaf does negative work on the drift.
   bool can_oppose(std::size_t i, const Twist& drift, const RefutationSummary& proof) const {
     const ContactId contact(i);
-    if (proof.largest_case_open.count(contact) > 0) return false;
+    if (proof.largest_leaf_open.count(contact) > 0) return false;
     const ContactRow& row = problem_.rows()[i];
     const Rational normal = power(row.normal, drift);
     const Rational friction = row.friction * power(row.tangent, drift);
-    const auto slip = proof.largest_case_slips.find(contact);
-    // Friction opposes the slip of the case's motions; without slip it has any direction.
-    const Rational least = slip == proof.largest_case_slips.end() || slip->second == Sign::kZero
+    const auto slip = proof.largest_leaf_slips.find(contact);
+    // Friction opposes the slip of the leaf's motions; without slip it has any direction.
+    const Rational least = slip == proof.largest_leaf_slips.end() || slip->second == Sign::kZero
                                ? Rational(normal - abs(friction))
                                : Rational(normal - to_int(slip->second) * friction);
     return least.sign() < 0;

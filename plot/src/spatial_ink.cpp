@@ -96,12 +96,14 @@ class SpatialReader {
       add_equilibrium(*stable);
     } else if (const auto* unstable = std::get_if<SpatiallyUnstable>(&verdict_)) {
       const std::size_t leaves = leaf_count(unstable->tree);
-      ink_.caption.push_back("No motion and forces satisfy all conditions: proved in " +
-                             std::to_string(leaves) + (leaves == 1 ? " case." : " cases."));
+      ink_.caption.push_back("No motion and forces satisfy all conditions: proved by " +
+                             (leaves == 1
+                                  ? "one virtual twist."
+                                  : "a tree of " + std::to_string(leaves) + " leaves."));
     } else if (std::holds_alternative<SpatiallyFragile>(verdict_)) {
       ink_.caption.push_back("Some grasps in the box hold the load and some do not.");
     } else {
-      ink_.caption.push_back("Undecided: " + std::get<Undecided>(verdict_).limit + ".");
+      ink_.caption.push_back("Undecided: " + in_words(std::get<Undecided>(verdict_)) + ".");
     }
     return std::move(ink_);
   }

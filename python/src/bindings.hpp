@@ -39,7 +39,7 @@ QuestionOptions question_options(const pybind11::object& wrench,
                                  const pybind11::object& preload_direction = pybind11::none(),
                                  const std::string& which = "");
 
-/// "states", "cone" or "auto".
+/// "states", "branch-and-bound" or "auto".
 Engine engine_named(const std::string& name);
 
 /// A number for each contact, from a list, or one for all of them.

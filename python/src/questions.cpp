@@ -20,8 +20,6 @@ namespace {
 namespace py = pybind11;
 using py::literals::operator""_a;
 
-constexpr const char* kBoxEngine = "box";
-
 void require_load(const GraspFile& grasp, const QuestionOptions& options) {
   if (options.wrench || options.direction || grasp.cases.empty()) return;
   refuse_without_case(grasp.cases.front().name);
@@ -73,7 +71,7 @@ py::dict judgement_fields(const Question& question, const Judgement& judgement,
   }
   const BoxDecision& decision = std::get<BoxDecision>(judgement);
   py::dict result = box_fields(question, "stable");
-  result["engine"] = kBoxEngine;
+  result["engine"] = kIntervalsEngine;
   result["certificate"] = certificate;
   const Vector3 near = *motion_near(answer_by_degree(question, decision));
   result["near"] = fractions(Twist{near[0], near[1], near[2]});
@@ -109,7 +107,8 @@ py::dict decide_grasp(const GraspFile& grasp, const py::object& wrench,
     const Problem problem(question.loaded, question.law);
     const Engine asked_for = engine_named(engine);
     const bool exactly = warnings && asked_for == Engine::kAuto;
-    Judgement judgement = judge(problem, exactly ? Engine::kCone : asked_for, node_limit);
+    Judgement judgement =
+        judge(problem, exactly ? Engine::kBranchAndBound : asked_for, node_limit);
     std::string certificate = certificate_of(question, judgement);
     std::vector<ModelWarning> found;
     if (warnings) {
@@ -234,16 +233,16 @@ py::dict decide_grasp_box(const GraspFile& grasp, const std::string& uncertain,
     if (const auto* fragile = std::get_if<Fragile>(&decision.verdict)) {
       for (const bool stable : {true, false}) {
         found.push_back(proved_grasp(stable ? fragile->stable : fragile->unstable, description,
-                                     question.law, stable, producer_of(kBoxEngine)));
+                                     question.law, stable, producer_of(kIntervalsEngine)));
       }
     } else if (!std::holds_alternative<Undecided>(decision.verdict)) {
       found.push_back(proved_box(*question.box, description, question.law, decision,
-                                 producer_of(kBoxEngine)));
+                                 producer_of(kIntervalsEngine)));
     }
     return Answer{std::move(question), std::move(decision), std::move(found)};
   });
   py::dict result = box_fields(answer.question, name_of(answer.decision.verdict));
-  result["engine"] = kBoxEngine;
+  result["engine"] = kIntervalsEngine;
   add_files(result, answer.files);
   if (const auto* undecided = std::get_if<Undecided>(&answer.decision.verdict)) {
     add_undecided(result, *undecided);
@@ -272,7 +271,7 @@ py::dict find_grasp_radius(const GraspFile& grasp, const std::string& uncertain,
     Question question = box_question(grasp, asked, uncertain);
     Radius radius = find_radius(question.loaded, *question.box, question.law, options);
     std::vector<ProvedFiles> found;
-    if (radius.stable) found = proved_radius(question, radius, producer_of(kBoxEngine));
+    if (radius.stable) found = proved_radius(question, radius, producer_of(kIntervalsEngine));
     return Answer{std::move(question), std::move(radius), std::move(found)};
   });
   const Radius& radius = answer.radius;
@@ -324,7 +323,7 @@ py::dict map_grasp(const GraspFile& grasp, const std::string& x_text, const std:
       if (proofs && proved) {
         found.files.back() =
             proved_box(box_of_cell(loaded, x, y, cell.x, cell.y), loaded.grasp.description(),
-                       found.question.law, cell.decision, producer_of(kBoxEngine));
+                       found.question.law, cell.decision, producer_of(kIntervalsEngine));
       }
       found.cells.push_back(std::move(cell));
     });
@@ -426,7 +425,7 @@ std::function<ManyAnswer()> planar_question(const py::handle& given, const OneOf
       }
     } else {
       answer.verdict = "stable";
-      answer.engine = kBoxEngine;
+      answer.engine = kIntervalsEngine;
     }
     answer.whole = [about, options, judgement] {
       const Question again = question_of(*about, options);
@@ -447,7 +446,9 @@ py::tuple force_vectors(const Grasp& grasp, const std::vector<ContactForce>& for
 }
 
 Engine engine_named(const std::string& name) {
-  return name == "states" ? Engine::kStates : name == "cone" ? Engine::kCone : Engine::kAuto;
+  return name == "states"             ? Engine::kStates
+         : name == "branch-and-bound" ? Engine::kBranchAndBound
+                                      : Engine::kAuto;
 }
 
 QuestionOptions question_options(const py::object& wrench, const py::object& preload,

@@ -226,6 +226,12 @@ def one_of(name: str, value: str, allowed: Sequence[str]) -> str:
     return value
 
 
+def as_engine(engine: str) -> str:
+    if isinstance(engine, str) and engine == "cone":  # its name of old
+        return "branch-and-bound"
+    return one_of("engine", engine, ("auto", "states", "branch-and-bound"))
+
+
 def is_bilateral(normal_law: str) -> bool:
     return one_of("normal_law", normal_law, ("unilateral", "bilateral")) == "bilateral"
 

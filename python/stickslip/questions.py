@@ -21,6 +21,7 @@ from .arguments import (
     as_content,
     as_count,
     as_direction_or_none,
+    as_engine,
     as_json,
     as_list,
     as_number,
@@ -143,10 +144,10 @@ def decide(
         preload: of every contact, one number or (n,); the grasp's own if None.
         normal_law: "unilateral", contacts may open, c_n = max(0, P - k N.d); or "bilateral", the
             paper's Eq. 4 literally, c_n = P - k N.d >= 0.
-        engine: "states" solves the systems of all slip states, in groups, "cone" is a branch and
-            bound for many contacts, "auto" takes the one that suits. All are exact. In space
+        engine: "states" solves the systems of all slip states, in groups, "branch-and-bound" is
+            made for many contacts, "auto" takes the one that suits. All are exact. In space
             there is one.
-        node_limit: let the engine "cone" give up, undecided, after so many nodes; 0 is no limit.
+        node_limit: let the engine "branch-and-bound" give up, undecided, after so many nodes; 0 is no limit.
             In space 0 is one with which twelve contacts take about a minute at most.
         threads: 0 is one a core. The answers do not depend on it.
         warnings: look for traps of the model as well, such as a large motion, or a preload that
@@ -171,7 +172,7 @@ def decide(
                            **_with_proofs(result, "proof", "examples"))
     how = (
         is_bilateral(normal_law),
-        one_of("engine", engine, ("auto", "states", "cone")),
+        as_engine(engine),
         as_count("node_limit", node_limit),
     )
     at_once = as_count("threads", threads, 1024)

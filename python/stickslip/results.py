@@ -277,7 +277,7 @@ class Decisions(Sequence[Decision]):
         self._asked = asked  # of all or of each
         self.verdict: NDArray[np.str_] = np.array(data.verdicts(), dtype="<U9")
         """(n,), "stable", "unstable" or "undecided"."""
-        self.engine: NDArray[np.str_] = np.array(data.engines(), dtype="<U6")
+        self.engine: NDArray[np.str_] = np.array(data.engines(), dtype="<U16")
         """(n,), as of a Decision."""
 
     @property

@@ -335,6 +335,11 @@ class ModeWalk {
 
 }  // namespace
 
+Undecided too_many_modes(const ResistibleOptions& options) {
+  return {"there are more than " + std::to_string(options.mode_limit) + " contact modes",
+          "modes", "a higher --mode-limit may tell"};
+}
+
 bool walk_modes(const Problem& problem, MotionRays& rays, const ModeImages& images,
                 const ResistibleOptions& options, ResistibleWork& work,
                 ModeSections& sections) {

@@ -10,6 +10,7 @@
 #include "load_cell.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/equilibrium/search/region_program.hpp"
+#include "stickslip/equilibrium/search/search_end.hpp"
 
 namespace stickslip {
 
@@ -82,6 +83,7 @@ class Partition {
         pieces_(std::move(pieces)),
         numbers_(pieces_.size()),
         work_(work),
+        node_limit_(options.node_limit),
         refuter_(problem, plane, options, work) {
     std::vector<PlaneCell> cells;
     for (const ModePiece& piece : pieces_) cells.push_back(piece.loads.cell);
@@ -102,7 +104,7 @@ class Partition {
   }
 
   /// Why it failed, if it did.
-  std::optional<std::string> build() {
+  std::optional<Undecided> build() {
     std::vector<std::size_t> all_pieces(pieces_.size());
     for (std::size_t k = 0; k < all_pieces.size(); ++k) all_pieces[k] = k;
     std::vector<std::size_t> all_borders(borders_.size());
@@ -119,20 +121,25 @@ class Partition {
     LoadFunction f;
   };
 
-  std::optional<std::string> append(const LoadCell& cell,
-                                    const std::vector<std::size_t>& pieces_before,
-                                    const std::vector<std::size_t>& borders_before,
-                                    std::size_t depth) {
+  std::optional<Undecided> append(const LoadCell& cell,
+                                  const std::vector<std::size_t>& pieces_before,
+                                  const std::vector<std::size_t>& borders_before,
+                                  std::size_t depth) {
     // Far below what the format allows, so that the searches have room.
     constexpr std::size_t kDeepest = 240;
-    if (depth > kDeepest) return "the depth of " + std::to_string(kDeepest) + " lines";
+    if (depth > kDeepest) {
+      return Undecided{"the outlines of the region cut each other too often for a proof",
+                       "depth"};
+    }
     std::vector<std::size_t> pieces;
     for (const std::size_t k : pieces_before) {
       if (cell.meets(pieces_[k].loads)) pieces.push_back(k);
     }
     if (pieces.empty()) {
       ++work_.cells;
-      if (!refuter_.refute(cell, proof.tree)) return "the limit of nodes";
+      if (!refuter_.refute(cell, proof.tree)) {
+        return limit_reached(node_limit_);
+      }
       return std::nullopt;
     }
     for (const std::size_t k : pieces) {
@@ -236,6 +243,7 @@ class Partition {
   std::vector<std::optional<std::size_t>> numbers_;  ///< in the proof, by piece
   std::vector<Border> borders_;
   RegionProofWork& work_;
+  std::size_t node_limit_;
   CellRefuter refuter_;
 };
 
@@ -251,7 +259,7 @@ std::variant<RegionProof, Undecided> prove_region(const Problem& problem,
   counters = {};
   require(!problem.is_family(), "the loads of a plane are no family");
   Partition partition(problem, plane, joined(problem, pieces), options, counters);
-  if (const auto failed = partition.build()) return Undecided{*failed};
+  if (auto failed = partition.build()) return std::move(*failed);
   return std::move(partition.proof);
 }
 

@@ -19,7 +19,7 @@ std::variant<PlaneUnion, Undecided> resistible_region(const Problem& problem,
   ModeImages images(problem, plane, rays);
   ModeSections sections(rays, images, counters);
   if (!walk_modes(problem, rays, images, options, counters, sections)) {
-    return Undecided{"the limit of " + std::to_string(options.mode_limit) + " modes"};
+    return too_many_modes(options);
   }
   if (const auto cell = still_cell(rays, images)) sections.add(*cell);
   return sections.united();

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "generated_cone.hpp"
+#include "mode_walk.hpp"
 #include "stickslip/arrangement/sweep.hpp"
 #include "stickslip/core/cancellation.hpp"
 #include "stickslip/core/error.hpp"
@@ -230,7 +231,7 @@ std::variant<std::vector<ResistiblePiece>, Undecided> resistible_pieces(
   counters = {};
   PieceFinder finder(problem, plane, options, counters);
   if (!finder.find()) {
-    return Undecided{"the limit of " + std::to_string(options.mode_limit) + " modes"};
+    return too_many_modes(options);
   }
   return std::move(finder.pieces);
 }

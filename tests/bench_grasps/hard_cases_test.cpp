@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The worst grasps that were found, with the nodes that the cone engine needed
+// The worst grasps that were found, with the nodes that branch and bound needed
 // (tests/corpus/hard/nodes.txt). Fewer is progress: lower the table then. Twice as many is a
 // loss that somebody should look at.
 #include <gtest/gtest.h>

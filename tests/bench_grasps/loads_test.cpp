@@ -22,7 +22,7 @@ std::string verdict_of(const Question& question, Engine engine) {
 }
 
 bool is_stable(const Question& question) {
-  return verdict_of(question, Engine::kCone) == "stable";
+  return verdict_of(question, Engine::kBranchAndBound) == "stable";
 }
 
 std::string text_of(const Instance& instance) {
@@ -35,7 +35,7 @@ TEST(PlantedLoad, IsStableUnderBothLaws) {
       const Grasp grasp = make_grasp(layout, 6, true, seed);
       for (const NormalLaw law : {NormalLaw::kUnilateral, NormalLaw::kBilateral}) {
         const Question question = plain_question(grasp, planted_load(grasp, law, seed), law);
-        EXPECT_EQ(verdict_of(question, Engine::kCone), "stable")
+        EXPECT_EQ(verdict_of(question, Engine::kBranchAndBound), "stable")
             << to_string(law) << write_grasp(question.loaded);
       }
     }
@@ -45,7 +45,8 @@ TEST(PlantedLoad, IsStableUnderBothLaws) {
 TEST(StableInstances, AreStableByBothEngines) {
   for (const Instance& instance : stable_instances(5, 2 * kStableFamilies)) {
     EXPECT_EQ(instance.expected, Expected::kStable);
-    EXPECT_EQ(verdict_of(instance.question, Engine::kCone), "stable") << text_of(instance);
+    EXPECT_EQ(verdict_of(instance.question, Engine::kBranchAndBound), "stable")
+        << text_of(instance);
     EXPECT_EQ(verdict_of(instance.question, Engine::kStates), "stable") << text_of(instance);
   }
 }
@@ -79,7 +80,8 @@ TEST(StableInstances, AreStatedInFewWords) {
 TEST(UnstableInstances, AreUnstableByBothEngines) {
   for (const Instance& instance : unstable_instances(5, 2 * kUnstableFamilies, is_stable)) {
     EXPECT_EQ(instance.expected, Expected::kUnstable);
-    EXPECT_EQ(verdict_of(instance.question, Engine::kCone), "unstable") << text_of(instance);
+    EXPECT_EQ(verdict_of(instance.question, Engine::kBranchAndBound), "unstable")
+        << text_of(instance);
     EXPECT_EQ(verdict_of(instance.question, Engine::kStates), "unstable") << text_of(instance);
   }
 }
@@ -101,7 +103,7 @@ TEST(ThresholdLoad, IsTheLastThatIsHeld) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
       const Grasp grasp = make_grasp(layout, 4, true, seed);
       const Wrench threshold = threshold_load(layout, grasp);
-      for (const Engine engine : {Engine::kStates, Engine::kCone}) {
+      for (const Engine engine : {Engine::kStates, Engine::kBranchAndBound}) {
         const auto verdict = [&](const Rational& factor) {
           return verdict_of(plain_question(grasp, factor * threshold), engine);
         };

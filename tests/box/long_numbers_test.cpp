@@ -121,7 +121,7 @@ TEST(LongNumbers, ExactEnginesAgreeAndShortOnesKeepTheirWitness) {
   const Problem problem(file.content, NormalLaw::kUnilateral);
   ASSERT_TRUE(has_long_equilibria(problem));
   EXPECT_TRUE(std::holds_alternative<BoxAnswer>(answer_to(ask(file, {}), kQuick)));
-  const Answer exact = answer_to(ask(file, {}), {Engine::kCone, 0, false});
+  const Answer exact = answer_to(ask(file, {}), {Engine::kBranchAndBound, 0, false});
   ASSERT_TRUE(std::holds_alternative<CaseAnswer>(exact));
   EXPECT_STREQ(name_of(exact), "stable");
   const GraspFile few = in_doubles(ShapeInDoubles::kBowl, 30, 0, load);
@@ -182,7 +182,7 @@ TEST(LongNumbers, ByDegreeWhatTheConeEngineFindsStable) {
           const Question question{
               pulled_or_planted(layout, contacts, preloaded, seed, law, tenths), law, {}};
           const Problem problem = problem_of(question);
-          const Decision truth = decide(problem, Engine::kCone);
+          const Decision truth = decide(problem, Engine::kBranchAndBound);
           const bool is_stable = std::holds_alternative<Stable>(truth.verdict);
           const auto by_degree = prove_stable_by_degree(problem);
           SCOPED_TRACE(question.loaded.grasp.name() + " " + std::to_string(seed));

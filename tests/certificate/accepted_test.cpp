@@ -36,7 +36,8 @@ TEST(Accepted, CertificatesOfBothEngines) {
   for (const test::Certified& one : all) {
     inputs.push_back(one.input());
     names.push_back(one.name());
-    const std::string engine = one.engine == Engine::kCone ? "cone, " : "states, ";
+    const std::string engine =
+        one.engine == Engine::kBranchAndBound ? "branch-and-bound, " : "states, ";
     ++tally[engine + to_string(one.about.options.law) + ", " + one.verdict];
     largest = std::max(largest, one.size());
   }

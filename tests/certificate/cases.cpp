@@ -110,7 +110,8 @@ std::vector<Case> all_cases() {
 }
 
 std::string Certified::name() const {
-  return about.name + " by " + (engine == Engine::kCone ? "cone" : "states");
+  return about.name + " by " +
+         (engine == Engine::kBranchAndBound ? "branch-and-bound" : "states");
 }
 
 std::size_t Certified::size() const {
@@ -124,7 +125,7 @@ std::vector<Certified> all_certificates() {
   for (const Case& one : all_cases()) {
     const Question question = one.question();
     const Problem problem(question.loaded, question.law);
-    for (const Engine engine : {Engine::kStates, Engine::kCone}) {
+    for (const Engine engine : {Engine::kStates, Engine::kBranchAndBound}) {
       const Verdict verdict = decide(problem, engine).verdict;
       result.push_back(
           {one, engine, name_of(verdict), certificate_text(question, verdict, "tests")});

@@ -45,7 +45,7 @@ class Asking(Case):
         self.assertEqual(answer["uncertain"],
                          [{"place": "contacts[2].friction", "interval": ["2/5", "3/5"]}])
         self.assertEqual((answer["wrench"], answer["normal_law"], answer["engine"]),
-                         (["-2", "2", "-2"], "unilateral", "box"))
+                         (["-2", "2", "-2"], "unilateral", "intervals"))
         self.assertNotIn("bits", answer)
         self.assertEqual(set(answer["stats"]),
                          {"nodes", "proofs", "examples", "parts", "exact_leaves"})
@@ -106,7 +106,7 @@ class Asking(Case):
         out = shown("friction=10%,wrench=1")
         self.assertIn("load w    ([-3, -1], [1, 3], [-3, -1])", out)
         self.assertRegex(out, r"contacts\[2\]\.friction +9/25 +11/25\n")
-        self.assertIn("Engine: box; normal law: unilateral", out)
+        self.assertIn("Engine: intervals; normal law: unilateral", out)
         many = shown("friction=10%,position=1e-3,normal=1e-3")
         self.assertIn("contacts[0].normal, slope", many)
         self.assertNotIn("more, which --json lists", many)  # 12 rows
@@ -131,7 +131,7 @@ class Asking(Case):
                    naming=["contacts[2].friction", "0 or more"])
         old = {**with_friction(between(0, 1)), "format": "stickslip-grasp/1"}
         self.fails("decide", self.write("g.json", old), naming=["contacts[2].friction", "grasp/2"])
-        for engine in ("states", "cone"):
+        for engine in ("states", "branch-and-bound"):
             self.fails("decide", UNCERTAIN, "--case", "certain", "--engine", engine,
                        naming=["--engine", "box"])
 
@@ -166,12 +166,12 @@ class Answers(Case):
             code, out, err = run(*checker, grasp, proof, *words)
             self.assertEqual((code, out.split("\n")[0]), (DONE, "accepted"), out + err)
 
-    def answer(self, verdict, grasp, *words):
+    def answer(self, verdict, grasp, *words, box=True):
         """Asks twice, and lets both checkers judge the proof."""
         proof = self.path("proof.json")
         code = {"stable": STABLE, "unstable": UNSTABLE}[verdict]
         answer = self.json("decide", grasp, *words, "--exit-code", "--certificate", proof, code=code)
-        self.assertEqual((answer["verdict"], answer["box"]), (verdict, True))
+        self.assertEqual((answer["verdict"], answer.get("box")), (verdict, True if box else None))
         self.assertEqual(set(answer) & {"proof", "refutation"},
                          {"proof" if verdict == "stable" else "refutation"})
         self.judged(grasp, proof, *words)
@@ -239,13 +239,23 @@ class Answers(Case):
                             {"position": [1, -1], "normal": [-1, 1]},
                             {"position": [0, 1], "normal": [0, -1]}]}
         grasp = self.write("g.json", cup)
-        answer = self.answer("stable", grasp)
+        answer = self.answer("stable", grasp, box=False)
         self.assertEqual((answer["uncertain"], answer["enclosed"]), ([], [0, 1]))
         self.assertGreaterEqual(answer["bits"], 128)
-        self.assertIn("have irrational lengths |n|: P/|n| was enclosed to 128 bits",
-                      stickslip("decide", grasp)[1])
-        self.answer("unstable", grasp, "--wrench", "0,0,100")
-        self.answer("stable", grasp, "--normal-law", "bilateral")
+        out = stickslip("decide", grasp)[1]
+        self.assertIn("have irrational lengths |n|: P/|n| was enclosed to 128 bits", out)
+        self.assertRegex(out, r"An equilibrium is near the motion d = \([^)]*\)\.\n")
+        self.assertEqual(len(answer["near"]), 3)
+        self.answer("unstable", grasp, "--wrench", "0,0,100", box=False)
+        self.answer("stable", grasp, "--normal-law", "bilateral", box=False)
+        # Nobody made a box, and nobody reads of one.
+        for words in ((), ("--wrench", "0,0,100"), ("--json",), ("--node-limit", "1"), ("--examples", self.path("e"))):
+            code, out, err = stickslip("decide", grasp, *words)
+            self.assertIn(code, (DONE, UNDECIDED))
+            self.assertNotIn("box", out + err)
+        for engine in ("states", "branch-and-bound"):
+            self.fails("decide", grasp, "--engine", engine, naming=["--engine", "irrational length", "snap"])
+        self.assertIs(self.json("decide", grasp, "--uncertain", "friction=1/1000")["box"], True)
 
     def test_cases_have_the_exit_code_of_the_worst(self):
         grasp = with_friction(between("2/5", "3/5"))

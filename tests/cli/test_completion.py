@@ -145,11 +145,11 @@ COMP_WORDS=("$@") COMP_CWORD=$(($# - 1))
         self.assertGreater(found, 5)
 
     def test_values_are_no_commands(self):
-        self.assertEqual(self.replies("stickslip", "decide", "--engine", "states", "--engine", "c"),
-                         ["cone"])
+        self.assertEqual(self.replies("stickslip", "decide", "--engine", "states", "--engine", "b"),
+                         ["branch-and-bound"])
         self.assertEqual(self.replies("stickslip", "decide", "--engine", "=", "states", "--engine",
-                                      "c"), ["cone"])
-        self.assertEqual(self.replies("stickslip", "decide", "states", "--engine", "c"), ["cone"])
+                                      "b"), ["branch-and-bound"])
+        self.assertEqual(self.replies("stickslip", "decide", "states", "--engine", "b"), ["branch-and-bound"])
         self.assertEqual(self.replies("stickslip", "margin", "--wrench", "-1,0,0", "-", "--dir"),
                          ["--direction"])
 
@@ -239,7 +239,7 @@ class Fish(Shell):
     def test_words_and_files(self):
         for line, expected in (
                 ("stickslip de", ["decide"]), ("stickslip plot gr", ["grasp"]),
-                ("stickslip decide --engine states --engine c", ["cone"]),
+                ("stickslip decide --engine states --engine b", ["branch-and-bound"]),
                 ("stickslip decide states --normal-law b", ["bilateral"]),
                 ("stickslip decide my", ["my grasp.json"]),
                 ("stickslip decide --certificate my", ["my grasp.json"]),

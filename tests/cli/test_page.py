@@ -129,7 +129,8 @@ class Page(Case):
                  "contacts": [{"position": [-1, -1], "normal": [1, 1]}, {"position": [1, 1], "normal": [-1, -1]}],
                  "wrench": [0, 0, 0.1]}
         answer = answer_in(self.page("-", stdin=json.dumps(grasp)))
-        self.assertEqual((answer["decide"]["verdict"], answer["decide"]["box"]), ("stable", True))
+        self.assertEqual((answer["decide"]["verdict"], answer["decide"]["enclosed"]), ("stable", [0, 1]))
+        self.assertNotIn("box", answer["decide"])
         total = [0, 0, 0.1]
         for contact, near in zip(answer["contacts"], answer["near"]["contacts"]):
             (x, y), (fx, fy) = contact["position"], near["force_float"]

@@ -99,7 +99,7 @@ TEST(ConeEngine, GivesUpOnlyAtItsLimit) {
     if (limit < whole.nodes) {
       ASSERT_TRUE(std::holds_alternative<Undecided>(verdict)) << limit;
       EXPECT_EQ(std::get<Undecided>(verdict).limit,
-                "the limit of " + std::to_string(limit) + " nodes");
+                "the search reached the limit of " + std::to_string(limit) + " nodes");
     } else {
       EXPECT_TRUE(std::holds_alternative<Unstable>(verdict));
     }
@@ -219,7 +219,7 @@ TEST(ConeEngine, MixedMagnitudesBeyondDoubles) {
 
 TEST(Decide, TakesTheConeEngineUnlessAskedForTheOther) {
   const Problem problem(LoadedGrasp{fig1_grasp(1), {0, 1, 0}}, NormalLaw::kUnilateral);
-  EXPECT_STREQ(decide(problem).engine(), "cone");
+  EXPECT_STREQ(decide(problem).engine(), "branch-and-bound");
   EXPECT_STREQ(decide(problem, Engine::kStates).engine(), "states");
 }
 
@@ -230,11 +230,11 @@ TEST(Decide, SummaryNamesTheLargestCase) {
   const RefutationSummary summary = summarize(tree);
   EXPECT_EQ(summary.nodes, 6u);
   EXPECT_EQ(summary.leaves, 3u);
-  EXPECT_EQ(summary.largest_case, std::vector<std::string>{"contact 2 slips -"});
-  EXPECT_EQ(summary.largest_case_twist[0], 3);
+  EXPECT_EQ(summary.largest_leaf, std::vector<std::string>{"contact 2 slips -"});
+  EXPECT_EQ(summary.largest_leaf_twist[0], 3);
   const std::map<ContactId, Sign> slips{{ContactId(2), Sign::kNegative}};
-  EXPECT_TRUE(summary.largest_case_slips == slips);
-  EXPECT_TRUE(summary.largest_case_open.empty());
+  EXPECT_TRUE(summary.largest_leaf_slips == slips);
+  EXPECT_TRUE(summary.largest_leaf_open.empty());
 }
 
 TEST(Decide, SummaryShowsTheCaseThatLooksLikeTheFailure) {
@@ -244,14 +244,14 @@ TEST(Decide, SummaryShowsTheCaseThatLooksLikeTheFailure) {
   const Problem problem(loaded, NormalLaw::kUnilateral);
   const VirtualWorkLeaf up{{0, -1, 0}};  // what the object does is against the twist
   const Refutation slips{SlipSplit{ContactId(0)}, VirtualWorkLeaf{{0, 1, 0}}, up, up};
-  EXPECT_EQ(summarize(slips, &problem).largest_case[0], "contact 0 slips +");
+  EXPECT_EQ(summarize(slips, &problem).largest_leaf[0], "contact 0 slips +");
   const Refutation swapped{SlipSplit{ContactId(0)}, VirtualWorkLeaf{}, up,
                            VirtualWorkLeaf{{0, 2, 0}}};
-  EXPECT_EQ(summarize(swapped, &problem).largest_case[0], "contact 0 slips -");
-  EXPECT_EQ(summarize(swapped, &problem).largest_case_twist[1], 2);
-  EXPECT_EQ(summarize(swapped).largest_case[0], "contact 0 sticks");
+  EXPECT_EQ(summarize(swapped, &problem).largest_leaf[0], "contact 0 slips -");
+  EXPECT_EQ(summarize(swapped, &problem).largest_leaf_twist[1], 2);
+  EXPECT_EQ(summarize(swapped).largest_leaf[0], "contact 0 sticks");
   const Refutation opens{SeparationSplit{ContactId(0)}, up, VirtualWorkLeaf{{-1, 0, 0}}};
-  EXPECT_EQ(summarize(opens, &problem).largest_case[0], "contact 0 is open");
+  EXPECT_EQ(summarize(opens, &problem).largest_leaf[0], "contact 0 is open");
   EXPECT_EQ(summarize(opens, &problem).leaves, 2u);
 }
 
@@ -261,8 +261,8 @@ TEST(Decide, SummaryKnowsWhichContactsAreOpen) {
                         VirtualWorkLeaf{{1, 0, 0}},    VirtualWorkLeaf{}};
   const RefutationSummary summary = summarize(tree);
   const std::map<ContactId, Sign> slips{{ContactId(2), Sign::kZero}};
-  EXPECT_TRUE(summary.largest_case_slips == slips);
-  EXPECT_TRUE(summary.largest_case_open == std::set<ContactId>{ContactId(0)});
+  EXPECT_TRUE(summary.largest_leaf_slips == slips);
+  EXPECT_TRUE(summary.largest_leaf_open == std::set<ContactId>{ContactId(0)});
 }
 
 }  // namespace

@@ -181,11 +181,11 @@ TEST(PageReply, NormalsAreSnappedOnRequest) {
   grasp["contacts"][0]["normal"] = {3, 1};
   Json request{{"grasp", grasp.dump()}, {"parts", {"decide"}}};
   const Json as_it_is = Json::parse(reply_to(request.dump(), {}).body);
-  EXPECT_EQ(as_it_is["decide"]["engine"], "box");
+  EXPECT_EQ(as_it_is["decide"]["engine"], "intervals");
   EXPECT_FALSE(as_it_is["certificate"].is_null());
   request["options"] = {{"snap", true}};
   const Json snapped = Json::parse(reply_to(request.dump(), {}).body);
-  EXPECT_EQ(snapped["decide"]["engine"], "cone");
+  EXPECT_EQ(snapped["decide"]["engine"], "branch-and-bound");
   EXPECT_EQ(snapped["decide"]["verdict"], as_it_is["decide"]["verdict"]);
   // It is the grasp of the answer that the certificate is about.
   EXPECT_NE(snapped["grasp"], as_it_is["grasp"]);

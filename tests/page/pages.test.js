@@ -112,6 +112,27 @@ test("an unstable grasp in space", () => {
   assert.strictEqual(opened.page.checkProof().answer, "accepted");
 });
 
+test("a length that is irrational makes no box", () => {
+  const file = path.join(fs.mkdtempSync(path.join(os.tmpdir(), "page-")), "cup.json");
+  const contact = (position, normal) => ({ position, normal });
+  fs.writeFileSync(
+    file,
+    JSON.stringify({
+      format: "stickslip-grasp/1",
+      defaults: { friction: "1/2", preload: 1 },
+      contacts: [contact([-1, -1], [1, 1]), contact([1, -1], [-1, 1]), contact([0, 1], [0, -1])],
+      wrench: [0, "-3/10", 0],
+    }),
+  );
+  const opened = openWith(pageOf(file));
+  const words = opened.text("main");
+  assert.match(opened.text("#verdict"), /Stable: the grasp holds this load/);
+  assert.match(words, /normals of contacts 0 and 1 have irrational lengths \|n\|: P\/\|n\| was enclosed to 128 bits/);
+  assert.match(words, /The body moves by nearly d =/);
+  assert.match(words, /region, margin, map: a preloaded contact has a normal of irrational length; `stickslip snap` writes/);
+  assert.doesNotMatch(words, /box|all of them at once|more than one grasp/);
+});
+
 test("regions of every shape are drawn", () => {
   const contact = { position: [0, 0], normal: [0, 1], friction: 0 };
   const grasps = {

@@ -63,17 +63,17 @@ class Planar(PageTest):
         self.assertGreater(len(leaves), 1)
         seen = []
         for _ in leaves:
-            number = int(re.search(r"Case (\d+) of (\d+)", self.text("#motion-words")).group(1))
+            number = int(re.search(r"Leaf (\d+) of (\d+)", self.text("#motion-words")).group(1))
             twist = [str(-Fraction(y)) for y in leaves[number - 1]]
             self.assertIn("(" + ", ".join(twist).replace("-", "\u2212") + ")", self.text("#motion-words"))
             work = sum(Fraction(y) * Fraction(w) for y, w in zip(twist, ("0", "11/10", "0")))
             self.assertIn("drives" if work > 0 else "works against" if work < 0 else "does no work", self.text("#motion-words"))
             seen.append(number)
-            self.find("[data-choice='case-after']").click()
+            self.find("[data-choice='leaf-after']").click()
         self.assertEqual(sorted(seen), list(range(1, len(leaves) + 1)))
         # The one shown first is that of the program's text.
         text = run("decide", FIG1, "--wrench", "0,11/10,0")
-        largest = re.search(r"The largest case:\n((?:  .*\n)*)", text).group(1)
+        largest = re.search(r"The largest leaf:\n((?:  .*\n)*)", text).group(1)
         self.assertEqual(re.search(r"twist (\(.*\))", largest).group(1),
                          "(" + ", ".join(str(-Fraction(y)) for y in leaves[seen[0] - 1]) + ")")
         self.moves_and_rests()

@@ -180,7 +180,7 @@ class SpacePlot(unittest.TestCase):
         forces, motions = picture.all("force"), picture.all("motion")
         if answer["verdict"] != "stable":
             self.assertFalse(forces + motions + picture.all("ghost"))
-            said = {"unstable": "proved in",
+            said = {"unstable": "proved by",
                     "undecided": "Undecided: " + answer.get("limit", "")[:40]}[answer["verdict"]]
             self.assertTrue(any(said in t for t in picture.texts()))
             self.assert_projected(loads, "data-value")

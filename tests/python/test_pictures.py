@@ -175,7 +175,7 @@ def test_what_cannot_be_drawn(fig1):
     assert undecided.verdict == "undecided" and "undecided" in undecided._repr_html_()
     with pytest.raises(LimitReached) as caught:
         undecided.check()
-    assert str(caught.value) == "the answer is not known: the limit of 1 nodes"
+    assert str(caught.value) == "the answer is not known: the search reached the limit of 1 nodes"
     angles = np.linspace(0, 6, 101)
     many = np.round(1000 * np.column_stack([np.cos(angles), np.sin(angles)]))
     crowd = Grasp(many, -many, 1)

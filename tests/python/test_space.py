@@ -198,7 +198,7 @@ def test_errors_of_questions(tmp_path, pinch):
             (lambda: decide(pinch, (0, 0, 1)), "wrench"),
             (lambda: decide(pinch, (0, 0, 1, 0, 0, "x")), "wrench[5]"),
             (lambda: decide(pinch, DOWN, preload=-1), "contacts[0].preload"),
-            (lambda: decide(pinch, DOWN, engine="cone"), "engine"),
+            (lambda: decide(pinch, DOWN, engine="branch-and-bound"), "engine"),
             (lambda: stickslip.margin(pinch, DOWN, accuracy=0), "accuracy"),
             (lambda: stickslip.margin(pinch, (0, 0, -1)), "direction"),
             (lambda: stickslip.margin(pinch), "direction"),
@@ -209,7 +209,7 @@ def test_errors_of_questions(tmp_path, pinch):
             call()
         assert caught.value.place == place
     path = written(tmp_path, pinch)
-    for words, options in ((["--engine", "cone"], {"engine": "cone"}),
+    for words, options in ((["--engine", "branch-and-bound"], {"engine": "branch-and-bound"}),
                            (["--uncertain", "normal=1/100"], {"uncertain": "normal=1/100"})):
         with pytest.raises(InputError) as caught:
             decide(pinch, DOWN, **options)

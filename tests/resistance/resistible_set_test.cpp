@@ -112,10 +112,10 @@ std::size_t expect_verdicts(const Grasp& grasp, NormalLaw law, const WrenchPlane
     const Wrench w = plane.at(p);
     const bool inside = region.contains(p);
     stable += inside ? 1 : 0;
-    for (const Engine engine : {Engine::kStates, Engine::kCone}) {
+    for (const Engine engine : {Engine::kStates, Engine::kBranchAndBound}) {
       EXPECT_EQ(inside, is_stable(grasp, law, w, engine))
-          << (engine == Engine::kStates ? "states" : "cone") << " at (" << to_string(w.x)
-          << ", " << to_string(w.y) << ", " << to_string(w.torque) << ")";
+          << (engine == Engine::kStates ? "states" : "branch-and-bound") << " at ("
+          << to_string(w.x) << ", " << to_string(w.y) << ", " << to_string(w.torque) << ")";
     }
     if (::testing::Test::HasFailure()) break;
   }
@@ -380,7 +380,7 @@ TEST(ResistibleRegion, LimitOnModes) {
   options.mode_limit = work.modes - 1;
   const auto given_up = resistible_pieces(problem, WrenchPlane::forces(), options);
   ASSERT_TRUE(std::holds_alternative<Undecided>(given_up));
-  EXPECT_EQ(std::get<Undecided>(given_up).limit, "the limit of 85 modes");
+  EXPECT_EQ(std::get<Undecided>(given_up).limit, "there are more than 85 contact modes");
 }
 
 TEST(ResistibleRegion, LimitOnModesOfRegions) {

@@ -7,6 +7,7 @@
 
 #include "../few_shares.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/equilibrium/search/search_end.hpp"
 #include "stickslip/equilibrium/search/tree_walk.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 #include "twist_search.hpp"
@@ -208,10 +209,6 @@ class Explorer {
   Rational multiple_ = 0;
 };
 
-Undecided limit_reached(const ConeOptions& options) {
-  return {"the limit of " + std::to_string(options.node_limit) + " nodes"};
-}
-
 }  // namespace
 
 ConeWork& ConeWork::operator+=(const ConeWork& part) {
@@ -245,7 +242,7 @@ Verdict decide_by_cones(const Problem& problem, const ConeOptions& options, Cone
   } else if (tree) {
     verdict = Unstable{std::move(*tree)};
   } else {
-    verdict = limit_reached(options);
+    verdict = limit_reached(options.node_limit);
   }
 #ifdef STICKSLIP_VALIDATE
   validate(problem, verdict);
@@ -268,7 +265,7 @@ std::variant<MarginPoint, Unstable, Undecided> search_family(const Problem& fami
   if (auto& witness = explorer.witness()) {
     return MarginPoint{explorer.multiple(), std::move(*witness)};
   }
-  if (!tree) return limit_reached(options);
+  if (!tree) return limit_reached(options.node_limit);
   return Unstable{std::move(*tree)};
 }
 

@@ -4,20 +4,29 @@
 #include <string>
 
 namespace stickslip {
+namespace {
+
+constexpr const char* kMoreNodes = "a higher --node-limit may decide it";
+
+}  // namespace
+
+Undecided limit_reached(std::size_t node_limit) {
+  return {"the search reached the limit of " + std::to_string(node_limit) + " nodes", "nodes",
+          kMoreNodes};
+}
 
 Undecided undecided_by(const SearchReport& report) {
   const std::string limit = std::to_string(report.node_limit);
-  const std::string more = "a higher --node-limit may decide it";
   const std::string beside =
       "the load may be on a threshold: ask about one a little smaller or larger, or for the "
       "margin";
   const auto answer = [&]() -> Undecided {
     if (report.is_spent) {
       return {"all trees together reached their limit, a few times " + limit + " nodes",
-              "nodes", more};
+              "nodes", kMoreNodes};
     }
     if (report.end == SearchEnd::kNodes) {
-      return {"a tree reached the limit of " + limit + " nodes", "nodes", more};
+      return {"a tree reached the limit of " + limit + " nodes", "nodes", kMoreNodes};
     }
     if (report.is_wide) {
       return {"no proof was found for all of the box", "box",
@@ -42,7 +51,7 @@ Undecided undecided_by(const SearchReport& report) {
     }
   };
   Undecided result = answer();
-  if (report.is_wide) result.limit += ", and no two grasps that differ";
+  if (report.is_wide) result.limit += ", and no two grasps that differ were found";
   result.near = report.near;
   return result;
 }

@@ -32,10 +32,14 @@ struct CaseAnswer {
   const Verdict& verdict() const { return decision.verdict; }  ///< of the decision
 };
 
-/// About every grasp in a box; or about one that is stable, and of which an exact equilibrium
-/// would be too long (has_long_equilibria).
+/// The engine whose numbers may be intervals, in the plane.
+inline constexpr const char* kIntervalsEngine = "intervals";
+
+/// About every grasp in a box; or about one of which some lengths are irrational and known as
+/// intervals; or about one that is stable, and of which an exact equilibrium would be too long
+/// (has_long_equilibria).
 struct BoxAnswer {
-  Question question;     ///< a box, perhaps of one point
+  Question question;     ///< with a box, perhaps of one point
   BoxDecision decision;  ///< the verdict
 };
 
@@ -71,6 +75,9 @@ Answer answer_to(SpatialQuestion question, const AnswerOptions& options);
 
 /// Why, as "limit" in words and as "reason" in one; "remedy" and "near" if there are any.
 void add_undecided(Json& json, const Undecided& undecided);
+
+/// The contacts as "enclosed", and "bits"; nothing if there are none.
+void add_enclosed(Json& json, const std::vector<std::size_t>& contacts, unsigned bits);
 
 /// "stable", "unstable", "fragile", "undecided".
 const char* name_of(const Answer& answer);
@@ -114,10 +121,12 @@ struct ContactReport {
 /// By ContactId.
 std::vector<ContactReport> report_contacts(const CaseAnswer& answer, const Witness& witness);
 
-/// Of one grasp in exact numbers that is stable: a motion near that of an equilibrium.
+/// Of one grasp that is stable: a motion near that of an equilibrium.
 std::optional<Vector3> motion_near(const BoxAnswer& answer);
 
-/// The contacts whose preload over the length of the normal is enclosed.
+/// \{ The contacts whose preload over the length of the normal is enclosed.
 std::vector<std::size_t> enclosed_contacts(const GraspBox& box);
+std::vector<std::size_t> enclosed_contacts(const SpatialGrasp& box);
+/// \}
 
 }  // namespace stickslip

@@ -38,23 +38,23 @@ struct StatesWork {
 /// O(m^2) slip states; O(m^3) programs in the worst case.
 Verdict decide_by_states(const Problem& problem, StatesWork* work = nullptr);
 
-/// kStates is the method of the paper and the reference. kAuto is kCone, which measures faster
-/// (bench/README.md).
-enum class Engine { kAuto, kStates, kCone };
+/// kStates is the method of the paper and the reference. kAuto is kBranchAndBound, which
+/// measures faster (bench/README.md).
+enum class Engine { kAuto, kStates, kBranchAndBound };
 
 /// The answer to a question, and what it took.
 struct Decision {
   Verdict verdict;                          ///< with its evidence
   std::variant<StatesWork, ConeWork> work;  ///< of the engine that ran
 
-  /// "states" or "cone".
+  /// "states" or "branch-and-bound".
   const char* engine() const {
-    return std::holds_alternative<StatesWork>(work) ? "states" : "cone";
+    return std::holds_alternative<StatesWork>(work) ? "states" : "branch-and-bound";
   }
 };
 
-/// Decides whether an equilibrium exists (problem.hpp), exactly. `options` are those of the
-/// cone engine; Undecided only if they limit its nodes.
+/// Decides whether an equilibrium exists (problem.hpp), exactly. `options` are those of
+/// branch and bound; Undecided only if they limit its nodes.
 Decision decide(const Problem& problem, Engine engine = Engine::kAuto,
                 const ConeOptions& options = {});
 
@@ -66,17 +66,17 @@ std::vector<std::pair<std::string, std::size_t>> counters(const ConeWork& work);
 /// What a refutation says, for people.
 struct RefutationSummary {
   std::size_t nodes = 0;   ///< of the tree, leaves included
-  std::size_t leaves = 0;  ///< cases: leaves of regions that are not void
-  /// The conditions of the case that is shown, in words ("contact 3 slips +"), and its twist.
-  std::vector<std::string> largest_case;
-  std::map<ContactId, Sign> largest_case_slips;  ///< the contacts whose slip that case fixes
-  std::set<ContactId> largest_case_open;         ///< the contacts that are open in it
-  IntegerVector<3> largest_case_twist{};         ///< the virtual twist (x, y, r) of that case
+  std::size_t leaves = 0;  ///< of regions that are not void
+  /// The conditions of the leaf that is shown, in words ("contact 3 slips +"), and its twist.
+  std::vector<std::string> largest_leaf;
+  std::map<ContactId, Sign> largest_leaf_slips;  ///< the contacts whose slip that leaf fixes
+  std::set<ContactId> largest_leaf_open;         ///< the contacts that are open in it
+  IntegerVector<3> largest_leaf_twist{};         ///< the virtual twist (x, y, r) of that leaf
 };
 
-/// Counts, and the case to show: of those with the fewest conditions, the one that looks most
-/// like the failure when the object moves against the case's twist: the contacts that then slip
-/// or open as the case says are most. The first of equals, as always without the problem.
+/// Counts, and the leaf to show: of those with the fewest conditions, the one that looks most
+/// like the failure when the object moves against the leaf's twist: the contacts that then slip
+/// or open as the leaf says are most. The first of equals, as always without the problem.
 /// O(nodes) times the number of conditions.
 RefutationSummary summarize(const Refutation& refutation, const Problem* problem = nullptr);
 

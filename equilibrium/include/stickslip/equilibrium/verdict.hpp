@@ -95,10 +95,11 @@ struct Unstable {
 };
 /// Neither was proved.
 struct Undecided {
-  std::string limit;             ///< why, in words, for people
+  std::string limit;             ///< why, a sentence without its end, for people
   std::string reason = "limit";  ///< the same in one word, for programs (docs/space.md)
   std::string remedy{};          ///< what to do, in words; may be empty
-  /// A motion, from doubles, at which the laws seem to hold, though that was not proved; or empty.
+  /// A motion, from doubles, at which the laws seem to hold, though that was not proved; or
+  /// empty.
   std::vector<Rational> near{};
 };
 
@@ -107,6 +108,9 @@ using Verdict = std::variant<Stable, Unstable, Undecided>;
 
 /// "stable", "unstable", "undecided".
 const char* name_of(const Verdict& verdict);
+
+/// For people: "<limit>; <remedy>".
+std::string in_words(const Undecided& undecided);
 
 /// The first node at which a rule of certificate/FORMAT.md, section 4, fails; nothing for a
 /// refutation that holds. O(nodes * m * rays) rational operations.

@@ -19,7 +19,7 @@ namespace stickslip {
 /// - Stable: the witness. Contact forces to scale, whether each contact sticks, slips + or -
 ///   (forwards or backwards along its tangent), or is open, and the motion, enlarged by a
 ///   stated factor.
-/// - Unstable: how the grasp fails in the largest case of the proof (summarize): the body after
+/// - Unstable: how the grasp fails in the largest leaf of the proof (summarize): the body after
 ///   the virtual twist along which load and contacts together do positive work, its centre of
 ///   rotation if that is near, the motions that it gives the contacts, and which of them have
 ///   forces that oppose it (and lose) or none.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Why a search for a proof about a box or in space found none, and what to say of it.
+/// Why a search for a proof found none, and what to say of it.
 #pragma once
 
 #include <cstddef>
@@ -29,6 +29,9 @@ struct SearchReport {
   bool is_wide = false;              ///< the question is about many grasps
   std::vector<Rational> near{};  ///< an equilibrium in doubles around which there is no proof
 };
+
+/// Of a search for one grasp in the plane, or for all that a margin or a region needs.
+Undecided limit_reached(std::size_t node_limit);
 
 /// In words that name what was reached, and nothing that was not.
 Undecided undecided_by(const SearchReport& report);

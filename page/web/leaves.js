@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Why a grasp is unstable: the cases of the proof, read from the tree of the certificate (FORMAT.md, section 4), to be
+// Why a grasp is unstable: the leaves of the proof, read from the tree of the certificate (FORMAT.md, section 4), to be
 // looked at. Whether the proof is right says the checker, not this.
 (function (page) {
-  let read = { text: null, cases: [], part: null };
+  let read = { text: null, leaves: [], part: null };
 
   const kSlips = ["+", "0", "-"];
 
@@ -30,7 +30,7 @@
     return [];
   }
 
-  function casesOf(tree) {
+  function leavesOf(tree) {
     const found = [];
     const path = []; // of inner nodes: {children, current}
     for (const node of tree) {
@@ -54,16 +54,16 @@
     return found;
   }
 
-  /** The cases of the proof, and which of them is the largest. */
+  /** The leaves of the proof, and which of them is the largest. */
   page.refutation = function () {
     const text = page.answer.certificate;
     if (read.text === text) return read;
-    read = { text, cases: [], largest: 0 };
+    read = { text, leaves: [], largest: 0 };
     if (text) {
       const proof = JSON.parse(text);
-      if (proof.verdict === "unstable" && proof.tree) read.cases = casesOf(proof.tree);
+      if (proof.verdict === "unstable" && proof.tree) read.leaves = leavesOf(proof.tree);
       let best = null;
-      read.cases.forEach((found, k) => {
+      read.leaves.forEach((found, k) => {
         const alike = countAlike(found);
         const length = found.conditions.length;
         if (!best || length < best.length || (length === best.length && alike > best.alike)) {
@@ -75,7 +75,7 @@
     return read;
   };
 
-  /** How many contacts slip or open as the case says when the body moves against its twist. */
+  /** How many contacts slip or open as the leaf says when the body moves against its twist. */
   function countAlike(found) {
     if (page.isSpatial()) return 0;
     const twist = found.twist.map((y) => -page.Fraction.of(y).toNumber());
@@ -90,13 +90,13 @@
   }
 
   page.leafShown = function () {
-    const { cases, largest } = page.refutation();
+    const { leaves, largest } = page.refutation();
     const { leaf } = page.shown;
-    return leaf !== null && leaf < cases.length ? leaf : largest;
+    return leaf !== null && leaf < leaves.length ? leaf : largest;
   };
 
   /**
-   * A case's virtual twist as a motion: against y, as load and contacts together do negative work on y whatever the
+   * A leaf's virtual twist as a motion: against y, as load and contacts together do negative work on y whatever the
    * contacts do. With the load's work on it, exactly, and which contacts can oppose it.
    */
   page.drift = function (found) {
@@ -109,7 +109,7 @@
     return { exact, twist, work, opposing: page.answer.contacts.map((_, i) => canOppose(i, twist, found)) };
   };
 
-  /** Whether some force that the contact can have in the case does negative work on the motion. */
+  /** Whether some force that the contact can have in the leaf does negative work on the motion. */
   function canOppose(i, twist, found) {
     if (found.open.has(i)) return false;
     const { vector } = page;

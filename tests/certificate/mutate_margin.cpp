@@ -22,8 +22,6 @@ class MarginMutations {
 
   void run() {
     add("margin as it is", json_, Expectation::accepted());
-    question();
-    syntax();
     resisted();
     segments();
     trees();
@@ -34,112 +32,10 @@ class MarginMutations {
   void add(const std::string& kind, const Json& edited, Expectation expected = {}) {
     CheckerInput input = original_.input;
     input.certificate = edited.dump();
-    add_input(kind, std::move(input), std::move(expected));
-  }
-
-  void add_input(const std::string& kind, CheckerInput input, Expectation expected) {
     mutants_.push_back({kind, original_.name, std::move(input), std::move(expected)});
   }
 
   static Expectation rule(const char* name) { return Expectation::of_rule(name); }
-
-  void question() {
-    if (original_.input.options.direction) load_direction();
-    preload_direction();
-    Json edited = json_;
-    edited["question"]["wrench"][0] = json_of(number_of(json_["question"]["wrench"][0]) + 1);
-    add("another wrench of a margin", edited, rule("question-wrench"));
-    CheckerInput input = original_.input;
-    input.options.direction.reset();
-    input.options.preload_direction.reset();
-    add_input("margin, but no direction asked", input,
-              rule(original_.input.options.direction ? "question-direction"
-                                                     : "question-preload-direction"));
-  }
-
-  void load_direction() {
-    Json edited = json_;
-    edited["question"]["direction"][1] =
-        json_of(number_of(json_["question"]["direction"][1]) + kTiny);
-    add("another direction", edited, rule("question-direction"));
-    edited = json_;
-    for (Json& c : edited["question"]["direction"]) c = json_of(2 * number_of(c));
-    add("another direction", edited, rule("question-direction"));
-    edited["question"]["direction"] = {0, 0, 0};
-    add("another direction", edited, rule("question-direction"));
-    CheckerInput input = original_.input;
-    input.options.direction->torque += 1;
-    add_input("another direction asked", input, rule("question-direction"));
-  }
-
-  void preload_direction() {
-    const std::optional<PreloadDirection>& asked = original_.input.options.preload_direction;
-    const Json& contacts = json_["question"]["contacts"];
-    std::vector<Json> others{Json::array(), std::vector<int>(contacts.get<std::size_t>(), 2),
-                             std::vector<int>(contacts.get<std::size_t>(), -1)};
-    if (!asked || !asked->scale) others.emplace_back("scale");
-    for (const Json& other : others) {
-      Json edited = json_;
-      edited["question"]["preload_direction"] = other;
-      add("another direction of preloads", edited, rule("question-preload-direction"));
-    }
-    if (!asked) return;
-    Json edited = json_;
-    edited["question"].erase("preload_direction");
-    add("no direction of preloads", edited,
-        original_.input.options.direction ? rule("question-preload-direction")
-                                          : Expectation::malformed());
-    CheckerInput input = original_.input;
-    PreloadDirection& growth = *input.options.preload_direction;
-    if (growth.scale) {
-      growth = {false, std::vector<Rational>(contacts.get<std::size_t>(), 1)};
-    } else {
-      growth.rates.front() += kTiny;
-    }
-    add_input("another direction of preloads asked", input, rule("question-preload-direction"));
-  }
-
-  void syntax() {
-    const Expectation bad = Expectation::malformed();
-    Json edited = json_;
-    for (const char* member : {"verdict", "resisted", "segments", "tree", "question"}) {
-      edited = json_;
-      edited.erase(member);
-      add("margin without a member", edited, bad);
-      edited = json_;
-      const Json moved = edited[member];
-      edited.erase(member);
-      edited[member] = moved;
-      if (member != std::string("tree")) add("members of a margin out of order", edited, bad);
-      edited = json_;
-      edited[member] = nullptr;
-      add("null for a member", edited, bad);
-    }
-    for (const char* verdict : {"stable", "unstable"}) {
-      edited = json_;
-      edited["verdict"] = verdict;
-      add("margin with another verdict", edited, bad);
-    }
-    edited = json_;
-    edited["format"] = "stickslip-margin/1";
-    add("another version of margins", edited, bad);
-    for (const char* interval : {"[null, 1]", "[0]", "[0, 1, 2]", "0", "[0, 1.5]", "null"}) {
-      edited = json_;
-      edited["resisted"].push_back(Json::parse(interval));
-      add("no interval", edited, bad);
-    }
-    for (const char* segment :
-         {"[]", "[[true, [0, 0, 0], []]]", "0", "[[0, [0, 0, 0], []], [0, [0, 0, 0]]]",
-          "[[null, [0, 0, 0], []], [null, [0, 0, 0], []]]",
-          "[[0, [0, 0, 0], [[0]]], [0, [0, 0, 0], []]]",
-          "[[0, [0, 0], []], [0, [0, 0, 0], []]]", "[[0, [0, 0, 0], 0], [0, [0, 0, 0], []]]",
-          "[[0, [0, 0, 0], []], [0, [0, 0, 0], [], 0]]",
-          "[[0, [0, 0, 0], []], [true, [0, 0, 0], []]]"}) {
-      edited = json_;
-      edited["segments"].push_back(Json::parse(segment));
-      add("no segment", edited, bad);
-    }
-  }
 
   void resisted() {
     const Json& claimed = json_["resisted"];

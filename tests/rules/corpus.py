@@ -6,7 +6,8 @@ A file KIND.json holds one kind of proof:
   {"about": ..., "let": {NAME: VALUE, ...}, "proofs": [PROOF, ...]}
 
 PROOF is {"name", "options", "grasp", "certificate", "breaks"} with the options of the checkers' command lines, or
-{"name", "of", "change", "breaks"}: the proof named `of`, changed. All of them are accepted. BREAK, one of `breaks`, is
+{"name", "of", "change", "breaks"}: the proof named `of`, changed. (The files' `format` is left out.) All of them are accepted;
+where there is `says`, with these members of the report, and where there is `prints`, with these lines. BREAK, one of `breaks`, is
 
   [RULE, what is wrong, CHANGE]   or   [RULE, what is wrong, CHANGE, WHERE]
 
@@ -34,8 +35,8 @@ FOLDER = os.path.dirname(os.path.abspath(__file__))
 KINDS = ("plane", "plane_box", "plane_margin", "plane_region", "space", "space_box", "space_margin")
 QUESTION = ("contacts", "wrench", "preload", "normal_law", "direction", "preload_direction", "plane", "uncertain")
 
-# `rule` is None of a proof; `path` and `node` as checkers report them.
-Entry = collections.namedtuple("Entry", "kind name rule node path options grasp certificate")
+# `rule` is None of a proof; `node` and `path` as checkers report them; `says` and `prints` are of proofs.
+Entry = collections.namedtuple("Entry", "kind name rule node path says prints options grasp certificate")
 
 
 def meant(value, let):
@@ -84,23 +85,29 @@ def where(text):
     return node and int(node), ", ".join(step for step, times in steps for _ in range(int(times or 1))) or None
 
 
+def entry(kind, name, files, rule=None, place=None, says=None, prints=()):
+    grasp = {"format": "stickslip-grasp/2", **files["grasp"]}
+    certificate = {"format": "stickslip-certificate/2", **files["certificate"]}
+    return Entry(kind, name, rule, *where(place), says or {}, prints, files["options"], grasp, certificate)
+
+
 def entries(kind):
     """All proofs and breaks of a file; each break after its proof."""
     with open(os.path.join(FOLDER, kind + ".json"), encoding="utf-8") as file:
         content = json.load(file)
-    let, proofs = content.get("let", {}), {}
+    proofs = {}
     for proof in content["proofs"]:
-        proof = meant(proof, let)
-        name, breaks = proof.pop("name"), proof.pop("breaks", [])
+        proof = meant(proof, content.get("let", {}))
+        name = proof["name"]
         if name in proofs:
             raise KeyError(f"{kind}: {name} is there twice")
-        files = (changed(proofs[proof["of"]], proof["change"]) if "of" in proof else
-                 {"options": [], **proof})
-        proofs[name] = files
-        yield Entry(kind, name, None, None, None, **files)
-        for rule, what, change, *place in breaks:
-            yield Entry(kind, f"{name}, but {what}", rule, *where(*place or [None]), **changed(files, change))
+        files, says = ({"options": [], **proof}, {}) if "of" not in proof else proofs[proof["of"]]
+        files = changed({key: files[key] for key in ("options", "grasp", "certificate")}, proof.get("change", {}))
+        proofs[name] = files, proof.get("says", says)
+        yield entry(kind, name, files, says=proofs[name][1], prints=proof.get("prints", ()))
+        for rule, what, change, *place in proof.get("breaks", []):
+            yield entry(kind, f"{name}, but {what}", changed(files, change), rule, *place)
 
 
 def all_entries():
-    return [entry for kind in KINDS for entry in entries(kind)]
+    return [one for kind in KINDS for one in entries(kind)]

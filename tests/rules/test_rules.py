@@ -50,10 +50,6 @@ WHERE = {
 }
 
 
-def knows_planes_of_loads(_):
-    return True
-
-
 def without_planes_of_loads(entry):
     """check.js and stickslip-proved do not have the option --plane nor that member."""
     return "plane" not in entry.certificate["question"] and not any(word.startswith("--plane") for word in entry.options)
@@ -77,20 +73,45 @@ def in_batch(command, entries):
     return [json.loads(line) for line in done.stdout.splitlines()]
 
 
+def run(program, folder, entry, *words):
+    """A checker's own command line."""
+    paths = [os.path.join(folder, name) for name in ("grasp.json", "certificate.json")]
+    for path, content in zip(paths, (entry.grasp, entry.certificate)):
+        with open(path, "w", encoding="ascii") as file:
+            json.dump(content, file)
+    return subprocess.run([program, *paths, *entry.options, *words], capture_output=True, encoding="ascii", check=False)
+
+
 class RulesTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.entries = corpus.all_entries()
+        with tempfile.TemporaryDirectory() as folder:
+            asker = batch.Asker(folder)
+            cls.check_py = {entry[:2]: asker.judged(question_of(entry)) for entry in cls.entries}
 
     def expect(self, entries, answers, says=("result", "rule", "node", "path")):
+        """And that reports of what is accepted are those of check.py."""
         self.assertEqual(len(entries), len(answers))
         for entry, answer in zip(entries, answers):
-            result = "accepted" if entry.rule is None else "malformed" if entry.rule == "malformed" else "rejected"
-            expected = {"result": result, "rule": entry.rule if result == "rejected" else None, "node": entry.node,
-                        "path": answer["path"] if result == "malformed" else entry.path}
             with self.subTest(entry.name, kind=entry.kind):
-                self.assertEqual({key: answer[key] for key in says}, {key: expected[key] for key in says}, answer)
-                self.assertEqual(bool(answer["found"]), result != "accepted")
+                expected = {"result": "rejected", "rule": entry.rule, "node": entry.node, "path": entry.path}
+                if entry.rule is None:
+                    report, _, _ = self.check_py[entry[:2]]
+                    self.assertEqual({**answer, "result": "accepted", **entry.says}, report)
+                elif entry.rule == "malformed":
+                    self.assertEqual((answer["result"], answer["rule"]), ("malformed", None), answer)
+                else:
+                    self.assertEqual({key: answer[key] for key in says}, {key: expected[key] for key in says}, answer)
+                self.assertEqual(bool(answer["found"]), entry.rule is not None)
+
+    def expect_texts(self, command, entries):
+        """Of those that are accepted, those of check.py."""
+        with tempfile.TemporaryDirectory() as folder:
+            for entry in entries:
+                if entry.rule is None:
+                    done = run(command, folder, entry)
+                    self.assertEqual((done.returncode, done.stdout), (0, self.check_py[entry[:2]][1]), entry.name)
 
     def test_every_rule_is_broken(self):
         with open(os.path.join(ROOT, "certificate", "FORMAT.md"), encoding="utf-8") as file:
@@ -108,22 +129,17 @@ class RulesTest(unittest.TestCase):
                 self.assertEqual("_".join(filter(None, kind)), entry.kind.replace("_box", ""), entry.name)
 
     def test_check_py(self):
-        with tempfile.TemporaryDirectory() as folder:
-            asker = batch.Asker(folder)
-            self.expect(self.entries, [asker.answer(question_of(entry)) for entry in self.entries])
+        self.expect(self.entries, [report for report, _, _ in self.check_py.values()])
+        for entry in self.entries:
+            lines = self.check_py[entry[:2]][1].split("\n")
+            self.assertEqual([line for line in entry.prints if line not in lines], [], (entry.name, lines))
 
     @unittest.skipUnless(STICKSLIP_CHECK, "STICKSLIP_CHECK names no program")
     def test_stickslip_check(self):
-        answers = []
         with tempfile.TemporaryDirectory() as folder:
-            paths = [os.path.join(folder, name) for name in ("grasp", "certificate")]
-            for entry in self.entries:
-                for path, content in zip(paths, (entry.grasp, entry.certificate)):
-                    with open(path, "w", encoding="ascii") as file:
-                        json.dump(content, file)
-                done = subprocess.run([STICKSLIP_CHECK, *paths, *entry.options, "--json"], capture_output=True, check=False)
-                answers.append(json.loads(done.stdout))
-        self.expect(self.entries, answers)
+            self.expect(self.entries, [json.loads(run(STICKSLIP_CHECK, folder, entry, "--json").stdout)
+                                       for entry in self.entries])
+        self.expect_texts(STICKSLIP_CHECK, self.entries)
 
     @unittest.skipUnless(batch.NODE, "STICKSLIP_NODE names no program")
     def test_check_js(self):
@@ -137,6 +153,7 @@ class RulesTest(unittest.TestCase):
         answers = in_batch([batch.PROVED, "--batch"], entries)
         judged = [(entry, answer) for entry, answer in zip(entries, answers) if is_proved(entry)]
         self.expect(*zip(*judged), says=("result", "rule"))
+        self.expect_texts(batch.PROVED, [entry for entry, _ in judged])
         for entry, answer in zip(entries, answers):
             if not is_proved(entry):
                 self.assertIn(answer["result"], ("not judged", "rejected", "malformed"), entry.name)

@@ -22,7 +22,6 @@ class MarginMutations {
 
   void run() {
     add("margin as it is", json_, Expectation::accepted());
-    resisted();
     segments();
     trees();
     for (int k = 0; k < 60; ++k) numbers();
@@ -37,48 +36,6 @@ class MarginMutations {
 
   static Expectation rule(const char* name) { return Expectation::of_rule(name); }
 
-  void resisted() {
-    const Json& claimed = json_["resisted"];
-    for (std::size_t k = 0; k < claimed.size(); ++k) {
-      const bool last = k + 1 == claimed.size();
-      const auto with = [&](std::size_t end, const Json& value, Expectation expected) {
-        Json edited = json_;
-        edited["resisted"][k][end] = value;
-        add("another end of an interval", edited, std::move(expected));
-      };
-      const Rational low = number_of(claimed[k][0]);
-      with(0, json_of(low + kTiny), Expectation::rejected());
-      with(0, json_of(low - kTiny), low == 0 ? rule("resisted-order") : rule("segment-chain"));
-      with(0, -1, rule("resisted-order"));
-      if (claimed[k][1].is_null()) {
-        with(1, json_of(low + 1000), rule("segment-chain"));
-      } else {
-        const Rational high = number_of(claimed[k][1]);
-        with(1, json_of(high + kTiny), rule("segment-chain"));
-        with(1, json_of(high - kTiny),
-             low == high ? rule("resisted-order") : rule("segment-chain"));
-        with(1, nullptr, last ? rule("segment-chain") : rule("resisted-order"));
-      }
-      Json edited = json_;
-      edited["resisted"].erase(k);
-      add("an interval less", edited, Expectation::rejected());
-      edited["resisted"].insert(edited["resisted"].begin(), {claimed[k], claimed[k]});
-      add("an interval twice", edited, rule("resisted-order"));
-    }
-    Json edited = json_;
-    edited["resisted"].push_back({1000000000, 1000000000});
-    const bool unbounded = !claimed.empty() && claimed.back()[1].is_null();
-    add("an interval more", edited, rule(unbounded ? "resisted-order" : "segment-chain"));
-    edited = json_;
-    edited["resisted"] = Json::array();
-    if (!claimed.empty()) add("no intervals", edited, rule("segment-chain"));
-    edited["segments"] = Json::array();
-    // Nothing is said to be resisted: the trees have to refute what is.
-    if (!claimed.empty()) add("no intervals, no segments", edited, Expectation::rejected());
-    edited["resisted"] = {{0, nullptr}};
-    add("all is resisted", edited, rule("segment-chain"));
-  }
-
   void segments() {
     const Json& list = json_["segments"];
     for (std::size_t k = 0; k < list.size(); ++k) {
@@ -92,7 +49,6 @@ class MarginMutations {
       const Json& last = json_["resisted"].back();
       const bool endless = last[1].is_null() && number_of(list[k][0][0]) >= number_of(last[0]);
       const char* too_far = endless ? "witness-balance" : "segment-chain";
-      one_point(k);
       Json edited = json_;
       edited["segments"].erase(k);
       add("a segment less", edited, rule("segment-chain"));
@@ -139,29 +95,6 @@ class MarginMutations {
         });
       }
     }
-  }
-
-  /// A segment that begins with the last point of the one before.
-  void one_point(std::size_t k) {
-    const Json& list = json_["segments"];
-    Json edited = json_;
-    edited["segments"][k].erase(0);
-    if (k == 0 || is_ray(list[k - 1])) {
-      add("one point without another", edited, Expectation::malformed());
-    } else if (list[k - 1][1] == list[k][0]) {
-      add("one point of two", edited, Expectation::accepted());
-      edited["segments"][k].clear();
-      add("no point of two", edited, Expectation::malformed());
-    } else {
-      add("one point that is another", edited);
-    }
-    edited = json_;
-    edited["segments"][k].push_back(list[k][1]);
-    add("three points", edited, Expectation::malformed());
-    edited = json_;
-    edited["segments"].push_back({list.back()[1]});
-    add("one point more", edited,
-        is_ray(list.back()) ? Expectation::malformed() : rule("segment-chain"));
   }
 
   void trees() {

@@ -311,7 +311,7 @@ class TwinTest(Case):
         Nodes that may not stand there are rejected."""
         rng = random.Random(11)
         tally = {"holds": 0, "fails": 0, "node-certain": 0}
-        while min(tally.values()) < 25:
+        while min(tally.values()) < 12:
             law = rng.choice(["unilateral", "unilateral", "bilateral"])
             box = random_box(rng, rng.randint(1, 2), law)
             tree, here, place = [], box, box.root()

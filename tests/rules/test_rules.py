@@ -59,7 +59,7 @@ def is_proved(entry):
     """The theorem of stickslip-proved is not about proofs by degree and at rest, and margins in space."""
     certificate = entry.certificate
     return not ("parts" in certificate or "intervals" in certificate or any(
-        isinstance(segment, dict) for segment in certificate.get("segments", [])))
+        isinstance(segment, dict) for segment in certificate.get("segments") or []))
 
 
 def question_of(entry):
@@ -98,7 +98,7 @@ class RulesTest(unittest.TestCase):
                 expected = {"result": "rejected", "rule": entry.rule, "node": entry.node, "path": entry.path}
                 if entry.rule is None:
                     report, _, _ = self.check_py[entry[:2]]
-                    self.assertEqual({**answer, "result": "accepted", **entry.says}, report)
+                    self.assertEqual(answer, {**report, "result": "accepted", **entry.says})
                 elif entry.rule == "malformed":
                     self.assertEqual((answer["result"], answer["rule"]), ("malformed", None), answer)
                 else:

@@ -41,6 +41,7 @@ Mutants all_mutants(std::size_t& certificates) {
     } else {
       mutate_tree(random, one, mutants);
     }
+    mutate_question(random, one, mutants);
     mutate_grasp(random, one, mutants);
     mutate_bytes(random, one, mutants);
     // A few are enough for what depends little on the certificate.

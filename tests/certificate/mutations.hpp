@@ -46,6 +46,7 @@ using Mutants = std::vector<Mutant>;
 /// Each adds several mutants of one certificate, what it can of its kinds.
 void mutate_tree(RandomSource& random, const Certified& original, Mutants& mutants);
 void mutate_witness(RandomSource& random, const Certified& original, Mutants& mutants);
+void mutate_question(RandomSource& random, const Certified& original, Mutants& mutants);
 void mutate_grasp(RandomSource& random, const Certified& original, Mutants& mutants);
 void mutate_syntax(RandomSource& random, const Certified& original, Mutants& mutants);
 void mutate_bytes(RandomSource& random, const Certified& original, Mutants& mutants);

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Certificates of boxes made wrong: both checkers reject each alike, by the rule that names
-// what is wrong with it; every rule that section 6 of FORMAT.md speaks of is seen to fail.
+// Certificates of boxes that the program wrote, made wrong: all checkers reject each alike, by
+// a rule that names what is wrong with it.
 #include <gtest/gtest.h>
 
-#include <iostream>
-#include <map>
+#include <set>
 
 #include "box_cases.hpp"
-#include "format_rules.hpp"
 #include "json_edit.hpp"
 #include "stickslip/box/radius.hpp"
 
@@ -74,12 +72,6 @@ CheckerInput proved(const std::string& grasp, const QuestionOptions& options,
 CheckerInput with(CheckerInput input, const Json& certificate) {
   input.certificate = certificate.dump();
   return input;
-}
-
-CheckerInput with_tree(const CheckerInput& input, const char* tree) {
-  Json certificate = Json::parse(input.certificate);
-  certificate["tree"] = Json::parse(tree);
-  return with(input, certificate);
 }
 
 /// The end of the tree that begins at this node.
@@ -157,14 +149,6 @@ void mutate_degree(const std::string& name, const CheckerInput& original,
   Json twist = part["twist"];
   for (std::size_t j = 0; j < 3; ++j) twist[j] = json_of(test::number_of(twist[j]) + width[j]);
   add("move d0 by one width", set("twist", twist), bound);
-  for (const char* key : {"walls", "direction"}) {
-    Json singular = part[key];
-    singular[2] = singular[0];
-    add(std::string("singular ") + key, set(key, singular), {std::string("degree-") + key});
-  }
-  Json endless = part["walls"];
-  endless.erase(2);
-  add("a pair of walls less", set("walls", endless), {"degree-free"});
   add("turn the direction over", set("direction", times(part["direction"], -1)),
       {"leaf-direction"});
   const std::vector<Json> trees = trees_of(part["tree"]);
@@ -184,22 +168,6 @@ void mutate_degree(const std::string& name, const CheckerInput& original,
   std::vector<Json> swapped(trees.begin() + 6, trees.end());
   swapped.insert(swapped.end(), trees.begin(), trees.begin() + 6);
   add("swap the lists", set("tree", joined(swapped)), {"leaf-bound", "node-certain"});
-  Json twice = certificate;
-  twice["parts"].push_back(part);
-  mutants.push_back({"two parts of " + name, with(original, twice), {"tree-long"}});
-  twice["parts"] = Json::array();
-  mutants.push_back({"no parts of " + name, with(original, twice), {"tree-short"}});
-  twice["parts"] = {Json::parse(R"(["part", "friction", 9, "1/2"])")};
-  mutants.push_back(
-      {"a part of no contact of " + name, with(original, twice), {"part-contact"}});
-  twice["parts"] = {Json::parse(R"(["part", "friction", 0, 2])")};
-  mutants.push_back({"a part outside of " + name, with(original, twice), {"part-inside"}});
-  Json witness = certificate;
-  witness.erase("parts");
-  witness["twist"] = {0, 0, 0};
-  witness["shares"] = Json::array();
-  mutants.push_back(
-      {"a witness in place of " + name, with(original, witness), {"witness-box"}});
 }
 
 /// A certificate about a box said of another one, in which the claim is false.
@@ -231,57 +199,8 @@ void widen(std::vector<Mutant>& mutants) {
   }
 }
 
-void mutate_trees(std::vector<Mutant>& mutants) {
-  QuestionOptions options;
-  options.uncertain.friction = Tolerance{Rational(1, 2)};
-  const CheckerInput block = proved(sliding_block(Rational(1, 2)), options, "unstable");
-  const auto add = [&](const char* kind, const char* tree, Rules rules) {
-    mutants.push_back({kind, with_tree(block, tree), std::move(rules)});
-  };
-  add("two parts",
-      R"([["part","friction",0,"1/2"], ["leaf",-1,"-1/2",0], ["leaf",-1,"-3/2",0]])", {});
-  add("low and high exchanged",
-      R"([["part","friction",0,"1/2"], ["leaf",-1,"-3/2",0], ["leaf",-1,"-1/2",0]])",
-      {"leaf-bound"});
-  add("part outside", R"([["part","friction",0,2], ["leaf",-1,-1,0], ["leaf",-1,-1,0]])",
-      {"part-inside"});
-  add("part at an end", R"([["part","friction",0,1], ["leaf",-1,-1,0], ["leaf",-1,-1,0]])",
-      {"part-inside"});
-  add("part outside of a part",
-      R"([["part","friction",0,"1/2"], ["part","friction",0,"3/4"], ["leaf",-1,-1,0],
-          ["leaf",-1,-1,0], ["leaf",-1,-1,0]])",
-      {"part-inside"});
-  add("part of no contact", R"([["part","friction",1,"1/2"]])", {"part-contact"});
-  add("part of no component", R"([["part","wrench",3,"1/2"]])", {"part-contact"});
-  add("one part", R"([["part","friction",0,"1/2"], ["leaf",-1,"-1/2",0]])", {"tree-short"});
-  add("three parts",
-      R"([["part","friction",0,"1/2"], ["leaf",-1,-1,0], ["leaf",-1,-1,0], ["leaf",-1,-1,0]])",
-      {"tree-long"});
-  add("a slip that is certain", R"([["slip",0], ["leaf",-1,-1,0], ["leaf",-1,-1,0],
-      ["leaf",-1,-1,0]])",
-      {});
-  std::string deep = "[";
-  for (int k = 0; k < 259; ++k) deep += R"(["plane",0,0,0,1],)";
-  add("too deep", (deep + R"(["leaf",-1,-1,0]])").c_str(), {"node-depth"});
-  QuestionOptions other = options;
-  other.uncertain.friction = Tolerance{Rational(1, 4)};
-  mutants.push_back({"other tolerances asked",
-                     {block.grasp, block.certificate, other},
-                     {"question-uncertain"}});
-  mutants.push_back(
-      {"no tolerances asked", {block.grasp, block.certificate, {}}, {"question-uncertain"}});
-  const CheckerInput turning =
-      proved(sliding_block(Rational(1, 2)), options_of("normal=1/100"), "unstable");
-  mutants.push_back(
-      {"slip where T is uncertain", with_tree(turning, R"([["slip",0]])"), {"node-certain"}});
-  mutants.push_back({"separation where N is uncertain",
-                     with_tree(turning, R"([["separation",0]])"),
-                     {"node-certain"}});
-}
-
 TEST(BoxMutations, EachIsRejectedAlikeAndByItsRule) {
   std::vector<Mutant> mutants;
-  mutate_trees(mutants);
   widen(mutants);
   const struct {
     const char* name;
@@ -315,7 +234,6 @@ TEST(BoxMutations, EachIsRejectedAlikeAndByItsRule) {
   for (const Mutant& mutant : mutants) inputs.push_back(mutant.input);
   const std::vector<CheckerAnswer> python = test::ask_python_checker(inputs);
   std::vector<CheckerAnswer> answers;
-  std::map<std::string, int> fired;
   for (std::size_t i = 0; i < mutants.size(); ++i) {
     const Mutant& mutant = mutants[i];
     const CheckerAnswer cpp = answers.emplace_back(ask_cpp_checker(mutant.input));
@@ -325,22 +243,10 @@ TEST(BoxMutations, EachIsRejectedAlikeAndByItsRule) {
       EXPECT_EQ(cpp.result, "accepted") << mutant.kind << ": " << describe(cpp);
     } else {
       EXPECT_EQ(mutant.rules.count(cpp.rule), 1u) << mutant.kind << ": " << describe(cpp);
-      ++fired[cpp.rule];
     }
   }
   test::expect_js_checker_agrees(inputs, answers);
   test::expect_proved_checker_agrees(inputs, answers);
-  std::cout << mutants.size() << " mutants\n";
-  // Those at rest are fired by tests/check_py/test_rest.py and tests/checker/rest_test.cpp.
-  Rules rules = test::rules_between("## 6. Boxes", "## 7.");
-  for (const char* rule : {"rest-share", "rest-reach", "rest-cone"}) {
-    EXPECT_EQ(rules.erase(rule), 1u) << rule;
-  }
-  EXPECT_EQ(rules.size(), 14u);
-  for (const std::string& rule : rules) {
-    EXPECT_GE(fired[rule], 1) << rule << " never fired";
-    std::cout << "  " << rule << " fired " << fired[rule] << " times\n";
-  }
 }
 
 }  // namespace

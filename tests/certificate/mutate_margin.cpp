@@ -22,9 +22,6 @@ class MarginMutations {
 
   void run() {
     add("margin as it is", json_, Expectation::accepted());
-    question();
-    syntax();
-    resisted();
     segments();
     trees();
     for (int k = 0; k < 60; ++k) numbers();
@@ -34,154 +31,10 @@ class MarginMutations {
   void add(const std::string& kind, const Json& edited, Expectation expected = {}) {
     CheckerInput input = original_.input;
     input.certificate = edited.dump();
-    add_input(kind, std::move(input), std::move(expected));
-  }
-
-  void add_input(const std::string& kind, CheckerInput input, Expectation expected) {
     mutants_.push_back({kind, original_.name, std::move(input), std::move(expected)});
   }
 
   static Expectation rule(const char* name) { return Expectation::of_rule(name); }
-
-  void question() {
-    if (original_.input.options.direction) load_direction();
-    preload_direction();
-    Json edited = json_;
-    edited["question"]["wrench"][0] = json_of(number_of(json_["question"]["wrench"][0]) + 1);
-    add("another wrench of a margin", edited, rule("question-wrench"));
-    CheckerInput input = original_.input;
-    input.options.direction.reset();
-    input.options.preload_direction.reset();
-    add_input("margin, but no direction asked", input,
-              rule(original_.input.options.direction ? "question-direction"
-                                                     : "question-preload-direction"));
-  }
-
-  void load_direction() {
-    Json edited = json_;
-    edited["question"]["direction"][1] =
-        json_of(number_of(json_["question"]["direction"][1]) + kTiny);
-    add("another direction", edited, rule("question-direction"));
-    edited = json_;
-    for (Json& c : edited["question"]["direction"]) c = json_of(2 * number_of(c));
-    add("another direction", edited, rule("question-direction"));
-    edited["question"]["direction"] = {0, 0, 0};
-    add("another direction", edited, rule("question-direction"));
-    CheckerInput input = original_.input;
-    input.options.direction->torque += 1;
-    add_input("another direction asked", input, rule("question-direction"));
-  }
-
-  void preload_direction() {
-    const std::optional<PreloadDirection>& asked = original_.input.options.preload_direction;
-    const Json& contacts = json_["question"]["contacts"];
-    std::vector<Json> others{Json::array(), std::vector<int>(contacts.get<std::size_t>(), 2),
-                             std::vector<int>(contacts.get<std::size_t>(), -1)};
-    if (!asked || !asked->scale) others.emplace_back("scale");
-    for (const Json& other : others) {
-      Json edited = json_;
-      edited["question"]["preload_direction"] = other;
-      add("another direction of preloads", edited, rule("question-preload-direction"));
-    }
-    if (!asked) return;
-    Json edited = json_;
-    edited["question"].erase("preload_direction");
-    add("no direction of preloads", edited,
-        original_.input.options.direction ? rule("question-preload-direction")
-                                          : Expectation::malformed());
-    CheckerInput input = original_.input;
-    PreloadDirection& growth = *input.options.preload_direction;
-    if (growth.scale) {
-      growth = {false, std::vector<Rational>(contacts.get<std::size_t>(), 1)};
-    } else {
-      growth.rates.front() += kTiny;
-    }
-    add_input("another direction of preloads asked", input, rule("question-preload-direction"));
-  }
-
-  void syntax() {
-    const Expectation bad = Expectation::malformed();
-    Json edited = json_;
-    for (const char* member : {"verdict", "resisted", "segments", "tree", "question"}) {
-      edited = json_;
-      edited.erase(member);
-      add("margin without a member", edited, bad);
-      edited = json_;
-      const Json moved = edited[member];
-      edited.erase(member);
-      edited[member] = moved;
-      if (member != std::string("tree")) add("members of a margin out of order", edited, bad);
-      edited = json_;
-      edited[member] = nullptr;
-      add("null for a member", edited, bad);
-    }
-    for (const char* verdict : {"stable", "unstable"}) {
-      edited = json_;
-      edited["verdict"] = verdict;
-      add("margin with another verdict", edited, bad);
-    }
-    edited = json_;
-    edited["format"] = "stickslip-margin/1";
-    add("another version of margins", edited, bad);
-    for (const char* interval : {"[null, 1]", "[0]", "[0, 1, 2]", "0", "[0, 1.5]", "null"}) {
-      edited = json_;
-      edited["resisted"].push_back(Json::parse(interval));
-      add("no interval", edited, bad);
-    }
-    for (const char* segment :
-         {"[]", "[[true, [0, 0, 0], []]]", "0", "[[0, [0, 0, 0], []], [0, [0, 0, 0]]]",
-          "[[null, [0, 0, 0], []], [null, [0, 0, 0], []]]",
-          "[[0, [0, 0, 0], [[0]]], [0, [0, 0, 0], []]]",
-          "[[0, [0, 0], []], [0, [0, 0, 0], []]]", "[[0, [0, 0, 0], 0], [0, [0, 0, 0], []]]",
-          "[[0, [0, 0, 0], []], [0, [0, 0, 0], [], 0]]",
-          "[[0, [0, 0, 0], []], [true, [0, 0, 0], []]]"}) {
-      edited = json_;
-      edited["segments"].push_back(Json::parse(segment));
-      add("no segment", edited, bad);
-    }
-  }
-
-  void resisted() {
-    const Json& claimed = json_["resisted"];
-    for (std::size_t k = 0; k < claimed.size(); ++k) {
-      const bool last = k + 1 == claimed.size();
-      const auto with = [&](std::size_t end, const Json& value, Expectation expected) {
-        Json edited = json_;
-        edited["resisted"][k][end] = value;
-        add("another end of an interval", edited, std::move(expected));
-      };
-      const Rational low = number_of(claimed[k][0]);
-      with(0, json_of(low + kTiny), Expectation::rejected());
-      with(0, json_of(low - kTiny), low == 0 ? rule("resisted-order") : rule("segment-chain"));
-      with(0, -1, rule("resisted-order"));
-      if (claimed[k][1].is_null()) {
-        with(1, json_of(low + 1000), rule("segment-chain"));
-      } else {
-        const Rational high = number_of(claimed[k][1]);
-        with(1, json_of(high + kTiny), rule("segment-chain"));
-        with(1, json_of(high - kTiny),
-             low == high ? rule("resisted-order") : rule("segment-chain"));
-        with(1, nullptr, last ? rule("segment-chain") : rule("resisted-order"));
-      }
-      Json edited = json_;
-      edited["resisted"].erase(k);
-      add("an interval less", edited, Expectation::rejected());
-      edited["resisted"].insert(edited["resisted"].begin(), {claimed[k], claimed[k]});
-      add("an interval twice", edited, rule("resisted-order"));
-    }
-    Json edited = json_;
-    edited["resisted"].push_back({1000000000, 1000000000});
-    const bool unbounded = !claimed.empty() && claimed.back()[1].is_null();
-    add("an interval more", edited, rule(unbounded ? "resisted-order" : "segment-chain"));
-    edited = json_;
-    edited["resisted"] = Json::array();
-    if (!claimed.empty()) add("no intervals", edited, rule("segment-chain"));
-    edited["segments"] = Json::array();
-    // Nothing is said to be resisted: the trees have to refute what is.
-    if (!claimed.empty()) add("no intervals, no segments", edited, Expectation::rejected());
-    edited["resisted"] = {{0, nullptr}};
-    add("all is resisted", edited, rule("segment-chain"));
-  }
 
   void segments() {
     const Json& list = json_["segments"];
@@ -196,7 +49,6 @@ class MarginMutations {
       const Json& last = json_["resisted"].back();
       const bool endless = last[1].is_null() && number_of(list[k][0][0]) >= number_of(last[0]);
       const char* too_far = endless ? "witness-balance" : "segment-chain";
-      one_point(k);
       Json edited = json_;
       edited["segments"].erase(k);
       add("a segment less", edited, rule("segment-chain"));
@@ -243,29 +95,6 @@ class MarginMutations {
         });
       }
     }
-  }
-
-  /// A segment that begins with the last point of the one before.
-  void one_point(std::size_t k) {
-    const Json& list = json_["segments"];
-    Json edited = json_;
-    edited["segments"][k].erase(0);
-    if (k == 0 || is_ray(list[k - 1])) {
-      add("one point without another", edited, Expectation::malformed());
-    } else if (list[k - 1][1] == list[k][0]) {
-      add("one point of two", edited, Expectation::accepted());
-      edited["segments"][k].clear();
-      add("no point of two", edited, Expectation::malformed());
-    } else {
-      add("one point that is another", edited);
-    }
-    edited = json_;
-    edited["segments"][k].push_back(list[k][1]);
-    add("three points", edited, Expectation::malformed());
-    edited = json_;
-    edited["segments"].push_back({list.back()[1]});
-    add("one point more", edited,
-        is_ray(list.back()) ? Expectation::malformed() : rule("segment-chain"));
   }
 
   void trees() {

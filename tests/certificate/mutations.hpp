@@ -51,9 +51,8 @@ void mutate_grasp(RandomSource& random, const Certified& original, Mutants& muta
 void mutate_syntax(RandomSource& random, const Certified& original, Mutants& mutants);
 void mutate_bytes(RandomSource& random, const Certified& original, Mutants& mutants);
 
-/// Of all_margins: of each what suits it; and claims that a careless checker would believe.
+/// Of all_margins: of each what suits it.
 void mutate_margins(RandomSource& random, Mutants& mutants);
-void attack_margins(Mutants& mutants);
 
 /// The certificate of one about the grasp and question of another.
 void swap_grasps(const Certified& one, const Certified& other, Mutants& mutants);

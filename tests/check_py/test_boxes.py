@@ -1,7 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Boxes (certificate/FORMAT.md, section 6): the syntax, every rule made to fail alone, a twin, and
-proofs that a search for small grasps finds. Both checkers.
-"""
+"""Boxes (certificate/FORMAT.md, section 6): the syntax, and a twin."""
 
 import itertools
 import random
@@ -9,8 +7,7 @@ import unittest
 from fractions import Fraction
 
 import naive_box
-import proofs
-from proofs import EASY, box_of
+from proofs import EASY
 from support import Case, certificate, check
 
 
@@ -229,92 +226,6 @@ def stable(m, wrench, parts, **question):
     return {**proof, "parts": parts}
 
 
-class TreeRulesTest(Case):
-    def test_parts_of_the_box(self):
-        """Half of the floor's friction, half of the load, and below the last bound nothing."""
-        halves = [["part", "friction", 0, "1/4"], *UP, ["part", "wrench", 1, "3/2"], *UP, *UP]
-        text = self.accepts(PULLED, pulled(halves))
-        self.assertIn("proof       a tree of 5 nodes: 3 leaves", text)
-        halves[-1] = ["leaf", 0, 1, 0]
-        self.rejects("leaf-bound", PULLED, pulled(halves), node=4,
-                     path="friction 0 high, wrench 1 high")
-        self.rejects("tree-short", PULLED, pulled(halves[:2]), node=2, path="friction 0 high")
-        self.rejects("tree-short", PULLED, pulled([]), node=0, path="root")
-        self.rejects("tree-long", PULLED, pulled(UP + UP), node=1)
-
-    def test_part_contact_and_inside(self):
-        for name in naive_box.NAMES:
-            self.rejects("part-contact", PULLED, pulled([["part", name, 1, 0]]), node=0, path="root")
-        self.rejects("part-contact", PULLED, pulled([["part", "wrench", 3, 0]]), node=0, path="root")
-        for name, cut in (("friction", "1/10"), ("friction", "1/2"), ("friction", 2), ("x", 0),
-                          ("turn", 0), ("preload", 0), ("stiffness", 1)):
-            self.rejects("part-inside", PULLED, pulled([["part", name, 0, cut]]), node=0, path="root")
-        self.rejects("part-inside", PULLED, pulled([["part", "wrench", 2, 0]]), node=0, path="root")
-        twice = [["part", "wrench", 1, "3/2"], ["part", "wrench", 1, "7/4"]]
-        self.rejects("part-inside", PULLED, pulled(twice), node=1, path="wrench 1 low")
-        exact = box_file({**FLOOR, "friction": 1})
-        self.rejects("part-inside", exact, pulled([["part", "friction", 0, 1]], [0, 0, 0]), node=0,
-                     path="root")
-
-    def test_node_certain(self):
-        """Position along the normal moves no N, across it no T but ..."""
-        def file(**changes):
-            return box_file({**FLOOR, **changes}, wrench=[0, 1, 0])
-
-        def split(kind, rule, **changes):
-            proof = certificate(1, [0, 1, 0], tree=[[kind, 0]])
-            if rule:
-                self.rejects(rule, file(**changes), proof, node=0, path="root")
-            else:
-                first = "slip 0 +" if kind == "slip" else "separation 0 closed"
-                self.rejects("tree-short", file(**changes), proof, node=1, path=first)
-
-        along, across = {"position": [0, interval(0, 1)]}, {"position": [interval(0, 1), 0]}
-        turned = {"normal": {"direction": [0, 1], "slope": "1/10"}}
-        k, p = {"stiffness": interval(1, 2)}, {"preload": interval(0, 1)}
-        wrong = "node-certain"
-        for changes, slip, separation in (({}, None, None), (along, wrong, None), (across, None, wrong),
-                                          (turned, wrong, wrong), (k, None, None), (p, None, wrong),
-                                          ({**k, "preload": 1}, None, wrong),
-                                          ({**along, **k}, wrong, None),
-                                          ({"normal": [1, 1], "preload": 1}, None, wrong)):
-            split("slip", slip, **changes)
-            split("separation", separation, **changes)
-        self.rejects("node-contact", PULLED, pulled([["slip", 1]]), node=0, path="root")
-
-    def test_witness_box(self):
-        proof = certificate(1, PULL, twist=[0, 0, 0], shares=[[7, 9]])
-        self.rejects("witness-box", PULLED, proof)
-
-    def test_bilateral_roots_are_cut_where_certain(self):
-        """Turned over: without contact nothing holds against w_y = 1; v = -k y >= 0 is known if k
-        alone is uncertain, and then y = (0, 1, 0) finds a >= 0."""
-        for preload, good in ((0, True), (interval(0, "1/8"), False)):
-            file = box_file({**FLOOR, "friction": 0, "stiffness": interval(1, 2), "preload": preload},
-                            wrench=[0, 1, 0])
-            proof = certificate(1, [0, 1, 0], None, "bilateral", tree=[
-                ["plane", 0, 1, 0, -1], ["leaf", 0, 0, 0], ["leaf", 0, -1, 0]])
-            if good:  # y >= 1 and -k y >= 0: only h = 0 is left, which is barred
-                self.accepts(file, proof, "--normal-law", "bilateral")
-            else:
-                self.rejects("leaf-bound", file, proof, "--normal-law", "bilateral", node=1,
-                             path="plane +")
-
-    def test_bits_decide(self):
-        """At d = 0 the contact pushes with a N = (1, 1) / sqrt(2), and 128 bits tell that the load is
-        a little more; 64 do not."""
-        file = box_file({**FLOOR, "normal": [1, 1], "friction": 0, "preload": 1},
-                        wrench=["-7071067811865475244008444/10000000000000000000000000"] * 2 + [0])
-        # On {N.d >= 0}, a <= P / sqrt(2). (The other leaf is void, and fails in any case.)
-        tree = [["plane", 1, 1, 0, 0], ["leaf", 1, 1, 0], ["leaf", 0, 0, 0]]
-        for bits, node in ((64, 1), (128, 2)):
-            proof = certificate(1, file["wrench"], tree=tree)
-            proof = {"format": proof["format"], "question": proof["question"], "bits": bits,
-                     "verdict": "unstable", "tree": tree}
-            self.rejects("leaf-bound", file, proof, node=node, path="plane +" if node == 1 else
-                         "plane -")
-
-
 def random_interval(rng, low, high, uncertain):
     a, b = sorted(Fraction(rng.randint(4 * low, 4 * high), 4) for _ in range(2))
     return (a, b) if uncertain else (a, a)
@@ -400,7 +311,7 @@ class TwinTest(Case):
         Nodes that may not stand there are rejected."""
         rng = random.Random(11)
         tally = {"holds": 0, "fails": 0, "node-certain": 0}
-        while min(tally.values()) < 25:
+        while min(tally.values()) < 12:
             law = rng.choice(["unilateral", "unilateral", "bilateral"])
             box = random_box(rng, rng.randint(1, 2), law)
             tree, here, place = [], box, box.root()
@@ -563,136 +474,6 @@ class TwinTest(Case):
 
 
 # ---- Stable: by degree ------------------------------------------------------------------------
-
-FOUR = box_file(*({"position": p, "normal": [n, 0]} for p, n in
-                  (([-1, 1], 1), ([-1, -1], 1), ([1, -1], -1), ([1, 1], -1))),
-                defaults={"friction": "1/2", "preload": 1})
-ASKED = ("--uncertain", "friction=10%,stiffness=5%,preload=2%,position=0.01,normal=0.01,wrench=0.01")
-SAID = {"friction": "10%", "stiffness": "5%", "preload": "2%", "position": "1/100",
-        "normal": "1/100", "wrench": "1/100"}
-
-
-def prove(box, sizes):
-    """A part that is not cut, for K about 0 with these half widths."""
-    walls = [[str(1 / Fraction(s)) if j == k else 0 for k in range(3)] for j, s in enumerate(sizes)]
-    return proofs.prove(box, {"twist": [0, 0, 0], "walls": walls, "direction": UNIT})
-
-
-class DegreeTest(Case):
-    @classmethod
-    def setUpClass(cls):
-        cls.sizes = ["1/8"] * 3
-        cls.box = box_of(FOUR, ASKED)
-        cls.part = prove(cls.box, cls.sizes)
-
-    def proof(self, parts=None, law="unilateral", **changes):
-        return stable(4, [0, 0, 0], [{**self.part, **changes}] if parts is None else parts, law=law,
-                      uncertain=SAID)
-
-    def fails(self, rule, proof, node=None, path="part 0", options=()):
-        self.rejects(rule, FOUR, proof, *ASKED, *options, node=node, path=path)
-
-    def test_accepted(self):
-        text = self.accepts(FOUR, self.proof(), *ASKED)
-        self.assertIn("verdict     stable, for every grasp in the box\n", text)
-        self.assertIn("by degree, parts: 1; trees of ", text)
-        _, report, _, _ = self.run_both(FOUR, self.proof(), *ASKED)
-        self.assertEqual(report["nodes"], len(self.part["tree"]))
-        self.accepts(FOUR, self.proof(law="bilateral"), *ASKED, "--normal-law", "bilateral")
-        # The same proof for the grasp in the middle; of a box of one point list 2 is all.
-        exact = self.proof()
-        del exact["question"]["uncertain"]
-        _, report, _, _ = self.run_both(FOUR, exact)
-        self.assertEqual((report["rule"], report["path"]), ("tree-long", "part 0"))
-        exact["parts"][0]["tree"] = prove(box_of(FOUR, ()), self.sizes)["tree"]
-        self.assertIn("verdict     stable\n", self.accepts(FOUR, exact))
-        exact["parts"][0]["tree"].pop()
-        _, report, _, _ = self.run_both(FOUR, exact)
-        self.assertEqual(report["rule"], "tree-short")
-        self.assertTrue(report["path"].startswith("part 0, middle wall 3 -"))
-
-    def test_cut_parts(self):
-        def halves(box, part):
-            return box.halves(check.Node("part", part[2], (Fraction(part[3]),), part[1]))
-
-        first, second = ["part", "friction", 2, "1/2"], ["part", "wrench", 0, 0]
-        low, high = halves(self.box, first)
-        parts = [first, prove(low, self.sizes), second, *(prove(box, self.sizes)
-                                                          for box in halves(high, second))]
-        text = self.accepts(FOUR, self.proof(parts), *ASKED)
-        self.assertIn("by degree, parts: 3; trees of ", text)
-        self.fails("tree-short", self.proof(parts[:3]), path="part 3, friction 2 high, wrench 0 low")
-        self.fails("tree-short", self.proof([]), path="part 0")
-        self.fails("tree-long", self.proof([self.part] * 2), path="part 1")
-        self.fails("part-inside", self.proof([parts[0], ["part", "friction", 2, 1]]),
-                   path="part 1, friction 2 low")
-        self.fails("part-contact", self.proof([["part", "x", 4, 0]]))
-        deep = [["part", "wrench", 0, f"{k}/100000"] for k in range(300, 0, -1)]
-        self.fails("node-depth", self.proof(deep),
-                   path="part 265" + ", wrench 0 low" * 265)
-
-    def test_determinants(self):
-        flat = [[1, 0, 0], [0, 1, 0], [1, 1, 0]]
-        self.fails("degree-walls", self.proof(walls=flat, direction=flat))
-        self.fails("degree-direction", self.proof(direction=flat, tree=[]))
-
-    def test_law(self):
-        wide = [["1/4", 0, 0], [0, 1, 0], [0, 0, 1]]
-        bilateral = ("--normal-law", "bilateral")
-        self.fails("degree-law", self.proof(walls=wide, law="bilateral"), options=bilateral)
-        # v = P - k (x + y) with x = 1/8 at the most; with preloads of 1/10 that is too much.
-        loose = {**FOUR, "defaults": {"friction": "1/2", "preload": "1/10"}}
-        self.rejects("degree-law", loose, self.proof(law="bilateral"), *ASKED, *bilateral,
-                     path="part 0")
-
-    def test_trees(self):
-        tree = self.part["tree"]
-        self.fails("tree-short", self.proof(tree=[]), node=0, path="part 0, wall 1 +")
-        self.fails("tree-short", self.proof(tree=tree[:-1]), node=len(tree) - 1,
-                   path=self.path_of(len(tree) - 1))
-        self.fails("tree-long", self.proof(tree=tree + tree[:1]), node=len(tree))
-        void = [["leaf", 0, 0, 0]]
-        self.fails("leaf-bound", self.proof(tree=void + tree[1:]), node=0, path="part 0, wall 1 +")
-        self.fails("node-contact", self.proof(tree=[["slip", 4]]), node=0, path="part 0, wall 1 +")
-        self.fails("node-certain", self.proof(tree=[["slip", 3]]), node=0, path="part 0, wall 1 +")
-        deeper = [["part", "friction", 0, "1/2"], ["slip", 3]]
-        self.fails("node-certain", self.proof(tree=deeper), node=1,
-                   path="part 0, wall 1 +, friction 0 low")
-
-    def path_of(self, number):
-        """Of a node of the proof, by taking it away."""
-        _, report, _, _ = self.run_both(FOUR, self.proof(tree=self.part["tree"][:number]), *ASKED)
-        return report["path"]
-
-    def test_list_2(self):
-        """Where A is turned over, y.A(d - d0) < 0; and q0 has no parts."""
-        turned = [[-1, 0, 0], [0, -1, 0], [0, 0, -1]]
-        _, report, _, _ = self.run_both(FOUR, self.proof(direction=turned), *ASKED)
-        self.assertEqual((report["rule"], report["path"].split(", ")[:2]),
-                         ("leaf-direction", ["part 0", "middle wall 1 +"]))
-        first = report["node"]
-        cut = self.part["tree"][:first]
-        while not self.path_of(len(cut)).endswith("middle wall 1 +"):
-            cut.pop()
-        self.fails("part-inside", self.proof(tree=[*cut, ["part", "friction", 0, "1/2"]]),
-                   node=len(cut), path="part 0, middle wall 1 +")
-        # There every T is certain.
-        code, report, _, _ = self.run_both(FOUR, self.proof(tree=[*cut, ["slip", 3]]), *ASKED)
-        self.assertEqual((code, report["rule"], report["path"]),
-                         (1, "tree-short", "part 0, middle wall 1 +, slip 3 +"))
-
-    def test_wider_boxes_and_other_places_fail(self):
-        """Mutations: what the proof does not show."""
-        for options in (("--uncertain", ASKED[1].replace("preload=2%", "preload=30%")),
-                        ("--uncertain", ASKED[1].replace("wrench=0.01", "wrench=4"))):
-            proof = self.proof()
-            proof["question"]["uncertain"] = {**SAID, "preload": "30%"} if "30%" in options[1] else {
-                **SAID, "wrench": 4}
-            code, report, _, _ = self.run_both(FOUR, proof, *options)
-            self.assertEqual((code, report["rule"]), (1, "leaf-bound"), options)
-        for changes in ({"twist": [1, 0, 0]}, {"walls": [["1000", 0, 0], [0, "1000", 0], [0, 0, 1000]]}):
-            code, report, _, _ = self.run_both(FOUR, self.proof(**changes), *ASKED)
-            self.assertEqual((code, report["rule"]), (1, "leaf-bound"), changes)
 
 
 if __name__ == "__main__":

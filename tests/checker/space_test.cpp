@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Grasps in space (FORMAT.md §7): rows, and what no choice of generators may change. Rules and
-// places are compared with check.py's in tests/check_py/test_space.py.
+// Grasps in space (FORMAT.md §7): rows, and what no choice of generators may change. Rules
+// and places are for tests/rules.
 #include <gtest/gtest.h>
 
 #include "leaf.hpp"

@@ -400,34 +400,6 @@ TEST(Tree, DoublesOfVeryDifferentSizeAreNotTaken) {
   EXPECT_EQ(doubles_of({{0, 0}, {0, 1}, 0, 1, 0}, tiny), nullptr);
 }
 
-TEST(Tree, EachRangeHasItsTree) {
-  // Without contacts nothing resists but the load 0, at lambda = 1.
-  Options options;
-  options.wrench = Vector{-1, 0, 0};
-  options.direction = Vector{1, 0, 0};
-  const Question question = pose({{}, Wrench(3)}, options, "");
-  const std::vector<Range> ranges{{0, 1, false, true}, {1, std::nullopt, true, true}};
-  const auto with = [](int y) { return Node{NodeKind::kLeaf, 0, {y, 0, 0}}; };
-  {
-    TreeWalk walk(roots_of(question, ranges));
-    EXPECT_EQ(rule_of(walk, with(1)), "");
-    EXPECT_THROW(walk.finish(), Rejected);
-    EXPECT_EQ(rule_of(walk, with(-1)), "");
-    EXPECT_NO_THROW(walk.finish());
-    EXPECT_EQ(walk.nodes(), 2U);
-    EXPECT_EQ(rule_of(walk, with(-1)), "tree-long");
-  }
-  for (const int y : {-1, 0}) {
-    TreeWalk walk(roots_of(question, ranges));
-    EXPECT_EQ(rule_of(walk, with(y)), "leaf-bound");
-  }
-  for (const int y : {1, 0}) {
-    TreeWalk walk(roots_of(question, ranges));
-    EXPECT_EQ(rule_of(walk, with(1)), "");
-    EXPECT_EQ(rule_of(walk, with(y)), "leaf-bound");
-  }
-}
-
 // Weights of long denominators: what is rounded up must not decide where it is too much.
 TEST(Tree, RoundingUpDecidesNothing) {
   // One contact below the body, pushed by -k e: v = -k y_d, in balance with y_d = -1 exactly.

@@ -188,21 +188,6 @@ void add_mutants(Mutants& mutants, RandomSource& random) {
       mutants.add(rule, [&](Json& json) { change(json["segments"][k]); });
     };
     const bool is_last = k + 1 == mutants.segments();
-    edit("malformed", [](Json& s) { s.erase("to"); });
-    edit("malformed", [](Json& s) { s["more"] = 1; });
-    edit("malformed", [](Json& s) { s["twists"].erase(0); });
-    edit("malformed", [](Json& s) { s["to"] = "x"; });
-    edit("malformed", [](Json& s) { s["walls"].erase(0); });
-    edit("malformed", [](Json& s) { s["tree"].push_back({"leaf", 1, 2}); });
-    edit("segment-chain", [](Json& s) { s["to"] = -1; });
-    edit("segment-chain", [&](Json& s) {
-      // It begins where the one before ends: no longer than nothing.
-      s["to"] = k == 0 ? Json(0) : mutants.segment(k - 1)["to"];
-    });
-    edit("degree-walls", [](Json& s) { s["walls"][1] = s["walls"][0]; });
-    edit("degree-direction", [](Json& s) { s["direction"][2] = {0, 0, 0}; });
-    edit("tree-long", [](Json& s) { s["tree"].push_back({"leaf", 0, 0, 0}); });
-    edit("tree-short", [](Json& s) { s["tree"].erase(s["tree"].size() - 1); });
     edit("", [](Json& s) { std::swap(s["twists"][0], s["twists"][1]); });
     edit("", [](Json& s) { s["twists"][1] = s["twists"][0]; });
     edit("", [](Json& s) { s["direction"][0][0] = -1000000000; });
@@ -242,20 +227,6 @@ TEST(MarginByDegree, AllCheckersRejectTheSameMutants) {
     add_mutants(mutants, random);
     mutants.expect_all();
   }
-}
-
-// Of a bilateral grasp K must not reach to where a contact pulls.
-TEST(MarginByDegree, WideWallsBreakTheBilateralLaw) {
-  const Question question = pulled(Layout::kVaried, 8, 4, NormalLaw::kBilateral);
-  const Margin margin = margin_of(question, SegmentForm::kDegree);
-  Mutants mutants(test::input_of(question, margin));
-  mutants.add("degree-law", [](Json& json) {
-    for (Json& row : json["segments"][0]["walls"]) {
-      for (Json& entry : row) entry = 0;
-    }
-    for (std::size_t j = 0; j < 3; ++j) json["segments"][0]["walls"][j][j] = "1/1000000";
-  });
-  mutants.expect_all();
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -193,122 +192,6 @@ TEST(RegionProof, IsUndecidedAtTheLimit) {
   RegionProofOptions options;
   options.node_limit = 5;
   EXPECT_TRUE(std::holds_alternative<Undecided>(prove_region(problem, plane, pieces, options)));
-}
-
-/// Of the certificate of one contact at the origin, whose friction cone is |s| <= -t.
-class FalseProofs : public ::testing::Test {
- protected:
-  void SetUp() override {
-    original_ = proved(grasp_of({contact(0, 0, 0, 1, 1, 0)})).input;
-    json_ = Json::parse(original_.certificate);
-    json_["pieces"] = Json::parse(R"([[["at", 0, 0, [0, 0, 0], []],
-        ["towards", 1, -1, [0, -1, 0], [[0, 1]]],
-        ["towards", -1, -1, [0, -1, 0], [[0, -1]]]]])");
-    // |s| <= -t is held; beyond it are s > -t and s < t.
-    json_["tree"] = Json::parse(R"([["plane", 0, 0, 0, 0, -1, -1],
-        ["plane", 0, 0, 0, 0, 1, -1], ["held", 0], ["leaf", 1, -1, 0], ["leaf", -1, -1, 0]])");
-  }
-
-  void expect(const std::string& result, const std::string& rule, const std::string& path,
-              const Json& edited) {
-    CheckerInput input = original_;
-    input.certificate = edited.dump();
-    BothCheckers checkers;
-    checkers.add(input);
-    const CheckerAnswer answer = checkers.ask().front();
-    EXPECT_EQ(answer.result, result) << describe(answer);
-    EXPECT_EQ(answer.rule, rule) << describe(answer);
-    EXPECT_EQ(answer.path, path) << describe(answer);
-  }
-
-  CheckerInput original_;
-  Json json_;
-};
-
-TEST_F(FalseProofs, ThoseOfTheDocument) {
-  expect("accepted", "", "", json_);
-  Json edited = json_;
-  edited["tree"] = Json::parse(R"([["held", 0]])");
-  expect("rejected", "held-inside", "root", edited);
-  edited = json_;
-  edited["pieces"][0][1] = Json::parse(R"(["towards", 1, -1, [1, -1, 0], []])");
-  expect("rejected", "piece-mode", "piece 0", edited);
-  edited = json_;
-  edited["pieces"][0].erase(1);
-  expect("rejected", "held-inside", "plane +, plane +", edited);
-}
-
-TEST_F(FalseProofs, BordersAreNotRefutedWithTheirCells) {
-  // The border s = t in the cell beyond it, where the function is not strict.
-  Json edited = json_;
-  edited["tree"] = Json::parse(R"([["plane", 0, 0, 0, 0, 1, 1],
-      ["leaf", -1, -1, 0], ["plane", 0, 0, 0, 0, 1, -1], ["held", 0], ["leaf", 1, -1, 0]])");
-  expect("rejected", "leaf-bound", "plane +", edited);
-}
-
-TEST_F(FalseProofs, EveryRuleHasAPlace) {
-  Json edited = json_;
-  edited["tree"][2][1] = 1;
-  expect("rejected", "held-piece", "plane +, plane +", edited);
-  edited = json_;
-  edited["pieces"][0][1][2] = -2;
-  expect("rejected", "witness-balance", "piece 0, point 1", edited);
-  edited = json_;
-  edited["pieces"][0][2][4][0][1] = -2;
-  expect("rejected", "witness-share", "piece 0, point 2", edited);
-  edited = json_;
-  edited["tree"].erase(4);
-  expect("rejected", "tree-short", "plane -", edited);
-  edited = json_;
-  edited["tree"].push_back(Json::parse(R"(["held", 0])"));
-  expect("rejected", "tree-long", "", edited);
-  edited = json_;
-  edited["question"]["plane"][0][0] = 2;
-  expect("rejected", "question-plane", "", edited);
-  edited = json_;
-  edited["question"]["wrench"][0] = 1;
-  expect("rejected", "question-wrench", "", edited);
-  edited = json_;
-  edited["question"].erase("plane");
-  expect("malformed", "", "", edited);
-  edited = json_;
-  edited["pieces"][0][0][0] = "near";
-  expect("malformed", "", "", edited);
-  edited = json_;
-  edited["tree"][0].erase(6);
-  expect("malformed", "", "", edited);
-  edited = json_;
-  edited["tree"][2] = Json::parse(R"(["part", "friction", 0, 1])");
-  expect("malformed", "", "", edited);
-  edited = json_;
-  edited["verdict"] = "stable";
-  expect("malformed", "", "", edited);
-  // A piece of no points, and one without a point at a load, are empty, and true.
-  edited = json_;
-  edited["pieces"].push_back(Json::array());
-  edited["pieces"].push_back(Json::parse(R"([["towards", 0, -1, [0, -1, 0], []]])"));
-  expect("accepted", "", "", edited);
-  edited["tree"][2][1] = 2;
-  expect("rejected", "held-inside", "plane +, plane +", edited);
-}
-
-TEST_F(FalseProofs, QuestionsThatCannotBeAsked) {
-  const auto expect_malformed = [&](const std::function<void(CheckerInput&)>& change) {
-    CheckerInput input = original_;
-    change(input);
-    BothCheckers checkers;
-    checkers.add(input);
-    const CheckerAnswer answer = checkers.ask().front();
-    EXPECT_EQ(answer.result, "malformed") << describe(answer);
-  };
-  expect_malformed([](CheckerInput& input) { input.plane->v = Rational(-2) * input.plane->u; });
-  expect_malformed([](CheckerInput& input) { input.options.direction = Wrench{0, 1, 0}; });
-  expect_malformed([](CheckerInput& input) { input.options.preload_direction = {true, {}}; });
-  expect_malformed([](CheckerInput& input) { input.options.uncertain.friction = Tolerance{}; });
-  expect_malformed([](CheckerInput& input) {
-    Contact slanted = contact(0, 0, 1, 1, 1, 1);
-    input.grasp = write_grasp({Grasp({slanted}), {0, 0, 0}});
-  });
 }
 
 /// What the certificate says of its pieces.

@@ -43,17 +43,21 @@ class Asker:
         return self.parsed[words]
 
     def answer(self, question):
+        return self.judged(question)[0]
+
+    def judged(self, question):
+        """The report, the text that is printed, and the exit code."""
         for path, key in zip(self.paths, ("grasp", "certificate")):
             # Overwritten, not made anew: some file systems flush files that were cut to nothing.
             with open(path, "r+b" if os.path.exists(path) else "wb") as file:
                 file.write(question[key].encode("latin-1"))
                 file.truncate()
         try:
-            return check.answer(self.options(tuple(question["options"])))[0]
+            return check.answer(self.options(tuple(question["options"])))
         except Exception:  # pylint: disable=broad-except
             # What check.py would report as an internal error, or wrong usage, is no answer.
             return {"result": "failed", "rule": None, "node": None, "path": None,
-                    "found": traceback.format_exc()}
+                    "found": traceback.format_exc()}, "", 2
 
 
 def spool_files(folder):

@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: MIT
+"""Every rule of certificate/FORMAT.md is made to fail, in each kind of proof where it can, and all checkers say so.
+
+corpus.py says what an entry is. Checkers that the environment does not name are left out: STICKSLIP_CHECK for
+stickslip-check, STICKSLIP_NODE for page/web/check.js, STICKSLIP_PROVED for stickslip-proved.
+"""
+
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import corpus
+
+ROOT = os.path.join(corpus.FOLDER, "..", "..")
+sys.path.insert(0, os.path.join(ROOT, "tests", "support"))
+
+import batch  # noqa: E402
+
+STICKSLIP_CHECK = os.environ.get("STICKSLIP_CHECK")
+
+# Where each rule can fail first.
+ALL = set(corpus.KINDS)
+PLANE = {"plane", "plane_box", "plane_margin", "plane_region"}
+BOXES = {"plane_box", "space_box", "space_margin"}  # normals of irrational length make a margin in space a box
+WITNESSES = {"plane", "plane_margin", "plane_region", "space", "space_margin"}
+CUT = {"plane", "plane_box", "space", "space_box"}
+BY_DEGREE = ALL - {"plane_region"}
+PARTS = BY_DEGREE - {"plane_margin"}
+WHERE = {
+    **dict.fromkeys(["question-contacts", "question-wrench", "question-preload", "question-law", "question-direction",
+                     "question-preload-direction", "question-uncertain"], ALL),
+    "question-plane": PLANE - {"plane_margin"},  # there question-direction fails before
+    **dict.fromkeys(["witness-share", "witness-normal", "witness-balance"], WITNESSES),
+    "witness-root": {"space", "space_margin"},
+    "witness-box": BOXES,
+    **dict.fromkeys(["node-depth", "node-contact", "tree-short", "tree-long", "leaf-bound"], ALL),
+    "node-certain": BOXES,
+    **dict.fromkeys(["part-contact", "part-inside"], CUT),
+    **dict.fromkeys(["rest-share", "rest-reach", "rest-cone"], PARTS),
+    **dict.fromkeys(["degree-walls", "degree-direction", "degree-law", "leaf-direction"], BY_DEGREE),
+    "degree-free": PARTS,
+    **dict.fromkeys(["resisted-order", "segment-chain"], {"plane_margin"}),
+    "segment-mode": {"plane_margin", "space_margin"},
+    **dict.fromkeys(["interval-order", "interval-whole"], {"space_margin"}),
+    **dict.fromkeys(["piece-mode", "held-piece", "held-inside"], {"plane_region"}),
+}
+
+
+def without_planes_of_loads(entry):
+    """check.js and stickslip-proved do not have the option --plane nor that member."""
+    return "plane" not in entry.certificate["question"] and not any(word.startswith("--plane") for word in entry.options)
+
+
+def is_proved(entry):
+    """The theorem of stickslip-proved is not about proofs by degree and at rest, and margins in space."""
+    certificate = entry.certificate
+    return not ("parts" in certificate or "intervals" in certificate or any(
+        isinstance(segment, dict) for segment in certificate.get("segments") or []))
+
+
+def question_of(entry):
+    return {"grasp": json.dumps(entry.grasp), "certificate": json.dumps(entry.certificate), "options": entry.options}
+
+
+def in_batch(command, entries):
+    """Answers of one process to all questions."""
+    lines = "".join(json.dumps(question_of(entry)) + "\n" for entry in entries)
+    done = subprocess.run(command, input=lines, capture_output=True, encoding="ascii", check=True)
+    return [json.loads(line) for line in done.stdout.splitlines()]
+
+
+def run(program, folder, entry, *words):
+    """A checker's own command line."""
+    paths = [os.path.join(folder, name) for name in ("grasp.json", "certificate.json")]
+    for path, content in zip(paths, (entry.grasp, entry.certificate)):
+        with open(path, "w", encoding="ascii") as file:
+            json.dump(content, file)
+    return subprocess.run([program, *paths, *entry.options, *words], capture_output=True, encoding="ascii", check=False)
+
+
+class RulesTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.entries = corpus.all_entries()
+        with tempfile.TemporaryDirectory() as folder:
+            asker = batch.Asker(folder)
+            cls.check_py = {entry[:2]: asker.judged(question_of(entry)) for entry in cls.entries}
+
+    def expect(self, entries, answers, says=("result", "rule", "node", "path")):
+        """And that reports of what is accepted are those of check.py."""
+        self.assertEqual(len(entries), len(answers))
+        for entry, answer in zip(entries, answers):
+            with self.subTest(entry.name, kind=entry.kind):
+                expected = {"result": "rejected", "rule": entry.rule, "node": entry.node, "path": entry.path}
+                if entry.rule is None:
+                    report, _, _ = self.check_py[entry[:2]]
+                    self.assertEqual(answer, {**report, "result": "accepted", **entry.says})
+                elif entry.rule == "malformed":
+                    self.assertEqual((answer["result"], answer["rule"]), ("malformed", None), answer)
+                else:
+                    self.assertEqual({key: answer[key] for key in says}, {key: expected[key] for key in says}, answer)
+                self.assertEqual(bool(answer["found"]), entry.rule is not None)
+
+    def expect_texts(self, command, entries):
+        """Of those that are accepted, those of check.py."""
+        with tempfile.TemporaryDirectory() as folder:
+            for entry in entries:
+                if entry.rule is None:
+                    done = run(command, folder, entry)
+                    self.assertEqual((done.returncode, done.stdout), (0, self.check_py[entry[:2]][1]), entry.name)
+
+    def test_every_rule_is_broken(self):
+        with open(os.path.join(ROOT, "certificate", "FORMAT.md"), encoding="utf-8") as file:
+            named = set(re.findall(r"`([a-z]+(?:-[a-z]+)+)`", file.read())) - {"like-this"}
+        self.assertEqual(set(WHERE), named)
+        broken = {(entry.rule, entry.kind) for entry in self.entries} - {(rule, kind) for rule in (None, "malformed")
+                                                                        for kind in ALL}
+        self.assertEqual(broken, {(rule, kind) for rule, kinds in WHERE.items() for kind in kinds})
+
+    def test_files_hold_their_kind(self):
+        for entry in self.entries:
+            kind = [("space" if "intervals" in entry.certificate or len(entry.certificate["question"]["wrench"]) == 6 else
+                     "plane"), {"margin": "margin", "region": "region"}.get(entry.certificate["verdict"])]
+            if entry.rule is None:
+                self.assertEqual("_".join(filter(None, kind)), entry.kind.replace("_box", ""), entry.name)
+
+    def test_check_py(self):
+        self.expect(self.entries, [report for report, _, _ in self.check_py.values()])
+        for entry in self.entries:
+            lines = self.check_py[entry[:2]][1].split("\n")
+            self.assertEqual([line for line in entry.prints if line not in lines], [], (entry.name, lines))
+
+    @unittest.skipUnless(STICKSLIP_CHECK, "STICKSLIP_CHECK names no program")
+    def test_stickslip_check(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.expect(self.entries, [json.loads(run(STICKSLIP_CHECK, folder, entry, "--json").stdout)
+                                       for entry in self.entries])
+        self.expect_texts(STICKSLIP_CHECK, self.entries)
+
+    @unittest.skipUnless(batch.NODE, "STICKSLIP_NODE names no program")
+    def test_check_js(self):
+        entries = list(filter(without_planes_of_loads, self.entries))
+        self.expect(entries, in_batch([batch.NODE, os.path.join(ROOT, "page", "check_node.js"), "--batch"], entries))
+
+    @unittest.skipUnless(batch.PROVED, "STICKSLIP_PROVED names no program")
+    def test_stickslip_proved(self):
+        """It says nothing of paths, and of what it does not judge only that."""
+        entries = list(filter(without_planes_of_loads, self.entries))
+        answers = in_batch([batch.PROVED, "--batch"], entries)
+        judged = [(entry, answer) for entry, answer in zip(entries, answers) if is_proved(entry)]
+        self.expect(*zip(*judged), says=("result", "rule"))
+        self.expect_texts(batch.PROVED, [entry for entry, _ in judged])
+        for entry, answer in zip(entries, answers):
+            if not is_proved(entry):
+                self.assertIn(answer["result"], ("not judged", "rejected", "malformed"), entry.name)
+
+
+if __name__ == "__main__":
+    unittest.main()

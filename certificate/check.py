@@ -1540,6 +1540,10 @@ class SlipCone:
         self.gaps = [(a, b) for a, b in zip(self.directions, follow)
                      if self.turn(a, b) < 0 or (self.turn(a, b) == 0 and (a is b or dot(a, b) < 0))]
 
+    def sides(self) -> List[Integers]:
+        """Of what is not in C_i, one of them is nearest to it."""
+        return [side_ for gap in self.gaps for side_ in gap]
+
     def turn(self, a: Integers, b: Integers) -> int:
         """Above 0 if b is at the left of a, by less than half a turn."""
         Work.spend(self.steps)
@@ -1603,11 +1607,15 @@ class SpatialTerms(Terms):
         alpha = self.alpha(region, points, y)
         if self.certain:
             return alpha
-        found = [max(alpha * dot(v, x) for v in self.all_v) / self.v_factor for x in points]
+        if mixed and alpha <= 0:
+            return [Fraction(0)] * len(points)
+        # α v is largest where v is, or where it is least.
+        extreme = max if alpha > 0 else min
+        found = [extreme(dot(v, x) for v in self.all_v) for x in points]
         if mixed:
-            found = [max(Fraction(0), alpha) * max(0, *(dot(v, x) for v in self.all_v))
-                     / self.v_factor for x in points]
-        return found
+            found = [max(0, v) for v in found]
+        weight_ = alpha / self.v_factor
+        return [weight_ * v for v in found]
 
     def alpha(self, region: Region, points: Sequence[Integers], y: Vector) -> Fraction:
         slips = [[tuple(dot(row, x) for row in rows) for x in points] for rows in self.S]
@@ -1617,11 +1625,12 @@ class SpatialTerms(Terms):
                          if cone.contains(negated(s))]) for at_corner in slips)
         found = []
         for n, rows in zip(self.N, self.rows):
-            z = tuple(dot(row, y) for row in rows)  # S_i y
-            signed_square = dot(z, z)
-            if moves and not cone.contains(integers(times(Fraction(-1), z))[0]):
-                along = [(-dot(s, z), dot(s, s)) for s in cone.directions]
-                signed_square = max(c * abs(c) / square for c, square in along)
+            z, factor = integers([dot(row, y) for row in rows])  # S_i y, times the factor
+            signed_square = Fraction(dot(z, z))
+            if moves and not cone.contains(negated(z)):
+                along = [(-dot(s, z), dot(s, s)) for s in cone.sides()]
+                signed_square = max(Fraction(c * abs(c), square) for c, square in along)
+            signed_square /= factor * factor
             found += [dot(y, n) + root_above(mu * mu * dot(self.normal, self.normal) * signed_square)
                       for mu in set(self.friction)]
         return max(found)

@@ -102,7 +102,7 @@ void primitive_multiple(const Rational* a, Integer* result, std::size_t n) {
 
 void round_to_one(const Integer* a, double* result, std::size_t n) {
   constexpr long kVanishes = 2000;
-  std::array<long, 16> exponents;
+  std::array<long, 64> exponents;
   require(n <= exponents.size(), "a vector has few entries");
   std::optional<long> largest;
   for (std::size_t j = 0; j < n; ++j) {

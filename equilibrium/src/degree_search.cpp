@@ -255,7 +255,7 @@ std::optional<SegmentByDegree> DegreeSearch::prove_with(
   const Cell cell(range, shape);
   std::array<Function, 3> rows;
   for (std::size_t j = 0; j < 3; ++j) rows[j] = cell.of_motion(shape.direction[j]);
-  const Direction<3> direction(rows);
+  const Direction direction(rows);
   // A segment that is hard can be cut; for one grasp what comes next is an exact equilibrium.
   const std::size_t most_nodes = range ? 100 : 1000;
   // List 2 is the shorter one, and fails as often; of one grasp it is all.

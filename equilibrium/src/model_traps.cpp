@@ -161,7 +161,7 @@ bool is_certainly_unbalanced(std::vector<RestingContact<D>> contacts) {
     }
     return std::optional(support);
   };
-  const auto found = equilibrium_detail::nearest_wrench<D>(start, most_work);
+  const auto found = equilibrium_detail::nearest_wrench(start, most_work);
   if (!found.separated) return false;
   const Force& y = found.twist;
   double magnitude = 0;

@@ -62,7 +62,7 @@ class CellRefuter::View {
     double scale = 1;        ///< by which the wrench was divided
     std::vector<int> edges;  ///< by pusher; 2 where it does not push
   };
-  using Found = NearestWrench<3, Support>;
+  using Found = NearestWrench<Double3, Support>;
 
  private:
   /// A contact that may push somewhere on a region.
@@ -111,7 +111,7 @@ class CellRefuter::View {
   std::optional<ContactSplit> broken_law(const Found& found) const;
   /// Near a multiple of y.
   std::optional<IntegerVector3> confirm(const std::array<double, 3>& y) const {
-    return in_fewest_bits<3>(y, {3, 6, 10, 16, 24, 36, 50},
+    return in_fewest_bits(y, {3, 6, 10, 16, 24, 36, 50},
                              [&](const IntegerVector3& candidate) {
                                return !is_hopeless(candidate) && is_refuted(candidate);
                              });
@@ -323,7 +323,7 @@ CellRefuter::View::Found CellRefuter::View::search() const {
   for (const Double3& w : corners_) {
     for (std::size_t j = 0; j < 3; ++j) start[j] -= w[j];
   }
-  return nearest_wrench<3>(start, [&](const Double3& y) -> std::optional<Support> {
+  return nearest_wrench(start, [&](const Double3& y) -> std::optional<Support> {
     Support support = worst(y);
     if (support.work == -HUGE_VAL) return std::nullopt;
     return support;

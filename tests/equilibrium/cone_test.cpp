@@ -336,10 +336,10 @@ TEST(ConeSigns, AreExactWhereDoublesGiveOut) {
   }
 }
 
-class SpatialRegion : public StrictCone<6> {
+class SpatialRegion : public StrictCone {
  public:
-  SpatialRegion() { list_points(); }
-  SpatialRegion above(const Point& plane) const {
+  SpatialRegion() : StrictCone(6) { list_points(); }
+  SpatialRegion above(const Row& plane) const {
     SpatialRegion part = *this;
     part.cut(plane, Side::kPositive);
     part.list_points();
@@ -358,7 +358,7 @@ TEST(StrictCone, NoTreeHasRegionsOfTooManyPoints) {
         using Branch = equilibrium_detail::Branch<int, SpatialRegion>;
         if (t == 30) return std::optional<Branch>({t, {}});
         ++t;
-        SpatialRegion::Point moment{};
+        Row moment(8);
         Integer power = 1;
         for (std::size_t k = 0; k < 7; ++k, power *= t) moment[k] = power;
         return std::optional<Branch>({t, {region.above(moment)}});

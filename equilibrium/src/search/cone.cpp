@@ -7,16 +7,16 @@
 #include <numeric>
 
 #include "double_model.hpp"
+#include "stickslip/core/error.hpp"
 
 namespace stickslip {
 namespace {
 
 /// The primitive positive multiple of p * a - q * b.
-template <std::size_t n>
-IntegerVector<n> combine(const Integer& p, const IntegerVector<n>& a, const Integer& q,
-                         const IntegerVector<n>& b) {
-  IntegerVector<n> result;
-  for (std::size_t j = 0; j < n; ++j) result[j] = p * a[j] - q * b[j];
+template <class Vector>
+Vector combine(const Integer& p, const Vector& a, const Integer& q, const Vector& b) {
+  Vector result = a;
+  for (std::size_t j = 0; j < a.size(); ++j) result[j] = p * a[j] - q * b[j];
   return primitive(std::move(result));
 }
 
@@ -26,10 +26,10 @@ bool keeps(Side side, int sign) {
 }
 
 /// The constraints that are 0 at each ray, a bit each.
-template <std::size_t n>
+template <class Vector>
 class TightSets {
  public:
-  TightSets(const std::vector<RayIn<n>>& rays, ConstraintIndex constraints)
+  TightSets(const std::vector<RayOf<Vector>>& rays, ConstraintIndex constraints)
       : words_((constraints + kBits - 1) / kBits), all_(rays.size() * words_), shared_(words_) {
     for (std::size_t r = 0; r < rays.size(); ++r) {
       for (const ConstraintIndex c : rays[r].tight) {
@@ -69,12 +69,24 @@ class TightSets {
   std::vector<std::uint64_t> shared_;  ///< of the last pair
 };
 
+/// 0, of so many coordinates.
+template <class Vector>
+Vector zero_of(std::size_t n) {
+  if constexpr (kCoordinates<Vector> == 0) {
+    return Vector(n);
+  } else {
+    return {};
+  }
+}
+
 }  // namespace
 
-template <std::size_t n>
-ConeIn<n>::ConeIn(Multiples multiples) : dimension_(multiples == Multiples::kAny ? n : n - 1) {
-  const auto unit = [](std::size_t j) {
-    IntegerVector<n> x{};
+template <class Vector>
+ConeOf<Vector>::ConeOf(Multiples multiples, std::size_t n)
+    : dimension_(multiples == Multiples::kAny ? n : n - 1) {
+  require(n >= 2, "points have a height and a multiple");
+  const auto unit = [n](std::size_t j) {
+    Vector x = zero_of<Vector>(n);
     x[j] = 1;
     return x;
   };
@@ -83,36 +95,35 @@ ConeIn<n>::ConeIn(Multiples multiples) : dimension_(multiples == Multiples::kAny
   if (multiples == Multiples::kAny) lines_.push_back(unit(n - 1));
 }
 
-template <std::size_t n>
-std::vector<IntegerVector<n>> ConeIn<n>::directions() const {
-  std::vector<IntegerVector<n>> result;
+template <class Vector>
+std::vector<Vector> ConeOf<Vector>::directions() const {
+  std::vector<Vector> result;
   result.reserve(2 * lines_.size() + rays_.size());
-  for (const IntegerVector<n>& line : lines_) {
+  for (const Vector& line : lines_) {
     result.push_back(line);
     result.push_back(negated(line));
   }
-  for (const RayIn<n>& ray : rays_) result.push_back(ray.x);
+  for (const RayOf<Vector>& ray : rays_) result.push_back(ray.x);
   return result;
 }
 
 /// If the plane is not 0 on some line, that line becomes a ray (or goes, for kZero) and all
 /// else moves along it into the plane.
-template <std::size_t n>
-bool ConeIn<n>::cut_along_a_line(const IntegerVector<n>& plane, Side side) {
+template <class Vector>
+bool ConeOf<Vector>::cut_along_a_line(const Vector& plane, Side side) {
   pairs_ = 0;
   std::size_t chosen = 0;
   while (chosen < lines_.size() && dot(plane, lines_[chosen]).is_zero()) ++chosen;
   if (chosen == lines_.size()) return false;
-  IntegerVector<n> line = std::move(lines_[chosen]);
+  Vector line = std::move(lines_[chosen]);
   lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(chosen));
   Integer height = dot(plane, line);
   if (height.sign() < 0) {
     line = negated(line);
     height = -height;
   }
-  for (IntegerVector<n>& other : lines_)
-    other = combine(height, other, dot(plane, other), line);
-  for (RayIn<n>& ray : rays_) {
+  for (Vector& other : lines_) other = combine(height, other, dot(plane, other), line);
+  for (RayOf<Vector>& ray : rays_) {
     ray.x = combine(height, ray.x, dot(plane, ray.x), line);
     ray.tight.push_back(constraint_count_);
   }
@@ -126,16 +137,16 @@ bool ConeIn<n>::cut_along_a_line(const IntegerVector<n>& plane, Side side) {
 
 /// The extreme rays in the plane that are not extreme rays of the cone: one for each pair of
 /// neighbours on opposite sides.
-template <std::size_t n>
-std::vector<RayIn<n>> ConeIn<n>::rays_between(const std::vector<Integer>& heights) {
+template <class Vector>
+std::vector<RayOf<Vector>> ConeOf<Vector>::rays_between(const std::vector<Integer>& heights) {
   pairs_ = 0;
-  std::vector<RayIn<n>> between;
+  std::vector<RayOf<Vector>> between;
   const auto any = [&](int sign) {
     return std::any_of(heights.begin(), heights.end(),
                        [&](const Integer& height) { return height.sign() == sign; });
   };
   if (!any(1) || !any(-1)) return between;
-  TightSets<n> tight(rays_, constraint_count_);
+  TightSets<Vector> tight(rays_, constraint_count_);
   const std::size_t free = 2 + lines_.size();
   const std::size_t least_shared = dimension_ > free ? dimension_ - free : 0;
   for (std::size_t p = 0; p < rays_.size(); ++p) {
@@ -144,7 +155,7 @@ std::vector<RayIn<n>> ConeIn<n>::rays_between(const std::vector<Integer>& height
       if (heights[q].sign() >= 0) continue;
       ++pairs_;
       if (!tight.adjacent(p, q, least_shared)) continue;
-      RayIn<n>& ray = between.emplace_back();
+      RayOf<Vector>& ray = between.emplace_back();
       ray.x = combine(heights[p], rays_[q].x, heights[q], rays_[p].x);
       std::set_intersection(rays_[p].tight.begin(), rays_[p].tight.end(),
                             rays_[q].tight.begin(), rays_[q].tight.end(),
@@ -156,9 +167,9 @@ std::vector<RayIn<n>> ConeIn<n>::rays_between(const std::vector<Integer>& height
 }
 
 /// Of a plane that is 0 on all lines.
-template <std::size_t n>
-void ConeIn<n>::keep(Side side, const std::vector<Integer>& heights,
-                     std::vector<RayIn<n>> between) {
+template <class Vector>
+void ConeOf<Vector>::keep(Side side, const std::vector<Integer>& heights,
+                          std::vector<RayOf<Vector>> between) {
   for (std::size_t r = 0; r < rays_.size(); ++r) {
     if (!keeps(side, heights[r].sign())) continue;
     if (heights[r].is_zero()) rays_[r].tight.push_back(constraint_count_);
@@ -168,16 +179,16 @@ void ConeIn<n>::keep(Side side, const std::vector<Integer>& heights,
   ++constraint_count_;
 }
 
-template <std::size_t n>
-std::vector<Integer> ConeIn<n>::heights_over(const IntegerVector<n>& plane) const {
+template <class Vector>
+std::vector<Integer> ConeOf<Vector>::heights_over(const Vector& plane) const {
   std::vector<Integer> heights;
   heights.reserve(rays_.size());
-  for (const RayIn<n>& ray : rays_) heights.push_back(dot(plane, ray.x));
+  for (const RayOf<Vector>& ray : rays_) heights.push_back(dot(plane, ray.x));
   return heights;
 }
 
-template <std::size_t n>
-void ConeIn<n>::cut(const IntegerVector<n>& plane, Side side) {
+template <class Vector>
+void ConeOf<Vector>::cut(const Vector& plane, Side side) {
   if (cut_along_a_line(plane, side)) {
     ++constraint_count_;
     return;
@@ -186,13 +197,13 @@ void ConeIn<n>::cut(const IntegerVector<n>& plane, Side side) {
   keep(side, heights, rays_between(heights));
 }
 
-template <std::size_t n>
-std::pair<ConeIn<n>, ConeIn<n>> ConeIn<n>::halves(const IntegerVector<n>& plane) const {
-  std::pair<ConeIn, ConeIn> both(*this, *this);
+template <class Vector>
+std::pair<ConeOf<Vector>, ConeOf<Vector>> ConeOf<Vector>::halves(const Vector& plane) const {
+  std::pair<ConeOf, ConeOf> both(*this, *this);
   if (std::all_of(lines_.begin(), lines_.end(),
-                  [&](const IntegerVector<n>& line) { return dot(plane, line).is_zero(); })) {
+                  [&](const Vector& line) { return dot(plane, line).is_zero(); })) {
     const std::vector<Integer> heights = heights_over(plane);
-    std::vector<RayIn<n>> between = both.first.rays_between(heights);
+    std::vector<RayOf<Vector>> between = both.first.rays_between(heights);
     both.second.pairs_ = 0;
     both.first.keep(Side::kPositive, heights, between);
     both.second.keep(Side::kNegative, heights, std::move(between));
@@ -203,8 +214,8 @@ std::pair<ConeIn<n>, ConeIn<n>> ConeIn<n>::halves(const IntegerVector<n>& plane)
   return both;
 }
 
-template class ConeIn<5>;
-template class ConeIn<8>;
+template class ConeOf<IntegerVector5>;
+template class ConeOf<Row>;
 
 ConeSigns::ConeSigns(const Cone& cone) : cone_(cone) {
   rounded_.reserve(cone.rays().size());

@@ -4,6 +4,8 @@
 #include <Eigen/LU>
 #include <boost/multiprecision/eigen.hpp>
 
+#include "stickslip/equilibrium/search/reals.hpp"
+
 namespace stickslip {
 
 template <std::size_t D>
@@ -22,5 +24,36 @@ std::size_t rank_of(const std::vector<std::array<Rational, D>>& rows) {
 
 template std::size_t rank_of<3>(const std::vector<std::array<Rational, 3>>& rows);
 template std::size_t rank_of<6>(const std::vector<std::array<Rational, 6>>& rows);
+
+Direction::Direction(const std::array<std::array<Rational, 5>, 3>& rows) {
+  Integer common = 1;
+  for (const auto& row : rows) {
+    for (const Rational& entry : row) common = lcm(common, denominator(entry));
+  }
+  for (std::size_t j = 0; j < 3; ++j) {
+    for (std::size_t k = 0; k < 5; ++k) {
+      rows_[j][k] = numerator(rows[j][k]) * (common / denominator(rows[j][k]));
+    }
+  }
+}
+
+bool Direction::holds(const IntegerVector3& y,
+                      const std::vector<IntegerVector5>& points) const {
+  IntegerVector5 function{};
+  for (std::size_t j = 0; j < 3; ++j) {
+    for (std::size_t k = 0; k < 5; ++k) function[k] += y[j] * rows_[j][k];
+  }
+  return std::none_of(points.begin(), points.end(),
+                      [&](const IntegerVector5& x) { return dot(function, x).sign() < 0; });
+}
+
+std::array<double, 3> Direction::against(const IntegerVector5& x, double length) const {
+  IntegerVector3 exact;
+  for (std::size_t j = 0; j < 3; ++j) exact[j] = -dot(rows_[j], x);
+  std::array<double, 3> result = in_doubles(exact);
+  result[2] /= length;
+  normalize(result);
+  return result;
+}
 
 }  // namespace stickslip

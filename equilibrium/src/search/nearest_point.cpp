@@ -6,13 +6,15 @@
 #include <cmath>
 #include <utility>
 
-namespace stickslip::equilibrium_detail {
+namespace stickslip {
+namespace equilibrium_detail {
 
-template <std::size_t n>
-bool NearestPointIn<n>::affine_minimum(std::array<double, n + 1>& weights) const {
+template <class Point>
+bool NearestPointOf<Point>::affine_minimum(std::array<double, kMost>& weights) const {
   // Lagrange: the Gram matrix of the points, bordered by ones, against (0, ..., 0, 1).
-  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, n + 2, n + 2>;
-  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, n + 2, 1>;
+  constexpr int kRows = static_cast<int>(kMost) + 1;
+  using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kRows, kRows>;
+  using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kRows, 1>;
   const auto used = static_cast<Eigen::Index>(size_);
   Matrix m = Matrix::Ones(used + 1, used + 1);
   m(used, used) = 0;
@@ -27,34 +29,36 @@ bool NearestPointIn<n>::affine_minimum(std::array<double, n + 1>& weights) const
   return solution.allFinite();
 }
 
-template <std::size_t n>
-void NearestPointIn<n>::remove(std::size_t k) {
+template <class Point>
+void NearestPointOf<Point>::remove(std::size_t k) {
   --size_;
   points_[k] = points_[size_];
   weight_[k] = weight_[size_];
   order_[k] = order_[size_];
 }
 
-template <std::size_t n>
-void NearestPointIn<n>::update_nearest() {
-  nearest_ = {};
+template <class Point>
+void NearestPointOf<Point>::update_nearest() {
+  for (auto& entry : nearest_) entry = 0;
   for (std::size_t k = 0; k < size_; ++k) {
-    for (std::size_t j = 0; j < n; ++j) nearest_[j] += weight_[k] * points_[k][j];
+    std::size_t j = 0;
+    for (auto& entry : nearest_) entry += weight_[k] * points_[k][j++];
   }
 }
 
-template <std::size_t n>
-bool NearestPointIn<n>::add(const Point& point) {
-  if (size_ == n + 1) return false;  // the origin is inside already
+template <class Point>
+bool NearestPointOf<Point>::add(const Point& point) {
+  if (size_ > static_cast<std::size_t>(point.size())) return false;  // the origin is inside
+  if (added_ == 0) nearest_ = point;
   points_[size_] = point;
   weight_[size_] = size_ == 0 ? 1.0 : 0.0;
   order_[size_] = added_++;
   ++size_;
-  const double before = dot(nearest_, nearest_);
   const bool first = size_ == 1;
+  const double before = dot(nearest_, nearest_);
   // Each pass removes a point, so there are at most n + 1.
   while (true) {
-    std::array<double, n + 1> target{};
+    std::array<double, kMost> target{};
     if (!affine_minimum(target)) return false;
     double step = 1;
     for (std::size_t k = 0; k < size_; ++k) {
@@ -77,7 +81,20 @@ bool NearestPointIn<n>::add(const Point& point) {
   return first || dot(nearest_, nearest_) < before;
 }
 
-template class NearestPointIn<3>;
-template class NearestPointIn<6>;
+template class NearestPointOf<Double3>;
+template class NearestPointOf<std::array<double, 6>>;
+template class NearestPointOf<Reals>;
 
-}  // namespace stickslip::equilibrium_detail
+}  // namespace equilibrium_detail
+
+Row in_bits(const Reals& a, int bits) {
+  Row result(static_cast<std::size_t>(a.size()));
+  const double largest = a.size() > 0 ? a.lpNorm<Eigen::Infinity>() : 0;
+  if (!a.allFinite() || !(largest > 0)) return result;
+  for (std::size_t j = 0; j < result.size(); ++j) {
+    result[j] = std::llround(std::ldexp(a[static_cast<Eigen::Index>(j)] / largest, bits));
+  }
+  return primitive(std::move(result));
+}
+
+}  // namespace stickslip

@@ -251,7 +251,7 @@ SearchResult TwistSearch::search(const RegionForces& forces, bool precisely, Con
     }
   }
   const auto found =
-      nearest_wrench<3>({-start[0], -start[1], -start[2]}, [&](const Double3& y) {
+      nearest_wrench(Double3{-start[0], -start[1], -start[2]}, [&](const Double3& y) {
         ++work.support_points;
         const Double3 twist = unscaled(y);
         const auto [ray, bound] = worst_ray(forces, twist, precisely);
@@ -536,8 +536,8 @@ std::optional<VirtualWorkLeaf> TwistSearch::confirm(const Problem& problem,
   if (direction_ != nullptr) {
     for (const Ray& ray : forces.exact_rays()) points.push_back(ray.x);
   }
-  const auto y = in_fewest_bits<3>(
-      twist, {3, 6, 10, 16, 24, 36, 50}, [&](const IntegerVector3& candidate) {
+  const auto y =
+      in_fewest_bits(twist, {3, 6, 10, 16, 24, 36, 50}, [&](const IntegerVector3& candidate) {
         if (direction_ != nullptr && !direction_->holds(candidate, points)) return false;
         const std::optional<bool> certain = certain_refutation(forces, in_doubles(candidate));
         if (!certain && !exactly) return false;

@@ -42,7 +42,7 @@ struct RelaxedForce {
 class TwistSearch {
  public:
   /// With a direction its rule is asked for as well (degree.hpp).
-  explicit TwistSearch(const DoubleModel& model, const Direction<3>* direction = nullptr)
+  explicit TwistSearch(const DoubleModel& model, const Direction* direction = nullptr)
       : model_(model), direction_(direction) {}
 
   /// Unless `precisely`, contacts of a group have the edges that are best in its middle: the
@@ -118,7 +118,7 @@ class TwistSearch {
   std::optional<bool> certain_refutation(const RegionForces& forces, const Double3& twist);
 
   const DoubleModel& model_;
-  const Direction<3>* direction_;
+  const Direction* direction_;
   std::vector<Middle> middles_;
   std::vector<double> bounds_;  ///< g(r)
   std::vector<double> acting_;  ///< above 0 where an undecided contact may act

@@ -10,7 +10,7 @@
 namespace stickslip::equilibrium_detail {
 
 bool append_wall(const Problem& family, const DoubleModel& model, Region wall,
-                 const Direction<3>* direction, std::size_t node_limit, Refutation& trees,
+                 const Direction* direction, std::size_t node_limit, Refutation& trees,
                  ConeWork& work) {
   using Step = Branch<RefutationNode, Region>;
   RegionForces forces(family, model);

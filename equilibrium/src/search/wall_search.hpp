@@ -15,7 +15,7 @@ namespace stickslip::equilibrium_detail {
 /// direction; false if it finds none of at most `node_limit` nodes, and then what was appended
 /// is no tree. `model` is that of the family. Adds to `work`.
 bool append_wall(const Problem& family, const DoubleModel& model, Region wall,
-                 const Direction<3>* direction, std::size_t node_limit, Refutation& trees,
+                 const Direction* direction, std::size_t node_limit, Refutation& trees,
                  ConeWork& work);
 
 }  // namespace stickslip::equilibrium_detail

@@ -63,21 +63,15 @@ struct SlipSplit {
 struct SeparationSplit {
   ContactId contact;  ///< split by v_i
 };
-/// Two children: plane.x >= 0, plane.x <= 0; with motions of D coordinates.
-template <std::size_t D>
-struct PlaneSplitIn {
-  IntegerVector<D + 2> plane;  ///< nonzero
+/// Two children: plane.x >= 0, plane.x <= 0.
+struct PlaneSplit {
+  IntegerVector5 plane;  ///< nonzero
 };
 /// A virtual twist on which no force of the region makes up for the load. It is 0 where the
 /// region is void: no solution can lie there, or another child covers it.
-template <std::size_t D>
-struct LeafIn {
-  IntegerVector<D> twist;  ///< y; in the plane in coordinates (x, y, r)
+struct VirtualWorkLeaf {
+  IntegerVector3 twist;  ///< y, in coordinates (x, y, r)
 };
-/// \{ In the plane.
-using PlaneSplit = PlaneSplitIn<3>;
-using VirtualWorkLeaf = LeafIn<3>;
-/// \}
 
 /// Three kinds of split, and a leaf.
 using RefutationNode = std::variant<SlipSplit, SeparationSplit, PlaneSplit, VirtualWorkLeaf>;

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "stickslip/core/row.hpp"
 #include "stickslip/core/sign.hpp"
 #include "stickslip/equilibrium/problem.hpp"
 
@@ -20,65 +21,73 @@ namespace stickslip {
 using ConstraintIndex = std::uint32_t;
 
 /// A generator of a cone, of which nonnegative multiples count.
-template <std::size_t n>
-struct RayIn {
-  IntegerVector<n> x;                  ///< primitive
+template <class Vector>
+struct RayOf {
+  Vector x;                            ///< primitive
   std::vector<ConstraintIndex> tight;  ///< the constraints that are 0 at x, increasing
 };
 
+/// Of a vector whose length is fixed; else 0.
+template <class Vector>
+constexpr std::size_t kCoordinates = 0;
+template <std::size_t n>
+constexpr std::size_t kCoordinates<IntegerVector<n>> = n;
+
 /// In the plane.
-using Ray = RayIn<5>;
+using Ray = RayOf<IntegerVector5>;
 
 /// Which side of a plane to keep, the plane included: plane.x >= 0, = 0 or <= 0.
 enum class Side { kPositive, kZero, kNegative };
 
 /// { sum of nonnegative multiples of rays and any multiples of lines }. The lines are a basis
 /// of the lineality space, and the rays one for each extreme ray modulo it. All constraints are
-/// 0 on the lines. n = D + 2 for motions of D coordinates.
-template <std::size_t n>
-class ConeIn {
+/// 0 on the lines. A Vector is an IntegerVector<D + 2> for motions of D coordinates, or a Row
+/// of as many.
+template <class Vector>
+class ConeOf {
  public:
   /// The multiples of a new cone: l = 0, or any.
   enum class Multiples { kZero, kAny };
 
-  /// {h >= 0}; this is constraint 0.
-  explicit ConeIn(Multiples multiples = Multiples::kZero);
+  /// {h >= 0}; this is constraint 0. How many coordinates points have a Row does not say.
+  explicit ConeOf(Multiples multiples = Multiples::kZero,
+                  std::size_t coordinates = kCoordinates<Vector>);
 
-  const std::vector<IntegerVector<n>>& lines() const { return lines_; }   ///< primitive
-  const std::vector<RayIn<n>>& rays() const { return rays_; }             ///< modulo the lines
+  const std::vector<Vector>& lines() const { return lines_; }             ///< primitive
+  const std::vector<RayOf<Vector>>& rays() const { return rays_; }        ///< modulo the lines
   ConstraintIndex constraint_count() const { return constraint_count_; }  ///< cuts, plus 1
   /// Of rays on opposite sides of the last plane: how many were tested for being neighbours.
   std::size_t pairs() const { return pairs_; }
 
   /// The rays' directions, and each line both ways.
-  std::vector<IntegerVector<n>> directions() const;
+  std::vector<Vector> directions() const;
 
   /// Keeps the part with plane.x >= 0, = 0 or <= 0; this is the next constraint.
   /// O(R^3) for R rays in the worst case (the adjacency test), O(R) when no ray changes side.
-  void cut(const IntegerVector<n>& plane, Side side);
+  void cut(const Vector& plane, Side side);
 
   /// The parts with plane.x >= 0 and <= 0, for which this is the next constraint; as two cuts,
   /// but what both share is computed once. (The pairs are counted in the first.)
-  std::pair<ConeIn, ConeIn> halves(const IntegerVector<n>& plane) const;
+  std::pair<ConeOf, ConeOf> halves(const Vector& plane) const;
 
  private:
-  bool cut_along_a_line(const IntegerVector<n>& plane, Side side);
-  std::vector<Integer> heights_over(const IntegerVector<n>& plane) const;
-  std::vector<RayIn<n>> rays_between(const std::vector<Integer>& heights);
-  void keep(Side side, const std::vector<Integer>& heights, std::vector<RayIn<n>> between);
+  bool cut_along_a_line(const Vector& plane, Side side);
+  std::vector<Integer> heights_over(const Vector& plane) const;
+  std::vector<RayOf<Vector>> rays_between(const std::vector<Integer>& heights);
+  void keep(Side side, const std::vector<Integer>& heights, std::vector<RayOf<Vector>> between);
 
   std::size_t dimension_;  ///< of the space of points
-  std::vector<IntegerVector<n>> lines_;
-  std::vector<RayIn<n>> rays_;
+  std::vector<Vector> lines_;
+  std::vector<RayOf<Vector>> rays_;
   ConstraintIndex constraint_count_ = 1;
   std::size_t pairs_ = 0;
 };
 
 /// In the plane.
-using Cone = ConeIn<5>;
+using Cone = ConeOf<IntegerVector5>;
 
-extern template class ConeIn<5>;
-extern template class ConeIn<8>;
+extern template class ConeOf<IntegerVector5>;
+extern template class ConeOf<Row>;
 
 /// The signs that a linear function takes on a cone.
 struct SignRange {

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <vector>
 
-#include "stickslip/equilibrium/search/scaled_point.hpp"
 #include "stickslip/equilibrium/search/strict_cone.hpp"
 
 namespace stickslip {
@@ -32,70 +31,20 @@ bool has_full_rank(const DegreeProofIn<D, Node>& proof) {
 }
 
 /// What `leaf-direction` asks of list 2: y.A(d - h d0) >= 0.
-template <std::size_t D>
 class Direction {
  public:
-  /// A and d0.
-  Direction(const SquareMatrix<D>& matrix, const std::array<Rational, D>& twist);
   /// By its rows, as functions of points.
-  explicit Direction(const std::array<std::array<Rational, D + 2>, D>& rows);
+  explicit Direction(const std::array<std::array<Rational, 5>, 3>& rows);
 
   /// Whether the function is below 0 at none of the points.
-  bool holds(const IntegerVector<D>& y, const std::vector<IntegerVector<D + 2>>& points) const;
-  /// -A(d - h d0) at a point, with torques over `length`, over its norm.
-  std::array<double, D> against(const IntegerVector<D + 2>& x, double length) const;
+  bool holds(const IntegerVector3& y, const std::vector<IntegerVector5>& points) const;
+  /// -A(d - h d0) at a point, with torques over `length`, over its norm. Exactly up to the last
+  /// step, as d - h d0 may be small beside d.
+  std::array<double, 3> against(const IntegerVector5& x, double length) const;
 
  private:
-  std::array<IntegerVector<D + 2>, D> rows_{};  // A(d - h d0), times one positive number
+  std::array<IntegerVector5, 3> rows_{};  // A(d - h d0), times one positive number
 };
-
-template <std::size_t D>
-Direction<D>::Direction(const std::array<std::array<Rational, D + 2>, D>& rows) {
-  Integer common = 1;
-  for (const auto& row : rows) {
-    for (const Rational& entry : row) common = lcm(common, denominator(entry));
-  }
-  for (std::size_t j = 0; j < D; ++j) {
-    for (std::size_t k = 0; k < D + 2; ++k) {
-      rows_[j][k] = numerator(rows[j][k]) * (common / denominator(rows[j][k]));
-    }
-  }
-}
-
-template <std::size_t D>
-Direction<D>::Direction(const SquareMatrix<D>& matrix, const std::array<Rational, D>& twist)
-    : Direction([&] {
-        std::array<std::array<Rational, D + 2>, D> rows{};
-        for (std::size_t j = 0; j < D; ++j) {
-          std::copy(matrix[j].begin(), matrix[j].end(), rows[j].begin());
-          rows[j][D] = -dot(matrix[j], twist);
-        }
-        return rows;
-      }()) {}
-
-template <std::size_t D>
-bool Direction<D>::holds(const IntegerVector<D>& y,
-                         const std::vector<IntegerVector<D + 2>>& points) const {
-  IntegerVector<D + 2> function{};
-  for (std::size_t j = 0; j < D; ++j) {
-    for (std::size_t k = 0; k < D + 2; ++k) function[k] += y[j] * rows_[j][k];
-  }
-  return std::none_of(points.begin(), points.end(), [&](const IntegerVector<D + 2>& x) {
-    return dot(function, x).sign() < 0;
-  });
-}
-
-/// Exactly up to the last step, as d - h d0 may be small beside d.
-template <std::size_t D>
-std::array<double, D> Direction<D>::against(const IntegerVector<D + 2>& x,
-                                            double length) const {
-  IntegerVector<D> exact;
-  for (std::size_t j = 0; j < D; ++j) exact[j] = -dot(rows_[j], x);
-  std::array<double, D> result = in_doubles(exact);
-  for (std::size_t j = equilibrium_detail::kFirstRotation<D>; j < D; ++j) result[j] /= length;
-  equilibrium_detail::normalize(result);
-  return result;
-}
 
 /// `degree-law`: every contact is closed at the vertices of the body, which are the rays of the
 /// walls' regions.

@@ -7,21 +7,26 @@
 
 #include <array>
 #include <cstddef>
+#include <tuple>
 
-#include "stickslip/core/integer_vector.hpp"
+#include "stickslip/equilibrium/search/reals.hpp"
 
 namespace stickslip::equilibrium_detail {
 
 /// A point or direction in double precision.
 using Double3 = std::array<double, 3>;
 
-/// The hull of the points added so far, by at most n + 1 of them.
-template <std::size_t n>
-class NearestPointIn {
- public:
-  /// A point.
-  using Point = std::array<double, n>;
+/// How many points a hull may use: one more than there are coordinates.
+template <class Point>
+constexpr std::size_t kMostPointsOf = std::tuple_size_v<Point> + 1;
+template <>
+inline constexpr std::size_t kMostPointsOf<Reals> = kMostCoordinates + 1;
 
+/// The hull of the points added so far, by at most n + 1 of them. A Point is a std::array of n
+/// doubles, or Reals.
+template <class Point>
+class NearestPointOf {
+ public:
   /// Adds a point and moves to the nearest point of the hull of the points now in use. Returns
   /// false if rounding left no progress.
   bool add(const Point& point);
@@ -35,20 +40,23 @@ class NearestPointIn {
   /// \}
 
  private:
+  static constexpr std::size_t kMost = kMostPointsOf<Point>;
+
   /// Weights of sum 1, of any sign, of the point of least norm in the affine hull.
-  bool affine_minimum(std::array<double, n + 1>& weights) const;
+  bool affine_minimum(std::array<double, kMost>& weights) const;
   void remove(std::size_t k);
   void update_nearest();
 
-  std::array<Point, n + 1> points_{};
-  std::array<double, n + 1> weight_{};
-  std::array<std::size_t, n + 1> order_{};
+  std::array<Point, kMost> points_{};
+  std::array<double, kMost> weight_{};
+  std::array<std::size_t, kMost> order_{};
   std::size_t size_ = 0;
   std::size_t added_ = 0;
   Point nearest_{};
 };
 
-extern template class NearestPointIn<3>;
-extern template class NearestPointIn<6>;
+extern template class NearestPointOf<Double3>;
+extern template class NearestPointOf<std::array<double, 6>>;
+extern template class NearestPointOf<Reals>;
 
 }  // namespace stickslip::equilibrium_detail

@@ -44,47 +44,41 @@ struct PlaneSigns {
 };
 
 /// Points x = (d, h, l) with motions d of D coordinates.
-template <std::size_t D>
 class StrictCone {
  public:
   /// Of points().
   static constexpr std::size_t kMostPoints = 1000;
-  /// A point, or a linear function of points.
-  using Point = IntegerVector<D + 2>;
+  /// Whether l = 0, or any.
+  using Multiples = ConeOf<Row>::Multiples;
 
-  /// {h >= 0}, with h strict; l = 0, or any.
-  explicit StrictCone(
-      typename ConeIn<D + 2>::Multiples multiples = ConeIn<D + 2>::Multiples::kZero)
-      : cone_(multiples) {}
+  /// {h >= 0}, with h strict; D is `motions`.
+  explicit StrictCone(std::size_t motions, Multiples multiples = Multiples::kZero)
+      : motions_(motions), cone_(multiples, motions + 2) {}
   /// Keeps plane.x >= 0, = 0 or <= 0; strict: it is not 0 at solutions.
-  void cut(const Point& plane, Side side, bool strict = false) {
+  void cut(const Row& plane, Side side, bool strict = false) {
     if (strict) strict_.push_back(cone_.constraint_count());
     cone_.cut(plane, side);
   }
 
   /// The parts with plane.x >= 0 and <= 0; in the latter it is strict.
-  std::pair<StrictCone, StrictCone> halves(const Point& plane) const {
-    auto [above, below] = cone_.halves(plane);
-    std::pair<StrictCone, StrictCone> both(*this, *this);
-    both.second.strict_.push_back(cone_.constraint_count());
-    both.first.cone_ = std::move(above);
-    both.second.cone_ = std::move(below);
-    return both;
-  }
+  std::pair<StrictCone, StrictCone> halves(const Row& plane) const;
 
   /// Keeps the cone over a wall of the body.
+  template <std::size_t D>
   void cut_to_wall(const ConvexBody<D>& body, std::size_t wall);
 
+  std::size_t motions() const { return motions_; }  ///< D
   /// Of which all points are sums of nonnegative multiples: lines both ways, and rays.
-  const std::vector<Point>& points() const { return points_; }
-  /// More of them than a tree may have in space (FORMAT.md, section 4): checkers may give up.
-  bool has_too_many_points() const { return D == 6 && points_.size() > kMostPoints; }
-  /// As ConeIn::pairs().
+  const std::vector<Row>& points() const { return points_; }
+  /// More of them than a tree may have where D > 3 (FORMAT.md, section 4): checkers may give
+  /// up.
+  bool has_too_many_points() const { return motions_ > 3 && points_.size() > kMostPoints; }
+  /// As ConeOf::pairs().
   std::size_t pairs() const { return cone_.pairs(); }
   /// Of these, by index: some strict function is 0 on all of them.
   bool bars(const std::vector<std::size_t>& zeros) const;
   /// Of a plane on the region.
-  PlaneSigns signs(const Point& plane) const;
+  PlaneSigns signs(const Row& plane) const;
 
  protected:
   /// To be called after cuts: fills points().
@@ -97,17 +91,18 @@ class StrictCone {
   }
 
  private:
-  ConeIn<D + 2> cone_;
+  std::size_t motions_;
+  ConeOf<Row> cone_;
   std::vector<ConstraintIndex> strict_{0};  // h is constraint 0
-  std::vector<Point> points_;
+  std::vector<Row> points_;
 };
 
 template <std::size_t D>
-void StrictCone<D>::cut_to_wall(const ConvexBody<D>& body, std::size_t wall) {
+void StrictCone::cut_to_wall(const ConvexBody<D>& body, std::size_t wall) {
   const auto plane = [&](std::size_t j, int height) {  // E_j.(d - h d0) - height h
-    std::array<Rational, D + 2> a{};
-    std::copy(body.walls[j].begin(), body.walls[j].end(), a.begin());
-    a[D] = -dot(body.walls[j], body.twist) - height;
+    RationalRow a(body.walls[j].begin(), body.walls[j].end());
+    a.emplace_back(-dot(body.walls[j], body.twist) - height);
+    a.emplace_back(0);
     return primitive_multiple(a);
   };
   const std::size_t row = body.is_simplex ? wall : wall / 2;
@@ -117,34 +112,6 @@ void StrictCone<D>::cut_to_wall(const ConvexBody<D>& body, std::size_t wall) {
     cut(plane(j, 1), Side::kNegative);
     if (!body.is_simplex) cut(plane(j, -1), Side::kPositive);
   }
-}
-
-/// All constraints are 0 on lines, which take nothing away.
-template <std::size_t D>
-bool StrictCone<D>::bars(const std::vector<std::size_t>& zeros) const {
-  const std::size_t lines = 2 * cone_.lines().size();
-  return std::any_of(strict_.begin(), strict_.end(), [&](ConstraintIndex strict) {
-    return std::all_of(zeros.begin(), zeros.end(), [&](std::size_t point) {
-      if (point < lines) return true;
-      const std::vector<ConstraintIndex>& tight = cone_.rays()[point - lines].tight;
-      return std::binary_search(tight.begin(), tight.end(), strict);
-    });
-  });
-}
-
-template <std::size_t D>
-PlaneSigns StrictCone<D>::signs(const Point& plane) const {
-  PlaneSigns signs;
-  std::vector<std::size_t> zeros;
-  for (std::size_t p = 0; p < points_.size(); ++p) {
-    const int sign = dot(plane, points_[p]).sign();
-    if (sign > 0) signs.positive = true;
-    if (sign < 0) signs.negative = true;
-    if (sign == 0) zeros.push_back(p);
-    if (signs.cuts()) return signs;
-  }
-  signs.zeros_barred = bars(zeros);
-  return signs;
 }
 
 }  // namespace stickslip

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/core/row.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace stickslip {
+
+Integer dot(const Row& a, const Row& b) {
+  Integer sum;
+  const std::size_t n = std::min(a.size(), b.size());
+  for (std::size_t j = 0; j < n; ++j) {
+    mpz_addmul(sum.backend().data(), a[j].backend().data(), b[j].backend().data());
+  }
+  return sum;
+}
+
+Rational dot(const RationalRow& a, const RationalRow& b) {
+  Rational sum = 0;
+  const std::size_t n = std::min(a.size(), b.size());
+  for (std::size_t j = 0; j < n; ++j) sum += a[j] * b[j];
+  return sum;
+}
+
+bool is_zero(const Row& a) {
+  return std::all_of(a.begin(), a.end(), [](const Integer& entry) { return entry.is_zero(); });
+}
+
+Row negated(Row a) {
+  for (Integer& entry : a) entry = -entry;
+  return a;
+}
+
+Row primitive(Row a) {
+  core_detail::make_primitive(a.data(), a.size());
+  return a;
+}
+
+Row primitive_multiple(const RationalRow& a) {
+  Row result(a.size());
+  core_detail::primitive_multiple(a.data(), result.data(), a.size());
+  return result;
+}
+
+}  // namespace stickslip

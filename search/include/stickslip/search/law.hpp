@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The law of a grasp whose numbers are intervals, for motions of any number of coordinates:
+/// its contacts as rows at the corners of what is uncertain of their geometry, exactly and in
+/// doubles (certificate/FORMAT.md, sections 6 and 7).
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "stickslip/core/box.hpp"
+#include "stickslip/core/row.hpp"
+#include "stickslip/equilibrium/problem.hpp"
+#include "stickslip/equilibrium/search/reals.hpp"
+#include "stickslip/search/corner_work.hpp"
+
+namespace stickslip {
+
+using Double3 = std::array<double, 3>;
+
+/// The different ends of an interval.
+std::vector<Rational> ends_of(const Interval& interval);
+
+/// N and S with a contact's geometry at one of its corners.
+struct CornerRow {
+  RationalRow normal;      ///< N
+  std::vector<Row> slip;   ///< S times slip_factor: one row in the plane, three in space
+  Rational slip_factor;    ///< > 0
+  Reals normal_rounded{};  ///< N, in the law's units
+  std::vector<Reals> slip_rounded{};  ///< S, in the law's units
+
+  /// From a multiple of S.
+  void set_slip(const std::vector<RationalRow>& multiple, const Rational& factor);
+};
+
+/// In space: where the contact lies, for cuts of what its position makes uncertain.
+struct SpatialPlace {
+  std::array<Interval, 3> position;
+  Vector3 normal;    ///< n
+  CornerRow centre;  ///< the rows of the middle of the position
+};
+
+/// Numbers of a contact in the plane, of uncertain geometry, in integers: N and T times
+/// `length`, mu times `cone`, k' times `law` and P' times `law` and `length`.
+struct WholeCorners {
+  std::vector<Row> normals;   ///< N by corner
+  std::vector<Row> tangents;  ///< T by corner
+  std::array<Integer, 2> frictions;
+  SpringEnds<Integer> ends;
+  Integer cone;
+  Rational weight;  ///< of bounds (corner_work.hpp)
+};
+
+/// A contact.
+struct LawContact {
+  /// Of n uncertain numbers of its geometry 2^n, the first number changing fastest.
+  std::vector<CornerRow> corners;
+  Rational squared_length{1};           ///< L^2: friction is at most mu L a
+  Interval friction;                    ///< mu
+  Interval preload;                     ///< P'
+  Interval rate{};                      ///< P^u' of a margin, whose ends go with those of P'
+  Interval stiffness;                   ///< k'
+  IntegerVector3 axis{};                ///< in space: across which slips are
+  std::optional<SpatialPlace> place{};  ///< in space
+
+  /// \{ What follows, once complete() was called.
+  /// v at all corners of all parameters: positive multiples, and factors that make them v.
+  std::vector<Row> separations{};
+  std::vector<Rational> separation_factors{};
+  bool has_certain_separation = false;  ///< v is one function up to positive factors
+  std::optional<WholeCorners> whole{};  ///< in the plane, of uncertain geometry
+  /// \}
+
+  /// \{ In doubles. Slopes are mu L.
+  std::array<double, 2> slopes{};
+  std::array<double, 2> preloads{};
+  std::array<double, 2> rates{};
+  std::array<double, 2> stiffnesses{};
+  std::array<Double3, 2> tangents{};  ///< in space: of length 1, across n
+  /// Whether rows, preloads, rates and stiffnesses are 0 or between 2^-200 and 2^200, so that
+  /// no product with a point of norm 1 overflows or vanishes. If not, doubles decide no sign.
+  bool is_moderate = true;
+  /// \}
+
+  bool geometry_is_certain() const { return corners.size() == 1; }
+  /// How many coordinates a slip has: 1 in the plane, 3 in space.
+  std::size_t slip_dimension() const { return corners.front().slip.size(); }
+};
+
+/// All contacts and the load. Coordinates of motions from first_rotation on are rotations; in
+/// doubles these are times `length`, and torques over it.
+struct Law {
+  std::size_t motions = 3;         ///< D
+  std::size_t first_rotation = 2;  ///< of the coordinates of motions
+  std::vector<LawContact> contacts{};
+  std::vector<Interval> wrench{};  ///< w
+  RationalRow growth{};            ///< u, of a margin
+  bool is_family = false;          ///< a margin: points have multiples
+  MultipleRange multiples{};       ///< of a margin
+  NormalLaw law = NormalLaw::kUnilateral;
+
+  /// \{ What follows, once complete() was called.
+  double length = 1;                          ///< a typical distance
+  double force = 1;                           ///< a typical force
+  double reach = 1;                           ///< how far it moves the object
+  std::vector<std::array<double, 2>> load{};  ///< ends
+  Reals growing{};                            ///< u
+  /// Whether all numbers are 0 or between 2^-200 and 2^200: else doubles certify nothing.
+  bool is_moderate = true;
+  /// \}
+
+  /// Fills in what follows from the rest; `farthest` is a typical distance, or 0.
+  void complete(double farthest);
+  /// The number of coordinates of points.
+  std::size_t coordinates() const { return motions + 2; }
+  /// One in doubles over one as it stands, of a coordinate of points.
+  double unit(std::size_t coordinate) const {
+    return coordinate >= first_rotation && coordinate < motions ? length : 1;
+  }
+  /// A point in doubles, of norm 1.
+  Reals scaled(const Row& point) const;
+  /// plane.x over the norm of the plane.
+  double value_at(const Row& plane, const Reals& x) const;
+  /// A plane through x and across the way from b to a, in few bits; 0 where these are too near.
+  Row plane_between(const Reals& a, const Reals& b, const Reals& x) const;
+  /// h w + l u of a point with these, in doubles, on y: where its work is largest.
+  Reals load_at(double height, double multiple, const Reals& y) const;
+  /// Whether the box, lengths of normals included, is one point.
+  bool is_point() const;
+};
+
+}  // namespace stickslip

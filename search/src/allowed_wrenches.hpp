@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The wrenches that a region allows, in doubles.
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "stickslip/equilibrium/search/nearest_wrench.hpp"
+#include "stickslip/search/tree_search.hpp"
+
+namespace stickslip::search_detail {
+
+inline double norm_of(const Double3& a) {
+  return std::sqrt(dot(a, a));
+}
+
+/// What a contact can do on a virtual twist, per unit of normal coefficient.
+struct Action {
+  double alpha = 0;    ///< the most work
+  Double3 friction{};  ///< f that does it
+  std::size_t corner = 0;
+};
+
+/// All contacts of a region on y. The region must outlive this.
+class Actions {
+ public:
+  Actions(const Law& law, const MotionRegion& region, const Reals& y);
+
+  /// The most work of a contact at a generator; `acts` becomes true if its force is not 0.
+  double work(std::size_t contact, std::size_t generator, bool& acts) const;
+  /// Whether errors of alpha change nothing in which rule bounds it.
+  bool is_clear(std::size_t contact, double error) const;
+  /// Whether its force is 0 there by what is exact: zeros, and signs.
+  bool is_idle(std::size_t contact, std::size_t generator) const;
+  /// Adds the force that does it to these.
+  void add_force(std::size_t contact, std::size_t generator, double& normal, Double3& friction,
+                 Reals& wrench) const;
+
+ private:
+  struct PairsAction {
+    SpringEnds<double> ends;
+    std::vector<double> slopes;
+    std::optional<CornerWork<double>> work;
+  };
+
+  Action action(std::size_t i, const Reals& y) const;
+  bool is_against(std::size_t i, const Double3& slid) const;
+  double normal(std::size_t contact, std::size_t generator) const;
+  double height(std::size_t generator) const {
+    return region_.generators()[generator][static_cast<Eigen::Index>(law_.motions)];
+  }
+
+  const Law& law_;
+  const MotionRegion& region_;
+  std::vector<Action> all_;
+  std::vector<std::optional<PairsAction>> pairs_;
+};
+
+/// A wrench that a region allows at one of its generators, and its forces by contact; or the
+/// direction that list 2 excludes there.
+struct AllowedWrench {
+  double work = 0;
+  Reals wrench{};
+  std::size_t generator = 0;
+  bool against = false;
+  std::vector<double> normal{};
+  std::vector<Double3> friction{};
+};
+
+/// Of a region.
+class AllowedWrenches {
+ public:
+  AllowedWrenches(const Law& law, const MotionRegion& region, const PullRule* pull);
+
+  /// The one with the most work on y.
+  std::optional<AllowedWrench> worst(const Reals& y) const;
+  /// The rule of the leaf for this twist, by rounded numbers and a bound on their errors;
+  /// nothing if they do not decide. In space they only say no.
+  std::optional<bool> are_refuted_by(const Row& y) const;
+  /// Of wrenches that add up to 0.
+  Relaxation combine(
+      const equilibrium_detail::NearestWrench<Reals, AllowedWrench>& found) const;
+
+ private:
+  Reals load_at(std::size_t generator, const Reals& y) const;
+  bool are_small(const std::vector<Row>& points) const;
+  const std::vector<double>& sizes() const;
+
+  const Law& law_;
+  const MotionRegion& region_;
+  std::vector<double> scales_;
+  std::vector<Reals> against_;
+  mutable std::vector<double> sizes_;  ///< once they are needed
+  bool may_certify_;                   ///< whether the errors of doubles are bounded
+};
+
+}  // namespace stickslip::search_detail

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/search/law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "stickslip/search/tree.hpp"
+
+namespace stickslip {
+namespace {
+
+std::array<double, 2> rounded(const Interval& interval) {
+  return {to_double(interval.low), to_double(interval.high)};
+}
+
+/// Whether a number is 0, or neither so large nor so small that products may not be.
+bool is_moderate_number(const Rational& exact, double rounded) {
+  const double size = std::fabs(rounded);
+  return exact.is_zero() || (size >= 0x1p-200 && size <= 0x1p200);
+}
+
+bool is_moderate_interval(const Interval& interval) {
+  return is_moderate_number(interval.low, to_double(interval.low)) &&
+         is_moderate_number(interval.high, to_double(interval.high));
+}
+
+/// P' and P^u' at their ends.
+std::vector<std::pair<Rational, Rational>> preloads_of(const LawContact& contact) {
+  const Interval& p = contact.preload;
+  const Interval& rate = contact.rate;
+  if (p.is_point() && rate.is_point()) return {{p.low, rate.low}};
+  return {{p.low, rate.low}, {p.high, rate.high}};
+}
+
+void add_separations(LawContact& contact) {
+  contact.separations.clear();
+  contact.separation_factors.clear();
+  for (const CornerRow& corner : contact.corners) {
+    for (const Rational& k : ends_of(contact.stiffness)) {
+      for (const auto& [preload, rate] : preloads_of(contact)) {
+        RationalRow v;
+        for (const Rational& entry : corner.normal) v.emplace_back(-k * entry);
+        v.push_back(preload);
+        v.push_back(rate);
+        Row plane = primitive_multiple(v);
+        std::size_t j = 0;
+        while (plane[j].is_zero()) ++j;  // N is not 0
+        contact.separation_factors.emplace_back(v[j] / Rational(plane[j]));
+        contact.separations.push_back(std::move(plane));
+      }
+    }
+  }
+  contact.has_certain_separation =
+      std::all_of(contact.separations.begin(), contact.separations.end(),
+                  [&](const Row& plane) { return plane == contact.separations.front(); });
+}
+
+Integer common_denominator(const RationalRow& values) {
+  Integer common = 1;
+  for (const Rational& value : values) common = lcm(common, denominator(value));
+  return common;
+}
+
+WholeCorners whole_corners(const LawContact& c) {
+  RationalRow entries;
+  std::vector<RationalRow> tangents;
+  for (const CornerRow& corner : c.corners) {
+    RationalRow& tangent = tangents.emplace_back();
+    for (const Integer& entry : corner.slip.front()) {
+      tangent.emplace_back(Rational(entry) / corner.slip_factor);
+    }
+    entries.insert(entries.end(), corner.normal.begin(), corner.normal.end());
+    entries.insert(entries.end(), tangent.begin(), tangent.end());
+  }
+  const Integer length = common_denominator(entries);
+  const Integer law =
+      common_denominator({c.preload.low, c.preload.high, c.stiffness.low, c.stiffness.high});
+  const auto times = [](const Rational& value, const Integer& factor) {
+    return Integer(numerator(value) * (factor / denominator(value)));
+  };
+  const auto whole = [&](const RationalRow& row) {
+    Row result;
+    for (const Rational& entry : row) result.push_back(times(entry, length));
+    return result;
+  };
+  WholeCorners result;
+  for (std::size_t k = 0; k < c.corners.size(); ++k) {
+    result.normals.push_back(whole(c.corners[k].normal));
+    result.tangents.push_back(whole(tangents[k]));
+  }
+  result.cone = common_denominator({c.friction.low, c.friction.high});
+  result.frictions = {times(c.friction.low, result.cone), times(c.friction.high, result.cone)};
+  result.ends.preloads = {times(c.preload.low, law) * length,
+                          times(c.preload.high, law) * length};
+  result.ends.stiffnesses = {times(c.stiffness.low, law), times(c.stiffness.high, law)};
+  result.weight =
+      Rational(1) / Rational(length * length * result.cone * law * Integer(c.corners.size()));
+  return result;
+}
+
+/// Two directions of length 1 across the axis.
+std::array<Double3, 2> tangents_across(const IntegerVector3& axis) {
+  Double3 n = in_doubles(axis);
+  const double size = std::sqrt(dot(n, n));
+  for (double& entry : n) entry /= size;
+  std::size_t least = 0;
+  for (std::size_t j = 1; j < 3; ++j) {
+    if (std::fabs(n[j]) < std::fabs(n[least])) least = j;
+  }
+  Double3 unit{};
+  unit[least] = 1;
+  Double3 first = cross(n, unit);
+  const double across = std::sqrt(dot(first, first));
+  for (double& entry : first) entry /= across;
+  return {first, cross(n, first)};
+}
+
+}  // namespace
+
+std::size_t leaf_count(const Trees& trees) {
+  return static_cast<std::size_t>(std::count_if(
+      trees.begin(), trees.end(),
+      [](const TreeNode& node) { return std::holds_alternative<TwistLeaf>(node); }));
+}
+
+std::vector<Rational> ends_of(const Interval& interval) {
+  if (interval.is_point()) return {interval.low};
+  return {interval.low, interval.high};
+}
+
+void CornerRow::set_slip(const std::vector<RationalRow>& multiple, const Rational& factor) {
+  Integer common = 1;
+  for (const RationalRow& row : multiple) {
+    for (const Rational& entry : row) common = lcm(common, denominator(entry));
+  }
+  slip_factor = Rational(common) * factor;
+  slip.clear();
+  for (const RationalRow& row : multiple) {
+    Row& whole = slip.emplace_back();
+    for (const Rational& entry : row) {
+      whole.emplace_back(numerator(entry) * (common / denominator(entry)));
+    }
+  }
+}
+
+void Law::complete(double farthest) {
+  length = farthest > 0 && std::isfinite(farthest) ? farthest : 1;
+  const auto size_of_force = [&](const LawContact& c) {
+    return c.corners.front()
+        .normal_rounded.head(static_cast<Eigen::Index>(first_rotation))
+        .norm();
+  };
+  is_moderate = is_moderate_number(1, length);
+  double largest = 0;
+  for (LawContact& c : contacts) {
+    add_separations(c);
+    const double slope = std::sqrt(to_double(c.squared_length));
+    c.slopes = {to_double(c.friction.low) * slope, to_double(c.friction.high) * slope};
+    c.preloads = rounded(c.preload);
+    c.rates = rounded(c.rate);
+    c.stiffnesses = rounded(c.stiffness);
+    if (c.slip_dimension() == 1 && c.corners.size() > 1) c.whole = whole_corners(c);
+    if (c.slip_dimension() == 3) c.tangents = tangents_across(c.axis);
+    c.is_moderate = true;
+    const auto over = [&](const Rational& exact, double scale) {
+      const double value = to_double(exact) / scale;
+      c.is_moderate = c.is_moderate && is_moderate_number(exact, value);
+      return value;
+    };
+    for (const Interval* interval : {&c.preload, &c.rate, &c.stiffness}) {
+      c.is_moderate = c.is_moderate && is_moderate_interval(*interval);
+    }
+    const auto n = static_cast<Eigen::Index>(motions);
+    for (CornerRow& row : c.corners) {
+      row.normal_rounded.resize(n);
+      row.slip_rounded.assign(row.slip.size(), Reals(n));
+      for (std::size_t j = 0; j < motions; ++j) {
+        const auto at = static_cast<Eigen::Index>(j);
+        row.normal_rounded[at] = over(row.normal[j], unit(j));
+        for (std::size_t k = 0; k < row.slip.size(); ++k) {
+          row.slip_rounded[k][at] = over(row.slip[k][j] / row.slip_factor, unit(j));
+        }
+      }
+    }
+    largest = std::max(largest, c.preloads[1] * size_of_force(c));
+    is_moderate = is_moderate && c.is_moderate && is_moderate_interval(c.friction);
+  }
+  load.assign(motions, {});
+  growing = Reals::Zero(static_cast<Eigen::Index>(motions));
+  for (std::size_t j = 0; j < motions; ++j) {
+    load[j] = {to_double(wrench[j].low) / unit(j), to_double(wrench[j].high) / unit(j)};
+    is_moderate = is_moderate && is_moderate_interval(wrench[j]);
+    if (is_family) growing[static_cast<Eigen::Index>(j)] = to_double(growth[j]) / unit(j);
+    largest = std::max({largest, std::fabs(load[j][0]), std::fabs(load[j][1])});
+  }
+  force = largest > 0 && std::isfinite(largest) ? largest : 1;
+  double stiffest = 0;
+  for (const LawContact& c : contacts) {
+    const double size = size_of_force(c);
+    stiffest = std::max(stiffest, c.stiffnesses[1] * size * size);
+  }
+  reach = stiffest > 0 ? force / stiffest : 1;
+}
+
+Reals Law::scaled(const Row& point) const {
+  Reals x = in_doubles(point);
+  for (std::size_t j = first_rotation; j < motions; ++j)
+    x[static_cast<Eigen::Index>(j)] *= length;
+  normalize(x);
+  return x;
+}
+
+double Law::value_at(const Row& plane, const Reals& x) const {
+  Reals p = in_doubles(plane);
+  for (std::size_t j = first_rotation; j < motions; ++j)
+    p[static_cast<Eigen::Index>(j)] /= length;
+  normalize(p);
+  return p.dot(x);
+}
+
+Row Law::plane_between(const Reals& a, const Reals& b, const Reals& x) const {
+  Reals across = a - b;
+  constexpr double kClose = 1e-8;  // squared
+  const double size = x.squaredNorm();
+  if (!(size > 0) || across.squaredNorm() < kClose) return Row(coordinates());
+  across -= across.dot(x) / size * x;
+  for (std::size_t j = first_rotation; j < motions; ++j) {
+    across[static_cast<Eigen::Index>(j)] *= length;
+  }
+  constexpr int kBits = 12;
+  return in_bits(across, kBits);
+}
+
+Reals Law::load_at(double height, double multiple, const Reals& y) const {
+  Reals result(static_cast<Eigen::Index>(motions));
+  for (std::size_t j = 0; j < motions; ++j) {
+    const auto at = static_cast<Eigen::Index>(j);
+    result[at] = height * load[j][y[at] > 0 ? 1 : 0] + multiple * growing[at];
+  }
+  return result;
+}
+
+bool Law::is_point() const {
+  return (!is_family || multiples.high == multiples.low) &&
+         std::all_of(contacts.begin(), contacts.end(),
+                     [](const LawContact& c) {
+                       return c.geometry_is_certain() && c.friction.is_point() &&
+                              c.preload.is_point() && c.rate.is_point() &&
+                              c.stiffness.is_point();
+                     }) &&
+         std::all_of(wrench.begin(), wrench.end(),
+                     [](const Interval& component) { return component.is_point(); });
+}
+
+}  // namespace stickslip

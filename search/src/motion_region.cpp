@@ -1,0 +1,580 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/search/motion_region.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stickslip {
+namespace {
+
+/// Whether a sum of terms of this magnitude has the right sign and a few digits, though
+/// rounded.
+bool is_kept(double sum, double magnitude) {
+  constexpr double kLost = 1e-10;
+  constexpr double kLeast = 1e-200;  // beside which what underflows is nothing
+  return std::fabs(sum) > kLost * magnitude + kLeast;
+}
+
+/// The sum of terms that are, up to rounding and one positive factor, those of function.x: with
+/// the exact sign, and to a few digits even where they cancel.
+double exact_sum(const Reals& terms, const Row& function, const Row& x) {
+  const Integer exact = dot(function, x);
+  if (exact.is_zero()) return 0;
+  Eigen::Index largest = 0;
+  terms.cwiseAbs().maxCoeff(&largest);
+  const auto at = static_cast<std::size_t>(largest);
+  const Integer term = function[at] * x[at];
+  const std::array<double, 2> both = in_doubles(IntegerVector<2>{exact, term});
+  const double value = both[0] / both[1] * terms[largest];
+  // What underflows is tiny, but not 0.
+  constexpr double kTiny = 1e-300;
+  return std::isfinite(value) && value * exact.sign() > 0 ? value : exact.sign() * kTiny;
+}
+
+/// The sign of (a x b).n: whether b is to the left of a, seen against n.
+int turn(const IntegerVector3& a, const IntegerVector3& b, const IntegerVector3& n) {
+  return dot(cross(a, b), n).sign();
+}
+
+/// Whether u, not 0 and across n, is a sum of nonnegative multiples of these. In the plane all
+/// have one coordinate, and n is 0.
+bool is_in_cone(const IntegerVector3& u, const std::vector<IntegerVector3>& directions,
+                const IntegerVector3& n) {
+  const IntegerVector3* left = nullptr;  // the nearest to u of those to the left
+  const IntegerVector3* right = nullptr;
+  for (const IntegerVector3& s : directions) {
+    const int side = turn(u, s, n);
+    if (side == 0) {
+      if (dot(u, s).sign() > 0) return true;
+    } else if (side > 0) {
+      if (left == nullptr || turn(s, *left, n) > 0) left = &s;
+    } else if (right == nullptr || turn(*right, s, n) > 0) {
+      right = &s;
+    }
+  }
+  return left != nullptr && right != nullptr && turn(*right, *left, n) > 0;
+}
+
+/// sign (l - end h) >= 0.
+Row end_plane(std::size_t motions, const Rational& end, int sign) {
+  RationalRow plane(motions + 2);
+  plane[motions] = -sign * end;
+  plane[motions + 1] = sign;
+  return primitive_multiple(plane);
+}
+
+bool is_zero(const Double3& s) {
+  return s[0] == 0 && s[1] == 0 && s[2] == 0;
+}
+
+}  // namespace
+
+void PullRule::set(const std::vector<RationalRow>& rows) {
+  Integer common = 1;
+  for (const RationalRow& row : rows) {
+    for (const Rational& entry : row) common = lcm(common, denominator(entry));
+  }
+  for (const RationalRow& row : rows) {
+    Row& whole = rows_.emplace_back();
+    for (const Rational& entry : row) {
+      whole.emplace_back(numerator(entry) * (common / denominator(entry)));
+    }
+  }
+}
+
+bool PullRule::holds(const Row& y, const std::vector<Row>& points) const {
+  Row function(rows_.front().size());
+  for (std::size_t j = 0; j < rows_.size(); ++j) {
+    for (std::size_t k = 0; k < function.size(); ++k) function[k] += y[j] * rows_[j][k];
+  }
+  return std::none_of(points.begin(), points.end(),
+                      [&](const Row& x) { return dot(function, x).sign() < 0; });
+}
+
+/// Exactly up to the last step, as d - h d0 may be small beside d.
+Reals PullRule::against(const Law& law, const Row& x) const {
+  Row exact;
+  for (const Row& row : rows_) exact.emplace_back(-dot(row, x));
+  Reals result = in_doubles(exact);
+  for (std::size_t j = law.first_rotation; j < law.motions; ++j) {
+    result[static_cast<Eigen::Index>(j)] /= law.length;
+  }
+  normalize(result);
+  return result;
+}
+
+MotionRegion::MotionRegion(const Law& law, StrictCone cone)
+    : StrictCone(std::move(cone)),
+      law_(&law),
+      strict_slips_(law.contacts.size(), 0),
+      still_(law.contacts.size(), 0),
+      separations_(law.contacts.size(), Separation::kMixed),
+      slips_(law.contacts.size()) {
+  update();
+}
+
+MotionRegion MotionRegion::root(const Law& law) {
+  StrictCone cone(law.motions, law.is_family ? Multiples::kAny : Multiples::kZero);
+  if (law.is_family) {
+    const auto& [low, high, has_low] = law.multiples;
+    cone.cut(end_plane(law.motions, low, 1), Side::kPositive, !has_low);
+    if (high) cone.cut(end_plane(law.motions, *high, -1), Side::kPositive, true);
+  }
+  if (law.law == NormalLaw::kBilateral) {
+    for (const LawContact& contact : law.contacts) {
+      if (contact.has_certain_separation) {
+        cone.cut(contact.separations.front(), Side::kPositive);
+      }
+    }
+  }
+  return MotionRegion(law, std::move(cone));
+}
+
+/// Of all motions, and both ends of the multiples included.
+StrictCone MotionRegion::whole_family(const Law& law) {
+  StrictCone cone(law.motions, law.is_family ? Multiples::kAny : Multiples::kZero);
+  if (law.is_family) {
+    cone.cut(end_plane(law.motions, law.multiples.low, 1), Side::kPositive);
+    cone.cut(end_plane(law.motions, *law.multiples.high, -1), Side::kPositive);
+  }
+  return cone;
+}
+
+std::vector<MotionRegion> MotionRegion::halves(const Row& plane) const {
+  auto [above, below] = StrictCone::halves(plane);
+  std::vector<MotionRegion> both(2, *this);
+  static_cast<StrictCone&>(both[0]) = std::move(above);
+  static_cast<StrictCone&>(both[1]) = std::move(below);
+  for (MotionRegion& region : both) region.update();
+  return both;
+}
+
+std::vector<MotionRegion> MotionRegion::slip_children(std::size_t contact) const {
+  std::vector<Row> planes = law_->contacts[contact].corners.front().slip;
+  for (Row& plane : planes) {
+    plane = primitive(std::move(plane));
+    plane.resize(law_->coordinates());
+  }
+  MotionRegion still = *this;
+  for (const Row& plane : planes) still.cut(plane, Side::kZero);
+  still.still_[contact] = 1;
+  still.update();
+  if (planes.size() > 1) {
+    MotionRegion slipping = *this;  // the cone stays as it is, and so do its generators
+    slipping.strict_slips_[contact] = 1;
+    slipping.classify();
+    return {std::move(still), std::move(slipping)};
+  }
+  std::vector<MotionRegion> children(3, *this);
+  children[0].cut(planes.front(), Side::kPositive, true);
+  children[2].cut(planes.front(), Side::kNegative, true);
+  children[0].update();
+  children[2].update();
+  children[1] = std::move(still);
+  return children;
+}
+
+bool MotionRegion::bars_all(const std::vector<std::size_t>& zeros) const {
+  if (bars(zeros)) return true;
+  for (std::size_t i = 0; i < strict_slips_.size(); ++i) {
+    if (!strict_slips_[i]) continue;
+    if (std::all_of(zeros.begin(), zeros.end(),
+                    [&](std::size_t g) { return is_zero(slip(i, g, 0)); })) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void MotionRegion::update() {
+  list_points();
+  generators_.clear();
+  for (const Row& x : points()) generators_.push_back(law_->scaled(x));
+  const std::size_t m = law_->contacts.size();
+  high_.assign(m * generators_.size(), 0);
+  low_.assign(m * generators_.size(), 0);
+  first_.assign(m, 0);
+  std::size_t values = 0;
+  for (std::size_t i = 0; i < m; ++i) {
+    find_separation(i);
+    first_[i] = values;
+    values += generators_.size() * law_->contacts[i].corners.size();
+  }
+  slip_values_.assign(values, Double3{});
+  rises_.assign(values, 0);
+  for (std::size_t i = 0; i < m; ++i) {
+    const LawContact& c = law_->contacts[i];
+    const bool acts = separations_[i] != Separation::kOpen;
+    const bool matters = strict_slips_[i] != 0 || (acts && !c.friction.high.is_zero());
+    if (matters && still_[i] == 0) compute_slips(i);
+    if (acts && c.whole) compute_rises(i);
+  }
+  classify();
+}
+
+void MotionRegion::classify() {
+  barred_ = bars_all(all_points());
+  if (barred_) return;
+  for (std::size_t i = 0; i < law_->contacts.size(); ++i) find_slips(i);
+}
+
+IntegerVector3 MotionRegion::exact_slip(std::size_t contact, std::size_t generator,
+                                        std::size_t corner) const {
+  const std::vector<Row>& rows = law_->contacts[contact].corners[corner].slip;
+  IntegerVector3 s{};
+  for (std::size_t k = 0; k < rows.size(); ++k) s[k] = dot(rows[k], points()[generator]);
+  return s;
+}
+
+void MotionRegion::compute_slips(std::size_t contact) {
+  const std::vector<CornerRow>& corners = law_->contacts[contact].corners;
+  const auto n = static_cast<Eigen::Index>(law_->motions);
+  for (std::size_t g = 0; g < generators_.size(); ++g) {
+    const auto motion = generators_[g].head(n);
+    for (std::size_t c = 0; c < corners.size(); ++c) {
+      const std::vector<Reals>& rows = corners[c].slip_rounded;
+      Double3 s{};
+      double size = 0;
+      for (std::size_t k = 0; k < rows.size(); ++k) {
+        s[k] = rows[k].dot(motion);
+        size = std::max(size, rows[k].cwiseProduct(motion).lpNorm<Eigen::Infinity>());
+      }
+      // Where much is lost to cancellation the direction is that of the exact slip.
+      constexpr double kLost = 1e-5;
+      if (!law_->contacts[contact].is_moderate || !(dot(s, s) > kLost * kLost * size * size)) {
+        constexpr double kLeast = 1e-100;  // whose square does not vanish
+        const double before = std::max(std::sqrt(dot(s, s)), kLeast);
+        s = in_doubles(exact_slip(contact, g, c));
+        normalize(s);
+        for (double& entry : s) entry *= before;
+      }
+      slip_values_[first_[contact] + g * corners.size() + c] = s;
+    }
+  }
+}
+
+void MotionRegion::compute_rises(std::size_t contact) {
+  const LawContact& c = law_->contacts[contact];
+  const auto n = static_cast<Eigen::Index>(law_->motions);
+  for (std::size_t g = 0; g < generators_.size(); ++g) {
+    for (std::size_t k = 0; k < c.corners.size(); ++k) {
+      const Reals terms = c.corners[k].normal_rounded.cwiseProduct(generators_[g].head(n));
+      double& rise = rises_[first_[contact] + g * c.corners.size() + k];
+      rise = terms.sum();
+      if (!c.is_moderate || !is_kept(rise, terms.lpNorm<1>())) {
+        rise = exact_sum(terms, c.whole->normals[k], points()[g]);
+      }
+    }
+  }
+}
+
+void MotionRegion::find_separation(std::size_t contact) {
+  const LawContact& c = law_->contacts[contact];
+  const auto n = static_cast<Eigen::Index>(law_->motions);
+  const std::size_t stiffness_ends = c.stiffness.is_point() ? 1 : 2;
+  const std::size_t preload_ends = c.preload.is_point() && c.rate.is_point() ? 1 : 2;
+  bool closed = true;
+  bool open = true;
+  for (std::size_t g = 0; g < generators_.size(); ++g) {
+    const Reals& at = generators_[g];
+    double high = -HUGE_VAL;
+    double low = HUGE_VAL;
+    std::size_t plane = 0;
+    for (const CornerRow& row : c.corners) {
+      double rise = 0;
+      double size = 0;
+      for (Eigen::Index j = 0; j < n; ++j) {
+        rise += row.normal_rounded[j] * at[j];
+        size += std::fabs(row.normal_rounded[j] * at[j]);
+      }
+      for (std::size_t k = 0; k < stiffness_ends; ++k) {
+        for (std::size_t p = 0; p < preload_ends; ++p) {
+          const double pushed = c.preloads[p] * at[n] + c.rates[p] * at[n + 1];
+          double value = pushed - c.stiffnesses[k] * rise;
+          const double magnitude = std::fabs(c.preloads[p] * at[n]) +
+                                   std::fabs(c.rates[p] * at[n + 1]) + c.stiffnesses[k] * size;
+          if (!c.is_moderate || !is_kept(value, magnitude)) {
+            Reals terms(n + 2);
+            terms.head(n) = -c.stiffnesses[k] * row.normal_rounded.cwiseProduct(at.head(n));
+            terms[n] = c.preloads[p] * at[n];
+            terms[n + 1] = c.rates[p] * at[n + 1];
+            value = exact_sum(terms, c.separations[plane], points()[g]);
+          }
+          ++plane;
+          high = std::max(high, value);
+          low = std::min(low, value);
+        }
+      }
+    }
+    high_[contact * generators_.size() + g] = high;
+    low_[contact * generators_.size() + g] = low;
+    closed = closed && low >= 0;
+    open = open && high <= 0;
+  }
+  separations_[contact] = closed ? Separation::kClosed
+                          : open ? Separation::kOpen
+                                 : Separation::kMixed;
+}
+
+void MotionRegion::find_slips(std::size_t contact) {
+  SlipCone& cone = slips_[contact];
+  cone = {};
+  const LawContact& c = law_->contacts[contact];
+  if (separations_[contact] == Separation::kOpen || c.friction.high.is_zero()) return;
+  if (c.slip_dimension() == 1) {
+    find_sign(cone, contact);
+  } else {
+    find_sides(cone, contact);
+  }
+}
+
+/// In the plane.
+void MotionRegion::find_sign(SlipCone& cone, std::size_t contact) const {
+  const std::size_t corners = law_->contacts[contact].corners.size();
+  std::vector<std::vector<std::size_t>> still(corners);  // where s = 0
+  int sign = 0;
+  for (std::size_t g = 0; g < generators_.size(); ++g) {
+    for (std::size_t k = 0; k < corners; ++k) {
+      const double s = slip(contact, g, k)[0];
+      if (s == 0) {
+        still[k].push_back(g);
+        continue;
+      }
+      const int here = s > 0 ? 1 : -1;
+      if (sign == 0) {
+        sign = here;
+        cone.sides.emplace_back(g, k);
+      }
+      if (here != sign) {
+        cone.whole = true;
+        cone.sides.clear();
+        return;
+      }
+    }
+  }
+  cone.moves = sign != 0 && std::all_of(still.begin(), still.end(),
+                                        [&](const auto& zeros) { return bars_all(zeros); });
+}
+
+/// In space: the directions of slip by their angles around n. The cone is pointed if there is a
+/// gap of more than half a turn between two of them.
+void MotionRegion::find_sides(SlipCone& cone, std::size_t contact) const {
+  const LawContact& c = law_->contacts[contact];
+  struct Way {
+    double angle;
+    std::size_t generator;
+    std::size_t corner;
+  };
+  std::vector<Way> directions;
+  std::vector<std::vector<std::size_t>> still(c.corners.size());  // where s = 0
+  for (std::size_t g = 0; g < generators_.size(); ++g) {
+    for (std::size_t k = 0; k < c.corners.size(); ++k) {
+      const Double3& s = slip(contact, g, k);
+      if (is_zero(s)) {
+        still[k].push_back(g);
+      } else {
+        directions.push_back({std::atan2(dot(s, c.tangents[1]), dot(s, c.tangents[0])), g, k});
+      }
+    }
+  }
+  cone.moves = strict_slips_[contact] != 0;
+  if (directions.empty()) return;
+  std::sort(directions.begin(), directions.end(),
+            [](const Way& a, const Way& b) { return a.angle < b.angle; });
+  constexpr double kPi = 3.14159265358979323846;
+  double gap = 0;
+  std::size_t after = 0;  // the first direction after the gap
+  for (std::size_t k = 0; k < directions.size(); ++k) {
+    const double before = k == 0 ? directions.back().angle - 2 * kPi : directions[k - 1].angle;
+    if (directions[k].angle - before > gap) {
+      gap = directions[k].angle - before;
+      after = k;
+    }
+  }
+  constexpr double kClose = 1e-7;
+  if (gap < kPi - kClose) {
+    cone.whole = true;  // and where it is, all slips have their negative in it
+    return;
+  }
+  // If this is half a plane, or nearly, doubles do not say whether it is pointed. Directions
+  // between its sides have no negative in it; one of them says which half it is.
+  const bool may_be_half = gap < kPi + kClose;
+  const double first = directions[after].angle;
+  const double last = first + 2 * kPi - gap;
+  std::optional<std::pair<std::size_t, std::size_t>> middle;
+  for (const Way& d : directions) {
+    const double angle = d.angle < first ? d.angle + 2 * kPi : d.angle;
+    const bool is_side = angle < first + kClose || angle > last - kClose;
+    const bool is_middle = may_be_half && !is_side && !middle;
+    if (is_middle) middle = {d.generator, d.corner};
+    if (is_side || is_middle) cone.sides.emplace_back(d.generator, d.corner);
+  }
+  if (may_be_half) {
+    std::vector<IntegerVector3> sides;
+    for (const auto& [g, k] : cone.sides) sides.push_back(exact_slip(contact, g, k));
+    const auto is_opposed = [&](std::size_t g, std::size_t k) {
+      return is_in_cone(negated(exact_slip(contact, g, k)), sides, c.axis);
+    };
+    if (middle && is_opposed(middle->first, middle->second)) {
+      cone.whole = true;
+      cone.sides.clear();
+      return;
+    }
+    for (const auto& [g, k] : cone.sides) {
+      if (!cone.moves && is_opposed(g, k)) still[k].push_back(g);
+    }
+  }
+  if (cone.moves) return;
+  cone.moves = std::all_of(still.begin(), still.end(),
+                           [&](const auto& zeros) { return bars_all(zeros); });
+}
+
+/// alpha of the format.
+Rational MotionRegion::most_work(std::size_t contact, const Row& y) const {
+  const LawContact& c = law_->contacts[contact];
+  const SlipCone& cone = slips_[contact];
+  std::vector<IntegerVector3> sides;
+  if (cone.moves && !cone.whole) {
+    for (const auto& [g, k] : cone.sides) sides.push_back(exact_slip(contact, g, k));
+  }
+  constexpr unsigned kBits = 64;
+  std::optional<Rational> most;
+  for (const CornerRow& row : c.corners) {
+    Rational normal = 0;
+    for (std::size_t j = 0; j < y.size(); ++j) normal += Rational(y[j]) * row.normal[j];
+    const auto consider = [&](Rational alpha) {
+      if (!most || alpha > *most) most = std::move(alpha);
+    };
+    if (c.friction.high.is_zero()) {
+      consider(normal);
+      continue;
+    }
+    IntegerVector3 slid{};
+    for (std::size_t k = 0; k < row.slip.size(); ++k) slid[k] = dot(row.slip[k], y);
+    int sign = 1;
+    Rational square = Rational(dot(slid, slid)) / (row.slip_factor * row.slip_factor);
+    if (cone.moves && !cone.whole && !square.is_zero() && !sides.empty() &&
+        !is_in_cone(negated(slid), sides, c.axis)) {
+      bool first = true;
+      Rational best = 0;  // with its sign
+      for (const IntegerVector3& s : sides) {
+        const Integer work = -dot(s, slid);
+        const Rational signed_square(Integer(work * abs(work)), dot(s, s));
+        if (first || signed_square > best) best = signed_square;
+        first = false;
+      }
+      sign = best.sign();
+      square = abs(best) / (row.slip_factor * row.slip_factor);
+    }
+    for (const Rational& mu : {c.friction.low, c.friction.high}) {
+      if (row.slip.size() == 1) {  // no root is needed
+        consider(normal + sign * mu * abs(Rational(slid[0]) / row.slip_factor));
+        continue;
+      }
+      const Rational q = mu * mu * c.squared_length * square;
+      if (q.is_zero()) {
+        consider(normal);
+        continue;
+      }
+      const ShortRoot root = short_sqrt(q, kBits);
+      consider(sign > 0 ? Rational(normal + root.upper) : Rational(normal - root.lower));
+    }
+  }
+  return *most;
+}
+
+bool MotionRegion::is_refuted(const Row& y, const PullRule* pull) const {
+  if (barred_) return true;
+  if (pull != nullptr && !pull->holds(y, points())) return false;
+  // g(r) = linear.r + sum of terms that are not linear, all times a common factor.
+  const std::size_t d = law_->motions;
+  RationalRow linear(law_->coordinates());
+  for (std::size_t j = 0; j < d; ++j) {
+    const Interval& w = law_->wrench[j];
+    linear[d] += Rational(y[j]) * (y[j].sign() > 0 ? w.high : w.low);
+    if (law_->is_family) linear[d + 1] += Rational(y[j]) * law_->growth[j];
+  }
+  struct Kink {  // the largest factor times separation, at least 0 unless it is closed
+    std::size_t contact;
+    RationalRow weights;
+    Row factors{};
+  };
+  struct Product {  // over pairs of corners
+    std::size_t contact;
+    CornerWork<Integer> work;
+    Integer factor{};
+  };
+  std::vector<Kink> kinks;
+  std::vector<Product> products;
+  Integer common = 1;
+  for (std::size_t i = 0; i < law_->contacts.size(); ++i) {
+    if (separations_[i] == Separation::kOpen) continue;
+    const LawContact& c = law_->contacts[i];
+    const bool closed = separations_[i] == Separation::kClosed;
+    if (c.whole) {
+      std::vector<std::vector<Integer>> alpha;
+      for (const Integer& slope : slopes(i, c.whole->frictions)) {
+        std::vector<Integer>& of = alpha.emplace_back();
+        for (std::size_t k = 0; k < c.corners.size(); ++k) {
+          of.emplace_back(c.whole->cone * dot(c.whole->normals[k], y) +
+                          slope * dot(c.whole->tangents[k], y));
+        }
+      }
+      products.push_back({i, {c.whole->ends, std::move(alpha), !closed}});
+      common = lcm(common, denominator(c.whole->weight));
+      continue;
+    }
+    const Rational alpha = most_work(i, y);
+    if (!closed && alpha.sign() <= 0) continue;
+    if (closed && c.separations.size() == 1) {
+      const Rational weight = alpha * c.separation_factors.front();
+      for (std::size_t j = 0; j < linear.size(); ++j) {
+        linear[j] += weight * Rational(c.separations.front()[j]);
+      }
+      continue;
+    }
+    Kink kink{i, {}};
+    for (const Rational& factor : c.separation_factors) {
+      kink.weights.push_back(alpha * factor);
+      common = lcm(common, denominator(kink.weights.back()));
+    }
+    kinks.push_back(std::move(kink));
+  }
+  for (const Rational& entry : linear) common = lcm(common, denominator(entry));
+  const auto whole = [&](const Rational& value) {
+    return Integer(numerator(value) * (common / denominator(value)));
+  };
+  Row form;
+  for (const Rational& entry : linear) form.push_back(whole(entry));
+  for (Kink& kink : kinks) {
+    for (const Rational& weight : kink.weights) kink.factors.push_back(whole(weight));
+  }
+  for (Product& product : products) {
+    product.factor = whole(law_->contacts[product.contact].whole->weight);
+  }
+  std::vector<std::size_t> zeros;
+  std::array<Integer, 8> rises;
+  for (std::size_t g = 0; g < generators_.size(); ++g) {
+    const Row& x = points()[g];
+    Integer sum = dot(form, x);
+    for (const Kink& kink : kinks) {
+      const std::vector<Row>& planes = law_->contacts[kink.contact].separations;
+      std::optional<Integer> most;
+      for (std::size_t p = 0; p < planes.size(); ++p) {
+        Integer work = kink.factors[p] * dot(planes[p], x);
+        if (!most || work > *most) most = std::move(work);
+      }
+      if (separations_[kink.contact] == Separation::kClosed || most->sign() > 0) sum += *most;
+    }
+    for (const Product& product : products) {
+      const std::vector<Row>& normals = law_->contacts[product.contact].whole->normals;
+      for (std::size_t k = 0; k < normals.size(); ++k) rises[k] = dot(normals[k], x);
+      sum += product.factor * product.work.at(x[d], rises.data()).bound;
+    }
+    if (sum.sign() > 0) return false;
+    if (sum.is_zero()) zeros.push_back(g);
+  }
+  return bars_all(zeros);
+}
+
+}  // namespace stickslip

@@ -1,0 +1,415 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/search/tree_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "allowed_wrenches.hpp"
+#include "short_plane.hpp"
+
+namespace stickslip {
+
+using namespace search_detail;
+
+namespace {
+
+/// Over the corners.
+Double3 mean_slip(const LawContact& contact, const Reals& motion) {
+  Double3 s{};
+  for (const CornerRow& row : contact.corners) {
+    for (std::size_t k = 0; k < row.slip.size(); ++k) {
+      s[k] += row.slip_rounded[k].dot(motion) / static_cast<double>(contact.corners.size());
+    }
+  }
+  return s;
+}
+
+void note_bits(std::size_t& most, const Row& x) {
+  for (const Integer& entry : x) {
+    if (!entry.is_zero()) most = std::max<std::size_t>(most, msb(abs(entry)) + 1);
+  }
+}
+
+/// How far a force in this direction at the contact may turn the object, beside one at the
+/// middle of its position: p.(f x omega) changes by at most the sum of far_k |omega_k|.
+Vector3 farthest_arm(const SpatialPlace& place, const Vector3& f) {
+  Vector3 radius;
+  for (std::size_t j = 0; j < 3; ++j) {
+    radius[j] = (place.position[j].high - place.position[j].low) / 2;
+  }
+  Vector3 far{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t a = (k + 1) % 3;
+    const std::size_t b = (k + 2) % 3;
+    far[k] = radius[a] * abs(f[b]) + radius[b] * abs(f[a]);
+  }
+  return far;
+}
+
+/// The side of planes on which a motion is for all of them, clearly; 0 if there is none.
+int side_of_all(const Law& law, const std::vector<Row>& planes, const Reals& x) {
+  constexpr double kClear = 1e-12;
+  const double least = kClear * x.norm();
+  bool plus = true;
+  bool minus = true;
+  for (const Row& plane : planes) {
+    const double at = law.value_at(plane, x);
+    plus = plus && at > least;
+    minus = minus && at < -least;
+  }
+  return plus ? 1 : minus ? -1 : 0;
+}
+
+/// Slips of one coordinate at all corners, as functions of points.
+std::vector<Row> slip_planes(const Law& law, const LawContact& contact) {
+  std::vector<Row> planes;
+  for (const CornerRow& row : contact.corners) {
+    planes.push_back(primitive(row.slip.front()));
+    planes.back().resize(law.coordinates());
+  }
+  return planes;
+}
+
+}  // namespace
+
+double TreeSearch::height(const Relaxation& found) const {
+  return found.motion[static_cast<Eigen::Index>(law_.motions)];
+}
+
+/// The twist in the fewest bits that still refute the region. Most candidates fail clearly.
+std::optional<Row> TreeSearch::confirm(const MotionRegion& region,
+                                       const AllowedWrenches& wrenches, const Reals& twist) {
+  Reals y = twist;
+  for (std::size_t j = 0; j < law_.motions; ++j) {
+    y[static_cast<Eigen::Index>(j)] /= law_.unit(j);
+  }
+  const auto found = equilibrium_detail::in_fewest_bits(
+      y, {2, 3, 4, 6, 8, 10, 12, 16, 24, 36, 50}, [&](const Row& candidate) {
+        if (const std::optional<bool> known = wrenches.are_refuted_by(candidate)) {
+          ++work_.filter_hits;
+          return *known;
+        }
+        ++work_.exact_checks;
+        return region.is_refuted(candidate, pull_);
+      });
+  if (found) note_bits(work_.twist_bits, *found);
+  return found;
+}
+
+/// A plane beside the wedge, towards the motion: all that lies beyond it, strictly, has one
+/// sign. Rotations have one sign first, so that such a plane is one. Nothing in the wedge.
+std::optional<TreeSearch::Branch> TreeSearch::split_wedge(const MotionRegion& region,
+                                                          const Relaxation& found,
+                                                          const Wedge& wedge) const {
+  const std::size_t d = law_.motions;
+  double value = 0;
+  double width = 0;
+  for (std::size_t j = 0; j < d; ++j) {
+    const double motion = found.motion[static_cast<Eigen::Index>(j)] / law_.unit(j);
+    value += to_double(wedge.middle[j]) * motion;
+    if (j >= law_.first_rotation) {
+      width += to_double(wedge.far[j - law_.first_rotation]) * std::fabs(motion);
+    }
+  }
+  const double h = height(found);
+  const int side = value + to_double(wedge.low) * h - width > 0    ? 1
+                   : value + to_double(wedge.high) * h + width < 0 ? -1
+                                                                   : 0;
+  if (side == 0) return std::nullopt;
+  RationalRow towards(law_.coordinates());
+  for (std::size_t j = 0; j < d; ++j) towards[j] = side * wedge.middle[j];
+  towards[d] = side > 0 ? wedge.low : Rational(-wedge.high);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (wedge.far[k].is_zero()) continue;
+    Row rotation(law_.coordinates());
+    rotation[k + law_.first_rotation] = 1;
+    const PlaneSigns signs = region.signs(rotation);
+    if (signs.cuts()) return Branch{PlaneCut{rotation}, region.halves(rotation)};
+    towards[k + law_.first_rotation] -= (signs.negative ? -1 : 1) * wedge.far[k];
+  }
+  const Row plane = negated(primitive_multiple(towards));
+  if (!region.signs(plane).negative) return std::nullopt;
+  return Branch{PlaneCut{plane}, region.halves(plane)};
+}
+
+/// Planes of many bits make all that is exact slow: one of few bits beyond them serves as well.
+std::optional<TreeSearch::Branch> TreeSearch::split_short(
+    const MotionRegion& region, const Relaxation& found, const std::vector<Row>& planes) const {
+  if (!are_long(planes)) return std::nullopt;
+  const int side = side_of_all(law_, planes, found.motion);
+  if (side == 0) return std::nullopt;
+  Row plane = short_plane(law_, region, planes, found.motion, side);
+  if (is_zero(plane)) return std::nullopt;
+  if (side > 0) plane = negated(std::move(plane));
+  return Branch{PlaneCut{plane}, region.halves(plane)};
+}
+
+/// Between functions of which an uncertain one is a combination, where the motion is on one
+/// side of all: at the nearest of them. Rotations have one sign first where the geometry is
+/// uncertain, as few corners matter then: the others are never the extreme.
+std::optional<TreeSearch::Branch> TreeSearch::split_corners(const MotionRegion& region,
+                                                            const Relaxation& found,
+                                                            std::size_t contact,
+                                                            const std::vector<Row>& planes,
+                                                            bool is_slip) const {
+  const bool stands_still =
+      !(found.motion.head(static_cast<Eigen::Index>(law_.motions)).squaredNorm() > 0);
+  const int side = stands_still ? 1 : side_of_all(law_, planes, found.motion);
+  if (side == 0 && !law_.is_family) return std::nullopt;
+  for (std::size_t j = law_.first_rotation;
+       !law_.contacts[contact].geometry_is_certain() && j < law_.motions; ++j) {
+    Row rotation(law_.coordinates());
+    rotation[j] = 1;
+    if (region.signs(rotation).cuts()) {
+      return Branch{PlaneCut{rotation}, region.halves(rotation)};
+    }
+  }
+  const Row* nearest = nullptr;
+  double least = HUGE_VAL;
+  for (const Row& plane : planes) {
+    const double value = law_.value_at(plane, found.motion);
+    const double distance = side == 0 ? std::fabs(value) : side * value;
+    if (!(distance < least)) continue;
+    const PlaneSigns signs = region.signs(plane);
+    // Beyond a slip's plane it is enough that it is 0 somewhere.
+    const bool here = side > 0 ? signs.positive : signs.negative;
+    if (!signs.cuts() && !(is_slip && here && !signs.zeros_barred)) continue;
+    least = distance;
+    nearest = &plane;
+  }
+  if (nearest == nullptr) return std::nullopt;
+  // The strict side is that of the motion.
+  const Row plane = is_slip && side > 0 ? negated(*nearest) : *nearest;
+  return Branch{PlaneCut{plane}, region.halves(plane)};
+}
+
+std::optional<TreeSearch::Branch> TreeSearch::split_separation(const MotionRegion& region,
+                                                               const Relaxation& found,
+                                                               std::size_t contact) const {
+  const LawContact& c = law_.contacts[contact];
+  if (auto branch = split_short(region, found, c.separations)) return branch;
+  if (c.has_certain_separation) {
+    return Branch{SeparationSplit{ContactId(contact)}, region.halves(c.separations.front())};
+  }
+  if (!c.place || law_.is_family)
+    return split_corners(region, found, contact, c.separations, false);
+  // v / k'
+  Wedge wedge{c.place->centre.normal, c.preload.low / c.stiffness.high,
+              c.preload.high / c.stiffness.low, farthest_arm(*c.place, c.place->normal)};
+  for (Rational& entry : wedge.middle) entry = -entry;
+  return split_wedge(region, found, wedge);
+}
+
+std::optional<TreeSearch::Branch> TreeSearch::split_slip(const MotionRegion& region,
+                                                         const Relaxation& found,
+                                                         std::size_t contact) const {
+  const LawContact& c = law_.contacts[contact];
+  const bool is_known =
+      region.slips(contact).moves || region.is_strict(contact) || region.is_still(contact);
+  if (c.slip_dimension() == 1) {
+    if (is_known) return std::nullopt;
+    const std::vector<Row> planes = slip_planes(law_, c);
+    if (auto branch = split_short(region, found, planes)) return branch;
+    if (!c.geometry_is_certain()) return split_corners(region, found, contact, planes, true);
+  } else if (is_known || !c.geometry_is_certain()) {
+    return split_spatial_slip(region, found, contact);
+  }
+  return Branch{SlipSplit{ContactId(contact)}, region.slip_children(contact)};
+}
+
+/// Across the mean of the slip and of the one that friction implies: on which side it is.
+std::optional<TreeSearch::Branch> TreeSearch::split_spatial_slip(const MotionRegion& region,
+                                                                 const Relaxation& found,
+                                                                 std::size_t contact) const {
+  const LawContact& c = law_.contacts[contact];
+  const Double3 s = mean_slip(c, found.motion.head(static_cast<Eigen::Index>(law_.motions)));
+  const Double3& f = found.friction[contact];
+  const double slip_size = norm_of(s);
+  const double friction_size = norm_of(f);
+  Double3 mean{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    mean[k] =
+        (slip_size > 0 ? s[k] / slip_size : 0) - (friction_size > 0 ? f[k] / friction_size : 0);
+  }
+  constexpr double kOpposed = 1e-6;
+  if (!(norm_of(mean) > kOpposed)) mean = s;  // friction along the slip
+  const Double3 n = cross(c.tangents[0], c.tangents[1]);
+  const Double3 turned = cross(n, mean);
+  // a.s as a function of points, with a of few bits.
+  const auto plane_along = [&](const Double3& a) -> std::optional<Row> {
+    for (const int bits : {3, 6, 10, 16, 24, 36, 50}) {
+      const IntegerVector3 direction = in_bits<3>(a, bits);
+      Row plane(law_.coordinates());
+      for (std::size_t j = 0; j < law_.motions; ++j) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          plane[j] += direction[k] * c.corners.front().slip[k][j];
+        }
+      }
+      plane = primitive(std::move(plane));
+      if (region.signs(plane).cuts()) return plane;
+    }
+    return std::nullopt;
+  };
+  const SlipCone& cone = region.slips(contact);
+  const bool narrow = cone.moves && !cone.whole;
+  if (!c.geometry_is_certain() && !narrow) {
+    const IntegerVector3 direction = in_bits<3>(mean, 6);
+    Wedge wedge{RationalRow(law_.motions), 0, 0, {}};
+    Vector3 across{};  // the direction without its part along the normal
+    const CornerRow& centre = c.place->centre;
+    for (std::size_t j = 0; j < law_.motions; ++j) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        wedge.middle[j] += Rational(direction[k] * centre.slip[k][j]) / centre.slip_factor;
+      }
+    }
+    for (std::size_t k = 0; k < 3; ++k) across[k] = wedge.middle[k];
+    wedge.far = farthest_arm(*c.place, across);
+    return split_wedge(region, found, wedge);
+  }
+  auto plane = plane_along(narrow ? turned : mean);
+  if (!plane) plane = plane_along(narrow ? mean : turned);
+  if (!plane) return std::nullopt;
+  return Branch{PlaneCut{*plane}, region.halves(*plane)};
+}
+
+std::optional<TreeSearch::Branch> TreeSearch::split(const MotionRegion& region,
+                                                    const Relaxation& found) {
+  const auto d = static_cast<Eigen::Index>(law_.motions);
+  const Reals motion = found.motion.head(d);
+  double energy = 0;
+  std::vector<std::pair<double, std::size_t>> separations;
+  std::vector<std::pair<double, std::size_t>> slips;
+  for (std::size_t i = 0; i < law_.contacts.size(); ++i) {
+    const LawContact& c = law_.contacts[i];
+    const double a = found.normal[i];
+    const double stiffness = (c.stiffnesses[0] + c.stiffnesses[1]) / 2;
+    energy += a * a / stiffness;
+    if (region.separation(i) == Separation::kMixed) {
+      double lawful = found.motion[d] * (c.preloads[0] + c.preloads[1]) / 2 +
+                      found.motion[d + 1] * (c.rates[0] + c.rates[1]) / 2;
+      for (const CornerRow& row : c.corners) {
+        lawful -=
+            stiffness * row.normal_rounded.dot(motion) / static_cast<double>(c.corners.size());
+      }
+      lawful = std::max(0.0, lawful);
+      const double gap = std::fabs(a - lawful) * std::max(a, lawful) / stiffness;
+      separations.emplace_back(gap, i);
+    }
+    if (c.slopes[1] > 0 && a > 0 && !region.is_still(i)) {
+      const Double3 s = mean_slip(c, motion);
+      slips.emplace_back(a * c.slopes[0] * norm_of(s) + dot(found.friction[i], s), i);
+    }
+  }
+  std::sort(separations.rbegin(), separations.rend());
+  std::sort(slips.rbegin(), slips.rend());
+  if (escapes(found, energy)) {
+    end_ = SearchEnd::kUnbounded;
+    return std::nullopt;
+  }
+  // Trying an equilibrium costs as much as many nodes: it is done at counts 1, 2, 4, 8, ... and
+  // where the relaxed one is nearer than before.
+  const double gap = std::max(separations.empty() ? 0.0 : separations.front().first,
+                              slips.empty() ? 0.0 : slips.front().first) /
+                     energy;
+  const bool is_near = gap < least_gap_ / 10;
+  if (is_near) least_gap_ = gap;
+  const bool is_due = (nodes_ & (nodes_ - 1)) == 0;
+  if ((is_near || is_due) && is_candidate(region, found)) {
+    end_ = SearchEnd::kCandidate;
+    return std::nullopt;
+  }
+  constexpr double kNoticeable = 1e-12;  // of the energy; only chooses between splits
+  for (const auto& [separation_gap, contact] : separations) {
+    if (!(separation_gap > kNoticeable * energy)) break;
+    if (auto branch = split_separation(region, found, contact)) return branch;
+  }
+  for (const auto& [slip_gap, contact] : slips) {
+    if (!(slip_gap > kNoticeable * energy)) break;
+    if (auto branch = split_slip(region, found, contact)) return branch;
+  }
+  for (const auto& [a, b] : found.pairs) {
+    const Row plane =
+        law_.plane_between(region.generators()[a], region.generators()[b], found.motion);
+    if (region.signs(plane).cuts()) return Branch{PlaneCut{plane}, region.halves(plane)};
+  }
+  end_ = SearchEnd::kPlane;
+  return std::nullopt;
+}
+
+/// Of a margin: motions grow without end towards one multiple, and so would the tree.
+bool TreeSearch::escapes(const Relaxation& found, double energy) const {
+  constexpr double kFar = 1e6;
+  const double h = height(found);
+  const double stiffest = law_.force / law_.reach;
+  const double size = found.motion.head(static_cast<Eigen::Index>(law_.motions)).norm();
+  // Forces are typical nevertheless.
+  return law_.is_family && size > kFar * law_.reach * h &&
+         energy < kFar * law_.force * law_.force * h * h / stiffest;
+}
+
+/// Taken at its word: its motion says which contacts slip.
+bool TreeSearch::is_candidate(const MotionRegion& region, const Relaxation& found) const {
+  const double h = height(found);
+  if (!candidate_ || !(h > 0)) return false;
+  const auto d = static_cast<Eigen::Index>(law_.motions);
+  const Reals motion = found.motion.head(d);
+  RelaxedEquilibrium near{motion / h, found.motion[d + 1] / h, found.normal, found.friction,
+                          std::vector<char>(found.normal.size())};
+  for (std::size_t i = 0; i < near.normal.size(); ++i) {
+    near.normal[i] /= h;
+    for (double& entry : near.friction[i]) entry /= h;
+    const LawContact& c = law_.contacts[i];
+    const double slip = norm_of(mean_slip(c, motion));
+    constexpr double kStill = 1e-7;  // of all motion
+    const bool rubs = near.normal[i] > 0 && c.slopes[1] > 0;
+    near.sticks[i] = rubs && (region.is_still(i) || slip <= kStill * motion.norm()) ? 1 : 0;
+  }
+  return candidate_(near);
+}
+
+std::optional<TreeSearch::Branch> TreeSearch::examine(const MotionRegion& region,
+                                                      std::size_t depth) {
+  // Below the depth that the format allows, by more than the parts of a box above this tree.
+  const std::size_t deepest = 2 * law_.contacts.size() + 250;
+  if (nodes_left_ == 0 || depth > deepest) {
+    end_ = nodes_left_ == 0 ? SearchEnd::kNodes : SearchEnd::kDepth;
+    return std::nullopt;
+  }
+  --nodes_left_;
+  ++nodes_;
+  ++work_.nodes;
+  work_.rays += region.points().size();
+  work_.pairs += region.pairs();
+  work_.most_rays = std::max(work_.most_rays, region.points().size());
+  for (const Row& x : region.points()) note_bits(work_.ray_bits, x);
+  if (region.is_barred()) return Branch{TwistLeaf{Row(law_.motions)}, {}};
+  const AllowedWrenches wrenches(law_, region, pull_);
+  Reals start = -law_.growing;
+  for (std::size_t j = 0; j < law_.motions; ++j) {
+    start[static_cast<Eigen::Index>(j)] -= law_.load[j][0] + law_.load[j][1];
+  }
+  const auto worst = [&](const Reals& y) { return wrenches.worst(y); };
+  const auto found = equilibrium_detail::nearest_wrench(start, worst);
+  if (!found.separated) return split(region, wrenches.combine(found));
+  auto y = confirm(region, wrenches, found.twist);
+  if (!y) {
+    const auto deep = equilibrium_detail::nearest_wrench(start, worst, true);
+    if (deep.separated) y = confirm(region, wrenches, deep.twist);
+  }
+  if (!y) {
+    end_ = SearchEnd::kTwist;
+    return std::nullopt;
+  }
+  ++work_.leaves;
+  return Branch{TwistLeaf{*y}, {}};
+}
+
+bool TreeSearch::refute(const MotionRegion& region, Trees& trees) {
+  end_ = SearchEnd::kNone;
+  return equilibrium_detail::append_tree(
+      region, trees,
+      [&](const MotionRegion& at, std::size_t depth) { return examine(at, depth); });
+}
+
+}  // namespace stickslip

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The search for trees, on laws of any number of coordinates that no grasp file can say. Planar
+// grasps are judged by another engine, and trees about them by find_flaw(), which knows nothing
+// of this search.
+#include "stickslip/search/tree_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "random_grasps.hpp"
+#include "stickslip/core/contact_row.hpp"
+#include "stickslip/equilibrium/decide.hpp"
+
+namespace stickslip {
+namespace {
+
+using test::RandomSource;
+
+/// Columns of an embedding: a row a of Q^3 becomes M a.
+using Embedding = std::vector<std::array<int, 3>>;
+
+const Embedding kPlane{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+/// x, y and the rotation about z of a body in space.
+const Embedding kSpace{{1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 1}};
+/// Dense.
+const Embedding kNine{{1, 0, 0}, {0, 1, 0},  {0, 0, 1},  {1, 1, 0}, {0, 1, -1},
+                      {2, 0, 1}, {-1, 1, 1}, {1, -2, 0}, {1, 1, 1}};
+
+RationalRow embedded(const Embedding& m, const Wrench& row) {
+  RationalRow result;
+  for (const auto& [x, y, r] : m) result.emplace_back(x * row.x + y * row.y + r * row.torque);
+  return result;
+}
+
+Law law_of(const Problem& problem, const Embedding& m) {
+  Law law;
+  law.motions = m.size();
+  law.first_rotation = m.size();  // of toys all coordinates are alike
+  law.law = problem.law();
+  for (const Rational& w : embedded(m, problem.wrench())) {
+    law.wrench.push_back(point_interval(w));
+  }
+  for (std::size_t i = 0; i < problem.size(); ++i) {
+    const ContactRow& row = problem.row(ContactId(i));
+    LawContact& contact = law.contacts.emplace_back();
+    contact.friction = point_interval(row.friction);
+    contact.preload = point_interval(row.preload);
+    contact.stiffness = point_interval(row.stiffness);
+    CornerRow& corner = contact.corners.emplace_back();
+    corner.normal = embedded(m, row.normal);
+    corner.set_slip({embedded(m, row.tangent)}, 1);
+  }
+  law.complete(0);
+  return law;
+}
+
+struct Outcome {
+  bool refuted = false;
+  SearchEnd end = SearchEnd::kNone;
+  Trees tree;
+};
+
+Outcome search(const Law& law, const MotionRegion& region) {
+  Outcome outcome;
+  SearchWork work;
+  constexpr std::size_t kNodes = 2000;
+  TreeSearch tree_search(law, nullptr, kNodes, work);
+  outcome.refuted = tree_search.refute(region, outcome.tree);
+  outcome.end = tree_search.end();
+  return outcome;
+}
+
+/// Of a tree in the plane, or of one whose other coordinates nothing sees.
+Refutation in_plane(const Trees& tree, const std::array<std::size_t, 3>& coordinates) {
+  const auto three = [&](const Row& row) -> IntegerVector3 {
+    return {row[coordinates[0]], row[coordinates[1]], row[coordinates[2]]};
+  };
+  Refutation result;
+  for (const TreeNode& node : tree) {
+    if (const auto* slip = std::get_if<SlipSplit>(&node)) result.emplace_back(*slip);
+    if (const auto* split = std::get_if<SeparationSplit>(&node)) result.emplace_back(*split);
+    if (const auto* cut = std::get_if<PlaneCut>(&node)) {
+      const IntegerVector3 d = three(cut->plane);
+      const std::size_t h = cut->plane.size() - 2;
+      result.emplace_back(PlaneSplit{{d[0], d[1], d[2], cut->plane[h], 0}});
+    }
+    if (const auto* leaf = std::get_if<TwistLeaf>(&node)) {
+      result.emplace_back(VirtualWorkLeaf{three(leaf->twist)});
+    }
+  }
+  return result;
+}
+
+TEST(TreeSearch, EmbeddedGraspsHaveTheVerdictOfTheOtherEngine) {
+  RandomSource random(34);
+  std::array<int, 2> seen{};
+  for (int round = 0; round < 150; ++round) {
+    const auto contacts = static_cast<std::size_t>(random.between(2, 5));
+    const Grasp grasp = round % 2 == 0 ? test::generic_grasp(random, contacts)
+                                       : test::degenerate_grasp(random, contacts);
+    const NormalLaw law = round % 3 == 0 ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
+    const Wrench load =
+        round % 5 < 3 ? test::small_wrench(random) : test::planted_wrench(random, grasp, law);
+    const Problem problem(LoadedGrasp{grasp, load}, law);
+    const Verdict verdict = decide_by_cones(problem);
+    const bool stable = std::holds_alternative<Stable>(verdict);
+    ++seen[stable ? 1 : 0];
+    for (const Embedding* m : {&kPlane, &kSpace, &kNine}) {
+      const Law embedded_law = law_of(problem, *m);
+      const Outcome outcome = search(embedded_law, MotionRegion::root(embedded_law));
+      EXPECT_EQ(outcome.refuted, !stable) << m->size() << test::describe({{grasp, load}, law});
+      if (!outcome.refuted || m == &kNine) continue;
+      const std::array<std::size_t, 3> coordinates{0, 1, m->size() - 1};
+      const auto flaw = find_flaw(problem, in_plane(outcome.tree, coordinates));
+      EXPECT_FALSE(flaw.has_value()) << m->size() << *flaw;
+    }
+  }
+  EXPECT_GE(seen[0], 40);
+  EXPECT_GE(seen[1], 40);
+}
+
+/// One coordinate: springs along a line, whose balance is known without any search.
+Law line_of(const std::vector<std::array<int, 3>>& springs, const Rational& load) {
+  Law law;
+  law.motions = 1;
+  law.first_rotation = 1;
+  law.wrench = {point_interval(load)};
+  for (const auto& [normal, preload, friction] : springs) {
+    LawContact& contact = law.contacts.emplace_back();
+    contact.friction = point_interval(friction);
+    contact.preload = point_interval(preload);
+    contact.stiffness = point_interval(1);
+    CornerRow& corner = contact.corners.emplace_back();
+    corner.normal = {normal};
+    corner.set_slip({{1}}, 1);
+  }
+  law.complete(0);
+  return law;
+}
+
+TEST(TreeSearch, ASpringAlongALinePushesOneWayOnly) {
+  const std::vector<std::array<int, 3>> one{{1, 0, 0}};
+  for (const int load : {-2, 0}) {
+    const Law law = line_of(one, load);
+    EXPECT_FALSE(search(law, MotionRegion::root(law)).refuted) << load;
+  }
+  const Law pulled = line_of(one, 1);
+  const Outcome outcome = search(pulled, MotionRegion::root(pulled));
+  ASSERT_TRUE(outcome.refuted);
+  // All along it: the load does work, and a contact that is open or pushes does not hold it.
+  for (const TreeNode& node : outcome.tree) {
+    const auto* leaf = std::get_if<TwistLeaf>(&node);
+    if (leaf != nullptr && !is_zero(leaf->twist)) {
+      EXPECT_LT(leaf->twist[0], 0);
+    }
+  }
+}
+
+/// Between two springs with preload 1 that push against each other, d = load / 2 while both
+/// touch, |load| <= 2, and |d| = |load| - 1 beyond.
+TEST(TreeSearch, AWallIsRefutedWhereNoEquilibriumLiesOnIt) {
+  for (int load = -6; load <= 6; ++load) {
+    const Law law = line_of({{1, 1, 0}, {-1, 1, 0}}, Rational(load, 2));
+    const Rational at = abs(load) <= 4 ? Rational(load, 4)
+                        : load > 0     ? Rational(load, 2) - 1
+                                       : Rational(load, 2) + 1;
+    for (int place = -8; place <= 8; ++place) {
+      // Walls at place / 4 - 1 and place / 4 + 1.
+      ConvexBody<1> body;
+      body.twist = {Rational(place, 4)};
+      body.walls = {{1}};
+      for (const std::size_t wall : {0U, 1U}) {
+        const Rational here = body.twist[0] + (wall == 0 ? 1 : -1);
+        EXPECT_EQ(search(law, MotionRegion::wall(law, body, wall)).refuted, here != at)
+            << load << " " << here;
+      }
+    }
+  }
+}
+
+TEST(TreeSearch, SaysWhatEndedIt) {
+  const Law law = line_of({{1, 1, 0}, {-1, 1, 0}}, 0);
+  SearchWork work;
+  Trees tree;
+  TreeSearch none(law, nullptr, 0, work);
+  EXPECT_FALSE(none.refute(MotionRegion::root(law), tree));
+  EXPECT_EQ(none.end(), SearchEnd::kNodes);
+  EXPECT_EQ(work.nodes, 0U);
+  TreeSearch some(law, nullptr, 100, work);
+  some.on_candidate([](const RelaxedEquilibrium& near) {
+    constexpr double kNear = 1e-6;
+    return std::fabs(near.motion[0]) < kNear;
+  });
+  EXPECT_FALSE(some.refute(MotionRegion::root(law), tree));
+  EXPECT_EQ(some.end(), SearchEnd::kCandidate);
+}
+
+/// Interval loads: refuted only if no load of the interval has an equilibrium.
+TEST(TreeSearch, ABoxOfLoadsIsRefutedAsAWhole) {
+  for (const auto& [low, high, refuted] :
+       {std::tuple{1, 2, true}, {0, 2, false}, {-2, 1, false}, {-2, -1, false}}) {
+    Law law = line_of({{1, 0, 0}}, 0);
+    law.wrench = {{low, high}};
+    law.complete(0);
+    EXPECT_EQ(search(law, MotionRegion::root(law)).refuted, refuted) << low << " " << high;
+  }
+}
+
+}  // namespace
+}  // namespace stickslip

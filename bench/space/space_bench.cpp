@@ -128,7 +128,7 @@ int run(const SpaceBenchOptions& options) {
   std::vector<double> nodes;
   std::size_t undecided = 0;
   std::size_t wrong_side = 0;
-  SpatialWork total;
+  SearchWork total;
   for (std::size_t count = 0; count < options.grasps;) {
     auto [grasp, direction] = random_grasp(options, random);
     Measurement measurement(options, std::move(grasp), direction);

@@ -3,33 +3,17 @@
 #include <cmath>
 #include <utility>
 
-#include "box_search.hpp"
+#include "box_law.hpp"
 #include "degree.hpp"
 #include "examples.hpp"
 #include "prove.hpp"
 #include "stickslip/box/box_verdict.hpp"
 #include "stickslip/equilibrium/stable_by_degree.hpp"
+#include "stickslip/search/tree_search.hpp"
 
 namespace stickslip {
 
 using namespace box_detail;
-
-BoxWork& BoxWork::operator+=(const BoxWork& part) {
-  nodes += part.nodes;
-  proofs += part.proofs;
-  examples += part.examples;
-  parts += part.parts;
-  exact_leaves += part.exact_leaves;
-  return *this;
-}
-
-std::vector<std::pair<std::string, std::size_t>> counters(const BoxWork& work) {
-  return {{"nodes", work.nodes},
-          {"proofs", work.proofs},
-          {"examples", work.examples},
-          {"parts", work.parts},
-          {"exact_leaves", work.exact_leaves}};
-}
 
 const char* name_of(const BoxVerdict& verdict) {
   constexpr const char* kNames[] = {"stable", "unstable", "fragile", "undecided"};
@@ -52,7 +36,7 @@ std::size_t wall_limit(std::size_t node_limit) {
 class Decider {
  public:
   /// `is_one_grasp`: all that is uncertain are roots.
-  Decider(std::size_t node_limit, std::size_t most_parts, bool is_one_grasp, BoxWork& work)
+  Decider(std::size_t node_limit, std::size_t most_parts, bool is_one_grasp, SearchWork& work)
       : is_one_grasp_(is_one_grasp),
         node_limit_(node_limit),
         wall_limit_(wall_limit(node_limit)),
@@ -110,16 +94,14 @@ class Decider {
   /// \}
 
   StabilityProof parts;
-  BoxTrees tree;
+  Trees tree;
 
  private:
   bool refute(const ParameterBox& box) {
-    const BoxModel model(box);
-    BoxSearch search(model, nullptr, node_limit_);
+    const Law model = law_of(box);
+    TreeSearch search(model, nullptr, node_limit_, work_);
     const std::size_t before = tree.size();
-    const bool done = search.refute(BoxRegion::root(model), tree);
-    work_.nodes += search.nodes();
-    work_.exact_leaves += search.exact_leaves();
+    const bool done = search.refute(MotionRegion::root(model), tree);
     end_ = search.end();
     if (!done) tree.erase(tree.begin() + static_cast<std::ptrdiff_t>(before), tree.end());
     return done;
@@ -144,14 +126,14 @@ class Decider {
   /// Of all trees together, beyond which the box is cut no more: failures must be quick, too.
   static constexpr std::size_t kMostSearches = 8;
   std::size_t most_nodes_;
-  BoxWork& work_;
+  SearchWork& work_;
   std::optional<bool> first_;
   SearchEnd end_ = SearchEnd::kNone;
 };
 
 /// The middle of the interval that matters most: of its contact's force, or of the load.
 std::optional<PartSplit> Decider::widest(const ParameterBox& box, const Verdict& there) const {
-  const BoxModel model(box);
+  const Law model = law_of(box);
   std::optional<PartSplit> best;
   double most = 0;
   const auto consider = [&](Parameter parameter, std::size_t index, double effect) {
@@ -166,8 +148,8 @@ std::optional<PartSplit> Decider::widest(const ParameterBox& box, const Verdict&
   };
   const auto* stable = std::get_if<Stable>(&there);
   for (std::size_t i = 0; i < box.size(); ++i) {
-    const ContactNumbers<double>& c = model.contacts[i].rounded;
-    const double size = std::hypot(c.normals[0][0], c.normals[0][1]);
+    const LawContact& c = model.contacts[i];
+    const double size = c.corners.front().normal_rounded.head<2>().norm();
     const double a = stable != nullptr ? to_double(stable->witness.forces[i].normal)
                                        : (c.preloads[0] + c.preloads[1]) / 2;
     consider(Parameter::kFriction, i, a * size * half(Parameter::kFriction, i));
@@ -188,7 +170,7 @@ std::optional<PartSplit> Decider::widest(const ParameterBox& box, const Verdict&
 
 /// Two grasps in the box with opposite verdicts, if the suspects are right.
 std::optional<Fragile> find_examples(const GraspBox& box, NormalLaw law, const Verdict& middle,
-                                     BoxWork& work) {
+                                     SearchWork& work) {
   const auto* equilibrium = std::get_if<Stable>(&middle);
   const bool middle_is_stable = equilibrium != nullptr;
   const Examples examples(box, law);
@@ -246,7 +228,7 @@ namespace box_detail {
 
 BoxDecision prove_box(const GraspBox& box, NormalLaw law, const BoxOptions& options,
                       std::size_t most_parts) {
-  BoxWork work;
+  SearchWork work;
   for (unsigned bits = options.bits;; bits *= 2) {
     BoxDecision decision = prove_with_bits(box, law, options, most_parts, bits);
     work += decision.work;
@@ -273,13 +255,31 @@ std::optional<bool> is_stable(const LoadedGrasp& loaded, NormalLaw law) {
 
 }  // namespace box_detail
 
+namespace {
+
+TreeNode in_any_dimension(const RefutationNode& node) {
+  struct Convert {
+    TreeNode operator()(const SlipSplit& split) const { return split; }
+    TreeNode operator()(const SeparationSplit& split) const { return split; }
+    TreeNode operator()(const PlaneSplit& split) const {
+      return PlaneCut{{split.plane.begin(), split.plane.end()}};
+    }
+    TreeNode operator()(const VirtualWorkLeaf& leaf) const {
+      return TwistLeaf{{leaf.twist.begin(), leaf.twist.end()}};
+    }
+  };
+  return std::visit(Convert{}, node);
+}
+
+}  // namespace
+
 std::optional<BoxDecision> prove_stable_by_degree(const Problem& problem) {
   DegreeWork work;
   const std::optional<ProofByDegree> found = prove_by_degree(problem, &work);
   if (!found) return std::nullopt;
   DegreeProof proof{*found, found->direction, {}};
   for (const RefutationNode& node : found->trees) {
-    std::visit([&](const auto& n) { proof.trees.emplace_back(n); }, node);
+    proof.trees.push_back(in_any_dimension(node));
   }
   BoxDecision decision{StableThroughout{{std::move(proof)}}, {}};
   decision.work.nodes = work.cone.nodes;

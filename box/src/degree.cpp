@@ -4,10 +4,11 @@
 #include <cmath>
 #include <utility>
 
-#include "box_search.hpp"
+#include "box_law.hpp"
 #include "moving_equilibrium.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/equilibrium/search/independent_rows.hpp"
+#include "stickslip/search/tree_search.hpp"
 
 namespace stickslip::box_detail {
 
@@ -17,10 +18,6 @@ namespace {
 
 using Vector = Eigen::Vector3d;
 using Matrix = Eigen::Matrix3d;
-
-Vector as_vector(const std::array<double, 3>& a) {
-  return {a[0], a[1], a[2]};
-}
 
 /// d rounded to a small part of the parallelepiped.
 Vector3 rounded_motion(const Vector3& exact, const std::vector<Vector3>& walls) {
@@ -45,12 +42,12 @@ Vector3 rounded_motion(const Vector3& exact, const std::vector<Vector3>& walls) 
 }
 
 /// Where the walls are to be, and which way the middle pulls, in doubles; lengths over
-/// BoxModel::length.
+/// Law::length.
 class Walls {
  public:
   /// Of the model of the middle, and of the box, around an equilibrium.
   /// They enclose the equilibrium where it goes farthest, or as far as the first order says.
-  Walls(const ParameterBox& box, const BoxModel& model, const BoxModel& middle,
+  Walls(const ParameterBox& box, const Law& model, const Law& middle,
         const RoundedEquilibrium& near, bool first_order);
 
   /// Whether the shape is one: three walls that enclose.
@@ -96,7 +93,7 @@ class Walls {
   bool sound_ = false;
 };
 
-Walls::Walls(const ParameterBox& box, const BoxModel& model, const BoxModel& middle,
+Walls::Walls(const ParameterBox& box, const Law& model, const Law& middle,
              const RoundedEquilibrium& near, bool first_order)
     : length_(middle.length),
       force_(middle.force),
@@ -105,18 +102,18 @@ Walls::Walls(const ParameterBox& box, const BoxModel& model, const BoxModel& mid
   double stiffest = 0;
   for (std::size_t i = 0; i < middle.contacts.size(); ++i) {
     const RoundedEquilibrium::Force& force = near.forces[i];
-    const ContactNumbers<double>& c = middle.contacts[i].rounded;
-    const Vector normal = as_vector(c.normals.front());
-    const Vector tangent = as_vector(c.tangents.front());
+    const LawContact& c = middle.contacts[i];
+    const Vector normal = c.corners.front().normal_rounded;
+    const Vector tangent = c.corners.front().slip_rounded.front();
     stiffest = std::max(stiffest, c.stiffnesses[0] * normal.squaredNorm());
     if (!(force.normal > 0)) continue;
     stiffness_ += c.stiffnesses[0] * (normal + force.tangential / force.normal * tangent) *
                   normal.transpose();
-    const double most = c.frictions[0] * force.normal;
+    const double most = c.slopes[0] * force.normal;
     if (!force.still || !(most > 0)) continue;
     Sticking contact{tangent, most * 1.0000001 - std::fabs(force.tangential), 0};
-    for (const auto& corner : model.contacts[i].rounded.tangents) {
-      contact.off = std::max(contact.off, std::fabs(as_vector(corner).dot(motion_)));
+    for (const CornerRow& corner : model.contacts[i].corners) {
+      contact.off = std::max(contact.off, std::fabs(corner.slip_rounded.front().dot(motion_)));
     }
     sticking_.push_back(contact);
   }
@@ -325,9 +322,8 @@ DegreeProof Walls::proof() const {
 }
 
 /// Lets the walls grow until they are refuted.
-std::optional<DegreeProof> prove_within(Walls walls, const BoxModel& model,
-                                        const BoxModel& middle, std::size_t node_limit,
-                                        BoxWork& work) {
+std::optional<DegreeProof> prove_within(Walls walls, const Law& model, const Law& middle,
+                                        std::size_t node_limit, SearchWork& work) {
   // Equilibria that a box moves much farther than the first order says are lost at a fold.
   constexpr std::size_t kMostGrowths = 18;
   constexpr std::size_t kMostPulls = 4;  // growing seldom mends what list 2 refuses
@@ -336,28 +332,26 @@ std::optional<DegreeProof> prove_within(Walls walls, const BoxModel& model,
     ++work.proofs;
     DegreeProof proof = walls.proof();
     if (!has_full_rank(proof)) return std::nullopt;
-    if (model.law == NormalLaw::kBilateral && !all_closed_inside<BoxRegion>(model, proof)) {
+    if (model.law == NormalLaw::kBilateral && !all_closed_inside<MotionRegion>(model, proof)) {
       return std::nullopt;
     }
     // The walls that are not refuted.
     const auto refute = [&](bool second) {
-      const BoxModel& about = second ? middle : model;
-      const Direction<3> direction{proof.direction, proof.twist};
+      const Law& about = second ? middle : model;
+      const PullRule pull{proof.direction, proof.twist};
       std::vector<std::pair<std::size_t, int>> open;
       for (std::size_t wall = 0; wall < 3; ++wall) {
         for (const int sign : {1, -1}) {
-          BoxSearch search(about, second ? &direction : nullptr, node_limit);
+          TreeSearch search(about, second ? &pull : nullptr, node_limit, work);
           const bool done = search.refute(
-              BoxRegion::wall(about, proof, 2 * wall + (sign > 0 ? 0 : 1)), proof.trees);
-          work.nodes += search.nodes();
-          work.exact_leaves += search.exact_leaves();
+              MotionRegion::wall(about, proof, 2 * wall + (sign > 0 ? 0 : 1)), proof.trees);
           if (!done) open.emplace_back(wall, sign);
         }
       }
       return open;
     };
     std::vector<std::pair<std::size_t, int>> open;
-    if (!model.is_point) open = refute(false);  // of one grasp list 2 is enough
+    if (!model.is_point()) open = refute(false);  // of one grasp list 2 is enough
     if (open.empty()) {
       const std::size_t first_list = proof.trees.size();
       open = refute(true);
@@ -393,9 +387,9 @@ Problem problem_at(const ParameterBox& point) {
 }
 
 std::optional<DegreeProof> prove_stable(const ParameterBox& box, const RoundedEquilibrium& near,
-                                        std::size_t node_limit, BoxWork& work) {
-  const BoxModel model(box);
-  const BoxModel middle(box.middle());
+                                        std::size_t node_limit, SearchWork& work) {
+  const Law model = law_of(box);
+  const Law middle = law_of(box.middle());
   for (const bool first_order : {false, true}) {
     Walls walls(box, model, middle, near, first_order);
     if (!walls.is_sound()) continue;
@@ -406,7 +400,7 @@ std::optional<DegreeProof> prove_stable(const ParameterBox& box, const RoundedEq
 }
 
 std::optional<DegreeProof> prove_stable_by_degree(const ParameterBox& box,
-                                                  std::size_t node_limit, BoxWork& work) {
+                                                  std::size_t node_limit, SearchWork& work) {
   constexpr std::size_t kStarts = 12;
   constexpr std::size_t kMostTried = 4;
   std::size_t tried = 0;

@@ -19,10 +19,10 @@ Problem problem_at(const ParameterBox& point);
 /// Adds to `work`.
 std::optional<DegreeProof> prove_stable(const ParameterBox& box,
                                         const RoundedEquilibrium& middle,
-                                        std::size_t node_limit, BoxWork& work);
+                                        std::size_t node_limit, SearchWork& work);
 
 /// The same around equilibria in doubles, wherever Newton's method leads in the middle.
 std::optional<DegreeProof> prove_stable_by_degree(const ParameterBox& box,
-                                                  std::size_t node_limit, BoxWork& work);
+                                                  std::size_t node_limit, SearchWork& work);
 
 }  // namespace stickslip::box_detail

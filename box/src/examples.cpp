@@ -90,7 +90,7 @@ LoadedGrasp Examples::at(const Place& place) const {
 
 std::vector<std::pair<Place, double>> Examples::without(const Witness& equilibrium) const {
   const ParameterBox box(box_, law_);
-  const MovingEquilibrium moving(box, BoxModel(box.middle()),
+  const MovingEquilibrium moving(box, law_of(box.middle()),
                                  rounded_equilibrium(problem_at(box.middle()), equilibrium));
   std::vector<std::pair<Place, double>> result;
   for (const LostWay& way : moving.ways_out()) {

@@ -11,7 +11,7 @@ constexpr double kStill = 1e-9;  // of a typical motion
 
 }  // namespace
 
-MovingEquilibrium::MovingEquilibrium(const ParameterBox& box, const BoxModel& middle,
+MovingEquilibrium::MovingEquilibrium(const ParameterBox& box, const Law& middle,
                                      const RoundedEquilibrium& near)
     : force_(middle.force),
       start_{{near.twist[0], near.twist[1], near.twist[2] * middle.length},

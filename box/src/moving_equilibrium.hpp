@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "box_model.hpp"
+#include "box_law.hpp"
 #include "stickslip/equilibrium/search/rounded_equilibrium.hpp"
 
 namespace stickslip::box_detail {
@@ -40,8 +40,7 @@ class MovingEquilibrium {
   using Place = Eigen::VectorXd;
 
   /// Of an equilibrium of the middle, of which this is the model.
-  MovingEquilibrium(const ParameterBox& box, const BoxModel& middle,
-                    const RoundedEquilibrium& near);
+  MovingEquilibrium(const ParameterBox& box, const Law& middle, const RoundedEquilibrium& near);
 
   const std::vector<ParameterId>& numbers() const { return numbers_; }
   const Equilibrium& start() const { return start_; }  ///< in the middle

@@ -50,15 +50,12 @@ struct NodeText {
   std::string operator()(const SeparationSplit& node) const {
     return indexed("separation", node.contact);
   }
-  template <std::size_t D>
-  std::string operator()(const PlaneSplitIn<D>& node) const {
-    if (margin) return "[\"plane\"," + list(node.plane) + "]";
-    IntegerVector<D + 1> without;
-    std::copy_n(node.plane.begin(), D + 1, without.begin());
-    return "[\"plane\"," + list(without) + "]";
+  std::string operator()(const PlaneSplit& node) const { return plane(node.plane); }
+  std::string operator()(const PlaneCut& node) const { return plane(node.plane); }
+  std::string operator()(const VirtualWorkLeaf& node) const {
+    return "[\"leaf\"," + list(node.twist) + "]";
   }
-  template <std::size_t D>
-  std::string operator()(const LeafIn<D>& node) const {
+  std::string operator()(const TwistLeaf& node) const {
     return "[\"leaf\"," + list(node.twist) + "]";
   }
   std::string operator()(const LoadSplit& node) const {
@@ -70,6 +67,13 @@ struct NodeText {
   std::string operator()(const PartSplit& node) const {
     return std::string("[\"part\",\"") + to_string(node.parameter) + "\"," +
            std::to_string(node.index) + "," + number(node.value) + "]";
+  }
+
+ private:
+  template <class Plane>
+  std::string plane(const Plane& plane) const {
+    const Row numbers(plane.begin(), plane.end() - (margin ? 0 : 1));
+    return "[\"plane\"," + list(numbers) + "]";
   }
 };
 

@@ -9,9 +9,9 @@
 #include "equilibria.hpp"
 #include "free_motions.hpp"
 #include "rest.hpp"
-#include "space_search.hpp"
 #include "spatial_degree.hpp"
 #include "stickslip/equilibrium/search/search_end.hpp"
+#include "stickslip/search/tree_search.hpp"
 #include "stickslip/space/spatial_verdict.hpp"
 
 namespace stickslip {
@@ -27,43 +27,6 @@ bool are_at_rest(const SpatialParts& parts) {
   return std::none_of(parts.begin(), parts.end(), [](const auto& part) {
     return std::holds_alternative<SpatialDegreeProof>(part);
   });
-}
-
-std::size_t leaf_count(const SpatialTrees& trees) {
-  return static_cast<std::size_t>(std::count_if(
-      trees.begin(), trees.end(),
-      [](const SpatialNode& node) { return std::holds_alternative<LeafIn<6>>(node); }));
-}
-
-std::vector<std::pair<std::string, std::size_t>> counters(const SpatialWork& work) {
-  return {{"nodes", work.nodes},
-          {"leaves", work.leaves},
-          {"rays", work.rays},
-          {"most_rays", work.most_rays},
-          {"pairs", work.pairs},
-          {"ray_bits", work.ray_bits},
-          {"twist_bits", work.twist_bits},
-          {"filter_hits", work.filter_hits},
-          {"exact_checks", work.exact_checks},
-          {"proofs", work.proofs},
-          {"examples", work.examples},
-          {"parts", work.parts}};
-}
-
-SpatialWork& SpatialWork::operator+=(const SpatialWork& part) {
-  nodes += part.nodes;
-  leaves += part.leaves;
-  rays += part.rays;
-  most_rays = std::max(most_rays, part.most_rays);
-  ray_bits = std::max(ray_bits, part.ray_bits);
-  twist_bits = std::max(twist_bits, part.twist_bits);
-  pairs += part.pairs;
-  filter_hits += part.filter_hits;
-  exact_checks += part.exact_checks;
-  proofs += part.proofs;
-  examples += part.examples;
-  parts += part.parts;
-  return *this;
 }
 
 namespace {
@@ -124,7 +87,7 @@ class SpaceDecider {
  public:
   /// `question` and `work` must outlive this.
   SpaceDecider(const SpatialQuestion& question, const SpatialSearchOptions& options,
-               std::size_t most_parts, SpatialWork& work)
+               std::size_t most_parts, SearchWork& work)
       : grasp_(question.grasp),
         whole_(question, options.bits),
         has_witness_(!question.is_box),
@@ -172,13 +135,13 @@ class SpaceDecider {
   std::size_t node_limit_;  ///< of a tree
   std::size_t parts_left_;
   std::size_t most_nodes_;  ///< where the work of all is to end
-  SpatialWork& work_;
+  SearchWork& work_;
   std::array<std::optional<SpatialGrasp>, 2> examples_;
   std::optional<bool> stable_;  ///< what was proved of the first part
   std::optional<SpatialWitness> witness_;
   Vector6 motion_{};
   SpatialParts parts_;
-  SpatialTrees tree_;
+  Trees tree_;
   SearchEnd end_ = SearchEnd::kNone;
   std::vector<Rational> near_;  ///< an equilibrium in doubles without a proof
 };
@@ -228,10 +191,10 @@ bool SpaceDecider::prove_whole(const SpaceModel& box,
     return holds = prove_stable_near(box, middle, near);
   };
   // What no force opposes is found exactly: in doubles it would be missed by a little.
-  const std::optional<IntegerVector<6>> unopposed =
+  const std::optional<Row> unopposed =
       stable_ != true ? ForceSpan(box).unopposed(box) : std::nullopt;
-  if (unopposed && SpaceRegion::root(box).is_refuted(box, *unopposed, nullptr)) {
-    tree_.emplace_back(LeafIn<6>{*unopposed});
+  if (unopposed && MotionRegion::root(box).is_refuted(*unopposed, nullptr)) {
+    tree_.emplace_back(TwistLeaf{*unopposed});
     ++work_.nodes;
     ++work_.leaves;
     stable_ = false;
@@ -249,12 +212,12 @@ bool SpaceDecider::prove_whole(const SpaceModel& box,
   // There is an equilibrium in the middle of a wide box: no tree is about all of it.
   if (stable_ == true || (is_wide_ && !tried.empty())) return false;
   const std::size_t before = tree_.size();
-  SpaceSearch search(box, nullptr, node_limit_, work_);
-  search.on_candidate([&](const NearEquilibrium& relaxed, double) {
-    const auto near = newton.polish(relaxed);
-    return near && (prove_near(*near) || is_wide_);
+  TreeSearch search(box, nullptr, node_limit_, work_);
+  search.on_candidate([&](const RelaxedEquilibrium& relaxed) {
+    const auto found = newton.polish(near(relaxed));
+    return found && (prove_near(*found) || is_wide_);
   });
-  const bool refuted = search.refute(SpaceRegion::root(box), tree_);
+  const bool refuted = search.refute(MotionRegion::root(box), tree_);
   end_ = search.end();
   if (!refuted) tree_.erase(tree_.begin() + static_cast<std::ptrdiff_t>(before), tree_.end());
   if (!refuted && !holds) return false;
@@ -290,7 +253,7 @@ std::optional<PartSplit> SpaceDecider::widest(
     if (parameter == Parameter::kWrench) {
       if (i >= 3) effect /= box.length;
     } else {
-      const SpaceContact& c = box.contacts[i];
+      const LawContact& c = box.contacts[i];
       const double size = std::sqrt(to_double(c.squared_length));
       const double preload = (c.preloads[0] + c.preloads[1]) / 2;
       // Where nothing presses, something may elsewhere.
@@ -328,7 +291,7 @@ SpatialGrasp extreme_of(SpatialGrasp box, bool better) {
 class ExampleSearch {
  public:
   ExampleSearch(const SpatialQuestion& question, const SpatialSearchOptions& options,
-                SpatialWork& work)
+                SearchWork& work)
       : law_(question.law), options_(options), work_(work) {}
 
   void try_grasp(const SpatialGrasp& grasp) {
@@ -349,7 +312,7 @@ class ExampleSearch {
  private:
   NormalLaw law_;
   const SpatialSearchOptions& options_;
-  SpatialWork& work_;
+  SearchWork& work_;
   std::optional<SpatialGrasp> stable_;
   std::optional<SpatialGrasp> unstable_;
 };

@@ -31,9 +31,9 @@ EigenVector6 NewtonMethod::force(const EigenVector6& motion, double smooth,
   EigenVector6 sum;
   for (Eigen::Index j = 0; j < 6; ++j) sum[j] = model_.load[static_cast<std::size_t>(j)][0];
   if (derivative != nullptr) derivative->setZero();
-  for (const SpaceContact& c : model_.contacts) {
+  for (const LawContact& c : model_.contacts) {
     const CornerRow& row = c.corners.front();
-    const EigenVector6 normal = as_vector(row.normal_rounded);
+    const EigenVector6 normal = row.normal_rounded;
     const double a = c.preloads[0] - c.stiffnesses[0] * normal.dot(motion);
     if (!(a > 0)) continue;
     EigenVector6 wrench = normal;
@@ -73,9 +73,9 @@ std::optional<NearEquilibrium> NewtonMethod::polish(NearEquilibrium near) const 
     for (Eigen::Index j = 0; j < 6; ++j) off[j] = model_.load[static_cast<std::size_t>(j)][0];
     Eigen::Index next = 6;
     for (std::size_t i = 0; i < m; ++i) {
-      const SpaceContact& c = model_.contacts[i];
+      const LawContact& c = model_.contacts[i];
       const CornerRow& row = c.corners.front();
-      const EigenVector6 normal = as_vector(row.normal_rounded);
+      const EigenVector6 normal = row.normal_rounded;
       double a = c.preloads[0] - c.stiffnesses[0] * normal.dot(near.motion);
       constexpr double kTouches = 1e-13;  // rounding lets nothing rub
       if (a < kTouches * model_.force / normal.head<3>().norm()) a = 0;
@@ -221,10 +221,10 @@ std::optional<NearEquilibrium> NewtonMethod::solve(const EigenVector6& start) co
     if (!(force(d, smooth, nullptr).norm() <= kNearly * model_.force)) return std::nullopt;
   }
   NearEquilibrium result{d, {}, {}, {}};
-  for (const SpaceContact& c : model_.contacts) {
+  for (const LawContact& c : model_.contacts) {
     const CornerRow& row = c.corners.front();
     const double a =
-        std::max(0.0, c.preloads[0] - c.stiffnesses[0] * as_vector(row.normal_rounded).dot(d));
+        std::max(0.0, c.preloads[0] - c.stiffnesses[0] * row.normal_rounded.dot(d));
     const Vector3d s = slip_matrix(row) * d;
     const double over = std::max(s.norm(), smooth);
     const Vector3d f = -a * c.slopes[0] / over * s;
@@ -238,7 +238,7 @@ std::optional<NearEquilibrium> NewtonMethod::solve(const EigenVector6& start) co
 /// Where friction holds whatever is closed: Newton's method with smooth friction can miss it.
 NearEquilibrium NewtonMethod::at_rest() const {
   NearEquilibrium rest{EigenVector6::Zero(), {}, {}, {}};
-  for (const SpaceContact& c : model_.contacts) {
+  for (const LawContact& c : model_.contacts) {
     rest.normal.push_back(c.preloads[0]);
     rest.friction.push_back({});
     rest.sticks.push_back(c.preloads[0] > 0 && c.slopes[0] > 0 ? 1 : 0);
@@ -294,7 +294,7 @@ RationalMatrix motions_without_slip(const SpaceModel& model,
   RationalMatrix slips(3 * static_cast<Eigen::Index>(sticking.size()), 6);
   Eigen::Index next = 0;
   for (const std::size_t i : sticking) {
-    for (const IntegerVector<6>& row : model.contacts[i].corners.front().slip) {
+    for (const Row& row : model.contacts[i].corners.front().slip) {
       for (std::size_t j = 0; j < 6; ++j) {
         slips(next, static_cast<Eigen::Index>(j)) = Rational(row[j]);
       }
@@ -308,7 +308,7 @@ RationalMatrix motions_without_slip(const SpaceModel& model,
   return lu.kernel();
 }
 
-RationalVector as_rationals(const Vector6& a) {
+RationalVector as_rationals(const RationalRow& a) {
   RationalVector result(6);
   for (std::size_t j = 0; j < 6; ++j) result[static_cast<Eigen::Index>(j)] = a[j];
   return result;
@@ -377,7 +377,7 @@ std::optional<SpatialWitness> exact_witness(const SpaceModel& model,
   }
   for (std::size_t i = 0; i < m; ++i) {
     if (!(near_one.normal[i] > 0)) continue;
-    const SpaceContact& c = model.contacts[i];
+    const LawContact& c = model.contacts[i];
     const RationalVector normal = as_rationals(c.corners.front().normal);
     rest -= c.preload.low * normal;
     for (Eigen::Index k = 0; k < motions.cols(); ++k) {
@@ -386,11 +386,11 @@ std::optional<SpatialWitness> exact_witness(const SpaceModel& model,
     }
   }
   for (const std::size_t i : sticking) {
-    const SpaceContact& c = model.contacts[i];
+    const LawContact& c = model.contacts[i];
     const CornerRow& row = c.corners.front();
     const double most = c.slopes[0] * near_one.normal[i];
     const Double3& f = near_one.friction[i];
-    for (const Vector3& t : tangents_of(c.normal)) {
+    for (const Vector3& t : tangents_of(c.place->normal)) {
       Double3 rounded{};
       for (std::size_t k = 0; k < 3; ++k) rounded[k] = to_double(t[k]);
       const double square = dot(rounded, rounded);
@@ -419,10 +419,10 @@ std::optional<SpatialWitness> exact_witness(const SpaceModel& model,
     }
   }
   // Judged: the modes, and the cones.
+  const RationalRow twist(witness.twist.begin(), witness.twist.end());
   for (std::size_t i = 0; i < m; ++i) {
-    const SpaceContact& c = model.contacts[i];
-    const Rational v =
-        c.preload.low - c.stiffness.low * dot(c.corners.front().normal, witness.twist);
+    const LawContact& c = model.contacts[i];
+    const Rational v = c.preload.low - c.stiffness.low * dot(c.corners.front().normal, twist);
     const bool closed = near_one.normal[i] > 0;
     if (closed ? v.sign() < 0 : v.sign() > 0) return std::nullopt;
     if (model.law == NormalLaw::kBilateral && v.sign() < 0) return std::nullopt;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "space_model.hpp"
+#include "stickslip/search/tree_search.hpp"
 #include "stickslip/space/spatial_verdict.hpp"
 
 namespace stickslip::space_detail {
@@ -15,17 +16,13 @@ namespace stickslip::space_detail {
 using EigenVector6 = Eigen::Matrix<double, 6, 1>;
 using EigenMatrix6 = Eigen::Matrix<double, 6, 6>;
 
-inline EigenVector6 as_vector(const Double6& a) {
-  return EigenVector6(a.data());
-}
-
 using SlipMatrix = Eigen::Matrix<double, 3, 6>;
 
 /// S.
 inline SlipMatrix slip_matrix(const CornerRow& row) {
   SlipMatrix s;
   for (Eigen::Index k = 0; k < 3; ++k) {
-    s.row(k) = as_vector(row.slip_rounded[static_cast<std::size_t>(k)]);
+    s.row(k) = row.slip_rounded[static_cast<std::size_t>(k)];
   }
   return s;
 }
@@ -37,6 +34,11 @@ struct NearEquilibrium {
   std::vector<Double3> friction;  ///< f by contact
   std::vector<char> sticks;       ///< whether the slip is nearly 0, of contacts that are closed
 };
+
+/// Of a relaxed equilibrium.
+inline NearEquilibrium near(const RelaxedEquilibrium& relaxed) {
+  return {relaxed.motion, relaxed.normal, relaxed.friction, relaxed.sticks};
+}
 
 /// All functions are of a model of one point, or of the middle of a box.
 class NewtonMethod {

@@ -4,17 +4,25 @@
 #include <algorithm>
 
 namespace stickslip::space_detail {
+namespace {
+
+template <class Numbers>
+Vector6 as_vector(const Numbers& row) {
+  Vector6 result;
+  for (std::size_t j = 0; j < 6; ++j) result[j] = Rational(row[j]);
+  return result;
+}
+
+}  // namespace
 
 ForceSpan::ForceSpan(const SpaceModel& box) {
-  for (const SpaceContact& c : box.contacts) {
+  for (const LawContact& c : box.contacts) {
     for (const CornerRow& corner : c.corners) {
       if (rank() == 6) return;
-      add(corner.normal);
+      add(as_vector(corner.normal));
       if (c.friction.high.is_zero()) continue;
-      for (const IntegerVector<6>& slip : corner.slip) {
-        Vector6 row;
-        for (std::size_t j = 0; j < 6; ++j) row[j] = Rational(slip[j]);
-        add(row);
+      for (const Row& slip : corner.slip) {
+        add(as_vector(slip));
       }
     }
   }
@@ -48,14 +56,14 @@ std::vector<Vector6> ForceSpan::free_motions() const {
   return motions;
 }
 
-std::optional<IntegerVector<6>> ForceSpan::unopposed(const SpaceModel& box) const {
+std::optional<Row> ForceSpan::unopposed(const SpaceModel& box) const {
   Vector6 y{};
   for (const Vector6& z : free_motions()) {
     Rational work = 0;
     for (std::size_t j = 0; j < 6; ++j) work += z[j] * box.wrench[j].middle();
     for (std::size_t j = 0; j < 6; ++j) y[j] -= work * z[j];
   }
-  IntegerVector<6> twist = primitive_multiple(y);
+  Row twist = primitive_multiple(RationalRow(y.begin(), y.end()));
   if (is_zero(twist)) return std::nullopt;
   return twist;
 }
@@ -67,7 +75,7 @@ bool ForceSpan::has_loads_of(const SpaceModel& box) const {
       if (!box.wrench[j].is_point() && !z[j].is_zero()) return false;
       work += z[j] * box.wrench[j].low;
     }
-    if (!work.is_zero() || !dot(z, box.growth).is_zero()) return false;
+    if (!work.is_zero() || !dot(z, as_vector(box.growth)).is_zero()) return false;
   }
   return true;
 }

@@ -29,7 +29,7 @@ class ForceSpan {
   bool has_loads_of(const SpaceModel& box) const;
   /// The free motion that the load in the middle of the box is most against, if there is one: a
   /// virtual twist that refutes all motions if all loads of the box are against it.
-  std::optional<IntegerVector<6>> unopposed(const SpaceModel& box) const;
+  std::optional<Row> unopposed(const SpaceModel& box) const;
 
  private:
   void add(Vector6 row);

@@ -5,9 +5,9 @@
 
 #include "equilibria.hpp"
 #include "rest.hpp"
-#include "space_search.hpp"
 #include "spatial_degree.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/search/tree_search.hpp"
 #include "stickslip/space/spatial_margin.hpp"
 
 namespace stickslip {
@@ -23,20 +23,24 @@ struct Member {
   std::optional<SpatialWitness> witness;  ///< where nothing that has friction slips
 };
 
+RationalRow as_row(const Vector6& a) {
+  return {a.begin(), a.end()};
+}
+
 /// Whether all combinations of the two are equilibria.
 bool are_of_one_mode(const SpaceModel& family, const Member& a, const Member& b) {
-  for (const SpaceContact& c : family.contacts) {
+  for (const LawContact& c : family.contacts) {
     const CornerRow& row = c.corners.front();
     const auto separation = [&](const Member& at) -> Rational {
       return c.preload.low + at.multiple * c.rate.low -
-             c.stiffness.low * dot(row.normal, at.witness->twist);
+             c.stiffness.low * dot(row.normal, as_row(at.witness->twist));
     };
     const int signs[] = {separation(a).sign(), separation(b).sign()};
     if (signs[0] * signs[1] < 0) return false;
     if (c.friction.high.is_zero() || (signs[0] <= 0 && signs[1] <= 0)) continue;
     for (const Member* at : {&a, &b}) {
-      const IntegerVector<6> twist = primitive_multiple(at->witness->twist);
-      for (const IntegerVector<6>& s : row.slip) {
+      const Row twist = primitive_multiple(as_row(at->witness->twist));
+      for (const Row& s : row.slip) {
         if (!dot(s, twist).is_zero()) return false;
       }
     }
@@ -59,17 +63,16 @@ class SpatialMarginSearch {
         progress_(progress) {
     margin_.bits = options.search.bits;
     double growth = 0;
-    for (const double u : model_.growing) growth = std::max(growth, std::fabs(u));
-    for (const SpaceContact& c : model_.contacts) {
+    if (model_.growing.size() > 0) growth = model_.growing.lpNorm<Eigen::Infinity>();
+    for (const LawContact& c : model_.contacts) {
       growth = std::max(growth, c.rates[1] * std::sqrt(to_double(c.squared_length)));
     }
     const double typical = model_.force / growth;
     if (std::isfinite(typical) && typical > 0) {
       unit_ = rational_from_double(std::ldexp(1.0, std::ilogb(typical)));
     }
-    is_homogeneous_ =
-        std::all_of(model_.contacts.begin(), model_.contacts.end(),
-                    [](const SpaceContact& c) { return c.preload.high.is_zero(); });
+    is_homogeneous_ = std::all_of(model_.contacts.begin(), model_.contacts.end(),
+                                  [](const LawContact& c) { return c.preload.high.is_zero(); });
     for (const Interval& w : model_.wrench) {
       is_homogeneous_ = is_homogeneous_ && w.low.is_zero();
     }
@@ -127,16 +130,16 @@ class SpatialMarginSearch {
     for (const NearEquilibrium& near : newton.solve_from(kStarts)) {
       if (holds(near)) return;
     }
-    SpatialTrees tree;
-    SpaceSearch search(there, nullptr, node_limit_, margin_.work);
-    search.on_candidate([&](const NearEquilibrium& relaxed, double) {
-      const auto near = newton.polish(relaxed);
-      return near && holds(*near);
+    Trees tree;
+    TreeSearch search(there, nullptr, node_limit_, margin_.work);
+    search.on_candidate([&](const RelaxedEquilibrium& relaxed) {
+      const auto found = newton.polish(near(relaxed));
+      return found && holds(*found);
     });
-    if (!search.refute(SpaceRegion::root(there), tree)) return;
+    if (!search.refute(MotionRegion::root(there), tree)) return;
     // With l in place of h, which is in none of the laws.
-    for (SpatialNode& node : tree) {
-      if (auto* split = std::get_if<PlaneSplitIn<6>>(&node)) {
+    for (TreeNode& node : tree) {
+      if (auto* split = std::get_if<PlaneCut>(&node)) {
         std::swap(split->plane[6], split->plane[7]);
       }
     }
@@ -233,30 +236,30 @@ class SpatialMarginSearch {
   }
 
   /// A tree that refutes all of a range; or it claims what can be claimed of parts of it.
-  std::optional<SpatialTrees> settle(const Range& range) {
+  std::optional<Trees> settle(const Range& range) {
     const auto& [low, high, has_low, floor, ceiling] = range;
     if (high && *high - low <= 2 * least_step(*high)) return std::nullopt;
     if (is_spent()) return std::nullopt;
     std::optional<std::pair<Rational, Rational>> resisted;
     const SpaceModel whole = model_.within({low, high, has_low});
-    SpaceSearch search(whole, nullptr, node_limit_, margin_.work);
-    search.on_candidate([&](const NearEquilibrium& relaxed, double multiple) {
-      if (!std::isfinite(multiple)) return false;
+    TreeSearch search(whole, nullptr, node_limit_, margin_.work);
+    search.on_candidate([&](const RelaxedEquilibrium& relaxed) {
+      if (!std::isfinite(relaxed.multiple)) return false;
       const Rational grain = least_step(0);
-      const Rational steps = rational_from_double(multiple) / grain;
+      const Rational steps = rational_from_double(relaxed.multiple) / grain;
       const Rational at = Rational(numerator(steps) / denominator(steps)) * grain;
       if (at <= range.low || at >= range.ceiling) return false;
-      const auto near = NewtonMethod(model_.at(at)).polish(relaxed);
-      if (!near) return false;
-      const Member start = member(at, *near);
+      const auto found = NewtonMethod(model_.at(at)).polish(near(relaxed));
+      if (!found) return false;
+      const Member start = member(at, *found);
       const Rational up = follow(start, range.ceiling);
       const Rational down = follow(start, range.floor);
       if (up == down) return false;
       resisted = {down, up};
       return true;
     });
-    SpatialTrees tree;
-    if (search.refute(SpaceRegion::root(whole), tree)) return tree;
+    Trees tree;
+    if (search.refute(MotionRegion::root(whole), tree)) return tree;
     if (resisted) {
       const auto& [down, up] = *resisted;
       claim_all({low, down - least_step(down), has_low, floor, down});
@@ -276,12 +279,11 @@ class SpatialMarginSearch {
   }
 
   /// The tree of both sides of a multiple, the upper of which has it.
-  static SpatialTrees joined(const Rational& multiple, const SpatialTrees& below,
-                             const SpatialTrees& above) {
-    Point plane{};
+  static Trees joined(const Rational& multiple, const Trees& below, const Trees& above) {
+    Row plane(8);
     plane[6] = -numerator(multiple);
     plane[7] = denominator(multiple);
-    SpatialTrees both{PlaneSplitIn<6>{plane}};
+    Trees both{PlaneCut{plane}};
     both.insert(both.end(), above.begin(), above.end());
     both.insert(both.end(), below.begin(), below.end());
     return both;

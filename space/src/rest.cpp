@@ -16,9 +16,9 @@ namespace {
 using Intervals6 = std::array<Interval, 6>;
 
 /// Friction of a few bits near this one, which is across the normal.
-Vector3 friction_near(const SpaceContact& contact, const Eigen::Vector3d& f, int bits) {
+Vector3 friction_near(const LawContact& contact, const Eigen::Vector3d& f, int bits) {
   Vector3 result{};
-  for (const Vector3& t : tangents_of(contact.normal)) {
+  for (const Vector3& t : tangents_of(contact.place->normal)) {
     Eigen::Vector3d rounded;
     for (std::size_t k = 0; k < 3; ++k) rounded[static_cast<Eigen::Index>(k)] = to_double(t[k]);
     const Rational part = rational_in_bits(f.dot(rounded) / rounded.squaredNorm(), bits);
@@ -28,15 +28,15 @@ Vector3 friction_near(const SpaceContact& contact, const Eigen::Vector3d& f, int
 }
 
 /// P' at this multiple, over the box.
-Interval preload_at(const SpaceContact& c, const Rational& multiple) {
+Interval preload_at(const LawContact& c, const Rational& multiple) {
   return {c.preload.low + multiple * c.rate.low, c.preload.high + multiple * c.rate.high};
 }
 
 /// Adds the ends of (F, p x F) over the corners, for all of these forces F.
-void add_wrenches(Intervals6& sum, const SpaceContact& c, const std::vector<Vector3>& forces) {
+void add_wrenches(Intervals6& sum, const LawContact& c, const std::vector<Vector3>& forces) {
   std::optional<Intervals6> ends;
   for (const Vector3& f : forces) {
-    for_each_corner(c.position, [&](const Vector3& p) {
+    for_each_corner(c.place->position, [&](const Vector3& p) {
       const Vector3 moment = cross(p, f);
       const Vector6 wrench{f[0], f[1], f[2], moment[0], moment[1], moment[2]};
       if (!ends) {
@@ -81,7 +81,7 @@ class RestSearch {
   std::optional<RestProof> find() {
     if (!(middle_.motion.norm() <= kStill * box_.reach)) return std::nullopt;
     for (std::size_t i = 0; i < box_.contacts.size(); ++i) {
-      const SpaceContact& c = box_.contacts[i];
+      const LawContact& c = box_.contacts[i];
       if (middle_.sticks[i] == 0) continue;
       const Double3& f = middle_.friction[i];
       const double spare = c.slopes[0] * middle_.normal[i] - std::sqrt(dot(f, f));
@@ -184,21 +184,22 @@ class RestSearch {
   void measure(Matrix6& off, Vector6& rest) const {
     rest = {};
     for (const Rational& multiple : multiples_) {
-      Intervals6 sum = box_.wrench;
+      Intervals6 sum;
+      std::copy_n(box_.wrench.begin(), 6, sum.begin());
       for (std::size_t k = 0; k < 6; ++k) {
         sum[k].low += multiple * box_.growth[k];
         sum[k].high += multiple * box_.growth[k];
       }
       auto next = proof_.friction.begin();
       for (std::size_t i = 0; i < box_.contacts.size(); ++i) {
-        const SpaceContact& c = box_.contacts[i];
+        const LawContact& c = box_.contacts[i];
         Vector3 f{};
         if (next != proof_.friction.end() && next->first.index() == i) f = (next++)->second;
         const Interval preload = preload_at(c, multiple);
         std::vector<Vector3> forces;
         for (const Rational& a : {preload.low, preload.high}) {
           forces.push_back(f);
-          for (std::size_t k = 0; k < 3; ++k) forces.back()[k] += a * c.normal[k];
+          for (std::size_t k = 0; k < 3; ++k) forces.back()[k] += a * c.place->normal[k];
           if (preload.is_point()) break;
         }
         add_wrenches(sum, c, forces);
@@ -259,7 +260,7 @@ class RestSearch {
     constexpr unsigned kRootBits = 64;
     for (std::size_t i = 0; i < needed.size(); ++i) {
       if (needed[i].is_zero()) continue;
-      const SpaceContact& c = box_.contacts[i];
+      const LawContact& c = box_.contacts[i];
       const Rational slope = c.friction.low * short_sqrt(c.squared_length, kRootBits).lower;
       for (const Rational& multiple : multiples_) {
         if (needed[i] > slope * preload_at(c, multiple).low) return false;

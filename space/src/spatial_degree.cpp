@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "free_motions.hpp"
-#include "space_search.hpp"
 #include "stickslip/equilibrium/search/independent_rows.hpp"
+#include "stickslip/search/tree_search.hpp"
 
 namespace stickslip::space_detail {
 
@@ -87,10 +87,9 @@ SpatialWalls::SpatialWalls(const SpaceModel& middle, const ForceSpan& span,
   // Small beside what would change a mode.
   double width = middle.reach;
   for (std::size_t i = 0; i < middle.contacts.size(); ++i) {
-    const SpaceContact& c = middle.contacts[i];
+    const LawContact& c = middle.contacts[i];
     const CornerRow& row = c.corners.front();
-    const double v =
-        c.preloads[0] - c.stiffnesses[0] * as_vector(row.normal_rounded).dot(motion_);
+    const double v = c.preloads[0] - c.stiffnesses[0] * row.normal_rounded.dot(motion_);
     const double stretch =
         std::fabs(v) / (c.stiffnesses[0] * std::sqrt(to_double(c.squared_length)));
     if (stretch > 0) width = std::min(width, stretch);
@@ -107,13 +106,13 @@ SpatialWalls::SpatialWalls(const SpaceModel& middle, const ForceSpan& span,
   };
   std::vector<Candidate> candidates;
   for (std::size_t i = 0; i < middle.contacts.size(); ++i) {
-    const SpaceContact& c = middle.contacts[i];
+    const LawContact& c = middle.contacts[i];
     const CornerRow& row = c.corners.front();
     const double a = equilibrium.normal[i];
     if (!(a > 0)) continue;
     const SlipMatrix slip = slip_matrix(row);
     const Eigen::Vector3d friction(equilibrium.friction[i].data());
-    const EigenVector6 normal = as_vector(row.normal_rounded);
+    const EigenVector6 normal = row.normal_rounded;
     stiffness +=
         c.stiffnesses[0] * (normal + slip.transpose() * friction / a) * normal.transpose();
     const double most = c.slopes[0] * a;
@@ -189,9 +188,9 @@ double SpatialWalls::room(const NearEquilibrium& equilibrium, const EigenVector6
     if (distance > 0 && speed > 0) room = std::min(room, distance / speed);
   };
   for (std::size_t i = 0; i < model_.contacts.size(); ++i) {
-    const SpaceContact& c = model_.contacts[i];
+    const LawContact& c = model_.contacts[i];
     const CornerRow& row = c.corners.front();
-    const EigenVector6 normal = as_vector(row.normal_rounded);
+    const EigenVector6 normal = row.normal_rounded;
     const double v = c.preloads[0] - c.stiffnesses[0] * normal.dot(motion_);
     consider(std::fabs(v), c.stiffnesses[0] * std::fabs(normal.dot(way)));
     if (!(v > 0) || equilibrium.sticks[i] != 0 || !(c.slopes[0] > 0)) continue;
@@ -259,7 +258,7 @@ std::optional<SpatialDegreeProof> prove_stable(const SpaceModel& model,
                                                const SpaceModel& middle,
                                                const NearEquilibrium& equilibrium,
                                                std::size_t node_limit, std::size_t most_nodes,
-                                               SpatialWork& work,
+                                               SearchWork& work,
                                                const std::vector<EigenVector6>& moves) {
   const bool is_point = model.is_point();
   const ForceSpan span(model);
@@ -294,15 +293,15 @@ std::optional<SpatialDegreeProof> prove_stable(const SpaceModel& model,
           rank_of<6>({proof.direction.begin(), proof.direction.end()}) != span.rank()) {
         break;
       }
-      if (model.law == NormalLaw::kBilateral && !all_closed_inside<SpaceRegion>(model, proof))
+      if (model.law == NormalLaw::kBilateral && !all_closed_inside<MotionRegion>(model, proof))
         break;
-      const Direction<6> direction{proof.direction, proof.twist};
+      const PullRule pull{proof.direction, proof.twist};
       const auto refute_all = [&](bool second) {
         const SpaceModel& about = second ? middle : model;
         bool all = true;
         for (std::size_t wall = 0; wall < proof.wall_count(); ++wall) {
-          SpaceSearch search(about, second ? &direction : nullptr, limit, work);
-          if (search.refute(SpaceRegion::wall(about, proof, wall), proof.trees)) continue;
+          TreeSearch search(about, second ? &pull : nullptr, limit, work);
+          if (search.refute(MotionRegion::wall(about, proof, wall), proof.trees)) continue;
           all = false;
           if (growths == 0) return false;
           if (is_simplex) {

@@ -18,7 +18,7 @@ std::optional<SpatialDegreeProof> prove_stable(const SpaceModel& model,
                                                const SpaceModel& middle,
                                                const NearEquilibrium& equilibrium,
                                                std::size_t node_limit, std::size_t most_nodes,
-                                               SpatialWork& work,
+                                               SearchWork& work,
                                                const std::vector<EigenVector6>& moves = {});
 
 }  // namespace stickslip::space_detail

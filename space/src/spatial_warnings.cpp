@@ -85,8 +85,9 @@ std::optional<std::vector<RestingContact<6>>> preloaded_contacts(
     const double friction = preload * read(c.friction.low);
     const auto wrench = [&](double size, const Double3& direction) {
       const Double3 torque = cross(point, direction);
-      return Double6{size * direction[0], size * direction[1], size * direction[2],
-                     size * torque[0],    size * torque[1],    size * torque[2]};
+      return std::array<double, 6>{size * direction[0], size * direction[1],
+                                   size * direction[2], size * torque[0],
+                                   size * torque[1],    size * torque[2]};
     };
     RestingContact<6>& contact = contacts.emplace_back();
     contact.push = wrench(preload, normal);

@@ -55,7 +55,7 @@ GraspFile in_doubles(ShapeInDoubles shape, std::size_t contacts, const Rational&
 struct BriefAnswer {
   std::string verdict;
   std::size_t bytes = 0;  ///< of the certificate
-  BoxWork work{};
+  SearchWork work{};
 };
 
 /// Answers, and has the certificate checked.
@@ -80,7 +80,7 @@ void expect_brief(const BriefAnswer& outcome, const std::string& verdict,
   EXPECT_LE(outcome.work.nodes, 1500u);
   // What doubles leave open is the exception on walls, whatever the number of contacts. Trees
   // of all motions begin with wide regions, which long planes cut.
-  EXPECT_LE(outcome.work.exact_leaves, verdict == "stable" ? 20u : 100u) << contacts;
+  EXPECT_LE(outcome.work.exact_checks, verdict == "stable" ? 20u : 100u) << contacts;
 }
 
 TEST(LongNumbers, PreloadedIsProvedWithoutExactEquilibrium) {

@@ -23,13 +23,13 @@ Question question_of(const GraspFile& file, const char* tolerances) {
   return ask(file, options);
 }
 
-BoxTrees every_node() {
+Trees every_node() {
   return {PartSplit{Parameter::kFriction, 0, Rational(1, 2)},
           PartSplit{Parameter::kWrench, 2, -3},
           SlipSplit{ContactId(0)},
           SeparationSplit{ContactId(0)},
-          PlaneSplit{{1, -2, 3, 4, 0}},
-          VirtualWorkLeaf{{0, -1, 2}}};
+          PlaneCut{{1, -2, 3, 4, 0}},
+          TwistLeaf{{0, -1, 2}}};
 }
 
 constexpr const char* kNodes = R"( "tree": [
@@ -55,11 +55,13 @@ TEST(BoxCertificate, Unstable) {
 }
 
 TEST(BoxCertificate, Stable) {
-  const SquareMatrix<3> walls{Vector3{1, 0, 0}, Vector3{0, Rational(1, 2), 0}, Vector3{0, 0, -3}};
-  const SquareMatrix<3> direction{Vector3{1, 2, 3}, Vector3{4, 5, 6}, Vector3{7, 8, Rational(9, 2)}};
+  const SquareMatrix<3> walls{Vector3{1, 0, 0}, Vector3{0, Rational(1, 2), 0},
+                              Vector3{0, 0, -3}};
+  const SquareMatrix<3> direction{Vector3{1, 2, 3}, Vector3{4, 5, 6},
+                                  Vector3{7, 8, Rational(9, 2)}};
   const std::vector<Vector3> rows(walls.begin(), walls.end());
-  const DegreeProof proof{
-      ConvexBody<3>{{0, 1, Rational(2, 3)}, false, rows}, direction, every_node()};
+  const DegreeProof proof{ConvexBody<3>{{0, 1, Rational(2, 3)}, false, rows}, direction,
+                          every_node()};
   const StabilityProof parts{PartSplit{Parameter::kTurn, 0, 0}, proof,
                              DegreeProof{ConvexBody<3>{{}, false, rows}, walls, {}}};
   const std::string text = box_certificate_text(question_of(file_of({0, 1}, 1), "normal=1/9"),
@@ -92,7 +94,7 @@ TEST(BoxCertificate, NamesOfParameters) {
              {Parameter::kStiffness, "stiffness"},
              {Parameter::kWrench, "wrench"}};
   for (const auto& [parameter, name] : all) {
-    const BoxTrees tree{PartSplit{parameter, 0, 1}};
+    const Trees tree{PartSplit{parameter, 0, 1}};
     EXPECT_THAT(box_certificate_text(question, {UnstableThroughout{tree}, {}}, "us"),
                 HasSubstr(std::string("[\"part\",\"") + name + "\",0,1]"));
   }

@@ -48,7 +48,8 @@ class Asking(Case):
                          (["-2", "2", "-2"], "unilateral", "intervals"))
         self.assertNotIn("bits", answer)
         self.assertEqual(set(answer["stats"]),
-                         {"nodes", "proofs", "examples", "parts", "exact_leaves"})
+                         {"nodes", "leaves", "rays", "most_rays", "pairs", "ray_bits", "twist_bits", "filter_hits", "exact_checks",
+                          "proofs", "examples", "parts"})
 
     def test_tolerances_widen(self):
         words = ("friction=10%,stiffness=1/2,preload=1,position=1/100,normal=0.0175,wrench=50%")

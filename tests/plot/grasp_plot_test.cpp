@@ -122,7 +122,7 @@ TEST(PlotSpatialGrasp, UndecidedOrUnstableHasNoForces) {
   EXPECT_NE(undecided.find("one: undecided"), std::string::npos);
   EXPECT_NE(undecided.find("Undecided: 7 nodes."), std::string::npos);
   const std::string unstable =
-      plot_grasp(pushed_down(), SpatialVerdict(SpatiallyUnstable{{LeafIn<6>{}}}));
+      plot_grasp(pushed_down(), SpatialVerdict(SpatiallyUnstable{{TwistLeaf{Row(6)}}}));
   EXPECT_NE(unstable.find("proved by one virtual twist."), std::string::npos);
   for (const std::string& svg : {undecided, unstable}) {
     EXPECT_EQ(svg.find("class=\"force\""), std::string::npos);

@@ -12,18 +12,13 @@
 
 #include "stickslip/box/parameter_box.hpp"
 #include "stickslip/equilibrium/decide.hpp"
-#include "stickslip/equilibrium/search/degree.hpp"
+#include "stickslip/search/search_work.hpp"
+#include "stickslip/search/tree.hpp"
 
 namespace stickslip {
 
-/// A node of a tree about a box: those of section 4, and cuts of the box.
-using BoxNode =
-    std::variant<SlipSplit, SeparationSplit, PlaneSplit, VirtualWorkLeaf, PartSplit>;
-/// Trees in preorder, one after another.
-using BoxTrees = std::vector<BoxNode>;
-
 /// Of every grasp of a part of the box.
-using DegreeProof = DegreeProofIn<3, BoxNode>;
+using DegreeProof = DegreeProofOf<3>;
 
 /// Cuts and proofs in preorder.
 using StabilityProof = PartsIn<DegreeProof>;
@@ -34,7 +29,7 @@ struct StableThroughout {
 };
 /// Unstable for every grasp in the box.
 struct UnstableThroughout {
-  BoxTrees tree;  ///< the proof
+  Trees tree;  ///< the proof
 };
 /// Two grasps in the box have opposite verdicts.
 struct Fragile {
@@ -57,25 +52,10 @@ struct BoxOptions {
   unsigned most_bits = 1024;  ///< the limit
 };
 
-/// What it took; reproducible.
-struct BoxWork {
-  std::size_t nodes = 0;         ///< of all trees, whether they were completed or given up
-  std::size_t proofs = 0;        ///< parallelepipeds tried
-  std::size_t examples = 0;      ///< grasps decided one by one
-  std::size_t parts = 0;         ///< pieces of the box with a proof of their own
-  std::size_t exact_leaves = 0;  ///< twists for leaves that doubles could not judge
-
-  /// Sums.
-  BoxWork& operator+=(const BoxWork& part);
-};
-
-/// The work, by name; the order is that of the members.
-std::vector<std::pair<std::string, std::size_t>> counters(const BoxWork& work);
-
 /// The answer, and what it took.
 struct BoxDecision {
   BoxVerdict verdict;                          ///< with its evidence
-  BoxWork work;                                ///< to find it
+  SearchWork work;                             ///< to find it
   unsigned bits = ParameterBox::kDefaultBits;  ///< of the proof
 };
 

@@ -37,7 +37,7 @@ struct ResistedMultiples {
 struct RefutedMultiples {
   Rational low;                  ///< >= 0
   std::optional<Rational> high;  ///< > low; nothing: without end
-  SpatialTrees tree;             ///< nodes see the multiple as well
+  Trees tree;                    ///< nodes see the multiple as well
 };
 
 /// What is claimed of some multiples.
@@ -47,7 +47,7 @@ using MultiplesClaim = std::variant<ResistedMultiples, RefutedMultiples>;
 struct SpatialMargin {
   /// Increasing; where one ends the next may begin.
   std::vector<MultiplesClaim> claims;
-  SpatialWork work;     ///< to find them
+  SearchWork work;      ///< to find them
   unsigned bits = 128;  ///< of the proofs
 
   /// Increasing; claims that touch are one interval.

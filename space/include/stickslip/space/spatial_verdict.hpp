@@ -18,8 +18,9 @@
 #include <vector>
 
 #include "stickslip/equilibrium/part.hpp"
-#include "stickslip/equilibrium/search/degree.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
+#include "stickslip/search/search_work.hpp"
+#include "stickslip/search/tree.hpp"
 #include "stickslip/space/spatial_question.hpp"
 
 namespace stickslip {
@@ -31,14 +32,8 @@ struct SpatialWitness {
   std::vector<std::pair<ContactId, Vector3>> shares;
 };
 
-/// Of a slip split two children: s_i = 0, and s_i strict.
-using SpatialNode =
-    std::variant<SlipSplit, SeparationSplit, PlaneSplitIn<6>, LeafIn<6>, PartSplit>;
-/// Trees in preorder, one after another.
-using SpatialTrees = std::vector<SpatialNode>;
-
 /// Of every grasp of the box.
-using SpatialDegreeProof = DegreeProofIn<6, SpatialNode>;
+using SpatialDegreeProof = DegreeProofOf<6>;
 
 /// Nothing moves: friction at rest f0 + sum of G_l z_l, with whatever |z_l| <= reach_l balances
 /// a grasp of the box (certificate/FORMAT.md, section 6, "Stable: at rest").
@@ -66,7 +61,7 @@ struct SpatiallyStable {
 };
 /// No equilibrium exists, for any grasp in the box.
 struct SpatiallyUnstable {
-  SpatialTrees tree;  ///< the proof
+  Trees tree;  ///< the proof
 };
 /// Two grasps in the box have opposite verdicts.
 struct SpatiallyFragile {
@@ -81,9 +76,6 @@ using SpatialVerdict =
 /// "stable", "unstable", "fragile", "undecided".
 const char* name_of(const SpatialVerdict& verdict);
 
-/// How many nodes are leaves.
-std::size_t leaf_count(const SpatialTrees& trees);
-
 /// How much to try.
 struct SpatialSearchOptions {
   /// Of each tree; 0: one with which an answer takes about a minute at most for 12 contacts.
@@ -92,32 +84,10 @@ struct SpatialSearchOptions {
   unsigned bits = 128;
 };
 
-/// What it took; reproducible.
-struct SpatialWork {
-  std::size_t nodes = 0;         ///< of all trees, whether they were completed or given up
-  std::size_t leaves = 0;        ///< that were confirmed
-  std::size_t rays = 0;          ///< generators of all regions, lines counted twice
-  std::size_t most_rays = 0;     ///< of one region
-  std::size_t pairs = 0;         ///< of rays, tested for being neighbours when a plane cut
-  std::size_t ray_bits = 0;      ///< of the largest entry of any ray
-  std::size_t twist_bits = 0;    ///< of the largest entry of a leaf's twist
-  std::size_t filter_hits = 0;   ///< twists that doubles turned down
-  std::size_t exact_checks = 0;  ///< of twists, those that doubles could not turn down
-  std::size_t proofs = 0;        ///< parallelepipeds tried
-  std::size_t examples = 0;      ///< grasps of the box decided one by one
-  std::size_t parts = 0;         ///< pieces of the box that were tried
-
-  /// Sums, and the larger of what is the largest.
-  SpatialWork& operator+=(const SpatialWork& part);
-};
-
-/// The work, by name; the order is that of the members.
-std::vector<std::pair<std::string, std::size_t>> counters(const SpatialWork& work);
-
 /// The answer, and what it took.
 struct SpatialDecision {
   SpatialVerdict verdict;  ///< with its evidence
-  SpatialWork work;        ///< to find it
+  SearchWork work;         ///< to find it
   unsigned bits = 128;     ///< of the proof
 };
 

@@ -370,8 +370,8 @@ bool TreeSearch::is_candidate(const MotionRegion& region, const Relaxation& foun
 
 std::optional<TreeSearch::Branch> TreeSearch::examine(const MotionRegion& region,
                                                       std::size_t depth) {
-  // Below the depth that the format allows, by more than the parts of a box above this tree.
-  const std::size_t deepest = 2 * law_.contacts.size() + 250;
+  // Below the depth that the format allows, by more than the parts of a box above this tree (32).
+  const std::size_t deepest = 2 * law_.contacts.size() + 220;
   if (nodes_left_ == 0 || depth > deepest) {
     end_ = nodes_left_ == 0 ? SearchEnd::kNodes : SearchEnd::kDepth;
     return std::nullopt;

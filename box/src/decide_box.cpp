@@ -9,6 +9,7 @@
 #include "prove.hpp"
 #include "stickslip/box/box_verdict.hpp"
 #include "stickslip/equilibrium/stable_by_degree.hpp"
+#include "stickslip/search/force_span.hpp"
 #include "stickslip/search/tree_search.hpp"
 
 namespace stickslip {
@@ -99,6 +100,11 @@ class Decider {
  private:
   bool refute(const ParameterBox& box) {
     const Law model = law_of(box);
+    if (const std::optional<Row> y = unopposed_twist(model)) {
+      tree.emplace_back(TwistLeaf{*y});
+      ++work_.nodes;
+      return true;
+    }
     TreeSearch search(model, nullptr, node_limit_, work_);
     const std::size_t before = tree.size();
     const bool done = search.refute(MotionRegion::root(model), tree);

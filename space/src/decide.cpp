@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "equilibria.hpp"
-#include "free_motions.hpp"
 #include "rest.hpp"
 #include "spatial_degree.hpp"
 #include "stickslip/equilibrium/search/search_end.hpp"
+#include "stickslip/search/force_span.hpp"
 #include "stickslip/search/tree_search.hpp"
 #include "stickslip/space/spatial_verdict.hpp"
 
@@ -190,10 +190,8 @@ bool SpaceDecider::prove_whole(const SpaceModel& box,
     if (!near_middle) near_middle = near;
     return holds = prove_stable_near(box, middle, near);
   };
-  // What no force opposes is found exactly: in doubles it would be missed by a little.
-  const std::optional<Row> unopposed =
-      stable_ != true ? ForceSpan(box).unopposed(box) : std::nullopt;
-  if (unopposed && MotionRegion::root(box).is_refuted(*unopposed, nullptr)) {
+  const std::optional<Row> unopposed = stable_ != true ? unopposed_twist(box) : std::nullopt;
+  if (unopposed) {
     tree_.emplace_back(TwistLeaf{*unopposed});
     ++work_.nodes;
     ++work_.leaves;

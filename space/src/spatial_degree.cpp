@@ -9,8 +9,8 @@
 #include <cmath>
 #include <utility>
 
-#include "free_motions.hpp"
 #include "stickslip/equilibrium/search/independent_rows.hpp"
+#include "stickslip/search/force_span.hpp"
 #include "stickslip/search/tree_search.hpp"
 
 namespace stickslip::space_detail {
@@ -138,7 +138,7 @@ SpatialWalls::SpatialWalls(const SpaceModel& middle, const ForceSpan& span,
   // Sticking contacts whose slips are independent, those with most friction to spare first.
   constexpr double kIndependent = 1e-2;
   IndependentRows<6> independent;
-  for (const Vector6& z : span.free_motions()) {
+  for (const RationalRow& z : span.free_motions()) {
     EigenVector6 motion;
     for (std::size_t j = 0; j < 6; ++j) {
       motion[static_cast<Eigen::Index>(j)] = to_double(z[j]) * (j < 3 ? 1 : middle.length);

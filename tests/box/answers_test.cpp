@@ -110,6 +110,20 @@ TEST(RandomBoxes, AHundredThousandGraspsInsideProvedOnes) {
   }
 }
 
+// One contact leaves motions that no force opposes; a load that is against one of them by 5e-10
+// of its size balances as doubles see it.
+TEST(IrrationalLengths, WhatNoForceOpposesIsFoundExactly) {
+  const Rational one = parse_rational("1.000000001");
+  Contact contact{{-1, -1}, {1, parse_rational("1e-9")}};
+  contact.friction = 1;
+  contact.stiffness = Rational(1, 2);
+  contact.preload = one;
+  const LoadedGrasp loaded{
+      Grasp({contact}), {parse_rational("-1.0000000005"), one, parse_rational("-2.000000001")}};
+  ASSERT_TRUE(needs_enclosure(box_of(loaded)));
+  EXPECT_STREQ(name_of(decide_box(box_of(loaded), NormalLaw::kUnilateral).verdict), "unstable");
+}
+
 // Turned by 45 degrees and grown by sqrt 2, preloads alone hold or do not hold as before; but
 // all lengths have become irrational. (Where contacts may open, all of them open is an
 // equilibrium.)

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/search/force_span.hpp"
+
+#include <algorithm>
+
+namespace stickslip {
+
+ForceSpan::ForceSpan(const Law& law) : motions_(law.motions) {
+  for (const LawContact& c : law.contacts) {
+    for (const CornerRow& corner : c.corners) {
+      if (rank() == motions_) return;
+      add(corner.normal);
+      if (c.friction.high.is_zero()) continue;
+      for (const Row& slip : corner.slip) add(RationalRow(slip.begin(), slip.end()));
+    }
+  }
+}
+
+void ForceSpan::add(RationalRow row) {
+  const auto subtract = [](RationalRow& from, const RationalRow& other, std::size_t column) {
+    const Rational factor = from[column];
+    if (factor.is_zero()) return;
+    for (std::size_t j = 0; j < from.size(); ++j) from[j] -= factor * other[j];
+  };
+  for (std::size_t k = 0; k < rank(); ++k) subtract(row, rows_[k], columns_[k]);
+  std::size_t column = 0;
+  while (column < motions_ && row[column].is_zero()) ++column;
+  if (column == motions_) return;
+  const Rational first = row[column];
+  for (Rational& entry : row) entry /= first;
+  for (RationalRow& other : rows_) subtract(other, row, column);
+  rows_.push_back(std::move(row));
+  columns_.push_back(column);
+}
+
+std::vector<RationalRow> ForceSpan::free_motions() const {
+  std::vector<RationalRow> motions;
+  for (std::size_t j = 0; j < motions_; ++j) {
+    if (std::find(columns_.begin(), columns_.end(), j) != columns_.end()) continue;
+    RationalRow& z = motions.emplace_back(motions_);
+    z[j] = 1;
+    for (std::size_t k = 0; k < rank(); ++k) z[columns_[k]] = -rows_[k][j];
+  }
+  return motions;
+}
+
+bool ForceSpan::has_loads_of(const Law& law) const {
+  for (const RationalRow& z : free_motions()) {
+    Rational work = 0;
+    for (std::size_t j = 0; j < motions_; ++j) {
+      if (!law.wrench[j].is_point() && !z[j].is_zero()) return false;
+      work += z[j] * law.wrench[j].low;
+    }
+    if (!work.is_zero() || (law.is_family && !dot(z, law.growth).is_zero())) return false;
+  }
+  return true;
+}
+
+std::optional<Row> unopposed_twist(const Law& law) {
+  RationalRow y(law.motions);
+  for (const RationalRow& z : ForceSpan(law).free_motions()) {
+    Rational work = 0;
+    for (std::size_t j = 0; j < y.size(); ++j) work += z[j] * law.wrench[j].middle();
+    for (std::size_t j = 0; j < y.size(); ++j) y[j] -= work * z[j];
+  }
+  Row twist = primitive_multiple(y);
+  if (is_zero(twist) || !MotionRegion::root(law).is_refuted(twist, nullptr))
+    return std::nullopt;
+  return twist;
+}
+
+}  // namespace stickslip

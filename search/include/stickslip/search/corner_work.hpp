@@ -28,20 +28,20 @@ struct CornerPairs {
 /// The ends of P' and k', each.
 template <class Number>
 struct SpringEnds {
-  std::array<Number, 2> preloads;
-  std::array<Number, 2> stiffnesses;
+  std::array<Number, 2> preloads;     ///< P'
+  std::array<Number, 2> stiffnesses;  ///< k'
 };
 
 /// Which force does the most work: friction of slope s, at these ends, in this cell.
 template <class Number>
 struct Strongest {
-  Number bound{0};           ///< times the number of corners
-  std::size_t friction = 2;  ///< index of s; 2: none, the force is 0
-  std::size_t preload = 0;   ///< end
-  std::size_t stiffness = 0;
-  std::size_t cell = 0;    ///< unless `product`
-  std::size_t corner = 0;  ///< where alpha is largest, if `product`
-  bool product = false;
+  Number bound{0};            ///< times the number of corners
+  std::size_t friction = 2;   ///< index of s; 2: none, the force is 0
+  std::size_t preload = 0;    ///< end
+  std::size_t stiffness = 0;  ///< end
+  std::size_t cell = 0;       ///< unless `product`
+  std::size_t corner = 0;     ///< where alpha is largest, if `product`
+  bool product = false;       ///< by the largest alpha and the largest v
 };
 
 /// b_i(r) of a virtual twist, for one contact.
@@ -90,7 +90,7 @@ class CornerWork {
     }
     return true;
   }
-  const CornerPairs& pairs() const { return pairs_; }
+  const CornerPairs& pairs() const { return pairs_; }  ///< of its corners
 
  private:
   Strongest<Number> bernstein(std::size_t s, const Number& h, const Number* rises) const {

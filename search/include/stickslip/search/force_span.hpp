@@ -11,8 +11,8 @@
 
 namespace stickslip {
 
-/// All wrenches that contacts can exert, whatever the law's numbers are: the rows N_i, and those
-/// of S_i where there is friction.
+/// All wrenches that contacts can exert, whatever the law's numbers are: the rows N_i, and
+/// those of S_i where there is friction.
 class ForceSpan {
  public:
   /// Of all of its contacts.

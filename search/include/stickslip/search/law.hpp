@@ -17,6 +17,7 @@
 
 namespace stickslip {
 
+/// Of a slip or of a force across a normal, in doubles.
 using Double3 = std::array<double, 3>;
 
 /// The different ends of an interval.
@@ -36,20 +37,20 @@ struct CornerRow {
 
 /// In space: where the contact lies, for cuts of what its position makes uncertain.
 struct SpatialPlace {
-  std::array<Interval, 3> position;
-  Vector3 normal;    ///< n
-  CornerRow centre;  ///< the rows of the middle of the position
+  std::array<Interval, 3> position;  ///< p
+  Vector3 normal;                    ///< n
+  CornerRow centre;                  ///< the rows of the middle of the position
 };
 
 /// Numbers of a contact in the plane, of uncertain geometry, in integers: N and T times
 /// `length`, mu times `cone`, k' times `law` and P' times `law` and `length`.
 struct WholeCorners {
-  std::vector<Row> normals;   ///< N by corner
-  std::vector<Row> tangents;  ///< T by corner
-  std::array<Integer, 2> frictions;
-  SpringEnds<Integer> ends;
-  Integer cone;
-  Rational weight;  ///< of bounds (corner_work.hpp)
+  std::vector<Row> normals;          ///< N by corner
+  std::vector<Row> tangents;         ///< T by corner
+  std::array<Integer, 2> frictions;  ///< ends of mu
+  SpringEnds<Integer> ends;          ///< of P' and k'
+  Integer cone;                      ///< the factor of mu, and of N in alpha
+  Rational weight;                   ///< of bounds (corner_work.hpp)
 };
 
 /// A contact.
@@ -83,6 +84,7 @@ struct LawContact {
   bool is_moderate = true;
   /// \}
 
+  /// Whether there is one corner.
   bool geometry_is_certain() const { return corners.size() == 1; }
   /// How many coordinates a slip has: 1 in the plane, 3 in space.
   std::size_t slip_dimension() const { return corners.front().slip.size(); }
@@ -91,14 +93,14 @@ struct LawContact {
 /// All contacts and the load. Coordinates of motions from first_rotation on are rotations; in
 /// doubles these are times `length`, and torques over it.
 struct Law {
-  std::size_t motions = 3;         ///< D
-  std::size_t first_rotation = 2;  ///< of the coordinates of motions
-  std::vector<LawContact> contacts{};
-  std::vector<Interval> wrench{};  ///< w
-  RationalRow growth{};            ///< u, of a margin
-  bool is_family = false;          ///< a margin: points have multiples
-  MultipleRange multiples{};       ///< of a margin
-  NormalLaw law = NormalLaw::kUnilateral;
+  std::size_t motions = 3;                 ///< D
+  std::size_t first_rotation = 2;          ///< of the coordinates of motions
+  std::vector<LawContact> contacts{};      ///< by ContactId
+  std::vector<Interval> wrench{};          ///< w
+  RationalRow growth{};                    ///< u, of a margin
+  bool is_family = false;                  ///< a margin: points have multiples
+  MultipleRange multiples{};               ///< of a margin
+  NormalLaw law = NormalLaw::kUnilateral;  ///< of all contacts
 
   /// \{ What follows, once complete() was called.
   double length = 1;                          ///< a typical distance

@@ -70,7 +70,9 @@ class MotionRegion : public StrictCone {
 
   /// points() in doubles.
   const std::vector<Reals>& generators() const { return generators_; }
+  /// Whether the contact is closed, open or either.
   Separation separation(std::size_t contact) const { return separations_[contact]; }
+  /// Of a contact that is not open.
   const SlipCone& slips(std::size_t contact) const { return slips_[contact]; }
   /// Slopes of friction, by the ends of mu, that a contact in the plane may have.
   template <class Number>

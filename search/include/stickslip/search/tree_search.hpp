@@ -51,9 +51,10 @@ class TreeSearch {
   TreeSearch(const Law& law, const PullRule* pull, std::size_t node_limit, SearchWork& work)
       : law_(law), pull_(pull), nodes_left_(node_limit), work_(work) {}
 
-  /// To be called with relaxed equilibria that may be near real ones; true ends the search.
+  /// \{ To be called with relaxed equilibria that may be near real ones; true ends the search.
   using Candidate = std::function<bool(const RelaxedEquilibrium&)>;
   void on_candidate(Candidate candidate) { candidate_ = std::move(candidate); }
+  /// \}
 
   /// Appends a tree that refutes the region; false if none was found, and then `trees` has some
   /// nodes more.

@@ -27,11 +27,12 @@ struct RayOf {
   std::vector<ConstraintIndex> tight;  ///< the constraints that are 0 at x, increasing
 };
 
-/// Of a vector whose length is fixed; else 0.
+/// \{ Of a vector whose length is fixed; else 0.
 template <class Vector>
 constexpr std::size_t kCoordinates = 0;
 template <std::size_t n>
 constexpr std::size_t kCoordinates<IntegerVector<n>> = n;
+/// \}
 
 /// In the plane.
 using Ray = RayOf<IntegerVector5>;

@@ -16,11 +16,12 @@ namespace stickslip::equilibrium_detail {
 /// A point or direction in double precision.
 using Double3 = std::array<double, 3>;
 
-/// How many points a hull may use: one more than there are coordinates.
+/// \{ How many points a hull may use: one more than there are coordinates.
 template <class Point>
 constexpr std::size_t kMostPointsOf = std::tuple_size_v<Point> + 1;
 template <>
 inline constexpr std::size_t kMostPointsOf<Reals> = kMostCoordinates + 1;
+/// \}
 
 /// The hull of the points added so far, by at most n + 1 of them. A Point is a std::array of n
 /// doubles, or Reals.

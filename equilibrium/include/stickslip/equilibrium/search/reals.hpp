@@ -16,6 +16,7 @@ constexpr int kMostCoordinates = 32;
 /// In double precision.
 using Reals = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostCoordinates, 1>;
 
+/// The sum of a_j b_j.
 inline double dot(const Reals& a, const Reals& b) {
   return a.dot(b);
 }

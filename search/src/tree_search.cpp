@@ -9,6 +9,19 @@
 #include "short_plane.hpp"
 
 namespace stickslip {
+namespace search_detail {
+
+/// A function of points that a contact's uncertain position makes uncertain: it lies between
+/// low h + middle - far.|omega| and high h + middle + far.|omega| (of the rotation omega of a
+/// point).
+struct Wedge {
+  RationalRow middle;  ///< a function of motions
+  Rational low;        ///< of the height
+  Rational high;       ///< of the height
+  Vector3 far;         ///< >= 0
+};
+
+}  // namespace search_detail
 
 using namespace search_detail;
 
@@ -370,7 +383,8 @@ bool TreeSearch::is_candidate(const MotionRegion& region, const Relaxation& foun
 
 std::optional<TreeSearch::Branch> TreeSearch::examine(const MotionRegion& region,
                                                       std::size_t depth) {
-  // Below the depth that the format allows, by more than the parts of a box above this tree (32).
+  // Below the depth that the format allows, by more than the parts of a box above this tree
+  // (32).
   const std::size_t deepest = 2 * law_.contacts.size() + 220;
   if (nodes_left_ == 0 || depth > deepest) {
     end_ = nodes_left_ == 0 ? SearchEnd::kNodes : SearchEnd::kDepth;

@@ -24,7 +24,8 @@ namespace stickslip {
 
 namespace search_detail {
 class AllowedWrenches;
-}
+struct Wedge;
+}  // namespace search_detail
 
 /// Motion and forces of a region whose wrenches add up to 0, in the law's units.
 struct Relaxation {
@@ -64,15 +65,6 @@ class TreeSearch {
 
  private:
   using Branch = equilibrium_detail::Branch<TreeNode, MotionRegion>;
-  /// A function of points that a contact's uncertain position makes uncertain: it lies between
-  /// low h + middle - far.|omega| and high h + middle + far.|omega| (of the rotation omega of
-  /// a point).
-  struct Wedge {
-    RationalRow middle;  ///< a function of motions
-    Rational low;        ///< of the height
-    Rational high;       ///< of the height
-    Vector3 far;         ///< >= 0
-  };
 
   std::optional<Branch> examine(const MotionRegion& region, std::size_t depth);
   std::optional<Row> confirm(const MotionRegion& region,
@@ -91,7 +83,7 @@ class TreeSearch {
   std::optional<Branch> split_short(const MotionRegion& region, const Relaxation& found,
                                     const std::vector<Row>& planes) const;
   std::optional<Branch> split_wedge(const MotionRegion& region, const Relaxation& found,
-                                    const Wedge& wedge) const;
+                                    const search_detail::Wedge& wedge) const;
   bool is_candidate(const MotionRegion& region, const Relaxation& found) const;
   bool escapes(const Relaxation& found, double energy) const;
   double height(const Relaxation& found) const;

@@ -103,6 +103,7 @@ class Decider {
     if (const std::optional<Row> y = unopposed_twist(model)) {
       tree.emplace_back(TwistLeaf{*y});
       ++work_.nodes;
+      ++work_.leaves;
       return true;
     }
     TreeSearch search(model, nullptr, node_limit_, work_);

@@ -248,9 +248,7 @@ const std::vector<double>& AllowedWrenches::sizes() const {
 
 std::optional<bool> AllowedWrenches::are_refuted_by(const Row& exact) const {
   Reals y = in_doubles(exact);
-  for (std::size_t j = 0; j < law_.motions; ++j) {
-    y[static_cast<Eigen::Index>(j)] *= law_.unit(j);
-  }
+  law_.rotations(y) *= law_.length;
   // Every number is within four roundings of the exact one, up to the factors of the rays; a
   // term has fewer than ten factors and sums, of which a mean over the corners has 64 at most.
   // What underflows is far below kUnderflow.

@@ -144,6 +144,15 @@ void CornerRow::set_slip(const std::vector<RationalRow>& multiple, const Rationa
   }
 }
 
+std::vector<Row> CornerRow::slip_planes(std::size_t coordinates) const {
+  std::vector<Row> planes;
+  for (const Row& row : slip) {
+    planes.push_back(primitive(row));
+    planes.back().resize(coordinates);
+  }
+  return planes;
+}
+
 void Law::complete(double farthest) {
   length = farthest > 0 && std::isfinite(farthest) ? farthest : 1;
   const auto size_of_force = [&](const LawContact& c) {
@@ -205,16 +214,14 @@ void Law::complete(double farthest) {
 
 Reals Law::scaled(const Row& point) const {
   Reals x = in_doubles(point);
-  for (std::size_t j = first_rotation; j < motions; ++j)
-    x[static_cast<Eigen::Index>(j)] *= length;
+  rotations(x) *= length;
   normalize(x);
   return x;
 }
 
 double Law::value_at(const Row& plane, const Reals& x) const {
   Reals p = in_doubles(plane);
-  for (std::size_t j = first_rotation; j < motions; ++j)
-    p[static_cast<Eigen::Index>(j)] /= length;
+  rotations(p) /= length;
   normalize(p);
   return p.dot(x);
 }
@@ -225,9 +232,7 @@ Row Law::plane_between(const Reals& a, const Reals& b, const Reals& x) const {
   const double size = x.squaredNorm();
   if (!(size > 0) || across.squaredNorm() < kClose) return Row(coordinates());
   across -= across.dot(x) / size * x;
-  for (std::size_t j = first_rotation; j < motions; ++j) {
-    across[static_cast<Eigen::Index>(j)] *= length;
-  }
+  rotations(across) *= length;
   constexpr int kBits = 12;
   return in_bits(across, kBits);
 }

@@ -96,9 +96,7 @@ Reals PullRule::against(const Law& law, const Row& x) const {
   Row exact;
   for (const Row& row : rows_) exact.emplace_back(-dot(row, x));
   Reals result = in_doubles(exact);
-  for (std::size_t j = law.first_rotation; j < law.motions; ++j) {
-    result[static_cast<Eigen::Index>(j)] /= law.length;
-  }
+  law.rotations(result) /= law.length;
   normalize(result);
   return result;
 }
@@ -150,11 +148,8 @@ std::vector<MotionRegion> MotionRegion::halves(const Row& plane) const {
 }
 
 std::vector<MotionRegion> MotionRegion::slip_children(std::size_t contact) const {
-  std::vector<Row> planes = law_->contacts[contact].corners.front().slip;
-  for (Row& plane : planes) {
-    plane = primitive(std::move(plane));
-    plane.resize(law_->coordinates());
-  }
+  const std::vector<Row> planes =
+      law_->contacts[contact].corners.front().slip_planes(law_->coordinates());
   MotionRegion still = *this;
   for (const Row& plane : planes) still.cut(plane, Side::kZero);
   still.still_[contact] = 1;

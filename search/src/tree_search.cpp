@@ -78,8 +78,7 @@ int side_of_all(const Law& law, const std::vector<Row>& planes, const Reals& x) 
 std::vector<Row> slip_planes(const Law& law, const LawContact& contact) {
   std::vector<Row> planes;
   for (const CornerRow& row : contact.corners) {
-    planes.push_back(primitive(row.slip.front()));
-    planes.back().resize(law.coordinates());
+    planes.push_back(row.slip_planes(law.coordinates()).front());
   }
   return planes;
 }
@@ -94,9 +93,7 @@ double TreeSearch::height(const Relaxation& found) const {
 std::optional<Row> TreeSearch::confirm(const MotionRegion& region,
                                        const AllowedWrenches& wrenches, const Reals& twist) {
   Reals y = twist;
-  for (std::size_t j = 0; j < law_.motions; ++j) {
-    y[static_cast<Eigen::Index>(j)] /= law_.unit(j);
-  }
+  law_.rotations(y) /= law_.length;
   const auto found = equilibrium_detail::in_fewest_bits(
       y, {2, 3, 4, 6, 8, 10, 12, 16, 24, 36, 50}, [&](const Row& candidate) {
         if (const std::optional<bool> known = wrenches.are_refuted_by(candidate)) {

@@ -31,6 +31,8 @@ struct CornerRow {
   Reals normal_rounded{};  ///< N, in the law's units
   std::vector<Reals> slip_rounded{};  ///< S, in the law's units
 
+  /// S as functions of so many coordinates of points, primitive.
+  std::vector<Row> slip_planes(std::size_t coordinates) const;
   /// From a multiple of S.
   void set_slip(const std::vector<RationalRow>& multiple, const Rational& factor);
 };
@@ -119,6 +121,11 @@ struct Law {
   /// One in doubles over one as it stands, of a coordinate of points.
   double unit(std::size_t coordinate) const {
     return coordinate >= first_rotation && coordinate < motions ? length : 1;
+  }
+  /// Of a motion or of more coordinates of a point: those that are times `length`, or over it.
+  auto rotations(Reals& x) const {
+    return x.segment(static_cast<Eigen::Index>(first_rotation),
+                     static_cast<Eigen::Index>(motions - first_rotation));
   }
   /// A point in doubles, of norm 1.
   Reals scaled(const Row& point) const;

@@ -1,15 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Two grasps of a box with opposite verdicts: how answers show and write them.
+/// Verdicts on boxes, in words; and two grasps of a box with opposite verdicts: how answers
+/// show and write them.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "box_numbers.hpp"
+#include "stickslip/box/box_verdict.hpp"
 #include "stickslip/certificate/proved_files.hpp"
+#include "stickslip/core/file.hpp"
 
 namespace stickslip {
+
+/// What a verdict means. `is_wide`: some number is an interval.
+struct Meaning {
+  bool is_wide;  ///< of the question
+
+  std::string operator()(const StableThroughout& stable) const;      ///< with how it is proved
+  std::string operator()(const UnstableThroughout& unstable) const;  ///< likewise
+  std::string operator()(const Undecided& undecided) const;          ///< and what to do
+  /// Whatever fragile_text() says.
+  template <class Grasp>
+  std::string operator()(const Fragile<Grasp>& /*fragile*/) const {
+    return "";
+  }
+};
 
 /// What a fragile box is, and a table. `examples`: the folder to which both grasps are written;
 /// may be empty.
@@ -25,5 +42,16 @@ void say_no_examples(bool is_box, const std::string& verdict);
 
 /// Says on standard error that a fragile box has two certificates, and how to get them.
 void say_two_certificates();
+
+/// To a file, unless its name is empty; says it if there is none.
+template <class Answer>
+void write_certificate_of_box(const Answer& answer, const std::string& file) {
+  if (file.empty()) return;
+  if (const auto certificate = certificate_of(answer)) {
+    write_whole_file(file, *certificate);
+  } else if (!std::holds_alternative<Undecided>(answer.decision.verdict)) {
+    say_two_certificates();
+  }
+}
 
 }  // namespace stickslip

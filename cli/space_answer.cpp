@@ -13,48 +13,6 @@
 #include "warnings.hpp"
 
 namespace stickslip {
-namespace {
-
-struct SpatialMeaning {
-  bool wide;  ///< some number is an interval
-
-  std::string operator()(const SpatiallyStable& stable) const {
-    if (std::holds_alternative<SpatialWitness>(stable.proof)) {
-      return "These forces balance the load, lie in their friction cones and oppose slip; "
-             "checked exactly.\n";
-    }
-    const auto& proofs = std::get<SpatialParts>(stable.proof);
-    const std::size_t parts = part_count(proofs);
-    return (wide ? "Every grasp in the box holds the load. Proved for all of them at once"
-                 : std::string("The grasp holds the load. Proved")) +
-           (parts == 1 ? "" : ", in " + std::to_string(parts) + " parts") +
-           (are_at_rest(proofs)
-                ? ": nothing moves,\nas friction answers whatever load is left.\n"
-                : ": the forces on the walls\naround motions near this one leave no way out "
-                  "but "
-                  "an equilibrium inside.\n");
-  }
-  std::string operator()(const SpatiallyUnstable& unstable) const {
-    const std::size_t leaves = leaf_count(unstable.tree);
-    return std::string(wide ? "No grasp in the box holds the load: no"
-                            : "The grasp does not hold the load: no") +
-           " motion and forces satisfy all conditions.\n" +
-           (leaves == 1
-                ? "Whatever the contacts do, along some virtual twist the load does more work "
-                  "than they\ncan take up.\n"
-                : "Proved by a tree of " + std::to_string(leaves) +
-                      " leaves, which together cover all motions: in each, along some\n"
-                      "virtual twist, the load does more work than the contacts can take "
-                      "up.\n");
-  }
-  std::string operator()(const SpatiallyFragile& /*fragile*/) const { return ""; }
-  std::string operator()(const Undecided& undecided) const {
-    return undecided_text(undecided, wide);
-  }
-};
-
-}  // namespace
-
 std::string load_text(const SpaceAnswer& answer, NumberText& text) {
   return load_text(answer.question.grasp.wrench, text);
 }
@@ -66,12 +24,12 @@ void print_text(const SpaceAnswer& answer, const NumberOptions& output,
   std::cout << heading(question.grasp.name, question.case_name) << name_of(decision.verdict)
             << "\n\n"
             << "  load w    " << load_text(answer, text) << '\n';
-  const auto* stable = std::get_if<SpatiallyStable>(&decision.verdict);
+  const auto* stable = std::get_if<StableThroughout>(&decision.verdict);
   const auto* witness =
       stable != nullptr ? std::get_if<SpatialWitness>(&stable->proof) : nullptr;
   if (stable != nullptr) {
-    std::cout << "  motion d  " << (witness != nullptr ? "" : "near ") << text(stable->motion)
-              << '\n';
+    std::cout << "  motion d  " << (witness != nullptr ? "" : "near ")
+              << text(motion_of(*stable)) << '\n';
   }
   std::cout << '\n';
   if (witness != nullptr) {
@@ -86,11 +44,11 @@ void print_text(const SpaceAnswer& answer, const NumberOptions& output,
   }
   const std::vector<UncertainNumber> uncertain = uncertain_numbers(question.grasp);
   std::cout << uncertain_text(uncertain, text);
-  if (const auto* fragile = std::get_if<SpatiallyFragile>(&decision.verdict)) {
+  if (const auto* fragile = std::get_if<Fragile<SpatialGrasp>>(&decision.verdict)) {
     std::cout << fragile_text(differences(question.grasp, fragile->stable, fragile->unstable),
                               text, examples);
   }
-  std::cout << std::visit(SpatialMeaning{!uncertain.empty()}, decision.verdict)
+  std::cout << std::visit(Meaning{!uncertain.empty()}, decision.verdict)
             << enclosure_text(enclosed_contacts(question.grasp), decision.bits,
                               !std::holds_alternative<Undecided>(decision.verdict))
             << "Load: force x, y, z, torque x, y, z. Motion: x, y, z, rotation x, y, z in "
@@ -102,7 +60,7 @@ void print_text(const SpaceAnswer& answer, const NumberOptions& output,
 
 void write_examples(const SpaceAnswer& answer, const std::string& folder) {
   const auto& [question, decision, warnings] = answer;
-  const auto* fragile = std::get_if<SpatiallyFragile>(&decision.verdict);
+  const auto* fragile = std::get_if<Fragile<SpatialGrasp>>(&decision.verdict);
   if (fragile == nullptr) {
     return say_no_examples(!question.grasp.is_point(), name_of(decision.verdict));
   }
@@ -112,12 +70,7 @@ void write_examples(const SpaceAnswer& answer, const std::string& folder) {
 }
 
 void write_certificate(const SpaceAnswer& answer, const std::string& file) {
-  if (file.empty()) return;
-  if (std::holds_alternative<SpatiallyFragile>(answer.decision.verdict)) {
-    say_two_certificates();
-  } else if (const auto certificate = certificate_of(answer)) {
-    write_whole_file(file, *certificate);
-  }
+  write_certificate_of_box(answer, file);
 }
 
 }  // namespace stickslip

@@ -16,8 +16,8 @@ std::optional<Vector3> motion_near(const BoxAnswer& answer) {
   const auto* stable = std::get_if<StableThroughout>(&answer.decision.verdict);
   const GraspBox& box = *answer.question.box;
   if (stable == nullptr || !box.is_point()) return std::nullopt;
-  const auto* proof = std::get_if<DegreeProof>(&stable->parts.front());
-  return proof != nullptr ? std::optional(proof->twist) : std::nullopt;
+  const RationalRow& near = stable->motion;
+  return Vector3{near[0], near[1], near[2]};
 }
 
 Json to_json(const BoxAnswer& answer) {
@@ -37,10 +37,10 @@ Json to_json(const BoxAnswer& answer) {
   add_enclosed(json, enclosed_contacts(box), decision.bits);
   if (const auto* stable = std::get_if<StableThroughout>(&decision.verdict)) {
     if (const auto near = motion_near(answer)) json["near"] = number_json(*near);
-    json["proof"] = {{"parts", part_count(stable->parts)}};
+    json["proof"] = proof_json(std::get<StabilityProof>(stable->proof));
   } else if (const auto* unstable = std::get_if<UnstableThroughout>(&decision.verdict)) {
     json["refutation"] = {{"nodes", unstable->tree.size()}};
-  } else if (const auto* fragile = std::get_if<Fragile>(&decision.verdict)) {
+  } else if (const auto* fragile = std::get_if<Fragile<LoadedGrasp>>(&decision.verdict)) {
     json["examples"] = {{"stable", Json::parse(write_grasp(fragile->stable))},
                         {"unstable", Json::parse(write_grasp(fragile->unstable))}};
     json["differences"] =
@@ -53,10 +53,7 @@ Json to_json(const BoxAnswer& answer) {
 }
 
 std::optional<std::string> certificate_of(const BoxAnswer& answer) {
-  const BoxVerdict& verdict = answer.decision.verdict;
-  if (std::holds_alternative<Undecided>(verdict) || std::holds_alternative<Fragile>(verdict)) {
-    return std::nullopt;
-  }
+  if (!throughout(answer.decision)) return std::nullopt;
   return box_certificate_text(answer.question, answer.decision, producer_of(kIntervalsEngine));
 }
 

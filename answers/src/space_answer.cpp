@@ -30,7 +30,7 @@ Json to_json(const SpaceAnswer& answer) {
   json["wrench"] = wrench_json(question.grasp.wrench);
   if (is_box) json["uncertain"] = uncertain_json(uncertain_numbers(question.grasp));
   add_enclosed(json, enclosed_contacts(question.grasp), decision.bits);
-  if (const auto* stable = std::get_if<SpatiallyStable>(&decision.verdict)) {
+  if (const auto* stable = std::get_if<StableThroughout>(&decision.verdict)) {
     if (const auto* witness = std::get_if<SpatialWitness>(&stable->proof)) {
       json["twist"] = number_json(witness->twist);
       Json& contacts = json["contacts"] = Json::array();
@@ -40,19 +40,12 @@ Json to_json(const SpaceAnswer& answer) {
                             {"closed", c.normal.sign() > 0}});
       }
     } else {
-      const auto& parts = std::get<SpatialParts>(stable->proof);
-      std::size_t nodes = 0;
-      for (const auto& part : parts) {
-        const auto* proof = std::get_if<SpatialDegreeProof>(&part);
-        nodes += proof != nullptr ? proof->trees.size() : 0;
-      }
-      json["near"] = number_json(stable->motion);
-      json["proof"] = {
-          {"nodes", nodes}, {"parts", part_count(parts)}, {"at_rest", are_at_rest(parts)}};
+      json["near"] = number_json(motion_of(*stable));
+      json["proof"] = proof_json(std::get<StabilityProof>(stable->proof));
     }
-  } else if (const auto* unstable = std::get_if<SpatiallyUnstable>(&decision.verdict)) {
+  } else if (const auto* unstable = std::get_if<UnstableThroughout>(&decision.verdict)) {
     json["refutation"] = {{"nodes", unstable->tree.size()}};
-  } else if (const auto* fragile = std::get_if<SpatiallyFragile>(&decision.verdict)) {
+  } else if (const auto* fragile = std::get_if<Fragile<SpatialGrasp>>(&decision.verdict)) {
     json["examples"] = {{"stable", Json::parse(write_grasp_file(fragile->stable))},
                         {"unstable", Json::parse(write_grasp_file(fragile->unstable))}};
     json["differences"] =
@@ -66,11 +59,7 @@ Json to_json(const SpaceAnswer& answer) {
 }
 
 std::optional<std::string> certificate_of(const SpaceAnswer& answer) {
-  const SpatialVerdict& verdict = answer.decision.verdict;
-  if (std::holds_alternative<Undecided>(verdict) ||
-      std::holds_alternative<SpatiallyFragile>(verdict)) {
-    return std::nullopt;
-  }
+  if (!throughout(answer.decision)) return std::nullopt;
   return spatial_certificate_text(answer.question, answer.decision, producer_of("space"));
 }
 

@@ -81,6 +81,15 @@ void add_undecided(Json& json, const Undecided& undecided) {
   for (const Rational& d : undecided.near) json["near"].push_back(number_json(d));
 }
 
+Json proof_json(const StabilityProof& proof) {
+  std::size_t nodes = 0;
+  for (const auto& part : proof) {
+    const auto* by_degree = std::get_if<DegreeProof>(&part);
+    nodes += by_degree != nullptr ? by_degree->trees.size() : 0;
+  }
+  return {{"nodes", nodes}, {"parts", part_count(proof)}, {"at_rest", are_at_rest(proof)}};
+}
+
 void add_enclosed(Json& json, const std::vector<std::size_t>& contacts, unsigned bits) {
   if (contacts.empty()) return;
   json["enclosed"] = contacts;

@@ -95,7 +95,7 @@ class Measurement {
     return decide(question_, {options_.node_limit});
   }
   bool is_stable(double multiple) {
-    return std::holds_alternative<SpatiallyStable>(decide_at(multiple).verdict);
+    return std::holds_alternative<StableThroughout>(decide_at(multiple).verdict);
   }
   /// Below and above; nothing if there is none between 0.01 and 20.
   std::optional<std::pair<double, double>> threshold() {
@@ -152,7 +152,7 @@ int run(const SpaceBenchOptions& options) {
       nodes.push_back(static_cast<double>(decision.work.nodes));
       total += decision.work;
       // Verdicts are not monotone: this is possible, and rare.
-      if (std::holds_alternative<SpatiallyStable>(decision.verdict) == beyond) ++wrong_side;
+      if (std::holds_alternative<StableThroughout>(decision.verdict) == beyond) ++wrong_side;
       std::printf("  load %.6f %s %.3f s nodes %zu rays %zu checks %zu proofs %zu bytes %zu\n",
                   at, name_of(decision.verdict), time.count(), decision.work.nodes,
                   decision.work.rays, decision.work.exact_checks, decision.work.proofs, size);

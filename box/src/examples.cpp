@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "degree.hpp"
-#include "moving_equilibrium.hpp"
+#include "planar_grasps.hpp"
+#include "stickslip/degree/moving_equilibrium.hpp"
 #include "stickslip/equilibrium/margin.hpp"
 
 namespace stickslip::box_detail {
@@ -89,15 +89,18 @@ LoadedGrasp Examples::at(const Place& place) const {
 }
 
 std::vector<std::pair<Place, double>> Examples::without(const Witness& equilibrium) const {
-  const ParameterBox box(box_, law_);
-  const MovingEquilibrium moving(box, law_of(box.middle()),
-                                 rounded_equilibrium(problem_at(box.middle()), equilibrium));
+  const GraspLaw law(box_, law_);
+  const RoundedBox rounded(law);
+  const GraspLaw middle_law = law.middle();
+  const MovingEquilibrium moving(
+      rounded,
+      near(middle_law, rounded_equilibrium(box_detail::problem_of(middle_law), equilibrium)));
   std::vector<std::pair<Place, double>> result;
   for (const LostWay& way : moving.ways_out()) {
     Place place = middle();
     for (std::size_t n = 0; n < numbers_.size(); ++n) {
-      for (std::size_t k = 0; k < moving.numbers().size(); ++k) {
-        const ParameterId& number = moving.numbers()[k];
+      for (std::size_t k = 0; k < rounded.numbers().size(); ++k) {
+        const ParameterId& number = rounded.numbers()[k];
         if (number.parameter == numbers_[n].parameter && number.index == numbers_[n].index) {
           place[n] = static_cast<int>(way.to[static_cast<Eigen::Index>(k)]);
         }
@@ -127,7 +130,7 @@ std::vector<Place> Examples::extremes() const {
 std::optional<double> Examples::distance(const Place& place) const {
   const LoadedGrasp grasp = at(place);
   if (grasp.wrench == Wrench{}) return std::nullopt;
-  const Problem problem = problem_at(ParameterBox(box_of(grasp), law_).middle());
+  const Problem problem = box_detail::problem_of(GraspLaw(box_of(grasp), law_).middle());
   const auto found = find_margin(problem.with_wrench({}).along({grasp.wrench}), {2000});
   const auto* margin = std::get_if<Margin>(&found);
   if (margin == nullptr) return std::nullopt;

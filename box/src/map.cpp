@@ -6,8 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "degree.hpp"
-#include "prove.hpp"
+#include "planar_grasps.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
@@ -149,7 +148,7 @@ class Quadtree {
       }
       return;
     }
-    if (!decision) decision = BoxDecision{Undecided{"no proof in the finest cell"}, {}};
+    if (!decision) decision = BoxDecision{Undecided{"no proof in the finest cell"}};
     done_ += 1.0 / static_cast<double>(std::size_t{1} << (2 * depth));
     take_({x, y, std::move(*decision)});
     if (progress_) progress_(done_);
@@ -160,7 +159,7 @@ class Quadtree {
     const GraspBox box =
         box_of_cell(grasp_, x_axis_, y_axis_, point_interval(x), point_interval(y));
     return std::holds_alternative<Stable>(
-        decide_by_cones(problem_at(ParameterBox(box, law_).middle())));
+        decide_by_cones(box_detail::problem_of(GraspLaw(box, law_).middle())));
   }
 
   bool agree(const Interval& x, const Interval& y) const {

@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "degree.hpp"
 #include "examples.hpp"
-#include "prove.hpp"
+#include "planar_grasps.hpp"
 
 namespace stickslip {
 
@@ -101,8 +100,8 @@ class RadiusSearch {
 
   /// To where an equilibrium of the centre is lost.
   void follow() {
-    const ParameterBox point = ParameterBox(box_of(centre_), law_).middle();
-    const Verdict verdict = decide_by_cones(problem_at(point));
+    const GraspLaw point = GraspLaw(box_of(centre_), law_).middle();
+    const Verdict verdict = decide_by_cones(box_detail::problem_of(point));
     const auto* stable = std::get_if<Stable>(&verdict);
     if (stable == nullptr) return;
     Rational size(1, 16);

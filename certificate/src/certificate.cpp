@@ -143,7 +143,6 @@ std::string head(const SpatialQuestion& question, unsigned bits, const std::stri
       head(question, question.grasp.contacts.size(), wrench_text(question.wrench), producer);
   if (question.direction) text += direction_text(*question.direction);
   text += tail(question);
-  constexpr unsigned kDefaultBits = 128;  // FORMAT.md, section 6
   if (bits != kDefaultBits) text += "\"bits\": " + std::to_string(bits) + ",\n ";
   return text;
 }
@@ -180,15 +179,15 @@ std::string tree_text(const Nodes& nodes, bool margin = false) {
   return " \"tree\": " + nodes_text(nodes, margin);
 }
 
-template <std::size_t D, class Node>
-std::string shape_text(const DegreeProofIn<D, Node>& proof, bool margin) {
+template <class Node>
+std::string shape_text(const DegreeProofIn<Node>& proof, bool margin) {
   return std::string(proof.is_simplex ? "\"simplex\": " : "\"walls\": ") + rows(proof.walls) +
          ",\n \"direction\": " + rows(proof.direction) + ",\n" +
          tree_text(proof.trees, margin) + "}";
 }
 
-template <std::size_t D, class Node>
-std::string degree_text(const DegreeProofIn<D, Node>& proof, bool margin = false) {
+template <class Node>
+std::string degree_text(const DegreeProofIn<Node>& proof, bool margin = false) {
   return "{\"twist\": [" + list(proof.twist) + "],\n " + shape_text(proof, margin);
 }
 
@@ -207,18 +206,28 @@ std::string witness_text(const SpatialWitness& witness) {
   return text + "]";
 }
 
+/// F of FORMAT.md: in the plane a number.
+std::string force_text(const RationalRow& force) {
+  return force.size() == 1 ? number(force.front()) : "[" + list(force) + "]";
+}
+
 std::string rest_text(const RestProof& proof) {
   std::string text = "{\"rest\": [";
   std::string separator;
   for (const auto& [contact, force] : proof.friction) {
-    text += separator + "[" + std::to_string(contact.index()) + ",[" + list(force) + "]]";
+    text += separator + "[" + std::to_string(contact.index()) + "," + force_text(force) + "]";
     separator = ",";
   }
   text += "],\n \"answers\": [";
   separator.clear();
   for (const RestProof::Answer& answer : proof.answers) {
-    text += separator + "[" + std::to_string(answer.contact.index()) + "," +
-            rows(answer.forces) + "]";
+    text += separator + "[" + std::to_string(answer.contact.index());
+    std::string opening = ",[";
+    for (const RationalRow& force : answer.forces) {
+      text += opening + force_text(force);
+      opening = ",";
+    }
+    text += "]]";
     separator = ",\n  ";
   }
   return text + "],\n \"reach\": [" + list(proof.reach) + "]}";
@@ -227,10 +236,7 @@ std::string rest_text(const RestProof& proof) {
 struct PartText {
   std::string operator()(const RestProof& proof) const { return rest_text(proof); }
   std::string operator()(const PartSplit& cut) const { return NodeText{false}(cut); }
-  template <std::size_t D, class Node>
-  std::string operator()(const DegreeProofIn<D, Node>& proof) const {
-    return degree_text(proof);
-  }
+  std::string operator()(const DegreeProof& proof) const { return degree_text(proof); }
 };
 
 template <class Parts>
@@ -267,37 +273,39 @@ std::string certificate_text(const Question& question, const Verdict& verdict,
   return text + "}\n";
 }
 
+namespace {
+
+/// From the verdict on.
+template <class Grasp>
+std::string verdict_text(const VerdictOnBox<Grasp>& verdict) {
+  const std::string text = std::string(kVerdict) + "\"" + name_of(verdict) + "\",\n";
+  if (const auto* unstable = std::get_if<UnstableThroughout>(&verdict)) {
+    return text + tree_text(unstable->tree) + "}\n";
+  }
+  const auto* stable = std::get_if<StableThroughout>(&verdict);
+  require(stable != nullptr, "what is neither stable nor unstable has no certificate");
+  if (const auto* parts = std::get_if<StabilityProof>(&stable->proof)) {
+    return text + parts_text(*parts) + "}\n";
+  }
+  return text + " " + witness_text(std::get<SpatialWitness>(stable->proof)) + "}\n";
+}
+
+}  // namespace
+
 std::string box_certificate_text(const Question& question, const BoxDecision& decision,
                                  const std::string& producer) {
   require(question.box.has_value(), "only a box has a certificate of its own kind");
   std::string text = head(question, producer);
-  if (decision.bits != ParameterBox::kDefaultBits && needs_enclosure(*question.box)) {
+  if (decision.bits != kDefaultBits && needs_enclosure(*question.box)) {
     text += "\"bits\": " + std::to_string(decision.bits) + ",\n ";
   }
-  text += std::string(kVerdict) + "\"" + name_of(decision.verdict) + "\",\n";
-  if (const auto* unstable = std::get_if<UnstableThroughout>(&decision.verdict)) {
-    return text + tree_text(unstable->tree) + "}\n";
-  }
-  const auto* stable = std::get_if<StableThroughout>(&decision.verdict);
-  require(stable != nullptr, "a box that is neither stable nor unstable has no certificate");
-  return text + parts_text(stable->parts) + "}\n";
+  return text + verdict_text(decision.verdict);
 }
 
 std::string spatial_certificate_text(const SpatialQuestion& question,
                                      const SpatialDecision& decision,
                                      const std::string& producer) {
-  std::string text = head(question, decision.bits, producer);
-  text += std::string(kVerdict) + "\"" + name_of(decision.verdict) + "\",\n";
-  if (const auto* unstable = std::get_if<SpatiallyUnstable>(&decision.verdict)) {
-    return text + tree_text(unstable->tree) + "}\n";
-  }
-  const auto* stable = std::get_if<SpatiallyStable>(&decision.verdict);
-  require(stable != nullptr,
-          "a question that is neither stable nor unstable has no certificate");
-  if (const auto* parts = std::get_if<SpatialParts>(&stable->proof)) {
-    return text + parts_text(*parts) + "}\n";
-  }
-  return text + " " + witness_text(std::get<SpatialWitness>(stable->proof)) + "}\n";
+  return head(question, decision.bits, producer) + verdict_text(decision.verdict);
 }
 
 namespace {
@@ -309,9 +317,7 @@ struct ClaimText {
   std::string operator()(const RefutedMultiples& claim) const {
     return ends("unstable", claim) + nodes_text(claim.tree, true) + "]";
   }
-  std::string operator()(const SpatialDegreeProof& proof) const {
-    return degree_text(proof, true);
-  }
+  std::string operator()(const DegreeProof& proof) const { return degree_text(proof, true); }
   std::string operator()(const RestProof& proof) const { return rest_text(proof); }
   std::string operator()(const SpatialSegment& segment) const {
     return "{" + witness_text(segment.start) + "}" +

@@ -287,4 +287,11 @@ GraspBox box_of(const LoadedGrasp& loaded) {
   return box;
 }
 
+bool needs_enclosure(const GraspBox& box) {
+  return std::any_of(box.contacts.begin(), box.contacts.end(), [](const UncertainContact& c) {
+    const Vector2& n = c.normal;
+    return !c.preload.high.is_zero() && !exact_sqrt(n.x * n.x + n.y * n.y);
+  });
+}
+
 }  // namespace stickslip

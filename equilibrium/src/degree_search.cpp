@@ -40,7 +40,7 @@ class Cell {
   }
 
   /// row.e
-  Function of_motion(const Vector3& row) const {
+  Function of_motion(const RationalRow& row) const {
     Function f{row[0], row[1], row[2], 0, 0};
     f = sum(std::move(f), -dot(row, shape_.twist), s_);
     return sum(std::move(f), -dot(row, shape_.end_twist), t_);
@@ -86,7 +86,10 @@ Rational rounded(double value, double steepest) {
 SegmentByDegree in_few_bits(const Eigen::Matrix3d& walls, const Eigen::Matrix3d& direction,
                             const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   SegmentByDegree shape;
-  shape.walls.resize(3);
+  shape.twist.resize(3);
+  shape.end_twist.resize(3);
+  shape.walls.assign(3, RationalRow(3));
+  shape.direction = shape.walls;
   if (!walls.allFinite() || !direction.allFinite() || !from.allFinite() || !to.allFinite()) {
     return shape;
   }
@@ -251,7 +254,7 @@ std::optional<SegmentByDegree> DegreeSearch::prove_around(
 
 std::optional<SegmentByDegree> DegreeSearch::prove_with(
     const std::optional<MarginInterval>& range, SegmentByDegree shape) {
-  if (!has_full_rank(shape)) return std::nullopt;
+  if (!has_rank(shape, 3)) return std::nullopt;
   const Cell cell(range, shape);
   std::array<Function, 3> rows;
   for (std::size_t j = 0; j < 3; ++j) rows[j] = cell.of_motion(shape.direction[j]);

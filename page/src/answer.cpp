@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -153,33 +154,31 @@ Json near_json(const BoxAnswer& answer) {
 }
 
 Json near_json(const SpaceAnswer& answer) {
-  const auto* stable = std::get_if<SpatiallyStable>(&answer.decision.verdict);
+  const auto* stable = std::get_if<StableThroughout>(&answer.decision.verdict);
   if (stable == nullptr || std::holds_alternative<SpatialWitness>(stable->proof)) return {};
   Json contacts = Json::array();
-  for (const SpatialForce& f : near_forces(answer.question, stable->motion)) {
+  for (const SpatialForce& f : near_forces(answer.question, motion_of(*stable))) {
     contacts.push_back(
         {{"force_float", in_doubles_json(f.force)}, {"closed", f.normal.sign() > 0}});
   }
-  return {{"twist_float", in_doubles_json(stable->motion)}, {"contacts", std::move(contacts)}};
+  return {{"twist_float", in_doubles_json(motion_of(*stable))},
+          {"contacts", std::move(contacts)}};
 }
 
 /// The claims of a margin on its way, in order; their proofs may be long.
 SpatialMargin without_proofs(const SpatialMargin& so_far) {
   SpatialMargin claims;
   claims.work = so_far.work;
+  std::multimap<Rational, MultiplesClaim> by_low_end;
   for (const MultiplesClaim& claim : so_far.claims) {
     if (const auto* resisted = std::get_if<ResistedMultiples>(&claim)) {
-      claims.claims.emplace_back(ResistedMultiples{resisted->low, resisted->high, {}});
+      by_low_end.emplace(resisted->low, ResistedMultiples{resisted->low, resisted->high, {}});
     } else {
       const auto& refuted = std::get<RefutedMultiples>(claim);
-      claims.claims.emplace_back(RefutedMultiples{refuted.low, refuted.high, {}});
+      by_low_end.emplace(refuted.low, RefutedMultiples{refuted.low, refuted.high, {}});
     }
   }
-  const auto low = [](const MultiplesClaim& claim) -> const Rational& {
-    return std::visit([](const auto& c) -> const Rational& { return c.low; }, claim);
-  };
-  std::sort(claims.claims.begin(), claims.claims.end(),
-            [&](const auto& a, const auto& b) { return low(a) < low(b); });
+  for (auto& [low, claim] : by_low_end) claims.claims.push_back(std::move(claim));
   return claims;
 }
 

@@ -88,19 +88,19 @@ class SpatialReader {
       ink_.scenes.back().heading = side.heading;
       ink_.scenes.back().axes = {side.right, side.up};
     }
-    const auto* stable = std::get_if<SpatiallyStable>(&verdict_);
+    const auto* stable = std::get_if<StableThroughout>(&verdict_);
     if (stable != nullptr) read_forces(*stable);
     add_load();
     draw_contacts();
     if (stable != nullptr) {
       add_equilibrium(*stable);
-    } else if (const auto* unstable = std::get_if<SpatiallyUnstable>(&verdict_)) {
+    } else if (const auto* unstable = std::get_if<UnstableThroughout>(&verdict_)) {
       const std::size_t leaves = leaf_count(unstable->tree);
       ink_.caption.push_back("No motion and forces satisfy all conditions: proved by " +
                              (leaves == 1
                                   ? "one virtual twist."
                                   : "a tree of " + std::to_string(leaves) + " leaves."));
-    } else if (std::holds_alternative<SpatiallyFragile>(verdict_)) {
+    } else if (std::holds_alternative<Fragile<SpatialGrasp>>(verdict_)) {
       ink_.caption.push_back("Some grasps in the box hold the load and some do not.");
     } else {
       ink_.caption.push_back("Undecided: " + in_words(std::get<Undecided>(verdict_)) + ".");
@@ -134,11 +134,11 @@ class SpatialReader {
   }
 
   /// Those of the witness, or near the equilibrium.
-  void read_forces(const SpatiallyStable& stable) {
+  void read_forces(const StableThroughout& stable) {
     if (const auto* witness = std::get_if<SpatialWitness>(&stable.proof)) {
       forces_ = forces_of(grasp_, witness->twist, witness->shares);
     } else {
-      forces_ = near_forces(question_, stable.motion);
+      forces_ = near_forces(question_, motion_of(stable));
       value_ = "data-near";
     }
     for (const SpatialForce& f : forces_) {
@@ -245,8 +245,8 @@ class SpatialReader {
     return points;
   }
 
-  void add_equilibrium(const SpatiallyStable& stable) {
-    const Vector6& d = stable.motion;
+  void add_equilibrium(const StableThroughout& stable) {
+    const Vector6 d = motion_of(stable);
     add_motion(d);
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const SpatialForce& f = forces_[i];

@@ -230,7 +230,7 @@ py::dict decide_grasp_box(const GraspFile& grasp, const std::string& uncertain,
     BoxDecision decision = decide_box(*question.box, question.law, options);
     const GraspDescription& description = question.loaded.grasp.description();
     std::vector<ProvedFiles> found;
-    if (const auto* fragile = std::get_if<Fragile>(&decision.verdict)) {
+    if (const auto* fragile = std::get_if<Fragile<LoadedGrasp>>(&decision.verdict)) {
       for (const bool stable : {true, false}) {
         found.push_back(proved_grasp(stable ? fragile->stable : fragile->unstable, description,
                                      question.law, stable, producer_of(kIntervalsEngine)));

@@ -154,7 +154,7 @@ struct Answer {
 
 /// In an answer; nothing if no equilibrium is known in fractions.
 const SpatialWitness* witness_of(const Answer& answer) {
-  const auto* stable = std::get_if<SpatiallyStable>(&answer.decision.verdict);
+  const auto* stable = std::get_if<StableThroughout>(&answer.decision.verdict);
   return stable == nullptr ? nullptr : std::get_if<SpatialWitness>(&stable->proof);
 }
 
@@ -191,7 +191,7 @@ Answer answer_to_box(SpatialQuestion question, std::size_t node_limit) {
   Answer answer = answer_to(std::move(question), node_limit);
   const NormalLaw law = answer.question.law;
   const SpatialVerdict& verdict = answer.decision.verdict;
-  if (const auto* fragile = std::get_if<SpatiallyFragile>(&verdict)) {
+  if (const auto* fragile = std::get_if<Fragile<SpatialGrasp>>(&verdict)) {
     answer.files = {proved_grasp(fragile->stable, law, true, producer_of(kEngine)),
                     proved_grasp(fragile->unstable, law, false, producer_of(kEngine))};
   } else if (!std::holds_alternative<Undecided>(verdict)) {
@@ -212,8 +212,8 @@ void refuse_engine(const std::string& engine) {
 
 void add_certificate(Answer& answer) {
   const SpatialVerdict& verdict = answer.decision.verdict;
-  if (std::holds_alternative<SpatiallyStable>(verdict) ||
-      std::holds_alternative<SpatiallyUnstable>(verdict)) {
+  if (std::holds_alternative<StableThroughout>(verdict) ||
+      std::holds_alternative<UnstableThroughout>(verdict)) {
     answer.certificate =
         spatial_certificate_text(answer.question, answer.decision, producer_of(kEngine));
   }
@@ -223,7 +223,7 @@ void add_certificate(Answer& answer) {
 py::dict decision_fields(const Answer& answer) {
   py::dict result = fields_of(answer);
   if (!answer.certificate.empty()) result["certificate"] = answer.certificate;
-  const auto* stable = std::get_if<SpatiallyStable>(&answer.decision.verdict);
+  const auto* stable = std::get_if<StableThroughout>(&answer.decision.verdict);
   if (stable == nullptr) return result;
   const SpatialWitness* witness = witness_of(answer);
   if (witness == nullptr) {

@@ -3,7 +3,6 @@
 /// The wrenches that a region allows, in doubles.
 #pragma once
 
-#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -11,10 +10,6 @@
 #include "stickslip/search/tree_search.hpp"
 
 namespace stickslip::search_detail {
-
-inline double norm_of(const Double3& a) {
-  return std::sqrt(dot(a, a));
-}
 
 /// What a contact can do on a virtual twist, per unit of normal coefficient.
 struct Action {

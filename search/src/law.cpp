@@ -144,6 +144,16 @@ void CornerRow::set_slip(const std::vector<RationalRow>& multiple, const Rationa
   }
 }
 
+RationalRow CornerRow::wrench_of(const RationalRow& friction) const {
+  RationalRow result(normal.size());
+  for (std::size_t k = 0; k < friction.size(); ++k) {
+    if (friction[k].is_zero()) continue;
+    const Rational factor = friction[k] / slip_factor;
+    for (std::size_t j = 0; j < result.size(); ++j) result[j] += factor * slip[k][j];
+  }
+  return result;
+}
+
 std::vector<Row> CornerRow::slip_planes(std::size_t coordinates) const {
   std::vector<Row> planes;
   for (const Row& row : slip) {

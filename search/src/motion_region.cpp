@@ -69,7 +69,9 @@ bool is_zero(const Double3& s) {
 
 }  // namespace
 
-void PullRule::set(const std::vector<RationalRow>& rows) {
+PullRule::PullRule(const std::vector<RationalRow>& matrix, const RationalRow& twist) {
+  std::vector<RationalRow> rows = matrix;
+  for (RationalRow& row : rows) row.emplace_back(-dot(row, twist));
   Integer common = 1;
   for (const RationalRow& row : rows) {
     for (const Rational& entry : row) common = lcm(common, denominator(entry));
@@ -99,6 +101,12 @@ Reals PullRule::against(const Law& law, const Row& x) const {
   law.rotations(result) /= law.length;
   normalize(result);
   return result;
+}
+
+MotionRegion MotionRegion::wall(const Law& law, const ConvexBody& body, std::size_t wall) {
+  StrictCone cone = whole_family(law);
+  cone.cut_to_wall(body, wall);
+  return MotionRegion(law, std::move(cone));
 }
 
 MotionRegion::MotionRegion(const Law& law, StrictCone cone)

@@ -46,10 +46,10 @@ void note_bits(std::size_t& most, const Row& x) {
 
 /// How far a force in this direction at the contact may turn the object, beside one at the
 /// middle of its position: p.(f x omega) changes by at most the sum of far_k |omega_k|.
-Vector3 farthest_arm(const SpatialPlace& place, const Vector3& f) {
+Vector3 farthest_arm(const ContactPlace& place, const Vector3& f) {
   Vector3 radius;
   for (std::size_t j = 0; j < 3; ++j) {
-    radius[j] = (place.position[j].high - place.position[j].low) / 2;
+    radius[j] = (place.geometry[j].high - place.geometry[j].low) / 2;
   }
   Vector3 far{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -202,7 +202,7 @@ std::optional<TreeSearch::Branch> TreeSearch::split_separation(const MotionRegio
   if (c.has_certain_separation) {
     return Branch{SeparationSplit{ContactId(contact)}, region.halves(c.separations.front())};
   }
-  if (!c.place || law_.is_family)
+  if (!c.place || c.slip_dimension() == 1 || law_.is_family)
     return split_corners(region, found, contact, c.separations, false);
   // v / k'
   Wedge wedge{c.place->centre.normal, c.preload.low / c.stiffness.high,
@@ -364,8 +364,8 @@ bool TreeSearch::is_candidate(const MotionRegion& region, const Relaxation& foun
   if (!candidate_ || !(h > 0)) return false;
   const auto d = static_cast<Eigen::Index>(law_.motions);
   const Reals motion = found.motion.head(d);
-  RelaxedEquilibrium near{motion / h, found.motion[d + 1] / h, found.normal, found.friction,
-                          std::vector<char>(found.normal.size())};
+  NearEquilibrium near{motion / h, found.normal, found.friction,
+                       std::vector<char>(found.normal.size()), found.motion[d + 1] / h};
   for (std::size_t i = 0; i < near.normal.size(); ++i) {
     near.normal[i] /= h;
     for (double& entry : near.friction[i]) entry /= h;

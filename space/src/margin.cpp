@@ -3,10 +3,10 @@
 #include <cmath>
 #include <utility>
 
-#include "equilibria.hpp"
-#include "rest.hpp"
-#include "spatial_degree.hpp"
+#include "exact_witness.hpp"
+#include "spatial_law.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/degree/prove_stable.hpp"
 #include "stickslip/search/tree_search.hpp"
 #include "stickslip/space/spatial_margin.hpp"
 
@@ -28,7 +28,7 @@ RationalRow as_row(const Vector6& a) {
 }
 
 /// Whether all combinations of the two are equilibria.
-bool are_of_one_mode(const SpaceModel& family, const Member& a, const Member& b) {
+bool are_of_one_mode(const GraspLaw& family, const Member& a, const Member& b) {
   for (const LawContact& c : family.contacts) {
     const CornerRow& row = c.corners.front();
     const auto separation = [&](const Member& at) -> Rational {
@@ -56,7 +56,7 @@ class SpatialMarginSearch {
  public:
   SpatialMarginSearch(const SpatialQuestion& question, const SpatialMarginOptions& options,
                       const std::function<void(const SpatialMargin&)>& progress)
-      : model_(question, options.search.bits),
+      : model_(law_of(question, options.search.bits)),
         is_one_grasp_(!question.is_box),
         accuracy_(options.accuracy),
         node_limit_(options.search.node_limit != 0 ? options.search.node_limit : kNodeLimit),
@@ -115,25 +115,24 @@ class SpatialMarginSearch {
 
   /// Where the laws are homogeneous all multiples above 0 have one verdict.
   void settle_at_once() {
-    const SpaceModel there = model_.at(1);
-    const NewtonMethod newton(there);
+    const GraspLaw there = model_.middle(1);
     const auto holds = [&](const NearEquilibrium& near) {
       if (auto witness = witness_at(1, near)) {
         claim_resisted(0, {}, SpatialSegment{std::move(*witness), {}});
       } else if (auto rest = prove_at_rest(model_.within({1, 1}), near)) {
         claim_resisted(0, {}, std::move(*rest));
-      } else if (auto proof = prove({1, 1}, there, near, {}, wall_limit())) {
+      } else if (auto proof = prove({1, 1}, there, near, wall_limit())) {
         claim_resisted(0, {}, std::move(*proof));
       }
       return !margin_.claims.empty();
     };
-    for (const NearEquilibrium& near : newton.solve_from(kStarts)) {
+    for (const NearEquilibrium& near : equilibria_of(there)) {
       if (holds(near)) return;
     }
     Trees tree;
     TreeSearch search(there, nullptr, node_limit_, margin_.work);
-    search.on_candidate([&](const RelaxedEquilibrium& relaxed) {
-      const auto found = newton.polish(near(relaxed));
+    search.on_candidate([&](const NearEquilibrium& relaxed) {
+      const auto found = polished(there, relaxed);
       return found && holds(*found);
     });
     if (!search.refute(MotionRegion::root(there), tree)) return;
@@ -166,7 +165,7 @@ class SpatialMarginSearch {
       if (*resisted.high < multiple) floor = std::max(floor, *resisted.high);
       if (resisted.low > multiple) ceiling = std::min(ceiling, resisted.low);
     }
-    for (const NearEquilibrium& near : NewtonMethod(model_.at(multiple)).solve_from(kStarts)) {
+    for (const NearEquilibrium& near : equilibria_of(model_.middle(multiple))) {
       const Member start = member(multiple, near);
       const Rational up = follow(start, ceiling);
       const Rational down = follow(start, floor);
@@ -181,7 +180,7 @@ class SpatialMarginSearch {
       return true;
     }
     auto proof =
-        prove({at.multiple, at.multiple}, model_.at(at.multiple), at.near, {}, wall_limit());
+        prove({at.multiple, at.multiple}, model_.middle(at.multiple), at.near, wall_limit());
     if (proof) claim_resisted(at.multiple, at.multiple, std::move(*proof));
     return proof.has_value();
   }
@@ -209,7 +208,7 @@ class SpatialMarginSearch {
 
   /// How far it came.
   Rational follow_from_zero() {
-    for (const NearEquilibrium& near : NewtonMethod(model_.at(0)).solve_from(kStarts)) {
+    for (const NearEquilibrium& near : equilibria_of(model_.middle(0))) {
       const Rational end = follow(member(0, near), most());
       if (!margin_.claims.empty()) return end;
     }
@@ -241,15 +240,15 @@ class SpatialMarginSearch {
     if (high && *high - low <= 2 * least_step(*high)) return std::nullopt;
     if (is_spent()) return std::nullopt;
     std::optional<std::pair<Rational, Rational>> resisted;
-    const SpaceModel whole = model_.within({low, high, has_low});
+    const GraspLaw whole = model_.within({low, high, has_low});
     TreeSearch search(whole, nullptr, node_limit_, margin_.work);
-    search.on_candidate([&](const RelaxedEquilibrium& relaxed) {
+    search.on_candidate([&](const NearEquilibrium& relaxed) {
       if (!std::isfinite(relaxed.multiple)) return false;
       const Rational grain = least_step(0);
       const Rational steps = rational_from_double(relaxed.multiple) / grain;
       const Rational at = Rational(numerator(steps) / denominator(steps)) * grain;
       if (at <= range.low || at >= range.ceiling) return false;
-      const auto found = NewtonMethod(model_.at(at)).polish(near(relaxed));
+      const auto found = polished(model_.middle(at), relaxed);
       if (!found) return false;
       const Member start = member(at, *found);
       const Rational up = follow(start, range.ceiling);
@@ -387,11 +386,9 @@ class SpatialMarginSearch {
       const auto there = equilibrium_at(next, from.near);
       const Rational middle = (range.low + *range.high) / 2;
       const auto between = there ? equilibrium_at(middle, from.near) : std::nullopt;
-      std::optional<SpatialDegreeProof> proof;
+      std::optional<DegreeProof> proof;
       if (between) {
-        proof =
-            prove(range, model_.at(middle), *between,
-                  {from.near.motion - between->motion, there->motion - between->motion}, limit);
+        proof = prove(range, model_.middle(middle), *between, limit);
       }
       if (!proof) {
         step /= 2;
@@ -407,27 +404,39 @@ class SpatialMarginSearch {
     return from;
   }
 
+  static std::vector<NearEquilibrium> equilibria_of(const GraspLaw& law) {
+    const RoundedGrasp grasp = rounded_middle(law);
+    return Newton(grasp).solve_from(kStarts);
+  }
+  static std::optional<NearEquilibrium> polished(const GraspLaw& law,
+                                                 const NearEquilibrium& near) {
+    const RoundedGrasp grasp = rounded_middle(law);
+    return Newton(grasp).polish(near);
+  }
+
   Member member(const Rational& multiple, const NearEquilibrium& near) const {
     return {multiple, near, witness_at(multiple, near)};
   }
 
   std::optional<SpatialWitness> witness_at(const Rational& multiple,
                                            const NearEquilibrium& near) const {
-    return is_one_grasp_ ? exact_witness(model_.at(multiple), near) : std::nullopt;
+    return is_one_grasp_ ? exact_witness(model_.middle(multiple), near) : std::nullopt;
   }
 
   std::optional<NearEquilibrium> equilibrium_at(const Rational& multiple,
                                                 const NearEquilibrium& start) const {
-    const SpaceModel there = model_.at(multiple);
-    return NewtonMethod(there).follow(start);
+    const RoundedGrasp there = rounded_middle(model_.middle(multiple));
+    const Newton newton(there);
+    if (auto found = newton.polish(start)) return found;
+    auto found = newton.solve(start.motion);  // perhaps another one
+    return found ? newton.polish(std::move(*found)) : std::nullopt;
   }
 
-  std::optional<SpatialDegreeProof> prove(const MultipleRange& range, const SpaceModel& middle,
-                                          const NearEquilibrium& near,
-                                          const std::vector<EigenVector6>& moves,
-                                          std::size_t limit) {
-    return prove_stable(model_.within(range), middle, near, limit, kMostSearches * node_limit_,
-                        margin_.work, moves);
+  std::optional<DegreeProof> prove(const MultipleRange& range, const GraspLaw& middle,
+                                   const NearEquilibrium& near, std::size_t limit) {
+    const bool is_wide = range.low != range.high;
+    return prove_by_degree(model_.within(range), middle, near,
+                           {limit, kMostSearches * node_limit_, is_wide}, margin_.work);
   }
 
   void claim_resisted(const Rational& low, const std::optional<Rational>& high,
@@ -440,7 +449,7 @@ class SpatialMarginSearch {
     if (progress_) progress_(margin_);
   }
 
-  SpaceModel model_;
+  GraspLaw model_;
   bool is_one_grasp_;  ///< no length is irrational, so that there may be witnesses
   Rational accuracy_;
   std::size_t node_limit_;

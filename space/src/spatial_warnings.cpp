@@ -6,8 +6,9 @@
 #include <optional>
 #include <utility>
 
-#include "equilibria.hpp"
+#include "spatial_law.hpp"
 #include "stickslip/core/spatial_forces.hpp"
+#include "stickslip/degree/newton.hpp"
 
 namespace stickslip {
 
@@ -133,8 +134,8 @@ std::optional<std::string> assumed_stiffness_of(const SpatialQuestion& question,
     for (SpatialContact& c : varied.grasp.contacts) {
       c.friction = point_interval(friction_to_tell_by(stable) * c.friction.low);
     }
-    const SpaceModel model(varied, decision.bits);
-    return NewtonMethod(model).solve_from(1).empty();
+    const RoundedGrasp rounded = rounded_middle(law_of(varied, decision.bits));
+    return Newton(rounded).solve_from(1).empty();
   };
   trial.is_stable = [&](ContactId contact, const Rational& stiffness,
                         std::size_t& left) -> std::optional<bool> {
@@ -144,9 +145,7 @@ std::optional<std::string> assumed_stiffness_of(const SpatialQuestion& question,
     const SpatialDecision varied =
         decide(with_stiffness(question, contact, stiffness), options);
     left -= std::min(left, 1 + varied.work.nodes);
-    if (std::holds_alternative<SpatiallyStable>(varied.verdict)) return true;
-    if (std::holds_alternative<SpatiallyUnstable>(varied.verdict)) return false;
-    return std::nullopt;
+    return throughout(varied);
   };
   return assumed_stiffness(trial);
 }
@@ -158,16 +157,16 @@ std::vector<ModelWarning> model_warnings(const SpatialQuestion& question,
   if (!question.grasp.is_point()) return {};
   const SpatialGrasp& grasp = question.grasp;
   const std::vector<Rational> preloads = preloads_of(grasp);
-  const auto* stable = std::get_if<SpatiallyStable>(&decision.verdict);
+  const auto* stable = std::get_if<StableThroughout>(&decision.verdict);
   ModelWarnings warnings;
   if (stable != nullptr) {
-    warnings.add(ModelTrap::kLargeMotion, large_motion_of(grasp, stable->motion));
+    warnings.add(ModelTrap::kLargeMotion, large_motion_of(grasp, motion_of(*stable)));
   }
   add_unbalanced_preload(grasp, preloads, warnings);
   if (stable != nullptr) {
-    warnings.add(ModelTrap::kLostPreload, lost_preload_of(grasp, preloads, stable->motion));
+    warnings.add(ModelTrap::kLostPreload, lost_preload_of(grasp, preloads, motion_of(*stable)));
   }
-  if (stable != nullptr || std::holds_alternative<SpatiallyUnstable>(decision.verdict)) {
+  if (throughout(decision)) {
     warnings.add(ModelTrap::kAssumedStiffness,
                  assumed_stiffness_of(question, stable != nullptr, decision));
   }

@@ -40,7 +40,7 @@ void expect_right(RandomSource& random, const BoxCase& about, const BoxDecision&
                   int samples, Tally& tally) {
   const GraspBox box = about.box();
   const NormalLaw law = about.options.law;
-  if (const auto* fragile = std::get_if<Fragile>(&decision.verdict)) {
+  if (const auto* fragile = std::get_if<Fragile<LoadedGrasp>>(&decision.verdict)) {
     for (const auto& [grasp, verdict] :
          {std::pair(&fragile->stable, "stable"), std::pair(&fragile->unstable, "unstable")}) {
       EXPECT_TRUE(test::lies_in(*grasp, box)) << describe(about) << write_grasp(*grasp);

@@ -55,15 +55,16 @@ TEST(BoxCertificate, Unstable) {
 }
 
 TEST(BoxCertificate, Stable) {
-  const SquareMatrix<3> walls{Vector3{1, 0, 0}, Vector3{0, Rational(1, 2), 0},
-                              Vector3{0, 0, -3}};
-  const SquareMatrix<3> direction{Vector3{1, 2, 3}, Vector3{4, 5, 6},
-                                  Vector3{7, 8, Rational(9, 2)}};
-  const std::vector<Vector3> rows(walls.begin(), walls.end());
-  const DegreeProof proof{ConvexBody<3>{{0, 1, Rational(2, 3)}, false, rows}, direction,
+  const std::vector<RationalRow> walls{{1, 0, 0}, {0, Rational(1, 2), 0}, {0, 0, -3}};
+  const std::vector<RationalRow> direction{{1, 2, 3}, {4, 5, 6}, {7, 8, Rational(9, 2)}};
+  const DegreeProof proof{ConvexBody{{0, 1, Rational(2, 3)}, false, walls}, direction,
                           every_node()};
+  const RestProof rest{{{ContactId(0), {Rational(1, 2)}}},
+                       {{ContactId(0), {{1}, {Rational(-1, 2)}, {0}}}},
+                       {0, 2, 1}};
   const StabilityProof parts{PartSplit{Parameter::kTurn, 0, 0}, proof,
-                             DegreeProof{ConvexBody<3>{{}, false, rows}, walls, {}}};
+                             PartSplit{Parameter::kTurn, 0, Rational(1, 18)}, rest,
+                             DegreeProof{ConvexBody{{0, 0, 0}, false, walls}, walls, {}}};
   const std::string text = box_certificate_text(question_of(file_of({0, 1}, 1), "normal=1/9"),
                                                 {StableThroughout{parts}, {}}, "us");
   EXPECT_THAT(text, HasSubstr(std::string(R"("uncertain": {"normal": "1/9"}},
@@ -74,6 +75,10 @@ TEST(BoxCertificate, Stable) {
  "walls": [[1,0,0],[0,"1/2",0],[0,0,-3]],
  "direction": [[1,2,3],[4,5,6],[7,8,"9/2"]],
 )") + kNodes + R"(},
+  ["part","turn",0,"1/18"],
+  {"rest": [[0,"1/2"]],
+ "answers": [[0,[1,"-1/2",0]]],
+ "reach": [0,2,1]},
   {"twist": [0,0,0],
  "walls": [[1,0,0],[0,"1/2",0],[0,0,-3]],
  "direction": [[1,0,0],[0,"1/2",0],[0,0,-3]],
@@ -138,7 +143,8 @@ TEST(BoxCertificate, WhatHasNone) {
   const Question box = question_of(file_of({0, 1}, 1), "friction=1%");
   const Question grasp = ask(file_of({0, 1}, 1), {});
   const LoadedGrasp loaded = file_of({0, 1}, 1).content;
-  EXPECT_THROW(box_certificate_text(box, {Fragile{loaded, loaded}, {}}, "us"), ContractError);
+  EXPECT_THROW(box_certificate_text(box, {Fragile<LoadedGrasp>{loaded, loaded}}, "us"),
+               ContractError);
   EXPECT_THROW(box_certificate_text(box, {Undecided{"a limit"}, {}}, "us"), ContractError);
   EXPECT_THROW(box_certificate_text(grasp, {UnstableThroughout{every_node()}, {}}, "us"),
                ContractError);

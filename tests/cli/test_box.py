@@ -29,6 +29,38 @@ def between(low, high):
     return {"min": low, "max": high}
 
 
+class AtRest(Case):
+    """Nothing moves, and friction answers what is left of the load."""
+
+    # Two pairs of fingers, preloaded: friction is at most 1 along each axis.
+    GRASP = {"format": "stickslip-grasp/2", "defaults": {"friction": "1/2"},
+             "contacts": [{"position": [-1, 0], "normal": [1, 0], "preload": 2},
+                          {"position": [1, 0], "normal": [-1, 0], "preload": 2},
+                          {"position": [0, 1], "normal": [0, -1], "preload": 1},
+                          {"position": [0, -1], "normal": [0, 1], "preload": 1}]}
+    WORDS = ("--uncertain", "friction=5%,position=0.01,normal=0.01")
+
+    def proof(self, load, law):
+        file = self.write("g.json", {**self.GRASP, "wrench": load})
+        words = (*self.WORDS, "--normal-law", law)
+        proof = self.path("proof.json")
+        answer = json.loads(stickslip("decide", file, *words, "--json", "--certificate", proof)[1])
+        self.assertEqual(answer["verdict"], "stable")
+        for checker in checkers(proof):
+            code, out, err = run(*checker, file, proof, *words)
+            self.assertEqual(code, DONE, out + err)
+        return answer["proof"]
+
+    def test_needs_no_tree(self):
+        for law in ("unilateral", "bilateral"):
+            self.assertEqual(self.proof(["1/5", "-1/4", "1/7"], law), {"nodes": 0, "parts": 1, "at_rest": True})
+        out = stickslip("decide", self.write("g.json", {**self.GRASP, "wrench": [0, 0, 0]}), *self.WORDS)[1]
+        self.assertIn("nothing moves", out)
+
+    def test_is_not_said_of_what_moves(self):
+        self.assertIs(self.proof([0, "-9/4", 0], "unilateral")["at_rest"], False)
+
+
 class Asking(Case):
     """What does not depend on the answer."""
 

@@ -122,7 +122,7 @@ TEST(PlotSpatialGrasp, UndecidedOrUnstableHasNoForces) {
   EXPECT_NE(undecided.find("one: undecided"), std::string::npos);
   EXPECT_NE(undecided.find("Undecided: 7 nodes."), std::string::npos);
   const std::string unstable =
-      plot_grasp(pushed_down(), SpatialVerdict(SpatiallyUnstable{{TwistLeaf{Row(6)}}}));
+      plot_grasp(pushed_down(), SpatialVerdict(UnstableThroughout{{TwistLeaf{Row(6)}}}));
   EXPECT_NE(unstable.find("proved by one virtual twist."), std::string::npos);
   for (const std::string& svg : {undecided, unstable}) {
     EXPECT_EQ(svg.find("class=\"force\""), std::string::npos);
@@ -133,8 +133,9 @@ TEST(PlotSpatialGrasp, UndecidedOrUnstableHasNoForces) {
 TEST(PlotSpatialGrasp, AMotionThatTurnsAboutTheOnlyContact) {
   for (const char* turn : {"1", "-1e-400", "1e400"}) {
     const Vector6 d{0, 0, -1, 0, 0, parse_rational(turn)};
-    const std::string svg =
-        plot_grasp(pushed_down(), SpatialVerdict(SpatiallyStable{SpatialWitness{d, {}}, d}));
+    const std::string svg = plot_grasp(
+        pushed_down(),
+        SpatialVerdict(StableThroughout{SpatialWitness{d, {}}, {d.begin(), d.end()}}));
     EXPECT_NE(svg.find("class=\"ghost\""), std::string::npos);
     EXPECT_NE(svg.find("data-value=\"0,0,1\""), std::string::npos);  // of the force
   }

@@ -167,7 +167,7 @@ TEST(TreeSearch, AWallIsRefutedWhereNoEquilibriumLiesOnIt) {
                                        : Rational(load, 2) + 1;
     for (int place = -8; place <= 8; ++place) {
       // Walls at place / 4 - 1 and place / 4 + 1.
-      ConvexBody<1> body;
+      ConvexBody body;
       body.twist = {Rational(place, 4)};
       body.walls = {{1}};
       for (const std::size_t wall : {0U, 1U}) {
@@ -188,7 +188,7 @@ TEST(TreeSearch, SaysWhatEndedIt) {
   EXPECT_EQ(none.end(), SearchEnd::kNodes);
   EXPECT_EQ(work.nodes, 0U);
   TreeSearch some(law, nullptr, 100, work);
-  some.on_candidate([](const RelaxedEquilibrium& near) {
+  some.on_candidate([](const NearEquilibrium& near) {
     constexpr double kNear = 1e-6;
     return std::fabs(near.motion[0]) < kNear;
   });

@@ -8,12 +8,13 @@
 
 namespace stickslip {
 
-template <std::size_t D>
-std::size_t rank_of(const std::vector<std::array<Rational, D>>& rows) {
-  using Matrix = Eigen::Matrix<Rational, Eigen::Dynamic, static_cast<int>(D)>;
-  Matrix matrix(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(D));
+std::size_t rank_of(const std::vector<RationalRow>& rows) {
+  if (rows.empty()) return 0;
+  using Matrix = Eigen::Matrix<Rational, Eigen::Dynamic, Eigen::Dynamic>;
+  Matrix matrix(static_cast<Eigen::Index>(rows.size()),
+                static_cast<Eigen::Index>(rows.front().size()));
   for (std::size_t j = 0; j < rows.size(); ++j) {
-    for (std::size_t k = 0; k < D; ++k) {
+    for (std::size_t k = 0; k < rows.front().size(); ++k) {
       matrix(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)) = rows[j][k];
     }
   }
@@ -21,9 +22,6 @@ std::size_t rank_of(const std::vector<std::array<Rational, D>>& rows) {
   lu.setThreshold(0);  // of rationals, whose zeros are zeros
   return static_cast<std::size_t>(lu.rank());
 }
-
-template std::size_t rank_of<3>(const std::vector<std::array<Rational, 3>>& rows);
-template std::size_t rank_of<6>(const std::vector<std::array<Rational, 6>>& rows);
 
 Direction::Direction(const std::array<std::array<Rational, 5>, 3>& rows) {
   Integer common = 1;

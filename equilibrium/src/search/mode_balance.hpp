@@ -107,7 +107,7 @@ class ModeBalance {
     direction_ = answer;
     const double spring = 3 * stiffness_;
     // If those whose slips are independent stay, the others do.
-    IndependentRows<3> independent;
+    IndependentRows independent(3);
     std::vector<Sticking> chosen;
     constexpr double kIndependent = 1e-3;
     while (const auto which = independent.take_best(sticking, kIndependent)) {

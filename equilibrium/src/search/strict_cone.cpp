@@ -24,6 +24,22 @@ bool StrictCone::bars(const std::vector<std::size_t>& zeros) const {
   });
 }
 
+void StrictCone::cut_to_wall(const ConvexBody& body, std::size_t wall) {
+  const auto plane = [&](std::size_t j, int height) {  // E_j.(d - h d0) - height h
+    RationalRow a = body.walls[j];
+    a.emplace_back(-dot(body.walls[j], body.twist) - height);
+    a.emplace_back(0);
+    return primitive_multiple(a);
+  };
+  const std::size_t row = body.is_simplex ? wall : wall / 2;
+  cut(plane(row, body.is_simplex || wall % 2 == 0 ? 1 : -1), Side::kZero);
+  for (std::size_t j = 0; j < body.walls.size(); ++j) {
+    if (j == row) continue;
+    cut(plane(j, 1), Side::kNegative);
+    if (!body.is_simplex) cut(plane(j, -1), Side::kPositive);
+  }
+}
+
 PlaneSigns StrictCone::signs(const Row& plane) const {
   PlaneSigns signs;
   std::vector<std::size_t> zeros;

@@ -14,6 +14,7 @@
 #include "stickslip/box/box_verdict.hpp"
 #include "stickslip/core/number_text.hpp"
 #include "stickslip/equilibrium/contact_mode.hpp"
+#include "stickslip/equilibrium/decide.hpp"
 #include "stickslip/equilibrium/model_warnings.hpp"
 #include "stickslip/space/spatial_warnings.hpp"
 
@@ -109,6 +110,9 @@ Json work_json(const Work& work) {
   for (const auto& [name, value] : counters(work)) json[name] = value;
   return json;
 }
+
+/// How many nodes and parts it has, and whether nothing moves.
+Json proof_json(const StabilityProof& proof);
 
 /// One contact of a stable verdict.
 struct ContactReport {

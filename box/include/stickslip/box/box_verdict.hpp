@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Verdicts about every grasp in a box, with proofs that certificate/FORMAT.md, section 6,
-/// explains; and how they are found.
+/// Verdicts about every grasp in a box, with proofs that certificate/FORMAT.md, sections 6 and
+/// 7, explain.
 #pragma once
 
 #include <optional>
@@ -10,53 +10,79 @@
 #include <variant>
 #include <vector>
 
-#include "stickslip/box/parameter_box.hpp"
-#include "stickslip/equilibrium/decide.hpp"
+#include "stickslip/core/spatial_grasp.hpp"
+#include "stickslip/degree/stability_proof.hpp"
+#include "stickslip/equilibrium/verdict.hpp"
 #include "stickslip/search/search_work.hpp"
-#include "stickslip/search/tree.hpp"
 
 namespace stickslip {
 
-/// Of every grasp of a part of the box.
-using DegreeProof = DegreeProofOf<3>;
-
-/// Cuts and proofs in preorder.
-using StabilityProof = PartsIn<DegreeProof>;
-
-/// Stable for every grasp in the box.
-struct StableThroughout {
-  StabilityProof parts;  ///< the proof
+/// An equilibrium of one grasp in space: all other forces follow from it.
+struct SpatialWitness {
+  Vector6 twist;  ///< the motion d
+  /// sigma, with the friction mu a sigma, of contacts that stick; increasing. 0 is left out.
+  std::vector<std::pair<ContactId, Vector3>> shares;
 };
-/// Unstable for every grasp in the box.
+
+/// An equilibrium exists, for every grasp in the box.
+struct StableThroughout {
+  std::variant<StabilityProof, SpatialWitness> proof;  ///< a witness proves one grasp only
+  /// Near an equilibrium of the grasp in the middle, of which the proof is about the first part
+  /// or the only one; for people.
+  RationalRow motion{};
+};
+/// No equilibrium exists, for any grasp in the box.
 struct UnstableThroughout {
   Trees tree;  ///< the proof
 };
 /// Two grasps in the box have opposite verdicts.
+template <class Grasp>
 struct Fragile {
-  LoadedGrasp stable;    ///< a grasp in the box
-  LoadedGrasp unstable;  ///< another one
+  Grasp stable;    ///< a grasp in the box
+  Grasp unstable;  ///< another one
 };
-/// The answer about a box, which owns its evidence. The grasps of Fragile have certificates of
-/// their own, by decide() or, with normals of irrational length, decide_box().
-using BoxVerdict = std::variant<StableThroughout, UnstableThroughout, Fragile, Undecided>;
+
+/// The answer about a box of such grasps, which owns its evidence. The grasps of Fragile have
+/// certificates of their own.
+template <class Grasp>
+using VerdictOnBox =
+    std::variant<StableThroughout, UnstableThroughout, Fragile<Grasp>, Undecided>;
+
+/// The answer, and what it took.
+template <class Grasp>
+struct DecisionOnBox {
+  VerdictOnBox<Grasp> verdict;   ///< with its evidence
+  SearchWork work{};             ///< to find it
+  unsigned bits = kDefaultBits;  ///< of the proof
+};
+
+/// \{ In the plane.
+using BoxVerdict = VerdictOnBox<LoadedGrasp>;
+using BoxDecision = DecisionOnBox<LoadedGrasp>;
+/// \}
 
 /// "stable", "unstable", "fragile", "undecided".
-const char* name_of(const BoxVerdict& verdict);
+template <class Grasp>
+const char* name_of(const VerdictOnBox<Grasp>& verdict) {
+  constexpr const char* kNames[] = {"stable", "unstable", "fragile", "undecided"};
+  return kNames[verdict.index()];
+}
+
+/// Whether all grasps of the box are stable, or none; nothing if neither is proved.
+template <class Grasp>
+std::optional<bool> throughout(const DecisionOnBox<Grasp>& decision) {
+  if (std::holds_alternative<StableThroughout>(decision.verdict)) return true;
+  if (std::holds_alternative<UnstableThroughout>(decision.verdict)) return false;
+  return std::nullopt;
+}
 
 /// How much to try.
 struct BoxOptions {
   std::size_t node_limit = 0;  ///< of each tree search; 0: one that suits most questions
   /// Of the enclosure of irrational lengths: doubled from this until there is an answer, to the
   /// limit.
-  unsigned bits = ParameterBox::kDefaultBits;
+  unsigned bits = kDefaultBits;
   unsigned most_bits = 1024;  ///< the limit
-};
-
-/// The answer, and what it took.
-struct BoxDecision {
-  BoxVerdict verdict;                          ///< with its evidence
-  SearchWork work;                             ///< to find it
-  unsigned bits = ParameterBox::kDefaultBits;  ///< of the proof
 };
 
 /// Whether every grasp in the box is stable, none is, or some are. Deterministic. Undecided

@@ -27,7 +27,7 @@ std::string box_certificate_text(const Question& question, const BoxDecision& de
                                  const std::string& producer);
 
 /// The certificate of a verdict in space (FORMAT.md, section 7). Throws ContractError for
-/// SpatiallyFragile and Undecided, which it cannot say.
+/// Fragile<SpatialGrasp> and Undecided, which it cannot say.
 std::string spatial_certificate_text(const SpatialQuestion& question,
                                      const SpatialDecision& decision,
                                      const std::string& producer);

@@ -126,4 +126,8 @@ UncertainContact box_of(const Contact& contact);
 WrenchBox box_of(const Wrench& wrench);
 /// \}
 
+/// Whether 1/|n| of some contact that may have a preload is irrational, so that even the box of
+/// one grasp is known by an enclosure only.
+bool needs_enclosure(const GraspBox& box);
+
 }  // namespace stickslip

@@ -39,8 +39,8 @@ struct MarginInterval {
 
 /// A parallelepiped of motions that moves with the multiple and holds an equilibrium of each
 /// (FORMAT.md, section 5, "Segments by degree").
-struct SegmentByDegree : DegreeProofIn<3, RefutationNode> {
-  Vector3 end_twist{};  ///< where its centre is at the high end; `twist`: at the low end
+struct SegmentByDegree : DegreeProofIn<RefutationNode> {
+  RationalRow end_twist{};  ///< where its centre is at the high end; `twist`: at the low end
 };
 
 /// Two equilibria of one mode: between them every multiple is resisted, by a combination of the

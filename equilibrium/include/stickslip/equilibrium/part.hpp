@@ -13,6 +13,9 @@
 
 namespace stickslip {
 
+/// Bits of the enclosure of irrational lengths in a certificate that does not say.
+inline constexpr unsigned kDefaultBits = 128;
+
 /// What may be uncertain of a contact.
 enum class Parameter {
   kX,          ///< p_x
@@ -27,6 +30,12 @@ enum class Parameter {
 
 /// "x", "y", "turn", "friction", "preload", "stiffness", "wrench", "z".
 const char* to_string(Parameter parameter);
+
+/// A parameter of one contact, or a component of the wrench.
+struct ParameterId {
+  Parameter parameter;  ///< of which contact: index
+  std::size_t index;    ///< of the contact, or of the component
+};
 
 /// A parameter of this contact, or this component of the wrench, is cut at this value: two
 /// children, low and high, with the parameter <= value and >= value.

@@ -13,7 +13,7 @@
 namespace stickslip {
 
 /// A parallelepiped of motions that holds an equilibrium of one grasp; its trees are list 2.
-using ProofByDegree = DegreeProofIn<3, RefutationNode>;
+using ProofByDegree = DegreeProofIn<RefutationNode>;
 
 /// What it took; reproducible.
 struct DegreeWork {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -20,6 +21,11 @@ namespace stickslip {
 /// Of a slip or of a force across a normal, in doubles.
 using Double3 = std::array<double, 3>;
 
+/// Its length.
+inline double norm_of(const Double3& a) {
+  return std::sqrt(dot(a, a));
+}
+
 /// The different ends of an interval.
 std::vector<Rational> ends_of(const Interval& interval);
 
@@ -33,15 +39,17 @@ struct CornerRow {
 
   /// S as functions of so many coordinates of points, primitive.
   std::vector<Row> slip_planes(std::size_t coordinates) const;
+  /// That of friction, with as many coordinates as a slip has.
+  RationalRow wrench_of(const RationalRow& friction) const;
   /// From a multiple of S.
   void set_slip(const std::vector<RationalRow>& multiple, const Rational& factor);
 };
 
-/// In space: where the contact lies, for cuts of what its position makes uncertain.
-struct SpatialPlace {
-  std::array<Interval, 3> position;  ///< p
-  Vector3 normal;                    ///< n
-  CornerRow centre;                  ///< the rows of the middle of the position
+/// Where a contact is.
+struct ContactPlace {
+  std::array<Interval, 3> geometry;  ///< in the plane p_x, p_y, e; in space p
+  Vector3 normal;                    ///< n, in the plane with n_z = 0
+  CornerRow centre;                  ///< the rows of the middle
 };
 
 /// Numbers of a contact in the plane, of uncertain geometry, in integers: N and T times
@@ -65,7 +73,7 @@ struct LawContact {
   Interval rate{};                      ///< P^u' of a margin, whose ends go with those of P'
   Interval stiffness;                   ///< k'
   IntegerVector3 axis{};                ///< in space: across which slips are
-  std::optional<SpatialPlace> place{};  ///< in space
+  std::optional<ContactPlace> place{};  ///< of what the corners are, if it is a grasp's
 
   /// \{ What follows, once complete() was called.
   /// v at all corners of all parameters: positive multiples, and factors that make them v.

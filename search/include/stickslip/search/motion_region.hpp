@@ -19,15 +19,7 @@ namespace stickslip {
 class PullRule {
  public:
   /// A and d0.
-  template <std::size_t D>
-  PullRule(const SquareMatrix<D>& matrix, const std::array<Rational, D>& twist) {
-    std::vector<RationalRow> rows;
-    for (const auto& row : matrix) {
-      rows.emplace_back(row.begin(), row.end());
-      rows.back().emplace_back(-dot(row, twist));
-    }
-    set(rows);
-  }
+  PullRule(const std::vector<RationalRow>& matrix, const RationalRow& twist);
 
   /// Whether the function is below 0 at none of the points.
   bool holds(const Row& y, const std::vector<Row>& points) const;
@@ -35,8 +27,6 @@ class PullRule {
   Reals against(const Law& law, const Row& x) const;
 
  private:
-  void set(const std::vector<RationalRow>& rows);
-
   std::vector<Row> rows_;  ///< A(d - h d0), times one positive number
 };
 
@@ -56,12 +46,7 @@ class MotionRegion : public StrictCone {
   /// certain.
   static MotionRegion root(const Law& law);
   /// As StrictCone::cut_to_wall.
-  template <std::size_t D>
-  static MotionRegion wall(const Law& law, const ConvexBody<D>& body, std::size_t wall) {
-    StrictCone cone = whole_family(law);
-    cone.cut_to_wall(body, wall);
-    return MotionRegion(law, std::move(cone));
-  }
+  static MotionRegion wall(const Law& law, const ConvexBody& body, std::size_t wall);
 
   /// The two parts of a cut; the strict side of a plane is the negative one.
   std::vector<MotionRegion> halves(const Row& plane) const;

@@ -33,8 +33,7 @@ using Trees = std::vector<TreeNode>;
 /// How many nodes are leaves.
 std::size_t leaf_count(const Trees& trees);
 
-/// Of every grasp of a part of a box, with motions of D coordinates.
-template <std::size_t D>
-using DegreeProofOf = DegreeProofIn<D, TreeNode>;
+/// Of every grasp of a part of a box.
+using DegreeProof = DegreeProofIn<TreeNode>;
 
 }  // namespace stickslip

@@ -36,13 +36,14 @@ struct Relaxation {
   std::vector<std::pair<std::size_t, std::size_t>> pairs{};
 };
 
-/// A relaxation over its height, with what it says of the modes.
-struct RelaxedEquilibrium {
+/// A motion at which forces nearly balance the load, in the law's units: of a relaxation over
+/// its height, or of Newton's method.
+struct NearEquilibrium {
   Reals motion;                   ///< d
-  double multiple;                ///< l
   std::vector<double> normal;     ///< a by contact
-  std::vector<Double3> friction;  ///< f by contact
+  std::vector<Double3> friction;  ///< f by contact: as a slip has coordinates
   std::vector<char> sticks;       ///< whether the slip is nearly 0, of contacts that rub
+  double multiple = 0;            ///< l, of a relaxation
 };
 
 /// One search, or several that share a limit.
@@ -53,7 +54,7 @@ class TreeSearch {
       : law_(law), pull_(pull), nodes_left_(node_limit), work_(work) {}
 
   /// \{ To be called with relaxed equilibria that may be near real ones; true ends the search.
-  using Candidate = std::function<bool(const RelaxedEquilibrium&)>;
+  using Candidate = std::function<bool(const NearEquilibrium&)>;
   void on_candidate(Candidate candidate) { candidate_ = std::move(candidate); }
   /// \}
 

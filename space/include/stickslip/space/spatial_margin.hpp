@@ -31,7 +31,7 @@ struct SpatialSegment {
 struct ResistedMultiples {
   Rational low;                  ///< >= 0
   std::optional<Rational> high;  ///< >= low; nothing only where w and P are 0: proof is of 1
-  std::variant<SpatialSegment, SpatialDegreeProof, RestProof> proof;  ///< nodes see l as well
+  std::variant<SpatialSegment, DegreeProof, RestProof> proof;  ///< nodes see l as well
 };
 /// No multiple between low and high is resisted; nor is 0, if it is low, and w or P is not 0.
 struct RefutedMultiples {

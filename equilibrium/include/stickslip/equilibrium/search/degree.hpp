@@ -12,22 +12,20 @@
 
 namespace stickslip {
 
-/// There is an equilibrium in a body of motions of D coordinates; with trees of such nodes.
-template <std::size_t D, class Node>
-struct DegreeProofIn : ConvexBody<D> {
-  SquareMatrix<D> direction{};  ///< A
-  std::vector<Node> trees;  ///< list 1 unless it is not needed, and list 2; one for each wall
+/// There is an equilibrium in a body of motions; with trees of such nodes.
+template <class Node>
+struct DegreeProofIn : ConvexBody {
+  std::vector<RationalRow> direction{};  ///< A, by rows
+  std::vector<Node> trees{};  ///< list 1 unless it is not needed, and list 2; one for each wall
 };
 
-/// The exact rank of a matrix of these rows. For D = 3 and 6.
-template <std::size_t D>
-std::size_t rank_of(const std::vector<std::array<Rational, D>>& rows);
+/// The exact rank of a matrix of these rows.
+std::size_t rank_of(const std::vector<RationalRow>& rows);
 
-/// `degree-walls` and `degree-direction` where no motion is free: both have the rank D.
-template <std::size_t D, class Node>
-bool has_full_rank(const DegreeProofIn<D, Node>& proof) {
-  return rank_of<D>(proof.walls) == D &&
-         rank_of<D>({proof.direction.begin(), proof.direction.end()}) == D;
+/// `degree-walls` and `degree-direction`: both have this rank, that of all forces.
+template <class Node>
+bool has_rank(const DegreeProofIn<Node>& proof, std::size_t rank) {
+  return rank_of(proof.walls) == rank && rank_of(proof.direction) == rank;
 }
 
 /// What `leaf-direction` asks of list 2: y.A(d - h d0) >= 0.

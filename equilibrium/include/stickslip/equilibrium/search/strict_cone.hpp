@@ -5,7 +5,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -17,17 +16,12 @@ namespace stickslip {
 /// Whether a contact is closed (v_i >= 0), open (v_i <= 0) or either on a region.
 enum class Separation { kClosed, kOpen, kMixed };
 
-/// D x D, by rows.
-template <std::size_t D>
-using SquareMatrix = std::array<std::array<Rational, D>, D>;
-
 /// A parallelepiped of motions {d : |E_j.(d - d0)| <= 1} or a simplex {d : E_j.(d - d0) <= 1},
 /// along which motions that no E sees go without end.
-template <std::size_t D>
 struct ConvexBody {
-  std::array<Rational, D> twist{};             ///< d0, inside
-  bool is_simplex = false;                     ///< and then there is one E more
-  std::vector<std::array<Rational, D>> walls;  ///< E, by rows
+  RationalRow twist{};               ///< d0, inside
+  bool is_simplex = false;           ///< and then there is one E more
+  std::vector<RationalRow> walls{};  ///< E, by rows
 
   /// Those of a parallelepiped in the order E_1 +, E_1 -, E_2 +, ...
   std::size_t wall_count() const { return is_simplex ? walls.size() : 2 * walls.size(); }
@@ -64,8 +58,7 @@ class StrictCone {
   std::pair<StrictCone, StrictCone> halves(const Row& plane) const;
 
   /// Keeps the cone over a wall of the body.
-  template <std::size_t D>
-  void cut_to_wall(const ConvexBody<D>& body, std::size_t wall);
+  void cut_to_wall(const ConvexBody& body, std::size_t wall);
 
   std::size_t motions() const { return motions_; }  ///< D
   /// Of which all points are sums of nonnegative multiples: lines both ways, and rays.
@@ -96,22 +89,5 @@ class StrictCone {
   std::vector<ConstraintIndex> strict_{0};  // h is constraint 0
   std::vector<Row> points_;
 };
-
-template <std::size_t D>
-void StrictCone::cut_to_wall(const ConvexBody<D>& body, std::size_t wall) {
-  const auto plane = [&](std::size_t j, int height) {  // E_j.(d - h d0) - height h
-    RationalRow a(body.walls[j].begin(), body.walls[j].end());
-    a.emplace_back(-dot(body.walls[j], body.twist) - height);
-    a.emplace_back(0);
-    return primitive_multiple(a);
-  };
-  const std::size_t row = body.is_simplex ? wall : wall / 2;
-  cut(plane(row, body.is_simplex || wall % 2 == 0 ? 1 : -1), Side::kZero);
-  for (std::size_t j = 0; j < body.walls.size(); ++j) {
-    if (j == row) continue;
-    cut(plane(j, 1), Side::kNegative);
-    if (!body.is_simplex) cut(plane(j, -1), Side::kPositive);
-  }
-}
 
 }  // namespace stickslip

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Proofs about a box as a whole or cut into parts, without a search for counterexamples.
+///
+/// **Method.** An equilibrium of the grasp in the middle is sought by Newton's method in
+/// doubles, and every grasp of the box proved to have one near it. If there is none, a branch
+/// and bound over regions of motions refutes them one by one. Doubles propose; what is proved
+/// is confirmed exactly.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "stickslip/box/box_verdict.hpp"
+#include "stickslip/degree/newton.hpp"
+#include "stickslip/equilibrium/search/search_end.hpp"
+
+namespace stickslip {
+
+/// What a search for proofs may take.
+struct ProverLimits {
+  std::size_t node_limit;  ///< of a tree that is about all motions
+  std::size_t wall_limit;  ///< of the tree of a wall
+  std::size_t most_nodes;  ///< of all together, beyond which a box is cut no more
+  std::size_t most_parts;  ///< cuts
+  bool is_wide;            ///< the box is more than what encloses lengths
+};
+
+/// Proofs about a box and its parts, until one fails or two parts seem to differ.
+class BoxProver {
+ public:
+  /// An exact equilibrium of the only grasp near one in doubles, if there is one.
+  using ExactWitness =
+      std::function<std::optional<SpatialWitness>(const GraspLaw&, const NearEquilibrium&)>;
+
+  /// `work` must outlive this.
+  BoxProver(GraspLaw box, const ProverLimits& limits, SearchWork& work);
+  /// To be asked before other proofs are tried.
+  void on_equilibrium(ExactWitness witness) { exact_witness_ = std::move(witness); }
+
+  /// The verdict, if there is one.
+  std::optional<std::variant<StableThroughout, UnstableThroughout>> prove();
+  /// If that failed.
+  SearchReport report() const;
+  /// Where the middles of parts lie that seem to be stable, and unstable: of each parameter of
+  /// the box, from 0 to 1. Nothing, or the last one of a kind.
+  const std::array<std::optional<RationalRow>, 2>& suspects() const { return suspects_; }
+
+ private:
+  bool prove(const GraspLaw& box);
+  bool prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>& middle);
+  bool prove_near(const GraspLaw& box, const GraspLaw& middle, const NearEquilibrium& near);
+  std::optional<PartSplit> widest(const GraspLaw& box,
+                                  const std::optional<NearEquilibrium>& near) const;
+  RationalRow place_of(const GraspLaw& part) const;
+
+  GraspLaw whole_;
+  ProverLimits limits_;
+  SearchWork& work_;
+  std::size_t last_node_;  ///< where the work of all is to end
+  ExactWitness exact_witness_;
+  std::array<std::optional<RationalRow>, 2> suspects_;
+  std::optional<bool> stable_;  ///< what was proved of the first part
+  std::optional<SpatialWitness> witness_;
+  RationalRow motion_;
+  StabilityProof parts_;
+  Trees tree_;
+  SearchEnd end_ = SearchEnd::kNone;
+  RationalRow near_;  ///< an equilibrium in doubles without a proof
+};
+
+}  // namespace stickslip

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/box/box_prover.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "planar_grasps.hpp"
+#include "stickslip/degree/prove_stable.hpp"
+#include "stickslip/search/force_span.hpp"
+
+namespace stickslip {
+namespace {
+
+/// Without what is rounding alone.
+RationalRow motion_of(const Law& law, const NearEquilibrium& equilibrium) {
+  RationalRow motion(law.motions);
+  for (std::size_t j = 0; j < motion.size(); ++j) {
+    const double d = equilibrium.motion[static_cast<Eigen::Index>(j)];
+    constexpr double kNone = 1e-12;
+    if (std::fabs(d) > kNone * law.reach) motion[j] = rational_from_double(d / law.unit(j));
+  }
+  return motion;
+}
+
+}  // namespace
+
+BoxProver::BoxProver(GraspLaw box, const ProverLimits& limits, SearchWork& work)
+    : whole_(std::move(box)),
+      limits_(limits),
+      work_(work),
+      last_node_(work.nodes + limits.most_nodes) {}
+
+std::optional<std::variant<StableThroughout, UnstableThroughout>> BoxProver::prove() {
+  if (!prove(whole_)) return std::nullopt;
+  if (witness_) return StableThroughout{std::move(*witness_), motion_};
+  if (*stable_) return StableThroughout{std::move(parts_), motion_};
+  return UnstableThroughout{std::move(tree_)};
+}
+
+SearchReport BoxProver::report() const {
+  return {end_, limits_.node_limit, work_.nodes > last_node_, limits_.is_wide, near_};
+}
+
+bool BoxProver::prove_near(const GraspLaw& box, const GraspLaw& middle,
+                           const NearEquilibrium& near) {
+  if (exact_witness_) {
+    if ((witness_ = exact_witness_(box, near))) {
+      motion_.assign(witness_->twist.begin(), witness_->twist.end());
+      return true;
+    }
+  }
+  if (auto rest = prove_at_rest(box, near)) {
+    if (parts_.empty()) motion_.assign(box.motions, 0);
+    parts_.emplace_back(std::move(*rest));
+    return true;
+  }
+  auto proof = prove_by_degree(
+      box, middle, near,
+      {limits_.wall_limit, limits_.is_wide ? SIZE_MAX : last_node_, limits_.is_wide}, work_);
+  if (!proof) {
+    near_ = motion_of(box, near);
+    return false;
+  }
+  if (parts_.empty()) motion_ = motion_of(box, near);
+  parts_.emplace_back(std::move(*proof));
+  return true;
+}
+
+/// Proves what it is of all of the box; false if that failed. `near_middle` becomes an
+/// equilibrium of the grasp in the middle, if one was found.
+bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>& near_middle) {
+  ++work_.parts;
+  const GraspLaw middle = box.middle();
+  const RoundedGrasp grasp = rounded_middle(middle);
+  const Newton newton(grasp);
+  std::vector<Reals> tried;
+  bool holds = false;
+  const auto try_near = [&](const NearEquilibrium& near) {
+    constexpr double kSame = 1e-6;
+    for (const Reals& motion : tried) {
+      if ((motion - near.motion).norm() <= kSame * near.motion.norm()) return false;
+    }
+    tried.push_back(near.motion);
+    if (!near_middle) near_middle = near;
+    return holds = prove_near(box, middle, near);
+  };
+  if (stable_ != true) {
+    if (const std::optional<Row> unopposed = unopposed_twist(box)) {
+      tree_.emplace_back(TwistLeaf{*unopposed});
+      ++work_.nodes;
+      ++work_.leaves;
+      stable_ = false;
+      return true;
+    }
+  }
+  if (stable_ != false) {
+    // In the plane there is an engine that knows thousands of contacts, and all equilibria.
+    constexpr std::size_t kStarts = 3;
+    for (const NearEquilibrium& near :
+         box.motions == 3 ? box_detail::near_equilibria(middle, !limits_.is_wide)
+                          : newton.solve_from(kStarts)) {
+      if (try_near(near)) {
+        stable_ = true;
+        return true;
+      }
+    }
+  }
+  // There is an equilibrium in the middle of a wide box: no tree is about all of it.
+  if (stable_ == true || (limits_.is_wide && !tried.empty())) return false;
+  const std::size_t before = tree_.size();
+  TreeSearch search(box, nullptr, limits_.node_limit, work_);
+  search.on_candidate([&](const NearEquilibrium& relaxed) {
+    const auto found = newton.polish(relaxed);
+    return found && (try_near(*found) || limits_.is_wide);
+  });
+  const bool refuted = search.refute(MotionRegion::root(box), tree_);
+  end_ = search.end();
+  if (!refuted) tree_.erase(tree_.begin() + static_cast<std::ptrdiff_t>(before), tree_.end());
+  if (!refuted && !holds) return false;
+  // (Of another part it may have been proved that it is unstable.)
+  if (stable_.value_or(holds) != holds) return false;
+  stable_ = holds;
+  return true;
+}
+
+bool BoxProver::prove(const GraspLaw& box) {
+  std::optional<NearEquilibrium> near;
+  const bool done = prove_whole(box, near);
+  if (limits_.is_wide) suspects_[near ? 0 : 1] = place_of(box);
+  if (done) return true;
+  if (suspects_[0] && suspects_[1]) return false;
+  if (limits_.most_parts == 0 || work_.nodes > last_node_) return false;
+  --limits_.most_parts;
+  const auto cut = widest(box, near);
+  if (!cut) return false;
+  parts_.emplace_back(*cut);
+  tree_.emplace_back(*cut);
+  const auto [low, high] = box.halves(*cut);
+  return prove(low) && prove(high);
+}
+
+RationalRow BoxProver::place_of(const GraspLaw& part) const {
+  RationalRow place;
+  for (const ParameterId& id : whole_.parameters()) {
+    const Interval& of = whole_.interval(id);
+    const Rational middle = part.interval(id).middle();
+    place.emplace_back(of.is_point() ? Rational(1, 2)
+                                     : Rational((middle - of.low) / (of.high - of.low)));
+  }
+  return place;
+}
+
+/// The middle of the interval that matters most: of its contact's force, or of the load.
+std::optional<PartSplit> BoxProver::widest(const GraspLaw& box,
+                                           const std::optional<NearEquilibrium>& near) const {
+  std::optional<PartSplit> best;
+  double most = 0;
+  for (const ParameterId& id : box.parameters()) {
+    const auto [parameter, i] = id;
+    const Interval& interval = box.interval(id);
+    double effect = to_double(interval.high - interval.low);
+    if (parameter == Parameter::kWrench) {
+      effect /= box.unit(i);
+    } else {
+      const LawContact& c = box.contacts[i];
+      const double size =
+          c.corners.front()
+              .normal_rounded.head(static_cast<Eigen::Index>(box.first_rotation))
+              .norm();
+      const double preload = (c.preloads[0] + c.preloads[1]) / 2;
+      // Where nothing presses, something may elsewhere.
+      constexpr double kLittle = 1e-2;
+      const double a = std::max(near ? near->normal[i] : preload, kLittle * box.force / size);
+      const bool is_length = parameter == Parameter::kX || parameter == Parameter::kY ||
+                             parameter == Parameter::kZ;
+      if (parameter == Parameter::kPreload) {
+        effect *= size;
+      } else if (parameter == Parameter::kStiffness) {
+        effect *= 2 * std::fabs(a - preload) * size / (c.stiffnesses[0] + c.stiffnesses[1]);
+      } else {
+        effect *= a * size / (is_length ? box.length : 1);
+      }
+    }
+    if (!(effect > most)) continue;
+    most = effect;
+    best = PartSplit{parameter, i, interval.middle()};
+  }
+  return best;
+}
+
+}  // namespace stickslip

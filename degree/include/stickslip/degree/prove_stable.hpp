@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Proofs that every grasp of a box is stable, around an equilibrium of its middle
+/// (certificate/FORMAT.md, section 6).
+#pragma once
+
+#include <optional>
+
+#include "stickslip/degree/newton.hpp"
+#include "stickslip/degree/stability_proof.hpp"
+#include "stickslip/search/search_work.hpp"
+
+namespace stickslip {
+
+/// What a proof may take.
+struct DegreeLimits {
+  std::size_t node_limit;  ///< of a wall's tree; 0: only what is quick is tried
+  std::size_t most_nodes;  ///< nothing is tried once there were so many in all
+  bool is_wide;            ///< the box is more than what encloses lengths
+};
+
+/// Tries to prove that every grasp in the box has an equilibrium near this one of its middle,
+/// which is `middle`; of a margin for all of its multiples. Adds to `work`.
+std::optional<DegreeProof> prove_by_degree(const GraspLaw& box, const GraspLaw& middle,
+                                           const NearEquilibrium& near,
+                                           const DegreeLimits& limits, SearchWork& work);
+
+/// A proof near an equilibrium of the middle that is at rest: nothing moves, and friction
+/// answers whatever load is left. Verified exactly by the rules of the format. O(contacts).
+std::optional<RestProof> prove_at_rest(const GraspLaw& box, const NearEquilibrium& middle);
+
+}  // namespace stickslip

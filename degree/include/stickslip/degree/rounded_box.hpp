@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The grasps of a box in doubles: proposals come from them.
+#pragma once
+
+#include <vector>
+
+#include "stickslip/search/grasp_law.hpp"
+
+namespace stickslip {
+
+/// S by rows: as many as a slip has coordinates.
+using SlipRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, kMostCoordinates>;
+
+/// A contact, in the units of its law.
+struct RoundedContact {
+  Reals normal;      ///< N
+  SlipRows slip;     ///< S
+  double slope;      ///< mu L: friction is at most this times a
+  double preload;    ///< P'
+  double stiffness;  ///< k'
+
+  /// v at a motion.
+  double separation(const Reals& motion) const {
+    return preload - stiffness * normal.dot(motion);
+  }
+};
+
+/// One grasp of a box, in the units of its law.
+struct RoundedGrasp {
+  std::vector<RoundedContact> contacts;  ///< by ContactId
+  Reals load;                            ///< w
+  double force;                          ///< a typical force
+  double reach;                          ///< how far it moves the object
+  std::size_t first_rotation;            ///< of the coordinates of motions
+
+  /// D.
+  Eigen::Index motions() const { return load.size(); }
+};
+
+/// All grasps of a box, or of a margin's for all of its multiples.
+class RoundedBox {
+ public:
+  /// Where a grasp lies: a number from -1 to 1 for each uncertain number, from its low end to
+  /// its high end; of a margin one more, for the multiple.
+  using Place = Eigen::VectorXd;
+
+  /// The law must outlive this. Multiples of a margin have an end.
+  explicit RoundedBox(const GraspLaw& law);
+  explicit RoundedBox(GraspLaw&&) = delete;
+
+  const GraspLaw& law() const { return law_; }                          ///< of the box
+  const std::vector<ParameterId>& numbers() const { return numbers_; }  ///< that are uncertain
+  Place middle() const;                                                 ///< of all
+  /// O(contacts).
+  RoundedGrasp at(const Place& place) const;
+  /// One of its contacts.
+  RoundedContact contact_at(std::size_t contact, const Place& place) const;
+  /// Its load.
+  Reals load_at(const Place& place) const;
+
+ private:
+  double multiple_at(const Place& place) const;
+
+  const GraspLaw& law_;
+  bool has_multiples_;
+  std::vector<ParameterId> numbers_;
+  std::vector<std::size_t> first_;  ///< of the numbers of a contact, and last of the load
+};
+
+/// The grasp in the middle of a box, or the one that the law is of.
+RoundedGrasp rounded_middle(const GraspLaw& law);
+
+}  // namespace stickslip

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/degree/moving_equilibrium.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace stickslip {
+namespace {
+
+/// Of the law of one contact at an equilibrium of another grasp, in its mode: its wrench, and
+/// its slip if it sticks. Friction that sticks yields a very little, less where there may be
+/// more of it: that moves nothing, but tells which way it will slip.
+struct Part {
+  Reals wrench;
+  Eigen::VectorXd slip;
+};
+
+Part part_of(const RoundedContact& c, const NearEquilibrium& near, std::size_t contact,
+             double yielding) {
+  const bool sticks = near.sticks[contact] != 0;
+  const double a = std::max(0.0, c.separation(near.motion));
+  Part part{a * c.normal, {}};
+  const Eigen::VectorXd s = c.slip * near.motion;
+  if (sticks) {
+    const Eigen::VectorXd friction =
+        Eigen::Map<const Eigen::Vector3d>(near.friction[contact].data()).head(s.size());
+    part.slip = s - yielding * c.slope * friction;
+    part.wrench += c.slip.transpose() * friction;
+  } else if (s.norm() > 0) {
+    part.wrench -= a * c.slope / s.norm() * (c.slip.transpose() * s);
+  }
+  return part;
+}
+
+}  // namespace
+
+EquilibriumPath MovingEquilibrium::follow(const Place& to) const {
+  EquilibriumPath path;
+  NearEquilibrium now = start_;
+  double step = 0.5;
+  constexpr double kLeastStep = 1.0 / 128;
+  while (path.part < 1 && step >= kLeastStep) {
+    const double next = std::min(1.0, path.part + step);
+    const RoundedGrasp there = box_.at(next * to);
+    if (auto found = Newton(there).follow(now)) {
+      now = std::move(*found);
+      path.part = next;
+      path.equilibria.push_back(now);
+      step *= 2;
+    } else {
+      step /= 2;
+    }
+  }
+  return path;
+}
+
+std::vector<LostWay> MovingEquilibrium::ways_out() const {
+  std::vector<LostWay> lost;
+  std::vector<Place> tried;
+  Place place = box_.middle();
+  NearEquilibrium here = start_;
+  double least = 2;
+  const auto look_along = [&](const Eigen::MatrixXd& moving, const Reals& out) {
+    const Place to = (moving.transpose() * out).cwiseSign();
+    if (std::find(tried.begin(), tried.end(), to) != tried.end()) return false;
+    tried.push_back(to);
+    EquilibriumPath path = follow(to);
+    if (path.part == 1) return false;
+    lost.push_back({to, path.part});
+    if (!(path.part < least) || path.equilibria.empty()) return false;
+    least = path.part;
+    place = path.part * to;
+    here = std::move(path.equilibria.back());
+    return true;
+  };
+  constexpr int kRounds = 4;
+  for (int round = 0; round < kRounds; ++round) {
+    const Eigen::MatrixXd moving = moves(place, here);
+    bool better = false;
+    for (const RoundedContact& c : box_.at(place).contacts) {
+      std::vector<Reals> ways{c.normal};
+      for (const auto& row : c.slip.rowwise()) ways.emplace_back(row.transpose());
+      for (const Reals& way : ways) {
+        for (const int sign : {1, -1}) better = look_along(moving, sign * way) || better;
+      }
+    }
+    if (!better) break;
+  }
+  std::sort(lost.begin(), lost.end(),
+            [](const LostWay& a, const LostWay& b) { return a.part < b.part; });
+  return lost;
+}
+
+Eigen::MatrixXd MovingEquilibrium::moves(const Place& place,
+                                         const NearEquilibrium& here) const {
+  NearEquilibrium near = here;
+  const ModalEquations equations(box_.at(place), near);
+  std::vector<Eigen::Index> first;  // of a contact's slips
+  Eigen::Index slips = 0;
+  for (std::size_t i = 0; i < near.sticks.size(); ++i) {
+    first.push_back(slips);
+    if (near.sticks[i] != 0) {
+      slips += static_cast<Eigen::Index>(box_.law().contacts[i].slip_dimension());
+    }
+  }
+  Eigen::MatrixXd result(near.motion.size(), place.size());
+  for (Eigen::Index n = 0; n < place.size(); ++n) {
+    Reals off = Reals::Zero(near.motion.size());
+    Eigen::VectorXd slip = Eigen::VectorXd::Zero(slips);
+    const auto number = static_cast<std::size_t>(n);
+    const bool is_multiple = number == box_.numbers().size();
+    for (const double sign : {0.5, -0.5}) {
+      Place end = place;
+      end[n] = sign > 0 ? 1 : -1;
+      const auto add_contact = [&](std::size_t i) {
+        constexpr double kYields = 1e-9;
+        const Part part = part_of(box_.contact_at(i, end), near, i,
+                                  kYields * box_.law().reach / box_.law().force);
+        off += sign * part.wrench;
+        slip.segment(first[i], part.slip.size()) += sign * part.slip;
+      };
+      if (is_multiple || box_.numbers()[number].parameter == Parameter::kWrench) {
+        off += sign * box_.load_at(end);
+      } else {
+        add_contact(box_.numbers()[number].index);
+      }
+      for (std::size_t i = 0; is_multiple && i < near.sticks.size(); ++i) add_contact(i);
+    }
+    result.col(n) = equations.motion_change(off, slip);
+  }
+  return result;
+}
+
+std::vector<Reals> MovingEquilibrium::extremes(const Eigen::MatrixXd& rows) const {
+  std::vector<Reals> result;
+  for (const auto& row : rows.rowwise()) {
+    for (const int sign : {1, -1}) {
+      Place place = box_.middle();
+      NearEquilibrium at = start_;
+      constexpr int kRounds = 3;
+      for (int round = 0; round < kRounds; ++round) {
+        const Place to = (sign * (row * moves(place, at)).transpose()).cwiseSign();
+        if (to == place) break;
+        EquilibriumPath path = follow(to);
+        for (const NearEquilibrium& e : path.equilibria) {
+          result.emplace_back(e.motion - start_.motion);
+        }
+        if (path.part < 1) break;
+        place = to;
+        at = std::move(path.equilibria.back());
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace stickslip

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/degree/rounded_box.hpp"
+
+#include <array>
+#include <optional>
+
+namespace stickslip {
+namespace {
+
+double between(const std::array<double, 2>& ends, double place) {
+  return ends[0] + (1 + place) / 2 * (ends[1] - ends[0]);
+}
+
+/// Reads a place, number by number, from one on.
+class Reader {
+ public:
+  Reader(const std::vector<ParameterId>& numbers, std::size_t first,
+         const RoundedBox::Place& place)
+      : numbers_(numbers), next_(first), place_(place) {}
+
+  /// Where the parameter is; nothing if it is certain.
+  std::optional<double> read(Parameter parameter, std::size_t index) {
+    const bool is_next = next_ < numbers_.size() && numbers_[next_].parameter == parameter &&
+                         numbers_[next_].index == index;
+    if (!is_next) return std::nullopt;
+    return place_[static_cast<Eigen::Index>(next_++)];
+  }
+
+ private:
+  const std::vector<ParameterId>& numbers_;
+  std::size_t next_;
+  const RoundedBox::Place& place_;
+};
+
+}  // namespace
+
+RoundedBox::RoundedBox(const GraspLaw& law)
+    : law_(law),
+      has_multiples_(law.is_family && law.multiples.high != law.multiples.low),
+      first_(law.contacts.size() + 1) {
+  for (const ParameterId& id : law.parameters()) {
+    const bool is_load = id.parameter == Parameter::kWrench;
+    const std::size_t owner = is_load ? law.contacts.size() : id.index;
+    if (is_load ? id.index == 0 : id.parameter == Parameter::kX)
+      first_[owner] = numbers_.size();
+    if (!law.interval(id).is_point()) numbers_.push_back(id);
+  }
+}
+
+RoundedBox::Place RoundedBox::middle() const {
+  return Place::Zero(static_cast<Eigen::Index>(numbers_.size() + (has_multiples_ ? 1 : 0)));
+}
+
+double RoundedBox::multiple_at(const Place& place) const {
+  if (!law_.is_family) return 0;
+  return between({to_double(law_.multiples.low), to_double(*law_.multiples.high)},
+                 has_multiples_ ? place[place.size() - 1] : 0);
+}
+
+RoundedContact RoundedBox::contact_at(std::size_t contact, const Place& place) const {
+  const LawContact& c = law_.contacts[contact];
+  Reader reader(numbers_, first_[contact], place);
+  std::vector<double> weights{1};  // of the corners
+  for (const Parameter parameter :
+       {Parameter::kX, Parameter::kY, Parameter::kTurn, Parameter::kZ}) {
+    const auto at = reader.read(parameter, contact);
+    if (!at) continue;
+    const double upper = (1 + *at) / 2;
+    const std::size_t half = weights.size();
+    for (std::size_t k = 0; k < half; ++k) {
+      weights.push_back(upper * weights[k]);
+      weights[k] *= 1 - upper;
+    }
+  }
+  const auto d = static_cast<Eigen::Index>(law_.motions);
+  RoundedContact result{Reals::Zero(d),
+                        SlipRows::Zero(static_cast<Eigen::Index>(c.slip_dimension()), d), 0, 0,
+                        0};
+  for (std::size_t k = 0; k < weights.size(); ++k) {
+    result.normal += weights[k] * c.corners[k].normal_rounded;
+    for (std::size_t r = 0; r < c.slip_dimension(); ++r) {
+      result.slip.row(static_cast<Eigen::Index>(r)) +=
+          weights[k] * c.corners[k].slip_rounded[r];
+    }
+  }
+  result.slope = between(c.slopes, reader.read(Parameter::kFriction, contact).value_or(0));
+  result.stiffness =
+      between(c.stiffnesses, reader.read(Parameter::kStiffness, contact).value_or(0));
+  const double preload = reader.read(Parameter::kPreload, contact).value_or(0);
+  result.preload =
+      between(c.preloads, preload) + multiple_at(place) * between(c.rates, preload);
+  return result;
+}
+
+Reals RoundedBox::load_at(const Place& place) const {
+  Reader reader(numbers_, first_.back(), place);
+  Reals load(static_cast<Eigen::Index>(law_.motions));
+  for (std::size_t j = 0; j < law_.motions; ++j) {
+    const auto row = static_cast<Eigen::Index>(j);
+    load[row] = between(law_.load[j], reader.read(Parameter::kWrench, j).value_or(0)) +
+                multiple_at(place) * law_.growing[row];
+  }
+  return load;
+}
+
+RoundedGrasp RoundedBox::at(const Place& place) const {
+  RoundedGrasp grasp{{}, load_at(place), law_.force, law_.reach, law_.first_rotation};
+  for (std::size_t i = 0; i < law_.contacts.size(); ++i) {
+    grasp.contacts.push_back(contact_at(i, place));
+  }
+  return grasp;
+}
+
+RoundedGrasp rounded_middle(const GraspLaw& law) {
+  const RoundedBox box(law);
+  return box.at(box.middle());
+}
+
+}  // namespace stickslip

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The law of a box of grasps, in the plane or in space: the enlarged box of
+/// certificate/FORMAT.md, section 6, with its *parameters*, intervals in which N, S, v and
+/// the work of a force are multilinear.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "stickslip/core/spatial_grasp.hpp"
+#include "stickslip/equilibrium/part.hpp"
+#include "stickslip/search/law.hpp"
+
+namespace stickslip {
+
+/// By how much a margin grows per multiple.
+struct SpatialGrowth {
+  Vector6 load{};                    ///< u
+  std::vector<Rational> preloads{};  ///< P^u by contact; empty: none grows
+};
+
+/// The law of every grasp in a box, or in a part of it.
+class GraspLaw : public Law {
+ public:
+  /// \{ 1/|n| is enclosed in so many bits where it is irrational and the preload may be above
+  /// 0.
+  GraspLaw(const GraspBox& box, NormalLaw law, unsigned bits = kDefaultBits);
+  GraspLaw(const SpatialGrasp& box, NormalLaw law, unsigned bits = kDefaultBits,
+           const std::optional<SpatialGrowth>& margin = {});
+  /// \}
+
+  /// The interval of a parameter. Requires that there is one.
+  const Interval& interval(const ParameterId& id) const;
+  /// All parameters: contact by contact, and then those of the wrench.
+  std::vector<ParameterId> parameters() const;
+  /// The halves below and above a cut; not of a margin. Requires low < value < high.
+  std::pair<GraspLaw, GraspLaw> halves(const PartSplit& split) const;
+  /// The one grasp with every parameter in the middle of its interval; of a margin with this
+  /// multiple.
+  GraspLaw middle(const Rational& multiple = 0) const;
+  /// The same margin for other multiples.
+  GraspLaw within(const MultipleRange& range) const;
+
+ private:
+  template <class AnyContact>
+  void add_contact(const ContactPlace& place, const AnyContact& contact, const Rational& rate,
+                   unsigned bits);
+  void add_corners(LawContact& contact) const;
+  void complete();
+};
+
+/// A basis of the forces of friction, with as many coordinates as a slip has: in space, across
+/// n.
+std::vector<RationalRow> friction_directions(const LawContact& contact);
+
+}  // namespace stickslip

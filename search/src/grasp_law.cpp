@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/search/grasp_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stickslip/core/contact_row.hpp"
+#include "stickslip/core/error.hpp"
+
+namespace stickslip {
+namespace {
+
+using Geometry = std::array<Rational, 3>;
+
+CornerRow planar_row(const Geometry& at, const Vector3& n) {
+  const auto as_row = [](const Wrench& w) { return RationalRow{w.x, w.y, w.torque}; };
+  const auto& [x, y, turn] = at;
+  const Contact contact{{x, y}, turned({n[0], n[1]}, turn)};
+  CornerRow row{};
+  row.normal = as_row(normal_row(contact));
+  row.set_slip({as_row(tangent_row(contact))}, 1);
+  return row;
+}
+
+/// The slip is |n|^2 S, by rows: |n|^2 u - (n.u) n with u = (d1, d2, d3) + omega x p.
+CornerRow spatial_row(const Geometry& p, const Vector3& n) {
+  CornerRow row{};
+  const Vector3 moment = cross(p, n);
+  row.normal = {n[0], n[1], n[2], moment[0], moment[1], moment[2]};
+  const Rational square = dot(n, n);
+  std::vector<RationalRow> slip(3, RationalRow(6));
+  for (std::size_t k = 0; k < 3; ++k) {
+    Vector3 axis{};
+    axis[k] = 1;
+    const Vector3 arm = cross(p, axis);
+    for (std::size_t j = 0; j < 3; ++j) {
+      slip[k][j] = square * axis[j] - n[k] * row.normal[j];
+      slip[k][j + 3] = square * arm[j] - n[k] * row.normal[j + 3];
+    }
+  }
+  row.set_slip(slip, square);
+  return row;
+}
+
+void shrink(Interval& interval) {
+  interval = point_interval(interval.middle());
+}
+
+/// Where a parameter of a contact's geometry is in its place.
+std::optional<std::size_t> geometry_index(Parameter parameter) {
+  switch (parameter) {
+    case Parameter::kX:
+      return 0;
+    case Parameter::kY:
+      return 1;
+    case Parameter::kTurn:
+    case Parameter::kZ:
+      return 2;
+    default:
+      return std::nullopt;
+  }
+}
+
+template <class AnyContact>
+auto& interval_of(AnyContact& c, Parameter parameter) {
+  if (const auto index = geometry_index(parameter)) return c.place->geometry[*index];
+  if (parameter == Parameter::kFriction) return c.friction;
+  if (parameter == Parameter::kPreload) return c.preload;
+  require(parameter == Parameter::kStiffness, "a wrench is of no contact");
+  return c.stiffness;
+}
+
+}  // namespace
+
+template <class AnyContact>
+void GraspLaw::add_contact(const ContactPlace& place, const AnyContact& c, const Rational& rate,
+                           unsigned bits) {
+  LawContact& contact = contacts.emplace_back();
+  contact.place = place;
+  contact.friction = c.friction;
+  const Rational square = dot(place.normal, place.normal);
+  // Of n + e t, in the plane: 1/sqrt(1 + e^2) >= 1 - e^2/2 and 1/(1 + e^2) >= 1 - e^2.
+  Rational shortened = 0;
+  if (motions == 3) shortened = place.geometry[2].high * place.geometry[2].high;
+  if (!c.preload.high.is_zero() || !rate.is_zero()) {
+    const auto [lower, upper] = short_sqrt(1 / square, bits);
+    contact.preload = {c.preload.low * (1 - shortened / 2) * lower, c.preload.high * upper};
+    contact.rate = {rate * lower, rate * upper};
+  }
+  contact.stiffness = {c.stiffness.low * (1 - shortened) / square, c.stiffness.high / square};
+  if (motions == 6) {
+    contact.axis = primitive_multiple<3>(place.normal);
+    contact.squared_length = square;
+  }
+  add_corners(contact);
+}
+
+GraspLaw::GraspLaw(const GraspBox& box, NormalLaw normal_law, unsigned bits) {
+  wrench.assign(box.wrench.begin(), box.wrench.end());
+  growth.assign(motions, 0);
+  law = normal_law;
+  for (const UncertainContact& c : box.contacts) {
+    const ContactPlace place{{c.x, c.y, {-c.slope, c.slope}}, {c.normal.x, c.normal.y, 0}, {}};
+    add_contact(place, c, 0, bits);
+  }
+  complete();
+}
+
+GraspLaw::GraspLaw(const SpatialGrasp& box, NormalLaw normal_law, unsigned bits,
+                   const std::optional<SpatialGrowth>& margin) {
+  motions = 6;
+  first_rotation = 3;
+  wrench.assign(box.wrench.begin(), box.wrench.end());
+  law = normal_law;
+  is_family = margin.has_value();
+  const SpatialGrowth grows = margin.value_or(SpatialGrowth{});
+  growth.assign(grows.load.begin(), grows.load.end());
+  for (std::size_t i = 0; i < box.contacts.size(); ++i) {
+    const SpatialContact& c = box.contacts[i];
+    add_contact({c.position, c.normal, {}}, c,
+                grows.preloads.empty() ? Rational(0) : grows.preloads[i], bits);
+  }
+  complete();
+}
+
+void GraspLaw::add_corners(LawContact& contact) const {
+  ContactPlace& place = *contact.place;
+  const auto& [first, second, third] = place.geometry;
+  const auto row_at = [&](const Geometry& at) {
+    return motions == 3 ? planar_row(at, place.normal) : spatial_row(at, place.normal);
+  };
+  contact.corners.clear();
+  for (const Rational& z : ends_of(third)) {
+    for (const Rational& y : ends_of(second)) {
+      for (const Rational& x : ends_of(first)) contact.corners.push_back(row_at({x, y, z}));
+    }
+  }
+  place.centre = row_at({first.middle(), second.middle(), third.middle()});
+}
+
+/// In space a corner's moment arm, |p x n| / |n|, is as large as distances that matter; in the
+/// plane a coordinate is.
+void GraspLaw::complete() {
+  double farthest = 0;
+  for (const LawContact& c : contacts) {
+    if (motions == 3) {
+      for (std::size_t j = 0; j < 2; ++j) {
+        for (const Rational& end : ends_of(c.place->geometry[j])) {
+          farthest = std::max(farthest, std::fabs(to_double(end)));
+        }
+      }
+      continue;
+    }
+    for (const CornerRow& row : c.corners) {
+      double arm = 0;
+      for (std::size_t j = 3; j < 6; ++j) arm = std::hypot(arm, to_double(row.normal[j]));
+      farthest = std::max(farthest, arm / std::sqrt(to_double(c.squared_length)));
+    }
+  }
+  Law::complete(farthest);
+}
+
+GraspLaw GraspLaw::within(const MultipleRange& range) const {
+  GraspLaw result = *this;
+  result.multiples = range;
+  return result;
+}
+
+GraspLaw GraspLaw::middle(const Rational& multiple) const {
+  GraspLaw result = *this;
+  result.growth.assign(motions, 0);
+  result.is_family = false;
+  for (std::size_t j = 0; j < motions; ++j) {
+    shrink(result.wrench[j]);
+    if (is_family) {
+      result.wrench[j] = point_interval(result.wrench[j].low + multiple * growth[j]);
+    }
+  }
+  for (LawContact& c : result.contacts) {
+    shrink(c.friction);
+    c.preload = point_interval(c.preload.middle() + multiple * c.rate.middle());
+    c.rate = {};
+    shrink(c.stiffness);
+    if (c.geometry_is_certain()) continue;
+    for (Interval& number : c.place->geometry) shrink(number);
+    add_corners(c);
+  }
+  result.complete();
+  return result;
+}
+
+const Interval& GraspLaw::interval(const ParameterId& id) const {
+  if (id.parameter == Parameter::kWrench) return wrench.at(id.index);
+  return interval_of(contacts.at(id.index), id.parameter);
+}
+
+std::vector<ParameterId> GraspLaw::parameters() const {
+  std::vector<ParameterId> result;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    for (const Parameter parameter :
+         {Parameter::kX, Parameter::kY, motions == 3 ? Parameter::kTurn : Parameter::kZ,
+          Parameter::kFriction, Parameter::kStiffness, Parameter::kPreload}) {
+      result.push_back({parameter, i});
+    }
+  }
+  for (std::size_t j = 0; j < motions; ++j) result.push_back({Parameter::kWrench, j});
+  return result;
+}
+
+std::pair<GraspLaw, GraspLaw> GraspLaw::halves(const PartSplit& split) const {
+  const auto half = [&](bool upper) {
+    GraspLaw result = *this;
+    const bool is_load = split.parameter == Parameter::kWrench;
+    Interval& cut = is_load ? result.wrench.at(split.index)
+                            : interval_of(result.contacts.at(split.index), split.parameter);
+    require(cut.low < split.value && split.value < cut.high,
+            "a part is cut inside its interval");
+    (upper ? cut.low : cut.high) = split.value;
+    if (!is_load) result.add_corners(result.contacts[split.index]);
+    result.complete();
+    return result;
+  };
+  return {half(false), half(true)};
+}
+
+std::vector<RationalRow> friction_directions(const LawContact& contact) {
+  if (contact.slip_dimension() == 1) return {{1}};
+  const Vector3& n = contact.place->normal;
+  std::size_t least = 0;
+  for (std::size_t j = 1; j < 3; ++j) {
+    if (abs(n[j]) < abs(n[least])) least = j;
+  }
+  Vector3 unit{};
+  unit[least] = 1;
+  const Vector3 first = cross(n, unit);
+  const Vector3 second = cross(n, first);
+  return {{first.begin(), first.end()}, {second.begin(), second.end()}};
+}
+
+}  // namespace stickslip

@@ -55,9 +55,8 @@ bool BoxProver::prove_near(const GraspLaw& box, const GraspLaw& middle,
     parts_.emplace_back(std::move(*rest));
     return true;
   }
-  auto proof = prove_by_degree(
-      box, middle, near,
-      {limits_.wall_limit, limits_.is_wide ? SIZE_MAX : last_node_, limits_.is_wide}, work_);
+  auto proof = prove_by_degree(box, middle, near,
+                               {limits_.wall_limit, last_node_, limits_.is_wide}, work_);
   if (!proof) {
     near_ = motion_of(box, near);
     return false;
@@ -100,7 +99,7 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
     for (const NearEquilibrium& near :
          box.motions == 3 ? box_detail::near_equilibria(middle, !limits_.is_wide)
                           : newton.solve_from(kStarts)) {
-      if (try_near(near)) {
+      if (try_near(newton.polish(near).value_or(near))) {
         stable_ = true;
         return true;
       }

@@ -21,6 +21,7 @@ struct Attempt {
   double size;               ///< as of Walls
   std::size_t node_limit;    ///< of a tree
   std::size_t most_growths;  ///< equilibria that go much farther are lost at a fold
+  std::size_t most_nodes;    ///< nothing is tried once there were so many in all
   bool is_simplex = false;
 };
 
@@ -32,8 +33,7 @@ class BoxDegreeSearch {
 
   std::optional<DegreeProof> prove(const NearEquilibrium& near) {
     if (!span_.has_loads_of(box_)) return std::nullopt;
-    const bool fits = limits_.is_wide && span_.rank() <= kFewDimensions;
-    return fits ? prove_by_moves(near) : prove_by_size(near);
+    return span_.rank() <= kFewDimensions ? prove_by_moves(near) : prove_by_size(near);
   }
 
  private:
@@ -56,15 +56,16 @@ std::optional<DegreeProof> BoxDegreeSearch::prove_by_size(const NearEquilibrium&
   constexpr double kLeastQuick = 1e-3;
   const std::size_t limit = limits_.node_limit;
   const std::size_t growths = limits_.is_wide ? 12 : 0;
+  const std::size_t most = limits_.most_nodes;
   std::optional<std::vector<Reals>> moves;
-  for (const Attempt& attempt : {Attempt{3e-2, kFew, 0},
-                                 {3e-3, kFew, 0},
-                                 {3e-4, kFew, 0},
-                                 {3e-5, kFew, 0},
-                                 {3e-2, limit, growths},
-                                 {1e-3, limit, growths},
-                                 {3e-1, limit, growths},
-                                 {3e-2, limit, growths, true}}) {
+  for (const Attempt& attempt : {Attempt{3e-2, kFew, 0, most},
+                                 {3e-3, kFew, 0, most},
+                                 {3e-4, kFew, 0, most},
+                                 {3e-5, kFew, 0, most},
+                                 {3e-2, limit, growths, most},
+                                 {1e-3, limit, growths, most},
+                                 {3e-1, limit, growths, most},
+                                 {3e-2, limit, growths, most, true}}) {
     if (attempt.node_limit == 0 || (limit == 0 && attempt.size < kLeastQuick)) break;
     Walls walls(box_, grasp, span_, near, attempt.size);
     if (!walls.is_sound()) return std::nullopt;
@@ -87,7 +88,7 @@ std::optional<DegreeProof> BoxDegreeSearch::prove_by_moves(const NearEquilibrium
   const Eigen::MatrixXd each = moving.moves(rounded.middle(), near);
   std::vector<Reals> first;
   for (const auto& column : each.colwise()) first.emplace_back(column);
-  const Attempt attempt{1e-3, limits_.node_limit, 18};
+  const Attempt attempt{1e-3, limits_.node_limit, 18, SIZE_MAX};
   for (const bool first_order : {false, true}) {
     Walls walls(box_, grasp, span_, near, attempt.size);
     if (!walls.is_sound()) return std::nullopt;
@@ -133,7 +134,7 @@ std::optional<DegreeProof> BoxDegreeSearch::prove_with(Walls walls, const Attemp
   if (span_.rank() <= kFewDimensions) directions = {Pull::kFitted, Pull::kStiff};
   std::size_t pulls = 0;
   for (std::size_t growth = 0; growth <= attempt.most_growths; ++growth) {
-    if (work_.nodes > limits_.most_nodes) return std::nullopt;
+    if (work_.nodes > attempt.most_nodes) return std::nullopt;
     ++work_.proofs;
     DegreeProof proof = walls.proof(directions.front(), attempt.is_simplex);
     if (!has_rank(proof, span_.rank())) return std::nullopt;

@@ -180,6 +180,11 @@ void Walls::check() {
 
 /// Dual to the forces at those that move the object farthest.
 void Walls::turn_to(const std::vector<Reals>& moves) {
+  const auto count = static_cast<Eigen::Index>(chosen_.size());
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const Sticking& contact = sticking_[chosen_[static_cast<std::size_t>(k)]];
+    room_[k] = size_ * middle_.reach * contact.row.norm() + contact.off;
+  }
   const Eigen::Index free = frame_.cols();
   const Eigen::MatrixXd reduced = frame_.transpose() * stiffness_ * frame_;
   if (free == 0 || !(std::fabs(reduced.determinant()) > 0)) return;
@@ -206,11 +211,6 @@ void Walls::turn_to(const std::vector<Reals>& moves) {
     for (Eigen::VectorXd& motion : motions) motion -= direction.dot(motion) * direction;
   }
   if (!(std::fabs(chosen.determinant()) > 0)) return;
-  const auto count = static_cast<Eigen::Index>(chosen_.size());
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const Sticking& contact = sticking_[chosen_[static_cast<std::size_t>(k)]];
-    room_[k] = size_ * middle_.reach * contact.row.norm() + contact.off;
-  }
   twists_.rightCols(free) = (frame_ * chosen.inverse().transpose()).colwise().normalized();
   for (Eigen::Index k = count; k < rows_.rows(); ++k) {
     rows_.row(k) = (stiffness_.transpose() * twists_.col(k)).transpose();

@@ -186,8 +186,14 @@ void widen(std::vector<Mutant>& mutants) {
     mutants.push_back({"a tight box, wider", tight, {"leaf-bound"}});
   }
   // Proved for one radius, said of one for which a counterexample is known.
-  const LoadedGrasp centre = jaw();
-  for (const char* tolerances : {"friction=10%", "friction=10%,preload=10%,stiffness=10%"}) {
+  // The jaw is at rest; the other one slips, and more friction breaks it.
+  const Rational less(2, 5);
+  const LoadedGrasp slips{Grasp({{{-2, -1}, {1, 0}, less, 1, 1},
+                                 {{-2, -1}, {0, 1}, less, 1, 1},
+                                 {{2, -2}, {-1, 0}, less, 1, 1}}),
+                          {-2, 2, -2}};
+  for (const LoadedGrasp& centre : {jaw(), slips}) {
+    const char* tolerances = "friction=10%,stiffness=10%";
     const GraspBox box = box_of(centre).widened(parse_tolerances(tolerances));
     const Radius radius = find_radius(centre, box, NormalLaw::kUnilateral, {});
     ASSERT_TRUE(radius.proof && radius.refuted) << tolerances;
@@ -195,7 +201,9 @@ void widen(std::vector<Mutant>& mutants) {
         input_of(test::file_of(box.scaled(centre, radius.proved)), {}, *radius.proof);
     mutants.push_back({"proved radius", input, {}});
     input.grasp = test::file_of(box.scaled(centre, *radius.refuted));
-    mutants.push_back({"a refuted radius", input, {"leaf-bound", "leaf-direction"}});
+    mutants.push_back({"a refuted radius",
+                       input,
+                       {"leaf-bound", "leaf-direction", "rest-cone", "rest-reach"}});
   }
 }
 
@@ -212,9 +220,8 @@ TEST(BoxMutations, EachIsRejectedAlikeAndByItsRule) {
                   NormalLaw::kUnilateral},
                  {"bilateral", "friction=10%,preload=5%", NormalLaw::kBilateral}};
   for (const auto& [name, uncertain, law] : squares) {
-    const CheckerInput original =
-        proved(write_grasp(square({Rational(3, 2), Rational(1, 2), 0})),
-               options_of(uncertain, law), "stable");
+    const CheckerInput original = proved(write_grasp(square({Rational(5, 2), 1, 1})),
+                                         options_of(uncertain, law), "stable");
     mutate_degree(name, original, mutants);
     if (law != NormalLaw::kBilateral) continue;
     Json wide = Json::parse(original.certificate);

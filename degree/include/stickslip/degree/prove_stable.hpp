@@ -15,7 +15,7 @@ namespace stickslip {
 /// What a proof may take.
 struct DegreeLimits {
   std::size_t node_limit;  ///< of a wall's tree; 0: only what is quick is tried
-  std::size_t most_nodes;  ///< nothing is tried once there were so many in all
+  std::size_t most_nodes;  ///< in space nothing is tried once there were so many in all
   bool is_wide;            ///< the box is more than what encloses lengths
 };
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Resistible regions of generated grasps, in the plane of forces: time and work; and, where
-// there are few contacts, the time of enumerating all pieces and uniting them. Exit code 1 if
-// the two differ.
+// there are few contacts, the time of enumerating all pieces and uniting them, and of a proof.
+// Exit code 1 if the first two differ.
 //
-//     region_bench [largest m, default 100] [--twin M] [--limit SECONDS] [--family NAME]
+//     region_bench [largest m, default 100] [--twin M] [--proof M] [--limit SECONDS]
+//                  [--family NAME]
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <sstream>
@@ -14,7 +15,7 @@
 #include "grasps.hpp"
 #include "limited.hpp"
 #include "loads.hpp"
-#include "stickslip/resistance/resistible_set.hpp"
+#include "stickslip/resistance/region_proof.hpp"
 
 namespace stickslip::bench {
 namespace {
@@ -78,16 +79,38 @@ std::string twin_columns(const Row& row) {
   return text.str();
 }
 
-int run(std::size_t largest, std::size_t largest_twin, double limit, const std::string& only) {
+/// The time to prove what pieces say, and the work.
+std::string proof_columns(const Row& row) {
+  const Problem problem = problem_of(row);
+  const WrenchPlane plane = WrenchPlane::forces();
+  const auto pieces =
+      std::get<std::vector<ResistiblePiece>>(resistible_pieces(problem, plane));
+  RegionProofWork work;
+  RegionProof proof;
+  const double seconds = seconds_per_call(
+      [&] {
+        proof = std::get<RegionProof>(prove_region(problem, plane, pieces, {}, &work));
+      },
+      1, 0);
+  std::ostringstream text;
+  text.precision(3);
+  text << seconds << " | " << proof.pieces.size() << " | " << work.cells << " | " << work.nodes
+       << " | " << work.programs;
+  return text.str();
+}
+
+int run(std::size_t largest, std::size_t largest_twin, std::size_t largest_proof, double limit,
+        const std::string& only) {
   std::puts(
       "| family | preload | m | all pieces, s | region, s | nodes | modes | pieces | borders | "
-      "exact images | exact turns | exact pieces | vertices |");
-  std::puts("|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|");
+      "exact images | exact turns | exact pieces | vertices | proof, s | proved pieces | cells | "
+      "proof nodes | programs |");
+  std::puts("|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|");
   bool all_same = true;
   for (const Layout layout : {Layout::kRound, Layout::kVaried, Layout::kArc, Layout::kGrid}) {
     if (!only.empty() && only != name_of(layout)) continue;
     for (const bool preloaded : {true, false}) {
-      for (const std::size_t m : {8, 16, 32, 64, 100}) {
+      for (const std::size_t m : {4, 6, 8, 16, 32, 64, 100}) {
         if (m > largest) break;
         const Row row{layout, m, preloaded};
         std::string twin = "-";
@@ -98,8 +121,14 @@ int run(std::size_t largest, std::size_t largest_twin, double limit, const std::
         const std::string region = run_limited(limit, [&] {
                                      return region_columns(row);
                                    }).value_or("not in time | | | | | | | |");
-        std::printf("| %s | %s | %zu | %s | %s |\n", name_of(layout), preloaded ? "yes" : "no",
-                    m, twin.c_str(), region.c_str());
+        std::string proof = "- | | | |";
+        if (m <= largest_proof) {
+          proof = run_limited(limit, [&] {
+                    return proof_columns(row);
+                  }).value_or("not in time | | | |");
+        }
+        std::printf("| %s | %s | %zu | %s | %s | %s |\n", name_of(layout),
+                    preloaded ? "yes" : "no", m, twin.c_str(), region.c_str(), proof.c_str());
         std::fflush(stdout);
       }
     }
@@ -114,14 +143,17 @@ int main(int argc, char** argv) {
   CLI::App app("Resistible regions of generated grasps: time and work.");
   std::size_t largest = 100;
   std::size_t largest_twin = 16;
+  std::size_t largest_proof = 8;
   double limit = 600;
   std::string only;
   app.add_option("LARGEST_M", largest, "Contacts: 8, 16, 32, 64, 100, up to this")
       ->capture_default_str();
   app.add_option("--twin", largest_twin, "All pieces too, up to so many contacts")
       ->capture_default_str();
+  app.add_option("--proof", largest_proof, "Proofs too, up to so many contacts")
+      ->capture_default_str();
   app.add_option("--limit", limit, "Seconds for one measurement")->capture_default_str();
   app.add_option("--family", only, "This family alone");
   CLI11_PARSE(app, argc, argv);
-  return stickslip::bench::run(largest, largest_twin, limit, only);
+  return stickslip::bench::run(largest, largest_twin, largest_proof, limit, only);
 }

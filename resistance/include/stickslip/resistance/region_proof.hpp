@@ -7,11 +7,10 @@
 /// **Method.** The pieces are those of resistible_pieces, with modes that differ only in what
 /// no force depends on taken together. A binary space partition of the plane, first by lines of
 /// the region's border and then by those of pieces, leads to cells that lie in one piece or
-/// meet none. The latter are refuted by branch and bound over the motions, as one load is
-/// (equilibrium/search/branch_and_bound.hpp), but with all corners of the cell as loads: a
-/// virtual twist is sought in doubles and confirmed exactly; where that fails, as at cells that
-/// touch the region, the exact program of region_program.hpp decides. Borders of cells that
-/// belong to another cell are strict functions.
+/// meet none. The latter are refuted by branch and bound over the motions with all of the cell
+/// as loads (search/tree_search.hpp); where doubles fail, as at cells that touch the region,
+/// the exact program of region_program.hpp decides. Borders of cells that belong to another
+/// cell are strict functions.
 #pragma once
 
 #include <functional>
@@ -19,6 +18,7 @@
 #include <vector>
 
 #include "stickslip/resistance/resistible_set.hpp"
+#include "stickslip/search/tree.hpp"
 
 namespace stickslip {
 
@@ -40,9 +40,8 @@ struct LoadSplit {
 struct HeldLeaf {
   std::size_t piece;  ///< its number
 };
-/// As RefutationNode; planes see the load alone.
-using RegionNode =
-    std::variant<SlipSplit, SeparationSplit, LoadSplit, VirtualWorkLeaf, HeldLeaf>;
+/// A node about motions, or about loads.
+using RegionNode = std::variant<TreeNode, LoadSplit, HeldLeaf>;
 
 /// With the evidence of certificate/FORMAT.md, section 12.
 struct RegionProof {

@@ -16,7 +16,7 @@ ALLOWED = {
     "box": {"core", "lp", "equilibrium", "search"},
     "search": {"core", "equilibrium"},
     "space": {"core", "equilibrium", "search"},
-    "resistance": {"core", "arrangement", "equilibrium", "search"},
+    "resistance": {"core", "equilibrium", "search"},
     "earlier": {"core", "lp", "equilibrium"},
     "certificate": {"core", "equilibrium", "search", "box", "space", "resistance"},
     "batch": {"core", "equilibrium", "certificate"},

@@ -4,13 +4,12 @@
 /// pieces, each resisted because there are equilibria of one mode at its corners, and a tree
 /// that refutes every load outside of them.
 ///
-/// **Method.** The pieces are those of resistible_pieces, with modes that differ only in what
-/// no force depends on taken together. A binary space partition of the plane, first by lines of
-/// the region's border and then by those of pieces, leads to cells that lie in one piece or
-/// meet none. The latter are refuted by branch and bound over the motions with all of the cell
-/// as loads (search/tree_search.hpp); where doubles fail, as at cells that touch the region,
-/// the exact program of region_program.hpp decides. Borders of cells that belong to another
-/// cell are strict functions.
+/// **Method.** The pieces are those of resistible_set. A binary space partition of the plane,
+/// first by lines of the region's border and then by those of pieces, leads to cells that lie
+/// in one piece or meet none. The latter are refuted by branch and bound over the motions with
+/// all of the cell as loads (search/tree_search.hpp); where doubles fail, as at cells that
+/// touch the region, the exact program of region_program.hpp decides. Borders of cells that
+/// belong to another cell are strict functions.
 #pragma once
 
 #include <functional>
@@ -64,8 +63,8 @@ struct RegionProofOptions {
   std::function<void(const RegionProofWork& work)> progress;
 };
 
-/// Of what resistible_pieces found for this problem and plane. Undecided when the limit is
-/// exceeded, or the tree would be deeper than the format allows.
+/// Of the pieces that resistible_set found for this problem and plane. Undecided when the limit
+/// is exceeded, or the tree would be deeper than the format allows.
 std::variant<RegionProof, Undecided> prove_region(const Problem& problem,
                                                   const WrenchPlane& plane,
                                                   const std::vector<ResistiblePiece>& pieces,

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "generated_cone.hpp"
+#include "friction_polygon.hpp"
 #include "stickslip/core/cancellation.hpp"
 
 namespace stickslip::resistance_detail {
@@ -16,26 +16,15 @@ std::vector<FrictionSigns> friction_polygon(const MotionRays& rays,
                                             const std::vector<std::size_t>& sticking) {
   if (sticking.empty()) return {{}};
   if (sticking.size() == 1) return {{-1}, {1}};
-  // Turned into one half of the plane that their tangents span, and sorted by angle.
-  const auto tangent = [&](std::size_t k) { return rays.classes()[sticking[k]].tangent; };
-  const IntegerVector3 normal = cross(tangent(0), tangent(1));
-  const auto turn = [&](std::size_t a, std::size_t b) {
-    return dot(cross(tangent(a), tangent(b)), normal).sign();
-  };
-  std::vector<std::int8_t> turned(sticking.size(), 1);
-  std::vector<std::size_t> order;
-  for (std::size_t k = 0; k < sticking.size(); ++k) {
-    order.push_back(k);
-    if (turn(0, k) < 0) turned[k] = -1;
-  }
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return turned[a] * turned[b] * turn(a, b) > 0;
-  });
+  std::vector<IntegerVector3> tangents;
+  for (const std::size_t c : sticking) tangents.push_back(rays.classes()[c].tangent);
+  const std::vector<PolygonStep> steps =
+      half_way_round(tangents, cross(tangents[0], tangents[1]));
   FrictionSigns at(sticking.size());
-  for (std::size_t k = 0; k < at.size(); ++k) at[k] = static_cast<std::int8_t>(-turned[k]);
+  for (const auto& [k, end] : steps) at[k] = static_cast<std::int8_t>(-end);
   std::vector<FrictionSigns> vertices;
   for (int half = 0; half < 2; ++half) {
-    for (const std::size_t k : order) {
+    for (const auto& [k, end] : steps) {
       vertices.push_back(at);
       at[k] = static_cast<std::int8_t>(-at[k]);
     }
@@ -232,13 +221,8 @@ int ModeSections::turn_of(const std::vector<SectionVertex>& polygon) {
 const HomogeneousPoint& ModeSections::exact(const SectionVertex& vertex) {
   const auto [found, is_new] = exact_vertices_.emplace(vertex, HomogeneousPoint{});
   if (!is_new) return found->second;
-  const IntegerVector4& high = images_.exact(vertex.first);
-  const IntegerVector4& low = images_.exact(vertex.second);
-  for (const std::size_t j : {0, 1, 2}) {
-    const std::size_t from = j == 2 ? 3 : j;
-    found->second[j] = high[2] * low[from] - low[2] * high[from];
-  }
-  found->second = primitive(std::move(found->second));
+  found->second =
+      primitive(crossing(images_.exact(vertex.first), images_.exact(vertex.second)));
   return found->second;
 }
 
@@ -247,14 +231,8 @@ std::optional<PlaneCell> ModeSections::hull(const std::vector<GeneratorIndex>& g
   std::set<IntegerVector4> images;
   for (const GeneratorIndex g : generators) images.insert(images_.exact(g));
   std::vector<HomogeneousPoint> points;
-  bool has_point = false;
-  for (const IntegerVector4& g :
-       cut<4>({images.begin(), images.end()}, {0, 0, 1, 0}, Keep::kPlane)) {
-    if (is_zero(g)) continue;
-    points.push_back({g[0], g[1], g[3]});
-    has_point = has_point || !g[3].is_zero();
-  }
-  if (!has_point) return std::nullopt;
+  add_section({images.begin(), images.end()}, points);
+  if (std::all_of(points.begin(), points.end(), stickslip::is_at_infinity)) return std::nullopt;
   return PlaneCell::hull(std::move(points));
 }
 

@@ -30,9 +30,9 @@ struct LoadHull {
   const Reals& worst(const Reals& y) const;
   /// Whether a direction does work on a virtual twist.
   bool is_unbounded(const Row& y) const;
-  /// Whether a strict function is 0 on all directions that do none, if `corners` on all corners
+  /// Whether a strict function is 0 on all directions that do none, if `at_corners` on all corners
   /// that do the most, too. Of a twist on which none does any.
-  bool bars(const Row& y, bool corners) const;
+  bool bars(const Row& y, bool at_corners) const;
 };
 
 }  // namespace stickslip

@@ -23,7 +23,7 @@ measure lp lp_bench 400
 measure sweep sweep_bench
 measure table2 table2
 measure margin margin_bench 1000
-measure region region_bench --twin 32
+measure region region_bench --pieces 32
 measure box box_bench --grasps 60
 measure space space_bench --contacts 8
 measure space_grasps /usr/bin/python3 "$root/bench/space/grasps.py" "$build/space_grasps"

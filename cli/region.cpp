@@ -70,7 +70,8 @@ void print_outline(const Outline& outline, NumberText& text) {
 }
 
 void print_text(const RegionAnswer& answer, const NumberOptions& output) {
-  const auto& [question, plane, region, pieces, work, undecided] = answer;
+  const auto& [question, plane, found, work, undecided] = answer;
+  const auto& [region, pieces] = found;
   NumberText text(output);
   const std::string& name = question.loaded.grasp.name();
   std::cout << (name.empty() ? "" : name + ": ") << "resistible wrenches\n\n"
@@ -101,19 +102,13 @@ void print_text(const RegionAnswer& answer, const NumberOptions& output) {
     }
   }
   if (!pieces.empty())
-    std::cout << "\nPieces, by contact mode (+ and - slip, 0 sticks, . is detached):\n";
+    std::cout << "\nPieces, by contact mode (+ and - slip, 0 sticks, . has no force):\n";
   for (const ResistiblePiece& piece : pieces) {
     std::cout << "  " << mode_text(piece) << "  " << text_of(piece.cell, text) << '\n';
   }
-  std::cout << "\n";
-  if (work.nodes == 0) {
-    std::cout << work.slip_states << " slip states, " << work.modes << " contact modes, "
-              << work.pieces << " of them in the plane";
-  } else {
-    std::cout << work.modes << " contact modes visited, " << work.pieces
-              << " of them in the plane";
-  }
-  std::cout << "; normal law: " << law_text(question.law) << ".\n"
+  std::cout << '\n'
+            << work.modes << " contact modes visited, " << work.pieces
+            << " of them in the plane; normal law: " << law_text(question.law) << ".\n"
             << units_text(question.loaded.grasp) << text.note();
 }
 
@@ -150,7 +145,7 @@ std::string check_text(const RegionArguments& arguments, const WrenchPlane& plan
 
 RegionOptions options_of(const RegionArguments& arguments, Progress& progress) {
   RegionOptions options;
-  options.list = arguments.list;
+  options.modes.pieces = arguments.list;
   options.modes.mode_limit = arguments.mode_limit;
   options.modes.progress = [&](std::size_t modes) {
     progress.show("contact modes: " + std::to_string(modes));
@@ -200,7 +195,7 @@ int draw_region(const RegionArguments& arguments) {
     std::cerr << "stickslip: no region is known: " << in_words(*answer.undecided) << '\n';
     return kUndecidedWithinLimit;
   }
-  write_whole_file(arguments.output, plot_region(answer.question, plane, answer.region));
+  write_whole_file(arguments.output, plot_region(answer.question, plane, answer.found.region));
   return kDone;
 }
 
@@ -241,8 +236,7 @@ void add_region_command(CLI::App& app, int& exit_code) {
   add_region_options(*command, *arguments);
   CLI::Option* list = command->add_flag(
       "--list", arguments->list,
-      "List the piece of each contact mode: slip state, closed contacts, polygon. Modes grow "
-      "with the cube of the contacts");
+      "List the piece of each contact mode: slips, contacts with a force, polygon");
   CLI::Option* certificate =
       command
           ->add_option("--certificate", arguments->certificate,

@@ -28,20 +28,6 @@ Json json_of(const Outline& outline) {
   return json;
 }
 
-/// Of pieces that were listed, or of the region alone.
-Json stats_json(const ResistibleWork& work) {
-  Json json;
-  if (work.nodes == 0) {
-    json["slip_states"] = work.slip_states;
-  } else {
-    json["nodes"] = work.nodes;
-    json["borders"] = work.borders;
-  }
-  json["modes"] = work.modes;
-  json["pieces"] = work.pieces;
-  return json;
-}
-
 Json ends_json(const Interval& interval) {
   return Json::array({number_json(interval.low), number_json(interval.high)});
 }
@@ -51,39 +37,34 @@ Json ends_json(const Interval& interval) {
 RegionAnswer answer_to(Question question, const WrenchPlane& plane,
                        const RegionOptions& options) {
   RegionAnswer answer{std::move(question), plane};
-  const Problem problem = problem_of(answer.question);
-  // False if it was not found within the limit.
-  const auto take = [&](auto found, auto& result) {
-    if (auto* undecided = std::get_if<Undecided>(&found)) {
-      answer.undecided = std::move(*undecided);
-      return false;
-    }
-    result = std::get<std::decay_t<decltype(result)>>(std::move(found));
-    return true;
-  };
-  if (take(resistible_region(problem, plane, options.modes, &answer.work), answer.region) &&
-      options.list) {
-    take(resistible_pieces(problem, plane, options.modes, &answer.work), answer.pieces);
+  auto found = resistible_set(problem_of(answer.question), plane, options.modes, &answer.work);
+  if (auto* undecided = std::get_if<Undecided>(&found)) {
+    answer.undecided = std::move(*undecided);
+  } else {
+    answer.found = std::get<ResistibleSet>(std::move(found));
   }
   return answer;
 }
 
 std::variant<std::string, Undecided> certificate_of(const RegionAnswer& answer,
                                                     const RegionOptions& options) {
-  const auto& [question, plane, region, listed, work, undecided] = answer;
+  const auto& [question, plane, found, work, undecided] = answer;
   require(!undecided, "a region that is not known has no certificate");
   const Problem problem = problem_of(question);
-  std::variant<std::vector<ResistiblePiece>, Undecided> pieces = listed;
-  if (listed.empty()) pieces = resistible_pieces(problem, plane, options.modes);
-  if (auto* limit = std::get_if<Undecided>(&pieces)) return std::move(*limit);
-  auto proof = prove_region(problem, plane, std::get<0>(pieces), options.proof);
+  ResistibleOptions with_pieces = options.modes;
+  with_pieces.pieces = true;
+  const auto again = resistible_set(problem, plane, with_pieces);
+  if (const auto* limit = std::get_if<Undecided>(&again)) return *limit;
+  auto proof =
+      prove_region(problem, plane, std::get<ResistibleSet>(again).pieces, options.proof);
   if (auto* limit = std::get_if<Undecided>(&proof)) return std::move(*limit);
   return region_certificate_text(question, plane, std::get<RegionProof>(proof),
                                  "stickslip " STICKSLIP_VERSION);
 }
 
 Json to_json(const RegionAnswer& answer) {
-  const auto& [question, plane, region, pieces, work, undecided] = answer;
+  const auto& [question, plane, found, work, undecided] = answer;
+  const auto& [region, pieces] = found;
   Json json{{"name", question.loaded.grasp.name()},
             {"normal_law", to_string(question.law)},
             {"plane",
@@ -113,7 +94,10 @@ Json to_json(const RegionAnswer& answer) {
       json["pieces"].push_back(std::move(entry));
     }
   }
-  json["stats"] = stats_json(work);
+  json["stats"] = {{"nodes", work.nodes},
+                   {"borders", work.borders},
+                   {"modes", work.modes},
+                   {"pieces", work.pieces}};
   return json;
 }
 

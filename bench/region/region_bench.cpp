@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Resistible regions of generated grasps, in the plane of forces: time and work; and, where
-// there are few contacts, the time of enumerating all pieces and uniting them. Exit code 1 if
-// the two differ.
+// there are few contacts, the time with each piece exactly, and of a proof. Exit code 1 if the
+// pieces do not make up the region.
 //
-//     region_bench [largest m, default 100] [--twin M] [--limit SECONDS] [--family NAME]
+//     region_bench [largest m, default 100] [--pieces M] [--proof M] [--limit SECONDS]
+//                  [--family NAME]
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <sstream>
@@ -14,7 +15,7 @@
 #include "grasps.hpp"
 #include "limited.hpp"
 #include "loads.hpp"
-#include "stickslip/resistance/resistible_set.hpp"
+#include "stickslip/resistance/region_proof.hpp"
 
 namespace stickslip::bench {
 namespace {
@@ -39,13 +40,20 @@ std::size_t vertices_of(const PlaneUnion& region) {
   return count;
 }
 
+ResistibleSet with_pieces(const Problem& problem) {
+  ResistibleOptions options;
+  options.pieces = true;
+  return std::get<ResistibleSet>(resistible_set(problem, WrenchPlane::forces(), options));
+}
+
 std::string region_columns(const Row& row) {
   ResistibleWork work;
   PlaneUnion region;
   const double seconds = seconds_per_call(
       [&] {
-        region = std::get<PlaneUnion>(
-            resistible_region(problem_of(row), WrenchPlane::forces(), {}, &work));
+        region = std::get<ResistibleSet>(
+                     resistible_set(problem_of(row), WrenchPlane::forces(), {}, &work))
+                     .region;
       },
       1, 0);
   std::ostringstream text;
@@ -56,33 +64,48 @@ std::string region_columns(const Row& row) {
   return text.str();
 }
 
-/// The time, and whether the outlines are those of the region.
-std::string twin_columns(const Row& row) {
+/// The region with its pieces, each exactly: the time, and whether they make up the region.
+std::string pieces_columns(const Row& row) {
   const Problem problem = problem_of(row);
-  PlaneUnion naive;
-  const double seconds = seconds_per_call(
-      [&] {
-        const auto found = resistible_pieces(problem, WrenchPlane::forces());
-        std::vector<PlaneCell> cells;
-        for (const ResistiblePiece& piece : std::get<std::vector<ResistiblePiece>>(found)) {
-          cells.push_back(piece.cell);
-        }
-        naive = unite(cells);
-      },
-      1, 0);
-  const bool same =
-      naive == std::get<PlaneUnion>(resistible_region(problem, WrenchPlane::forces()));
+  ResistibleSet found;
+  const double seconds = seconds_per_call([&] { found = with_pieces(problem); }, 1, 0);
+  std::vector<PlaneCell> cells;
+  for (const ResistiblePiece& piece : found.pieces) cells.push_back(piece.cell);
+  const bool same = unite(cells) == found.region;
   std::ostringstream text;
   text.precision(3);
   text << seconds << (same ? "" : " DIFFERENT");
   return text.str();
 }
 
-int run(std::size_t largest, std::size_t largest_twin, double limit, const std::string& only) {
+/// The time to prove what pieces say, and the work.
+std::string proof_columns(const Row& row) {
+  const Problem problem = problem_of(row);
+  const std::vector<ResistiblePiece> pieces = with_pieces(problem).pieces;
+  RegionProofWork work;
+  RegionProof proof;
+  const double seconds = seconds_per_call(
+      [&] {
+        proof = std::get<RegionProof>(
+            prove_region(problem, WrenchPlane::forces(), pieces, {}, &work));
+      },
+      1, 0);
+  std::ostringstream text;
+  text.precision(3);
+  text << seconds << " | " << proof.pieces.size() << " | " << work.cells << " | " << work.nodes
+       << " | " << work.programs;
+  return text.str();
+}
+
+int run(std::size_t largest, std::size_t largest_listed, std::size_t largest_proof,
+        double limit, const std::string& only) {
   std::puts(
-      "| family | preload | m | all pieces, s | region, s | nodes | modes | pieces | borders | "
-      "exact images | exact turns | exact pieces | vertices |");
-  std::puts("|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|");
+      "| family | preload | m | with pieces, s | region, s | nodes | modes | pieces | borders "
+      "| "
+      "exact images | exact turns | exact pieces | vertices | proof, s | proved pieces | cells "
+      "| "
+      "proof nodes | programs |");
+  std::puts("|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|");
   bool all_same = true;
   for (const Layout layout : {Layout::kRound, Layout::kVaried, Layout::kArc, Layout::kGrid}) {
     if (!only.empty() && only != name_of(layout)) continue;
@@ -90,16 +113,23 @@ int run(std::size_t largest, std::size_t largest_twin, double limit, const std::
       for (const std::size_t m : {8, 16, 32, 64, 100}) {
         if (m > largest) break;
         const Row row{layout, m, preloaded};
-        std::string twin = "-";
-        if (m <= largest_twin) {
-          twin = run_limited(limit, [&] { return twin_columns(row); }).value_or("not in time");
+        std::string pieces = "-";
+        if (m <= largest_listed) {
+          pieces =
+              run_limited(limit, [&] { return pieces_columns(row); }).value_or("not in time");
         }
-        all_same = all_same && twin.find("DIFFERENT") == std::string::npos;
+        all_same = all_same && pieces.find("DIFFERENT") == std::string::npos;
         const std::string region = run_limited(limit, [&] {
                                      return region_columns(row);
                                    }).value_or("not in time | | | | | | | |");
-        std::printf("| %s | %s | %zu | %s | %s |\n", name_of(layout), preloaded ? "yes" : "no",
-                    m, twin.c_str(), region.c_str());
+        std::string proof = "- | | | |";
+        if (m <= largest_proof) {
+          proof = run_limited(limit, [&] {
+                    return proof_columns(row);
+                  }).value_or("not in time | | | |");
+        }
+        std::printf("| %s | %s | %zu | %s | %s | %s |\n", name_of(layout),
+                    preloaded ? "yes" : "no", m, pieces.c_str(), region.c_str(), proof.c_str());
         std::fflush(stdout);
       }
     }
@@ -113,15 +143,18 @@ int run(std::size_t largest, std::size_t largest_twin, double limit, const std::
 int main(int argc, char** argv) {
   CLI::App app("Resistible regions of generated grasps: time and work.");
   std::size_t largest = 100;
-  std::size_t largest_twin = 16;
+  std::size_t largest_listed = 16;
+  std::size_t largest_proof = 8;
   double limit = 600;
   std::string only;
   app.add_option("LARGEST_M", largest, "Contacts: 8, 16, 32, 64, 100, up to this")
       ->capture_default_str();
-  app.add_option("--twin", largest_twin, "All pieces too, up to so many contacts")
+  app.add_option("--pieces", largest_listed, "The pieces too, up to so many contacts")
+      ->capture_default_str();
+  app.add_option("--proof", largest_proof, "Proofs too, up to so many contacts")
       ->capture_default_str();
   app.add_option("--limit", limit, "Seconds for one measurement")->capture_default_str();
   app.add_option("--family", only, "This family alone");
   CLI11_PARSE(app, argc, argv);
-  return stickslip::bench::run(largest, largest_twin, limit, only);
+  return stickslip::bench::run(largest, largest_listed, largest_proof, limit, only);
 }

@@ -58,6 +58,7 @@ struct NodeText {
   std::string operator()(const TwistLeaf& node) const {
     return "[\"leaf\"," + list(node.twist) + "]";
   }
+  std::string operator()(const TreeNode& node) const { return std::visit(*this, node); }
   std::string operator()(const LoadSplit& node) const {
     return "[\"plane\",0,0,0," + list(std::array{node.f[2], node.f[0], node.f[1]}) + "]";
   }

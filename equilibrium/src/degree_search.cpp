@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "search/mode_balance.hpp"
-#include "search/wall_search.hpp"
+#include "search/node_search.hpp"
 #include "search/witness_search.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/equilibrium/search/degree.hpp"

@@ -69,7 +69,7 @@ py::object region(const GraspFile& grasp, const py::list& origin, const py::list
   const WrenchPlane where = plane(origin, u, v);
   const Found found = without_gil([&] {
     RegionOptions options;
-    options.list = with_pieces;
+    options.modes.pieces = with_pieces;
     options.modes.mode_limit = mode_limit;
     options.proof.node_limit = node_limit;
     Found result{answer_to(question_of(grasp, asked), where, options)};
@@ -83,26 +83,21 @@ py::object region(const GraspFile& grasp, const py::list& origin, const py::list
       }
     }
     if (picture && !answer.undecided) {
-      result.picture = plot_region(answer.question, where, answer.region);
+      result.picture = plot_region(answer.question, where, answer.found.region);
     }
     return result;
   });
   const RegionAnswer& answer = found.answer;
   if (answer.undecided) return py::dict("limit"_a = answer.undecided->limit);
   if (picture) return text(found.picture);
-  const PlaneUnion& all = answer.region;
-  py::dict stats("modes"_a = answer.work.modes, "pieces"_a = answer.work.pieces);
-  if (with_pieces) {
-    stats["slip_states"] = answer.work.slip_states;
-  } else {
-    stats["nodes"] = answer.work.nodes;
-    stats["borders"] = answer.work.borders;
-  }
+  const PlaneUnion& all = answer.found.region;
+  const py::dict stats("nodes"_a = answer.work.nodes, "borders"_a = answer.work.borders,
+                       "modes"_a = answer.work.modes, "pieces"_a = answer.work.pieces);
   py::dict result(
       "areas"_a = tuple_of(
           all.areas, [](const PlaneArea& area) { return tuple_of(area.outlines, outline); }),
       "curves"_a = tuple_of(all.curves, cell), "points"_a = tuple_of(all.points, point),
-      "pieces"_a = tuple_of(answer.pieces, piece), "origin"_a = fractions(where.origin()),
+      "pieces"_a = tuple_of(answer.found.pieces, piece), "origin"_a = fractions(where.origin()),
       "u"_a = fractions(where.u()), "v"_a = fractions(where.v()),
       "whole_plane"_a = all.is_whole_plane(), "stats"_a = stats);
   if (asked.preload) result["preload"] = fraction(*asked.preload);

@@ -294,8 +294,7 @@ def region(
     Args:
         torque: short for the origin (0, 0, torque).
         mode_limit: give up at more than so many contact modes; 0 is no limit.
-        pieces: also what is resisted in each contact mode, all of them: their number grows with
-            the cube of the number of contacts.
+        pieces: also what is resisted in each contact mode.
         certificate: also prove that exactly this region is resisted.
         node_limit: of the search for the proof; 0 is no limit.
 

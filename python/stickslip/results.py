@@ -438,8 +438,9 @@ class Piece(NamedTuple):
     """What is resisted in one contact mode."""
 
     slip: str
-    """As in Decision."""
+    """As in Decision; ``0`` also where a contact has no force, or no friction."""
     closed: Tuple[bool, ...]
+    """Which contacts have a force."""
     cell: Cell
 
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "load_cell.hpp"
-#include "stickslip/equilibrium/search/region.hpp"
-#include "stickslip/equilibrium/search/tree_walk.hpp"
 #include "stickslip/resistance/region_proof.hpp"
+#include "stickslip/search/law.hpp"
+#include "stickslip/search/motion_region.hpp"
 
 namespace stickslip::resistance_detail {
 
@@ -19,23 +19,19 @@ class CellRefuter {
   CellRefuter(const Problem& problem, const WrenchPlane& plane,
               const RegionProofOptions& options, RegionProofWork& work);
 
-  /// Appends a tree about a cell none of whose loads is resisted. False at the limit, and then
-  /// `tree` has some nodes more.
+  /// Appends a tree about a cell none of whose loads is resisted; nothing and false at the
+  /// limit.
   bool refute(const LoadCell& cell, std::vector<RegionNode>& tree);
 
  private:
-  using Step = equilibrium_detail::Branch<RegionNode, Region>;
-  struct Loads;
-  class View;
-
-  std::optional<Step> examine(const Region& region, const Loads& loads);
-  Step split_at(const Region& region, const ContactSplit& at) const;
+  TreeNode decide(const MotionRegion& region);
 
   const Problem& problem_;
   const WrenchPlane& plane_;
   const RegionProofOptions& options_;
   RegionProofWork& work_;
-  double length_ = 1;  ///< by which torques are divided
+  Law law_;  ///< whose loads are those of one cell after another
+  MotionRegion root_;
 };
 
 }  // namespace stickslip::resistance_detail

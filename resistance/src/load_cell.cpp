@@ -5,46 +5,8 @@
 #include <utility>
 
 namespace stickslip::resistance_detail {
-namespace {
-
-/// d.(x - a), positive in the direction d from the point a.
-LoadFunction beyond(const HomogeneousPoint& a, const PlaneDirection& d) {
-  return primitive<3>({d[0] * a[2], d[1] * a[2], -(d[0] * a[0] + d[1] * a[1])});
-}
-
-/// The closed half-planes of which a cell is the intersection.
-std::vector<LoadFunction> sides_of(const PlaneCell& cell) {
-  std::vector<LoadFunction> sides;
-  const auto add = [&](LoadFunction f) {
-    f = primitive(std::move(f));
-    if (std::find(sides.begin(), sides.end(), f) == sides.end()) sides.push_back(std::move(f));
-  };
-  if (cell.dimension() == 2) {
-    for (const PlaneEdge& edge : cell.edges()) add(cross(edge.from, edge.to));
-    return sides;
-  }
-  const HomogeneousPoint a = homogeneous(cell.vertices().front());
-  PlaneDirection d{1, 0};
-  if (!cell.rays().empty()) {
-    d = cell.rays().front();
-  } else if (cell.dimension() == 1) {
-    const HomogeneousPoint b = homogeneous(cell.vertices()[1]);
-    d = {b[0] * a[2] - a[0] * b[2], b[1] * a[2] - a[1] * b[2]};
-  }
-  const LoadFunction across = beyond(a, {-d[1], d[0]});
-  add(across);
-  add(negated(across));
-  if (cell.rays().size() == 2) return sides;  // a line
-  add(beyond(a, d));
-  if (cell.rays().empty()) {
-    add(beyond(homogeneous(cell.vertices().back()), PlaneDirection{-d[0], -d[1]}));
-  }
-  return sides;
-}
-}  // namespace
-
 ConvexLoads::ConvexLoads(PlaneCell set)
-    : cell(std::move(set)), generators(cell.generators()), sides(sides_of(cell)) {}
+    : cell(std::move(set)), generators(cell.generators()), sides(cell.sides()) {}
 
 LoadSigns ConvexLoads::signs(const LoadFunction& f) const {
   LoadSigns signs;

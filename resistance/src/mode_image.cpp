@@ -17,6 +17,25 @@ Rational largest_of(const Vector5& row) {
 
 }  // namespace
 
+HomogeneousPoint crossing(const IntegerVector4& above, const IntegerVector4& below) {
+  HomogeneousPoint point;
+  for (const std::size_t j : {0, 1, 2}) {
+    const std::size_t from = j == 2 ? 3 : j;
+    point[j] = above[2] * below[from] - below[2] * above[from];
+  }
+  return point;
+}
+
+void add_section(const std::vector<IntegerVector4>& images,
+                 std::vector<HomogeneousPoint>& points) {
+  for (const IntegerVector4& a : images) {
+    if (a[2].is_zero() && !is_zero(a)) points.push_back({a[0], a[1], a[3]});
+    for (const IntegerVector4& b : images) {
+      if (a[2].sign() > 0 && b[2].sign() < 0) points.push_back(crossing(a, b));
+    }
+  }
+}
+
 ModeImages::ModeImages(const Problem& problem, const WrenchPlane& plane, MotionRays& rays)
     : rays_(rays), contacts_(problem.size()) {
   const Vector4 nothing = plane.coordinates({0, 0, 0}, 1);

@@ -12,13 +12,19 @@
 #include <utility>
 #include <vector>
 
-#include "near_number.hpp"
 #include "motion_ray.hpp"
+#include "near_number.hpp"
 #include "stickslip/resistance/resistible_set.hpp"
 
 namespace stickslip::resistance_detail {
 
 using IntegerVector4 = IntegerVector<4>;
+
+/// Of two images on either side of the plane, the first of them above it: between them in it.
+HomogeneousPoint crossing(const IntegerVector4& above, const IntegerVector4& below);
+/// Adds generators of the section by the plane of the cone of these images.
+void add_section(const std::vector<IntegerVector4>& images,
+                 std::vector<HomogeneousPoint>& points);
 
 /// The signs with which the contacts of MotionRay::sticking have their friction.
 using FrictionSigns = std::vector<std::int8_t>;

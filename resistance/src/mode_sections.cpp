@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "generated_cone.hpp"
+#include "friction_polygon.hpp"
 #include "stickslip/core/cancellation.hpp"
 
 namespace stickslip::resistance_detail {
@@ -16,26 +16,15 @@ std::vector<FrictionSigns> friction_polygon(const MotionRays& rays,
                                             const std::vector<std::size_t>& sticking) {
   if (sticking.empty()) return {{}};
   if (sticking.size() == 1) return {{-1}, {1}};
-  // Turned into one half of the plane that their tangents span, and sorted by angle.
-  const auto tangent = [&](std::size_t k) { return rays.classes()[sticking[k]].tangent; };
-  const IntegerVector3 normal = cross(tangent(0), tangent(1));
-  const auto turn = [&](std::size_t a, std::size_t b) {
-    return dot(cross(tangent(a), tangent(b)), normal).sign();
-  };
-  std::vector<std::int8_t> turned(sticking.size(), 1);
-  std::vector<std::size_t> order;
-  for (std::size_t k = 0; k < sticking.size(); ++k) {
-    order.push_back(k);
-    if (turn(0, k) < 0) turned[k] = -1;
-  }
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return turned[a] * turned[b] * turn(a, b) > 0;
-  });
+  std::vector<IntegerVector3> tangents;
+  for (const std::size_t c : sticking) tangents.push_back(rays.classes()[c].tangent);
+  const std::vector<PolygonStep> steps =
+      half_way_round(tangents, cross(tangents[0], tangents[1]));
   FrictionSigns at(sticking.size());
-  for (std::size_t k = 0; k < at.size(); ++k) at[k] = static_cast<std::int8_t>(-turned[k]);
+  for (const auto& [k, end] : steps) at[k] = static_cast<std::int8_t>(-end);
   std::vector<FrictionSigns> vertices;
   for (int half = 0; half < 2; ++half) {
-    for (const std::size_t k : order) {
+    for (const auto& [k, end] : steps) {
       vertices.push_back(at);
       at[k] = static_cast<std::int8_t>(-at[k]);
     }
@@ -68,8 +57,8 @@ std::vector<std::size_t> cycle_of(const std::set<std::pair<std::size_t, std::siz
 
 }  // namespace
 
-void ModeSections::add(const std::vector<RayIndex>& rays, const std::vector<PlaneIndex>& planes,
-                       const std::vector<Known>& slips) {
+void ModeSections::add(const WalkedRegion& mode) {
+  const auto& [rays, planes, separations, slips] = mode;
   std::vector<std::size_t> sticking;
   for (std::size_t c = 0; c < slips.size(); ++c) {
     if (slips[c] == Known::kZero) sticking.push_back(c);
@@ -105,11 +94,44 @@ void ModeSections::add(const std::vector<RayIndex>& rays, const std::vector<Plan
     return std::find(sides.begin(), sides.end(), side) != sides.end();
   };
   if (!has(0) && !(has(1) && has(-1))) return;
-  if (!has(0) && add_polygon(generators, on, sides, planes.size() + friction.size())) {
+  const bool is_polygon =
+      !has(0) && add_polygon(generators, on, sides, planes.size() + friction.size());
+  if (is_polygon) ++work_.pieces;
+  if (is_polygon && !with_pieces_) return;
+  const std::optional<PlaneCell> cell = hull(generators);
+  if (!cell) return;
+  if (!is_polygon) {
     ++work_.pieces;
-    return;
+    ++work_.exact_sections;
+    cover_.add(*cell);
   }
-  if (add_hull(generators)) ++work_.pieces;
+  add_piece(modes_of(mode), *cell);
+}
+
+ModeSections::ForceModes ModeSections::modes_of(const WalkedRegion& mode) const {
+  ForceModes modes;
+  for (std::size_t i = 0; i < mode.separations.size(); ++i) {
+    const std::size_t c = rays_.class_of(i);
+    modes.push_back(mode.separations[i] != Known::kPositive ? 2
+                    : c == MotionRays::kNoClass
+                        ? 0
+                        : static_cast<int>(mode.slips[c]) * rays_.sense(i));
+  }
+  return modes;
+}
+
+void ModeSections::add_piece(const ForceModes& modes, const PlaneCell& cell) {
+  if (!with_pieces_) return;
+  std::vector<HomogeneousPoint>& all = pieces_[modes];
+  for (HomogeneousPoint& g : cell.generators()) all.push_back(std::move(g));
+}
+
+void ModeSections::add_still(const PlaneCell& cell) {
+  cover_.add(cell);
+  const MotionRay& rest = rays_[rays_.rest()];
+  ForceModes modes;
+  for (PlaneIndex i = 0; i < rays_.slip(0); ++i) modes.push_back(rest.values[i] > 0 ? 0 : 2);
+  add_piece(modes, cell);
 }
 
 /// False if the section may not be a polygon with the vertices and edges that signs tell.
@@ -199,37 +221,27 @@ int ModeSections::turn_of(const std::vector<SectionVertex>& polygon) {
 const HomogeneousPoint& ModeSections::exact(const SectionVertex& vertex) {
   const auto [found, is_new] = exact_vertices_.emplace(vertex, HomogeneousPoint{});
   if (!is_new) return found->second;
-  const IntegerVector4& high = images_.exact(vertex.first);
-  const IntegerVector4& low = images_.exact(vertex.second);
-  for (const std::size_t j : {0, 1, 2}) {
-    const std::size_t from = j == 2 ? 3 : j;
-    found->second[j] = high[2] * low[from] - low[2] * high[from];
-  }
-  found->second = primitive(std::move(found->second));
+  found->second =
+      primitive(crossing(images_.exact(vertex.first), images_.exact(vertex.second)));
   return found->second;
 }
 
-/// False if the section is empty.
-bool ModeSections::add_hull(const std::vector<GeneratorIndex>& generators) {
-  ++work_.exact_sections;
+/// The section, by exact points; nothing if it is empty.
+std::optional<PlaneCell> ModeSections::hull(const std::vector<GeneratorIndex>& generators) {
   std::set<IntegerVector4> images;
   for (const GeneratorIndex g : generators) images.insert(images_.exact(g));
   std::vector<HomogeneousPoint> points;
-  bool has_point = false;
-  for (const IntegerVector4& g :
-       cut<4>({images.begin(), images.end()}, {0, 0, 1, 0}, Keep::kPlane)) {
-    if (is_zero(g)) continue;
-    points.push_back({g[0], g[1], g[3]});
-    has_point = has_point || !g[3].is_zero();
-  }
-  if (has_point) cover_.add(PlaneCell::hull(std::move(points)));
-  return has_point;
+  add_section({images.begin(), images.end()}, points);
+  if (std::all_of(points.begin(), points.end(), stickslip::is_at_infinity)) return std::nullopt;
+  return PlaneCell::hull(std::move(points));
 }
 
-PlaneUnion ModeSections::united() {
+ResistibleSet ModeSections::united() {
   const IntegerVector4& none = images_.no_wrench();
   if (some_motion_is_free_ && none[2].is_zero()) {
-    cover_.add(PlaneCell::hull({{none[0], none[1], none[3]}}));
+    const PlaneCell point = PlaneCell::hull({{none[0], none[1], none[3]}});
+    cover_.add(point);
+    add_piece(ForceModes(rays_.slip(0), 2), point);
   }
   for (const auto& [ends, cells] : borders_) {
     throw_if_cancelled();
@@ -241,7 +253,15 @@ PlaneUnion ModeSections::united() {
     cover_.add_arc(direction_of(exact(from)), direction_of(exact(to)));
   }
   work_.exact_images = images_.exact_images();
-  return cover_.covered();
+  ResistibleSet result{cover_.covered(), {}};
+  for (auto& [modes, generators] : pieces_) {
+    ResistiblePiece& piece =
+        result.pieces.emplace_back(ResistiblePiece{{}, PlaneCell::hull(std::move(generators))});
+    for (const int mode : modes) {
+      piece.modes.push_back({mode != 2, sign_of_int(mode == 2 ? 0 : mode)});
+    }
+  }
+  return result;
 }
 
 }  // namespace stickslip::resistance_detail

@@ -14,6 +14,7 @@
 #pragma once
 
 #include <map>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -26,46 +27,65 @@ namespace stickslip::resistance_detail {
 /// What is known of a contact's separation, or of a class's slip.
 enum class Known : std::int8_t { kNegative = -1, kZero = 0, kPositive = 1, kNothing = 2 };
 
-/// The sections of one mode after another, counted by their borders.
+/// Motions between planes, and what splits have said. Of a mode, which no plane cuts, all that
+/// forces depend on is known.
+struct WalkedRegion {
+  std::vector<RayIndex> rays;
+  std::vector<PlaneIndex> facets;  ///< and perhaps other planes that do not cut it
+  std::vector<Known> separations;  ///< of contacts: kPositive is closed, kNegative open
+  std::vector<Known> slips;        ///< of classes: kZero sticks
+
+  friend bool operator<(const WalkedRegion& a, const WalkedRegion& b) {
+    return std::tie(a.rays, a.separations, a.slips) < std::tie(b.rays, b.separations, b.slips);
+  }
+};
+
+/// The sections of one mode after another, counted by their borders, and if asked for each as a
+/// piece.
 class ModeSections {
  public:
   /// All must outlive this.
-  ModeSections(const MotionRays& rays, ModeImages& images, ResistibleWork& work)
-      : rays_(rays), images_(images), work_(work) {}
+  ModeSections(const MotionRays& rays, ModeImages& images, bool with_pieces,
+               ResistibleWork& work)
+      : rays_(rays), images_(images), with_pieces_(with_pieces), work_(work) {}
 
-  /// A mode: the rays of its motions; planes that do not cut it, its facets among them; and the
-  /// slips of classes, kZero where they stick with friction.
-  void add(const std::vector<RayIndex>& rays, const std::vector<PlaneIndex>& planes,
-           const std::vector<Known>& slips);
+  void add(const WalkedRegion& mode);
   /// Some motion but 0 has no force.
   void add_free_motion() { some_motion_is_free_ = true; }
-  /// What else is resisted.
-  void add(const PlaneCell& cell) { cover_.add(cell); }
+  /// What is resisted without moving.
+  void add_still(const PlaneCell& cell);
 
   /// All of it.
-  PlaneUnion united();
+  ResistibleSet united();
 
  private:
+  /// By contact: 2 where it has no force, else its slip; 0 also without friction.
+  using ForceModes = std::vector<int>;
+
   /// A vertex of a section: generators on either side of the plane, the positive one first.
   using SectionVertex = std::pair<GeneratorIndex, GeneratorIndex>;
 
   bool add_polygon(const std::vector<GeneratorIndex>& generators,
                    const std::vector<TightPlanes>& on, const std::vector<int>& sides,
                    std::size_t facets);
-  bool add_hull(const std::vector<GeneratorIndex>& generators);
+  std::optional<PlaneCell> hull(const std::vector<GeneratorIndex>& generators);
+  ForceModes modes_of(const WalkedRegion& mode) const;
+  void add_piece(const ForceModes& modes, const PlaneCell& cell);
   bool is_at_infinity(const SectionVertex& v) const;
   int turn_of(const std::vector<SectionVertex>& polygon);
   const HomogeneousPoint& exact(const SectionVertex& vertex);
 
   const MotionRays& rays_;
   ModeImages& images_;
+  const bool with_pieces_;
   ResistibleWork& work_;
   bool some_motion_is_free_ = false;
   /// Edges, the less end first: cells to the left less cells to the right.
   std::map<std::pair<SectionVertex, SectionVertex>, int> borders_;
   std::vector<std::pair<SectionVertex, SectionVertex>> arcs_;
   std::map<SectionVertex, HomogeneousPoint> exact_vertices_;
-  PlaneCover cover_;  ///< what is known exactly
+  PlaneCover cover_;                                            ///< what is known exactly
+  std::map<ForceModes, std::vector<HomogeneousPoint>> pieces_;  ///< their generators
 };
 
 }  // namespace stickslip::resistance_detail

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <tuple>
 #include <utility>
 
 #include "stickslip/core/cancellation.hpp"
@@ -12,18 +11,6 @@
 
 namespace stickslip::resistance_detail {
 namespace {
-
-/// Motions between planes, and what splits have said.
-struct WalkedRegion {
-  std::vector<RayIndex> rays;
-  std::vector<PlaneIndex> facets;  ///< and perhaps other planes that do not cut it
-  std::vector<Known> separations;  ///< of contacts: kPositive is closed, kNegative open
-  std::vector<Known> slips;        ///< of classes: kZero sticks
-
-  friend bool operator<(const WalkedRegion& a, const WalkedRegion& b) {
-    return std::tie(a.rays, a.separations, a.slips) < std::tie(b.rays, b.separations, b.slips);
-  }
-};
 
 /// The signs that occur, of rays of motions those of 0 apart.
 struct RaySigns {
@@ -296,7 +283,7 @@ class ModeWalk {
   }
 
   /// A region that no plane cuts any more. False if the limit on modes was exceeded.
-  bool visit_mode(const WalkedRegion& region) {
+  bool visit_mode(WalkedRegion region) {
     ++work_.modes;
     if (options_.mode_limit != 0 && work_.modes > options_.mode_limit) return false;
     if (options_.progress) options_.progress(work_.modes);
@@ -313,7 +300,8 @@ class ModeWalk {
         }
       }
     }
-    sections_.add(region.rays, region.facets, slips);
+    region.slips = std::move(slips);
+    sections_.add(region);
     for (WalkedRegion& part : faces) {
       if (!settle_separations(part)) continue;
       std::sort(part.rays.begin(), part.rays.end());
@@ -334,11 +322,6 @@ class ModeWalk {
 };
 
 }  // namespace
-
-Undecided too_many_modes(const ResistibleOptions& options) {
-  return {"there are more than " + std::to_string(options.mode_limit) + " contact modes",
-          "modes", "a higher --mode-limit may tell"};
-}
 
 bool walk_modes(const Problem& problem, MotionRays& rays, const ModeImages& images,
                 const ResistibleOptions& options, ResistibleWork& work,

@@ -27,9 +27,6 @@
 
 namespace stickslip::resistance_detail {
 
-/// What to say at the limit.
-Undecided too_many_modes(const ResistibleOptions& options);
-
 /// Adds the modes to the sections. False if the limit on modes was exceeded.
 bool walk_modes(const Problem& problem, MotionRays& rays, const ModeImages& images,
                 const ResistibleOptions& options, ResistibleWork& work, ModeSections& sections);

@@ -3,22 +3,14 @@
 
 #include <algorithm>
 
-#include "generated_cone.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
-
-using namespace resistance_detail;
 
 namespace {
 
 PlaneDirection left_normal(const PlaneDirection& d) {
   return {-d[1], d[0]};
-}
-
-/// Positive iff b is less than half a turn counterclockwise of a, and 0 iff they are parallel.
-int turn(const PlaneDirection& a, const PlaneDirection& b) {
-  return Integer(a[0] * b[1] - a[1] * b[0]).sign();
 }
 
 /// Extreme points of a set of homogeneous points, counterclockwise: the monotone chain (Andrew
@@ -70,6 +62,10 @@ PlaneDirection direction_of(const HomogeneousPoint& g) {
   return primitive<2>({g[0], g[1]});
 }
 
+int turn(const PlaneDirection& a, const PlaneDirection& b) {
+  return Integer(a[0] * b[1] - a[1] * b[0]).sign();
+}
+
 Integer determinant(const HomogeneousPoint& a, const HomogeneousPoint& b,
                     const HomogeneousPoint& c) {
   return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) +
@@ -80,17 +76,6 @@ PlaneDirection PlaneEdge::direction() const {
   if (is_at_infinity(from)) return negated(direction_of(from));
   if (is_at_infinity(to)) return direction_of(to);
   return primitive<2>({to[0] * from[2] - from[0] * to[2], to[1] * from[2] - from[1] * to[2]});
-}
-
-bool PlaneEdge::contains(const HomogeneousPoint& point) const {
-  if (!determinant(from, to, point).is_zero()) return false;
-  const PlaneDirection along = direction();
-  const auto is_before = [&](const HomogeneousPoint& a, const HomogeneousPoint& b) {
-    return (along[0] * (b[0] * a[2] - a[0] * b[2]) + along[1] * (b[1] * a[2] - a[1] * b[2]))
-               .sign() >= 0;
-  };
-  return (is_at_infinity(from) || is_before(from, point)) &&
-         (is_at_infinity(to) || is_before(point, to));
 }
 
 PlaneCell PlaneCell::hull(std::vector<HomogeneousPoint> generators) {
@@ -217,22 +202,52 @@ std::vector<HomogeneousPoint> PlaneCell::generators() const {
   return result;
 }
 
-bool PlaneCell::contains(const PlanePoint& point) const {
-  if (dimension_ == 0) return vertices_.front() == point;
-  const HomogeneousPoint g = homogeneous(point);
-  if (dimension_ == 1) {
-    return std::any_of(edges_.begin(), edges_.end(),
-                       [&](const PlaneEdge& edge) { return edge.contains(g); });
+std::vector<HomogeneousPoint> PlaneCell::sides() const {
+  std::vector<HomogeneousPoint> sides;
+  const auto add = [&](HomogeneousPoint f) {
+    f = primitive(std::move(f));
+    if (std::find(sides.begin(), sides.end(), f) == sides.end()) sides.push_back(std::move(f));
+  };
+  if (dimension_ == 2) {
+    for (const PlaneEdge& edge : edges_) add(cross(edge.from, edge.to));
+    return sides;
   }
-  return std::all_of(edges_.begin(), edges_.end(), [&](const PlaneEdge& edge) {
-    return determinant(edge.from, edge.to, g).sign() >= 0;
-  });
+  const auto add_beyond = [&](const PlanePoint& point, const PlaneDirection& d) {
+    const HomogeneousPoint a = homogeneous(point);
+    add({d[0] * a[2], d[1] * a[2], -(d[0] * a[0] + d[1] * a[1])});
+  };
+  PlaneDirection along{1, 0};
+  if (dimension_ == 1) along = rays_.empty() ? edges_.front().direction() : rays_.front();
+  add_beyond(vertices_.front(), left_normal(along));
+  add_beyond(vertices_.front(), left_normal(negated(along)));
+  if (rays_.size() < 2) add_beyond(vertices_.front(), along);
+  if (rays_.empty()) add_beyond(vertices_.back(), negated(along));
+  return sides;
+}
+
+bool PlaneCell::contains(const PlanePoint& point) const {
+  const HomogeneousPoint g = homogeneous(point);
+  const std::vector<HomogeneousPoint> all = sides();
+  return std::all_of(all.begin(), all.end(),
+                     [&](const HomogeneousPoint& f) { return dot(f, g).sign() >= 0; });
 }
 
 std::optional<PlaneCell> clip(const PlaneCell& cell, const HomogeneousPoint& f) {
-  std::vector<HomogeneousPoint> kept = cut(cell.generators(), f, Keep::kHalfSpace);
-  kept.erase(std::remove_if(kept.begin(), kept.end(), [](const auto& g) { return is_zero(g); }),
-             kept.end());
+  const std::vector<HomogeneousPoint> generators = cell.generators();
+  std::vector<Integer> values;
+  for (const HomogeneousPoint& g : generators) values.push_back(dot(f, g));
+  std::vector<HomogeneousPoint> kept;
+  for (std::size_t a = 0; a < generators.size(); ++a) {
+    if (values[a].sign() >= 0) kept.push_back(generators[a]);
+    for (std::size_t b = 0; b < generators.size(); ++b) {
+      if (values[a].sign() <= 0 || values[b].sign() >= 0) continue;
+      HomogeneousPoint between;
+      for (std::size_t j = 0; j < 3; ++j) {
+        between[j] = values[a] * generators[b][j] - values[b] * generators[a][j];
+      }
+      if (!is_zero(between)) kept.push_back(std::move(between));
+    }
+  }
   if (std::all_of(kept.begin(), kept.end(), is_at_infinity)) return std::nullopt;
   return PlaneCell::hull(std::move(kept));
 }

@@ -244,10 +244,6 @@ Integer crossing_within(const HomogeneousPoint& a, const std::array<NearNumber, 
   return std::max<Integer>(abs(crossing[0]), abs(crossing[1])) / abs(crossing[2]) + 1;
 }
 
-int turn_of(const PlaneDirection& a, const PlaneDirection& b) {
-  return Integer(a[0] * b[1] - a[1] * b[0]).sign();
-}
-
 PlaneUnion union_of(const Overlay& found, const Integer& frame) {
   PlaneUnion result;
   result.areas.resize(found.areas);
@@ -275,7 +271,7 @@ void PlaneCover::add(const PlaneCell& cell) {
   for (const PlaneEdge& edge : cell.edges()) add_border(edge, 1);
   // A strip has two rays, against one another, and nothing in between.
   const std::vector<PlaneDirection>& rays = cell.rays();
-  if (rays.size() == 2 && turn_of(rays[0], rays[1]) > 0) add_arc(rays[0], rays[1]);
+  if (rays.size() == 2 && turn(rays[0], rays[1]) > 0) add_arc(rays[0], rays[1]);
   if (rays.size() == 3) {  // a line both ways, and the normal of a half-plane
     add_arc(rays[0], rays[2]);
     add_arc(rays[2], rays[1]);
@@ -305,7 +301,7 @@ void PlaneCover::add_border(const PlaneEdge& edge, int cells) {
 }
 
 void PlaneCover::add_arc(const PlaneDirection& from, const PlaneDirection& to) {
-  require(turn_of(from, to) > 0, "an arc goes round less than half a turn");
+  require(turn(from, to) > 0, "an arc goes round less than half a turn");
   arcs_.emplace_back(from, to);
 }
 
@@ -339,7 +335,7 @@ PlaneDirection PlaneCover::clear_direction() const {
 
 int PlaneCover::cells_towards(const PlaneDirection& direction) const {
   return static_cast<int>(std::count_if(arcs_.begin(), arcs_.end(), [&](const auto& arc) {
-    return turn_of(arc.first, direction) > 0 && turn_of(direction, arc.second) > 0;
+    return turn(arc.first, direction) > 0 && turn(direction, arc.second) > 0;
   }));
 }
 

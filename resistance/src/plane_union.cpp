@@ -34,7 +34,10 @@ bool is_inside(const PlaneArea& area, const HomogeneousPoint& p) {
   std::vector<PlaneEdge> edges;
   for (const Outline& outline : area.outlines) {
     for (PlaneEdge& edge : outline.edges()) {
-      if (edge.contains(p)) return true;
+      if (determinant(edge.from, edge.to, p).is_zero() &&
+          PlaneCell::hull({edge.from, edge.to}).contains(point_of(p))) {
+        return true;
+      }
       edges.push_back(std::move(edge));
     }
   }

@@ -2,7 +2,6 @@
 #include "stickslip/resistance/region_proof.hpp"
 
 #include <algorithm>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -20,32 +19,15 @@ namespace {
 
 /// A convex set of loads that one mode resists.
 struct ModePiece {
-  std::vector<ContactMode> mode;  ///< slip kZero where no force depends on it
+  std::vector<ContactMode> mode;
   ConvexLoads loads;
 };
 
-/// By modes as far as forces depend on them, less those that lie in others. (What a mode
-/// resists is convex, also if it is so much.)
-std::vector<ModePiece> joined(const Problem& problem,
-                              const std::vector<ResistiblePiece>& pieces) {
-  std::map<std::vector<int>, std::vector<HomogeneousPoint>> by_mode;
-  for (const ResistiblePiece& piece : pieces) {
-    std::vector<int> mode;
-    for (std::size_t i = 0; i < problem.size(); ++i) {
-      const ContactMode& m = piece.modes[i];
-      const bool rubs = m.closed && !problem.row(ContactId(i)).friction.is_zero();
-      mode.push_back(!m.closed ? 2 : rubs ? to_int(m.slip) : 0);
-    }
-    std::vector<HomogeneousPoint>& all = by_mode[mode];
-    for (HomogeneousPoint& g : piece.cell.generators()) all.push_back(std::move(g));
-  }
+/// Those that lie in no other.
+std::vector<ModePiece> largest_of(const std::vector<ResistiblePiece>& pieces) {
   std::vector<ModePiece> found;
-  for (auto& [mode, generators] : by_mode) {
-    ModePiece piece{{}, ConvexLoads(PlaneCell::hull(std::move(generators)))};
-    for (const int state : mode) {
-      piece.mode.push_back({state != 2, sign_of_int(state == 2 ? 0 : state)});
-    }
-    found.push_back(std::move(piece));
+  for (const ResistiblePiece& piece : pieces) {
+    found.push_back({piece.modes, ConvexLoads(piece.cell)});
   }
   // The larger ones first, so that of equal ones the first stays.
   std::stable_sort(found.begin(), found.end(), [](const ModePiece& a, const ModePiece& b) {
@@ -258,7 +240,7 @@ std::variant<RegionProof, Undecided> prove_region(const Problem& problem,
   RegionProofWork& counters = work != nullptr ? *work : unused;
   counters = {};
   require(!problem.is_family(), "the loads of a plane are no family");
-  Partition partition(problem, plane, joined(problem, pieces), options, counters);
+  Partition partition(problem, plane, largest_of(pieces), options, counters);
   if (auto failed = partition.build()) return std::move(*failed);
   return std::move(partition.proof);
 }

@@ -188,6 +188,11 @@ AllowedWrenches::AllowedWrenches(const Law& law, const MotionRegion& region,
     scales_.push_back(scale);
     if (pull != nullptr) against_.push_back(pull->against(law, region.points()[g]));
   }
+  if (law.hull) {
+    for (const LoadGenerator& direction : law.hull->directions) {
+      against_.push_back(direction.rounded);
+    }
+  }
   may_certify_ = law.is_moderate && !law.is_family && are_small(region.points()) &&
                  std::all_of(law.contacts.begin(), law.contacts.end(),
                              [](const LawContact& c) { return c.slip_dimension() == 1; });
@@ -265,21 +270,19 @@ std::optional<bool> AllowedWrenches::are_refuted_by(const Row& exact) const {
     certain = actions.is_clear(i, part * alphas.back());
   }
   if (may_certify_ && !certain) return std::nullopt;
+  for (const Reals& against : against_) {
+    const double work = against.dot(y);
+    const double error = part * y.norm();
+    if (work > error) return false;
+    if (!(work < -error)) certain = false;
+  }
   const auto d = static_cast<Eigen::Index>(law_.motions);
+  const double load_size = law_.load_size(y);
   for (std::size_t g = 0; g < region_.generators().size(); ++g) {
-    if (!against_.empty()) {
-      const double against = against_[g].dot(y);
-      const double error = part * y.norm();
-      if (against > error) return false;
-      if (!(against < -error)) certain = false;
-    }
     const Reals& x = region_.generators()[g];
     double work = load_at(g, y).dot(y);
-    double size = std::fabs(x[d + 1]) * law_.growing.cwiseAbs().dot(y.cwiseAbs());
-    for (std::size_t j = 0; j < law_.motions; ++j) {
-      size += x[d] * std::fabs(y[static_cast<Eigen::Index>(j)]) *
-              std::max(std::fabs(law_.load[j][0]), std::fabs(law_.load[j][1]));
-    }
+    double size =
+        std::fabs(x[d + 1]) * law_.growing.cwiseAbs().dot(y.cwiseAbs()) + x[d] * load_size;
     bool acts = false;
     bool is_idle = x[d] == 0;
     for (std::size_t i = 0; i < m; ++i) {
@@ -320,10 +323,10 @@ std::optional<AllowedWrench> AllowedWrenches::worst(const Reals& y) const {
       best.generator = g;
     }
   }
-  for (std::size_t g = 0; g < against_.size(); ++g) {
-    if (against_[g].squaredNorm() == 0) continue;  // a free motion
-    const double work = against_[g].dot(y);
-    if (work > best.work) best = {work, against_[g], g, true};
+  for (const Reals& against : against_) {
+    if (against.squaredNorm() == 0) continue;  // a free motion
+    const double work = against.dot(y);
+    if (work > best.work) best = {work, against, 0, true};
   }
   if (best.work == -HUGE_VAL) return std::nullopt;  // nothing acts
   if (best.against) return best;

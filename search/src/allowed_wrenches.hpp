@@ -53,8 +53,9 @@ class Actions {
   std::vector<std::optional<PairsAction>> pairs_;
 };
 
-/// A wrench that a region allows at one of its generators, and its forces by contact; or the
-/// direction that list 2 excludes there.
+/// A wrench that a region allows at one of its generators, and its forces by contact; or one
+/// that a twist has to be against and no motion goes with: a direction of loads, or what list 2
+/// excludes at a generator.
 struct AllowedWrench {
   double work = 0;
   Reals wrench{};
@@ -86,7 +87,7 @@ class AllowedWrenches {
   const Law& law_;
   const MotionRegion& region_;
   std::vector<double> scales_;
-  std::vector<Reals> against_;
+  std::vector<Reals> against_;         ///< of AllowedWrench::against
   mutable std::vector<double> sizes_;  ///< once they are needed
   bool may_certify_;                   ///< whether the errors of doubles are bounded
 };

@@ -46,12 +46,12 @@ std::vector<RationalRow> ForceSpan::free_motions() const {
 
 bool ForceSpan::has_loads_of(const Law& law) const {
   for (const RationalRow& z : free_motions()) {
-    Rational work = 0;
-    for (std::size_t j = 0; j < motions_; ++j) {
-      if (!law.wrench[j].is_point() && !z[j].is_zero()) return false;
-      work += z[j] * law.wrench[j].low;
+    if (law.is_family && !dot(z, law.growth).is_zero()) return false;
+    const Row there = primitive_multiple(z);
+    for (const Row& way : {there, negated(there)}) {
+      if (!law.most_load_work(way).is_zero()) return false;
+      if (law.hull && law.hull->is_unbounded(way)) return false;
     }
-    if (!work.is_zero() || (law.is_family && !dot(z, law.growth).is_zero())) return false;
   }
   return true;
 }

@@ -165,13 +165,6 @@ std::vector<Row> CornerRow::slip_planes(std::size_t coordinates) const {
 
 void Law::complete(double farthest) {
   length = farthest > 0 && std::isfinite(farthest) ? farthest : 1;
-  const auto size_of_force = [&](const LawContact& c) {
-    return c.corners.front()
-        .normal_rounded.head(static_cast<Eigen::Index>(first_rotation))
-        .norm();
-  };
-  is_moderate = is_moderate_number(1, length);
-  double largest = 0;
   for (LawContact& c : contacts) {
     add_separations(c);
     const double slope = std::sqrt(to_double(c.squared_length));
@@ -202,6 +195,19 @@ void Law::complete(double farthest) {
         }
       }
     }
+  }
+  complete_loads();
+}
+
+void Law::complete_loads() {
+  const auto size_of_force = [&](const LawContact& c) {
+    return c.corners.front()
+        .normal_rounded.head(static_cast<Eigen::Index>(first_rotation))
+        .norm();
+  };
+  is_moderate = is_moderate_number(1, length);
+  double largest = 0;
+  for (const LawContact& c : contacts) {
     largest = std::max(largest, c.preloads[1] * size_of_force(c));
     is_moderate = is_moderate && c.is_moderate && is_moderate_interval(c.friction);
   }
@@ -213,6 +219,24 @@ void Law::complete(double farthest) {
     if (is_family) growing[static_cast<Eigen::Index>(j)] = to_double(growth[j]) / unit(j);
     largest = std::max({largest, std::fabs(load[j][0]), std::fabs(load[j][1])});
   }
+  const auto round = [&](LoadGenerator& g) {
+    g.rounded.resize(static_cast<Eigen::Index>(motions));
+    for (std::size_t j = 0; j < motions; ++j) {
+      const double value = to_double(g.load[j]) / unit(j);
+      g.rounded[static_cast<Eigen::Index>(j)] = value;
+      is_moderate = is_moderate && is_moderate_number(g.load[j], value);
+    }
+  };
+  if (hull) {
+    for (LoadGenerator& corner : hull->corners) {
+      round(corner);
+      largest = std::max(largest, corner.rounded.lpNorm<Eigen::Infinity>());
+    }
+    for (LoadGenerator& direction : hull->directions) {
+      round(direction);
+      normalize(direction.rounded);
+    }
+  }
   force = largest > 0 && std::isfinite(largest) ? largest : 1;
   double stiffest = 0;
   for (const LawContact& c : contacts) {
@@ -220,6 +244,29 @@ void Law::complete(double farthest) {
     stiffest = std::max(stiffest, c.stiffnesses[1] * size * size);
   }
   reach = stiffest > 0 ? force / stiffest : 1;
+}
+
+Law planar_law(const Problem& problem) {
+  Law law;
+  law.law = problem.law();
+  const auto as_row = [](const Wrench& w) { return RationalRow{w.x, w.y, w.torque}; };
+  for (const Rational& w : as_row(problem.wrench())) law.wrench.push_back(point_interval(w));
+  double farthest = 0;
+  for (const ContactRow& row : problem.rows()) {
+    LawContact& contact = law.contacts.emplace_back();
+    contact.friction = point_interval(row.friction);
+    contact.preload = point_interval(row.preload);
+    contact.stiffness = point_interval(row.stiffness);
+    CornerRow& corner = contact.corners.emplace_back();
+    corner.normal = as_row(row.normal);
+    corner.set_slip({as_row(row.tangent)}, 1);
+    const double size = std::hypot(to_double(row.normal.x), to_double(row.normal.y));
+    for (const Wrench& w : {row.normal, row.tangent}) {
+      farthest = std::max(farthest, std::fabs(to_double(w.torque)) / size);
+    }
+  }
+  law.complete(farthest);
+  return law;
 }
 
 Reals Law::scaled(const Row& point) const {
@@ -253,11 +300,37 @@ Reals Law::load_at(double height, double multiple, const Reals& y) const {
     const auto at = static_cast<Eigen::Index>(j);
     result[at] = height * load[j][y[at] > 0 ? 1 : 0] + multiple * growing[at];
   }
+  if (hull) result += height * hull->worst(y);
   return result;
 }
 
+Rational Law::most_load_work(const Row& y) const {
+  Rational most = hull ? hull->most_work(y) : Rational(0);
+  for (std::size_t j = 0; j < motions; ++j) {
+    most += Rational(y[j]) * (y[j].sign() > 0 ? wrench[j].high : wrench[j].low);
+  }
+  return most;
+}
+
+double Law::load_size(const Reals& y) const {
+  double size = 0;
+  for (std::size_t j = 0; j < motions; ++j) {
+    const auto at = static_cast<Eigen::Index>(j);
+    double most = std::max(std::fabs(load[j][0]), std::fabs(load[j][1]));
+    if (hull) {
+      double beside = 0;
+      for (const LoadGenerator& corner : hull->corners) {
+        beside = std::max(beside, std::fabs(corner.rounded[at]));
+      }
+      most += beside;
+    }
+    size += most * std::fabs(y[at]);
+  }
+  return size;
+}
+
 bool Law::is_point() const {
-  return (!is_family || multiples.high == multiples.low) &&
+  return (!is_family || multiples.high == multiples.low) && !hull &&
          std::all_of(contacts.begin(), contacts.end(),
                      [](const LawContact& c) {
                        return c.geometry_is_certain() && c.friction.is_point() &&

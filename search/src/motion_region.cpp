@@ -146,6 +146,13 @@ StrictCone MotionRegion::whole_family(const Law& law) {
   return cone;
 }
 
+std::optional<Sign> MotionRegion::slip_sign(std::size_t contact) const {
+  const SlipCone& cone = slips_[contact];
+  if (!cone.moves || cone.whole || cone.sides.empty()) return std::nullopt;
+  const auto& [generator, corner] = cone.sides.front();
+  return slip(contact, generator, corner)[0] > 0 ? Sign::kPositive : Sign::kNegative;
+}
+
 std::vector<MotionRegion> MotionRegion::halves(const Row& plane) const {
   auto [above, below] = StrictCone::halves(plane);
   std::vector<MotionRegion> both(2, *this);
@@ -489,13 +496,13 @@ Rational MotionRegion::most_work(std::size_t contact, const Row& y) const {
 bool MotionRegion::is_refuted(const Row& y, const PullRule* pull) const {
   if (barred_) return true;
   if (pull != nullptr && !pull->holds(y, points())) return false;
+  if (law_->hull && law_->hull->is_unbounded(y)) return false;
   // g(r) = linear.r + sum of terms that are not linear, all times a common factor.
   const std::size_t d = law_->motions;
   RationalRow linear(law_->coordinates());
-  for (std::size_t j = 0; j < d; ++j) {
-    const Interval& w = law_->wrench[j];
-    linear[d] += Rational(y[j]) * (y[j].sign() > 0 ? w.high : w.low);
-    if (law_->is_family) linear[d + 1] += Rational(y[j]) * law_->growth[j];
+  linear[d] = law_->most_load_work(y);
+  for (std::size_t j = 0; law_->is_family && j < d; ++j) {
+    linear[d + 1] += Rational(y[j]) * law_->growth[j];
   }
   struct Kink {  // the largest factor times separation, at least 0 unless it is closed
     std::size_t contact;
@@ -556,6 +563,7 @@ bool MotionRegion::is_refuted(const Row& y, const PullRule* pull) const {
     product.factor = whole(law_->contacts[product.contact].whole->weight);
   }
   std::vector<std::size_t> zeros;
+  bool is_loaded = false;  // one of these
   std::array<Integer, 8> rises;
   for (std::size_t g = 0; g < generators_.size(); ++g) {
     const Row& x = points()[g];
@@ -575,9 +583,11 @@ bool MotionRegion::is_refuted(const Row& y, const PullRule* pull) const {
       sum += product.factor * product.work.at(x[d], rises.data()).bound;
     }
     if (sum.sign() > 0) return false;
-    if (sum.is_zero()) zeros.push_back(g);
+    if (!sum.is_zero()) continue;
+    zeros.push_back(g);
+    is_loaded = is_loaded || !x[d].is_zero();
   }
-  return bars_all(zeros);
+  return bars_all(zeros) || (law_->hull && law_->hull->bars(y, is_loaded));
 }
 
 }  // namespace stickslip

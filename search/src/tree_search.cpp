@@ -7,6 +7,7 @@
 
 #include "allowed_wrenches.hpp"
 #include "short_plane.hpp"
+#include "stickslip/core/error.hpp"
 
 namespace stickslip {
 namespace search_detail {
@@ -107,6 +108,25 @@ std::optional<Row> TreeSearch::confirm(const MotionRegion& region,
   return found;
 }
 
+/// What was said exactly; a twist in fewer bits, if these serve.
+TreeSearch::Branch TreeSearch::exactly(const MotionRegion& region,
+                                       const AllowedWrenches& wrenches) {
+  TreeNode node = exact_(region);
+  if (const auto* slip = std::get_if<SlipSplit>(&node)) {
+    return {node, region.slip_children(slip->contact.index())};
+  }
+  if (const auto* split = std::get_if<SeparationSplit>(&node)) {
+    return {node, region.halves(law_.contacts[split->contact.index()].separations.front())};
+  }
+  TwistLeaf leaf = std::get<TwistLeaf>(std::move(node));
+  require(region.is_refuted(leaf.twist, pull_), "an exact twist does not refute its region");
+  Reals near = in_doubles(leaf.twist);
+  law_.rotations(near) *= law_.length;
+  if (auto y = confirm(region, wrenches, near)) leaf.twist = std::move(*y);
+  ++work_.leaves;
+  return {std::move(leaf), {}};
+}
+
 /// A plane beside the wedge, towards the motion: all that lies beyond it, strictly, has one
 /// sign. Rotations have one sign first, so that such a plane is one. Nothing in the wedge.
 std::optional<TreeSearch::Branch> TreeSearch::split_wedge(const MotionRegion& region,
@@ -146,7 +166,7 @@ std::optional<TreeSearch::Branch> TreeSearch::split_wedge(const MotionRegion& re
 /// Planes of many bits make all that is exact slow: one of few bits beyond them serves as well.
 std::optional<TreeSearch::Branch> TreeSearch::split_short(
     const MotionRegion& region, const Relaxation& found, const std::vector<Row>& planes) const {
-  if (!are_long(planes)) return std::nullopt;
+  if (exact_ || !are_long(planes)) return std::nullopt;
   const int side = side_of_all(law_, planes, found.motion);
   if (side == 0) return std::nullopt;
   Row plane = short_plane(law_, region, planes, found.motion, side);
@@ -284,6 +304,7 @@ std::optional<TreeSearch::Branch> TreeSearch::split_spatial_slip(const MotionReg
 }
 
 std::optional<TreeSearch::Branch> TreeSearch::split(const MotionRegion& region,
+                                                    const AllowedWrenches& wrenches,
                                                     const Relaxation& found) {
   const auto d = static_cast<Eigen::Index>(law_.motions);
   const Reals motion = found.motion.head(d);
@@ -338,6 +359,7 @@ std::optional<TreeSearch::Branch> TreeSearch::split(const MotionRegion& region,
     if (!(slip_gap > kNoticeable * energy)) break;
     if (auto branch = split_slip(region, found, contact)) return branch;
   }
+  if (exact_) return exactly(region, wrenches);
   for (const auto& [a, b] : found.pairs) {
     const Row plane =
         law_.plane_between(region.generators()[a], region.generators()[b], found.motion);
@@ -402,12 +424,13 @@ std::optional<TreeSearch::Branch> TreeSearch::examine(const MotionRegion& region
   }
   const auto worst = [&](const Reals& y) { return wrenches.worst(y); };
   const auto found = equilibrium_detail::nearest_wrench(start, worst);
-  if (!found.separated) return split(region, wrenches.combine(found));
+  if (!found.separated) return split(region, wrenches, wrenches.combine(found));
   auto y = confirm(region, wrenches, found.twist);
   if (!y) {
     const auto deep = equilibrium_detail::nearest_wrench(start, worst, true);
     if (deep.separated) y = confirm(region, wrenches, deep.twist);
   }
+  if (!y && exact_) return exactly(region, wrenches);
   if (!y) {
     end_ = SearchEnd::kTwist;
     return std::nullopt;

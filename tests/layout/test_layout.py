@@ -17,7 +17,7 @@ ALLOWED = {
     "degree": {"core", "equilibrium", "search"},
     "box": {"core", "equilibrium", "search", "degree"},
     "space": {"core", "equilibrium", "search", "degree", "box"},
-    "resistance": {"core", "arrangement", "equilibrium"},
+    "resistance": {"core", "equilibrium", "search"},
     "earlier": {"core", "lp", "equilibrium"},
     "certificate": {"core", "equilibrium", "search", "degree", "box", "space", "resistance"},
     "batch": {"core", "equilibrium", "certificate"},

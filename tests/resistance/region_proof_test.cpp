@@ -30,12 +30,18 @@ struct Proved {
   CheckerInput input;
 };
 
+ResistibleSet set_with_pieces(const Problem& problem, const WrenchPlane& plane) {
+  ResistibleOptions options;
+  options.pieces = true;
+  return std::get<ResistibleSet>(resistible_set(problem, plane, options));
+}
+
 Proved proved(const Grasp& grasp, NormalLaw law, const WrenchPlane& plane) {
   const Question question{{grasp, {0, 0, 0}}, law, std::nullopt};
   const Problem problem = problem_of(question);
-  const Pieces pieces = std::get<Pieces>(resistible_pieces(problem, plane));
-  Proved result{std::get<PlaneUnion>(resistible_region(problem, plane)), {}, {}, {}};
-  auto found = prove_region(problem, plane, pieces, {}, &result.work);
+  const ResistibleSet set = set_with_pieces(problem, plane);
+  Proved result{set.region, {}, {}, {}};
+  auto found = prove_region(problem, plane, set.pieces, {}, &result.work);
   result.proof = std::move(std::get<RegionProof>(found));
   result.input.grasp = write_grasp(question.loaded);
   result.input.certificate = region_certificate_text(question, plane, result.proof, "tests");
@@ -188,7 +194,7 @@ TEST(RegionProof, OfMeasuredGraspsIsAccepted) {
 TEST(RegionProof, IsUndecidedAtTheLimit) {
   const Problem problem({test::fig1_grasp(1), {0, 0, 0}}, NormalLaw::kUnilateral);
   const WrenchPlane plane = WrenchPlane::forces();
-  const Pieces pieces = std::get<Pieces>(resistible_pieces(problem, plane));
+  const Pieces pieces = set_with_pieces(problem, plane).pieces;
   RegionProofOptions options;
   options.node_limit = 5;
   EXPECT_TRUE(std::holds_alternative<Undecided>(prove_region(problem, plane, pieces, options)));

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "all_modes.hpp"
 #include "paper_grasps.hpp"
 #include "random_grasps.hpp"
 #include "stickslip/core/error.hpp"
@@ -30,27 +32,39 @@ using Pieces = std::vector<ResistiblePiece>;
 const Rational kTiny(1, 1000000000);
 constexpr int kTwinRounds = 400;
 
+PlaneUnion united(const Pieces& pieces) {
+  std::vector<PlaneCell> cells;
+  for (const ResistiblePiece& piece : pieces) cells.push_back(piece.cell);
+  return unite(cells);
+}
+
+/// Of one walk.
+ResistibleSet set_of(const Problem& problem, const WrenchPlane& plane,
+                     const ResistibleOptions& options = {}, ResistibleWork* work = nullptr) {
+  return std::get<ResistibleSet>(resistible_set(problem, plane, options, work));
+}
+
 /// The naive twin: all pieces, united.
 PlaneUnion union_of_pieces(const Problem& problem, const WrenchPlane& plane) {
-  const auto found = resistible_pieces(problem, plane);
-  std::vector<PlaneCell> cells;
-  for (const ResistiblePiece& piece : std::get<Pieces>(found)) cells.push_back(piece.cell);
-  return unite(cells);
+  return united(test::pieces_of_all_modes(problem, plane));
 }
 
 /// Which is that of all pieces.
 PlaneUnion region_of(const Grasp& grasp, NormalLaw law,
                      const WrenchPlane& plane = WrenchPlane::forces()) {
   const Problem problem({grasp, {0, 0, 0}}, law);
-  PlaneUnion region = std::get<PlaneUnion>(resistible_region(problem, plane));
+  ResistibleOptions options;
+  options.pieces = true;
+  const auto [region, walked] = set_of(problem, plane, options);
   const std::string question = test::describe({{grasp, {0, 0, 0}}, law});
   EXPECT_EQ(region, union_of_pieces(problem, plane)) << question;
+  EXPECT_EQ(region, united(walked)) << question;
+  EXPECT_EQ(region, set_of(problem, plane).region) << question;
   // And its part in a box is the union of theirs.
   const PlanePoint low{-2, -1};
   const PlanePoint high{1, Rational(3, 2)};
   std::vector<PlaneCell> parts;
-  const auto found = resistible_pieces(problem, plane);
-  for (const ResistiblePiece& piece : std::get<Pieces>(found)) {
+  for (const ResistiblePiece& piece : walked) {
     if (auto part = clip_to_box(piece.cell, low, high)) parts.push_back(std::move(*part));
   }
   EXPECT_EQ(clip_to_box(region, low, high).areas, unite(parts).areas) << question;
@@ -299,8 +313,7 @@ TEST(ResistibleRegion, HardGrasps) {
         name.find("bilateral") != name.npos ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
     const Problem problem(loaded, law);
     const WrenchPlane plane = WrenchPlane::forces(loaded.wrench.torque);
-    EXPECT_EQ(std::get<PlaneUnion>(resistible_region(problem, plane)),
-              union_of_pieces(problem, plane));
+    EXPECT_EQ(set_of(problem, plane).region, union_of_pieces(problem, plane));
   }
   EXPECT_GE(grasps, 10u);
 }
@@ -326,8 +339,7 @@ TEST(ResistibleRegion, WorkGrowsWithTheSquare) {
     SCOPED_TRACE(m);
     const Problem problem({ring(m), {0, 0, 0}}, NormalLaw::kUnilateral);
     ResistibleWork work;
-    const PlaneUnion region =
-        std::get<PlaneUnion>(resistible_region(problem, plane, {}, &work));
+    const PlaneUnion region = set_of(problem, plane, {}, &work).region;
     if (m <= 12) {
       EXPECT_EQ(region, union_of_pieces(problem, plane));
     }
@@ -343,25 +355,42 @@ TEST(ResistibleRegion, WorkGrowsWithTheSquare) {
 
 TEST(ResistibleRegion, PiecesNameTheirModes) {
   const Problem problem({fig1_grasp(1), {0, 0, 0}}, NormalLaw::kUnilateral);
+  ResistibleOptions options;
+  options.pieces = true;
   ResistibleWork work;
-  const Pieces pieces =
-      std::get<Pieces>(resistible_pieces(problem, WrenchPlane::forces(), {}, &work));
-  EXPECT_EQ(work.slip_states, 27u);
-  EXPECT_EQ(work.pieces, pieces.size());
-  EXPECT_GE(work.modes, pieces.size());
+  const Pieces pieces = set_of(problem, WrenchPlane::forces(), options, &work).pieces;
+  EXPECT_LE(pieces.size(), work.pieces + 2);  // all at rest, and all without a force
+  for (const ResistiblePiece& piece : pieces) {
+    EXPECT_EQ(std::count_if(pieces.begin(), pieces.end(),
+                            [&](const auto& other) { return other.modes == piece.modes; }),
+              1);
+  }
   // All stick at d = 0: P = 1 at each contact, friction anywhere in the cones.
-  const auto stick = std::find_if(pieces.begin(), pieces.end(), [](const ResistiblePiece& p) {
-    return slips_text(p.modes) == "000";
+  const auto still = std::find_if(pieces.begin(), pieces.end(), [](const auto& piece) {
+    return piece.modes == std::vector<ContactMode>(3, {true, Sign::kZero});
   });
-  ASSERT_NE(stick, pieces.end());
-  EXPECT_EQ(stick->modes, std::vector<ContactMode>(3, {true, Sign::kZero}));
+  ASSERT_NE(still, pieces.end());
   const Rational half(1, 2);
-  EXPECT_EQ(stick->cell.vertices(), (Points{{-half, -3 * half},
+  EXPECT_EQ(still->cell.vertices(), (Points{{-half, -3 * half},
                                             {0, -2},
                                             {half, -3 * half},
                                             {half, -half},
                                             {0, 0},
                                             {-half, -half}}));
+  // Slips + are to the left, where T points.
+  const Problem floor({Grasp({contact({0, 0}, {0, 1}, half, 1)}), {0, 0, 0}},
+                      NormalLaw::kUnilateral);
+  const Pieces of_floor = set_of(floor, WrenchPlane::forces(), options).pieces;
+  const auto has = [&](const ContactMode& mode, const PlaneCell& cell) {
+    return std::any_of(of_floor.begin(), of_floor.end(), [&](const ResistiblePiece& piece) {
+      return piece.modes == std::vector{mode} && piece.cell == cell;
+    });
+  };
+  const HomogeneousPoint none{0, 0, 1};
+  EXPECT_TRUE(has({false, Sign::kZero}, PlaneCell::hull({none})));
+  EXPECT_TRUE(has({true, Sign::kPositive}, PlaneCell::hull({none, {-1, -2, 0}})));
+  EXPECT_TRUE(has({true, Sign::kNegative}, PlaneCell::hull({none, {1, -2, 0}})));
+  EXPECT_TRUE(has({true, Sign::kZero}, PlaneCell::hull({none, {1, -2, 0}, {-1, -2, 0}})));
 }
 
 TEST(ResistibleRegion, LimitOnModes) {
@@ -370,35 +399,15 @@ TEST(ResistibleRegion, LimitOnModes) {
   ResistibleOptions options;
   std::size_t calls = 0;
   options.progress = [&](std::size_t modes) { EXPECT_EQ(modes, ++calls); };
-  ASSERT_TRUE(std::holds_alternative<Pieces>(
-      resistible_pieces(problem, WrenchPlane::forces(), options, &work)));
-  EXPECT_EQ(calls, 86u);
-  options = {};
-  options.mode_limit = work.modes;
-  EXPECT_TRUE(std::holds_alternative<Pieces>(
-      resistible_pieces(problem, WrenchPlane::forces(), options)));
-  options.mode_limit = work.modes - 1;
-  const auto given_up = resistible_pieces(problem, WrenchPlane::forces(), options);
-  ASSERT_TRUE(std::holds_alternative<Undecided>(given_up));
-  EXPECT_EQ(std::get<Undecided>(given_up).limit, "there are more than 85 contact modes");
-}
-
-TEST(ResistibleRegion, LimitOnModesOfRegions) {
-  const Problem problem({fig1_grasp(1), {0, 0, 0}}, NormalLaw::kUnilateral);
-  ResistibleWork work;
-  ResistibleOptions options;
-  std::size_t calls = 0;
-  options.progress = [&](std::size_t modes) { EXPECT_EQ(modes, ++calls); };
-  const auto all = resistible_region(problem, WrenchPlane::forces(), options, &work);
-  ASSERT_TRUE(std::holds_alternative<PlaneUnion>(all));
+  const PlaneUnion all = set_of(problem, WrenchPlane::forces(), options, &work).region;
   EXPECT_EQ(calls, work.modes);
   options.progress = nullptr;
   options.mode_limit = work.modes;
-  EXPECT_EQ(std::get<PlaneUnion>(all),
-            std::get<PlaneUnion>(resistible_region(problem, WrenchPlane::forces(), options)));
+  EXPECT_EQ(all, set_of(problem, WrenchPlane::forces(), options).region);
   options.mode_limit = work.modes - 1;
-  EXPECT_TRUE(std::holds_alternative<Undecided>(
-      resistible_region(problem, WrenchPlane::forces(), options)));
+  const auto given_up = resistible_set(problem, WrenchPlane::forces(), options);
+  ASSERT_TRUE(std::holds_alternative<Undecided>(given_up));
+  EXPECT_EQ(std::get<Undecided>(given_up).limit, "there are more than 56 contact modes");
 }
 
 TEST(WrenchPlane, Coordinates) {

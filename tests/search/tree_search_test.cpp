@@ -10,6 +10,7 @@
 
 #include "random_grasps.hpp"
 #include "stickslip/core/contact_row.hpp"
+#include "stickslip/core/error.hpp"
 #include "stickslip/equilibrium/decide.hpp"
 
 namespace stickslip {
@@ -204,6 +205,62 @@ TEST(TreeSearch, ABoxOfLoadsIsRefutedAsAWhole) {
     law.wrench = {{low, high}};
     law.complete(0);
     EXPECT_EQ(search(law, MotionRegion::root(law)).refuted, refuted) << low << " " << high;
+  }
+}
+
+/// Corners and directions of loads on a line, with what a strict function is there.
+struct Hull {
+  std::vector<std::array<int, 2>> corners;
+  std::vector<std::array<int, 2>> directions;
+};
+
+Law with_hull(Law law, const Hull& hull) {
+  law.wrench = {point_interval(0)};
+  LoadHull& loads = law.hull.emplace();
+  for (const auto& [load, strict] : hull.corners) loads.corners.push_back({{load}, {strict}});
+  for (const auto& [load, strict] : hull.directions) {
+    loads.directions.push_back({{load}, {strict}});
+  }
+  law.complete_loads();
+  return law;
+}
+
+TEST(TreeSearch, AHullOfLoadsIsRefutedAsAWhole) {
+  const Law spring = line_of({{1, 0, 0}}, 0);
+  for (const auto& [hull, refuted] :
+       std::vector<std::pair<Hull, bool>>{{{{{1, 1}, {2, 1}}, {}}, true},
+                                          {{{{-1, 1}, {2, 1}}, {}}, false},
+                                          {{{{1, 1}}, {{1, 1}}}, true},
+                                          {{{{1, 1}}, {{-1, 1}}}, false}}) {
+    const Law law = with_hull(spring, hull);
+    EXPECT_EQ(search(law, MotionRegion::root(law)).refuted, refuted);
+  }
+}
+
+/// No load is 0 where a strict function is, and only what is exact knows.
+TEST(TreeSearch, AsksWhatIsExactBesideAnEquilibrium) {
+  const Law spring = line_of({{1, 0, 0}}, 0);
+  for (const Hull& hull :
+       {Hull{{{0, 0}, {1, 1}}, {}}, Hull{{{0, 0}}, {{1, 1}}}, Hull{{{0, 1}, {1, 1}}, {}}}) {
+    const Law law = with_hull(spring, hull);
+    const bool has_zero = hull.corners.front() == std::array{0, 1};
+    for (const int twist : {-1, 1}) {
+      SearchWork work;
+      Trees tree;
+      TreeSearch tree_search(law, nullptr, 100, work);
+      int asked = 0;
+      tree_search.on_doubt([&](const MotionRegion&) {
+        ++asked;
+        return TreeNode(TwistLeaf{{twist}});
+      });
+      const bool is_true = twist < 0 && !has_zero;
+      if (is_true) {
+        EXPECT_TRUE(tree_search.refute(MotionRegion::root(law), tree));
+      } else {
+        EXPECT_THROW(tree_search.refute(MotionRegion::root(law), tree), ContractError);
+      }
+      EXPECT_GE(asked, 1);
+    }
   }
 }
 

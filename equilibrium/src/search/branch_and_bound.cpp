@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "../few_shares.hpp"
+#include "node_search.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/equilibrium/search/search_end.hpp"
 #include "stickslip/equilibrium/search/tree_walk.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
-#include "twist_search.hpp"
 #include "witness_search.hpp"
 
 namespace stickslip {
@@ -19,7 +19,7 @@ using namespace equilibrium_detail;
 
 namespace {
 
-using Step = Branch<RefutationNode, Region>;
+using Step = NodeSearch::Step;
 
 /// Explores the tree.
 class Explorer {
@@ -29,8 +29,7 @@ class Explorer {
         model_(model),
         options_(options),
         root_(Region::root(problem)),
-        forces_(problem, model),
-        search_(model) {}
+        nodes_(problem, model, nullptr, work_) {}
 
   const ConeWork& work() const { return work_; }
   std::optional<Witness>& witness() { return witness_; }
@@ -60,8 +59,8 @@ class Explorer {
     const Region rest =
         root_.with_slip_state(problem_, std::vector<Sign>(problem_.size(), Sign::kZero));
     if (!rest.is_void()) {
-      forces_.read(rest);
-      const SearchResult found = search_.search(forces_, true, work_);
+      nodes_.forces().read(rest);
+      const SearchResult found = nodes_.search().search(nodes_.forces(), true, work_);
       if (!found.separated && try_witness_of(found)) return true;
     }
     ++work_.witness_attempts;
@@ -100,35 +99,15 @@ class Explorer {
   /// Closes or splits one node; nothing if it found a witness, or at the limit.
   std::optional<Step> examine(const Region& region, std::size_t depth) {
     if (options_.node_limit != 0 && work_.nodes >= options_.node_limit) return std::nullopt;
-    ++work_.nodes;
-    work_.depth = std::max(work_.depth, depth);
-    if (region.is_void()) {
-      ++work_.voids;
-      return Step{VirtualWorkLeaf{}, {}};
-    }
-    forces_.read(region);
-    work_.visits += forces_.visits();
-    for (const bool precisely : {false, true}) {
-      const bool is_last = precisely || forces_.all_are_single();
-      const SearchResult found = search_.search(forces_, precisely, work_);
-      if (found.separated) {
-        if (auto leaf =
-                search_.confirm(problem_, region, forces_, found.twist, work_, is_last)) {
-          ++work_.leaves;
-          return Step{std::move(*leaf), {}};
-        }
-      } else {
-        // A relaxed equilibrium may be near a real one. Trying costs as much as many nodes, so
-        // it is done where nodes are few: at counts 1, 2, 4, 8, ...
-        const bool is_due =
-            !precisely && !problem_.is_family() && (work_.nodes & (work_.nodes - 1)) == 0;
-        const std::optional<ContactSplit> split = search_.widest_gap(forces_, found);
-        if (is_due && try_witness_near(found.motion)) return std::nullopt;
-        if (split) return split_at(region, *split);
-        if (is_last && !problem_.is_family() && try_witness_of(found)) return std::nullopt;
-      }
-      if (is_last) break;
-    }
+    auto step = nodes_.examine(region, depth, true, [&](const NodeSearch::Relaxed& relaxed) {
+      if (problem_.is_family()) return false;
+      // It may be near a real equilibrium. Trying costs as much as many nodes, so it is done
+      // where nodes are few: at counts 1, 2, 4, 8, ...
+      const bool is_due = !relaxed.precisely && (work_.nodes & (work_.nodes - 1)) == 0;
+      if (is_due && try_witness_near(relaxed.found.motion)) return true;
+      return !relaxed.is_broken && relaxed.is_last && try_witness_of(relaxed.found);
+    });
+    if (step || witness_) return step;
     return solve_exactly(region);
   }
 
@@ -160,21 +139,17 @@ class Explorer {
       const bool sticks = std::fabs(slips[i]) <= kStill * fastest;
       guesses.push_back({closed, sticks, slips[i] > 0 ? -1 : 1});
     }
-    for (const UndecidedGroup& u : forces_.undecided()) {
-      forces_.for_each_contact(u, [&](std::uint32_t contact) {
+    const RegionForces& forces = nodes_.forces();
+    for (const UndecidedGroup& u : forces.undecided()) {
+      forces.for_each_contact(u, [&](std::uint32_t contact) {
         if (!guesses[contact].sticks) return;
-        const RelaxedForce force = search_.force(contact, u.freedom, found);
+        const RelaxedForce force = nodes_.search().force(contact, u.freedom, found);
         if (force.normal > 0)
           guesses[contact].share = rounded_share(force.tangential / force.normal);
       });
     }
     witness_ = complete_exactly(problem_, guesses);
     return witness_.has_value();
-  }
-
-  Step split_at(const Region& region, const ContactSplit& split) {
-    ++(std::holds_alternative<SlipSplit>(split) ? work_.slip_splits : work_.separation_splits);
-    return split_region(problem_, region, split);
   }
 
   /// The exact program of the region: a leaf, a witness, or the split that its point asks for.
@@ -187,7 +162,7 @@ class Explorer {
       return Step{std::move(*leaf), {}};
     }
     auto& point = std::get<RelaxedPoint>(outcome);
-    if (point.broken) return split_at(region, *point.broken);
+    if (point.broken) return nodes_.split_at(region, *point.broken);
     witness_ = std::move(point.witness);
     multiple_ = std::move(point.multiple);
     const Problem there = problem_.at(multiple_);
@@ -200,9 +175,8 @@ class Explorer {
   const DoubleModel& model_;
   const ConeOptions& options_;
   Region root_;
-  RegionForces forces_;
-  TwistSearch search_;
   ConeWork work_;
+  NodeSearch nodes_;
   std::optional<MotionBox> near_;        ///< where an equilibrium may be; not yet searched
   std::vector<ModeGuess> failed_modes_;  ///< of the last relaxed equilibrium tried
   std::optional<Witness> witness_;

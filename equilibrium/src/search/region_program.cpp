@@ -68,16 +68,14 @@ class ColumnGeneration {
  public:
   /// Of the problem's own loads.
   ColumnGeneration(const Problem& problem, const Region& region)
-      : ColumnGeneration(problem, region, region.generators(problem)) {}
+      : ColumnGeneration(problem, region, ConeSigns(region.cone()),
+                         region.generators(problem)) {}
 
   /// Of other loads.
-  ColumnGeneration(const Problem& problem, const Region& region,
+  ColumnGeneration(const Problem& problem, const std::vector<std::optional<Sign>>& slips,
                    std::vector<LoadedGenerator> generators)
-      : problem_(problem),
-        region_(region),
-        signs_(region.cone()),
-        generators_(std::move(generators)) {
-    begin();
+      : problem_(problem), generators_(std::move(generators)) {
+    begin([&](ContactId contact) { return slips[contact.index()]; });
   }
 
   /// The rule leaf-bound: g is the work of the corners that do the most. Of the problem's own
@@ -91,7 +89,7 @@ class ColumnGeneration {
       if (bound > 0) return false;
       if (bound == 0) zeros.push_back(&rays_[k]);
     }
-    return region_.is_barred(zeros);
+    return region_->is_barred(zeros);
   }
 
   /// Begins with the corners that do the most work on a twist, where it is positive.
@@ -132,19 +130,20 @@ class ColumnGeneration {
     return scale == kHeight ? g.x[3] : g.positive[scale];
   }
 
-  ColumnGeneration(const Problem& problem, const Region& region, std::vector<Ray> rays)
+  ColumnGeneration(const Problem& problem, const Region& region, const ConeSigns& signs,
+                   std::vector<Ray> rays)
       : problem_(problem),
-        region_(region),
-        signs_(region.cone()),
+        region_(&region),
         rays_(std::move(rays)),
         generators_(loaded_generators(problem, rays_)) {
-    begin();
+    begin([&](ContactId contact) { return region.slip_sign(problem, contact, signs); });
   }
 
-  void begin() {
+  template <class SlipSign>
+  void begin(SlipSign slip_sign) {
     for (const LoadedGenerator& g : generators_) wrenches_.push_back(g.load);
     if (!generators_.empty()) scales_ = generators_.front().positive.size();
-    for (std::size_t i = 0; i < problem_.size(); ++i) add_contact(ContactId(i));
+    for (std::size_t i = 0; i < problem_.size(); ++i) add_contact(ContactId(i), slip_sign);
   }
 
   /// v_i at the generators; by integers where there are any, which is several times faster.
@@ -161,7 +160,8 @@ class ColumnGeneration {
     return result;
   }
 
-  void add_contact(ContactId contact) {
+  template <class SlipSign>
+  void add_contact(ContactId contact, SlipSign slip_sign) {
     std::vector<Rational> heights = separations(contact);
     SignRange range;
     for (const Rational& height : heights) {
@@ -169,12 +169,14 @@ class ColumnGeneration {
       (sign < 0 ? range.negative : sign > 0 ? range.positive : range.zero) = true;
     }
     if (range.is_nonpositive() && !range.is_nonnegative()) return;
-    OpenContact open{contact,
-                     !range.is_nonnegative(),
-                     slip_for(contact),
-                     {},
-                     coordinates(problem_.edge_wrench(contact, 1)),
-                     coordinates(problem_.edge_wrench(contact, -1))};
+    OpenContact open{
+        contact,
+        !range.is_nonnegative(),
+        // Without friction both edges of the cone are one: any sign serves.
+        problem_.row(contact).friction.is_zero() ? Sign::kPositive : slip_sign(contact),
+        {},
+        coordinates(problem_.edge_wrench(contact, 1)),
+        coordinates(problem_.edge_wrench(contact, -1))};
     for (Rational& height : heights) {
       open.most.push_back(height.sign() > 0 ? std::move(height) : Rational(0));
     }
@@ -184,12 +186,6 @@ class ColumnGeneration {
     } else {
       open_.push_back(std::move(open));
     }
-  }
-
-  /// Without friction both edges of the cone are one: any sign serves.
-  std::optional<Sign> slip_for(ContactId contact) const {
-    if (problem_.row(contact).friction.is_zero()) return Sign::kPositive;
-    return region_.slip_sign(problem_, contact, signs_);
   }
 
   void push_along(OpenContact& open, int edge) {
@@ -345,9 +341,8 @@ class ColumnGeneration {
   }
 
   const Problem& problem_;
-  const Region& region_;
-  ConeSigns signs_;
-  std::vector<Ray> rays_;  ///< of the problem's own loads; then one for each generator
+  const Region* region_ = nullptr;  ///< of the problem's own loads
+  std::vector<Ray> rays_;           ///< of the problem's own loads; then one for each generator
   std::vector<LoadedGenerator> generators_;
   std::vector<Vector3>
       wrenches_;            ///< by generator: of the load, and of contacts on their edges
@@ -405,11 +400,11 @@ std::variant<RelaxedPoint, VirtualWorkLeaf> solve_region(const Problem& problem,
 }
 
 std::variant<RelaxedPoint, VirtualWorkLeaf> solve_loaded_region(
-    const Problem& problem, const Region& region,
+    const Problem& problem, const std::vector<std::optional<Sign>>& slips,
     const std::vector<LoadedGenerator>& generators) {
   throw_if_cancelled();
   LpWork total{0, 0, true, LpTier::kInt64, 0};
-  return ColumnGeneration(problem, region, generators).solve(total);
+  return ColumnGeneration(problem, slips, generators).solve(total);
 }
 
 std::optional<MultipleExtent> multiple_extent(const Problem& problem, const Region& region) {

@@ -17,18 +17,16 @@ namespace stickslip {
 
 /// What is resisted in a plane of wrenches.
 struct RegionAnswer {
-  Question question;                      ///< its wrench plays no part
-  WrenchPlane plane;                      ///< of the wrenches
-  PlaneUnion region{};                    ///< the union of all pieces
-  std::vector<ResistiblePiece> pieces{};  ///< by contact mode, if they were asked for
-  ResistibleWork work{};                  ///< to find the pieces; if not, the region
-  std::optional<Undecided> undecided{};   ///< at a limit; then nothing else is known
+  Question question;                     ///< its wrench plays no part
+  WrenchPlane plane;                     ///< of the wrenches
+  ResistibleSet found{};                 ///< with pieces, if they were asked for
+  ResistibleWork work{};                 ///< to find it
+  std::optional<Undecided> undecided{};  ///< at a limit; then nothing else is known
 };
 
 /// How far to go, and whom to tell.
 struct RegionOptions {
-  bool list = false;         ///< the pieces, too
-  ResistibleOptions modes;   ///< of the region, and of its pieces
+  ResistibleOptions modes;   ///< of the region
   RegionProofOptions proof;  ///< of the certificate
 };
 

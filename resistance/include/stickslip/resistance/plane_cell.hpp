@@ -33,6 +33,8 @@ inline bool is_at_infinity(const HomogeneousPoint& g) {
   return g[2].is_zero();
 }
 
+/// Positive iff b is less than half a turn counterclockwise of a, and 0 iff they are parallel.
+int turn(const PlaneDirection& a, const PlaneDirection& b);
 /// Positive iff a, b, c turn left.
 Integer determinant(const HomogeneousPoint& a, const HomogeneousPoint& b,
                     const HomogeneousPoint& c);
@@ -44,8 +46,6 @@ struct PlaneEdge {
 
   /// A positive multiple of the direction.
   PlaneDirection direction() const;
-  /// As a closed set.
-  bool contains(const HomogeneousPoint& point) const;
 };
 
 /// Never empty. In one form only, so that equal sets compare equal:
@@ -72,6 +72,9 @@ class PlaneCell {
   /// The border with the cell to its left; of a cell of dimension 1 the cell itself. Each line
   /// is two rays. None for a point and for the plane.
   const std::vector<PlaneEdge>& edges() const { return edges_; }
+  /// Functions f, primitive, of which f.g >= 0 for all of them exactly in the cell: the
+  /// half-planes to the left of the edges; of a thinner cell to both sides, and to the ends.
+  std::vector<HomogeneousPoint> sides() const;
 
   /// As a closed set. O(edges) exact operations.
   bool contains(const PlanePoint& point) const;

@@ -4,12 +4,10 @@
 /// pieces, each resisted because there are equilibria of one mode at its corners, and a tree
 /// that refutes every load outside of them.
 ///
-/// **Method.** The pieces are those of resistible_pieces, with modes that differ only in what
-/// no force depends on taken together. A binary space partition of the plane, first by lines of
-/// the region's border and then by those of pieces, leads to cells that lie in one piece or
-/// meet none. The latter are refuted by branch and bound over the motions, as one load is
-/// (equilibrium/search/branch_and_bound.hpp), but with all corners of the cell as loads: a
-/// virtual twist is sought in doubles and confirmed exactly; where that fails, as at cells that
+/// **Method.** The pieces are those of resistible_set. A binary space partition of the plane,
+/// first by lines of the region's border and then by those of pieces, leads to cells that lie
+/// in one piece or meet none. The latter are refuted by branch and bound over the motions with
+/// all of the cell as loads (search/tree_search.hpp); where doubles fail, as at cells that
 /// touch the region, the exact program of region_program.hpp decides. Borders of cells that
 /// belong to another cell are strict functions.
 #pragma once
@@ -19,6 +17,7 @@
 #include <vector>
 
 #include "stickslip/resistance/resistible_set.hpp"
+#include "stickslip/search/tree.hpp"
 
 namespace stickslip {
 
@@ -40,9 +39,8 @@ struct LoadSplit {
 struct HeldLeaf {
   std::size_t piece;  ///< its number
 };
-/// As RefutationNode; planes see the load alone.
-using RegionNode =
-    std::variant<SlipSplit, SeparationSplit, LoadSplit, VirtualWorkLeaf, HeldLeaf>;
+/// A node about motions, or about loads.
+using RegionNode = std::variant<TreeNode, LoadSplit, HeldLeaf>;
 
 /// With the evidence of certificate/FORMAT.md, section 12.
 struct RegionProof {
@@ -65,8 +63,8 @@ struct RegionProofOptions {
   std::function<void(const RegionProofWork& work)> progress;
 };
 
-/// Of what resistible_pieces found for this problem and plane. Undecided when the limit is
-/// exceeded, or the tree would be deeper than the format allows.
+/// Of the pieces that resistible_set found for this problem and plane. Undecided when the limit
+/// is exceeded, or the tree would be deeper than the format allows.
 std::variant<RegionProof, Undecided> prove_region(const Problem& problem,
                                                   const WrenchPlane& plane,
                                                   const std::vector<ResistiblePiece>& pieces,

@@ -63,45 +63,45 @@ class WrenchPlane {
   std::array<Vector3, 3> dual_;  ///< to u, v and u x v
 };
 
-/// The part of the region that one mode gives; not empty.
+/// What one mode resists: all of it, a convex set.
 struct ResistiblePiece {
-  std::vector<ContactMode> modes;  ///< by ContactId
-  PlaneCell cell;                  ///< the wrenches that it resists, in coordinates (s, t)
+  /// By ContactId, as far as forces depend on them: a contact is closed if it has a force, and
+  /// its slip is kZero where it has no force, or no friction.
+  std::vector<ContactMode> modes;
+  PlaneCell cell;  ///< the wrenches that it resists, in coordinates (s, t); not empty
 };
 
-/// What was done to find pieces or a region; reproducible.
+/// The resistible wrenches of a plane.
+struct ResistibleSet {
+  PlaneUnion region;                      ///< all of them
+  std::vector<ResistiblePiece> pieces{};  ///< if asked for: their union is the region
+};
+
+/// What was done to find it; reproducible.
 struct ResistibleWork {
-  std::size_t slip_states = 0;  ///< distinct slip states of the grasp; of pieces only
-  std::size_t nodes = 0;        ///< of the walk to the modes; of a region only, as is all below
-  std::size_t modes = 0;        ///< that some motion has; of a region those near the plane
-  std::size_t pieces = 0;       ///< modes that resist some wrench of the plane
-  std::size_t borders = 0;      ///< edges of pieces that neighbours do not cancel
+  std::size_t nodes = 0;    ///< of the walk to the modes
+  std::size_t modes = 0;    ///< that some motion has, near the plane
+  std::size_t pieces = 0;   ///< modes that resist some wrench of the plane, or parts of them
+  std::size_t borders = 0;  ///< edges of pieces that neighbours do not cancel
   std::size_t exact_images = 0;    ///< generators of modes that were computed exactly
   std::size_t exact_turns = 0;     ///< pieces whose orientation estimates did not tell
-  std::size_t exact_sections = 0;  ///< pieces made of exact points
+  std::size_t exact_sections = 0;  ///< pieces that estimates did not tell
 };
 
 /// How far to go, and whom to tell.
 struct ResistibleOptions {
   std::size_t mode_limit = 0;  ///< 0: none; otherwise Undecided when it is exceeded
+  bool pieces = false;         ///< the pieces, too, each of them exactly
   /// Called for each mode with the number of those found.
   std::function<void(std::size_t modes)> progress;
 };
 
-/// The resistible wrenches of the plane. The problem's own wrench plays no part. Of the O(m^3)
-/// modes of m contacts it visits those near the plane, O(m^2) where motions that resist loads
-/// of it are a surface, and computes exactly only what makes borders. Undecided only when the
-/// limit is exceeded.
-std::variant<PlaneUnion, Undecided> resistible_region(const Problem& problem,
+/// The problem's own wrench plays no part. Of the O(m^3) modes of m contacts those near the
+/// plane are visited, O(m^2) where motions that resist loads of it are a surface, and exactly
+/// computed is only what makes borders. Undecided only when the limit is exceeded.
+std::variant<ResistibleSet, Undecided> resistible_set(const Problem& problem,
                                                       const WrenchPlane& plane,
                                                       const ResistibleOptions& options = {},
                                                       ResistibleWork* work = nullptr);
-
-/// What each mode resists, in the order of the slip states, then of the separations: all O(m^3)
-/// modes, the cells that the planes tau_i = 0 and v_i = 0 cut from the space of motions. Their
-/// union is the region. Undecided only when the limit is exceeded.
-std::variant<std::vector<ResistiblePiece>, Undecided> resistible_pieces(
-    const Problem& problem, const WrenchPlane& plane, const ResistibleOptions& options = {},
-    ResistibleWork* work = nullptr);
 
 }  // namespace stickslip

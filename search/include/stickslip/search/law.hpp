@@ -15,6 +15,7 @@
 #include "stickslip/equilibrium/problem.hpp"
 #include "stickslip/equilibrium/search/reals.hpp"
 #include "stickslip/search/corner_work.hpp"
+#include "stickslip/search/load_hull.hpp"
 
 namespace stickslip {
 
@@ -107,6 +108,7 @@ struct Law {
   std::size_t first_rotation = 2;          ///< of the coordinates of motions
   std::vector<LawContact> contacts{};      ///< by ContactId
   std::vector<Interval> wrench{};          ///< w
+  std::optional<LoadHull> hull{};          ///< of loads that are added to w
   RationalRow growth{};                    ///< u, of a margin
   bool is_family = false;                  ///< a margin: points have multiples
   MultipleRange multiples{};               ///< of a margin
@@ -116,7 +118,7 @@ struct Law {
   double length = 1;                          ///< a typical distance
   double force = 1;                           ///< a typical force
   double reach = 1;                           ///< how far it moves the object
-  std::vector<std::array<double, 2>> load{};  ///< ends
+  std::vector<std::array<double, 2>> load{};  ///< ends of w
   Reals growing{};                            ///< u
   /// Whether all numbers are 0 or between 2^-200 and 2^200: else doubles certify nothing.
   bool is_moderate = true;
@@ -124,6 +126,12 @@ struct Law {
 
   /// Fills in what follows from the rest; `farthest` is a typical distance, or 0.
   void complete(double farthest);
+  /// The same where the loads alone are others.
+  void complete_loads();
+  /// The largest work of a load on a virtual twist.
+  Rational most_load_work(const Row& y) const;
+  /// A sum of its entries' largest magnitudes, times those of y, at h = 1.
+  double load_size(const Reals& y) const;
   /// The number of coordinates of points.
   std::size_t coordinates() const { return motions + 2; }
   /// One in doubles over one as it stands, of a coordinate of points.
@@ -146,5 +154,8 @@ struct Law {
   /// Whether the box, lengths of normals included, is one point.
   bool is_point() const;
 };
+
+/// Of a problem in the plane that is no family.
+Law planar_law(const Problem& problem);
 
 }  // namespace stickslip

@@ -59,6 +59,8 @@ class MotionRegion : public StrictCone {
   Separation separation(std::size_t contact) const { return separations_[contact]; }
   /// Of a contact that is not open.
   const SlipCone& slips(std::size_t contact) const { return slips_[contact]; }
+  /// Of a contact in the plane: the sign of all its slips, if they have one.
+  std::optional<Sign> slip_sign(std::size_t contact) const;
   /// Slopes of friction, by the ends of mu, that a contact in the plane may have.
   template <class Number>
   std::vector<Number> slopes(std::size_t contact, const std::array<Number, 2>& mu) const;
@@ -124,11 +126,9 @@ class MotionRegion : public StrictCone {
 template <class Number>
 std::vector<Number> MotionRegion::slopes(std::size_t contact,
                                          const std::array<Number, 2>& mu) const {
-  const SlipCone& cone = slips_[contact];
   std::vector<Number> result{Number(-mu[1]), mu[1]};
-  if (cone.moves && !cone.whole && !cone.sides.empty()) {
-    const auto& [generator, corner] = cone.sides.front();
-    if (slip(contact, generator, corner)[0] > 0) {
+  if (const std::optional<Sign> sign = slip_sign(contact)) {
+    if (*sign == Sign::kPositive) {
       result = {Number(-mu[0]), Number(-mu[1])};
     } else {
       result = {mu[0], mu[1]};

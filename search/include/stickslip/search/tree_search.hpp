@@ -58,6 +58,13 @@ class TreeSearch {
   void on_candidate(Candidate candidate) { candidate_ = std::move(candidate); }
   /// \}
 
+  /// \{ To be asked where doubles do not decide, as beside an equilibrium: for a leaf that
+  /// refutes the region, or the contact to split. Then contacts alone are split, so that the
+  /// search ends.
+  using Exact = std::function<TreeNode(const MotionRegion&)>;
+  void on_doubt(Exact exact) { exact_ = std::move(exact); }
+  /// \}
+
   /// Appends a tree that refutes the region; false if none was found, and then `trees` has some
   /// nodes more.
   bool refute(const MotionRegion& region, Trees& trees);
@@ -71,7 +78,10 @@ class TreeSearch {
   std::optional<Row> confirm(const MotionRegion& region,
                              const search_detail::AllowedWrenches& wrenches,
                              const Reals& twist);
-  std::optional<Branch> split(const MotionRegion& region, const Relaxation& found);
+  Branch exactly(const MotionRegion& region, const search_detail::AllowedWrenches& wrenches);
+  std::optional<Branch> split(const MotionRegion& region,
+                              const search_detail::AllowedWrenches& wrenches,
+                              const Relaxation& found);
   std::optional<Branch> split_separation(const MotionRegion& region, const Relaxation& found,
                                          std::size_t contact) const;
   std::optional<Branch> split_slip(const MotionRegion& region, const Relaxation& found,
@@ -96,6 +106,7 @@ class TreeSearch {
   std::size_t nodes_ = 0;
   double least_gap_ = 1e-3;  ///< of relaxed equilibria that were tried, over the energy
   Candidate candidate_;
+  Exact exact_;
   SearchWork& work_;
 };
 

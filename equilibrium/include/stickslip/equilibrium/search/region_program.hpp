@@ -55,11 +55,12 @@ struct LoadedGenerator {
   std::vector<Rational> positive;
 };
 
-/// The same for loads that are no family's: those of these generators, whose motions and
-/// heights generate the region. The leaf is primitive, not verified, and the bounds of
-/// FORMAT.md's g on the generators are <= 0, and 0 only where one of the positive functions is.
+/// The same for loads that are no family's, those of these generators, and a region that is
+/// known by them and by the signs that slips have on it (Region::slip_sign). The leaf is
+/// primitive, not verified, and the bounds of FORMAT.md's g on the generators are <= 0, and 0
+/// only where one of the positive functions is.
 std::variant<RelaxedPoint, VirtualWorkLeaf> solve_loaded_region(
-    const Problem& problem, const Region& region,
+    const Problem& problem, const std::vector<std::optional<Sign>>& slips,
     const std::vector<LoadedGenerator>& generators);
 
 /// The smallest and the largest multiple of the relaxed system; `highest` is a ray if there is

@@ -21,7 +21,7 @@ calls = {
     "decide by states": lambda: stickslip.decide(crowd(200), (1, 2, 3), engine="states"),
     "many": lambda: stickslip.decide([crowd(200)], np.ones((10**4, 3)), engine="states"),
     "margin": lambda: [stickslip.margin(crowd(400), (0, 1, 0)) for _ in range(10**6)],
-    "region": lambda: stickslip.region(crowd(200), pieces=True),
+    "region": lambda: [stickslip.region(crowd(200), pieces=True) for _ in range(10**6)],
     "states by cgal": lambda: stickslip.slip_states(crowd(2000), engine="cgal"),
     "states by sweep": lambda: stickslip.slip_states(crowd(60000), list_states=False),
 }

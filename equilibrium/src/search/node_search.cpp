@@ -18,7 +18,7 @@ std::optional<NodeSearch::Step> NodeSearch::examine(
   forces_.read(region);
   work_.visits += forces_.visits();
   for (const bool precisely : {false, true}) {
-    const bool is_last = precisely || forces_.all_are_single();
+    const bool is_last = precisely || (exactly && forces_.all_are_single());
     const SearchResult found = search_.search(forces_, precisely, work_);
     if (found.separated) {
       if (auto leaf = search_.confirm(problem_, region, forces_, found.twist, work_,

@@ -34,7 +34,7 @@ NearEquilibrium near(const GraspLaw& point, const RoundedEquilibrium& rounded) {
 
 std::vector<NearEquilibrium> near_equilibria(const GraspLaw& point, bool has_enclosures) {
   const Problem problem = problem_of(point);
-  constexpr std::size_t kMost = 4;
+  constexpr std::size_t kMost = 4;  // of each kind
   std::vector<NearEquilibrium> result;
   if (!has_enclosures && !has_long_equilibria(problem)) {
     const Verdict verdict = decide_by_cones(problem);
@@ -46,12 +46,12 @@ std::vector<NearEquilibrium> near_equilibria(const GraspLaw& point, bool has_enc
       if (result.size() == kMost) break;
       result.push_back(near(point, rounded_equilibrium(problem, witness)));
     }
-    return result;
   }
+  const std::size_t most = result.size() + kMost;
   constexpr std::size_t kStarts = 12;
   for (const std::size_t starts : {std::size_t{0}, kStarts}) {
     for (const RoundedEquilibrium& found : find_rounded_equilibria(problem, starts)) {
-      if (result.size() <= kMost) result.push_back(near(point, found));
+      if (result.size() <= most) result.push_back(near(point, found));
     }
   }
   return result;

@@ -2,6 +2,7 @@
 #include "stickslip/box/radius.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "examples.hpp"
@@ -52,6 +53,41 @@ Rational short_middle(const Rational& a, const Rational& b) {
   return exact;
 }
 
+/// Longer numbers are longer than all that doubles spell.
+constexpr std::size_t kLongBits = 4096;
+
+bool is_long(const Rational& x) {
+  return !x.is_zero() && std::max(msb(abs(numerator(x))), msb(denominator(x))) > kLongBits;
+}
+
+/// The double nearest to a long number, unless that is 0 or beyond them; all others as they
+/// are.
+Rational shortened(const Rational& x) {
+  if (!is_long(x)) return x;
+  const double near = to_double(x);
+  return std::isfinite(near) && near != 0 ? rational_from_double(near) : x;
+}
+
+/// Each number so, which keeps their order; nothing if that changes none.
+std::optional<GraspBox> shortened(GraspBox box) {
+  bool is_changed = false;
+  const auto shorten = [&](Rational& x) {
+    Rational near = shortened(x);
+    is_changed = is_changed || near != x;
+    x = std::move(near);
+  };
+  const auto shorten_ends = [&](Interval& x) {
+    shorten(x.low);
+    shorten(x.high);
+  };
+  for (UncertainContact& c : box.contacts) {
+    for (Interval* x : {&c.x, &c.y, &c.friction, &c.stiffness, &c.preload}) shorten_ends(*x);
+    for (Rational* x : {&c.normal.x, &c.normal.y, &c.slope}) shorten(*x);
+  }
+  for (Interval& component : box.wrench) shorten_ends(component);
+  return is_changed ? std::optional(std::move(box)) : std::nullopt;
+}
+
 class RadiusSearch {
  public:
   RadiusSearch(const LoadedGrasp& centre, const GraspBox& box, NormalLaw law,
@@ -64,12 +100,36 @@ class RadiusSearch {
     if (!result_.stable) return result_;
     refute();
     prove(0);
-    constexpr std::size_t kMostParts = 16;
     prove(kMostParts);
     return result_;
   }
 
+  /// The same, of what another search found for numbers near these: a few proofs in place of
+  /// many.
+  Radius confirm(const RadiusSearch& near) {
+    result_.limit = valid_limit(centre_, box_, options_.most);
+    result_.stable = is_stable(centre_, law_);
+    if (!result_.stable || result_.stable != near.result_.stable) return result_;
+    const Rational step = options_.accuracy / 8;
+    const Radius& found = near.result_;
+    if (found.refuted) {
+      for (const int steps : {0, 1, 4, 16}) {
+        const Rational factor = *found.refuted * (1 + steps * step);
+        if (factor <= result_.limit && differs(near.example_place_, factor)) break;
+      }
+    }
+    if (found.proved.is_zero()) return result_;
+    for (const Rational& part : {Rational(1), 1 - 4 * step, Rational(3, 4), Rational(1, 2)}) {
+      const Rational factor = found.proved * part;
+      const bool may_hold = factor < bound() || (!result_.refuted && factor == bound());
+      if (may_hold && (try_to_prove(factor, 0) || try_to_prove(factor, kMostParts))) break;
+    }
+    return result_;
+  }
+
  private:
+  static constexpr std::size_t kMostParts = 16;
+
   /// Whether the grasp at a place of the box of this factor has the other verdict; if so, it is
   /// remembered when the factor is smaller than what was known.
   bool differs(const Place& place, const Rational& factor) {
@@ -80,6 +140,7 @@ class RadiusSearch {
     if (!result_.refuted || factor < *result_.refuted) {
       result_.refuted = factor;
       result_.example = std::move(grasp);
+      example_place_ = place;
       report();
     }
     return true;
@@ -207,6 +268,7 @@ class RadiusSearch {
   const RadiusOptions& options_;
   const std::function<void(const Radius&)>& progress_;
   Radius result_;
+  Place example_place_;  ///< of result_.example
 };
 
 }  // namespace
@@ -214,7 +276,14 @@ class RadiusSearch {
 Radius find_radius(const LoadedGrasp& centre, const GraspBox& box, NormalLaw law,
                    const RadiusOptions& options,
                    const std::function<void(const Radius&)>& progress) {
-  return RadiusSearch(centre, box, law, options, progress).run();
+  RadiusSearch search(centre, box, law, options, progress);
+  const std::optional<GraspBox> near_box = shortened(box);
+  if (!near_box) return search.run();
+  const LoadedGrasp near_centre = shortened(box_of(centre)).value_or(box_of(centre)).middle();
+  const std::function<void(const Radius&)> nothing_yet;
+  RadiusSearch near(near_centre, *near_box, law, options, nothing_yet);
+  near.run();
+  return search.confirm(near);
 }
 
 }  // namespace stickslip

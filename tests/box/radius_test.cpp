@@ -61,5 +61,40 @@ TEST(Radius, ProvedIsBelowRefuted) {
   EXPECT_GE(both, 2u);
 }
 
+// What numbers of thousands of digits near others of few say is what the short ones said, and
+// is found by a few proofs about long numbers, each of which is reported.
+TEST(Radius, LongNumbersAreConfirmedWhereShortOnesSearched) {
+  const Rational little = Rational(1) / parse_rational("1" + std::string(3000, '0') + "7");
+  const auto grasp_with = [](const Rational& friction, const Rational& pull) {
+    return LoadedGrasp{Grasp({{{1, 0}, {-1, 0}, friction, 1, 1},
+                              {{-1, 0}, {1, 0}, friction, 2, 1},
+                              {{0, -1}, {0, 1}, friction, 1, 1}}),
+                       {Rational(1, 8), pull, 0}};
+  };
+  const auto search = [](const LoadedGrasp& centre, std::size_t& reports) {
+    const GraspBox box = box_of(centre).widened(parse_tolerances("friction=10%,wrench=10%"));
+    const auto count = [&](const Radius&) { ++reports; };
+    return std::pair(box, find_radius(centre, box, NormalLaw::kUnilateral, {}, count));
+  };
+  std::size_t short_reports = 0;
+  std::size_t long_reports = 0;
+  const auto brief = search(grasp_with(Rational(1, 2), 1), short_reports).second;
+  const LoadedGrasp centre = grasp_with(Rational(1, 2) + little, 1 - little);
+  const auto& [box, radius] = search(centre, long_reports);
+  EXPECT_EQ(radius.stable, brief.stable);
+  ASSERT_TRUE(radius.proof && radius.refuted && brief.refuted);
+  const double near = 1e-3;
+  EXPECT_NEAR(to_double(radius.proved), to_double(brief.proved), near);
+  EXPECT_NEAR(to_double(*radius.refuted), to_double(*brief.refuted), near);
+  EXPECT_LT(radius.proved, *radius.refuted);
+  EXPECT_GT(short_reports, 4U);
+  EXPECT_LE(long_reports, 2U);
+  const GraspBox proved = box.scaled(centre, radius.proved);
+  test::expect_accepted_by_both(test::input_of(test::file_of(proved), {}, *radius.proof));
+  EXPECT_TRUE(test::lies_in(*radius.example, box.scaled(centre, *radius.refuted)));
+  EXPECT_EQ(test::verdict_of(*radius.example, NormalLaw::kUnilateral),
+            *radius.stable ? "unstable" : "stable");
+}
+
 }  // namespace
 }  // namespace stickslip

@@ -31,7 +31,7 @@ void print_text(const BoxAnswer& answer, const NumberOptions& output,
   std::cout << heading(question) << name_of(decision.verdict) << "\n\n"
             << "  load w    " << load_text(question.box->wrench, text) << "\n\n";
   std::cout << uncertain_text(uncertain, text);
-  if (const auto* fragile = std::get_if<Fragile<LoadedGrasp>>(&decision.verdict)) {
+  if (const auto* fragile = std::get_if<Fragile>(&decision.verdict)) {
     std::cout << fragile_text(differences(*question.box, fragile->stable, fragile->unstable),
                               text, examples);
   } else {
@@ -48,16 +48,9 @@ void print_text(const BoxAnswer& answer, const NumberOptions& output,
 }
 
 void write_examples(const BoxAnswer& answer, const std::string& folder) {
-  const auto* fragile = std::get_if<Fragile<LoadedGrasp>>(&answer.decision.verdict);
-  if (fragile == nullptr) {
-    return say_no_examples(!answer.question.box->is_point(), name_of(answer.decision.verdict));
-  }
   const Question& question = answer.question;
-  const auto proved = [&](const LoadedGrasp& grasp, bool stable) {
-    return proved_grasp(grasp, question.loaded.grasp.description(), question.law, stable,
-                        producer_of(kIntervalsEngine));
-  };
-  write_two_examples(folder, proved(fragile->stable, true), proved(fragile->unstable, false));
+  write_two_examples(folder, *question.box, question.loaded.grasp.description(), question.law,
+                     answer.decision.verdict, producer_of(kIntervalsEngine));
 }
 
 void write_certificate(const BoxAnswer& answer, const std::string& file) {

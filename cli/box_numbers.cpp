@@ -7,6 +7,15 @@
 
 namespace stickslip {
 
+std::string load_text(const WrenchBox& load, NumberText& text) {
+  std::string result;
+  for (const Interval& w : load) {
+    result += (result.empty() ? "(" : ", ") +
+              (w.is_point() ? text(w.low) : "[" + text(w.low) + ", " + text(w.high) + "]");
+  }
+  return result + ")";
+}
+
 std::string uncertain_text(const std::vector<UncertainNumber>& numbers, NumberText& text) {
   if (numbers.empty()) return "";
   std::vector<std::vector<std::string>> rows{{"uncertain", "from", "to"}};

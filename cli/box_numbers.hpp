@@ -13,15 +13,7 @@
 namespace stickslip {
 
 /// The load w, of which components may be intervals, "[-1, 1]".
-template <std::size_t n>
-std::string load_text(const std::array<Interval, n>& load, NumberText& text) {
-  std::string result;
-  for (const Interval& w : load) {
-    result += (result.empty() ? "(" : ", ") +
-              (w.is_point() ? text(w.low) : "[" + text(w.low) + ", " + text(w.high) + "]");
-  }
-  return result + ")";
-}
+std::string load_text(const WrenchBox& load, NumberText& text);
 
 /// Which lengths are irrational, and what stands in their place; nothing for no contacts.
 std::string enclosure_text(const std::vector<std::size_t>& contacts, unsigned bits,

@@ -56,9 +56,15 @@ std::string fragile_text(const std::vector<Difference>& differences, NumberText&
               : "Both are in " + examples + ", each with a certificate of its verdict.\n");
 }
 
-void write_two_examples(const std::string& folder, ProvedFiles stable, ProvedFiles unstable) {
-  write_proved_files("--examples", folder,
-                     {{"stable", std::move(stable)}, {"unstable", std::move(unstable)}});
+void write_two_examples(const std::string& folder, const GraspBox& box,
+                        const GraspDescription& description, NormalLaw law,
+                        const BoxVerdict& verdict, const std::string& producer) {
+  const auto* fragile = std::get_if<Fragile>(&verdict);
+  if (fragile == nullptr) return say_no_examples(!box.is_point(), name_of(verdict));
+  write_proved_files(
+      "--examples", folder,
+      {{"stable", proved_grasp(fragile->stable, description, law, true, producer)},
+       {"unstable", proved_grasp(fragile->unstable, description, law, false, producer)}});
 }
 
 void say_no_examples(bool is_box, const std::string& verdict) {

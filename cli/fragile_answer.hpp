@@ -22,10 +22,7 @@ struct Meaning {
   std::string operator()(const UnstableThroughout& unstable) const;  ///< likewise
   std::string operator()(const Undecided& undecided) const;          ///< and what to do
   /// Whatever fragile_text() says.
-  template <class Grasp>
-  std::string operator()(const Fragile<Grasp>& /*fragile*/) const {
-    return "";
-  }
+  std::string operator()(const Fragile& /*fragile*/) const { return ""; }
 };
 
 /// What a fragile box is, and a table. `examples`: the folder to which both grasps are written;
@@ -33,12 +30,15 @@ struct Meaning {
 std::string fragile_text(const std::vector<Difference>& differences, NumberText& text,
                          const std::string& examples);
 
-/// stable.json and unstable.json, each with its certificate, for --examples.
-void write_two_examples(const std::string& folder, ProvedFiles stable, ProvedFiles unstable);
-
 /// Says on standard error that there are none: what was asked about, a box or one grasp, has
 /// this verdict.
 void say_no_examples(bool is_box, const std::string& verdict);
+
+/// stable.json and unstable.json, each with its certificate, for --examples; or
+/// say_no_examples().
+void write_two_examples(const std::string& folder, const GraspBox& box,
+                        const GraspDescription& description, NormalLaw law,
+                        const BoxVerdict& verdict, const std::string& producer);
 
 /// Says on standard error that a fragile box has two certificates, and how to get them.
 void say_two_certificates();

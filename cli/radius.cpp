@@ -7,6 +7,7 @@
 #include "box_numbers.hpp"
 #include "commands.hpp"
 #include "question_options.hpp"
+#include "stickslip/answers/asked_box.hpp"
 #include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/core/error.hpp"
 #include "terminal.hpp"
@@ -27,8 +28,8 @@ enum class Round { kDown, kUp };
 
 class Report {
  public:
-  Report(const Question& question, const Radius& radius, const NumberOptions& output)
-      : question_(question), radius_(radius), exact_(output.exact), text_(output) {}
+  Report(const AskedBox& asked, const Radius& radius, const NumberOptions& output)
+      : asked_(asked), radius_(radius), exact_(output.exact), text_(output) {}
 
   void print();
 
@@ -39,7 +40,7 @@ class Report {
   std::string numbers_table();
   std::string meaning() const;
 
-  const Question& question_;
+  const AskedBox& asked_;
   const Radius& radius_;
   bool exact_;
   NumberText text_;
@@ -69,16 +70,15 @@ std::string Report::tolerances_table() const {
                                       : "-");
   };
   add("factor", {1, false});
-  for (const auto& [kind, tolerance] : given(question_.uncertain)) add(kind, tolerance);
+  for (const auto& [kind, tolerance] : given(asked_.uncertain)) add(kind, tolerance);
   return short_table(rows);
 }
 
 /// The numbers of the counterexample.
 std::string Report::numbers_table() {
-  const GraspBox& box = *question_.box;
-  const std::vector<UncertainNumber> numbers = uncertain_numbers(box);
-  const std::vector<Rational> centre = values_in(box, question_.loaded);
-  const std::vector<Rational> found = values_in(box, *radius_.example);
+  const std::vector<UncertainNumber> numbers = uncertain_numbers(asked_.box);
+  const std::vector<Rational> centre = values_in(asked_.box, asked_.centre);
+  const std::vector<Rational> found = values_in(asked_.box, *radius_.example);
   std::vector<std::vector<std::string>> rows{{"differs", "centre", "counterexample"}};
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (centre[i] == found[i]) continue;
@@ -106,32 +106,35 @@ std::string Report::meaning() const {
 }
 
 void Report::print() {
-  std::cout << heading(question_) << verdict_of(radius_) << "\n\n"
-            << "  load w    " << text_(coordinates(question_.loaded.wrench)) << "\n\n";
+  std::cout << heading(asked_.description.name, asked_.case_name) << verdict_of(radius_)
+            << "\n\n"
+            << "  load w    " << load_text(asked_.centre.wrench, text_) << "\n\n";
   if (radius_.stable) {
     std::cout << tolerances_table() << '\n' << meaning();
     if (radius_.example) std::cout << numbers_table();
   } else {
     std::cout << "The grasp in the centre is not decided, and so is nothing about it.\n";
   }
-  std::cout << text_.note() << units_text(question_.loaded.grasp)
-            << engine_text(kIntervalsEngine, question_.law);
+  std::cout << text_.note() << units_text(asked_.description.units)
+            << engine_text(asked_.engine(), asked_.law);
 }
 
-void print_json(const Question& question, const Radius& radius, bool floats) {
+void print_json(const AskedBox& asked, const Radius& radius, bool floats) {
   Json json;
   json["verdict"] = verdict_of(radius);
-  json["name"] = question.loaded.grasp.name();
-  if (!question.case_name.empty()) json["case"] = question.case_name;
-  add_units(json, question.loaded.grasp);
-  json["engine"] = kIntervalsEngine;
-  json["normal_law"] = to_string(question.law);
-  json["wrench"] = number_json(coordinates(question.loaded.wrench));
-  json["uncertain"] = uncertain_json(uncertain_numbers(*question.box));
+  json["name"] = asked.description.name;
+  if (!asked.case_name.empty()) json["case"] = asked.case_name;
+  add_units(json, asked.description.units);
+  json["engine"] = asked.engine();
+  json["normal_law"] = to_string(asked.law);
+  json["wrench"] = wrench_json(asked.centre.wrench);
+  json["uncertain"] = uncertain_json(uncertain_numbers(asked.box));
   json["proved"] = number_json(radius.proved);
   json["refuted"] = radius.refuted ? number_json(*radius.refuted) : Json();
   json["limit"] = number_json(radius.limit);
-  if (radius.example) json["counterexample"] = Json::parse(write_grasp(*radius.example));
+  if (radius.example) {
+    json["counterexample"] = Json::parse(write_grasp(*radius.example, asked.description));
+  }
   std::cout << finished(json, floats).dump(1) << '\n';
 }
 
@@ -145,10 +148,11 @@ Rational accuracy_option(const std::string& value) {
                    "it is a part of the radius: give more than 0 and less than 100%");
 }
 
-void write_certificates(const Question& question, const Radius& radius,
+void write_certificates(const AskedBox& asked, const Radius& radius,
                         const std::string& folder) {
   std::vector<ProvedFiles> proofs =
-      proved_radius(question, radius, "stickslip " STICKSLIP_VERSION ", radius");
+      proved_radius(asked.centre, asked.box, asked.description, asked.law, radius,
+                    "stickslip " STICKSLIP_VERSION ", radius");
   std::vector<std::pair<std::string, ProvedFiles>> files;
   for (const char* name : {"proved", "refuted"}) {
     if (files.size() < proofs.size()) files.emplace_back(name, proofs[files.size()]);
@@ -160,26 +164,26 @@ int radius(const RadiusArguments& arguments) {
   RadiusOptions options;
   options.accuracy = accuracy_option(arguments.accuracy);
   options.box.node_limit = arguments.node_limit;
-  const Question question = arguments.question.question();
-  if (!question.box || question.box->is_point()) {
+  const AskedBox asked = asked_box(arguments.question.any_question());
+  if (asked.box.is_point()) {
     throw InputError("", "--uncertain", "nothing is uncertain",
                      "say how far numbers may be off, as in --uncertain friction=10%");
   }
   Progress progress;
-  const Radius found = find_radius(
-      question.loaded, *question.box, question.law, options, [&](const Radius& so_far) {
+  const Radius found =
+      find_radius(asked.centre, asked.box, asked.law, options, [&](const Radius& so_far) {
         progress.show(
             "proved up to factor " + to_readable_string(so_far.proved) +
             (so_far.refuted ? ", refuted from " + to_readable_string(*so_far.refuted) : ""));
       });
   progress.clear();
   if (!arguments.certificates.empty() && found.stable) {
-    write_certificates(question, found, arguments.certificates);
+    write_certificates(asked, found, arguments.certificates);
   }
   if (arguments.output.json) {
-    print_json(question, found, arguments.output.floats);
+    print_json(asked, found, arguments.output.floats);
   } else {
-    Report(question, found, arguments.output).print();
+    Report(asked, found, arguments.output).print();
     if (!arguments.certificates.empty() && found.stable) {
       std::cout << "Proofs: in " << arguments.certificates << ".\n";
     }

@@ -14,7 +14,7 @@
 
 namespace stickslip {
 std::string load_text(const SpaceAnswer& answer, NumberText& text) {
-  return load_text(answer.question.grasp.wrench, text);
+  return load_text(answer.question.grasp.box.wrench, text);
 }
 
 void print_text(const SpaceAnswer& answer, const NumberOptions& output,
@@ -34,22 +34,23 @@ void print_text(const SpaceAnswer& answer, const NumberOptions& output,
   std::cout << '\n';
   if (witness != nullptr) {
     std::vector<std::vector<std::string>> rows{{"contact", "normal", "friction", "force", ""}};
-    for (const SpatialForce& c : forces_of(question.grasp, witness->twist, witness->shares)) {
+    for (const SpatialForce& c :
+         forces_of(question.grasp.box, witness->twist, witness->shares)) {
       const std::size_t i = rows.size() - 1;
-      const Vector3& n = question.grasp.contacts[i].normal;
+      const RationalRow& n = question.grasp.box.contacts[i].normal;
       rows.push_back({std::to_string(i), text.root(c.normal, dot(n, n)), text(c.friction),
                       text(c.force), c.normal.sign() > 0 ? "closed" : "open"});
     }
     std::cout << format_table(rows) << '\n';
   }
-  const std::vector<UncertainNumber> uncertain = uncertain_numbers(question.grasp);
+  const std::vector<UncertainNumber> uncertain = uncertain_numbers(question.grasp.box);
   std::cout << uncertain_text(uncertain, text);
-  if (const auto* fragile = std::get_if<Fragile<SpatialGrasp>>(&decision.verdict)) {
-    std::cout << fragile_text(differences(question.grasp, fragile->stable, fragile->unstable),
-                              text, examples);
+  if (const auto* fragile = std::get_if<Fragile>(&decision.verdict)) {
+    std::cout << fragile_text(
+        differences(question.grasp.box, fragile->stable, fragile->unstable), text, examples);
   }
   std::cout << std::visit(Meaning{!uncertain.empty()}, decision.verdict)
-            << enclosure_text(enclosed_contacts(question.grasp), decision.bits,
+            << enclosure_text(enclosed_contacts(question.grasp.box), decision.bits,
                               !std::holds_alternative<Undecided>(decision.verdict))
             << "Load: force x, y, z, torque x, y, z. Motion: x, y, z, rotation x, y, z in "
                "radians.\n"
@@ -59,14 +60,9 @@ void print_text(const SpaceAnswer& answer, const NumberOptions& output,
 }
 
 void write_examples(const SpaceAnswer& answer, const std::string& folder) {
-  const auto& [question, decision, warnings] = answer;
-  const auto* fragile = std::get_if<Fragile<SpatialGrasp>>(&decision.verdict);
-  if (fragile == nullptr) {
-    return say_no_examples(!question.grasp.is_point(), name_of(decision.verdict));
-  }
-  write_two_examples(
-      folder, proved_grasp(fragile->stable, question.law, true, producer_of("space")),
-      proved_grasp(fragile->unstable, question.law, false, producer_of("space")));
+  const SpatialQuestion& question = answer.question;
+  write_two_examples(folder, question.grasp.box, question.grasp.description(), question.law,
+                     answer.decision.verdict, producer_of("space"));
 }
 
 void write_certificate(const SpaceAnswer& answer, const std::string& file) {

@@ -19,13 +19,13 @@ namespace {
 
 FamilyText family_of(const SpatialQuestion& question, NumberText& text) {
   FamilyText family{heading(question.grasp.name, question.case_name),
-                    load_text(question.grasp.wrench, text),
+                    load_text(question.grasp.box.wrench, text),
                     {},
                     question.preload_direction,
                     {},
                     question.preload_growth};
   if (question.direction) family.direction = text(*question.direction);
-  for (const SpatialContact& c : question.grasp.contacts) {
+  for (const UncertainContact& c : question.grasp.box.contacts) {
     family.preloads.push_back(c.preload.low);
   }
   if (question.preload_direction && question.preload_direction->scale) {

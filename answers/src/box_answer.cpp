@@ -12,6 +12,23 @@ std::vector<std::size_t> enclosed_contacts(const GraspBox& box) {
   return contacts;
 }
 
+void add_verdict(Json& json, const GraspBox& box, const GraspDescription& description,
+                 const BoxDecision& decision) {
+  if (const auto* unstable = std::get_if<UnstableThroughout>(&decision.verdict)) {
+    json["refutation"] = {{"nodes", unstable->tree.size()}};
+  } else if (const auto* fragile = std::get_if<Fragile>(&decision.verdict)) {
+    const auto file = [&](const GraspBox& grasp) {
+      return Json::parse(write_grasp(grasp, description));
+    };
+    json["examples"] = {{"stable", file(fragile->stable)},
+                        {"unstable", file(fragile->unstable)}};
+    json["differences"] =
+        differences_json(differences(box, fragile->stable, fragile->unstable));
+  } else if (const auto* undecided = std::get_if<Undecided>(&decision.verdict)) {
+    add_undecided(json, *undecided);
+  }
+}
+
 std::optional<Vector3> motion_near(const BoxAnswer& answer) {
   const auto* stable = std::get_if<StableThroughout>(&answer.decision.verdict);
   const GraspBox& box = *answer.question.box;
@@ -38,16 +55,8 @@ Json to_json(const BoxAnswer& answer) {
   if (const auto* stable = std::get_if<StableThroughout>(&decision.verdict)) {
     if (const auto near = motion_near(answer)) json["near"] = number_json(*near);
     json["proof"] = proof_json(std::get<StabilityProof>(stable->proof));
-  } else if (const auto* unstable = std::get_if<UnstableThroughout>(&decision.verdict)) {
-    json["refutation"] = {{"nodes", unstable->tree.size()}};
-  } else if (const auto* fragile = std::get_if<Fragile<LoadedGrasp>>(&decision.verdict)) {
-    json["examples"] = {{"stable", Json::parse(write_grasp(fragile->stable))},
-                        {"unstable", Json::parse(write_grasp(fragile->unstable))}};
-    json["differences"] =
-        differences_json(differences(box, fragile->stable, fragile->unstable));
-  } else {
-    add_undecided(json, std::get<Undecided>(decision.verdict));
   }
+  add_verdict(json, box, question.loaded.grasp.description(), decision);
   json["stats"] = work_json(decision.work);
   return json;
 }

@@ -60,7 +60,7 @@ Json margin_json(const SpatialQuestion& question, const SpatialMargin& margin,
   if (!question.case_name.empty()) json["case"] = question.case_name;
   add_units(json, question.grasp.units);
   json["normal_law"] = to_string(question.law);
-  json["wrench"] = wrench_json(question.grasp.wrench);
+  json["wrench"] = wrench_json(question.grasp.box.wrench);
   if (question.direction) json["direction"] = number_json(*question.direction);
   if (question.preload_direction) {
     json["preload_direction"] = preload_direction_json(*question.preload_direction);

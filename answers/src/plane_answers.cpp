@@ -101,11 +101,11 @@ Json to_json(const RegionAnswer& answer) {
   return json;
 }
 
-Json map_json(const Question& question, const MapAxis& x, const MapAxis& y,
+Json map_json(const AskedBox& asked, const MapAxis& x, const MapAxis& y,
               const std::vector<MapCell>& cells) {
   Json json;
-  json["name"] = question.loaded.grasp.name();
-  json["normal_law"] = to_string(question.law);
+  json["name"] = asked.description.name;
+  json["normal_law"] = to_string(asked.law);
   json["x"] = {{"name", x.name}, {"range", ends_json(x.range)}};
   json["y"] = {{"name", y.name}, {"range", ends_json(y.range)}};
   Json& list = json["cells"] = Json::array();

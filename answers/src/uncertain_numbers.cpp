@@ -6,80 +6,67 @@
 
 namespace stickslip {
 
-std::vector<UncertainNumber> uncertain_numbers(const GraspBox& box) {
+namespace {
+
+/// Of all numbers of a box, certain ones too.
+std::vector<UncertainNumber> numbers_of(const GraspBox& box) {
   std::vector<UncertainNumber> all;
-  const auto add = [&](const std::string& place, const Interval& interval,
-                       bool is_slope = false) {
-    if (!interval.is_point()) all.push_back({place, interval, is_slope});
-  };
   for (std::size_t i = 0; i < box.contacts.size(); ++i) {
     const UncertainContact& c = box.contacts[i];
     const std::string contact = "contacts[" + std::to_string(i) + "].";
-    add(contact + "position[0]", c.x);
-    add(contact + "position[1]", c.y);
-    add(contact + "normal", {-c.slope, c.slope}, true);
-    add(contact + "friction", c.friction);
-    add(contact + "stiffness", c.stiffness);
-    add(contact + "preload", c.preload);
+    for (std::size_t j = 0; j < c.position.size(); ++j) {
+      all.push_back({contact + "position[" + std::to_string(j) + "]", c.position[j]});
+    }
+    all.push_back({contact + "normal", {-c.slope, c.slope}, true});
+    all.push_back({contact + "friction", c.friction});
+    all.push_back({contact + "stiffness", c.stiffness});
+    all.push_back({contact + "preload", c.preload});
   }
   for (std::size_t j = 0; j < box.wrench.size(); ++j) {
-    add("wrench[" + std::to_string(j) + "]", box.wrench[j]);
+    all.push_back({"wrench[" + std::to_string(j) + "]", box.wrench[j]});
   }
   return all;
 }
 
-std::vector<UncertainNumber> uncertain_numbers(const SpatialGrasp& box) {
-  std::vector<UncertainNumber> all;
-  for_each_number(box, [&](const std::string& place, const Interval& interval) {
-    if (!interval.is_point()) all.push_back({place, interval});
-  });
+/// By how much a grasp has turned the normal of a contact of the box.
+Rational turn_of(const UncertainContact& c, const RationalRow& turned) {
+  const Rational across = c.normal[0] * turned[1] - c.normal[1] * turned[0];
+  return across / dot(c.normal, turned);
+}
+
+}  // namespace
+
+std::vector<UncertainNumber> uncertain_numbers(const GraspBox& box) {
+  std::vector<UncertainNumber> all = numbers_of(box);
+  all.erase(std::remove_if(all.begin(), all.end(),
+                           [](const UncertainNumber& n) { return n.interval.is_point(); }),
+            all.end());
   return all;
 }
 
-std::vector<Rational> values_in(const GraspBox& box, const LoadedGrasp& loaded) {
+std::vector<Rational> values_in(const GraspBox& box, const GraspBox& grasp) {
+  const std::vector<UncertainNumber> intervals = numbers_of(box);
+  const std::vector<UncertainNumber> numbers = numbers_of(grasp);
   std::vector<Rational> values;
-  const auto add = [&](const Interval& interval, const Rational& value) {
-    if (!interval.is_point()) values.push_back(value);
-  };
-  for (std::size_t i = 0; i < box.contacts.size(); ++i) {
-    const UncertainContact& c = box.contacts[i];
-    const Contact& at = loaded.grasp.contacts()[i];
-    const Vector2& n = c.normal;
-    const Rational along = n.x * at.normal.x + n.y * at.normal.y;
-    const Rational across = n.x * at.normal.y - n.y * at.normal.x;
-    add(c.x, at.position.x);
-    add(c.y, at.position.y);
-    add({-c.slope, c.slope}, across / along);
-    add(c.friction, at.friction);
-    add(c.stiffness, at.stiffness);
-    add(c.preload, at.preload);
+  std::size_t contact = 0;
+  for (std::size_t n = 0; n < intervals.size(); ++n) {
+    const std::size_t i = contact;
+    if (intervals[n].is_slope) ++contact;
+    if (intervals[n].interval.is_point()) continue;
+    values.push_back(intervals[n].is_slope ? turn_of(box.contacts[i], grasp.contacts[i].normal)
+                                           : numbers[n].interval.low);
   }
-  const Vector3 w = coordinates(loaded.wrench);
-  for (std::size_t j = 0; j < w.size(); ++j) add(box.wrench[j], w[j]);
   return values;
 }
 
-std::vector<Rational> values_in(const SpatialGrasp& box, const SpatialGrasp& grasp) {
-  std::vector<bool> is_uncertain;
-  for_each_number(box, [&](const std::string& /*place*/, const Interval& interval) {
-    is_uncertain.push_back(!interval.is_point());
-  });
-  std::vector<Rational> values;
-  std::size_t next = 0;
-  for_each_number(grasp, [&](const std::string& /*place*/, const Interval& interval) {
-    if (is_uncertain[next++]) values.push_back(interval.low);
-  });
-  return values;
-}
-
-std::vector<Difference> differences(std::vector<UncertainNumber> numbers,
-                                    const std::vector<Rational>& stable,
-                                    const std::vector<Rational>& unstable) {
+std::vector<Difference> differences(const GraspBox& box, const GraspBox& stable,
+                                    const GraspBox& unstable) {
+  std::vector<UncertainNumber> numbers = uncertain_numbers(box);
+  const std::vector<Rational> held = values_in(box, stable);
+  const std::vector<Rational> lost = values_in(box, unstable);
   std::vector<Difference> all;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (stable[i] != unstable[i]) {
-      all.push_back({std::move(numbers[i]), stable[i], unstable[i]});
-    }
+    if (held[i] != lost[i]) all.push_back({std::move(numbers[i]), held[i], lost[i]});
   }
   const auto part = [](const Difference& d) {
     return Rational(abs(d.unstable - d.stable) /
@@ -103,6 +90,12 @@ Json differences_json(const std::vector<Difference>& differences) {
 Json interval_json(const Interval& interval) {
   if (interval.is_point()) return number_json(interval.low);
   return Json::array({number_json(interval.low), number_json(interval.high)});
+}
+
+Json wrench_json(const WrenchBox& wrench) {
+  Json json = Json::array();
+  for (const Interval& w : wrench) json.push_back(interval_json(w));
+  return json;
 }
 
 Json uncertain_json(const std::vector<UncertainNumber>& numbers) {

@@ -66,9 +66,9 @@ Answer answer_to(Question question, const AnswerOptions& options) {
 }
 
 Answer answer_to(SpatialQuestion question, const AnswerOptions& options) {
-  SpatialSearchOptions search;
+  BoxOptions search;
   search.node_limit = options.node_limit;
-  SpatialDecision decision = decide(question, search);
+  BoxDecision decision = decide(question, search);
   Warnings warnings;
   if (options.warnings) warnings = model_warnings(question, decision);
   return SpaceAnswer{std::move(question), std::move(decision), std::move(warnings)};

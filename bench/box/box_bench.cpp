@@ -77,13 +77,14 @@ Summary measure(const char* tolerances, std::size_t grasps, std::uint64_t seed) 
   while (summary.ratios.size() < grasps) {
     const auto loaded = random_load(random);
     if (!loaded) continue;
-    const GraspBox box = box_of(*loaded).widened(parse_tolerances(tolerances));
+    const GraspBox centre = box_of(*loaded);
+    const GraspBox box = centre.widened(parse_tolerances(tolerances));
     auto start = std::chrono::steady_clock::now();
     const BoxDecision decision = decide_box(box, NormalLaw::kUnilateral);
     summary.answer_ms.push_back(milliseconds(start));
     if (std::holds_alternative<Undecided>(decision.verdict)) ++summary.undecided;
     start = std::chrono::steady_clock::now();
-    const Radius radius = find_radius(*loaded, box, NormalLaw::kUnilateral);
+    const Radius radius = find_radius(centre, box, NormalLaw::kUnilateral);
     summary.radius_ms.push_back(milliseconds(start));
     const Rational edge = radius.refuted.value_or(radius.limit);
     const double ratio = to_double(radius.proved / edge);

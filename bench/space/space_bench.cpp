@@ -69,11 +69,13 @@ std::pair<SpatialGrasp, Vector6> random_grasp(const SpaceBenchOptions& options,
       position[axis] = side;
       normal[axis] = -side;
     }
-    SpatialContact contact{{}, normal, point_interval(Rational(random.between(4, 18), 20))};
-    for (std::size_t j = 0; j < 3; ++j) contact.position[j] = point_interval(position[j]);
+    UncertainContact contact{{},
+                             {normal.begin(), normal.end()},
+                             point_interval(Rational(random.between(4, 18), 20))};
+    for (const Rational& x : position) contact.position.push_back(point_interval(x));
     contact.friction = point_interval(ragged(contact.friction.low));
     contact.preload = point_interval(Rational(random.between(0, 8), 4));
-    grasp.contacts.push_back(std::move(contact));
+    grasp.box.contacts.push_back(std::move(contact));
   }
   Vector6 direction;
   for (Rational& u : direction) u = ragged(Rational(random.between(-8, 8), 8));
@@ -85,11 +87,11 @@ class Measurement {
   Measurement(const SpaceBenchOptions& options, SpatialGrasp grasp, Vector6 direction)
       : options_(options), grasp_(std::move(grasp)), direction_(std::move(direction)) {}
 
-  SpatialDecision decide_at(double multiple) {
+  BoxDecision decide_at(double multiple) {
     constexpr double kSteps = 1e6;
     const Rational l(std::llround(multiple * kSteps), std::llround(kSteps));
     for (std::size_t j = 0; j < 6; ++j) {
-      grasp_.wrench[j] = point_interval(Rational(l * direction_[j]));
+      grasp_.box.wrench[j] = point_interval(Rational(l * direction_[j]));
     }
     question_ = ask(grasp_, {});
     return decide(question_, {options_.node_limit});
@@ -139,7 +141,7 @@ int run(const SpaceBenchOptions& options) {
       const double at =
           beyond ? threshold->second * (1 + options.gap) : threshold->first * (1 - options.gap);
       const auto start = std::chrono::steady_clock::now();
-      const SpatialDecision decision = measurement.decide_at(at);
+      const BoxDecision decision = measurement.decide_at(at);
       std::size_t size = 0;
       if (std::holds_alternative<Undecided>(decision.verdict)) {
         ++undecided;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "planar_grasps.hpp"
+#include "one_grasp.hpp"
 #include "stickslip/degree/prove_stable.hpp"
 #include "stickslip/search/force_span.hpp"
 
@@ -94,11 +94,7 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
     }
   }
   if (stable_ != false) {
-    // In the plane there is an engine that knows thousands of contacts, and all equilibria.
-    constexpr std::size_t kStarts = 3;
-    for (const NearEquilibrium& near :
-         box.motions == 3 ? box_detail::near_equilibria(middle, !limits_.is_wide)
-                          : newton.solve_from(kStarts)) {
+    for (const NearEquilibrium& near : box_detail::near_equilibria(middle, !limits_.is_wide)) {
       if (try_near(newton.polish(near).value_or(near))) {
         stable_ = true;
         return true;

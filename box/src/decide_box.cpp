@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "examples.hpp"
-#include "planar_grasps.hpp"
+#include "one_grasp.hpp"
 #include "stickslip/box/box_prover.hpp"
+#include "stickslip/box/exact_witness.hpp"
 #include "stickslip/equilibrium/stable_by_degree.hpp"
 
 namespace stickslip {
@@ -13,57 +15,92 @@ using namespace box_detail;
 
 namespace {
 
-/// Two grasps in the box with opposite verdicts, if the suspects are right.
-std::optional<Fragile<LoadedGrasp>> find_examples(const GraspBox& box, NormalLaw law,
-                                                  const Verdict& middle, SearchWork& work) {
-  const auto* equilibrium = std::get_if<Stable>(&middle);
-  const bool middle_is_stable = equilibrium != nullptr;
-  const Examples examples(box, law);
-  std::optional<LoadedGrasp> same;
-  std::optional<LoadedGrasp> other;
-  const auto look = [&](const Place& place) {
-    ++work.examples;
-    LoadedGrasp grasp = examples.at(place);
-    const std::optional<bool> stable = is_stable(grasp, law);
-    if (stable) (*stable == middle_is_stable ? same : other) = std::move(grasp);
-  };
-  if (equilibrium != nullptr) {
-    constexpr std::size_t kMostTried = 8;
+/// Two grasps of a box with opposite verdicts, decided one by one.
+class ExampleSearch {
+ public:
+  ExampleSearch(const GraspBox& box, NormalLaw law, const BoxOptions& options, SearchWork& work)
+      : examples_(box, law), law_(law), options_(options), work_(work) {}
+
+  /// Unless two were found.
+  void try_at(const GraspBox& grasp) {
+    if (stable_ && unstable_) return;
+    ++work_.examples;
+    const std::optional<bool> stable = is_stable(grasp, law_, options_);
+    if (stable) (*stable ? stable_ : unstable_) = grasp;
+  }
+
+  /// The middle, and where the other verdict is likely: where the middle's equilibrium is lost
+  /// soonest, where all holds better or worse, and where margins shrink.
+  void try_suspects() {
+    try_at(examples_.at(examples_.middle()));
+    constexpr std::size_t kMostLost = 8;
     std::size_t tried = 0;
-    for (const auto& [place, part] : examples.without(equilibrium->witness)) {
-      if (!other && tried++ < kMostTried) look(place);
+    if (stable_) {
+      for (const auto& [place, part] : examples_.without_equilibrium()) {
+        if (tried++ < kMostLost) try_at(examples_.at(place));
+      }
+    }
+    for (const Place& place : examples_.extremes()) try_at(examples_.at(place));
+    if (found() || stable_.has_value() == unstable_.has_value()) return;
+    for (const Place& place : examples_.suspects(stable_.has_value())) {
+      try_at(examples_.at(place));
     }
   }
-  for (const Place& place : examples.extremes()) {
-    if (!other) look(place);
+
+  /// At these parts of the way from low to high of each parameter.
+  void try_between(const RationalRow& parts) { try_at(examples_.between(parts)); }
+
+  std::optional<Fragile> found() const {
+    if (!stable_ || !unstable_) return std::nullopt;
+    return Fragile{*stable_, *unstable_};
   }
-  if (!other) {
-    for (const Place& place : examples.suspects(middle_is_stable)) {
-      if (!other) look(place);
-    }
+
+ private:
+  Examples examples_;
+  NormalLaw law_;
+  const BoxOptions& options_;
+  SearchWork& work_;
+  std::optional<GraspBox> stable_;
+  std::optional<GraspBox> unstable_;
+};
+
+/// What a search for a proof may take: more in space, where nothing else decides.
+ProverLimits limits_of(const GraspBox& box, const BoxOptions& options, std::size_t most_parts) {
+  const bool is_wide = !box.is_point();
+  std::size_t nodes = options.node_limit;
+  if (nodes == 0) {
+    constexpr std::size_t kInSpace = 20000;
+    constexpr std::size_t kWideInSpace = 1000;  // that it is neither is to be said soon
+    nodes = !box.in_space() ? 500 + 50 * box.contacts.size()
+            : is_wide       ? kWideInSpace
+                            : kInSpace;
   }
-  if (!other) return std::nullopt;
-  look(examples.middle());
-  if (!same) return std::nullopt;
-  return middle_is_stable ? Fragile<LoadedGrasp>{std::move(*same), std::move(*other)}
-                          : Fragile<LoadedGrasp>{std::move(*other), std::move(*same)};
+  const std::size_t walls = box.in_space() && !is_wide ? 24 : 8;
+  const std::size_t searches = box.in_space() ? 4 : 8;
+  return {nodes, std::max<std::size_t>(nodes / walls, 1), searches * nodes, most_parts,
+          is_wide};
 }
 
-/// With the lengths enclosed to these bits.
-BoxDecision prove_with_bits(const GraspBox& box, NormalLaw law, const BoxOptions& options,
-                            std::size_t most_parts, unsigned bits) {
-  BoxDecision decision{Undecided{}, {}, bits};
-  const std::size_t limit =
-      options.node_limit != 0 ? options.node_limit : 500 + 50 * box.contacts.size();
-  const std::size_t wall_limit = std::max<std::size_t>(limit / 8, 1);
-  BoxProver prover(GraspLaw(box, law, bits),
-                   {limit, wall_limit, 8 * limit, most_parts, !box.is_point()}, decision.work);
-  if (auto verdict = prover.prove()) {
-    std::visit([&](auto& known) { decision.verdict = std::move(known); }, *verdict);
-  } else {
+/// A proof or none, and where parts seem to differ.
+BoxDecision prove(const GraspBox& box, NormalLaw law, const BoxOptions& options,
+                  std::size_t most_parts, std::array<std::optional<RationalRow>, 2>& suspects) {
+  BoxDecision decision{Undecided{}};
+  const bool may_refine = box.is_point() && !box.in_space();
+  for (unsigned bits = options.bits;; bits *= 2) {
+    decision.bits = bits;
+    BoxProver prover(GraspLaw(box, law, bits), limits_of(box, options, most_parts),
+                     decision.work);
+    if (box.in_space() && box.is_point() && !needs_enclosure(box)) {
+      prover.on_equilibrium(exact_witness);
+    }
+    if (auto verdict = prover.prove()) {
+      std::visit([&](auto& known) { decision.verdict = std::move(known); }, *verdict);
+      return decision;
+    }
     decision.verdict = undecided_by(prover.report());
+    suspects = prover.suspects();
+    if (!may_refine || 2 * bits > options.most_bits) return decision;
   }
-  return decision;
 }
 
 }  // namespace
@@ -72,26 +109,23 @@ namespace box_detail {
 
 BoxDecision prove_box(const GraspBox& box, NormalLaw law, const BoxOptions& options,
                       std::size_t most_parts) {
-  SearchWork work;
-  for (unsigned bits = options.bits;; bits *= 2) {
-    BoxDecision decision = prove_with_bits(box, law, options, most_parts, bits);
-    work += decision.work;
-    decision.work = work;
-    const bool finer_may_help = std::holds_alternative<Undecided>(decision.verdict) &&
-                                box.is_point() && 2 * bits <= options.most_bits;
-    if (!finer_may_help) return decision;
-  }
-}
-
-std::optional<bool> is_stable(const LoadedGrasp& loaded, NormalLaw law) {
-  const GraspBox box = box_of(loaded);
-  if (!needs_enclosure(box)) {
-    return std::holds_alternative<Stable>(decide_by_cones(Problem(loaded, law)));
-  }
-  return throughout(decide_box(box, law));
+  std::array<std::optional<RationalRow>, 2> suspects;
+  return prove(box, law, options, most_parts, suspects);
 }
 
 }  // namespace box_detail
+
+std::optional<bool> throughout(const BoxDecision& decision) {
+  if (std::holds_alternative<StableThroughout>(decision.verdict)) return true;
+  if (std::holds_alternative<UnstableThroughout>(decision.verdict)) return false;
+  return std::nullopt;
+}
+
+Vector6 motion_of(const StableThroughout& stable) {
+  Vector6 motion{};
+  std::copy(stable.motion.begin(), stable.motion.end(), motion.begin());
+  return motion;
+}
 
 namespace {
 
@@ -128,18 +162,26 @@ std::optional<BoxDecision> prove_stable_by_degree(const Problem& problem) {
 }
 
 BoxDecision decide_box(const GraspBox& box, NormalLaw law, const BoxOptions& options) {
-  BoxDecision decision = prove_box(box, law, options, 0);
-  if (box.is_point() || !std::holds_alternative<Undecided>(decision.verdict)) return decision;
-  const GraspLaw middle_law = GraspLaw(box, law, options.bits).middle();
-  const Verdict middle = decide_by_cones(box_detail::problem_of(middle_law));
-  if (auto fragile = find_examples(box, law, middle, decision.work)) {
-    decision.verdict = std::move(*fragile);
-    return decision;
-  }
+  if (box.is_point()) return prove_box(box, law, options, 0);
+  SearchWork work;
+  ExampleSearch examples(box, law, options, work);
+  BoxDecision decision{Undecided{}};
   constexpr std::size_t kMostParts = 32;
-  BoxDecision pieces = prove_box(box, law, options, kMostParts);
-  pieces.work += decision.work;
-  return pieces;
+  for (const std::size_t most_parts : {std::size_t{0}, kMostParts}) {
+    std::array<std::optional<RationalRow>, 2> suspects;
+    decision = prove(box, law, options, most_parts, suspects);
+    work += decision.work;
+    if (std::holds_alternative<Undecided>(decision.verdict)) {
+      if (most_parts == 0) examples.try_suspects();
+      for (const auto& parts : suspects) {
+        if (parts) examples.try_between(*parts);
+      }
+      if (auto fragile = examples.found()) decision.verdict = std::move(*fragile);
+    }
+    decision.work = work;
+    if (!std::holds_alternative<Undecided>(decision.verdict)) break;
+  }
+  return decision;
 }
 
 }  // namespace stickslip

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "planar_grasps.hpp"
+#include "one_grasp.hpp"
 #include "stickslip/degree/moving_equilibrium.hpp"
 #include "stickslip/equilibrium/margin.hpp"
 
@@ -31,70 +31,91 @@ Rational with_rational_length(const Rational& e) {
   return e.sign() < 0 ? Rational(-slope) : slope;
 }
 
+/// n + e t, with a length that is rational where that of n is and matters.
+RationalRow turned_normal(const UncertainContact& c, const Rational& e) {
+  if (e.is_zero()) return c.normal;
+  const bool keeps_length = !c.preload.high.is_zero() && exact_sqrt(dot(c.normal, c.normal));
+  const Vector2 n = turned(c.normal, keeps_length ? with_rational_length(e) : e);
+  return {n.x, n.y};
+}
+
+/// The interval of a number; nothing of a slope.
+template <class Box>
+auto* interval_of(Box& box, const ParameterId& id) {
+  if (id.parameter == Parameter::kWrench) return &box.wrench[id.index];
+  auto& c = box.contacts[id.index];
+  switch (id.parameter) {
+    case Parameter::kX:
+      return &c.position[0];
+    case Parameter::kY:
+      return &c.position[1];
+    case Parameter::kZ:
+      return &c.position[2];
+    case Parameter::kFriction:
+      return &c.friction;
+    case Parameter::kPreload:
+      return &c.preload;
+    case Parameter::kStiffness:
+      return &c.stiffness;
+    default:
+      return decltype(&c.friction){};
+  }
+}
+
 }  // namespace
 
 Examples::Examples(const GraspBox& box, NormalLaw law) : box_(box), law_(law) {
-  for (std::size_t i = 0; i < box.contacts.size(); ++i) {
-    const UncertainContact& c = box.contacts[i];
-    const auto add = [&](Parameter parameter, bool certain) {
-      if (!certain) numbers_.push_back({parameter, i});
-    };
-    add(Parameter::kX, c.x.is_point());
-    add(Parameter::kY, c.y.is_point());
-    add(Parameter::kTurn, c.slope.is_zero());
-    add(Parameter::kFriction, c.friction.is_point());
-    add(Parameter::kPreload, c.preload.is_point());
-    add(Parameter::kStiffness, c.stiffness.is_point());
-  }
-  for (std::size_t j = 0; j < box.wrench.size(); ++j) {
-    if (!box.wrench[j].is_point()) numbers_.push_back({Parameter::kWrench, j});
+  for (const ParameterId& id : GraspLaw(box, law).parameters()) {
+    const Interval* interval = interval_of(box, id);
+    const bool is_certain =
+        interval != nullptr ? interval->is_point() : box.contacts[id.index].slope.is_zero();
+    if (!is_certain) numbers_.push_back(id);
   }
 }
 
-LoadedGrasp Examples::at(const Place& place) const {
-  GraspBox chosen = box_;
-  std::vector<Rational> turns(box_.contacts.size());
+GraspBox Examples::at(const Place& place) const {
+  GraspBox chosen = box_.middle();
   for (std::size_t n = 0; n < numbers_.size(); ++n) {
-    const auto [parameter, index] = numbers_[n];
-    const auto set = [&, at = place[n]](Interval& interval) {
-      interval = point_interval(pick(interval, at));
-    };
-    if (parameter == Parameter::kWrench) {
-      set(chosen.wrench[index]);
-      continue;
+    if (Interval* interval = interval_of(chosen, numbers_[n])) {
+      *interval = point_interval(pick(*interval_of(box_, numbers_[n]), place[n]));
     }
-    UncertainContact& c = chosen.contacts[index];
-    if (parameter == Parameter::kX) set(c.x);
-    if (parameter == Parameter::kY) set(c.y);
-    if (parameter == Parameter::kFriction) set(c.friction);
-    if (parameter == Parameter::kPreload) set(c.preload);
-    if (parameter == Parameter::kStiffness) set(c.stiffness);
-    if (parameter == Parameter::kTurn) turns[index] = Rational(place[n]) * c.slope;
   }
-  std::vector<Contact> contacts;
-  for (std::size_t i = 0; i < chosen.contacts.size(); ++i) {
-    const UncertainContact& c = chosen.contacts[i];
-    const Vector2& n = c.normal;
-    const bool keeps_length =
-        !c.preload.high.is_zero() && exact_sqrt(n.x * n.x + n.y * n.y).has_value();
-    const Rational e = keeps_length ? with_rational_length(turns[i]) : turns[i];
-    contacts.push_back({{c.x.middle(), c.y.middle()},
-                        turned(n, e),
-                        c.friction.middle(),
-                        c.stiffness.middle(),
-                        c.preload.middle()});
+  for (std::size_t n = 0; n < numbers_.size(); ++n) {
+    if (numbers_[n].parameter != Parameter::kTurn) continue;
+    const std::size_t i = numbers_[n].index;
+    UncertainContact& c = chosen.contacts[i];
+    c.normal = turned_normal(c, Rational(place[n]) * box_.contacts[i].slope);
   }
-  const WrenchBox& w = chosen.wrench;
-  return {Grasp(std::move(contacts)), {w[0].middle(), w[1].middle(), w[2].middle()}};
+  return chosen;
 }
 
-std::vector<std::pair<Place, double>> Examples::without(const Witness& equilibrium) const {
+GraspBox Examples::between(const RationalRow& parts) const {
+  GraspBox chosen = box_;
+  std::size_t next = 0;
+  std::vector<std::pair<std::size_t, Rational>> turns;
+  for (const ParameterId& id : GraspLaw(box_, law_).parameters()) {
+    const Rational& part = parts[next++];
+    if (Interval* interval = interval_of(chosen, id)) {
+      *interval = point_interval(interval->low + part * (interval->high - interval->low));
+    } else {
+      turns.emplace_back(id.index, part);
+    }
+  }
+  for (const auto& [i, part] : turns) {
+    UncertainContact& c = chosen.contacts[i];
+    c.normal = turned_normal(c, (2 * part - 1) * c.slope);
+    c.slope = 0;
+  }
+  return chosen;
+}
+
+std::vector<std::pair<Place, double>> Examples::without_equilibrium() const {
   const GraspLaw law(box_, law_);
+  const std::vector<NearEquilibrium> middles =
+      near_equilibria(law.middle(), needs_enclosure(box_));
+  if (middles.empty()) return {};
   const RoundedBox rounded(law);
-  const GraspLaw middle_law = law.middle();
-  const MovingEquilibrium moving(
-      rounded,
-      near(middle_law, rounded_equilibrium(box_detail::problem_of(middle_law), equilibrium)));
+  const MovingEquilibrium moving(rounded, middles.front());
   std::vector<std::pair<Place, double>> result;
   for (const LostWay& way : moving.ways_out()) {
     Place place = middle();
@@ -128,10 +149,11 @@ std::vector<Place> Examples::extremes() const {
 /// How far the load is from the nearest multiple of it at which the verdict changes: below 0 if
 /// the grasp is unstable. Nothing if no multiple changes it.
 std::optional<double> Examples::distance(const Place& place) const {
-  const LoadedGrasp grasp = at(place);
-  if (grasp.wrench == Wrench{}) return std::nullopt;
-  const Problem problem = box_detail::problem_of(GraspLaw(box_of(grasp), law_).middle());
-  const auto found = find_margin(problem.with_wrench({}).along({grasp.wrench}), {2000});
+  const GraspBox grasp = at(place);
+  const Wrench wrench = planar_middle(grasp.wrench);
+  if (wrench == Wrench{}) return std::nullopt;
+  const Problem problem = box_detail::problem_of(GraspLaw(grasp, law_).middle());
+  const auto found = find_margin(problem.with_wrench({}).along({wrench}), {2000});
   const auto* margin = std::get_if<Margin>(&found);
   if (margin == nullptr) return std::nullopt;
   std::optional<double> nearest;
@@ -151,6 +173,7 @@ std::optional<double> Examples::distance(const Place& place) const {
 
 std::vector<Place> Examples::suspects(bool middle_is_stable) const {
   std::vector<Place> places;
+  if (box_.in_space()) return places;
   const double sign = middle_is_stable ? 1 : -1;
   Place best = middle();
   for (std::size_t n = 0; n < numbers_.size(); ++n) {

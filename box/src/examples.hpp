@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "stickslip/box/box_verdict.hpp"
+#include "stickslip/equilibrium/part.hpp"
 
 namespace stickslip::box_detail {
 
@@ -21,18 +22,21 @@ class Examples {
   /// `box` must outlive this.
   Examples(const GraspBox& box, NormalLaw law);
 
-  /// The grasp at this place, with normals of rational length where the file's normal has one
-  /// and the contact is preloaded: turned by at most the slope.
-  LoadedGrasp at(const Place& place) const;
-  /// Corners at which this equilibrium of the middle is lost, soonest first, and after which
-  /// part of the way.
-  std::vector<std::pair<Place, double>> without(const Witness& equilibrium) const;
+  /// The one grasp at this place. Normals that may turn have a rational length where the file's
+  /// normal has one and the contact is preloaded: they are turned by at most the slope.
+  GraspBox at(const Place& place) const;
+  /// The one grasp at these parts of the way from low to high, from 0 to 1, of each parameter
+  /// of GraspLaw.
+  GraspBox between(const RationalRow& parts) const;
+  /// Corners at which an equilibrium of the middle is lost, soonest first, and after which part
+  /// of the way; none if none is found.
+  std::vector<std::pair<Place, double>> without_equilibrium() const;
   /// All held better, or worse, as one would think: more friction and preload under less load,
   /// and the reverse. They cost nothing to find.
   std::vector<Place> extremes() const;
-  /// Places that are likely to have the verdict that the middle does not have, best first: by
-  /// how the multiples of the load that are resisted change with each number. O(numbers)
-  /// margins.
+  /// In the plane, places that are likely to have the verdict that the middle does not have,
+  /// best first: by how the multiples of the load that are resisted change with each number.
+  /// O(numbers) margins.
   std::vector<Place> suspects(bool middle_is_stable) const;
   Place middle() const { return Place(numbers_.size(), 0); }
 
@@ -43,9 +47,5 @@ class Examples {
   NormalLaw law_;
   std::vector<ParameterId> numbers_;
 };
-
-/// Whether this grasp is stable, by decide(), or decide_box() where a length is irrational;
-/// nothing if it is undecided.
-std::optional<bool> is_stable(const LoadedGrasp& loaded, NormalLaw law);
 
 }  // namespace stickslip::box_detail

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "planar_grasps.hpp"
+#include "one_grasp.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
@@ -119,9 +119,8 @@ bool goes_first(const MapAxis& axis) {
 
 class Quadtree {
  public:
-  Quadtree(const LoadedGrasp& grasp, NormalLaw law, const MapAxis& x_axis,
-           const MapAxis& y_axis, const MapOptions& options,
-           const std::function<void(MapCell)>& take,
+  Quadtree(const GraspBox& grasp, NormalLaw law, const MapAxis& x_axis, const MapAxis& y_axis,
+           const MapOptions& options, const std::function<void(MapCell)>& take,
            const std::function<void(double)>& progress)
       : grasp_(grasp),
         law_(law),
@@ -155,15 +154,16 @@ class Quadtree {
   }
 
  private:
-  bool is_stable_at(const Rational& x, const Rational& y) const {
+  std::optional<bool> is_stable_at(const Rational& x, const Rational& y) const {
     const GraspBox box =
         box_of_cell(grasp_, x_axis_, y_axis_, point_interval(x), point_interval(y));
+    if (box.in_space()) return is_stable(box.middle(), law_, options_.box);
     return std::holds_alternative<Stable>(
         decide_by_cones(box_detail::problem_of(GraspLaw(box, law_).middle())));
   }
 
   bool agree(const Interval& x, const Interval& y) const {
-    const bool first = is_stable_at(x.middle(), y.middle());
+    const std::optional<bool> first = is_stable_at(x.middle(), y.middle());
     for (const Rational& px : {x.low, x.high}) {
       for (const Rational& py : {y.low, y.high}) {
         if (is_stable_at(px, py) != first) return false;
@@ -172,7 +172,7 @@ class Quadtree {
     return true;
   }
 
-  const LoadedGrasp& grasp_;
+  const GraspBox& grasp_;
   NormalLaw law_;
   const MapAxis& x_axis_;
   const MapAxis& y_axis_;
@@ -184,7 +184,7 @@ class Quadtree {
 
 }  // namespace
 
-MapAxis parse_axis(const LoadedGrasp& grasp, std::string_view text, const std::string& axis) {
+MapAxis parse_axis(const GraspBox& grasp, std::string_view text, const std::string& axis) {
   const auto fail = [&](const std::string& problem, const std::string& remedy) {
     throw InputError("", axis, problem, remedy);
   };
@@ -207,8 +207,11 @@ MapAxis parse_axis(const LoadedGrasp& grasp, std::string_view text, const std::s
     fail("there is nothing called " + quote(word), choice_of(word, names, "the names are "));
   }
   result.kind = found->kind;
+  if (result.kind == AxisKind::kDirection && grasp.in_space()) {
+    fail("a direction, but the grasp is in space", "vary components of the load: wrench[0]");
+  }
   const bool of_wrench = found->kind == AxisKind::kWrench;
-  const std::size_t count = of_wrench ? 3 : grasp.grasp.size();
+  const std::size_t count = of_wrench ? grasp.wrench.size() : grasp.contacts.size();
   const std::string index =
       bracket < result.name.size() ? result.name.substr(bracket) : std::string();
   if (!index.empty() && (found->of_contacts || of_wrench)) {
@@ -218,7 +221,9 @@ MapAxis parse_axis(const LoadedGrasp& grasp, std::string_view text, const std::s
   }
   if (!result.index && (of_wrench || !index.empty())) {
     fail("found " + quote(result.name),
-         of_wrench            ? "write wrench[0], wrench[1] or wrench[2], which is the torque"
+         of_wrench && grasp.in_space()
+             ? "write wrench[0] to wrench[5]; the last three are the torque"
+         : of_wrench          ? "write wrench[0], wrench[1] or wrench[2], which is the torque"
          : found->of_contacts ? "contacts are counted from 0: the last is " + word + "[" +
                                     std::to_string(count - 1) + "]"
                               : word + " has no parts");
@@ -247,16 +252,16 @@ MapAxis parse_axis(const LoadedGrasp& grasp, std::string_view text, const std::s
   return result;
 }
 
-GraspBox box_of_cell(const LoadedGrasp& grasp, const MapAxis& x_axis, const MapAxis& y_axis,
+GraspBox box_of_cell(const GraspBox& grasp, const MapAxis& x_axis, const MapAxis& y_axis,
                      const Interval& x, const Interval& y) {
-  GraspBox box = box_of(grasp);
+  GraspBox box = grasp;
   const bool y_first = goes_first(y_axis);
   apply(y_first ? y_axis : x_axis, y_first ? y : x, box);
   apply(y_first ? x_axis : y_axis, y_first ? x : y, box);
   return box;
 }
 
-void map_verdicts(const LoadedGrasp& grasp, NormalLaw law, const MapAxis& x_axis,
+void map_verdicts(const GraspBox& grasp, NormalLaw law, const MapAxis& x_axis,
                   const MapAxis& y_axis, const MapOptions& options,
                   const std::function<void(MapCell)>& take,
                   const std::function<void(double)>& progress) {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "examples.hpp"
-#include "planar_grasps.hpp"
+#include "one_grasp.hpp"
 
 namespace stickslip {
 
@@ -15,7 +15,7 @@ using namespace box_detail;
 namespace {
 
 /// The largest factor that leaves the box valid, or `most`.
-Rational valid_limit(const LoadedGrasp& centre, const GraspBox& box, const Rational& most) {
+Rational valid_limit(const GraspBox& centre, const GraspBox& box, const Rational& most) {
   Rational limit = most;
   // Where an end must stay above 0, and not reach it.
   const Rational inside(1023, 1024);
@@ -26,10 +26,10 @@ Rational valid_limit(const LoadedGrasp& centre, const GraspBox& box, const Ratio
   };
   for (std::size_t i = 0; i < box.contacts.size(); ++i) {
     const UncertainContact& c = box.contacts[i];
-    const Contact& at = centre.grasp.contacts()[i];
-    keep(at.friction, c.friction.low, true);
-    keep(at.preload, c.preload.low, true);
-    keep(at.stiffness, c.stiffness.low, false);
+    const UncertainContact& at = centre.contacts[i];
+    keep(at.friction.low, c.friction.low, true);
+    keep(at.preload.low, c.preload.low, true);
+    keep(at.stiffness.low, c.stiffness.low, false);
     if (!c.slope.is_zero()) limit = std::min(limit, Rational(inside / c.slope));
   }
   return limit;
@@ -76,27 +76,26 @@ std::optional<GraspBox> shortened(GraspBox box) {
     is_changed = is_changed || near != x;
     x = std::move(near);
   };
-  const auto shorten_ends = [&](Interval& x) {
+  for_each_number(box, [&](const std::string& /*place*/, Interval& x) {
     shorten(x.low);
     shorten(x.high);
-  };
+  });
   for (UncertainContact& c : box.contacts) {
-    for (Interval* x : {&c.x, &c.y, &c.friction, &c.stiffness, &c.preload}) shorten_ends(*x);
-    for (Rational* x : {&c.normal.x, &c.normal.y, &c.slope}) shorten(*x);
+    for (Rational& x : c.normal) shorten(x);
+    shorten(c.slope);
   }
-  for (Interval& component : box.wrench) shorten_ends(component);
   return is_changed ? std::optional(std::move(box)) : std::nullopt;
 }
 
 class RadiusSearch {
  public:
-  RadiusSearch(const LoadedGrasp& centre, const GraspBox& box, NormalLaw law,
+  RadiusSearch(const GraspBox& centre, const GraspBox& box, NormalLaw law,
                const RadiusOptions& options, const std::function<void(const Radius&)>& progress)
       : centre_(centre), box_(box), law_(law), options_(options), progress_(progress) {}
 
   Radius run() {
     result_.limit = valid_limit(centre_, box_, options_.most);
-    result_.stable = is_stable(centre_, law_);
+    result_.stable = is_stable(centre_, law_, options_.box);
     if (!result_.stable) return result_;
     refute();
     prove(0);
@@ -108,7 +107,7 @@ class RadiusSearch {
   /// many.
   Radius confirm(const RadiusSearch& near) {
     result_.limit = valid_limit(centre_, box_, options_.most);
-    result_.stable = is_stable(centre_, law_);
+    result_.stable = is_stable(centre_, law_, options_.box);
     if (!result_.stable || result_.stable != near.result_.stable) return result_;
     const Rational step = options_.accuracy / 8;
     const Radius& found = near.result_;
@@ -134,8 +133,8 @@ class RadiusSearch {
   /// remembered when the factor is smaller than what was known.
   bool differs(const Place& place, const Rational& factor) {
     const GraspBox box = box_.scaled(centre_, factor);
-    LoadedGrasp grasp = Examples(box, law_).at(place);
-    const std::optional<bool> stable = is_stable(grasp, law_);
+    GraspBox grasp = Examples(box, law_).at(place);
+    const std::optional<bool> stable = is_stable(grasp, law_, options_.box);
     if (!stable || stable == result_.stable) return false;
     if (!result_.refuted || factor < *result_.refuted) {
       result_.refuted = factor;
@@ -161,15 +160,11 @@ class RadiusSearch {
 
   /// To where an equilibrium of the centre is lost.
   void follow() {
-    const GraspLaw point = GraspLaw(box_of(centre_), law_).middle();
-    const Verdict verdict = decide_by_cones(box_detail::problem_of(point));
-    const auto* stable = std::get_if<Stable>(&verdict);
-    if (stable == nullptr) return;
     Rational size(1, 16);
     for (;;) {
       size = std::min(Rational(4 * size), bound());
       const GraspBox box = box_.scaled(centre_, size);
-      const auto lost = Examples(box, law_).without(stable->witness);
+      const auto lost = Examples(box, law_).without_equilibrium();
       std::size_t tried = 0;
       for (const auto& [place, part] : lost) {
         constexpr std::size_t kMostTried = 4;
@@ -262,7 +257,7 @@ class RadiusSearch {
     if (progress_) progress_(result_);
   }
 
-  const LoadedGrasp& centre_;
+  const GraspBox& centre_;
   const GraspBox& box_;
   NormalLaw law_;
   const RadiusOptions& options_;
@@ -273,13 +268,13 @@ class RadiusSearch {
 
 }  // namespace
 
-Radius find_radius(const LoadedGrasp& centre, const GraspBox& box, NormalLaw law,
+Radius find_radius(const GraspBox& centre, const GraspBox& box, NormalLaw law,
                    const RadiusOptions& options,
                    const std::function<void(const Radius&)>& progress) {
   RadiusSearch search(centre, box, law, options, progress);
   const std::optional<GraspBox> near_box = shortened(box);
   if (!near_box) return search.run();
-  const LoadedGrasp near_centre = shortened(box_of(centre)).value_or(box_of(centre)).middle();
+  const GraspBox near_centre = shortened(centre).value_or(centre);
   const std::function<void(const Radius&)> nothing_yet;
   RadiusSearch near(near_centre, *near_box, law, options, nothing_yet);
   near.run();

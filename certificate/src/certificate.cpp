@@ -140,8 +140,8 @@ std::string head(const Question& question, const std::string& producer) {
 
 /// All up to the verdict.
 std::string head(const SpatialQuestion& question, unsigned bits, const std::string& producer) {
-  std::string text =
-      head(question, question.grasp.contacts.size(), wrench_text(question.wrench), producer);
+  std::string text = head(question, question.grasp.box.contacts.size(),
+                          wrench_text(question.wrench), producer);
   if (question.direction) text += direction_text(*question.direction);
   text += tail(question);
   if (bits != kDefaultBits) text += "\"bits\": " + std::to_string(bits) + ",\n ";
@@ -277,8 +277,7 @@ std::string certificate_text(const Question& question, const Verdict& verdict,
 namespace {
 
 /// From the verdict on.
-template <class Grasp>
-std::string verdict_text(const VerdictOnBox<Grasp>& verdict) {
+std::string verdict_text(const BoxVerdict& verdict) {
   const std::string text = std::string(kVerdict) + "\"" + name_of(verdict) + "\",\n";
   if (const auto* unstable = std::get_if<UnstableThroughout>(&verdict)) {
     return text + tree_text(unstable->tree) + "}\n";
@@ -304,8 +303,7 @@ std::string box_certificate_text(const Question& question, const BoxDecision& de
 }
 
 std::string spatial_certificate_text(const SpatialQuestion& question,
-                                     const SpatialDecision& decision,
-                                     const std::string& producer) {
+                                     const BoxDecision& decision, const std::string& producer) {
   return head(question, decision.bits, producer) + verdict_text(decision.verdict);
 }
 

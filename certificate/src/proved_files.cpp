@@ -22,56 +22,60 @@ void require_verdict(bool stable, const std::string& found) {
 
 }  // namespace
 
-ProvedFiles proved_grasp(const LoadedGrasp& loaded, const GraspDescription& description,
+ProvedFiles proved_grasp(const GraspBox& point, const GraspDescription& description,
                          NormalLaw law, bool stable, const std::string& producer) {
-  const LoadedGrasp described{Grasp(loaded.grasp.contacts(), description), loaded.wrench};
-  const Question question = about({described}, law);
-  std::string certificate;
-  if (question.box) {
-    const BoxDecision decision = decide_box(*question.box, law);
+  if (point.in_space() || needs_enclosure(point)) {
+    const BoxDecision decision = decide_box(point, law);
     require_verdict(stable, name_of(decision.verdict));
-    certificate = box_certificate_text(question, decision, producer);
-  } else {
-    const Verdict verdict = decide(problem_of(question)).verdict;
-    require_verdict(stable, name_of(verdict));
-    certificate = certificate_text(question, verdict, producer);
+    return proved_box(point, description, law, decision, producer);
   }
-  return {write_grasp(described), certificate};
-}
-
-ProvedFiles proved_grasp(const SpatialGrasp& grasp, NormalLaw law, bool stable,
-                         const std::string& producer) {
-  SpatialOptions options;
-  options.law = law;
-  const SpatialQuestion question = ask(grasp, options);
-  const SpatialDecision decision = decide(question);
-  require_verdict(stable, name_of(decision.verdict));
-  return {write_grasp_file(question.grasp),
-          spatial_certificate_text(question, decision, producer)};
+  const LoadedGrasp grasp = point.planar_middle(description);
+  const Question question = about({grasp}, law);
+  const Verdict verdict = decide(problem_of(question)).verdict;
+  require_verdict(stable, name_of(verdict));
+  return {write_grasp(grasp), certificate_text(question, verdict, producer)};
 }
 
 ProvedFiles proved_box(const GraspBox& box, const GraspDescription& description, NormalLaw law,
                        const BoxDecision& decision, const std::string& producer) {
-  if (box.is_point()) {
-    const bool stable = std::holds_alternative<StableThroughout>(decision.verdict);
-    return proved_grasp(box.middle(), description, law, stable, producer);
+  const std::string grasp = write_grasp(box, description);
+  if (box.in_space()) {
+    SpatialOptions options;
+    options.law = law;
+    const SpatialQuestion question = ask(SpatialGrasp{{}, {}, box}, options);
+    return {grasp, spatial_certificate_text(question, decision, producer)};
   }
-  const GraspFile file{box.middle(description), {}, {}, box};
-  return {write_grasp_file(file), box_certificate_text(about(file, law), decision, producer)};
+  if (box.is_point() && !needs_enclosure(box)) {
+    const bool stable = std::holds_alternative<StableThroughout>(decision.verdict);
+    return proved_grasp(box, description, law, stable, producer);
+  }
+  GraspFile file{box.planar_middle(description)};
+  if (!box.is_point()) file.box = box;
+  return {grasp, box_certificate_text(about(file, law), decision, producer)};
 }
 
-std::vector<ProvedFiles> proved_radius(const Question& question, const Radius& radius,
-                                       const std::string& producer) {
-  require(question.box && radius.stable, "the radius of a box about a centre with a verdict");
-  const GraspDescription& description = question.loaded.grasp.description();
-  const auto grasp = [&](const LoadedGrasp& loaded, bool stable) {
-    return proved_grasp(loaded, description, question.law, stable, producer);
+std::vector<ProvedFiles> proved_decision(const GraspBox& box, const GraspDescription& description,
+                                         NormalLaw law, const BoxDecision& decision,
+                                         const std::string& producer) {
+  if (const auto* fragile = std::get_if<Fragile>(&decision.verdict)) {
+    return {proved_grasp(fragile->stable, description, law, true, producer),
+            proved_grasp(fragile->unstable, description, law, false, producer)};
+  }
+  if (std::holds_alternative<Undecided>(decision.verdict)) return {};
+  return {proved_box(box, description, law, decision, producer)};
+}
+
+std::vector<ProvedFiles> proved_radius(const GraspBox& centre, const GraspBox& box,
+                                       const GraspDescription& description, NormalLaw law,
+                                       const Radius& radius, const std::string& producer) {
+  require(radius.stable.has_value(), "the radius of a box about a centre with a verdict");
+  const auto grasp = [&](const GraspBox& point, bool stable) {
+    return proved_grasp(point, description, law, stable, producer);
   };
   std::vector<ProvedFiles> files;
-  files.push_back(radius.proof
-                      ? proved_box(question.box->scaled(question.loaded, radius.proved),
-                                   description, question.law, *radius.proof, producer)
-                      : grasp(question.loaded, *radius.stable));
+  files.push_back(radius.proof ? proved_box(box.scaled(centre, radius.proved), description, law,
+                                            *radius.proof, producer)
+                               : grasp(centre, *radius.stable));
   if (radius.example) files.push_back(grasp(*radius.example, !*radius.stable));
   return files;
 }

@@ -39,23 +39,25 @@ void check_ends(const Interval& interval, const std::string& place) {
                    "its min must be at most its max");
 }
 
-void check_laws(const Interval& friction, const Interval& stiffness, const Interval& preload,
-                const std::string& path) {
-  check_ends(friction, path + ".friction");
-  check_ends(stiffness, path + ".stiffness");
-  check_ends(preload, path + ".preload");
-  check_low(friction.low.sign() >= 0, friction, path + ".friction",
+void check_contact(const UncertainContact& contact, const std::string& path) {
+  for (std::size_t j = 0; j < contact.position.size(); ++j) {
+    check_ends(contact.position[j], path + ".position[" + std::to_string(j) + "]");
+  }
+  if (dot(contact.normal, contact.normal).is_zero()) {
+    throw InputError(
+        "", path + ".normal",
+        contact.normal.size() == 3 ? "the normal is (0, 0, 0)" : "the normal is (0, 0)",
+        "give a nonzero vector that points into the object");
+  }
+  check_ends(contact.friction, path + ".friction");
+  check_ends(contact.stiffness, path + ".stiffness");
+  check_ends(contact.preload, path + ".preload");
+  check_low(contact.friction.low.sign() >= 0, contact.friction, path + ".friction",
             "friction must be 0 or more everywhere in the box");
-  check_low(stiffness.low.sign() > 0, stiffness, path + ".stiffness",
+  check_low(contact.stiffness.low.sign() > 0, contact.stiffness, path + ".stiffness",
             "stiffness must be above 0 everywhere in the box");
-  check_low(preload.low.sign() >= 0, preload, path + ".preload",
+  check_low(contact.preload.low.sign() >= 0, contact.preload, path + ".preload",
             "a preload is a normal force and must be 0 or more everywhere in the box");
-}
-
-void check_uncertain(const UncertainContact& contact, const std::string& path) {
-  check_ends(contact.x, path + ".position[0]");
-  check_ends(contact.y, path + ".position[1]");
-  check_laws(contact.friction, contact.stiffness, contact.preload, path);
   if (contact.slope.sign() >= 0 && contact.slope < 1) return;
   throw InputError("", path + ".normal", "the slope is " + to_readable_string(contact.slope),
                    "a normal turns to either side by 0 or more and less than 1, which is 45 "
@@ -131,25 +133,6 @@ Tolerance parse_tolerance(const std::string& name, std::string_view text) {
   return tolerance;
 }
 
-bool is_point(const WrenchBox& wrench) {
-  return std::all_of(wrench.begin(), wrench.end(),
-                     [](const Interval& component) { return component.is_point(); });
-}
-
-bool is_point(const UncertainContact& c) {
-  return c.x.is_point() && c.y.is_point() && c.slope.is_zero() && c.friction.is_point() &&
-         c.stiffness.is_point() && c.preload.is_point();
-}
-
-void check(const GraspBox& box) {
-  for (std::size_t i = 0; i < box.contacts.size(); ++i) {
-    check_uncertain(box.contacts[i], "contacts[" + std::to_string(i) + "]");
-  }
-  for (std::size_t j = 0; j < box.wrench.size(); ++j) {
-    check_ends(box.wrench[j], "wrench[" + std::to_string(j) + "]");
-  }
-}
-
 }  // namespace
 
 Interval Tolerance::widen(const Interval& interval) const {
@@ -168,8 +151,8 @@ std::vector<NamedTolerance> given(const Tolerances& tolerances) {
   return result;
 }
 
-Vector2 turned(const Vector2& normal, const Rational& slope) {
-  return {normal.x - slope * normal.y, normal.y + slope * normal.x};
+Vector2 turned(const RationalRow& normal, const Rational& slope) {
+  return {normal[0] - slope * normal[1], normal[1] + slope * normal[0]};
 }
 
 Tolerances parse_tolerances(std::string_view text) {
@@ -194,20 +177,35 @@ Tolerances parse_tolerances(std::string_view text) {
 }
 
 bool GraspBox::is_point() const {
-  return std::all_of(contacts.begin(), contacts.end(),
-                     [](const UncertainContact& c) { return stickslip::is_point(c); }) &&
-         stickslip::is_point(wrench);
+  bool all = std::all_of(contacts.begin(), contacts.end(),
+                         [](const UncertainContact& c) { return c.slope.is_zero(); });
+  for_each_number(*this, [&](const std::string& /*place*/, const Interval& interval) {
+    all = all && interval.is_point();
+  });
+  return all;
+}
+
+void GraspBox::check() const {
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    check_contact(contacts[i], "contacts[" + std::to_string(i) + "]");
+  }
+  for (std::size_t j = 0; j < wrench.size(); ++j) {
+    check_ends(wrench[j], "wrench[" + std::to_string(j) + "]");
+  }
 }
 
 GraspBox GraspBox::widened(const Tolerances& tolerances) const {
-  check(*this);
+  if (in_space() && tolerances.normal) {
+    fail("a tolerance of normals, but the grasp is in space",
+         "normals in space are certain; leave it out");
+  }
+  check();
   GraspBox box = *this;
   const auto widen = [](const std::optional<Tolerance>& tolerance, Interval& interval) {
     if (tolerance) interval = tolerance->widen(interval);
   };
   for (UncertainContact& c : box.contacts) {
-    widen(tolerances.position, c.x);
-    widen(tolerances.position, c.y);
+    for (Interval& coordinate : c.position) widen(tolerances.position, coordinate);
     widen(tolerances.friction, c.friction);
     widen(tolerances.stiffness, c.stiffness);
     widen(tolerances.preload, c.preload);
@@ -217,49 +215,55 @@ GraspBox GraspBox::widened(const Tolerances& tolerances) const {
     }
   }
   for (Interval& component : box.wrench) widen(tolerances.wrench, component);
-  check_widened(tolerances, [&] { check(box); });
+  check_widened(tolerances, [&] { box.check(); });
   return box;
 }
 
-GraspBox GraspBox::scaled(const LoadedGrasp& centre, const Rational& factor) const {
-  require(centre.grasp.size() == contacts.size(), "the centre has other contacts");
+GraspBox GraspBox::scaled(const GraspBox& centre, const Rational& factor) const {
+  require(centre.contacts.size() == contacts.size() && centre.is_point(),
+          "the centre is one grasp with as many contacts");
   require(factor.sign() >= 0, "a box is scaled by 0 or more");
-  const auto scale = [&](Interval& interval, const Rational& middle) {
+  std::vector<Rational> middles;
+  for_each_number(centre, [&](const std::string& /*place*/, const Interval& number) {
+    middles.push_back(number.low);
+  });
+  GraspBox box = *this;
+  std::size_t next = 0;
+  for_each_number(box, [&](const std::string& /*place*/, Interval& interval) {
+    const Rational& middle = middles[next++];
     require(interval.contains(middle), "the centre is not in the box");
     interval = {middle + factor * (interval.low - middle),
                 middle + factor * (interval.high - middle)};
-  };
-  GraspBox box = *this;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
-    UncertainContact& c = box.contacts[i];
-    const Contact& at = centre.grasp.contacts()[i];
-    scale(c.x, at.position.x);
-    scale(c.y, at.position.y);
-    scale(c.friction, at.friction);
-    scale(c.stiffness, at.stiffness);
-    scale(c.preload, at.preload);
-    c.slope *= factor;
-  }
-  const Vector3 w = coordinates(centre.wrench);
-  for (std::size_t j = 0; j < w.size(); ++j) scale(box.wrench[j], w[j]);
-  check(box);
+  });
+  for (UncertainContact& c : box.contacts) c.slope *= factor;
+  box.check();
   return box;
 }
 
-LoadedGrasp GraspBox::middle(const GraspDescription& description) const {
+GraspBox GraspBox::middle() const {
+  GraspBox box = *this;
+  for_each_number(box, [](const std::string& /*place*/, Interval& interval) {
+    interval = point_interval(interval.middle());
+  });
+  for (UncertainContact& c : box.contacts) c.slope = 0;
+  return box;
+}
+
+LoadedGrasp GraspBox::planar_middle(const GraspDescription& description) const {
+  require(!in_space(), "a box in the plane");
   std::vector<Contact> middles;
   middles.reserve(contacts.size());
   for (const UncertainContact& c : contacts) {
-    middles.push_back({{c.x.middle(), c.y.middle()},
-                       c.normal,
+    middles.push_back({{c.position[0].middle(), c.position[1].middle()},
+                       {c.normal[0], c.normal[1]},
                        c.friction.middle(),
                        c.stiffness.middle(),
                        c.preload.middle()});
   }
-  return {Grasp(std::move(middles), description), stickslip::middle(wrench)};
+  return {Grasp(std::move(middles), description), stickslip::planar_middle(wrench)};
 }
 
-Wrench middle(const WrenchBox& wrench) {
+Wrench planar_middle(const WrenchBox& wrench) {
   return {wrench[0].middle(), wrench[1].middle(), wrench[2].middle()};
 }
 
@@ -268,10 +272,8 @@ WrenchBox box_of(const Wrench& wrench) {
 }
 
 UncertainContact box_of(const Contact& contact) {
-  return {point_interval(contact.position.x),
-          point_interval(contact.position.y),
-          contact.normal,
-          0,
+  return {{point_interval(contact.position.x), point_interval(contact.position.y)},
+          {contact.normal.x, contact.normal.y},
           point_interval(contact.friction),
           point_interval(contact.stiffness),
           point_interval(contact.preload)};
@@ -289,8 +291,7 @@ GraspBox box_of(const LoadedGrasp& loaded) {
 
 bool needs_enclosure(const GraspBox& box) {
   return std::any_of(box.contacts.begin(), box.contacts.end(), [](const UncertainContact& c) {
-    const Vector2& n = c.normal;
-    return !c.preload.high.is_zero() && !exact_sqrt(n.x * n.x + n.y * n.y);
+    return !c.preload.high.is_zero() && !exact_sqrt(dot(c.normal, c.normal));
   });
 }
 

@@ -172,20 +172,19 @@ bool is_certain(const WrittenContact& c) {
   return certain;
 }
 
-/// Its intervals, if it has any; checked, with errors at `path`.
-std::optional<UncertainContact> uncertain_of(const WrittenContact& c, const std::string& path) {
-  if (is_certain(c)) return std::nullopt;
+/// Its intervals; checked, with errors at `path`.
+UncertainContact uncertain_of(const WrittenContact& c, bool in_space, const std::string& path) {
   const auto ends = [](const std::optional<WrittenNumber>& number, int otherwise) {
     return number ? number->ends() : point_interval(otherwise);
   };
-  UncertainContact contact{c.x.ends(),
-                           c.y.ends(),
-                           c.normal,
-                           c.slope.value_or(0),
-                           ends(c.own.friction, 0),
-                           ends(c.own.stiffness, 1),
-                           ends(c.own.preload, 0)};
-  check_uncertain(contact, path);
+  UncertainContact contact{{c.x.ends(), c.y.ends()}, {c.normal.x, c.normal.y},
+                           ends(c.own.friction, 0),  ends(c.own.stiffness, 1),
+                           ends(c.own.preload, 0),   c.slope.value_or(0)};
+  if (in_space) {
+    contact.position.push_back(c.z.ends());
+    contact.normal.push_back(c.normal_z);
+  }
+  check_contact(contact, path);
   return contact;
 }
 
@@ -197,7 +196,7 @@ Properties read_defaults(const JsonNode& root, IntervalReader& read) {
   probe.normal = {1, 0};
   probe.own = read_properties(*node, "defaults", read);
   // The requirements on values are Grasp's own, even where no contact uses the default.
-  uncertain_of(probe, "defaults");
+  if (!is_certain(probe)) uncertain_of(probe, false, "defaults");
   try {
     const Grasp grasp({middle_of(probe)});
   } catch (const InputError& error) {
@@ -267,14 +266,13 @@ void check_members(const JsonNode& root, bool version2) {
 }
 
 /// The load; of cases, what is common to them.
-template <std::size_t n>
-LoadBox<n> read_whole_load(const JsonNode& root, IntervalReader& read,
-                           const std::string& remedy) {
-  const std::optional<LoadBox<n>> load = read_load<n>(root, "", read);
+WrenchBox read_whole_load(const JsonNode& root, bool in_space, IntervalReader& read,
+                          const std::string& remedy) {
+  const std::optional<WrenchBox> load = read_load(root, "", in_space, read);
   if (!load && root.find("cases") == nullptr) {
     fail_at("", "the key \"wrench\" is missing", remedy);
   }
-  return load.value_or(LoadBox<n>{});
+  return load.value_or(WrenchBox(in_space ? 6 : 3));
 }
 
 /// Gives contacts with a place on the outline their position and normal.
@@ -385,13 +383,13 @@ GraspFile StreamedGrasp::finish(const JsonNode& grasp, Intervals intervals) {
   }
   IntervalReader read(first_interval_);
   const Properties defaults = read_defaults(grasp, read);
-  const WrenchBox wrench = read_whole_load<2>(grasp, read,
-                                              std::string("add \"wrench\": [x, y, torque]") +
-                                                  (version2 ? " or \"loads\": [...]" : "") +
-                                                  "; no load is [0, 0, 0]");
+  const WrenchBox wrench =
+      read_whole_load(grasp, false, read,
+                      std::string("add \"wrench\": [x, y, torque]") +
+                          (version2 ? " or \"loads\": [...]" : "") + "; no load is [0, 0, 0]");
   GraspFile file;
-  for (ReadCase<2>& one : read_cases<2>(grasp, wrench, read)) {
-    file.cases.push_back({std::move(one.name), middle(one.load), std::nullopt});
+  for (ReadCase& one : read_cases(grasp, wrench, read)) {
+    file.cases.push_back({std::move(one.name), planar_middle(one.load), std::nullopt});
     if (is_uncertain(one.load)) file.cases.back().box = one.load;
   }
   std::vector<Polygon> outline = read_outline(grasp);
@@ -405,7 +403,7 @@ GraspFile StreamedGrasp::finish(const JsonNode& grasp, Intervals intervals) {
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     WrittenContact& contact = contacts_[i];
     if (!is_certain(contact)) {
-      uncertain.emplace_back(i, *uncertain_of(contact, element_path("contacts", i)));
+      uncertain.emplace_back(i, uncertain_of(contact, false, element_path("contacts", i)));
     }
     if (!contact.own.stiffness) file.assumed_stiffness.emplace_back(i);
     contacts.push_back(middle_of(std::move(contact)));
@@ -414,7 +412,7 @@ GraspFile StreamedGrasp::finish(const JsonNode& grasp, Intervals intervals) {
   file.content = {
       Grasp(std::move(contacts),
             GraspDescription{read_name(grasp), std::move(outline), read_units(grasp)}),
-      middle(wrench)};
+      planar_middle(wrench)};
   if (uncertain.empty() && !is_uncertain(wrench)) return file;
   file.box = box_of(file.content);
   file.box->wrench = wrench;
@@ -432,32 +430,27 @@ SpatialGrasp StreamedGrasp::finish_in_space(const JsonNode& grasp, Intervals int
   IntervalReader read(first_interval_);
   const Properties defaults = read_defaults(grasp, read);
   SpatialGrasp result;
-  result.wrench = read_whole_load<3>(
-      grasp, read,
+  GraspBox& box = result.box;
+  box.wrench = read_whole_load(
+      grasp, true, read,
       "add \"wrench\": [force x, y, z, torque x, y, z] or \"loads\": [...]; no load is [0, 0, "
       "0, 0, 0, 0]");
-  for (ReadCase<3>& one : read_cases<3>(grasp, result.wrench, read)) {
+  for (ReadCase& one : read_cases(grasp, box.wrench, read)) {
     result.cases.push_back({std::move(one.name), one.load});
   }
   fill_in(contacts_, defaults);
   refuse_intervals(first_interval_, version2, intervals);
   for (const WrittenContact& c : contacts_) {
-    const auto ends = [](const std::optional<WrittenNumber>& number, int otherwise) {
-      return number ? number->ends() : point_interval(otherwise);
-    };
-    if (!c.own.stiffness) result.assumed_stiffness.emplace_back(result.contacts.size());
-    result.contacts.push_back({{c.x.ends(), c.y.ends(), c.z.ends()},
-                               {c.normal.x, c.normal.y, c.normal_z},
-                               ends(c.own.friction, 0),
-                               ends(c.own.stiffness, 1),
-                               ends(c.own.preload, 0)});
+    const std::size_t i = box.contacts.size();
+    if (!c.own.stiffness) result.assumed_stiffness.emplace_back(i);
+    box.contacts.push_back(uncertain_of(c, true, element_path("contacts", i)));
   }
   contacts_.clear();
   // The requirements on units are Grasp's own.
   const Grasp described({}, GraspDescription{read_name(grasp), {}, read_units(grasp)});
   result.name = described.name();
   result.units = described.description().units;
-  check(result);
+  box.check();
   return result;
 }
 

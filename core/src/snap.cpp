@@ -171,6 +171,22 @@ std::optional<std::pair<Vector3, std::string>> snapped(const Vector3& n,
   return std::pair(u, std::move(moved));
 }
 
+const Vector2& normal_of(const Contact& c) {
+  return c.normal;
+}
+
+Vector3 normal_of(const UncertainContact& c) {
+  return vector3(c.normal);
+}
+
+void set_normal(Contact& c, const Vector2& n) {
+  c.normal = n;
+}
+
+void set_normal(UncertainContact& c, const Vector3& n) {
+  c.normal.assign(n.begin(), n.end());
+}
+
 /// Of contacts of the plane or of space.
 template <class Contact>
 auto snap_contacts(std::vector<Contact>& contacts, const Rational& tolerance) {
@@ -178,12 +194,12 @@ auto snap_contacts(std::vector<Contact>& contacts, const Rational& tolerance) {
     throw InputError("", "within", "the value is " + to_string(tolerance),
                      "it must lie between 0 and 1, such as 1e-9");
   }
-  std::vector<SnappedNormalOf<decltype(Contact::normal)>> result;
+  std::vector<SnappedNormalOf<std::decay_t<decltype(normal_of(contacts[0]))>>> result;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    auto& normal = contacts[i].normal;
-    if (auto found = snapped(normal, tolerance)) {
-      result.push_back({ContactId(i), normal, found->first, std::move(found->second)});
-      normal = std::move(found->first);
+    if (auto found = snapped(normal_of(contacts[i]), tolerance)) {
+      result.push_back(
+          {ContactId(i), normal_of(contacts[i]), found->first, std::move(found->second)});
+      set_normal(contacts[i], found->first);
     }
   }
   return result;
@@ -199,7 +215,7 @@ SnapResult snap_normals(const Grasp& grasp, const Rational& tolerance) {
 
 SpatialSnapResult snap_normals(const SpatialGrasp& grasp, const Rational& tolerance) {
   SpatialSnapResult result{grasp, {}};
-  result.snapped = snap_contacts(result.grasp.contacts, tolerance);
+  result.snapped = snap_contacts(result.grasp.box.contacts, tolerance);
   return result;
 }
 

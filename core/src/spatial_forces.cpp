@@ -11,7 +11,7 @@ Vector3 displacement(const Vector3& point, const Vector6& d) {
   return moved;
 }
 
-std::vector<SpatialForce> forces_of(const SpatialGrasp& grasp, const Vector6& d,
+std::vector<SpatialForce> forces_of(const GraspBox& grasp, const Vector6& d,
                                     const std::vector<std::pair<ContactId, Vector3>>& shares) {
   std::vector<SpatialForce> forces(grasp.contacts.size());
   const auto root = [](const Rational& square) {
@@ -20,16 +20,17 @@ std::vector<SpatialForce> forces_of(const SpatialGrasp& grasp, const Vector6& d,
     return *length;
   };
   for (std::size_t i = 0; i < forces.size(); ++i) {
-    const SpatialContact& c = grasp.contacts[i];
-    const Rational square = dot(c.normal, c.normal);
+    const UncertainContact& c = grasp.contacts[i];
+    const Vector3 n = vector3(c.normal);
+    const Rational square = dot(n, n);
     const Vector3 moved =
         displacement({c.position[0].low, c.position[1].low, c.position[2].low}, d);
-    const Rational rise = dot(c.normal, moved) / square;
+    const Rational rise = dot(n, moved) / square;
     SpatialForce& force = forces[i];
     force.normal = -c.stiffness.low * rise;
     if (!c.preload.low.is_zero()) force.normal += c.preload.low / root(square);
     if (force.normal.sign() < 0) force.normal = 0;
-    for (std::size_t j = 0; j < 3; ++j) force.slip[j] = moved[j] - rise * c.normal[j];
+    for (std::size_t j = 0; j < 3; ++j) force.slip[j] = moved[j] - rise * n[j];
     const Rational slip_square = dot(force.slip, force.slip);
     const Rational most = c.friction.low * force.normal;
     if (slip_square.is_zero() || most.is_zero()) continue;

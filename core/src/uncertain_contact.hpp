@@ -13,13 +13,8 @@ namespace stickslip::core_detail {
 /// Throws InputError naming `place` if the ends are exchanged.
 void check_ends(const Interval& interval, const std::string& place);
 
-/// mu >= 0, k > 0 and P >= 0 on all of the intervals. Throws InputError naming
-/// "<path>.<member>".
-void check_laws(const Interval& friction, const Interval& stiffness, const Interval& preload,
-                const std::string& path);
-
 /// The requirements stated at UncertainContact. Throws InputError naming "<path>.<member>".
-void check_uncertain(const UncertainContact& contact, const std::string& path);
+void check_contact(const UncertainContact& contact, const std::string& path);
 
 /// Runs a check of what was widened by these tolerances. If a law breaks that an absolute
 /// tolerance of 1 or more has widened, its InputError asks whether percents were meant.

@@ -31,13 +31,6 @@ std::string write_number(const Rational& value) {
   return plain ? text : "\"" + text + "\"";
 }
 
-std::string write_numbers(std::initializer_list<const Rational*> values) {
-  std::string text;
-  for (const Rational* value : values)
-    text += (text.empty() ? "[" : ", ") + write_number(*value);
-  return text + "]";
-}
-
 template <class Entry, class Write>
 std::string write_list(const std::vector<Entry>& entries, const char* separator, Write write) {
   std::string text;
@@ -46,7 +39,9 @@ std::string write_list(const std::vector<Entry>& entries, const char* separator,
 }
 
 std::string write_polygon(const Polygon& polygon) {
-  const auto write_vertex = [](const Vector2& v) { return write_numbers({&v.x, &v.y}); };
+  const auto write_vertex = [](const Vector2& v) {
+    return write_list(std::vector{v.x, v.y}, ", ", write_number);
+  };
   return write_list(polygon, ", ",
                     [&](const Ring& ring) { return write_list(ring, ", ", write_vertex); });
 }
@@ -57,20 +52,13 @@ std::string write_interval(const Interval& interval) {
          ", \"max\": " + write_number(interval.high) + "}";
 }
 
-template <std::size_t N>
-std::string write_intervals(const std::array<Interval, N>& intervals) {
-  std::string text;
-  for (const Interval& interval : intervals) {
-    text += (text.empty() ? "[" : ", ") + write_interval(interval);
-  }
-  return text + "]";
+std::string write_intervals(const std::vector<Interval>& intervals) {
+  return write_list(intervals, ", ", write_interval);
 }
 
 /// Of a case, what its load adds to the common one.
-template <std::size_t N>
-std::array<Interval, N> own_load(std::array<Interval, N> load,
-                                 const std::array<Interval, N>& common) {
-  for (std::size_t j = 0; j < N; ++j) {
+WrenchBox own_load(WrenchBox load, const WrenchBox& common) {
+  for (std::size_t j = 0; j < load.size(); ++j) {
     load[j].low -= common[j].low;
     load[j].high -= common[j].high;
   }
@@ -78,19 +66,19 @@ std::array<Interval, N> own_load(std::array<Interval, N> load,
 }
 
 std::string write_normal(const UncertainContact& c) {
-  const std::string direction = write_numbers({&c.normal.x, &c.normal.y});
+  const std::string direction = write_list(c.normal, ", ", write_number);
   if (c.slope.is_zero()) return direction;
   return "{\"direction\": " + direction + ", \"slope\": " + write_number(c.slope) + "}";
 }
 
-/// `place` is its position and its normal. Without a stiffness if that is assumed.
-template <class AnyContact>
-std::string write_contact(const std::pair<std::string, std::string>& place, const AnyContact& c,
-                          std::size_t i, const std::vector<ContactId>& assumed_stiffness) {
+/// Without a stiffness if that is assumed.
+std::string write_contact(const UncertainContact& c, std::size_t i,
+                          const std::vector<ContactId>& assumed_stiffness) {
   const bool assumed =
       std::binary_search(assumed_stiffness.begin(), assumed_stiffness.end(), ContactId(i));
-  return std::string(i == 0 ? "\n" : ",\n") + "  {\"position\": " + place.first +
-         ", \"normal\": " + place.second + ", \"friction\": " + write_interval(c.friction) +
+  return std::string(i == 0 ? "\n" : ",\n") +
+         "  {\"position\": " + write_intervals(c.position) +
+         ", \"normal\": " + write_normal(c) + ", \"friction\": " + write_interval(c.friction) +
          (assumed ? "" : ", \"stiffness\": " + write_interval(c.stiffness)) +
          ", \"preload\": " + write_interval(c.preload) + "}";
 }
@@ -108,9 +96,8 @@ std::string write_head(const char* format, const std::string& name,
 }
 
 /// What stands behind the contacts; the cases have a name and a load, which load_of() gives.
-template <std::size_t N, class Case, class Load>
-std::string write_loads(const std::array<Interval, N>& common, const std::vector<Case>& cases,
-                        Load load_of) {
+template <class Case, class Load>
+std::string write_loads(const WrenchBox& common, const std::vector<Case>& cases, Load load_of) {
   std::string text = "],\n \"wrench\": " + write_intervals(common);
   const char* separator = ",\n \"cases\": [\n";
   for (const Case& one : cases) {
@@ -146,8 +133,7 @@ std::string write_grasp_file(const GraspFile& file) {
   text += " \"contacts\": [";
   for (std::size_t i = 0; i < grasp.size(); ++i) {
     const UncertainContact c = file.box ? file.box->contacts[i] : box_of(grasp.contacts()[i]);
-    text += write_contact({write_intervals(std::array{c.x, c.y}), write_normal(c)}, c, i,
-                          file.assumed_stiffness);
+    text += write_contact(c, i, file.assumed_stiffness);
   }
   return text + write_loads(file.box ? file.box->wrench : box_of(file.content.wrench),
                             file.cases, [](const NamedLoad& load) {
@@ -155,15 +141,20 @@ std::string write_grasp_file(const GraspFile& file) {
                             });
 }
 
+std::string write_grasp(const GraspBox& box, const GraspDescription& description) {
+  if (box.in_space())
+    return write_grasp_file(SpatialGrasp{description.name, description.units, box});
+  GraspFile file{box.planar_middle(description)};
+  if (!box.is_point()) file.box = box;
+  return write_grasp_file(file);
+}
+
 std::string write_grasp_file(const SpatialGrasp& grasp) {
   std::string text = write_head(kVersion2, grasp.name, grasp.units) + " \"contacts\": [";
-  for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
-    const SpatialContact& c = grasp.contacts[i];
-    text += write_contact({write_intervals(c.position),
-                           write_numbers({&c.normal[0], &c.normal[1], &c.normal[2]})},
-                          c, i, grasp.assumed_stiffness);
+  for (std::size_t i = 0; i < grasp.box.contacts.size(); ++i) {
+    text += write_contact(grasp.box.contacts[i], i, grasp.assumed_stiffness);
   }
-  return text + write_loads(grasp.wrench, grasp.cases,
+  return text + write_loads(grasp.box.wrench, grasp.cases,
                             [](const SpatialCase& one) { return one.wrench; });
 }
 

@@ -16,7 +16,7 @@ WrenchBox wrench_asked(const GraspFile& file, const QuestionOptions& options) {
     throw InputError("", "case", "a wrench is given as well", "give one of them");
   }
   if (options.wrench) return box_of(*options.wrench);
-  if (!name && options.direction) return {};
+  if (!name && options.direction) return box_of(Wrench{});
   if (!name && file.cases.empty()) {
     return file.box ? file.box->wrench : box_of(file.content.wrench);
   }
@@ -29,13 +29,6 @@ WrenchBox wrench_asked(const GraspFile& file, const QuestionOptions& options) {
 bool all_zero(const std::vector<Rational>& values) {
   return std::all_of(values.begin(), values.end(),
                      [](const Rational& value) { return value.is_zero(); });
-}
-
-bool has_irrational_preload(const GraspBox& box) {
-  return std::any_of(box.contacts.begin(), box.contacts.end(), [](const UncertainContact& c) {
-    return c.preload.high.sign() > 0 &&
-           !exact_sqrt(c.normal.x * c.normal.x + c.normal.y * c.normal.y);
-  });
 }
 
 bool has_irrational_preload(const Grasp& grasp) {
@@ -61,8 +54,8 @@ void enclose(Question& question, std::optional<GraspBox> of_file, const WrenchBo
   }
   box.wrench = wrench;
   box = box.widened(question.uncertain);
-  if (box.is_point() && !has_irrational_preload(box)) return;
-  question.loaded = box.middle(question.loaded.grasp.description());
+  if (box.is_point() && !needs_enclosure(box)) return;
+  question.loaded = box.planar_middle(question.loaded.grasp.description());
   if (!(wrench == box_of(question.loaded.wrench))) question.uncertain_wrench = wrench;
   question.box = std::move(box);
 }
@@ -109,7 +102,7 @@ void require_growth(bool load_grows, const std::vector<Rational>& growth,
 
 Question ask(GraspFile file, const QuestionOptions& options) {
   const WrenchBox wrench = wrench_asked(file, options);
-  Question question{{std::move(file.content.grasp), middle(wrench)},
+  Question question{{std::move(file.content.grasp), planar_middle(wrench)},
                     options.law,
                     options.preload,
                     std::move(file.assumed_stiffness),

@@ -87,11 +87,11 @@ Json contacts_json(const Question& question) {
 
 Json contacts_json(const SpatialQuestion& question) {
   Json contacts = Json::array();
-  for (const SpatialContact& c : question.grasp.contacts) {
+  for (const UncertainContact& c : question.grasp.box.contacts) {
     Json position = Json::array();
     for (const Interval& x : c.position) position.push_back(to_double(x.middle()));
     contacts.push_back({{"position", std::move(position)},
-                        {"normal", unit(c.normal)},
+                        {"normal", unit(vector3(c.normal))},
                         {"friction", to_double(c.friction.middle())},
                         {"stiffness", to_double(c.stiffness.middle())},
                         {"preload", to_double(c.preload.middle())}});
@@ -105,7 +105,7 @@ Json load_json(const Question& question) {
 
 Json load_json(const SpatialQuestion& question) {
   Json json = Json::array();
-  for (const Interval& w : question.grasp.wrench) json.push_back(to_double(w.middle()));
+  for (const Interval& w : question.grasp.box.wrench) json.push_back(to_double(w.middle()));
   return json;
 }
 
@@ -134,7 +134,7 @@ Json near_json(const CaseAnswer& /*answer*/) {
 /// Of the grasp in the middle, with rational normals.
 Json near_json(const BoxAnswer& answer) {
   if (!std::holds_alternative<StableThroughout>(answer.decision.verdict)) return {};
-  LoadedGrasp middle = answer.question.box->middle();
+  LoadedGrasp middle = answer.question.box->planar_middle();
   middle.grasp = snap_normals(middle.grasp, Rational(1, 1000000000)).grasp;
   const Problem problem(middle, answer.question.law);
   const Verdict verdict = decide_by_cones(problem);
@@ -350,7 +350,7 @@ class PageAnswer {
   QuestionText along_the_load() const {
     std::vector<Rational> load;
     if (const auto* spatial = std::get_if<SpatialQuestion>(&question_)) {
-      for (const Interval& w : spatial->grasp.wrench) {
+      for (const Interval& w : spatial->grasp.box.wrench) {
         if (!w.is_point()) refuse_box();
         load.push_back(w.low);
       }
@@ -399,17 +399,17 @@ class PageAnswer {
   /// Coarse, and then finer.
   void map(Json& found) const {
     const Question& question = one_grasp(question_);
-    const LoadedGrasp& loaded = question.loaded;
-    if (loaded.wrench == Wrench{}) throw NotToBeHad{"there is no load to vary"};
-    const MapAxis x = parse_axis(loaded, "friction=0:2", "x");
-    const MapAxis y = parse_axis(loaded, "load=0:2", "y");
+    if (question.loaded.wrench == Wrench{}) throw NotToBeHad{"there is no load to vary"};
+    const AskedBox asked = asked_box(question);
+    const MapAxis x = parse_axis(asked.centre, "friction=0:2", "x");
+    const MapAxis y = parse_axis(asked.centre, "load=0:2", "y");
     MapOptions options;
     options.box.node_limit = limits_.node_limit;
     for (options.depth = kCoarsestMap; options.depth <= kFinestMap; ++options.depth) {
       std::vector<MapCell> cells;
-      map_verdicts(loaded, question.law, x, y, options,
+      map_verdicts(asked.centre, asked.law, x, y, options,
                    [&](MapCell cell) { cells.push_back(std::move(cell)); });
-      found = map_json(question, x, y, cells);
+      found = map_json(asked, x, y, cells);
     }
   }
 

@@ -44,7 +44,7 @@ void snap(AnyGraspFile& file) {
   planar->content.grasp = snapped.grasp;
   if (!planar->box) return;
   for (const SnappedNormal& normal : snapped.snapped) {
-    planar->box->contacts[normal.contact.index()].normal = normal.after;
+    planar->box->contacts[normal.contact.index()].normal = {normal.after.x, normal.after.y};
   }
 }
 

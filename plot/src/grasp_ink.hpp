@@ -76,7 +76,7 @@ Rational enlargement(const Rational& largest, const Rational& radius);
 
 /// \{ Throws as plot_grasp does.
 GraspInk grasp_ink(const Question& question, const Verdict& verdict);
-GraspInk spatial_ink(const SpatialQuestion& question, const SpatialVerdict& verdict);
+GraspInk spatial_ink(const SpatialQuestion& question, const BoxVerdict& verdict);
 /// \}
 
 }  // namespace stickslip::plot_detail

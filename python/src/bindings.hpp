@@ -18,6 +18,7 @@
 #include "stickslip/equilibrium/decide.hpp"
 #include "stickslip/equilibrium/model_warnings.hpp"
 #include "stickslip/equilibrium/question.hpp"
+#include "stickslip/space/spatial_question.hpp"
 
 namespace stickslip::python {
 
@@ -29,6 +30,7 @@ void bind_many(pybind11::module_& module);        ///< many.cpp
 void bind_batch(pybind11::module_& module);       ///< batch.cpp
 void bind_pictures(pybind11::module_& module);    ///< pictures.cpp
 void bind_space(pybind11::module_& module);       ///< space.cpp
+void bind_boxes(pybind11::module_& module);       ///< boxes.cpp
 
 /// What is asked about a grasp; None leaves the grasp's own value, or asks for no direction. A
 /// preload direction is a list, or any other object to scale. `which` of several follows the
@@ -69,6 +71,16 @@ pybind11::object preload_direction_of(const PreloadDirection& direction);
 
 /// ask(), with the remedy for a preloaded normal of irrational length in Python's words.
 Question question_of(const GraspFile& grasp, const QuestionOptions& options);
+
+/// \{ The question about a grasp of which `uncertain`, as in --uncertain, says what may be off;
+/// empty: nothing.
+Question question_in_box(const GraspFile& grasp, const pybind11::object& wrench,
+                         const pybind11::object& preload, bool bilateral,
+                         const std::string& uncertain);
+SpatialQuestion question_in_box(const SpatialGrasp& grasp, const pybind11::object& wrench,
+                                const pybind11::object& preload, bool bilateral,
+                                const std::string& uncertain);
+/// \}
 
 /// The certificate of a verdict; empty if undecided.
 std::string certificate_of(const Question& question, const Decision& decision);

@@ -3,8 +3,6 @@
 #include "exact.hpp"
 #include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/arrangement/slip_states.hpp"
-#include "stickslip/box/map.hpp"
-#include "stickslip/box/radius.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/certificate/proved_files.hpp"
 #include "stickslip/core/error.hpp"
@@ -12,7 +10,6 @@
 #include "stickslip/equilibrium/decide.hpp"
 #include "stickslip/equilibrium/margin.hpp"
 #include "stickslip/equilibrium/model_warnings.hpp"
-#include "stickslip/plot/map_plot.hpp"
 
 namespace stickslip::python {
 namespace {
@@ -203,144 +200,6 @@ py::dict find_grasp_margin(const GraspFile& grasp, const py::object& direction,
   return result;
 }
 
-/// The question about a grasp of which `uncertain`, as in --uncertain, says
-/// what may be off; may be nothing if `lengths` that are irrational are enough.
-Question box_question(const GraspFile& grasp, QuestionOptions asked,
-                      const std::string& uncertain, bool lengths = false) {
-  if (!uncertain.empty() || !lengths) asked.uncertain = parse_tolerances(uncertain);
-  require_load(grasp, asked);
-  Question question = ask(grasp, asked);
-  if (question.box && (lengths || !question.box->is_point())) return question;
-  refuse_certain();
-}
-
-py::dict decide_grasp_box(const GraspFile& grasp, const std::string& uncertain,
-                          const py::object& wrench, const py::object& preload, bool bilateral,
-                          std::size_t node_limit) {
-  struct Answer {
-    Question question;
-    BoxDecision decision;
-    std::vector<ProvedFiles> files;  ///< the proof, or two examples
-  };
-  const QuestionOptions asked = question_options(wrench, preload, bilateral);
-  const Answer answer = without_gil([&] {
-    Question question = box_question(grasp, asked, uncertain, true);
-    BoxOptions options;
-    options.node_limit = node_limit;
-    BoxDecision decision = decide_box(*question.box, question.law, options);
-    const GraspDescription& description = question.loaded.grasp.description();
-    std::vector<ProvedFiles> found;
-    if (const auto* fragile = std::get_if<Fragile<LoadedGrasp>>(&decision.verdict)) {
-      for (const bool stable : {true, false}) {
-        found.push_back(proved_grasp(stable ? fragile->stable : fragile->unstable, description,
-                                     question.law, stable, producer_of(kIntervalsEngine)));
-      }
-    } else if (!std::holds_alternative<Undecided>(decision.verdict)) {
-      found.push_back(proved_box(*question.box, description, question.law, decision,
-                                 producer_of(kIntervalsEngine)));
-    }
-    return Answer{std::move(question), std::move(decision), std::move(found)};
-  });
-  py::dict result = box_fields(answer.question, name_of(answer.decision.verdict));
-  result["engine"] = kIntervalsEngine;
-  add_files(result, answer.files);
-  if (const auto* undecided = std::get_if<Undecided>(&answer.decision.verdict)) {
-    add_undecided(result, *undecided);
-  }
-  result["stats"] = stats(answer.decision.work);
-  return result;
-}
-
-py::dict find_grasp_radius(const GraspFile& grasp, const std::string& uncertain,
-                           const py::object& wrench, const py::object& preload, bool bilateral,
-                           const py::object& accuracy, std::size_t node_limit) {
-  struct Answer {
-    Question question;
-    Radius radius;
-    std::vector<ProvedFiles> files;  ///< the proof, and the counterexample if there is one
-  };
-  const QuestionOptions asked = question_options(wrench, preload, bilateral);
-  RadiusOptions options;
-  options.box.node_limit = node_limit;
-  options.accuracy = exact(accuracy, "accuracy");
-  if (options.accuracy.sign() <= 0 || options.accuracy >= 1) {
-    throw InputError("", "accuracy", "the value is " + to_string(options.accuracy),
-                     "it is a part of the radius: give more than 0 and less than 1");
-  }
-  const Answer answer = without_gil([&] {
-    Question question = box_question(grasp, asked, uncertain);
-    Radius radius = find_radius(question.loaded, *question.box, question.law, options);
-    std::vector<ProvedFiles> found;
-    if (radius.stable) found = proved_radius(question, radius, producer_of(kIntervalsEngine));
-    return Answer{std::move(question), std::move(radius), std::move(found)};
-  });
-  const Radius& radius = answer.radius;
-  py::dict result = box_fields(answer.question, !radius.stable   ? "undecided"
-                                                : *radius.stable ? "stable"
-                                                                 : "unstable");
-  result["proved"] = fraction(radius.proved);
-  result["limit"] = fraction(radius.limit);
-  if (!answer.files.empty()) result["proof"] = files(answer.files[0]);
-  if (radius.refuted) {
-    result["refuted"] = fraction(*radius.refuted);
-    result["counterexample"] = files(answer.files[1]);
-  }
-  return result;
-}
-
-/// The arguments of results.MapCell, but the proof's law.
-py::tuple map_cell(const MapCell& cell, const std::optional<ProvedFiles>& proof) {
-  const auto ends = [](const Interval& interval) {
-    return fractions(interval.low, interval.high);
-  };
-  return py::make_tuple(ends(cell.x), ends(cell.y), name_of(cell.decision.verdict),
-                        proof ? py::object(files(*proof)) : py::object(py::none()));
-}
-
-py::dict map_grasp(const GraspFile& grasp, const std::string& x_text, const std::string& y_text,
-                   const py::object& wrench, const py::object& preload, bool bilateral,
-                   unsigned depth, std::size_t node_limit, bool proofs) {
-  struct Answer {
-    Question question;
-    std::vector<MapCell> cells;
-    std::vector<std::optional<ProvedFiles>> files;  ///< by cell
-    std::string picture;
-  };
-  const QuestionOptions asked = question_options(wrench, preload, bilateral);
-  const Answer answer = without_gil([&] {
-    require_load(grasp, asked);
-    Answer found{ask(grasp, asked), {}, {}, {}};
-    const LoadedGrasp& loaded = found.question.loaded;
-    problem_of(found.question);  // refuses what is a box already
-    const MapAxis x = parse_axis(loaded, x_text, "x");
-    const MapAxis y = parse_axis(loaded, y_text, "y");
-    MapOptions options;
-    options.depth = depth;
-    options.box.node_limit = node_limit;
-    map_verdicts(loaded, found.question.law, x, y, options, [&](MapCell cell) {
-      const bool proved = !std::holds_alternative<Undecided>(cell.decision.verdict);
-      found.files.emplace_back();
-      if (proofs && proved) {
-        found.files.back() =
-            proved_box(box_of_cell(loaded, x, y, cell.x, cell.y), loaded.grasp.description(),
-                       found.question.law, cell.decision, producer_of(kIntervalsEngine));
-      }
-      found.cells.push_back(std::move(cell));
-    });
-    found.picture = plot_map(loaded.grasp.name(), x, y, found.cells);
-    return found;
-  });
-  py::tuple cells(answer.cells.size());
-  for (std::size_t k = 0; k < cells.size(); ++k) {
-    cells[k] = map_cell(answer.cells[k], answer.files[k]);
-  }
-  py::dict result("cells"_a = cells, "picture"_a = answer.picture,
-                  "normal_law"_a = to_string(answer.question.law),
-                  "wrench"_a = fractions(answer.question.loaded.wrench));
-  if (answer.question.preload) result["preload"] = fraction(*answer.question.preload);
-  return result;
-}
-
 }  // namespace
 
 py::object preload_direction_of(const PreloadDirection& direction) {
@@ -489,13 +348,19 @@ Question question_of(const GraspFile& grasp, const QuestionOptions& options) {
   return question;
 }
 
+Question question_in_box(const GraspFile& grasp, const py::object& wrench,
+                         const py::object& preload, bool bilateral,
+                         const std::string& uncertain) {
+  QuestionOptions asked = question_options(wrench, preload, bilateral);
+  if (!uncertain.empty()) asked.uncertain = parse_tolerances(uncertain);
+  require_load(grasp, asked);
+  return ask(grasp, asked);
+}
+
 void bind_questions(py::module_& module) {
   module.def("decide", &decide_grasp);
   module.def("slip_states", &slip_states);
   module.def("margin", &find_grasp_margin);
-  module.def("decide_box", &decide_grasp_box);
-  module.def("radius", &find_grasp_radius);
-  module.def("stability_map", &map_grasp);
 }
 
 }  // namespace stickslip::python

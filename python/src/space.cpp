@@ -32,8 +32,8 @@ std::array<Rational, N> exact_array(const py::list& values, const std::string& n
   return result;
 }
 
-SpatialWrench certain(const Vector6& wrench) {
-  SpatialWrench result;
+WrenchBox certain(const Vector6& wrench) {
+  WrenchBox result(6);
   for (std::size_t j = 0; j < 6; ++j) result[j] = point_interval(wrench[j]);
   return result;
 }
@@ -61,15 +61,16 @@ SpatialGrasp make_grasp(const py::list& positions, const py::list& normals,
   SpatialGrasp grasp;
   for (std::size_t i = 0; i < m; ++i) {
     const Vector3 p = row_of(positions, i, "positions");
-    grasp.contacts.push_back(
+    const Vector3 n = row_of(normals, i, "normals");
+    grasp.box.contacts.push_back(
         {{point_interval(p[0]), point_interval(p[1]), point_interval(p[2])},
-         row_of(normals, i, "normals"),
+         {n.begin(), n.end()},
          point_interval(frictions[i]),
          point_interval(stiffnesses[i]),
          point_interval(preloads[i])});
     if (assumed_stiffness) grasp.assumed_stiffness.emplace_back(i);
   }
-  grasp.wrench = certain(exact_array<6>(wrench, "wrench"));
+  grasp.box.wrench = certain(exact_array<6>(wrench, "wrench"));
   for (const py::handle entry : cases) {
     const auto named = entry.cast<py::tuple>();
     const auto case_name = named[0].cast<std::string>();
@@ -80,7 +81,7 @@ SpatialGrasp make_grasp(const py::list& positions, const py::list& normals,
   const Grasp described({}, GraspDescription{name, {}, units_from(units)});
   grasp.name = described.name();
   grasp.units = described.description().units;
-  check(grasp);
+  grasp.box.check();
   return grasp;
 }
 
@@ -104,11 +105,11 @@ py::tuple fractions_of(const Values& values) {
 /// One value a contact.
 template <class Value>
 auto by_contact(Value value) {
-  return [value](const SpatialGrasp& grasp) { return tuple_of(grasp.contacts, value); };
+  return [value](const SpatialGrasp& grasp) { return tuple_of(grasp.box.contacts, value); };
 }
 
-auto scalars(Interval SpatialContact::*member) {
-  return by_contact([member](const SpatialContact& c) { return fraction((c.*member).low); });
+auto scalars(Interval UncertainContact::*member) {
+  return by_contact([member](const UncertainContact& c) { return fraction((c.*member).low); });
 }
 
 /// What the options of the plane say in space, with these wrenches of six numbers.
@@ -136,20 +137,17 @@ SpatialQuestion question_of(const SpatialGrasp& grasp, const SpatialOptions& ask
 }
 
 SpatialQuestion question_of(const SpatialGrasp& grasp, const py::object& wrench,
-                            const py::object& preload, bool bilateral,
-                            const std::string& uncertain = "") {
-  SpatialOptions asked = options_of(wrench, question_options(py::none(), preload, bilateral));
-  if (!uncertain.empty()) asked.uncertain = parse_tolerances(uncertain);
-  return question_of(grasp, asked);
+                            const py::object& preload, bool bilateral) {
+  return question_of(grasp,
+                     options_of(wrench, question_options(py::none(), preload, bilateral)));
 }
 
 constexpr const char* kEngine = "space";
 
 struct Answer {
   SpatialQuestion question;
-  SpatialDecision decision;
-  std::string certificate;         ///< empty if there is none
-  std::vector<ProvedFiles> files;  ///< of a box that was asked for: the proof, or two examples
+  BoxDecision decision;
+  std::string certificate;  ///< empty if there is none
 };
 
 /// In an answer; nothing if no equilibrium is known in fractions.
@@ -159,16 +157,16 @@ const SpatialWitness* witness_of(const Answer& answer) {
 }
 
 std::vector<SpatialForce> forces_in(const Answer& answer, const SpatialWitness& witness) {
-  return forces_of(answer.question.grasp, witness.twist, witness.shares);
+  return forces_of(answer.question.grasp.box, witness.twist, witness.shares);
 }
 
 /// The fields that all answers have in common.
 py::dict fields_of(const Answer& answer) {
   const SpatialQuestion& question = answer.question;
-  const SpatialDecision& decision = answer.decision;
+  const BoxDecision& decision = answer.decision;
   py::dict result("verdict"_a = name_of(decision.verdict), "engine"_a = kEngine,
                   "normal_law"_a = to_string(question.law),
-                  "wrench"_a = tuple_of(question.grasp.wrench, [](const Interval& w) {
+                  "wrench"_a = tuple_of(question.grasp.box.wrench, [](const Interval& w) {
                     return fraction(w.middle());
                   }));
   if (question.preload) result["preload"] = fraction(*question.preload);
@@ -180,28 +178,10 @@ py::dict fields_of(const Answer& answer) {
 }
 
 Answer answer_to(SpatialQuestion question, std::size_t node_limit) {
-  SpatialSearchOptions options;
+  BoxOptions options;
   options.node_limit = node_limit;
-  SpatialDecision decision = decide(question, options);
-  return {std::move(question), std::move(decision), {}, {}};
-}
-
-/// With files of its own, as in the plane.
-Answer answer_to_box(SpatialQuestion question, std::size_t node_limit) {
-  Answer answer = answer_to(std::move(question), node_limit);
-  const NormalLaw law = answer.question.law;
-  const SpatialVerdict& verdict = answer.decision.verdict;
-  if (const auto* fragile = std::get_if<Fragile<SpatialGrasp>>(&verdict)) {
-    answer.files = {proved_grasp(fragile->stable, law, true, producer_of(kEngine)),
-                    proved_grasp(fragile->unstable, law, false, producer_of(kEngine))};
-  } else if (!std::holds_alternative<Undecided>(verdict)) {
-    SpatialOptions as_it_stands;
-    as_it_stands.law = law;
-    const SpatialQuestion proved = ask(answer.question.grasp, as_it_stands);
-    answer.files = {{write_grasp_file(proved.grasp),
-                     spatial_certificate_text(proved, answer.decision, producer_of(kEngine))}};
-  }
-  return answer;
+  BoxDecision decision = decide(question, options);
+  return {std::move(question), std::move(decision), {}};
 }
 
 void refuse_engine(const std::string& engine) {
@@ -211,7 +191,7 @@ void refuse_engine(const std::string& engine) {
 }
 
 void add_certificate(Answer& answer) {
-  const SpatialVerdict& verdict = answer.decision.verdict;
+  const BoxVerdict& verdict = answer.decision.verdict;
   if (std::holds_alternative<StableThroughout>(verdict) ||
       std::holds_alternative<UnstableThroughout>(verdict)) {
     answer.certificate =
@@ -256,18 +236,6 @@ py::dict decide_grasp(const SpatialGrasp& grasp, const py::object& wrench,
   return result;
 }
 
-py::dict decide_box(const SpatialGrasp& grasp, const std::string& uncertain,
-                    const py::object& wrench, const py::object& preload, bool bilateral,
-                    std::size_t node_limit) {
-  SpatialQuestion question = question_of(grasp, wrench, preload, bilateral, uncertain);
-  if (!question.is_box) refuse_certain();
-  const Answer answer =
-      without_gil([&] { return answer_to_box(std::move(question), node_limit); });
-  py::dict result = fields_of(answer);
-  add_files(result, answer.files);
-  return result;
-}
-
 py::dict find_grasp_margin(const SpatialGrasp& grasp, const py::object& direction,
                            const py::object& wrench, const py::object& preload,
                            const py::object& preload_direction, bool bilateral,
@@ -299,7 +267,7 @@ py::dict find_grasp_margin(const SpatialGrasp& grasp, const py::object& directio
   };
   py::dict result("resisted"_a = pairs(margin.resisted()),
                   "refuted"_a = pairs(margin.refuted()),
-                  "wrench"_a = lows(question.grasp.wrench),
+                  "wrench"_a = lows(question.grasp.box.wrench),
                   "normal_law"_a = to_string(question.law), "certificate"_a = certificate,
                   "warnings"_a = warning_fields(traps), "stats"_a = stats(margin.work));
   result["direction"] = question.direction ? py::object(fractions_of(*question.direction))
@@ -323,9 +291,9 @@ py::str spatial_picture(const SpatialGrasp& grasp, const py::object& wrench,
 
 SpatialGrasp with_friction(SpatialGrasp grasp, const std::vector<Rational>& friction) {
   for (std::size_t i = 0; i < friction.size(); ++i) {
-    grasp.contacts[i].friction = point_interval(friction[i]);
+    grasp.box.contacts[i].friction = point_interval(friction[i]);
   }
-  check(grasp);
+  grasp.box.check();
   return grasp;
 }
 
@@ -365,7 +333,7 @@ std::function<ManyAnswer()> spatial_question(const py::handle& given, const OneO
     ManyAnswer answer;
     answer.verdict = name_of(found->decision.verdict);
     answer.engine = kEngine;
-    for (const Interval& value : found->question.grasp.wrench) {
+    for (const Interval& value : found->question.grasp.box.wrench) {
       answer.wrench.push_back(to_double(value.low));
     }
     if (const auto* undecided = std::get_if<Undecided>(&found->decision.verdict)) {
@@ -385,23 +353,31 @@ std::function<ManyAnswer()> spatial_question(const py::handle& given, const OneO
   };
 }
 
+SpatialQuestion question_in_box(const SpatialGrasp& grasp, const py::object& wrench,
+                                const py::object& preload, bool bilateral,
+                                const std::string& uncertain) {
+  SpatialOptions asked = options_of(wrench, question_options(py::none(), preload, bilateral));
+  if (!uncertain.empty()) asked.uncertain = parse_tolerances(uncertain);
+  return question_of(grasp, asked);
+}
+
 void bind_space(py::module_& module) {
   py::class_<SpatialGrasp, std::shared_ptr<SpatialGrasp>>(module, "SpatialGraspData")
       .def(py::init(&make_grasp))
       .def("text", &text_of)
       .def("with_friction",
            [](const SpatialGrasp& g, const py::object& friction) {
-             return with_friction(g, numbers(friction, g.contacts.size(), "friction"));
+             return with_friction(g, numbers(friction, g.box.contacts.size(), "friction"));
            })
-      .def("size", [](const SpatialGrasp& g) { return g.contacts.size(); })
+      .def("size", [](const SpatialGrasp& g) { return g.box.contacts.size(); })
       .def("name", [](const SpatialGrasp& g) { return text(g.name); })
-      .def("positions", by_contact([](const SpatialContact& c) { return lows(c.position); }))
+      .def("positions", by_contact([](const UncertainContact& c) { return lows(c.position); }))
       .def("normals",
-           by_contact([](const SpatialContact& c) { return fractions_of(c.normal); }))
-      .def("friction", scalars(&SpatialContact::friction))
-      .def("stiffness", scalars(&SpatialContact::stiffness))
-      .def("preload", scalars(&SpatialContact::preload))
-      .def("wrench", [](const SpatialGrasp& g) { return lows(g.wrench); })
+           by_contact([](const UncertainContact& c) { return fractions_of(c.normal); }))
+      .def("friction", scalars(&UncertainContact::friction))
+      .def("stiffness", scalars(&UncertainContact::stiffness))
+      .def("preload", scalars(&UncertainContact::preload))
+      .def("wrench", [](const SpatialGrasp& g) { return lows(g.box.wrench); })
       .def("cases",
            [](const SpatialGrasp& g) {
              py::dict result;
@@ -420,7 +396,6 @@ void bind_space(py::module_& module) {
           &unpickled));
   module.def("parse_grasp", &parse);
   module.def("decide", &decide_grasp);
-  module.def("decide_box", &decide_box);
   module.def("margin", &find_grasp_margin);
   module.def("plot_grasp", &spatial_picture);
 }

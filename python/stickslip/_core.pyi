@@ -104,7 +104,7 @@ def decide_box(
     node_limit: int,
 ) -> Dict[str, Any]: ...
 def radius(
-    grasp: GraspData,
+    grasp: Union[GraspData, SpatialGraspData],
     uncertain: str,
     wrench: Optional[List[Any]],
     preload: Any,
@@ -113,7 +113,7 @@ def radius(
     node_limit: int,
 ) -> Dict[str, Any]: ...
 def stability_map(
-    grasp: GraspData,
+    grasp: Union[GraspData, SpatialGraspData],
     x: str,
     y: str,
     wrench: Optional[List[Any]],

@@ -211,7 +211,7 @@ def radius(
     about = _with_friction(grasp, friction)
     tolerances = as_uncertain(uncertain)
     result = _core.radius(
-        about._planar(), tolerances, about._load(wrench), as_number_or_none(preload, "preload"),
+        about._data, tolerances, about._load(wrench), as_number_or_none(preload, "preload"),
         is_bilateral(normal_law), as_number(accuracy, "accuracy"),
         as_count("node_limit", node_limit))
     return Radius(grasp=about, uncertain=tolerances,
@@ -242,7 +242,7 @@ def stability_map(
     """
     about = _with_friction(grasp, friction)
     result = _core.stability_map(
-        about._planar(), str(x), str(y), about._load(wrench),
+        about._data, str(x), str(y), about._load(wrench),
         as_number_or_none(preload, "preload"), is_bilateral(normal_law),
         as_count("depth", depth, 12), as_count("node_limit", node_limit), bool(proofs))
     law = result["normal_law"]

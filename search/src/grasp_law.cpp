@@ -15,7 +15,7 @@ using Geometry = std::array<Rational, 3>;
 CornerRow planar_row(const Geometry& at, const Vector3& n) {
   const auto as_row = [](const Wrench& w) { return RationalRow{w.x, w.y, w.torque}; };
   const auto& [x, y, turn] = at;
-  const Contact contact{{x, y}, turned({n[0], n[1]}, turn)};
+  const Contact contact{{x, y}, turned(RationalRow{n[0], n[1]}, turn)};
   CornerRow row{};
   row.normal = as_row(normal_row(contact));
   row.set_slip({as_row(tangent_row(contact))}, 1);
@@ -72,10 +72,12 @@ auto& interval_of(AnyContact& c, Parameter parameter) {
 
 }  // namespace
 
-template <class AnyContact>
-void GraspLaw::add_contact(const ContactPlace& place, const AnyContact& c, const Rational& rate,
-                           unsigned bits) {
+void GraspLaw::add_contact(const UncertainContact& c, const Rational& rate, unsigned bits) {
   LawContact& contact = contacts.emplace_back();
+  const bool in_space = motions == 6;
+  const Interval third = in_space ? c.position[2] : Interval{-c.slope, c.slope};
+  const Vector3 normal = in_space ? vector3(c.normal) : Vector3{c.normal[0], c.normal[1], 0};
+  const ContactPlace place{{c.position[0], c.position[1], third}, normal, {}};
   contact.place = place;
   contact.friction = c.friction;
   const Rational square = dot(place.normal, place.normal);
@@ -95,30 +97,20 @@ void GraspLaw::add_contact(const ContactPlace& place, const AnyContact& c, const
   add_corners(contact);
 }
 
-GraspLaw::GraspLaw(const GraspBox& box, NormalLaw normal_law, unsigned bits) {
-  wrench.assign(box.wrench.begin(), box.wrench.end());
-  growth.assign(motions, 0);
-  law = normal_law;
-  for (const UncertainContact& c : box.contacts) {
-    const ContactPlace place{{c.x, c.y, {-c.slope, c.slope}}, {c.normal.x, c.normal.y, 0}, {}};
-    add_contact(place, c, 0, bits);
-  }
-  complete();
-}
-
-GraspLaw::GraspLaw(const SpatialGrasp& box, NormalLaw normal_law, unsigned bits,
+GraspLaw::GraspLaw(const GraspBox& box, NormalLaw normal_law, unsigned bits,
                    const std::optional<SpatialGrowth>& margin) {
-  motions = 6;
-  first_rotation = 3;
-  wrench.assign(box.wrench.begin(), box.wrench.end());
+  if (box.in_space()) {
+    motions = 6;
+    first_rotation = 3;
+  }
+  wrench = box.wrench;
   law = normal_law;
   is_family = margin.has_value();
-  const SpatialGrowth grows = margin.value_or(SpatialGrowth{});
-  growth.assign(grows.load.begin(), grows.load.end());
+  growth.assign(motions, 0);
+  if (margin) growth.assign(margin->load.begin(), margin->load.end());
+  const bool preloads_grow = margin && !margin->preloads.empty();
   for (std::size_t i = 0; i < box.contacts.size(); ++i) {
-    const SpatialContact& c = box.contacts[i];
-    add_contact({c.position, c.normal, {}}, c,
-                grows.preloads.empty() ? Rational(0) : grows.preloads[i], bits);
+    add_contact(box.contacts[i], preloads_grow ? margin->preloads[i] : Rational(0), bits);
   }
   complete();
 }

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-#include "exact_witness.hpp"
+#include "stickslip/box/exact_witness.hpp"
 #include "spatial_law.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/degree/prove_stable.hpp"
@@ -405,13 +405,13 @@ class SpatialMarginSearch {
   }
 
   static std::vector<NearEquilibrium> equilibria_of(const GraspLaw& law) {
-    const RoundedGrasp grasp = rounded_middle(law);
-    return Newton(grasp).solve_from(kStarts);
+    const RoundedGrasp rounded = rounded_middle(law);
+    return Newton(rounded).solve_from(kStarts);
   }
   static std::optional<NearEquilibrium> polished(const GraspLaw& law,
                                                  const NearEquilibrium& near) {
-    const RoundedGrasp grasp = rounded_middle(law);
-    return Newton(grasp).polish(near);
+    const RoundedGrasp rounded = rounded_middle(law);
+    return Newton(rounded).polish(near);
   }
 
   Member member(const Rational& multiple, const NearEquilibrium& near) const {

@@ -14,7 +14,7 @@ inline GraspLaw law_of(const SpatialQuestion& question, unsigned bits) {
   if (question.is_margin()) {
     growth = SpatialGrowth{question.direction.value_or(Vector6{}), question.preload_growth};
   }
-  return GraspLaw(question.grasp, question.law, bits, growth);
+  return GraspLaw(question.grasp.box, question.law, bits, growth);
 }
 
 }  // namespace stickslip::space_detail

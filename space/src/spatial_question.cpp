@@ -23,35 +23,35 @@ SpatialQuestion ask(const SpatialGrasp& grasp, const SpatialOptions& options) {
   }
   if (options.wrench) {
     for (std::size_t j = 0; j < 6; ++j) {
-      question.grasp.wrench[j] = point_interval((*options.wrench)[j]);
+      question.grasp.box.wrench[j] = point_interval((*options.wrench)[j]);
     }
   } else if (options.direction && !options.case_name) {
-    question.grasp.wrench = {};
+    question.grasp.box.wrench.assign(6, {});
   } else if (options.case_name || !grasp.cases.empty()) {
     std::vector<std::string> names;
     for (const SpatialCase& load : grasp.cases) names.push_back(load.name);
-    question.grasp.wrench = grasp.cases[case_named(names, options.case_name)].wrench;
+    question.grasp.box.wrench = grasp.cases[case_named(names, options.case_name)].wrench;
     question.case_name = options.case_name.value_or("");
   }
   if (options.preload) {
-    for (SpatialContact& c : question.grasp.contacts) {
+    for (UncertainContact& c : question.grasp.box.contacts) {
       c.preload = point_interval(*options.preload);
     }
   }
   if (options.preload_direction) {
     std::vector<Rational> preloads;
-    for (const SpatialContact& c : question.grasp.contacts) preloads.push_back(c.preload.low);
+    for (const UncertainContact& c : question.grasp.box.contacts) preloads.push_back(c.preload.low);
     question.preload_growth = preload_growth(preloads, *options.preload_direction);
-    for (SpatialContact& c : question.grasp.contacts) {
+    for (UncertainContact& c : question.grasp.box.contacts) {
       if (options.preload_direction->scale) c.preload = {};
     }
   }
-  question.wrench = question.grasp.wrench;
-  question.grasp = widened(std::move(question.grasp), options.uncertain);
-  const bool is_one_grasp = question.grasp.is_point();
+  question.wrench = question.grasp.box.wrench;
+  question.grasp.box = question.grasp.box.widened(options.uncertain);
+  const bool is_one_grasp = question.grasp.box.is_point();
   bool is_rational = true;
-  for (std::size_t i = 0; i < question.grasp.contacts.size(); ++i) {
-    const SpatialContact& c = question.grasp.contacts[i];
+  for (std::size_t i = 0; i < question.grasp.box.contacts.size(); ++i) {
+    const UncertainContact& c = question.grasp.box.contacts[i];
     const bool is_preloaded =
         !c.preload.high.is_zero() ||
         (!question.preload_growth.empty() && !question.preload_growth[i].is_zero());

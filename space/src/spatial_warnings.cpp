@@ -16,13 +16,13 @@ using namespace space_detail;
 
 namespace {
 
-Vector3 point_of(const SpatialContact& c) {
+Vector3 point_of(const UncertainContact& c) {
   return {c.position[0].low, c.position[1].low, c.position[2].low};
 }
 
 std::optional<std::string> large_motion_of(const SpatialGrasp& grasp, const Vector6& d) {
   std::vector<Vector3> points;
-  for (const SpatialContact& c : grasp.contacts) points.push_back(point_of(c));
+  for (const UncertainContact& c : grasp.box.contacts) points.push_back(point_of(c));
   Integer common = 1;
   for (const Rational& entry : d) common = lcm(common, denominator(entry));
   const Rational scale(common);
@@ -42,11 +42,11 @@ std::optional<std::string> lost_preload_of(const SpatialGrasp& grasp,
                                            const std::vector<Rational>& preloads,
                                            const Vector6& d) {
   return lost_preload(preloads.size(), [&](std::size_t i) -> std::pair<Rational, Rational> {
-    const SpatialContact& c = grasp.contacts[i];
+    const UncertainContact& c = grasp.box.contacts[i];
     if (preloads[i].is_zero()) return {0, 0};
     constexpr unsigned kBits = 128;
     const ShortRoot length = short_sqrt(dot(c.normal, c.normal), kBits);
-    const Rational rise = dot(c.normal, displacement(point_of(c), d));
+    const Rational rise = dot(vector3(c.normal), displacement(point_of(c), d));
     return {preloads[i], preloads[i] - c.stiffness.low * rise /
                                            (rise.sign() > 0 ? length.upper : length.lower)};
   });
@@ -72,9 +72,9 @@ std::optional<std::vector<RestingContact<6>>> preloaded_contacts(
   };
   for (std::size_t i = 0; i < preloads.size(); ++i) {
     if (preloads[i].is_zero()) continue;
-    const SpatialContact& c = grasp.contacts[i];
+    const UncertainContact& c = grasp.box.contacts[i];
     const Double3 point = read_three(point_of(c));
-    const Double3 normal = unit(read_three(c.normal));
+    const Double3 normal = unit(read_three(vector3(c.normal)));
     Double3 across{};  // to the axis that is the least along the normal
     std::size_t least = 0;
     for (std::size_t j = 1; j < 3; ++j) {
@@ -106,7 +106,7 @@ std::optional<std::vector<RestingContact<6>>> preloaded_contacts(
 
 std::vector<Rational> preloads_of(const SpatialGrasp& grasp) {
   std::vector<Rational> preloads;
-  for (const SpatialContact& c : grasp.contacts) preloads.push_back(c.preload.low);
+  for (const UncertainContact& c : grasp.box.contacts) preloads.push_back(c.preload.low);
   return preloads;
 }
 
@@ -119,19 +119,19 @@ void add_unbalanced_preload(const SpatialGrasp& grasp, const std::vector<Rationa
 
 SpatialQuestion with_stiffness(SpatialQuestion question, ContactId contact,
                                const Rational& stiffness) {
-  question.grasp.contacts[contact.index()].stiffness = point_interval(stiffness);
+  question.grasp.box.contacts[contact.index()].stiffness = point_interval(stiffness);
   return question;
 }
 
 std::optional<std::string> assumed_stiffness_of(const SpatialQuestion& question, bool stable,
-                                                const SpatialDecision& decision) {
+                                                const BoxDecision& decision) {
   const SpatialGrasp& grasp = question.grasp;
   StiffnessTrial trial{{}, grasp.assumed_stiffness, stable, decision.work.nodes, {}, {}};
-  for (const SpatialContact& c : grasp.contacts) trial.stiffness.push_back(c.stiffness.low);
+  for (const UncertainContact& c : grasp.box.contacts) trial.stiffness.push_back(c.stiffness.low);
   trial.may_differ = [&](ContactId contact, const Rational& stiffness) {
     if (!stable) return true;  // doubles miss equilibria
     SpatialQuestion varied = with_stiffness(question, contact, stiffness);
-    for (SpatialContact& c : varied.grasp.contacts) {
+    for (UncertainContact& c : varied.grasp.box.contacts) {
       c.friction = point_interval(friction_to_tell_by(stable) * c.friction.low);
     }
     const RoundedGrasp rounded = rounded_middle(law_of(varied, decision.bits));
@@ -139,10 +139,10 @@ std::optional<std::string> assumed_stiffness_of(const SpatialQuestion& question,
   };
   trial.is_stable = [&](ContactId contact, const Rational& stiffness,
                         std::size_t& left) -> std::optional<bool> {
-    SpatialSearchOptions options;
+    BoxOptions options;
     options.node_limit = left;
     options.bits = decision.bits;
-    const SpatialDecision varied =
+    const BoxDecision varied =
         decide(with_stiffness(question, contact, stiffness), options);
     left -= std::min(left, 1 + varied.work.nodes);
     return throughout(varied);
@@ -153,8 +153,8 @@ std::optional<std::string> assumed_stiffness_of(const SpatialQuestion& question,
 }  // namespace
 
 std::vector<ModelWarning> model_warnings(const SpatialQuestion& question,
-                                         const SpatialDecision& decision) {
-  if (!question.grasp.is_point()) return {};
+                                         const BoxDecision& decision) {
+  if (!question.grasp.box.is_point()) return {};
   const SpatialGrasp& grasp = question.grasp;
   const std::vector<Rational> preloads = preloads_of(grasp);
   const auto* stable = std::get_if<StableThroughout>(&decision.verdict);

@@ -110,7 +110,7 @@ BoxCase random_box(RandomSource& random, Uncertain uncertain) {
 }
 
 std::string file_of(const GraspBox& box) {
-  return write_grasp_file({box.middle(), {}, {}, box});
+  return write_grasp_file({box.planar_middle(), {}, {}, box});
 }
 
 LoadedGrasp sample(RandomSource& random, const GraspBox& box) {
@@ -118,8 +118,12 @@ LoadedGrasp sample(RandomSource& random, const GraspBox& box) {
   const auto any = [&](const Interval& interval) { return any_in(random, interval, corner); };
   std::vector<Contact> contacts;
   for (const UncertainContact& c : box.contacts) {
-    const Vector2& n = c.normal;
-    Contact chosen{{any(c.x), any(c.y)}, n, any(c.friction), any(c.stiffness), any(c.preload)};
+    const Vector2 n{c.normal[0], c.normal[1]};
+    Contact chosen{{any(c.position[0]), any(c.position[1])},
+                   n,
+                   any(c.friction),
+                   any(c.stiffness),
+                   any(c.preload)};
     const Rational e =
         any_turn(random, c.slope, corner, !chosen.preload.is_zero() && has_rational_length(n));
     chosen.normal = {n.x - e * n.y, n.y + e * n.x};
@@ -136,9 +140,9 @@ bool lies_in(const LoadedGrasp& grasp, const GraspBox& box) {
   for (std::size_t i = 0; inside && i < box.contacts.size(); ++i) {
     const UncertainContact& c = box.contacts[i];
     const Contact& one = grasp.grasp.contacts()[i];
-    const Rational along = c.normal.x * one.normal.x + c.normal.y * one.normal.y;
-    const Rational across = c.normal.x * one.normal.y - c.normal.y * one.normal.x;
-    inside = c.x.contains(one.position.x) && c.y.contains(one.position.y) &&
+    const Rational along = c.normal[0] * one.normal.x + c.normal[1] * one.normal.y;
+    const Rational across = c.normal[0] * one.normal.y - c.normal[1] * one.normal.x;
+    inside = c.position[0].contains(one.position.x) && c.position[1].contains(one.position.y) &&
              c.friction.contains(one.friction) && c.stiffness.contains(one.stiffness) &&
              c.preload.contains(one.preload) && along.sign() > 0 &&
              abs(across) <= c.slope * along;

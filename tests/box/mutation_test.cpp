@@ -194,13 +194,14 @@ void widen(std::vector<Mutant>& mutants) {
                           {-2, 2, -2}};
   for (const LoadedGrasp& centre : {jaw(), slips}) {
     const char* tolerances = "friction=10%,stiffness=10%";
-    const GraspBox box = box_of(centre).widened(parse_tolerances(tolerances));
-    const Radius radius = find_radius(centre, box, NormalLaw::kUnilateral, {});
+    const GraspBox point = box_of(centre);
+    const GraspBox box = point.widened(parse_tolerances(tolerances));
+    const Radius radius = find_radius(point, box, NormalLaw::kUnilateral, {});
     ASSERT_TRUE(radius.proof && radius.refuted) << tolerances;
     CheckerInput input =
-        input_of(test::file_of(box.scaled(centre, radius.proved)), {}, *radius.proof);
+        input_of(test::file_of(box.scaled(point, radius.proved)), {}, *radius.proof);
     mutants.push_back({"proved radius", input, {}});
-    input.grasp = test::file_of(box.scaled(centre, *radius.refuted));
+    input.grasp = test::file_of(box.scaled(point, *radius.refuted));
     mutants.push_back({"a refuted radius",
                        input,
                        {"leaf-bound", "leaf-direction", "rest-cone", "rest-reach"}});

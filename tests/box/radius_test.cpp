@@ -29,7 +29,7 @@ TEST(Radius, ProvedIsBelowRefuted) {
     const Uncertain uncertain = random.pick<Uncertain>(
         {Uncertain::kFriction, Uncertain::kFriction, Uncertain::kWrench});
     const test::BoxCase about = test::random_box(random, uncertain);
-    const LoadedGrasp centre = parse_grasp(about.grasp, "grasp").content;
+    const GraspBox centre = box_of(parse_grasp(about.grasp, "grasp").content);
     const GraspBox box = about.box();
     const NormalLaw law = about.options.law;
     const auto expect_in_order = [&](const Radius& radius) {
@@ -41,8 +41,8 @@ TEST(Radius, ProvedIsBelowRefuted) {
     expect_in_order(radius);
     if (!radius.stable) continue;
     const char* verdict = *radius.stable ? "stable" : "unstable";
-    if (!needs_enclosure(box_of(centre))) {
-      EXPECT_EQ(test::verdict_of(centre, law), verdict);
+    if (!needs_enclosure(centre)) {
+      EXPECT_EQ(test::verdict_of(centre.planar_middle(), law), verdict);
     }
     if (radius.proof) {
       EXPECT_STREQ(name_of(radius.proof->verdict), verdict);
@@ -51,8 +51,10 @@ TEST(Radius, ProvedIsBelowRefuted) {
     }
     ASSERT_EQ(radius.refuted.has_value(), radius.example.has_value());
     if (!radius.refuted) continue;
-    EXPECT_TRUE(test::lies_in(*radius.example, box.scaled(centre, *radius.refuted)));
-    EXPECT_EQ(test::verdict_of(*radius.example, law), *radius.stable ? "unstable" : "stable")
+    EXPECT_TRUE(
+        test::lies_in(radius.example->planar_middle(), box.scaled(centre, *radius.refuted)));
+    EXPECT_EQ(test::verdict_of(radius.example->planar_middle(), law),
+              *radius.stable ? "unstable" : "stable")
         << describe(about);
     both += radius.proof ? 1 : 0;
     std::cout << verdict << ": proved " << to_double(radius.proved) << ", refuted "
@@ -66,20 +68,20 @@ TEST(Radius, ProvedIsBelowRefuted) {
 TEST(Radius, LongNumbersAreConfirmedWhereShortOnesSearched) {
   const Rational little = Rational(1) / parse_rational("1" + std::string(3000, '0') + "7");
   const auto grasp_with = [](const Rational& friction, const Rational& pull) {
-    return LoadedGrasp{Grasp({{{1, 0}, {-1, 0}, friction, 1, 1},
-                              {{-1, 0}, {1, 0}, friction, 2, 1},
-                              {{0, -1}, {0, 1}, friction, 1, 1}}),
-                       {Rational(1, 8), pull, 0}};
+    return box_of(LoadedGrasp{Grasp({{{1, 0}, {-1, 0}, friction, 1, 1},
+                                     {{-1, 0}, {1, 0}, friction, 2, 1},
+                                     {{0, -1}, {0, 1}, friction, 1, 1}}),
+                              {Rational(1, 8), pull, 0}});
   };
-  const auto search = [](const LoadedGrasp& centre, std::size_t& reports) {
-    const GraspBox box = box_of(centre).widened(parse_tolerances("friction=10%,wrench=10%"));
+  const auto search = [](const GraspBox& centre, std::size_t& reports) {
+    const GraspBox box = centre.widened(parse_tolerances("friction=10%,wrench=10%"));
     const auto count = [&](const Radius&) { ++reports; };
     return std::pair(box, find_radius(centre, box, NormalLaw::kUnilateral, {}, count));
   };
   std::size_t short_reports = 0;
   std::size_t long_reports = 0;
   const auto brief = search(grasp_with(Rational(1, 2), 1), short_reports).second;
-  const LoadedGrasp centre = grasp_with(Rational(1, 2) + little, 1 - little);
+  const GraspBox centre = grasp_with(Rational(1, 2) + little, 1 - little);
   const auto& [box, radius] = search(centre, long_reports);
   EXPECT_EQ(radius.stable, brief.stable);
   ASSERT_TRUE(radius.proof && radius.refuted && brief.refuted);
@@ -91,8 +93,9 @@ TEST(Radius, LongNumbersAreConfirmedWhereShortOnesSearched) {
   EXPECT_LE(long_reports, 2U);
   const GraspBox proved = box.scaled(centre, radius.proved);
   test::expect_accepted_by_both(test::input_of(test::file_of(proved), {}, *radius.proof));
-  EXPECT_TRUE(test::lies_in(*radius.example, box.scaled(centre, *radius.refuted)));
-  EXPECT_EQ(test::verdict_of(*radius.example, NormalLaw::kUnilateral),
+  EXPECT_TRUE(
+      test::lies_in(radius.example->planar_middle(), box.scaled(centre, *radius.refuted)));
+  EXPECT_EQ(test::verdict_of(radius.example->planar_middle(), NormalLaw::kUnilateral),
             *radius.stable ? "unstable" : "stable");
 }
 

@@ -68,17 +68,17 @@ std::string some_grasp_is_stable(const GraspBox& box, NormalLaw law) {
   for (std::size_t i = 0; i < box.contacts.size(); ++i) {
     const UncertainContact& c = box.contacts[i];
     const std::string id = std::to_string(i);
-    const std::string px = script.number("px" + id, c.x);
-    const std::string py = script.number("py" + id, c.y);
+    const std::string px = script.number("px" + id, c.position[0]);
+    const std::string py = script.number("py" + id, c.position[1]);
     const std::string mu = script.number("mu" + id, c.friction);
     const std::string k = script.number("k" + id, c.stiffness);
     const std::string preload = script.number("P" + id, c.preload);
     const std::string nx = script.declare("nx" + id);
     const std::string ny = script.declare("ny" + id);
     const std::string along =
-        sum(product(literal(c.normal.x), nx), product(literal(c.normal.y), ny));
+        sum(product(literal(c.normal[0]), nx), product(literal(c.normal[1]), ny));
     const std::string across =
-        difference(product(literal(c.normal.x), ny), product(literal(c.normal.y), nx));
+        difference(product(literal(c.normal[0]), ny), product(literal(c.normal[1]), nx));
     const std::string reach = product(literal(c.slope), along);
     script.require("(= 1.0 " + sum(product(nx, nx), product(ny, ny)) + ")");
     script.require("(> " + along + " 0.0)");

@@ -143,7 +143,7 @@ TEST(BoxCertificate, WhatHasNone) {
   const Question box = question_of(file_of({0, 1}, 1), "friction=1%");
   const Question grasp = ask(file_of({0, 1}, 1), {});
   const LoadedGrasp loaded = file_of({0, 1}, 1).content;
-  EXPECT_THROW(box_certificate_text(box, {Fragile<LoadedGrasp>{loaded, loaded}}, "us"),
+  EXPECT_THROW(box_certificate_text(box, {Fragile{box_of(loaded), box_of(loaded)}}, "us"),
                ContractError);
   EXPECT_THROW(box_certificate_text(box, {Undecided{"a limit"}, {}}, "us"), ContractError);
   EXPECT_THROW(box_certificate_text(grasp, {UnstableThroughout{every_node()}, {}}, "us"),

@@ -97,6 +97,33 @@ class Map(Case):
         self.assertEqual(row[0][2], "stable")
         self.assertEqual(row[-1][2], "unstable")
 
+    def test_in_space(self):
+        # Two fingers press with 4 each: they bear a load of l times 4 across if friction is l / 2.
+        grasp = self.write("g.json", {
+            "format": "stickslip-grasp/2", "wrench": [0, 0, -4, 0, 0, 0],
+            "contacts": [{"position": [side, 0, 0], "normal": [-side, 0, 0], "friction": 1,
+                          "preload": 4} for side in (-1, 1)]})
+        folder = self.path("space")
+        cells = self.cells(grasp, "--x", "friction=0:1", "--y", "load=0:2", "--depth", "3",
+                           "--certificates", folder)
+        for k, (x, y, verdict) in enumerate(cells):
+            expected = ("stable" if y[1] <= 2 * x[0] else
+                        "unstable" if y[0] >= 2 * x[1] and y[0] > 0 else "undecided")
+            self.assertIn(verdict, (expected, "undecided"))
+            if verdict == "undecided":
+                continue
+            for checker in checkers(os.path.join(folder, f"cell{k}.certificate.json")):
+                files = [os.path.join(folder, f"cell{k}{end}") for end in (".json", ".certificate.json")]
+                code, out, err = run(*checker, *files)
+                self.assertEqual((code, out.split("\n")[0]), (DONE, "accepted"), out + err)
+                self.assertRegex(out, rf"verdict +{verdict}\b")
+        area = sum((x[1] - x[0]) * (y[1] - y[0]) for x, y, verdict in cells if verdict != "undecided")
+        self.assertGreater(area, Fraction(6, 10) * 2)
+        self.fails("map", grasp, "--x", "direction=0:90", "--y", "load=0:1",
+                   naming=["--x", "in space", "wrench[0]"])
+        self.fails("map", grasp, "--x", "wrench[6]=0:1", "--y", "load=0:1",
+                   naming=["--x", "wrench[5]"])
+
     def test_pictures_of_the_documentation(self):
         for name, grasp, x, depth in (("A", A, "friction[2]=0:1", "7"),
                                       ("C", C, "friction[1]=0:1/2", "6")):

@@ -136,6 +136,35 @@ class Radius(Case):
                          {"position": [0, 1], "normal": [0, -1]}]})
         self.assertEqual(self.radius(grasp, "--uncertain", "friction=10%")[0]["verdict"], "stable")
 
+    def test_in_space(self):
+        # Two fingers press with 4 each and bear 2 across: as much friction as 1/4 is enough.
+        grasp = self.write("g.json", {
+            "format": "stickslip-grasp/2", "wrench": [0, 0, -2, 0, 0, 0], "name": "pinched",
+            "units": {"length": "cm", "force": "N"},
+            "contacts": [{"position": [side, 0, 0], "normal": [-side, 0, 0], "friction": "1/2",
+                          "preload": 4} for side in (-1, 1)]})
+        for kind, end in (("friction=10%", 5), ("preload=20%", Fraction(5, 2)), ("wrench=20%", 5)):
+            answer, proved = self.radius(grasp, "--uncertain", kind, "--accuracy", "1%")
+            self.assertEqual((answer["verdict"], answer["engine"]), ("stable", "space"))
+            factor, refuted = Fraction(answer["proved"]), Fraction(answer["refuted"])
+            self.assertGreater(factor, Fraction(95, 100) * end)
+            self.assertLess(factor, end)
+            self.assertGreater(refuted, end)
+            self.assertLess(refuted, Fraction(102, 100) * end)
+            self.assertEqual((proved["name"], proved["units"]["force"]), ("pinched", "N"))
+        code, out, err = stickslip("radius", grasp, "--uncertain", "friction=10%")
+        self.assertEqual((code, err, out.split("\n")[0]), (DONE, "", "pinched: stable"))
+        self.assertRegex(out, r"contacts\[[01]\]\.friction +1/2 ")
+        # Three feet slide from a friction of 2/5 downwards.
+        grasp = self.write("feet.json", {
+            "format": "stickslip-grasp/2", "wrench": ["2/5", 0, -1, 0, 0, 0],
+            "contacts": [{"position": p, "normal": [0, 0, 1], "friction": "1/4"}
+                         for p in ([3, 2, "-1/2"], [3, -2, "-1/2"], [-3, 0, "-1/2"])]})
+        answer, _ = self.radius(grasp, "--uncertain", "friction=10%")
+        self.assertEqual(answer["verdict"], "unstable")
+        self.assertLess(Fraction(answer["proved"]), 6)
+        self.assertGreater(Fraction(answer["refuted"]), 6)
+
     def test_errors(self):
         for words in ((), ("--uncertain", "friction=0")):
             self.fails("radius", A, *words, naming=["--uncertain: nothing is uncertain", "friction=10%"])

@@ -47,9 +47,9 @@ TEST(Intervals, AreRead) {
   const std::vector<UncertainContact>& c = file.box->contacts;
   ASSERT_EQ(c.size(), 3U);
   const Interval friction{Rational(2, 5), Rational(3, 5)};
-  EXPECT_EQ(c[0].x, point_interval(-2));
-  EXPECT_EQ(c[0].y, (Interval{Rational(-1, 10), Rational(1, 10)}));
-  EXPECT_EQ(c[0].normal, (Vector2{3, 4}));
+  EXPECT_EQ(c[0].position[0], point_interval(-2));
+  EXPECT_EQ(c[0].position[1], (Interval{Rational(-1, 10), Rational(1, 10)}));
+  EXPECT_EQ(c[0].normal, (RationalRow{3, 4}));
   EXPECT_EQ(c[0].slope, Rational(7, 400));
   EXPECT_EQ(c[0].friction, friction);
   EXPECT_EQ(c[0].stiffness, (Interval{1, 2}));
@@ -60,9 +60,9 @@ TEST(Intervals, AreRead) {
   EXPECT_EQ(c[1].preload, point_interval(0));
   EXPECT_EQ(c[1].slope, 0);
   // On the outline position and normal are certain, the rest need not be.
-  EXPECT_EQ(c[2].x, point_interval(0));
-  EXPECT_EQ(c[2].y, point_interval(-2));
-  EXPECT_EQ(c[2].normal, (Vector2{0, 1}));
+  EXPECT_EQ(c[2].position[0], point_interval(0));
+  EXPECT_EQ(c[2].position[1], point_interval(-2));
+  EXPECT_EQ(c[2].normal, (RationalRow{0, 1}));
   EXPECT_EQ(c[2].friction, point_interval(0));
   EXPECT_EQ(c[2].stiffness, (Interval{1, 2}));
   EXPECT_EQ(file.box->wrench, (WrenchBox{Interval{}, Interval{-11, -10}, Interval{}}));
@@ -141,15 +141,18 @@ TEST(Intervals, RandomOnesComeBack) {
     GraspBox box;
     for (int k = random.integer(0, 4); k > 0; --k) {
       const Contact c = random.contact();
-      box.contacts.push_back({wide(c.position.x), wide(c.position.y), c.normal,
-                              Rational(random.integer(0, 9), 10), wide(c.friction),
-                              wide(c.stiffness), wide(c.preload)});
+      box.contacts.push_back({{wide(c.position.x), wide(c.position.y)},
+                              {c.normal.x, c.normal.y},
+                              wide(c.friction),
+                              wide(c.stiffness),
+                              wide(c.preload),
+                              Rational(random.integer(0, 9), 10)});
     }
-    for (Interval& w : box.wrench) w = wide(random.small());
+    for (int j = 0; j < 3; ++j) box.wrench.push_back(wide(random.small()));
     const auto optional = [](const GraspBox& b) {
       return b.is_point() ? std::nullopt : std::optional<GraspBox>(b);
     };
-    const GraspFile file{box.middle({"random"}), {}, {}, optional(box)};
+    const GraspFile file{box.planar_middle({"random"}), {}, {}, optional(box)};
     const std::string text = write_grasp_file(file);
     const GraspFile again = parse_grasp(text, "again", Intervals::kAllowed);
     ASSERT_EQ(again.box.has_value(), file.box.has_value());
@@ -159,7 +162,7 @@ TEST(Intervals, RandomOnesComeBack) {
     for (std::size_t j = 0; j < box.contacts.size(); ++j) {
       const UncertainContact& a = again.box->contacts[j];
       const UncertainContact& b = box.contacts[j];
-      EXPECT_TRUE(a.x == b.x && a.y == b.y && a.normal == b.normal && a.slope == b.slope &&
+      EXPECT_TRUE(a.position == b.position && a.normal == b.normal && a.slope == b.slope &&
                   a.friction == b.friction && a.stiffness == b.stiffness &&
                   a.preload == b.preload);
     }

@@ -34,7 +34,7 @@ TEST(WriteSpatialGrasp, Bytes) {
   EXPECT_EQ(write_grasp_file(SpatialGrasp{}),
             "{\"format\": \"stickslip-grasp/2\",\n \"contacts\": [],\n"
             " \"wrench\": [0, 0, 0, 0, 0, 0]}\n");
-  EXPECT_TRUE(parse(write_grasp_file(SpatialGrasp{})).contacts.empty());
+  EXPECT_TRUE(parse(write_grasp_file(SpatialGrasp{})).box.contacts.empty());
 }
 
 TEST(ReadSpatialGrasp, IntervalsWhereTheyAreRefused) {
@@ -47,16 +47,18 @@ TEST(ReadSpatialGrasp, IntervalsWhereTheyAreRefused) {
   }
 }
 
-SpatialContact contact(const Vector3& p, const Vector3& n, const Rational& friction,
-                       const Rational& preload) {
-  SpatialContact c{{}, n, point_interval(friction), point_interval(2), point_interval(preload)};
-  for (std::size_t j = 0; j < 3; ++j) c.position[j] = point_interval(p[j]);
-  return c;
+UncertainContact contact(const Vector3& p, const Vector3& n, const Rational& friction,
+                         const Rational& preload) {
+  return {{point_interval(p[0]), point_interval(p[1]), point_interval(p[2])},
+          {n.begin(), n.end()},
+          point_interval(friction),
+          point_interval(2),
+          point_interval(preload)};
 }
 
 TEST(SpatialForces, OfOneMotion) {
   // It moves by (3, 4, -1) there, and -1 along the normal (0, 0, 1) of length 2.
-  SpatialGrasp grasp;
+  GraspBox grasp;
   const Vector3 p{0, 0, 0};
   grasp.contacts = {contact(p, {0, 0, 2}, Rational(1, 2), 4), contact(p, {0, 0, -2}, 1, 1),
                     contact({1, 0, 0}, {0, 0, 1}, 0, 0), contact(p, {0, 0, 2}, 0, 4)};
@@ -74,7 +76,7 @@ TEST(SpatialForces, OfOneMotion) {
 }
 
 TEST(SpatialForces, SharesOfWhatSticks) {
-  SpatialGrasp grasp;
+  GraspBox grasp;
   grasp.contacts = {contact({0, 0, 0}, {1, 0, 0}, Rational(1, 2), 4)};
   const auto forces = forces_of(grasp, {}, {{ContactId(0), {0, Rational(1, 4), -1}}});
   EXPECT_EQ(forces[0].friction, (Vector3{0, Rational(1, 2), -2}));
@@ -82,7 +84,7 @@ TEST(SpatialForces, SharesOfWhatSticks) {
 }
 
 TEST(SpatialForces, LengthsThatMatterAreRational) {
-  SpatialGrasp grasp;
+  GraspBox grasp;
   grasp.contacts = {contact({0, 0, 0}, {1, 1, 1}, 1, 1)};
   EXPECT_THROW(forces_of(grasp, {}, {}), ContractError);  // of the normal
   grasp.contacts = {contact({0, 0, 0}, {0, 0, 1}, 1, 1)};

@@ -107,17 +107,17 @@ std::string truth_in_space(const Input& input, const Question& question,
   stickslip::SpatialGrasp grasp =
       std::get<stickslip::SpatialGrasp>(stickslip::parse_any_grasp(input.grasp, "grasp"));
   grasp.cases.clear();
-  for (std::size_t j = 0; j < grasp.wrench.size(); ++j) {
-    grasp.wrench[j] = at_multiple(question.widened[j], question.growth[j]);
+  for (std::size_t j = 0; j < grasp.box.wrench.size(); ++j) {
+    grasp.box.wrench[j] = at_multiple(question.widened[j], question.growth[j]);
   }
-  for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
-    grasp.contacts[i].preload = at_multiple(
+  for (std::size_t i = 0; i < grasp.box.contacts.size(); ++i) {
+    grasp.box.contacts[i].preload = at_multiple(
         question.contacts[i].preload,
         question.preload_growth.size() == 0 ? Rational(0) : question.preload_growth[i]);
   }
   stickslip::SpatialOptions options;
   if (question.asked.bilateral) options.law = stickslip::NormalLaw::kBilateral;
-  stickslip::SpatialSearchOptions limit;
+  stickslip::BoxOptions limit;
   limit.node_limit = 300;
   const auto decision = stickslip::decide(stickslip::ask(grasp, options), limit);
   const bool decided = !std::holds_alternative<stickslip::Undecided>(decision.verdict);

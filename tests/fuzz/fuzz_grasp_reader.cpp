@@ -31,7 +31,7 @@ bool same(const stickslip::NamedLoad& a, const stickslip::NamedLoad& b) {
 }
 
 bool same(const stickslip::UncertainContact& a, const stickslip::UncertainContact& b) {
-  return a.x == b.x && a.y == b.y && a.normal == b.normal && a.slope == b.slope &&
+  return a.position == b.position && a.normal == b.normal && a.slope == b.slope &&
          a.friction == b.friction && a.stiffness == b.stiffness && a.preload == b.preload;
 }
 
@@ -81,30 +81,21 @@ void expect_round_trip(const stickslip::GraspFile& file) {
   if (write_grasp_file(again) != text) broken("other bytes are written the second time");
 }
 
-/// The ends of the intervals that decide, in one order.
-std::vector<std::string> numbers(const stickslip::GraspFile& file) {
+/// The ends of the intervals that decide, in one order; cases by their names.
+std::vector<std::string> numbers(const stickslip::GraspBox& box,
+                                 const std::map<std::string, stickslip::WrenchBox>& cases) {
   std::vector<std::string> all;
   const auto add = [&](const stickslip::Interval& interval) {
     all.push_back(stickslip::to_string(interval.low));
     all.push_back(stickslip::to_string(interval.high));
   };
-  const auto add_number = [&](const stickslip::Rational& value) {
-    all.push_back(stickslip::to_string(value));
-  };
-  const stickslip::GraspBox box = file.box.value_or(stickslip::box_of(file.content));
   for (const stickslip::UncertainContact& c : box.contacts) {
-    for (const auto* interval : {&c.x, &c.y, &c.friction, &c.stiffness, &c.preload}) {
-      add(*interval);
-    }
-    add_number(c.normal.x);
-    add_number(c.normal.y);
-    add_number(c.slope);
+    for (const stickslip::Interval& coordinate : c.position) add(coordinate);
+    for (const auto* interval : {&c.friction, &c.stiffness, &c.preload}) add(*interval);
+    for (const auto& entry : c.normal) all.push_back(stickslip::to_string(entry));
+    all.push_back(stickslip::to_string(c.slope));
   }
   for (const stickslip::Interval& component : box.wrench) add(component);
-  std::map<std::string, stickslip::WrenchBox> cases;
-  for (const stickslip::NamedLoad& load : file.cases) {
-    cases[load.name] = load.box.value_or(stickslip::box_of(load.wrench));
-  }
   for (const auto& [name, wrench] : cases) {
     all.push_back(name);
     for (const stickslip::Interval& component : wrench) add(component);
@@ -112,26 +103,18 @@ std::vector<std::string> numbers(const stickslip::GraspFile& file) {
   return all;
 }
 
+std::vector<std::string> numbers(const stickslip::GraspFile& file) {
+  std::map<std::string, stickslip::WrenchBox> cases;
+  for (const stickslip::NamedLoad& load : file.cases) {
+    cases[load.name] = load.box.value_or(stickslip::box_of(load.wrench));
+  }
+  return numbers(file.box.value_or(stickslip::box_of(file.content)), cases);
+}
+
 std::vector<std::string> numbers(const stickslip::SpatialGrasp& grasp) {
-  std::vector<std::string> all;
-  const auto add = [&](const stickslip::Interval& interval) {
-    all.push_back(stickslip::to_string(interval.low));
-    all.push_back(stickslip::to_string(interval.high));
-  };
-  for (const stickslip::SpatialContact& c : grasp.contacts) {
-    for (const stickslip::Interval& coordinate : c.position) add(coordinate);
-    for (const auto* interval : {&c.friction, &c.stiffness, &c.preload}) add(*interval);
-    for (const auto& entry : c.normal) all.push_back(stickslip::to_string(entry));
-    all.emplace_back("0");  // normals are certain
-  }
-  for (const stickslip::Interval& component : grasp.wrench) add(component);
-  std::map<std::string, stickslip::SpatialWrench> cases;
+  std::map<std::string, stickslip::WrenchBox> cases;
   for (const stickslip::SpatialCase& load : grasp.cases) cases[load.name] = load.wrench;
-  for (const auto& [name, wrench] : cases) {
-    all.push_back(name);
-    for (const stickslip::Interval& component : wrench) add(component);
-  }
-  return all;
+  return numbers(grasp.box, cases);
 }
 
 void expect_round_trip(const stickslip::SpatialGrasp& grasp) {

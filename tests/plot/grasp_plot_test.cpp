@@ -110,19 +110,22 @@ TEST(PlotGrasp, ACaseWithoutATwistHasNoMotion) {
 SpatialQuestion pushed_down() {
   SpatialGrasp grasp;
   grasp.name = "one";
-  grasp.contacts.push_back(
-      {{}, {0, 0, 1}, point_interval(Rational(1, 2)), point_interval(1), {}});
+  grasp.box.contacts.push_back({std::vector<Interval>(3),
+                                {0, 0, 1},
+                                point_interval(Rational(1, 2)),
+                                point_interval(1),
+                                {}});
   SpatialOptions asked;
   asked.wrench = Vector6{0, 0, -1, 0, 0, 0};
   return ask(grasp, asked);
 }
 
 TEST(PlotSpatialGrasp, UndecidedOrUnstableHasNoForces) {
-  const std::string undecided = plot_grasp(pushed_down(), SpatialVerdict(Undecided{"7 nodes"}));
+  const std::string undecided = plot_grasp(pushed_down(), BoxVerdict(Undecided{"7 nodes"}));
   EXPECT_NE(undecided.find("one: undecided"), std::string::npos);
   EXPECT_NE(undecided.find("Undecided: 7 nodes."), std::string::npos);
   const std::string unstable =
-      plot_grasp(pushed_down(), SpatialVerdict(UnstableThroughout{{TwistLeaf{Row(6)}}}));
+      plot_grasp(pushed_down(), BoxVerdict(UnstableThroughout{{TwistLeaf{Row(6)}}}));
   EXPECT_NE(unstable.find("proved by one virtual twist."), std::string::npos);
   for (const std::string& svg : {undecided, unstable}) {
     EXPECT_EQ(svg.find("class=\"force\""), std::string::npos);
@@ -133,9 +136,9 @@ TEST(PlotSpatialGrasp, UndecidedOrUnstableHasNoForces) {
 TEST(PlotSpatialGrasp, AMotionThatTurnsAboutTheOnlyContact) {
   for (const char* turn : {"1", "-1e-400", "1e400"}) {
     const Vector6 d{0, 0, -1, 0, 0, parse_rational(turn)};
-    const std::string svg = plot_grasp(
-        pushed_down(),
-        SpatialVerdict(StableThroughout{SpatialWitness{d, {}}, {d.begin(), d.end()}}));
+    const std::string svg =
+        plot_grasp(pushed_down(),
+                   BoxVerdict(StableThroughout{SpatialWitness{d, {}}, {d.begin(), d.end()}}));
     EXPECT_NE(svg.find("class=\"ghost\""), std::string::npos);
     EXPECT_NE(svg.find("data-value=\"0,0,1\""), std::string::npos);  // of the force
   }

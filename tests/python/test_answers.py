@@ -35,7 +35,7 @@ def answers(fig1, pinch):
         (decide(fig1, UP, uncertain="friction=1%"), "intervals", "stable"),
         (decide(fig1, (0, 5, 0), uncertain="friction=1%"), "intervals", "unstable"),
         (decide(BREAKS, uncertain="friction=10%"), "intervals", "fragile"),
-        (decide(fig1, (0, "9/10", 0), uncertain="friction=5%", node_limit=1), "intervals", "undecided"),
+        (decide(fig1, (0, "99/100", 0), uncertain="friction=1%", node_limit=1), "intervals", "undecided"),
         (decide(TURNED, (0, "1/10", 0), uncertain={}), "intervals", "stable"),
         (decide(pinch, IN_SPACE), "space", "stable"),
         (decide(pinch, (0, 0, -9, 0, 0, 0)), "space", "unstable"),

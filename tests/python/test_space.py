@@ -228,15 +228,33 @@ def test_warnings_are_the_programs(tmp_path):
 
 def test_what_is_about_the_plane_says_so_as_the_program_does(tmp_path, pinch):
     said = said_by_the_program(written(tmp_path, pinch), "states")
-    for ask in (lambda: stickslip.radius(pinch, DOWN, uncertain="friction=1%"),
-                lambda: stickslip.stability_map(pinch, "friction=0:1", "load=0:1"),
-                lambda: stickslip.slip_states(pinch), lambda: stickslip.region(pinch),
+    for ask in (lambda: stickslip.slip_states(pinch), lambda: stickslip.region(pinch),
                 lambda: stickslip.plot_region(pinch), lambda: stickslip.plot_states(pinch),
                 lambda: stickslip.compare(pinch), lambda: stickslip.export(pinch),
                 lambda: stickslip.crosscheck(pinch, "stable")):
         with pytest.raises(InputError, match="the grasp is in space; ") as caught:
             ask()
         assert f"{caught.value.problem}; {caught.value.remedy}" in said
+
+
+def test_radius_and_map_are_the_programs(tmp_path, pinch):
+    path = written(tmp_path, pinch)
+    words = ("--wrench", ",".join(map(str, DOWN)))
+    found = stickslip.radius(pinch, DOWN, uncertain="friction=10%")
+    same = program("radius", path, *words, "--uncertain", "friction=10%")
+    assert (found.verdict, str(found.proved), str(found.refuted)) == (
+        same["verdict"], same["proved"], same["refuted"])
+    assert judged(tmp_path, found.proof) == "stable"
+    assert judged(tmp_path, found.counterexample) == "unstable"
+    asked = ("friction=0:1", "load=1/2:2")
+    found = stickslip.stability_map(pinch, *asked, DOWN, depth=2, proofs=True)
+    path = written(tmp_path, pinch)  # where the checkers have read another
+    same = program("map", path, *words, "--x", asked[0], "--y", asked[1], "--depth", "2")
+    assert [c.verdict for c in found.cells] == [c["verdict"] for c in same["cells"]]
+    for cell in found.cells:
+        assert (cell.proof is None) == (cell.verdict == "undecided")
+        if cell.proof:
+            assert judged(tmp_path, cell.proof) == cell.verdict
 
 
 def test_boxes(tmp_path):

@@ -10,7 +10,6 @@
 
 #include "stickslip/core/box.hpp"
 #include "stickslip/core/number_text.hpp"
-#include "stickslip/core/spatial_grasp.hpp"
 
 namespace stickslip {
 
@@ -24,15 +23,11 @@ struct UncertainNumber {
   std::string label() const { return place + (is_slope ? ", slope" : ""); }
 };
 
-/// \{ All of them, contact by contact, and then those of the wrench.
+/// All of them, contact by contact, and then those of the wrench.
 std::vector<UncertainNumber> uncertain_numbers(const GraspBox& box);
-std::vector<UncertainNumber> uncertain_numbers(const SpatialGrasp& box);
-/// \}
 
-/// \{ The value of each uncertain number, in their order, in a grasp of the box.
-std::vector<Rational> values_in(const GraspBox& box, const LoadedGrasp& loaded);
-std::vector<Rational> values_in(const SpatialGrasp& box, const SpatialGrasp& grasp);
-/// \}
+/// The value of each uncertain number of a box, in their order, in one grasp of it.
+std::vector<Rational> values_in(const GraspBox& box, const GraspBox& grasp);
 
 /// A number in which the two grasps of a fragile box differ.
 struct Difference {
@@ -41,18 +36,9 @@ struct Difference {
   Rational unstable;       ///< its value in the unstable one
 };
 
-/// Of uncertain numbers and their values in both grasps: those that differ most, as parts of
-/// their intervals, first.
-std::vector<Difference> differences(std::vector<UncertainNumber> numbers,
-                                    const std::vector<Rational>& stable,
-                                    const std::vector<Rational>& unstable);
-
-/// Of two grasps of a box.
-template <class Box, class Grasp>
-std::vector<Difference> differences(const Box& box, const Grasp& stable,
-                                    const Grasp& unstable) {
-  return differences(uncertain_numbers(box), values_in(box, stable), values_in(box, unstable));
-}
+/// Of two grasps of a box: those numbers that differ most, as parts of their intervals, first.
+std::vector<Difference> differences(const GraspBox& box, const GraspBox& stable,
+                                    const GraspBox& unstable);
 
 /// A list of places and two numbers.
 Json differences_json(const std::vector<Difference>& differences);
@@ -63,11 +49,6 @@ Json interval_json(const Interval& interval);
 Json uncertain_json(const std::vector<UncertainNumber>& numbers);
 
 /// Components of a wrench, each a number or two.
-template <std::size_t n>
-Json wrench_json(const std::array<Interval, n>& wrench) {
-  Json json = Json::array();
-  for (const Interval& w : wrench) json.push_back(interval_json(w));
-  return json;
-}
+Json wrench_json(const WrenchBox& wrench);
 
 }  // namespace stickslip

@@ -47,7 +47,7 @@ struct BoxAnswer {
 /// About a grasp in space, or a box of them.
 struct SpaceAnswer {
   SpatialQuestion question;  ///< not a margin
-  SpatialDecision decision;  ///< the verdict
+  BoxDecision decision;      ///< the verdict
   Warnings warnings;         ///< about it
 };
 
@@ -76,6 +76,11 @@ Answer answer_to(SpatialQuestion question, const AnswerOptions& options);
 
 /// Why, as "limit" in words and as "reason" in one; "remedy" and "near" if there are any.
 void add_undecided(Json& json, const Undecided& undecided);
+
+/// What a verdict on a box says unless it is stable: "refutation", "examples" with
+/// "differences", or what add_undecided() adds.
+void add_verdict(Json& json, const GraspBox& box, const GraspDescription& description,
+                 const BoxDecision& decision);
 
 /// The contacts as "enclosed", and "bits"; nothing if there are none.
 void add_enclosed(Json& json, const std::vector<std::size_t>& contacts, unsigned bits);
@@ -128,9 +133,7 @@ std::vector<ContactReport> report_contacts(const CaseAnswer& answer, const Witne
 /// Of one grasp that is stable: a motion near that of an equilibrium.
 std::optional<Vector3> motion_near(const BoxAnswer& answer);
 
-/// \{ The contacts whose preload over the length of the normal is enclosed.
+/// The contacts whose preload over the length of the normal is enclosed.
 std::vector<std::size_t> enclosed_contacts(const GraspBox& box);
-std::vector<std::size_t> enclosed_contacts(const SpatialGrasp& box);
-/// \}
 
 }  // namespace stickslip

@@ -10,7 +10,7 @@
 #include <variant>
 #include <vector>
 
-#include "stickslip/core/spatial_grasp.hpp"
+#include "stickslip/core/box.hpp"
 #include "stickslip/degree/stability_proof.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 #include "stickslip/search/search_work.hpp"
@@ -36,51 +36,41 @@ struct UnstableThroughout {
   Trees tree;  ///< the proof
 };
 /// Two grasps in the box have opposite verdicts.
-template <class Grasp>
 struct Fragile {
-  Grasp stable;    ///< a grasp in the box
-  Grasp unstable;  ///< another one
+  GraspBox stable;    ///< one grasp of the box
+  GraspBox unstable;  ///< another one
 };
 
-/// The answer about a box of such grasps, which owns its evidence. The grasps of Fragile have
+/// The answer about a box of grasps, which owns its evidence. The grasps of Fragile have
 /// certificates of their own.
-template <class Grasp>
-using VerdictOnBox =
-    std::variant<StableThroughout, UnstableThroughout, Fragile<Grasp>, Undecided>;
+using BoxVerdict = std::variant<StableThroughout, UnstableThroughout, Fragile, Undecided>;
 
 /// The answer, and what it took.
-template <class Grasp>
-struct DecisionOnBox {
-  VerdictOnBox<Grasp> verdict;   ///< with its evidence
+struct BoxDecision {
+  BoxVerdict verdict;            ///< with its evidence
   SearchWork work{};             ///< to find it
   unsigned bits = kDefaultBits;  ///< of the proof
 };
 
-/// \{ In the plane.
-using BoxVerdict = VerdictOnBox<LoadedGrasp>;
-using BoxDecision = DecisionOnBox<LoadedGrasp>;
-/// \}
-
 /// "stable", "unstable", "fragile", "undecided".
-template <class Grasp>
-const char* name_of(const VerdictOnBox<Grasp>& verdict) {
+inline const char* name_of(const BoxVerdict& verdict) {
   constexpr const char* kNames[] = {"stable", "unstable", "fragile", "undecided"};
   return kNames[verdict.index()];
 }
 
 /// Whether all grasps of the box are stable, or none; nothing if neither is proved.
-template <class Grasp>
-std::optional<bool> throughout(const DecisionOnBox<Grasp>& decision) {
-  if (std::holds_alternative<StableThroughout>(decision.verdict)) return true;
-  if (std::holds_alternative<UnstableThroughout>(decision.verdict)) return false;
-  return std::nullopt;
-}
+std::optional<bool> throughout(const BoxDecision& decision);
+
+/// StableThroughout::motion, in space.
+Vector6 motion_of(const StableThroughout& stable);
 
 /// How much to try.
 struct BoxOptions {
-  std::size_t node_limit = 0;  ///< of each tree search; 0: one that suits most questions
-  /// Of the enclosure of irrational lengths: doubled from this until there is an answer, to the
-  /// limit.
+  /// Of each tree search; 0: one that suits most questions, and in space takes about a minute
+  /// at most for 12 contacts.
+  std::size_t node_limit = 0;
+  /// Of the enclosure of irrational lengths; in the plane doubled from this until there is an
+  /// answer, to the limit.
   unsigned bits = kDefaultBits;
   unsigned most_bits = 1024;  ///< the limit
 };

@@ -31,9 +31,10 @@ struct MapAxis {
   Interval range;                      ///< of the factor or value
 };
 
-/// "NAME=A:B", such as "friction[2]=0:1", "load=0:2", "direction=0:360", for this grasp. Throws
+/// "NAME=A:B", such as "friction[2]=0:1", "load=0:2", "direction=0:360", for this one
+/// grasp; directions are of a force in the plane. Throws
 /// InputError with the place `axis` for what is no axis, or leaves the grasps that there are.
-MapAxis parse_axis(const LoadedGrasp& grasp, std::string_view text, const std::string& axis);
+MapAxis parse_axis(const GraspBox& grasp, std::string_view text, const std::string& axis);
 
 /// A cell of a map: a rectangle of the plane of its axes.
 struct MapCell {
@@ -44,7 +45,7 @@ struct MapCell {
 
 /// The box of grasps in a rectangle. Where all frictions (stiffnesses, preloads, components)
 /// change by one factor, or the load turns, it has more grasps than the rectangle.
-GraspBox box_of_cell(const LoadedGrasp& grasp, const MapAxis& x_axis, const MapAxis& y_axis,
+GraspBox box_of_cell(const GraspBox& grasp, const MapAxis& x_axis, const MapAxis& y_axis,
                      const Interval& x, const Interval& y);
 
 /// How finely to look.
@@ -57,7 +58,7 @@ struct MapOptions {
 /// with each cell in turn, which tile the rectangle of the axes; `progress` with the part of
 /// the rectangle that is done, from 0 to 1. Throws InputError if both axes vary the same
 /// number.
-void map_verdicts(const LoadedGrasp& grasp, NormalLaw law, const MapAxis& x_axis,
+void map_verdicts(const GraspBox& grasp, NormalLaw law, const MapAxis& x_axis,
                   const MapAxis& y_axis, const MapOptions& options,
                   const std::function<void(MapCell)>& take,
                   const std::function<void(double)>& progress = {});

@@ -21,16 +21,16 @@ struct RadiusOptions {
 struct Radius {
   std::optional<bool> stable;  ///< the centre's verdict: the factor 0; nothing if undecided
   Rational proved{0};  ///< the largest factor with a proof of the centre's verdict; 0: none
-  std::optional<BoxDecision> proof{};    ///< its proof, unless it is 0
-  std::optional<Rational> refuted{};     ///< the smallest factor with a counterexample
-  std::optional<LoadedGrasp> example{};  ///< the counterexample
-  Rational limit{0};                     ///< no larger factor leaves a box that is valid
+  std::optional<BoxDecision> proof{};  ///< its proof, unless it is 0
+  std::optional<Rational> refuted{};   ///< the smallest factor with a counterexample
+  std::optional<GraspBox> example{};   ///< the counterexample
+  Rational limit{0};                   ///< no larger factor leaves a box that is valid
 };
 
-/// The radii of `centre` in the tolerances that `box` gives it: proved < refuted. Between them
-/// nothing is known. If the verdict of the centre itself is undecided, `proved` is 0.
-/// `progress` is called with the radii so far.
-Radius find_radius(const LoadedGrasp& centre, const GraspBox& box, NormalLaw law,
+/// The radii of `centre`, one grasp, in the tolerances that `box` gives it: proved < refuted.
+/// Between them nothing is known. If the verdict of the centre itself is undecided, `proved` is
+/// 0. `progress` is called with the radii so far.
+Radius find_radius(const GraspBox& centre, const GraspBox& box, NormalLaw law,
                    const RadiusOptions& options = {},
                    const std::function<void(const Radius&)>& progress = {});
 

@@ -27,10 +27,9 @@ std::string box_certificate_text(const Question& question, const BoxDecision& de
                                  const std::string& producer);
 
 /// The certificate of a verdict in space (FORMAT.md, section 7). Throws ContractError for
-/// Fragile<SpatialGrasp> and Undecided, which it cannot say.
+/// Fragile and Undecided, which it cannot say.
 std::string spatial_certificate_text(const SpatialQuestion& question,
-                                     const SpatialDecision& decision,
-                                     const std::string& producer);
+                                     const BoxDecision& decision, const std::string& producer);
 
 /// The certificate of a margin in space (FORMAT.md, section 7).
 std::string spatial_margin_text(const SpatialQuestion& question, const SpatialMargin& margin,

@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Grasps of which some numbers are known as intervals: all grasps in a box at once.
+/// Grasps in the plane or in space of which some numbers are known as intervals: all grasps in
+/// a box at once. What is known exactly is an interval of one number.
+///
+/// Frame in space: the object frame, right-handed. A twist d = (u, omega) moves the point p to
+/// p + u + omega x p; a wrench is a force and its torque about the origin. Friction is
+/// Coulomb's cone (certificate/FORMAT.md, section 7), without a choice of tangents. The plane
+/// has the conventions of grasp.hpp.
 #pragma once
 
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "stickslip/core/grasp.hpp"
+#include "stickslip/core/row.hpp"
 
 namespace stickslip {
 
@@ -34,20 +42,20 @@ inline Interval point_interval(const Rational& x) {
   return {x, x};
 }
 
-/// A Contact of which every number may be an interval. The normal has the direction of
-/// n + e t for some |e| <= slope, with t = (-n_y, n_x).
+/// A contact of which every number may be an interval; vectors have two coordinates in the
+/// plane and three in space. In the plane the normal has the direction of n + e t for some
+/// |e| <= slope, with t = (-n_y, n_x); in space it is certain.
 struct UncertainContact {
-  Interval x;                ///< of the position, as is y
-  Interval y;                ///< of the position
-  Vector2 normal;            ///< n, as Contact::normal
-  Rational slope{0};         ///< of the normal, 0 <= slope < 1
-  Interval friction;         ///< mu >= 0
-  Interval stiffness{1, 1};  ///< k > 0
-  Interval preload;          ///< P >= 0
+  std::vector<Interval> position;  ///< of the point of contact, in the object frame
+  RationalRow normal;              ///< n, nonzero, points into the object; of any length
+  Interval friction;               ///< coefficient mu >= 0
+  Interval stiffness{1, 1};        ///< of the normal spring, k > 0, force per length
+  Interval preload{};              ///< P >= 0, force
+  Rational slope{0};               ///< of the normal, 0 <= slope < 1; 0 in space
 };
 
-/// The components (x, y, torque) of a wrench.
-using WrenchBox = std::array<Interval, 3>;
+/// The components of a wrench: (x, y, torque), in space force x, y, z and torque x, y, z.
+using WrenchBox = std::vector<Interval>;
 
 /// How far numbers of a kind may be off: by t, or by t times their size.
 struct Tolerance {
@@ -96,31 +104,66 @@ std::vector<NamedTolerance> given(const Tolerances& tolerances);
 /// InputError with the place "uncertain".
 Tolerances parse_tolerances(std::string_view text);
 
-/// Contacts and a wrench with numbers in intervals.
+/// Contacts and a wrench with numbers in intervals, all in the plane or all in space.
 struct GraspBox {
   std::vector<UncertainContact> contacts;  ///< by ContactId
   WrenchBox wrench;                        ///< w, applied to the object
 
+  /// Whether it has three coordinates.
+  bool in_space() const { return wrench.size() == 6; }
   /// Whether every interval is one number and every slope 0.
   bool is_point() const;
-  /// Widened by the tolerances, and checked: throws InputError naming "contacts[i].<member>" or
-  /// "wrench[j]" for a friction coefficient or preload that may be below 0, a stiffness that
-  /// may be 0 or below, a slope of 1 or more, or an interval whose ends are exchanged.
+  /// Throws InputError naming "contacts[i].<member>" or "wrench[j]" for a normal of 0, a
+  /// friction coefficient or preload that may be below 0, a stiffness that may be 0 or below, a
+  /// slope of 1 or more, or an interval whose ends are exchanged.
+  void check() const;
+  /// Widened by the tolerances, and checked. Throws InputError with the place "uncertain" for
+  /// one of normals in space, and as check() does.
   GraspBox widened(const Tolerances& tolerances) const;
-  /// Each interval shrunk or grown about the value in `centre` (inside it): its ends are
-  /// centre + factor (end - centre); slopes times factor. factor >= 0. Throws as widened does.
-  GraspBox scaled(const LoadedGrasp& centre, const Rational& factor) const;
-  /// The grasp in the middle of every interval, with the normals n.
-  LoadedGrasp middle(const GraspDescription& description = {}) const;
+  /// Each interval shrunk or grown about the value in `centre`, one grasp inside it: its ends
+  /// are centre + factor (end - centre); slopes times factor. factor >= 0. Throws as check().
+  GraspBox scaled(const GraspBox& centre, const Rational& factor) const;
+  /// The one grasp in the middle of every interval, with the normals n.
+  GraspBox middle() const;
+  /// The same, of a box in the plane.
+  LoadedGrasp planar_middle(const GraspDescription& description = {}) const;
 };
 
-/// The wrench in the middle of every interval.
-Wrench middle(const WrenchBox& wrench);
+/// Calls f(place, interval) of every number that may be an interval, in the order of a file:
+/// "contacts[2].friction", "wrench[5]". (The slope of a normal is none.)
+template <class Box, class Function>
+void for_each_number(Box& box, Function f) {
+  for (std::size_t i = 0; i < box.contacts.size(); ++i) {
+    auto& c = box.contacts[i];
+    const std::string path = "contacts[" + std::to_string(i) + "].";
+    for (std::size_t j = 0; j < c.position.size(); ++j) {
+      f(path + "position[" + std::to_string(j) + "]", c.position[j]);
+    }
+    f(path + "friction", c.friction);
+    f(path + "stiffness", c.stiffness);
+    f(path + "preload", c.preload);
+  }
+  for (std::size_t j = 0; j < box.wrench.size(); ++j) {
+    f("wrench[" + std::to_string(j) + "]", box.wrench[j]);
+  }
+}
 
-/// n + slope t, with t = (-n_y, n_x).
-Vector2 turned(const Vector2& normal, const Rational& slope);
+/// The wrench in the middle of every interval, in the plane.
+Wrench planar_middle(const WrenchBox& wrench);
 
-/// \{ The box of one grasp, contact or wrench.
+/// n + slope t, with t = (-n_y, n_x), in the plane.
+Vector2 turned(const RationalRow& normal, const Rational& slope);
+
+/// A twist or a wrench in space: translation x, y, z and rotation x, y, z, in radians; force
+/// and torque.
+using Vector6 = std::array<Rational, 6>;
+
+/// A vector in space.
+inline Vector3 vector3(const RationalRow& row) {
+  return {row.at(0), row.at(1), row.at(2)};
+}
+
+/// \{ The box of one grasp, contact or wrench in the plane.
 GraspBox box_of(const LoadedGrasp& loaded);
 UncertainContact box_of(const Contact& contact);
 WrenchBox box_of(const Wrench& wrench);

@@ -93,6 +93,8 @@ GraspFile read_grasp_file(const std::string& path, Intervals intervals = Interva
 /// InputError for what a file cannot hold: a name that is not UTF-8, a number longer than
 /// kMaxNumberLength.
 std::string write_grasp(const LoadedGrasp& content);
+/// \copydoc write_grasp
+std::string write_grasp(const GraspBox& box, const GraspDescription& description);
 /// The same with the cases and intervals, and without the stiffnesses that were assumed:
 /// reading it gives `file` again.
 std::string write_grasp_file(const GraspFile& file);

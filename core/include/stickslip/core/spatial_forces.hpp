@@ -26,7 +26,7 @@ struct SpatialForce {
 /// have these shares sigma of friction, mu a sigma, or none; the others oppose their slip.
 /// Requires that no number of the grasp is uncertain, and that all lengths which matter are
 /// rational: of normals where there is a preload, of slips where there is friction.
-std::vector<SpatialForce> forces_of(const SpatialGrasp& grasp, const Vector6& d,
+std::vector<SpatialForce> forces_of(const GraspBox& grasp, const Vector6& d,
                                     const std::vector<std::pair<ContactId, Vector3>>& shares);
 
 }  // namespace stickslip

@@ -44,6 +44,6 @@ std::string plot_grasp(const Question& question, const Verdict& verdict);
 /// - Unstable: the grasp and its load.
 ///
 /// Requires that nothing of the question is uncertain but lengths that are irrational.
-std::string plot_grasp(const SpatialQuestion& question, const SpatialVerdict& verdict);
+std::string plot_grasp(const SpatialQuestion& question, const BoxVerdict& verdict);
 
 }  // namespace stickslip

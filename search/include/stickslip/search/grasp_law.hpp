@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "stickslip/core/spatial_grasp.hpp"
+#include "stickslip/core/box.hpp"
 #include "stickslip/equilibrium/part.hpp"
 #include "stickslip/search/law.hpp"
 
@@ -26,12 +26,10 @@ struct SpatialGrowth {
 /// The law of every grasp in a box, or in a part of it.
 class GraspLaw : public Law {
  public:
-  /// \{ 1/|n| is enclosed in so many bits where it is irrational and the preload may be above
-  /// 0.
-  GraspLaw(const GraspBox& box, NormalLaw law, unsigned bits = kDefaultBits);
-  GraspLaw(const SpatialGrasp& box, NormalLaw law, unsigned bits = kDefaultBits,
+  /// 1/|n| is enclosed in so many bits where it is irrational and the preload may be above 0.
+  /// Margins are of one grasp in space.
+  GraspLaw(const GraspBox& box, NormalLaw law, unsigned bits = kDefaultBits,
            const std::optional<SpatialGrowth>& margin = {});
-  /// \}
 
   /// The interval of a parameter. Requires that there is one.
   const Interval& interval(const ParameterId& id) const;
@@ -46,9 +44,7 @@ class GraspLaw : public Law {
   GraspLaw within(const MultipleRange& range) const;
 
  private:
-  template <class AnyContact>
-  void add_contact(const ContactPlace& place, const AnyContact& contact, const Rational& rate,
-                   unsigned bits);
+  void add_contact(const UncertainContact& contact, const Rational& rate, unsigned bits);
   void add_corners(LawContact& contact) const;
   void complete();
 };

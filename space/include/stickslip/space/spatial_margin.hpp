@@ -60,7 +60,7 @@ struct SpatialMargin {
 struct SpatialMarginOptions {
   /// What is left undecided at an end is about this part of the multiple there.
   Rational accuracy{1, 1000};
-  SpatialSearchOptions search{};  ///< of each proof
+  BoxOptions search{};  ///< of each proof
 };
 
 /// Requires a question about a margin. Deterministic. `progress` is called now and then.

@@ -33,7 +33,7 @@ struct SpatialQuestion {
   std::optional<Rational> preload{};       ///< set if it replaced the file's preloads
   std::string case_name{};                 ///< whose wrench it is; may be empty
   Tolerances uncertain{};                  ///< as asked
-  SpatialWrench wrench{};                  ///< before it was widened
+  WrenchBox wrench{};                      ///< before it was widened
   bool is_box = false;                     ///< as Question::box (equilibrium/question.hpp)
   std::optional<Vector6> direction{};      ///< as asked, of a margin
   std::optional<PreloadDirection> preload_direction{};  ///< as asked, of a margin
@@ -44,7 +44,7 @@ struct SpatialQuestion {
 };
 
 /// The grasp and its load with what the options replace. Throws InputError as the question in
-/// the plane does, and as widened() does.
+/// the plane does, and as GraspBox::widened() does.
 SpatialQuestion ask(const SpatialGrasp& grasp, const SpatialOptions& options);
 
 }  // namespace stickslip

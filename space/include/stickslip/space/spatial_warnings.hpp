@@ -19,7 +19,7 @@ namespace stickslip {
 /// rational operations, and in grasps of at most kMostContactsToVary contacts verdicts that
 /// take as many nodes as the answer took, and kNodesToVary.
 std::vector<ModelWarning> model_warnings(const SpatialQuestion& question,
-                                         const SpatialDecision& decision);
+                                         const BoxDecision& decision);
 
 /// The same of a margin, about the exact equilibria at the ends of what is resisted, the first
 /// that each sort is true of; and about the preloads that it begins with or, if these are 0,

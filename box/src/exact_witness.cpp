@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "exact_witness.hpp"
+#include "stickslip/box/exact_witness.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace stickslip::space_detail {
+namespace stickslip {
 namespace {
 
 /// A number of few bits near x, which is about `size`.
@@ -165,4 +165,4 @@ std::optional<SpatialWitness> exact_witness(const GraspLaw& model,
   return witness;
 }
 
-}  // namespace stickslip::space_detail
+}  // namespace stickslip

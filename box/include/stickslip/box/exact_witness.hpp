@@ -9,10 +9,10 @@
 #include "stickslip/search/grasp_law.hpp"
 #include "stickslip/search/tree_search.hpp"
 
-namespace stickslip::space_detail {
+namespace stickslip {
 
 /// An exact equilibrium with these modes, if there is one: none may slip where friction acts.
 /// The law is that of one grasp.
 std::optional<SpatialWitness> exact_witness(const GraspLaw& law, const NearEquilibrium& near);
 
-}  // namespace stickslip::space_detail
+}  // namespace stickslip

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "planar_grasps.hpp"
+#include "one_grasp.hpp"
 
+#include "stickslip/degree/newton.hpp"
 #include "stickslip/equilibrium/decide.hpp"
+#include "stickslip/equilibrium/search/rounded_equilibrium.hpp"
 
 namespace stickslip::box_detail {
 
@@ -17,6 +19,9 @@ Problem problem_of(const GraspLaw& point) {
   return Problem(std::move(rows), {w[0].low, w[1].low, w[2].low}, point.law);
 }
 
+namespace {
+
+/// In the units of a law of one grasp in the plane.
 NearEquilibrium near(const GraspLaw& point, const RoundedEquilibrium& rounded) {
   NearEquilibrium result{Reals(3), {}, {}, {}};
   for (std::size_t j = 0; j < 3; ++j) {
@@ -32,7 +37,14 @@ NearEquilibrium near(const GraspLaw& point, const RoundedEquilibrium& rounded) {
   return result;
 }
 
+}  // namespace
+
 std::vector<NearEquilibrium> near_equilibria(const GraspLaw& point, bool has_enclosures) {
+  if (point.motions != 3) {
+    constexpr std::size_t kStarts = 3;
+    const RoundedGrasp grasp = rounded_middle(point);
+    return Newton(grasp).solve_from(kStarts);
+  }
   const Problem problem = problem_of(point);
   constexpr std::size_t kMost = 4;  // of each kind
   std::vector<NearEquilibrium> result;
@@ -55,6 +67,13 @@ std::vector<NearEquilibrium> near_equilibria(const GraspLaw& point, bool has_enc
     }
   }
   return result;
+}
+
+std::optional<bool> is_stable(const GraspBox& point, NormalLaw law, const BoxOptions& options) {
+  if (!point.in_space() && !needs_enclosure(point)) {
+    return std::holds_alternative<Stable>(decide_by_cones(Problem(point.planar_middle(), law)));
+  }
+  return throughout(decide_box(point, law, options));
 }
 
 }  // namespace stickslip::box_detail

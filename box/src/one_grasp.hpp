@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Single grasps of a box: in the plane as the engine for these knows them, in space by
+/// Newton's method.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "stickslip/box/box_verdict.hpp"
+#include "stickslip/equilibrium/problem.hpp"
+#include "stickslip/search/grasp_law.hpp"
+#include "stickslip/search/tree_search.hpp"
+
+namespace stickslip::box_detail {
+
+/// The problem of a law of one grasp in the plane.
+Problem problem_of(const GraspLaw& point);
+
+/// Some equilibria of a law of one grasp, in doubles. `has_enclosures`: of lengths, in so many
+/// bits that exact equilibria take longer than a proof without them.
+std::vector<NearEquilibrium> near_equilibria(const GraspLaw& point, bool has_enclosures);
+
+/// Whether the only grasp of this box is stable; nothing if that is undecided.
+std::optional<bool> is_stable(const GraspBox& point, NormalLaw law,
+                              const BoxOptions& options = {});
+
+/// Stable or unstable throughout, or undecided; never fragile. The box may be cut into so many
+/// parts and one.
+BoxDecision prove_box(const GraspBox& box, NormalLaw law, const BoxOptions& options,
+                      std::size_t most_parts);
+
+}  // namespace stickslip::box_detail

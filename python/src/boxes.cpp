@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Questions about all grasps in a box, in the plane and in space.
+#include "bindings.hpp"
+#include "exact.hpp"
+#include "stickslip/answers/asked_box.hpp"
+#include "stickslip/answers/verdict_answer.hpp"
+#include "stickslip/box/map.hpp"
+#include "stickslip/box/radius.hpp"
+#include "stickslip/certificate/proved_files.hpp"
+#include "stickslip/core/error.hpp"
+#include "stickslip/plot/map_plot.hpp"
+
+namespace stickslip::python {
+namespace {
+
+namespace py = pybind11;
+using py::literals::operator""_a;
+
+py::tuple middles(const WrenchBox& wrench) {
+  return tuple_of(wrench, [](const Interval& w) { return fraction(w.middle()); });
+}
+
+/// What is asked about a grasp of which `uncertain`, as in --uncertain, says what may be off.
+template <class Data>
+AskedBox asked_of(const Data& grasp, const py::object& wrench, const py::object& preload,
+                  bool bilateral, const std::string& uncertain) {
+  return asked_box(question_in_box(grasp, wrench, preload, bilateral, uncertain));
+}
+
+py::dict fields_of(const AskedBox& asked, const char* verdict, const py::object& preload) {
+  py::dict result("verdict"_a = verdict, "normal_law"_a = to_string(asked.law),
+                  "wrench"_a = middles(asked.box.wrench));
+  if (!preload.is_none()) result["preload"] = fraction(exact(preload, "preload"));
+  return result;
+}
+
+/// Irrational lengths are enough to make a box.
+template <class Data>
+py::dict decide_box_of(const Data& grasp, const std::string& uncertain,
+                       const py::object& wrench, const py::object& preload, bool bilateral,
+                       std::size_t node_limit) {
+  const AskedBox asked = asked_of(grasp, wrench, preload, bilateral, uncertain);
+  if (asked.box.is_point() && !needs_enclosure(asked.box)) refuse_certain();
+  BoxOptions options;
+  options.node_limit = node_limit;
+  const auto [decision, proofs] = without_gil([&] {
+    BoxDecision found = decide_box(asked.box, asked.law, options);
+    auto proved = proved_decision(asked.box, asked.description, asked.law, found,
+                                  producer_of(asked.engine()));
+    return std::pair(std::move(found), std::move(proved));
+  });
+  py::dict result = fields_of(asked, name_of(decision.verdict), preload);
+  result["engine"] = asked.engine();
+  add_files(result, proofs);
+  if (const auto* undecided = std::get_if<Undecided>(&decision.verdict)) {
+    add_undecided(result, *undecided);
+  }
+  result["stats"] = stats(decision.work);
+  return result;
+}
+
+template <class Data>
+py::dict radius(const Data& grasp, const std::string& uncertain, const py::object& wrench,
+                const py::object& preload, bool bilateral, const py::object& accuracy,
+                std::size_t node_limit) {
+  RadiusOptions options;
+  options.box.node_limit = node_limit;
+  options.accuracy = exact(accuracy, "accuracy");
+  if (options.accuracy.sign() <= 0 || options.accuracy >= 1) {
+    throw InputError("", "accuracy", "the value is " + to_string(options.accuracy),
+                     "it is a part of the radius: give more than 0 and less than 1");
+  }
+  const AskedBox asked = asked_of(grasp, wrench, preload, bilateral, uncertain);
+  if (asked.box.is_point()) refuse_certain();
+  const auto [found, proofs] = without_gil([&] {
+    Radius radius = find_radius(asked.centre, asked.box, asked.law, options);
+    std::vector<ProvedFiles> proved;
+    if (radius.stable) {
+      proved = proved_radius(asked.centre, asked.box, asked.description, asked.law, radius,
+                             producer_of(asked.engine()));
+    }
+    return std::pair(std::move(radius), std::move(proved));
+  });
+  const char* verdict = !found.stable ? "undecided" : *found.stable ? "stable" : "unstable";
+  py::dict result = fields_of(asked, verdict, preload);
+  result["proved"] = fraction(found.proved);
+  result["limit"] = fraction(found.limit);
+  if (!proofs.empty()) result["proof"] = files(proofs[0]);
+  if (found.refuted) {
+    result["refuted"] = fraction(*found.refuted);
+    result["counterexample"] = files(proofs[1]);
+  }
+  return result;
+}
+
+/// The arguments of results.MapCell, but the proof's law.
+py::tuple map_cell(const MapCell& cell, const std::optional<ProvedFiles>& proof) {
+  const auto ends = [](const Interval& interval) {
+    return fractions(interval.low, interval.high);
+  };
+  return py::make_tuple(ends(cell.x), ends(cell.y), name_of(cell.decision.verdict),
+                        proof ? py::object(files(*proof)) : py::object(py::none()));
+}
+
+template <class Data>
+py::dict map(const Data& grasp, const std::string& x_text, const std::string& y_text,
+             const py::object& wrench, const py::object& preload, bool bilateral,
+             unsigned depth, std::size_t node_limit, bool proofs) {
+  const AskedBox asked = asked_of(grasp, wrench, preload, bilateral, "");
+  if (!asked.box.in_space() && needs_enclosure(asked.box)) {
+    throw InputError("", "", "a preloaded contact has a normal of irrational length",
+                     "ask about grasp.snap().grasp");
+  }
+  const MapAxis x = parse_axis(asked.centre, x_text, "x");
+  const MapAxis y = parse_axis(asked.centre, y_text, "y");
+  MapOptions options;
+  options.depth = depth;
+  options.box.node_limit = node_limit;
+  std::vector<MapCell> cells;
+  std::vector<std::optional<ProvedFiles>> proved;
+  const std::string picture = without_gil([&] {
+    map_verdicts(asked.centre, asked.law, x, y, options, [&](MapCell cell) {
+      proved.emplace_back();
+      if (proofs && !std::holds_alternative<Undecided>(cell.decision.verdict)) {
+        proved.back() =
+            proved_box(box_of_cell(asked.centre, x, y, cell.x, cell.y), asked.description,
+                       asked.law, cell.decision, producer_of(asked.engine()));
+      }
+      cells.push_back(std::move(cell));
+    });
+    return plot_map(asked.description.name, x, y, cells);
+  });
+  py::tuple rows(cells.size());
+  for (std::size_t k = 0; k < cells.size(); ++k) rows[k] = map_cell(cells[k], proved[k]);
+  py::dict result("cells"_a = rows, "picture"_a = picture,
+                  "normal_law"_a = to_string(asked.law),
+                  "wrench"_a = middles(asked.centre.wrench));
+  if (!preload.is_none()) result["preload"] = fraction(exact(preload, "preload"));
+  return result;
+}
+
+}  // namespace
+
+void bind_boxes(py::module_& module) {
+  module.def("decide_box", &decide_box_of<GraspFile>);
+  module.def("decide_box", &decide_box_of<SpatialGrasp>);
+  module.def("radius", &radius<GraspFile>);
+  module.def("radius", &radius<SpatialGrasp>);
+  module.def("stability_map", &map<GraspFile>);
+  module.def("stability_map", &map<SpatialGrasp>);
+}
+
+}  // namespace stickslip::python

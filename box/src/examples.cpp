@@ -93,8 +93,8 @@ std::vector<std::pair<Place, double>> Examples::without(const Witness& equilibri
   const RoundedBox rounded(law);
   const GraspLaw middle_law = law.middle();
   const MovingEquilibrium moving(
-      rounded,
-      near(middle_law, rounded_equilibrium(box_detail::problem_of(middle_law), equilibrium)));
+      rounded, near(rounded_middle(middle_law),
+                    rounded_equilibrium(box_detail::problem_of(middle_law), equilibrium)));
   std::vector<std::pair<Place, double>> result;
   for (const LostWay& way : moving.ways_out()) {
     Place place = middle();

@@ -17,41 +17,27 @@ Problem problem_of(const GraspLaw& point) {
   return Problem(std::move(rows), {w[0].low, w[1].low, w[2].low}, point.law);
 }
 
-NearEquilibrium near(const GraspLaw& point, const RoundedEquilibrium& rounded) {
-  NearEquilibrium result{Reals(3), {}, {}, {}};
-  for (std::size_t j = 0; j < 3; ++j) {
-    result.motion[static_cast<Eigen::Index>(j)] = rounded.twist[j] * point.unit(j);
-  }
-  for (std::size_t i = 0; i < rounded.forces.size(); ++i) {
-    const RoundedEquilibrium::Force& force = rounded.forces[i];
-    const bool rubs = force.normal > 0 && point.contacts[i].slopes[0] > 0;
-    result.normal.push_back(force.normal);
-    result.friction.push_back({force.tangential, 0, 0});
-    result.sticks.push_back(rubs && force.still ? 1 : 0);
-  }
-  return result;
-}
-
 std::vector<NearEquilibrium> near_equilibria(const GraspLaw& point, bool has_enclosures) {
   const Problem problem = problem_of(point);
+  const RoundedGrasp grasp = rounded_middle(point);
   constexpr std::size_t kMost = 4;
   std::vector<NearEquilibrium> result;
   if (!has_enclosures && !has_long_equilibria(problem)) {
     const Verdict verdict = decide_by_cones(problem);
     const auto* stable = std::get_if<Stable>(&verdict);
     if (stable == nullptr) return result;
-    result.push_back(near(point, rounded_equilibrium(problem, stable->witness)));
+    result.push_back(near(grasp, rounded_equilibrium(problem, stable->witness)));
     constexpr std::size_t kStarts = 40;
     for (const Witness& witness : find_equilibria(problem, kStarts)) {
       if (result.size() == kMost) break;
-      result.push_back(near(point, rounded_equilibrium(problem, witness)));
+      result.push_back(near(grasp, rounded_equilibrium(problem, witness)));
     }
     return result;
   }
   constexpr std::size_t kStarts = 12;
   for (const std::size_t starts : {std::size_t{0}, kStarts}) {
     for (const RoundedEquilibrium& found : find_rounded_equilibria(problem, starts)) {
-      if (result.size() <= kMost) result.push_back(near(point, found));
+      if (result.size() <= kMost) result.push_back(near(grasp, found));
     }
   }
   return result;

@@ -6,9 +6,7 @@
 #include <vector>
 
 #include "stickslip/box/box_verdict.hpp"
-#include "stickslip/equilibrium/search/rounded_equilibrium.hpp"
-#include "stickslip/search/grasp_law.hpp"
-#include "stickslip/search/tree_search.hpp"
+#include "stickslip/degree/newton.hpp"
 
 namespace stickslip::box_detail {
 
@@ -18,9 +16,6 @@ Problem problem_of(const GraspLaw& point);
 /// Some of its equilibria, in doubles. `has_enclosures`: of lengths, in so many bits that exact
 /// equilibria take longer than a proof without them.
 std::vector<NearEquilibrium> near_equilibria(const GraspLaw& point, bool has_enclosures);
-
-/// In the units of a law of one grasp.
-NearEquilibrium near(const GraspLaw& point, const RoundedEquilibrium& rounded);
 
 /// Stable or unstable throughout, or undecided; never fragile. Irrational lengths are enclosed
 /// as the options say.

@@ -59,7 +59,7 @@ class DegreeSearch {
   std::optional<DegreeProof> prove_in_mode(const NearEquilibrium& near, double size,
                                            std::size_t node_limit);
   std::optional<DegreeProof> prove_smoothly(const NearEquilibrium& near, double part,
-                                            double slip);
+                                            double slip, std::size_t node_limit);
   std::optional<DegreeProof> prove_with(Walls walls, const Attempt& attempt,
                                         const std::vector<Pull>& pulls);
   std::vector<std::size_t> open_walls(DegreeProof& proof, bool second, const Attempt& attempt);
@@ -105,7 +105,8 @@ std::optional<DegreeProof> DegreeSearch::prove_quickly(const NearEquilibrium& pr
   if (polished) {
     if (auto proof = prove_in_mode(*polished, 3e-1, kFewNodes)) return proof;
   }
-  return prove_smoothly(polished ? *polished : proposed, 0.03, 0.1);
+  constexpr std::size_t kSomeNodes = 300;
+  return prove_smoothly(polished ? *polished : proposed, 0.03, 0.1, kSomeNodes);
 }
 
 std::optional<DegreeProof> DegreeSearch::prove_one(const NearEquilibrium& near) {
@@ -113,6 +114,7 @@ std::optional<DegreeProof> DegreeSearch::prove_one(const NearEquilibrium& near) 
   for (const double size : {3e-1, 3e-2, 3e-3, 3e-4, 3e-5}) {
     if (auto proof = prove_in_mode(near, size, kFewNodes)) return proof;
   }
+  if (auto proof = prove_in_mode(near, 3e-1, limit)) return proof;
   for (const auto& [force, slip] : {std::pair{0.03, 0.1},
                                     {0.3, 1.0},
                                     {0.3, 0.1},
@@ -123,9 +125,9 @@ std::optional<DegreeProof> DegreeSearch::prove_one(const NearEquilibrium& near) 
                                     {0.1, 10.0},
                                     {0.1, 0.01},
                                     {0.01, 1.0}}) {
-    if (auto proof = prove_smoothly(near, force, slip)) return proof;
+    if (auto proof = prove_smoothly(near, force, slip, limit)) return proof;
   }
-  for (const double size : {3e-1, 3e-2, 1e-3}) {
+  for (const double size : {3e-2, 1e-3}) {
     if (auto proof = prove_in_mode(near, size, limit)) return proof;
   }
   return std::nullopt;
@@ -142,7 +144,8 @@ std::optional<DegreeProof> DegreeSearch::prove_in_mode(const NearEquilibrium& ne
 /// On the walls this part of all normal forces is left over; friction is smooth over this part
 /// of how far that moves springs.
 std::optional<DegreeProof> DegreeSearch::prove_smoothly(const NearEquilibrium& near,
-                                                        double part, double slip) {
+                                                        double part, double slip,
+                                                        std::size_t node_limit) {
   double force = 0;
   double stiffness = 0;
   for (std::size_t i = 0; i < about_.grasp.contacts.size(); ++i) {
@@ -157,8 +160,7 @@ std::optional<DegreeProof> DegreeSearch::prove_smoothly(const NearEquilibrium& n
       Newton(about_.grasp).answer(near.motion, slip * left / stiffness);
   Walls walls(about_.grasp, about_.span, near, answer, left);
   if (!walls.is_sound()) return std::nullopt;
-  return prove_with(std::move(walls), {0, limits_.node_limit, 0, limits_.most_nodes},
-                    {Pull::kAnswer});
+  return prove_with(std::move(walls), {0, node_limit, 0, limits_.most_nodes}, {Pull::kAnswer});
 }
 
 /// Walls that fit the moves: where the equilibrium goes farthest, or as far as the first order

@@ -7,7 +7,7 @@
 #include "one_grasp.hpp"
 #include "stickslip/box/box_prover.hpp"
 #include "stickslip/box/exact_witness.hpp"
-#include "stickslip/equilibrium/stable_by_degree.hpp"
+#include "stickslip/degree/prove_stable.hpp"
 
 namespace stickslip {
 
@@ -127,38 +127,14 @@ Vector6 motion_of(const StableThroughout& stable) {
   return motion;
 }
 
-namespace {
-
-TreeNode in_any_dimension(const RefutationNode& node) {
-  struct Convert {
-    TreeNode operator()(const SlipSplit& split) const { return split; }
-    TreeNode operator()(const SeparationSplit& split) const { return split; }
-    TreeNode operator()(const PlaneSplit& split) const {
-      return PlaneCut{{split.plane.begin(), split.plane.end()}};
-    }
-    TreeNode operator()(const VirtualWorkLeaf& leaf) const {
-      return TwistLeaf{{leaf.twist.begin(), leaf.twist.end()}};
-    }
-  };
-  return std::visit(Convert{}, node);
-}
-
-}  // namespace
-
 std::optional<BoxDecision> prove_stable_by_degree(const Problem& problem) {
-  DegreeWork work;
-  const std::optional<ProofByDegree> found = prove_by_degree(problem, &work);
-  if (!found) return std::nullopt;
-  DegreeProof proof{*found, found->direction, {}};
-  for (const RefutationNode& node : found->trees) {
-    proof.trees.push_back(in_any_dimension(node));
-  }
-  const RationalRow near = proof.twist;
-  BoxDecision decision{StableThroughout{StabilityProof{std::move(proof)}, near}};
-  decision.work.nodes = work.cone.nodes;
-  decision.work.proofs = work.proofs;
-  decision.work.parts = 1;
-  return decision;
+  SearchWork work;
+  auto proof = prove_by_degree(problem, work);
+  if (!proof) return std::nullopt;
+  work.parts = 1;
+  RationalRow near = proof->twist;
+  return BoxDecision{StableThroughout{StabilityProof{std::move(*proof)}, std::move(near)},
+                     work};
 }
 
 BoxDecision decide_box(const GraspBox& box, NormalLaw law, const BoxOptions& options) {

@@ -19,30 +19,10 @@ Problem problem_of(const GraspLaw& point) {
   return Problem(std::move(rows), {w[0].low, w[1].low, w[2].low}, point.law);
 }
 
-namespace {
-
-/// In the units of a law of one grasp in the plane.
-NearEquilibrium near(const GraspLaw& point, const RoundedEquilibrium& rounded) {
-  NearEquilibrium result{Reals(3), {}, {}, {}};
-  for (std::size_t j = 0; j < 3; ++j) {
-    result.motion[static_cast<Eigen::Index>(j)] = rounded.twist[j] * point.unit(j);
-  }
-  for (std::size_t i = 0; i < rounded.forces.size(); ++i) {
-    const RoundedEquilibrium::Force& force = rounded.forces[i];
-    const bool rubs = force.normal > 0 && point.contacts[i].slopes[0] > 0;
-    result.normal.push_back(force.normal);
-    result.friction.push_back({force.tangential, 0, 0});
-    result.sticks.push_back(rubs && force.still ? 1 : 0);
-  }
-  return result;
-}
-
-}  // namespace
-
 std::vector<NearEquilibrium> near_equilibria(const GraspLaw& point, bool has_enclosures) {
+  const RoundedGrasp grasp = rounded_middle(point);
   if (point.motions != 3) {
     constexpr std::size_t kStarts = 3;
-    const RoundedGrasp grasp = rounded_middle(point);
     return Newton(grasp).solve_from(kStarts);
   }
   const Problem problem = problem_of(point);
@@ -52,18 +32,18 @@ std::vector<NearEquilibrium> near_equilibria(const GraspLaw& point, bool has_enc
     const Verdict verdict = decide_by_cones(problem);
     const auto* stable = std::get_if<Stable>(&verdict);
     if (stable == nullptr) return result;
-    result.push_back(near(point, rounded_equilibrium(problem, stable->witness)));
+    result.push_back(near(grasp, rounded_equilibrium(problem, stable->witness)));
     constexpr std::size_t kStarts = 40;
     for (const Witness& witness : find_equilibria(problem, kStarts)) {
       if (result.size() == kMost) break;
-      result.push_back(near(point, rounded_equilibrium(problem, witness)));
+      result.push_back(near(grasp, rounded_equilibrium(problem, witness)));
     }
   }
   const std::size_t most = result.size() + kMost;
   constexpr std::size_t kStarts = 12;
   for (const std::size_t starts : {std::size_t{0}, kStarts}) {
     for (const RoundedEquilibrium& found : find_rounded_equilibria(problem, starts)) {
-      if (result.size() <= most) result.push_back(near(point, found));
+      if (result.size() <= most) result.push_back(near(grasp, found));
     }
   }
   return result;

@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "stickslip/equilibrium/search/independent_rows.hpp"
+
 namespace stickslip {
 namespace {
 
@@ -58,6 +60,21 @@ Reals Newton::force(const Reals& motion, double smooth, Eigen::MatrixXd* derivat
     if (derivative != nullptr) *derivative -= c.stiffness * wrench * c.normal.transpose();
   }
   return sum;
+}
+
+NearEquilibrium near(const RoundedGrasp& grasp, const RoundedEquilibrium& rounded) {
+  NearEquilibrium result{Reals(3), {}, {}, {}};
+  for (std::size_t j = 0; j < 3; ++j) {
+    result.motion[static_cast<Eigen::Index>(j)] = rounded.twist[j] * grasp.unit(j);
+  }
+  for (std::size_t i = 0; i < rounded.forces.size(); ++i) {
+    const RoundedEquilibrium::Force& force = rounded.forces[i];
+    const bool rubs = force.normal > 0 && grasp.contacts[i].slope > 0;
+    result.normal.push_back(force.normal);
+    result.friction.push_back({force.tangential, 0, 0});
+    result.sticks.push_back(rubs && force.still ? 1 : 0);
+  }
+  return result;
 }
 
 ModalEquations::ModalEquations(const RoundedGrasp& grasp, NearEquilibrium& near)
@@ -202,10 +219,10 @@ void Newton::share_out(NearEquilibrium& near) const {
     constexpr double kBalanced = 1e-12;
     if (!next.allFinite() || !((wrenches * next - sum).norm() <= kBalanced * grasp_.force))
       break;
-    if (largest(next) < largest(best)) best = next;
+    const double highest = largest(next);
+    if (highest < largest(best)) best = next;
     for (const Share& s : sticking) {
-      weights.segment(s.first, s.size) /=
-          0.3 + next.segment(s.first, s.size).norm() / largest(next);
+      weights.segment(s.first, s.size) /= 0.3 + next.segment(s.first, s.size).norm() / highest;
     }
   }
   for (const Share& s : sticking) {
@@ -333,6 +350,79 @@ std::optional<NearEquilibrium> Newton::change_modes(NearEquilibrium near) const 
 std::optional<NearEquilibrium> Newton::follow(const NearEquilibrium& near) const {
   auto found = change_modes(near);
   return found ? polish(std::move(*found)) : std::nullopt;
+}
+
+/// By augmented Lagrangians: beside the friction that they have, sticking contacts have
+/// springs, and it becomes what these do. Contacts that break a law change the mode.
+NearEquilibrium Newton::settle(NearEquilibrium near) const {
+  struct Sticking {
+    Reals row;     ///< mu T
+    double spare;  ///< friction that is not used
+    std::size_t contact;
+  };
+  const std::size_t m = grasp_.contacts.size();
+  std::vector<double> shares(m);  // of the friction that there may be
+  for (std::size_t i = 0; i < m; ++i) {
+    const double most = grasp_.contacts[i].slope * near.normal[i];
+    if (most > 0) shares[i] = std::clamp(near.friction[i][0] / most, -1.0, 1.0);
+  }
+  const auto slip = [&](std::size_t i) {
+    return grasp_.contacts[i].slip.row(0).dot(near.motion);
+  };
+  constexpr int kSteps = 40;
+  for (int step = 0; step < kSteps; ++step) {
+    Reals sum = grasp_.load;
+    Eigen::MatrixXd answer = Eigen::MatrixXd::Zero(grasp_.motions(), grasp_.motions());
+    std::vector<Sticking> sticking;
+    for (std::size_t i = 0; i < m; ++i) {
+      const RoundedContact& c = grasp_.contacts[i];
+      const double v = c.separation(near.motion);
+      if (!(v > 0)) continue;
+      const Reals friction = c.slope * c.slip.row(0).transpose();
+      const Reals edge = c.normal + shares[i] * friction;
+      sum += v * edge;
+      answer += c.stiffness * edge * c.normal.transpose();
+      // A little beyond what there is, so that all that stick are taken.
+      if (near.sticks[i] != 0) {
+        sticking.push_back({friction, v * (1.0000001 - std::fabs(shares[i])), i});
+      }
+    }
+    const double spring = 3 * answer.norm();
+    // If those whose slips are independent stay, the others do.
+    equilibrium_detail::IndependentRows independent(grasp_.motions());
+    std::vector<Sticking> chosen;
+    constexpr double kIndependent = 1e-3;
+    while (const auto which = independent.take_best(sticking, kIndependent)) {
+      const Reals row = sticking[*which].row.normalized();
+      answer += spring * row * row.transpose();
+      sum -= spring * row.dot(near.motion) * row;
+      chosen.push_back(sticking[*which]);
+    }
+    const Reals change = answer.partialPivLu().solve(sum);
+    if (!change.allFinite()) break;
+    near.motion += change;
+    for (std::size_t i = 0; i < m; ++i) {
+      if (slip(i) * shares[i] >= 0 && grasp_.contacts[i].slope > 0) near.sticks[i] = 1;
+    }
+    for (const auto& [row, spare, i] : chosen) {
+      const double v = grasp_.contacts[i].separation(near.motion);
+      shares[i] -= spring * row.dot(near.motion) / (row.squaredNorm() * v);
+      near.sticks[i] = std::fabs(shares[i]) <= 1 + 1e-9 ? 1 : 0;
+      shares[i] = std::clamp(shares[i], -1.0, 1.0);
+    }
+  }
+  for (std::size_t i = 0; i < m; ++i) {
+    near.normal[i] = std::max(0.0, grasp_.contacts[i].separation(near.motion));
+    near.friction[i] = {shares[i] * grasp_.contacts[i].slope * near.normal[i], 0, 0};
+    if (!(near.normal[i] > 0)) near.sticks[i] = 0;
+  }
+  return polish(near).value_or(near);
+}
+
+Eigen::MatrixXd Newton::answer(const Reals& motion, double smooth) const {
+  Eigen::MatrixXd derivative;
+  force(motion, smooth, &derivative);
+  return -derivative;
 }
 
 /// Where friction holds whatever is closed: Newton's method with smooth friction can miss it.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/degree/rounded_box.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 namespace stickslip {
@@ -104,16 +106,71 @@ Reals RoundedBox::load_at(const Place& place) const {
 }
 
 RoundedGrasp RoundedBox::at(const Place& place) const {
-  RoundedGrasp grasp{{}, load_at(place), law_.force, law_.reach, law_.first_rotation};
+  RoundedGrasp grasp{{},         load_at(place),      law_.force,
+                     law_.reach, law_.first_rotation, law_.length};
   for (std::size_t i = 0; i < law_.contacts.size(); ++i) {
     grasp.contacts.push_back(contact_at(i, place));
   }
   return grasp;
 }
 
-RoundedGrasp rounded_middle(const GraspLaw& law) {
-  const RoundedBox box(law);
-  return box.at(box.middle());
+RoundedGrasp rounded_middle(const Law& law) {
+  const auto d = static_cast<Eigen::Index>(law.motions);
+  const auto middle = [](const std::array<double, 2>& ends) { return between(ends, 0); };
+  const double multiple =
+      law.is_family ? middle({to_double(law.multiples.low), to_double(*law.multiples.high)})
+                    : 0;
+  RoundedGrasp grasp{{},        multiple * law.growing, law.force,
+                     law.reach, law.first_rotation,     law.length};
+  for (Eigen::Index j = 0; j < d; ++j) {
+    grasp.load[j] += middle(law.load[static_cast<std::size_t>(j)]);
+  }
+  grasp.contacts.reserve(law.contacts.size());
+  for (const LawContact& c : law.contacts) {
+    RoundedContact contact{Reals::Zero(d),
+                           SlipRows::Zero(static_cast<Eigen::Index>(c.slip_dimension()), d),
+                           middle(c.slopes), middle(c.preloads) + multiple * middle(c.rates),
+                           middle(c.stiffnesses)};
+    const double weight = 1 / static_cast<double>(c.corners.size());
+    for (const CornerRow& corner : c.corners) {
+      contact.normal += weight * corner.normal_rounded;
+      for (std::size_t r = 0; r < c.slip_dimension(); ++r) {
+        contact.slip.row(static_cast<Eigen::Index>(r)) += weight * corner.slip_rounded[r];
+      }
+    }
+    grasp.contacts.push_back(std::move(contact));
+  }
+  return grasp;
+}
+
+RoundedGrasp rounded_grasp(const Problem& problem) {
+  const auto rounded = [](const Wrench& w) {
+    return Eigen::Vector3d(to_double(w.x), to_double(w.y), to_double(w.torque));
+  };
+  RoundedGrasp grasp{{}, rounded(problem.wrench()), 0, 0, 2, 0};
+  grasp.contacts.reserve(problem.size());
+  for (const ContactRow& row : problem.rows()) {
+    const Eigen::Vector3d normal = rounded(row.normal);
+    const Eigen::Vector3d tangent = rounded(row.tangent);
+    grasp.contacts.push_back({normal, tangent.transpose(), to_double(row.friction),
+                              to_double(row.preload), to_double(row.stiffness)});
+    const double arm = std::max(std::fabs(normal[2]), std::fabs(tangent[2]));
+    grasp.length = std::max(grasp.length, arm / normal.head<2>().norm());
+  }
+  if (!(grasp.length > 0) || !std::isfinite(grasp.length)) grasp.length = 1;
+  grasp.load[2] /= grasp.length;
+  grasp.force = grasp.load.lpNorm<Eigen::Infinity>();
+  double stiffest = 0;
+  for (RoundedContact& c : grasp.contacts) {
+    c.normal[2] /= grasp.length;
+    c.slip(0, 2) /= grasp.length;
+    const double size = c.normal.head(2).norm();
+    grasp.force = std::max(grasp.force, c.preload * size);
+    stiffest = std::max(stiffest, c.stiffness * size * size);
+  }
+  if (!(grasp.force > 0) || !std::isfinite(grasp.force)) grasp.force = 1;
+  grasp.reach = stiffest > 0 ? grasp.force / stiffest : 1;
+  return grasp;
 }
 
 }  // namespace stickslip

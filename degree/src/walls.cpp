@@ -34,9 +34,9 @@ bool are_independent(const Eigen::MatrixXd& unit) {
 
 }  // namespace
 
-Walls::Walls(const Law& box, const RoundedGrasp& middle, const ForceSpan& span,
-             const NearEquilibrium& near, double size)
-    : box_(box), middle_(middle), span_(span), near_(near), size_(size) {
+Walls::Walls(const RoundedGrasp& middle, const ForceSpan& span, const NearEquilibrium& near,
+             double size, const Law* box)
+    : middle_(middle), span_(span), near_(near), size_(size) {
   const Eigen::Index d = middle.motions();
   const auto forces = static_cast<Eigen::Index>(middle.first_rotation);
   // Small beside what would change a mode.
@@ -60,7 +60,7 @@ Walls::Walls(const Law& box, const RoundedGrasp& middle, const ForceSpan& span,
         c.stiffness * (c.normal + c.slip.transpose() * friction / a) * c.normal.transpose();
     if (!(c.slope * a > 0)) continue;
     if (near.sticks[i] != 0) {
-      add_sticking(box.contacts[i], c, i, width * size);
+      add_sticking(box != nullptr ? &box->contacts[i] : nullptr, c, i, width * size);
       continue;
     }
     const Eigen::VectorXd s = c.slip * near.motion;
@@ -74,7 +74,7 @@ Walls::Walls(const Law& box, const RoundedGrasp& middle, const ForceSpan& span,
     Reals motion(d);
     for (Eigen::Index j = 0; j < d; ++j) {
       const auto column = static_cast<std::size_t>(j);
-      motion[j] = to_double(z[column]) * box.unit(column);
+      motion[j] = to_double(z[column]) * middle.unit(column);
     }
     independent.take(motion);
   }
@@ -86,14 +86,27 @@ Walls::Walls(const Law& box, const RoundedGrasp& middle, const ForceSpan& span,
   check();
 }
 
-void Walls::add_sticking(const LawContact& contact, const RoundedContact& at, std::size_t index,
+Walls::Walls(const RoundedGrasp& middle, const ForceSpan& span, const NearEquilibrium& near,
+             const Eigen::MatrixXd& answer, double force)
+    : middle_(middle), span_(span), near_(near), stiffness_(answer), rows_(answer) {
+  const Eigen::Index rank = rows_.rows();
+  steps_.assign(2 * static_cast<std::size_t>(rank), 0);
+  room_.setConstant(rank, force);
+  above_ = room_;
+  below_ = room_;
+  sound_ = static_cast<std::size_t>(rank) == span.rank() && force > 0 &&
+           are_independent(rows_.rowwise().normalized());
+}
+
+void Walls::add_sticking(const LawContact* contact, const RoundedContact& at, std::size_t index,
                          double width) {
   const Double3& f = near_.friction[index];
   const double most = at.slope * near_.normal[index];
   const double used = norm_of(f);
   const auto add = [&](const Eigen::VectorXd& along, double spare, double room) {
     double off = 0;  // the largest slip here that the box has
-    for (const CornerRow& corner : contact.corners) {
+    for (std::size_t n = 0; contact != nullptr && n < contact->corners.size(); ++n) {
+      const CornerRow& corner = contact->corners[n];
       double slip = 0;
       for (std::size_t k = 0; k < corner.slip_rounded.size(); ++k) {
         slip += along[static_cast<Eigen::Index>(k)] * corner.slip_rounded[k].dot(near_.motion);
@@ -108,8 +121,8 @@ void Walls::add_sticking(const LawContact& contact, const RoundedContact& at, st
         width * at.slip.row(0).head(forces).norm());
     return;
   }
-  const Eigen::Vector3d first(contact.tangents[0].data());
-  const Eigen::Vector3d second(contact.tangents[1].data());
+  const Eigen::Vector3d first(contact->tangents[0].data());
+  const Eigen::Vector3d second(contact->tangents[1].data());
   const double share = std::min(used / most, 0.999999);
   const Eigen::Vector3d along = share > 1e-3 ? Eigen::Vector3d(f.data()).normalized() : first;
   const Eigen::Vector3d across = first.cross(second).cross(along).normalized();
@@ -249,10 +262,10 @@ void Walls::grow(std::size_t wall, bool is_simplex) {
 /// In the span of all forces, near a row in the law's units.
 RationalRow Walls::exact_row(const Eigen::RowVectorXd& row) const {
   constexpr int kBits = 14;
-  RationalRow result(box_.motions);
+  RationalRow result(static_cast<std::size_t>(middle_.motions()));
   for (std::size_t p = 0; p < span_.rank(); ++p) {
     const std::size_t column = span_.columns()[p];
-    const double entry = row[static_cast<Eigen::Index>(column)] * box_.unit(column);
+    const double entry = row[static_cast<Eigen::Index>(column)] * middle_.unit(column);
     if (!std::isfinite(entry)) continue;
     const Rational part = rational_in_bits(entry, kBits);
     for (std::size_t k = 0; k < result.size(); ++k) result[k] += part * span_.rows()[p][k];
@@ -346,6 +359,7 @@ Eigen::MatrixXd Walls::pull_stiff(const Eigen::MatrixXd& walls) const {
 
 DegreeProof Walls::proof(Pull pull, bool is_simplex) const {
   const Eigen::Index d = middle_.motions();
+  const auto motions = static_cast<std::size_t>(d);
   const Eigen::VectorXd halves = (above_ + below_) / 2;
   const Eigen::MatrixXd walls = halves.cwiseInverse().asDiagonal() * rows_;
   const Reals centre = near_.motion + pseudo_inverse(rows_) * (above_ - below_) / 2;
@@ -353,6 +367,7 @@ DegreeProof Walls::proof(Pull pull, bool is_simplex) const {
   if (!walls.allFinite() || !centre.allFinite()) return result;
   const Eigen::MatrixXd direction = pull == Pull::kTwists   ? pull_of_twists(walls)
                                     : pull == Pull::kFitted ? pull_fitted(walls, centre)
+                                    : pull == Pull::kAnswer ? stiffness_
                                                             : pull_stiff(walls);
   if (!direction.allFinite()) return result;
   result.is_simplex = is_simplex;
@@ -361,27 +376,27 @@ DegreeProof Walls::proof(Pull pull, bool is_simplex) const {
                                     : Eigen::MatrixXd::Identity(walls.rows(), walls.rows());
   for (const auto& row : shape.rowwise()) result.walls.push_back(exact_row(row * walls));
   if (is_simplex) {  // the sum of all is 0
-    RationalRow last(box_.motions);
+    RationalRow last(motions);
     for (const RationalRow& row : result.walls) {
       for (std::size_t k = 0; k < last.size(); ++k) last[k] -= row[k];
     }
     result.walls.push_back(std::move(last));
   }
   // A takes motions into the span, and sees of them what the span sees.
-  result.direction.assign(box_.motions, RationalRow(box_.motions));
+  result.direction.assign(motions, RationalRow(motions));
   const double largest = direction.cwiseAbs().maxCoeff();
   for (std::size_t p = 0; p < span_.rank(); ++p) {
     const std::size_t column = span_.columns()[p];
     const RationalRow seen = exact_row(direction.row(static_cast<Eigen::Index>(column)) /
-                                       largest * box_.unit(column));
-    for (std::size_t j = 0; j < box_.motions; ++j) {
-      for (std::size_t k = 0; k < box_.motions; ++k) {
+                                       largest * middle_.unit(column));
+    for (std::size_t j = 0; j < motions; ++j) {
+      for (std::size_t k = 0; k < motions; ++k) {
         result.direction[j][k] += span_.rows()[p][j] * seen[k];
       }
     }
   }
   for (Eigen::Index j = 0; j < d; ++j) {
-    const double unit = box_.unit(static_cast<std::size_t>(j));
+    const double unit = middle_.unit(static_cast<std::size_t>(j));
     const double steepest = walls.col(j).lpNorm<Eigen::Infinity>() * unit;
     const double value = centre[j] / unit;
     if (!(steepest > 0) || !std::isfinite(1 / steepest)) {

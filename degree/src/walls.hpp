@@ -22,10 +22,16 @@ using equilibrium_detail::IndependentRows;
 /// on virtual twists on which what sticks does no work.
 class Walls {
  public:
-  /// Of a box and the grasp in its middle, with an equilibrium of that. All must outlive it.
-  /// `size` is a part of what would change a mode.
-  Walls(const Law& box, const RoundedGrasp& middle, const ForceSpan& span,
-        const NearEquilibrium& near, double size);
+  /// Of the grasp in the middle of a box, with an equilibrium of that; without a box, which may
+  /// be in the plane alone, of the only grasp. All must outlive it. `size` is a part of what
+  /// would change a mode.
+  Walls(const RoundedGrasp& middle, const ForceSpan& span, const NearEquilibrium& near,
+        double size, const Law* box);
+
+  /// Across what smooth forces answer motions with: so large that on them this much force is
+  /// left over.
+  Walls(const RoundedGrasp& middle, const ForceSpan& span, const NearEquilibrium& near,
+        const Eigen::MatrixXd& answer, double force);
 
   /// Whether they can enclose anything.
   bool is_sound() const { return sound_; }
@@ -44,7 +50,8 @@ class Walls {
   enum class Pull {
     kTwists,  ///< by what the virtual twists see
     kFitted,  ///< what is against the forces on the walls, of few dimensions
-    kStiff    ///< springs, and friction that is left over how far the contact can slip
+    kStiff,   ///< springs, and friction that is left over how far the contact can slip
+    kAnswer   ///< how smooth forces answer motions, of such walls alone
   };
   /// d0, E and A in few bits, without trees; not of full rank where that failed.
   DegreeProof proof(Pull pull, bool is_simplex) const;
@@ -57,7 +64,7 @@ class Walls {
     double off;    ///< and beside it, for slips that the box has here
   };
 
-  void add_sticking(const LawContact& contact, const RoundedContact& at, std::size_t index,
+  void add_sticking(const LawContact* contact, const RoundedContact& at, std::size_t index,
                     double width);
   void choose_rows(const IndependentRows& across);
   double room_along(const Reals& way) const;
@@ -68,21 +75,21 @@ class Walls {
   Reals force_at(const Reals& motion) const;
   RationalRow exact_row(const Eigen::RowVectorXd& row) const;
 
-  const Law& box_;
   const RoundedGrasp& middle_;
   const ForceSpan& span_;
   const NearEquilibrium& near_;
-  double size_;
+  double size_ = 0;
   std::vector<Sticking> sticking_;
   std::vector<std::size_t> chosen_;  ///< of these, whose slips are the first rows
   Eigen::MatrixXd frame_;            ///< the other virtual twists, by columns
-  Eigen::MatrixXd stiffness_;        ///< how forces answer motion, but for friction that sticks
-  Eigen::MatrixXd rows_;             ///< E, up to the widths
-  Eigen::MatrixXd twists_;           ///< one for each row, by columns
-  Eigen::VectorXd room_;             ///< least widths
-  Eigen::VectorXd below_;            ///< rows (d - motion) go from -below
-  Eigen::VectorXd above_;            ///< to above
-  std::vector<int> steps_;           ///< by which each wall has grown
+  Eigen::MatrixXd stiffness_;  ///< how forces answer motion, but for friction that sticks,
+                               ///< unless it is smooth
+  Eigen::MatrixXd rows_;       ///< E, up to the widths
+  Eigen::MatrixXd twists_;     ///< one for each row, by columns
+  Eigen::VectorXd room_;       ///< least widths
+  Eigen::VectorXd below_;      ///< rows (d - motion) go from -below
+  Eigen::VectorXd above_;      ///< to above
+  std::vector<int> steps_;     ///< by which each wall has grown
   bool sound_ = false;
 };
 

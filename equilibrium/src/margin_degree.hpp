@@ -13,7 +13,7 @@
 
 #include <vector>
 
-#include "degree_search.hpp"
+#include "segment_search.hpp"
 
 namespace stickslip::equilibrium_detail {
 
@@ -30,11 +30,11 @@ class DegreeChain {
   const DegreeWork& work() const { return search_.work(); }
 
  private:
-  using Motion = DegreeSearch::Motion;
+  using Motion = SegmentSearch::Motion;
 
   void extend(const Rational& low, double typical, std::vector<MarginSegment>& found);
 
-  DegreeSearch search_;
+  SegmentSearch search_;
 };
 
 }  // namespace stickslip::equilibrium_detail

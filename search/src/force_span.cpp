@@ -16,6 +16,23 @@ ForceSpan::ForceSpan(const Law& law) : motions_(law.motions) {
   }
 }
 
+ForceSpan::ForceSpan(const Problem& problem) : motions_(3) {
+  for (const ContactRow& row : problem.rows()) {
+    if (rank() == motions_) return;
+    for (const Wrench* w : {&row.normal, &row.tangent}) {
+      if (w == &row.normal || !row.friction.is_zero()) add({w->x, w->y, w->torque});
+    }
+  }
+}
+
+bool ForceSpan::has_load_of(const Problem& problem) const {
+  const Wrench& w = problem.wrench();
+  const std::vector<RationalRow> free = free_motions();
+  return std::all_of(free.begin(), free.end(), [&](const RationalRow& z) {
+    return dot(z, RationalRow{w.x, w.y, w.torque}).is_zero();
+  });
+}
+
 void ForceSpan::add(RationalRow row) {
   const auto subtract = [](RationalRow& from, const RationalRow& other, std::size_t column) {
     const Rational factor = from[column];

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "stickslip/degree/rounded_box.hpp"
+#include "stickslip/equilibrium/search/rounded_equilibrium.hpp"
 #include "stickslip/search/tree_search.hpp"
 
 namespace stickslip {
@@ -34,6 +35,9 @@ class ModalEquations {
   Eigen::MatrixXd free_;        ///< motions without slip where it sticks, by columns
 };
 
+/// What the planar engine proposes, in the units of the grasp.
+NearEquilibrium near(const RoundedGrasp& grasp, const RoundedEquilibrium& rounded);
+
 /// Newton's method on a grasp, which must outlive it.
 class Newton {
  public:
@@ -43,6 +47,9 @@ class Newton {
   /// From a motion, with friction smoothed over slips that become smaller and smaller; nothing
   /// if that does not converge.
   std::optional<NearEquilibrium> solve(const Reals& start) const;
+  /// In the plane, from modes that are only nearly right; what it comes to may be no
+  /// equilibrium.
+  NearEquilibrium settle(NearEquilibrium near) const;
   /// With the modes of one that is near: what sticks there sticks.
   std::optional<NearEquilibrium> polish(NearEquilibrium near) const;
   /// Of another grasp than that of one that is near: in the same modes, or in others; nothing
@@ -51,6 +58,8 @@ class Newton {
   /// With what is closed at rest sticking, from rest, and from motions at random, always the
   /// same: those that differ.
   std::vector<NearEquilibrium> solve_from(std::size_t starts) const;
+  /// How forces answer a motion, against it, with friction smooth over slips of this size.
+  Eigen::MatrixXd answer(const Reals& motion, double smooth) const;
 
  private:
   NearEquilibrium at_rest() const;

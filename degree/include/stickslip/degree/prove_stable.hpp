@@ -25,6 +25,10 @@ std::optional<DegreeProof> prove_by_degree(const GraspLaw& box, const GraspLaw& 
                                            const NearEquilibrium& near,
                                            const DegreeLimits& limits, SearchWork& work);
 
+/// The same of one grasp in the plane, around an equilibrium of its own, however many contacts
+/// it has; not of a family.
+std::optional<DegreeProof> prove_by_degree(const Problem& problem, SearchWork& work);
+
 /// A proof near an equilibrium of the middle that is at rest: nothing moves, and friction
 /// answers whatever load is left. Verified exactly by the rules of the format. O(contacts).
 std::optional<RestProof> prove_at_rest(const GraspLaw& box, const NearEquilibrium& middle);

@@ -33,9 +33,14 @@ struct RoundedGrasp {
   double force;                          ///< a typical force
   double reach;                          ///< how far it moves the object
   std::size_t first_rotation;            ///< of the coordinates of motions
+  double length;                         ///< by which rotations are times
 
   /// D.
   Eigen::Index motions() const { return load.size(); }
+  /// As of its law.
+  double unit(std::size_t coordinate) const {
+    return coordinate >= first_rotation ? length : 1;
+  }
 };
 
 /// All grasps of a box, or of a margin's for all of its multiples.
@@ -68,7 +73,11 @@ class RoundedBox {
   std::vector<std::size_t> first_;  ///< of the numbers of a contact, and last of the load
 };
 
-/// The grasp in the middle of a box, or the one that the law is of.
-RoundedGrasp rounded_middle(const GraspLaw& law);
+/// The grasp in the middle of a law's box, of a margin with the multiple in the middle; or the
+/// one that the law is of.
+RoundedGrasp rounded_middle(const Law& law);
+
+/// The grasp of a problem, of a family with the multiple 0.
+RoundedGrasp rounded_grasp(const Problem& problem);
 
 }  // namespace stickslip

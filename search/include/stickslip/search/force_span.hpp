@@ -17,6 +17,7 @@ class ForceSpan {
  public:
   /// Of all of its contacts.
   explicit ForceSpan(const Law& law);
+  explicit ForceSpan(const Problem& problem);  ///< likewise
 
   /// Independent rows that span it, in reduced echelon form: each is 1 in a column of its own
   /// and 0 in those of the others.
@@ -28,6 +29,7 @@ class ForceSpan {
   /// No load of the law, and of a margin no growth, sees these motions either. (Else there is
   /// no equilibrium.)
   bool has_loads_of(const Law& law) const;
+  bool has_load_of(const Problem& problem) const;  ///< likewise, of one grasp
 
  private:
   void add(RationalRow row);

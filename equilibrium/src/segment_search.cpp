@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "degree_search.hpp"
+#include "segment_search.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "search/mode_balance.hpp"
 #include "search/node_search.hpp"
-#include "search/witness_search.hpp"
-#include "stickslip/core/error.hpp"
 #include "stickslip/equilibrium/search/degree.hpp"
 
 namespace stickslip::equilibrium_detail {
@@ -24,12 +21,8 @@ Function sum(Function a, const Rational& factor, const Function& b) {
 /// K and its multiples as functions of points.
 class Cell {
  public:
-  Cell(const std::optional<MarginInterval>& range, const SegmentByDegree& shape)
-      : shape_(shape), moves_(range) {
-    if (!range) {
-      s_ = {0, 0, 0, 1, 0};
-      t_ = {0, 0, 0, 0, 1};
-    } else if (const auto& [low, high] = *range; high) {
+  Cell(const MarginInterval& range, const SegmentByDegree& shape) : shape_(shape) {
+    if (const auto& [low, high] = range; high) {
       const Rational length = *high - low;
       s_ = {0, 0, 0, *high / length, -1 / length};
       t_ = {0, 0, 0, -low / length, 1 / length};
@@ -53,9 +46,9 @@ class Cell {
       cuts.push_back({primitive_multiple(f), side, strict});
     };
     cut(s_, Side::kPositive);
-    cut(t_, moves_ ? Side::kPositive : Side::kZero);
+    cut(t_, Side::kPositive);
     cut(size, Side::kPositive, true);
-    if (moves_ && middle) cut(sum(s_, -1, t_), Side::kZero);
+    if (middle) cut(sum(s_, -1, t_), Side::kZero);
     for (std::size_t j = 0; j < 3; ++j) {
       const Function f = of_motion(shape_.walls[j]);
       if (j == wall) {
@@ -70,8 +63,7 @@ class Cell {
 
  private:
   const SegmentByDegree& shape_;
-  bool moves_;
-  Function s_, t_;  ///< t = 0 of one grasp
+  Function s_, t_;
 };
 
 /// Rounded to a part in 256 of K, as one whose walls have this column.
@@ -123,17 +115,14 @@ constexpr std::array<CellSize, 10> kSizes{{{0.3, 1},
                                            {0.1, 10},
                                            {0.1, 0.01},
                                            {0.01, 1}}};
-/// The first one for one grasp: on a small K few contacts change. Where multiples have to be
-/// covered it seldom serves.
-constexpr std::size_t kSizeForOne = 6;
 
 }  // namespace
 
-DegreeSearch::DegreeSearch(const Problem& problem)
+SegmentSearch::SegmentSearch(const Problem& problem)
     : problem_(problem), model_(problem), balance_(model_) {}
 
 /// What acts on the member with h and l, more or less.
-double DegreeSearch::force_of(double h, double l) const {
+double SegmentSearch::force_of(double h, double l) const {
   const auto size = [&](const Double3& w) {
     return std::hypot(w[0], w[1]) + std::fabs(w[2]) / model_.length;
   };
@@ -145,7 +134,7 @@ double DegreeSearch::force_of(double h, double l) const {
 }
 
 /// Where the load moves springs that neither open nor slip.
-DegreeSearch::Motion DegreeSearch::sprung(double h, double l) const {
+SegmentSearch::Motion SegmentSearch::sprung(double h, double l) const {
   const Motion load = h * Motion(model_.load.data()) + l * Motion(model_.growth.data());
   const Motion d = spring_stiffness(model_).partialPivLu().solve(load);
   return d.allFinite() ? d : Motion::Zero();
@@ -153,8 +142,8 @@ DegreeSearch::Motion DegreeSearch::sprung(double h, double l) const {
 
 /// An equilibrium of the member with h and l, in doubles: with friction less and less smooth,
 /// as far as that goes.
-std::optional<DegreeSearch::Motion> DegreeSearch::settle(double h, double l,
-                                                         const Motion* near) {
+std::optional<SegmentSearch::Motion> SegmentSearch::settle(double h, double l,
+                                                           const Motion* near) {
   const double force = force_of(h, l);
   if (!(model_.stiffness > 0) || !(force > 0)) return std::nullopt;
   balance_.set_member(h, l);
@@ -178,35 +167,9 @@ std::optional<DegreeSearch::Motion> DegreeSearch::settle(double h, double l,
   return best;
 }
 
-std::optional<SegmentByDegree> DegreeSearch::prove_one() {
-  const std::optional<Motion> at = settle(1, 0, nullptr);
-  if (!at) return std::nullopt;
-  last_size_ = kSizeForOne;
-  if (auto proof = prove_around(*at, std::nullopt, *at, *at, kSizes.size())) return proof;
-  // What follows takes longer than to refute all motions, where that is easy.
-  constexpr std::size_t kFewNodes = 10;
-  Refutation tree;
-  if (append_wall(problem_, model_, Region::root(problem_), nullptr, kFewNodes, tree,
-                  work_.cone)) {
-    return std::nullopt;
-  }
-  for (const RoundedEquilibrium& near : find_rounded_equilibria(model_, 1)) {
-    const ModeCell cell = ModeBalance(model_, near).cell();
-    // Where its mode ends at the equilibrium, or near, K has to be larger, and may hold
-    // several.
-    for (const double times : {0.5, 4.0, 32.0}) {
-      ++work_.proofs;
-      auto proof = prove_with(std::nullopt, in_few_bits(cell.walls / times, cell.direction,
-                                                        cell.middle, cell.middle));
-      if (proof) return proof;
-    }
-  }
-  return std::nullopt;
-}
-
-std::optional<SegmentByDegree> DegreeSearch::prove_segment(const MarginInterval& range,
-                                                           const Motion& from, const Motion& to,
-                                                           bool is_short) {
+std::optional<SegmentByDegree> SegmentSearch::prove_segment(const MarginInterval& range,
+                                                            const Motion& from,
+                                                            const Motion& to, bool is_short) {
   const double alpha = to_double(range.low);
   const double h = range.high ? 1 : 0.5;
   const double l = range.high ? (alpha + to_double(*range.high)) / 2 : alpha;
@@ -218,9 +181,10 @@ std::optional<SegmentByDegree> DegreeSearch::prove_segment(const MarginInterval&
 }
 
 /// `there` is an equilibrium of the member of balance_.
-std::optional<SegmentByDegree> DegreeSearch::prove_around(
-    const Motion& there, const std::optional<MarginInterval>& range, const Motion& from,
-    const Motion& to, std::size_t tries) {
+std::optional<SegmentByDegree> SegmentSearch::prove_around(const Motion& there,
+                                                           const MarginInterval& range,
+                                                           const Motion& from, const Motion& to,
+                                                           std::size_t tries) {
   if (problem_.law() == NormalLaw::kBilateral && balance_.opens(there)) return std::nullopt;
   double force = 0;
   const Double5 x = balance_.point(there);
@@ -252,24 +216,22 @@ std::optional<SegmentByDegree> DegreeSearch::prove_around(
   return std::nullopt;
 }
 
-std::optional<SegmentByDegree> DegreeSearch::prove_with(
-    const std::optional<MarginInterval>& range, SegmentByDegree shape) {
+std::optional<SegmentByDegree> SegmentSearch::prove_with(const MarginInterval& range,
+                                                         SegmentByDegree shape) {
   if (!has_rank(shape, 3)) return std::nullopt;
   const Cell cell(range, shape);
   std::array<Function, 3> rows;
   for (std::size_t j = 0; j < 3; ++j) rows[j] = cell.of_motion(shape.direction[j]);
   const Direction direction(rows);
-  // A segment that is hard can be cut; for one grasp what comes next is an exact equilibrium.
-  const std::size_t most_nodes = range ? 100 : 1000;
-  // List 2 is the shorter one, and fails as often; of one grasp it is all.
+  constexpr std::size_t kMostNodes = 100;  // one that is hard can be cut
+  // List 2 is the shorter one, and fails as often.
   Refutation second_list;
   for (const bool second : {true, false}) {
-    if (!second && !range) break;
     Refutation& trees = second ? second_list : shape.trees;
     for (std::size_t wall = 0; wall < 3; ++wall) {
       for (const int sign : {1, -1}) {
         Region region = cell.wall(problem_, wall, sign, second);
-        if (second == !range && problem_.law() == NormalLaw::kBilateral) {
+        if (!second && problem_.law() == NormalLaw::kBilateral) {
           const ConeSigns signs(region.cone());
           for (std::size_t i = 0; i < problem_.size(); ++i) {
             if (Region::separation(problem_, ContactId(i), signs) != Separation::kClosed)
@@ -277,7 +239,7 @@ std::optional<SegmentByDegree> DegreeSearch::prove_with(
           }
         }
         if (!append_wall(problem_, model_, std::move(region), second ? &direction : nullptr,
-                         most_nodes, trees, work_.cone)) {
+                         kMostNodes, trees, work_.cone)) {
           return std::nullopt;
         }
       }
@@ -288,16 +250,3 @@ std::optional<SegmentByDegree> DegreeSearch::prove_with(
 }
 
 }  // namespace stickslip::equilibrium_detail
-
-namespace stickslip {
-
-std::optional<ProofByDegree> prove_by_degree(const Problem& problem, DegreeWork* work) {
-  require(!problem.is_family(), "a proof by degree is of one member of a family");
-  equilibrium_detail::DegreeSearch search(problem);
-  std::optional<ProofByDegree> proof;
-  if (search.is_possible()) proof = search.prove_one();
-  if (work != nullptr) *work = search.work();
-  return proof;
-}
-
-}  // namespace stickslip

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "wall_refuter.hpp"
+
+#include <utility>
+
+namespace stickslip::degree_detail {
+namespace {
+
+TreeNode in_any_dimension(const RefutationNode& node) {
+  struct Convert {
+    TreeNode operator()(const SlipSplit& split) const { return split; }
+    TreeNode operator()(const SeparationSplit& split) const { return split; }
+    TreeNode operator()(const PlaneSplit& split) const {
+      return PlaneCut{{split.plane.begin(), split.plane.end()}};
+    }
+    TreeNode operator()(const VirtualWorkLeaf& leaf) const {
+      return TwistLeaf{{leaf.twist.begin(), leaf.twist.end()}};
+    }
+  };
+  return std::visit(Convert{}, node);
+}
+
+/// row.(d - h d0)
+Vector5 seen(const RationalRow& row, const RationalRow& twist) {
+  return {row[0], row[1], row[2], -dot(row, twist), 0};
+}
+
+}  // namespace
+
+bool LawRefuter::refute(DegreeProof& proof, std::size_t wall, bool second,
+                        std::size_t node_limit) {
+  const Law& about = second ? middle_ : box_;
+  const PullRule pull(proof.direction, proof.twist);
+  TreeSearch search(about, second ? &pull : nullptr, node_limit, work_);
+  return search.refute(MotionRegion::wall(about, proof, wall), proof.trees);
+}
+
+Region CrowdRefuter::region(const DegreeProof& proof, std::size_t wall) const {
+  const std::size_t row = proof.is_simplex ? wall : wall / 2;
+  std::vector<Region::Cut> cuts{{{0, 0, 0, 1, 0}, Side::kPositive, true},
+                                {{0, 0, 0, 0, 1}, Side::kZero}};
+  const auto cut = [&](std::size_t j, int height, Side side) {
+    Vector5 plane = seen(proof.walls[j], proof.twist);
+    plane[3] -= height;
+    cuts.push_back({primitive_multiple(plane), side});
+  };
+  cut(row, proof.is_simplex || wall % 2 == 0 ? 1 : -1, Side::kZero);
+  for (std::size_t j = 0; j < proof.walls.size(); ++j) {
+    if (j == row) continue;
+    cut(j, 1, Side::kNegative);
+    if (!proof.is_simplex) cut(j, -1, Side::kPositive);
+  }
+  return Region::between(walls_.problem(), cuts);
+}
+
+bool CrowdRefuter::refute(DegreeProof& proof, std::size_t wall, bool second,
+                          std::size_t node_limit) {
+  std::array<Vector5, 3> rows;
+  for (std::size_t j = 0; j < 3; ++j) rows[j] = seen(proof.direction[j], proof.twist);
+  const Direction direction(rows);
+  const ConeWork before = walls_.work();
+  Refutation tree;
+  const bool done =
+      walls_.refute(region(proof, wall), second ? &direction : nullptr, node_limit, tree);
+  for (const RefutationNode& node : tree) proof.trees.push_back(in_any_dimension(node));
+  const ConeWork& after = walls_.work();
+  work_.nodes += after.nodes - before.nodes;
+  work_.leaves += after.leaves - before.leaves;
+  work_.filter_hits += after.filter_hits - before.filter_hits;
+  work_.exact_checks += after.filter_misses - before.filter_misses;
+  return done;
+}
+
+bool CrowdRefuter::all_are_closed(const DegreeProof& proof) const {
+  for (std::size_t wall = 0; wall < proof.wall_count(); ++wall) {
+    if (!walls_.all_are_closed(region(proof, wall))) return false;
+  }
+  return true;
+}
+
+}  // namespace stickslip::degree_detail

@@ -110,7 +110,7 @@ function(stickslip_uses_cgal)
     SKIP_PRECOMPILE_HEADERS ON)
   if(STICKSLIP_BUILD_TESTS)
     if(NOT TARGET stickslip_cgal_checked)
-      add_library(stickslip_cgal_checked OBJECT)
+      add_library(stickslip_cgal_checked OBJECT EXCLUDE_FROM_ALL)
       target_compile_options(stickslip_cgal_checked PRIVATE ${options} -UNDEBUG -UCGAL_NDEBUG)
       target_compile_definitions(stickslip_cgal_checked PRIVATE CGAL_USE_GMP CGAL_USE_MPFR
         STICKSLIP_CHECKED CGAL_CHECK_EXPENSIVE CGAL_CHECK_EXACTNESS)

@@ -58,11 +58,15 @@ function(stickslip_program name)
   stickslip_set_warnings(${name})
 endfunction()
 
-# stickslip_test(name SOURCES ... LIBS ... [TIMEOUT s] [ARGS ...] [OWN_FLAGS]): a GoogleTest
+# stickslip_test(name SOURCES ... LIBS ... [TIMEOUT s] [ARGS ...] [OWN_FLAGS] [LONG]): a GoogleTest
 # executable, registered with ctest as one test of that name. OWN_FLAGS: its sources are compiled
-# with other flags than those of stickslip::core.
+# with other flags than those of stickslip::core. LONG: labelled so, and not there at all without
+# STICKSLIP_LONG_TESTS.
 function(stickslip_test name)
-  cmake_parse_arguments(ARG "OWN_FLAGS" "TIMEOUT" "SOURCES;LIBS;ARGS" ${ARGN})
+  cmake_parse_arguments(ARG "OWN_FLAGS;LONG" "TIMEOUT" "SOURCES;LIBS;ARGS" ${ARGN})
+  if(ARG_LONG AND NOT STICKSLIP_LONG_TESTS)
+    return()
+  endif()
   stickslip_program(${name} SOURCES ${ARG_SOURCES} LIBS ${ARG_LIBS} GTest::gtest_main GTest::gmock)
   set_target_properties(${name} PROPERTIES
     RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests/bin)
@@ -74,6 +78,9 @@ function(stickslip_test name)
     set(ARG_TIMEOUT 1200)
   endif()
   set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT})
+  if(ARG_LONG)
+    set_tests_properties(${name} PROPERTIES LABELS long)
+  endif()
 endfunction()
 
 # What nearly all tests include takes most of the time that they take to compile: it is
@@ -103,7 +110,7 @@ function(stickslip_uses_cgal)
     SKIP_PRECOMPILE_HEADERS ON)
   if(STICKSLIP_BUILD_TESTS)
     if(NOT TARGET stickslip_cgal_checked)
-      add_library(stickslip_cgal_checked OBJECT)
+      add_library(stickslip_cgal_checked OBJECT EXCLUDE_FROM_ALL)
       target_compile_options(stickslip_cgal_checked PRIVATE ${options} -UNDEBUG -UCGAL_NDEBUG)
       target_compile_definitions(stickslip_cgal_checked PRIVATE CGAL_USE_GMP CGAL_USE_MPFR
         STICKSLIP_CHECKED CGAL_CHECK_EXPENSIVE CGAL_CHECK_EXACTNESS)

@@ -9,15 +9,16 @@ set -euo pipefail
 STICKSLIP_BUILD_DIR=${STICKSLIP_BUILD_DIR:-$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/build-asan}
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 left_out=()
+long_tests=ON
 case ${1-} in
-  "") left_out=(--label-exclude long) ;;
+  "") left_out=(--label-exclude long) long_tests=OFF ;;  # and their programs are not built
   --all) ;;
   *) fail "unknown argument '$1'; none, or --all" ;;
 esac
 
 install_packages "${build_packages[@]}" "${test_packages[@]}" gcovr
 step "Configuring with sanitizers" configure cmake --preset asan -S "$root" -B "$build" $together \
-  -DSTICKSLIP_BUILD_BENCH=OFF -DSTICKSLIP_COVERAGE=ON
+  -DSTICKSLIP_BUILD_BENCH=OFF -DSTICKSLIP_COVERAGE=ON -DSTICKSLIP_LONG_TESTS=$long_tests
 step "Building with sanitizers (several minutes the first time)" build \
   cmake --build "$build" -j "$(jobs_for_build)"
 find "$build" -name '*.gcda' -delete

@@ -4,6 +4,9 @@
 # compares the program that Coq extracts with the one in extracted/; and prints the theorems and
 # what they assume, which may be the axioms of Coq's real numbers and nothing else. About two
 # minutes. On Debian: apt-get install coq
+#   verify.sh               all of it; then writes into verified.sha256 what it was of
+#   verify.sh --if-changed  nothing if verified.sha256 names these files and this Coq, unless
+#                           STICKSLIP_PROVE_ANEW is set (to anything); writes nothing
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 # Coq.Reals: excluded middle for some predicates, and functions that agree everywhere are equal.
@@ -13,6 +16,20 @@ FunctionalExtensionality.functional_extensionality_dep
 functional_extensionality_dep'
 
 command -v coqc >/dev/null || { echo "verify.sh: there is no coqc; on Debian: apt-get install coq" >&2; exit 2; }
+# Coq, and what it reads or is compared with: this script is part of it.
+now() {
+  echo "$(coqc --print-version | cut -d ' ' -f 1)  coqc"
+  (cd "$here" && LC_ALL=C sha256sum verify.sh ./*.v extracted/*)
+}
+case "${1-}" in
+  "") ;;
+  --if-changed)
+    if [ -z "${STICKSLIP_PROVE_ANEW-}" ] && now | cmp -s - "$here/verified.sha256"; then
+      echo "Nothing changed since all of it was checked; verify.sh checks it anew."
+      exit 0
+    fi ;;
+  *) echo "verify.sh: unknown argument '$1'; none, or --if-changed" >&2; exit 2 ;;
+esac
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cp "$here"/*.v "$folder"
@@ -40,3 +57,4 @@ for said in ./Assumptions.v.said ./Judge.v.said; do
 done
 echo "coqchk (its axioms are those of all libraries that are loaded):"
 coqchk -silent -o -R . Proved Proved.Assumptions Proved.Judge
+if [ -z "${1-}" ]; then now >"$here/verified.sha256"; fi

@@ -25,6 +25,7 @@ pytestmark = pytest.mark.skipif(importlib.util.find_spec("distributed") is None,
 
 DONE, BAD_INPUT, UNDECIDED = 0, 2, 3
 NO_WORKER = "stickslip: there is no worker; waiting for one to join (Ctrl-C ends this)\n"
+DEADLINE = 600  # of one thing that is waited for, in seconds; only a hang reaches it
 
 # What workers, and the processes in which they decide lines alone, do with a line that has this in it:
 DEADLY = "kills whoever decides it"
@@ -75,20 +76,21 @@ def command(*words):
 def batch(*words, **more):
     """Exit code, standard output, standard error."""
     result = subprocess.run(command(*words), capture_output=True, text=True, check=False,
-                            **more)
+                            timeout=DEADLINE, **more)
     return result.returncode, result.stdout, result.stderr
 
 
 def reference(*words):
     """Exit code and standard output of the program."""
     result = subprocess.run([os.environ["STICKSLIP"], "batch", *map(str, words)],
-                            capture_output=True, text=True, check=False)
+                            capture_output=True, text=True, check=False, timeout=DEADLINE)
     return result.returncode, result.stdout
 
 
 def wait_until(condition):
-    """However long that takes; what hangs ends with the test, at the TIMEOUT of ctest."""
+    end = time.monotonic() + DEADLINE
     while not condition():
+        assert time.monotonic() < end, "it does not happen"
         time.sleep(0.01)
 
 
@@ -109,7 +111,7 @@ def kill(process):
     """Ends a process that may have ended."""
     if process.poll() is None:
         process.kill()
-    process.wait()
+    process.wait(timeout=DEADLINE)
 
 
 class Cluster:
@@ -303,7 +305,7 @@ def test_interrupted_and_resumed(gated, tmp_path, cluster, number):
     words = (gated, "-o", out, "--scheduler", cluster.address)
     process = started(*words)
     os.kill(process.pid, number)
-    said = process.communicate()
+    said = process.communicate(timeout=DEADLINE)
     assert process.returncode == -number
     found, whole = out.read_text(), reference(gated)[1]
     assert whole.startswith(found) and len(found) < len(whole)
@@ -323,7 +325,7 @@ def test_the_reader_of_the_results_goes_away(gated, cluster):
         process.stdout.close()
         open_gate(gated)
         assert process.stderr.read() == b""
-        assert process.wait() == -signal.SIGPIPE
+        assert process.wait(timeout=DEADLINE) == -signal.SIGPIPE
 
 
 def test_ctrl_c_on_a_terminal_ends_a_local_cluster(gated, tmp_path):
@@ -334,7 +336,7 @@ def test_ctrl_c_on_a_terminal_ends_a_local_cluster(gated, tmp_path):
     workers = workers_of(process.pid)
     assert len(workers) == 1
     os.killpg(process.pid, signal.SIGINT)
-    said = process.communicate()
+    said = process.communicate(timeout=DEADLINE)
     assert process.returncode == -signal.SIGINT
     assert re.fullmatch(r"stickslip: interrupted with \d+ results in .*--resume\n", said[1])
     wait_until(lambda: not os.path.exists(f"/proc/{workers[0]}"))
@@ -348,7 +350,7 @@ def test_a_worker_killed_in_the_middle(gated, tmp_path, own_cluster):
     assert process.stderr.readline() == NO_WORKER
     open_gate(gated)
     own_cluster.start_worker("--no-nanny")
-    assert process.communicate() == ("", "")
+    assert process.communicate(timeout=DEADLINE) == ("", "")
     assert process.returncode == DONE
     assert out.read_text() == reference(gated)[1]
 
@@ -360,7 +362,7 @@ def test_a_worker_of_a_local_cluster_killed_in_the_middle(gated, tmp_path):
     worker, = workers_of(process.pid)
     os.kill(worker, signal.SIGKILL)
     open_gate(gated)
-    assert process.communicate() == ("", "")
+    assert process.communicate(timeout=DEADLINE) == ("", "")
     assert process.returncode == DONE
     assert out.read_text() == reference(gated)[1]
 
@@ -417,7 +419,7 @@ def test_the_scheduler_is_restarted(gated, tmp_path, own_cluster):
     open_gate(gated)
     own_cluster.start_scheduler()
     own_cluster.start_worker()
-    _, err = process.communicate()
+    _, err = process.communicate(timeout=DEADLINE)
     assert (process.returncode, err.replace(NO_WORKER, "")) == (DONE, "")
     assert out.read_text() == reference(gated)[1]
 
@@ -428,7 +430,7 @@ def test_the_scheduler_does_not_come_back(gated, tmp_path, own_cluster, cluster)
     process = started(gated, "-o", out, "--scheduler", own_cluster.address,
                       env={**os.environ, "DASK_DISTRIBUTED__COMM__TIMEOUTS__CONNECT": "5s"})
     kill(own_cluster.scheduler)
-    _, err = process.communicate()
+    _, err = process.communicate(timeout=DEADLINE)
     assert process.returncode == BAD_INPUT
     assert err == (f"stickslip: {own_cluster.address}: --scheduler: the scheduler is gone; start it "
                    "again, and go on with --resume\n")
@@ -447,7 +449,7 @@ def test_a_full_disk(cluster, grasps, tmp_path):
                        "make room there, or name another file, and go on with --resume\n")
         with open("/dev/full", "wb") as full:
             found = subprocess.run(command(grasps, *at), stdout=full, stderr=subprocess.PIPE,
-                                   text=True, check=False)
+                                   text=True, check=False, timeout=DEADLINE)
         assert found.returncode == BAD_INPUT
         assert found.stderr.startswith("stickslip: <stdout>: the file cannot be written: No space")
     # A file that must not grow longer: what fits of a chunk is cut where a line ends.

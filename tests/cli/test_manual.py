@@ -6,6 +6,7 @@ import re
 import shutil
 import signal
 import subprocess
+import tempfile
 import unittest
 
 from commands import all_commands
@@ -35,14 +36,17 @@ def documented_options(page):
     return {name for head in heads for name in re.findall(OPTION, plain(head))}
 
 
+@unittest.skipIf(shutil.which("help2man") is None, "no help2man (Debian: help2man)")
 class Manual(Case):
-    def setUp(self):
-        super().setUp()
-        if shutil.which("help2man") is None:
-            self.skipTest("no help2man (Debian: help2man)")
-        self.assertEqual(run(MANUAL, STICKSLIP, self.folder), (DONE, "", ""))
-        self.pages = {name: read(self.path(name)) for name in os.listdir(self.folder)}
-        self.commands = list(all_commands())
+    @classmethod
+    def setUpClass(cls):
+        """The pages are made once for all tests."""
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        assert run(MANUAL, STICKSLIP, folder.name) == (DONE, "", "")
+        cls.paths = {name: os.path.join(folder.name, name) for name in os.listdir(folder.name)}
+        cls.pages = {name: read(path) for name, path in cls.paths.items()}
+        cls.commands = list(all_commands())
 
     def test_a_page_for_each_command_names_its_options(self):
         self.assertGreater(len(self.commands), 10)
@@ -89,7 +93,7 @@ class Manual(Case):
     def lint(self, *tool):
         if shutil.which(tool[0]) is None:
             self.skipTest(f"no {tool[0]} (Debian: mandoc, man-db)")
-        for page in [*map(self.path, self.pages), CHECKER_PAGE]:
+        for page in [*self.paths.values(), CHECKER_PAGE]:
             code, out, err = run(*tool, page)
             self.assertEqual((code, err), (0, ""), page)
             yield out

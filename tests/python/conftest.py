@@ -6,6 +6,7 @@ STICKSLIP names the program, and PYTHONPATH has the module.
 
 import json
 import os
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -17,6 +18,9 @@ ROOT = Path(__file__).resolve().parents[2]
 GOOD = ROOT / "tests" / "corpus" / "grasps" / "good"
 BAD = ROOT / "tests" / "corpus" / "grasps" / "bad"
 CHECK_PY = ROOT / "certificate" / "check.py"
+
+# A shell starts with SIGINT ignored what is to run in the background, and so would all that tests start.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture

@@ -162,7 +162,8 @@ void print_cases_text(const std::vector<Answer>& answers, const NumberOptions& o
   const Subject subject = subject_of(answers.front());
   const bool in_space = std::holds_alternative<SpaceAnswer>(answers.front());
   const bool all_boxes = engine.empty() && !in_space;
-  if (engine.empty()) engine = engine_text(in_space ? "space" : kIntervalsEngine, subject.law);
+  if (engine.empty())
+    engine = engine_text(in_space ? kSpaceEngine : kIntervalsEngine, subject.law);
   const std::string& grasp = subject.name;
   const std::size_t n = answers.size();
   std::cout << (grasp.empty() ? "" : grasp + ": ") << n << (n == 1 ? " case" : " cases")

@@ -17,7 +17,7 @@ std::string picture_of(const Question& question) {
 }
 
 std::string picture_of(const SpatialQuestion& question) {
-  return plot_grasp(question, decide(question).verdict);
+  return plot_grasp(question, decide_box(question.grasp.box, question.law).verdict);
 }
 
 void add_grasp_plot(CLI::App& plot, int& exit_code) {

@@ -55,14 +55,14 @@ void print_text(const SpaceAnswer& answer, const NumberOptions& output,
             << "Load: force x, y, z, torque x, y, z. Motion: x, y, z, rotation x, y, z in "
                "radians.\n"
             << text.note() << units_text(question.grasp.units)
-            << engine_text("space", question.law);
+            << engine_text(kSpaceEngine, question.law);
   print(warnings);
 }
 
 void write_examples(const SpaceAnswer& answer, const std::string& folder) {
   const SpatialQuestion& question = answer.question;
   write_two_examples(folder, question.grasp.box, question.grasp.description(), question.law,
-                     answer.decision.verdict, producer_of("space"));
+                     answer.decision.verdict, producer_of(kSpaceEngine));
 }
 
 void write_certificate(const SpaceAnswer& answer, const std::string& file) {

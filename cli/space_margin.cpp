@@ -79,7 +79,7 @@ int answer_margin_in_space(const SpatialQuestion& question,
   progress.clear();
   if (!arguments.certificate.empty()) {
     write_whole_file(arguments.certificate,
-                     spatial_margin_text(question, margin, producer_of("space")));
+                     spatial_margin_text(question, margin, producer_of(kSpaceEngine)));
   }
   Warnings warnings;
   if (arguments.warnings) warnings = model_warnings(question, margin);

@@ -14,7 +14,7 @@ Json to_json(const SpaceAnswer& answer) {
   json["name"] = question.grasp.name;
   if (!question.case_name.empty()) json["case"] = question.case_name;
   add_units(json, question.grasp.units);
-  json["engine"] = "space";
+  json["engine"] = kSpaceEngine;
   json["normal_law"] = to_string(question.law);
   json["wrench"] = wrench_json(question.grasp.box.wrench);
   if (is_box) json["uncertain"] = uncertain_json(uncertain_numbers(question.grasp.box));
@@ -42,7 +42,7 @@ Json to_json(const SpaceAnswer& answer) {
 
 std::optional<std::string> certificate_of(const SpaceAnswer& answer) {
   if (!throughout(answer.decision)) return std::nullopt;
-  return spatial_certificate_text(answer.question, answer.decision, producer_of("space"));
+  return spatial_certificate_text(answer.question, answer.decision, producer_of(kSpaceEngine));
 }
 
 }  // namespace stickslip

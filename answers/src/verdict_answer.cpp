@@ -68,7 +68,7 @@ Answer answer_to(Question question, const AnswerOptions& options) {
 Answer answer_to(SpatialQuestion question, const AnswerOptions& options) {
   BoxOptions search;
   search.node_limit = options.node_limit;
-  BoxDecision decision = decide(question, search);
+  BoxDecision decision = decide_box(question.grasp.box, question.law, search);
   Warnings warnings;
   if (options.warnings) warnings = model_warnings(question, decision);
   return SpaceAnswer{std::move(question), std::move(decision), std::move(warnings)};

@@ -16,8 +16,9 @@
 
 #include "random_source.hpp"
 #include "statistics.hpp"
+#include "stickslip/box/box_verdict.hpp"
 #include "stickslip/certificate/certificate.hpp"
-#include "stickslip/space/spatial_verdict.hpp"
+#include "stickslip/space/spatial_question.hpp"
 
 namespace stickslip::bench {
 namespace {
@@ -94,7 +95,7 @@ class Measurement {
       grasp_.box.wrench[j] = point_interval(Rational(l * direction_[j]));
     }
     question_ = ask(grasp_, {});
-    return decide(question_, {options_.node_limit});
+    return decide_box(question_.grasp.box, question_.law, {options_.node_limit});
   }
   bool is_stable(double multiple) {
     return std::holds_alternative<StableThroughout>(decide_at(multiple).verdict);

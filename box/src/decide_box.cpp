@@ -19,7 +19,7 @@ namespace {
 class ExampleSearch {
  public:
   ExampleSearch(const GraspBox& box, NormalLaw law, const BoxOptions& options, SearchWork& work)
-      : examples_(box, law), law_(law), options_(options), work_(work) {}
+      : box_(box), law_(law), options_(options), work_(work), examples_(box, law) {}
 
   /// Unless two were found.
   void try_at(const GraspBox& grasp) {
@@ -33,13 +33,7 @@ class ExampleSearch {
   /// soonest, where all holds better or worse, and where margins shrink.
   void try_suspects() {
     try_at(examples_.at(examples_.middle()));
-    constexpr std::size_t kMostLost = 8;
-    std::size_t tried = 0;
-    if (stable_) {
-      for (const auto& [place, part] : examples_.without_equilibrium()) {
-        if (tried++ < kMostLost) try_at(examples_.at(place));
-      }
-    }
+    if (stable_) try_without_equilibrium();
     for (const Place& place : examples_.extremes()) try_at(examples_.at(place));
     if (found() || stable_.has_value() == unstable_.has_value()) return;
     for (const Place& place : examples_.suspects(stable_.has_value())) {
@@ -56,10 +50,22 @@ class ExampleSearch {
   }
 
  private:
-  Examples examples_;
+  void try_without_equilibrium() {
+    const std::vector<NearEquilibrium> middles =
+        near_equilibria(GraspLaw(box_, law_).middle(), needs_enclosure(box_));
+    if (middles.empty()) return;
+    constexpr std::size_t kMostLost = 8;
+    std::size_t tried = 0;
+    for (const auto& [place, part] : examples_.without(middles.front())) {
+      if (tried++ < kMostLost) try_at(examples_.at(place));
+    }
+  }
+
+  const GraspBox& box_;
   NormalLaw law_;
   const BoxOptions& options_;
   SearchWork& work_;
+  Examples examples_;
   std::optional<GraspBox> stable_;
   std::optional<GraspBox> unstable_;
 };

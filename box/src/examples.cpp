@@ -65,7 +65,7 @@ auto* interval_of(Box& box, const ParameterId& id) {
 }  // namespace
 
 Examples::Examples(const GraspBox& box, NormalLaw law) : box_(box), law_(law) {
-  for (const ParameterId& id : GraspLaw(box, law).parameters()) {
+  for (const ParameterId& id : parameters_of(box.contacts.size(), box.in_space())) {
     const Interval* interval = interval_of(box, id);
     const bool is_certain =
         interval != nullptr ? interval->is_point() : box.contacts[id.index].slope.is_zero();
@@ -93,7 +93,7 @@ GraspBox Examples::between(const RationalRow& parts) const {
   GraspBox chosen = box_;
   std::size_t next = 0;
   std::vector<std::pair<std::size_t, Rational>> turns;
-  for (const ParameterId& id : GraspLaw(box_, law_).parameters()) {
+  for (const ParameterId& id : parameters_of(box_.contacts.size(), box_.in_space())) {
     const Rational& part = parts[next++];
     if (Interval* interval = interval_of(chosen, id)) {
       *interval = point_interval(interval->low + part * (interval->high - interval->low));
@@ -109,13 +109,11 @@ GraspBox Examples::between(const RationalRow& parts) const {
   return chosen;
 }
 
-std::vector<std::pair<Place, double>> Examples::without_equilibrium() const {
+std::vector<std::pair<Place, double>> Examples::without(
+    const NearEquilibrium& equilibrium) const {
   const GraspLaw law(box_, law_);
-  const std::vector<NearEquilibrium> middles =
-      near_equilibria(law.middle(), needs_enclosure(box_));
-  if (middles.empty()) return {};
   const RoundedBox rounded(law);
-  const MovingEquilibrium moving(rounded, middles.front());
+  const MovingEquilibrium moving(rounded, equilibrium);
   std::vector<std::pair<Place, double>> result;
   for (const LostWay& way : moving.ways_out()) {
     Place place = middle();

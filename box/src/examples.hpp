@@ -10,6 +10,7 @@
 
 #include "stickslip/box/box_verdict.hpp"
 #include "stickslip/equilibrium/part.hpp"
+#include "stickslip/search/tree_search.hpp"
 
 namespace stickslip::box_detail {
 
@@ -28,9 +29,9 @@ class Examples {
   /// The one grasp at these parts of the way from low to high, from 0 to 1, of each parameter
   /// of GraspLaw.
   GraspBox between(const RationalRow& parts) const;
-  /// Corners at which an equilibrium of the middle is lost, soonest first, and after which part
-  /// of the way; none if none is found.
-  std::vector<std::pair<Place, double>> without_equilibrium() const;
+  /// Corners at which this equilibrium of the middle is lost, soonest first, and after which
+  /// part of the way.
+  std::vector<std::pair<Place, double>> without(const NearEquilibrium& equilibrium) const;
   /// All held better, or worse, as one would think: more friction and preload under less load,
   /// and the reverse. They cost nothing to find.
   std::vector<Place> extremes() const;

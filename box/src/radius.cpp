@@ -76,7 +76,7 @@ std::optional<GraspBox> shortened(GraspBox box) {
     is_changed = is_changed || near != x;
     x = std::move(near);
   };
-  for_each_number(box, [&](const std::string& /*place*/, Interval& x) {
+  for_each_number(box, [&](Interval& x) {
     shorten(x.low);
     shorten(x.high);
   });
@@ -160,11 +160,14 @@ class RadiusSearch {
 
   /// To where an equilibrium of the centre is lost.
   void follow() {
+    const std::vector<NearEquilibrium> here =
+        near_equilibria(GraspLaw(centre_, law_).middle(), needs_enclosure(centre_));
+    if (here.empty()) return;
     Rational size(1, 16);
     for (;;) {
       size = std::min(Rational(4 * size), bound());
       const GraspBox box = box_.scaled(centre_, size);
-      const auto lost = Examples(box, law_).without_equilibrium();
+      const auto lost = Examples(box, law_).without(here.front());
       std::size_t tried = 0;
       for (const auto& [place, part] : lost) {
         constexpr std::size_t kMostTried = 4;

@@ -179,9 +179,7 @@ Tolerances parse_tolerances(std::string_view text) {
 bool GraspBox::is_point() const {
   bool all = std::all_of(contacts.begin(), contacts.end(),
                          [](const UncertainContact& c) { return c.slope.is_zero(); });
-  for_each_number(*this, [&](const std::string& /*place*/, const Interval& interval) {
-    all = all && interval.is_point();
-  });
+  for_each_number(*this, [&](const Interval& interval) { all = all && interval.is_point(); });
   return all;
 }
 
@@ -224,12 +222,10 @@ GraspBox GraspBox::scaled(const GraspBox& centre, const Rational& factor) const 
           "the centre is one grasp with as many contacts");
   require(factor.sign() >= 0, "a box is scaled by 0 or more");
   std::vector<Rational> middles;
-  for_each_number(centre, [&](const std::string& /*place*/, const Interval& number) {
-    middles.push_back(number.low);
-  });
+  for_each_number(centre, [&](const Interval& number) { middles.push_back(number.low); });
   GraspBox box = *this;
   std::size_t next = 0;
-  for_each_number(box, [&](const std::string& /*place*/, Interval& interval) {
+  for_each_number(box, [&](Interval& interval) {
     const Rational& middle = middles[next++];
     require(interval.contains(middle), "the centre is not in the box");
     interval = {middle + factor * (interval.low - middle),
@@ -242,9 +238,8 @@ GraspBox GraspBox::scaled(const GraspBox& centre, const Rational& factor) const 
 
 GraspBox GraspBox::middle() const {
   GraspBox box = *this;
-  for_each_number(box, [](const std::string& /*place*/, Interval& interval) {
-    interval = point_interval(interval.middle());
-  });
+  for_each_number(box,
+                  [](Interval& interval) { interval = point_interval(interval.middle()); });
   for (UncertainContact& c : box.contacts) c.slope = 0;
   return box;
 }

@@ -11,9 +11,10 @@
 
 #include "grasp_scene.hpp"
 #include "marks.hpp"
+#include "stickslip/box/box_verdict.hpp"
 #include "stickslip/equilibrium/question.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
-#include "stickslip/space/spatial_verdict.hpp"
+#include "stickslip/space/spatial_question.hpp"
 
 namespace stickslip::plot_detail {
 

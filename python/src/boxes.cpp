@@ -27,6 +27,17 @@ AskedBox asked_of(const Data& grasp, const py::object& wrench, const py::object&
   return asked_box(question_in_box(grasp, wrench, preload, bilateral, uncertain));
 }
 
+/// \{ About one grasp: in the plane with rational lengths.
+Question question_about(const GraspFile& grasp, const py::object& wrench,
+                        const py::object& preload, bool bilateral) {
+  return question_of(grasp, question_options(wrench, preload, bilateral));
+}
+SpatialQuestion question_about(const SpatialGrasp& grasp, const py::object& wrench,
+                               const py::object& preload, bool bilateral) {
+  return question_in_box(grasp, wrench, preload, bilateral, "");
+}
+/// \}
+
 py::dict fields_of(const AskedBox& asked, const char* verdict, const py::object& preload) {
   py::dict result("verdict"_a = verdict, "normal_law"_a = to_string(asked.law),
                   "wrench"_a = middles(asked.box.wrench));
@@ -106,11 +117,7 @@ template <class Data>
 py::dict map(const Data& grasp, const std::string& x_text, const std::string& y_text,
              const py::object& wrench, const py::object& preload, bool bilateral,
              unsigned depth, std::size_t node_limit, bool proofs) {
-  const AskedBox asked = asked_of(grasp, wrench, preload, bilateral, "");
-  if (!asked.box.in_space() && needs_enclosure(asked.box)) {
-    throw InputError("", "", "a preloaded contact has a normal of irrational length",
-                     "ask about grasp.snap().grasp");
-  }
+  const AskedBox asked = asked_box(question_about(grasp, wrench, preload, bilateral));
   const MapAxis x = parse_axis(asked.centre, x_text, "x");
   const MapAxis y = parse_axis(asked.centre, y_text, "y");
   MapOptions options;

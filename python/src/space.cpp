@@ -129,20 +129,18 @@ SpatialOptions options_of(const py::object& wrench, const QuestionOptions& other
   return asked;
 }
 
-SpatialQuestion question_of(const SpatialGrasp& grasp, const SpatialOptions& asked) {
+SpatialQuestion spatial_question(const SpatialGrasp& grasp, const SpatialOptions& asked) {
   if (!asked.wrench && !asked.direction && !grasp.cases.empty()) {
     refuse_without_case(grasp.cases.front().name);
   }
   return ask(grasp, asked);
 }
 
-SpatialQuestion question_of(const SpatialGrasp& grasp, const py::object& wrench,
-                            const py::object& preload, bool bilateral) {
-  return question_of(grasp,
-                     options_of(wrench, question_options(py::none(), preload, bilateral)));
+SpatialQuestion spatial_question(const SpatialGrasp& grasp, const py::object& wrench,
+                                 const py::object& preload, bool bilateral) {
+  return spatial_question(grasp,
+                          options_of(wrench, question_options(py::none(), preload, bilateral)));
 }
-
-constexpr const char* kEngine = "space";
 
 struct Answer {
   SpatialQuestion question;
@@ -164,7 +162,7 @@ std::vector<SpatialForce> forces_in(const Answer& answer, const SpatialWitness& 
 py::dict fields_of(const Answer& answer) {
   const SpatialQuestion& question = answer.question;
   const BoxDecision& decision = answer.decision;
-  py::dict result("verdict"_a = name_of(decision.verdict), "engine"_a = kEngine,
+  py::dict result("verdict"_a = name_of(decision.verdict), "engine"_a = kSpaceEngine,
                   "normal_law"_a = to_string(question.law),
                   "wrench"_a = tuple_of(question.grasp.box.wrench, [](const Interval& w) {
                     return fraction(w.middle());
@@ -180,7 +178,7 @@ py::dict fields_of(const Answer& answer) {
 Answer answer_to(SpatialQuestion question, std::size_t node_limit) {
   BoxOptions options;
   options.node_limit = node_limit;
-  BoxDecision decision = decide(question, options);
+  BoxDecision decision = decide_box(question.grasp.box, question.law, options);
   return {std::move(question), std::move(decision), {}};
 }
 
@@ -195,7 +193,7 @@ void add_certificate(Answer& answer) {
   if (std::holds_alternative<StableThroughout>(verdict) ||
       std::holds_alternative<UnstableThroughout>(verdict)) {
     answer.certificate =
-        spatial_certificate_text(answer.question, answer.decision, producer_of(kEngine));
+        spatial_certificate_text(answer.question, answer.decision, producer_of(kSpaceEngine));
   }
 }
 
@@ -223,7 +221,7 @@ py::dict decide_grasp(const SpatialGrasp& grasp, const py::object& wrench,
                       const py::object& preload, bool bilateral, const std::string& engine,
                       std::size_t node_limit, bool warnings) {
   refuse_engine(engine);
-  SpatialQuestion question = question_of(grasp, wrench, preload, bilateral);
+  SpatialQuestion question = spatial_question(grasp, wrench, preload, bilateral);
   std::vector<ModelWarning> traps;
   const Answer answer = without_gil([&] {
     Answer found = answer_to(std::move(question), node_limit);
@@ -242,7 +240,8 @@ py::dict find_grasp_margin(const SpatialGrasp& grasp, const py::object& directio
                            std::size_t node_limit, bool warnings, const py::object& accuracy) {
   const QuestionOptions others =
       question_options(py::none(), preload, bilateral, py::none(), preload_direction);
-  const SpatialQuestion question = question_of(grasp, options_of(wrench, others, direction));
+  const SpatialQuestion question =
+      spatial_question(grasp, options_of(wrench, others, direction));
   SpatialMarginOptions options;
   options.search.node_limit = node_limit;
   options.accuracy = exact(accuracy, "accuracy");
@@ -253,7 +252,7 @@ py::dict find_grasp_margin(const SpatialGrasp& grasp, const py::object& directio
   std::vector<ModelWarning> traps;
   const auto [margin, certificate] = without_gil([&] {
     SpatialMargin found = find_margin(question, options);
-    std::string text = spatial_margin_text(question, found, producer_of(kEngine));
+    std::string text = spatial_margin_text(question, found, producer_of(kSpaceEngine));
     if (warnings) traps = model_warnings(question, found);
     return std::pair(std::move(found), std::move(text));
   });
@@ -283,9 +282,10 @@ py::str spatial_picture(const SpatialGrasp& grasp, const py::object& wrench,
                         const py::object& preload, bool bilateral,
                         const std::string& /*engine*/,
                         const std::optional<std::string>& limit) {
-  const SpatialQuestion question = question_of(grasp, wrench, preload, bilateral);
+  const SpatialQuestion question = spatial_question(grasp, wrench, preload, bilateral);
   return text(without_gil([&] {
-    return plot_grasp(question, limit ? Undecided{*limit} : decide(question).verdict);
+    return plot_grasp(question, limit ? Undecided{*limit}
+                                      : decide_box(question.grasp.box, question.law).verdict);
   }));
 }
 
@@ -329,10 +329,10 @@ std::function<ManyAnswer()> spatial_question(const py::handle& given, const OneO
         friction ? std::make_shared<const SpatialGrasp>(with_friction(*grasp, *friction))
                  : grasp;
     const auto found =
-        std::make_shared<Answer>(answer_to(question_of(*about, options), node_limit));
+        std::make_shared<Answer>(answer_to(spatial_question(*about, options), node_limit));
     ManyAnswer answer;
     answer.verdict = name_of(found->decision.verdict);
-    answer.engine = kEngine;
+    answer.engine = kSpaceEngine;
     for (const Interval& value : found->question.grasp.box.wrench) {
       answer.wrench.push_back(to_double(value.low));
     }
@@ -358,7 +358,7 @@ SpatialQuestion question_in_box(const SpatialGrasp& grasp, const py::object& wre
                                 const std::string& uncertain) {
   SpatialOptions asked = options_of(wrench, question_options(py::none(), preload, bilateral));
   if (!uncertain.empty()) asked.uncertain = parse_tolerances(uncertain);
-  return question_of(grasp, asked);
+  return spatial_question(grasp, asked);
 }
 
 void bind_space(py::module_& module) {

@@ -186,16 +186,17 @@ const Interval& GraspLaw::interval(const ParameterId& id) const {
   return interval_of(contacts.at(id.index), id.parameter);
 }
 
-std::vector<ParameterId> GraspLaw::parameters() const {
+std::vector<ParameterId> parameters_of(std::size_t contacts, bool in_space) {
   std::vector<ParameterId> result;
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
+  for (std::size_t i = 0; i < contacts; ++i) {
     for (const Parameter parameter :
-         {Parameter::kX, Parameter::kY, motions == 3 ? Parameter::kTurn : Parameter::kZ,
+         {Parameter::kX, Parameter::kY, in_space ? Parameter::kZ : Parameter::kTurn,
           Parameter::kFriction, Parameter::kStiffness, Parameter::kPreload}) {
       result.push_back({parameter, i});
     }
   }
-  for (std::size_t j = 0; j < motions; ++j) result.push_back({Parameter::kWrench, j});
+  const std::size_t components = in_space ? 6 : 3;
+  for (std::size_t j = 0; j < components; ++j) result.push_back({Parameter::kWrench, j});
   return result;
 }
 

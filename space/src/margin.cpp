@@ -3,8 +3,8 @@
 #include <cmath>
 #include <utility>
 
-#include "stickslip/box/exact_witness.hpp"
 #include "spatial_law.hpp"
+#include "stickslip/box/exact_witness.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/degree/prove_stable.hpp"
 #include "stickslip/search/tree_search.hpp"

@@ -117,20 +117,21 @@ void add_unbalanced_preload(const SpatialGrasp& grasp, const std::vector<Rationa
   warnings.add(ModelTrap::kUnbalancedPreload, unbalanced_preload());
 }
 
-SpatialQuestion with_stiffness(SpatialQuestion question, ContactId contact,
-                               const Rational& stiffness) {
-  question.grasp.box.contacts[contact.index()].stiffness = point_interval(stiffness);
-  return question;
+GraspBox with_stiffness(GraspBox grasp, ContactId contact, const Rational& stiffness) {
+  grasp.contacts[contact.index()].stiffness = point_interval(stiffness);
+  return grasp;
 }
 
 std::optional<std::string> assumed_stiffness_of(const SpatialQuestion& question, bool stable,
                                                 const BoxDecision& decision) {
   const SpatialGrasp& grasp = question.grasp;
   StiffnessTrial trial{{}, grasp.assumed_stiffness, stable, decision.work.nodes, {}, {}};
-  for (const UncertainContact& c : grasp.box.contacts) trial.stiffness.push_back(c.stiffness.low);
+  for (const UncertainContact& c : grasp.box.contacts)
+    trial.stiffness.push_back(c.stiffness.low);
   trial.may_differ = [&](ContactId contact, const Rational& stiffness) {
     if (!stable) return true;  // doubles miss equilibria
-    SpatialQuestion varied = with_stiffness(question, contact, stiffness);
+    SpatialQuestion varied = question;
+    varied.grasp.box = with_stiffness(grasp.box, contact, stiffness);
     for (UncertainContact& c : varied.grasp.box.contacts) {
       c.friction = point_interval(friction_to_tell_by(stable) * c.friction.low);
     }
@@ -143,7 +144,7 @@ std::optional<std::string> assumed_stiffness_of(const SpatialQuestion& question,
     options.node_limit = left;
     options.bits = decision.bits;
     const BoxDecision varied =
-        decide(with_stiffness(question, contact, stiffness), options);
+        decide_box(with_stiffness(grasp.box, contact, stiffness), question.law, options);
     left -= std::min(left, 1 + varied.work.nodes);
     return throughout(varied);
   };

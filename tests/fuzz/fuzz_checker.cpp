@@ -14,10 +14,11 @@
 #include "fuzz_target.hpp"
 #include "print.hpp"
 #include "spool.hpp"
+#include "stickslip/box/box_verdict.hpp"
 #include "stickslip/equilibrium/margin.hpp"
 #include "stickslip/equilibrium/question.hpp"
 #include "stickslip/equilibrium/search/branch_and_bound.hpp"
-#include "stickslip/space/spatial_verdict.hpp"
+#include "stickslip/space/spatial_question.hpp"
 
 namespace {
 
@@ -119,7 +120,8 @@ std::string truth_in_space(const Input& input, const Question& question,
   if (question.asked.bilateral) options.law = stickslip::NormalLaw::kBilateral;
   stickslip::BoxOptions limit;
   limit.node_limit = 300;
-  const auto decision = stickslip::decide(stickslip::ask(grasp, options), limit);
+  const auto decision =
+      stickslip::decide_box(stickslip::ask(grasp, options).grasp.box, options.law, limit);
   const bool decided = !std::holds_alternative<stickslip::Undecided>(decision.verdict);
   return decided ? name_of(decision.verdict) : "";
 }

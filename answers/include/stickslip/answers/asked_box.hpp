@@ -10,6 +10,11 @@
 
 namespace stickslip {
 
+/// \{ The engine whose numbers may be intervals, in the plane and in space.
+inline constexpr const char* kIntervalsEngine = "intervals";
+inline constexpr const char* kSpaceEngine = "space";
+/// \}
+
 /// A box of grasps, perhaps of one point, and what is said beside an answer about it.
 struct AskedBox {
   GraspBox box;                  ///< all grasps
@@ -19,8 +24,8 @@ struct AskedBox {
   NormalLaw law;                 ///< of every contact
   Tolerances uncertain;          ///< as asked
 
-  /// The engine that answers: "intervals", or "space".
-  const char* engine() const { return box.in_space() ? "space" : "intervals"; }
+  /// The one that answers.
+  const char* engine() const { return box.in_space() ? kSpaceEngine : kIntervalsEngine; }
 };
 
 /// \{ Of a question that is not a margin.

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "stickslip/answers/asked_box.hpp"
 #include "stickslip/answers/uncertain_numbers.hpp"
 #include "stickslip/box/box_verdict.hpp"
 #include "stickslip/core/number_text.hpp"
@@ -32,9 +33,6 @@ struct CaseAnswer {
 
   const Verdict& verdict() const { return decision.verdict; }  ///< of the decision
 };
-
-/// The engine whose numbers may be intervals, in the plane.
-inline constexpr const char* kIntervalsEngine = "intervals";
 
 /// About every grasp in a box; or about one of which some lengths are irrational and known as
 /// intervals; or about one that is stable, and of which an exact equilibrium would be too long

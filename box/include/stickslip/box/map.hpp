@@ -31,9 +31,9 @@ struct MapAxis {
   Interval range;                      ///< of the factor or value
 };
 
-/// "NAME=A:B", such as "friction[2]=0:1", "load=0:2", "direction=0:360", for this one
-/// grasp; directions are of a force in the plane. Throws
-/// InputError with the place `axis` for what is no axis, or leaves the grasps that there are.
+/// "NAME=A:B", such as "friction[2]=0:1", "load=0:2", "direction=0:360", for this one grasp;
+/// directions are of a force in the plane. Throws InputError with the place `axis` for what is
+/// no axis, or leaves the grasps that there are.
 MapAxis parse_axis(const GraspBox& grasp, std::string_view text, const std::string& axis);
 
 /// A cell of a map: a rectangle of the plane of its axes.

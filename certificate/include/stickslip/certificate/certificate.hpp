@@ -12,7 +12,7 @@
 #include "stickslip/equilibrium/verdict.hpp"
 #include "stickslip/resistance/region_proof.hpp"
 #include "stickslip/space/spatial_margin.hpp"
-#include "stickslip/space/spatial_verdict.hpp"
+#include "stickslip/space/spatial_question.hpp"
 
 namespace stickslip {
 

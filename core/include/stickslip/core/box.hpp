@@ -129,23 +129,17 @@ struct GraspBox {
   LoadedGrasp planar_middle(const GraspDescription& description = {}) const;
 };
 
-/// Calls f(place, interval) of every number that may be an interval, in the order of a file:
-/// "contacts[2].friction", "wrench[5]". (The slope of a normal is none.)
+/// Calls f of every number that may be an interval, in the order of a file. (The slope of a
+/// normal is none.)
 template <class Box, class Function>
 void for_each_number(Box& box, Function f) {
-  for (std::size_t i = 0; i < box.contacts.size(); ++i) {
-    auto& c = box.contacts[i];
-    const std::string path = "contacts[" + std::to_string(i) + "].";
-    for (std::size_t j = 0; j < c.position.size(); ++j) {
-      f(path + "position[" + std::to_string(j) + "]", c.position[j]);
-    }
-    f(path + "friction", c.friction);
-    f(path + "stiffness", c.stiffness);
-    f(path + "preload", c.preload);
+  for (auto& c : box.contacts) {
+    for (auto& coordinate : c.position) f(coordinate);
+    f(c.friction);
+    f(c.stiffness);
+    f(c.preload);
   }
-  for (std::size_t j = 0; j < box.wrench.size(); ++j) {
-    f("wrench[" + std::to_string(j) + "]", box.wrench[j]);
-  }
+  for (auto& component : box.wrench) f(component);
 }
 
 /// The wrench in the middle of every interval, in the plane.

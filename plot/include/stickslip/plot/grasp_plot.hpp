@@ -5,9 +5,10 @@
 
 #include <string>
 
+#include "stickslip/box/box_verdict.hpp"
 #include "stickslip/equilibrium/question.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
-#include "stickslip/space/spatial_verdict.hpp"
+#include "stickslip/space/spatial_question.hpp"
 
 namespace stickslip {
 

@@ -23,6 +23,10 @@ struct SpatialGrowth {
   std::vector<Rational> preloads{};  ///< P^u by contact; empty: none grows
 };
 
+/// All parameters of grasps of so many contacts: contact by contact, and then those of the
+/// wrench.
+std::vector<ParameterId> parameters_of(std::size_t contacts, bool in_space);
+
 /// The law of every grasp in a box, or in a part of it.
 class GraspLaw : public Law {
  public:
@@ -33,8 +37,10 @@ class GraspLaw : public Law {
 
   /// The interval of a parameter. Requires that there is one.
   const Interval& interval(const ParameterId& id) const;
-  /// All parameters: contact by contact, and then those of the wrench.
-  std::vector<ParameterId> parameters() const;
+  /// All of them.
+  std::vector<ParameterId> parameters() const {
+    return parameters_of(contacts.size(), motions != 3);
+  }
   /// The halves below and above a cut; not of a margin. Requires low < value < high.
   std::pair<GraspLaw, GraspLaw> halves(const PartSplit& split) const;
   /// The one grasp with every parameter in the middle of its interval; of a margin with this

@@ -16,8 +16,9 @@
 #include <variant>
 #include <vector>
 
+#include "stickslip/box/box_verdict.hpp"
 #include "stickslip/equilibrium/margin.hpp"
-#include "stickslip/space/spatial_verdict.hpp"
+#include "stickslip/space/spatial_question.hpp"
 
 namespace stickslip {
 

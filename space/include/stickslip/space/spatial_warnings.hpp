@@ -9,9 +9,10 @@
 
 #include <vector>
 
+#include "stickslip/box/box_verdict.hpp"
 #include "stickslip/equilibrium/model_traps.hpp"
 #include "stickslip/space/spatial_margin.hpp"
-#include "stickslip/space/spatial_verdict.hpp"
+#include "stickslip/space/spatial_question.hpp"
 
 namespace stickslip {
 

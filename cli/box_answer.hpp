@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// How `decide` prints the answer to a question that is a box.
+/// How `decide` prints the answer to a question that is a box, or about a grasp in space.
 #pragma once
 
 #include <string>

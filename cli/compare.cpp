@@ -28,11 +28,11 @@ Rational positive_length(const std::string& text) {
 
 void print_json(const Question& question, const Rational& length,
                 const std::vector<MethodRow>& rows, bool floats) {
-  Json json{{"name", question.loaded.grasp.name()},
+  Json json{{"name", question.loaded().grasp.name()},
             {"normal_law", to_string(question.law)},
-            {"wrench", number_json(coordinates(question.loaded.wrench))},
+            {"wrench", number_json(coordinates(question.loaded().wrench))},
             {"length", number_json(length)}};
-  add_units(json, question.loaded.grasp);
+  add_units(json, question.loaded().grasp);
   Json& methods = json["methods"] = Json::array();
   for (const MethodRow& row : rows) {
     methods.push_back({{"method", row.method},
@@ -48,9 +48,9 @@ void print_json(const Question& question, const Rational& length,
 
 void print_text(const Question& question, const Rational& length,
                 const std::vector<MethodRow>& rows, NumberText& text) {
-  const std::string& name = question.loaded.grasp.name();
+  const std::string& name = question.loaded().grasp.name();
   if (!name.empty()) std::cout << name << '\n';
-  std::cout << "  load w    " << text(coordinates(question.loaded.wrench)) << '\n'
+  std::cout << "  load w    " << text(coordinates(question.loaded().wrench)) << '\n'
             << "  length L  " << text(length)
             << ", by which torques are divided (--length)\n\n";
   std::vector<std::vector<std::string>> table{{"method", "verdict", "agrees", "why"}};
@@ -64,7 +64,7 @@ void print_text(const Question& question, const Rational& length,
   std::cout << format_table(table, Align::kLeft)
             << "\nAll methods are exact. Normal law of the passive model: "
             << law_text(question.law) << ".\n"
-            << units_text(question.loaded.grasp) << text.note();
+            << units_text(question) << text.note();
 }
 
 int compare(const CompareArguments& arguments) {

@@ -39,11 +39,11 @@ Rational nonnegative_option(const std::string& option, const std::string& value)
 std::vector<std::string> save(const std::string& folder, std::size_t number,
                               const ClaimLine& line, const Decision& decision) {
   const Question& asked = line.question;
-  const Question question{asked.loaded, asked.law, std::nullopt};
+  const Question question{asked.grasp, asked.law};
   const std::string stem = folder + "/line-" + std::to_string(number);
   const std::string grasp = stem + ".grasp.json";
   const std::string certificate = stem + ".certificate.json";
-  const std::string grasp_text = write_grasp(question.loaded);
+  const std::string grasp_text = write_grasp(question.loaded());
   const std::string proof = certificate_text(
       question, decision.verdict,
       std::string("stickslip " STICKSLIP_VERSION ", engine ") + decision.engine());

@@ -167,7 +167,7 @@ std::string to_json_line(const JudgedLine& judged, bool floats) {
   Json json;
   json["line"] = judged.number;
   json["class"] = name_of(report.claim_class);
-  json["name"] = question.loaded.grasp.name();
+  json["name"] = question.loaded().grasp.name();
   json["normal_law"] = to_string(question.law);
   json["claimed"] = claimed_verdict(judged.line.claim);
   json["verdict"] = name_of(report.decision.verdict);
@@ -181,7 +181,7 @@ std::string to_json_line(const JudgedLine& judged, bool floats) {
                             {"length", number_json(report.scale.length)},
                             {"motion", number_json(report.scale.motion)}};
   json["claimed_slip"] = report.claimed_slip ? Json(to_string(*report.claimed_slip)) : Json();
-  json["nearby"] = report.nearby ? to_json(*report.nearby, question.loaded.grasp) : Json();
+  json["nearby"] = report.nearby ? to_json(*report.nearby, question.loaded().grasp) : Json();
   json["distance"] = report.distance ? to_json(*report.distance) : Json();
   if (!judged.saved.empty()) json["saved"] = judged.saved;
   return line_of(finished(json, floats));
@@ -213,7 +213,7 @@ std::string to_text(const JudgedLine& judged, const ClaimOptions& options, Numbe
   if (report.claim_class == ClaimClass::kRight && !report.inaccurate && !report.distance) {
     return {};
   }
-  const std::string& name = judged.line.question.loaded.grasp.name();
+  const std::string& name = judged.line.question.loaded().grasp.name();
   std::string text = "line " + std::to_string(judged.number) + ": " +
                      name_of(report.claim_class) + ": claimed " +
                      claimed_verdict(judged.line.claim);

@@ -11,7 +11,6 @@
 #include "commands.hpp"
 #include "fragile_answer.hpp"
 #include "question_options.hpp"
-#include "space_answer.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/sign.hpp"
@@ -82,32 +81,12 @@ void print_text(const CaseAnswer& answer, const NumberOptions& output) {
   } else {
     std::cout << '\n' << undecided_text(std::get<Undecided>(verdict), false);
   }
-  std::cout << text.note() << units_text(question.loaded.grasp) << engine_text(answer);
+  std::cout << text.note() << units_text(question) << engine_text(answer);
   print(warnings);
 }
 
-/// What answers to all kinds of question have.
-struct Subject {
-  std::string name;  ///< of the grasp
-  std::string case_name;
-  NormalLaw law;
-  std::optional<Units> units;
-};
-
-template <class PlanarAnswer>
-Subject subject_of(const PlanarAnswer& answer) {
-  const Question& question = answer.question;
-  const Grasp& grasp = question.loaded.grasp;
-  return {grasp.name(), question.case_name, question.law, grasp.description().units};
-}
-
-Subject subject_of(const SpaceAnswer& answer) {
-  const SpatialQuestion& question = answer.question;
-  return {question.grasp.name, question.case_name, question.law, question.grasp.units};
-}
-
-Subject subject_of(const Answer& answer) {
-  return std::visit([](const auto& a) { return subject_of(a); }, answer);
+const Question& question_of(const Answer& answer) {
+  return std::visit([](const auto& a) -> const Question& { return a.question; }, answer);
 }
 
 std::string load_text(const CaseAnswer& answer, NumberText& text) {
@@ -115,20 +94,16 @@ std::string load_text(const CaseAnswer& answer, NumberText& text) {
 }
 
 std::string load_text(const BoxAnswer& answer, NumberText& text) {
-  return load_text(answer.question.box->wrench, text);
+  return load_text(answer.question.box()->wrench, text);
 }
 
 std::vector<ModelWarning> warnings_of(const Answer& answer) {
-  if (const auto* planar = std::get_if<CaseAnswer>(&answer)) {
-    return planar->warnings.value_or(std::vector<ModelWarning>{});
-  }
-  const auto* spatial = std::get_if<SpaceAnswer>(&answer);
-  return (spatial != nullptr ? spatial->warnings : Warnings{})
+  return std::visit([](const auto& a) { return a.warnings; }, answer)
       .value_or(std::vector<ModelWarning>{});
 }
 
 void print_cases_json(const std::vector<Answer>& answers, const NumberOptions& output) {
-  const std::string name = subject_of(answers.front()).name;
+  const std::string name = question_of(answers.front()).description().name;
   Json json{{"name", name}, {"cases", Json::array()}};
   for (const Answer& answer : answers) {
     json["cases"].push_back(to_json(answer));
@@ -143,7 +118,7 @@ void print_cases_text(const std::vector<Answer>& answers, const NumberOptions& o
   std::vector<std::pair<std::string, std::string>> warnings;  // and their cases
   std::string engine;
   for (const Answer& each : answers) {
-    const std::string name = subject_of(each).case_name;
+    const std::string name = question_of(each).case_name;
     rows.push_back({name, name_of(each),
                     std::visit([&](const auto& a) { return load_text(a, text); }, each)});
     const auto* answer = std::get_if<CaseAnswer>(&each);
@@ -159,19 +134,17 @@ void print_cases_text(const std::vector<Answer>& answers, const NumberOptions& o
       }
     }
   }
-  const Subject subject = subject_of(answers.front());
-  const bool in_space = std::holds_alternative<SpaceAnswer>(answers.front());
-  const bool all_boxes = engine.empty() && !in_space;
-  if (engine.empty())
-    engine = engine_text(in_space ? kSpaceEngine : kIntervalsEngine, subject.law);
-  const std::string& grasp = subject.name;
+  const Question& question = question_of(answers.front());
+  const bool all_boxes = engine.empty() && !question.in_space();
+  if (engine.empty()) engine = engine_text(box_engine(question), question.law);
+  const std::string& grasp = question.description().name;
   const std::size_t n = answers.size();
   std::cout << (grasp.empty() ? "" : grasp + ": ") << n << (n == 1 ? " case" : " cases")
             << "\n\n"
             << format_table(rows, Align::kLeft)
             << (all_boxes ? "\nWhat is uncertain, and what the verdict means: --case NAME.\n"
                           : "\nForces and motions, or why there are none: --case NAME.\n")
-            << text.note() << units_text(subject.units) << engine;
+            << text.note() << units_text(question) << engine;
   for (const auto& [warning, names] : warnings) {
     std::cout << "Warning, " << names << ": " << warning << ".\n";
   }
@@ -196,22 +169,19 @@ AnswerOptions options_of(const DecideArguments& arguments) {
 }
 
 Answer answered(Question question, const DecideArguments& arguments) {
-  if (question.box && arguments.engine != "auto") {
-    if (question.box->is_point()) {
-      throw InputError(
-          "", "--engine", "a preloaded contact has a normal of irrational length",
-          "leave the option out, or ask about the file that stickslip snap writes");
+  const auto refuse = [](const std::string& problem, const std::string& remedy) {
+    throw InputError("", "--engine", problem, remedy);
+  };
+  if (question.box() != nullptr && arguments.engine != "auto") {
+    if (question.in_space()) {
+      refuse("the grasp is in space, for which there is one engine", "leave the option out");
     }
-    throw InputError("", "--engine", "the question is a box, about all grasps in it at once",
-                     "leave the option out: there is one engine for boxes");
-  }
-  return answer_to(std::move(question), options_of(arguments));
-}
-
-Answer answered(SpatialQuestion question, const DecideArguments& arguments) {
-  if (arguments.engine != "auto") {
-    throw InputError("", "--engine", "the grasp is in space, for which there is one engine",
-                     "leave the option out");
+    if (question.box()->is_point()) {
+      refuse("a preloaded contact has a normal of irrational length",
+             "leave the option out, or ask about the file that stickslip snap writes");
+    }
+    refuse("the question is a box, about all grasps in it at once",
+           "leave the option out: there is one engine for boxes");
   }
   return answer_to(std::move(question), options_of(arguments));
 }
@@ -243,11 +213,9 @@ int exit_code(const std::vector<Answer>& answers, bool answer_by_exit_code) {
 }
 
 int decide(const DecideArguments& arguments) {
-  auto all_questions = arguments.question.any_questions();
+  std::vector<Question> questions = arguments.question.any_questions();
   const bool by_case =
-      std::visit([](const auto& list) { return !list.front().case_name.empty(); },
-                 all_questions) &&
-      !arguments.question.chooses_case();
+      !questions.front().case_name.empty() && !arguments.question.chooses_case();
   for (const auto& [option, value] : {std::pair{"--certificate", &arguments.certificate},
                                       std::pair{"--examples", &arguments.examples}}) {
     if (!by_case || value->empty()) continue;
@@ -255,13 +223,9 @@ int decide(const DecideArguments& arguments) {
                      "choose the case with --case NAME");
   }
   std::vector<Answer> answers;
-  std::visit(
-      [&](auto& questions) {
-        for (auto& question : questions) {
-          answers.push_back(answered(std::move(question), arguments));
-        }
-      },
-      all_questions);
+  for (Question& question : questions) {
+    answers.push_back(answered(std::move(question), arguments));
+  }
   const bool json = arguments.output.json;
   if (by_case) {
     (json ? print_cases_json : print_cases_text)(answers, arguments.output);

@@ -7,7 +7,7 @@
 #include "question_options.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
-#include "stickslip/core/spatial_grasp.hpp"
+#include "stickslip/core/grasp_file.hpp"
 #include "terminal.hpp"
 
 namespace stickslip {
@@ -16,7 +16,8 @@ namespace {
 void list_examples() {
   std::vector<std::vector<std::string>> table{{"name", "what it is"}};
   for (const ExampleGrasp& example : example_grasps()) {
-    table.push_back({example.name, name_of(parse_any_grasp(example.text, example.name))});
+    table.push_back(
+        {example.name, parse_any_grasp(example.text, example.name).description().name});
   }
   std::cout << format_table(table, Align::kLeft)
             << "\nFor one of them: stickslip example jaw -o jaw.json\n";

@@ -56,15 +56,13 @@ std::string fragile_text(const std::vector<Difference>& differences, NumberText&
               : "Both are in " + examples + ", each with a certificate of its verdict.\n");
 }
 
-void write_two_examples(const std::string& folder, const GraspBox& box,
-                        const GraspDescription& description, NormalLaw law,
+void write_two_examples(const std::string& folder, const GraspBox& box, NormalLaw law,
                         const BoxVerdict& verdict, const std::string& producer) {
   const auto* fragile = std::get_if<Fragile>(&verdict);
   if (fragile == nullptr) return say_no_examples(!box.is_point(), name_of(verdict));
-  write_proved_files(
-      "--examples", folder,
-      {{"stable", proved_grasp(fragile->stable, description, law, true, producer)},
-       {"unstable", proved_grasp(fragile->unstable, description, law, false, producer)}});
+  write_proved_files("--examples", folder,
+                     {{"stable", proved_grasp(fragile->stable, law, true, producer)},
+                      {"unstable", proved_grasp(fragile->unstable, law, false, producer)}});
 }
 
 void say_no_examples(bool is_box, const std::string& verdict) {
@@ -72,11 +70,6 @@ void say_no_examples(bool is_box, const std::string& verdict) {
             << (is_box ? "the box is " : "the question is about one grasp, which is ")
             << verdict << (is_box ? ", and only one that is fragile has two examples" : "")
             << '\n';
-}
-
-void say_two_certificates() {
-  std::cerr << "stickslip: --certificate: nothing is written: what proves that a box is "
-               "fragile is two grasps, each with a certificate; --examples DIR writes them\n";
 }
 
 }  // namespace stickslip

@@ -10,7 +10,6 @@
 #include "box_numbers.hpp"
 #include "stickslip/box/box_verdict.hpp"
 #include "stickslip/certificate/proved_files.hpp"
-#include "stickslip/core/file.hpp"
 
 namespace stickslip {
 
@@ -36,22 +35,7 @@ void say_no_examples(bool is_box, const std::string& verdict);
 
 /// stable.json and unstable.json, each with its certificate, for --examples; or
 /// say_no_examples().
-void write_two_examples(const std::string& folder, const GraspBox& box,
-                        const GraspDescription& description, NormalLaw law,
+void write_two_examples(const std::string& folder, const GraspBox& box, NormalLaw law,
                         const BoxVerdict& verdict, const std::string& producer);
-
-/// Says on standard error that a fragile box has two certificates, and how to get them.
-void say_two_certificates();
-
-/// To a file, unless its name is empty; says it if there is none.
-template <class Answer>
-void write_certificate_of_box(const Answer& answer, const std::string& file) {
-  if (file.empty()) return;
-  if (const auto certificate = certificate_of(answer)) {
-    write_whole_file(file, *certificate);
-  } else if (!std::holds_alternative<Undecided>(answer.decision.verdict)) {
-    say_two_certificates();
-  }
-}
 
 }  // namespace stickslip

@@ -41,27 +41,28 @@ Rational share_of(const std::vector<MapCell>& cells, std::size_t verdict, const 
   return sum / area(x.range, y.range);
 }
 
-void print_text(const AskedBox& asked, const MapAxis& x, const MapAxis& y,
+void print_text(const Question& question, const MapAxis& x, const MapAxis& y,
                 const std::vector<MapCell>& cells) {
-  std::cout << heading(asked.description.name, asked.case_name) << "a map of " << cells.size()
-            << " cells over " << x.name << " and " << y.name << "\n\n";
+  std::cout << heading(question) << "a map of " << cells.size() << " cells over " << x.name
+            << " and " << y.name << "\n\n";
   std::vector<std::vector<std::string>> rows{{"proved", "part of the area"}};
   std::size_t verdict = 0;
   for (const char* words : {"stable", "unstable", "", "nothing"}) {
     const Rational share = share_of(cells, verdict++, x, y);
     if (*words != '\0') rows.push_back({words, to_readable_string(100 * share) + " %"});
   }
-  std::cout << format_table(rows) << '\n' << engine_text(asked.engine(), asked.law);
+  std::cout << format_table(rows) << '\n' << engine_text(box_engine(question), question.law);
 }
 
 int map(const MapArguments& arguments) {
-  const AskedBox asked = asked_box(arguments.question.any_question());
-  const GraspBox& grasp = asked.centre;
-  if (!asked.box.is_point() || (!grasp.in_space() && needs_enclosure(grasp))) {
+  const Question question = arguments.question.any_question();
+  const GraspBox* box = question.box();
+  if (box != nullptr && !(question.in_space() && box->is_point())) {
     throw InputError("", "GRASP", "some of its numbers are uncertain already",
                      "a map is about one grasp, whose numbers its axes vary: give numbers, "
                      "and preloaded contacts normals of rational length");
   }
+  const GraspBox grasp = box_of(question.grasp);
   const MapAxis x = parse_axis(grasp, arguments.x, "--x");
   const MapAxis y = parse_axis(grasp, arguments.y, "--y");
   MapOptions options;
@@ -71,14 +72,13 @@ int map(const MapArguments& arguments) {
   std::vector<MapCell> cells;
   Progress progress;
   map_verdicts(
-      grasp, asked.law, x, y, options,
+      grasp, question.law, x, y, options,
       [&](MapCell cell) {
         const bool proved = !std::holds_alternative<Undecided>(cell.decision.verdict);
         if (proved && !arguments.certificates.empty()) {
           const std::string producer = "stickslip " STICKSLIP_VERSION ", map";
-          const ProvedFiles files =
-              proved_box(box_of_cell(grasp, x, y, cell.x, cell.y), asked.description, asked.law,
-                         cell.decision, producer);
+          const ProvedFiles files = proved_box(box_of_cell(grasp, x, y, cell.x, cell.y),
+                                               question.law, cell.decision, producer);
           write_proved_files("--certificates", arguments.certificates,
                              {{"cell" + std::to_string(cells.size()), files}});
         }
@@ -96,13 +96,13 @@ int map(const MapArguments& arguments) {
       });
   progress.clear();
   if (!arguments.svg.empty()) {
-    write_whole_file(arguments.svg, plot_map(asked.description.name, x, y, cells));
+    write_whole_file(arguments.svg, plot_map(question.description().name, x, y, cells));
   }
   if (arguments.output.json) {
-    std::cout << finished(map_json(asked, x, y, cells), arguments.output.floats).dump(1)
+    std::cout << finished(map_json(question, x, y, cells), arguments.output.floats).dump(1)
               << '\n';
   } else {
-    print_text(asked, x, y, cells);
+    print_text(question, x, y, cells);
   }
   return kDone;
 }

@@ -30,22 +30,6 @@ struct MarginArguments {
   bool no_warnings = false;
 };
 
-FamilyText family_of(const Question& question, NumberText& text) {
-  FamilyText family{heading(question),
-                    text(coordinates(question.loaded.wrench)),
-                    {},
-                    question.preload_direction,
-                    {},
-                    question.preload_growth};
-  if (question.direction) family.direction = text(coordinates(*question.direction));
-  for (const Contact& c : question.loaded.grasp.contacts())
-    family.preloads.push_back(c.preload);
-  if (question.preload_direction && question.preload_direction->scale) {
-    family.preloads = question.preload_growth;
-  }
-  return family;
-}
-
 std::string multiples_text(const Margin& margin, NumberText& text) {
   std::vector<std::string> parts;
   for (const MarginInterval& interval : margin.resisted) {
@@ -55,7 +39,7 @@ std::string multiples_text(const Margin& margin, NumberText& text) {
 }
 
 void print_text(const Question& question, const Margin& margin, NumberText& text) {
-  std::cout << head_text(family_of(question, text), text);
+  std::cout << head_text(question, text);
   if (margin.resisted.empty()) {
     std::cout << "No l is resisted.\n";
   } else if (question.preload_direction) {
@@ -91,7 +75,7 @@ void print_text(const Question& question, const Margin& margin, NumberText& text
                                     : ", and by trees of " + count(nodes, "node") +
                                           " that nothing else is resisted")
             << ".\nNormal law: " << law_text(question.law) << ".\n"
-            << units_text(question.loaded.grasp) << text.note();
+            << units_text(question) << text.note();
 }
 
 void print_least(const Margin& margin, NumberText& text) {
@@ -108,7 +92,7 @@ void print_least(const Margin& margin, NumberText& text) {
   std::cout << text.note();
 }
 
-int margin_in_space(const SpatialQuestion& question, const MarginArguments& arguments) {
+int margin_in_space(const Question& question, const MarginArguments& arguments) {
   SpatialMarginOptions search;
   search.accuracy = number_option("--accuracy", arguments.accuracy);
   if (search.accuracy.sign() <= 0) {
@@ -121,17 +105,14 @@ int margin_in_space(const SpatialQuestion& question, const MarginArguments& argu
 }
 
 int margin(const MarginArguments& arguments) {
-  const auto asked = arguments.question.any_question();
-  if (!std::visit([](const auto& question) { return question.is_margin(); }, asked)) {
+  const Question question = arguments.question.any_question();
+  if (!question.is_margin()) {
     throw InputError(
         "", "", "no direction is given",
         "say what grows: the load, as in --direction 0,1,0, or the preloads, as in "
         "--preload-direction scale");
   }
-  if (const auto* in_space = std::get_if<SpatialQuestion>(&asked)) {
-    return margin_in_space(*in_space, arguments);
-  }
-  const auto& question = std::get<Question>(asked);
+  if (question.in_space()) return margin_in_space(question, arguments);
   ConeOptions options;
   options.node_limit = arguments.node_limit;
   MarginWork work;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "box_numbers.hpp"
+
 namespace stickslip {
 namespace {
 
@@ -16,26 +18,36 @@ std::string preloads_text(const std::vector<Rational>& preloads, NumberText& tex
   return "from " + text(*smallest) + " to " + text(*largest);
 }
 
-std::string family_text(const FamilyText& family) {
+std::string family_text(const Question& question) {
   std::string text;
-  if (family.direction) text = "loads w + l u";
-  if (const auto& preloads = family.preload_direction) {
+  if (question.direction) text = "loads w + l u";
+  if (const auto& preloads = question.preload_direction) {
     text += text.empty() ? "" : " and ";
     text += preloads->scale ? "preloads l P" : "preloads P + l Q";
   }
   return text + " with l >= 0";
 }
 
+/// P; or where they grow in proportion P^u.
+std::vector<Rational> preloads_of(const Question& question) {
+  if (question.preload_direction->scale) return question.preload_growth;
+  std::vector<Rational> preloads;
+  for (const UncertainContact& c : box_of(question.grasp).contacts) {
+    preloads.push_back(c.preload.low);
+  }
+  return preloads;
+}
+
 }  // namespace
 
-std::string head_text(const FamilyText& family, NumberText& text) {
-  std::string head =
-      family.heading + family_text(family) + "\n\n" + "  wrench w     " + family.wrench + '\n';
-  if (family.direction) head += "  direction u  " + *family.direction + '\n';
-  if (const auto& direction = family.preload_direction) {
-    head += "  preloads P   " + preloads_text(family.preloads, text) + '\n';
+std::string head_text(const Question& question, NumberText& text) {
+  std::string head = heading(question) + family_text(question) + "\n\n" + "  wrench w     " +
+                     load_text(wrench_of(question.grasp), text) + '\n';
+  if (question.direction) head += "  direction u  " + text(*question.direction) + '\n';
+  if (const auto& direction = question.preload_direction) {
+    head += "  preloads P   " + preloads_text(preloads_of(question), text) + '\n';
     if (!direction->scale) {
-      head += "  growth Q     " + preloads_text(family.growth, text) + '\n';
+      head += "  growth Q     " + preloads_text(question.preload_growth, text) + '\n';
     }
   }
   return head + '\n';

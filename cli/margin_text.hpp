@@ -11,18 +11,8 @@
 
 namespace stickslip {
 
-/// What of a margin's question is shown.
-struct FamilyText {
-  std::string heading;
-  std::string wrench;                    ///< w
-  std::optional<std::string> direction;  ///< u
-  std::optional<PreloadDirection> preload_direction;
-  std::vector<Rational> preloads;  ///< P, or where they grow in proportion P^u
-  std::vector<Rational> growth;    ///< P^u
-};
-
-/// The lines above the answer.
-std::string head_text(const FamilyText& family, NumberText& text);
+/// The lines above the answer to a question about a margin.
+std::string head_text(const Question& question, NumberText& text);
 
 /// "[1, 5/4]", "from 15/4", "2".
 std::string multiples_text(const Rational& low, const std::optional<Rational>& high,

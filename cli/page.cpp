@@ -31,7 +31,7 @@ void add_page_command(CLI::App& app, int& exit_code) {
       "(docs/page.md).\n",
       kExitCodes, "stickslip page fig1.json -o fig1.html"));
   command->callback([arguments, &exit_code] {
-    const AnyGraspFile file = arguments->question.file();
+    const GraspFile file = arguments->question.file();
     if (arguments->output != "-") require_unprotected(arguments->output);
     PageLimits limits;
     limits.node_limit = arguments->node_limit;

@@ -13,11 +13,10 @@ namespace stickslip {
 namespace {
 
 std::string picture_of(const Question& question) {
+  if (const GraspBox* box = question.box()) {
+    return plot_grasp(question, decide_box(*box, question.law).verdict);
+  }
   return plot_grasp(question, decide(problem_of(question)).verdict);
-}
-
-std::string picture_of(const SpatialQuestion& question) {
-  return plot_grasp(question, decide_box(question.grasp.box, question.law).verdict);
 }
 
 void add_grasp_plot(CLI::App& plot, int& exit_code) {
@@ -35,9 +34,7 @@ void add_grasp_plot(CLI::App& plot, int& exit_code) {
   command->footer(
       footer_text("", kExitCodes, "stickslip plot grasp fig1.json --wrench 0,1,0 -o fig1.svg"));
   command->callback([arguments, &exit_code] {
-    write_whole_file(arguments->output,
-                     std::visit([](const auto& question) { return picture_of(question); },
-                                arguments->question.any_question()));
+    write_whole_file(arguments->output, picture_of(arguments->question.any_question()));
     exit_code = kDone;
   });
 }
@@ -55,7 +52,7 @@ void add_states_plot(CLI::App& plot, int& exit_code) {
   command->footer(footer_text("", kExitCodes, "stickslip plot states fig1.json -o states.svg"));
   command->callback([arguments, &exit_code] {
     const GraspFile file = read_grasp_file(arguments->file);
-    write_whole_file(arguments->output, plot_states(file.content.grasp));
+    write_whole_file(arguments->output, plot_states(file.loaded().grasp));
     exit_code = kDone;
   });
 }

@@ -22,22 +22,17 @@ void write_proved_files(const std::string& option, const std::string& folder,
 }
 
 std::string heading(const Question& question) {
-  return heading(question.loaded.grasp.name(), question.case_name);
-}
-
-std::string heading(const std::string& name, const std::string& of_case) {
+  const std::string& name = question.description().name;
+  const std::string& of_case = question.case_name;
   const std::string both = name + (name.empty() || of_case.empty() ? "" : ", ") + of_case;
   return both.empty() ? both : both + ": ";
 }
 
-std::string units_text(const std::optional<Units>& units) {
+std::string units_text(const Question& question) {
+  const std::optional<Units>& units = question.description().units;
   if (!units) return "";
   return "Units: force " + units->force + ", length " + units->length + ", torque " +
          units->torque() + ".\n";
-}
-
-std::string units_text(const Grasp& grasp) {
-  return units_text(grasp.description().units);
 }
 
 std::string law_text(NormalLaw law) {
@@ -173,12 +168,16 @@ void QuestionArguments::add_with_directions_to(CLI::App& command) {
 
 QuestionOptions QuestionArguments::options() const {
   QuestionOptions options = question_options(text_);
-  if (has_no_wrench_ && !chooses_case()) options.wrench = Wrench{};
+  if (has_no_wrench_ && !chooses_case()) options.wrench = RationalRow(3);
   return options;
 }
 
+Intervals QuestionArguments::intervals() const {
+  return takes_boxes_ ? Intervals::kAllowed : Intervals::kRefused;
+}
+
 GraspFile QuestionArguments::read() const {
-  return read_grasp_file(file_, takes_boxes_ ? Intervals::kAllowed : Intervals::kRefused);
+  return read_grasp_file(file_, intervals());
 }
 
 Question QuestionArguments::ask_about(GraspFile file, const QuestionOptions& options) const {
@@ -193,37 +192,12 @@ std::vector<Question> QuestionArguments::questions() const {
   return questions_about(read());
 }
 
-std::variant<std::vector<Question>, std::vector<SpatialQuestion>>
-QuestionArguments::any_questions() const {
-  AnyGraspFile file = read_any_grasp_file(file_);
-  if (const auto* grasp = std::get_if<SpatialGrasp>(&file)) return questions_about(*grasp);
-  return questions_about(std::get<GraspFile>(std::move(file)));
+std::vector<Question> QuestionArguments::any_questions() const {
+  return questions_about(read_any_grasp_file(file_));
 }
 
-std::variant<Question, SpatialQuestion> QuestionArguments::any_question() const {
-  AnyGraspFile file =
-      read_any_grasp_file(file_, takes_boxes_ ? Intervals::kAllowed : Intervals::kRefused);
-  if (const auto* grasp = std::get_if<SpatialGrasp>(&file)) {
-    return ask_about(*grasp, spatial_options(text_));
-  }
-  return ask_about(std::get<GraspFile>(std::move(file)), options());
-}
-
-SpatialQuestion QuestionArguments::ask_about(const SpatialGrasp& grasp,
-                                             const SpatialOptions& options) const {
-  return ask_with_options(grasp, options, name_of_file());
-}
-
-std::vector<SpatialQuestion> QuestionArguments::questions_about(
-    const SpatialGrasp& grasp) const {
-  SpatialOptions asked = spatial_options(text_);
-  if (grasp.cases.empty() || asked.case_name || asked.wrench) return {ask_about(grasp, asked)};
-  std::vector<SpatialQuestion> questions;
-  for (const SpatialCase& load : grasp.cases) {
-    asked.case_name = load.name;
-    questions.push_back(ask_about(grasp, asked));
-  }
-  return questions;
+Question QuestionArguments::any_question() const {
+  return ask_about(read_any_grasp_file(file_, intervals()), options());
 }
 
 std::vector<Question> QuestionArguments::questions_about(GraspFile file) const {

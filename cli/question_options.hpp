@@ -44,12 +44,12 @@ class QuestionArguments {
   Question question() const;
   /// The same; but of a file with cases, if no load is chosen, the question of each.
   std::vector<Question> questions() const;
-  /// The same of a grasp in the plane or in space.
-  std::variant<std::vector<Question>, std::vector<SpatialQuestion>> any_questions() const;
-  /// The one question about a grasp in the plane or in space.
-  std::variant<Question, SpatialQuestion> any_question() const;
+  /// \{ The same, of a grasp in the plane or in space.
+  Question any_question() const;
+  std::vector<Question> any_questions() const;
+  /// \}
   /// The file itself, and what is to be replaced, as it is spelled.
-  AnyGraspFile file() const { return read_any_grasp_file(file_); }
+  GraspFile file() const { return read_any_grasp_file(file_); }
   const QuestionText& text() const { return text_; }
   const std::string& name_of_argument() const { return file_; }  ///< GRASP as it was given
   /// Of the file, in errors.
@@ -59,11 +59,10 @@ class QuestionArguments {
 
  private:
   void add_model_options_to(CLI::App& command);
+  Intervals intervals() const;
   GraspFile read() const;
   std::vector<Question> questions_about(GraspFile file) const;
-  std::vector<SpatialQuestion> questions_about(const SpatialGrasp& grasp) const;
   Question ask_about(GraspFile file, const QuestionOptions& options) const;
-  SpatialQuestion ask_about(const SpatialGrasp& grasp, const SpatialOptions& options) const;
 
   std::string file_;
   QuestionText text_;
@@ -84,11 +83,9 @@ struct NumberOptions {
 
 /// For people: "name, case: ", or what there is of it.
 std::string heading(const Question& question);
-std::string heading(const std::string& grasp, const std::string& case_name);
 
 /// For people, a line: "Units: force N, length mm, torque N mm."; nothing if nobody gave them.
-std::string units_text(const std::optional<Units>& units);
-std::string units_text(const Grasp& grasp);
+std::string units_text(const Question& question);
 
 /// For people: "unilateral (contacts may detach)".
 std::string law_text(NormalLaw law);

@@ -7,7 +7,6 @@
 #include "box_numbers.hpp"
 #include "commands.hpp"
 #include "question_options.hpp"
-#include "stickslip/answers/asked_box.hpp"
 #include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/core/error.hpp"
 #include "terminal.hpp"
@@ -23,12 +22,19 @@ struct RadiusArguments {
   NumberOptions output;
 };
 
+/// A box, and the grasp in its middle.
+struct RadiusQuestion {
+  Question question;
+  GraspBox box;
+  GraspBox centre;
+};
+
 /// Which way a factor may be rounded so that what is said of it stays true.
 enum class Round { kDown, kUp };
 
 class Report {
  public:
-  Report(const AskedBox& asked, const Radius& radius, const NumberOptions& output)
+  Report(const RadiusQuestion& asked, const Radius& radius, const NumberOptions& output)
       : asked_(asked), radius_(radius), exact_(output.exact), text_(output) {}
 
   void print();
@@ -40,7 +46,7 @@ class Report {
   std::string numbers_table();
   std::string meaning() const;
 
-  const AskedBox& asked_;
+  const RadiusQuestion& asked_;
   const Radius& radius_;
   bool exact_;
   NumberText text_;
@@ -70,7 +76,7 @@ std::string Report::tolerances_table() const {
                                       : "-");
   };
   add("factor", {1, false});
-  for (const auto& [kind, tolerance] : given(asked_.uncertain)) add(kind, tolerance);
+  for (const auto& [kind, tolerance] : given(asked_.question.uncertain)) add(kind, tolerance);
   return short_table(rows);
 }
 
@@ -106,8 +112,7 @@ std::string Report::meaning() const {
 }
 
 void Report::print() {
-  std::cout << heading(asked_.description.name, asked_.case_name) << verdict_of(radius_)
-            << "\n\n"
+  std::cout << heading(asked_.question) << verdict_of(radius_) << "\n\n"
             << "  load w    " << load_text(asked_.centre.wrench, text_) << "\n\n";
   if (radius_.stable) {
     std::cout << tolerances_table() << '\n' << meaning();
@@ -115,25 +120,25 @@ void Report::print() {
   } else {
     std::cout << "The grasp in the centre is not decided, and so is nothing about it.\n";
   }
-  std::cout << text_.note() << units_text(asked_.description.units)
-            << engine_text(asked_.engine(), asked_.law);
+  std::cout << text_.note() << units_text(asked_.question)
+            << engine_text(box_engine(asked_.question), asked_.question.law);
 }
 
-void print_json(const AskedBox& asked, const Radius& radius, bool floats) {
+void print_json(const RadiusQuestion& asked, const Radius& radius, bool floats) {
   Json json;
   json["verdict"] = verdict_of(radius);
-  json["name"] = asked.description.name;
-  if (!asked.case_name.empty()) json["case"] = asked.case_name;
-  add_units(json, asked.description.units);
-  json["engine"] = asked.engine();
-  json["normal_law"] = to_string(asked.law);
+  json["name"] = asked.box.description.name;
+  if (!asked.question.case_name.empty()) json["case"] = asked.question.case_name;
+  add_units(json, asked.box.description.units);
+  json["engine"] = box_engine(asked.question);
+  json["normal_law"] = to_string(asked.question.law);
   json["wrench"] = wrench_json(asked.centre.wrench);
   json["uncertain"] = uncertain_json(uncertain_numbers(asked.box));
   json["proved"] = number_json(radius.proved);
   json["refuted"] = radius.refuted ? number_json(*radius.refuted) : Json();
   json["limit"] = number_json(radius.limit);
   if (radius.example) {
-    json["counterexample"] = Json::parse(write_grasp(*radius.example, asked.description));
+    json["counterexample"] = Json::parse(write_grasp(*radius.example));
   }
   std::cout << finished(json, floats).dump(1) << '\n';
 }
@@ -148,10 +153,10 @@ Rational accuracy_option(const std::string& value) {
                    "it is a part of the radius: give more than 0 and less than 100%");
 }
 
-void write_certificates(const AskedBox& asked, const Radius& radius,
+void write_certificates(const RadiusQuestion& asked, const Radius& radius,
                         const std::string& folder) {
   std::vector<ProvedFiles> proofs =
-      proved_radius(asked.centre, asked.box, asked.description, asked.law, radius,
+      proved_radius(asked.centre, asked.box, asked.question.law, radius,
                     "stickslip " STICKSLIP_VERSION ", radius");
   std::vector<std::pair<std::string, ProvedFiles>> files;
   for (const char* name : {"proved", "refuted"}) {
@@ -164,14 +169,16 @@ int radius(const RadiusArguments& arguments) {
   RadiusOptions options;
   options.accuracy = accuracy_option(arguments.accuracy);
   options.box.node_limit = arguments.node_limit;
-  const AskedBox asked = asked_box(arguments.question.any_question());
+  RadiusQuestion asked{arguments.question.any_question(), {}, {}};
+  asked.box = box_of(asked.question.grasp);
+  asked.centre = asked.box.middle();
   if (asked.box.is_point()) {
     throw InputError("", "--uncertain", "nothing is uncertain",
                      "say how far numbers may be off, as in --uncertain friction=10%");
   }
   Progress progress;
-  const Radius found =
-      find_radius(asked.centre, asked.box, asked.law, options, [&](const Radius& so_far) {
+  const Radius found = find_radius(
+      asked.centre, asked.box, asked.question.law, options, [&](const Radius& so_far) {
         progress.show(
             "proved up to factor " + to_readable_string(so_far.proved) +
             (so_far.refuted ? ", refuted from " + to_readable_string(*so_far.refuted) : ""));

@@ -33,7 +33,7 @@ struct RegionArguments {
 
   /// Through the load of a case, if one is chosen.
   WrenchPlane plane(const Question& asked) const {
-    Wrench from = asked.loaded.wrench;
+    Wrench from = asked.loaded().wrench;
     if (!origin.empty()) from = wrench_option("--origin", origin);
     if (!torque.empty()) from.torque = number_option("--torque", torque);
     try {
@@ -73,7 +73,7 @@ void print_text(const RegionAnswer& answer, const NumberOptions& output) {
   const auto& [question, plane, found, work, undecided] = answer;
   const auto& [region, pieces] = found;
   NumberText text(output);
-  const std::string& name = question.loaded.grasp.name();
+  const std::string& name = question.loaded().grasp.name();
   std::cout << (name.empty() ? "" : name + ": ") << "resistible wrenches\n\n"
             << "  plane  " << text(coordinates(plane.origin())) << " + s "
             << text(coordinates(plane.u())) << " + t " << text(coordinates(plane.v()))
@@ -109,7 +109,7 @@ void print_text(const RegionAnswer& answer, const NumberOptions& output) {
   std::cout << '\n'
             << work.modes << " contact modes visited, " << work.pieces
             << " of them in the plane; normal law: " << law_text(question.law) << ".\n"
-            << units_text(question.loaded.grasp) << text.note();
+            << units_text(question) << text.note();
 }
 
 /// As a shell reads it.

@@ -20,7 +20,7 @@ struct ServeArguments {
   unsigned seconds = 10;
 };
 
-AnyGraspFile grasp_of(const ServeArguments& arguments) {
+GraspFile grasp_of(const ServeArguments& arguments) {
   if (!arguments.file.empty()) return read_any_grasp_file(arguments.file);
   return parse_any_grasp(text_of_example("jaw"), "jaw");
 }

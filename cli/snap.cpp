@@ -41,38 +41,33 @@ std::string report_text(const Snapped& snapped, NumberText text) {
   return lines + text.note();
 }
 
-/// The part of a file that has the normals.
-Grasp& grasp_in(GraspFile& file) {
-  return file.content.grasp;
-}
-SpatialGrasp& grasp_in(SpatialGrasp& file) {
-  return file;
-}
-
-template <class File>
-void snap(File file, const SnapArguments& arguments, const Rational& within) {
-  auto result = [&] {
-    try {
-      return snap_normals(grasp_in(file), within);
-    } catch (const InputError& error) {
-      throw InputError("", "--within", error.problem(), error.remedy());
+/// The grasp with new normals, and what is said of these.
+std::string snap(AnyGrasp& content, const SnapArguments& arguments) {
+  const Rational within = number_option("--within", arguments.within);
+  const auto snapped_in = [&](auto& grasp) {
+    auto result = [&] {
+      try {
+        return snap_normals(grasp, within);
+      } catch (const InputError& error) {
+        throw InputError("", "--within", error.problem(), error.remedy());
+      }
+    }();
+    grasp = std::move(result.grasp);
+    if (!arguments.numbers.json) {
+      return report_text(result.snapped, NumberText(arguments.numbers));
     }
-  }();
-  grasp_in(file) = std::move(result.grasp);
-  write_whole_file(arguments.output, write_grasp_file(file));
-  std::ostream& out = arguments.output == "-" ? std::cerr : std::cout;
-  if (arguments.numbers.json) {
-    const Json report = report_json(name_of(AnyGraspFile(file)), result.snapped);
-    out << finished(report, arguments.numbers.floats).dump(1) << '\n';
-  } else {
-    out << report_text(result.snapped, NumberText(arguments.numbers));
-  }
+    const Json report = report_json(description_of(content).name, result.snapped);
+    return finished(report, arguments.numbers.floats).dump(1) + "\n";
+  };
+  auto* one = std::get_if<LoadedGrasp>(&content);
+  return one != nullptr ? snapped_in(one->grasp) : snapped_in(std::get<GraspBox>(content));
 }
 
 void snap(const SnapArguments& arguments) {
-  const Rational within = number_option("--within", arguments.within);
-  std::visit([&](auto&& file) { snap(std::forward<decltype(file)>(file), arguments, within); },
-             read_any_grasp_file(arguments.file, Intervals::kRefused));
+  GraspFile file = read_any_grasp_file(arguments.file, Intervals::kRefused);
+  const std::string report = snap(file.content, arguments);
+  write_whole_file(arguments.output, write_grasp_file(file));
+  (arguments.output == "-" ? std::cerr : std::cout) << report;
 }
 
 }  // namespace

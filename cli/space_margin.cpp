@@ -4,10 +4,8 @@
 #include <iostream>
 #include <utility>
 
-#include "box_numbers.hpp"
 #include "commands.hpp"
 #include "margin_text.hpp"
-#include "space_answer.hpp"
 #include "stickslip/answers/margin_answer.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/file.hpp"
@@ -17,26 +15,8 @@
 namespace stickslip {
 namespace {
 
-FamilyText family_of(const SpatialQuestion& question, NumberText& text) {
-  FamilyText family{heading(question.grasp.name, question.case_name),
-                    load_text(question.grasp.box.wrench, text),
-                    {},
-                    question.preload_direction,
-                    {},
-                    question.preload_growth};
-  if (question.direction) family.direction = text(*question.direction);
-  for (const UncertainContact& c : question.grasp.box.contacts) {
-    family.preloads.push_back(c.preload.low);
-  }
-  if (question.preload_direction && question.preload_direction->scale) {
-    family.preloads = question.preload_growth;
-  }
-  return family;
-}
-
-void print_text(const SpatialQuestion& question, const SpatialMargin& margin,
-                NumberText& text) {
-  std::cout << head_text(family_of(question, text), text);
+void print_text(const Question& question, const SpatialMargin& margin, NumberText& text) {
+  std::cout << head_text(question, text);
   std::vector<std::string> resisted;
   for (const auto& [low, high] : margin.resisted()) {
     resisted.push_back(multiples_text(low, high, text));
@@ -54,7 +34,7 @@ void print_text(const SpatialQuestion& question, const SpatialMargin& margin,
             << "\nOf other multiples nothing is known. Proved in "
             << std::to_string(margin.claims.size()) << " steps and " << margin.work.nodes
             << " nodes.\nNormal law: " << law_text(question.law) << ".\n"
-            << units_text(question.grasp.units) << text.note();
+            << units_text(question) << text.note();
 }
 
 void print_least(const SpatialMargin& margin, NumberText& text) {
@@ -68,8 +48,7 @@ void print_least(const SpatialMargin& margin, NumberText& text) {
 
 }  // namespace
 
-int answer_margin_in_space(const SpatialQuestion& question,
-                           const SpaceMarginArguments& arguments) {
+int answer_margin_in_space(const Question& question, const SpaceMarginArguments& arguments) {
   Progress progress;
   const SpatialMargin margin =
       find_margin(question, arguments.search, [&](const SpatialMargin& so_far) {
@@ -79,7 +58,7 @@ int answer_margin_in_space(const SpatialQuestion& question,
   progress.clear();
   if (!arguments.certificate.empty()) {
     write_whole_file(arguments.certificate,
-                     spatial_margin_text(question, margin, producer_of(kSpaceEngine)));
+                     margin_certificate_text(question, margin, producer_of(kSpaceEngine)));
   }
   Warnings warnings;
   if (arguments.warnings) warnings = model_warnings(question, margin);

@@ -20,7 +20,6 @@ struct SpaceMarginArguments {
 };
 
 /// The exit code.
-int answer_margin_in_space(const SpatialQuestion& question,
-                           const SpaceMarginArguments& arguments);
+int answer_margin_in_space(const Question& question, const SpaceMarginArguments& arguments);
 
 }  // namespace stickslip

@@ -159,7 +159,7 @@ class Report {
     }
     for (const FigureCounts& figure : figure_counts()) {
       const ArrangementCounts counts =
-          count(read_grasp_file(path_of(figure.grasp_file)).content.grasp);
+          count(read_grasp_file(path_of(figure.grasp_file)).loaded().grasp);
       std::cout << figure.title << ": " << counts.cells() << " cells, "
                 << counts.distinct_states << " states: "
                 << check_numbers(
@@ -196,12 +196,12 @@ class Report {
                      const std::optional<std::string>& preload, NormalLaw law) const {
     const std::string path = path_of(grasp_file);
     QuestionOptions options;
-    if (wrench) options.wrench = parse_triple<Wrench>(*wrench);
+    if (wrench) options.wrench = row_of(parse_triple<Wrench>(*wrench));
     if (preload) options.preload = parse_rational(*preload);
     options.law = law;
     const GraspFile file = read_grasp_file(path);
     try {
-      return Problem(ask(file, options).loaded, law);
+      return Problem(ask(file, options).loaded(), law);
     } catch (const InputError& error) {
       throw error.in_file(path);
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/certificate/certificate.hpp"
+#include "stickslip/core/spatial_forces.hpp"
 
 namespace stickslip {
 
@@ -12,16 +13,12 @@ std::vector<std::size_t> enclosed_contacts(const GraspBox& box) {
   return contacts;
 }
 
-void add_verdict(Json& json, const GraspBox& box, const GraspDescription& description,
-                 const BoxDecision& decision) {
+void add_verdict(Json& json, const GraspBox& box, const BoxDecision& decision) {
   if (const auto* unstable = std::get_if<UnstableThroughout>(&decision.verdict)) {
     json["refutation"] = {{"nodes", unstable->tree.size()}};
   } else if (const auto* fragile = std::get_if<Fragile>(&decision.verdict)) {
-    const auto file = [&](const GraspBox& grasp) {
-      return Json::parse(write_grasp(grasp, description));
-    };
-    json["examples"] = {{"stable", file(fragile->stable)},
-                        {"unstable", file(fragile->unstable)}};
+    json["examples"] = {{"stable", Json::parse(write_grasp(fragile->stable))},
+                        {"unstable", Json::parse(write_grasp(fragile->unstable))}};
     json["differences"] =
         differences_json(differences(box, fragile->stable, fragile->unstable));
   } else if (const auto* undecided = std::get_if<Undecided>(&decision.verdict)) {
@@ -29,41 +26,61 @@ void add_verdict(Json& json, const GraspBox& box, const GraspDescription& descri
   }
 }
 
-std::optional<Vector3> motion_near(const BoxAnswer& answer) {
+std::optional<RationalRow> motion_near(const BoxAnswer& answer) {
   const auto* stable = std::get_if<StableThroughout>(&answer.decision.verdict);
-  const GraspBox& box = *answer.question.box;
-  if (stable == nullptr || !box.is_point()) return std::nullopt;
-  const RationalRow& near = stable->motion;
-  return Vector3{near[0], near[1], near[2]};
+  if (stable == nullptr || std::holds_alternative<SpatialWitness>(stable->proof)) return {};
+  if (!answer.question.in_space() && !answer.question.box()->is_point()) return {};
+  return stable->motion;
 }
 
+namespace {
+
+Json contacts_json(const GraspBox& grasp, const SpatialWitness& witness) {
+  Json contacts = Json::array();
+  for (const SpatialForce& c : forces_of(grasp, witness.twist, witness.shares)) {
+    contacts.push_back({{"force", number_json(c.force)},
+                        {"friction", number_json(c.friction)},
+                        {"closed", c.normal.sign() > 0}});
+  }
+  return contacts;
+}
+
+}  // namespace
+
 Json to_json(const BoxAnswer& answer) {
-  const auto& [question, decision] = answer;
-  const GraspBox& box = *question.box;
+  const auto& [question, decision, warnings] = answer;
+  const GraspBox& box = *question.box();
   Json json;
   json["verdict"] = name_of(decision.verdict);
   // One grasp is none, though it is proved as if it were.
   if (!box.is_point()) json["box"] = true;
-  json["name"] = question.loaded.grasp.name();
+  json["name"] = box.description.name;
   if (!question.case_name.empty()) json["case"] = question.case_name;
-  add_units(json, question.loaded.grasp);
-  json["engine"] = kIntervalsEngine;
+  add_units(json, box.description.units);
+  json["engine"] = box_engine(question);
   json["normal_law"] = to_string(question.law);
   json["wrench"] = wrench_json(box.wrench);
   json["uncertain"] = uncertain_json(uncertain_numbers(box));
   add_enclosed(json, enclosed_contacts(box), decision.bits);
+  if (const auto near = motion_near(answer)) json["near"] = number_json(*near);
   if (const auto* stable = std::get_if<StableThroughout>(&decision.verdict)) {
-    if (const auto near = motion_near(answer)) json["near"] = number_json(*near);
-    json["proof"] = proof_json(std::get<StabilityProof>(stable->proof));
+    if (const auto* witness = std::get_if<SpatialWitness>(&stable->proof)) {
+      json["twist"] = number_json(witness->twist);
+      json["contacts"] = contacts_json(box, *witness);
+    } else {
+      json["proof"] = proof_json(std::get<StabilityProof>(stable->proof));
+    }
   }
-  add_verdict(json, box, question.loaded.grasp.description(), decision);
+  add_verdict(json, box, decision);
+  if (warnings) json["warnings"] = warnings_json(*warnings);
   json["stats"] = work_json(decision.work);
   return json;
 }
 
 std::optional<std::string> certificate_of(const BoxAnswer& answer) {
   if (!throughout(answer.decision)) return std::nullopt;
-  return box_certificate_text(answer.question, answer.decision, producer_of(kIntervalsEngine));
+  return box_certificate_text(answer.question, answer.decision,
+                              producer_of(box_engine(answer.question)));
 }
 
 }  // namespace stickslip

@@ -23,6 +23,26 @@ Json multiples_json(const std::vector<MarginInterval>& multiples) {
   return json;
 }
 
+Json head_json(const Question& question) {
+  const GraspDescription& about = question.description();
+  Json json;
+  json["name"] = about.name;
+  if (!question.case_name.empty()) json["case"] = question.case_name;
+  add_units(json, about.units);
+  json["normal_law"] = to_string(question.law);
+  json["wrench"] = wrench_json(wrench_of(question.grasp));
+  if (question.direction) json["direction"] = number_json(*question.direction);
+  if (question.preload_direction) {
+    json["preload_direction"] = preload_direction_json(*question.preload_direction);
+  }
+  return json;
+}
+
+void add_ends(Json& json, const std::vector<MarginInterval>& resisted) {
+  json["least"] = resisted.empty() ? Json() : number_json(resisted.front().low);
+  json["unbounded"] = !resisted.empty() && !resisted.back().high;
+}
+
 }  // namespace
 
 std::optional<Rational> least(const Margin& margin) {
@@ -32,19 +52,9 @@ std::optional<Rational> least(const Margin& margin) {
 
 Json margin_json(const Question& question, const Margin& margin, const MarginWork& work,
                  const Warnings& warnings) {
-  Json json;
-  json["name"] = question.loaded.grasp.name();
-  if (!question.case_name.empty()) json["case"] = question.case_name;
-  add_units(json, question.loaded.grasp);
-  json["normal_law"] = to_string(question.law);
-  json["wrench"] = number_json(coordinates(question.loaded.wrench));
-  if (question.direction) json["direction"] = number_json(coordinates(*question.direction));
-  if (question.preload_direction) {
-    json["preload_direction"] = preload_direction_json(*question.preload_direction);
-  }
+  Json json = head_json(question);
   json["resisted"] = multiples_json(margin.resisted);
-  json["least"] = number_or_null(least(margin));
-  json["unbounded"] = !margin.resisted.empty() && !margin.resisted.back().high;
+  add_ends(json, margin.resisted);
   if (warnings) json["warnings"] = warnings_json(*warnings);
   Json& stats = json["stats"] = Json::object();
   stats["ranges"] = work.ranges;
@@ -53,23 +63,13 @@ Json margin_json(const Question& question, const Margin& margin, const MarginWor
   return json;
 }
 
-Json margin_json(const SpatialQuestion& question, const SpatialMargin& margin,
+Json margin_json(const Question& question, const SpatialMargin& margin,
                  const Warnings& warnings) {
-  Json json;
-  json["name"] = question.grasp.name;
-  if (!question.case_name.empty()) json["case"] = question.case_name;
-  add_units(json, question.grasp.units);
-  json["normal_law"] = to_string(question.law);
-  json["wrench"] = wrench_json(question.grasp.box.wrench);
-  if (question.direction) json["direction"] = number_json(*question.direction);
-  if (question.preload_direction) {
-    json["preload_direction"] = preload_direction_json(*question.preload_direction);
-  }
+  Json json = head_json(question);
   const std::vector<MarginInterval> resisted = margin.resisted();
   json["resisted"] = multiples_json(resisted);
   json["refuted"] = multiples_json(margin.refuted());
-  json["least"] = resisted.empty() ? Json() : number_json(resisted.front().low);
-  json["unbounded"] = !resisted.empty() && !resisted.back().high;
+  add_ends(json, resisted);
   if (warnings) json["warnings"] = warnings_json(*warnings);
   json["stats"] = work_json(margin.work);
   return json;

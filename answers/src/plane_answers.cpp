@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 
@@ -65,13 +64,13 @@ std::variant<std::string, Undecided> certificate_of(const RegionAnswer& answer,
 Json to_json(const RegionAnswer& answer) {
   const auto& [question, plane, found, work, undecided] = answer;
   const auto& [region, pieces] = found;
-  Json json{{"name", question.loaded.grasp.name()},
+  Json json{{"name", question.description().name},
             {"normal_law", to_string(question.law)},
             {"plane",
              {{"origin", number_json(coordinates(plane.origin()))},
               {"u", number_json(coordinates(plane.u()))},
               {"v", number_json(coordinates(plane.v()))}}}};
-  add_units(json, question.loaded.grasp);
+  add_units(json, question.description().units);
   if (undecided) {
     add_undecided(json, *undecided);
   } else {
@@ -101,11 +100,11 @@ Json to_json(const RegionAnswer& answer) {
   return json;
 }
 
-Json map_json(const AskedBox& asked, const MapAxis& x, const MapAxis& y,
+Json map_json(const Question& question, const MapAxis& x, const MapAxis& y,
               const std::vector<MapCell>& cells) {
   Json json;
-  json["name"] = asked.description.name;
-  json["normal_law"] = to_string(asked.law);
+  json["name"] = question.description().name;
+  json["normal_law"] = to_string(question.law);
   json["x"] = {{"name", x.name}, {"range", ends_json(x.range)}};
   json["y"] = {{"name", y.name}, {"range", ends_json(y.range)}};
   Json& list = json["cells"] = Json::array();

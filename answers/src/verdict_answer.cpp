@@ -23,7 +23,7 @@ Json magnitude_json(const ContactReport& contact, const Rational& coefficient) {
 std::vector<ContactReport> report_contacts(const CaseAnswer& answer, const Witness& witness) {
   std::vector<ContactReport> reports;
   for (std::size_t i = 0; i < answer.problem.size(); ++i) {
-    const Vector2& n = answer.question.loaded.grasp.contacts()[i].normal;
+    const Vector2& n = answer.question.loaded().grasp.contacts()[i].normal;
     const ContactForce& f = witness.forces[i];
     reports.push_back({n.x * n.x + n.y * n.y, f, force_vector(n, f),
                        mode_of(answer.problem, ContactId(i), witness.twist)});
@@ -42,16 +42,18 @@ std::variant<Decision, BoxDecision> judge(const Problem& problem, Engine engine,
 }
 
 BoxAnswer answer_by_degree(Question question, BoxDecision decision) {
-  question.box = box_of(question.loaded);
-  return {std::move(question), std::move(decision)};
+  question.grasp = box_of(question.grasp);
+  return {std::move(question), std::move(decision), {}};
 }
 
 Answer answer_to(Question question, const AnswerOptions& options) {
-  if (question.box) {
+  if (const GraspBox* box = question.box()) {
     BoxOptions search;
     search.node_limit = options.node_limit;
-    BoxDecision decision = decide_box(*question.box, question.law, search);
-    return BoxAnswer{std::move(question), std::move(decision)};
+    BoxDecision decision = decide_box(*box, question.law, search);
+    Warnings warnings;
+    if (options.warnings && question.in_space()) warnings = model_warnings(question, decision);
+    return BoxAnswer{std::move(question), std::move(decision), std::move(warnings)};
   }
   Problem problem = problem_of(question);
   auto judged = judge(problem, options.engine, options.node_limit);
@@ -63,15 +65,6 @@ Answer answer_to(Question question, const AnswerOptions& options) {
   if (options.warnings) warnings = model_warnings(question, problem, decision.verdict);
   return CaseAnswer{std::move(question), std::move(problem), std::move(decision),
                     std::move(warnings)};
-}
-
-Answer answer_to(SpatialQuestion question, const AnswerOptions& options) {
-  BoxOptions search;
-  search.node_limit = options.node_limit;
-  BoxDecision decision = decide_box(question.grasp.box, question.law, search);
-  Warnings warnings;
-  if (options.warnings) warnings = model_warnings(question, decision);
-  return SpaceAnswer{std::move(question), std::move(decision), std::move(warnings)};
 }
 
 void add_undecided(Json& json, const Undecided& undecided) {
@@ -105,9 +98,9 @@ Json to_json(const CaseAnswer& answer) {
   Json json;
   const Verdict& verdict = answer.verdict();
   json["verdict"] = name_of(verdict);
-  json["name"] = question.loaded.grasp.name();
+  json["name"] = question.loaded().grasp.name();
   if (!question.case_name.empty()) json["case"] = question.case_name;
-  add_units(json, question.loaded.grasp);
+  add_units(json, question.loaded().grasp);
   json["engine"] = decision.engine();
   json["normal_law"] = to_string(question.law);
   json["wrench"] = number_json(coordinates(problem.wrench()));

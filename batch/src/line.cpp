@@ -48,10 +48,9 @@ LineDecider::LineDecider(BatchOptions options) : options_(std::move(options)) {
     options_text_ += (value ? to_string(*value) : "") + ";";
   };
   const QuestionOptions& asked = options_.question;
-  const std::optional<Wrench>& w = asked.wrench;
-  spell(w ? std::optional(w->x) : std::nullopt);
-  spell(w ? std::optional(w->y) : std::nullopt);
-  spell(w ? std::optional(w->torque) : std::nullopt);
+  for (std::size_t j = 0; j < 3; ++j) {
+    spell(asked.wrench ? std::optional(asked.wrench->at(j)) : std::nullopt);
+  }
   spell(asked.preload);
   if (asked.case_name) options_text_ += *asked.case_name + ";";
   options_text_ +=
@@ -89,7 +88,7 @@ LineResult LineDecider::decide(const BatchLine& line) const {
     ConeOptions limits;
     limits.node_limit = options_.node_limit;
     const Verdict verdict = decide_by_cones(problem_of(question), limits);
-    result["name"] = question.loaded.grasp.name();
+    result["name"] = question.description().name;
     result["verdict"] = name_of(verdict);
     if (const auto* undecided = std::get_if<Undecided>(&verdict)) {
       result["limit"] = undecided->limit;

@@ -43,7 +43,7 @@ std::string one_line(const LoadedGrasp& content) {
 
 bool is_stable(const Question& question) {
   return std::holds_alternative<Stable>(
-      decide_by_cones(Problem(question.loaded, question.law), {}));
+      decide_by_cones(Problem(question.loaded(), question.law), {}));
 }
 
 /// Instances of all families, stable and unstable by turns.
@@ -53,7 +53,7 @@ std::vector<std::string> make_lines(std::size_t contacts, std::size_t count) {
     const std::size_t family = k / 2 % std::min(kStableFamilies, kUnstableFamilies);
     const Instance instance = k % 2 == 0 ? make_stable(family, contacts, k)
                                          : make_unstable(family, contacts, k, is_stable);
-    lines.push_back(one_line(instance.question.loaded));
+    lines.push_back(one_line(instance.question.loaded()));
   }
   return lines;
 }

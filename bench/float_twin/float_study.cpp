@@ -26,7 +26,7 @@ std::string spell(double value) {
 
 /// One line of a claims file.
 std::string claim_line(const Question& question, const FloatAnswer& answer) {
-  std::string grasp = write_grasp(question.loaded);
+  std::string grasp = write_grasp(question.loaded());
   grasp.pop_back();
   std::replace(grasp.begin(), grasp.end(), '\n', ' ');
   std::string line = "{\"grasp\": " + grasp + ", \"options\": {\"normal_law\": \"" +

@@ -154,9 +154,9 @@ FloatAnswer solve_state(const FloatQuestion& question, const State& state,
 FloatQuestion to_float(const Question& question) {
   FloatQuestion result;
   result.law = question.law;
-  const Wrench& w = question.loaded.wrench;
+  const Wrench& w = question.loaded().wrench;
   result.load << to_double(w.x), to_double(w.y), to_double(w.torque);
-  for (const Contact& contact : question.loaded.grasp.contacts()) {
+  for (const Contact& contact : question.loaded().grasp.contacts()) {
     FloatContact c;
     const Eigen::Vector2d p(to_double(contact.position.x), to_double(contact.position.y));
     c.normal = Eigen::Vector2d(to_double(contact.normal.x), to_double(contact.normal.y));

@@ -113,7 +113,7 @@ Question just_too_much(Layout layout, std::size_t contacts, std::uint64_t seed, 
 
 Question plain_question(Grasp grasp, const Wrench& wrench, NormalLaw law) {
   Question question;
-  question.loaded = {std::move(grasp), wrench};
+  question.grasp = LoadedGrasp{std::move(grasp), wrench};
   question.law = law;
   return question;
 }

@@ -43,7 +43,7 @@ struct Row {
 Row measure(Layout layout, std::size_t contacts, std::uint64_t seed) {
   Question question = plain_question(make_grasp(layout, contacts, true, seed), {});
   const Wrench direction = pulling_load(layout, seed);
-  question.direction = direction;
+  question.direction = row_of(direction);
   Row row;
   const auto start = std::chrono::steady_clock::now();
   const auto result = find_margin(problem_of(question), {}, &row.work);
@@ -53,7 +53,7 @@ Row measure(Layout layout, std::size_t contacts, std::uint64_t seed) {
   row.segments = margin.segments.size();
   for (const MarginSegment& segment : margin.segments) row.proofs += segment.proof ? 1 : 0;
   row.certificate_bytes = certificate.size();
-  std::istringstream grasp(write_grasp(question.loaded));
+  std::istringstream grasp(write_grasp(question.loaded()));
   std::istringstream proof(certificate);
   stickslip_check::Options options;
   options.direction = stickslip_check::Vector{

@@ -18,7 +18,7 @@
 #include "statistics.hpp"
 #include "stickslip/box/box_verdict.hpp"
 #include "stickslip/certificate/certificate.hpp"
-#include "stickslip/space/spatial_question.hpp"
+#include "stickslip/equilibrium/question.hpp"
 
 namespace stickslip::bench {
 namespace {
@@ -46,8 +46,8 @@ Vector3 unit_vector(RandomSource& random) {
 
 /// Contacts on the unit sphere, or on the faces of the cube around it, and the load's
 /// direction.
-std::pair<SpatialGrasp, Vector6> random_grasp(const SpaceBenchOptions& options,
-                                              RandomSource& random) {
+std::pair<GraspBox, Vector6> random_grasp(const SpaceBenchOptions& options,
+                                          RandomSource& random) {
   const auto ragged = [&](Rational value) {  // to so many digits
     if (options.digits > 0) {
       int most = 1;
@@ -56,7 +56,7 @@ std::pair<SpatialGrasp, Vector6> random_grasp(const SpaceBenchOptions& options,
     }
     return value;
   };
-  SpatialGrasp grasp;
+  GraspBox grasp{{}, WrenchBox(6)};
   for (int i = 0; i < options.contacts; ++i) {
     Vector3 normal{};
     Vector3 position{};
@@ -76,7 +76,7 @@ std::pair<SpatialGrasp, Vector6> random_grasp(const SpaceBenchOptions& options,
     for (const Rational& x : position) contact.position.push_back(point_interval(x));
     contact.friction = point_interval(ragged(contact.friction.low));
     contact.preload = point_interval(Rational(random.between(0, 8), 4));
-    grasp.box.contacts.push_back(std::move(contact));
+    grasp.contacts.push_back(std::move(contact));
   }
   Vector6 direction;
   for (Rational& u : direction) u = ragged(Rational(random.between(-8, 8), 8));
@@ -85,17 +85,17 @@ std::pair<SpatialGrasp, Vector6> random_grasp(const SpaceBenchOptions& options,
 
 class Measurement {
  public:
-  Measurement(const SpaceBenchOptions& options, SpatialGrasp grasp, Vector6 direction)
+  Measurement(const SpaceBenchOptions& options, GraspBox grasp, Vector6 direction)
       : options_(options), grasp_(std::move(grasp)), direction_(std::move(direction)) {}
 
   BoxDecision decide_at(double multiple) {
     constexpr double kSteps = 1e6;
     const Rational l(std::llround(multiple * kSteps), std::llround(kSteps));
     for (std::size_t j = 0; j < 6; ++j) {
-      grasp_.box.wrench[j] = point_interval(Rational(l * direction_[j]));
+      grasp_.wrench[j] = point_interval(Rational(l * direction_[j]));
     }
-    question_ = ask(grasp_, {});
-    return decide_box(question_.grasp.box, question_.law, {options_.node_limit});
+    question_ = ask({grasp_}, {});
+    return decide_box(*question_.box(), question_.law, {options_.node_limit});
   }
   bool is_stable(double multiple) {
     return std::holds_alternative<StableThroughout>(decide_at(multiple).verdict);
@@ -115,13 +115,13 @@ class Measurement {
     }
     return std::pair(low, high);
   }
-  const SpatialQuestion& question() const { return question_; }
+  const Question& question() const { return question_; }
 
  private:
   const SpaceBenchOptions& options_;
-  SpatialGrasp grasp_;
+  GraspBox grasp_;
   Vector6 direction_;
-  SpatialQuestion question_;
+  Question question_;
 };
 
 int run(const SpaceBenchOptions& options) {
@@ -147,7 +147,7 @@ int run(const SpaceBenchOptions& options) {
       if (std::holds_alternative<Undecided>(decision.verdict)) {
         ++undecided;
       } else {
-        size = spatial_certificate_text(measurement.question(), decision, "bench").size();
+        size = box_certificate_text(measurement.question(), decision, "bench").size();
       }
       const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
       seconds.push_back(time.count());

@@ -35,7 +35,8 @@ Instance doubles(std::size_t contacts, std::size_t k) {
   const double pull = 0.3 * static_cast<double>(k);
   Grasp grasp(std::move(list));
   if (preloaded) grasp = snap_normals(grasp, Rational(1, 1000000)).grasp;
-  file.content = {std::move(grasp),
+  file.content =
+      LoadedGrasp{std::move(grasp),
                   {rational_from_double(std::cos(pull)), rational_from_double(std::sin(pull)),
                    rational_from_double(0.001 * static_cast<double>(k % 3))}};
   return {"doubles", ask(file, {}), Expected::kUnknown};
@@ -73,7 +74,7 @@ void report_engines(Report& report) {
       std::vector<double> states;
       for (std::size_t k = 0; k < kGrasps; ++k) {
         const Question question = make(contacts, k).question;
-        const Problem problem(question.loaded, question.law);
+        const Problem problem(question.loaded(), question.law);
         const auto by_cones = timed(problem, Engine::kBranchAndBound);
         const auto by_states = timed(problem, Engine::kStates);
         if (by_cones.second != by_states.second) ++report.failures;

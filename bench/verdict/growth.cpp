@@ -42,7 +42,7 @@ Worst search_threshold(HardFamily family, std::size_t contacts, NormalLaw law) {
     ConeOptions options;
     options.node_limit = kNodeLimit;
     const Verdict verdict =
-        decide_by_cones(Problem(question.loaded, question.law), options, &work);
+        decide_by_cones(Problem(question.loaded(), question.law), options, &work);
     worst.ms = std::max(
         worst.ms, std::chrono::duration<double, std::milli>(Clock::now() - start).count());
     worst.nodes = std::max(worst.nodes, static_cast<double>(work.nodes));

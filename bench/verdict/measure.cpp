@@ -93,7 +93,7 @@ namespace {
 using Judgement = std::variant<Decision, BoxDecision>;
 
 Judgement judged(const Question& question) {
-  return judge(Problem(question.loaded, question.law), Engine::kAuto, 0);
+  return judge(Problem(question.loaded(), question.law), Engine::kAuto, 0);
 }
 
 std::string verdict_of(const Judgement& judgement) {
@@ -140,7 +140,7 @@ Measurement measure(const Question& question, double patience_ms) {
   });
   std::filesystem::remove(file);
 
-  const std::string grasp = write_grasp(question.loaded);
+  const std::string grasp = write_grasp(question.loaded());
   result.read_ms = fastest_ms(patience_ms, [&] { parse_grasp(grasp, "grasp"); });
   result.check_ms = fastest_ms(patience_ms, [&] {
     result.is_accepted = checks(question, grasp, proof, result.verdict);
@@ -162,7 +162,7 @@ std::optional<Measurement> measure_limited(double seconds, double patience_ms,
 
 bool is_stable_by_cones(const Question& question) {
   return std::holds_alternative<Stable>(
-      decide_by_cones(Problem(question.loaded, question.law)));
+      decide_by_cones(Problem(question.loaded(), question.law)));
 }
 
 }  // namespace stickslip::bench

@@ -37,7 +37,7 @@ OtherAnswer timed(double seconds, Work work) {
 
 OtherAnswer by_states(const Question& question, double seconds) {
   return timed(seconds, [&] {
-    return std::string(name_of(decide_by_states(Problem(question.loaded, question.law))));
+    return std::string(name_of(decide_by_states(Problem(question.loaded(), question.law))));
   });
 }
 

@@ -41,7 +41,7 @@ void save(const std::string& folder, const Row& row, std::size_t k, const Questi
                            (row.stable ? "_stable_" : "_unstable_") + std::to_string(k) + "_" +
                            to_string(question.law) + ".json";
   std::ofstream out(std::filesystem::path(folder) / name, std::ios::binary);
-  out << write_grasp(question.loaded);
+  out << write_grasp(question.loaded());
   if (!out.flush()) throw std::runtime_error("cannot write " + name + " in " + folder);
 }
 
@@ -166,12 +166,9 @@ nlohmann::json to_json(const Row& row, const Result& r) {
 
 std::vector<Row> rows_of(const Report& report) {
   if (report.quick) return {{4, false, 10, 60, 0}, {10, false, 10, 60, 0}};
-  return {{10, false, 20, 20, 10},
-          {100, false, 20, 20, 40},
-          {1000, false, 20, 20, 0},
-          {10000, false, 12, 120, 0},
-          {100000, false, 12, 600, 0},
-          {1000000, false, 4, 3600, 0}};
+  return {{10, false, 20, 20, 10},     {100, false, 20, 20, 40},
+          {1000, false, 20, 20, 0},    {10000, false, 12, 120, 0},
+          {100000, false, 12, 600, 0}, {1000000, false, 4, 3600, 0}};
 }
 
 }  // namespace

@@ -11,8 +11,8 @@
 namespace stickslip::bench {
 
 bool is_weakly_stable(const Question& question) {
-  const std::vector<ContactRow> rows = contact_rows(question.loaded.grasp);
-  const Vector3 load = coordinates(question.loaded.wrench);
+  const std::vector<ContactRow> rows = contact_rows(question.loaded().grasp);
+  const Vector3 load = coordinates(question.loaded().wrench);
   glp_prob* program = glp_create_prob();
   glp_add_rows(program, 3);
   for (int r = 0; r < 3; ++r) {

@@ -89,8 +89,7 @@ std::string tolerances_text(const Tolerances& tolerances) {
   return "\"uncertain\": {" + text + "}";
 }
 
-template <class Wrench>
-std::string wrench_text(const Wrench& wrench) {
+std::string wrench_text(const WrenchBox& wrench) {
   std::string text;
   for (const Interval& w : wrench) {
     text += text.empty() ? "" : ",";
@@ -99,53 +98,35 @@ std::string wrench_text(const Wrench& wrench) {
   return text;
 }
 
-/// What questions in the plane and in space have in common, but the brace at the end.
-template <class AnyQuestion>
-std::string head(const AnyQuestion& question, std::size_t contacts, const std::string& wrench,
-                 const std::string& producer) {
+/// All up to the verdict, of contacts under this load and with this direction of it.
+std::string head(const Question& question, const std::string& wrench,
+                 const std::string& direction, const std::string& producer) {
+  const GraspBox* box = question.box();
+  const std::size_t contacts =
+      box != nullptr ? box->contacts.size() : question.loaded().grasp.size();
   std::string text = "{\"format\": \"stickslip-certificate/2\",\n \"producer\": " +
                      nlohmann::json(producer).dump() +
                      ",\n \"question\": {\"contacts\": " + std::to_string(contacts) +
                      ", \"wrench\": [" + wrench + "]";
   if (question.preload) text += ", \"preload\": " + number(*question.preload);
-  return text + ", \"normal_law\": \"" + to_string(question.law) + "\"";
-}
-
-template <std::size_t n>
-std::string direction_text(const std::array<Rational, n>& direction) {
-  return ", \"direction\": [" + list(direction) + "]";
-}
-
-/// The rest of any question, after the direction of the load.
-template <class AnyQuestion>
-std::string tail(const AnyQuestion& question) {
-  std::string text;
-  if (const auto& direction = question.preload_direction) {
+  text += ", \"normal_law\": \"" + std::string(to_string(question.law)) + "\"" + direction;
+  if (const auto& growth = question.preload_direction) {
     text += ", \"preload_direction\": " +
-            (direction->scale ? "\"scale\"" : "[" + list(direction->rates) + "]");
+            (growth->scale ? "\"scale\"" : "[" + list(growth->rates) + "]");
   }
   if (question.uncertain.any()) text += ", " + tolerances_text(question.uncertain);
   return text + "},\n ";
 }
 
-/// All up to the verdict.
 std::string head(const Question& question, const std::string& producer) {
-  std::string text = head(question, question.loaded.grasp.size(),
-                          question.uncertain_wrench ? wrench_text(*question.uncertain_wrench)
-                                                    : list(coordinates(question.loaded.wrench)),
-                          producer);
-  if (question.direction) text += direction_text(coordinates(*question.direction));
-  return text + tail(question);
+  return head(question,
+              wrench_text(question.wrench_as_asked.value_or(wrench_of(question.grasp))),
+              question.direction ? ", \"direction\": [" + list(*question.direction) + "]" : "",
+              producer);
 }
 
-/// All up to the verdict.
-std::string head(const SpatialQuestion& question, unsigned bits, const std::string& producer) {
-  std::string text = head(question, question.grasp.box.contacts.size(),
-                          wrench_text(question.wrench), producer);
-  if (question.direction) text += direction_text(*question.direction);
-  text += tail(question);
-  if (bits != kDefaultBits) text += "\"bits\": " + std::to_string(bits) + ",\n ";
-  return text;
+std::string bits_text(unsigned bits) {
+  return bits == kDefaultBits ? "" : "\"bits\": " + std::to_string(bits) + ",\n ";
 }
 
 const char kVerdict[] = "\"verdict\": ";
@@ -263,11 +244,11 @@ std::string certificate_text(const Question& question, const Verdict& verdict,
   require(!std::holds_alternative<Undecided>(verdict),
           "an undecided question has no certificate");
   require(!question.is_margin(), "a verdict is on one member of a family");
-  require(!question.box, "a box has certificates of its own");
+  require(question.box() == nullptr, "a box has certificates of its own");
   std::string text = head(question, producer) + kVerdict + "\"" + name_of(verdict) + "\",\n";
   if (const auto* stable = std::get_if<Stable>(&verdict)) {
-    text += " \"twist\": [" + list(coordinates(stable->witness.twist)) +
-            "],\n \"shares\": " + shares_text(in_short(question.loaded.grasp, stable->witness));
+    text += " \"twist\": [" + list(coordinates(stable->witness.twist)) + "],\n \"shares\": " +
+            shares_text(in_short(question.loaded().grasp, stable->witness));
   } else {
     text += tree_text(std::get<Unstable>(verdict).refutation);
   }
@@ -294,17 +275,10 @@ std::string verdict_text(const BoxVerdict& verdict) {
 
 std::string box_certificate_text(const Question& question, const BoxDecision& decision,
                                  const std::string& producer) {
-  require(question.box.has_value(), "only a box has a certificate of its own kind");
-  std::string text = head(question, producer);
-  if (decision.bits != kDefaultBits && needs_enclosure(*question.box)) {
-    text += "\"bits\": " + std::to_string(decision.bits) + ",\n ";
-  }
-  return text + verdict_text(decision.verdict);
-}
-
-std::string spatial_certificate_text(const SpatialQuestion& question,
-                                     const BoxDecision& decision, const std::string& producer) {
-  return head(question, decision.bits, producer) + verdict_text(decision.verdict);
+  require(question.box() != nullptr, "one grasp in the plane has certificates of its own");
+  const bool has_roots = question.in_space() || needs_enclosure(*question.box());
+  return head(question, producer) + (has_roots ? bits_text(decision.bits) : "") +
+         verdict_text(decision.verdict);
 }
 
 namespace {
@@ -333,11 +307,11 @@ struct ClaimText {
 
 }  // namespace
 
-std::string spatial_margin_text(const SpatialQuestion& question, const SpatialMargin& margin,
-                                const std::string& producer) {
+std::string margin_certificate_text(const Question& question, const SpatialMargin& margin,
+                                    const std::string& producer) {
   require(question.is_margin(), "the certificate of a margin states its direction");
-  std::string text =
-      head(question, margin.bits, producer) + kVerdict + "\"margin\",\n \"intervals\": [";
+  std::string text = head(question, producer) + bits_text(margin.bits) + kVerdict +
+                     "\"margin\",\n \"intervals\": [";
   std::string separator = "\n  ";
   for (const auto& claim : margin.claims) {
     text += separator + std::visit(ClaimText{}, claim);
@@ -380,12 +354,13 @@ std::string margin_certificate_text(const Question& question, const Margin& marg
 
 std::string region_certificate_text(const Question& question, const WrenchPlane& plane,
                                     const RegionProof& proof, const std::string& producer) {
-  require(!question.is_margin() && !question.box, "a region is one grasp's, in one plane");
-  std::string text = head(question, question.loaded.grasp.size(),
-                          list(coordinates(plane.origin())), producer) +
-                     ", \"plane\": [[" + list(coordinates(plane.u())) + "],[" +
-                     list(coordinates(plane.v())) + "]]" + tail(question) + kVerdict +
-                     "\"region\",\n \"pieces\": [";
+  require(!question.is_margin() && question.box() == nullptr,
+          "a region is one grasp's, in one plane");
+  std::string text = head(question, list(coordinates(plane.origin())),
+                          ", \"plane\": [[" + list(coordinates(plane.u())) + "],[" +
+                              list(coordinates(plane.v())) + "]]",
+                          producer) +
+                     kVerdict + "\"region\",\n \"pieces\": [";
   std::string separator = "\n  ";
   for (const ProvedPiece& piece : proof.pieces) {
     text += separator + "[";

@@ -9,10 +9,10 @@
 namespace stickslip {
 namespace {
 
-Question about(const GraspFile& file, NormalLaw law) {
+Question about(const GraspBox& box, NormalLaw law) {
   QuestionOptions options;
   options.law = law;
-  return ask(file, options);
+  return ask({box}, options);
 }
 
 void require_verdict(bool stable, const std::string& found) {
@@ -22,60 +22,50 @@ void require_verdict(bool stable, const std::string& found) {
 
 }  // namespace
 
-ProvedFiles proved_grasp(const GraspBox& point, const GraspDescription& description,
-                         NormalLaw law, bool stable, const std::string& producer) {
+ProvedFiles proved_grasp(const GraspBox& point, NormalLaw law, bool stable,
+                         const std::string& producer) {
   if (point.in_space() || needs_enclosure(point)) {
     const BoxDecision decision = decide_box(point, law);
     require_verdict(stable, name_of(decision.verdict));
-    return proved_box(point, description, law, decision, producer);
+    return proved_box(point, law, decision, producer);
   }
-  const LoadedGrasp grasp = point.planar_middle(description);
-  const Question question = about({grasp}, law);
+  const Question question = about(point, law);
   const Verdict verdict = decide(problem_of(question)).verdict;
   require_verdict(stable, name_of(verdict));
-  return {write_grasp(grasp), certificate_text(question, verdict, producer)};
+  return {write_grasp(point), certificate_text(question, verdict, producer)};
 }
 
-ProvedFiles proved_box(const GraspBox& box, const GraspDescription& description, NormalLaw law,
-                       const BoxDecision& decision, const std::string& producer) {
-  const std::string grasp = write_grasp(box, description);
-  if (box.in_space()) {
-    SpatialOptions options;
-    options.law = law;
-    const SpatialQuestion question = ask(SpatialGrasp{{}, {}, box}, options);
-    return {grasp, spatial_certificate_text(question, decision, producer)};
-  }
-  if (box.is_point() && !needs_enclosure(box)) {
+ProvedFiles proved_box(const GraspBox& box, NormalLaw law, const BoxDecision& decision,
+                       const std::string& producer) {
+  if (!box.in_space() && box.is_point() && !needs_enclosure(box)) {
     const bool stable = std::holds_alternative<StableThroughout>(decision.verdict);
-    return proved_grasp(box, description, law, stable, producer);
+    return proved_grasp(box, law, stable, producer);
   }
-  GraspFile file{box.planar_middle(description)};
-  if (!box.is_point()) file.box = box;
-  return {grasp, box_certificate_text(about(file, law), decision, producer)};
+  return {write_grasp(box), box_certificate_text(about(box, law), decision, producer)};
 }
 
-std::vector<ProvedFiles> proved_decision(const GraspBox& box, const GraspDescription& description,
-                                         NormalLaw law, const BoxDecision& decision,
+std::vector<ProvedFiles> proved_decision(const GraspBox& box, NormalLaw law,
+                                         const BoxDecision& decision,
                                          const std::string& producer) {
   if (const auto* fragile = std::get_if<Fragile>(&decision.verdict)) {
-    return {proved_grasp(fragile->stable, description, law, true, producer),
-            proved_grasp(fragile->unstable, description, law, false, producer)};
+    return {proved_grasp(fragile->stable, law, true, producer),
+            proved_grasp(fragile->unstable, law, false, producer)};
   }
   if (std::holds_alternative<Undecided>(decision.verdict)) return {};
-  return {proved_box(box, description, law, decision, producer)};
+  return {proved_box(box, law, decision, producer)};
 }
 
 std::vector<ProvedFiles> proved_radius(const GraspBox& centre, const GraspBox& box,
-                                       const GraspDescription& description, NormalLaw law,
-                                       const Radius& radius, const std::string& producer) {
+                                       NormalLaw law, const Radius& radius,
+                                       const std::string& producer) {
   require(radius.stable.has_value(), "the radius of a box about a centre with a verdict");
   const auto grasp = [&](const GraspBox& point, bool stable) {
-    return proved_grasp(point, description, law, stable, producer);
+    return proved_grasp(point, law, stable, producer);
   };
   std::vector<ProvedFiles> files;
-  files.push_back(radius.proof ? proved_box(box.scaled(centre, radius.proved), description, law,
-                                            *radius.proof, producer)
-                               : grasp(centre, *radius.stable));
+  files.push_back(
+      radius.proof ? proved_box(box.scaled(centre, radius.proved), law, *radius.proof, producer)
+                   : grasp(centre, *radius.stable));
   if (radius.example) files.push_back(grasp(*radius.example, !*radius.stable));
   return files;
 }

@@ -51,7 +51,7 @@ std::string line(const std::string& condition) {
 
 std::string smtlib_text(const Question& question) {
   const Problem problem = problem_of(question);
-  std::string name = question.loaded.grasp.name();
+  std::string name = question.loaded().grasp.name();
   // What ends a line ends a comment, for some solvers also a carriage return.
   std::replace_if(
       name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < ' '; },

@@ -244,7 +244,7 @@ GraspBox GraspBox::middle() const {
   return box;
 }
 
-LoadedGrasp GraspBox::planar_middle(const GraspDescription& description) const {
+LoadedGrasp GraspBox::planar_middle() const {
   require(!in_space(), "a box in the plane");
   std::vector<Contact> middles;
   middles.reserve(contacts.size());
@@ -260,6 +260,15 @@ LoadedGrasp GraspBox::planar_middle(const GraspDescription& description) const {
 
 Wrench planar_middle(const WrenchBox& wrench) {
   return {wrench[0].middle(), wrench[1].middle(), wrench[2].middle()};
+}
+
+RationalRow row_of(const Wrench& wrench) {
+  return {wrench.x, wrench.y, wrench.torque};
+}
+
+Wrench wrench_of(const RationalRow& row) {
+  require(row.size() == 3, "a wrench in the plane");
+  return {row[0], row[1], row[2]};
 }
 
 WrenchBox box_of(const Wrench& wrench) {
@@ -281,7 +290,28 @@ GraspBox box_of(const LoadedGrasp& loaded) {
     box.contacts.push_back(box_of(contact));
   }
   box.wrench = box_of(loaded.wrench);
+  box.description = loaded.grasp.description();
   return box;
+}
+
+GraspBox box_of(const AnyGrasp& grasp) {
+  const auto* box = std::get_if<GraspBox>(&grasp);
+  return box != nullptr ? *box : box_of(std::get<LoadedGrasp>(grasp));
+}
+
+bool in_space(const AnyGrasp& grasp) {
+  const auto* box = std::get_if<GraspBox>(&grasp);
+  return box != nullptr && box->in_space();
+}
+
+WrenchBox wrench_of(const AnyGrasp& grasp) {
+  const auto* box = std::get_if<GraspBox>(&grasp);
+  return box != nullptr ? box->wrench : box_of(std::get<LoadedGrasp>(grasp).wrench);
+}
+
+const GraspDescription& description_of(const AnyGrasp& grasp) {
+  const auto* box = std::get_if<GraspBox>(&grasp);
+  return box != nullptr ? box->description : std::get<LoadedGrasp>(grasp).grasp.description();
 }
 
 bool needs_enclosure(const GraspBox& box) {

@@ -12,8 +12,8 @@
 #include "outline_file.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
+#include "stickslip/core/grasp_file.hpp"
 #include "stickslip/core/json.hpp"
-#include "stickslip/core/spatial_grasp.hpp"
 #include "uncertain_contact.hpp"
 
 namespace stickslip {
@@ -348,6 +348,12 @@ std::size_t case_named(const std::vector<std::string>& cases,
                    cases.empty() ? "it has no cases at all" : choice);
 }
 
+const LoadedGrasp& GraspFile::loaded() const {
+  const auto* one = std::get_if<LoadedGrasp>(&content);
+  require(one != nullptr, "one grasp in the plane");
+  return *one;
+}
+
 StreamedGrasp::StreamedGrasp() = default;
 StreamedGrasp::~StreamedGrasp() = default;
 
@@ -389,8 +395,7 @@ GraspFile StreamedGrasp::finish(const JsonNode& grasp, Intervals intervals) {
                           (version2 ? " or \"loads\": [...]" : "") + "; no load is [0, 0, 0]");
   GraspFile file;
   for (ReadCase& one : read_cases(grasp, wrench, read)) {
-    file.cases.push_back({std::move(one.name), planar_middle(one.load), std::nullopt});
-    if (is_uncertain(one.load)) file.cases.back().box = one.load;
+    file.cases.push_back({std::move(one.name), std::move(one.load)});
   }
   std::vector<Polygon> outline = read_outline(grasp);
   put_on_outline(contacts_, outline, version2);
@@ -409,18 +414,22 @@ GraspFile StreamedGrasp::finish(const JsonNode& grasp, Intervals intervals) {
     contacts.push_back(middle_of(std::move(contact)));
   }
   contacts_.clear();
-  file.content = {
+  LoadedGrasp middle{
       Grasp(std::move(contacts),
             GraspDescription{read_name(grasp), std::move(outline), read_units(grasp)}),
       planar_middle(wrench)};
-  if (uncertain.empty() && !is_uncertain(wrench)) return file;
-  file.box = box_of(file.content);
-  file.box->wrench = wrench;
-  for (auto& [i, contact] : uncertain) file.box->contacts[i] = std::move(contact);
+  if (uncertain.empty() && !is_uncertain(wrench)) {
+    file.content = std::move(middle);
+    return file;
+  }
+  GraspBox box = box_of(middle);
+  box.wrench = wrench;
+  for (auto& [i, contact] : uncertain) box.contacts[i] = std::move(contact);
+  file.content = std::move(box);
   return file;
 }
 
-SpatialGrasp StreamedGrasp::finish_in_space(const JsonNode& grasp, Intervals intervals) {
+GraspFile StreamedGrasp::finish_in_space(const JsonNode& grasp, Intervals intervals) {
   const bool version2 = read_format(grasp);
   check_members(grasp, version2);
   if (!version2) fail_at("contacts[0].position", "three coordinates", newer_format());
@@ -429,14 +438,14 @@ SpatialGrasp StreamedGrasp::finish_in_space(const JsonNode& grasp, Intervals int
   }
   IntervalReader read(first_interval_);
   const Properties defaults = read_defaults(grasp, read);
-  SpatialGrasp result;
-  GraspBox& box = result.box;
+  GraspFile result;
+  auto& box = result.content.emplace<GraspBox>();
   box.wrench = read_whole_load(
       grasp, true, read,
       "add \"wrench\": [force x, y, z, torque x, y, z] or \"loads\": [...]; no load is [0, 0, "
       "0, 0, 0, 0]");
   for (ReadCase& one : read_cases(grasp, box.wrench, read)) {
-    result.cases.push_back({std::move(one.name), one.load});
+    result.cases.push_back({std::move(one.name), std::move(one.load)});
   }
   fill_in(contacts_, defaults);
   refuse_intervals(first_interval_, version2, intervals);
@@ -447,9 +456,8 @@ SpatialGrasp StreamedGrasp::finish_in_space(const JsonNode& grasp, Intervals int
   }
   contacts_.clear();
   // The requirements on units are Grasp's own.
-  const Grasp described({}, GraspDescription{read_name(grasp), {}, read_units(grasp)});
-  result.name = described.name();
-  result.units = described.description().units;
+  box.description =
+      Grasp({}, GraspDescription{read_name(grasp), {}, read_units(grasp)}).description();
   box.check();
   return result;
 }
@@ -458,7 +466,7 @@ namespace {
 
 /// What `finish` makes of the text, with `file` in errors.
 template <class Finish>
-auto parse_with(std::string_view text, const std::string& file, const Finish& finish) {
+GraspFile parse_with(std::string_view text, const std::string& file, const Finish& finish) {
   try {
     if (text.size() > kMaxJsonBytes) {
       fail_at("", "more than " + std::to_string(kMaxJsonBytes) + " bytes",
@@ -483,15 +491,13 @@ GraspFile parse_grasp(std::string_view text, const std::string& file, Intervals 
   });
 }
 
-AnyGraspFile parse_any_grasp(std::string_view text, const std::string& file,
-                             Intervals intervals) {
-  return parse_with(text, file,
-                    [&](StreamedGrasp& reader, const JsonNode& grasp) -> AnyGraspFile {
-                      if (grasp.kind == Kind::kObject && reader.in_space(grasp)) {
-                        return reader.finish_in_space(grasp, intervals);
-                      }
-                      return reader.finish(grasp, intervals);
-                    });
+GraspFile parse_any_grasp(std::string_view text, const std::string& file, Intervals intervals) {
+  return parse_with(text, file, [&](StreamedGrasp& reader, const JsonNode& grasp) {
+    if (grasp.kind == Kind::kObject && reader.in_space(grasp)) {
+      return reader.finish_in_space(grasp, intervals);
+    }
+    return reader.finish(grasp, intervals);
+  });
 }
 
 GraspFile read_grasp_file(const std::string& path, Intervals intervals) {
@@ -499,7 +505,7 @@ GraspFile read_grasp_file(const std::string& path, Intervals intervals) {
   return parse_grasp(read_all(file.stream(), file.name()), file.name(), intervals);
 }
 
-AnyGraspFile read_any_grasp_file(const std::string& path, Intervals intervals) {
+GraspFile read_any_grasp_file(const std::string& path, Intervals intervals) {
   InputFile file(path, "a grasp file");
   return parse_any_grasp(read_all(file.stream(), file.name()), file.name(), intervals);
 }

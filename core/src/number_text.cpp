@@ -114,6 +114,12 @@ Json number_json(const DecimalEnclosure& enclosure) {
   return Json::array({marked(enclosure.lower), marked(enclosure.upper)});
 }
 
+Json number_json(const std::vector<Rational>& v) {
+  Json json = Json::array();
+  for (const Rational& entry : v) json.push_back(number_json(entry));
+  return json;
+}
+
 Json number_json(const Vector2& v) {
   return Json::array({number_json(v.x), number_json(v.y)});
 }

@@ -213,9 +213,9 @@ SnapResult snap_normals(const Grasp& grasp, const Rational& tolerance) {
   return {Grasp(std::move(contacts), grasp.description()), std::move(snapped)};
 }
 
-SpatialSnapResult snap_normals(const SpatialGrasp& grasp, const Rational& tolerance) {
+SpatialSnapResult snap_normals(const GraspBox& grasp, const Rational& tolerance) {
   SpatialSnapResult result{grasp, {}};
-  result.snapped = snap_contacts(result.grasp.box.contacts, tolerance);
+  result.snapped = snap_contacts(result.grasp.contacts, tolerance);
   return result;
 }
 

@@ -9,7 +9,6 @@
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/grasp_file.hpp"
 #include "stickslip/core/json.hpp"
-#include "stickslip/core/spatial_grasp.hpp"
 
 namespace stickslip {
 
@@ -83,35 +82,40 @@ std::string write_contact(const UncertainContact& c, std::size_t i,
          ", \"preload\": " + write_interval(c.preload) + "}";
 }
 
-/// What stands before the contacts.
-std::string write_head(const char* format, const std::string& name,
-                       const std::optional<Units>& units) {
-  std::string text = std::string("{\"format\": \"") + format + "\",\n";
-  if (!name.empty()) text += " \"name\": " + json_string(name, "name") + ",\n";
-  if (units) {
-    text += " \"units\": {\"length\": " + json_string(units->length, "units") +
-            ", \"force\": " + json_string(units->force, "units") + "},\n";
+bool has_intervals(const GraspFile& file) {
+  const auto* box = std::get_if<GraspBox>(&file.content);
+  return (box != nullptr && !box->is_point()) ||
+         std::any_of(file.cases.begin(), file.cases.end(),
+                     [](const NamedLoad& load) { return is_uncertain(load.wrench); });
+}
+
+std::string write_contacts(const GraspFile& file) {
+  std::string text;
+  const auto write = [&](const auto& contacts, const auto& box_of_contact) {
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      text += write_contact(box_of_contact(contacts[i]), i, file.assumed_stiffness);
+    }
+  };
+  if (const auto* one = std::get_if<LoadedGrasp>(&file.content)) {
+    write(one->grasp.contacts(), [](const Contact& c) { return box_of(c); });
+  } else {
+    write(std::get<GraspBox>(file.content).contacts,
+          [](const UncertainContact& c) -> const UncertainContact& { return c; });
   }
   return text;
 }
 
-/// What stands behind the contacts; the cases have a name and a load, which load_of() gives.
-template <class Case, class Load>
-std::string write_loads(const WrenchBox& common, const std::vector<Case>& cases, Load load_of) {
+/// What stands behind the contacts.
+std::string write_loads(const WrenchBox& common, const std::vector<NamedLoad>& cases) {
   std::string text = "],\n \"wrench\": " + write_intervals(common);
   const char* separator = ",\n \"cases\": [\n";
-  for (const Case& one : cases) {
+  for (const NamedLoad& one : cases) {
     text += separator;
     text += "  {\"name\": " + json_string(one.name, "name") +
-            ", \"wrench\": " + write_intervals(own_load(load_of(one), common)) + "}";
+            ", \"wrench\": " + write_intervals(own_load(one.wrench, common)) + "}";
     separator = ",\n";
   }
   return text + (cases.empty() ? "}\n" : "]}\n");
-}
-
-bool has_intervals(const GraspFile& file) {
-  return file.box || std::any_of(file.cases.begin(), file.cases.end(),
-                                 [](const NamedLoad& load) { return load.box.has_value(); });
 }
 
 }  // namespace
@@ -120,42 +124,26 @@ std::string write_grasp(const LoadedGrasp& content) {
   return write_grasp_file({content});
 }
 
+std::string write_grasp(const AnyGrasp& content) {
+  return write_grasp_file({content});
+}
+
 std::string write_grasp_file(const GraspFile& file) {
-  const Grasp& grasp = file.content.grasp;
-  const std::vector<Polygon>& outline = grasp.description().outline;
-  const std::optional<Units>& units = grasp.description().units;
-  const bool version1 = file.cases.empty() && outline.empty() && !units && !has_intervals(file);
-  const char* format = version1 ? kVersion1 : kVersion2;
-  std::string text = write_head(format, grasp.name(), units);
+  const auto& [name, outline, units] = file.description();
+  const bool version1 = !in_space(file.content) && file.cases.empty() && outline.empty() &&
+                        !units && !has_intervals(file);
+  std::string text =
+      std::string("{\"format\": \"") + (version1 ? kVersion1 : kVersion2) + "\",\n";
+  if (!name.empty()) text += " \"name\": " + json_string(name, "name") + ",\n";
+  if (units) {
+    text += " \"units\": {\"length\": " + json_string(units->length, "units") +
+            ", \"force\": " + json_string(units->force, "units") + "},\n";
+  }
   if (!outline.empty()) {
     text += " \"outline\": " + write_list(outline, ",\n  ", write_polygon) + ",\n";
   }
-  text += " \"contacts\": [";
-  for (std::size_t i = 0; i < grasp.size(); ++i) {
-    const UncertainContact c = file.box ? file.box->contacts[i] : box_of(grasp.contacts()[i]);
-    text += write_contact(c, i, file.assumed_stiffness);
-  }
-  return text + write_loads(file.box ? file.box->wrench : box_of(file.content.wrench),
-                            file.cases, [](const NamedLoad& load) {
-                              return load.box.value_or(box_of(load.wrench));
-                            });
-}
-
-std::string write_grasp(const GraspBox& box, const GraspDescription& description) {
-  if (box.in_space())
-    return write_grasp_file(SpatialGrasp{description.name, description.units, box});
-  GraspFile file{box.planar_middle(description)};
-  if (!box.is_point()) file.box = box;
-  return write_grasp_file(file);
-}
-
-std::string write_grasp_file(const SpatialGrasp& grasp) {
-  std::string text = write_head(kVersion2, grasp.name, grasp.units) + " \"contacts\": [";
-  for (std::size_t i = 0; i < grasp.box.contacts.size(); ++i) {
-    text += write_contact(grasp.box.contacts[i], i, grasp.assumed_stiffness);
-  }
-  return text + write_loads(grasp.box.wrench, grasp.cases,
-                            [](const SpatialCase& one) { return one.wrench; });
+  return text + " \"contacts\": [" + write_contacts(file) +
+         write_loads(wrench_of(file.content), file.cases);
 }
 
 }  // namespace stickslip

@@ -68,7 +68,7 @@ ClaimReport judge_claim(const Question& question, const Claim& claim,
   ClaimReport report;
   report.decision = decide(problem, Engine::kAuto, cone);
   report.residuals = residuals_of(problem, solution);
-  report.scale = residual_scale(question.loaded, solution);
+  report.scale = residual_scale(question.loaded(), solution);
   if (solution.twist) report.claimed_slip = slip_of(problem, *solution.twist);
 
   const auto* stable = std::get_if<Stable>(&report.decision.verdict);
@@ -81,7 +81,7 @@ ClaimReport judge_claim(const Question& question, const Claim& claim,
   const bool decided = !std::holds_alternative<Undecided>(report.decision.verdict);
   const bool agrees = decided && claim.stable == (stable != nullptr);
   if (decided && (!agrees || options.all_distances)) {
-    report.distance = threshold_distance(problem, question.loaded.grasp, cone);
+    report.distance = threshold_distance(problem, question.loaded().grasp, cone);
   }
   if (agrees) {
     report.claim_class = ClaimClass::kRight;

@@ -43,7 +43,7 @@ QuestionOptions read_options(const JsonNode& line) {
   expect_object(*node, "options", {"wrench", "case", "preload", "normal_law"});
   if (const JsonNode* wrench = node->find("wrench")) {
     const auto w = read_vector(*wrench, "options.wrench", 3, kThreeNumbers);
-    options.wrench = Wrench{w[0], w[1], w[2]};
+    options.wrench = {w.begin(), w.end()};
   }
   if (const JsonNode* name = node->find("case")) {
     expect(*name, Kind::kString, "options.case", "the name of a case of the grasp");
@@ -158,10 +158,10 @@ ClaimLine parse_claim_line(std::string_view line, const std::string& folder) {
   const QuestionOptions options = read_options(root);
   ClaimLine result{within("options", [&] { return ask(file, options); }), {}};
   // Preloaded contacts with normals of irrational length are an error of this line.
-  within("grasp", [&] { return contact_rows(result.question.loaded.grasp).size(); });
+  within("grasp", [&] { return problem_of(result.question).size(); });
   result.claim = read_claim(
       member(root, "", "claim", R"(add "claim": {"verdict": "stable"} or "unstable")"),
-      magnitudes, vectors, result.question.loaded.grasp);
+      magnitudes, vectors, result.question.loaded().grasp);
   return result;
 }
 

@@ -19,7 +19,7 @@ using namespace equilibrium_detail;
 namespace {
 
 std::optional<std::string> large_motion_of(const Question& question, const Twist& d) {
-  const std::vector<Contact>& contacts = question.loaded.grasp.contacts();
+  const std::vector<Contact>& contacts = question.loaded().grasp.contacts();
   std::vector<std::array<Rational, 2>> points;
   for (const Contact& c : contacts) points.push_back({c.position.x, c.position.y});
   // A witness may have a denominator of thousands of digits: once, and not at each contact.
@@ -138,7 +138,7 @@ class StiffnessInDoubles {
 std::optional<std::string> assumed_stiffness_of(const Question& question,
                                                 const Problem& problem, bool stable,
                                                 std::size_t nodes) {
-  const std::vector<Contact>& contacts = question.loaded.grasp.contacts();
+  const std::vector<Contact>& contacts = question.loaded().grasp.contacts();
   if (question.assumed_stiffness.empty() || contacts.size() > kMostContactsToVary) {
     return std::nullopt;
   }
@@ -156,7 +156,7 @@ std::optional<std::string> assumed_stiffness_of(const Question& question,
     options.node_limit = left;
     ConeWork work;
     const Verdict verdict = decide_by_cones(
-        Problem({Grasp(std::move(varied)), question.loaded.wrench}, question.law), options,
+        Problem({Grasp(std::move(varied)), question.loaded().wrench}, question.law), options,
         &work);
     left -= std::min(left, 1 + work.nodes);
     if (std::holds_alternative<Undecided>(verdict)) return std::nullopt;

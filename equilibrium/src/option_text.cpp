@@ -35,11 +35,12 @@ Wrench wrench_option(const std::string& option, const std::string& value) {
                      quote(value) + " has " + std::to_string(numbers.size()) + " numbers",
                      "give force x, force y and torque as in " + option + " 0,-11/10,0");
   }
-  return {numbers[0], numbers[1], numbers[2]};
+  return wrench_of(numbers);
 }
 
 InputError in_options(const InputError& error, const std::string& name) {
-  for (const std::string option : {"--preload", "--direction", "--preload-direction"}) {
+  for (const std::string option :
+       {"--wrench", "--preload", "--direction", "--preload-direction"}) {
     std::string place = option.substr(2);
     std::replace(place.begin(), place.end(), '-', '_');
     if (error.place() == place) return {"", option, error.problem(), error.remedy()};
@@ -54,11 +55,12 @@ Question ask_with_options(GraspFile file, const QuestionOptions& options,
                           const std::string& name, bool takes_boxes) {
   try {
     Question question = ask(std::move(file), options);
-    if (takes_boxes && question.box) return question;
     // What problem_of() refuses is refused here, where the options are known. Of a question
-    // that is neither a box nor a margin it refuses nothing: ask() made a box of irrational
-    // preloads.
-    if (question.box || question.is_margin()) problem_of(question);
+    // in the plane that is neither a box nor a margin it refuses nothing: ask() made a box of
+    // irrational preloads.
+    const bool is_one = question.box() == nullptr;
+    if (question.in_space() || (is_one ? !question.is_margin() : takes_boxes)) return question;
+    problem_of(question);
     return question;
   } catch (const InputError& error) {
     throw in_options(error, name);

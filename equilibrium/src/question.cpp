@@ -10,25 +10,51 @@
 namespace stickslip {
 namespace {
 
+/// Throws InputError unless it has as many components as a wrench on the grasp.
+void check_size(const std::optional<RationalRow>& row, const char* place, bool in_space) {
+  if (!row || row->size() == (in_space ? 6U : 3U)) return;
+  throw InputError("", place, "it has " + std::to_string(row->size()) + " numbers",
+                   in_space ? "the grasp is in space: give force x, y, z and torque x, y, z"
+                            : "give force x, force y and torque, as 0,-11/10,0");
+}
+
 WrenchBox wrench_asked(const GraspFile& file, const QuestionOptions& options) {
   const std::optional<std::string>& name = options.case_name;
+  const bool is_in_space = in_space(file.content);
+  check_size(options.wrench, "wrench", is_in_space);
+  check_size(options.direction, "direction", is_in_space);
   if (options.wrench && name) {
     throw InputError("", "case", "a wrench is given as well", "give one of them");
   }
-  if (options.wrench) return box_of(*options.wrench);
-  if (!name && options.direction) return box_of(Wrench{});
+  if (options.wrench) {
+    WrenchBox wrench;
+    for (const Rational& component : *options.wrench) {
+      wrench.push_back(point_interval(component));
+    }
+    return wrench;
+  }
+  if (!name && options.direction) return WrenchBox(options.direction->size());
   if (!name && file.cases.empty()) {
-    return file.box ? file.box->wrench : box_of(file.content.wrench);
+    return wrench_of(file.content);
   }
   std::vector<std::string> names;
   for (const NamedLoad& load : file.cases) names.push_back(load.name);
-  const NamedLoad& chosen = file.cases[case_named(names, name)];
-  return chosen.box.value_or(box_of(chosen.wrench));
+  return file.cases[case_named(names, name)].wrench;
 }
 
 bool all_zero(const std::vector<Rational>& values) {
   return std::all_of(values.begin(), values.end(),
                      [](const Rational& value) { return value.is_zero(); });
+}
+
+bool is_certain(const WrenchBox& wrench) {
+  return std::all_of(wrench.begin(), wrench.end(),
+                     [](const Interval& w) { return w.is_point(); });
+}
+
+bool has_certain_contacts(const AnyGrasp& grasp) {
+  const auto* box = std::get_if<GraspBox>(&grasp);
+  return box == nullptr || GraspBox{box->contacts, {}}.is_point();
 }
 
 bool has_irrational_preload(const Grasp& grasp) {
@@ -38,30 +64,46 @@ bool has_irrational_preload(const Grasp& grasp) {
   });
 }
 
-/// Sets the box of a question that is one.
-void enclose(Question& question, std::optional<GraspBox> of_file, const WrenchBox& wrench) {
-  const bool certain = !of_file && wrench == box_of(question.loaded.wrench);
-  if (question.is_margin()) {
-    if (!certain || question.uncertain.any()) refuse_uncertain_margin();
-    return;
+std::vector<Rational> preloads_of(const AnyGrasp& grasp) {
+  std::vector<Rational> preloads;
+  if (const auto* one = std::get_if<LoadedGrasp>(&grasp)) {
+    for (const Contact& c : one->grasp.contacts()) preloads.push_back(c.preload);
+  } else {
+    for (const UncertainContact& c : std::get<GraspBox>(grasp).contacts) {
+      preloads.push_back(c.preload.low);
+    }
   }
-  if (certain && !question.uncertain.any() && !has_irrational_preload(question.loaded.grasp)) {
-    return;
-  }
-  GraspBox box = of_file ? std::move(*of_file) : box_of(question.loaded);
-  if (question.preload) {
-    for (UncertainContact& c : box.contacts) c.preload = point_interval(*question.preload);
-  }
-  box.wrench = wrench;
-  box = box.widened(question.uncertain);
-  if (box.is_point() && !needs_enclosure(box)) return;
-  question.loaded = box.planar_middle(question.loaded.grasp.description());
-  if (!(wrench == box_of(question.loaded.wrench))) question.uncertain_wrench = wrench;
-  question.box = std::move(box);
+  return preloads;
 }
 
-}  // namespace
+AnyGrasp with_preload(AnyGrasp grasp, const Rational& preload) {
+  if (auto* one = std::get_if<LoadedGrasp>(&grasp)) {
+    one->grasp = one->grasp.with_preload(preload);
+  } else {
+    for (UncertainContact& c : std::get<GraspBox>(grasp).contacts) {
+      c.preload = point_interval(preload);
+    }
+  }
+  return grasp;
+}
 
+/// Under this wrench, widened; in the plane one grasp if it is.
+AnyGrasp under(AnyGrasp grasp, const WrenchBox& wrench, const Tolerances& uncertain,
+               bool is_margin) {
+  auto* one = std::get_if<LoadedGrasp>(&grasp);
+  if (one != nullptr && is_certain(wrench) && !uncertain.any() &&
+      (is_margin || !has_irrational_preload(one->grasp))) {
+    one->wrench = planar_middle(wrench);
+    return grasp;
+  }
+  GraspBox box = one != nullptr ? box_of(*one) : std::get<GraspBox>(std::move(grasp));
+  box.wrench = wrench;
+  box = box.widened(uncertain);
+  if (!box.in_space() && box.is_point() && !needs_enclosure(box)) return box.planar_middle();
+  return box;
+}
+
+/// How much preloads grow, by those that there are without it.
 std::vector<Rational> preload_growth(const std::vector<Rational>& preloads,
                                      const PreloadDirection& direction) {
   if (direction.scale) return preloads;
@@ -81,11 +123,6 @@ std::vector<Rational> preload_growth(const std::vector<Rational>& preloads,
   return direction.rates;
 }
 
-void refuse_uncertain_margin() {
-  throw InputError("", "uncertain", "a margin needs numbers, and some are uncertain",
-                   "give one number for each, or ask only whether the load is held");
-}
-
 void require_growth(bool load_grows, const std::vector<Rational>& growth,
                     const std::optional<PreloadDirection>& direction) {
   if (load_grows || !all_zero(growth)) return;
@@ -100,50 +137,66 @@ void require_growth(bool load_grows, const std::vector<Rational>& growth,
                        : "give a number above 0 to a contact whose preload grows");
 }
 
+}  // namespace
+
+const LoadedGrasp& Question::loaded() const {
+  const auto* one = std::get_if<LoadedGrasp>(&grasp);
+  require(one != nullptr, "one grasp in the plane");
+  return *one;
+}
+
 Question ask(GraspFile file, const QuestionOptions& options) {
+  Question question;
   const WrenchBox wrench = wrench_asked(file, options);
-  Question question{{std::move(file.content.grasp), planar_middle(wrench)},
-                    options.law,
-                    options.preload,
-                    std::move(file.assumed_stiffness),
-                    options.direction,
-                    options.preload_direction,
-                    {},
-                    options.case_name.value_or(""),
-                    options.uncertain};
-  Grasp& grasp = question.loaded.grasp;
+  question.law = options.law;
+  question.preload = options.preload;
+  question.assumed_stiffness = std::move(file.assumed_stiffness);
+  question.direction = options.direction;
+  question.preload_direction = options.preload_direction;
+  question.case_name = options.case_name.value_or("");
+  question.uncertain = options.uncertain;
+  AnyGrasp grasp = std::move(file.content);
   if (options.preload) {
     if (options.preload->sign() < 0) {
       throw InputError("", "preload", "the value is " + to_string(*options.preload),
                        "a preload is a normal force and must be 0 or more");
     }
-    grasp = grasp.with_preload(*options.preload);
+    grasp = with_preload(std::move(grasp), *options.preload);
   }
   if (options.preload_direction) {
-    std::vector<Rational> preloads;
-    for (const Contact& c : grasp.contacts()) preloads.push_back(c.preload);
-    question.preload_growth = preload_growth(preloads, *options.preload_direction);
-    if (options.preload_direction->scale) grasp = grasp.with_preload(0);
+    question.preload_growth = preload_growth(preloads_of(grasp), *options.preload_direction);
+    if (options.preload_direction->scale) grasp = with_preload(std::move(grasp), 0);
   }
   if (question.is_margin()) {
-    require_growth(!(question.direction.value_or(Wrench{}) == Wrench{}),
-                   question.preload_growth, question.preload_direction);
+    require_growth(options.direction && !all_zero(*options.direction), question.preload_growth,
+                   options.preload_direction);
+    if (!is_certain(wrench) || question.uncertain.any() || !has_certain_contacts(grasp)) {
+      throw InputError("", "uncertain", "a margin needs numbers, and some are uncertain",
+                       "give one number for each, or ask only whether the load is held");
+    }
   }
-  enclose(question, std::move(file.box), wrench);
+  if (options.uncertain.wrench) question.wrench_as_asked = wrench;
+  question.grasp = under(std::move(grasp), wrench, options.uncertain, question.is_margin());
   return question;
 }
 
 Problem problem_of(const Question& question) {
-  if (question.box && !question.box->is_point()) {
+  if (question.in_space()) {
+    throw InputError("", "", "the grasp is in space", "this is done in the plane only");
+  }
+  if (question.box() != nullptr && !question.box()->is_point()) {
     throw InputError("", "", "some numbers are uncertain, and this needs one grasp",
                      "give one number for each; only whether the load is held can be asked of "
                      "all grasps in a box");
   }
-  Problem base(question.loaded, question.law);
+  const LoadedGrasp* one = std::get_if<LoadedGrasp>(&question.grasp);
+  // Of irrational lengths, at which Problem throws.
+  Problem base(one != nullptr ? *one : question.box()->planar_middle(), question.law);
   if (!question.is_margin()) return base;
-  Growth growth{question.direction.value_or(Wrench{})};
+  Growth growth;
+  if (question.direction) growth.load = wrench_of(*question.direction);
   if (!question.preload_growth.empty()) {
-    const Grasp growing = question.loaded.grasp.with_preloads(question.preload_growth);
+    const Grasp growing = question.loaded().grasp.with_preloads(question.preload_growth);
     for (const ContactRow& row : contact_rows(growing)) growth.preloads.push_back(row.preload);
   }
   return base.along(growth);

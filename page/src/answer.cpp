@@ -32,8 +32,6 @@ namespace {
 constexpr unsigned kCoarsestMap = 2;
 constexpr unsigned kFinestMap = 4;
 
-using AnyQuestion = std::variant<Question, SpatialQuestion>;
-
 /// Why a part cannot be had.
 struct NotToBeHad {
   std::string why;
@@ -47,17 +45,13 @@ std::string in_version2(std::string text) {
   return text;
 }
 
-std::string text_of(const AnyGraspFile& file) {
-  return in_version2(std::visit([](const auto& f) { return write_grasp_file(f); }, file));
+std::string text_of(const GraspFile& file) {
+  return in_version2(write_grasp_file(file));
 }
 
-std::vector<std::string> case_names(const AnyGraspFile& file) {
+std::vector<std::string> case_names(const GraspFile& file) {
   std::vector<std::string> names;
-  std::visit(
-      [&](const auto& f) {
-        for (const auto& each : f.cases) names.push_back(each.name);
-      },
-      file);
+  for (const NamedLoad& each : file.cases) names.push_back(each.name);
   return names;
 }
 
@@ -73,25 +67,22 @@ Json question_json(const QuestionText& asked) {
           {"uncertain", or_null(asked.uncertain)}};
 }
 
-Json contacts_json(const Question& question) {
-  Json contacts = Json::array();
-  for (const Contact& c : question.loaded.grasp.contacts()) {
-    contacts.push_back({{"position", {to_double(c.position.x), to_double(c.position.y)}},
-                        {"normal", unit(std::array<Rational, 2>{c.normal.x, c.normal.y})},
-                        {"friction", to_double(c.friction)},
-                        {"stiffness", to_double(c.stiffness)},
-                        {"preload", to_double(c.preload)}});
-  }
-  return contacts;
+Json middles_json(const std::vector<Interval>& numbers) {
+  Json json = Json::array();
+  for (const Interval& x : numbers) json.push_back(to_double(x.middle()));
+  return json;
 }
 
-Json contacts_json(const SpatialQuestion& question) {
+std::array<Rational, 2> planar(const RationalRow& row) {
+  return {row.at(0), row.at(1)};
+}
+
+Json contacts_json(const GraspBox& grasp) {
   Json contacts = Json::array();
-  for (const UncertainContact& c : question.grasp.box.contacts) {
-    Json position = Json::array();
-    for (const Interval& x : c.position) position.push_back(to_double(x.middle()));
-    contacts.push_back({{"position", std::move(position)},
-                        {"normal", unit(vector3(c.normal))},
+  for (const UncertainContact& c : grasp.contacts) {
+    contacts.push_back({{"position", middles_json(c.position)},
+                        {"normal", grasp.in_space() ? Json(unit(vector3(c.normal)))
+                                                    : Json(unit(planar(c.normal)))},
                         {"friction", to_double(c.friction.middle())},
                         {"stiffness", to_double(c.stiffness.middle())},
                         {"preload", to_double(c.preload.middle())}});
@@ -99,19 +90,9 @@ Json contacts_json(const SpatialQuestion& question) {
   return contacts;
 }
 
-Json load_json(const Question& question) {
-  return in_doubles_json(coordinates(question.loaded.wrench));
-}
-
-Json load_json(const SpatialQuestion& question) {
-  Json json = Json::array();
-  for (const Interval& w : question.grasp.box.wrench) json.push_back(to_double(w.middle()));
-  return json;
-}
-
-Json outline_json(const Question& question) {
+Json outline_json(const GraspBox& grasp) {
   Json rings = Json::array();
-  for (const Polygon& polygon : question.loaded.grasp.description().outline) {
+  for (const Polygon& polygon : grasp.description.outline) {
     for (const Ring& ring : polygon) {
       Json points = Json::array();
       for (const Vector2& p : ring) points.push_back({to_double(p.x), to_double(p.y)});
@@ -121,20 +102,29 @@ Json outline_json(const Question& question) {
   return rings.empty() ? Json() : rings;
 }
 
-Json outline_json(const SpatialQuestion& /*question*/) {
-  return {};
-}
-
 // What may be drawn of an equilibrium, where the proof says none.
 
 Json near_json(const CaseAnswer& /*answer*/) {
   return {};
 }
 
-/// Of the grasp in the middle, with rational normals.
+Json near_json_in_space(const BoxAnswer& answer, const StableThroughout& stable) {
+  if (std::holds_alternative<SpatialWitness>(stable.proof)) return {};
+  Json contacts = Json::array();
+  for (const SpatialForce& f : near_forces(answer.question, motion_of(stable))) {
+    contacts.push_back(
+        {{"force_float", in_doubles_json(f.force)}, {"closed", f.normal.sign() > 0}});
+  }
+  return {{"twist_float", in_doubles_json(motion_of(stable))},
+          {"contacts", std::move(contacts)}};
+}
+
+/// In the plane of the grasp in the middle, with rational normals.
 Json near_json(const BoxAnswer& answer) {
-  if (!std::holds_alternative<StableThroughout>(answer.decision.verdict)) return {};
-  LoadedGrasp middle = answer.question.box->planar_middle();
+  const auto* throughout = std::get_if<StableThroughout>(&answer.decision.verdict);
+  if (throughout == nullptr) return {};
+  if (answer.question.in_space()) return near_json_in_space(answer, *throughout);
+  LoadedGrasp middle = answer.question.box()->planar_middle();
   middle.grasp = snap_normals(middle.grasp, Rational(1, 1000000000)).grasp;
   const Problem problem(middle, answer.question.law);
   const Verdict verdict = decide_by_cones(problem);
@@ -150,18 +140,6 @@ Json near_json(const BoxAnswer& answer) {
                         {"closed", mode.closed}});
   }
   return {{"twist_float", in_doubles_json(coordinates(witness.twist))},
-          {"contacts", std::move(contacts)}};
-}
-
-Json near_json(const SpaceAnswer& answer) {
-  const auto* stable = std::get_if<StableThroughout>(&answer.decision.verdict);
-  if (stable == nullptr || std::holds_alternative<SpatialWitness>(stable->proof)) return {};
-  Json contacts = Json::array();
-  for (const SpatialForce& f : near_forces(answer.question, motion_of(*stable))) {
-    contacts.push_back(
-        {{"force_float", in_doubles_json(f.force)}, {"closed", f.normal.sign() > 0}});
-  }
-  return {{"twist_float", in_doubles_json(motion_of(*stable))},
           {"contacts", std::move(contacts)}};
 }
 
@@ -199,16 +177,18 @@ SpatialMargin without_proofs(const SpatialMargin& so_far) {
   throw NotToBeHad{"the grasp is in space, and this is found in the plane only"};
 }
 
-const Question& one_grasp(const AnyQuestion& question) {
-  const auto* planar = std::get_if<Question>(&question);
-  if (planar == nullptr) refuse_space();
-  if (planar->box) planar->box->is_point() ? refuse_irrational_lengths() : refuse_box();
-  return *planar;
+/// Of a grasp in the plane.
+const LoadedGrasp& one_grasp(const Question& question) {
+  if (question.in_space()) refuse_space();
+  if (const GraspBox* box = question.box()) {
+    box->is_point() ? refuse_irrational_lengths() : refuse_box();
+  }
+  return question.loaded();
 }
 
 class PageAnswer {
  public:
-  PageAnswer(const AnyGraspFile& file, QuestionText asked, const PageLimits& limits,
+  PageAnswer(const GraspFile& file, QuestionText asked, const PageLimits& limits,
              const std::string& name)
       : file_(file),
         asked_(std::move(asked)),
@@ -217,20 +197,14 @@ class PageAnswer {
         question_(ask_about(asked_)) {}
 
   Json answer(const PageParts& parts) {
-    Json json{{"format", "stickslip-page/1"},
-              {"live", false},
-              {"name", name_of(file_)},
-              {"dimension", std::holds_alternative<SpatialQuestion>(question_) ? 6 : 3},
-              {"grasp", text_of(file_)},
-              {"question", question_json(asked_)},
+    Json json{{"format", "stickslip-page/1"},     {"live", false},
+              {"name", file_.description().name}, {"dimension", question_.in_space() ? 6 : 3},
+              {"grasp", text_of(file_)},          {"question", question_json(asked_)},
               {"cases", case_names(file_)}};
-    std::visit(
-        [&](const auto& question) {
-          json["contacts"] = contacts_json(question);
-          json["wrench"] = load_json(question);
-          json["outline"] = outline_json(question);
-        },
-        question_);
+    const GraspBox grasp = box_of(question_.grasp);
+    json["contacts"] = contacts_json(grasp);
+    json["wrench"] = middles_json(grasp.wrench);
+    json["outline"] = outline_json(grasp);
     if (parts.decide) decide(json, parts.warnings);
     if (parts.states) part(json, "states", [&](Json& found) { found = states(); });
     if (parts.region) part(json, "region", [&](Json& found) { found = region(); });
@@ -243,11 +217,8 @@ class PageAnswer {
   void add_message(const std::string& message) { messages_.push_back(message); }
 
  private:
-  AnyQuestion ask_about(const QuestionText& text) const {
-    if (const auto* planar = std::get_if<GraspFile>(&file_)) {
-      return ask_with_options(*planar, question_options(text), name_, true);
-    }
-    return ask_with_options(std::get<SpatialGrasp>(file_), spatial_options(text), name_);
+  Question ask_about(const QuestionText& text) const {
+    return ask_with_options(file_, question_options(text), name_, true);
   }
 
   /// Null if `find` says why, or is not done in time. It may give what it has on its way.
@@ -287,8 +258,7 @@ class PageAnswer {
       options.engine = Engine::kBranchAndBound;  // pictures need exact forces, however long
       options.node_limit = limits_.node_limit;
       options.warnings = warnings;
-      answer = std::visit([&](const auto& question) { return answer_to(question, options); },
-                          question_);
+      answer = answer_to(question_, options);
       found = to_json(*answer);
     };
     if (limits_.limits_verdict) {
@@ -324,9 +294,9 @@ class PageAnswer {
   }
 
   Json states() const {
-    const auto* planar = std::get_if<Question>(&question_);
-    if (planar == nullptr) refuse_space();
-    const Grasp& grasp = planar->loaded.grasp;
+    if (question_.in_space()) refuse_space();
+    const GraspBox* box = question_.box();
+    const Grasp grasp = box != nullptr ? box->planar_middle().grasp : question_.loaded().grasp;
     if (grasp.size() > kMostContactsWithCells) {
       throw NotToBeHad{"the cells of " + std::to_string(grasp.size()) +
                        " contacts are too many to show; up to " +
@@ -337,27 +307,22 @@ class PageAnswer {
   }
 
   Json region() const {
-    const Question& question = one_grasp(question_);
-    if (question.loaded.grasp.size() > kMostContactsWithRegion) {
+    const LoadedGrasp& one = one_grasp(question_);
+    if (one.grasp.size() > kMostContactsWithRegion) {
       throw NotToBeHad{"there are more than " + std::to_string(kMostContactsWithRegion) +
                        " contacts; `stickslip region` has no limit"};
     }
-    const WrenchPlane plane = WrenchPlane::forces(question.loaded.wrench.torque);
-    return to_json(answer_to(question, plane));
+    const WrenchPlane plane = WrenchPlane::forces(one.wrench.torque);
+    return to_json(answer_to(question_, plane));
   }
 
   /// The load is the direction, and nothing else of it is left.
   QuestionText along_the_load() const {
-    std::vector<Rational> load;
-    if (const auto* spatial = std::get_if<SpatialQuestion>(&question_)) {
-      for (const Interval& w : spatial->grasp.box.wrench) {
-        if (!w.is_point()) refuse_box();
-        load.push_back(w.low);
-      }
-    } else {
-      for (const Rational& w : coordinates(one_grasp(question_).loaded.wrench)) {
-        load.push_back(w);
-      }
+    if (!question_.in_space()) one_grasp(question_);
+    RationalRow load;
+    for (const Interval& w : wrench_of(question_.grasp)) {
+      if (!w.is_point()) refuse_box();
+      load.push_back(w.low);
     }
     std::string direction;
     bool is_zero = true;
@@ -375,17 +340,16 @@ class PageAnswer {
 
   /// In space what is known so far, and then all that is found.
   void margin(Json& found) const {
-    const AnyQuestion along = ask_about(along_the_load());
-    if (const auto* spatial = std::get_if<SpatialQuestion>(&along)) {
+    const Question question = ask_about(along_the_load());
+    if (question.in_space()) {
       SpatialMarginOptions options;
       options.search.node_limit = limits_.node_limit;
       const auto keep = [&](const SpatialMargin& so_far) {
-        found = margin_json(*spatial, without_proofs(so_far), std::nullopt);
+        found = margin_json(question, without_proofs(so_far), std::nullopt);
       };
-      found = margin_json(*spatial, find_margin(*spatial, options, keep), std::nullopt);
+      found = margin_json(question, find_margin(question, options, keep), std::nullopt);
       return;
     }
-    const auto& question = std::get<Question>(along);
     ConeOptions options;
     options.node_limit = limits_.node_limit;
     MarginWork work;
@@ -398,32 +362,32 @@ class PageAnswer {
 
   /// Coarse, and then finer.
   void map(Json& found) const {
-    const Question& question = one_grasp(question_);
-    if (question.loaded.wrench == Wrench{}) throw NotToBeHad{"there is no load to vary"};
-    const AskedBox asked = asked_box(question);
-    const MapAxis x = parse_axis(asked.centre, "friction=0:2", "x");
-    const MapAxis y = parse_axis(asked.centre, "load=0:2", "y");
+    const LoadedGrasp& one = one_grasp(question_);
+    if (one.wrench == Wrench{}) throw NotToBeHad{"there is no load to vary"};
+    const GraspBox grasp = box_of(one);
+    const MapAxis x = parse_axis(grasp, "friction=0:2", "x");
+    const MapAxis y = parse_axis(grasp, "load=0:2", "y");
     MapOptions options;
     options.box.node_limit = limits_.node_limit;
     for (options.depth = kCoarsestMap; options.depth <= kFinestMap; ++options.depth) {
       std::vector<MapCell> cells;
-      map_verdicts(asked.centre, asked.law, x, y, options,
+      map_verdicts(grasp, question_.law, x, y, options,
                    [&](MapCell cell) { cells.push_back(std::move(cell)); });
-      found = map_json(asked, x, y, cells);
+      found = map_json(question_, x, y, cells);
     }
   }
 
-  const AnyGraspFile& file_;
+  const GraspFile& file_;
   QuestionText asked_;
   const PageLimits& limits_;
   const std::string& name_;
-  AnyQuestion question_;
+  Question question_;
   std::vector<std::string> messages_;
 };
 
 }  // namespace
 
-Json page_answer(const AnyGraspFile& file, const QuestionText& asked, const PageParts& parts,
+Json page_answer(const GraspFile& file, const QuestionText& asked, const PageParts& parts,
                  const PageLimits& limits, const std::string& name) {
   const std::vector<std::string> cases = case_names(file);
   if (cases.empty() || !asked.wrench.empty() || !asked.case_name.empty()) {

@@ -37,19 +37,21 @@ bool truth(const JsonNode& node, const std::string& path) {
 }
 
 /// Normals of irrational length become rational unit vectors, as of `stickslip snap`.
-void snap(AnyGraspFile& file) {
-  auto* planar = std::get_if<GraspFile>(&file);
-  if (planar == nullptr) return;
-  const SnapResult snapped = snap_normals(planar->content.grasp, kSnapWithin);
-  planar->content.grasp = snapped.grasp;
-  if (!planar->box) return;
-  for (const SnappedNormal& normal : snapped.snapped) {
-    planar->box->contacts[normal.contact.index()].normal = {normal.after.x, normal.after.y};
+void snap(GraspFile& file) {
+  if (in_space(file.content)) return;
+  if (auto* one = std::get_if<LoadedGrasp>(&file.content)) {
+    one->grasp = snap_normals(one->grasp, kSnapWithin).grasp;
+    return;
+  }
+  auto& box = std::get<GraspBox>(file.content);
+  const SnapResult result = snap_normals(box.planar_middle().grasp, kSnapWithin);
+  for (const SnappedNormal& normal : result.snapped) {
+    box.contacts[normal.contact.index()].normal = {normal.after.x, normal.after.y};
   }
 }
 
 struct Request {
-  AnyGraspFile grasp;
+  GraspFile grasp;
   QuestionText asked;
   PageParts parts;
 };

@@ -35,8 +35,8 @@ class GraspReader {
   GraspReader(const Question& question, const Verdict& verdict)
       : question_(question),
         verdict_(verdict),
-        grasp_(question.loaded.grasp),
-        wrench_(question.loaded.wrench),
+        grasp_(question.loaded().grasp),
+        wrench_(question.loaded().wrench),
         problem_(problem_of(question)) {}
 
   GraspInk read() {

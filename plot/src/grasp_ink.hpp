@@ -14,7 +14,6 @@
 #include "stickslip/box/box_verdict.hpp"
 #include "stickslip/equilibrium/question.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
-#include "stickslip/space/spatial_question.hpp"
 
 namespace stickslip::plot_detail {
 
@@ -77,7 +76,7 @@ Rational enlargement(const Rational& largest, const Rational& radius);
 
 /// \{ Throws as plot_grasp does.
 GraspInk grasp_ink(const Question& question, const Verdict& verdict);
-GraspInk spatial_ink(const SpatialQuestion& question, const BoxVerdict& verdict);
+GraspInk spatial_ink(const Question& question, const BoxVerdict& verdict);
 /// \}
 
 }  // namespace stickslip::plot_detail

@@ -338,7 +338,7 @@ std::string plot_grasp(const Question& question, const Verdict& verdict) {
   return GraspPlot(grasp_ink(question, verdict), name_of(verdict)).draw();
 }
 
-std::string plot_grasp(const SpatialQuestion& question, const BoxVerdict& verdict) {
+std::string plot_grasp(const Question& question, const BoxVerdict& verdict) {
   return GraspPlot(spatial_ink(question, verdict), name_of(verdict)).draw();
 }
 

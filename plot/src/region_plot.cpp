@@ -39,7 +39,7 @@ class RegionPlot {
   }
 
   std::string draw() {
-    const std::string& given = question_.loaded.grasp.name();
+    const std::string& given = question_.loaded().grasp.name();
     const std::string name = given.empty() ? "Grasp" : given;
     const std::string what = ": resistible wrenches";
     Svg svg(width_, 0, name + what, stylesheet());
@@ -163,7 +163,7 @@ class RegionPlot {
   }
 
   std::string axis_name(const Wrench& direction, const std::string& coordinate) const {
-    const Grasp& grasp = question_.loaded.grasp;
+    const Grasp& grasp = question_.loaded().grasp;
     const auto with = [](const std::string& name, const std::string& unit) {
       return unit.empty() ? name : name + " /" + unit;
     };
@@ -261,7 +261,7 @@ class RegionPlot {
   }
 
   std::string units_text() const {
-    const std::optional<Units>& units = question_.loaded.grasp.description().units;
+    const std::optional<Units>& units = question_.loaded().grasp.description().units;
     return units ? "; units: " + units->force + ", " + units->length : "";
   }
 

@@ -75,12 +75,12 @@ void add_tangents(SpatialContactInk& c) {
 
 class SpatialReader {
  public:
-  SpatialReader(const SpatialQuestion& question, const BoxVerdict& verdict)
-      : question_(question), verdict_(verdict), grasp_(question.grasp) {}
+  SpatialReader(const Question& question, const BoxVerdict& verdict)
+      : question_(question), verdict_(verdict), grasp_(*question.box()) {}
 
   GraspInk read() {
-    ink_.set_title(grasp_.name, question_.case_name);
-    ink_.units = grasp_.units;
+    ink_.set_title(grasp_.description.name, question_.case_name);
+    ink_.units = grasp_.description.units;
     add_contacts();
     ink_.marks.assign(contacts_.size(), ContactMark::kUnknown);
     for (const LineOfSight& side : kSides) {
@@ -111,7 +111,7 @@ class SpatialReader {
  private:
   void add_contacts() {
     std::vector<std::vector<Rational>> points;
-    for (const UncertainContact& c : grasp_.box.contacts) {
+    for (const UncertainContact& c : grasp_.contacts) {
       points.push_back(
           {c.position[0].middle(), c.position[1].middle(), c.position[2].middle()});
       ink_.preloads.push_back(c.preload.middle());
@@ -128,7 +128,7 @@ class SpatialReader {
         from_centre[j] = points[i][j] - centre_[j];
       }
       c.at = over_size(from_centre, radius_);
-      c.normal = direction(vector3(grasp_.box.contacts[i].normal));
+      c.normal = direction(vector3(grasp_.contacts[i].normal));
       add_tangents(c);
     }
   }
@@ -136,7 +136,7 @@ class SpatialReader {
   /// Those of the witness, or near the equilibrium.
   void read_forces(const StableThroughout& stable) {
     if (const auto* witness = std::get_if<SpatialWitness>(&stable.proof)) {
-      forces_ = forces_of(grasp_.box, witness->twist, witness->shares);
+      forces_ = forces_of(grasp_, witness->twist, witness->shares);
     } else {
       forces_ = near_forces(question_, motion_of(stable));
       value_ = "data-near";
@@ -162,7 +162,7 @@ class SpatialReader {
   /// The wrench as a force at the centre of the scene and a torque about it.
   void add_load() {
     std::array<Rational, 6> w;
-    for (std::size_t j = 0; j < 6; ++j) w[j] = grasp_.box.wrench[j].middle();
+    for (std::size_t j = 0; j < 6; ++j) w[j] = grasp_.wrench[j].middle();
     const Vector3 force_there{w[0], w[1], w[2]};
     const Vector3 arm = stickslip::cross(centre_, force_there);
     const Vector3 torque{w[3] - arm[0], w[4] - arm[1], w[5] - arm[2]};
@@ -206,7 +206,7 @@ class SpatialReader {
     constexpr int kSteps = 8;
     const SpatialContactInk& c = contacts_[i];
     const double size = ink_.cone_length;
-    const double half_angle = std::atan(to_double(grasp_.box.contacts[i].friction.middle()));
+    const double half_angle = std::atan(to_double(grasp_.contacts[i].friction.middle()));
     std::vector<InkVector> points{c.at, sum(c.at, size, c.normal)};
     for (int turn = 0; turn < kTurns; ++turn) {
       const double around = 2 * M_PI * turn / kTurns;
@@ -298,9 +298,9 @@ class SpatialReader {
     }
   }
 
-  const SpatialQuestion& question_;
+  const Question& question_;
   const BoxVerdict& verdict_;
-  const SpatialGrasp& grasp_;
+  const GraspBox& grasp_;
   Vector3 centre_{};
   Rational radius_{1};
   std::vector<SpatialContactInk> contacts_;
@@ -311,7 +311,7 @@ class SpatialReader {
 
 }  // namespace
 
-GraspInk spatial_ink(const SpatialQuestion& question, const BoxVerdict& verdict) {
+GraspInk spatial_ink(const Question& question, const BoxVerdict& verdict) {
   return SpatialReader(question, verdict).read();
 }
 

@@ -21,7 +21,7 @@ LineDecider make_decider(const std::string& wrench, const std::string& case_name
                          const std::string& certificates,
                          const std::string& certificate_folder) {
   BatchOptions options;
-  if (!wrench.empty()) options.question.wrench = wrench_option("--wrench", wrench);
+  if (!wrench.empty()) options.question.wrench = row_of(wrench_option("--wrench", wrench));
   if (!case_name.empty()) options.question.case_name = case_name;
   if (!preload.empty()) options.question.preload = number_option("--preload", preload);
   options.question.law = bilateral ? NormalLaw::kBilateral : NormalLaw::kUnilateral;

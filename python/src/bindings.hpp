@@ -18,9 +18,11 @@
 #include "stickslip/equilibrium/decide.hpp"
 #include "stickslip/equilibrium/model_warnings.hpp"
 #include "stickslip/equilibrium/question.hpp"
-#include "stickslip/space/spatial_question.hpp"
 
 namespace stickslip::python {
+
+/// A grasp in space, which has a class of its own in Python.
+struct SpatialGraspFile : GraspFile {};
 
 void bind_grasp(pybind11::module_& module);       ///< grasp.cpp
 void bind_questions(pybind11::module_& module);   ///< questions.cpp
@@ -69,18 +71,14 @@ GraspFile with_friction(const GraspFile& file, const std::vector<Rational>& fric
 /// As an answer repeats it.
 pybind11::object preload_direction_of(const PreloadDirection& direction);
 
-/// ask(), with the remedy for a preloaded normal of irrational length in Python's words.
+/// Of one grasp in the plane: ask(), with the remedy for a preloaded normal of irrational
+/// length in Python's words.
 Question question_of(const GraspFile& grasp, const QuestionOptions& options);
 
-/// \{ The question about a grasp of which `uncertain`, as in --uncertain, says what may be off;
-/// empty: nothing.
-Question question_in_box(const GraspFile& grasp, const pybind11::object& wrench,
-                         const pybind11::object& preload, bool bilateral,
-                         const std::string& uncertain);
-SpatialQuestion question_in_box(const SpatialGrasp& grasp, const pybind11::object& wrench,
-                                const pybind11::object& preload, bool bilateral,
-                                const std::string& uncertain);
-/// \}
+/// The question about a grasp of which `uncertain`, as in --uncertain, says what may be off;
+/// empty: nothing. Throws InputError if the grasp has cases and none is chosen.
+Question question_in_box(const GraspFile& grasp, QuestionOptions options,
+                         const std::string& uncertain = "");
 
 /// The certificate of a verdict; empty if undecided.
 std::string certificate_of(const Question& question, const Decision& decision);

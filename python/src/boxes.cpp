@@ -2,7 +2,6 @@
 // Questions about all grasps in a box, in the plane and in space.
 #include "bindings.hpp"
 #include "exact.hpp"
-#include "stickslip/answers/asked_box.hpp"
 #include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/box/map.hpp"
 #include "stickslip/box/radius.hpp"
@@ -21,47 +20,34 @@ py::tuple middles(const WrenchBox& wrench) {
 }
 
 /// What is asked about a grasp of which `uncertain`, as in --uncertain, says what may be off.
-template <class Data>
-AskedBox asked_of(const Data& grasp, const py::object& wrench, const py::object& preload,
+Question asked_of(const GraspFile& grasp, const py::object& wrench, const py::object& preload,
                   bool bilateral, const std::string& uncertain) {
-  return asked_box(question_in_box(grasp, wrench, preload, bilateral, uncertain));
+  return question_in_box(grasp, question_options(wrench, preload, bilateral), uncertain);
 }
 
-/// \{ About one grasp: in the plane with rational lengths.
-Question question_about(const GraspFile& grasp, const py::object& wrench,
-                        const py::object& preload, bool bilateral) {
-  return question_of(grasp, question_options(wrench, preload, bilateral));
-}
-SpatialQuestion question_about(const SpatialGrasp& grasp, const py::object& wrench,
-                               const py::object& preload, bool bilateral) {
-  return question_in_box(grasp, wrench, preload, bilateral, "");
-}
-/// \}
-
-py::dict fields_of(const AskedBox& asked, const char* verdict, const py::object& preload) {
+py::dict fields_of(const Question& asked, const char* verdict, const py::object& preload) {
   py::dict result("verdict"_a = verdict, "normal_law"_a = to_string(asked.law),
-                  "wrench"_a = middles(asked.box.wrench));
+                  "wrench"_a = middles(wrench_of(asked.grasp)));
   if (!preload.is_none()) result["preload"] = fraction(exact(preload, "preload"));
   return result;
 }
 
 /// Irrational lengths are enough to make a box.
-template <class Data>
-py::dict decide_box_of(const Data& grasp, const std::string& uncertain,
+py::dict decide_box_of(const GraspFile& grasp, const std::string& uncertain,
                        const py::object& wrench, const py::object& preload, bool bilateral,
                        std::size_t node_limit) {
-  const AskedBox asked = asked_of(grasp, wrench, preload, bilateral, uncertain);
-  if (asked.box.is_point() && !needs_enclosure(asked.box)) refuse_certain();
+  const Question asked = asked_of(grasp, wrench, preload, bilateral, uncertain);
+  const GraspBox box = box_of(asked.grasp);
+  if (box.is_point() && !needs_enclosure(box)) refuse_certain();
   BoxOptions options;
   options.node_limit = node_limit;
   const auto [decision, proofs] = without_gil([&] {
-    BoxDecision found = decide_box(asked.box, asked.law, options);
-    auto proved = proved_decision(asked.box, asked.description, asked.law, found,
-                                  producer_of(asked.engine()));
+    BoxDecision found = decide_box(box, asked.law, options);
+    auto proved = proved_decision(box, asked.law, found, producer_of(box_engine(asked)));
     return std::pair(std::move(found), std::move(proved));
   });
   py::dict result = fields_of(asked, name_of(decision.verdict), preload);
-  result["engine"] = asked.engine();
+  result["engine"] = box_engine(asked);
   add_files(result, proofs);
   if (const auto* undecided = std::get_if<Undecided>(&decision.verdict)) {
     add_undecided(result, *undecided);
@@ -70,8 +56,7 @@ py::dict decide_box_of(const Data& grasp, const std::string& uncertain,
   return result;
 }
 
-template <class Data>
-py::dict radius(const Data& grasp, const std::string& uncertain, const py::object& wrench,
+py::dict radius(const GraspFile& grasp, const std::string& uncertain, const py::object& wrench,
                 const py::object& preload, bool bilateral, const py::object& accuracy,
                 std::size_t node_limit) {
   RadiusOptions options;
@@ -81,14 +66,15 @@ py::dict radius(const Data& grasp, const std::string& uncertain, const py::objec
     throw InputError("", "accuracy", "the value is " + to_string(options.accuracy),
                      "it is a part of the radius: give more than 0 and less than 1");
   }
-  const AskedBox asked = asked_of(grasp, wrench, preload, bilateral, uncertain);
-  if (asked.box.is_point()) refuse_certain();
+  const Question asked = asked_of(grasp, wrench, preload, bilateral, uncertain);
+  const GraspBox box = box_of(asked.grasp);
+  if (box.is_point()) refuse_certain();
   const auto [found, proofs] = without_gil([&] {
-    Radius radius = find_radius(asked.centre, asked.box, asked.law, options);
+    const GraspBox centre = box.middle();
+    Radius radius = find_radius(centre, box, asked.law, options);
     std::vector<ProvedFiles> proved;
     if (radius.stable) {
-      proved = proved_radius(asked.centre, asked.box, asked.description, asked.law, radius,
-                             producer_of(asked.engine()));
+      proved = proved_radius(centre, box, asked.law, radius, producer_of(box_engine(asked)));
     }
     return std::pair(std::move(radius), std::move(proved));
   });
@@ -113,35 +99,36 @@ py::tuple map_cell(const MapCell& cell, const std::optional<ProvedFiles>& proof)
                         proof ? py::object(files(*proof)) : py::object(py::none()));
 }
 
-template <class Data>
-py::dict map(const Data& grasp, const std::string& x_text, const std::string& y_text,
+py::dict map(const GraspFile& grasp, const std::string& x_text, const std::string& y_text,
              const py::object& wrench, const py::object& preload, bool bilateral,
              unsigned depth, std::size_t node_limit, bool proofs) {
-  const AskedBox asked = asked_box(question_about(grasp, wrench, preload, bilateral));
-  const MapAxis x = parse_axis(asked.centre, x_text, "x");
-  const MapAxis y = parse_axis(asked.centre, y_text, "y");
+  const QuestionOptions options_asked = question_options(wrench, preload, bilateral);
+  // In the plane with rational lengths.
+  const Question asked = in_space(grasp.content) ? question_in_box(grasp, options_asked)
+                                                 : question_of(grasp, options_asked);
+  const GraspBox centre = box_of(asked.grasp);
+  const MapAxis x = parse_axis(centre, x_text, "x");
+  const MapAxis y = parse_axis(centre, y_text, "y");
   MapOptions options;
   options.depth = depth;
   options.box.node_limit = node_limit;
   std::vector<MapCell> cells;
   std::vector<std::optional<ProvedFiles>> proved;
   const std::string picture = without_gil([&] {
-    map_verdicts(asked.centre, asked.law, x, y, options, [&](MapCell cell) {
+    map_verdicts(centre, asked.law, x, y, options, [&](MapCell cell) {
       proved.emplace_back();
       if (proofs && !std::holds_alternative<Undecided>(cell.decision.verdict)) {
-        proved.back() =
-            proved_box(box_of_cell(asked.centre, x, y, cell.x, cell.y), asked.description,
-                       asked.law, cell.decision, producer_of(asked.engine()));
+        proved.back() = proved_box(box_of_cell(centre, x, y, cell.x, cell.y), asked.law,
+                                   cell.decision, producer_of(box_engine(asked)));
       }
       cells.push_back(std::move(cell));
     });
-    return plot_map(asked.description.name, x, y, cells);
+    return plot_map(asked.description().name, x, y, cells);
   });
   py::tuple rows(cells.size());
   for (std::size_t k = 0; k < cells.size(); ++k) rows[k] = map_cell(cells[k], proved[k]);
   py::dict result("cells"_a = rows, "picture"_a = picture,
-                  "normal_law"_a = to_string(asked.law),
-                  "wrench"_a = middles(asked.centre.wrench));
+                  "normal_law"_a = to_string(asked.law), "wrench"_a = middles(centre.wrench));
   if (!preload.is_none()) result["preload"] = fraction(exact(preload, "preload"));
   return result;
 }
@@ -149,12 +136,9 @@ py::dict map(const Data& grasp, const std::string& x_text, const std::string& y_
 }  // namespace
 
 void bind_boxes(py::module_& module) {
-  module.def("decide_box", &decide_box_of<GraspFile>);
-  module.def("decide_box", &decide_box_of<SpatialGrasp>);
-  module.def("radius", &radius<GraspFile>);
-  module.def("radius", &radius<SpatialGrasp>);
-  module.def("stability_map", &map<GraspFile>);
-  module.def("stability_map", &map<SpatialGrasp>);
+  module.def("decide_box", &decide_box_of);
+  module.def("radius", &radius);
+  module.def("stability_map", &map);
 }
 
 }  // namespace stickslip::python

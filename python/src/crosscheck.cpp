@@ -71,7 +71,7 @@ py::dict crosscheck(const GraspFile& grasp, bool stable, const py::object& twist
     claim.solution.twist = Twist{numbers.x, numbers.y, numbers.torque};
   }
   if (!forces.is_none()) {
-    claim.solution.forces = claimed_forces(question.loaded.grasp, forces.cast<py::list>());
+    claim.solution.forces = claimed_forces(question.loaded().grasp, forces.cast<py::list>());
   }
   ClaimOptions options;
   options.tie_distance = not_negative(tie, "tie");
@@ -92,7 +92,7 @@ py::dict crosscheck(const GraspFile& grasp, bool stable, const py::object& twist
   const ClaimResiduals& r = report.residuals;
   py::dict result("outcome"_a = name_of(report.claim_class),
                   "inaccurate"_a = report.inaccurate);
-  result["decision"] = decision_fields(question, Problem(question.loaded, question.law),
+  result["decision"] = decision_fields(question, Problem(question.loaded(), question.law),
                                        report.decision, answer.certificate);
   result["balance"] = r.balance ? py::object(fractions(*r.balance)) : py::object(py::none());
   result["cone"] = residual(r.cone);
@@ -100,7 +100,7 @@ py::dict crosscheck(const GraspFile& grasp, bool stable, const py::object& twist
   result["dissipation"] = residual(r.dissipation);
   if (report.claimed_slip) result["claimed_slip"] = to_string(*report.claimed_slip);
   if (report.nearby) {
-    result["nearby"] = nearby_fields(*report.nearby, question.loaded.grasp);
+    result["nearby"] = nearby_fields(*report.nearby, question.loaded().grasp);
   }
   if (report.distance) {
     result["distance"] = fraction_or_none(report.distance->smallest());

@@ -51,23 +51,25 @@ GraspFile make_grasp(const py::list& positions, const py::list& normals,
                         frictions[i], stiffnesses[i], preloads[i]});
   }
   GraspDescription description{name, polygons(outline), units_from(units)};
-  GraspFile file{
-      {Grasp(std::move(contacts), std::move(description)), exact_wrench(wrench, "wrench")}};
+  GraspFile file{LoadedGrasp{Grasp(std::move(contacts), std::move(description)),
+                             exact_wrench(wrench, "wrench")}};
   for (std::size_t i = 0; assumed_stiffness && i < m; ++i) {
     file.assumed_stiffness.emplace_back(i);
   }
   for (const py::handle entry : cases) {
     const auto named = entry.cast<py::tuple>();
     const auto case_name = named[0].cast<std::string>();
-    file.cases.push_back({case_name, exact_wrench(named[1].cast<py::list>(),
-                                                  "cases[" + quote(case_name) + "]")});
+    file.cases.push_back({case_name, box_of(exact_wrench(named[1].cast<py::list>(),
+                                                         "cases[" + quote(case_name) + "]"))});
   }
   return file;
 }
 
 py::dict wrenches_of_cases(const GraspFile& file) {
   py::dict result;
-  for (const NamedLoad& load : file.cases) result[text(load.name)] = fractions(load.wrench);
+  for (const NamedLoad& load : file.cases) {
+    result[text(load.name)] = fractions(planar_middle(load.wrench));
+  }
   return result;
 }
 
@@ -75,7 +77,7 @@ py::tuple outline_of(const GraspFile& file) {
   const auto vertex = [](const Vector2& v) { return fractions(v.x, v.y); };
   const auto ring = [&](const Ring& vertices) { return tuple_of(vertices, vertex); };
   const auto polygon = [&](const Polygon& rings) { return tuple_of(rings, ring); };
-  return tuple_of(file.content.grasp.description().outline, polygon);
+  return tuple_of(file.description().outline, polygon);
 }
 
 /// Every stiffness written out: equal grasps give equal texts.
@@ -87,9 +89,9 @@ std::string text_of(GraspFile file) {
 /// The grasp with rational unit normals, and (contact, normal, moved at most) of each that
 /// moved.
 py::tuple snapped(const GraspFile& file, const py::object& within) {
-  const SnapResult result = snap_normals(file.content.grasp, exact(within, "within"));
+  const SnapResult result = snap_normals(file.loaded().grasp, exact(within, "within"));
   GraspFile grasp = file;
-  grasp.content.grasp = result.grasp;
+  grasp.content = LoadedGrasp{result.grasp, file.loaded().wrench};
   return py::make_tuple(std::move(grasp), moved_normals(result.snapped, [](const Vector2& n) {
                           return fractions(n.x, n.y);
                         }));
@@ -98,7 +100,7 @@ py::tuple snapped(const GraspFile& file, const py::object& within) {
 /// One value a contact.
 template <class Value>
 py::tuple by_contact(const GraspFile& file, Value value) {
-  return tuple_of(file.content.grasp.contacts(), value);
+  return tuple_of(file.loaded().grasp.contacts(), value);
 }
 
 py::tuple scalars(const GraspFile& file, Rational Contact::*member) {
@@ -141,10 +143,11 @@ py::dict units_of(const std::optional<Units>& units) {
 }
 
 GraspFile with_friction(const GraspFile& file, const std::vector<Rational>& friction) {
-  std::vector<Contact> contacts = file.content.grasp.contacts();
+  std::vector<Contact> contacts = file.loaded().grasp.contacts();
   for (std::size_t i = 0; i < contacts.size(); ++i) contacts[i].friction = friction[i];
   GraspFile result = file;
-  result.content.grasp = Grasp(std::move(contacts), file.content.grasp.description());
+  result.content =
+      LoadedGrasp{Grasp(std::move(contacts), file.description()), file.loaded().wrench};
   return result;
 }
 
@@ -154,20 +157,19 @@ void bind_grasp(py::module_& module) {
       .def("text", &text_of)
       .def("with_friction",
            [](const GraspFile& f, const py::object& friction) {
-             return with_friction(f, numbers(friction, f.content.grasp.size(), "friction"));
+             return with_friction(f, numbers(friction, f.loaded().grasp.size(), "friction"));
            })
-      .def("size", [](const GraspFile& f) { return f.content.grasp.size(); })
-      .def("name", [](const GraspFile& f) { return text(f.content.grasp.name()); })
+      .def("size", [](const GraspFile& f) { return f.loaded().grasp.size(); })
+      .def("name", [](const GraspFile& f) { return text(f.description().name); })
       .def("positions", [](const GraspFile& f) { return vectors(f, &Contact::position); })
       .def("normals", [](const GraspFile& f) { return vectors(f, &Contact::normal); })
       .def("friction", [](const GraspFile& f) { return scalars(f, &Contact::friction); })
       .def("stiffness", [](const GraspFile& f) { return scalars(f, &Contact::stiffness); })
       .def("preload", [](const GraspFile& f) { return scalars(f, &Contact::preload); })
-      .def("wrench", [](const GraspFile& f) { return fractions(f.content.wrench); })
+      .def("wrench", [](const GraspFile& f) { return fractions(f.loaded().wrench); })
       .def("cases", &wrenches_of_cases)
       .def("outline", &outline_of)
-      .def("units",
-           [](const GraspFile& f) { return units_of(f.content.grasp.description().units); })
+      .def("units", [](const GraspFile& f) { return units_of(f.description().units); })
       .def("snap", &snapped)
       .def(py::pickle(
           [](const GraspFile& f) { return py::make_tuple(py::bytes(write_grasp_file(f))); },

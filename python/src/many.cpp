@@ -69,7 +69,7 @@ Decisions decide_many(std::size_t count, const py::list& grasps, const py::list&
   const auto of = [](const py::list& list, std::size_t i) -> py::object {
     return list.empty() ? py::object(py::none()) : entry(list, i);
   };
-  const bool in_space = !grasps.empty() && !py::isinstance<GraspFile>(grasps[0]);
+  const bool in_space = !grasps.empty() && py::isinstance<SpatialGraspFile>(grasps[0]);
   std::vector<std::vector<Rational>> friction;
   for (std::size_t i = 0; i < frictions.size(); ++i) {
     friction.push_back(numbers(frictions[i],

@@ -65,7 +65,7 @@ py::object region(const GraspFile& grasp, const py::list& origin, const py::list
     std::string picture{};
   };
   QuestionOptions asked = question_options(py::none(), preload, bilateral);
-  asked.wrench = Wrench{};  // the plane stands for all loads of the grasp
+  asked.wrench = RationalRow(3);  // the plane stands for all loads of the grasp
   const WrenchPlane where = plane(origin, u, v);
   const Found found = without_gil([&] {
     RegionOptions options;
@@ -112,16 +112,15 @@ py::str grasp_picture(const GraspFile& grasp, const py::object& wrench,
   const QuestionOptions asked = question_options(wrench, preload, bilateral);
   return text(without_gil([&] {
     const Question question = question_of(grasp, asked);
-    if (limit) return plot_grasp(question, Undecided{*limit});
+    if (limit) return plot_grasp(question, Verdict(Undecided{*limit}));
     const Decision decision =
-        decide(Problem(question.loaded, question.law), engine_named(engine));
+        decide(Problem(question.loaded(), question.law), engine_named(engine));
     return plot_grasp(question, decision.verdict);
   }));
 }
 
 /// Numbers are spelled as on a command line; of no time limit, 0.
-template <class File>
-py::str page(const File& grasp, const std::string& wrench, const std::string& case_name,
+py::str page(const GraspFile& grasp, const std::string& wrench, const std::string& case_name,
              const std::string& preload, bool bilateral, const std::string& uncertain,
              std::size_t node_limit, double time_limit) {
   QuestionText asked;
@@ -134,9 +133,8 @@ py::str page(const File& grasp, const std::string& wrench, const std::string& ca
   limits.node_limit = node_limit;
   limits.time = std::chrono::milliseconds(static_cast<std::int64_t>(1000 * time_limit));
   try {
-    return text(without_gil([&] {
-      return page_html(page_answer(AnyGraspFile(grasp), asked, {}, limits, "grasp"));
-    }));
+    return text(
+        without_gil([&] { return page_html(page_answer(grasp, asked, {}, limits, "grasp")); }));
   } catch (const InputError& error) {
     // In the words of a command line.
     const std::string& place = error.place();
@@ -146,7 +144,7 @@ py::str page(const File& grasp, const std::string& wrench, const std::string& ca
 }
 
 py::str states_picture(const GraspFile& grasp) {
-  return text(without_gil([&] { return plot_states(grasp.content.grasp); }));
+  return text(without_gil([&] { return plot_states(grasp.loaded().grasp); }));
 }
 
 py::str smtlib(const GraspFile& grasp, const py::object& wrench, const py::object& preload,
@@ -167,7 +165,7 @@ py::list compare(const GraspFile& grasp, const py::object& wrench, const py::obj
   const std::vector<MethodRow> rows = without_gil([&] {
     const Question question = question_of(grasp, asked);
     NumberText readable(false);
-    return compare_methods(Problem(question.loaded, question.law), divisor, readable);
+    return compare_methods(Problem(question.loaded(), question.law), divisor, readable);
   });
   py::list result;
   for (const MethodRow& row : rows) {
@@ -185,8 +183,7 @@ void bind_pictures(py::module_& module) {
   module.def("region", &region);
   module.def("plot_grasp", &grasp_picture);
   module.def("plot_states", &states_picture);
-  module.def("page", &page<GraspFile>);
-  module.def("page", &page<SpatialGrasp>);
+  module.def("page", &page);
   module.def("smtlib", &smtlib);
   module.def("compare", &compare);
 }

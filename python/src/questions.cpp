@@ -17,11 +17,6 @@ namespace {
 namespace py = pybind11;
 using py::literals::operator""_a;
 
-void require_load(const GraspFile& grasp, const QuestionOptions& options) {
-  if (options.wrench || options.direction || grasp.cases.empty()) return;
-  refuse_without_case(grasp.cases.front().name);
-}
-
 /// The evidence of a stable verdict, contact by contact.
 void add_witness(py::dict& result, const Question& question, const Problem& problem,
                  const Witness& witness) {
@@ -33,7 +28,7 @@ void add_witness(py::dict& result, const Question& question, const Problem& prob
     closed[i] = modes[i].closed;
   }
   result["twist"] = fractions(witness.twist);
-  result["forces"] = force_vectors(question.loaded.grasp, witness.forces);
+  result["forces"] = force_vectors(question.loaded().grasp, witness.forces);
   result["coefficients"] = coefficients;
   result["slip"] = slips_text(modes);
   result["closed"] = closed;
@@ -42,7 +37,7 @@ void add_witness(py::dict& result, const Question& question, const Problem& prob
 /// The fields that answers about a box have in common.
 py::dict box_fields(const Question& question, const char* verdict) {
   py::dict result("verdict"_a = verdict, "normal_law"_a = to_string(question.law),
-                  "wrench"_a = fractions(question.loaded.wrench));
+                  "wrench"_a = fractions(question.loaded().wrench));
   if (question.preload) result["preload"] = fraction(*question.preload);
   return result;
 }
@@ -63,15 +58,14 @@ std::string certificate_of(const Question& question, const Judgement& judgement)
 py::dict judgement_fields(const Question& question, const Judgement& judgement,
                           const std::string& certificate) {
   if (const auto* decision = std::get_if<Decision>(&judgement)) {
-    return decision_fields(question, Problem(question.loaded, question.law), *decision,
+    return decision_fields(question, Problem(question.loaded(), question.law), *decision,
                            certificate);
   }
   const BoxDecision& decision = std::get<BoxDecision>(judgement);
   py::dict result = box_fields(question, "stable");
   result["engine"] = kIntervalsEngine;
   result["certificate"] = certificate;
-  const Vector3 near = *motion_near(answer_by_degree(question, decision));
-  result["near"] = fractions(Twist{near[0], near[1], near[2]});
+  result["near"] = tuple_of(*motion_near(answer_by_degree(question, decision)), fraction);
   result["stats"] = stats(decision.work);
   return result;
 }
@@ -101,7 +95,7 @@ py::dict decide_grasp(const GraspFile& grasp, const py::object& wrench,
   const Answer answer = without_gil([&] {
     Question question = question_of(grasp, asked);
     // Warnings need an exact equilibrium.
-    const Problem problem(question.loaded, question.law);
+    const Problem problem(question.loaded(), question.law);
     const Engine asked_for = engine_named(engine);
     const bool exactly = warnings && asked_for == Engine::kAuto;
     Judgement judgement =
@@ -126,7 +120,7 @@ py::dict slip_states(const GraspFile& grasp, const std::string& engine, bool lis
                                 : engine == "paper" ? Enumerator::kPaper
                                                     : Enumerator::kAuto;
   const Enumeration answer = without_gil([&] {
-    return enumerate_slip_states(stick_planes(grasp.content.grasp), enumerator, list, threads);
+    return enumerate_slip_states(stick_planes(grasp.loaded().grasp), enumerator, list, threads);
   });
   const ArrangementCounts& c = answer.found.counts;
   py::dict result("contacts"_a = c.planes, "circles"_a = c.circles, "rank"_a = c.rank,
@@ -187,12 +181,12 @@ py::dict find_grasp_margin(const GraspFile& grasp, const py::object& direction,
   py::dict work("ranges"_a = answer.work.ranges, "mode_programs"_a = answer.work.modes);
   work.attr("update")(stats(answer.work.cone));
   const Question& question = answer.question;
-  py::dict result("resisted"_a = resisted, "wrench"_a = fractions(question.loaded.wrench),
+  py::dict result("resisted"_a = resisted, "wrench"_a = fractions(question.loaded().wrench),
                   "normal_law"_a = to_string(question.law),
                   "certificate"_a = answer.certificate,
                   "warnings"_a = warning_fields(answer.warnings), "stats"_a = work);
-  result["direction"] =
-      question.direction ? py::object(fractions(*question.direction)) : py::object(py::none());
+  result["direction"] = question.direction ? py::object(tuple_of(*question.direction, fraction))
+                                           : py::object(py::none());
   if (question.preload) result["preload"] = fraction(*question.preload);
   if (question.preload_direction) {
     result["preload_direction"] = preload_direction_of(*question.preload_direction);
@@ -269,16 +263,16 @@ std::function<ManyAnswer()> planar_question(const py::handle& given, const OneOf
         friction ? std::make_shared<const GraspFile>(with_friction(*grasp, *friction)) : grasp;
     const Question question = question_of(*about, options);
     const auto judgement = std::make_shared<const Judgement>(
-        judge(Problem(question.loaded, question.law), engine, node_limit));
+        judge(Problem(question.loaded(), question.law), engine, node_limit));
     ManyAnswer answer;
-    for (const Rational& value : coordinates(question.loaded.wrench)) {
+    for (const Rational& value : coordinates(question.loaded().wrench)) {
       answer.wrench.push_back(to_double(value));
     }
     if (const auto* decision = std::get_if<Decision>(judgement.get())) {
       answer.verdict = name_of(decision->verdict);
       answer.engine = decision->engine();
       if (const auto* stable = std::get_if<Stable>(&decision->verdict)) {
-        add_doubles(answer, question.loaded.grasp, stable->witness);
+        add_doubles(answer, question.loaded().grasp, stable->witness);
       } else if (const auto* undecided = std::get_if<Undecided>(&decision->verdict)) {
         answer.limit = undecided->limit;
       }
@@ -316,12 +310,12 @@ QuestionOptions question_options(const py::object& wrench, const py::object& pre
                                  const std::string& which) {
   QuestionOptions options;
   if (!wrench.is_none()) {
-    options.wrench = exact_wrench(wrench.cast<py::list>(), "wrench" + which);
+    options.wrench = numbers(wrench.cast<py::list>(), 0, "wrench" + which);
   }
   if (!preload.is_none()) options.preload = exact(preload, "preload" + which);
   options.law = bilateral ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
   if (!direction.is_none()) {
-    options.direction = exact_wrench(direction.cast<py::list>(), "direction");
+    options.direction = numbers(direction.cast<py::list>(), 0, "direction");
   }
   if (!preload_direction.is_none()) {
     PreloadDirection& growth = options.preload_direction.emplace();
@@ -338,8 +332,7 @@ QuestionOptions question_options(const py::object& wrench, const py::object& pre
 }
 
 Question question_of(const GraspFile& grasp, const QuestionOptions& options) {
-  require_load(grasp, options);
-  Question question = ask(grasp, options);
+  Question question = question_in_box(grasp, options);
   try {
     problem_of(question);
   } catch (const InputError& error) {
@@ -348,13 +341,13 @@ Question question_of(const GraspFile& grasp, const QuestionOptions& options) {
   return question;
 }
 
-Question question_in_box(const GraspFile& grasp, const py::object& wrench,
-                         const py::object& preload, bool bilateral,
+Question question_in_box(const GraspFile& grasp, QuestionOptions options,
                          const std::string& uncertain) {
-  QuestionOptions asked = question_options(wrench, preload, bilateral);
-  if (!uncertain.empty()) asked.uncertain = parse_tolerances(uncertain);
-  require_load(grasp, asked);
-  return ask(grasp, asked);
+  if (!uncertain.empty()) options.uncertain = parse_tolerances(uncertain);
+  if (!options.wrench && !options.direction && !grasp.cases.empty()) {
+    refuse_without_case(grasp.cases.front().name);
+  }
+  return ask(grasp, options);
 }
 
 void bind_questions(py::module_& module) {

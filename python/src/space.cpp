@@ -49,28 +49,28 @@ Vector3 row_of(const py::list& rows, std::size_t i, const char* name) {
 }
 
 /// The package has checked the lengths.
-SpatialGrasp make_grasp(const py::list& positions, const py::list& normals,
-                        const py::object& friction, const py::object& stiffness,
-                        const py::object& preload, const py::list& wrench,
-                        const std::string& name, bool assumed_stiffness, const py::list& cases,
-                        const py::list& units) {
+SpatialGraspFile make_grasp(const py::list& positions, const py::list& normals,
+                            const py::object& friction, const py::object& stiffness,
+                            const py::object& preload, const py::list& wrench,
+                            const std::string& name, bool assumed_stiffness,
+                            const py::list& cases, const py::list& units) {
   const std::size_t m = positions.size();
   const std::vector<Rational> frictions = numbers(friction, m, "friction");
   const std::vector<Rational> stiffnesses = numbers(stiffness, m, "stiffness");
   const std::vector<Rational> preloads = numbers(preload, m, "preload");
-  SpatialGrasp grasp;
+  SpatialGraspFile grasp;
+  auto& box = grasp.content.emplace<GraspBox>();
   for (std::size_t i = 0; i < m; ++i) {
     const Vector3 p = row_of(positions, i, "positions");
     const Vector3 n = row_of(normals, i, "normals");
-    grasp.box.contacts.push_back(
-        {{point_interval(p[0]), point_interval(p[1]), point_interval(p[2])},
-         {n.begin(), n.end()},
-         point_interval(frictions[i]),
-         point_interval(stiffnesses[i]),
-         point_interval(preloads[i])});
+    box.contacts.push_back({{point_interval(p[0]), point_interval(p[1]), point_interval(p[2])},
+                            {n.begin(), n.end()},
+                            point_interval(frictions[i]),
+                            point_interval(stiffnesses[i]),
+                            point_interval(preloads[i])});
     if (assumed_stiffness) grasp.assumed_stiffness.emplace_back(i);
   }
-  grasp.box.wrench = certain(exact_array<6>(wrench, "wrench"));
+  box.wrench = certain(exact_array<6>(wrench, "wrench"));
   for (const py::handle entry : cases) {
     const auto named = entry.cast<py::tuple>();
     const auto case_name = named[0].cast<std::string>();
@@ -78,17 +78,20 @@ SpatialGrasp make_grasp(const py::list& positions, const py::list& normals,
         {case_name, certain(exact_array<6>(named[1].cast<py::list>(),
                                            "cases[" + quote(case_name) + "]"))});
   }
-  const Grasp described({}, GraspDescription{name, {}, units_from(units)});
-  grasp.name = described.name();
-  grasp.units = described.description().units;
-  grasp.box.check();
+  // The requirements on units are Grasp's own.
+  box.description = Grasp({}, GraspDescription{name, {}, units_from(units)}).description();
+  box.check();
   return grasp;
 }
 
 /// Every stiffness written out, as of a GraspFile.
-std::string text_of(SpatialGrasp grasp) {
+std::string text_of(SpatialGraspFile grasp) {
   grasp.assumed_stiffness.clear();
   return write_grasp_file(grasp);
+}
+
+const GraspBox& box_in(const GraspFile& grasp) {
+  return std::get<GraspBox>(grasp.content);
 }
 
 /// The numbers of a grasp without intervals.
@@ -105,45 +108,17 @@ py::tuple fractions_of(const Values& values) {
 /// One value a contact.
 template <class Value>
 auto by_contact(Value value) {
-  return [value](const SpatialGrasp& grasp) { return tuple_of(grasp.box.contacts, value); };
+  return [value](const SpatialGraspFile& grasp) {
+    return tuple_of(box_in(grasp).contacts, value);
+  };
 }
 
 auto scalars(Interval UncertainContact::*member) {
   return by_contact([member](const UncertainContact& c) { return fraction((c.*member).low); });
 }
 
-/// What the options of the plane say in space, with these wrenches of six numbers.
-SpatialOptions options_of(const py::object& wrench, const QuestionOptions& others,
-                          const py::object& direction = py::none(),
-                          const std::string& which = "") {
-  SpatialOptions asked;
-  if (!wrench.is_none()) {
-    asked.wrench = exact_array<6>(wrench.cast<py::list>(), "wrench" + which);
-  }
-  if (!direction.is_none()) {
-    asked.direction = exact_array<6>(direction.cast<py::list>(), "direction");
-  }
-  asked.preload = others.preload;
-  asked.preload_direction = others.preload_direction;
-  asked.law = others.law;
-  return asked;
-}
-
-SpatialQuestion spatial_question(const SpatialGrasp& grasp, const SpatialOptions& asked) {
-  if (!asked.wrench && !asked.direction && !grasp.cases.empty()) {
-    refuse_without_case(grasp.cases.front().name);
-  }
-  return ask(grasp, asked);
-}
-
-SpatialQuestion spatial_question(const SpatialGrasp& grasp, const py::object& wrench,
-                                 const py::object& preload, bool bilateral) {
-  return spatial_question(grasp,
-                          options_of(wrench, question_options(py::none(), preload, bilateral)));
-}
-
 struct Answer {
-  SpatialQuestion question;
+  Question question;
   BoxDecision decision;
   std::string certificate;  ///< empty if there is none
 };
@@ -155,16 +130,16 @@ const SpatialWitness* witness_of(const Answer& answer) {
 }
 
 std::vector<SpatialForce> forces_in(const Answer& answer, const SpatialWitness& witness) {
-  return forces_of(answer.question.grasp.box, witness.twist, witness.shares);
+  return forces_of(*answer.question.box(), witness.twist, witness.shares);
 }
 
 /// The fields that all answers have in common.
 py::dict fields_of(const Answer& answer) {
-  const SpatialQuestion& question = answer.question;
+  const Question& question = answer.question;
   const BoxDecision& decision = answer.decision;
   py::dict result("verdict"_a = name_of(decision.verdict), "engine"_a = kSpaceEngine,
                   "normal_law"_a = to_string(question.law),
-                  "wrench"_a = tuple_of(question.grasp.box.wrench, [](const Interval& w) {
+                  "wrench"_a = tuple_of(question.box()->wrench, [](const Interval& w) {
                     return fraction(w.middle());
                   }));
   if (question.preload) result["preload"] = fraction(*question.preload);
@@ -175,10 +150,10 @@ py::dict fields_of(const Answer& answer) {
   return result;
 }
 
-Answer answer_to(SpatialQuestion question, std::size_t node_limit) {
+Answer answer_to(Question question, std::size_t node_limit) {
   BoxOptions options;
   options.node_limit = node_limit;
-  BoxDecision decision = decide_box(question.grasp.box, question.law, options);
+  BoxDecision decision = decide_box(*question.box(), question.law, options);
   return {std::move(question), std::move(decision), {}};
 }
 
@@ -193,7 +168,7 @@ void add_certificate(Answer& answer) {
   if (std::holds_alternative<StableThroughout>(verdict) ||
       std::holds_alternative<UnstableThroughout>(verdict)) {
     answer.certificate =
-        spatial_certificate_text(answer.question, answer.decision, producer_of(kSpaceEngine));
+        box_certificate_text(answer.question, answer.decision, producer_of(kSpaceEngine));
   }
 }
 
@@ -217,11 +192,11 @@ py::dict decision_fields(const Answer& answer) {
   return result;
 }
 
-py::dict decide_grasp(const SpatialGrasp& grasp, const py::object& wrench,
+py::dict decide_grasp(const SpatialGraspFile& grasp, const py::object& wrench,
                       const py::object& preload, bool bilateral, const std::string& engine,
                       std::size_t node_limit, bool warnings) {
   refuse_engine(engine);
-  SpatialQuestion question = spatial_question(grasp, wrench, preload, bilateral);
+  Question question = question_in_box(grasp, question_options(wrench, preload, bilateral));
   std::vector<ModelWarning> traps;
   const Answer answer = without_gil([&] {
     Answer found = answer_to(std::move(question), node_limit);
@@ -234,14 +209,12 @@ py::dict decide_grasp(const SpatialGrasp& grasp, const py::object& wrench,
   return result;
 }
 
-py::dict find_grasp_margin(const SpatialGrasp& grasp, const py::object& direction,
+py::dict find_grasp_margin(const SpatialGraspFile& grasp, const py::object& direction,
                            const py::object& wrench, const py::object& preload,
                            const py::object& preload_direction, bool bilateral,
                            std::size_t node_limit, bool warnings, const py::object& accuracy) {
-  const QuestionOptions others =
-      question_options(py::none(), preload, bilateral, py::none(), preload_direction);
-  const SpatialQuestion question =
-      spatial_question(grasp, options_of(wrench, others, direction));
+  const Question question = question_in_box(
+      grasp, question_options(wrench, preload, bilateral, direction, preload_direction));
   SpatialMarginOptions options;
   options.search.node_limit = node_limit;
   options.accuracy = exact(accuracy, "accuracy");
@@ -252,7 +225,7 @@ py::dict find_grasp_margin(const SpatialGrasp& grasp, const py::object& directio
   std::vector<ModelWarning> traps;
   const auto [margin, certificate] = without_gil([&] {
     SpatialMargin found = find_margin(question, options);
-    std::string text = spatial_margin_text(question, found, producer_of(kSpaceEngine));
+    std::string text = margin_certificate_text(question, found, producer_of(kSpaceEngine));
     if (warnings) traps = model_warnings(question, found);
     return std::pair(std::move(found), std::move(text));
   });
@@ -266,7 +239,7 @@ py::dict find_grasp_margin(const SpatialGrasp& grasp, const py::object& directio
   };
   py::dict result("resisted"_a = pairs(margin.resisted()),
                   "refuted"_a = pairs(margin.refuted()),
-                  "wrench"_a = lows(question.grasp.box.wrench),
+                  "wrench"_a = lows(question.box()->wrench),
                   "normal_law"_a = to_string(question.law), "certificate"_a = certificate,
                   "warnings"_a = warning_fields(traps), "stats"_a = stats(margin.work));
   result["direction"] = question.direction ? py::object(fractions_of(*question.direction))
@@ -278,35 +251,37 @@ py::dict find_grasp_margin(const SpatialGrasp& grasp, const py::object& directio
   return result;
 }
 
-py::str spatial_picture(const SpatialGrasp& grasp, const py::object& wrench,
+py::str spatial_picture(const SpatialGraspFile& grasp, const py::object& wrench,
                         const py::object& preload, bool bilateral,
                         const std::string& /*engine*/,
                         const std::optional<std::string>& limit) {
-  const SpatialQuestion question = spatial_question(grasp, wrench, preload, bilateral);
+  const Question question =
+      question_in_box(grasp, question_options(wrench, preload, bilateral));
   return text(without_gil([&] {
     return plot_grasp(question, limit ? Undecided{*limit}
-                                      : decide_box(question.grasp.box, question.law).verdict);
+                                      : decide_box(*question.box(), question.law).verdict);
   }));
 }
 
-SpatialGrasp with_friction(SpatialGrasp grasp, const std::vector<Rational>& friction) {
+SpatialGraspFile with_friction(SpatialGraspFile grasp, const std::vector<Rational>& friction) {
+  auto& box = std::get<GraspBox>(grasp.content);
   for (std::size_t i = 0; i < friction.size(); ++i) {
-    grasp.box.contacts[i].friction = point_interval(friction[i]);
+    box.contacts[i].friction = point_interval(friction[i]);
   }
-  grasp.box.check();
+  box.check();
   return grasp;
 }
 
-SpatialGrasp unpickled(const py::tuple& state) {
-  return std::get<SpatialGrasp>(
-      parse_any_grasp(state[0].cast<std::string>(), "<pickle>", Intervals::kRefused));
+SpatialGraspFile unpickled(const py::tuple& state) {
+  return {parse_any_grasp(state[0].cast<std::string>(), "<pickle>", Intervals::kRefused)};
 }
 
 /// Of either class.
 py::object parse(const std::string& content, const std::string& name) {
-  AnyGraspFile file =
+  GraspFile file =
       without_gil([&] { return parse_any_grasp(content, name, Intervals::kRefused); });
-  return std::visit([](auto& grasp) { return py::cast(std::move(grasp)); }, file);
+  if (in_space(file.content)) return py::cast(SpatialGraspFile{std::move(file)});
+  return py::cast(std::move(file));
 }
 
 }  // namespace
@@ -315,25 +290,23 @@ std::function<ManyAnswer()> spatial_question(const py::handle& given, const OneO
                                              bool bilateral, const std::string& engine,
                                              std::size_t node_limit) {
   refuse_engine(engine);
-  auto grasp = given.cast<std::shared_ptr<const SpatialGrasp>>();
+  auto grasp = given.cast<std::shared_ptr<const SpatialGraspFile>>();
   const py::object none = py::none();
   std::optional<std::vector<Rational>> friction;
   if (asked.friction != nullptr) friction = *asked.friction;
   return [grasp = std::move(grasp), friction = std::move(friction),
-          options = options_of(
-              asked.wrench,
-              question_options(none, asked.preload, bilateral, none, none, asked.which), none,
-              asked.which),
+          options =
+              question_options(asked.wrench, asked.preload, bilateral, none, none, asked.which),
           node_limit] {
     const auto about =
-        friction ? std::make_shared<const SpatialGrasp>(with_friction(*grasp, *friction))
+        friction ? std::make_shared<const SpatialGraspFile>(with_friction(*grasp, *friction))
                  : grasp;
     const auto found =
-        std::make_shared<Answer>(answer_to(spatial_question(*about, options), node_limit));
+        std::make_shared<Answer>(answer_to(question_in_box(*about, options), node_limit));
     ManyAnswer answer;
     answer.verdict = name_of(found->decision.verdict);
     answer.engine = kSpaceEngine;
-    for (const Interval& value : found->question.grasp.box.wrench) {
+    for (const Interval& value : found->question.box()->wrench) {
       answer.wrench.push_back(to_double(value.low));
     }
     if (const auto* undecided = std::get_if<Undecided>(&found->decision.verdict)) {
@@ -353,51 +326,49 @@ std::function<ManyAnswer()> spatial_question(const py::handle& given, const OneO
   };
 }
 
-SpatialQuestion question_in_box(const SpatialGrasp& grasp, const py::object& wrench,
-                                const py::object& preload, bool bilateral,
-                                const std::string& uncertain) {
-  SpatialOptions asked = options_of(wrench, question_options(py::none(), preload, bilateral));
-  if (!uncertain.empty()) asked.uncertain = parse_tolerances(uncertain);
-  return spatial_question(grasp, asked);
-}
-
 void bind_space(py::module_& module) {
-  py::class_<SpatialGrasp, std::shared_ptr<SpatialGrasp>>(module, "SpatialGraspData")
+  py::class_<SpatialGraspFile, GraspFile, std::shared_ptr<SpatialGraspFile>>(module,
+                                                                             "SpatialGraspData")
       .def(py::init(&make_grasp))
       .def("text", &text_of)
       .def("with_friction",
-           [](const SpatialGrasp& g, const py::object& friction) {
-             return with_friction(g, numbers(friction, g.box.contacts.size(), "friction"));
+           [](const SpatialGraspFile& g, const py::object& friction) {
+             return with_friction(g, numbers(friction, box_in(g).contacts.size(), "friction"));
            })
-      .def("size", [](const SpatialGrasp& g) { return g.box.contacts.size(); })
-      .def("name", [](const SpatialGrasp& g) { return text(g.name); })
+      .def("size", [](const SpatialGraspFile& g) { return box_in(g).contacts.size(); })
+      .def("name", [](const SpatialGraspFile& g) { return text(g.description().name); })
       .def("positions", by_contact([](const UncertainContact& c) { return lows(c.position); }))
       .def("normals",
            by_contact([](const UncertainContact& c) { return fractions_of(c.normal); }))
       .def("friction", scalars(&UncertainContact::friction))
       .def("stiffness", scalars(&UncertainContact::stiffness))
       .def("preload", scalars(&UncertainContact::preload))
-      .def("wrench", [](const SpatialGrasp& g) { return lows(g.box.wrench); })
+      .def("wrench", [](const SpatialGraspFile& g) { return lows(box_in(g).wrench); })
       .def("cases",
-           [](const SpatialGrasp& g) {
+           [](const SpatialGraspFile& g) {
              py::dict result;
-             for (const SpatialCase& one : g.cases) result[text(one.name)] = lows(one.wrench);
+             for (const NamedLoad& one : g.cases) result[text(one.name)] = lows(one.wrench);
              return result;
            })
-      .def("units", [](const SpatialGrasp& g) { return units_of(g.units); })
+      .def("units", [](const SpatialGraspFile& g) { return units_of(g.description().units); })
       .def("snap",
-           [](const SpatialGrasp& g, const py::object& within) {
-             SpatialSnapResult result = snap_normals(g, exact(within, "within"));
-             return py::make_tuple(std::move(result.grasp),
+           [](const SpatialGraspFile& g, const py::object& within) {
+             SpatialSnapResult result = snap_normals(box_in(g), exact(within, "within"));
+             SpatialGraspFile grasp = g;
+             grasp.content = std::move(result.grasp);
+             return py::make_tuple(std::move(grasp),
                                    moved_normals(result.snapped, fractions_of<Vector3>));
            })
       .def(py::pickle(
-          [](const SpatialGrasp& g) { return py::make_tuple(py::bytes(write_grasp_file(g))); },
+          [](const SpatialGraspFile& g) {
+            return py::make_tuple(py::bytes(write_grasp_file(g)));
+          },
           &unpickled));
   module.def("parse_grasp", &parse);
-  module.def("decide", &decide_grasp);
-  module.def("margin", &find_grasp_margin);
-  module.def("plot_grasp", &spatial_picture);
+  // Before those of the plane, which take any grasp.
+  module.def("decide", &decide_grasp, py::prepend());
+  module.def("margin", &find_grasp_margin, py::prepend());
+  module.def("plot_grasp", &spatial_picture, py::prepend());
 }
 
 }  // namespace stickslip::python

@@ -98,7 +98,7 @@ void GraspLaw::add_contact(const UncertainContact& c, const Rational& rate, unsi
 }
 
 GraspLaw::GraspLaw(const GraspBox& box, NormalLaw normal_law, unsigned bits,
-                   const std::optional<SpatialGrowth>& margin) {
+                   const std::optional<GrowthRates>& margin) {
   if (box.in_space()) {
     motions = 6;
     first_rotation = 3;
@@ -107,7 +107,7 @@ GraspLaw::GraspLaw(const GraspBox& box, NormalLaw normal_law, unsigned bits,
   law = normal_law;
   is_family = margin.has_value();
   growth.assign(motions, 0);
-  if (margin) growth.assign(margin->load.begin(), margin->load.end());
+  if (margin && !margin->load.empty()) growth = margin->load;
   const bool preloads_grow = margin && !margin->preloads.empty();
   for (std::size_t i = 0; i < box.contacts.size(); ++i) {
     add_contact(box.contacts[i], preloads_grow ? margin->preloads[i] : Rational(0), bits);

@@ -54,10 +54,9 @@ const Rational& low_end(const MultiplesClaim& claim) {
 
 class SpatialMarginSearch {
  public:
-  SpatialMarginSearch(const SpatialQuestion& question, const SpatialMarginOptions& options,
+  SpatialMarginSearch(const Question& question, const SpatialMarginOptions& options,
                       const std::function<void(const SpatialMargin&)>& progress)
       : model_(law_of(question, options.search.bits)),
-        is_one_grasp_(!question.is_box),
         accuracy_(options.accuracy),
         node_limit_(options.search.node_limit != 0 ? options.search.node_limit : kNodeLimit),
         progress_(progress) {
@@ -67,6 +66,11 @@ class SpatialMarginSearch {
     for (const LawContact& c : model_.contacts) {
       growth = std::max(growth, c.rates[1] * std::sqrt(to_double(c.squared_length)));
     }
+    is_rational_ =
+        std::all_of(model_.contacts.begin(), model_.contacts.end(), [](const LawContact& c) {
+          const bool has_preload = !c.preload.high.is_zero() || !c.rate.high.is_zero();
+          return !has_preload || exact_sqrt(c.squared_length);
+        });
     const double typical = model_.force / growth;
     if (std::isfinite(typical) && typical > 0) {
       unit_ = rational_from_double(std::ldexp(1.0, std::ilogb(typical)));
@@ -420,7 +424,7 @@ class SpatialMarginSearch {
 
   std::optional<SpatialWitness> witness_at(const Rational& multiple,
                                            const NearEquilibrium& near) const {
-    return is_one_grasp_ ? exact_witness(model_.middle(multiple), near) : std::nullopt;
+    return is_rational_ ? exact_witness(model_.middle(multiple), near) : std::nullopt;
   }
 
   std::optional<NearEquilibrium> equilibrium_at(const Rational& multiple,
@@ -450,7 +454,7 @@ class SpatialMarginSearch {
   }
 
   GraspLaw model_;
-  bool is_one_grasp_;  ///< no length is irrational, so that there may be witnesses
+  bool is_rational_ = true;  ///< all lengths that matter, so that there may be witnesses
   Rational accuracy_;
   std::size_t node_limit_;
   const std::function<void(const SpatialMargin&)>& progress_;
@@ -486,7 +490,7 @@ std::vector<MarginInterval> SpatialMargin::refuted() const {
   return intervals;
 }
 
-SpatialMargin find_margin(const SpatialQuestion& question, const SpatialMarginOptions& options,
+SpatialMargin find_margin(const Question& question, const SpatialMarginOptions& options,
                           const std::function<void(const SpatialMargin&)>& progress) {
   require(question.is_margin(), "a margin has a direction");
   return SpatialMarginSearch(question, options, progress).run();

@@ -19,7 +19,7 @@ Vector3 rationals(const Eigen::Vector3d& a) {
 
 }  // namespace
 
-std::vector<SpatialForce> near_forces(const SpatialQuestion& question, const Vector6& d) {
+std::vector<SpatialForce> near_forces(const Question& question, const Vector6& d) {
   const GraspLaw law = law_of(question, kDefaultBits);
   const RoundedGrasp grasp = rounded_middle(law);
   NearEquilibrium near{Reals(6), {}, {}, {}};

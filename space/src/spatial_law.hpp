@@ -3,18 +3,18 @@
 /// What the engine is told of a question in space.
 #pragma once
 
+#include "stickslip/equilibrium/question.hpp"
 #include "stickslip/search/grasp_law.hpp"
-#include "stickslip/space/spatial_question.hpp"
 
 namespace stickslip::space_detail {
 
 /// The law of its grasps, of a margin as it grows, with lengths enclosed to these bits.
-inline GraspLaw law_of(const SpatialQuestion& question, unsigned bits) {
-  std::optional<SpatialGrowth> growth;
+inline GraspLaw law_of(const Question& question, unsigned bits) {
+  std::optional<GrowthRates> growth;
   if (question.is_margin()) {
-    growth = SpatialGrowth{question.direction.value_or(Vector6{}), question.preload_growth};
+    growth = GrowthRates{question.direction.value_or(RationalRow{}), question.preload_growth};
   }
-  return GraspLaw(question.grasp.box, question.law, bits, growth);
+  return GraspLaw(*question.box(), question.law, bits, growth);
 }
 
 }  // namespace stickslip::space_detail

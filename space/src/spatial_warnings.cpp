@@ -20,9 +20,9 @@ Vector3 point_of(const UncertainContact& c) {
   return {c.position[0].low, c.position[1].low, c.position[2].low};
 }
 
-std::optional<std::string> large_motion_of(const SpatialGrasp& grasp, const Vector6& d) {
+std::optional<std::string> large_motion_of(const Question& question, const Vector6& d) {
   std::vector<Vector3> points;
-  for (const UncertainContact& c : grasp.box.contacts) points.push_back(point_of(c));
+  for (const UncertainContact& c : question.box()->contacts) points.push_back(point_of(c));
   Integer common = 1;
   for (const Rational& entry : d) common = lcm(common, denominator(entry));
   const Rational scale(common);
@@ -34,15 +34,15 @@ std::optional<std::string> large_motion_of(const SpatialGrasp& grasp, const Vect
     return dot(move, move);
   };
   return large_motion({scale, dot(turn, turn), points.size(), moved, squared_width(points)},
-                      !grasp.assumed_stiffness.empty());
+                      !question.assumed_stiffness.empty());
 }
 
 /// With these preloads. What is kept is rounded up where a normal has an irrational length.
-std::optional<std::string> lost_preload_of(const SpatialGrasp& grasp,
+std::optional<std::string> lost_preload_of(const GraspBox& grasp,
                                            const std::vector<Rational>& preloads,
                                            const Vector6& d) {
   return lost_preload(preloads.size(), [&](std::size_t i) -> std::pair<Rational, Rational> {
-    const UncertainContact& c = grasp.box.contacts[i];
+    const UncertainContact& c = grasp.contacts[i];
     if (preloads[i].is_zero()) return {0, 0};
     constexpr unsigned kBits = 128;
     const ShortRoot length = short_sqrt(dot(c.normal, c.normal), kBits);
@@ -54,7 +54,7 @@ std::optional<std::string> lost_preload_of(const SpatialGrasp& grasp,
 
 /// In doubles; nothing if a number is not moderate.
 std::optional<std::vector<RestingContact<6>>> preloaded_contacts(
-    const SpatialGrasp& grasp, const std::vector<Rational>& preloads) {
+    const GraspBox& grasp, const std::vector<Rational>& preloads) {
   std::vector<RestingContact<6>> contacts;
   bool moderate = true;
   const auto read = [&](const Rational& value) {
@@ -72,7 +72,7 @@ std::optional<std::vector<RestingContact<6>>> preloaded_contacts(
   };
   for (std::size_t i = 0; i < preloads.size(); ++i) {
     if (preloads[i].is_zero()) continue;
-    const UncertainContact& c = grasp.box.contacts[i];
+    const UncertainContact& c = grasp.contacts[i];
     const Double3 point = read_three(point_of(c));
     const Double3 normal = unit(read_three(vector3(c.normal)));
     Double3 across{};  // to the axis that is the least along the normal
@@ -104,13 +104,13 @@ std::optional<std::vector<RestingContact<6>>> preloaded_contacts(
   return contacts;
 }
 
-std::vector<Rational> preloads_of(const SpatialGrasp& grasp) {
+std::vector<Rational> preloads_of(const GraspBox& grasp) {
   std::vector<Rational> preloads;
-  for (const UncertainContact& c : grasp.box.contacts) preloads.push_back(c.preload.low);
+  for (const UncertainContact& c : grasp.contacts) preloads.push_back(c.preload.low);
   return preloads;
 }
 
-void add_unbalanced_preload(const SpatialGrasp& grasp, const std::vector<Rational>& preloads,
+void add_unbalanced_preload(const GraspBox& grasp, const std::vector<Rational>& preloads,
                             ModelWarnings& warnings) {
   auto contacts = preloaded_contacts(grasp, preloads);
   if (!contacts || !is_certainly_unbalanced(std::move(*contacts))) return;
@@ -122,17 +122,16 @@ GraspBox with_stiffness(GraspBox grasp, ContactId contact, const Rational& stiff
   return grasp;
 }
 
-std::optional<std::string> assumed_stiffness_of(const SpatialQuestion& question, bool stable,
+std::optional<std::string> assumed_stiffness_of(const Question& question, bool stable,
                                                 const BoxDecision& decision) {
-  const SpatialGrasp& grasp = question.grasp;
-  StiffnessTrial trial{{}, grasp.assumed_stiffness, stable, decision.work.nodes, {}, {}};
-  for (const UncertainContact& c : grasp.box.contacts)
-    trial.stiffness.push_back(c.stiffness.low);
+  const GraspBox& grasp = *question.box();
+  StiffnessTrial trial{{}, question.assumed_stiffness, stable, decision.work.nodes, {}, {}};
+  for (const UncertainContact& c : grasp.contacts) trial.stiffness.push_back(c.stiffness.low);
   trial.may_differ = [&](ContactId contact, const Rational& stiffness) {
     if (!stable) return true;  // doubles miss equilibria
-    SpatialQuestion varied = question;
-    varied.grasp.box = with_stiffness(grasp.box, contact, stiffness);
-    for (UncertainContact& c : varied.grasp.box.contacts) {
+    Question varied = question;
+    varied.grasp = with_stiffness(grasp, contact, stiffness);
+    for (UncertainContact& c : std::get<GraspBox>(varied.grasp).contacts) {
       c.friction = point_interval(friction_to_tell_by(stable) * c.friction.low);
     }
     const RoundedGrasp rounded = rounded_middle(law_of(varied, decision.bits));
@@ -144,7 +143,7 @@ std::optional<std::string> assumed_stiffness_of(const SpatialQuestion& question,
     options.node_limit = left;
     options.bits = decision.bits;
     const BoxDecision varied =
-        decide_box(with_stiffness(grasp.box, contact, stiffness), question.law, options);
+        decide_box(with_stiffness(grasp, contact, stiffness), question.law, options);
     left -= std::min(left, 1 + varied.work.nodes);
     return throughout(varied);
   };
@@ -153,15 +152,15 @@ std::optional<std::string> assumed_stiffness_of(const SpatialQuestion& question,
 
 }  // namespace
 
-std::vector<ModelWarning> model_warnings(const SpatialQuestion& question,
+std::vector<ModelWarning> model_warnings(const Question& question,
                                          const BoxDecision& decision) {
-  if (!question.grasp.box.is_point()) return {};
-  const SpatialGrasp& grasp = question.grasp;
+  if (!question.box()->is_point()) return {};
+  const GraspBox& grasp = *question.box();
   const std::vector<Rational> preloads = preloads_of(grasp);
   const auto* stable = std::get_if<StableThroughout>(&decision.verdict);
   ModelWarnings warnings;
   if (stable != nullptr) {
-    warnings.add(ModelTrap::kLargeMotion, large_motion_of(grasp, motion_of(*stable)));
+    warnings.add(ModelTrap::kLargeMotion, large_motion_of(question, motion_of(*stable)));
   }
   add_unbalanced_preload(grasp, preloads, warnings);
   if (stable != nullptr) {
@@ -174,9 +173,9 @@ std::vector<ModelWarning> model_warnings(const SpatialQuestion& question,
   return std::move(warnings).take();
 }
 
-std::vector<ModelWarning> model_warnings(const SpatialQuestion& question,
+std::vector<ModelWarning> model_warnings(const Question& question,
                                          const SpatialMargin& margin) {
-  const SpatialGrasp& grasp = question.grasp;
+  const GraspBox& grasp = *question.box();
   ModelWarnings warnings;
   const auto preloads_at = [&](const Rational& multiple) {
     std::vector<Rational> preloads = preloads_of(grasp);
@@ -190,7 +189,7 @@ std::vector<ModelWarning> model_warnings(const SpatialQuestion& question,
       if (text) *text = "at the multiple " + to_readable_string(multiple) + " " + *text;
       return text;
     };
-    warnings.add(ModelTrap::kLargeMotion, at_multiple(large_motion_of(grasp, d)));
+    warnings.add(ModelTrap::kLargeMotion, at_multiple(large_motion_of(question, d)));
     warnings.add(ModelTrap::kLostPreload,
                  at_multiple(lost_preload_of(grasp, preloads_at(multiple), d)));
   };

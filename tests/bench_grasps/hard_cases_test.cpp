@@ -70,7 +70,7 @@ TEST(HardCases, KeepTheirVerdictsAndNoMoreThanTwiceTheirNodes) {
     ConeOptions limit;
     limit.node_limit = 2 * c.nodes + 1;
     const Verdict verdict =
-        decide_by_cones(Problem(question.loaded, question.law), limit, &work);
+        decide_by_cones(Problem(question.loaded(), question.law), limit, &work);
     ASSERT_EQ(name_of(verdict), c.verdict) << c.file << ": " << work.nodes << " nodes";
     EXPECT_LE(work.nodes, 2 * c.nodes) << c.file;
     RecordProperty(c.file, static_cast<int>(work.nodes));

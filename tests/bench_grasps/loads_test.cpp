@@ -18,7 +18,7 @@ namespace stickslip::bench {
 namespace {
 
 std::string verdict_of(const Question& question, Engine engine) {
-  return name_of(decide(Problem(question.loaded, question.law), engine).verdict);
+  return name_of(decide(Problem(question.loaded(), question.law), engine).verdict);
 }
 
 bool is_stable(const Question& question) {
@@ -26,7 +26,7 @@ bool is_stable(const Question& question) {
 }
 
 std::string text_of(const Instance& instance) {
-  return instance.family + '\n' + write_grasp(instance.question.loaded);
+  return instance.family + '\n' + write_grasp(instance.question.loaded());
 }
 
 TEST(PlantedLoad, IsStableUnderBothLaws) {
@@ -36,7 +36,7 @@ TEST(PlantedLoad, IsStableUnderBothLaws) {
       for (const NormalLaw law : {NormalLaw::kUnilateral, NormalLaw::kBilateral}) {
         const Question question = plain_question(grasp, planted_load(grasp, law, seed), law);
         EXPECT_EQ(verdict_of(question, Engine::kBranchAndBound), "stable")
-            << to_string(law) << write_grasp(question.loaded);
+            << to_string(law) << write_grasp(question.loaded());
       }
     }
   }
@@ -58,7 +58,7 @@ TEST(StableInstances, AreStatedInFewWords) {
     for (const std::size_t contacts : {30, 300}) {
       const Instance instance = make_stable(family, contacts, 1);
       SCOPED_TRACE(instance.family + ' ' + std::to_string(contacts));
-      const Problem problem(instance.question.loaded, instance.question.law);
+      const Problem problem(instance.question.loaded(), instance.question.law);
       const Verdict verdict = decide_by_cones(problem);
       const Witness& witness = std::get<Stable>(verdict).witness;
       const test::ShareCount shares = test::shares_of(problem, witness);
@@ -121,16 +121,16 @@ TEST(ThresholdLoad, IsTheEndOfTheMargin) {
     for (const std::size_t contacts : {2, 6, 20, 100}) {
       const Grasp grasp = make_grasp(layout, contacts, true, contacts);
       Question question = plain_question(grasp, {});
-      question.direction = threshold_load(layout, grasp);
+      question.direction = row_of(threshold_load(layout, grasp));
       const auto result = find_margin(problem_of(question));
       const auto& margin = std::get<Margin>(result);
       ASSERT_EQ(margin.resisted.size(), 1U) << name_of(layout) << ' ' << contacts;
       EXPECT_EQ(margin.resisted[0].low, 0);
       EXPECT_EQ(margin.resisted[0].high, Rational(1));
-      std::istringstream file(write_grasp(question.loaded));
+      std::istringstream file(write_grasp(question.loaded()));
       std::istringstream proof(margin_certificate_text(question, margin, "test"));
       stickslip_check::Options options;
-      const Vector3 u = coordinates(*question.direction);
+      const RationalRow& u = *question.direction;
       options.direction.emplace();
       for (const Rational& entry : u) options.direction->emplace_back(to_string(entry));
       EXPECT_TRUE(std::holds_alternative<stickslip_check::Accepted>(

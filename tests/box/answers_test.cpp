@@ -168,8 +168,8 @@ void expect_as_decided(const std::string& name, const GraspFile& file, Tally& ta
   }
   for (const QuestionOptions& options : all) {
     const Question question = ask(file, options);
-    if (question.box) continue;
-    const BoxDecision decision = decide_box(box_of(question.loaded), question.law);
+    if (question.box() != nullptr) continue;
+    const BoxDecision decision = decide_box(box_of(question.loaded()), question.law);
     tally.count(decision);
     if (std::holds_alternative<Undecided>(decision.verdict)) continue;
     EXPECT_STREQ(name_of(decision.verdict), name_of(decide(problem_of(question)).verdict))

@@ -101,7 +101,7 @@ BoxCase random_box(RandomSource& random, Uncertain uncertain) {
     asked.position = asked.normal = Tolerance{size / 2000};
     asked.wrench = percent(size / 4);
   }
-  if (!result.question().box) return random_box(random, uncertain);
+  if (result.question().box() == nullptr) return random_box(random, uncertain);
   if (uncertain == Uncertain::kInFile) {
     result.grasp = file_of(result.box());
     asked = {};
@@ -110,7 +110,7 @@ BoxCase random_box(RandomSource& random, Uncertain uncertain) {
 }
 
 std::string file_of(const GraspBox& box) {
-  return write_grasp_file({box.planar_middle(), {}, {}, box});
+  return write_grasp_file({box});
 }
 
 LoadedGrasp sample(RandomSource& random, const GraspBox& box) {

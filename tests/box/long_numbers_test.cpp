@@ -47,8 +47,8 @@ GraspFile in_doubles(ShapeInDoubles shape, std::size_t contacts, const Rational&
   }
   const Rational many(static_cast<long>(contacts));
   GraspFile file;
-  file.content = {Grasp(std::move(list)),
-                  {many * load.x, many * load.y, many * load.torque / 100}};
+  file.content = LoadedGrasp{Grasp(std::move(list)),
+                             {many * load.x, many * load.y, many * load.torque / 100}};
   return file;
 }
 
@@ -111,14 +111,15 @@ TEST(LongNumbers, UnstableIsProvedByATree) {
 TEST(LongNumbers, SnappedNormalsAreNoLonger) {
   GraspFile file =
       in_doubles(ShapeInDoubles::kRound, 300, 1, {Rational(1, 10), Rational(1, 20), 0});
-  file.content.grasp = snap_normals(file.content.grasp, Rational(1, 1000000000)).grasp;
+  file.content = LoadedGrasp{snap_normals(file.loaded().grasp, Rational(1, 1000000000)).grasp,
+                             file.loaded().wrench};
   expect_brief(outcome_of(file, kQuick), "stable", 300);
 }
 
 TEST(LongNumbers, ExactEnginesAgreeAndShortOnesKeepTheirWitness) {
   const Wrench load{Rational(1, 20), Rational(-4, 5), 0};
   const GraspFile file = in_doubles(ShapeInDoubles::kBowl, 200, 0, load);
-  const Problem problem(file.content, NormalLaw::kUnilateral);
+  const Problem problem(file.loaded(), NormalLaw::kUnilateral);
   ASSERT_TRUE(has_long_equilibria(problem));
   EXPECT_TRUE(std::holds_alternative<BoxAnswer>(answer_to(ask(file, {}), kQuick)));
   const Answer exact = answer_to(ask(file, {}), {Engine::kBranchAndBound, 0, false});
@@ -133,13 +134,13 @@ TEST(LongNumbers, TinyOnesEndInAnAnswer) {
   const Rational tiny = parse_rational("1e-160");
   const auto at = [&](long x, long y) { return Vector2{x * tiny, y * tiny}; };
   GraspFile file;
-  file.content = {Grasp({{at(-4, 5), {-7, 6}, 2, 3 * tiny, 0},
-                         {at(7, 3), {2, -5}, 2, 4 * tiny, 2},
-                         {at(2, 6), {5, -5}, Rational(1, 2), 2 * tiny, 1},
-                         {at(7, -5), {-3, 3}, 2, 3 * tiny, 0},
-                         {at(-2, 8), {-6, -9}, Rational(1, 2), 5 * tiny, 0},
-                         {at(5, 9), {-2, 9}, 1, 2 * tiny, 3}}),
-                  {7 * tiny, -6 * tiny, -2 * tiny * tiny}};
+  file.content = LoadedGrasp{Grasp({{at(-4, 5), {-7, 6}, 2, 3 * tiny, 0},
+                                    {at(7, 3), {2, -5}, 2, 4 * tiny, 2},
+                                    {at(2, 6), {5, -5}, Rational(1, 2), 2 * tiny, 1},
+                                    {at(7, -5), {-3, 3}, 2, 3 * tiny, 0},
+                                    {at(-2, 8), {-6, -9}, Rational(1, 2), 5 * tiny, 0},
+                                    {at(5, 9), {-2, 9}, 1, 2 * tiny, 3}}),
+                             {7 * tiny, -6 * tiny, -2 * tiny * tiny}};
   EXPECT_NO_THROW(answer_to(ask(file, {}), kQuick));
 }
 
@@ -185,18 +186,18 @@ TEST(LongNumbers, ByDegreeWhatTheConeEngineFindsStable) {
           const Decision truth = decide(problem, Engine::kBranchAndBound);
           const bool is_stable = std::holds_alternative<Stable>(truth.verdict);
           const auto by_degree = prove_stable_by_degree(problem);
-          SCOPED_TRACE(question.loaded.grasp.name() + " " + std::to_string(seed));
+          SCOPED_TRACE(question.loaded().grasp.name() + " " + std::to_string(seed));
           // Where nothing presses, all contacts are on the point of opening at every
           // equilibrium, so that no K around one keeps them closed.
-          const bool is_idle =
-              law == NormalLaw::kBilateral && !preloaded && question.loaded.wrench == Wrench{};
+          const bool is_idle = law == NormalLaw::kBilateral && !preloaded &&
+                               question.loaded().wrench == Wrench{};
           const bool is_listed = kStableWithoutProof.count(seed) != 0;
           EXPECT_TRUE(is_stable || !is_listed);
           EXPECT_EQ(by_degree.has_value(), is_stable && !is_idle && !is_listed);
           if (!by_degree) continue;
           const auto certificate = certificate_of(answer_by_degree(question, *by_degree));
           ASSERT_TRUE(certificate.has_value());
-          test::CheckerInput input{write_grasp(question.loaded), *certificate, {}};
+          test::CheckerInput input{write_grasp(question.loaded()), *certificate, {}};
           input.options.law = law;
           test::expect_accepted_by_both(input);
         }

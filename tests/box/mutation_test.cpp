@@ -175,7 +175,7 @@ void widen(std::vector<Mutant>& mutants) {
   // The block holds from a friction of 2 on; so up to 2 it is fragile.
   const Rational tiny(1, 1000000000000);
   const auto up_to = [](const Rational& high) {
-    GraspBox box = box_of(parse_grasp(sliding_block(1), "block").content);
+    GraspBox box = box_of(parse_grasp(sliding_block(1), "block").loaded());
     box.contacts[0].friction = {0, high};
     return test::file_of(box);
   };

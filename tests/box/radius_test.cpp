@@ -29,7 +29,7 @@ TEST(Radius, ProvedIsBelowRefuted) {
     const Uncertain uncertain = random.pick<Uncertain>(
         {Uncertain::kFriction, Uncertain::kFriction, Uncertain::kWrench});
     const test::BoxCase about = test::random_box(random, uncertain);
-    const GraspBox centre = box_of(parse_grasp(about.grasp, "grasp").content);
+    const GraspBox centre = box_of(parse_grasp(about.grasp, "grasp").loaded());
     const GraspBox box = about.box();
     const NormalLaw law = about.options.law;
     const auto expect_in_order = [&](const Radius& radius) {

@@ -120,7 +120,7 @@ test::BoxCase tiny_box(RandomSource& random) {
   result.options.uncertain = parse_tolerances(random.pick<std::string>(
       {"friction=10%", "friction=20%,wrench=10%", "wrench=10%", "wrench=0.1",
        "preload=20%,friction=5%", "normal=0.05", "position=0.01,friction=10%"}));
-  return result.question().box ? result : tiny_box(random);
+  return result.question().box() != nullptr ? result : tiny_box(random);
 }
 
 TEST(AgainstZ3, WhetherSomeGraspOfATinyBoxIsStable) {

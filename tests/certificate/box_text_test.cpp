@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 GraspFile file_of(const Vector2& normal, const Rational& preload) {
-  return {{Grasp({{{0, 0}, normal, 1, 1, preload}}), {0, Rational(-1, 2), 0}}};
+  return {LoadedGrasp{Grasp({{{0, 0}, normal, 1, 1, preload}}), {0, Rational(-1, 2), 0}}};
 }
 
 Question question_of(const GraspFile& file, const char* tolerances) {
@@ -125,8 +125,9 @@ TEST(BoxCertificate, BitsWhereALengthIsIrrational) {
 
 TEST(BoxCertificate, UncertainComponentsOfTheWrenchAreTwoNumbers) {
   GraspFile file = file_of({0, 1}, 1);
-  file.box = box_of(file.content);
-  file.box->wrench[1] = {-1, Rational(-1, 2)};
+  GraspBox box = box_of(file.content);
+  box.wrench[1] = {-1, Rational(-1, 2)};
+  file.content = std::move(box);
   EXPECT_THAT(box_certificate_text(question_of(file, "wrench=100%"),
                                    {UnstableThroughout{every_node()}, {}}, "us"),
               HasSubstr(R"("wrench": [0,[-1,"-1/2"],0])"));
@@ -134,7 +135,7 @@ TEST(BoxCertificate, UncertainComponentsOfTheWrenchAreTwoNumbers) {
 
 TEST(BoxCertificate, AnOrdinaryOneRepeatsTheTolerances) {
   const Question question = question_of(file_of({0, 1}, 1), "friction=0");
-  ASSERT_FALSE(question.box);
+  ASSERT_EQ(question.box(), nullptr);
   EXPECT_THAT(certificate_text(question, Unstable{{VirtualWorkLeaf{}}}, "us"),
               HasSubstr(R"("normal_law": "unilateral", "uncertain": {"friction": 0}})"));
 }
@@ -142,7 +143,7 @@ TEST(BoxCertificate, AnOrdinaryOneRepeatsTheTolerances) {
 TEST(BoxCertificate, WhatHasNone) {
   const Question box = question_of(file_of({0, 1}, 1), "friction=1%");
   const Question grasp = ask(file_of({0, 1}, 1), {});
-  const LoadedGrasp loaded = file_of({0, 1}, 1).content;
+  const LoadedGrasp loaded = file_of({0, 1}, 1).loaded();
   EXPECT_THROW(box_certificate_text(box, {Fragile{box_of(loaded), box_of(loaded)}}, "us"),
                ContractError);
   EXPECT_THROW(box_certificate_text(box, {Undecided{"a limit"}, {}}, "us"), ContractError);

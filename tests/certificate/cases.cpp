@@ -42,10 +42,10 @@ void add_paper_cases(std::vector<Case>& cases) {
   }
   // The file's wrench and preloads replaced by whoever asks.
   Case replaced = make_case("fig1 replaced", fig1_grasp(0), {});
-  replaced.options.wrench = Wrench{0, 1, 0};
+  replaced.options.wrench = RationalRow{0, 1, 0};
   replaced.options.preload = 1;
   cases.push_back(replaced);
-  replaced.options.wrench = Wrench{0, parse_rational("1.000000000001"), 0};
+  replaced.options.wrench = RationalRow{0, parse_rational("1.000000000001"), 0};
   replaced.name += " beyond";
   cases.push_back(replaced);
 }
@@ -124,7 +124,7 @@ std::vector<Certified> all_certificates() {
   std::vector<Certified> result;
   for (const Case& one : all_cases()) {
     const Question question = one.question();
-    const Problem problem(question.loaded, question.law);
+    const Problem problem(question.loaded(), question.law);
     for (const Engine engine : {Engine::kStates, Engine::kBranchAndBound}) {
       const Verdict verdict = decide(problem, engine).verdict;
       result.push_back(
@@ -155,7 +155,7 @@ std::vector<CommittedCertificate> committed_certificates() {
     if (json["verdict"] == "margin") {
       const auto& asked = json["question"];
       const auto wrench_in = [](const nlohmann::json& numbers) {
-        return Wrench{numbers[0].get<int>(), numbers[1].get<int>(), numbers[2].get<int>()};
+        return RationalRow{numbers[0].get<int>(), numbers[1].get<int>(), numbers[2].get<int>()};
       };
       input.options.wrench = wrench_in(asked["wrench"]);
       if (asked.contains("direction")) input.options.direction = wrench_in(asked["direction"]);

@@ -35,12 +35,12 @@ CheckerAnswer rejected(const std::string& rule, std::optional<std::uint64_t> nod
 }
 
 std::optional<CheckerAnswer> judge_question(const Question& question, const Json& stated) {
-  if (number(stated.at("contacts")) != question.loaded.grasp.size()) {
+  if (number(stated.at("contacts")) != box_of(question.grasp).contacts.size()) {
     return rejected("question-contacts");
   }
   const Json& w = stated.at("wrench");
   const Wrench wrench{number_at(w, 0), number_at(w, 1), number_at(w, 2)};
-  if (!(wrench == question.loaded.wrench)) return rejected("question-wrench");
+  if (box_of(wrench) != wrench_of(question.grasp)) return rejected("question-wrench");
   std::optional<Rational> preload;
   if (stated.contains("preload")) preload = number(stated["preload"]);
   if (preload != question.preload) return rejected("question-preload");
@@ -124,7 +124,7 @@ std::optional<CheckerAnswer> third_opinion(const CheckerInput& input) {
     }
     if (const auto answer = judge_question(question, certificate.at("question"))) return answer;
     if (input.options.uncertain.any()) return rejected("question-uncertain");
-    const Problem problem(question.loaded, question.law);
+    const Problem problem = problem_of(question);
     return certificate.at("verdict") == "stable" ? judge_witness(problem, certificate)
                                                  : judge_tree(problem, certificate);
   } catch (const NoOpinion&) {

@@ -83,8 +83,9 @@ class QuestionMutations {
   void asked() {
     const QuestionOptions& options = original_.about.options;
     QuestionOptions other = options;
-    const Wrench wrench = original_.about.question().loaded.wrench;
-    other.wrench = wrench + Wrench{0, random_.pick<Rational>({1, Rational(1, 1000000)}), 0};
+    const Wrench wrench = planar_middle(wrench_of(original_.about.question().grasp));
+    other.wrench =
+        row_of(wrench + Wrench{0, random_.pick<Rational>({1, Rational(1, 1000000)}), 0});
     ask("ask another wrench", other, "question-wrench");
     other = options;
     other.preload = options.preload.value_or(1) + 1;
@@ -114,8 +115,9 @@ class QuestionMutations {
           mutant("a member of another question", original_, edited, Expectation::malformed()));
     }
     CheckerInput input = original_.input();
-    input.options.direction = Wrench{0, 1, 0};
-    input.options.wrench = original_.about.question().loaded.wrench;
+    input.options.direction = RationalRow{0, 1, 0};
+    input.options.wrench =
+        row_of(planar_middle(wrench_of(original_.about.question().grasp)));
     mutants_.push_back({"ask for a margin", original_.name(), input,
                         Expectation::of_rule("question-direction")});
   }

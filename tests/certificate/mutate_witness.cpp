@@ -66,7 +66,7 @@ class WitnessMutations {
         mutants_(mutants),
         json_(Json::parse(original.text)) {
     const Question question = original.about.question();
-    problem_ = Problem(question.loaded, question.law);
+    problem_ = Problem(question.loaded(), question.law);
   }
 
   void run() {

@@ -90,8 +90,8 @@ void expect_true(const Mutant& mutant) {
     }
     const Question question =
         ask(parse_grasp(mutant.input.grasp, "grasp"), mutant.input.options);
-    const std::string verdict = question.box
-                                    ? name_of(decide_box(*question.box, question.law).verdict)
+    const std::string verdict = question.box() != nullptr
+                                    ? name_of(decide_box(*question.box(), question.law).verdict)
                                     : name_of(decide(problem_of(question)).verdict);
     const bool claims_stable = mutant.input.certificate.find("\"twist\"") != std::string::npos;
     EXPECT_EQ(verdict, claims_stable ? "stable" : "unstable") << show(mutant);
@@ -107,7 +107,7 @@ void expect_grasp_read_alike(const Mutant& mutant, const CheckerAnswer& answer) 
   try {
     const Question question = ask(parse_grasp(mutant.input.grasp, "grasp", Intervals::kAllowed),
                                   mutant.input.options);
-    if (!question.box) problem_of(question);
+    if (question.box() == nullptr) problem_of(question);
   } catch (const InputError& error) {
     legible = false;
     reason = error.what();

@@ -21,7 +21,7 @@ void expect_confirmed(const std::string& program, const std::string& options) {
   for (const test::Case& one : test::all_cases()) {
     const Question question = one.question();
     text += "(reset)\n" + smtlib_text(question);
-    const Verdict verdict = decide(Problem(question.loaded, question.law)).verdict;
+    const Verdict verdict = decide(Problem(question.loaded(), question.law)).verdict;
     stable += std::holds_alternative<Stable>(verdict) ? 1 : 0;
     names.push_back(one.name);
     expected.emplace_back(std::holds_alternative<Stable>(verdict) ? "sat" : "unsat");

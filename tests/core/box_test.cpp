@@ -100,9 +100,10 @@ TEST(GraspBox, OfOneGraspIsThatGrasp) {
   Random random(1701);
   for (int i = 0; i < 50; ++i) {
     const LoadedGrasp loaded{Grasp(random.contacts(random.integer(0, 4))), random.wrench()};
-    const GraspBox box = box_of(loaded);
+    GraspBox box = box_of(loaded);
     EXPECT_TRUE(box.is_point());
-    const LoadedGrasp again = box.planar_middle({"named"});
+    box.description.name = "named";
+    const LoadedGrasp again = box.planar_middle();
     EXPECT_EQ(again.grasp.name(), "named");
     EXPECT_EQ(again.wrench, loaded.wrench);
     ASSERT_EQ(again.grasp.size(), loaded.grasp.size());

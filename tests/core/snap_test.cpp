@@ -146,17 +146,17 @@ TEST(SnapNormals, CopesWithNearlyAxisParallelNormals) {
   EXPECT_FALSE(u == (Vector2{1, 0}));
 }
 
-SpatialGrasp in_space(const std::vector<Vector3>& normals) {
-  SpatialGrasp grasp;
+GraspBox spatial(const std::vector<Vector3>& normals) {
+  GraspBox grasp{{}, WrenchBox(6)};
   for (const Vector3& n : normals) {
-    grasp.box.contacts.push_back(
+    grasp.contacts.push_back(
         {{}, {n.begin(), n.end()}, point_interval(1), point_interval(2), point_interval(3)});
   }
   return grasp;
 }
 
 Vector3 snap_one(const Vector3& n, const Rational& tolerance) {
-  return vector3(snap_normals(in_space({n}), tolerance).grasp.box.contacts[0].normal);
+  return vector3(snap_normals(spatial({n}), tolerance).grasp.contacts[0].normal);
 }
 
 /// As within() of the plane.
@@ -177,11 +177,11 @@ TEST(SnapNormals, InSpaceGivesUnitVectorsWithinTheTolerance) {
       const Rational tolerance = parse_rational(text);
       SCOPED_TRACE(to_string(n[0]) + " " + to_string(n[1]) + " " + to_string(n[2]) + " " +
                    text);
-      const SpatialSnapResult result = snap_normals(in_space({n}), tolerance);
+      const SpatialSnapResult result = snap_normals(spatial({n}), tolerance);
       ASSERT_EQ(result.snapped.size(), 1U);
       const SpatialSnappedNormal& s = result.snapped[0];
       EXPECT_EQ(s.before, n);
-      EXPECT_EQ(s.after, vector3(result.grasp.box.contacts[0].normal));
+      EXPECT_EQ(s.after, vector3(result.grasp.contacts[0].normal));
       EXPECT_EQ(dot(s.after, s.after), 1);
       EXPECT_TRUE(within(s.after, n, tolerance));
       const Rational bound = parse_rational(s.moved);
@@ -212,14 +212,14 @@ TEST(SnapNormals, InSpaceRespectsSignsSwapsAndScale) {
 }
 
 TEST(SnapNormals, InSpaceLeavesRationalLengthsAlone) {
-  const SpatialGrasp grasp = in_space({{2, 1, -2}, {1, 1, 1}, {0, 0, Rational(-1, 7)}});
+  const GraspBox grasp = spatial({{2, 1, -2}, {1, 1, 1}, {0, 0, Rational(-1, 7)}});
   const SpatialSnapResult result = snap_normals(grasp, parse_rational("1e-9"));
   ASSERT_EQ(result.snapped.size(), 1U);
   EXPECT_EQ(result.snapped[0].contact, ContactId(1));
   for (const std::size_t i : {0U, 2U}) {
-    EXPECT_EQ(result.grasp.box.contacts[i].normal, grasp.box.contacts[i].normal);
+    EXPECT_EQ(result.grasp.contacts[i].normal, grasp.contacts[i].normal);
   }
-  EXPECT_EQ(result.grasp.box.contacts[1].preload, point_interval(3));
+  EXPECT_EQ(result.grasp.contacts[1].preload, point_interval(3));
   EXPECT_TRUE(snap_normals(result.grasp, parse_rational("1e-12")).snapped.empty());
   // As short as a double's: 62 bits for each number at 1e-9.
   for (const Rational& entry : result.snapped[0].after) {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Grasps in space: what the writer writes, and the forces that follow from a motion.
-#include "stickslip/core/spatial_grasp.hpp"
-
 #include <gtest/gtest.h>
 
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/grasp_file.hpp"
 #include "stickslip/core/spatial_forces.hpp"
 
 namespace stickslip {
@@ -22,19 +21,21 @@ const std::string kText = R"({"format": "stickslip-grasp/2",
   {"name": "b", "wrench": [0, 0, 0, 0, 0, "-1/3"]}]}
 )";
 
-SpatialGrasp parse(const std::string& text, Intervals intervals = Intervals::kAllowed) {
-  return std::get<SpatialGrasp>(parse_any_grasp(text, "text", intervals));
+GraspFile parse(const std::string& text, Intervals intervals = Intervals::kAllowed) {
+  return parse_any_grasp(text, "text", intervals);
 }
 
 TEST(WriteSpatialGrasp, Bytes) {
-  const SpatialGrasp grasp = parse(kText);
+  const GraspFile grasp = parse(kText);
+  EXPECT_TRUE(in_space(grasp.content));
   EXPECT_EQ(write_grasp_file(grasp), kText);
   EXPECT_EQ(grasp.cases[0].wrench[0], point_interval(2));  // of all loads
   EXPECT_EQ(grasp.assumed_stiffness, std::vector<ContactId>{ContactId(0)});
-  EXPECT_EQ(write_grasp_file(SpatialGrasp{}),
+  const GraspFile empty{GraspBox{{}, WrenchBox(6)}};
+  EXPECT_EQ(write_grasp_file(empty),
             "{\"format\": \"stickslip-grasp/2\",\n \"contacts\": [],\n"
             " \"wrench\": [0, 0, 0, 0, 0, 0]}\n");
-  EXPECT_TRUE(parse(write_grasp_file(SpatialGrasp{})).box.contacts.empty());
+  EXPECT_TRUE(std::get<GraspBox>(parse(write_grasp_file(empty)).content).contacts.empty());
 }
 
 TEST(ReadSpatialGrasp, IntervalsWhereTheyAreRefused) {

@@ -20,7 +20,7 @@ Rational number(const char* text) {
 }
 
 Question ask_about(Grasp grasp, const Wrench& wrench, NormalLaw law = NormalLaw::kUnilateral) {
-  return {{std::move(grasp), wrench}, law, std::nullopt, {}};
+  return {LoadedGrasp{std::move(grasp), wrench}, law};
 }
 
 Claim verdict(bool stable) {

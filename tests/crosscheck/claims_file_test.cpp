@@ -36,8 +36,8 @@ TEST(ParseClaimLine, ReadsEveryNumberAsSpelled) {
                     "forces": [["2/3", 0.10000000000000000001]]})",
                 R"({"wrench": [0, "-22/7", 1e-3], "preload": 0.3, "normal_law": "bilateral"})"),
       "");
-  EXPECT_EQ(line.question.loaded.wrench, (Wrench{0, Rational(-22, 7), Rational(1, 1000)}));
-  EXPECT_EQ(line.question.loaded.grasp.contacts()[0].preload, Rational(3, 10));
+  EXPECT_EQ(line.question.loaded().wrench, (Wrench{0, Rational(-22, 7), Rational(1, 1000)}));
+  EXPECT_EQ(line.question.loaded().grasp.contacts()[0].preload, Rational(3, 10));
   EXPECT_EQ(line.question.law, NormalLaw::kBilateral);
   EXPECT_TRUE(line.claim.stable);
   EXPECT_EQ(line.claim.solution.twist,
@@ -99,10 +99,10 @@ TEST(ParseClaimLine, FilesAreRelativeToTheFolder) {
   const std::string folder = ::testing::TempDir();
   std::ofstream(folder + "/referred.json") << grasp_with(kContact);
   const std::string line = R"({"grasp": "referred.json", "claim": {"verdict": "unstable"}})";
-  EXPECT_EQ(parse_claim_line(line, folder).question.loaded.grasp.size(), 1U);
+  EXPECT_EQ(parse_claim_line(line, folder).question.loaded().grasp.size(), 1U);
   const std::string absolute =
       "{\"grasp\": \"" + folder + "/referred.json\", \"claim\": " + kClaim + "}";
-  EXPECT_EQ(parse_claim_line(absolute, "/nonexistent").question.loaded.grasp.size(), 1U);
+  EXPECT_EQ(parse_claim_line(absolute, "/nonexistent").question.loaded().grasp.size(), 1U);
   try {
     parse_claim_line(line, folder + "/nowhere");
     FAIL();

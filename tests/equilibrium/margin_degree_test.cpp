@@ -43,7 +43,7 @@ Question pulled(Layout layout, std::size_t contacts, std::uint64_t seed, NormalL
                 bool preloaded = true) {
   Question question =
       bench::plain_question(bench::make_grasp(layout, contacts, preloaded, seed), {}, law);
-  question.direction = bench::pulling_load(layout, seed);
+  question.direction = row_of(bench::pulling_load(layout, seed));
   return question;
 }
 

@@ -21,7 +21,7 @@ const Rational kTiny = parse_rational("1e-18");
 
 Question question(Grasp grasp, const Wrench& w = {}, std::vector<ContactId> assumed = {}) {
   Question asked;
-  asked.loaded = {std::move(grasp), w};
+  asked.grasp = LoadedGrasp{std::move(grasp), w};
   asked.assumed_stiffness = std::move(assumed);
   return asked;
 }
@@ -41,7 +41,7 @@ std::vector<ModelTrap> traps(const Question& asked, const Verdict& verdict) {
 
 /// As `decide` answers.
 std::vector<ModelTrap> traps(const Question& asked) {
-  return traps(asked, decide(Problem(asked.loaded, asked.law)).verdict);
+  return traps(asked, decide(Problem(asked.loaded(), asked.law)).verdict);
 }
 
 /// Contacts at (-1, 0) and (1, 0), facing each other.
@@ -116,7 +116,7 @@ TEST(UnbalancedPreload, BeginsWhereFrictionCannotBalanceIt) {
   const Question asked = question(fig1_with_friction(Rational(1, 2) - kTiny));
   EXPECT_THAT(traps(asked, unknown), ElementsAre(ModelTrap::kUnbalancedPreload));
   // Whatever the load and the verdict.
-  EXPECT_THAT(traps(question(asked.loaded.grasp, {0, -3, 0})),
+  EXPECT_THAT(traps(question(asked.loaded().grasp, {0, -3, 0})),
               ElementsAre(ModelTrap::kUnbalancedPreload));
 }
 
@@ -124,7 +124,8 @@ TEST(UnbalancedPreload, IsAboutTheMotionZero) {
   // Preloads 1 and 2 find their balance after a motion.
   const Question asked =
       question(Grasp({{{-1, 0}, {1, 0}, 1, 1, 1}, {{1, 0}, {-1, 0}, 1, 1, 2}}));
-  EXPECT_TRUE(std::holds_alternative<Stable>(decide(Problem(asked.loaded, asked.law)).verdict));
+  EXPECT_TRUE(
+      std::holds_alternative<Stable>(decide(Problem(asked.loaded(), asked.law)).verdict));
   EXPECT_THAT(traps(asked), ElementsAre(ModelTrap::kUnbalancedPreload));
 }
 
@@ -164,7 +165,7 @@ TEST(UnbalancedPreload, AgreesWithTheNaiveProgram) {
                                   : test::generic_grasp(random, contacts),
                  test::small_wrench(random));
     asked.law = round % 2 == 0 ? NormalLaw::kUnilateral : NormalLaw::kBilateral;
-    const Problem problem(asked.loaded, asked.law);
+    const Problem problem(asked.loaded(), asked.law);
     const bool naive = balances_naively(problem);
     EXPECT_EQ(traps(asked, Undecided{}).empty(), naive) << round;
     const auto preloaded = [](const ContactRow& row) { return !row.preload.is_zero(); };
@@ -209,7 +210,8 @@ Question floor(const Rational& push, std::size_t contacts = 3) {
 }
 
 std::string first_text(const Question& asked) {
-  const auto warnings = model_warnings(asked, decide(Problem(asked.loaded, asked.law)).verdict);
+  const auto warnings =
+      model_warnings(asked, decide(Problem(asked.loaded(), asked.law)).verdict);
   return warnings.empty() ? "" : warnings[0].text;
 }
 
@@ -228,10 +230,10 @@ TEST(AssumedStiffness, TriesTheStiffnessOfOthers) {
   // The others have 1000. With 1 or 10 the middle one bears next to nothing, with
   // 1000 a third.
   Question asked = floor(Rational(1, 2));
-  std::vector<Contact> contacts = asked.loaded.grasp.contacts();
+  std::vector<Contact> contacts = asked.loaded().grasp.contacts();
   contacts[0].stiffness = 1000;
   contacts[2].stiffness = 1000;
-  asked.loaded.grasp = Grasp(contacts);
+  asked.grasp = LoadedGrasp{Grasp(contacts), asked.loaded().wrench};
   EXPECT_EQ(first_text(asked),
             "no stiffness is given for contact 1, so 1 was taken; with 1000 the verdict would "
             "be stable");

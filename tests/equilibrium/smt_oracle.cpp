@@ -194,8 +194,9 @@ std::vector<std::string> ask_z3(const std::vector<FamilyCase>& families) {
     std::string text = std::string("(declare-fun l () Real)\n(assert (") +
                        (range.has_low ? ">= " : "> ") + "l " + literal(range.low) + "))\n";
     if (range.high) text += "(assert (< l " + literal(*range.high) + "))\n";
-    text += assertions({margin.loaded, margin.law}, Model::kPassive,
-                       margin.direction.value_or(Wrench{}), margin.preload_growth);
+    text += assertions({margin.loaded(), margin.law}, Model::kPassive,
+                       margin.direction ? wrench_of(*margin.direction) : Wrench{},
+                       margin.preload_growth);
     questions.push_back(std::move(text));
   }
   return answers_to(questions);

@@ -18,7 +18,6 @@
 #include "stickslip/equilibrium/margin.hpp"
 #include "stickslip/equilibrium/question.hpp"
 #include "stickslip/equilibrium/search/branch_and_bound.hpp"
-#include "stickslip/space/spatial_question.hpp"
 
 namespace {
 
@@ -60,7 +59,7 @@ stickslip::Rational core_number(const Rational& number) {
   return stickslip::Rational(number.get_str());
 }
 
-stickslip::Wrench core_wrench(const Vector& w) {
+stickslip::RationalRow core_wrench(const Vector& w) {
   return {core_number(w[0]), core_number(w[1]), core_number(w[2])};
 }
 
@@ -105,23 +104,21 @@ std::string truth_in_space(const Input& input, const Question& question,
     const stickslip::Rational sum = core_number(base.low + multiple * growth);
     return stickslip::Interval{sum, sum};
   };
-  stickslip::SpatialGrasp grasp =
-      std::get<stickslip::SpatialGrasp>(stickslip::parse_any_grasp(input.grasp, "grasp"));
-  grasp.cases.clear();
-  for (std::size_t j = 0; j < grasp.box.wrench.size(); ++j) {
-    grasp.box.wrench[j] = at_multiple(question.widened[j], question.growth[j]);
+  auto grasp =
+      std::get<stickslip::GraspBox>(stickslip::parse_any_grasp(input.grasp, "grasp").content);
+  for (std::size_t j = 0; j < grasp.wrench.size(); ++j) {
+    grasp.wrench[j] = at_multiple(question.widened[j], question.growth[j]);
   }
-  for (std::size_t i = 0; i < grasp.box.contacts.size(); ++i) {
-    grasp.box.contacts[i].preload = at_multiple(
+  for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
+    grasp.contacts[i].preload = at_multiple(
         question.contacts[i].preload,
         question.preload_growth.size() == 0 ? Rational(0) : question.preload_growth[i]);
   }
-  stickslip::SpatialOptions options;
+  stickslip::QuestionOptions options;
   if (question.asked.bilateral) options.law = stickslip::NormalLaw::kBilateral;
   stickslip::BoxOptions limit;
   limit.node_limit = 300;
-  const auto decision =
-      stickslip::decide_box(stickslip::ask(grasp, options).grasp.box, options.law, limit);
+  const auto decision = stickslip::decide_box(grasp, options.law, limit);
   const bool decided = !std::holds_alternative<stickslip::Undecided>(decision.verdict);
   return decided ? name_of(decision.verdict) : "";
 }

@@ -23,7 +23,7 @@ std::string list(const std::vector<Rational>& numbers) {
 
 /// Everything that the line says, as a line.
 std::string written(const ClaimLine& line) {
-  std::string grasp = stickslip::write_grasp(line.question.loaded);
+  std::string grasp = stickslip::write_grasp(line.question.loaded());
   for (char& c : grasp) c = c == '\n' ? ' ' : c;  // in a string it is spelled \n
   const stickslip::ApproximateEquilibrium& solution = line.claim.solution;
   std::string text = "{\"grasp\": " + grasp + ", \"options\": {\"normal_law\": \"" +
@@ -33,7 +33,7 @@ std::string written(const ClaimLine& line) {
   if (const auto& d = solution.twist) text += ", \"twist\": " + list({d->x, d->y, d->r});
   if (solution.forces) {
     const char* separator = ", \"force_vectors\": [";
-    const auto& contacts = line.question.loaded.grasp.contacts();
+    const auto& contacts = line.question.loaded().grasp.contacts();
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const auto& [a, b] = solution.forces->at(i);
       const stickslip::Vector2& n = contacts[i].normal;
@@ -53,7 +53,7 @@ void read_line(const std::string& text) {
     stickslip::fuzz::expect_useful(error, text);
     return;
   }
-  const stickslip::Problem problem(line.question.loaded, line.question.law);
+  const stickslip::Problem problem(line.question.loaded(), line.question.law);
   residuals_of(problem, line.claim.solution);
   std::string again;
   try {

@@ -41,8 +41,8 @@ void answer(const std::string& text, NormalLaw law) {
   QuestionOptions options;
   options.law = law;
   const Question question = ask(parse_grasp(text, "fuzz"), options);
-  if (question.loaded.grasp.size() > kMostContacts) return;
-  const Problem problem(question.loaded, law);
+  const Problem problem = problem_of(question);  // throws of irrational lengths
+  if (problem.size() > kMostContacts) return;
   ConeOptions limit;
   limit.node_limit = kNodeLimit;
   stickslip_check::Options asked;
@@ -58,13 +58,13 @@ void answer(const std::string& text, NormalLaw law) {
       expect_accepted(text, margin_certificate_text(along, *found, "fuzz"), asked, "margin");
     }
   };
-  const Wrench& load = question.loaded.wrench;
+  const Wrench& load = question.loaded().wrench;
   if (!(load == Wrench{})) {
-    options.direction = load;
+    options.direction = stickslip::row_of(load);
     asked.direction = checker_vector(load);
     expect_margin(options);
   }
-  const std::vector<Contact>& contacts = question.loaded.grasp.contacts();
+  const std::vector<Contact>& contacts = question.loaded().grasp.contacts();
   const bool has_preload = std::any_of(contacts.begin(), contacts.end(),
                                        [](const Contact& c) { return !c.preload.is_zero(); });
   if (!has_preload) return;

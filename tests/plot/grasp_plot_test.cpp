@@ -13,8 +13,7 @@ namespace {
 
 Question pushed_from_below() {
   Question question;
-  question.loaded.grasp = Grasp({{{0, -1}, {0, 1}, Rational(1, 2)}}, "one");
-  question.loaded.wrench = {0, -1, 0};
+  question.grasp = LoadedGrasp{Grasp({{{0, -1}, {0, 1}, Rational(1, 2)}}, "one"), {0, -1, 0}};
   return question;
 }
 
@@ -24,10 +23,10 @@ TEST(PlotGrasp, AWitnessOfAnotherGraspIsRefused) {
 
 TEST(PlotGrasp, AMotionThatTurnsAboutTheOnlyContact) {
   Question question;
-  question.loaded.grasp = Grasp(std::vector<Contact>{{{0, 0}, {0, 1}}});
+  question.grasp = LoadedGrasp{Grasp(std::vector<Contact>{{{0, 0}, {0, 1}}}), {}};
   for (const char* turn : {"1", "-1e-400", "1e400"}) {
     const Witness witness{{0, 0, parse_rational(turn)}, {{0, 0}}};
-    ASSERT_FALSE(find_violation(Problem(question.loaded, question.law), witness));
+    ASSERT_FALSE(find_violation(Problem(question.loaded(), question.law), witness));
     const std::string svg = plot_grasp(question, Stable{witness});
     EXPECT_NE(svg.find("class=\"ghost\""), std::string::npos);
     EXPECT_EQ(svg.find("class=\"motion\""), std::string::npos);
@@ -35,8 +34,9 @@ TEST(PlotGrasp, AMotionThatTurnsAboutTheOnlyContact) {
 }
 
 TEST(PlotGrasp, Undecided) {
-  const std::string svg = plot_grasp(
-      pushed_from_below(), Undecided{"a limit was reached", "nodes", "a higher one may help"});
+  const std::string svg =
+      plot_grasp(pushed_from_below(),
+                 Verdict(Undecided{"a limit was reached", "nodes", "a higher one may help"}));
   EXPECT_NE(svg.find("one: undecided"), std::string::npos);
   EXPECT_NE(svg.find("Undecided: a limit was reached; a higher one may help."),
             std::string::npos);
@@ -62,11 +62,11 @@ std::vector<std::string> marks(const std::string& svg) {
 TEST(PlotGrasp, WhichContactsLose) {
   // Pulled out from between two fingers; the third could only push it further.
   Question question;
-  question.loaded.grasp = Grasp({{{-1, 0}, {1, 0}, Rational(1, 2)},
-                                 {{1, 0}, {-1, 0}, Rational(1, 2)},
-                                 {{0, -1}, {0, 1}, Rational(1, 2)}},
-                                "pulled");
-  question.loaded.wrench = {0, 9, 0};
+  question.grasp = LoadedGrasp{Grasp({{{-1, 0}, {1, 0}, Rational(1, 2)},
+                                      {{1, 0}, {-1, 0}, Rational(1, 2)},
+                                      {{0, -1}, {0, 1}, Rational(1, 2)}},
+                                     "pulled"),
+                               {0, 9, 0}};
   const VirtualWorkLeaf down{{0, -1, 0}};
   const std::string loses = "loses";
   const std::string cannot = "cannot oppose";
@@ -107,17 +107,16 @@ TEST(PlotGrasp, ACaseWithoutATwistHasNoMotion) {
   EXPECT_EQ(svg.find("class=\"virtual\""), std::string::npos);
 }
 
-SpatialQuestion pushed_down() {
-  SpatialGrasp grasp;
-  grasp.name = "one";
-  grasp.box.contacts.push_back({std::vector<Interval>(3),
-                                {0, 0, 1},
-                                point_interval(Rational(1, 2)),
-                                point_interval(1),
-                                {}});
-  SpatialOptions asked;
-  asked.wrench = Vector6{0, 0, -1, 0, 0, 0};
-  return ask(grasp, asked);
+Question pushed_down() {
+  GraspBox grasp{{}, WrenchBox(6), {"one"}};
+  grasp.contacts.push_back({std::vector<Interval>(3),
+                            {0, 0, 1},
+                            point_interval(Rational(1, 2)),
+                            point_interval(1),
+                            {}});
+  QuestionOptions asked;
+  asked.wrench = RationalRow{0, 0, -1, 0, 0, 0};
+  return ask({grasp}, asked);
 }
 
 TEST(PlotSpatialGrasp, UndecidedOrUnstableHasNoForces) {

@@ -197,7 +197,7 @@ def test_errors_of_questions(tmp_path, pinch):
             (lambda: Grasp([[0, 0, 0]], [[0, 0, 1]], 1, outline=[[0, 0], [1, 0], [0, 1]]), "outline"),
             (lambda: decide(pinch, (0, 0, 1)), "wrench"),
             (lambda: decide(pinch, (0, 0, 1, 0, 0, "x")), "wrench[5]"),
-            (lambda: decide(pinch, DOWN, preload=-1), "contacts[0].preload"),
+            (lambda: decide(pinch, DOWN, preload=-1), "preload"),
             (lambda: decide(pinch, DOWN, engine="branch-and-bound"), "engine"),
             (lambda: stickslip.margin(pinch, DOWN, accuracy=0), "accuracy"),
             (lambda: stickslip.margin(pinch, (0, 0, -1)), "direction"),

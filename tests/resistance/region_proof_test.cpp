@@ -37,16 +37,16 @@ ResistibleSet set_with_pieces(const Problem& problem, const WrenchPlane& plane) 
 }
 
 Proved proved(const Grasp& grasp, NormalLaw law, const WrenchPlane& plane) {
-  const Question question{{grasp, {0, 0, 0}}, law, std::nullopt};
+  const Question question{LoadedGrasp{grasp, {0, 0, 0}}, law};
   const Problem problem = problem_of(question);
   const ResistibleSet set = set_with_pieces(problem, plane);
   Proved result{set.region, {}, {}, {}};
   auto found = prove_region(problem, plane, set.pieces, {}, &result.work);
   result.proof = std::move(std::get<RegionProof>(found));
-  result.input.grasp = write_grasp(question.loaded);
+  result.input.grasp = write_grasp(question.loaded());
   result.input.certificate = region_certificate_text(question, plane, result.proof, "tests");
   result.input.options.law = law;
-  result.input.options.wrench = plane.origin();
+  result.input.options.wrench = row_of(plane.origin());
   result.input.plane = {plane.u(), plane.v()};
   return result;
 }

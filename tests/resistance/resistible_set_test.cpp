@@ -305,7 +305,7 @@ TEST(ResistibleRegion, HardGrasps) {
   for (const auto& entry : std::filesystem::directory_iterator(STICKSLIP_HARD_CASES)) {
     const std::string name = entry.path().stem();
     if (entry.path().extension() != ".json" || name.find("24") != name.npos) continue;
-    const LoadedGrasp loaded = read_grasp_file(entry.path()).content;
+    const LoadedGrasp loaded = read_grasp_file(entry.path()).loaded();
     if (loaded.grasp.size() > 12) continue;
     SCOPED_TRACE(name);
     ++grasps;

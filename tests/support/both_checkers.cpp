@@ -242,7 +242,7 @@ CheckerInput input_of(const Question& question) {
   CheckerInput input;
   input.options.law = question.law;
   input.options.preload = question.preload;
-  LoadedGrasp file = question.loaded;
+  LoadedGrasp file = question.loaded();
   if (question.preload_direction && question.preload_direction->scale) {
     file.grasp = file.grasp.with_preloads(question.preload_growth);
   }
@@ -266,7 +266,7 @@ CheckerInput input_of(const Question& question, const Verdict& verdict) {
 
 CheckerInput input_of(const Question& question, const Margin& margin) {
   CheckerInput input = input_of(question);
-  input.options.wrench = question.loaded.wrench;
+  input.options.wrench = row_of(question.loaded().wrench);
   input.options.direction = question.direction;
   input.options.preload_direction = question.preload_direction;
   input.certificate = margin_certificate_text(question, margin, "tests");

@@ -14,17 +14,19 @@ namespace stickslip::test {
 inline Question margin_question(const LoadedGrasp& loaded, NormalLaw law,
                                 const std::optional<Wrench>& direction,
                                 const std::optional<PreloadDirection>& growth = std::nullopt) {
-  return ask(GraspFile{loaded, {}}, {loaded.wrench, std::nullopt, law, direction, growth});
+  return ask(GraspFile{loaded},
+             {row_of(loaded.wrench), std::nullopt, law,
+              direction ? std::optional(row_of(*direction)) : std::nullopt, growth});
 }
 
 /// With w + l u and P + l P^u, as the certificate format states them.
 inline LoadedGrasp member(const Question& margin, const Rational& multiple) {
-  std::vector<Contact> contacts = margin.loaded.grasp.contacts();
+  std::vector<Contact> contacts = margin.loaded().grasp.contacts();
   for (std::size_t i = 0; i < margin.preload_growth.size(); ++i) {
     contacts[i].preload += multiple * margin.preload_growth[i];
   }
-  return {Grasp(std::move(contacts)),
-          margin.loaded.wrench + multiple * margin.direction.value_or(Wrench{})};
+  const Wrench direction = margin.direction ? wrench_of(*margin.direction) : Wrench{};
+  return {Grasp(std::move(contacts)), margin.loaded().wrench + multiple * direction};
 }
 
 /// What is left of l >= 0.

@@ -11,7 +11,7 @@
 int main(int argc, char** argv) {
   if (argc != 3) return 2;
   const stickslip::Question question = ask(stickslip::read_grasp_file(argv[1]), {});
-  const stickslip::Problem problem(question.loaded, question.law);
+  const stickslip::Problem problem(question.loaded(), question.law);
   const stickslip::Decision decision = decide(problem);
   stickslip::write_whole_file(
       argv[2], stickslip::certificate_text(question, decision.verdict, "consumer"));

@@ -14,7 +14,7 @@ namespace stickslip {
 /// \{ Before finished().
 Json margin_json(const Question& question, const Margin& margin, const MarginWork& work,
                  const Warnings& warnings);
-Json margin_json(const SpatialQuestion& question, const SpatialMargin& margin,
+Json margin_json(const Question& question, const SpatialMargin& margin,
                  const Warnings& warnings);
 /// \}
 

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "stickslip/answers/asked_box.hpp"
+#include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/box/map.hpp"
 #include "stickslip/core/number_text.hpp"
 #include "stickslip/equilibrium/question.hpp"
@@ -43,7 +43,7 @@ std::variant<std::string, Undecided> certificate_of(const RegionAnswer& answer,
                                                     const RegionOptions& options = {});
 
 /// The cells of a map over these axes, before finished().
-Json map_json(const AskedBox& asked, const MapAxis& x, const MapAxis& y,
+Json map_json(const Question& question, const MapAxis& x, const MapAxis& y,
               const std::vector<MapCell>& cells);
 
 }  // namespace stickslip

@@ -5,9 +5,7 @@
 
 #include <string>
 
-#include "stickslip/core/spatial_grasp.hpp"
 #include "stickslip/equilibrium/question.hpp"
-#include "stickslip/space/spatial_question.hpp"
 
 namespace stickslip {
 
@@ -22,13 +20,7 @@ struct QuestionText {
   std::string preload_direction;          ///< of a margin: "P0,P1,..." or "scale"
 };
 
-/// What they say in the plane. Throws InputError naming the option, "--wrench".
+/// What they say. Throws InputError naming the option, "--wrench".
 QuestionOptions question_options(const QuestionText& text);
-/// The same in space.
-SpatialOptions spatial_options(const QuestionText& text);
-
-/// As ask_with_options() in the plane (equilibrium/option_text.hpp).
-SpatialQuestion ask_with_options(const SpatialGrasp& grasp, const SpatialOptions& options,
-                                 const std::string& name);
 
 }  // namespace stickslip

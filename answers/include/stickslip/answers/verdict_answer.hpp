@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
 /// Questions of any kind with their verdicts, as `decide --json` prints them: about one grasp
-/// in the plane, about a box of them, and about a grasp in space.
+/// in the plane; and about a box of them, or about a grasp in space.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,6 @@
 #include <variant>
 #include <vector>
 
-#include "stickslip/answers/asked_box.hpp"
 #include "stickslip/answers/uncertain_numbers.hpp"
 #include "stickslip/box/box_verdict.hpp"
 #include "stickslip/core/number_text.hpp"
@@ -24,6 +23,14 @@ namespace stickslip {
 /// Nothing when they were not asked for.
 using Warnings = std::optional<std::vector<ModelWarning>>;
 
+/// \{ The engine whose numbers may be intervals, in the plane and in space.
+inline constexpr const char* kIntervalsEngine = "intervals";
+inline constexpr const char* kSpaceEngine = "space";
+inline const char* box_engine(const Question& question) {
+  return question.in_space() ? kSpaceEngine : kIntervalsEngine;
+}
+/// \}
+
 /// About one grasp in the plane.
 struct CaseAnswer {
   Question question;  ///< not a box
@@ -34,23 +41,17 @@ struct CaseAnswer {
   const Verdict& verdict() const { return decision.verdict; }  ///< of the decision
 };
 
-/// About every grasp in a box; or about one of which some lengths are irrational and known as
-/// intervals; or about one that is stable, and of which an exact equilibrium would be too long
-/// (has_long_equilibria).
+/// About every grasp in a box; or about one in space; or about one in the plane of which some
+/// lengths are irrational and known as intervals, or that is stable, and of which an exact
+/// equilibrium would be too long (has_long_equilibria).
 struct BoxAnswer {
   Question question;     ///< with a box, perhaps of one point
   BoxDecision decision;  ///< the verdict
-};
-
-/// About a grasp in space, or a box of them.
-struct SpaceAnswer {
-  SpatialQuestion question;  ///< not a margin
-  BoxDecision decision;      ///< the verdict
-  Warnings warnings;         ///< about it
+  Warnings warnings;     ///< about it, in space
 };
 
 /// To one question.
-using Answer = std::variant<CaseAnswer, BoxAnswer, SpaceAnswer>;
+using Answer = std::variant<CaseAnswer, BoxAnswer>;
 
 /// How to answer.
 struct AnswerOptions {
@@ -67,18 +68,15 @@ std::variant<Decision, BoxDecision> judge(const Problem& problem, Engine engine,
 /// What judge() said by degree about one grasp.
 BoxAnswer answer_by_degree(Question question, BoxDecision decision);
 
-/// \{ Decides.
+/// Decides.
 Answer answer_to(Question question, const AnswerOptions& options);
-Answer answer_to(SpatialQuestion question, const AnswerOptions& options);
-/// \}
 
 /// Why, as "limit" in words and as "reason" in one; "remedy" and "near" if there are any.
 void add_undecided(Json& json, const Undecided& undecided);
 
 /// What a verdict on a box says unless it is stable: "refutation", "examples" with
 /// "differences", or what add_undecided() adds.
-void add_verdict(Json& json, const GraspBox& box, const GraspDescription& description,
-                 const BoxDecision& decision);
+void add_verdict(Json& json, const GraspBox& box, const BoxDecision& decision);
 
 /// The contacts as "enclosed", and "bits"; nothing if there are none.
 void add_enclosed(Json& json, const std::vector<std::size_t>& contacts, unsigned bits);
@@ -89,14 +87,12 @@ const char* name_of(const Answer& answer);
 /// \{ What `decide --json` prints, before finished().
 Json to_json(const CaseAnswer& answer);
 Json to_json(const BoxAnswer& answer);
-Json to_json(const SpaceAnswer& answer);
 Json to_json(const Answer& answer);
 /// \}
 
 /// \{ The certificate; nothing if the verdict has none: undecided or fragile.
 std::optional<std::string> certificate_of(const CaseAnswer& answer);
 std::optional<std::string> certificate_of(const BoxAnswer& answer);
-std::optional<std::string> certificate_of(const SpaceAnswer& answer);
 std::optional<std::string> certificate_of(const Answer& answer);
 /// \}
 
@@ -128,8 +124,9 @@ struct ContactReport {
 /// By ContactId.
 std::vector<ContactReport> report_contacts(const CaseAnswer& answer, const Witness& witness);
 
-/// Of one grasp that is stable: a motion near that of an equilibrium.
-std::optional<Vector3> motion_near(const BoxAnswer& answer);
+/// Of one grasp that is stable, and of which no equilibrium is known: a motion near that of
+/// one.
+std::optional<RationalRow> motion_near(const BoxAnswer& answer);
 
 /// The contacts whose preload over the length of the normal is enclosed.
 std::vector<std::size_t> enclosed_contacts(const GraspBox& box);

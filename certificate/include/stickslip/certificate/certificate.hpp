@@ -12,7 +12,6 @@
 #include "stickslip/equilibrium/verdict.hpp"
 #include "stickslip/resistance/region_proof.hpp"
 #include "stickslip/space/spatial_margin.hpp"
-#include "stickslip/space/spatial_question.hpp"
 
 namespace stickslip {
 
@@ -21,23 +20,18 @@ namespace stickslip {
 std::string certificate_text(const Question& question, const Verdict& verdict,
                              const std::string& producer);
 
-/// The certificate of a box (FORMAT.md, section 6). Throws ContractError unless `question` is
-/// one, and for Fragile and Undecided, which it cannot say.
+/// The certificate of a box, or of a grasp in space (FORMAT.md, sections 6 and 7). Throws
+/// ContractError of one in the plane, and for Fragile and Undecided, which it cannot say.
 std::string box_certificate_text(const Question& question, const BoxDecision& decision,
                                  const std::string& producer);
 
-/// The certificate of a verdict in space (FORMAT.md, section 7). Throws ContractError for
-/// Fragile and Undecided, which it cannot say.
-std::string spatial_certificate_text(const SpatialQuestion& question,
-                                     const BoxDecision& decision, const std::string& producer);
-
-/// The certificate of a margin in space (FORMAT.md, section 7).
-std::string spatial_margin_text(const SpatialQuestion& question, const SpatialMargin& margin,
-                                const std::string& producer);
-
-/// The certificate of the margin of problem_of(question) (FORMAT.md, section 5).
+/// \{ The certificate of the margin of problem_of(question), and of one in space (FORMAT.md,
+/// sections 5 and 7).
 std::string margin_certificate_text(const Question& question, const Margin& margin,
                                     const std::string& producer);
+std::string margin_certificate_text(const Question& question, const SpatialMargin& margin,
+                                    const std::string& producer);
+/// \}
 
 /// The certificate of the resistible wrenches of a plane (FORMAT.md, section 12). The wrench of
 /// the question plays no part.

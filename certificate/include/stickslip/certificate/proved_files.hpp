@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "stickslip/box/radius.hpp"
-#include "stickslip/core/spatial_grasp.hpp"
+#include "stickslip/core/grasp_file.hpp"
 #include "stickslip/equilibrium/question.hpp"
 
 namespace stickslip {
@@ -21,25 +21,25 @@ struct ProvedFiles {
 
 /// Of one grasp, decided here once more. `producer` is a remark without meaning. Requires that
 /// the verdict is stable, or unstable, as `stable` says.
-ProvedFiles proved_grasp(const GraspBox& point, const GraspDescription& description,
-                         NormalLaw law, bool stable, const std::string& producer);
+ProvedFiles proved_grasp(const GraspBox& point, NormalLaw law, bool stable,
+                         const std::string& producer);
 
 /// Of a box that is stable or unstable throughout, as `decision` proves. A box of one grasp has
 /// that grasp's files.
-ProvedFiles proved_box(const GraspBox& box, const GraspDescription& description, NormalLaw law,
-                       const BoxDecision& decision, const std::string& producer);
+ProvedFiles proved_box(const GraspBox& box, NormalLaw law, const BoxDecision& decision,
+                       const std::string& producer);
 
 /// Of decide_box(): the box if it has one verdict, and if it is fragile the stable example and
 /// the other one; nothing if it is undecided.
-std::vector<ProvedFiles> proved_decision(const GraspBox& box, const GraspDescription& description,
-                                         NormalLaw law, const BoxDecision& decision,
+std::vector<ProvedFiles> proved_decision(const GraspBox& box, NormalLaw law,
+                                         const BoxDecision& decision,
                                          const std::string& producer);
 
 /// Of find_radius() for a centre and a box about it: the largest box that is proved, or the
 /// grasp in the centre if there is none; and then the counterexample, if there is one. Requires
 /// that the centre is decided.
 std::vector<ProvedFiles> proved_radius(const GraspBox& centre, const GraspBox& box,
-                                       const GraspDescription& description, NormalLaw law,
-                                       const Radius& radius, const std::string& producer);
+                                       NormalLaw law, const Radius& radius,
+                                       const std::string& producer);
 
 }  // namespace stickslip

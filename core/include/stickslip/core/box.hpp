@@ -13,6 +13,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "stickslip/core/grasp.hpp"
@@ -108,6 +109,7 @@ Tolerances parse_tolerances(std::string_view text);
 struct GraspBox {
   std::vector<UncertainContact> contacts;  ///< by ContactId
   WrenchBox wrench;                        ///< w, applied to the object
+  GraspDescription description{};          ///< no outline in space
 
   /// Whether it has three coordinates.
   bool in_space() const { return wrench.size() == 6; }
@@ -126,7 +128,7 @@ struct GraspBox {
   /// The one grasp in the middle of every interval, with the normals n.
   GraspBox middle() const;
   /// The same, of a box in the plane.
-  LoadedGrasp planar_middle(const GraspDescription& description = {}) const;
+  LoadedGrasp planar_middle() const;
 };
 
 /// Calls f of every number that may be an interval, in the order of a file. (The slope of a
@@ -145,6 +147,11 @@ void for_each_number(Box& box, Function f) {
 /// The wrench in the middle of every interval, in the plane.
 Wrench planar_middle(const WrenchBox& wrench);
 
+/// \{ A wrench in the plane as a row, and back.
+RationalRow row_of(const Wrench& wrench);
+Wrench wrench_of(const RationalRow& row);
+/// \}
+
 /// n + slope t, with t = (-n_y, n_x), in the plane.
 Vector2 turned(const RationalRow& normal, const Rational& slope);
 
@@ -157,7 +164,19 @@ inline Vector3 vector3(const RationalRow& row) {
   return {row.at(0), row.at(1), row.at(2)};
 }
 
-/// \{ The box of one grasp, contact or wrench in the plane.
+/// A grasp with its load as files have it: one in the plane, in little memory; or all in a box,
+/// perhaps of one point, in the plane or in space.
+using AnyGrasp = std::variant<LoadedGrasp, GraspBox>;
+
+/// Whether it has three coordinates.
+bool in_space(const AnyGrasp& grasp);
+/// What is known of it for people.
+const GraspDescription& description_of(const AnyGrasp& grasp);
+/// Its load.
+WrenchBox wrench_of(const AnyGrasp& grasp);
+
+/// \{ The box of one grasp, contact or wrench in the plane; a box is its own.
+GraspBox box_of(const AnyGrasp& grasp);
 GraspBox box_of(const LoadedGrasp& loaded);
 UncertainContact box_of(const Contact& contact);
 WrenchBox box_of(const Wrench& wrench);

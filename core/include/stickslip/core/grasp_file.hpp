@@ -18,28 +18,29 @@
 namespace stickslip {
 
 struct JsonNode;
-struct SpatialGrasp;
 /// A contact in which "defaults" may have to be filled in.
 struct WrittenContact;
 
 /// A load with a name: a question of its own.
 struct NamedLoad {
   std::string name;  ///< not empty
-  Wrench wrench;     ///< all of it, with what is common to all cases
-  /// If some component is an interval: what it is; then `wrench` is its middle.
-  std::optional<WrenchBox> box{};
+  WrenchBox wrench;  ///< all of it, with what is common to all cases
 };
 
-/// What a grasp file says.
+/// What a grasp file says, in the plane or in space.
 struct GraspFile {
   /// The contacts; and the load, of cases what is common to them. Places on the outline and
-  /// loads at points are positions, normals and a wrench.
-  LoadedGrasp content;
+  /// loads at points are positions, normals and a wrench. A box in the plane if some number of
+  /// these is an interval.
+  AnyGrasp content;
   /// The contacts whose stiffness is 1 because nothing gives it; increasing.
   std::vector<ContactId> assumed_stiffness{};
   std::vector<NamedLoad> cases{};  ///< with different names; none: `content` has the only load
-  /// If some number of `content` is an interval: what they are; then `content` is its middle.
-  std::optional<GraspBox> box{};
+
+  /// Requires one grasp in the plane.
+  const LoadedGrasp& loaded() const;
+  /// What is known of the grasp for people.
+  const GraspDescription& description() const { return description_of(content); }
 };
 
 /// Whether a reader takes files with intervals. What does not answer for all grasps in a box
@@ -67,8 +68,7 @@ class StreamedGrasp {
   /// The object whose contacts were streamed. Refuses one in space.
   GraspFile finish(const JsonNode& grasp, Intervals intervals = Intervals::kRefused);
   /// The same of one in space.
-  SpatialGrasp finish_in_space(const JsonNode& grasp,
-                               Intervals intervals = Intervals::kAllowed);
+  GraspFile finish_in_space(const JsonNode& grasp, Intervals intervals = Intervals::kAllowed);
 
  private:
   std::vector<WrittenContact> contacts_;
@@ -76,9 +76,9 @@ class StreamedGrasp {
   std::string first_interval_;  ///< its place; empty if there is none
 };
 
-/// Reads one grasp. `file` is the name used in errors. Throws InputError with file, JSON
-/// path or line:column, what is wrong, and what would be right; so for intervals that are
-/// refused.
+/// Reads one grasp in the plane. `file` is the name used in errors. Throws InputError with
+/// file, JSON path or line:column, what is wrong, and what would be right; so for intervals
+/// that are refused, and for a grasp in space.
 GraspFile parse_grasp(std::string_view text, const std::string& file,
                       Intervals intervals = Intervals::kRefused);
 
@@ -86,15 +86,22 @@ GraspFile parse_grasp(std::string_view text, const std::string& file,
 /// cannot be read.
 GraspFile read_grasp_file(const std::string& path, Intervals intervals = Intervals::kRefused);
 
+/// \{ The same, in the plane or in space.
+GraspFile parse_any_grasp(std::string_view text, const std::string& file,
+                          Intervals intervals = Intervals::kAllowed);
+GraspFile read_any_grasp_file(const std::string& path,
+                              Intervals intervals = Intervals::kAllowed);
+/// \}
+
 /// The grasp as a file's text, one contact a line, ending in a newline. Reading it gives the
 /// same grasp, and the same grasp gives the same bytes. Loads are written as the wrench that
 /// they sum to, and contacts with their positions and normals. Integers below 2^53 are written
 /// as JSON numbers, all others as strings "3/5", so that no JSON reader rounds them. Throws
 /// InputError for what a file cannot hold: a name that is not UTF-8, a number longer than
 /// kMaxNumberLength.
-std::string write_grasp(const LoadedGrasp& content);
+std::string write_grasp(const AnyGrasp& content);
 /// \copydoc write_grasp
-std::string write_grasp(const GraspBox& box, const GraspDescription& description);
+std::string write_grasp(const LoadedGrasp& content);
 /// The same with the cases and intervals, and without the stiffnesses that were assumed:
 /// reading it gives `file` again.
 std::string write_grasp_file(const GraspFile& file);

@@ -71,6 +71,7 @@ Json number_json(const std::array<Number, n>& v) {
   for (const Number& entry : v) json.push_back(number_json(Rational(entry)));
   return json;
 }
+Json number_json(const std::vector<Rational>& v);
 /// \}
 
 /// \{ A member "units" of an answer about this grasp, if they are known.

@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "stickslip/core/grasp.hpp"
-#include "stickslip/core/spatial_grasp.hpp"
+#include "stickslip/core/box.hpp"
 
 namespace stickslip {
 
@@ -38,7 +37,7 @@ using SnapResult = SnapResultOf<Grasp, Vector2>;
 /// \}
 /// \{ In space.
 using SpatialSnappedNormal = SnappedNormalOf<Vector3>;
-using SpatialSnapResult = SnapResultOf<SpatialGrasp, Vector3>;
+using SpatialSnapResult = SnapResultOf<GraspBox, Vector3>;
 /// \}
 
 /// Replaces every normal of irrational length by a rational unit vector u with
@@ -61,6 +60,6 @@ SnapResult snap_normals(const Grasp& grasp, const Rational& tolerance);
 /// brought back: u depends on the direction of n alone, changes sign with its entries, and is 0
 /// where n is. Each normal costs O(log(1/tolerance)) operations on numbers of
 /// O(log(1/tolerance)) bits.
-SpatialSnapResult snap_normals(const SpatialGrasp& grasp, const Rational& tolerance);
+SpatialSnapResult snap_normals(const GraspBox& grasp, const Rational& tolerance);
 
 }  // namespace stickslip

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "stickslip/core/spatial_grasp.hpp"
+#include "stickslip/core/grasp_file.hpp"
 
 namespace stickslip {
 

@@ -23,8 +23,9 @@ Wrench wrench_option(const std::string& option, const std::string& value);
 /// An error of ask() in the words of the command line, about the grasp `name`.
 InputError in_options(const InputError& error, const std::string& name);
 
-/// ask(), and the rows that every answer needs: errors are in the words of the command line,
-/// and those of a contact name the grasp `name`. Refuses a box unless the command takes them.
+/// ask(), and in the plane the rows that every answer needs: errors are in the words of the
+/// command line, and those of a contact name the grasp `name`. Refuses a box in the plane
+/// unless the command takes them.
 Question ask_with_options(GraspFile file, const QuestionOptions& options,
                           const std::string& name, bool takes_boxes = false);
 

@@ -68,7 +68,7 @@ struct PageLimits {
 
 /// The object. `name` stands for the file in errors. Throws InputError for what cannot be
 /// asked.
-Json page_answer(const AnyGraspFile& file, const QuestionText& asked, const PageParts& parts,
+Json page_answer(const GraspFile& file, const QuestionText& asked, const PageParts& parts,
                  const PageLimits& limits, const std::string& name);
 
 /// What a server says to a request.

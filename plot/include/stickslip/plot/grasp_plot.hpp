@@ -8,7 +8,6 @@
 #include "stickslip/box/box_verdict.hpp"
 #include "stickslip/equilibrium/question.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
-#include "stickslip/space/spatial_question.hpp"
 
 namespace stickslip {
 
@@ -45,6 +44,6 @@ std::string plot_grasp(const Question& question, const Verdict& verdict);
 /// - Unstable: the grasp and its load.
 ///
 /// Requires that nothing of the question is uncertain but lengths that are irrational.
-std::string plot_grasp(const SpatialQuestion& question, const BoxVerdict& verdict);
+std::string plot_grasp(const Question& question, const BoxVerdict& verdict);
 
 }  // namespace stickslip

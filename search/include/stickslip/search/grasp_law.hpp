@@ -18,8 +18,8 @@
 namespace stickslip {
 
 /// By how much a margin grows per multiple.
-struct SpatialGrowth {
-  Vector6 load{};                    ///< u
+struct GrowthRates {
+  RationalRow load{};                ///< u; empty: 0
   std::vector<Rational> preloads{};  ///< P^u by contact; empty: none grows
 };
 
@@ -33,7 +33,7 @@ class GraspLaw : public Law {
   /// 1/|n| is enclosed in so many bits where it is irrational and the preload may be above 0.
   /// Margins are of one grasp in space.
   GraspLaw(const GraspBox& box, NormalLaw law, unsigned bits = kDefaultBits,
-           const std::optional<SpatialGrowth>& margin = {});
+           const std::optional<GrowthRates>& margin = {});
 
   /// The interval of a parameter. Requires that there is one.
   const Interval& interval(const ParameterId& id) const;

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "stickslip/core/spatial_forces.hpp"
-#include "stickslip/space/spatial_question.hpp"
+#include "stickslip/equilibrium/question.hpp"
 
 namespace stickslip {
 
 /// Forces near those of an equilibrium near the motion d, by contact, in doubles. What nearly
 /// sticks has slip 0, and friction within its cone by which the sum comes nearest to 0.
-std::vector<SpatialForce> near_forces(const SpatialQuestion& question, const Vector6& d);
+std::vector<SpatialForce> near_forces(const Question& question, const Vector6& d);
 
 }  // namespace stickslip

@@ -18,7 +18,7 @@
 
 #include "stickslip/box/box_verdict.hpp"
 #include "stickslip/equilibrium/margin.hpp"
-#include "stickslip/space/spatial_question.hpp"
+#include "stickslip/equilibrium/question.hpp"
 
 namespace stickslip {
 
@@ -64,9 +64,9 @@ struct SpatialMarginOptions {
   BoxOptions search{};  ///< of each proof
 };
 
-/// Requires a question about a margin. Deterministic. `progress` is called now and then.
-SpatialMargin find_margin(const SpatialQuestion& question,
-                          const SpatialMarginOptions& options = {},
+/// Requires a question about a margin in space. Deterministic. `progress` is called now and
+/// then.
+SpatialMargin find_margin(const Question& question, const SpatialMarginOptions& options = {},
                           const std::function<void(const SpatialMargin&)>& progress = {});
 
 }  // namespace stickslip

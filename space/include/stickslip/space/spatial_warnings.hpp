@@ -11,21 +11,19 @@
 
 #include "stickslip/box/box_verdict.hpp"
 #include "stickslip/equilibrium/model_traps.hpp"
+#include "stickslip/equilibrium/question.hpp"
 #include "stickslip/space/spatial_margin.hpp"
-#include "stickslip/space/spatial_question.hpp"
 
 namespace stickslip {
 
 /// The warnings about a question and the answer to it; none if numbers are uncertain. O(m)
 /// rational operations, and in grasps of at most kMostContactsToVary contacts verdicts that
 /// take as many nodes as the answer took, and kNodesToVary.
-std::vector<ModelWarning> model_warnings(const SpatialQuestion& question,
-                                         const BoxDecision& decision);
+std::vector<ModelWarning> model_warnings(const Question& question, const BoxDecision& decision);
 
 /// The same of a margin, about the exact equilibria at the ends of what is resisted, the first
 /// that each sort is true of; and about the preloads that it begins with or, if these are 0,
 /// with which it grows. Stiffness is not varied.
-std::vector<ModelWarning> model_warnings(const SpatialQuestion& question,
-                                         const SpatialMargin& margin);
+std::vector<ModelWarning> model_warnings(const Question& question, const SpatialMargin& margin);
 
 }  // namespace stickslip

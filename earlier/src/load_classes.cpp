@@ -5,6 +5,7 @@
 
 #include "contact_forces.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/equilibrium/option_text.hpp"
 #include "stickslip/equilibrium/search/region.hpp"
 #include "stickslip/lp/linear_program.hpp"
 
@@ -302,6 +303,39 @@ std::variant<StronglyStable, Acceleration, Undecided> strongly_stable_load(
   auto* forces = std::get_if<BalancingForces>(&weak);
   require(forces != nullptr, "the rigid-body model has no solution at all");
   return StronglyStable{std::move(*forces), search.cases()};
+}
+
+RigidVerdict rigid_verdict(const Problem& problem, const Inertia& inertia,
+                           std::size_t most_programs) {
+  LoadClass weak = weakly_stable_load(problem);
+  if (auto* motion = std::get_if<UnopposedMotion>(&weak)) return std::move(*motion);
+  auto strong = strongly_stable_load(problem, inertia, most_programs);
+  if (auto* motion = std::get_if<Acceleration>(&strong)) {
+    return OpenLoad{std::move(std::get<BalancingForces>(weak)), std::move(*motion)};
+  }
+  if (auto* undecided = std::get_if<Undecided>(&strong)) return std::move(*undecided);
+  return std::get<StronglyStable>(std::move(strong));
+}
+
+std::string name_of(const RigidVerdict& verdict) {
+  constexpr const char* kNames[] = {"must move", "must hold", "open", "undecided"};
+  return kNames[verdict.index()];
+}
+
+Inertia inertia_of(const std::string& place, const std::vector<Rational>& numbers) {
+  if (numbers.size() != 3 || numbers[2].sign() <= 0) {
+    throw InputError("", place,
+                     numbers.size() != 3
+                         ? "there are " + std::to_string(numbers.size()) + " numbers"
+                         : "the squared radius of gyration is " + to_string(numbers[2]),
+                     "give the centre of mass, x and y, and the squared radius of gyration "
+                     "about it, above 0, as in 0,1/2,1/6");
+  }
+  return {{numbers[0], numbers[1]}, numbers[2]};
+}
+
+Inertia inertia_option(const std::string& option, const std::string& value) {
+  return inertia_of(option, numbers_option(option, value));
 }
 
 }  // namespace stickslip

@@ -6,6 +6,10 @@
 /// - *Frictionless stable*: some normal forces alone do.
 /// - *Strongly stable*: whatever accelerations the rigid-body model allows, there is none.
 ///
+/// So a body at rest *must hold* if its load is strongly stable, *must move* if the load is not
+/// weakly stable, and between the model leaves it *open*: forces at rest and an acceleration
+/// both satisfy it.
+///
 /// **The model.** The object is at rest, its contacts touch, M is its mass matrix. An
 /// acceleration a and contact forces (c_n, c_t) satisfy
 ///
@@ -38,6 +42,7 @@
 /// Coulomb friction", ZAMM 80(10), 2000; Haas-Heger et al., RSS 2018, Section II.
 #pragma once
 
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -65,12 +70,18 @@ LoadClass weakly_stable_load(const Problem& problem);
 /// The same with mu = 0.
 LoadClass frictionless_stable_load(const Problem& problem);
 
-/// Mass distribution, with mass 1: only the ratio of inertia to mass matters, since a factor on
-/// M scales accelerations alone.
+/// Mass distribution, with mass 1: a body of mass m has 1/m of these accelerations under the
+/// same load, and the same forces, so no class depends on m.
 struct Inertia {
   Vector2 centre{0, 0};           ///< of mass, in the object frame
   Rational gyration_squared = 1;  ///< radius of gyration about `centre`, squared; > 0
 };
+
+/// The inertia "X,Y,G2" in an option's value. Throws InputError naming the option.
+Inertia inertia_option(const std::string& option, const std::string& value);
+/// The same of numbers: the centre and the squared radius of gyration. Throws InputError with
+/// that place unless there are three and the last is above 0.
+Inertia inertia_of(const std::string& place, const std::vector<Rational>& numbers);
 
 /// The load accelerates nothing.
 struct StronglyStable {
@@ -87,5 +98,22 @@ struct Acceleration {
 /// ContractError unless gyration_squared > 0.
 std::variant<StronglyStable, Acceleration, Undecided> strongly_stable_load(
     const Problem& problem, const Inertia& inertia = {}, std::size_t most_programs = 20000);
+
+/// The model allows both rest and motion.
+struct OpenLoad {
+  BalancingForces rest;  ///< a solution with a = 0
+  Acceleration motion;   ///< and another
+};
+
+/// *Must move*, *must hold*, *open*, each with its evidence.
+using RigidVerdict = std::variant<UnopposedMotion, StronglyStable, OpenLoad, Undecided>;
+
+/// The class of the load; as weakly_stable_load() and then, unless it must move,
+/// strongly_stable_load().
+RigidVerdict rigid_verdict(const Problem& problem, const Inertia& inertia = {},
+                           std::size_t most_programs = 20000);
+
+/// "must move", "must hold", "open" or "undecided".
+std::string name_of(const RigidVerdict& verdict);
 
 }  // namespace stickslip

@@ -218,9 +218,9 @@ class MethodsAsked {
     if (const auto* found = std::get_if<StronglyStable>(&result)) {
       return of_load(
           true,
-          "rigid contacts leave no acceleration " + leaves_refuted(found->cases) +
+          "rigid contacts leave no acceleration " + leaves_refuted(found->cases()) +
               unless_passive(),
-          {{"forces", forces_json(found->equilibrium.forces)}, {"cases", found->cases}});
+          {{"forces", forces_json(found->equilibrium.forces)}, {"cases", found->cases()}});
     }
     const auto& a = std::get<Acceleration>(result);
     const bool is_preloaded =

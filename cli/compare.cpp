@@ -44,9 +44,7 @@ void print_json(const Question& question, const CompareOptions& options,
             {"normal_law", to_string(question.law)},
             {"wrench", number_json(coordinates(question.loaded.wrench))},
             {"length", number_json(options.length)},
-            {"inertia",
-             {{"centre", number_json(options.inertia.centre)},
-              {"gyration_squared", number_json(options.inertia.gyration_squared)}}},
+            {"inertia", inertia_json(options.inertia)},
             {"class", comparison.load_class ? Json(*comparison.load_class) : Json(nullptr)}};
   add_units(json, question.loaded.grasp);
   Json& methods = json["methods"] = Json::array();

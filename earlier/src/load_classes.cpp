@@ -134,6 +134,11 @@ std::string name_of(const RigidVerdict& verdict) {
   return kNames[verdict.index()];
 }
 
+Json inertia_json(const Inertia& inertia) {
+  return {{"centre", number_json(inertia.centre)},
+          {"gyration_squared", number_json(inertia.gyration_squared)}};
+}
+
 Inertia inertia_of(const std::string& place, const std::vector<Rational>& numbers) {
   if (numbers.size() != 3 || numbers[2].sign() <= 0) {
     throw InputError("", place,

@@ -593,6 +593,26 @@ class Compare(Case):
         self.assertEqual((ax - turn * y, ay + turn * x), (load[0] + fx, load[1] + fy))
         self.assertEqual(square * turn, load[2] - (x * load[1] - y * load[0]) - (x * fy - y * fx))
 
+    def test_classes_of_all_multiples(self):
+        floor = self.write("floor.json", {
+            "format": "stickslip-grasp/1", "wrench": [0, -1, 0], "defaults": {"friction": "1/2"},
+            "contacts": [{"position": [side, -1], "normal": [0, 1]} for side in (-1, 1)]})
+        asked = ("margin", floor, "--class", "--wrench", "0,-1,0", "--direction", "1,0,0")
+        answer = self.json(*asked, "--inertia", "1/2,0,1/9")
+        self.assertEqual(answer["inertia"], {"centre": ["1/2", "0"], "gyration_squared": "1/9"})
+        self.assertEqual(answer["classes"], [
+            {"class": "must hold", "low": "0", "high": "1/2", "has_low": True, "has_high": True},
+            {"class": "must move", "low": "1/2", "high": None, "has_low": False, "has_high": False}])
+        code, out, err = stickslip(*asked)
+        self.assertEqual((code, err), (DONE, ""))
+        self.assertIn("\n  must hold  l in [0, 1/2]\n  must move  l in (1/2, oo)\n", out)
+        for words, naming in ((("--preload-direction", "scale"), "--class"), (("--least",), "--least"),
+                              (("--certificate", self.path("p")), "--certificate"),
+                              (("--inertia", "0,0"), "--inertia")):
+            self.fails(*asked, *words, naming=[naming])
+        self.fails("margin", floor, "--class", naming=["--class"])
+        self.fails("margin", floor, "--direction", "1,0,0", "--inertia", "0,0,1", naming=["--class"])
+
     def test_length_is_printed(self):
         for words, length in (((), "1"), (("--length", "0.08"), "2/25")):
             self.assertIn(f"length L  {length}, by which torques are divided",

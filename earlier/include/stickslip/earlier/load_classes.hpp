@@ -48,6 +48,7 @@
 #include <variant>
 #include <vector>
 
+#include "stickslip/core/number_text.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 
 namespace stickslip {
@@ -79,6 +80,8 @@ struct Inertia {
   Rational gyration_squared = 1;  ///< radius of gyration about `centre`, squared; > 0
 };
 
+/// With its numbers, to be finished.
+Json inertia_json(const Inertia& inertia);
 /// The inertia "X,Y,G2" in an option's value. Throws InputError naming the option.
 Inertia inertia_option(const std::string& option, const std::string& value);
 /// The same of numbers: the centre and the squared radius of gyration. Throws InputError with

@@ -42,6 +42,8 @@ struct BatchArguments {
   std::string shard;
   std::vector<std::string> shards_to_merge;
   bool resume = false;
+  bool asks_class = false;
+  std::string inertia = "0,0,1";
   std::size_t node_limit = 0;
   int threads = 0;
 };
@@ -52,7 +54,9 @@ struct Item {
 };
 
 BatchOptions batch_options(const BatchArguments& arguments) {
-  return {arguments.question.options(), arguments.node_limit, arguments.certificates,
+  std::optional<Inertia> inertia;
+  if (arguments.asks_class) inertia = inertia_option("--inertia", arguments.inertia);
+  return {arguments.question.options(), arguments.node_limit, inertia, arguments.certificates,
           arguments.certificates};
 }
 
@@ -324,10 +328,24 @@ void add_batch_command(CLI::App& app, int& exit_code) {
           ->add_flag("--resume", arguments->resume,
                      "Go on after an interruption: results in the output file are kept")
           ->needs(output);
+  CLI::Option* certificates =
+      command
+          ->add_option("--certificates", arguments->certificates,
+                       "Folder for a proof of each verdict, line-N.json")
+          ->type_name("DIR");
+  CLI::Option* asks_class =
+      command
+          ->add_flag("--class", arguments->asks_class,
+                     "Ask not for the verdict but for the class of rigid contacts, as compare "
+                     "does: must move, must hold or open")
+          ->excludes(certificates);
   command
-      ->add_option("--certificates", arguments->certificates,
-                   "Folder for a proof of each verdict, line-N.json")
-      ->type_name("DIR");
+      ->add_option("--inertia", arguments->inertia,
+                   "Of the objects, for --class: the centre of mass and the squared radius of "
+                   "gyration about it")
+      ->type_name("X,Y,G2")
+      ->capture_default_str()
+      ->needs(asks_class);
   CLI::Option* shard =
       command
           ->add_option("--shard", arguments->shard,

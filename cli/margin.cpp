@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 
+#include "class_margin.hpp"
 #include "commands.hpp"
 #include "margin_text.hpp"
 #include "question_options.hpp"
@@ -27,6 +28,8 @@ struct MarginArguments {
   std::size_t node_limit = 0;
   NumberOptions output;
   bool least = false;
+  bool asks_class = false;
+  std::string inertia = "0,0,1";
   bool no_warnings = false;
 };
 
@@ -106,6 +109,13 @@ int margin_in_space(const Question& question, const MarginArguments& arguments) 
 
 int margin(const MarginArguments& arguments) {
   const Question question = arguments.question.any_question();
+  if (arguments.asks_class) {
+    if (question.in_space()) {
+      throw InputError("", "--class", "the grasp is in space",
+                       "classes are known of grasps in the plane");
+    }
+    return answer_class_margin(question, arguments.inertia, arguments.output);
+  }
   if (!question.is_margin()) {
     throw InputError(
         "", "", "no direction is given",
@@ -156,14 +166,30 @@ void add_margin_command(CLI::App& app, int& exit_code) {
       "margin",
       "How much of a load is resisted, or with how much preload? The exact set, with a proof");
   arguments->question.add_with_directions_to(*command);
-  command->add_flag("--least", arguments->least,
-                    "Print the least multiple that is resisted, such as of the preloads that "
-                    "hold a load");
+  CLI::Option* least = command->add_flag(
+      "--least", arguments->least,
+      "Print the least multiple that is resisted, such as of the preloads that "
+      "hold a load");
+  CLI::Option* certificate =
+      command
+          ->add_option("--certificate", arguments->certificate,
+                       "Write a proof for stickslip-check with the same directions "
+                       "(certificate/FORMAT.md)")
+          ->type_name("FILE");
+  CLI::Option* asks_class =
+      command
+          ->add_flag("--class", arguments->asks_class,
+                     "Ask which multiples of the load must move, must hold or are open under "
+                     "rigid contacts, as compare does")
+          ->excludes(least)
+          ->excludes(certificate);
   command
-      ->add_option("--certificate", arguments->certificate,
-                   "Write a proof for stickslip-check with the same directions "
-                   "(certificate/FORMAT.md)")
-      ->type_name("FILE");
+      ->add_option("--inertia", arguments->inertia,
+                   "Of the object, for --class: the centre of mass and the squared radius of "
+                   "gyration about it")
+      ->type_name("X,Y,G2")
+      ->capture_default_str()
+      ->needs(asks_class);
   command
       ->add_option("--accuracy", arguments->accuracy,
                    "In space: which part of a multiple may stay undecided at an end of what "

@@ -55,6 +55,12 @@ LineDecider::LineDecider(BatchOptions options) : options_(std::move(options)) {
   if (asked.case_name) options_text_ += *asked.case_name + ";";
   options_text_ +=
       std::string(to_string(asked.law)) + ";" + std::to_string(options_.node_limit) + "\n";
+  if (const auto& inertia = options_.inertia) {
+    for (const Rational& number :
+         {inertia->centre.x, inertia->centre.y, inertia->gyration_squared}) {
+      spell(number);
+    }
+  }
 }
 
 std::string LineDecider::key(const std::string& line) const {
@@ -85,17 +91,26 @@ LineResult LineDecider::decide(const BatchLine& line) const {
   try {
     const Question question =
         ask_with_options(parse_grasp(line.text, ""), options_.question, "");
-    ConeOptions limits;
-    limits.node_limit = options_.node_limit;
-    const Verdict verdict = decide_by_cones(problem_of(question), limits);
-    result["name"] = question.description().name;
-    result["verdict"] = name_of(verdict);
-    if (const auto* undecided = std::get_if<Undecided>(&verdict)) {
-      result["limit"] = undecided->limit;
-      outcome = LineOutcome::kUndecided;
-    } else if (!options_.certificates.empty()) {
-      certificate =
-          certificate_text(question, verdict, "stickslip " STICKSLIP_VERSION ", batch");
+    const auto answer = [&](const char* field, const auto& verdict) {
+      result["name"] = question.description().name;
+      result[field] = name_of(verdict);
+      if (const auto* undecided = std::get_if<Undecided>(&verdict)) {
+        result["limit"] = undecided->limit;
+        outcome = LineOutcome::kUndecided;
+      }
+    };
+    const Problem problem = problem_of(question);
+    if (options_.inertia) {
+      answer("class", rigid_verdict(problem, *options_.inertia));
+    } else {
+      ConeOptions limits;
+      limits.node_limit = options_.node_limit;
+      const Verdict verdict = decide_by_cones(problem, limits);
+      answer("verdict", verdict);
+      if (outcome == LineOutcome::kDecided && !options_.certificates.empty()) {
+        certificate =
+            certificate_text(question, verdict, "stickslip " STICKSLIP_VERSION ", batch");
+      }
     }
   } catch (const InputError& error) {
     return failed(line, error);

@@ -58,46 +58,85 @@ struct Rubbing {
   bool slips;
 };
 
-class Comparison {
+class MethodsAsked {
  public:
-  Comparison(const Problem& problem, const Rational& length, NumberText& text)
-      : problem_(problem), length_(length), text_(text) {}
+  MethodsAsked(const Problem& problem, const CompareOptions& options, NumberText& text)
+      : problem_(problem), options_(options), text_(text) {}
 
-  std::vector<MethodRow> rows() {
+  struct Method {
+    const char* name;
+    const char* source;
+    bool about_the_load;
+    MethodAnswer (MethodsAsked::*answer)();
+
+    std::string word() const {
+      std::string result;
+      for (const char letter : std::string(name)) {
+        if (letter != ',') result += letter == ' ' ? '-' : letter;
+      }
+      return result;
+    }
+  };
+
+  static const std::vector<Method>& all() {
     constexpr const char* kPangTrinkle = "Pang and Trinkle 2000";
     constexpr const char* kFerrariCanny = "Ferrari and Canny 1992";
-    const struct {
-      const char* name;
-      const char* source;
-      bool about_the_load;
-      MethodAnswer (Comparison::*answer)();
-    } methods[] = {
-        {"passive equilibrium", "Haas-Heger et al. 2018", true, &Comparison::passive},
-        {"form closure", "Liu 1999", false, &Comparison::closure},
-        {"frictionless stable load", kPangTrinkle, true, &Comparison::frictionless},
-        {"strongly stable load", kPangTrinkle, true, &Comparison::strong},
-        {"weakly stable load", kPangTrinkle, true, &Comparison::weak},
-        {"grasp wrench space, L1", kFerrariCanny, false, &Comparison::wrench_space_l1},
-        {"grasp wrench space, Linf", kFerrariCanny, false, &Comparison::wrench_space_linf},
-        {"linear compliance", "Cutkosky and Kao 1989, Bicchi 1993", true, &Comparison::linear},
-        {"three-state compliance", "Prattichizzo et al. 1997", true, &Comparison::three_states},
-        {"friction cones alone", "Haas-Heger et al. 2018, Eqs. 1-4", true, &Comparison::cones},
+    static const std::vector<Method> methods{
+        {"passive equilibrium", "Haas-Heger et al. 2018", true, &MethodsAsked::passive},
+        {"form closure", "Liu 1999", false, &MethodsAsked::closure},
+        {"frictionless stable load", kPangTrinkle, true, &MethodsAsked::frictionless},
+        {"strongly stable load", kPangTrinkle, true, &MethodsAsked::strong},
+        {"weakly stable load", kPangTrinkle, true, &MethodsAsked::weak},
+        {"grasp wrench space, L1", kFerrariCanny, false, &MethodsAsked::wrench_space_l1},
+        {"grasp wrench space, Linf", kFerrariCanny, false, &MethodsAsked::wrench_space_linf},
+        {"linear compliance", "Cutkosky and Kao 1989, Bicchi 1993", true,
+         &MethodsAsked::linear},
+        {"three-state compliance", "Prattichizzo et al. 1997", true,
+         &MethodsAsked::three_states},
+        {"friction cones alone", "Haas-Heger et al. 2018, Eqs. 1-4", true,
+         &MethodsAsked::cones},
     };
-    std::vector<MethodRow> rows;
-    for (const auto& method : methods) {
+    return methods;
+  }
+
+  Comparison ask() {
+    const std::vector<std::string> known = method_words();
+    for (const std::string& word : options_.methods) {
+      if (std::find(known.begin(), known.end(), word) == known.end()) {
+        throw InputError("", "methods", "there is no method " + quote(word),
+                         choice_of(word, known, "there are "));
+      }
+    }
+    Comparison result;
+    for (const Method& method : all()) {
+      if (!is_asked(method)) continue;
       MethodAnswer a = (this->*method.answer)();
       std::optional<bool> agrees;
-      if (!rows.empty() && method.about_the_load && a.verdict != kNotComputed &&
-          !passive_undecided_) {
-        agrees = a.verdict == rows.front().verdict;
+      if (passive_stable_ && method.about_the_load && a.verdict != kNotComputed &&
+          !result.methods.empty()) {
+        agrees = a.verdict == result.methods.front().verdict;
       }
-      rows.push_back({method.name, method.source, method.about_the_load, std::move(a.verdict),
-                      std::move(a.why), std::move(a.evidence), agrees});
+      result.methods.push_back({method.name, method.source, method.about_the_load,
+                                std::move(a.verdict), std::move(a.why), std::move(a.evidence),
+                                agrees});
     }
-    return rows;
+    result.load_class = load_class();
+    return result;
   }
 
  private:
+  bool is_asked(const Method& method) const {
+    const std::vector<std::string>& asked = options_.methods;
+    return asked.empty() || std::find(asked.begin(), asked.end(), method.word()) != asked.end();
+  }
+
+  std::optional<std::string> load_class() const {
+    if (weakly_stable_ == false) return "must move";
+    if (strongly_stable_ == true) return "must hold";
+    if (weakly_stable_ && strongly_stable_) return "open";
+    return std::nullopt;
+  }
+
   MethodAnswer passive() {
     const Verdict verdict = decide(problem_).verdict;
     if (const auto* stable = std::get_if<Stable>(&verdict)) {
@@ -109,9 +148,9 @@ class Comparison {
           witness_json(stable->witness));
     }
     if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
+      passive_stable_ = false;
       return refuted(unstable->refutation, "no motion satisfies all conditions");
     }
-    passive_undecided_ = true;
     return {"undecided", in_words(std::get<Undecided>(verdict))};
   }
 
@@ -143,21 +182,22 @@ class Comparison {
   }
 
   MethodAnswer frictionless() {
-    return load_class(frictionless_stable_load(problem_),
-                      "normal forces alone balance the load",
-                      "without friction no contact opposes the load along ", true);
+    return balance_answer(frictionless_stable_load(problem_),
+                          "normal forces alone balance the load",
+                          "without friction no contact opposes the load along ", true);
   }
 
   MethodAnswer weak() {
     const LoadClass result = weakly_stable_load(problem_);
     const auto* found = std::get_if<BalancingForces>(&result);
-    return load_class(
+    weakly_stable_ = found != nullptr;
+    return balance_answer(
         result, found == nullptr ? "" : some_forces(found->forces) + " would balance the load",
         "no force in the cones opposes the load along ", false);
   }
 
-  MethodAnswer load_class(const LoadClass& result, const std::string& balanced,
-                          const std::string& unopposed, bool without_friction) {
+  MethodAnswer balance_answer(const LoadClass& result, const std::string& balanced,
+                              const std::string& unopposed, bool without_friction) {
     if (const auto* found = std::get_if<BalancingForces>(&result)) {
       return of_load(true, balanced + unless_passive(),
                      {{"forces", forces_json(found->forces)}});
@@ -172,26 +212,28 @@ class Comparison {
   }
 
   MethodAnswer strong() {
-    const auto result = strongly_stable_load(problem_, {{0, 0}, length_ * length_});
+    const auto result = strongly_stable_load(problem_, options_.inertia);
     if (const auto* limit = std::get_if<Undecided>(&result)) return given_up(*limit);
+    strongly_stable_ = std::holds_alternative<StronglyStable>(result);
     if (const auto* found = std::get_if<StronglyStable>(&result)) {
       return of_load(
           true,
-          "rigid contacts leave no acceleration " + leaves_refuted(found->cases) +
+          "rigid contacts leave no acceleration " + leaves_refuted(found->cases()) +
               unless_passive(),
-          {{"forces", forces_json(found->equilibrium.forces)}, {"cases", found->cases}});
+          {{"forces", forces_json(found->equilibrium.forces)}, {"cases", found->cases()}});
     }
     const auto& a = std::get<Acceleration>(result);
     const bool is_preloaded =
         std::any_of(problem_.rows().begin(), problem_.rows().end(),
                     [](const ContactRow& row) { return !row.preload.is_zero(); });
-    return of_load(false,
-                   std::string("rigid contacts ") +
-                       (passive_stable_ && is_preloaded ? "know no preload: they " : "") +
-                       "allow the acceleration " + text_(a.acceleration) + " with " +
-                       some_forces(a.forces),
-                   {{"acceleration", number_json(coordinates(a.acceleration))},
-                    {"forces", forces_json(a.forces)}});
+    return of_load(
+        false,
+        std::string("rigid contacts ") +
+            (passive_stable_ == true && is_preloaded ? "know no preload: they " : "") +
+            "allow the acceleration " + text_(a.acceleration) + " with " +
+            some_forces(a.forces),
+        {{"acceleration", number_json(coordinates(a.acceleration))},
+         {"forces", forces_json(a.forces)}});
   }
 
   MethodAnswer wrench_space_l1() { return wrench_space(ForceBound::kL1); }
@@ -205,7 +247,7 @@ class Comparison {
     }
     std::vector<HalfSpace> facets;
     try {
-      facets = wrench_space_facets(problem_, bound, length_);
+      facets = wrench_space_facets(problem_, bound, options_.length);
     } catch (const InputError& error) {
       return {kNotComputed,
               error.place() + ": " + error.problem() + "; " + error.remedy(),
@@ -317,13 +359,12 @@ class Comparison {
 
   /// For methods that find forces and ask nothing of motions.
   std::string unless_passive() const {
-    return passive_stable_ || passive_undecided_ ? ""
-                                                 : ", but no motion gives rise to such forces";
+    return passive_stable_ == false ? ", but no motion gives rise to such forces" : "";
   }
 
   /// For methods that find a motion, when the passive model has none.
   std::string however(const Witness& witness) const {
-    if (passive_stable_ || passive_undecided_) return "";
+    if (passive_stable_ != false) return "";
     const std::string breach = dissipation_breach(witness);
     if (!breach.empty()) return ", but this " + breach;
     // A released spring under the bilateral law.
@@ -388,18 +429,27 @@ class Comparison {
   }
 
   const Problem& problem_;
-  const Rational& length_;
+  const CompareOptions& options_;
   NumberText& text_;
-  bool passive_stable_ = false;
-  bool passive_undecided_ = false;
+  std::optional<bool> passive_stable_;   ///< if it was asked and said so
+  std::optional<bool> weakly_stable_;    ///< the same
+  std::optional<bool> strongly_stable_;  ///< the same
   std::optional<Rubbing> rubbing_;
 };
 
 }  // namespace
 
-std::vector<MethodRow> compare_methods(const Problem& problem, const Rational& length,
-                                       NumberText& text) {
-  return Comparison(problem, length, text).rows();
+std::vector<std::string> method_words() {
+  std::vector<std::string> words;
+  for (const MethodsAsked::Method& method : MethodsAsked::all()) {
+    words.push_back(method.word());
+  }
+  return words;
+}
+
+Comparison compare_methods(const Problem& problem, const CompareOptions& options,
+                           NumberText& text) {
+  return MethodsAsked(problem, options, text).ask();
 }
 
 }  // namespace stickslip

@@ -153,28 +153,38 @@ py::str smtlib(const GraspFile& grasp, const py::object& wrench, const py::objec
   return text(without_gil([&] { return smtlib_text(question_of(grasp, asked)); }));
 }
 
-/// The fields of results.Method for each, the evidence as JSON.
-py::list compare(const GraspFile& grasp, const py::object& wrench, const py::object& preload,
-                 bool bilateral, const py::object& length) {
+/// The fields of results.Method for each, the evidence as JSON; and the class of the load.
+py::tuple compare(const GraspFile& grasp, const py::object& wrench, const py::object& preload,
+                  bool bilateral, std::vector<std::string> methods, const py::object& length,
+                  const py::object& inertia) {
   const QuestionOptions asked = question_options(wrench, preload, bilateral);
-  const Rational divisor = exact(length, "length");
-  if (divisor.sign() <= 0) {
-    throw InputError("", "length", "the value is " + to_string(divisor),
+  CompareOptions options;
+  options.methods = std::move(methods);
+  options.length = exact(length, "length");
+  if (options.length.sign() <= 0) {
+    throw InputError("", "length", "the value is " + to_string(options.length),
                      "a characteristic length must be above 0");
   }
-  const std::vector<MethodRow> rows = without_gil([&] {
+  if (inertia.is_none()) {
+    options.inertia.gyration_squared = options.length * options.length;
+  } else {
+    const Wrench numbers = exact_wrench(inertia, "inertia");
+    options.inertia = inertia_of("inertia", {numbers.x, numbers.y, numbers.torque});
+  }
+  const Comparison comparison = without_gil([&] {
     const Question question = question_of(grasp, asked);
     NumberText readable(false);
-    return compare_methods(Problem(question.loaded(), question.law), divisor, readable);
+    return compare_methods(Problem(question.loaded(), question.law), options, readable);
   });
   py::list result;
-  for (const MethodRow& row : rows) {
+  for (const MethodRow& row : comparison.methods) {
     result.append(py::make_tuple(text(row.method), text(row.source), row.about_the_load,
                                  text(row.verdict),
                                  row.agrees ? py::object(py::bool_(*row.agrees)) : py::none(),
                                  text(row.why), text(finished(row.evidence, false).dump())));
   }
-  return result;
+  return py::make_tuple(
+      result, comparison.load_class ? py::object(text(*comparison.load_class)) : py::none());
 }
 
 }  // namespace

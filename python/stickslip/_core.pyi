@@ -156,8 +156,14 @@ def plot_grasp(
     limit: Optional[str],
 ) -> str: ...
 def compare(
-    grasp: GraspData, wrench: Optional[List[Any]], preload: Any, bilateral: bool, length: Any
-) -> List[Tuple[str, str, bool, str, Optional[bool], str, str]]: ...
+    grasp: GraspData,
+    wrench: Optional[List[Any]],
+    preload: Any,
+    bilateral: bool,
+    methods: List[str],
+    length: Any,
+    inertia: Optional[List[Any]],
+) -> Tuple[List[Tuple[str, str, bool, str, Optional[bool], str, str]], Optional[str]]: ...
 def plot_states(grasp: GraspData) -> str: ...
 def page(
     grasp: Union[GraspData, SpatialGraspData],
@@ -230,6 +236,7 @@ class LineDecider:
         preload: str,
         bilateral: bool,
         node_limit: int,
+        inertia: str,
         certificates: str,
         certificate_folder: str,
     ) -> None: ...

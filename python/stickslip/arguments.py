@@ -102,6 +102,10 @@ def as_wrench_or_none(values: Any, n: int = 2) -> Optional[List[Any]]:
     return None if values is None else as_wrench(values, "wrench", n)
 
 
+def as_inertia(values: Any) -> List[Any]:
+    return as_list(values, "inertia", (3,), "centre x, y and squared radius of gyration")
+
+
 def as_direction_or_none(values: Any, n: int = 2) -> Optional[List[Any]]:
     return None if values is None else as_wrench(values, "direction", n)
 

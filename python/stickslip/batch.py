@@ -100,6 +100,12 @@ def parser() -> Parser:
         help="go on after an interruption: results in the output file are kept")
     add("--certificates", metavar="DIR", default="",
         help="folder for a proof of each verdict, line-N.json")
+    add("--class", dest="asks_class", action="store_true",
+        help="ask not for the verdict but for the class of rigid contacts: must move, must hold or "
+        "open")
+    add("--inertia", metavar="X,Y,G2", default="",
+        help="of the objects, for --class: the centre of mass and the squared radius of gyration "
+        "about it; default: 0,0,1")
     add("--node-limit", metavar="N", type=whole_number, default=0,
         help="of each grasp: undecided after N nodes of the search; 0 is no limit")
     add("--scheduler", metavar="ADDRESS", default="",
@@ -112,13 +118,17 @@ def parser() -> Parser:
 def arguments(words: List[str]) -> argparse.Namespace:
     joined: List[str] = []
     for word in words:  # a wrench may begin with a minus
-        if joined and joined[-1] in ("--wrench", "--preload"):
+        if joined and joined[-1] in ("--wrench", "--preload", "--inertia"):
             joined[-1] += "=" + word
         else:
             joined.append(word)
     given = parser().parse_args(joined)
     if given.wrench and given.case:
         raise InputError("", "--case", "there is a --wrench as well", "give one of the two")
+    if given.asks_class and given.certificates:
+        raise InputError("", "--class", "it has no --certificates", "leave one of the two out")
+    if given.inertia and not given.asks_class:
+        raise InputError("", "--inertia", "no verdict depends on it", "ask for the --class")
     if given.resume and given.output == "-":
         raise InputError("", "--resume", "there is no output file", "name it: --output FILE")
     if given.scheduler and given.workers:
@@ -198,7 +208,8 @@ class Batch:
         self._interruption = interruption
         self.path = os.path.abspath(given.file)
         self.asked = Asked(given.wrench, given.case, given.preload, given.normal_law == "bilateral",
-                           given.node_limit, given.certificates,
+                           given.node_limit, (given.inertia or "0,0,1") if given.asks_class else "",
+                           given.certificates,
                            os.path.abspath(given.certificates) if given.certificates else "")
         self._decider = self.asked.decider()
         self.tally = _core.BatchTally()

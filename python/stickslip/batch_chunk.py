@@ -33,6 +33,8 @@ class Asked(NamedTuple):
     preload: str
     bilateral: bool
     node_limit: int
+    inertia: str
+    """If the class is asked for, and not the verdict."""
     certificates: str
     """The folder, as results name it."""
     certificate_folder: str

@@ -11,7 +11,7 @@ import json
 import os
 from decimal import Decimal
 from fractions import Fraction
-from typing import Any, Callable, Dict, List, Mapping, Optional, Tuple, Union, overload
+from typing import Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union, overload
 
 import numpy as np
 
@@ -22,6 +22,7 @@ from .arguments import (
     as_count,
     as_direction_or_none,
     as_engine,
+    as_inertia,
     as_json,
     as_list,
     as_number,
@@ -349,20 +350,24 @@ def plot_states(grasp: Grasp) -> Picture:
 
 def compare(
     grasp: Grasp, wrench: Any = None, *, preload: Any = None, normal_law: str = "unilateral",
-    length: Any = 1,
+    methods: Sequence[str] = (), length: Any = 1, inertia: Any = None,
 ) -> Comparison:
     """What earlier methods say of the same question as ``decide``, and why they differ.
 
     Args:
         grasp, wrench, preload, normal_law: as of ``decide``, for one question.
-        length: characteristic of the object: grasp wrench spaces divide torques by it, and it is
-            the radius of gyration about the origin, which strong stability needs.
+        methods: ask these alone, as in ("weakly-stable-load", "strongly-stable-load").
+        length: characteristic of the object, by which grasp wrench spaces divide torques.
+        inertia: (3,): the centre of mass and the squared radius of gyration about it, which
+            strong stability needs; (0, 0, length**2) if None.
     """
     about, snapped = _asked(grasp, preload)
-    rows = _core.compare(
+    rows, load_class = _core.compare(
         about._planar(), about._load(wrench), as_number_or_none(preload, "preload"),
-        is_bilateral(normal_law), as_number(length, "length"))
-    return Comparison(tuple(Method(*row[:-1], json.loads(row[-1])) for row in rows), about, snapped)
+        is_bilateral(normal_law), list(methods), as_number(length, "length"),
+        None if inertia is None else as_inertia(inertia))
+    return Comparison(tuple(Method(*row[:-1], json.loads(row[-1])) for row in rows), load_class,
+                      about, snapped)
 
 
 def export(

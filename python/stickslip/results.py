@@ -640,6 +640,9 @@ class Comparison(Answer):
     """The passive model, first, and earlier methods on one question; all of them exact."""
 
     methods: Tuple[Method, ...]
+    load_class: Optional[str]
+    """What rigid contacts do: "must move", "must hold" or "open"; None if the methods that were
+    asked do not tell."""
     grasp: Grasp = field(repr=False)
     snapped: Tuple[SnappedNormal, ...] = ()
     """Normals given in doubles that were rounded to ones of rational length, 1e-12 away or less;

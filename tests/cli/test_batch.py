@@ -53,6 +53,22 @@ class Batch(Case):
                           self.results(path, "--wrench", "0,1/2,0", "--preload", 0)],
                          ["unstable", "unstable"])
 
+    def test_classes_in_place_of_verdicts(self):
+        floor = {"format": "stickslip-grasp/1", "defaults": {"friction": "1/2"},
+                 "contacts": [{"position": [side, -1], "normal": [0, 1]} for side in (-1, 1)]}
+        loads = ([0, -1, 0], ["1/2", -1, 0], ["1/2", "-0.999", 0])
+        path = self.write("floors.jsonl", "".join(
+            json.dumps({**floor, "wrench": load}) + "\n" for load in loads))
+        results = self.results(path, "--class")
+        self.assertEqual([r["class"] for r in results], ["must hold", "must hold", "must move"])
+        self.assertEqual(set(results[0]), {"line", "key", "name", "class"})
+        moved = self.results(path, "--class", "--inertia", "0,1,2")
+        self.assertNotEqual(results[0]["key"], moved[0]["key"])
+        self.fails("batch", path, "--inertia", "0,0,1", naming=["--class"])
+        self.fails("batch", path, "--class", "--inertia", "0,0,0", naming=["--inertia"])
+        self.fails("batch", path, "--class", "--certificates", self.path("proofs"),
+                   naming=["--certificates", "--class"])
+
     def test_bad_lines_are_reported_and_the_rest_goes_on(self):
         good = json.dumps(grasp(3))
         bad = ["{", "[]", json.dumps({**grasp(1), "wrench": [0, 0]}),

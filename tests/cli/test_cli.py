@@ -552,15 +552,84 @@ class Compare(Case):
             self.assertEqual("answers another question" in line, row["about"] == "grasp")
         self.assertEqual(stickslip("compare", FIG1, "--wrench", "0,1,0")[1], out)
 
+    def test_class_is_told_by_the_methods_that_are_asked(self):
+        both = "weakly-stable-load,strongly-stable-load"
+        floor = self.write("floor.json", {
+            "format": "stickslip-grasp/1", "wrench": [0, 0, 0], "defaults": {"friction": "1/2"},
+            "contacts": [{"position": [side, -1], "normal": [0, 1]} for side in (-1, 1)]})
+        for load, methods, told in (
+                ("1/2,-1,0", both, "must hold"), ("1/2,-1,0", "strongly-stable-load", "must hold"),
+                ("1/2,-1,0", "weakly-stable-load", None), ("51/100,-1,0", both, "must move"),
+                ("51/100,-1,0", "weakly-stable-load", "must move"),
+                ("51/100,-1,0", "strongly-stable-load", None), ("1/2,-1,0", "form-closure", None)):
+            words = ("compare", floor, "--wrench", load, "--methods", methods)
+            answer = self.json(*words)
+            self.assertEqual(answer["class"], told, (load, methods))
+            self.assertEqual({row["method"].replace(" ", "-") for row in answer["methods"]},
+                             set(methods.split(",")))
+            self.assertTrue(all(row["agrees"] is None for row in answer["methods"]))
+            self.assertEqual(stickslip(*words)[1].count(f"  class     {told}\n"), told is not None)
+        up = self.json("compare", FIG1, "--wrench", "0,1,0")
+        self.assertEqual(up["class"], "open")
+        asked = self.json("compare", FIG1, "--wrench", "0,1,0", "--methods",
+                          "grasp-wrench-space-L1,passive-equilibrium,weakly-stable-load")
+        self.assertEqual(asked["methods"], [row for row in up["methods"] if row["method"] in (
+            "passive equilibrium", "weakly stable load", "grasp wrench space, L1")])
+
+    def test_accelerations_are_those_of_mass_one(self):
+        # A rod on one end, and nothing else: the end slips, or it tips.
+        x, y, square = Fraction(1, 3), Fraction(2), Fraction(1, 12)
+        load = (Fraction(3), Fraction(-4), Fraction(-4) * x - 3 * y)
+        rod = self.write("rod.json", {
+            "format": "stickslip-grasp/1", "wrench": [0, 0, 0],
+            "contacts": [{"position": [0, 0], "normal": [0, 1], "friction": "1/5"}]})
+        answer = self.json("compare", rod, "--wrench", ",".join(map(str, load)), "--inertia",
+                           f"{x},{y},{square}", "--methods", "strongly-stable-load")
+        self.assertEqual(answer["inertia"],
+                         {"centre": ["1/3", "2"], "gyration_squared": "1/12"})
+        row, = answer["methods"]
+        ax, ay, turn = map(Fraction, row["evidence"]["acceleration"])
+        (fx, fy), = [[Fraction(f) for f in force] for force in row["evidence"]["forces"]]
+        self.assertEqual((ax - turn * y, ay + turn * x), (load[0] + fx, load[1] + fy))
+        self.assertEqual(square * turn, load[2] - (x * load[1] - y * load[0]) - (x * fy - y * fx))
+
+    def test_classes_of_all_multiples(self):
+        floor = self.write("floor.json", {
+            "format": "stickslip-grasp/1", "wrench": [0, -1, 0], "defaults": {"friction": "1/2"},
+            "contacts": [{"position": [side, -1], "normal": [0, 1]} for side in (-1, 1)]})
+        asked = ("margin", floor, "--class", "--wrench", "0,-1,0", "--direction", "1,0,0")
+        answer = self.json(*asked, "--inertia", "1/2,0,1/9")
+        self.assertEqual(answer["inertia"], {"centre": ["1/2", "0"], "gyration_squared": "1/9"})
+        self.assertEqual(answer["classes"], [
+            {"class": "must hold", "low": "0", "high": "1/2", "has_low": True, "has_high": True},
+            {"class": "must move", "low": "1/2", "high": None, "has_low": False, "has_high": False}])
+        code, out, err = stickslip(*asked)
+        self.assertEqual((code, err), (DONE, ""))
+        self.assertIn("\n  must hold  l in [0, 1/2]\n  must move  l in (1/2, oo)\n", out)
+        for words, naming in ((("--preload-direction", "scale"), "--class"), (("--least",), "--least"),
+                              (("--certificate", self.path("p")), "--certificate"),
+                              (("--inertia", "0,0"), "--inertia")):
+            self.fails(*asked, *words, naming=[naming])
+        self.fails("margin", floor, "--class", naming=["--class"])
+        self.fails("margin", floor, "--direction", "1,0,0", "--inertia", "0,0,1", naming=["--class"])
+
     def test_length_is_printed(self):
         for words, length in (((), "1"), (("--length", "0.08"), "2/25")):
             self.assertIn(f"length L  {length}, by which torques are divided",
                           stickslip("compare", FIG1, *words)[1])
             self.assertEqual(self.json("compare", FIG1, *words)["length"], length)
+        for words, square in ((("--length", "1/3"), "1/9"),
+                              (("--length", "1/3", "--inertia", "1,2,3"), "3")):
+            self.assertEqual(
+                self.json("compare", FIG1, *words)["inertia"]["gyration_squared"], square)
 
     def test_usage(self):
         for value in ("0", "-1", "x"):
             self.fails("compare", FIG1, f"--length={value}", naming=["--length"])
+        for value in ("0,0", "0,0,0", "0,0,-1", "0,0,x"):
+            self.fails("compare", FIG1, f"--inertia={value}", naming=["--inertia"])
+        self.fails("compare", FIG1, "--methods", "weakly-stable-load,best",
+                   naming=["--methods", "best"])
         self.fails("compare", self.path("missing.json"), naming=["missing.json"])
 class Region(Case):
     def outlines(self, *words):

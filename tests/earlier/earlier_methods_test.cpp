@@ -182,7 +182,7 @@ TEST(StrongStability, FrictionCanHoldWithoutPreload) {
   EXPECT_TRUE(is_strong(held));
   EXPECT_FALSE(is_frictionless(held));
   const auto strong = strongly_stable_load(held);
-  EXPECT_GE(std::get<StronglyStable>(strong).cases, 2u);
+  EXPECT_GE(std::get<StronglyStable>(strong).cases(), 2u);
   // On the border of the cone it still holds; beyond it slides.
   EXPECT_TRUE(is_strong(problem(floor, {kHalf, -1, 0})));
   EXPECT_FALSE(is_strong(problem(floor, {kHalf + parse_rational("1e-18"), -1, 0})));

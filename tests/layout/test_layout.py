@@ -20,7 +20,7 @@ ALLOWED = {
     "resistance": {"core", "equilibrium", "search"},
     "earlier": {"core", "lp", "equilibrium"},
     "certificate": {"core", "equilibrium", "search", "degree", "box", "space", "resistance"},
-    "batch": {"core", "equilibrium", "certificate"},
+    "batch": {"core", "equilibrium", "earlier", "certificate"},
     "crosscheck": {"core", "equilibrium"},
     "answers": {"core", "equilibrium", "box", "space", "resistance", "certificate"},
     "plot": {"core", "arrangement", "equilibrium", "box", "space", "resistance"},

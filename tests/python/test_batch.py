@@ -207,6 +207,7 @@ MIXED = ("\n \n" + "".join(lines_of(90)) + "{\n[]\n\x00\n" + "\n" * 5000 + "".jo
 
 
 @pytest.mark.parametrize("options", [(), ("--wrench", "-1/7,2,0", "--preload", "2"),
+                                     ("--class",), ("--class", "--inertia", "-1/7,2,3"),
                                      ("--normal-law", "bilateral", "--node-limit", "1")])
 def test_the_bytes_are_those_of_the_program(cluster, tmp_path, options):
     path = tmp_path / "mixed.jsonl"
@@ -400,7 +401,7 @@ def test_a_line_that_needs_more_memory_than_there_is(tmp_path):
     path = tmp_path / "g.jsonl"
     path.write_text("".join(lines))
     whole = reference(path)[1].splitlines()
-    asked = batch_chunk.Asked("", "", "", False, 0, "", "")
+    asked = batch_chunk.Asked("", "", "", False, 0, "", "", "")
     chunk = batch_chunk.Chunk(0, path.stat().st_size, 0, 0)
     unlimited, _ = batch_chunk.alone(asked, str(path), chunk, 0)
     assert unlimited.decode().splitlines() == whole
@@ -504,7 +505,7 @@ def test_workers_that_read_something_else(cluster, grasps):
     """As where the file is on no file system that they share."""
     from distributed import Client
     from stickslip import _core, batch_chunk
-    asked = batch_chunk.Asked("", "", "", False, 0, "", "")
+    asked = batch_chunk.Asked("", "", "", False, 0, "", "", "")
     with Client(cluster.address, set_as_default=False) as client:
         for version, path, chunk, problem in (
                 (_core.version, "/nowhere/g.jsonl", (0, 10, 0, 0), "cannot read the file: No such"),

@@ -134,14 +134,18 @@ def test_region_errors(fig1):
 @pytest.mark.parametrize("options, words", [
     ({}, []), ({"wrench": (0, 1, 0), "preload": 0}, ["--wrench", "0,1,0", "--preload", "0"]),
     ({"normal_law": "bilateral", "length": "1/3"},
-     ["--normal-law", "bilateral", "--length", "1/3"])], ids=str)
+     ["--normal-law", "bilateral", "--length", "1/3"]),
+    ({"methods": ("form-closure", "strongly-stable-load"), "inertia": ("1/2", 0.25, 3)},
+     ["--methods", "form-closure,strongly-stable-load", "--inertia", "1/2,1/4,3"])], ids=str)
 def test_comparison_is_that_of_the_program(tmp_path, fig1, options, words):
     (tmp_path / "grasp.json").write_text(fig1.to_text())
-    said = program("compare", tmp_path / "grasp.json", *words)["methods"]
+    answer = program("compare", tmp_path / "grasp.json", *words)
+    said = answer["methods"]
     comparison = stickslip.compare(fig1, **{"wrench": (0, 0, 0), **options})
     assert [row._asdict() for row in comparison.methods] == [
         {**{key: row[key] for key in ("method", "source", "verdict", "agrees", "why", "evidence")},
          "about_the_load": row["about"] == "load"} for row in said]
+    assert comparison.load_class == answer["class"] is not None
     assert comparison["form closure"] in comparison.methods
     assert len(repr(comparison).splitlines()) == len(said)
     ElementTree.fromstring(comparison._repr_html_())
@@ -149,6 +153,10 @@ def test_comparison_is_that_of_the_program(tmp_path, fig1, options, words):
         comparison["best"]
     with pytest.raises(InputError, match="above 0"):
         stickslip.compare(fig1, (0, 0, 0), length=0)
+    for wrong in ({"inertia": (0, 0)}, {"inertia": (0, 0, 0)}, {"methods": ["best"]}):
+        with pytest.raises(InputError) as caught:
+            stickslip.compare(fig1, (0, 0, 0), **wrong)
+        assert caught.value.place in wrong
 
 
 def test_answers_show_themselves(fig1):

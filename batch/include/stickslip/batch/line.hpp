@@ -14,6 +14,7 @@
 
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/json.hpp"
+#include "stickslip/earlier/load_classes.hpp"
 #include "stickslip/equilibrium/question.hpp"
 
 namespace stickslip {
@@ -61,8 +62,9 @@ struct LineResult {
 
 /// What is asked about every line.
 struct BatchOptions {
-  QuestionOptions question{};  ///< as the command's options say
-  std::size_t node_limit = 0;  ///< of each line; 0 is none
+  QuestionOptions question{};        ///< as the command's options say
+  std::size_t node_limit = 0;        ///< of each line; 0 is none
+  std::optional<Inertia> inertia{};  ///< asks for the class of rigid contacts, not the verdict
   std::string certificates{};  ///< the folder for certificates, as results name it; or empty
   std::string certificate_folder{};  ///< the same folder, as this process finds it
 };

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "stickslip/core/number_text.hpp"
-#include "stickslip/equilibrium/problem.hpp"
+#include "stickslip/earlier/load_classes.hpp"
 
 namespace stickslip {
 
@@ -29,10 +29,27 @@ struct MethodRow {
 /// The verdict of a method that would take too long, or does not apply.
 inline constexpr const char* kNotComputed = "not computed";
 
-/// All methods, the passive model first. `length` is the characteristic length of wrench
-/// spaces, and the radius of gyration about the origin for strong stability. Sentences have
-/// their numbers from `text`.
-std::vector<MethodRow> compare_methods(const Problem& problem, const Rational& length,
-                                       NumberText& text);
+/// Which methods are asked, and what some of them need.
+struct CompareOptions {
+  std::vector<std::string> methods{};  ///< some of method_words(); all if empty
+  Rational length = 1;                 ///< characteristic, of wrench spaces
+  Inertia inertia{};                   ///< for strong stability
+};
+
+/// What the methods say.
+struct Comparison {
+  std::vector<MethodRow> methods;  ///< the passive model first
+  /// "must move", "must hold" or "open" (load_classes.hpp), if weak and strong stability, or
+  /// one of them, tell.
+  std::optional<std::string> load_class;
+};
+
+/// The names of all methods as a list without spaces spells them: "grasp-wrench-space-L1".
+std::vector<std::string> method_words();
+
+/// Asks the methods and no other. Sentences have their numbers from `text`; those on why a
+/// method differs from the passive model need it asked. Throws InputError ("methods").
+Comparison compare_methods(const Problem& problem, const CompareOptions& options,
+                           NumberText& text);
 
 }  // namespace stickslip

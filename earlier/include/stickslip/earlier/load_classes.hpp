@@ -6,6 +6,10 @@
 /// - *Frictionless stable*: some normal forces alone do.
 /// - *Strongly stable*: whatever accelerations the rigid-body model allows, there is none.
 ///
+/// So a body at rest *must hold* if its load is strongly stable, *must move* if the load is not
+/// weakly stable, and between the model leaves it *open*: forces at rest and an acceleration
+/// both satisfy it.
+///
 /// **The model.** The object is at rest, its contacts touch, M is its mass matrix. An
 /// acceleration a and contact forces (c_n, c_t) satisfy
 ///
@@ -20,13 +24,14 @@
 ///
 ///     0 < a.Ma = w.a - sum mu_i c_n,i |T_i.a| <= w.a.                                    (4)
 ///
-/// **How strong stability is decided.** By (4) a solution is an acceleration iff w.a > 0. Where
-/// the signs of N_i.a and T_i.a are known, each contact is apart (c = 0, N.a > 0), slips
-/// (N.a = 0, force on an edge of the cone) or sticks (N.a = T.a = 0); then (1)-(3) are linear,
-/// and one exact program maximises w.a. Where they are not known a contact is relaxed to
-/// N.a >= 0 and force in the cone, and the region of accelerations is split by its planes only
-/// when the maximiser breaks (2) or (3) there. There are at most as many regions as cells in
-/// the arrangement of the planes N_i.a = 0 and T_i.a = 0, O(m^2).
+/// **How strong stability is decided.** By (4) a solution is an acceleration iff w.a > 0. Every
+/// solution has each contact touching (N.a = 0) or apart (N.a >= 0, c = 0), and slipping one
+/// way (T.a >= 0, force on the edge N - mu T), the other, or not (T.a = 0). In such a cell
+/// (1)-(3) are linear, and one exact program maximises w.a. What is not known of a contact is
+/// relaxed to N.a >= 0 and force in the cone, and a cell is split only where the maximiser
+/// breaks (2) or (3). The cells are closed, and all in them is a solution: none of them is left
+/// out, and no border matters. Contacts with one line of action, or of slip, are split
+/// together.
 ///
 /// **Why a mass matrix is needed.** Some positive definite M maps a to f iff a.f > 0. So the
 /// load is strongly stable *for every M* iff no a with N_i.a >= 0 and forces as in (2), (3) has
@@ -38,9 +43,12 @@
 /// Coulomb friction", ZAMM 80(10), 2000; Haas-Heger et al., RSS 2018, Section II.
 #pragma once
 
+#include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
+#include "stickslip/core/number_text.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 
 namespace stickslip {
@@ -65,17 +73,49 @@ LoadClass weakly_stable_load(const Problem& problem);
 /// The same with mu = 0.
 LoadClass frictionless_stable_load(const Problem& problem);
 
-/// Mass distribution, with mass 1: only the ratio of inertia to mass matters, since a factor on
-/// M scales accelerations alone.
+/// Mass distribution, with mass 1: a body of mass m has 1/m of these accelerations under the
+/// same load, and the same forces, so no class depends on m.
 struct Inertia {
   Vector2 centre{0, 0};           ///< of mass, in the object frame
   Rational gyration_squared = 1;  ///< radius of gyration about `centre`, squared; > 0
 };
 
+/// With its numbers, to be finished.
+Json inertia_json(const Inertia& inertia);
+/// The inertia "X,Y,G2" in an option's value. Throws InputError naming the option.
+Inertia inertia_option(const std::string& option, const std::string& value);
+/// The same of numbers: the centre and the squared radius of gyration. Throws InputError with
+/// that place unless there are three and the last is above 0.
+Inertia inertia_of(const std::string& place, const std::vector<Rational>& numbers);
+
+/// A cell of solutions in parts. Of `contact` and all contacts whose N is a positive multiple
+/// of its N: touching; apart. Or, with `slip`, of those whose T is a multiple of its T: T.a >=
+/// 0; T.a <= 0; T.a = 0 (for a negative multiple the first two change places).
+struct RigidSplit {
+  ContactId contact{0};
+  bool slip = false;
+};
+/// No solution of a cell has w.a > 0: with weight >= 0, g of `normal` (>= 0 unless the contact
+/// touches) and h of `tangent` (with the sign of the slip),
+///
+///     weight w + M twist + sum g_i N_i + sum h_i T_i = 0,
+///
+/// and twist.w >= 0 (> 0 if the weight is 0), twist.e >= 0 for all edges e that the cell allows
+/// forces on. For the product with a is 0 >= weight w.a + twist.(w + forces) >= weight w.a.
+struct RigidLeaf {
+  Rational weight;
+  Twist twist;
+  std::vector<std::pair<ContactId, Rational>> normal{};   ///< g, where not 0
+  std::vector<std::pair<ContactId, Rational>> tangent{};  ///< h, where not 0
+};
+using RigidNode = std::variant<RigidSplit, RigidLeaf>;
+
 /// The load accelerates nothing.
 struct StronglyStable {
-  BalancingForces equilibrium;  ///< forces at rest
-  std::size_t cases = 0;        ///< regions refuted, each by verified multipliers
+  BalancingForces equilibrium;    ///< forces at rest
+  std::vector<RigidNode> tree{};  ///< in preorder: no solution has w.a > 0
+
+  std::size_t cases() const;  ///< leaves of the tree
 };
 /// A solution of (1)-(3) with a != 0.
 struct Acceleration {
@@ -87,5 +127,22 @@ struct Acceleration {
 /// ContractError unless gyration_squared > 0.
 std::variant<StronglyStable, Acceleration, Undecided> strongly_stable_load(
     const Problem& problem, const Inertia& inertia = {}, std::size_t most_programs = 20000);
+
+/// The model allows both rest and motion.
+struct OpenLoad {
+  BalancingForces rest;  ///< a solution with a = 0
+  Acceleration motion;   ///< and another
+};
+
+/// *Must move*, *must hold*, *open*, each with its evidence.
+using RigidVerdict = std::variant<UnopposedMotion, StronglyStable, OpenLoad, Undecided>;
+
+/// The class of the load; as weakly_stable_load() and then, unless it must move,
+/// strongly_stable_load().
+RigidVerdict rigid_verdict(const Problem& problem, const Inertia& inertia = {},
+                           std::size_t most_programs = 20000);
+
+/// "must move", "must hold", "open" or "undecided".
+std::string name_of(const RigidVerdict& verdict);
 
 }  // namespace stickslip

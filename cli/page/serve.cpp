@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "example_grasps.hpp"
+#include "grasp/example_grasps.hpp"
 #include "interruption.hpp"
 #include "page_server.hpp"
 #include "question_options.hpp"

@@ -238,12 +238,15 @@ class RadiusSearch {
     Rational high = bound();
     if (!result_.refuted) {
       if (result_.proved == high || try_to_prove(high, parts)) return;
-    } else if (result_.proved.is_zero()) {
+    } else {
       const Rational near = high * (1 - options_.accuracy / 2);
-      if (try_to_prove(short_middle(near, high), parts)) return;
-      // A smaller box may have no proof where a larger one has.
+      if (result_.proved.is_zero() && try_to_prove(short_middle(near, high), parts)) return;
+      // A smaller box may have no proof where a larger one has. While much is open that is worth
+      // the tries.
+      const bool is_much_open = 3 * result_.proved < 2 * bound();
       for (const int percent : {95, 90, 80, 65}) {
         const Rational below = bound() * Rational(percent, 100);
+        if (!is_much_open || below <= result_.proved) break;
         const Rational factor = short_middle(below, bound() * Rational(percent + 1, 100));
         if (try_to_prove(factor, parts)) break;
       }

@@ -172,6 +172,8 @@ void Law::complete(double farthest) {
     c.preloads = rounded(c.preload);
     c.rates = rounded(c.rate);
     c.stiffnesses = rounded(c.stiffness);
+    // Of a part that is one grasp nothing is left of the corners of the whole.
+    c.whole.reset();
     if (c.slip_dimension() == 1 && c.corners.size() > 1) c.whole = whole_corners(c);
     if (c.slip_dimension() == 3) c.tangents = tangents_across(c.axis);
     c.is_moderate = true;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <map>
 
@@ -75,6 +76,21 @@ void expect_right(Uncertain uncertain, std::uint64_t seed, int boxes, const char
   tally.print(title);
   EXPECT_GE(tally.of("stable"), 1u);
   EXPECT_GE(tally.of("unstable"), 1u);
+}
+
+/// The text of a grasp file of the corpus.
+std::string box_named(const std::string& name) {
+  std::ifstream file(STICKSLIP_CORPUS "/boxes/" + name + ".json");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// Proofs by degree have walls of the grasp in the middle, of whose contacts nothing is uncertain:
+// nothing may be left of their corners in the box.
+TEST(BoxAnswers, OfAWideBoxAreAboutTheGraspInItsMiddle) {
+  const BoxCase wide{box_named("wide_middle")};
+  const BoxDecision decision = wide.decide();
+  EXPECT_STREQ(name_of(decision.verdict), "stable");
+  test::expect_accepted_by_both(test::input_of(wide.grasp, wide.options, decision));
 }
 
 TEST(RandomBoxes, FrictionAlone) {

@@ -330,6 +330,7 @@ class Source:
 # ---- §1 The question --------------------------------------------------------------------------
 
 LAWS = ("unilateral", "bilateral")
+CLASSES = ("must move", "must hold", "open")  # §13
 
 
 class Bounds(NamedTuple):
@@ -410,13 +411,15 @@ class Options(NamedTuple):
     case: Optional[str] = None  # whose wrench is asked about, if none is given
     uncertain: Optional[Dict[str, Tolerance]] = None  # by kind
     plane: Optional[Tuple[Vector, Vector]] = None     # §12: u and v
+    inertia: Optional[Vector] = None                  # §13: the centre of mass and γ²
 
     def margin(self) -> bool:
         return self.direction is not None or self.preload_direction is not None
 
     def family(self) -> str:
         """What is about one grasp and many loads or preloads, if that is asked."""
-        return "a margin" if self.margin() else "a region" if self.plane else ""
+        return ("a margin" if self.margin() else "a region" if self.plane else
+                "a class" if self.inertia else "")
 
 
 class Row(NamedTuple):
@@ -764,6 +767,17 @@ def check_plane(asked: Options, dimension: int) -> None:
         raise Malformed("the question", "plane", problem)
 
 
+def check_inertia(asked: Options, dimension: int) -> None:
+    """§13: which class cannot be asked about."""
+    if asked.inertia is None:
+        return
+    problem = ("the grasp is in space" if dimension == SPACE else
+               "a direction or a plane is given as well" if asked.margin() or asked.plane else
+               "the squared radius of gyration must be > 0" if asked.inertia[2] <= 0 else "")
+    if problem:
+        raise Malformed("the question", "inertia", problem)
+
+
 def check_tolerances(asked: Options) -> None:
     """§6: what cannot be asked, whatever the grasp."""
     for kind, tolerance in (asked.uncertain or {}).items():
@@ -822,6 +836,7 @@ def pose(grasp_file: str, asked: Options) -> Question:
         raise Malformed("the question", "preload", f"found {show(asked.preload)}, must be >= 0")
     check_dimension(asked, grasp.dimension)
     check_plane(asked, grasp.dimension)
+    check_inertia(asked, grasp.dimension)
     check_tolerances(asked)
     contacts = [widened(contact, asked) for contact in grasp.contacts]
     growth = zeros(m)
@@ -859,13 +874,19 @@ class Claim(NamedTuple):
     asked: Options  # the rest
 
 
+Multipliers = List[Tuple[int, Fraction]]
+
+
 class Node(NamedTuple):
     """§4: slip and separation have a contact, plane has numbers a, leaf has numbers y; §6: part has
-    a name, an index (`contact`) and a number; §12: held has a piece (`contact`)."""
+    a name, an index (`contact`) and a number; §12: held has a piece (`contact`); §13: touch has a
+    contact, and leaf t and y as numbers, and multipliers."""
     kind: str
     contact: int = -1
     numbers: Vector = ()
     name: str = ""
+    normal: Multipliers = []
+    tangent: Multipliers = []
 
 
 class RestProof(NamedTuple):
@@ -918,6 +939,14 @@ class RangeProof(NamedTuple):
     tree: List[Node] = []       # of an unstable claim
 
 
+class RigidProof(NamedTuple):
+    """§13, but its tree: of "must move" a twist, else forces at rest, and of "open" a motion with others."""
+    twist: Vector = ()
+    rest: List[Tuple[int, Vector]] = []
+    acceleration: Vector = ()
+    forces: List[Tuple[int, Vector]] = []
+
+
 class Certificate(NamedTuple):
     question: Claim
     verdict: str                # "stable", "unstable", "margin" or "region"
@@ -929,6 +958,7 @@ class Certificate(NamedTuple):
     parts: Optional[List[Part]] = None  # of "stable", if there is no witness
     claims: Optional[List[RangeProof]] = None  # of "margin" in space, and then nothing else
     pieces: Optional[List[List[Witness]]] = None  # of "region"
+    rigid: Optional[RigidProof] = None  # of a class
 
     def proofs(self, kind: Type[Proof]) -> List[Proof]:
         """All parts that are not cut, of one kind."""
@@ -949,7 +979,9 @@ def read_certificate(name: str, dimension: int) -> Certificate:
     if "format" in claimed:
         source.check_format(claimed["format"])
     evidence = {"region": "pieces tree", "stable": "parts" if "parts" in claimed else "twist shares",
-                "margin": "resisted segments tree" if dimension == PLANE else "intervals"}.get(
+                "margin": "resisted segments tree" if dimension == PLANE else "intervals",
+                "must move": "twist", "must hold": "rest tree",
+                "open": "rest acceleration forces"}.get(
                     claimed["verdict"] if type(claimed.get("verdict")) is str else "", "tree")
     top = source.members(source.root, "", "format producer? question bits? verdict " + evidence,
                          True)
@@ -957,14 +989,23 @@ def read_certificate(name: str, dimension: int) -> Certificate:
         source.fail("producer", "must be a string")
     claim = read_claim(source, top["question"])
     margin, plane = claim.asked.margin(), claim.asked.plane is not None
+    rigid = claim.asked.inertia is not None and not margin and not plane
     bits = source.index(top["bits"], "bits") if "bits" in top else 128
-    if (margin and dimension == PLANE or plane) and "bits" in top:
-        source.fail("bits", "not where the question has a direction or a plane")
+    if (margin and dimension == PLANE or plane or rigid) and "bits" in top:
+        source.fail("bits", "not where the question has a direction, a plane or an inertia")
     if not 64 <= bits <= 4096:
         source.fail("bits", "must be from 64 to 4096")
     verdict = source.choice(top["verdict"], "verdict",
                             ("region",) if plane else ("margin",) if margin else
-                            ("stable", "unstable"))
+                            CLASSES if rigid else ("stable", "unstable"))
+    if rigid:
+        return Certificate(claim, verdict, rigid=RigidProof(
+            source.vector(top["twist"], "twist", PLANE) if "twist" in top else (),
+            read_forces(source, top.get("rest", []), "rest"),
+            source.vector(top["acceleration"], "acceleration", PLANE) if "acceleration" in top else (),
+            read_forces(source, top.get("forces", []), "forces")),
+            tree=[read_rigid_node(source, node, f"tree[{k}]")
+                  for k, node in enumerate(source.array(top.get("tree", []), "tree"))])
     if "parts" in top:
         parts = [read_part(source, part, f"parts[{k}]")
                  for k, part in enumerate(source.array(top["parts"], "parts"))]
@@ -1006,10 +1047,29 @@ def read_certificate(name: str, dimension: int) -> Certificate:
     return Certificate(claim, verdict, None, tree, resisted, segments)
 
 
+def read_forces(source: Source, value: Any, place: str) -> List[Tuple[int, Vector]]:
+    """FORCES of §13."""
+    entries = [source.array(entry, place, 3) for entry in source.array(value, place)]
+    return [(source.index(i, place), source.vector(ab, place)) for i, *ab in entries]
+
+
+def read_rigid_node(source: Source, value: Any, place: str) -> Node:
+    """§13, the table of nodes."""
+    kind, *rest = source.array(value, place) or [None]
+    if kind in ("touch", "slip") and len(rest) == 1:
+        return Node(kind, source.index(rest[0], place))
+    if kind == "leaf" and len(rest) == 4:
+        pairs = [[source.array(entry, place, 2) for entry in source.array(part, place)] for part in rest[2:]]
+        g, h = ([(source.index(i, place), source.number(x, place)) for i, x in part] for part in pairs)
+        return Node(kind, numbers=(source.number(rest[0], place),
+                                   *source.vector(rest[1], place, PLANE)), normal=g, tangent=h)
+    source.fail(place, "must be [\"touch\", i], [\"slip\", i] or [\"leaf\", t, y, g, h]")
+
+
 def read_claim(source: Source, value: Any) -> Claim:
     fields = source.members(
         value, "question", "contacts wrench preload? normal_law direction? preload_direction? "
-                           + "plane? " * (source.dimension == PLANE) + "uncertain?", True)
+                           + "plane? inertia? " * (source.dimension == PLANE) + "uncertain?", True)
     preload = direction = growth = None
     if "preload" in fields:
         preload = source.number(fields["preload"], "question.preload")
@@ -1027,12 +1087,13 @@ def read_claim(source: Source, value: Any) -> Claim:
         u, v = source.array(fields["plane"], "question.plane", 2)
         plane = (source.vector(u, "question.plane[0]", PLANE),
                  source.vector(v, "question.plane[1]", PLANE))
+    inertia = source.vector(fields["inertia"], "question.inertia", 3) if "inertia" in fields else None
     wrench = [read_load_entry(source, entry, "question.wrench")
               for entry in source.array(fields["wrench"], "question.wrench", source.dimension)]
     return Claim(source.index(fields["contacts"], "question.contacts"), tuple(wrench),
                  Options(None, preload,
                          source.choice(fields["normal_law"], "question.normal_law", LAWS),
-                         direction, growth, None, uncertain, plane))
+                         direction, growth, None, uncertain, plane, inertia))
 
 
 def read_load_entry(source: Source, value: Any, place: str) -> Bounds:
@@ -1214,6 +1275,7 @@ def check_question(question: Question, claim: Claim) -> None:
                                 ("preload-direction", said.preload_direction,
                                  asked.preload_direction),
                                 ("plane", said.plane, asked.plane),
+                                ("inertia", said.inertia, asked.inertia),
                                 ("uncertain", said.uncertain, asked.uncertain)):
         if found != wanted:
             raise Rejected(f"question-{rule}", f"the certificate says {show(found)}, asked was "
@@ -2370,6 +2432,162 @@ def root_of(question: Question, box: Box, pieces: Sequence[Sequence[Witness]]) -
     return Root(box, [(h, False, True)], question.asked.law == "bilateral", pieces=duals)
 
 
+# ---- §13 Rigid contacts -----------------------------------------------------------------------
+
+
+class RigidCell:
+    """A node's cell: of each contact whether it touches (None: it is not known), and the sign of its slip."""
+
+    def __init__(self, m: int, steps: Tuple[str, ...] = ()) -> None:
+        self.touch: List[Optional[bool]] = [None] * m
+        self.slip: List[Optional[int]] = [None] * m
+        self.steps = steps
+
+    def child(self, step: str) -> RigidCell:
+        cell = RigidCell(0, self.steps + (step,))
+        cell.touch, cell.slip = list(self.touch), list(self.slip)
+        return cell
+
+
+def times_mass(inertia: Vector, a: Vector) -> Vector:
+    """M a."""
+    (x, y, square), turn = inertia, a[2]
+    force = (a[0] - turn * y, a[1] + turn * x)
+    return (*force, x * force[1] - y * force[0] + square * turn)
+
+
+def factor_sign(u: Vector, v: Vector) -> int:
+    """The sign of c if v = c u, else 0; neither is 0."""
+    if any(u[j] * v[k] != u[k] * v[j] for j in range(PLANE) for k in range(j)):
+        return 0
+    return sign(dot(u, v))
+
+
+def check_rigid_forces(question: Question, forces: Sequence[Tuple[int, Vector]], a: Vector, place: str) -> None:
+    """`class-force`, `class-balance`."""
+    total, last = question.w(), -1
+    for i, (normal, friction) in forces:
+        if not last < i < len(question.rows):
+            raise Rejected("class-force", f"contact {i} is not there, or out of order", place)
+        row, last = question.rows[i], i
+        if normal < 0 or abs(friction) > row.friction * normal:
+            raise Rejected("class-force", f"the force of contact {i} is not in its cone", place)
+        total = plus(plus(total, normal, row.N), friction, row.slip[0])
+    if total != times_mass(require_inertia(question), a):
+        raise Rejected("class-balance", f"load and forces are {show(total)} together", place)
+
+
+def require_inertia(question: Question) -> Vector:
+    assert question.asked.inertia is not None
+    return question.asked.inertia
+
+
+def check_motion(question: Question, proof: RigidProof) -> None:
+    """`class-motion`."""
+    a, place = proof.acceleration, "forces"
+    if not any(a):
+        raise Rejected("class-motion", "the acceleration is 0", place)
+    for i, row in enumerate(question.rows):
+        if dot(row.N, a) < 0:
+            raise Rejected("class-motion", f"contact {i} is penetrated", place)
+    for i, (normal, friction) in proof.forces:
+        row = question.rows[i]
+        slip = dot(row.slip[0], a)
+        if normal * dot(row.N, a) or row.friction * normal * abs(slip) + friction * slip:
+            raise Rejected("class-motion", f"contact {i} parts, or its friction does not oppose its slip", place)
+
+
+def rigid_children(question: Question, cell: RigidCell, node: Node) -> List[RigidCell]:
+    i, rows = node.contact, question.rows
+    if i >= len(rows):
+        raise Rejected("node-contact", f"contact {i}, but the grasp has {len(rows)}")
+    found = []
+    Work.spend(20 * len(rows))
+    if node.kind == "touch":
+        for touches, word in ((True, "touching"), (False, "apart")):
+            child = cell.child(f"touch {i} {word}")
+            for j, row in enumerate(rows):
+                if factor_sign(rows[i].N, row.N) > 0:
+                    child.touch[j] = touches
+            found.append(child)
+        return found
+    for side_, word in ((1, "+"), (0, "0"), (-1, "-")):
+        child = cell.child(f"slip {i} {word}")
+        for j, row in enumerate(rows):
+            along = factor_sign(rows[i].slip[0], row.slip[0])
+            if along:
+                child.slip[j] = along * side_
+        found.append(child)
+    return found
+
+
+def rigid_leaf_refusal(question: Question, cell: RigidCell, node: Node) -> Optional[str]:
+    """Why the leaf proves nothing."""
+    (t, *twist), rows, w = node.numbers, question.rows, question.w()
+    y = tuple(twist)
+    Work.spend(20 * len(rows))
+    if t < 0 or dot(y, w) < 0 or (t == 0 and dot(y, w) == 0):
+        return "t or y·w is below 0, or both are 0"
+    total = plus(times_mass(require_inertia(question), y), t, w)
+    for multipliers, normal in ((node.normal, True), (node.tangent, False)):
+        last = -1
+        for i, x in multipliers:
+            if not last < i < len(rows):
+                return f"contact {i} is not there, or out of order"
+            last = i
+            if normal and x < 0 and cell.touch[i] is not True:
+                return f"g of contact {i} is below 0, but it may part"
+            slip = cell.slip[i]
+            if not normal and (slip is None or (slip and x * slip < 0)):
+                return f"h of contact {i} has not the sign of its slip"
+            total = plus(total, x, rows[i].N if normal else rows[i].slip[0])
+    if any(total):
+        return f"the sum is {show(total)}"
+    for i, row in enumerate(rows):
+        for side_ in (1, -1):
+            allowed = cell.touch[i] is not False and cell.slip[i] != side_
+            if allowed and dot(y, plus(row.N, side_ * row.friction, row.slip[0])) < 0:
+                return f"contact {i} opposes y"
+    return None
+
+
+def check_rigid_tree(question: Question, tree: Sequence[Node]) -> None:
+    waiting = [RigidCell(len(question.rows))]
+    for number, node in enumerate(tree):
+        if not waiting:
+            raise Rejected("tree-long", f"{len(tree) - number} nodes after the end", None, number)
+        cell = waiting.pop()
+        try:
+            if len(cell.steps) > 2 * len(question.rows) + 256:
+                raise Rejected("node-depth", f"{len(cell.steps)} nodes stand above this one")
+            if node.kind == "leaf":
+                refusal = rigid_leaf_refusal(question, cell, node)
+                if refusal:
+                    raise Rejected("class-leaf", refusal)
+            else:
+                waiting += reversed(rigid_children(question, cell, node))
+        except Rejected as failure:
+            failure.node, failure.path = number, ", ".join(cell.steps) or "root"
+            raise
+    if waiting:
+        raise Rejected("tree-short", f"{len(waiting)} children are missing",
+                       ", ".join(waiting[-1].steps) or "root", len(tree))
+
+
+def check_class(question: Question, certificate: Certificate, proof: RigidProof) -> None:
+    if certificate.verdict == "must move":
+        edges = [plus(row.N, side_ * row.friction, row.slip[0]) for row in question.rows for side_ in (1, -1)]
+        if dot(proof.twist, question.w()) <= 0 or any(dot(proof.twist, edge) < 0 for edge in edges):
+            raise Rejected("class-twist", "the load does no work along it, or a force in a cone opposes it")
+        return
+    check_rigid_forces(question, proof.rest, zeros(PLANE), "rest")
+    if certificate.verdict == "must hold":
+        check_rigid_tree(question, certificate.tree)
+    else:
+        check_rigid_forces(question, proof.forces, proof.acceleration, "forces")
+        check_motion(question, proof)
+
+
 # ---- §8 What a checker answers ----------------------------------------------------------------
 
 USAGE = """check.py GRASP CERTIFICATE [options]
@@ -2389,6 +2607,8 @@ one of them may be - for standard input. Give the same options as to the program
                            under wrench + s U + t V, with wrench 0 unless given by --wrench or --case
   --preload-direction D    ask for the margin along preloads: P0,P1,..., of which f times is added to
                            the preloads; or scale: f times the preloads
+  --inertia X,Y,G2         ask for the class of rigid contacts: must move, must hold or open; the
+                           centre of mass, and the squared radius of gyration about it
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be off,
                            such as friction=10%,stiffness=10%,preload=5%,position=0.001,
                            normal=0.0175,wrench=2%; any of them, absolute or in percent, for
@@ -2457,7 +2677,7 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
             continue
         name, equals, value = word.partition("=") if word.startswith("--") else (word, "", "")
         if name not in ("--wrench", "--torque", "--case", "--preload", "--normal-law", "--direction",
-                        "--preload-direction", "--plane", "--uncertain"):
+                        "--preload-direction", "--plane", "--inertia", "--uncertain"):
             raise UsageError(f"unknown option '{show(word)}'")
         if not equals:
             if not waiting:
@@ -2472,6 +2692,11 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
             if len(values) != 2 * PLANE:
                 raise UsageError(f"{name}: '{show(value)}' is not UX,UY,UT,VX,VY,VT, two wrenches")
             options = options._replace(plane=(values[:PLANE], values[PLANE:]))
+        elif name == "--inertia":
+            values = list_option(name, value)
+            if len(values) != 3:
+                raise UsageError(f"{name}: '{show(value)}' is not X,Y,G2, such as 0,0,1")
+            options = options._replace(inertia=values)
         elif name == "--torque":
             options = options._replace(wrench=(Fraction(0), Fraction(0), number_option(name, value)))
         elif name == "--case":
@@ -2542,6 +2767,8 @@ def accepted_text(certificate: Certificate, question: Question, leaves: int, ran
     if asked.plane is not None:
         u, v = (", ".join(map(str, growth)) for growth in asked.plane)
         lines.append(f"plane       wrench + s ({u}) + t ({v})")
+    if asked.inertia is not None:
+        lines.append(f"inertia     ({', '.join(map(str, asked.inertia))})")
     lines += [f"preload     {preload}", f"normal law  {asked.law}"]
     if asked.uncertain:
         lines.append("uncertain   " + ", ".join(map(" ".join, tolerances(asked).items())))
@@ -2556,6 +2783,9 @@ def accepted_text(certificate: Certificate, question: Question, leaves: int, ran
         "; ".join([f"at rest, parts: {rests}"] * (rests > 0)
                   + [f"by degree, parts: {proofs}; trees of {tree}"] * (proofs > 0))
         if certificate.parts is not None else
+        f"forces at rest, and a tree of {tree}" if certificate.verdict == "must hold" else
+        "a twist" if certificate.verdict == "must move" else
+        "forces at rest, and others with an acceleration" if certificate.verdict == "open" else
         "an equilibrium" if certificate.witness else f"a tree of {tree}")]
     return "\n".join(lines) + "\n"
 
@@ -2580,7 +2810,9 @@ def judge(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
             check_resisted(certificate.resisted)
             check_segments(certificate.segments, certificate.resisted, question)
             ranges = gaps(certificate.resisted)
-        if certificate.pieces is not None:
+        if certificate.rigid is not None:
+            check_class(question, certificate, certificate.rigid)
+        elif certificate.pieces is not None:
             box = enlarged(question, certificate.bits)
             check_tree(certificate.tree, [root_of(question, box, certificate.pieces)])
         elif certificate.witness:
@@ -2617,6 +2849,7 @@ def judge(arguments: Arguments) -> Tuple[Dict[str, Any], str, int]:
         "direction": listed(asked.direction),
         "preload_direction": growth if growth == "scale" else listed(growth),
         **({"plane": list(map(listed, asked.plane))} if asked.plane else {}),
+        **({"inertia": listed(asked.inertia)} if asked.inertia else {}),
         "uncertain": tolerances(asked) or None})
     if not certificate.witness:
         report.update(nodes=len(certificate.trees()), leaves=leaves)

@@ -21,6 +21,7 @@ codes are those of stickslip-check; see certificate/FORMAT.md.
   --preload-direction D    ask for the margin along preloads: P0,P1,..., or the word scale
   --plane UX,UY,UT,VX,VY,VT
                            ask for the region of a plane of wrenches: not judged
+  --inertia X,Y,G2         ask for the class of rigid contacts: not judged
   --uncertain LIST         such as friction=10%,position=0.001: ask about every grasp in the box
   --json                   answer as one JSON object
   --batch                  instead of two files, questions from standard input: on each line a JSON object
@@ -59,6 +60,7 @@ const OPTIONS = {
       : numbers(text, null, 'P0,P1,... or scale');
   },
   '--plane': (o, text) => { o.plane = numbers(text, [6], 'UX,UY,UT,VX,VY,VT, two wrenches'); },
+  '--inertia': (o, text) => { o.inertia = numbers(text, [3], 'X,Y,G2'); },
   '--uncertain': (o, text) => {
     o.uncertain = {};
     for (const one of text.split(',')) {

@@ -18,6 +18,8 @@
 namespace stickslip {
 namespace {
 
+constexpr const char* kProducer = "stickslip " STICKSLIP_VERSION ", batch";
+
 std::string text_of(const Json& result) {
   return result.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
@@ -99,18 +101,22 @@ LineResult LineDecider::decide(const BatchLine& line) const {
         outcome = LineOutcome::kUndecided;
       }
     };
+    const auto wants_certificate = [&] {
+      return outcome == LineOutcome::kDecided && !options_.certificates.empty();
+    };
     const Problem problem = problem_of(question);
     if (options_.inertia) {
-      answer("class", rigid_verdict(problem, *options_.inertia));
+      const RigidVerdict verdict = rigid_verdict(problem, *options_.inertia);
+      answer("class", verdict);
+      if (wants_certificate()) {
+        certificate = class_certificate_text(question, *options_.inertia, verdict, kProducer);
+      }
     } else {
       ConeOptions limits;
       limits.node_limit = options_.node_limit;
       const Verdict verdict = decide_by_cones(problem, limits);
       answer("verdict", verdict);
-      if (outcome == LineOutcome::kDecided && !options_.certificates.empty()) {
-        certificate =
-            certificate_text(question, verdict, "stickslip " STICKSLIP_VERSION ", batch");
-      }
+      if (wants_certificate()) certificate = certificate_text(question, verdict, kProducer);
     }
   } catch (const InputError& error) {
     return failed(line, error);

@@ -30,7 +30,7 @@ struct Range {
 /// The certificate proves `verdict` about the question.
 struct Accepted {
   Question question;
-  std::string verdict;             ///< "stable", "unstable", "margin" or "region"
+  std::string verdict;             ///< "stable", "unstable", "margin", "region" or a class
   std::vector<Interval> resisted;  ///< of a margin: exactly these multiples, in space at least
   std::vector<Range> refuted;      ///< of a margin in space: none of these
   std::uint64_t segments = 0;      ///< of a margin in the plane

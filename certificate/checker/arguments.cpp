@@ -47,6 +47,14 @@ std::vector<Vector> parse_plane(const std::string& option, const std::string& te
   return {Vector(values.begin(), middle), Vector(middle, values.end())};
 }
 
+Vector parse_inertia(const std::string& option, const std::string& text) {
+  const Vector values = parse_list(option, text);
+  if (values.size() != 3) {
+    throw UsageError{option + ": " + quote(text) + " is not X,Y,G2, such as 0,0,1"};
+  }
+  return values;
+}
+
 std::map<std::string, Tolerance> parse_tolerances(const std::string& option,
                                                   const std::string& text) {
   std::map<std::string, Tolerance> result;
@@ -115,6 +123,8 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
       options.direction = parse_wrench(word, value());
     } else if (word == "--plane") {
       options.plane = parse_plane(word, value());
+    } else if (word == "--inertia") {
+      options.inertia = parse_inertia(word, value());
     } else if (word == "--preload-direction") {
       const std::string growth = value();
       options.preload_direction.emplace();

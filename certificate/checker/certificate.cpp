@@ -35,6 +35,7 @@ Claim CertificateReader::claim() {
   Claim claim = claim_of(question);
   margin_ = claim.asked.margin();
   plane_ = claim.asked.plane.has_value();
+  rigid_ = claim.asked.rigid();
   return claim;
 }
 
@@ -42,7 +43,7 @@ std::string CertificateReader::verdict() {
   constexpr unsigned kLeastBits = 64;
   constexpr unsigned kMostBits = 4096;
   std::optional<std::string> name = json_.next_member();
-  if (name == "bits" && !plane_ && (!margin_ || dimension_ == kSpatial)) {
+  if (name == "bits" && !plane_ && !rigid_ && (!margin_ || dimension_ == kSpatial)) {
     const Value value = json_.value();
     const Rational bits = value.kind == Value::Kind::kNumber ? number(value, "bits") : 0;
     json_.expect(
@@ -56,6 +57,11 @@ std::string CertificateReader::verdict() {
   if (plane_) {
     json_.expect(verdict.is_text("region"), verdict, "verdict",
                  "\"region\", as the question has a plane");
+  } else if (rigid_) {
+    json_.expect(
+        verdict.is_text("must move") || verdict.is_text("must hold") || verdict.is_text("open"),
+        verdict, "verdict",
+        "\"must move\", \"must hold\" or \"open\", as the question has an inertia");
   } else if (margin_) {
     json_.expect(verdict.is_text("margin"), verdict, "verdict",
                  "\"margin\", as the question has a direction");
@@ -64,6 +70,54 @@ std::string CertificateReader::verdict() {
                  "\"stable\" or \"unstable\", as the question has no direction");
   }
   return verdict.text;
+}
+
+Vector CertificateReader::twist() {
+  return numbers(take("twist"), "twist", 0, dimension_);
+}
+
+Vector CertificateReader::acceleration() {
+  return numbers(take("acceleration"), "acceleration", 0, dimension_);
+}
+
+std::vector<RigidForce> CertificateReader::forces(const char* name) {
+  std::vector<RigidForce> result;
+  const Value value = take(name);
+  for (const Value& entry : list(value, name, "an array of forces")) {
+    const Vector ab = numbers(entry, name, 1, 2);
+    result.push_back({index(entry.items[0], name), ab[0], ab[1]});
+  }
+  return result;
+}
+
+RigidNode::Multipliers CertificateReader::multipliers(const Value& value,
+                                                      const std::string& place) const {
+  RigidNode::Multipliers result;
+  for (const Value& entry : list(value, place, "an array of multipliers")) {
+    const Vector x = numbers(entry, place, 1, 1);
+    result.emplace_back(index(entry.items[0], place), x[0]);
+  }
+  return result;
+}
+
+std::optional<RigidNode> CertificateReader::next_rigid_node() {
+  if (!next_element("tree")) return std::nullopt;
+  const Value value = json_.value();
+  const std::string place = "tree[" + std::to_string(elements_ - 1) + "]";
+  RigidNode node;
+  if (value.is_array(5) && value.items[0].is_text("leaf")) {
+    node.weight = number(value.items[1], place);
+    node.twist = numbers(value.items[2], place, 0, dimension_);
+    node.normal = multipliers(value.items[3], place);
+    node.tangent = multipliers(value.items[4], place);
+    return node;
+  }
+  const bool touch = value.is_array(2) && value.items[0].is_text("touch");
+  json_.expect(touch || (value.is_array(2) && value.items[0].is_text("slip")), value, place,
+               R"(["touch", i], ["slip", i] or ["leaf", t, y, g, h])");
+  node.kind = touch ? RigidNode::Kind::kTouch : RigidNode::Kind::kSlip;
+  node.contact = index(value.items[1], place);
+  return node;
 }
 
 bool CertificateReader::has_parts() {
@@ -274,7 +328,7 @@ const Value& CertificateReader::member(const Value& value, const std::string& pl
 Claim CertificateReader::claim_of(const Value& value) const {
   expect_order(value, "question",
                {"contacts", "wrench", "preload", "normal_law", "direction", "preload_direction",
-                "plane", "uncertain"});
+                "plane", "inertia", "uncertain"});
   Claim claim;
   claim.contacts = index(member(value, "question", "contacts"), "question.contacts");
   const std::string at_wrench = "question.wrench";
@@ -313,6 +367,11 @@ Claim CertificateReader::claim_of(const Value& value) const {
     for (const Value& entry : plane->items) {
       asked.plane->push_back(numbers(entry, place, 0, dimension_));
     }
+  }
+  if (const Value* inertia = value.find("inertia")) {
+    json_.expect(dimension_ == kPlanar, *inertia, "question.inertia",
+                 "none, of a question about a grasp in space");
+    asked.inertia = numbers(*inertia, "question.inertia", 0, 3);
   }
   if (const Value* uncertain = value.find("uncertain")) {
     asked.uncertain = tolerances(*uncertain);

@@ -13,6 +13,7 @@
 #include "degree.hpp"
 #include "json.hpp"
 #include "margin.hpp"
+#include "rigid.hpp"
 #include "tree.hpp"
 #include "witness.hpp"
 
@@ -32,7 +33,7 @@ class CertificateReader {
 
   /// All up to the member `question`.
   Claim claim();
-  /// "stable", "unstable", "margin" or "region".
+  /// "stable", "unstable", "margin" or "region"; or "must move", "must hold" or "open".
   std::string verdict();
   /// Of lengths that are irrational; known with the verdict.
   unsigned bits() const { return bits_; }
@@ -44,6 +45,12 @@ class CertificateReader {
 
   // region
   std::optional<std::vector<Witness>> next_piece();
+
+  // a class, in the order of FORMAT.md §13
+  Vector twist();
+  std::vector<RigidForce> forces(const char* name);
+  Vector acceleration();
+  std::optional<RigidNode> next_rigid_node();
 
   // unstable, region, and margin in the plane
   std::vector<Interval> resisted();
@@ -88,6 +95,7 @@ class CertificateReader {
   Witness point_at(const Rational& multiple, const Value& value,
                    const std::string& place) const;
   Witness load_point(const Value& value, const std::string& place) const;
+  RigidNode::Multipliers multipliers(const Value& value, const std::string& place) const;
   Node node(const Value& value, const std::string& place) const;
   std::vector<Node> nodes(const Value& value, const std::string& place) const;
 
@@ -95,6 +103,7 @@ class CertificateReader {
   std::size_t dimension_;
   bool margin_ = false;  ///< the question has a direction
   bool plane_ = false;   ///< or a plane
+  bool rigid_ = false;   ///< or an inertia
   unsigned bits_ = kDefaultBits;
   std::string open_list_;  ///< whose elements are being taken
   std::size_t elements_ = 0;

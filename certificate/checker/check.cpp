@@ -7,6 +7,7 @@
 #include "degree.hpp"
 #include "margin.hpp"
 #include "plane.hpp"
+#include "rigid.hpp"
 #include "work.hpp"
 
 namespace stickslip_check {
@@ -24,6 +25,10 @@ std::string in_words(const std::optional<PreloadDirection>& direction) {
 
 std::string in_words(const std::optional<std::vector<Vector>>& plane) {
   return plane ? "the plane of " + show((*plane)[0]) + " and " + show((*plane)[1]) : "no plane";
+}
+
+std::string in_words_inertia(const std::optional<Vector>& inertia) {
+  return inertia ? "the inertia " + show(*inertia) : "no inertia";
 }
 
 std::string in_words(const std::optional<Rational>& preload) {
@@ -64,6 +69,8 @@ void check_question(const Claim& claim, const Question& question) {
           in_words(said.preload_direction), in_words(asked.preload_direction));
   compare("question-plane", said.plane == asked.plane, in_words(said.plane),
           in_words(asked.plane));
+  compare("question-inertia", said.inertia == asked.inertia, in_words_inertia(said.inertia),
+          in_words_inertia(asked.inertia));
   compare("question-uncertain", said.uncertain == asked.uncertain, in_words(said.uncertain),
           in_words(asked.uncertain));
 }
@@ -87,6 +94,36 @@ class FirstRejection {
   std::optional<Answer> found;
 };
 
+/// Of a claim about another question, which is rejected, only the syntax is read.
+void check_class(CertificateReader& certificate, const Question& question,
+                 FirstRejection& rejection, Accepted& accepted) {
+  std::optional<RigidProof> proof;
+  rejection.unless_rejected([&] { proof.emplace(question); });
+  if (accepted.verdict == "must move") {
+    const Vector twist = certificate.twist();
+    rejection.unless_rejected([&] { proof->check_twist(twist); });
+    return;
+  }
+  const std::vector<RigidForce> rest = certificate.forces("rest");
+  rejection.unless_rejected([&] { proof->check_forces(rest, Vector(kPlanar), "rest"); });
+  if (accepted.verdict == "open") {
+    const Vector acceleration = certificate.acceleration();
+    const std::vector<RigidForce> forces = certificate.forces("forces");
+    rejection.unless_rejected([&] {
+      proof->check_forces(forces, acceleration, "forces");
+      proof->check_motion(forces, acceleration);
+    });
+    return;
+  }
+  while (const std::optional<RigidNode> node = certificate.next_rigid_node()) {
+    rejection.unless_rejected([&] { proof->visit(*node); });
+  }
+  rejection.unless_rejected([&] { proof->finish(); });
+  if (!proof) return;
+  accepted.nodes = proof->nodes();
+  accepted.leaves = proof->leaves();
+}
+
 Answer read_and_check(CertificateReader& certificate, Question question) {
   FirstRejection rejection;
   const Claim claim = certificate.claim();
@@ -96,7 +133,10 @@ Answer read_and_check(CertificateReader& certificate, Question question) {
   if (question.is_box) enlarge(question, certificate.bits());
   const bool in_ranges = accepted.verdict == "margin" && question.dimension() == kSpatial;
   std::vector<Root> roots;
-  if (accepted.verdict == "stable" && certificate.has_parts()) {
+  const bool rigid = claim.asked.rigid();
+  if (rigid) {
+    check_class(certificate, question, rejection, accepted);
+  } else if (accepted.verdict == "stable" && certificate.has_parts()) {
     PartWalk walk(question.asked.bilateral, question.box);
     while (const std::optional<Part> part = certificate.next_part()) {
       rejection.unless_rejected([&] { walk.visit(*part); });
@@ -136,7 +176,7 @@ Answer read_and_check(CertificateReader& certificate, Question question) {
   } else {
     roots = roots_of(question, {{0, 0}});
   }
-  if (accepted.verdict != "stable" && !in_ranges) {
+  if (accepted.verdict != "stable" && !in_ranges && !rigid) {
     TreeWalk walk(std::move(roots));
     while (const std::optional<Node> node = certificate.next_node()) {
       rejection.unless_rejected([&] { walk.visit(*node); });

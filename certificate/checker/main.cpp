@@ -55,6 +55,9 @@ the program that produced the certificate:
                            ask for the region: all (s, t) for which the (planar) grasp is stable
                            under wrench + s U + t V, where the wrench is 0 unless given by
                            --wrench or --case
+  --inertia X,Y,G2         ask for the class of rigid contacts: whether the object must move, must
+                           hold, or neither follows (open); its centre of mass, and the squared
+                           radius of gyration about that
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be
                            off, such as friction=10%,stiffness=10%,preload=5%,
                            position=0.001,normal=0.0175,wrench=2%; any of them, absolute or

@@ -107,6 +107,7 @@ std::string json_question(const Question& question) {
          (!asked.plane ? ""
                        : R"(, "plane": [)" + list((*asked.plane)[0], "[", "]", true) + ", " +
                              list((*asked.plane)[1], "[", "]", true) + "]") +
+         (!asked.inertia ? "" : R"(, "inertia": )" + list(*asked.inertia, "[", "]", true)) +
          R"(, "uncertain": )" +
          (asked.uncertain.empty() ? "null" : "{" + tolerances(asked, ": ", true) + "}") + "}";
 }
@@ -140,6 +141,7 @@ std::string text_of(const Accepted& a) {
     text += "\nplane       wrench + s " + list((*asked.plane)[0], "(", ")", false) + " + t " +
             list((*asked.plane)[1], "(", ")", false);
   }
+  if (asked.inertia) text += "\ninertia     " + list(*asked.inertia, "(", ")", false);
   text += "\npreload     ";
   if (growth && growth->scale) text += "f times ";
   text +=
@@ -160,6 +162,12 @@ std::string text_of(const Accepted& a) {
             "; trees: " + std::to_string(a.trees) + ", of " + tree;
   } else if (a.verdict == "region") {
     text += "pieces: " + std::to_string(a.pieces) + "; a tree of " + tree;
+  } else if (a.verdict == "must move") {
+    text += "a twist";
+  } else if (a.verdict == "open") {
+    text += "forces at rest, and others with an acceleration";
+  } else if (a.verdict == "must hold") {
+    text += "forces at rest, and a tree of " + tree;
   } else if (a.rests > 0 || a.parts > 0) {
     if (a.rests > 0) text += "at rest, parts: " + std::to_string(a.rests);
     if (a.rests > 0 && a.parts > 0) text += "; ";

@@ -54,7 +54,7 @@ Wrench wrench_asked(const Grasp& grasp, const Options& options) {
 
 /// Of what is asked about many loads.
 std::string kind_of(const Options& asked) {
-  return asked.plane ? "a region" : "a margin";
+  return asked.plane ? "a region" : asked.inertia ? "a class" : "a margin";
 }
 
 /// The plane of a region has two directions that differ, and nothing else grows.
@@ -68,6 +68,21 @@ void check_plane(const Options& options) {
     if (u[j] * v[k] != u[k] * v[j]) return;
   }
   refuse("plane", "its directions are multiples of one another; expected a plane");
+}
+
+/// FORMAT.md §13.
+void check_inertia(const Grasp& grasp, const Options& options) {
+  if (!options.inertia) return;
+  if (grasp.dimension() == kSpatial) {
+    refuse("inertia", "the grasp is in space; a class is about a planar grasp");
+  }
+  if (options.margin() || options.plane) {
+    refuse("inertia", "a direction or a plane is given as well; expected one of them");
+  }
+  if ((*options.inertia)[2] <= 0) {
+    refuse("inertia", "found the squared radius of gyration " + show((*options.inertia)[2]) +
+                          ", expected one above 0");
+  }
 }
 
 bool below_zero(const Rational& x) {
@@ -192,6 +207,7 @@ Question pose(Grasp grasp, const Options& options, const std::string& file) {
   const std::size_t m = contacts.size();
   check_dimension(grasp, options);
   check_plane(options);
+  check_inertia(grasp, options);
   Question question;
   question.asked = options;
   if (options.preload && *options.preload < 0) {

@@ -57,13 +57,16 @@ struct Options {
   std::optional<Vector> direction;  ///< of wrenches
   std::optional<PreloadDirection> preload_direction;
   std::optional<std::vector<Vector>> plane;  ///< u and v, of wrenches
-  std::optional<std::string> case_name;      ///< whose wrench is asked about, if none is given
+  std::optional<Vector> inertia;         ///< of a class: centre of mass and squared gyration
+  std::optional<std::string> case_name;  ///< whose wrench is asked about, if none is given
   std::map<std::string, Tolerance> uncertain;  ///< by kind; empty if not given
 
   /// Whether the margin along a direction is asked for, and not one verdict.
   bool margin() const { return direction || preload_direction; }
-  /// Whether it is about many loads or preloads of one grasp: a margin or a region.
-  bool family() const { return margin() || plane; }
+  /// Whether the class of a load under rigid contacts is asked for, and nothing else.
+  bool rigid() const { return inertia && !margin() && !plane; }
+  /// Whether it is no verdict, and so about one grasp: a margin, a region or a class.
+  bool family() const { return margin() || plane || inertia; }
 };
 
 /// A list that nobody changes any more; copies are the same list.

@@ -13,6 +13,7 @@ type arguments = {
   help : bool;
   batch : bool;
   plane : bool;  (* a plane of loads is asked about, which is not judged here *)
+  inertia : bool;  (* nor is the class of rigid contacts *)
 }
 
 let nothing_asked =
@@ -87,6 +88,10 @@ let parse words =
               if List.length (list name v) <> 6 then
                 usage name v " is not UX,UY,UT,VX,VY,VT, two wrenches";
               { a with plane = true })
+        | "--inertia", _ ->
+          with_value (fun v ->
+              if List.length (list name v) <> 3 then usage name v " is not X,Y,G2, such as 0,0,1";
+              { a with inertia = true })
         | "--case", _ -> valued (fun v -> { o with asked_case = Some v })
         | "--preload", _ -> valued (fun v -> { o with asked_preload = Some (number name v) })
         | "--normal-law", _ ->
@@ -106,7 +111,7 @@ let parse words =
         | _ -> raise (Usage ("unknown option " ^ Print.quote word)) in
   let a =
     go { files = []; options = nothing_asked; json = false; help = false; batch = false;
-         plane = false } false words
+         plane = false; inertia = false } false words
   in
   let count = List.length a.files in
   if (not a.help) && (not a.batch) && count <> 2 then

@@ -273,6 +273,75 @@ std::string verdict_text(const BoxVerdict& verdict) {
 
 }  // namespace
 
+namespace {
+
+std::string forces_text(const std::vector<ContactForce>& forces) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    const ContactForce& f = forces[i];
+    if (f.normal.is_zero() && f.tangential.is_zero()) continue;
+    text += (text.size() == 1 ? "[" : ",[") + std::to_string(i) + "," + number(f.normal) + "," +
+            number(f.tangential) + "]";
+  }
+  return text + "]";
+}
+
+struct RigidNodeText {
+  std::string operator()(const RigidSplit& node) const {
+    return indexed(node.slip ? "slip" : "touch", node.contact);
+  }
+  std::string operator()(const RigidLeaf& leaf) const {
+    return "[\"leaf\"," + number(leaf.weight) + ",[" + list(coordinates(leaf.twist)) + "]," +
+           multipliers(leaf.normal) + "," + multipliers(leaf.tangent) + "]";
+  }
+
+ private:
+  static std::string multipliers(const std::vector<std::pair<ContactId, Rational>>& pairs) {
+    std::string text = "[";
+    for (const auto& [contact, x] : pairs) {
+      text += (text.size() == 1 ? "[" : ",[") + std::to_string(contact.index()) + "," +
+              number(x) + "]";
+    }
+    return text + "]";
+  }
+};
+
+struct RigidText {
+  std::string operator()(const UnopposedMotion& motion) const {
+    return " \"twist\": [" + list(coordinates(motion.twist)) + "]";
+  }
+  std::string operator()(const StronglyStable& stable) const {
+    std::string text =
+        " \"rest\": " + forces_text(stable.equilibrium.forces) + ",\n \"tree\": [";
+    std::string separator = "\n  ";
+    for (const RigidNode& node : stable.tree) {
+      text += separator + std::visit(RigidNodeText{}, node);
+      separator = ",\n  ";
+    }
+    return text + "]";
+  }
+  std::string operator()(const OpenLoad& open) const {
+    return " \"rest\": " + forces_text(open.rest.forces) + ",\n \"acceleration\": [" +
+           list(coordinates(open.motion.acceleration)) +
+           "],\n \"forces\": " + forces_text(open.motion.forces);
+  }
+  std::string operator()(const Undecided&) const {
+    throw ContractError("an undecided question has no certificate");
+  }
+};
+
+}  // namespace
+
+std::string class_certificate_text(const Question& question, const Inertia& inertia,
+                                   const RigidVerdict& verdict, const std::string& producer) {
+  require(!question.is_margin() && !question.box, "a class is of one load of one grasp");
+  const Vector3 numbers{inertia.centre.x, inertia.centre.y, inertia.gyration_squared};
+  return head(question, question.loaded.grasp.size(), list(coordinates(question.loaded.wrench)),
+              producer) +
+         ", \"inertia\": [" + list(numbers) + "]},\n " + kVerdict + "\"" + name_of(verdict) +
+         "\",\n" + std::visit(RigidText{}, verdict) + "}\n";
+}
+
 std::string box_certificate_text(const Question& question, const BoxDecision& decision,
                                  const std::string& producer) {
   require(question.box() != nullptr, "one grasp in the plane has certificates of its own");

@@ -328,17 +328,14 @@ void add_batch_command(CLI::App& app, int& exit_code) {
           ->add_flag("--resume", arguments->resume,
                      "Go on after an interruption: results in the output file are kept")
           ->needs(output);
-  CLI::Option* certificates =
-      command
-          ->add_option("--certificates", arguments->certificates,
-                       "Folder for a proof of each verdict, line-N.json")
-          ->type_name("DIR");
-  CLI::Option* asks_class =
-      command
-          ->add_flag("--class", arguments->asks_class,
-                     "Ask not for the verdict but for the class of rigid contacts, as compare "
-                     "does: must move, must hold or open")
-          ->excludes(certificates);
+  command
+      ->add_option("--certificates", arguments->certificates,
+                   "Folder for a proof of each verdict, line-N.json")
+      ->type_name("DIR");
+  CLI::Option* asks_class = command->add_flag(
+      "--class", arguments->asks_class,
+      "Ask not for the verdict but for the class of rigid contacts, as compare "
+      "does: must move, must hold or open");
   command
       ->add_option("--inertia", arguments->inertia,
                    "Of the objects, for --class: the centre of mass and the squared radius of "

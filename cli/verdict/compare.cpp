@@ -4,7 +4,9 @@
 
 #include "commands.hpp"
 #include "question_options.hpp"
+#include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/file.hpp"
 #include "stickslip/earlier/comparison.hpp"
 #include "terminal.hpp"
 
@@ -16,6 +18,7 @@ struct CompareArguments {
   std::vector<std::string> methods;
   std::string length = "1";
   std::string inertia;
+  std::string certificate;
   NumberOptions output;
 };
 
@@ -89,6 +92,16 @@ void print_text(const Question& question, const CompareOptions& options,
 int compare(const CompareArguments& arguments) {
   const CompareOptions options = compare_options(arguments);
   const Question question = arguments.question.question();
+  if (!arguments.certificate.empty()) {
+    const RigidVerdict verdict = rigid_verdict(problem_of(question), options.inertia);
+    if (const auto* undecided = std::get_if<Undecided>(&verdict)) {
+      std::cerr << "stickslip: the class is not known: " << in_words(*undecided) << '\n';
+      return kUndecidedWithinLimit;
+    }
+    write_whole_file(arguments.certificate,
+                     class_certificate_text(question, options.inertia, verdict,
+                                            "stickslip " STICKSLIP_VERSION));
+  }
   NumberText text(arguments.output);
   const Comparison comparison = compare_methods(problem_of(question), options, text);
   if (arguments.output.json) {
@@ -124,6 +137,12 @@ void add_compare_command(CLI::App& app, int& exit_code) {
                    "Centre of mass and squared radius of gyration about it, which strong "
                    "stability needs; default: 0,0 and the square of --length")
       ->type_name("X,Y,G2");
+  command
+      ->add_option(
+          "--certificate", arguments->certificate,
+          "Write a proof of the class for stickslip-check --inertia, whichever methods "
+          "are asked (certificate/FORMAT.md)")
+      ->type_name("FILE");
   arguments->output.add_to(*command,
                            "Print one JSON object with all evidence; rationals are strings");
   command->footer(footer_text(
@@ -137,7 +156,7 @@ void add_compare_command(CLI::App& app, int& exit_code) {
       "dissipation. A method that would take too long is not computed.\n"
       "The class is what rigid contacts do: must move (the load is not weakly stable), must\n"
       "hold (it is strongly stable) or open (between). Accelerations are those of mass 1.\n",
-      kExitCodes,
+      kExitCodesWithLimit,
       "stickslip compare fig1.json --wrench 0,1,0 --preload 1\n"
       "  $ stickslip compare fig1.json --methods weakly-stable-load,strongly-stable-load"));
   command->callback([arguments, &exit_code] { exit_code = compare(*arguments); });

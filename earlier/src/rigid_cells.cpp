@@ -45,7 +45,7 @@ std::vector<RigidCell> RigidCell::children(const Problem& problem,
     }
     return result;
   }
-  for (const Slip slip : {Slip::kPlus, Slip::kMinus, Slip::kNone}) {
+  for (const Slip slip : {Slip::kPlus, Slip::kNone, Slip::kMinus}) {
     RigidCell child = *this;
     for (std::size_t j = 0; j < rows.size(); ++j) {
       const int along = proportion(row.tangent, rows[j].tangent);

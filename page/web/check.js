@@ -2195,7 +2195,7 @@ function question_as_asked(question) {
  * Checks a certificate about a question. grasp and certificate are the files, as Uint8Array or as text. options may have
  * wrench and direction (arrays of numbers as texts, such as "-11/10"), case (a name), preload (a text), normal_law
  * ("unilateral" or "bilateral"), preload_direction ("scale" or an array of texts), uncertain (an object of
- * tolerances as texts, such as {friction: "10%"}) and plane (which is not judged).
+ * tolerances as texts, such as {friction: "10%"}) and plane or inertia (which are not judged).
  *
  * answer is "accepted", "rejected", "malformed" or "not judged", which found explains. If rejected, rule, place, node
  * (the number of a node in its list) and found say why; if malformed, file ("grasp", "certificate" or "question"), place and found. If accepted, verdict is
@@ -2210,6 +2210,7 @@ function check(grasp, certificate, options = {}) {
   Object.assign(work, {limited: true, bytes: 0, steps: 0});
   try {
     if (options.plane !== undefined) throw new NotJudged('regions of a plane: stickslip-check judges them');
+    if (options.inertia !== undefined) throw new NotJudged('classes of rigid contacts: stickslip-check judges them');
     const read = read_grasp(text_of(grasp, GRASP_LIMITS, true));
     file = 'question';
     const question = ask(read, options);

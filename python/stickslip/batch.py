@@ -125,8 +125,6 @@ def arguments(words: List[str]) -> argparse.Namespace:
     given = parser().parse_args(joined)
     if given.wrench and given.case:
         raise InputError("", "--case", "there is a --wrench as well", "give one of the two")
-    if given.asks_class and given.certificates:
-        raise InputError("", "--class", "it has no --certificates", "leave one of the two out")
     if given.inertia and not given.asks_class:
         raise InputError("", "--inertia", "no verdict depends on it", "ask for the --class")
     if given.resume and given.output == "-":

@@ -96,6 +96,21 @@ class CommandLineTest(Case):
             self.assertEqual((found, "plane" in err), (1, False) if knows else (2, True), program)
         self.both([self.g, c, "--plane", "1,0,0"], 2, "is not UX,UY,UT,VX,VY,VT, two wrenches")
 
+    def test_classes(self):
+        # FORMAT.md §9: the same two programs say that they do not judge them.
+        text = certificate(0, [0, 0, 0], verdict="must hold", rest=[], tree=[["leaf", 1, [0, 0, 0], [], []]])
+        text["question"]["inertia"] = [0, 0, 1]
+        c = self.write("class.json", text)
+        for program in PROGRAMS:
+            knows = "proved" not in program[-1] and "node" not in program[-1]
+            found, out, err = start(program, [self.g, c, "--wrench", "0,0,0", "--inertia", "0,0,1"])
+            self.assertEqual((found, err), (1 if knows else NOT_JUDGED, ""), (program, out))
+            if not knows:
+                self.assertEqual(out, "not judged\nwhy    classes of rigid contacts: stickslip-check judges them\n")
+            found, _, err = start(program, [self.g, c])  # nobody asked about the class
+            self.assertEqual((found, "inertia" in err), (1, False) if knows else (2, True), program)
+        self.both([self.g, c, "--inertia", "1,0"], 2, "is not X,Y,G2")
+
     @unittest.skipUnless(STICKSLIP_PROVED, "only stickslip-proved calls itself once for each contact")
     def test_many_contacts(self):
         count = 150_000

@@ -66,8 +66,12 @@ class Batch(Case):
         self.assertNotEqual(results[0]["key"], moved[0]["key"])
         self.fails("batch", path, "--inertia", "0,0,1", naming=["--class"])
         self.fails("batch", path, "--class", "--inertia", "0,0,0", naming=["--inertia"])
-        self.fails("batch", path, "--class", "--certificates", self.path("proofs"),
-                   naming=["--certificates", "--class"])
+        proved = self.results(path, "--class", "--inertia", "0,1,2", "--certificates", self.path("proofs"))
+        for load, result in zip(loads, proved):
+            one = self.write("floor.json", {**floor, "wrench": load})
+            code, out, err = run(CHECK, one, result["certificate"], "--inertia", "0,1,2")
+            self.assertEqual(code, DONE, out + err)
+            self.assertIn(f"verdict     {result['class']}\n", out)
 
     def test_bad_lines_are_reported_and_the_rest_goes_on(self):
         good = json.dumps(grasp(3))

@@ -593,6 +593,25 @@ class Compare(Case):
         self.assertEqual((ax - turn * y, ay + turn * x), (load[0] + fx, load[1] + fy))
         self.assertEqual(square * turn, load[2] - (x * load[1] - y * load[0]) - (x * fy - y * fx))
 
+    def test_classes_are_proved(self):
+        proof = self.path("proof.json")
+        floor = self.write("floor.json", {
+            "format": "stickslip-grasp/1", "wrench": [0, -1, 0],
+            "contacts": [{"position": [0, 0], "normal": [0, 1], "friction": "1/2"}]})
+        for grasp, load, told in ((FIG1, "0,1,0", "open"), (FIG1, "0,-1,0", "must hold"),
+                                  (floor, "51/100,-1,0", "must move")):
+            question = ("--wrench", load, "--inertia", "1/2,-1/3,2/7")
+            answer = self.json("compare", grasp, *question, "--methods", "form-closure", "--certificate", proof)
+            self.assertIsNone(answer["class"])
+            for checker in ((CHECK,), (sys.executable, CHECK_PY)):
+                code, out, err = run(*checker, grasp, proof, *question)
+                self.assertEqual(code, DONE, out + err)
+                self.assertIn(f"verdict     {told}\n", out)
+                code, out, err = run(*checker, grasp, proof, "--wrench", load, "--inertia", "1/2,-1/3,1/7")
+                self.assertEqual(code, 1, out + err)
+                self.assertIn("question-inertia", out)
+        self.fails("compare", FIG1, "--certificate", FIG1, naming=[FIG1])
+
     def test_classes_of_all_multiples(self):
         floor = self.write("floor.json", {
             "format": "stickslip-grasp/1", "wrench": [0, -1, 0], "defaults": {"friction": "1/2"},

@@ -104,6 +104,28 @@ TEST(EarlierMethodsAgainstZ3, FrictionlessStable) {
 TEST(EarlierMethodsAgainstZ3, StronglyStable) {
   expect_agreement(Model::kAccelerates, "not strongly stable", random_cases(73, 300));
 }
+// In a frame about the centre of mass, and in units of the radius of gyration, inertia is unit.
+TEST(EarlierMethodsAgainstZ3, StronglyStableWithOtherMasses) {
+  const Vector2 centre{Rational(3, 2), Rational(-2, 3)};
+  std::size_t differ = 0;
+  for (const Rational& gyration : {Rational(1, 5), Rational(4)}) {
+    std::vector<LoadCase> in_units = random_cases(82, 120);
+    const std::vector<std::string> expected = test::ask_z3(in_units, Model::kAccelerates);
+    for (std::size_t i = 0; i < in_units.size(); ++i) {
+      std::vector<Contact> contacts = in_units[i].loaded.grasp.contacts();
+      for (Contact& c : contacts) {
+        c.position = {centre.x + gyration * c.position.x, centre.y + gyration * c.position.y};
+      }
+      const Wrench& w = in_units[i].loaded.wrench;
+      const Wrench load{w.x, w.y, gyration * w.torque + centre.x * w.y - centre.y * w.x};
+      const Problem p({Grasp(contacts), load}, NormalLaw::kUnilateral);
+      const bool moves = accepts(p, Model::kAccelerates, {centre, gyration * gyration});
+      EXPECT_EQ(moves ? "stable" : "unstable", expected[i]) << describe(in_units[i]);
+      differ += moves != accepts(p, Model::kAccelerates) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(differ, 0u);  // or the masses would not matter
+}
 TEST(EarlierMethodsAgainstZ3, LinearCompliance) {
   expect_agreement(Model::kLinearSprings, "linear compliance", random_cases(74, 300));
 }

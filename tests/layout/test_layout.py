@@ -19,7 +19,7 @@ ALLOWED = {
     "space": {"core", "equilibrium", "search", "degree", "box"},
     "resistance": {"core", "equilibrium", "search"},
     "earlier": {"core", "lp", "equilibrium"},
-    "certificate": {"core", "equilibrium", "search", "degree", "box", "space", "resistance"},
+    "certificate": {"core", "equilibrium", "search", "degree", "box", "space", "resistance", "earlier"},
     "batch": {"core", "equilibrium", "earlier", "certificate"},
     "crosscheck": {"core", "equilibrium"},
     "answers": {"core", "equilibrium", "box", "space", "resistance", "certificate"},

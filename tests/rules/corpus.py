@@ -32,8 +32,8 @@ import os
 import re
 
 FOLDER = os.path.dirname(os.path.abspath(__file__))
-KINDS = ("plane", "plane_box", "plane_margin", "plane_region", "space", "space_box", "space_margin")
-QUESTION = ("contacts", "wrench", "preload", "normal_law", "direction", "preload_direction", "plane", "uncertain")
+KINDS = ("plane", "plane_box", "plane_margin", "plane_region", "plane_class", "space", "space_box", "space_margin")
+QUESTION = ("contacts", "wrench", "preload", "normal_law", "direction", "preload_direction", "plane", "inertia", "uncertain")
 
 # `rule` is None of a proof; `node` and `path` as checkers report them; `says` and `prints` are of proofs.
 Entry = collections.namedtuple("Entry", "kind name rule node path says prints options grasp certificate")

@@ -24,11 +24,11 @@ STICKSLIP_CHECK = os.environ.get("STICKSLIP_CHECK")
 
 # Where each rule can fail first.
 ALL = set(corpus.KINDS)
-PLANE = {"plane", "plane_box", "plane_margin", "plane_region"}
+PLANE = {"plane", "plane_box", "plane_margin", "plane_region", "plane_class"}
 BOXES = {"plane_box", "space_box", "space_margin"}  # normals of irrational length make a margin in space a box
 WITNESSES = {"plane", "plane_margin", "plane_region", "space", "space_margin"}
 CUT = {"plane", "plane_box", "space", "space_box"}
-BY_DEGREE = ALL - {"plane_region"}
+BY_DEGREE = ALL - {"plane_region", "plane_class"}
 PARTS = BY_DEGREE - {"plane_margin"}
 WHERE = {
     **dict.fromkeys(["question-contacts", "question-wrench", "question-preload", "question-law", "question-direction",
@@ -37,7 +37,8 @@ WHERE = {
     **dict.fromkeys(["witness-share", "witness-normal", "witness-balance"], WITNESSES),
     "witness-root": {"space", "space_margin"},
     "witness-box": BOXES,
-    **dict.fromkeys(["node-depth", "node-contact", "tree-short", "tree-long", "leaf-bound"], ALL),
+    **dict.fromkeys(["node-depth", "node-contact", "tree-short", "tree-long"], ALL),
+    "leaf-bound": ALL - {"plane_class"},
     "node-certain": BOXES,
     **dict.fromkeys(["part-contact", "part-inside"], CUT),
     **dict.fromkeys(["rest-share", "rest-reach", "rest-cone"], PARTS),
@@ -46,13 +47,16 @@ WHERE = {
     **dict.fromkeys(["resisted-order", "segment-chain"], {"plane_margin"}),
     "segment-mode": {"plane_margin", "space_margin"},
     **dict.fromkeys(["interval-order", "interval-whole"], {"space_margin"}),
+    **dict.fromkeys(["question-inertia", "class-twist", "class-force", "class-balance", "class-motion", "class-leaf"],
+                    {"plane_class"}),
     **dict.fromkeys(["piece-mode", "held-piece", "held-inside"], {"plane_region"}),
 }
 
 
-def without_planes_of_loads(entry):
-    """check.js and stickslip-proved do not have the option --plane nor that member."""
-    return "plane" not in entry.certificate["question"] and not any(word.startswith("--plane") for word in entry.options)
+def judged_by_all(entry):
+    """check.js and stickslip-proved judge nothing about planes of loads and rigid contacts, and do not know these members."""
+    return not {"plane", "inertia"} & set(entry.certificate["question"]) and not any(
+        word.startswith(("--plane", "--inertia")) for word in entry.options)
 
 
 def is_proved(entry):
@@ -124,7 +128,8 @@ class RulesTest(unittest.TestCase):
     def test_files_hold_their_kind(self):
         for entry in self.entries:
             kind = [("space" if "intervals" in entry.certificate or len(entry.certificate["question"]["wrench"]) == 6 else
-                     "plane"), {"margin": "margin", "region": "region"}.get(entry.certificate["verdict"])]
+                     "plane"), {"margin": "margin", "region": "region", "must move": "class", "must hold": "class", "open": "class"}.get(
+                         entry.certificate["verdict"])]
             if entry.rule is None:
                 self.assertEqual("_".join(filter(None, kind)), entry.kind.replace("_box", ""), entry.name)
 
@@ -143,13 +148,13 @@ class RulesTest(unittest.TestCase):
 
     @unittest.skipUnless(batch.NODE, "STICKSLIP_NODE names no program")
     def test_check_js(self):
-        entries = list(filter(without_planes_of_loads, self.entries))
+        entries = list(filter(judged_by_all, self.entries))
         self.expect(entries, in_batch([batch.NODE, os.path.join(ROOT, "page", "check_node.js"), "--batch"], entries))
 
     @unittest.skipUnless(batch.PROVED, "STICKSLIP_PROVED names no program")
     def test_stickslip_proved(self):
         """It says nothing of paths, and of what it does not judge only that."""
-        entries = list(filter(without_planes_of_loads, self.entries))
+        entries = list(filter(judged_by_all, self.entries))
         answers = in_batch([batch.PROVED, "--batch"], entries)
         judged = [(entry, answer) for entry, answer in zip(entries, answers) if is_proved(entry)]
         self.expect(*zip(*judged), says=("result", "rule"))

@@ -7,6 +7,7 @@ complete -c stickslip-check -l direction -x -d 'Ask for the margin in this direc
 complete -c stickslip-check -l preload -x -d 'One preload for all contacts'
 complete -c stickslip-check -l normal-law -x -a 'unilateral bilateral' -d 'Normal force of a contact'
 complete -c stickslip-check -l preload-direction -x -a 'scale' -d 'Ask for the margin along preloads'
+complete -c stickslip-check -l inertia -x -d 'Ask for the class of rigid contacts'
 complete -c stickslip-check -l plane -x -d 'Ask for the region of this plane'
 complete -c stickslip-check -l uncertain -x -d 'Ask about every grasp in a box'
 complete -c stickslip-check -l json -d 'Answer as one JSON object'

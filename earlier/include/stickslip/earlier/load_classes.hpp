@@ -90,7 +90,7 @@ Inertia inertia_of(const std::string& place, const std::vector<Rational>& number
 
 /// A cell of solutions in parts. Of `contact` and all contacts whose N is a positive multiple
 /// of its N: touching; apart. Or, with `slip`, of those whose T is a multiple of its T: T.a >=
-/// 0; T.a <= 0; T.a = 0 (for a negative multiple the first two change places).
+/// 0; T.a = 0; T.a <= 0 (for a negative multiple the outer two change places).
 struct RigidSplit {
   ContactId contact{0};
   bool slip = false;

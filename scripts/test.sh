@@ -6,6 +6,9 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 install_packages "${build_packages[@]}" "${test_packages[@]}" "${python_packages[@]}" \
   "${browser_packages[@]}"
+# Engines that are judged (conformance/).
+command -v npm >/dev/null || install_packages npm
+step "Installing engines from npm" engines-npm npm --prefix "$root/conformance" ci
 step "Configuring" configure cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release $together \
   -DSTICKSLIP_BUILD_TESTS=ON -DSTICKSLIP_BUILD_BENCH=ON -DSTICKSLIP_WERROR=ON -DSTICKSLIP_BUILD_PROVED=ON \
   -DSTICKSLIP_BUILD_PYTHON=ON -DPython3_EXECUTABLE=/usr/bin/python3

@@ -104,7 +104,7 @@ class Layout(unittest.TestCase):
         self.assertEqual(twice, {})
 
     def test_every_source_names_its_licence(self):
-        for folder in [*ALLOWED, "cli", "python", "bench", "examples", "paper_examples", "tests"]:
+        for folder in [*ALLOWED, "cli", "python", "bench", "examples", "paper_examples", "tests", "conformance"]:
             for path, text in sources(folder):
                 self.assertTrue(text.startswith("// SPDX-License-Identifier: "), path)
 

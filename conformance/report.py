@@ -1,0 +1,123 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes what engines did as one page that loads nothing.
+
+    report.py RESULTS PAGE.html
+"""
+
+from __future__ import annotations
+
+import html
+import json
+import sys
+from pathlib import Path
+from typing import Dict, List
+
+from engines import ENGINES, HERE, UNRANKED, Engine
+from forces import Found, judge_forces, summary
+from judge import HELD, MOVED, Judged, count, read_results
+from run import in_doubles, read_cases, result_file
+from scene import read
+from truth import evidence
+
+GAPS = (10, 3, 1)
+SHOWN = 6  # pictures for an engine
+FORCES_OF = 4  # forces are judged of every fourth case: exact answers to doubles take their time
+
+
+def cell(by_gap) -> str:
+    return "<td>" + " / ".join(str(by_gap[g]) for g in GAPS) + "</td>"
+
+
+def motion_row(engine: Engine, rate: int, of: List[Judged]) -> str:
+    found = count(of)
+    verdicts = found["by verdict"]
+    cells = "".join(cell(verdicts[v]) for v in ("false hold", "stops", "false slip", "creeps"))
+    return (f"<tr><th>{html.escape(engine.name)} {engine.version}</th><td>{rate}</td>{cells}"
+            f"<td>{found['creep']:.0e}</td><td>{len(of)}</td></tr>")
+
+
+def histogram(of: List[Judged]) -> str:
+    """Right answers by side and gap: what must hold, from far to near, then what must move."""
+    bars = []
+    for i, (kind, gap) in enumerate([("must hold", g) for g in GAPS] + [("must move", g) for g in GAPS[::-1]]):
+        cases = [j for j in of if (j.case["class"], j.case["gap"]) == (kind, gap)]
+        shares = [("right", "ok"), ("creeps", "mid"), ("stops", "mid"), ("false slip", "bad"), ("false hold", "bad")]
+        y = 60.0
+        for verdict, colour in shares:
+            height = 60 * sum(j.verdict == verdict for j in cases) / max(1, len(cases))
+            y -= height
+            bars.append(f'<rect x="{i * 26 + 2}" y="{y:.1f}" width="22" height="{height:.1f}" class="{colour}"/>')
+        bars.append(f'<text x="{i * 26 + 13}" y="72">{"−" if kind == "must hold" else "+"}{gap} %</text>')
+    return f'<svg class="histogram" viewBox="0 0 160 76">{"".join(bars)}<path d="M79 0V62"/></svg>'
+
+
+def forces_row(engine: Engine, found: List[Found]) -> str:
+    cells = ""
+    table = summary(found)
+    for name in ("cone", "balance", "dissipation"):
+        at = table.get(name)
+        cells += (f"<td>{at['broken']} of {at['of']}</td><td>{at['median']:.0e}</td><td>{at['most']:.0e}</td>"
+                  if at else "<td>–</td><td></td><td></td>")
+    return f"<tr><th>{html.escape(engine.name)}</th>{cells}</tr>"
+
+
+def failure(engine: Engine, rate: int, judged: Judged) -> str:
+    """A picture that plays, its proof, and how to ask again."""
+    case = judged.case
+    doubles = json.loads(in_doubles(case))
+    grasp = case["grasp"]
+    data = {"body": doubles["vertices"], "radius": doubles["radius"],
+            "obstacles": [o["shape"] for o in doubles["obstacles"]], "poses": [s["pose"] for s in judged.samples],
+            "forces": [[c[:2] + c[4:6] for c in s["contacts"]] for s in judged.samples], "moved": judged.moved}
+    gyration_squared = read(case["gyration"]) ** 2
+    return f"""<section class="failure"><h4>{html.escape(grasp["name"])}: {judged.verdict}</h4>
+<div class="play" data-run='{json.dumps(data)}'></div>
+<p>{html.escape(engine.name)} {engine.version} at {rate} steps a second moved it by {judged.most:.1e} of its size.
+It <b>{case["class"]}</b>, {case["gap"]} % from the border. {html.escape(evidence(case))}</p>
+<details><summary>Ask again</summary><pre>{html.escape(json.dumps(grasp))}</pre>
+<pre>stickslip compare FILE --inertia 0,0,{gyration_squared} --methods weakly-stable-load,strongly-stable-load</pre>
+</details></section>"""
+
+
+def engine_part(engine: Engine, runs: Dict[int, List[Judged]]) -> str:
+    out = [f"<h3>{html.escape(engine.name)}</h3>"]
+    for rate, of in runs.items():
+        out.append(f"<figure>{histogram(of)}<figcaption>{rate} steps a second</figcaption></figure>")
+    rate, of = next(iter(runs.items()))
+    wrong = [j for j in of if j.verdict.startswith("false")]
+    out.append(f"<p>{len(wrong)} failures at {rate} steps a second" +
+               (f"; {min(SHOWN, len(wrong))} of them:</p>" if wrong else ".</p>"))
+    step = max(1, len(wrong) // SHOWN)
+    out += [failure(engine, rate, j) for j in wrong[::step][:SHOWN]]
+    if wrong:
+        names = ", ".join(j.case["grasp"]["name"] for j in wrong)
+        out.append(f"<details><summary>All of them</summary><p>{html.escape(names)}</p></details>")
+    return "\n".join(out)
+
+
+def main(results: str, page: str) -> None:
+    cases = {c["grasp"]["name"]: c for c in read_cases()}
+    motion, forces, parts = [], [], []
+    for engine in ENGINES:
+        runs = {rate: read_results(Path(results), engine, rate, cases) for rate in engine.rates
+                if result_file(Path(results), engine, rate).exists()}
+        if not runs:
+            motion.append(f'<tr><th>{html.escape(engine.name)}</th>'
+                          f'<td colspan="7">not run: {engine.missing()}</td></tr>')
+            continue
+        motion += [motion_row(engine, rate, of) for rate, of in runs.items()]
+        forces.append(forces_row(engine, judge_forces(next(iter(runs.values()))[::FORCES_OF])))
+        parts.append(engine_part(engine, runs))
+        print(f"{engine.name} is judged", flush=True)
+    unranked = "".join(f"<li><b>{html.escape(name)}</b>: {html.escape(why)}</li>" for name, why in UNRANKED.items())
+    text = (HERE / "page.html").read_text(encoding="utf-8")
+    for place, value in {"CASES": str(len(cases)), "HELD": f"{HELD:.0e}", "MOVED": f"{MOVED:.0e}",
+                         "FORCES_OF": str(FORCES_OF), "MOTION": "\n".join(motion), "FORCES": "\n".join(forces),
+                         "UNRANKED": unranked, "ENGINES": "\n".join(parts)}.items():
+        text = text.replace(f"<!--{place}-->", value)
+    Path(page).write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

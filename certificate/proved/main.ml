@@ -180,7 +180,9 @@ let rec batch () =
   match input_line stdin with
   | exception End_of_file -> ()
   | line ->
+    (* Whoever asks may wait for each answer. *)
     print_string (Print.as_json (batch_line line));
+    flush stdout;
     batch ()
 
 let complain text = prerr_string ("stickslip-proved: " ^ text)

@@ -98,9 +98,10 @@ std::string wrench_text(const WrenchBox& wrench) {
   return text;
 }
 
-/// All up to the verdict, of contacts under this load and with this direction of it.
-std::string head(const Question& question, const std::string& wrench,
-                 const std::string& direction, const std::string& producer) {
+/// All up to the verdict, of contacts under this load; `member` follows the law: a direction of
+/// the load, a plane of loads, an inertia.
+std::string head(const Question& question, const std::string& wrench, const std::string& member,
+                 const std::string& producer) {
   const GraspBox* box = question.box();
   const std::size_t contacts =
       box != nullptr ? box->contacts.size() : question.loaded().grasp.size();
@@ -109,7 +110,7 @@ std::string head(const Question& question, const std::string& wrench,
                      ",\n \"question\": {\"contacts\": " + std::to_string(contacts) +
                      ", \"wrench\": [" + wrench + "]";
   if (question.preload) text += ", \"preload\": " + number(*question.preload);
-  text += ", \"normal_law\": \"" + std::string(to_string(question.law)) + "\"" + direction;
+  text += ", \"normal_law\": \"" + std::string(to_string(question.law)) + "\"" + member;
   if (const auto& growth = question.preload_direction) {
     text += ", \"preload_direction\": " +
             (growth->scale ? "\"scale\"" : "[" + list(growth->rates) + "]");
@@ -334,12 +335,13 @@ struct RigidText {
 
 std::string class_certificate_text(const Question& question, const Inertia& inertia,
                                    const RigidVerdict& verdict, const std::string& producer) {
-  require(!question.is_margin() && !question.box, "a class is of one load of one grasp");
+  require(!question.is_margin() && question.box() == nullptr,
+          "a class is of one load of one grasp");
   const Vector3 numbers{inertia.centre.x, inertia.centre.y, inertia.gyration_squared};
-  return head(question, question.loaded.grasp.size(), list(coordinates(question.loaded.wrench)),
-              producer) +
-         ", \"inertia\": [" + list(numbers) + "]},\n " + kVerdict + "\"" + name_of(verdict) +
-         "\",\n" + std::visit(RigidText{}, verdict) + "}\n";
+  return head(question, wrench_text(wrench_of(question.grasp)),
+              ", \"inertia\": [" + list(numbers) + "]", producer) +
+         kVerdict + "\"" + name_of(verdict) + "\",\n" + std::visit(RigidText{}, verdict) +
+         "}\n";
 }
 
 std::string box_certificate_text(const Question& question, const BoxDecision& decision,

@@ -18,6 +18,8 @@ class MalformedTest(Case):
     def test_json(self):
         text = json.dumps(up())
         self.accepts(FIG1, " \t\r\n" + text + "\n\n", *UP)
+        escapes = text.replace("certificate/2", "certificate\\/2").replace("unstable", "unst\\u0061bl\\u0065")
+        self.accepts(FIG1, escapes, *UP)
         self.bad("the file is empty", "")
         self.bad("the file is empty", " \t\r\n")
         self.bad("a comma after the last element", text.replace("]]}", "],]}"))

@@ -71,32 +71,12 @@ inline std::string fig1(const std::string& preload, const std::string& wrench) {
          wrench + "]}\n";
 }
 
-/// The grasp of Fig. 4: contacts at (-1,1), (-1,-1), (1,-1), (1,1), mu = 1/2, k = 1.
-inline std::string fig4(const std::string& preload, const std::string& wrench) {
-  return R"({"format": "stickslip-grasp/1", "name": "fig4",
- "defaults": {"friction": "1/2", "preload": )" +
-         preload + R"(},
- "contacts": [
-  {"position": [-1, 1], "normal": [1, 0]},
-  {"position": [-1, -1], "normal": [1, 0]},
-  {"position": [1, -1], "normal": [-1, 0]},
-  {"position": [1, 1], "normal": [-1, 0]}],
- "wrench": [)" +
-         wrench + "]}\n";
-}
-
 inline std::string header(std::size_t contacts, const std::string& wrench,
                           const std::string& law = "unilateral") {
   return R"({"format": "stickslip-certificate/2",
  "question": {"contacts": )" +
          std::to_string(contacts) + ", \"wrench\": [" + wrench + "], \"normal_law\": \"" + law +
          "\"},\n";
-}
-
-inline std::string witness(const std::string& head, const std::string& twist,
-                           const std::string& shares) {
-  return head + " \"verdict\": \"stable\",\n \"twist\": [" + twist + "],\n \"shares\": [" +
-         shares + "]}\n";
 }
 
 inline std::string refutation(const std::string& head, const std::vector<std::string>& nodes) {

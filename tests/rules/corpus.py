@@ -109,5 +109,17 @@ def entries(kind):
             yield entry(kind, f"{name}, but {what}", changed(files, change), rule, *place)
 
 
+def deep_parts():
+    """What is too long to be stated: as many parts as may be, each of which cuts the low one of that above it, and one more."""
+    (plate,) = (one for one in entries("plane_box") if one.name == "a plate, in parts")
+    most = 2 * len(plate.grasp["contacts"]) + 256
+    for depth in (most, most + 1):
+        cuts = [["part", "preload", 1, f"{10150 - k}/10000"] for k in range(depth)]
+        certificate = {**plate.certificate, "parts": cuts + [plate.certificate["parts"][-1]] * (depth + 1)}
+        bad = depth > most
+        yield plate._replace(name="a plate, in parts " + ("deeper than may be" if bad else "as deep as may be"), certificate=certificate,
+                             rule="node-depth" if bad else None, path=f"part {depth}" + ", preload 1 low" * depth if bad else None)
+
+
 def all_entries():
-    return [one for kind in KINDS for one in entries(kind)]
+    return [one for kind in KINDS for one in entries(kind)] + list(deep_parts())

@@ -29,8 +29,8 @@ std::string to_string(RigidClass rigid_class);
 
 /// All multiples from low to high, or from low on, are of one class.
 struct ClassRange {
-  RigidClass rigid_class;
-  Rational low;
+  RigidClass rigid_class;        ///< of all of them
+  Rational low;                  ///< the least, or where it begins
   std::optional<Rational> high;  ///< none: without end
   bool has_low;                  ///< whether low is one of them; else it ends the range before
   bool has_high;                 ///< the same of high

@@ -92,8 +92,8 @@ Inertia inertia_of(const std::string& place, const std::vector<Rational>& number
 /// of its N: touching; apart. Or, with `slip`, of those whose T is a multiple of its T: T.a >=
 /// 0; T.a = 0; T.a <= 0 (for a negative multiple the outer two change places).
 struct RigidSplit {
-  ContactId contact{0};
-  bool slip = false;
+  ContactId contact{0};  ///< whose line of action, or of slip, it is
+  bool slip = false;     ///< of slips; else of touching
 };
 /// No solution of a cell has w.a > 0: with weight >= 0, g of `normal` (>= 0 unless the contact
 /// touches) and h of `tangent` (with the sign of the slip),
@@ -103,11 +103,12 @@ struct RigidSplit {
 /// and twist.w >= 0 (> 0 if the weight is 0), twist.e >= 0 for all edges e that the cell allows
 /// forces on. For the product with a is 0 >= weight w.a + twist.(w + forces) >= weight w.a.
 struct RigidLeaf {
-  Rational weight;
-  Twist twist;
+  Rational weight;  ///< of w
+  Twist twist;      ///< on which no force of the cell does negative work
   std::vector<std::pair<ContactId, Rational>> normal{};   ///< g, where not 0
   std::vector<std::pair<ContactId, Rational>> tangent{};  ///< h, where not 0
 };
+/// A node of a tree in preorder.
 using RigidNode = std::variant<RigidSplit, RigidLeaf>;
 
 /// The load accelerates nothing.

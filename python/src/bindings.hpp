@@ -30,6 +30,7 @@ void bind_check(pybind11::module_& module);       ///< check.cpp
 void bind_crosscheck(pybind11::module_& module);  ///< crosscheck.cpp
 void bind_many(pybind11::module_& module);        ///< many.cpp
 void bind_batch(pybind11::module_& module);       ///< batch.cpp
+void bind_compare(pybind11::module_& module);     ///< compare.cpp
 void bind_pictures(pybind11::module_& module);    ///< pictures.cpp
 void bind_space(pybind11::module_& module);       ///< space.cpp
 void bind_boxes(pybind11::module_& module);       ///< boxes.cpp

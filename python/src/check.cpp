@@ -85,8 +85,8 @@ struct ToDict {
 py::dict check(const std::string& grasp, const std::string& certificate,
                const py::object& wrench, const py::object& preload, bool bilateral,
                const py::object& direction, const py::object& preload_direction,
-               const py::object& plane, const std::string& grasp_name,
-               const std::string& certificate_name) {
+               const py::object& plane, const py::object& inertia,
+               const std::string& grasp_name, const std::string& certificate_name) {
   const QuestionOptions asked =
       question_options(py::none(), preload, bilateral, py::none(), preload_direction);
   stickslip_check::Options options;
@@ -103,6 +103,7 @@ py::dict check(const std::string& grasp, const std::string& certificate,
   };
   options.wrench = read(wrench, "wrench");
   options.direction = read(direction, "direction");
+  options.inertia = read(inertia, "inertia");
   if (!plane.is_none()) {
     options.plane.emplace();
     for (const py::handle& along : plane) {

@@ -46,6 +46,7 @@ PYBIND11_MODULE(_core, module) {
   stickslip::python::bind_crosscheck(module);
   stickslip::python::bind_many(module);
   stickslip::python::bind_batch(module);
+  stickslip::python::bind_compare(module);
   stickslip::python::bind_pictures(module);
   stickslip::python::bind_space(module);
   stickslip::python::bind_boxes(module);

@@ -7,7 +7,6 @@
 #include "stickslip/answers/plane_answers.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
-#include "stickslip/earlier/comparison.hpp"
 #include "stickslip/page/answer.hpp"
 #include "stickslip/page/html.hpp"
 #include "stickslip/plot/grasp_plot.hpp"
@@ -153,40 +152,6 @@ py::str smtlib(const GraspFile& grasp, const py::object& wrench, const py::objec
   return text(without_gil([&] { return smtlib_text(question_of(grasp, asked)); }));
 }
 
-/// The fields of results.Method for each, the evidence as JSON; and the class of the load.
-py::tuple compare(const GraspFile& grasp, const py::object& wrench, const py::object& preload,
-                  bool bilateral, std::vector<std::string> methods, const py::object& length,
-                  const py::object& inertia) {
-  const QuestionOptions asked = question_options(wrench, preload, bilateral);
-  CompareOptions options;
-  options.methods = std::move(methods);
-  options.length = exact(length, "length");
-  if (options.length.sign() <= 0) {
-    throw InputError("", "length", "the value is " + to_string(options.length),
-                     "a characteristic length must be above 0");
-  }
-  if (inertia.is_none()) {
-    options.inertia.gyration_squared = options.length * options.length;
-  } else {
-    const Wrench numbers = exact_wrench(inertia, "inertia");
-    options.inertia = inertia_of("inertia", {numbers.x, numbers.y, numbers.torque});
-  }
-  const Comparison comparison = without_gil([&] {
-    const Question question = question_of(grasp, asked);
-    NumberText readable(false);
-    return compare_methods(Problem(question.loaded(), question.law), options, readable);
-  });
-  py::list result;
-  for (const MethodRow& row : comparison.methods) {
-    result.append(py::make_tuple(text(row.method), text(row.source), row.about_the_load,
-                                 text(row.verdict),
-                                 row.agrees ? py::object(py::bool_(*row.agrees)) : py::none(),
-                                 text(row.why), text(finished(row.evidence, false).dump())));
-  }
-  return py::make_tuple(
-      result, comparison.load_class ? py::object(text(*comparison.load_class)) : py::none());
-}
-
 }  // namespace
 
 void bind_pictures(py::module_& module) {
@@ -195,7 +160,6 @@ void bind_pictures(py::module_& module) {
   module.def("plot_states", &states_picture);
   module.def("page", &page);
   module.def("smtlib", &smtlib);
-  module.def("compare", &compare);
 }
 
 }  // namespace stickslip::python

@@ -19,6 +19,7 @@ from .grasp import Grasp, PlacedGrasp, SnappedNormal, SnapResult
 from .loads import wrench_of
 from .questions import (
     check,
+    class_margin,
     compare,
     crosscheck,
     decide,
@@ -36,6 +37,7 @@ from .results import (
     BoxDecision,
     Cell,
     CheckResult,
+    ClassRange,
     Comparison,
     CrossCheck,
     Decision,
@@ -62,6 +64,7 @@ __all__ = [
     "BoxDecision",
     "Cell",
     "CheckResult",
+    "ClassRange",
     "Comparison",
     "ContractError",
     "CrossCheck",
@@ -89,6 +92,7 @@ __all__ = [
     "SnappedNormal",
     "StabilityMap",
     "check",
+    "class_margin",
     "compare",
     "crosscheck",
     "decide",

@@ -163,7 +163,14 @@ def compare(
     methods: List[str],
     length: Any,
     inertia: Optional[List[Any]],
-) -> Tuple[List[Tuple[str, str, bool, str, Optional[bool], str, str]], Optional[str]]: ...
+    certificate: bool,
+) -> Dict[str, Any]: ...
+def class_margin(
+    grasp: GraspData,
+    direction: List[Any],
+    wrench: Optional[List[Any]],
+    inertia: List[Any],
+) -> Union[str, Tuple[Tuple[str, Fraction, Optional[Fraction], bool, bool], ...]]: ...
 def plot_states(grasp: GraspData) -> str: ...
 def page(
     grasp: Union[GraspData, SpatialGraspData],
@@ -212,6 +219,7 @@ def check(
     direction: Optional[List[Any]],
     preload_direction: Union[str, List[Any], None],
     plane: Optional[List[List[Any]]],
+    inertia: Optional[List[Any]],
     grasp_name: bytes,
     certificate_name: bytes,
 ) -> Dict[str, Any]: ...

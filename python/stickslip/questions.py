@@ -43,6 +43,7 @@ from .results import (
     BoxDecision,
     Cell,
     CheckResult,
+    ClassRange,
     Comparison,
     CrossCheck,
     Decision,
@@ -350,7 +351,7 @@ def plot_states(grasp: Grasp) -> Picture:
 
 def compare(
     grasp: Grasp, wrench: Any = None, *, preload: Any = None, normal_law: str = "unilateral",
-    methods: Sequence[str] = (), length: Any = 1, inertia: Any = None,
+    methods: Sequence[str] = (), length: Any = 1, inertia: Any = None, certificate: bool = False,
 ) -> Comparison:
     """What earlier methods say of the same question as ``decide``, and why they differ.
 
@@ -360,14 +361,43 @@ def compare(
         length: characteristic of the object, by which grasp wrench spaces divide torques.
         inertia: (3,): the centre of mass and the squared radius of gyration about it, which
             strong stability needs; (0, 0, length**2) if None.
+        certificate: prove the class of the load, for ``check`` with this inertia.
+
+    Raises:
+        LimitReached: the class, of which a certificate is wanted, is not known.
     """
     about, snapped = _asked(grasp, preload)
-    rows, load_class = _core.compare(
+    answer = _core.compare(
         about._planar(), about._load(wrench), as_number_or_none(preload, "preload"),
         is_bilateral(normal_law), list(methods), as_number(length, "length"),
-        None if inertia is None else as_inertia(inertia))
-    return Comparison(tuple(Method(*row[:-1], json.loads(row[-1])) for row in rows), load_class,
-                      about, snapped)
+        None if inertia is None else as_inertia(inertia), bool(certificate))
+    if "limit" in answer:
+        raise LimitReached(answer["limit"])
+    rows: List[Tuple[str, str, bool, str, Optional[bool], str, str]] = answer["methods"]
+    return Comparison(tuple(Method(*row[:-1], json.loads(row[-1])) for row in rows),
+                      answer["load_class"], about, snapped, answer.get("certificate"))
+
+
+def class_margin(
+    grasp: Grasp, direction: Any, wrench: Any = None, *, inertia: Any = (0, 0, 1),
+) -> Tuple[ClassRange, ...]:
+    """Of which class is every multiple l >= 0 of a load on rigid contacts?
+
+    Args:
+        grasp: what is asked about. Its preloads and stiffnesses play no part.
+        direction: (3,): the load is wrench + l direction.
+        wrench: what the load starts from; 0 if None.
+        inertia: (3,): the centre of mass and the squared radius of gyration about it.
+
+    Returns:
+        Ranges in their order, each of one class; a class may have several.
+    """
+    about, _ = _asked(grasp, 0)
+    answer = _core.class_margin(about._planar(), as_wrench(direction, "direction", 2),
+                               about._load(wrench, needed=False), as_inertia(inertia))
+    if isinstance(answer, str):
+        raise LimitReached(answer)
+    return tuple(ClassRange(*row) for row in answer)
 
 
 def export(
@@ -496,6 +526,7 @@ def check(
     direction: Any = None,
     preload_direction: Any = None,
     plane: Any = None,
+    inertia: Any = None,
 ) -> CheckResult:
     """Does the certificate prove its verdict about this question?
 
@@ -509,6 +540,7 @@ def check(
         preload_direction: of a margin, as for ``margin``.
         plane: u and v of a region, whose certificate this then is; the wrench is its origin, and
             0 unless given.
+        inertia: (3,), as of ``compare``: of the class of a load, whose certificate this then is.
 
     Raises:
         InputError: the grasp or the certificate cannot be read, or the question not be asked.
@@ -539,6 +571,7 @@ def check(
         as_direction_or_none(direction, n),
         as_preload_direction_or_none(preload_direction),
         as_plane_or_none(plane),
+        None if inertia is None else as_inertia(inertia),
         grasp_name,
         name,
     ))

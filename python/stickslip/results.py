@@ -100,8 +100,8 @@ class Decision(Answer):
             raise LimitReached(self.limit or "")
         return CheckResult(**_core.check(
             self.grasp.to_text().encode(), self.certificate.encode(), list(self.wrench),
-            self.preload, self.normal_law == "bilateral", None, None, None, b"<grasp>",
-            b"<certificate>"))
+            self.preload, self.normal_law == "bilateral", None, None, None, None,
+            b"<grasp>", b"<certificate>"))
 
     def _picture(self) -> Optional[Picture]:
         return self.plot() if len(self.grasp) <= _MOST_CONTACTS_TO_SHOW else None
@@ -120,7 +120,8 @@ class Proof(NamedTuple):
         """What the independent checker says of the two."""
         return CheckResult(**_core.check(
             self.grasp.encode(), self.certificate.encode(), None, None,
-            self.normal_law == "bilateral", None, None, None, b"<grasp>", b"<certificate>"))
+            self.normal_law == "bilateral", None, None, None, None, b"<grasp>",
+            b"<certificate>"))
 
     def __repr__(self) -> str:
         return f"Proof({len(self.certificate)} characters)"
@@ -486,7 +487,7 @@ class Region(Answer):
         return CheckResult(**_core.check(
             self.grasp.to_text().encode(), self.certificate.encode(), list(self.origin),
             self.preload, self.normal_law == "bilateral", None, None,
-            [list(self.u), list(self.v)], b"<grasp>", b"<certificate>"))
+            [list(self.u), list(self.v)], None, b"<grasp>", b"<certificate>"))
 
     def plot(self) -> Picture:
         """As ``plot_region`` draws it."""
@@ -537,7 +538,7 @@ class Margin(Answer):
             self.grasp.to_text().encode(), self.certificate.encode(), list(self.wrench),
             self.preload, self.normal_law == "bilateral",
             None if self.direction is None else list(self.direction),
-            list(along) if isinstance(along, tuple) else along, None, b"<grasp>",
+            list(along) if isinstance(along, tuple) else along, None, None, b"<grasp>",
             b"<certificate>"))
 
     @property
@@ -635,6 +636,21 @@ class Method(NamedTuple):
     """As in ``stickslip compare --json``; rationals are strings."""
 
 
+@dataclass(frozen=True)
+class ClassRange:
+    """Multiples of a load, from low to high, that are all of one class."""
+
+    load_class: str
+    """"must move", "must hold" or "open"."""
+    low: Fraction
+    high: Optional[Fraction]
+    """None: without end."""
+    has_low: bool
+    """Whether low is one of them; else it ends the range before."""
+    has_high: bool
+    """The same of high."""
+
+
 @dataclass(frozen=True, repr=False)
 class Comparison(Answer):
     """The passive model, first, and earlier methods on one question; all of them exact."""
@@ -647,6 +663,8 @@ class Comparison(Answer):
     snapped: Tuple[SnappedNormal, ...] = ()
     """Normals given in doubles that were rounded to ones of rational length, 1e-12 away or less;
     ``grasp`` has them."""
+    certificate: Optional[str] = field(default=None, repr=False)
+    """That of the class, if it was asked for."""
 
     def __getitem__(self, method: str) -> Method:
         """By its name."""

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bindings.hpp"
+#include "exact.hpp"
+#include "stickslip/certificate/certificate.hpp"
+#include "stickslip/core/error.hpp"
+#include "stickslip/earlier/class_margin.hpp"
+#include "stickslip/earlier/comparison.hpp"
+
+namespace stickslip::python {
+namespace {
+
+namespace py = pybind11;
+
+Inertia inertia_from(const py::object& numbers) {
+  const Wrench three = exact_wrench(numbers, "inertia");
+  return inertia_of("inertia", {three.x, three.y, three.torque});
+}
+
+/// The fields of results.Method for each, the evidence as JSON; the class of the load; and the
+/// certificate of the class, if it is wanted, or why there is none.
+py::dict compare(const GraspFile& grasp, const py::object& wrench, const py::object& preload,
+                 bool bilateral, std::vector<std::string> methods, const py::object& length,
+                 const py::object& inertia, bool certificate) {
+  const QuestionOptions asked = question_options(wrench, preload, bilateral);
+  CompareOptions options;
+  options.methods = std::move(methods);
+  options.length = exact(length, "length");
+  if (options.length.sign() <= 0) {
+    throw InputError("", "length", "the value is " + to_string(options.length),
+                     "a characteristic length must be above 0");
+  }
+  options.inertia =
+      inertia.is_none() ? Inertia{{}, options.length * options.length} : inertia_from(inertia);
+  struct Found {
+    Comparison comparison;
+    std::string certificate;
+    std::string limit;
+  };
+  const Found found = without_gil([&] {
+    const Question question = question_of(grasp, asked);
+    const Problem problem = problem_of(question);
+    NumberText readable(false);
+    Found result{compare_methods(problem, options, readable), {}, {}};
+    if (!certificate) return result;
+    const RigidVerdict verdict = rigid_verdict(problem, options.inertia);
+    if (const auto* undecided = std::get_if<Undecided>(&verdict)) {
+      result.limit = undecided->limit;
+    } else {
+      result.certificate = class_certificate_text(question, options.inertia, verdict,
+                                                  "stickslip " STICKSLIP_VERSION);
+    }
+    return result;
+  });
+  py::list rows;
+  for (const MethodRow& row : found.comparison.methods) {
+    rows.append(py::make_tuple(text(row.method), text(row.source), row.about_the_load,
+                               text(row.verdict),
+                               row.agrees ? py::object(py::bool_(*row.agrees)) : py::none(),
+                               text(row.why), text(finished(row.evidence, false).dump())));
+  }
+  py::dict result;
+  const auto& known = found.comparison.load_class;
+  result["methods"] = rows;
+  result["load_class"] = known ? py::object(text(*known)) : py::none();
+  if (!found.certificate.empty()) result["certificate"] = text(found.certificate);
+  if (!found.limit.empty()) result["limit"] = text(found.limit);
+  return result;
+}
+
+/// The fields of results.ClassRange for each; or the limit at which they are not known.
+py::object classes(const GraspFile& grasp, const py::object& direction,
+                   const py::object& wrench, const py::object& inertia) {
+  QuestionOptions asked = question_options(wrench, py::none(), false, direction);
+  asked.preload = 0;  // of rigid contacts
+  const Inertia mass = inertia_from(inertia);
+  const auto found =
+      without_gil([&] { return class_margin(problem_of(question_of(grasp, asked)), mass); });
+  if (const auto* undecided = std::get_if<Undecided>(&found)) return text(undecided->limit);
+  return tuple_of(std::get<std::vector<ClassRange>>(found), [](const ClassRange& range) {
+    return py::make_tuple(text(to_string(range.rigid_class)), fraction(range.low),
+                          range.high ? fraction(*range.high) : py::object(py::none()),
+                          range.has_low, range.has_high);
+  });
+}
+
+}  // namespace
+
+void bind_compare(py::module_& module) {
+  module.def("compare", &compare);
+  module.def("class_margin", &classes);
+}
+
+}  // namespace stickslip::python

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Classes of loads on rigid contacts, with certificates."""
+
+from fractions import Fraction
+
+import pytest
+import stickslip
+from stickslip import ClassRange, Grasp, InputError
+
+HALF = Fraction(1, 2)
+INERTIA = (0, 0, "2/3")
+
+
+@pytest.fixture(name="block")
+def a_block():
+    """Of width 2 and height 2 on a floor; the preload plays no part in what is asked here."""
+    return Grasp([[-1, -1], [1, -1]], [[0, 1], [0, 1]], HALF, preload=1, wrench=(0, -1, 0))
+
+
+def test_a_block_slides_where_the_load_leaves_the_cone(block):
+    assert stickslip.class_margin(block, (1, 0, 0), (0, -1, 0), inertia=INERTIA) == (
+        ClassRange("must hold", Fraction(0), HALF, True, True),
+        ClassRange("must move", HALF, None, False, False))
+
+
+def test_what_the_load_starts_from_is_0_unless_given(block):
+    assert stickslip.class_margin(block, (0, 1, 0)) == (
+        ClassRange("must hold", Fraction(0), Fraction(0), True, True),
+        ClassRange("must move", Fraction(0), None, False, False))
+
+
+@pytest.mark.parametrize("push, kind", [(HALF, "must hold"), (Fraction(51, 100), "must move")])
+def test_certificates_of_classes_are_accepted_for_their_inertia(block, push, kind):
+    load = (push, -1, 0)
+    comparison = stickslip.compare(block, load, inertia=INERTIA, certificate=True,
+                                   methods=["weakly-stable-load", "strongly-stable-load"])
+    assert comparison.load_class == kind
+    result = stickslip.check(block, comparison.certificate, wrench=load, inertia=INERTIA)
+    assert (result.accepted, result.verdict) == (True, kind)
+    other = stickslip.check(block, comparison.certificate, wrench=load, inertia=(0, 0, 1))
+    assert (other.accepted, other.rule) == (False, "question-inertia")
+    assert stickslip.compare(block, load).certificate is None
+
+
+def test_errors(block):
+    for call, place in ((lambda: stickslip.class_margin(block, (1, 0)), "direction"),
+                        (lambda: stickslip.class_margin(block, (1, 0, 0), inertia=(0, 0, 0)), "inertia"),
+                        (lambda: stickslip.check(block, "{}", wrench=(0, 0, 0), inertia=(0, 0)), "inertia")):
+        with pytest.raises(InputError) as caught:
+            call()
+        assert caught.value.place == place

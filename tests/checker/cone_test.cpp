@@ -115,7 +115,7 @@ TEST(Cone, AgreesWithBruteForce) {
   std::size_t with_lines = 0;
   std::size_t pointed = 0;
   std::size_t degenerate = 0;
-  for (int trial = 0; trial < 1500; ++trial) {
+  for (int trial = 0; trial < rounds(1500); ++trial) {
     std::vector<Row5> rows{{0, 0, 0, 1, 0}};
     Cone cone = Cone(kColumns).cut({0, 0, 0, 1, 0});
     std::vector<Row5> conditions = rows;  // by their numbers in the cone
@@ -156,9 +156,9 @@ TEST(Cone, AgreesWithBruteForce) {
     if (rows.size() > 2 && images.size() < 2) ++degenerate;
   }
   // The trials did cover both kinds.
-  EXPECT_GT(with_lines, 100U);
-  EXPECT_GT(pointed, 100U);
-  EXPECT_GT(degenerate, 20U);
+  EXPECT_GT(with_lines, rounds(100U));
+  EXPECT_GT(pointed, rounds(100U));
+  EXPECT_GT(degenerate, rounds(20U));
 }
 
 TEST(Cone, ManyCutsOfACone) {

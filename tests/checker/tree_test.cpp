@@ -8,6 +8,7 @@
 
 #include "leaf.hpp"
 #include "naive.hpp"
+#include "support.hpp"
 
 namespace stickslip_check {
 namespace {
@@ -104,14 +105,14 @@ TEST(Tree, AgreesWithTheNaiveTwin) {
   Random random(4711);
   std::size_t accepted = 0;
   std::size_t rejected = 0;
-  for (int trial = 0; trial < 800; ++trial) {
+  for (int trial = 0; trial < rounds(800); ++trial) {
     const NaiveQuestion q = random_question(random, 4);
     const RandomTree tree(random, q);
     accepted += tree.accepted;
     rejected += tree.rejected;
   }
-  EXPECT_GT(accepted, 500U);
-  EXPECT_GT(rejected, 500U);
+  EXPECT_GT(accepted, rounds(500U));
+  EXPECT_GT(rejected, rounds(500U));
 }
 
 /// An equilibrium by construction, as a point: d, lambda and the forces first, then the wrench
@@ -170,7 +171,7 @@ TEST(Tree, NothingRefutesTheHomeOfAnEquilibrium) {
 TEST(Tree, RefutationsOfRandomGraspsAreAccepted) {
   Random random(2018);
   std::size_t proved = 0;
-  for (int trial = 0; trial < 200; ++trial) {
+  for (int trial = 0; trial < rounds(200); ++trial) {
     const NaiveQuestion q = random_question(random, 3);
     Prover prover(q, 120, 1);
     if (!prover.run()) continue;
@@ -180,13 +181,13 @@ TEST(Tree, RefutationsOfRandomGraspsAreAccepted) {
     EXPECT_NO_THROW(walk.finish());
     EXPECT_EQ(walk.nodes(), prover.nodes.size());
   }
-  EXPECT_GT(proved, 60U);
+  EXPECT_GT(proved, rounds(60U));
 }
 
 TEST(Tree, RedundantRaysChangeNoLeaf) {
   Random random(2718);
   std::size_t tally[2]{};
-  for (int trial = 0; trial < 3000; ++trial) {
+  for (int trial = 0; trial < rounds(3000); ++trial) {
     const NaiveQuestion q = random_question(random, 3);
     Box box = *q.question.box;
     for (std::size_t i = 0; i < q.size(); ++i) {
@@ -218,8 +219,8 @@ TEST(Tree, RedundantRaysChangeNoLeaf) {
           << "trial " << trial;
     }
   }
-  EXPECT_GT(tally[0], 1000U);
-  EXPECT_GT(tally[1], 1000U);
+  EXPECT_GT(tally[0], rounds(1000U));
+  EXPECT_GT(tally[1], rounds(1000U));
 }
 
 // What a region inherits is what a look at all contacts gives, and what doubles prove is so.

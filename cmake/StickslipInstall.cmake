@@ -5,7 +5,7 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(modules core lp arrangement equilibrium search degree box space resistance earlier certificate answers batch crosscheck plot page)
+set(modules core lp arrangement equilibrium motion planar search degree margin box warnings resistance earlier certificate answers batch crosscheck plot page)
 foreach(module IN LISTS modules)
   install(TARGETS stickslip_${module} EXPORT stickslip)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${module}/include/stickslip TYPE INCLUDE)

@@ -18,8 +18,8 @@
 #include "stickslip/arrangement/slip_states.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/grasp_file.hpp"
-#include "stickslip/equilibrium/decide.hpp"
 #include "stickslip/equilibrium/question.hpp"
+#include "stickslip/planar/decide.hpp"
 
 namespace stickslip {
 namespace {

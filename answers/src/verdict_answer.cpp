@@ -5,7 +5,7 @@
 
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/sign.hpp"
-#include "stickslip/equilibrium/search/rounded_equilibrium.hpp"
+#include "stickslip/planar/rounded_equilibrium.hpp"
 
 namespace stickslip {
 namespace {
@@ -48,7 +48,7 @@ BoxAnswer answer_by_degree(Question question, BoxDecision decision) {
 
 Answer answer_to(Question question, const AnswerOptions& options) {
   if (const GraspBox* box = question.box()) {
-    BoxOptions search;
+    SearchOptions search;
     search.node_limit = options.node_limit;
     BoxDecision decision = decide_box(*box, question.law, search);
     Warnings warnings;

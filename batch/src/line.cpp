@@ -13,7 +13,7 @@
 #include "stickslip/core/grasp_file.hpp"
 #include "stickslip/core/number_text.hpp"
 #include "stickslip/equilibrium/option_text.hpp"
-#include "stickslip/equilibrium/search/branch_and_bound.hpp"
+#include "stickslip/planar/branch_and_bound.hpp"
 
 namespace stickslip {
 namespace {

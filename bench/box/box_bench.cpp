@@ -15,7 +15,7 @@
 #include "random_source.hpp"
 #include "statistics.hpp"
 #include "stickslip/box/radius.hpp"
-#include "stickslip/equilibrium/margin.hpp"
+#include "stickslip/margin/margin.hpp"
 
 namespace stickslip::bench {
 namespace {

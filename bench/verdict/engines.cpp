@@ -7,7 +7,7 @@
 #include "report.hpp"
 #include "statistics.hpp"
 #include "stickslip/core/snap.hpp"
-#include "stickslip/equilibrium/decide.hpp"
+#include "stickslip/planar/decide.hpp"
 
 namespace stickslip::bench {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "limited.hpp"
 #include "stickslip/certificate/certificate.hpp"
-#include "stickslip/equilibrium/decide.hpp"
+#include "stickslip/planar/decide.hpp"
 
 #ifdef STICKSLIP_HAVE_GLPK
 #include "weakly_stable.hpp"

@@ -6,7 +6,7 @@
 #include "examples.hpp"
 #include "one_grasp.hpp"
 #include "stickslip/box/box_prover.hpp"
-#include "stickslip/box/exact_witness.hpp"
+#include "stickslip/degree/exact_witness.hpp"
 #include "stickslip/degree/prove_stable.hpp"
 
 namespace stickslip {
@@ -18,7 +18,8 @@ namespace {
 /// Two grasps of a box with opposite verdicts, decided one by one.
 class ExampleSearch {
  public:
-  ExampleSearch(const GraspBox& box, NormalLaw law, const BoxOptions& options, SearchWork& work)
+  ExampleSearch(const GraspBox& box, NormalLaw law, const SearchOptions& options,
+                SearchWork& work)
       : box_(box), law_(law), options_(options), work_(work), examples_(box, law) {}
 
   /// Unless two were found.
@@ -63,7 +64,7 @@ class ExampleSearch {
 
   const GraspBox& box_;
   NormalLaw law_;
-  const BoxOptions& options_;
+  const SearchOptions& options_;
   SearchWork& work_;
   Examples examples_;
   std::optional<GraspBox> stable_;
@@ -71,7 +72,8 @@ class ExampleSearch {
 };
 
 /// What a search for a proof may take: more in space, where nothing else decides.
-ProverLimits limits_of(const GraspBox& box, const BoxOptions& options, std::size_t most_parts) {
+ProverLimits limits_of(const GraspBox& box, const SearchOptions& options,
+                       std::size_t most_parts) {
   const bool is_wide = !box.is_point();
   std::size_t nodes = options.node_limit;
   if (nodes == 0) {
@@ -88,7 +90,7 @@ ProverLimits limits_of(const GraspBox& box, const BoxOptions& options, std::size
 }
 
 /// A proof or none, and where parts seem to differ.
-BoxDecision prove(const GraspBox& box, NormalLaw law, const BoxOptions& options,
+BoxDecision prove(const GraspBox& box, NormalLaw law, const SearchOptions& options,
                   std::size_t most_parts, std::array<std::optional<RationalRow>, 2>& suspects) {
   BoxDecision decision{Undecided{}};
   const bool may_refine = box.is_point() && !box.in_space();
@@ -113,7 +115,7 @@ BoxDecision prove(const GraspBox& box, NormalLaw law, const BoxOptions& options,
 
 namespace box_detail {
 
-BoxDecision prove_box(const GraspBox& box, NormalLaw law, const BoxOptions& options,
+BoxDecision prove_box(const GraspBox& box, NormalLaw law, const SearchOptions& options,
                       std::size_t most_parts) {
   std::array<std::optional<RationalRow>, 2> suspects;
   return prove(box, law, options, most_parts, suspects);
@@ -143,7 +145,7 @@ std::optional<BoxDecision> prove_stable_by_degree(const Problem& problem) {
                      work};
 }
 
-BoxDecision decide_box(const GraspBox& box, NormalLaw law, const BoxOptions& options) {
+BoxDecision decide_box(const GraspBox& box, NormalLaw law, const SearchOptions& options) {
   if (box.is_point()) return prove_box(box, law, options, 0);
   SearchWork work;
   ExampleSearch examples(box, law, options, work);

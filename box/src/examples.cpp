@@ -6,7 +6,7 @@
 
 #include "one_grasp.hpp"
 #include "stickslip/degree/moving_equilibrium.hpp"
-#include "stickslip/equilibrium/margin.hpp"
+#include "stickslip/margin/margin.hpp"
 
 namespace stickslip::box_detail {
 namespace {

@@ -2,8 +2,8 @@
 #include "one_grasp.hpp"
 
 #include "stickslip/degree/newton.hpp"
-#include "stickslip/equilibrium/decide.hpp"
-#include "stickslip/equilibrium/search/rounded_equilibrium.hpp"
+#include "stickslip/planar/decide.hpp"
+#include "stickslip/planar/rounded_equilibrium.hpp"
 
 namespace stickslip::box_detail {
 
@@ -49,7 +49,8 @@ std::vector<NearEquilibrium> near_equilibria(const GraspLaw& point, bool has_enc
   return result;
 }
 
-std::optional<bool> is_stable(const GraspBox& point, NormalLaw law, const BoxOptions& options) {
+std::optional<bool> is_stable(const GraspBox& point, NormalLaw law,
+                              const SearchOptions& options) {
   if (!point.in_space() && !needs_enclosure(point)) {
     return std::holds_alternative<Stable>(decide_by_cones(Problem(point.planar_middle(), law)));
   }

@@ -23,11 +23,11 @@ std::vector<NearEquilibrium> near_equilibria(const GraspLaw& point, bool has_enc
 
 /// Whether the only grasp of this box is stable; nothing if that is undecided.
 std::optional<bool> is_stable(const GraspBox& point, NormalLaw law,
-                              const BoxOptions& options = {});
+                              const SearchOptions& options = {});
 
 /// Stable or unstable throughout, or undecided; never fragile. The box may be cut into so many
 /// parts and one.
-BoxDecision prove_box(const GraspBox& box, NormalLaw law, const BoxOptions& options,
+BoxDecision prove_box(const GraspBox& box, NormalLaw law, const SearchOptions& options,
                       std::size_t most_parts);
 
 }  // namespace stickslip::box_detail

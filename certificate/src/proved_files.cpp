@@ -4,7 +4,7 @@
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/grasp_file.hpp"
-#include "stickslip/equilibrium/decide.hpp"
+#include "stickslip/planar/decide.hpp"
 
 namespace stickslip {
 namespace {

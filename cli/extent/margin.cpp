@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stickslip/equilibrium/margin.hpp"
+#include "stickslip/margin/margin.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -14,7 +14,7 @@
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
-#include "stickslip/equilibrium/decide.hpp"
+#include "stickslip/planar/decide.hpp"
 #include "terminal.hpp"
 #include "warnings.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "question_options.hpp"
-#include "stickslip/space/spatial_margin.hpp"
+#include "stickslip/margin/spatial_margin.hpp"
 
 namespace stickslip {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stickslip/equilibrium/decide.hpp"
+#include "stickslip/planar/decide.hpp"
 
 #include <algorithm>
 #include <iostream>

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "stickslip/equilibrium/search/independent_rows.hpp"
+#include "independent_rows.hpp"
 
 namespace stickslip {
 namespace {
@@ -389,7 +389,7 @@ NearEquilibrium Newton::settle(NearEquilibrium near) const {
     }
     const double spring = 3 * answer.norm();
     // If those whose slips are independent stay, the others do.
-    equilibrium_detail::IndependentRows independent(grasp_.motions());
+    degree_detail::IndependentRows independent(grasp_.motions());
     std::vector<Sticking> chosen;
     constexpr double kIndependent = 1e-3;
     while (const auto which = independent.take_best(sticking, kIndependent)) {

@@ -4,7 +4,7 @@
 /// many contacts.
 #pragma once
 
-#include "stickslip/equilibrium/search/crowd_walls.hpp"
+#include "stickslip/planar/crowd_walls.hpp"
 #include "stickslip/search/search_work.hpp"
 #include "stickslip/search/tree_search.hpp"
 

@@ -6,14 +6,12 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "independent_rows.hpp"
 #include "stickslip/degree/newton.hpp"
-#include "stickslip/equilibrium/search/independent_rows.hpp"
 #include "stickslip/search/force_span.hpp"
 #include "stickslip/search/tree.hpp"
 
 namespace stickslip::degree_detail {
-
-using equilibrium_detail::IndependentRows;
 
 /// K: where its walls are to be, and which way the grasp in the middle pulls, in doubles.
 ///

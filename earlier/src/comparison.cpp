@@ -9,7 +9,7 @@
 #include "stickslip/earlier/friction_cones.hpp"
 #include "stickslip/earlier/grasp_wrench_space.hpp"
 #include "stickslip/earlier/load_classes.hpp"
-#include "stickslip/equilibrium/decide.hpp"
+#include "stickslip/planar/decide.hpp"
 
 namespace stickslip {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "contact_forces.hpp"
 #include "stickslip/core/error.hpp"
-#include "stickslip/equilibrium/search/region.hpp"
 #include "stickslip/lp/linear_program.hpp"
+#include "stickslip/planar/region.hpp"
 
 namespace stickslip {
 

@@ -7,7 +7,7 @@
 
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/snap.hpp"
-#include "stickslip/equilibrium/search/cone.hpp"
+#include "stickslip/motion/cone.hpp"
 
 namespace stickslip {
 namespace {

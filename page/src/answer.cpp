@@ -18,9 +18,9 @@
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/snap.hpp"
 #include "stickslip/core/spatial_forces.hpp"
+#include "stickslip/degree/near_forces.hpp"
 #include "stickslip/equilibrium/option_text.hpp"
-#include "stickslip/space/near_forces.hpp"
-#include "stickslip/space/spatial_margin.hpp"
+#include "stickslip/margin/spatial_margin.hpp"
 
 namespace stickslip {
 

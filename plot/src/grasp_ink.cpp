@@ -7,7 +7,7 @@
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/sign.hpp"
 #include "stickslip/equilibrium/contact_mode.hpp"
-#include "stickslip/equilibrium/decide.hpp"
+#include "stickslip/planar/decide.hpp"
 
 namespace stickslip::plot_detail {
 namespace {

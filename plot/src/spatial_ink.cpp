@@ -5,7 +5,7 @@
 #include "grasp_ink.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/integer_vector.hpp"
-#include "stickslip/space/near_forces.hpp"
+#include "stickslip/degree/near_forces.hpp"
 
 namespace stickslip::plot_detail {
 namespace {

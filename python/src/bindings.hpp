@@ -15,9 +15,9 @@
 
 #include "stickslip/certificate/proved_files.hpp"
 #include "stickslip/core/cancellation.hpp"
-#include "stickslip/equilibrium/decide.hpp"
-#include "stickslip/equilibrium/model_warnings.hpp"
 #include "stickslip/equilibrium/question.hpp"
+#include "stickslip/planar/decide.hpp"
+#include "stickslip/warnings/model_warnings.hpp"
 
 namespace stickslip::python {
 

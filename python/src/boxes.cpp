@@ -39,7 +39,7 @@ py::dict decide_box_of(const GraspFile& grasp, const std::string& uncertain,
   const Question asked = asked_of(grasp, wrench, preload, bilateral, uncertain);
   const GraspBox box = box_of(asked.grasp);
   if (box.is_point() && !needs_enclosure(box)) refuse_certain();
-  BoxOptions options;
+  SearchOptions options;
   options.node_limit = node_limit;
   const auto [decision, proofs] = without_gil([&] {
     BoxDecision found = decide_box(box, asked.law, options);

@@ -7,9 +7,9 @@
 #include "stickslip/certificate/proved_files.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/equilibrium/contact_mode.hpp"
-#include "stickslip/equilibrium/decide.hpp"
-#include "stickslip/equilibrium/margin.hpp"
-#include "stickslip/equilibrium/model_warnings.hpp"
+#include "stickslip/margin/margin.hpp"
+#include "stickslip/planar/decide.hpp"
+#include "stickslip/warnings/model_warnings.hpp"
 
 namespace stickslip::python {
 namespace {

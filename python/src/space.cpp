@@ -14,9 +14,9 @@
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/snap.hpp"
 #include "stickslip/core/spatial_forces.hpp"
+#include "stickslip/margin/spatial_margin.hpp"
 #include "stickslip/plot/grasp_plot.hpp"
-#include "stickslip/space/spatial_margin.hpp"
-#include "stickslip/space/spatial_warnings.hpp"
+#include "stickslip/warnings/spatial_warnings.hpp"
 
 namespace stickslip::python {
 namespace {
@@ -151,7 +151,7 @@ py::dict fields_of(const Answer& answer) {
 }
 
 Answer answer_to(Question question, std::size_t node_limit) {
-  BoxOptions options;
+  SearchOptions options;
   options.node_limit = node_limit;
   BoxDecision decision = decide_box(*question.box(), question.law, options);
   return {std::move(question), std::move(decision), {}};

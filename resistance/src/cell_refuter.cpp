@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "stickslip/core/error.hpp"
-#include "stickslip/equilibrium/search/region_program.hpp"
+#include "stickslip/planar/region_program.hpp"
 #include "stickslip/search/tree_search.hpp"
 
 namespace stickslip::resistance_detail {

@@ -8,8 +8,8 @@
 #include "cell_refuter.hpp"
 #include "load_cell.hpp"
 #include "stickslip/core/error.hpp"
-#include "stickslip/equilibrium/search/region_program.hpp"
-#include "stickslip/equilibrium/search/search_end.hpp"
+#include "stickslip/equilibrium/search_end.hpp"
+#include "stickslip/planar/region_program.hpp"
 
 namespace stickslip {
 

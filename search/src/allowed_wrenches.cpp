@@ -341,8 +341,7 @@ std::optional<AllowedWrench> AllowedWrenches::worst(const Reals& y) const {
   return best;
 }
 
-Relaxation AllowedWrenches::combine(
-    const equilibrium_detail::NearestWrench<Reals, AllowedWrench>& found) const {
+Relaxation AllowedWrenches::combine(const NearestWrench<Reals, AllowedWrench>& found) const {
   const std::size_t m = law_.contacts.size();
   Relaxation result;
   result.motion = Reals::Zero(static_cast<Eigen::Index>(law_.coordinates()));

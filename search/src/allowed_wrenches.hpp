@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "stickslip/equilibrium/search/nearest_wrench.hpp"
+#include "stickslip/motion/nearest_wrench.hpp"
 #include "stickslip/search/tree_search.hpp"
 
 namespace stickslip::search_detail {
@@ -76,8 +76,7 @@ class AllowedWrenches {
   /// nothing if they do not decide. In space they only say no.
   std::optional<bool> are_refuted_by(const Row& y) const;
   /// Of wrenches that add up to 0.
-  Relaxation combine(
-      const equilibrium_detail::NearestWrench<Reals, AllowedWrench>& found) const;
+  Relaxation combine(const NearestWrench<Reals, AllowedWrench>& found) const;
 
  private:
   Reals load_at(std::size_t generator, const Reals& y) const;

@@ -216,6 +216,14 @@ std::pair<GraspLaw, GraspLaw> GraspLaw::halves(const PartSplit& split) const {
   return {half(false), half(true)};
 }
 
+GraspLaw law_of(const Question& question, unsigned bits) {
+  std::optional<GrowthRates> growth;
+  if (question.is_margin()) {
+    growth = GrowthRates{question.direction.value_or(RationalRow{}), question.preload_growth};
+  }
+  return GraspLaw(*question.box(), question.law, bits, growth);
+}
+
 std::vector<RationalRow> friction_directions(const LawContact& contact) {
   if (contact.slip_dimension() == 1) return {{1}};
   const Vector3& n = contact.place->normal;

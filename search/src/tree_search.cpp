@@ -95,8 +95,8 @@ std::optional<Row> TreeSearch::confirm(const MotionRegion& region,
                                        const AllowedWrenches& wrenches, const Reals& twist) {
   Reals y = twist;
   law_.rotations(y) /= law_.length;
-  const auto found = equilibrium_detail::in_fewest_bits(
-      y, {2, 3, 4, 6, 8, 10, 12, 16, 24, 36, 50}, [&](const Row& candidate) {
+  const auto found =
+      in_fewest_bits(y, {2, 3, 4, 6, 8, 10, 12, 16, 24, 36, 50}, [&](const Row& candidate) {
         if (const std::optional<bool> known = wrenches.are_refuted_by(candidate)) {
           ++work_.filter_hits;
           return *known;
@@ -423,11 +423,11 @@ std::optional<TreeSearch::Branch> TreeSearch::examine(const MotionRegion& region
     start[static_cast<Eigen::Index>(j)] -= law_.load[j][0] + law_.load[j][1];
   }
   const auto worst = [&](const Reals& y) { return wrenches.worst(y); };
-  const auto found = equilibrium_detail::nearest_wrench(start, worst);
+  const auto found = nearest_wrench(start, worst);
   if (!found.separated) return split(region, wrenches, wrenches.combine(found));
   auto y = confirm(region, wrenches, found.twist);
   if (!y) {
-    const auto deep = equilibrium_detail::nearest_wrench(start, worst, true);
+    const auto deep = nearest_wrench(start, worst, true);
     if (deep.separated) y = confirm(region, wrenches, deep.twist);
   }
   if (!y && exact_) return exactly(region, wrenches);
@@ -441,9 +441,9 @@ std::optional<TreeSearch::Branch> TreeSearch::examine(const MotionRegion& region
 
 bool TreeSearch::refute(const MotionRegion& region, Trees& trees) {
   end_ = SearchEnd::kNone;
-  return equilibrium_detail::append_tree(
-      region, trees,
-      [&](const MotionRegion& at, std::size_t depth) { return examine(at, depth); });
+  return append_tree(region, trees, [&](const MotionRegion& at, std::size_t depth) {
+    return examine(at, depth);
+  });
 }
 
 }  // namespace stickslip

@@ -11,8 +11,8 @@
 #include "shares.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/grasp_file.hpp"
-#include "stickslip/equilibrium/decide.hpp"
-#include "stickslip/equilibrium/margin.hpp"
+#include "stickslip/margin/margin.hpp"
+#include "stickslip/planar/decide.hpp"
 
 namespace stickslip::bench {
 namespace {

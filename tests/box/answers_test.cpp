@@ -11,7 +11,7 @@
 #include "box_cases.hpp"
 #include "cases.hpp"
 #include "rounds.hpp"
-#include "stickslip/equilibrium/decide.hpp"
+#include "stickslip/planar/decide.hpp"
 
 namespace stickslip {
 namespace {
@@ -84,8 +84,8 @@ std::string box_named(const std::string& name) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// Proofs by degree have walls of the grasp in the middle, of whose contacts nothing is uncertain:
-// nothing may be left of their corners in the box.
+// Proofs by degree have walls of the grasp in the middle, of whose contacts nothing is
+// uncertain: nothing may be left of their corners in the box.
 TEST(BoxAnswers, OfAWideBoxAreAboutTheGraspInItsMiddle) {
   const BoxCase wide{box_named("wide_middle")};
   const BoxDecision decision = wide.decide();

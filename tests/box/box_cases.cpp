@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "box_cases.hpp"
 
-#include "stickslip/equilibrium/decide.hpp"
-#include "stickslip/equilibrium/margin.hpp"
+#include "stickslip/margin/margin.hpp"
+#include "stickslip/planar/decide.hpp"
 
 namespace stickslip::test {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "both_checkers.hpp"
-#include "stickslip/equilibrium/decide.hpp"
+#include "stickslip/planar/decide.hpp"
 
 namespace stickslip::test {
 

@@ -15,8 +15,9 @@
 #include "stickslip/earlier/form_closure.hpp"
 #include "stickslip/earlier/friction_cones.hpp"
 #include "stickslip/earlier/load_classes.hpp"
-#include "stickslip/equilibrium/decide.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
+#include "stickslip/planar/decide.hpp"
+#include "stickslip/planar/find_flaw.hpp"
 
 namespace stickslip {
 namespace {

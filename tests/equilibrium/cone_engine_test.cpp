@@ -8,8 +8,8 @@
 #include "loads.hpp"
 #include "paper_grasps.hpp"
 #include "rounds.hpp"
-#include "stickslip/equilibrium/decide.hpp"
-#include "stickslip/equilibrium/search/rounded_equilibrium.hpp"
+#include "stickslip/planar/decide.hpp"
+#include "stickslip/planar/rounded_equilibrium.hpp"
 
 namespace stickslip::test {
 namespace {

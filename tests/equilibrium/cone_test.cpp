@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The double description of a cone against brute force over all sets of planes.
-#include "stickslip/equilibrium/search/cone.hpp"
+#include "stickslip/motion/cone.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 
 #include "naive_region.hpp"
 #include "random_grasps.hpp"
-#include "stickslip/equilibrium/search/strict_cone.hpp"
-#include "stickslip/equilibrium/search/tree_walk.hpp"
+#include "stickslip/motion/strict_cone.hpp"
+#include "stickslip/motion/tree_walk.hpp"
 
 namespace stickslip {
 namespace {
@@ -352,10 +352,10 @@ TEST(StrictCone, NoTreeHasRegionsOfTooManyPoints) {
   std::size_t most = 0;
   int t = 0;
   std::vector<int> tree;
-  const bool whole = equilibrium_detail::append_tree(
-      SpatialRegion(), tree, [&](const SpatialRegion& region, std::size_t) {
+  const bool whole =
+      append_tree(SpatialRegion(), tree, [&](const SpatialRegion& region, std::size_t) {
         most = std::max(most, region.points().size());
-        using Branch = equilibrium_detail::Branch<int, SpatialRegion>;
+        using Branch = BranchOf<int, SpatialRegion>;
         if (t == 30) return std::optional<Branch>({t, {}});
         ++t;
         Row moment(8);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Witnesses state few shares of friction: against exact linear programs on small worlds, and
 // where the least number is known.
-#include "few_shares.hpp"
+#include "stickslip/planar/few_shares.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,12 +11,10 @@
 #include "family.hpp"
 #include "judged.hpp"
 #include "shares.hpp"
-#include "stickslip/equilibrium/margin.hpp"
 #include "stickslip/lp/linear_program.hpp"
+#include "stickslip/margin/margin.hpp"
 
 namespace stickslip {
-
-using namespace equilibrium_detail;
 
 namespace {
 

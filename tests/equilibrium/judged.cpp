@@ -6,6 +6,7 @@
 #include "both_checkers.hpp"
 #include "shares.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
+#include "stickslip/planar/find_flaw.hpp"
 
 namespace stickslip::test {
 

@@ -7,8 +7,8 @@
 
 #include "check_refutation.hpp"
 #include "random_grasps.hpp"
-#include "stickslip/equilibrium/decide.hpp"
-#include "stickslip/equilibrium/search/branch_and_bound.hpp"
+#include "stickslip/planar/branch_and_bound.hpp"
+#include "stickslip/planar/decide.hpp"
 
 namespace stickslip::test {
 

@@ -13,7 +13,7 @@
 #include "judged.hpp"
 #include "loads.hpp"
 #include "rounds.hpp"
-#include "stickslip/equilibrium/margin.hpp"
+#include "stickslip/margin/margin.hpp"
 
 namespace stickslip {
 namespace {

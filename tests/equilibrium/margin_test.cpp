@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Margins along loads and preloads: the paper's thresholds, and every end against verdicts at
 // it and beside it.
-#include "stickslip/equilibrium/margin.hpp"
+#include "stickslip/margin/margin.hpp"
 
 #include <gtest/gtest.h>
 

@@ -14,7 +14,7 @@
 
 namespace stickslip {
 
-using namespace equilibrium_detail;
+using namespace margin_detail;
 
 namespace {
 

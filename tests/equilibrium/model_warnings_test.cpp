@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each warning on both sides of its border, and the exact program of the preloads against a
 // naive one.
-#include "stickslip/equilibrium/model_warnings.hpp"
+#include "stickslip/warnings/model_warnings.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "paper_grasps.hpp"
 #include "random_grasps.hpp"
-#include "stickslip/equilibrium/decide.hpp"
 #include "stickslip/lp/linear_program.hpp"
+#include "stickslip/planar/decide.hpp"
 
 namespace stickslip {
 namespace {

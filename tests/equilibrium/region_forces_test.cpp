@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is found of contacts in groups, against a look at each of them in rationals.
-#include "search/region_forces.hpp"
+#include "region_forces.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,12 +8,12 @@
 #include <map>
 
 #include "random_grasps.hpp"
-#include "search/twist_search.hpp"
+#include "twist_search.hpp"
 
 namespace stickslip {
 namespace {
 
-using namespace equilibrium_detail;
+using namespace planar_detail;
 using test::RandomSource;
 
 struct Seen {

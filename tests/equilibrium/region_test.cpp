@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Regions, labels, strict functions and leaves (certificate/FORMAT.md, section 4).
-#include "stickslip/equilibrium/search/region.hpp"
+#include "stickslip/planar/region.hpp"
 
 #include <gtest/gtest.h>
 

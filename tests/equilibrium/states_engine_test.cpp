@@ -5,8 +5,9 @@
 #include "judged.hpp"
 #include "paper_grasps.hpp"
 #include "stickslip/core/error.hpp"
-#include "stickslip/equilibrium/decide.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
+#include "stickslip/planar/decide.hpp"
+#include "stickslip/planar/find_flaw.hpp"
 
 namespace stickslip {
 namespace {

@@ -15,9 +15,9 @@
 #include "print.hpp"
 #include "spool.hpp"
 #include "stickslip/box/box_verdict.hpp"
-#include "stickslip/equilibrium/margin.hpp"
 #include "stickslip/equilibrium/question.hpp"
-#include "stickslip/equilibrium/search/branch_and_bound.hpp"
+#include "stickslip/margin/margin.hpp"
+#include "stickslip/planar/branch_and_bound.hpp"
 
 namespace {
 
@@ -116,7 +116,7 @@ std::string truth_in_space(const Input& input, const Question& question,
   }
   stickslip::QuestionOptions options;
   if (question.asked.bilateral) options.law = stickslip::NormalLaw::kBilateral;
-  stickslip::BoxOptions limit;
+  stickslip::SearchOptions limit;
   limit.node_limit = 300;
   const auto decision = stickslip::decide_box(grasp, options.law, limit);
   const bool decided = !std::holds_alternative<stickslip::Undecided>(decision.verdict);

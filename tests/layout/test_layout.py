@@ -12,19 +12,22 @@ ALLOWED = {
     "core": set(),
     "lp": {"core"},
     "arrangement": {"core", "lp"},
-    "equilibrium": {"core", "lp", "arrangement"},
-    "search": {"core", "equilibrium"},
-    "degree": {"core", "equilibrium", "search"},
-    "box": {"core", "equilibrium", "search", "degree"},
-    "space": {"core", "equilibrium", "search", "degree", "box"},
-    "resistance": {"core", "equilibrium", "search"},
-    "earlier": {"core", "lp", "equilibrium"},
-    "certificate": {"core", "equilibrium", "search", "degree", "box", "space", "resistance", "earlier"},
-    "batch": {"core", "equilibrium", "earlier", "certificate"},
-    "crosscheck": {"core", "equilibrium"},
-    "answers": {"core", "equilibrium", "box", "space", "resistance", "certificate"},
-    "plot": {"core", "arrangement", "equilibrium", "box", "space", "resistance"},
-    "page": {"core", "arrangement", "equilibrium", "box", "space", "resistance", "answers"},
+    "equilibrium": {"core"},
+    "motion": {"core"},
+    "planar": {"core", "lp", "arrangement", "equilibrium", "motion"},
+    "search": {"core", "equilibrium", "motion"},
+    "degree": {"core", "equilibrium", "motion", "planar", "search"},
+    "margin": {"core", "equilibrium", "motion", "planar", "search", "degree"},
+    "box": {"core", "equilibrium", "planar", "search", "degree", "margin"},
+    "warnings": {"core", "equilibrium", "motion", "planar", "degree", "margin", "box"},
+    "resistance": {"core", "equilibrium", "planar", "search"},
+    "earlier": {"core", "lp", "equilibrium", "motion", "planar"},
+    "certificate": {"core", "equilibrium", "planar", "margin", "box", "resistance", "earlier"},
+    "answers": {"core", "equilibrium", "planar", "margin", "box", "warnings", "resistance", "certificate"},
+    "batch": {"core", "equilibrium", "planar", "earlier", "certificate"},
+    "crosscheck": {"core", "equilibrium", "planar", "margin"},
+    "plot": {"core", "arrangement", "equilibrium", "planar", "degree", "box", "resistance"},
+    "page": {"core", "arrangement", "equilibrium", "degree", "margin", "answers"},
 }
 
 
@@ -68,7 +71,7 @@ class Layout(unittest.TestCase):
                 self.assertEqual(local, [], path)
 
     def test_private_headers_declare_in_a_namespace_of_their_own(self):
-        for module in ("core", "lp", "arrangement", "equilibrium", "search", "degree", "box", "space", "resistance", "earlier", "batch", "plot", "page"):
+        for module in ("core", "lp", "arrangement", "planar", "search", "degree", "margin", "box", "resistance", "earlier", "batch", "plot", "page"):
             private = {path: text for path, text in sources(os.path.join(module, "src"))
                        if path.endswith(".hpp")}
             self.assertGreater(len(private), 0, module)

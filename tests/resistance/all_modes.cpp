@@ -6,7 +6,7 @@
 #include <set>
 
 #include "stickslip/arrangement/sweep.hpp"
-#include "stickslip/equilibrium/search/region.hpp"
+#include "stickslip/planar/region.hpp"
 
 namespace stickslip::test {
 namespace {

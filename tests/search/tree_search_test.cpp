@@ -11,7 +11,8 @@
 #include "random_grasps.hpp"
 #include "stickslip/core/contact_row.hpp"
 #include "stickslip/core/error.hpp"
-#include "stickslip/equilibrium/decide.hpp"
+#include "stickslip/planar/decide.hpp"
+#include "stickslip/planar/find_flaw.hpp"
 
 namespace stickslip {
 namespace {

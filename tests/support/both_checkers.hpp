@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "stickslip/box/box_verdict.hpp"
-#include "stickslip/equilibrium/margin.hpp"
 #include "stickslip/equilibrium/question.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
+#include "stickslip/margin/margin.hpp"
 
 namespace stickslip::test {
 

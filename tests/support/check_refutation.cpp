@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "naive_region.hpp"
-#include "stickslip/equilibrium/search/region.hpp"
+#include "stickslip/planar/region.hpp"
 
 namespace stickslip::test {
 namespace {

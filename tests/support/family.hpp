@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "stickslip/equilibrium/margin.hpp"
 #include "stickslip/equilibrium/question.hpp"
+#include "stickslip/margin/margin.hpp"
 
 namespace stickslip::test {
 

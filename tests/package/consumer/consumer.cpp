@@ -5,7 +5,7 @@
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/grasp_file.hpp"
-#include "stickslip/equilibrium/decide.hpp"
+#include "stickslip/planar/decide.hpp"
 #include "stickslip/plot/grasp_plot.hpp"
 
 int main(int argc, char** argv) {

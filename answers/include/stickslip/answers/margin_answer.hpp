@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "stickslip/answers/verdict_answer.hpp"
-#include "stickslip/equilibrium/margin.hpp"
-#include "stickslip/space/spatial_margin.hpp"
+#include "stickslip/margin/margin.hpp"
+#include "stickslip/margin/spatial_margin.hpp"
 
 namespace stickslip {
 

@@ -14,9 +14,9 @@
 #include "stickslip/box/box_verdict.hpp"
 #include "stickslip/core/number_text.hpp"
 #include "stickslip/equilibrium/contact_mode.hpp"
-#include "stickslip/equilibrium/decide.hpp"
-#include "stickslip/equilibrium/model_warnings.hpp"
-#include "stickslip/space/spatial_warnings.hpp"
+#include "stickslip/planar/decide.hpp"
+#include "stickslip/warnings/model_warnings.hpp"
+#include "stickslip/warnings/spatial_warnings.hpp"
 
 namespace stickslip {
 

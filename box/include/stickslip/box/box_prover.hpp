@@ -15,7 +15,7 @@
 
 #include "stickslip/box/box_verdict.hpp"
 #include "stickslip/degree/newton.hpp"
-#include "stickslip/equilibrium/search/search_end.hpp"
+#include "stickslip/equilibrium/search_end.hpp"
 
 namespace stickslip {
 

@@ -17,13 +17,6 @@
 
 namespace stickslip {
 
-/// An equilibrium of one grasp in space: all other forces follow from it.
-struct SpatialWitness {
-  Vector6 twist;  ///< the motion d
-  /// sigma, with the friction mu a sigma, of contacts that stick; increasing. 0 is left out.
-  std::vector<std::pair<ContactId, Vector3>> shares;
-};
-
 /// An equilibrium exists, for every grasp in the box.
 struct StableThroughout {
   std::variant<StabilityProof, SpatialWitness> proof;  ///< a witness proves one grasp only
@@ -64,21 +57,10 @@ std::optional<bool> throughout(const BoxDecision& decision);
 /// StableThroughout::motion, in space.
 Vector6 motion_of(const StableThroughout& stable);
 
-/// How much to try.
-struct BoxOptions {
-  /// Of each tree search; 0: one that suits most questions, and in space takes about a minute
-  /// at most for 12 contacts.
-  std::size_t node_limit = 0;
-  /// Of the enclosure of irrational lengths; in the plane doubled from this until there is an
-  /// answer, to the limit.
-  unsigned bits = kDefaultBits;
-  unsigned most_bits = 1024;  ///< the limit
-};
-
 /// Whether every grasp in the box is stable, none is, or some are. Deterministic. Undecided
 /// when no proof and no pair of grasps was found within the limits: the verdicts of a box with
 /// a threshold on its border, for instance, have neither.
-BoxDecision decide_box(const GraspBox& box, NormalLaw law, const BoxOptions& options = {});
+BoxDecision decide_box(const GraspBox& box, NormalLaw law, const SearchOptions& options = {});
 
 /// That one grasp in exact numbers is stable, as prove_by_degree() finds: StableThroughout with
 /// one part. Nothing if no proof was found, which says nothing about the verdict.

@@ -51,7 +51,7 @@ GraspBox box_of_cell(const GraspBox& grasp, const MapAxis& x_axis, const MapAxis
 /// How finely to look.
 struct MapOptions {
   unsigned depth = 6;  ///< the finest cells are a 2^depth-th of an axis
-  BoxOptions box;      ///< of each proof
+  SearchOptions box;   ///< of each proof
 };
 
 /// A quadtree: a cell without a proof is cut into four, down to the finest. `take` is called

@@ -12,7 +12,7 @@ namespace stickslip {
 
 /// What a search for a radius may do.
 struct RadiusOptions {
-  BoxOptions box;             ///< of each proof
+  SearchOptions box;          ///< of each proof
   Rational accuracy{1, 100};  ///< stops when the two radii differ by this part of the larger
   Rational most{64};          ///< no factor beyond this is tried
 };

@@ -8,11 +8,11 @@
 
 #include "stickslip/box/box_verdict.hpp"
 #include "stickslip/earlier/load_classes.hpp"
-#include "stickslip/equilibrium/margin.hpp"
 #include "stickslip/equilibrium/question.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
+#include "stickslip/margin/margin.hpp"
+#include "stickslip/margin/spatial_margin.hpp"
 #include "stickslip/resistance/region_proof.hpp"
-#include "stickslip/space/spatial_margin.hpp"
 
 namespace stickslip {
 

@@ -29,6 +29,11 @@ template <std::size_t n>
 using IntegerVector = std::array<Integer, n>;
 /// A plane by its normal, or a motion up to a positive factor, in coordinates (x, y, r).
 using IntegerVector3 = IntegerVector<3>;
+/// \{ Coefficients of a linear function of x = (d_x, d_y, d_r, h, l) of the plane, or a point x
+/// itself.
+using IntegerVector5 = IntegerVector<5>;
+using Vector5 = std::array<Rational, 5>;
+/// \}
 
 /// The sum of a_j b_j, of numbers of any kind.
 template <class Number, std::size_t n>

@@ -21,10 +21,10 @@
 #include <vector>
 
 #include "stickslip/core/sign.hpp"
-#include "stickslip/equilibrium/decide.hpp"
-#include "stickslip/equilibrium/margin.hpp"
-#include "stickslip/equilibrium/nearby.hpp"
 #include "stickslip/equilibrium/question.hpp"
+#include "stickslip/margin/margin.hpp"
+#include "stickslip/planar/decide.hpp"
+#include "stickslip/planar/nearby.hpp"
 
 namespace stickslip {
 

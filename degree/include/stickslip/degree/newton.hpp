@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "stickslip/degree/rounded_box.hpp"
-#include "stickslip/equilibrium/search/rounded_equilibrium.hpp"
+#include "stickslip/planar/rounded_equilibrium.hpp"
 #include "stickslip/search/tree_search.hpp"
 
 namespace stickslip {

@@ -30,11 +30,6 @@
 
 namespace stickslip {
 
-/// \{ Coefficients of a linear function of x = (d_x, d_y, d_r, h, l), or a point x itself.
-using IntegerVector5 = IntegerVector<5>;
-using Vector5 = std::array<Rational, 5>;
-/// \}
-
 /// The multiples l of a family that are asked about: low < l < high, or low < l if there is no
 /// high; with `has_low` also l = low.
 struct MultipleRange {

@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "stickslip/core/box.hpp"
 #include "stickslip/equilibrium/problem.hpp"
 
 namespace stickslip {
@@ -43,6 +44,13 @@ struct ShortWitness {
   friend bool operator==(const ShortWitness& a, const ShortWitness& b) {
     return a.twist == b.twist && a.shares == b.shares;
   }
+};
+
+/// An equilibrium of one grasp in space: all other forces follow from it.
+struct SpatialWitness {
+  Vector6 twist;  ///< the motion d
+  /// sigma, with the friction mu a sigma, of contacts that stick; increasing. 0 is left out.
+  std::vector<std::pair<ContactId, Vector3>> shares;
 };
 
 /// \{ What has to be said of this one, by contacts or their rows; preloads do not matter.
@@ -105,14 +113,5 @@ const char* name_of(const Verdict& verdict);
 
 /// For people: "<limit>; <remedy>".
 std::string in_words(const Undecided& undecided);
-
-/// The first node at which a rule of certificate/FORMAT.md, section 4, fails; nothing for a
-/// refutation that holds. O(nodes * m * rays) rational operations.
-std::optional<std::string> find_flaw(const Problem& problem, const Refutation& refutation);
-
-/// For callers who hold a verdict in memory; the checkers in certificate/ are the judges for
-/// everybody else. Runs on every verdict of the engines in the `dev` preset
-/// (STICKSLIP_VALIDATE). Throws ContractError if the verdict's evidence does not hold.
-void validate(const Problem& problem, const Verdict& verdict);
 
 }  // namespace stickslip

@@ -13,6 +13,7 @@
 
 #include "stickslip/core/box.hpp"
 #include "stickslip/equilibrium/part.hpp"
+#include "stickslip/equilibrium/question.hpp"
 #include "stickslip/search/law.hpp"
 
 namespace stickslip {
@@ -54,6 +55,10 @@ class GraspLaw : public Law {
   void add_corners(LawContact& contact) const;
   void complete();
 };
+
+/// That of a question about a box, of a margin as it grows, with lengths enclosed to these
+/// bits.
+GraspLaw law_of(const Question& question, unsigned bits);
 
 /// A basis of the forces of friction, with as many coordinates as a slip has: in space, across
 /// n.

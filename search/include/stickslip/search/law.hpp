@@ -13,7 +13,7 @@
 #include "stickslip/core/box.hpp"
 #include "stickslip/core/row.hpp"
 #include "stickslip/equilibrium/problem.hpp"
-#include "stickslip/equilibrium/search/reals.hpp"
+#include "stickslip/motion/reals.hpp"
 #include "stickslip/search/corner_work.hpp"
 #include "stickslip/search/load_hull.hpp"
 

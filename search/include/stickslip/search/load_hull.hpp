@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "stickslip/core/row.hpp"
-#include "stickslip/equilibrium/search/reals.hpp"
+#include "stickslip/motion/reals.hpp"
 
 namespace stickslip {
 
@@ -30,8 +30,8 @@ struct LoadHull {
   const Reals& worst(const Reals& y) const;
   /// Whether a direction does work on a virtual twist.
   bool is_unbounded(const Row& y) const;
-  /// Whether a strict function is 0 on all directions that do none, if `at_corners` on all corners
-  /// that do the most, too. Of a twist on which none does any.
+  /// Whether a strict function is 0 on all directions that do none, if `at_corners` on all
+  /// corners that do the most, too. Of a twist on which none does any.
   bool bars(const Row& y, bool at_corners) const;
 };
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "stickslip/core/sign.hpp"
-#include "stickslip/equilibrium/search/strict_cone.hpp"
+#include "stickslip/motion/strict_cone.hpp"
 #include "stickslip/search/law.hpp"
 
 namespace stickslip {

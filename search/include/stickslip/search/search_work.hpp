@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// What searches took.
+/// What searches may take, and what they took.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,20 @@
 #include <utility>
 #include <vector>
 
+#include "stickslip/equilibrium/part.hpp"
+
 namespace stickslip {
+
+/// How much to try.
+struct SearchOptions {
+  /// Of each tree search; 0: one that suits most questions, and in space takes about a minute
+  /// at most for 12 contacts.
+  std::size_t node_limit = 0;
+  /// Of the enclosure of irrational lengths; in the plane doubled from this until there is an
+  /// answer, to the limit.
+  unsigned bits = kDefaultBits;
+  unsigned most_bits = 1024;  ///< the limit
+};
 
 /// Reproducible.
 struct SearchWork {

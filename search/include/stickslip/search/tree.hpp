@@ -9,8 +9,8 @@
 
 #include "stickslip/core/row.hpp"
 #include "stickslip/equilibrium/part.hpp"
-#include "stickslip/equilibrium/search/degree.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
+#include "stickslip/motion/degree_proof.hpp"
 
 namespace stickslip {
 

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "stickslip/equilibrium/search/search_end.hpp"
-#include "stickslip/equilibrium/search/tree_walk.hpp"
+#include "stickslip/equilibrium/search_end.hpp"
+#include "stickslip/motion/tree_walk.hpp"
 #include "stickslip/search/motion_region.hpp"
 #include "stickslip/search/search_work.hpp"
 #include "stickslip/search/tree.hpp"
@@ -72,7 +72,7 @@ class TreeSearch {
   SearchEnd end() const { return end_; }
 
  private:
-  using Branch = equilibrium_detail::Branch<TreeNode, MotionRegion>;
+  using Branch = BranchOf<TreeNode, MotionRegion>;
 
   std::optional<Branch> examine(const MotionRegion& region, std::size_t depth);
   std::optional<Row> confirm(const MotionRegion& region,

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/degree/exact_witness.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <boost/multiprecision/eigen.hpp>
+#include <cmath>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace stickslip {
+namespace {
+
+/// A number of few bits near x, which is about `size`.
+Rational near(double x, double size) {
+  if (!(size > 0) || !std::isfinite(size) || !std::isfinite(x)) return 0;
+  constexpr int kBits = 30;
+  const double unit = std::ldexp(1.0, std::ilogb(size) - kBits);
+  return rational_from_double(std::round(x / unit) * unit);
+}
+
+using RationalMatrix = Eigen::Matrix<Rational, Eigen::Dynamic, Eigen::Dynamic>;
+using RationalVector = Eigen::Matrix<Rational, Eigen::Dynamic, 1>;
+
+/// A basis of the motions with no slip at these contacts, by columns.
+RationalMatrix motions_without_slip(const GraspLaw& model,
+                                    const std::vector<std::size_t>& sticking) {
+  RationalMatrix slips(3 * static_cast<Eigen::Index>(sticking.size()), 6);
+  Eigen::Index next = 0;
+  for (const std::size_t i : sticking) {
+    for (const Row& row : model.contacts[i].corners.front().slip) {
+      for (std::size_t j = 0; j < 6; ++j) {
+        slips(next, static_cast<Eigen::Index>(j)) = Rational(row[j]);
+      }
+      ++next;
+    }
+  }
+  if (sticking.empty()) return RationalMatrix::Identity(6, 6);
+  Eigen::FullPivLU<RationalMatrix> lu(slips);
+  lu.setThreshold(0);  // of rationals, whose zeros are zeros
+  if (lu.dimensionOfKernel() == 0) return RationalMatrix(6, 0);
+  return lu.kernel();
+}
+
+RationalVector as_rationals(const RationalRow& a) {
+  RationalVector result(6);
+  for (std::size_t j = 0; j < 6; ++j) result[static_cast<Eigen::Index>(j)] = a[j];
+  return result;
+}
+
+/// The wrench of a unit of an unknown of the balance, and a value that it may be near.
+struct BalanceTerm {
+  RationalVector wrench;
+  Rational value;
+  double spare;         ///< how far it may change; motions: at will
+  std::size_t contact;  ///< whose friction it is; of a motion none
+  RationalVector direction;
+};
+
+/// Independent columns carry what the values leave to balance; those with most to spare first.
+bool balance(std::vector<BalanceTerm>& terms, const RationalVector& rest) {
+  std::vector<std::size_t> order(terms.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return terms[a].spare > terms[b].spare;
+  });
+  std::vector<std::size_t> chosen;
+  RationalMatrix columns(6, 0);
+  for (const std::size_t k : order) {
+    RationalMatrix longer(6, columns.cols() + 1);
+    longer << columns, terms[k].wrench;
+    Eigen::FullPivLU<RationalMatrix> lu(longer);
+    lu.setThreshold(0);
+    if (lu.rank() < longer.cols()) continue;
+    columns = std::move(longer);
+    chosen.push_back(k);
+    if (chosen.size() == 6) break;
+  }
+  if (chosen.empty()) return rest.isZero(0);
+  Eigen::FullPivLU<RationalMatrix> lu(columns);
+  lu.setThreshold(0);
+  const RationalVector change = lu.solve(rest);
+  if (columns * change != rest) return false;
+  for (std::size_t k = 0; k < chosen.size(); ++k) {
+    terms[chosen[k]].value += change[static_cast<Eigen::Index>(k)];
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<SpatialWitness> exact_witness(const GraspLaw& model,
+                                            const NearEquilibrium& near_one) {
+  const std::size_t m = model.contacts.size();
+  std::vector<std::size_t> sticking;
+  for (std::size_t i = 0; i < m; ++i) {
+    const bool rubs = near_one.normal[i] > 0 && !model.contacts[i].friction.high.is_zero();
+    if (rubs && near_one.sticks[i] == 0) return std::nullopt;
+    if (rubs) sticking.push_back(i);
+  }
+  // Unknown: multiples of the motions that leave all of these without slip, and two numbers of
+  // friction at each. Of the latter all but a few stay near what they are.
+  const RationalMatrix motions = motions_without_slip(model, sticking);
+  std::vector<BalanceTerm> terms;
+  RationalVector rest(6);  // what the values leave to balance
+  for (std::size_t j = 0; j < 6; ++j) {
+    rest[static_cast<Eigen::Index>(j)] = -model.wrench[j].low;
+  }
+  for (Eigen::Index k = 0; k < motions.cols(); ++k) {
+    terms.push_back({RationalVector::Zero(6), 0, HUGE_VAL, m, motions.col(k)});
+  }
+  for (std::size_t i = 0; i < m; ++i) {
+    if (!(near_one.normal[i] > 0)) continue;
+    const LawContact& c = model.contacts[i];
+    const RationalVector normal = as_rationals(c.corners.front().normal);
+    rest -= c.preload.low * normal;
+    for (Eigen::Index k = 0; k < motions.cols(); ++k) {
+      const Rational rise = normal.dot(motions.col(k));
+      terms[static_cast<std::size_t>(k)].wrench -= Rational(c.stiffness.low * rise) * normal;
+    }
+  }
+  for (const std::size_t i : sticking) {
+    const LawContact& c = model.contacts[i];
+    const CornerRow& row = c.corners.front();
+    const double most = c.slopes[0] * near_one.normal[i];
+    const Double3& f = near_one.friction[i];
+    for (const RationalRow& t : friction_directions(c)) {
+      const Double3 rounded{to_double(t[0]), to_double(t[1]), to_double(t[2])};
+      const double square = dot(rounded, rounded);
+      BalanceTerm term{RationalVector::Zero(6),
+                       near(dot(f, rounded) / square, most / std::sqrt(square)),
+                       most - std::sqrt(dot(f, f)), i, RationalVector(3)};
+      for (std::size_t k = 0; k < 3; ++k) term.direction[static_cast<Eigen::Index>(k)] = t[k];
+      term.wrench = as_rationals(row.wrench_of(t));
+      rest -= term.value * term.wrench;
+      terms.push_back(std::move(term));
+    }
+  }
+  if (!balance(terms, rest)) return std::nullopt;
+  SpatialWitness witness{};
+  std::vector<Vector3> friction(m);
+  for (const BalanceTerm& term : terms) {
+    for (Eigen::Index k = 0; k < term.direction.size(); ++k) {
+      Rational& sum = term.contact == m ? witness.twist[static_cast<std::size_t>(k)]
+                                        : friction[term.contact][static_cast<std::size_t>(k)];
+      sum += term.value * term.direction[k];
+    }
+  }
+  // Judged: the modes, and the cones.
+  const RationalRow twist(witness.twist.begin(), witness.twist.end());
+  for (std::size_t i = 0; i < m; ++i) {
+    const LawContact& c = model.contacts[i];
+    const Rational v = c.preload.low - c.stiffness.low * dot(c.corners.front().normal, twist);
+    const bool closed = near_one.normal[i] > 0;
+    if (closed ? v.sign() < 0 : v.sign() > 0) return std::nullopt;
+    if (model.law == NormalLaw::kBilateral && v.sign() < 0) return std::nullopt;
+    if (dot(friction[i], friction[i]).is_zero()) continue;
+    const Rational scale = c.friction.low * v;
+    if (scale.is_zero()) return std::nullopt;
+    for (Rational& entry : friction[i]) entry /= scale;
+    if (dot(friction[i], friction[i]) > c.squared_length) return std::nullopt;
+    witness.shares.emplace_back(ContactId(i), friction[i]);
+  }
+  return witness;
+}
+
+}  // namespace stickslip

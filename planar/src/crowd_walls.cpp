@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "stickslip/planar/crowd_walls.hpp"
+
+#include <utility>
+
+#include "node_search.hpp"
+#include "stickslip/planar/witness_search.hpp"
+
+namespace stickslip {
+
+CrowdWalls::CrowdWalls(const Problem& problem)
+    : problem_(problem), model_(std::make_unique<const DoubleModel>(problem)) {}
+
+CrowdWalls::~CrowdWalls() = default;
+
+std::vector<RoundedEquilibrium> CrowdWalls::find_equilibria(std::size_t starts) const {
+  return stickslip::find_rounded_equilibria(*model_, starts);
+}
+
+bool CrowdWalls::all_are_closed(const Region& wall) const {
+  const ConeSigns signs(wall.cone());
+  for (std::size_t i = 0; i < problem_.size(); ++i) {
+    if (Region::separation(problem_, ContactId(i), signs) != Separation::kClosed) return false;
+  }
+  return true;
+}
+
+bool CrowdWalls::refute(Region wall, const Direction* direction, std::size_t node_limit,
+                        Refutation& trees) {
+  return planar_detail::append_wall(problem_, *model_, std::move(wall), direction, node_limit,
+                                    trees, work_);
+}
+
+}  // namespace stickslip

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// Where an exact answer about a grasp in space may mislead: the warnings of
+/// equilibrium/model_warnings.hpp, by the same rules (model_traps.hpp). A displacement is that
+/// of a point, of three components, and a turn the length of a rotation vector. Preloads are
+/// said not to balance where error bounds of doubles show it, and not on a border. Of an
+/// equilibrium that is proved by degree the motion that is near it counts.
+#pragma once
+
+#include <vector>
+
+#include "stickslip/box/box_verdict.hpp"
+#include "stickslip/equilibrium/question.hpp"
+#include "stickslip/margin/spatial_margin.hpp"
+#include "stickslip/warnings/model_traps.hpp"
+
+namespace stickslip {
+
+/// The warnings about a question and the answer to it; none if numbers are uncertain. O(m)
+/// rational operations, and in grasps of at most kMostContactsToVary contacts verdicts that
+/// take as many nodes as the answer took, and kNodesToVary.
+std::vector<ModelWarning> model_warnings(const Question& question, const BoxDecision& decision);
+
+/// The same of a margin, about the exact equilibria at the ends of what is resisted, the first
+/// that each sort is true of; and about the preloads that it begins with or, if these are 0,
+/// with which it grows. Stiffness is not varied.
+std::vector<ModelWarning> model_warnings(const Question& question, const SpatialMargin& margin);
+
+}  // namespace stickslip

@@ -55,13 +55,11 @@ Region CrowdRefuter::region(const DegreeProof& proof, std::size_t wall) const {
 
 bool CrowdRefuter::refute(DegreeProof& proof, std::size_t wall, bool second,
                           std::size_t node_limit) {
-  std::array<Vector5, 3> rows;
-  for (std::size_t j = 0; j < 3; ++j) rows[j] = seen(proof.direction[j], proof.twist);
-  const Direction direction(rows);
+  const PullRule pull(proof.direction, proof.twist);
   const ConeWork before = walls_.work();
   Refutation tree;
   const bool done =
-      walls_.refute(region(proof, wall), second ? &direction : nullptr, node_limit, tree);
+      walls_.refute(region(proof, wall), second ? &pull : nullptr, node_limit, tree);
   for (const RefutationNode& node : tree) proof.trees.push_back(in_any_dimension(node));
   const ConeWork& after = walls_.work();
   work_.nodes += after.nodes - before.nodes;

@@ -27,7 +27,7 @@ class DegreeChain {
   std::vector<MarginSegment> find();
 
   /// What it took.
-  const DegreeWork& work() const { return search_.work(); }
+  DegreeWork work() const { return search_.work(); }
 
  private:
   using Motion = SegmentSearch::Motion;

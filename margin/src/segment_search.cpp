@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "node_search.hpp"
 #include "stickslip/motion/degree_proof.hpp"
 
 namespace stickslip::margin_detail {
@@ -119,7 +118,7 @@ constexpr std::array<CellSize, 10> kSizes{{{0.3, 1},
 }  // namespace
 
 SegmentSearch::SegmentSearch(const Problem& problem)
-    : problem_(problem), model_(problem), balance_(model_) {}
+    : problem_(problem), crowd_(problem), model_(crowd_.model()), balance_(model_) {}
 
 /// What acts on the member with h and l, more or less.
 double SegmentSearch::force_of(double h, double l) const {
@@ -207,7 +206,7 @@ std::optional<SegmentByDegree> SegmentSearch::prove_around(const Motion& there,
     walls.row(2) /= model_.length;
     if (!walls.allFinite()) return std::nullopt;
     if ((walls * (there - middle)).lpNorm<Eigen::Infinity>() > kWithin) continue;
-    ++work_.proofs;
+    ++proofs_;
     if (auto proof = prove_with(range, in_few_bits(walls, -answer, from, to))) {
       last_size_ = static_cast<std::size_t>(&size - kSizes.data());
       return proof;
@@ -220,9 +219,12 @@ std::optional<SegmentByDegree> SegmentSearch::prove_with(const MarginInterval& r
                                                          SegmentByDegree shape) {
   if (!has_rank(shape, 3)) return std::nullopt;
   const Cell cell(range, shape);
-  std::array<Function, 3> rows;
-  for (std::size_t j = 0; j < 3; ++j) rows[j] = cell.of_motion(shape.direction[j]);
-  const Direction direction(rows);
+  std::vector<RationalRow> rows;
+  for (const RationalRow& row : shape.direction) {
+    const Function f = cell.of_motion(row);
+    rows.emplace_back(f.begin(), f.end());
+  }
+  const PullRule pull(rows);
   constexpr std::size_t kMostNodes = 100;  // one that is hard can be cut
   // List 2 is the shorter one, and fails as often.
   Refutation second_list;
@@ -232,14 +234,9 @@ std::optional<SegmentByDegree> SegmentSearch::prove_with(const MarginInterval& r
       for (const int sign : {1, -1}) {
         Region region = cell.wall(problem_, wall, sign, second);
         if (!second && problem_.law() == NormalLaw::kBilateral) {
-          const ConeSigns signs(region.cone());
-          for (std::size_t i = 0; i < problem_.size(); ++i) {
-            if (Region::separation(problem_, ContactId(i), signs) != Separation::kClosed)
-              return std::nullopt;
-          }
+          if (!crowd_.all_are_closed(region)) return std::nullopt;
         }
-        if (!append_wall(problem_, model_, std::move(region), second ? &direction : nullptr,
-                         kMostNodes, trees, work_.cone)) {
+        if (!crowd_.refute(std::move(region), second ? &pull : nullptr, kMostNodes, trees)) {
           return std::nullopt;
         }
       }

@@ -14,12 +14,11 @@
 
 #include <optional>
 
-#include "smooth_balance.hpp"
 #include "stickslip/margin/margin.hpp"
+#include "stickslip/planar/crowd_walls.hpp"
+#include "stickslip/planar/smooth_balance.hpp"
 
 namespace stickslip::margin_detail {
-
-using namespace planar_detail;
 
 /// What it took; reproducible.
 struct DegreeWork {
@@ -35,7 +34,7 @@ class SegmentSearch {
   explicit SegmentSearch(const Problem& problem);
 
   /// What all proofs took.
-  const DegreeWork& work() const { return work_; }
+  DegreeWork work() const { return {proofs_, crowd_.work()}; }
 
   /// Whether proofs are worth trying.
   bool is_possible() const { return model_.is_moderate && model_.stiffness > 0; }
@@ -58,8 +57,9 @@ class SegmentSearch {
   std::optional<SegmentByDegree> prove_with(const MarginInterval& range, SegmentByDegree shape);
 
   const Problem& problem_;
-  DegreeWork work_;
-  DoubleModel model_;
+  CrowdWalls crowd_;
+  const DoubleModel& model_;
+  std::size_t proofs_ = 0;
   SmoothBalance balance_;
   std::size_t last_size_ = 0;  ///< of K, that served
 };

@@ -4,8 +4,6 @@
 #include <Eigen/LU>
 #include <boost/multiprecision/eigen.hpp>
 
-#include "stickslip/motion/reals.hpp"
-
 namespace stickslip {
 
 std::size_t rank_of(const std::vector<RationalRow>& rows) {
@@ -23,35 +21,29 @@ std::size_t rank_of(const std::vector<RationalRow>& rows) {
   return static_cast<std::size_t>(lu.rank());
 }
 
-Direction::Direction(const std::array<std::array<Rational, 5>, 3>& rows) {
+PullRule::PullRule(const std::vector<RationalRow>& rows) {
   Integer common = 1;
-  for (const auto& row : rows) {
+  for (const RationalRow& row : rows) {
     for (const Rational& entry : row) common = lcm(common, denominator(entry));
   }
-  for (std::size_t j = 0; j < 3; ++j) {
-    for (std::size_t k = 0; k < 5; ++k) {
-      rows_[j][k] = numerator(rows[j][k]) * (common / denominator(rows[j][k]));
+  for (const RationalRow& row : rows) {
+    Row& whole = rows_.emplace_back();
+    for (const Rational& entry : row) {
+      whole.emplace_back(numerator(entry) * (common / denominator(entry)));
     }
   }
 }
 
-bool Direction::holds(const IntegerVector3& y,
-                      const std::vector<IntegerVector5>& points) const {
-  IntegerVector5 function{};
-  for (std::size_t j = 0; j < 3; ++j) {
-    for (std::size_t k = 0; k < 5; ++k) function[k] += y[j] * rows_[j][k];
-  }
-  return std::none_of(points.begin(), points.end(),
-                      [&](const IntegerVector5& x) { return dot(function, x).sign() < 0; });
+namespace {
+
+std::vector<RationalRow> from_twist(std::vector<RationalRow> rows, const RationalRow& twist) {
+  for (RationalRow& row : rows) row.emplace_back(-dot(row, twist));
+  return rows;
 }
 
-std::array<double, 3> Direction::against(const IntegerVector5& x, double length) const {
-  IntegerVector3 exact;
-  for (std::size_t j = 0; j < 3; ++j) exact[j] = -dot(rows_[j], x);
-  std::array<double, 3> result = in_doubles(exact);
-  result[2] /= length;
-  normalize(result);
-  return result;
-}
+}  // namespace
+
+PullRule::PullRule(const std::vector<RationalRow>& matrix, const RationalRow& twist)
+    : PullRule(from_twist(matrix, twist)) {}
 
 }  // namespace stickslip

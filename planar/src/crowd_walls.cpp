@@ -25,10 +25,10 @@ bool CrowdWalls::all_are_closed(const Region& wall) const {
   return true;
 }
 
-bool CrowdWalls::refute(Region wall, const Direction* direction, std::size_t node_limit,
+bool CrowdWalls::refute(Region wall, const PullRule* pull, std::size_t node_limit,
                         Refutation& trees) {
-  return planar_detail::append_wall(problem_, *model_, std::move(wall), direction, node_limit,
-                                    trees, work_);
+  return planar_detail::append_wall(problem_, *model_, std::move(wall), pull, node_limit, trees,
+                                    work_);
 }
 
 }  // namespace stickslip

@@ -9,8 +9,6 @@
 
 namespace stickslip {
 
-using namespace planar_detail;
-
 namespace {
 
 /// One contact of the approximation in double precision, in units of force and length.

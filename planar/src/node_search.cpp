@@ -42,9 +42,9 @@ NodeSearch::Step NodeSearch::split_at(const Region& region, const ContactSplit& 
 }
 
 bool append_wall(const Problem& family, const DoubleModel& model, Region wall,
-                 const Direction* direction, std::size_t node_limit, Refutation& trees,
+                 const PullRule* pull, std::size_t node_limit, Refutation& trees,
                  ConeWork& work) {
-  NodeSearch search(family, model, direction, work);
+  NodeSearch search(family, model, pull, work);
   const std::size_t last = work.nodes + node_limit;
   const auto examine = [&](const Region& region,
                            std::size_t depth) -> std::optional<NodeSearch::Step> {

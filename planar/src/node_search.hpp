@@ -21,11 +21,11 @@ class NodeSearch {
  public:
   using Step = BranchOf<RefutationNode, Region>;
 
-  /// Leaves have `leaf-direction` if there is a direction. All must outlive this; `model` is
+  /// Leaves have `leaf-direction` if there is a pull. All must outlive this; `model` is
   /// that of the problem.
-  NodeSearch(const Problem& problem, const DoubleModel& model, const Direction* direction,
+  NodeSearch(const Problem& problem, const DoubleModel& model, const PullRule* pull,
              ConeWork& work)
-      : problem_(problem), work_(work), forces_(problem, model), search_(model, direction) {}
+      : problem_(problem), work_(work), forces_(problem, model), search_(model, pull) {}
 
   /// A relaxed equilibrium, and whether a contact of it breaks its law. (`precisely`: contacts
   /// one by one, no groups; `is_last`: nothing more precise comes.)
@@ -58,7 +58,7 @@ class NodeSearch {
 /// Appends to `trees` one that refutes the region, such as a wall; false if none is found of at
 /// most `node_limit` nodes, and then what was appended is no tree. As NodeSearch.
 bool append_wall(const Problem& family, const DoubleModel& model, Region wall,
-                 const Direction* direction, std::size_t node_limit, Refutation& trees,
+                 const PullRule* pull, std::size_t node_limit, Refutation& trees,
                  ConeWork& work);
 
 }  // namespace stickslip::planar_detail

@@ -245,9 +245,10 @@ SearchResult TwistSearch::search(const RegionForces& forces, bool precisely, Con
   };
   const Double3 start = unscaled(model_.start);
   std::vector<Double3> against;
-  if (direction_ != nullptr) {
+  if (pull_ != nullptr) {
     for (const Ray& ray : forces.exact_rays()) {
-      against.push_back(direction_->against(ray.x, length));
+      const Reals exact = pull_->against(ray.x);
+      normalize(against.emplace_back(Double3{exact[0], exact[1], exact[2] / length}));
     }
   }
   const auto found =
@@ -533,12 +534,12 @@ std::optional<VirtualWorkLeaf> TwistSearch::confirm(const Problem& problem,
                                                     const Double3& twist, ConeWork& work,
                                                     bool exactly) {
   std::vector<IntegerVector5> points;
-  if (direction_ != nullptr) {
+  if (pull_ != nullptr) {
     for (const Ray& ray : forces.exact_rays()) points.push_back(ray.x);
   }
   const auto y =
       in_fewest_bits(twist, {3, 6, 10, 16, 24, 36, 50}, [&](const IntegerVector3& candidate) {
-        if (direction_ != nullptr && !direction_->holds(candidate, points)) return false;
+        if (pull_ != nullptr && !pull_->holds(candidate, points)) return false;
         const std::optional<bool> certain = certain_refutation(forces, in_doubles(candidate));
         if (!certain && !exactly) return false;
         if (certain) {

@@ -41,9 +41,9 @@ struct RelaxedForce {
 
 class TwistSearch {
  public:
-  /// With a direction its rule is asked for as well (degree.hpp).
-  explicit TwistSearch(const DoubleModel& model, const Direction* direction = nullptr)
-      : model_(model), direction_(direction) {}
+  /// With a pull its rule is asked for as well (degree_proof.hpp).
+  explicit TwistSearch(const DoubleModel& model, const PullRule* pull = nullptr)
+      : model_(model), pull_(pull) {}
 
   /// Unless `precisely`, contacts of a group have the edges that are best in its middle: the
   /// result is about right, and costs O(groups rays) for each twist that is tried.
@@ -118,7 +118,7 @@ class TwistSearch {
   std::optional<bool> certain_refutation(const RegionForces& forces, const Double3& twist);
 
   const DoubleModel& model_;
-  const Direction* direction_;
+  const PullRule* pull_;
   std::vector<Middle> middles_;
   std::vector<double> bounds_;  ///< g(r)
   std::vector<double> acting_;  ///< above 0 where an undecided contact may act

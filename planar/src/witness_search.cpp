@@ -9,14 +9,12 @@
 #include <random>
 #include <utility>
 
-#include "smooth_balance.hpp"
 #include "stickslip/equilibrium/long_rationals.hpp"
 #include "stickslip/planar/few_shares.hpp"
 #include "stickslip/planar/rounded_equilibrium.hpp"
+#include "stickslip/planar/smooth_balance.hpp"
 
 namespace stickslip {
-
-using namespace planar_detail;
 
 namespace {
 

@@ -186,7 +186,11 @@ AllowedWrenches::AllowedWrenches(const Law& law, const MotionRegion& region,
       scale += std::max(0.0, region.most_separation(i, g)) * size;
     }
     scales_.push_back(scale);
-    if (pull != nullptr) against_.push_back(pull->against(law, region.points()[g]));
+    if (pull != nullptr) {
+      Reals& against = against_.emplace_back(pull->against(region.points()[g]));
+      law.rotations(against) /= law.length;
+      normalize(against);
+    }
   }
   if (law.hull) {
     for (const LoadGenerator& direction : law.hull->directions) {

@@ -69,40 +69,6 @@ bool is_zero(const Double3& s) {
 
 }  // namespace
 
-PullRule::PullRule(const std::vector<RationalRow>& matrix, const RationalRow& twist) {
-  std::vector<RationalRow> rows = matrix;
-  for (RationalRow& row : rows) row.emplace_back(-dot(row, twist));
-  Integer common = 1;
-  for (const RationalRow& row : rows) {
-    for (const Rational& entry : row) common = lcm(common, denominator(entry));
-  }
-  for (const RationalRow& row : rows) {
-    Row& whole = rows_.emplace_back();
-    for (const Rational& entry : row) {
-      whole.emplace_back(numerator(entry) * (common / denominator(entry)));
-    }
-  }
-}
-
-bool PullRule::holds(const Row& y, const std::vector<Row>& points) const {
-  Row function(rows_.front().size());
-  for (std::size_t j = 0; j < rows_.size(); ++j) {
-    for (std::size_t k = 0; k < function.size(); ++k) function[k] += y[j] * rows_[j][k];
-  }
-  return std::none_of(points.begin(), points.end(),
-                      [&](const Row& x) { return dot(function, x).sign() < 0; });
-}
-
-/// Exactly up to the last step, as d - h d0 may be small beside d.
-Reals PullRule::against(const Law& law, const Row& x) const {
-  Row exact;
-  for (const Row& row : rows_) exact.emplace_back(-dot(row, x));
-  Reals result = in_doubles(exact);
-  law.rotations(result) /= law.length;
-  normalize(result);
-  return result;
-}
-
 MotionRegion MotionRegion::wall(const Law& law, const ConvexBody& body, std::size_t wall) {
   StrictCone cone = whole_family(law);
   cone.cut_to_wall(body, wall);

@@ -16,7 +16,7 @@ using test::fig4_grasp;
 using test::judged_verdict;
 using test::q;
 
-struct Row {
+struct TableRow {
   Wrench wrench;
   int preload;
   bool stable;
@@ -24,7 +24,7 @@ struct Row {
   bool bilateral_stable;  ///< by the literal Eqs. 2 and 4
 };
 
-void expect_row(const Grasp& grasp, const Row& row) {
+void expect_row(const Grasp& grasp, const TableRow& row) {
   const LoadedGrasp loaded{grasp, row.wrench};
   for (const NormalLaw law : {NormalLaw::kUnilateral, NormalLaw::kBilateral}) {
     SCOPED_TRACE(test::describe({loaded, law}));
@@ -38,7 +38,7 @@ void expect_row(const Grasp& grasp, const Row& row) {
 
 TEST(TableI, EveryRow) {
   const Rational half(1, 2);
-  const Row rows[] = {
+  const TableRow rows[] = {
       {{0, 0, 0}, 0, true, {{0, 0, 0}, {{0, 0}, {0, 0}, {0, 0}}}, true},
       {{0, 0, 0}, 1, true, {{0, 0, 0}, {{1, -half}, {1, 0}, {1, half}}}, true},
       {{0, -1, 0}, 0, true, {{0, -1, 0}, {{0, 0}, {1, 0}, {0, 0}}}, true},
@@ -47,7 +47,7 @@ TEST(TableI, EveryRow) {
       {{0, 1, 0}, 1, true, {{0, 1, 0}, {{1, -half}, {0, 0}, {1, half}}}, true},
       {{0, q("1.1"), 0}, 1, false, {}, false},
   };
-  for (const Row& row : rows) expect_row(fig1_grasp(row.preload), row);
+  for (const TableRow& row : rows) expect_row(fig1_grasp(row.preload), row);
 }
 
 TEST(TableI, TheMotionIsNotUnique) {
@@ -61,7 +61,7 @@ TEST(TableI, TheMotionIsNotUnique) {
 
 TEST(TableIII, EveryRow) {
   const Rational half(1, 2);
-  const Row rows[] = {
+  const TableRow rows[] = {
       {{0, 0, 0}, 0, true, {{0, 0, 0}, {{0, 0}, {0, 0}, {0, 0}, {0, 0}}}, true},
       {{0, 0, 0}, 1, true, {{0, 0, 0}, {{1, 0}, {1, 0}, {1, 0}, {1, 0}}}, true},
       {{0, 2, 0}, 0, false, {}, false},
@@ -92,7 +92,7 @@ TEST(TableIII, EveryRow) {
          {q("1.25"), q("-0.625")}}},
        true},
   };
-  for (const Row& row : rows) expect_row(fig4_grasp(row.preload), row);
+  for (const TableRow& row : rows) expect_row(fig4_grasp(row.preload), row);
 }
 
 TEST(TableIII, MisprintedForcesAreNoEquilibrium) {

@@ -24,16 +24,16 @@ class CrowdWalls {
   CrowdWalls(const CrowdWalls&) = delete;
   CrowdWalls& operator=(const CrowdWalls&) = delete;
 
-  const Problem& problem() const { return problem_; }  ///< what it is about
+  const Problem& problem() const { return problem_; }   ///< what it is about
+  const DoubleModel& model() const { return *model_; }  ///< of it
   /// As find_rounded_equilibria(): around which there may be walls. Of one grasp.
   std::vector<RoundedEquilibrium> find_equilibria(std::size_t starts) const;
   /// Whether every contact is closed on all of a wall.
   bool all_are_closed(const Region& wall) const;
   /// Appends to `trees` one that refutes the wall, with `leaf-direction` if there is a
-  /// direction; false if none is found of at most `node_limit` nodes, and then what was
+  /// pull; false if none is found of at most `node_limit` nodes, and then what was
   /// appended is no tree.
-  bool refute(Region wall, const Direction* direction, std::size_t node_limit,
-              Refutation& trees);
+  bool refute(Region wall, const PullRule* pull, std::size_t node_limit, Refutation& trees);
   /// Of all trees.
   const ConeWork& work() const { return work_; }
 

@@ -10,25 +10,10 @@
 #include <vector>
 
 #include "stickslip/core/sign.hpp"
-#include "stickslip/motion/strict_cone.hpp"
+#include "stickslip/motion/degree_proof.hpp"
 #include "stickslip/search/law.hpp"
 
 namespace stickslip {
-
-/// What list 2 of a proof by degree asks of a leaf besides: y.A(d - h d0) >= 0.
-class PullRule {
- public:
-  /// A and d0.
-  PullRule(const std::vector<RationalRow>& matrix, const RationalRow& twist);
-
-  /// Whether the function is below 0 at none of the points.
-  bool holds(const Row& y, const std::vector<Row>& points) const;
-  /// -A(d - h d0) at a point, in the law's units, over its norm.
-  Reals against(const Law& law, const Row& x) const;
-
- private:
-  std::vector<Row> rows_;  ///< A(d - h d0), times one positive number
-};
 
 /// The slips of a contact on a region.
 struct SlipCone {

@@ -9,7 +9,7 @@
 
 #include "stickslip/planar/double_model.hpp"
 
-namespace stickslip::planar_detail {
+namespace stickslip {
 
 /// How forces answer motions where contacts neither open nor slip: springs in both directions.
 inline Eigen::Matrix3d spring_stiffness(const DoubleModel& model) {
@@ -26,10 +26,13 @@ inline Eigen::Matrix3d spring_stiffness(const DoubleModel& model) {
 /// Balance with friction made smooth, -mu c_n clamp(T.d / epsilon), as three equations in d.
 class SmoothBalance {
  public:
+  /// Of a problem, which must outlive it.
   explicit SmoothBalance(const DoubleModel& model) : model_(model) {}
 
+  /// \{ The slip up to which friction is smooth.
   void set_epsilon(double epsilon) { epsilon_ = epsilon; }
   double epsilon() const { return epsilon_; }
+  /// \}
   /// Presses all contacts by so much more.
   void set_squeeze(double squeeze) { squeeze_ = squeeze; }
   /// Of a family, the member with h and l; 1 and 0 at first.
@@ -37,6 +40,7 @@ class SmoothBalance {
     h_ = h;
     l_ = l;
   }
+  /// The point (d, h, l).
   Double5 point(const Eigen::Vector3d& d) const { return {d[0], d[1], d[2], h_, l_}; }
   /// The friction over its most.
   double friction_ratio(double slip) const { return std::clamp(-slip / epsilon_, -1.0, 1.0); }
@@ -78,6 +82,7 @@ class SmoothBalance {
     return sum;
   }
 
+  /// A force, with torques over the typical distance.
   double norm(const Eigen::Vector3d& wrench) const {
     return std::fabs(wrench[0]) + std::fabs(wrench[1]) + std::fabs(wrench[2]) / model_.length;
   }
@@ -117,4 +122,4 @@ class SmoothBalance {
   double l_ = 0;
 };
 
-}  // namespace stickslip::planar_detail
+}  // namespace stickslip

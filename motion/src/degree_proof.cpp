@@ -21,29 +21,4 @@ std::size_t rank_of(const std::vector<RationalRow>& rows) {
   return static_cast<std::size_t>(lu.rank());
 }
 
-PullRule::PullRule(const std::vector<RationalRow>& rows) {
-  Integer common = 1;
-  for (const RationalRow& row : rows) {
-    for (const Rational& entry : row) common = lcm(common, denominator(entry));
-  }
-  for (const RationalRow& row : rows) {
-    Row& whole = rows_.emplace_back();
-    for (const Rational& entry : row) {
-      whole.emplace_back(numerator(entry) * (common / denominator(entry)));
-    }
-  }
-}
-
-namespace {
-
-std::vector<RationalRow> from_twist(std::vector<RationalRow> rows, const RationalRow& twist) {
-  for (RationalRow& row : rows) row.emplace_back(-dot(row, twist));
-  return rows;
-}
-
-}  // namespace
-
-PullRule::PullRule(const std::vector<RationalRow>& matrix, const RationalRow& twist)
-    : PullRule(from_twist(matrix, twist)) {}
-
 }  // namespace stickslip

@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "region_forces.hpp"
-#include "stickslip/motion/degree_proof.hpp"
 #include "stickslip/motion/tree_walk.hpp"
 #include "stickslip/planar/branch_and_bound.hpp"
 #include "stickslip/planar/double_model.hpp"

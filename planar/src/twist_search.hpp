@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "region_forces.hpp"
-#include "stickslip/motion/degree_proof.hpp"
+#include "stickslip/motion/pull_rule.hpp"
 #include "stickslip/motion/nearest_wrench.hpp"
 #include "stickslip/planar/branch_and_bound.hpp"
 #include "stickslip/planar/region_program.hpp"
@@ -41,7 +41,7 @@ struct RelaxedForce {
 
 class TwistSearch {
  public:
-  /// With a pull its rule is asked for as well (degree_proof.hpp).
+  /// With a pull its rule is asked for as well (pull_rule.hpp).
   explicit TwistSearch(const DoubleModel& model, const PullRule* pull = nullptr)
       : model_(model), pull_(pull) {}
 

@@ -6,7 +6,6 @@
 
 #include <memory>
 
-#include "stickslip/motion/degree_proof.hpp"
 #include "stickslip/planar/branch_and_bound.hpp"
 #include "stickslip/planar/region.hpp"
 #include "stickslip/planar/rounded_equilibrium.hpp"
@@ -14,6 +13,7 @@
 namespace stickslip {
 
 struct DoubleModel;
+class PullRule;
 
 /// Of one grasp, or of the members of a family.
 class CrowdWalls {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "stickslip/core/sign.hpp"
-#include "stickslip/motion/degree_proof.hpp"
+#include "stickslip/motion/pull_rule.hpp"
 #include "stickslip/search/law.hpp"
 
 namespace stickslip {

@@ -268,12 +268,12 @@ class Report {
     }
     std::cout << '\n';
     if (const auto* stable = std::get_if<Stable>(&verdict)) {
-      solution_line("exact", "stable", print(stable->witness));
+      solution_line("exact", "stable", print(stable->witness()));
     } else if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
       solution_line(
           "exact", "unstable",
           {{},
-           "(refuted by a tree of " + std::to_string(unstable->refutation.size()) + " nodes)"});
+           "(refuted by a tree of " + std::to_string(unstable->tree.size()) + " nodes)"});
     }
     solution_line("paper", row.stable, has_solution ? row.solution : PrintedSolution{{}, "-"});
     if (row.correction) correction(problem, row.solution, *row.correction);

@@ -5,6 +5,7 @@
 
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/sign.hpp"
+#include "stickslip/core/spatial_forces.hpp"
 #include "stickslip/planar/rounded_equilibrium.hpp"
 
 namespace stickslip {
@@ -18,15 +19,82 @@ Json magnitude_json(const ContactReport& contact, const Rational& coefficient) {
   return number_json(enclose_sqrt(coefficient, contact.length_squared));
 }
 
+Answer about_box(Question question, BoxDecision decision, const AnswerOptions& options) {
+  Warnings warnings;
+  if (options.warnings && question.in_space()) warnings = model_warnings(question, decision);
+  const char* engine = box_engine(question);
+  return {std::move(question),      std::move(decision.verdict), engine,
+          work_json(decision.work), decision.bits,               {},
+          std::move(warnings)};
+}
+
+/// What proves that it is stable.
+struct EvidenceJson {
+  const Answer& answer;
+  Json& json;
+
+  void operator()(const Witness& witness) const {
+    json["twist"] = number_json(coordinates(witness.twist));
+    Json& contacts = json["contacts"] = Json::array();
+    for (const ContactReport& c : report_contacts(answer, witness)) {
+      contacts.push_back({{"normal", magnitude_json(c, c.force.normal)},
+                          {"tangential", magnitude_json(c, c.force.tangential)},
+                          {"force", number_json(c.vector)},
+                          {"slip", std::string(1, to_char(c.mode.slip))},
+                          {"closed", c.mode.closed}});
+    }
+  }
+  void operator()(const SpatialWitness& witness) const {
+    json["twist"] = number_json(witness.twist);
+    Json& contacts = json["contacts"] = Json::array();
+    for (const SpatialForce& c :
+         forces_of(*answer.question.box(), witness.twist, witness.shares)) {
+      contacts.push_back({{"force", number_json(c.force)},
+                          {"friction", number_json(c.friction)},
+                          {"closed", c.normal.sign() > 0}});
+    }
+  }
+  void operator()(const StabilityProof& proof) const {
+    std::size_t nodes = 0;
+    for (const auto& part : proof) {
+      const auto* by_degree = std::get_if<DegreeProof>(&part);
+      nodes += by_degree != nullptr ? by_degree->trees.size() : 0;
+    }
+    json["proof"] = {
+        {"nodes", nodes}, {"parts", part_count(proof)}, {"at_rest", are_at_rest(proof)}};
+  }
+};
+
+/// What the verdict says, and why.
+struct VerdictJson {
+  const Answer& answer;
+  Json& json;
+
+  void operator()(const Stable& stable) const {
+    std::visit(EvidenceJson{answer, json}, stable.proof);
+  }
+  void operator()(const Unstable& unstable) const {
+    json["refutation"] = {{"nodes", unstable.tree.size()}};
+    if (answer.problem) json["refutation"]["leaves"] = summarize(unstable.tree).leaves;
+  }
+  void operator()(const Fragile& fragile) const {
+    json["examples"] = {{"stable", Json::parse(write_grasp(fragile.stable))},
+                        {"unstable", Json::parse(write_grasp(fragile.unstable))}};
+    json["differences"] = differences_json(
+        differences(*answer.question.box(), fragile.stable, fragile.unstable));
+  }
+  void operator()(const Undecided& undecided) const { add_undecided(json, undecided); }
+};
+
 }  // namespace
 
-std::vector<ContactReport> report_contacts(const CaseAnswer& answer, const Witness& witness) {
+std::vector<ContactReport> report_contacts(const Answer& answer, const Witness& witness) {
   std::vector<ContactReport> reports;
-  for (std::size_t i = 0; i < answer.problem.size(); ++i) {
+  for (std::size_t i = 0; i < answer.problem->size(); ++i) {
     const Vector2& n = answer.question.loaded().grasp.contacts()[i].normal;
     const ContactForce& f = witness.forces[i];
     reports.push_back({n.x * n.x + n.y * n.y, f, force_vector(n, f),
-                       mode_of(answer.problem, ContactId(i), witness.twist)});
+                       mode_of(*answer.problem, ContactId(i), witness.twist)});
   }
   return reports;
 }
@@ -41,30 +109,45 @@ std::variant<Decision, BoxDecision> judge(const Problem& problem, Engine engine,
   return decide(problem, engine, search);
 }
 
-BoxAnswer answer_by_degree(Question question, BoxDecision decision) {
-  question.grasp = box_of(question.grasp);
-  return {std::move(question), std::move(decision), {}};
-}
-
 Answer answer_to(Question question, const AnswerOptions& options) {
   if (const GraspBox* box = question.box()) {
     SearchOptions search;
     search.node_limit = options.node_limit;
     BoxDecision decision = decide_box(*box, question.law, search);
-    Warnings warnings;
-    if (options.warnings && question.in_space()) warnings = model_warnings(question, decision);
-    return BoxAnswer{std::move(question), std::move(decision), std::move(warnings)};
+    return about_box(std::move(question), std::move(decision), options);
   }
   Problem problem = problem_of(question);
   auto judged = judge(problem, options.engine, options.node_limit);
   if (auto* by_degree = std::get_if<BoxDecision>(&judged)) {
-    return answer_by_degree(std::move(question), std::move(*by_degree));
+    question.grasp = box_of(question.grasp);
+    return about_box(std::move(question), std::move(*by_degree), options);
   }
   auto& decision = std::get<Decision>(judged);
   Warnings warnings;
   if (options.warnings) warnings = model_warnings(question, problem, decision.verdict);
-  return CaseAnswer{std::move(question), std::move(problem), std::move(decision),
-                    std::move(warnings)};
+  const char* engine = decision.engine();
+  return {std::move(question),
+          std::move(decision.verdict),
+          engine,
+          std::visit([](const auto& work) { return work_json(work); }, decision.work),
+          kDefaultBits,
+          std::move(problem),
+          std::move(warnings)};
+}
+
+std::vector<std::size_t> enclosed_contacts(const GraspBox& box) {
+  std::vector<std::size_t> contacts;
+  for (std::size_t i = 0; i < box.contacts.size(); ++i) {
+    if (needs_enclosure({{box.contacts[i]}, {}})) contacts.push_back(i);
+  }
+  return contacts;
+}
+
+std::optional<RationalRow> motion_near(const Answer& answer) {
+  const auto* stable = std::get_if<Stable>(&answer.verdict);
+  if (stable == nullptr || !std::holds_alternative<StabilityProof>(stable->proof)) return {};
+  if (!answer.question.in_space() && !answer.question.box()->is_point()) return {};
+  return stable->motion;
 }
 
 void add_undecided(Json& json, const Undecided& undecided) {
@@ -74,69 +157,40 @@ void add_undecided(Json& json, const Undecided& undecided) {
   for (const Rational& d : undecided.near) json["near"].push_back(number_json(d));
 }
 
-Json proof_json(const StabilityProof& proof) {
-  std::size_t nodes = 0;
-  for (const auto& part : proof) {
-    const auto* by_degree = std::get_if<DegreeProof>(&part);
-    nodes += by_degree != nullptr ? by_degree->trees.size() : 0;
-  }
-  return {{"nodes", nodes}, {"parts", part_count(proof)}, {"at_rest", are_at_rest(proof)}};
-}
-
 void add_enclosed(Json& json, const std::vector<std::size_t>& contacts, unsigned bits) {
   if (contacts.empty()) return;
   json["enclosed"] = contacts;
   json["bits"] = bits;
 }
 
-const char* name_of(const Answer& answer) {
-  return std::visit([](const auto& a) { return name_of(a.decision.verdict); }, answer);
-}
-
-Json to_json(const CaseAnswer& answer) {
-  const auto& [question, problem, decision, warnings] = answer;
+Json to_json(const Answer& answer) {
+  const Question& question = answer.question;
+  const GraspBox* box = question.box();
   Json json;
-  const Verdict& verdict = answer.verdict();
-  json["verdict"] = name_of(verdict);
-  json["name"] = question.loaded().grasp.name();
+  json["verdict"] = name_of(answer.verdict);
+  // One grasp is none, though it is proved as if it were.
+  if (box != nullptr && !box->is_point()) json["box"] = true;
+  json["name"] = question.description().name;
   if (!question.case_name.empty()) json["case"] = question.case_name;
-  add_units(json, question.loaded().grasp);
-  json["engine"] = decision.engine();
+  add_units(json, question.description().units);
+  json["engine"] = answer.engine;
   json["normal_law"] = to_string(question.law);
-  json["wrench"] = number_json(coordinates(problem.wrench()));
-  if (const auto* stable = std::get_if<Stable>(&verdict)) {
-    json["twist"] = number_json(coordinates(stable->witness.twist));
-    Json& contacts = json["contacts"] = Json::array();
-    for (const ContactReport& c : report_contacts(answer, stable->witness)) {
-      contacts.push_back({{"normal", magnitude_json(c, c.force.normal)},
-                          {"tangential", magnitude_json(c, c.force.tangential)},
-                          {"force", number_json(c.vector)},
-                          {"slip", std::string(1, to_char(c.mode.slip))},
-                          {"closed", c.mode.closed}});
-    }
-  } else if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
-    const RefutationSummary summary = summarize(unstable->refutation);
-    json["refutation"] = {{"nodes", summary.nodes}, {"leaves", summary.leaves}};
-  } else {
-    add_undecided(json, std::get<Undecided>(verdict));
+  json["wrench"] = wrench_json(wrench_of(question.grasp));
+  if (box != nullptr) {
+    json["uncertain"] = uncertain_json(uncertain_numbers(*box));
+    add_enclosed(json, enclosed_contacts(*box), answer.bits);
   }
-  if (warnings) json["warnings"] = warnings_json(*warnings);
-  json["stats"] = std::visit([](const auto& work) { return work_json(work); }, decision.work);
+  if (const auto near = motion_near(answer)) json["near"] = number_json(*near);
+  std::visit(VerdictJson{answer, json}, answer.verdict);
+  if (answer.warnings) json["warnings"] = warnings_json(*answer.warnings);
+  json["stats"] = answer.stats;
   return json;
 }
 
-Json to_json(const Answer& answer) {
-  return std::visit([](const auto& a) { return to_json(a); }, answer);
-}
-
-std::optional<std::string> certificate_of(const CaseAnswer& answer) {
-  if (std::holds_alternative<Undecided>(answer.verdict())) return std::nullopt;
-  return certificate_text(answer.question, answer.verdict(),
-                          producer_of(answer.decision.engine()));
-}
-
 std::optional<std::string> certificate_of(const Answer& answer) {
-  return std::visit([](const auto& a) { return certificate_of(a); }, answer);
+  if (!is_stable(answer.verdict)) return std::nullopt;
+  return certificate_text(answer.question, answer.verdict, producer_of(answer.engine),
+                          answer.bits);
 }
 
 std::string producer_of(const std::string& engine) {

@@ -8,12 +8,12 @@
 #include <utility>
 
 #include "hash.hpp"
+#include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/grasp_file.hpp"
 #include "stickslip/core/number_text.hpp"
 #include "stickslip/equilibrium/option_text.hpp"
-#include "stickslip/planar/branch_and_bound.hpp"
 
 namespace stickslip {
 namespace {
@@ -50,8 +50,12 @@ LineDecider::LineDecider(BatchOptions options) : options_(std::move(options)) {
     options_text_ += (value ? to_string(*value) : "") + ";";
   };
   const QuestionOptions& asked = options_.question;
-  for (std::size_t j = 0; j < 3; ++j) {
-    spell(asked.wrench ? std::optional(asked.wrench->at(j)) : std::nullopt);
+  const std::vector<std::optional<Rational>> none(3);
+  for (const auto& w :
+       asked.wrench ? std::vector<std::optional<Rational>>(asked.wrench->begin(),
+                                                           asked.wrench->end())
+                    : none) {
+    spell(w);
   }
   spell(asked.preload);
   if (asked.case_name) options_text_ += *asked.case_name + ";";
@@ -92,9 +96,9 @@ LineResult LineDecider::decide(const BatchLine& line) const {
   Json result = {{"line", line.number}, {"key", key(line.text)}};
   try {
     const Question question =
-        ask_with_options(parse_grasp(line.text, ""), options_.question, "");
+        ask_with_options(parse_any_grasp(line.text, ""), options_.question, "", true);
+    result["name"] = question.description().name;
     const auto answer = [&](const char* field, const auto& verdict) {
-      result["name"] = question.description().name;
       result[field] = name_of(verdict);
       if (const auto* undecided = std::get_if<Undecided>(&verdict)) {
         result["limit"] = undecided->limit;
@@ -104,19 +108,18 @@ LineResult LineDecider::decide(const BatchLine& line) const {
     const auto wants_certificate = [&] {
       return outcome == LineOutcome::kDecided && !options_.certificates.empty();
     };
-    const Problem problem = problem_of(question);
     if (options_.inertia) {
-      const RigidVerdict verdict = rigid_verdict(problem, *options_.inertia);
+      const RigidVerdict verdict = rigid_verdict(problem_of(question), *options_.inertia);
       answer("class", verdict);
       if (wants_certificate()) {
         certificate = class_certificate_text(question, *options_.inertia, verdict, kProducer);
       }
     } else {
-      ConeOptions limits;
-      limits.node_limit = options_.node_limit;
-      const Verdict verdict = decide_by_cones(problem, limits);
-      answer("verdict", verdict);
-      if (wants_certificate()) certificate = certificate_text(question, verdict, kProducer);
+      const Answer found = answer_to(question, {Engine::kAuto, options_.node_limit, false});
+      answer("verdict", found.verdict);
+      if (wants_certificate() && is_stable(found.verdict)) {
+        certificate = certificate_text(found.question, found.verdict, kProducer, found.bits);
+      }
     }
   } catch (const InputError& error) {
     return failed(line, error);

@@ -98,7 +98,7 @@ class Measurement {
     return decide_box(*question_.box(), question_.law, {options_.node_limit});
   }
   bool is_stable(double multiple) {
-    return std::holds_alternative<StableThroughout>(decide_at(multiple).verdict);
+    return std::holds_alternative<Stable>(decide_at(multiple).verdict);
   }
   /// Below and above; nothing if there is none between 0.01 and 20.
   std::optional<std::pair<double, double>> threshold() {
@@ -147,7 +147,8 @@ int run(const SpaceBenchOptions& options) {
       if (std::holds_alternative<Undecided>(decision.verdict)) {
         ++undecided;
       } else {
-        size = box_certificate_text(measurement.question(), decision, "bench").size();
+        size = certificate_text(measurement.question(), decision.verdict, "bench", decision.bits)
+                   .size();
       }
       const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
       seconds.push_back(time.count());
@@ -155,7 +156,7 @@ int run(const SpaceBenchOptions& options) {
       nodes.push_back(static_cast<double>(decision.work.nodes));
       total += decision.work;
       // Verdicts are not monotone: this is possible, and rare.
-      if (std::holds_alternative<StableThroughout>(decision.verdict) == beyond) ++wrong_side;
+      if (std::holds_alternative<Stable>(decision.verdict) == beyond) ++wrong_side;
       std::printf("  load %.6f %s %.3f s nodes %zu rays %zu checks %zu proofs %zu bytes %zu\n",
                   at, name_of(decision.verdict), time.count(), decision.work.nodes,
                   decision.work.rays, decision.work.exact_checks, decision.work.proofs, size);

@@ -110,7 +110,9 @@ auto work_of(const Judgement& judgement) {
 
 std::string certificate_of(const Question& question, const Judgement& judgement) {
   if (const auto* by_degree = std::get_if<BoxDecision>(&judgement)) {
-    return *certificate_of(answer_by_degree(question, *by_degree));
+    Question boxed = question;
+    boxed.grasp = box_of(question.grasp);
+    return certificate_text(boxed, by_degree->verdict, producer_of(kIntervalsEngine));
   }
   const auto& decision = std::get<Decision>(judgement);
   return certificate_text(question, decision.verdict, producer_of(decision.engine()));

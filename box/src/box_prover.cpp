@@ -31,11 +31,11 @@ BoxProver::BoxProver(GraspLaw box, const ProverLimits& limits, SearchWork& work)
       work_(work),
       last_node_(work.nodes + limits.most_nodes) {}
 
-std::optional<std::variant<StableThroughout, UnstableThroughout>> BoxProver::prove() {
+std::optional<std::variant<Stable, Unstable>> BoxProver::prove() {
   if (!prove(whole_)) return std::nullopt;
-  if (witness_) return StableThroughout{std::move(*witness_), motion_};
-  if (*stable_) return StableThroughout{std::move(parts_), motion_};
-  return UnstableThroughout{std::move(tree_)};
+  if (witness_) return Stable{std::move(*witness_), motion_};
+  if (*stable_) return Stable{std::move(parts_), motion_};
+  return Unstable{std::move(tree_)};
 }
 
 SearchReport BoxProver::report() const {

@@ -123,25 +123,13 @@ BoxDecision prove_box(const GraspBox& box, NormalLaw law, const SearchOptions& o
 
 }  // namespace box_detail
 
-std::optional<bool> throughout(const BoxDecision& decision) {
-  if (std::holds_alternative<StableThroughout>(decision.verdict)) return true;
-  if (std::holds_alternative<UnstableThroughout>(decision.verdict)) return false;
-  return std::nullopt;
-}
-
-Vector6 motion_of(const StableThroughout& stable) {
-  Vector6 motion{};
-  std::copy(stable.motion.begin(), stable.motion.end(), motion.begin());
-  return motion;
-}
-
 std::optional<BoxDecision> prove_stable_by_degree(const Problem& problem) {
   SearchWork work;
   auto proof = prove_by_degree(problem, work);
   if (!proof) return std::nullopt;
   work.parts = 1;
   RationalRow near = proof->twist;
-  return BoxDecision{StableThroughout{StabilityProof{std::move(*proof)}, std::move(near)},
+  return BoxDecision{Stable{StabilityProof{std::move(*proof)}, std::move(near)},
                      work};
 }
 

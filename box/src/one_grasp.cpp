@@ -32,7 +32,7 @@ std::vector<NearEquilibrium> near_equilibria(const GraspLaw& point, bool has_enc
     const Verdict verdict = decide_by_cones(problem);
     const auto* stable = std::get_if<Stable>(&verdict);
     if (stable == nullptr) return result;
-    result.push_back(near(grasp, rounded_equilibrium(problem, stable->witness)));
+    result.push_back(near(grasp, rounded_equilibrium(problem, stable->witness())));
     constexpr std::size_t kStarts = 40;
     for (const Witness& witness : find_equilibria(problem, kStarts)) {
       if (result.size() == kMost) break;
@@ -54,7 +54,7 @@ std::optional<bool> is_stable(const GraspBox& point, NormalLaw law,
   if (!point.in_space() && !needs_enclosure(point)) {
     return std::holds_alternative<Stable>(decide_by_cones(Problem(point.planar_middle(), law)));
   }
-  return throughout(decide_box(point, law, options));
+  return stickslip::is_stable(decide_box(point, law, options).verdict);
 }
 
 }  // namespace stickslip::box_detail

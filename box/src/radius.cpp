@@ -224,7 +224,7 @@ class RadiusSearch {
 
   bool try_to_prove(const Rational& factor, std::size_t parts) {
     BoxDecision decision = prove_box(box_.scaled(centre_, factor), law_, options_.box, parts);
-    if (throughout(decision) != result_.stable) return false;
+    if (is_stable(decision.verdict) != result_.stable) return false;
     result_.proved = factor;
     result_.proof = std::move(decision);
     report();

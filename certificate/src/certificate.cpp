@@ -50,10 +50,9 @@ struct NodeText {
   std::string operator()(const SeparationSplit& node) const {
     return indexed("separation", node.contact);
   }
-  std::string operator()(const PlaneSplit& node) const { return plane(node.plane); }
-  std::string operator()(const PlaneCut& node) const { return plane(node.plane); }
-  std::string operator()(const VirtualWorkLeaf& node) const {
-    return "[\"leaf\"," + list(node.twist) + "]";
+  std::string operator()(const PlaneCut& node) const {
+    const Row numbers(node.plane.begin(), node.plane.end() - (margin ? 0 : 1));
+    return "[\"plane\"," + list(numbers) + "]";
   }
   std::string operator()(const TwistLeaf& node) const {
     return "[\"leaf\"," + list(node.twist) + "]";
@@ -68,13 +67,6 @@ struct NodeText {
   std::string operator()(const PartSplit& node) const {
     return std::string("[\"part\",\"") + to_string(node.parameter) + "\"," +
            std::to_string(node.index) + "," + number(node.value) + "]";
-  }
-
- private:
-  template <class Plane>
-  std::string plane(const Plane& plane) const {
-    const Row numbers(plane.begin(), plane.end() - (margin ? 0 : 1));
-    return "[\"plane\"," + list(numbers) + "]";
   }
 };
 
@@ -162,15 +154,13 @@ std::string tree_text(const Nodes& nodes, bool margin = false) {
   return " \"tree\": " + nodes_text(nodes, margin);
 }
 
-template <class Node>
-std::string shape_text(const DegreeProofIn<Node>& proof, bool margin) {
+std::string shape_text(const DegreeProof& proof, bool margin) {
   return std::string(proof.is_simplex ? "\"simplex\": " : "\"walls\": ") + rows(proof.walls) +
          ",\n \"direction\": " + rows(proof.direction) + ",\n" +
          tree_text(proof.trees, margin) + "}";
 }
 
-template <class Node>
-std::string degree_text(const DegreeProofIn<Node>& proof, bool margin = false) {
+std::string degree_text(const DegreeProof& proof, bool margin = false) {
   return "{\"twist\": [" + list(proof.twist) + "],\n " + shape_text(proof, margin);
 }
 
@@ -240,39 +230,43 @@ std::string point_text(const std::optional<Rational>& multiple, const ShortWitne
 
 }  // namespace
 
+namespace {
+
+/// What proves that one is stable.
+struct ProofText {
+  const Question& question;
+
+  std::string operator()(const Witness& witness) const {
+    return " \"twist\": [" + list(coordinates(witness.twist)) + "],\n \"shares\": " +
+           shares_text(in_short(question.loaded().grasp, witness));
+  }
+  std::string operator()(const SpatialWitness& witness) const {
+    return " " + witness_text(witness);
+  }
+  std::string operator()(const StabilityProof& proof) const {
+    require(question.box() != nullptr, "one grasp in the plane is proved by degree as a box");
+    return parts_text(proof);
+  }
+};
+
+}  // namespace
+
 std::string certificate_text(const Question& question, const Verdict& verdict,
-                             const std::string& producer) {
-  require(!std::holds_alternative<Undecided>(verdict),
-          "an undecided question has no certificate");
+                             const std::string& producer, unsigned bits) {
+  require(is_stable(verdict).has_value(),
+          "what is neither stable nor unstable has no certificate");
   require(!question.is_margin(), "a verdict is on one member of a family");
-  require(question.box() == nullptr, "a box has certificates of its own");
-  std::string text = head(question, producer) + kVerdict + "\"" + name_of(verdict) + "\",\n";
+  const GraspBox* box = question.box();
+  const bool has_roots = box != nullptr && (box->in_space() || needs_enclosure(*box));
+  std::string text = head(question, producer) + (has_roots ? bits_text(bits) : "") + kVerdict +
+                     "\"" + name_of(verdict) + "\",\n";
   if (const auto* stable = std::get_if<Stable>(&verdict)) {
-    text += " \"twist\": [" + list(coordinates(stable->witness.twist)) + "],\n \"shares\": " +
-            shares_text(in_short(question.loaded().grasp, stable->witness));
+    text += std::visit(ProofText{question}, stable->proof);
   } else {
-    text += tree_text(std::get<Unstable>(verdict).refutation);
+    text += tree_text(std::get<Unstable>(verdict).tree);
   }
   return text + "}\n";
 }
-
-namespace {
-
-/// From the verdict on.
-std::string verdict_text(const BoxVerdict& verdict) {
-  const std::string text = std::string(kVerdict) + "\"" + name_of(verdict) + "\",\n";
-  if (const auto* unstable = std::get_if<UnstableThroughout>(&verdict)) {
-    return text + tree_text(unstable->tree) + "}\n";
-  }
-  const auto* stable = std::get_if<StableThroughout>(&verdict);
-  require(stable != nullptr, "what is neither stable nor unstable has no certificate");
-  if (const auto* parts = std::get_if<StabilityProof>(&stable->proof)) {
-    return text + parts_text(*parts) + "}\n";
-  }
-  return text + " " + witness_text(std::get<SpatialWitness>(stable->proof)) + "}\n";
-}
-
-}  // namespace
 
 namespace {
 
@@ -344,14 +338,6 @@ std::string class_certificate_text(const Question& question, const Inertia& iner
          "}\n";
 }
 
-std::string box_certificate_text(const Question& question, const BoxDecision& decision,
-                                 const std::string& producer) {
-  require(question.box() != nullptr, "one grasp in the plane has certificates of its own");
-  const bool has_roots = question.in_space() || needs_enclosure(*question.box());
-  return head(question, producer) + (has_roots ? bits_text(decision.bits) : "") +
-         verdict_text(decision.verdict);
-}
-
 namespace {
 
 struct ClaimText {
@@ -419,7 +405,7 @@ std::string margin_certificate_text(const Question& question, const Margin& marg
   }
   text += "],\n \"tree\": [";
   separator = "\n  ";
-  for (const Refutation& gap : margin.gaps) append_nodes(text, gap, true, separator);
+  for (const Trees& gap : margin.gaps) append_nodes(text, gap, true, separator);
   return text + "]}\n";
 }
 

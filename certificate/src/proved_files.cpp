@@ -38,10 +38,11 @@ ProvedFiles proved_grasp(const GraspBox& point, NormalLaw law, bool stable,
 ProvedFiles proved_box(const GraspBox& box, NormalLaw law, const BoxDecision& decision,
                        const std::string& producer) {
   if (!box.in_space() && box.is_point() && !needs_enclosure(box)) {
-    const bool stable = std::holds_alternative<StableThroughout>(decision.verdict);
+    const bool stable = std::holds_alternative<Stable>(decision.verdict);
     return proved_grasp(box, law, stable, producer);
   }
-  return {write_grasp(box), box_certificate_text(about(box, law), decision, producer)};
+  return {write_grasp(box),
+          certificate_text(about(box, law), decision.verdict, producer, decision.bits)};
 }
 
 std::vector<ProvedFiles> proved_decision(const GraspBox& box, NormalLaw law,

@@ -83,10 +83,10 @@ int map(const MapArguments& arguments) {
                              {{"cell" + std::to_string(cells.size()), files}});
         }
         // A proof that is written, or that nobody wants, is not kept.
-        if (proved && std::holds_alternative<StableThroughout>(cell.decision.verdict)) {
-          cell.decision.verdict = StableThroughout{};
+        if (proved && std::holds_alternative<Stable>(cell.decision.verdict)) {
+          cell.decision.verdict = Stable{};
         } else if (proved) {
-          cell.decision.verdict = UnstableThroughout{};
+          cell.decision.verdict = Unstable{};
         }
         cells.push_back(std::move(cell));
       },

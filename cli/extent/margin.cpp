@@ -60,7 +60,7 @@ void print_text(const Question& question, const Margin& margin, NumberText& text
     }
   }
   std::size_t nodes = 0;
-  for (const Refutation& gap : margin.gaps) nodes += gap.size();
+  for (const Trees& gap : margin.gaps) nodes += gap.size();
   const auto count = [](std::size_t n, const char* what) {
     return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
   };

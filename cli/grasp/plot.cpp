@@ -3,20 +3,19 @@
 
 #include "commands.hpp"
 #include "question_options.hpp"
+#include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/grasp_file.hpp"
-#include "stickslip/planar/decide.hpp"
 #include "stickslip/plot/grasp_plot.hpp"
 #include "stickslip/plot/states_plot.hpp"
 
 namespace stickslip {
 namespace {
 
+/// With exact forces, however long.
 std::string picture_of(const Question& question) {
-  if (const GraspBox* box = question.box()) {
-    return plot_grasp(question, decide_box(*box, question.law).verdict);
-  }
-  return plot_grasp(question, decide(problem_of(question)).verdict);
+  return plot_grasp(question,
+                    answer_to(question, {Engine::kBranchAndBound, 0, false}).verdict);
 }
 
 void add_grasp_plot(CLI::App& plot, int& exit_code) {

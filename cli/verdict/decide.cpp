@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stickslip/planar/decide.hpp"
-
 #include <algorithm>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "box_answer.hpp"
 #include "box_numbers.hpp"
 #include "commands.hpp"
-#include "fragile_answer.hpp"
 #include "question_options.hpp"
+#include "stickslip/certificate/proved_files.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
-#include "stickslip/core/sign.hpp"
-#include "stickslip/equilibrium/contact_mode.hpp"
 #include "terminal.hpp"
+#include "verdict_text.hpp"
 #include "warnings.hpp"
 
 namespace stickslip {
@@ -25,85 +21,8 @@ void print_json(const Json& json, const NumberOptions& output) {
   std::cout << finished(json, output.floats).dump(1) << '\n';
 }
 
-void explain(const RefutationSummary& summary, NumberText& text) {
-  // On a leaf's own twist the load does negative work: the way that the contacts lose is back.
-  const std::string twist = text.direction(negated(summary.largest_leaf_twist));
-  if (summary.leaves == 0) {
-    std::cout << "\nThe normal law allows no motion at all.\n";
-    return;
-  }
-  if (summary.largest_leaf.empty()) {
-    std::cout << "\nWhatever the contacts do: along the virtual twist " << twist
-              << "\nthe load does more work than they can take up.\n";
-    return;
-  }
-  std::cout
-      << "\nNo motion and forces satisfy all conditions. Proved by a tree of " << summary.leaves
-      << (summary.leaves == 1 ? " leaf" : " leaves")
-      << ", which\ntogether cover all motions: in each, along some virtual twist, the load "
-         "does more\nwork than the contacts can take up. The largest leaf:\n";
-  for (const std::string& condition : summary.largest_leaf)
-    std::cout << "  " << condition << '\n';
-  std::cout << "  twist " << twist << "\n\n";
-}
-
-std::string engine_text(const CaseAnswer& answer) {
-  return engine_text(answer.decision.engine(), answer.question.law);
-}
-
-void print_text(const CaseAnswer& answer, const NumberOptions& output) {
-  const auto& [question, problem, decision, warnings] = answer;
-  NumberText text(output);
-  const Verdict& verdict = answer.verdict();
-  const Wrench& w = problem.wrench();
-  std::cout << heading(question) << name_of(verdict) << "\n\n"
-            << "  load w    " << text(coordinates(w)) << '\n';
-  if (const auto* stable = std::get_if<Stable>(&verdict)) {
-    const Twist& d = stable->witness.twist;
-    std::vector<std::vector<std::string>> rows{
-        {"contact", "normal", "tangential", "force", "slip", ""}};
-    std::size_t index = 0;
-    for (const ContactReport& c : report_contacts(answer, stable->witness)) {
-      rows.push_back({std::to_string(index++), text.root(c.force.normal, c.length_squared),
-                      text.root(c.force.tangential, c.length_squared), text(c.vector),
-                      std::string(1, to_char(c.mode.slip)), c.mode.closed ? "closed" : "open"});
-    }
-    std::cout
-        << "  motion d  " << text(d) << "\n\n"
-        << format_table(rows) << '\n'
-        << "These forces balance the load, lie in their friction cones and oppose slip; "
-           "checked exactly.\n"
-           "Load: force x, y, torque. Motion: x, y, rotation in radians. Slip: + is along "
-           "the normal turned\nby +90 degrees, - against it, 0 sticks. An open contact is "
-           "detached.\n";
-  } else if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
-    explain(summarize(unstable->refutation, &problem), text);
-  } else {
-    std::cout << '\n' << undecided_text(std::get<Undecided>(verdict), false);
-  }
-  std::cout << text.note() << units_text(question) << engine_text(answer);
-  print(warnings);
-}
-
-const Question& question_of(const Answer& answer) {
-  return std::visit([](const auto& a) -> const Question& { return a.question; }, answer);
-}
-
-std::string load_text(const CaseAnswer& answer, NumberText& text) {
-  return text(coordinates(answer.problem.wrench()));
-}
-
-std::string load_text(const BoxAnswer& answer, NumberText& text) {
-  return load_text(answer.question.box()->wrench, text);
-}
-
-std::vector<ModelWarning> warnings_of(const Answer& answer) {
-  return std::visit([](const auto& a) { return a.warnings; }, answer)
-      .value_or(std::vector<ModelWarning>{});
-}
-
 void print_cases_json(const std::vector<Answer>& answers, const NumberOptions& output) {
-  const std::string name = question_of(answers.front()).description().name;
+  const std::string name = answers.front().question.description().name;
   Json json{{"name", name}, {"cases", Json::array()}};
   for (const Answer& answer : answers) {
     json["cases"].push_back(to_json(answer));
@@ -116,14 +35,12 @@ void print_cases_text(const std::vector<Answer>& answers, const NumberOptions& o
   NumberText text(output);
   std::vector<std::vector<std::string>> rows{{"case", "verdict", "load w"}};
   std::vector<std::pair<std::string, std::string>> warnings;  // and their cases
-  std::string engine;
-  for (const Answer& each : answers) {
-    const std::string name = question_of(each).case_name;
-    rows.push_back({name, name_of(each),
-                    std::visit([&](const auto& a) { return load_text(a, text); }, each)});
-    const auto* answer = std::get_if<CaseAnswer>(&each);
-    if (answer != nullptr && engine.empty()) engine = engine_text(*answer);
-    for (const ModelWarning& warning : warnings_of(each)) {
+  for (const Answer& answer : answers) {
+    const std::string& name = answer.question.case_name;
+    rows.push_back({name, name_of(answer.verdict),
+                    load_text(wrench_of(answer.question.grasp), text)});
+    for (const ModelWarning& warning :
+         answer.warnings.value_or(std::vector<ModelWarning>{})) {
       const auto known = std::find_if(warnings.begin(), warnings.end(), [&](const auto& other) {
         return other.first == warning.text;
       });
@@ -134,17 +51,20 @@ void print_cases_text(const std::vector<Answer>& answers, const NumberOptions& o
       }
     }
   }
-  const Question& question = question_of(answers.front());
-  const bool all_boxes = engine.empty() && !question.in_space();
-  if (engine.empty()) engine = engine_text(box_engine(question), question.law);
-  const std::string& grasp = question.description().name;
+  // Of one grasp in the plane, if there is any: the others' engine is said by --case.
+  const auto exact = std::find_if(answers.begin(), answers.end(),
+                                  [](const Answer& a) { return a.problem.has_value(); });
+  const Answer& answer = exact == answers.end() ? answers.front() : *exact;
+  const bool all_boxes = exact == answers.end() && !answer.question.in_space();
+  const std::string& grasp = answer.question.description().name;
   const std::size_t n = answers.size();
   std::cout << (grasp.empty() ? "" : grasp + ": ") << n << (n == 1 ? " case" : " cases")
             << "\n\n"
             << format_table(rows, Align::kLeft)
             << (all_boxes ? "\nWhat is uncertain, and what the verdict means: --case NAME.\n"
                           : "\nForces and motions, or why there are none: --case NAME.\n")
-            << text.note() << units_text(question) << engine;
+            << text.note() << units_text(answer.question)
+            << engine_text(answer.engine, answer.question.law);
   for (const auto& [warning, names] : warnings) {
     std::cout << "Warning, " << names << ": " << warning << ".\n";
   }
@@ -186,25 +106,43 @@ Answer answered(Question question, const DecideArguments& arguments) {
   return answer_to(std::move(question), options_of(arguments));
 }
 
-void write_certificate(const CaseAnswer& answer, const std::string& file) {
+/// If the verdict has one. Says so on standard error of a fragile box, which has two others.
+void write_certificate(const Answer& answer, const std::string& file) {
   if (file.empty()) return;
-  if (const auto certificate = certificate_of(answer)) write_whole_file(file, *certificate);
+  if (const auto certificate = certificate_of(answer)) {
+    write_whole_file(file, *certificate);
+  } else if (std::holds_alternative<Fragile>(answer.verdict)) {
+    std::cerr << "stickslip: --certificate: nothing is written: what proves that a box is "
+                 "fragile is two grasps, each with a certificate; --examples DIR writes them\n";
+  }
 }
 
-void write_examples(const CaseAnswer& answer, const std::string& /*folder*/) {
-  say_no_examples(false, stickslip::name_of(answer.verdict()));
-}
-
-void print_text(const CaseAnswer& answer, const NumberOptions& output,
-                const std::string& /*examples*/) {
-  print_text(answer, output);
+/// The two grasps of a fragile box, each with the certificate of its verdict. Says so on
+/// standard error if there are none.
+void write_examples(const Answer& answer, const std::string& folder) {
+  if (folder.empty()) return;
+  const auto* fragile = std::get_if<Fragile>(&answer.verdict);
+  if (fragile == nullptr) {
+    const GraspBox* box = answer.question.box();
+    const bool is_box = box != nullptr && !box->is_point();
+    std::cerr << "stickslip: --examples: nothing is written: "
+              << (is_box ? "the box is " : "the question is about one grasp, which is ")
+              << name_of(answer.verdict)
+              << (is_box ? ", and only one that is fragile has two examples" : "") << '\n';
+    return;
+  }
+  const NormalLaw law = answer.question.law;
+  const std::string producer = producer_of(answer.engine);
+  write_proved_files("--examples", folder,
+                     {{"stable", proved_grasp(fragile->stable, law, true, producer)},
+                      {"unstable", proved_grasp(fragile->unstable, law, false, producer)}});
 }
 
 /// That of the worst answer: unstable, then fragile, then undecided, then stable.
 int exit_code(const std::vector<Answer>& answers, bool answer_by_exit_code) {
   const auto any = [&](const std::string& verdict) {
     return std::any_of(answers.begin(), answers.end(),
-                       [&](const Answer& a) { return name_of(a) == verdict; });
+                       [&](const Answer& a) { return name_of(a.verdict) == verdict; });
   };
   if (answer_by_exit_code && any("unstable")) return kAnswerUnstable;
   if (answer_by_exit_code && any("fragile")) return kAnswerFragile;
@@ -230,14 +168,14 @@ int decide(const DecideArguments& arguments) {
   if (by_case) {
     (json ? print_cases_json : print_cases_text)(answers, arguments.output);
   } else {
-    std::visit(
-        [&](const auto& answer) {
-          write_certificate(answer, arguments.certificate);
-          if (!arguments.examples.empty()) write_examples(answer, arguments.examples);
-          json ? print_json(to_json(answer), arguments.output)
-               : print_text(answer, arguments.output, arguments.examples);
-        },
-        answers.front());
+    const Answer& answer = answers.front();
+    write_certificate(answer, arguments.certificate);
+    write_examples(answer, arguments.examples);
+    if (json) {
+      print_json(to_json(answer), arguments.output);
+    } else {
+      print_text(answer, arguments.output, arguments.examples);
+    }
   }
   return exit_code(answers, arguments.answer_by_exit_code);
 }

@@ -76,7 +76,7 @@ ClaimReport judge_claim(const Question& question, const Claim& claim,
     auto witness = find_witness_like(problem, solution);
     const bool from_claim = witness.has_value();
     report.nearby = compare(problem, solution,
-                            from_claim ? std::move(*witness) : stable->witness, from_claim);
+                            from_claim ? std::move(*witness) : stable->witness(), from_claim);
   }
   const bool decided = !std::holds_alternative<Undecided>(report.decision.verdict);
   const bool agrees = decided && claim.stable == (stable != nullptr);

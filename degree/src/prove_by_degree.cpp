@@ -284,10 +284,4 @@ std::optional<DegreeProof> prove_by_degree(const Problem& problem, SearchWork& w
   return std::nullopt;
 }
 
-bool are_at_rest(const StabilityProof& parts) {
-  return std::none_of(parts.begin(), parts.end(), [](const auto& part) {
-    return std::holds_alternative<DegreeProof>(part);
-  });
-}
-
 }  // namespace stickslip

@@ -3,22 +3,10 @@
 
 #include <utility>
 
+#include "stickslip/motion/pull_rule.hpp"
+
 namespace stickslip::degree_detail {
 namespace {
-
-TreeNode in_any_dimension(const RefutationNode& node) {
-  struct Convert {
-    TreeNode operator()(const SlipSplit& split) const { return split; }
-    TreeNode operator()(const SeparationSplit& split) const { return split; }
-    TreeNode operator()(const PlaneSplit& split) const {
-      return PlaneCut{{split.plane.begin(), split.plane.end()}};
-    }
-    TreeNode operator()(const VirtualWorkLeaf& leaf) const {
-      return TwistLeaf{{leaf.twist.begin(), leaf.twist.end()}};
-    }
-  };
-  return std::visit(Convert{}, node);
-}
 
 /// row.(d - h d0)
 Vector5 seen(const RationalRow& row, const RationalRow& twist) {
@@ -33,6 +21,16 @@ bool LawRefuter::refute(DegreeProof& proof, std::size_t wall, bool second,
   const PullRule pull(proof.direction, proof.twist);
   TreeSearch search(about, second ? &pull : nullptr, node_limit, work_);
   return search.refute(MotionRegion::wall(about, proof, wall), proof.trees);
+}
+
+bool LawRefuter::all_are_closed(const DegreeProof& proof) const {
+  for (std::size_t wall = 0; wall < proof.wall_count(); ++wall) {
+    const MotionRegion region = MotionRegion::wall(box_, proof, wall);
+    for (std::size_t i = 0; i < box_.contacts.size(); ++i) {
+      if (region.separation(i) != Separation::kClosed) return false;
+    }
+  }
+  return true;
 }
 
 Region CrowdRefuter::region(const DegreeProof& proof, std::size_t wall) const {
@@ -57,10 +55,8 @@ bool CrowdRefuter::refute(DegreeProof& proof, std::size_t wall, bool second,
                           std::size_t node_limit) {
   const PullRule pull(proof.direction, proof.twist);
   const ConeWork before = walls_.work();
-  Refutation tree;
   const bool done =
-      walls_.refute(region(proof, wall), second ? &pull : nullptr, node_limit, tree);
-  for (const RefutationNode& node : tree) proof.trees.push_back(in_any_dimension(node));
+      walls_.refute(region(proof, wall), second ? &pull : nullptr, node_limit, proof.trees);
   const ConeWork& after = walls_.work();
   work_.nodes += after.nodes - before.nodes;
   work_.leaves += after.leaves - before.leaves;

@@ -35,9 +35,7 @@ class LawRefuter final : public WallRefuter {
 
   bool refute(DegreeProof& proof, std::size_t wall, bool second,
               std::size_t node_limit) override;
-  bool all_are_closed(const DegreeProof& proof) const override {
-    return all_closed_inside<MotionRegion>(box_, proof);
-  }
+  bool all_are_closed(const DegreeProof& proof) const override;
 
  private:
   const Law& box_;

@@ -9,7 +9,7 @@
 #include "independent_rows.hpp"
 #include "stickslip/degree/newton.hpp"
 #include "stickslip/search/force_span.hpp"
-#include "stickslip/search/tree.hpp"
+#include "stickslip/equilibrium/proof.hpp"
 
 namespace stickslip::degree_detail {
 

@@ -45,7 +45,7 @@ Json motion_json(const Twist& d) {
 }
 
 /// `why`, and in parentheses how many leaves were refuted.
-MethodAnswer refuted(const Refutation& refutation, const std::string& why) {
+MethodAnswer refuted(const Trees& refutation, const std::string& why) {
   const RefutationSummary summary = summarize(refutation);
   return of_load(false, why + " " + leaves_refuted(summary.leaves),
                  {{"refutation", {{"nodes", summary.nodes}, {"leaves", summary.leaves}}}});
@@ -141,15 +141,15 @@ class MethodsAsked {
     const Verdict verdict = decide(problem_).verdict;
     if (const auto* stable = std::get_if<Stable>(&verdict)) {
       passive_stable_ = true;
-      note_friction(stable->witness);
+      note_friction(stable->witness());
       return of_load(
           true,
-          "the motion " + text_(stable->witness.twist) + " gives rise to forces that hold",
-          witness_json(stable->witness));
+          "the motion " + text_(stable->witness().twist) + " gives rise to forces that hold",
+          witness_json(stable->witness()));
     }
     if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
       passive_stable_ = false;
-      return refuted(unstable->refutation, "no motion satisfies all conditions");
+      return refuted(unstable->tree, "no motion satisfies all conditions");
     }
     return {"undecided", in_words(std::get<Undecided>(verdict))};
   }
@@ -354,7 +354,7 @@ class MethodsAsked {
                          however(*witness),
                      witness_json(*witness));
     }
-    return refuted(std::get<Refutation>(result), "no motion loads the contacts enough");
+    return refuted(std::get<Trees>(result), "no motion loads the contacts enough");
   }
 
   /// For methods that find forces and ask nothing of motions.

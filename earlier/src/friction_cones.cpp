@@ -55,8 +55,8 @@ class RegionProgram {
     return result;
   }
 
-  VirtualWorkLeaf leaf(const std::vector<Rational>& farkas) const {
-    return {primitive_multiple<3>({farkas[0], farkas[1], farkas[2]})};
+  TwistLeaf leaf(const std::vector<Rational>& farkas) const {
+    return {primitive_multiple(RationalRow{farkas[0], farkas[1], farkas[2]})};
   }
 
   /// The contact, which may be open or closed here, whose a_i >= v_i the contradiction uses
@@ -110,7 +110,7 @@ class SeparationSearch {
   /// Extends the tree by one for `region`, unless it finds forces first.
   Outcome run(const Region& region) {
     if (region.is_void()) {
-      tree.emplace_back(VirtualWorkLeaf{});
+      tree.emplace_back(TwistLeaf{Row(3)});
       return Outcome::kRefuted;
     }
     if (programs_left_ == 0) return Outcome::kLimit;
@@ -118,7 +118,7 @@ class SeparationSearch {
     const RegionProgram program(problem_, region);
     const LpResult result = program.solve();
     if (const auto* infeasible = std::get_if<Infeasible>(&result)) {
-      VirtualWorkLeaf leaf = program.leaf(infeasible->farkas);
+      TwistLeaf leaf = program.leaf(infeasible->farkas);
       if (!refutes(problem_, region, leaf)) {
         return split(region, program.most_used(infeasible->farkas));
       }
@@ -130,7 +130,7 @@ class SeparationSearch {
     return broken ? split(region, *broken) : Outcome::kFound;
   }
 
-  Refutation tree;
+  Trees tree;
   Witness witness;
 
  private:

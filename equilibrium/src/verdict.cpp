@@ -81,9 +81,20 @@ Vector2 force_vector(const Vector2& normal, const ContactForce& force) {
 }
 
 const char* name_of(const Verdict& verdict) {
-  if (std::holds_alternative<Stable>(verdict)) return "stable";
-  if (std::holds_alternative<Unstable>(verdict)) return "unstable";
-  return "undecided";
+  constexpr const char* kNames[] = {"stable", "unstable", "fragile", "undecided"};
+  return kNames[verdict.index()];
+}
+
+Vector6 motion_of(const Stable& stable) {
+  Vector6 motion{};
+  std::copy(stable.motion.begin(), stable.motion.end(), motion.begin());
+  return motion;
+}
+
+std::optional<bool> is_stable(const Verdict& verdict) {
+  if (std::holds_alternative<Stable>(verdict)) return true;
+  if (std::holds_alternative<Unstable>(verdict)) return false;
+  return std::nullopt;
 }
 
 std::string in_words(const Undecided& undecided) {

@@ -93,7 +93,7 @@ class MarginSearch {
     Verdict verdict = decide_by_cones(family_.at(0), options_, &cone);
     work_.cone += cone;
     if (auto* stable = std::get_if<Stable>(&verdict)) {
-      take({0, std::move(stable->witness)}, all);
+      take({0, std::move(std::get<Witness>(stable->proof))}, all);
     } else {
       open_.push_back(all);
     }
@@ -102,14 +102,14 @@ class MarginSearch {
 
  private:
   std::variant<Margin, Undecided> search_all() {
-    std::vector<std::pair<Rational, Refutation>> refuted;
+    std::vector<std::pair<Rational, Trees>> refuted;
     while (!open_.empty()) {
       const MultipleRange gap = std::move(open_.front());
       open_.pop_front();
       auto found = search(gap);
       if (auto* undecided = std::get_if<Undecided>(&found)) return std::move(*undecided);
       if (auto* refutation = std::get_if<Unstable>(&found)) {
-        refuted.emplace_back(gap.low, std::move(refutation->refutation));
+        refuted.emplace_back(gap.low, std::move(refutation->tree));
         continue;
       }
       take(std::get<MarginPoint>(found), gap);
@@ -179,7 +179,7 @@ class MarginSearch {
     segments_ = std::move(kept);
   }
 
-  Margin assemble(std::vector<std::pair<Rational, Refutation>> refuted) {
+  Margin assemble(std::vector<std::pair<Rational, Trees>> refuted) {
     Margin margin;
     std::sort(segments_.begin(), segments_.end(), [](const auto& a, const auto& b) {
       // A point that is alone comes before what may begin at it.

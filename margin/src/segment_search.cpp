@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "stickslip/motion/degree_proof.hpp"
+#include "stickslip/motion/pull_rule.hpp"
 
 namespace stickslip::margin_detail {
 namespace {
@@ -227,9 +227,9 @@ std::optional<SegmentByDegree> SegmentSearch::prove_with(const MarginInterval& r
   const PullRule pull(rows);
   constexpr std::size_t kMostNodes = 100;  // one that is hard can be cut
   // List 2 is the shorter one, and fails as often.
-  Refutation second_list;
+  Trees second_list;
   for (const bool second : {true, false}) {
-    Refutation& trees = second ? second_list : shape.trees;
+    Trees& trees = second ? second_list : shape.trees;
     for (std::size_t wall = 0; wall < 3; ++wall) {
       for (const int sign : {1, -1}) {
         Region region = cell.wall(problem_, wall, sign, second);

@@ -104,12 +104,7 @@ Json outline_json(const GraspBox& grasp) {
 
 // What may be drawn of an equilibrium, where the proof says none.
 
-Json near_json(const CaseAnswer& /*answer*/) {
-  return {};
-}
-
-Json near_json_in_space(const BoxAnswer& answer, const StableThroughout& stable) {
-  if (std::holds_alternative<SpatialWitness>(stable.proof)) return {};
+Json near_json_in_space(const Answer& answer, const Stable& stable) {
   Json contacts = Json::array();
   for (const SpatialForce& f : near_forces(answer.question, motion_of(stable))) {
     contacts.push_back(
@@ -120,17 +115,17 @@ Json near_json_in_space(const BoxAnswer& answer, const StableThroughout& stable)
 }
 
 /// In the plane of the grasp in the middle, with rational normals.
-Json near_json(const BoxAnswer& answer) {
-  const auto* throughout = std::get_if<StableThroughout>(&answer.decision.verdict);
-  if (throughout == nullptr) return {};
-  if (answer.question.in_space()) return near_json_in_space(answer, *throughout);
+Json near_json(const Answer& answer) {
+  const auto* proved = std::get_if<Stable>(&answer.verdict);
+  if (proved == nullptr || !std::holds_alternative<StabilityProof>(proved->proof)) return {};
+  if (answer.question.in_space()) return near_json_in_space(answer, *proved);
   LoadedGrasp middle = answer.question.box()->planar_middle();
   middle.grasp = snap_normals(middle.grasp, Rational(1, 1000000000)).grasp;
   const Problem problem(middle, answer.question.law);
   const Verdict verdict = decide_by_cones(problem);
   const auto* stable = std::get_if<Stable>(&verdict);
   if (stable == nullptr) return {};
-  const Witness& witness = stable->witness;
+  const Witness& witness = stable->witness();
   Json contacts = Json::array();
   for (std::size_t i = 0; i < problem.size(); ++i) {
     const Vector2 force = force_vector(middle.grasp.contacts()[i].normal, witness.forces[i]);
@@ -274,7 +269,7 @@ class PageAnswer {
     if (!answer) return;
     if (const auto certificate = certificate_of(*answer)) json["certificate"] = *certificate;
     part(json, "near", [&](Json& found) {
-      found = std::visit([](const auto& a) { return near_json(a); }, *answer);
+      found = near_json(*answer);
     });
     // While a verdict has to follow a drag, it is alone.
     if (limits_.limits_verdict || !json["decide"].contains("examples")) return;

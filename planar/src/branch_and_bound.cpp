@@ -38,8 +38,8 @@ class Explorer {
   const Rational& multiple() const { return multiple_; }
 
   /// Depth first, in preorder. Nothing if it ended early: at a witness, or at the limit.
-  std::optional<Refutation> explore() {
-    Refutation tree;
+  std::optional<Trees> explore() {
+    Trees tree;
     const auto step = [&](const Region& region, std::size_t depth) -> std::optional<Step> {
       // Small trees find equilibria in less time, and with simpler numbers.
       constexpr std::size_t kFirst = 64;
@@ -85,7 +85,7 @@ class Explorer {
     }
     constexpr std::size_t kMostNodes = 200;  // where an equilibrium is near, mostly one will do
     const ConeWork tree_work = std::exchange(work_, {});
-    Refutation tree;
+    Trees tree;
     append_tree(std::move(region), tree, [&](const Region& part, std::size_t depth) {
       return work_.nodes < kMostNodes ? examine(part, depth) : std::nullopt;
     });
@@ -157,7 +157,7 @@ class Explorer {
   std::optional<Step> solve_exactly(const Region& region) {
     ++work_.exact_programs;
     auto outcome = solve_region(problem_, region, nullptr);
-    if (auto* leaf = std::get_if<VirtualWorkLeaf>(&outcome)) {
+    if (auto* leaf = std::get_if<TwistLeaf>(&outcome)) {
       ++work_.leaves;
       ++work_.filter_misses;
       return Step{std::move(*leaf), {}};
@@ -208,7 +208,7 @@ Verdict decide_by_cones(const Problem& problem, const ConeOptions& options, Cone
   require(!problem.is_family(), "a verdict is on one member of a family");
   const DoubleModel model(problem);
   Explorer explorer(problem, model, options);
-  std::optional<Refutation> tree;
+  std::optional<Trees> tree;
   if (!explorer.try_witness_from_rest()) tree = explorer.explore();
   if (work != nullptr) *work = explorer.work();
   Verdict verdict;

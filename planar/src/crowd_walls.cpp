@@ -26,7 +26,7 @@ bool CrowdWalls::all_are_closed(const Region& wall) const {
 }
 
 bool CrowdWalls::refute(Region wall, const PullRule* pull, std::size_t node_limit,
-                        Refutation& trees) {
+                        Trees& trees) {
   return planar_detail::append_wall(problem_, *model_, std::move(wall), pull, node_limit, trees,
                                     work_);
 }

@@ -5,7 +5,7 @@ namespace stickslip {
 namespace {
 
 /// The conditions that lead to the children of a node, in order; none for a leaf.
-std::vector<std::string> child_conditions(const RefutationNode& node) {
+std::vector<std::string> child_conditions(const TreeNode& node) {
   if (const auto* slip = std::get_if<SlipSplit>(&node)) {
     const std::string contact = "contact " + std::to_string(slip->contact.index());
     return {contact + " slips +", contact + " sticks", contact + " slips -"};
@@ -14,8 +14,8 @@ std::vector<std::string> child_conditions(const RefutationNode& node) {
     const std::string contact = "contact " + std::to_string(separation->contact.index());
     return {contact + " is closed", contact + " is open"};
   }
-  if (const auto* plane = std::get_if<PlaneSplit>(&node)) {
-    const IntegerVector5& p = plane->plane;
+  if (const auto* plane = std::get_if<PlaneCut>(&node)) {
+    const Row& p = plane->plane;
     const std::string value =
         "(" + p[0].str() + ", " + p[1].str() + ", " + p[2].str() + ").d + " + p[3].str();
     return {value + " >= 0", value + " <= 0"};
@@ -78,19 +78,19 @@ std::vector<std::pair<std::string, std::size_t>> counters(const ConeWork& work) 
           {"largest_twist_bits", work.largest_twist_bits}};
 }
 
-RefutationSummary summarize(const Refutation& refutation, const Problem* problem) {
+RefutationSummary summarize(const Trees& refutation, const Problem* problem) {
   RefutationSummary summary;
   summary.nodes = refutation.size();
   // The path to the current node: the conditions of the children still to come, last first.
   struct Level {
-    const RefutationNode* node;
+    const TreeNode* node;
     std::vector<std::string> conditions;
     std::size_t current = 0;
   };
   std::vector<Level> path;
   std::size_t most_alike = 0;
-  for (const RefutationNode& node : refutation) {
-    const auto* leaf = std::get_if<VirtualWorkLeaf>(&node);
+  for (const TreeNode& node : refutation) {
+    const auto* leaf = std::get_if<TwistLeaf>(&node);
     if (leaf != nullptr && !is_zero(leaf->twist)) {
       ++summary.leaves;
       if (summary.leaves == 1 || path.size() <= summary.largest_leaf.size()) {
@@ -98,7 +98,7 @@ RefutationSummary summarize(const Refutation& refutation, const Problem* problem
         found.largest_leaf.clear();
         found.largest_leaf_slips.clear();
         found.largest_leaf_open.clear();
-        found.largest_leaf_twist = leaf->twist;
+        found.largest_leaf_twist = vector_of<3>(leaf->twist);
         for (const Level& level : path) {
           found.largest_leaf.push_back(level.conditions[level.current]);
           if (const auto* slip = std::get_if<SlipSplit>(level.node)) {

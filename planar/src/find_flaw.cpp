@@ -31,13 +31,17 @@ struct NodeCheck {
     }
     return std::nullopt;
   }
-  std::optional<std::string> operator()(const PlaneSplit& node) const {
+  std::optional<std::string> operator()(const PlaneCut& node) const {
     if (is_zero(node.plane)) return "a plane without a normal";
-    pending.push_back(region.plane_child(node.plane, Side::kNegative));
-    pending.push_back(region.plane_child(node.plane, Side::kPositive));
+    const auto plane = vector_of<5>(node.plane);
+    pending.push_back(region.plane_child(plane, Side::kNegative));
+    pending.push_back(region.plane_child(plane, Side::kPositive));
     return std::nullopt;
   }
-  std::optional<std::string> operator()(const VirtualWorkLeaf& node) const {
+  std::optional<std::string> operator()(const PartSplit& /*node*/) const {
+    return "a part of a box, in the tree of one grasp";
+  }
+  std::optional<std::string> operator()(const TwistLeaf& node) const {
     if (!refutes(problem, region, node)) return "the twist does not refute the region";
     return std::nullopt;
   }
@@ -45,7 +49,7 @@ struct NodeCheck {
 
 }  // namespace
 
-std::optional<std::string> find_flaw(const Problem& problem, const Refutation& refutation) {
+std::optional<std::string> find_flaw(const Problem& problem, const Trees& refutation) {
   std::vector<Region> pending{Region::root(problem)};
   for (std::size_t index = 0; index < refutation.size(); ++index) {
     const std::string place = "node " + std::to_string(index) + ": ";
@@ -62,9 +66,9 @@ std::optional<std::string> find_flaw(const Problem& problem, const Refutation& r
 void validate(const Problem& problem, const Verdict& verdict) {
   std::optional<std::string> flaw;
   if (const auto* stable = std::get_if<Stable>(&verdict)) {
-    flaw = find_violation(problem, stable->witness);
+    flaw = find_violation(problem, stable->witness());
   } else if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
-    flaw = find_flaw(problem, unstable->refutation);
+    flaw = find_flaw(problem, unstable->tree);
   }
   require(!flaw, flaw ? flaw->c_str() : "");
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "stickslip/motion/pull_rule.hpp"
+
 namespace stickslip::planar_detail {
 
 std::optional<NodeSearch::Step> NodeSearch::examine(
@@ -13,7 +15,7 @@ std::optional<NodeSearch::Step> NodeSearch::examine(
   work_.depth = std::max(work_.depth, depth);
   if (region.is_void()) {
     ++work_.voids;
-    return Step{VirtualWorkLeaf{}, {}};
+    return Step{TwistLeaf{Row(3)}, {}};
   }
   forces_.read(region);
   work_.visits += forces_.visits();
@@ -42,7 +44,7 @@ NodeSearch::Step NodeSearch::split_at(const Region& region, const ContactSplit& 
 }
 
 bool append_wall(const Problem& family, const DoubleModel& model, Region wall,
-                 const PullRule* pull, std::size_t node_limit, Refutation& trees,
+                 const PullRule* pull, std::size_t node_limit, Trees& trees,
                  ConeWork& work) {
   NodeSearch search(family, model, pull, work);
   const std::size_t last = work.nodes + node_limit;

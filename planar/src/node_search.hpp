@@ -18,7 +18,7 @@ namespace stickslip::planar_detail {
 /// Looks at one region after another.
 class NodeSearch {
  public:
-  using Step = BranchOf<RefutationNode, Region>;
+  using Step = BranchOf<TreeNode, Region>;
 
   /// Leaves have `leaf-direction` if there is a pull. All must outlive this; `model` is
   /// that of the problem.
@@ -57,7 +57,7 @@ class NodeSearch {
 /// Appends to `trees` one that refutes the region, such as a wall; false if none is found of at
 /// most `node_limit` nodes, and then what was appended is no tree. As NodeSearch.
 bool append_wall(const Problem& family, const DoubleModel& model, Region wall,
-                 const PullRule* pull, std::size_t node_limit, Refutation& trees,
+                 const PullRule* pull, std::size_t node_limit, Trees& trees,
                  ConeWork& work);
 
 }  // namespace stickslip::planar_detail

@@ -262,8 +262,8 @@ bool Region::is_void() const {
 namespace {
 
 std::vector<Rational> work_bounds_on(const std::vector<Ray>& generators, const Problem& problem,
-                                     const Region& region, const VirtualWorkLeaf& leaf) {
-  const Twist y = twist_of(leaf.twist);
+                                     const Region& region, const TwistLeaf& leaf) {
+  const Twist y = twist_of(vector_of<3>(leaf.twist));
   Vector5 linear{0, 0, 0, power(problem.wrench(), y), power(problem.load_growth(), y)};
   struct Kink {  // alpha max(0, v)
     Rational alpha;
@@ -302,11 +302,11 @@ std::vector<Rational> work_bounds_on(const std::vector<Ray>& generators, const P
 }  // namespace
 
 std::vector<Rational> work_bounds(const Problem& problem, const Region& region,
-                                  const VirtualWorkLeaf& leaf) {
+                                  const TwistLeaf& leaf) {
   return work_bounds_on(region.generators(problem), problem, region, leaf);
 }
 
-bool refutes(const Problem& problem, const Region& region, const VirtualWorkLeaf& leaf) {
+bool refutes(const Problem& problem, const Region& region, const TwistLeaf& leaf) {
   if (region.is_void()) return true;
   const std::vector<Ray> generators = region.generators(problem);
   const std::vector<Rational> bounds = work_bounds_on(generators, problem, region, leaf);

@@ -12,9 +12,9 @@ constexpr std::int8_t kUnsure = 2;
 
 }  // namespace
 
-BranchOf<RefutationNode, Region> split_region(const Problem& problem, const Region& region,
+BranchOf<TreeNode, Region> split_region(const Problem& problem, const Region& region,
                                               const ContactSplit& at) {
-  return {std::visit([](const auto& split) { return RefutationNode(split); }, at),
+  return {std::visit([](const auto& split) { return TreeNode(split); }, at),
           region.children(problem, at)};
 }
 

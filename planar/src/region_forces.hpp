@@ -18,7 +18,7 @@
 namespace stickslip::planar_detail {
 
 /// The node of a tree that splits a region, and the regions of its children.
-BranchOf<RefutationNode, Region> split_region(const Problem& problem, const Region& region,
+BranchOf<TreeNode, Region> split_region(const Problem& problem, const Region& region,
                                               const ContactSplit& at);
 
 /// What a contact may do on a region where it is not open.

@@ -80,8 +80,8 @@ class ColumnGeneration {
 
   /// The rule leaf-bound: g is the work of the corners that do the most. Of the problem's own
   /// loads.
-  bool is_refuted_by(const VirtualWorkLeaf& leaf) {
-    const Vector3 y = coordinates(twist_of(leaf.twist));
+  bool is_refuted_by(const TwistLeaf& leaf) {
+    const Vector3 y = coordinates(twist_of(vector_of<3>(leaf.twist)));
     push_against(y);
     std::vector<const Ray*> zeros;
     for (std::size_t k = 0; k < rays_.size(); ++k) {
@@ -93,16 +93,16 @@ class ColumnGeneration {
   }
 
   /// Begins with the corners that do the most work on a twist, where it is positive.
-  void start_from(const VirtualWorkLeaf& leaf) {
-    add_columns(coordinates(twist_of(leaf.twist)), kHeight, 0, 0);
+  void start_from(const TwistLeaf& leaf) {
+    add_columns(coordinates(twist_of(vector_of<3>(leaf.twist))), kHeight, 0, 0);
   }
 
-  std::variant<RelaxedPoint, VirtualWorkLeaf> solve(LpWork& work) {
+  std::variant<RelaxedPoint, TwistLeaf> solve(LpWork& work) {
     std::vector<Rational> sum;
     for (std::size_t scale = 0; scale < scales_; ++scale) {
       auto outcome = optimize(scale, 0, work);
       if (auto* twist = std::get_if<Vector3>(&outcome)) {
-        return VirtualWorkLeaf{primitive_multiple(*twist)};
+        return TwistLeaf{row_of(primitive_multiple(*twist))};
       }
       const std::vector<Rational>& found = std::get<Optimal>(outcome).point;
       sum.resize(found.size());
@@ -353,12 +353,12 @@ class ColumnGeneration {
 };
 
 /// A leaf near the given one whose twist has small entries, if one refutes.
-VirtualWorkLeaf with_small_integers(ColumnGeneration& program, VirtualWorkLeaf leaf) {
+TwistLeaf with_small_integers(ColumnGeneration& program, TwistLeaf leaf) {
   Integer largest = 0;
   for (const Integer& entry : leaf.twist) largest = std::max<Integer>(largest, abs(entry));
   constexpr long kLargestScale = 1L << 40;
   for (long scale = 1; scale < largest && scale <= kLargestScale; scale *= 4) {
-    VirtualWorkLeaf small;
+    TwistLeaf small{Row(3)};
     for (std::size_t j = 0; j < 3; ++j) {
       // Round half up: floor((2 scale y + largest) / (2 largest)).
       Integer quotient;
@@ -376,30 +376,30 @@ VirtualWorkLeaf with_small_integers(ColumnGeneration& program, VirtualWorkLeaf l
 
 }  // namespace
 
-std::variant<RelaxedPoint, VirtualWorkLeaf> solve_region(const Problem& problem,
+std::variant<RelaxedPoint, TwistLeaf> solve_region(const Problem& problem,
                                                          const Region& region, LpWork* work,
-                                                         const VirtualWorkLeaf* guess) {
+                                                         const TwistLeaf* guess) {
   throw_if_cancelled();
   LpWork total{0, 0, true, LpTier::kInt64, 0};
-  std::variant<RelaxedPoint, VirtualWorkLeaf> outcome;
+  std::variant<RelaxedPoint, TwistLeaf> outcome;
   ColumnGeneration program(problem, region);
   if (guess != nullptr && program.is_refuted_by(*guess)) {
     outcome = *guess;
   } else {
     if (guess != nullptr) program.start_from(*guess);
     outcome = program.solve(total);
-    if (auto* leaf = std::get_if<VirtualWorkLeaf>(&outcome)) {
+    if (auto* leaf = std::get_if<TwistLeaf>(&outcome)) {
       *leaf = with_small_integers(program, std::move(*leaf));
     }
   }
   if (work != nullptr) *work = total;
-  if (const auto* leaf = std::get_if<VirtualWorkLeaf>(&outcome)) {
+  if (const auto* leaf = std::get_if<TwistLeaf>(&outcome)) {
     require(refutes(problem, region, *leaf), "a Farkas vector does not refute its region");
   }
   return outcome;
 }
 
-std::variant<RelaxedPoint, VirtualWorkLeaf> solve_loaded_region(
+std::variant<RelaxedPoint, TwistLeaf> solve_loaded_region(
     const Problem& problem, const std::vector<std::optional<Sign>>& slips,
     const std::vector<LoadedGenerator>& generators) {
   throw_if_cancelled();

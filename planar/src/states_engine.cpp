@@ -41,7 +41,7 @@ class StatesEngine {
       return stable();
     Group all;
     for (const SlipState& state : slip.states) all.push_back(&state);
-    std::optional<Refutation> tree = refute(root, all, Coverage::kWhole);
+    std::optional<Trees> tree = refute(root, all, Coverage::kWhole);
     if (!tree) return stable();
     require(work_.states_refuted == work_.states, "a slip state is not refuted");
     return Unstable{std::move(*tree)};
@@ -52,13 +52,13 @@ class StatesEngine {
   enum class Coverage { kWhole, kPart };
 
   /// A tree that covers the region; nothing when an equilibrium was found.
-  std::optional<Refutation> refute(const Region& region, const Group& group,
+  std::optional<Trees> refute(const Region& region, const Group& group,
                                    Coverage coverage) {
-    if (region.is_void()) return leaf(group, coverage, {});
+    if (region.is_void()) return leaf(group, coverage, TwistLeaf{Row(3)});
     require(!group.empty(), "a region's slip state is missing from the enumeration");
     auto outcome = solve(region);
     if (group.size() == 1 && solved_.insert(group.front()).second) ++work_.states_solved;
-    if (const auto* found = std::get_if<VirtualWorkLeaf>(&outcome)) {
+    if (const auto* found = std::get_if<TwistLeaf>(&outcome)) {
       return leaf(group, coverage, *found);
     }
     auto& point = std::get<RelaxedPoint>(outcome);
@@ -72,12 +72,12 @@ class StatesEngine {
     return split_by_slip(region, group, coverage, point);
   }
 
-  Refutation leaf(const Group& group, Coverage coverage, const VirtualWorkLeaf& twist) {
+  Trees leaf(const Group& group, Coverage coverage, const TwistLeaf& twist) {
     if (coverage == Coverage::kWhole) work_.states_refuted += group.size();
     return {twist};
   }
 
-  std::optional<Refutation> split_by_slip(const Region& region, const Group& group,
+  std::optional<Trees> split_by_slip(const Region& region, const Group& group,
                                           Coverage coverage, const RelaxedPoint& point) {
     const ContactId contact = std::get<SlipSplit>(*point.broken).contact;
     const Sign at = sign_of(power(problem_.row(contact).tangent, point.witness.twist));
@@ -92,7 +92,7 @@ class StatesEngine {
     return refute_parts(SlipSplit{contact}, parts, first, coverage);
   }
 
-  std::optional<Refutation> split_by_separation(const Region& region, const Group& group,
+  std::optional<Trees> split_by_separation(const Region& region, const Group& group,
                                                 Coverage coverage, const RelaxedPoint& point) {
     const ContactId contact = point.broken_separation->contact;
     const auto [x, y, r] = coordinates(point.witness.twist);
@@ -108,27 +108,27 @@ class StatesEngine {
 
   /// From the first on, which is where the point of the relaxation lies: an equilibrium may be
   /// near.
-  std::optional<Refutation> refute_parts(const RefutationNode& node,
+  std::optional<Trees> refute_parts(const TreeNode& node,
                                          const std::vector<GroupRegion>& parts,
                                          std::size_t first, Coverage coverage) {
-    std::vector<Refutation> trees(parts.size());
+    std::vector<Trees> trees(parts.size());
     for (std::size_t k = 0; k < parts.size(); ++k) {
       const std::size_t p = (first + k) % parts.size();
-      std::optional<Refutation> tree = refute(parts[p].region, parts[p].group, coverage);
+      std::optional<Trees> tree = refute(parts[p].region, parts[p].group, coverage);
       if (!tree) return std::nullopt;
       trees[p] = std::move(*tree);
     }
-    Refutation whole{node};
-    for (const Refutation& tree : trees) whole.insert(whole.end(), tree.begin(), tree.end());
+    Trees whole{node};
+    for (const Trees& tree : trees) whole.insert(whole.end(), tree.begin(), tree.end());
     return whole;
   }
 
   /// The common system of the states in a region. The twist that refuted the last ones may do
   /// for these; if not, it is where to start from.
-  std::variant<RelaxedPoint, VirtualWorkLeaf> solve(const Region& region) {
+  std::variant<RelaxedPoint, TwistLeaf> solve(const Region& region) {
     LpWork lp;
     auto outcome = solve_region(problem_, region, &lp, last_ ? &*last_ : nullptr);
-    const auto* found = std::get_if<VirtualWorkLeaf>(&outcome);
+    const auto* found = std::get_if<TwistLeaf>(&outcome);
     if (found != nullptr && last_ && found->twist == last_->twist) {
       ++work_.twists_carried;
       return outcome;
@@ -153,7 +153,7 @@ class StatesEngine {
   const Problem& problem_;
   StatesWork& work_;
   std::set<const SlipState*> solved_;  ///< by themselves
-  std::optional<VirtualWorkLeaf> last_;
+  std::optional<TwistLeaf> last_;
   Witness witness_;
 };
 

@@ -528,7 +528,7 @@ std::optional<bool> TwistSearch::certain_refutation(const RegionForces& forces,
   return true;
 }
 
-std::optional<VirtualWorkLeaf> TwistSearch::confirm(const Problem& problem,
+std::optional<TwistLeaf> TwistSearch::confirm(const Problem& problem,
                                                     const Region& region,
                                                     const RegionForces& forces,
                                                     const Double3& twist, ConeWork& work,
@@ -546,7 +546,7 @@ std::optional<VirtualWorkLeaf> TwistSearch::confirm(const Problem& problem,
           if (*certain) ++work.filter_hits;
           return *certain;
         }
-        const bool refuted = refutes(problem, region, {candidate});
+        const bool refuted = refutes(problem, region, TwistLeaf{row_of(candidate)});
         if (refuted) ++work.filter_misses;
         return refuted;
       });
@@ -556,7 +556,7 @@ std::optional<VirtualWorkLeaf> TwistSearch::confirm(const Problem& problem,
     work.largest_twist_bits =
         std::max<std::size_t>(work.largest_twist_bits, msb(abs(entry)) + 1);
   }
-  return VirtualWorkLeaf{*y};
+  return TwistLeaf{row_of(*y)};
 }
 
 }  // namespace stickslip::planar_detail

@@ -60,7 +60,7 @@ class TwistSearch {
 
   /// The twist rounded to the smallest integers that still refute the region; where error
   /// bounds do not decide, exactly or, unless `exactly`, not.
-  std::optional<VirtualWorkLeaf> confirm(const Problem& problem, const Region& region,
+  std::optional<TwistLeaf> confirm(const Problem& problem, const Region& region,
                                          const RegionForces& forces, const Double3& twist,
                                          ConeWork& work, bool exactly = true);
 

@@ -53,9 +53,9 @@ class GraspReader {
     choose_force_unit();
     add_load();
     if (const auto* stable = std::get_if<Stable>(&verdict_)) {
-      add_witness(stable->witness);
+      add_witness(stable->witness());
     } else if (const auto* unstable = std::get_if<Unstable>(&verdict_)) {
-      add_refutation(unstable->refutation);
+      add_refutation(unstable->tree);
     } else {
       ink_.caption.push_back("Undecided: " + in_words(std::get<Undecided>(verdict_)) + ".");
     }
@@ -72,10 +72,10 @@ class GraspReader {
   void choose_force_unit() {
     ink_.force_unit = std::max(ink_.force_unit, largest_entry({wrench_.x, wrench_.y}));
     if (const auto* stable = std::get_if<Stable>(&verdict_)) {
-      require(stable->witness.forces.size() == grasp_.size(),
+      require(stable->witness().forces.size() == grasp_.size(),
               "plot_grasp: the verdict is not about this grasp");
       for (std::size_t i = 0; i < grasp_.size(); ++i) {
-        ink_.force_unit = std::max(ink_.force_unit, largest_entry(force(stable->witness, i)));
+        ink_.force_unit = std::max(ink_.force_unit, largest_entry(force(stable->witness(), i)));
       }
     }
   }
@@ -151,7 +151,7 @@ class GraspReader {
     return moved;
   }
 
-  void add_refutation(const Refutation& refutation) {
+  void add_refutation(const Trees& refutation) {
     const RefutationSummary proof = summarize(refutation, &problem_);
     if (proof.leaves == 0) {
       ink_.caption.push_back("The normal law allows no motion at all.");

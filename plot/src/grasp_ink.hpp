@@ -76,7 +76,7 @@ Rational enlargement(const Rational& largest, const Rational& radius);
 
 /// \{ Throws as plot_grasp does.
 GraspInk grasp_ink(const Question& question, const Verdict& verdict);
-GraspInk spatial_ink(const Question& question, const BoxVerdict& verdict);
+GraspInk spatial_ink(const Question& question, const Verdict& verdict);
 /// \}
 
 }  // namespace stickslip::plot_detail

@@ -335,11 +335,10 @@ class GraspPlot {
 }  // namespace
 
 std::string plot_grasp(const Question& question, const Verdict& verdict) {
-  return GraspPlot(grasp_ink(question, verdict), name_of(verdict)).draw();
-}
-
-std::string plot_grasp(const Question& question, const BoxVerdict& verdict) {
-  return GraspPlot(spatial_ink(question, verdict), name_of(verdict)).draw();
+  const bool is_exact = question.box() == nullptr;
+  return GraspPlot(is_exact ? grasp_ink(question, verdict) : spatial_ink(question, verdict),
+                   name_of(verdict))
+      .draw();
 }
 
 }  // namespace stickslip

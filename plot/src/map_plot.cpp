@@ -27,7 +27,7 @@ struct Look {
   const char* words;
 };
 
-/// By the verdict's place in BoxVerdict.
+/// By the verdict's place in Verdict.
 constexpr Look kLooks[] = {{"hue0", "stable, proved throughout each cell"},
                            {"hatch5", "unstable, proved throughout each cell"},
                            {"paper", ""},

@@ -75,7 +75,7 @@ void add_tangents(SpatialContactInk& c) {
 
 class SpatialReader {
  public:
-  SpatialReader(const Question& question, const BoxVerdict& verdict)
+  SpatialReader(const Question& question, const Verdict& verdict)
       : question_(question), verdict_(verdict), grasp_(*question.box()) {}
 
   GraspInk read() {
@@ -88,13 +88,13 @@ class SpatialReader {
       ink_.scenes.back().heading = side.heading;
       ink_.scenes.back().axes = {side.right, side.up};
     }
-    const auto* stable = std::get_if<StableThroughout>(&verdict_);
+    const auto* stable = std::get_if<Stable>(&verdict_);
     if (stable != nullptr) read_forces(*stable);
     add_load();
     draw_contacts();
     if (stable != nullptr) {
       add_equilibrium(*stable);
-    } else if (const auto* unstable = std::get_if<UnstableThroughout>(&verdict_)) {
+    } else if (const auto* unstable = std::get_if<Unstable>(&verdict_)) {
       const std::size_t leaves = leaf_count(unstable->tree);
       ink_.caption.push_back("No motion and forces satisfy all conditions: proved by " +
                              (leaves == 1
@@ -134,7 +134,7 @@ class SpatialReader {
   }
 
   /// Those of the witness, or near the equilibrium.
-  void read_forces(const StableThroughout& stable) {
+  void read_forces(const Stable& stable) {
     if (const auto* witness = std::get_if<SpatialWitness>(&stable.proof)) {
       forces_ = forces_of(grasp_, witness->twist, witness->shares);
     } else {
@@ -245,7 +245,7 @@ class SpatialReader {
     return points;
   }
 
-  void add_equilibrium(const StableThroughout& stable) {
+  void add_equilibrium(const Stable& stable) {
     const Vector6 d = motion_of(stable);
     add_motion(d);
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
@@ -299,7 +299,7 @@ class SpatialReader {
   }
 
   const Question& question_;
-  const BoxVerdict& verdict_;
+  const Verdict& verdict_;
   const GraspBox& grasp_;
   Vector3 centre_{};
   Rational radius_{1};
@@ -311,7 +311,7 @@ class SpatialReader {
 
 }  // namespace
 
-GraspInk spatial_ink(const Question& question, const BoxVerdict& verdict) {
+GraspInk spatial_ink(const Question& question, const Verdict& verdict) {
   return SpatialReader(question, verdict).read();
 }
 

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/certificate/proved_files.hpp"
 #include "stickslip/core/cancellation.hpp"
 #include "stickslip/equilibrium/question.hpp"
@@ -66,6 +67,9 @@ void add_undecided(pybind11::dict& result, const Undecided& undecided);
 /// The arguments of results.ModelWarning.
 pybind11::tuple warning_fields(const std::vector<ModelWarning>& warnings);
 
+/// A grasp in its class.
+pybind11::object in_its_class(GraspFile grasp);
+
 /// The same grasp with the friction of each contact replaced.
 GraspFile with_friction(const GraspFile& file, const std::vector<Rational>& friction);
 
@@ -81,12 +85,11 @@ Question question_of(const GraspFile& grasp, const QuestionOptions& options);
 Question question_in_box(const GraspFile& grasp, QuestionOptions options,
                          const std::string& uncertain = "");
 
-/// The certificate of a verdict; empty if undecided.
-std::string certificate_of(const Question& question, const Decision& decision);
+/// The same of one in space, whose lengths may be irrational.
+Question question_about(const GraspFile& grasp, const QuestionOptions& options);
 
-/// The fields of results.Decision.
-pybind11::dict decision_fields(const Question& question, const Problem& problem,
-                               const Decision& decision, const std::string& certificate);
+/// The fields of results.Decision but the warnings; with the certificate unless it is empty.
+pybind11::dict decision_fields(const Answer& answer, const std::string& certificate);
 
 /// One of many answers, whose whole becomes a Python value only when it is looked at.
 struct ManyAnswer {
@@ -109,14 +112,10 @@ struct OneOfMany {
   std::string which;                      ///< follows the names in errors
 };
 
-/// \{ The question about a grasp of either class. What is returned decides it, without Python.
-std::function<ManyAnswer()> planar_question(const pybind11::handle& grasp,
-                                            const OneOfMany& asked, bool bilateral,
-                                            const std::string& engine, std::size_t node_limit);
-std::function<ManyAnswer()> spatial_question(const pybind11::handle& grasp,
-                                             const OneOfMany& asked, bool bilateral,
-                                             const std::string& engine, std::size_t node_limit);
-/// \}
+/// A question of many. What is returned decides it, without Python.
+std::function<ManyAnswer()> one_question(const pybind11::handle& grasp, const OneOfMany& asked,
+                                         bool bilateral, const std::string& engine,
+                                         std::size_t node_limit);
 
 /// Force vectors in the frame of the body.
 pybind11::tuple force_vectors(const Grasp& grasp, const std::vector<ContactForce>& forces);

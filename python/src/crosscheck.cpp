@@ -79,21 +79,18 @@ py::dict crosscheck(const GraspFile& grasp, bool stable, const py::object& twist
   options.node_limit = node_limit;
   options.all_distances = distances;
 
-  struct Answer {
-    ClaimReport report;
-    std::string certificate;
-  };
-  const Answer answer = without_gil([&] {
+  const auto [report, decided] = without_gil([&] {
     ClaimReport report = judge_claim(question, claim, options);
-    std::string certificate = certificate_of(question, report.decision);
-    return Answer{std::move(report), std::move(certificate)};
+    Answer decided{question, report.decision.verdict, report.decision.engine(),
+                   std::visit([](const auto& work) { return work_json(work); },
+                              report.decision.work),
+                   kDefaultBits, problem_of(question), {}};
+    return std::pair(std::move(report), std::move(decided));
   });
-  const ClaimReport& report = answer.report;
   const ClaimResiduals& r = report.residuals;
   py::dict result("outcome"_a = name_of(report.claim_class),
                   "inaccurate"_a = report.inaccurate);
-  result["decision"] = decision_fields(question, Problem(question.loaded(), question.law),
-                                       report.decision, answer.certificate);
+  result["decision"] = decision_fields(decided, certificate_of(decided).value_or(""));
   result["balance"] = r.balance ? py::object(fractions(*r.balance)) : py::object(py::none());
   result["cone"] = residual(r.cone);
   result["normal_law"] = residual(r.normal_law);

@@ -143,12 +143,24 @@ py::dict units_of(const std::optional<Units>& units) {
 }
 
 GraspFile with_friction(const GraspFile& file, const std::vector<Rational>& friction) {
+  GraspFile result = file;
+  if (auto* box = std::get_if<GraspBox>(&result.content)) {
+    for (std::size_t i = 0; i < friction.size(); ++i) {
+      box->contacts[i].friction = point_interval(friction[i]);
+    }
+    box->check();
+    return result;
+  }
   std::vector<Contact> contacts = file.loaded().grasp.contacts();
   for (std::size_t i = 0; i < contacts.size(); ++i) contacts[i].friction = friction[i];
-  GraspFile result = file;
   result.content =
       LoadedGrasp{Grasp(std::move(contacts), file.description()), file.loaded().wrench};
   return result;
+}
+
+py::object in_its_class(GraspFile grasp) {
+  if (in_space(grasp.content)) return py::cast(SpatialGraspFile{std::move(grasp)});
+  return py::cast(std::move(grasp));
 }
 
 void bind_grasp(py::module_& module) {

@@ -110,11 +110,11 @@ py::str grasp_picture(const GraspFile& grasp, const py::object& wrench,
                       const std::optional<std::string>& limit) {
   const QuestionOptions asked = question_options(wrench, preload, bilateral);
   return text(without_gil([&] {
-    const Question question = question_of(grasp, asked);
-    if (limit) return plot_grasp(question, Verdict(Undecided{*limit}));
-    const Decision decision =
-        decide(Problem(question.loaded(), question.law), engine_named(engine));
-    return plot_grasp(question, decision.verdict);
+    const Question question = question_about(grasp, asked);
+    if (limit) return plot_grasp(question, Undecided{*limit});
+    // Pictures need exact forces, however long.
+    const Engine exact = engine == "auto" ? Engine::kBranchAndBound : engine_named(engine);
+    return plot_grasp(question, answer_to(question, {exact, 0, false}).verdict);
   }));
 }
 

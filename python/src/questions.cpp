@@ -6,6 +6,7 @@
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/certificate/proved_files.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/core/spatial_forces.hpp"
 #include "stickslip/equilibrium/contact_mode.hpp"
 #include "stickslip/margin/margin.hpp"
 #include "stickslip/planar/decide.hpp"
@@ -34,82 +35,80 @@ void add_witness(py::dict& result, const Question& question, const Problem& prob
   result["closed"] = closed;
 }
 
-/// The fields that answers about a box have in common.
-py::dict box_fields(const Question& question, const char* verdict) {
-  py::dict result("verdict"_a = verdict, "normal_law"_a = to_string(question.law),
-                  "wrench"_a = fractions(question.loaded().wrench));
-  if (question.preload) result["preload"] = fraction(*question.preload);
-  return result;
-}
+/// What is known of an equilibrium.
+struct EquilibriumFields {
+  const Answer& answer;
+  const Stable& stable;
+  py::dict& result;
 
-/// By an engine; or, where an exact equilibrium would be long, that the grasp
-/// is stable by degree.
-using Judgement = std::variant<Decision, BoxDecision>;
+  void operator()(const Witness& witness) const {
+    add_witness(result, answer.question, *answer.problem, witness);
+  }
+  void operator()(const SpatialWitness& witness) const {
+    const auto forces = forces_of(*answer.question.box(), witness.twist, witness.shares);
+    result["twist"] = tuple_of(witness.twist, fraction);
+    result["forces"] =
+        tuple_of(forces, [](const SpatialForce& f) { return tuple_of(f.force, fraction); });
+    result["closed"] =
+        tuple_of(forces, [](const SpatialForce& f) { return py::bool_(f.normal.sign() > 0); });
+  }
+  void operator()(const StabilityProof& /*proof*/) const {
+    result["near"] = tuple_of(stable.motion, fraction);
+  }
+};
 
-std::string certificate_of(const Question& question, const Judgement& judgement) {
-  if (const auto* decision = std::get_if<Decision>(&judgement)) {
-    return python::certificate_of(question, *decision);
-  }
-  return *stickslip::certificate_of(
-      answer_by_degree(question, std::get<BoxDecision>(judgement)));
-}
+/// The motion and the forces of an equilibrium, if it is exact.
+struct AddDoubles {
+  const Answer& about;
+  ManyAnswer& answer;
 
-/// The fields of results.Decision, but the warnings.
-py::dict judgement_fields(const Question& question, const Judgement& judgement,
-                          const std::string& certificate) {
-  if (const auto* decision = std::get_if<Decision>(&judgement)) {
-    return decision_fields(question, Problem(question.loaded(), question.law), *decision,
-                           certificate);
+  void operator()(const Witness& witness) const {
+    add(answer.twist, coordinates(witness.twist));
+    const std::vector<Contact>& contacts = about.question.loaded().grasp.contacts();
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      const Vector2 force = force_vector(contacts[i].normal, witness.forces[i]);
+      add(answer.forces, std::array{force.x, force.y});
+    }
   }
-  const BoxDecision& decision = std::get<BoxDecision>(judgement);
-  py::dict result = box_fields(question, "stable");
-  result["engine"] = kIntervalsEngine;
-  result["certificate"] = certificate;
-  result["near"] = tuple_of(*motion_near(answer_by_degree(question, decision)), fraction);
-  result["stats"] = stats(decision.work);
-  return result;
-}
+  void operator()(const SpatialWitness& witness) const {
+    add(answer.twist, witness.twist);
+    for (const SpatialForce& f :
+         forces_of(*about.question.box(), witness.twist, witness.shares)) {
+      add(answer.forces, f.force);
+    }
+  }
+  void operator()(const StabilityProof& /*proof*/) const {}
 
-/// The motion and the forces of an equilibrium.
-void add_doubles(ManyAnswer& answer, const Grasp& grasp, const Witness& witness) {
-  for (const Rational& value : coordinates(witness.twist)) {
-    answer.twist.push_back(to_double(value));
+ private:
+  template <class Values>
+  static void add(std::vector<double>& doubles, const Values& values) {
+    for (const Rational& value : values) doubles.push_back(to_double(value));
   }
-  for (std::size_t i = 0; i < grasp.size(); ++i) {
-    const Vector2 force = force_vector(grasp.contacts()[i].normal, witness.forces[i]);
-    answer.forces.push_back(to_double(force.x));
-    answer.forces.push_back(to_double(force.y));
+};
+
+Engine engine_for(const GraspFile& grasp, const std::string& name) {
+  if (in_space(grasp.content) && name != "auto") {
+    throw InputError("", "engine", "the grasp is in space, for which there is one engine",
+                     "leave it out");
   }
+  return engine_named(name);
 }
 
 py::dict decide_grasp(const GraspFile& grasp, const py::object& wrench,
                       const py::object& preload, bool bilateral, const std::string& engine,
                       std::size_t node_limit, bool warnings) {
-  struct Answer {
-    Question question;
-    Judgement judgement;
-    std::string certificate;  ///< empty if undecided
-    std::vector<ModelWarning> warnings;
-  };
   const QuestionOptions asked = question_options(wrench, preload, bilateral);
-  const Answer answer = without_gil([&] {
-    Question question = question_of(grasp, asked);
-    // Warnings need an exact equilibrium.
-    const Problem problem(question.loaded(), question.law);
-    const Engine asked_for = engine_named(engine);
-    const bool exactly = warnings && asked_for == Engine::kAuto;
-    Judgement judgement =
-        judge(problem, exactly ? Engine::kBranchAndBound : asked_for, node_limit);
-    std::string certificate = certificate_of(question, judgement);
-    std::vector<ModelWarning> found;
-    if (warnings) {
-      found = model_warnings(question, problem, std::get<Decision>(judgement).verdict);
-    }
-    return Answer{std::move(question), std::move(judgement), std::move(certificate),
-                  std::move(found)};
+  AnswerOptions options{engine_for(grasp, engine), node_limit, warnings};
+  // Warnings need an exact equilibrium.
+  if (warnings && options.engine == Engine::kAuto) options.engine = Engine::kBranchAndBound;
+  const auto [answer, certificate] = without_gil([&] {
+    Answer found = answer_to(question_about(grasp, asked), options);
+    std::string proof = certificate_of(found).value_or("");
+    return std::pair(std::move(found), std::move(proof));
   });
-  py::dict result = judgement_fields(answer.question, answer.judgement, answer.certificate);
-  result["warnings"] = warning_fields(answer.warnings);
+  py::dict result = decision_fields(answer, certificate);
+  result["warnings"] =
+      warning_fields(answer.warnings.value_or(std::vector<ModelWarning>{}));
   return result;
 }
 
@@ -225,65 +224,57 @@ py::tuple warning_fields(const std::vector<ModelWarning>& warnings) {
   });
 }
 
-std::string certificate_of(const Question& question, const Decision& decision) {
-  if (std::holds_alternative<Undecided>(decision.verdict)) return {};
-  return certificate_text(
-      question, decision.verdict,
-      std::string("stickslip " STICKSLIP_VERSION ", engine ") + decision.engine());
-}
-
-py::dict decision_fields(const Question& question, const Problem& problem,
-                         const Decision& decision, const std::string& certificate) {
-  const Verdict& verdict = decision.verdict;
-  py::dict result("verdict"_a = name_of(verdict), "engine"_a = decision.engine(),
-                  "normal_law"_a = to_string(question.law),
-                  "wrench"_a = fractions(problem.wrench()));
+py::dict decision_fields(const Answer& answer, const std::string& certificate) {
+  const Question& question = answer.question;
+  py::dict result(
+      "verdict"_a = name_of(answer.verdict), "engine"_a = answer.engine,
+      "normal_law"_a = to_string(question.law),
+      "wrench"_a = tuple_of(wrench_of(question.grasp),
+                            [](const Interval& w) { return fraction(w.low); }));
   if (question.preload) result["preload"] = fraction(*question.preload);
   if (!certificate.empty()) result["certificate"] = certificate;
-  result["stats"] = std::visit([](const auto& work) { return stats(work); }, decision.work);
-  if (const auto* stable = std::get_if<Stable>(&verdict)) {
-    add_witness(result, question, problem, stable->witness);
-  } else if (const auto* undecided = std::get_if<Undecided>(&verdict)) {
+  py::dict work;
+  for (const auto& [name, value] : answer.stats.items()) {
+    work[name.c_str()] = value.get<std::size_t>();
+  }
+  result["stats"] = work;
+  if (const auto* stable = std::get_if<Stable>(&answer.verdict)) {
+    std::visit(EquilibriumFields{answer, *stable, result}, stable->proof);
+  } else if (const auto* undecided = std::get_if<Undecided>(&answer.verdict)) {
     add_undecided(result, *undecided);
   }
   return result;
 }
 
-std::function<ManyAnswer()> planar_question(const py::handle& given, const OneOfMany& asked,
-                                            bool bilateral, const std::string& engine,
-                                            std::size_t node_limit) {
+std::function<ManyAnswer()> one_question(const py::handle& given, const OneOfMany& asked,
+                                         bool bilateral, const std::string& engine,
+                                         std::size_t node_limit) {
   auto grasp = given.cast<std::shared_ptr<const GraspFile>>();
   std::optional<std::vector<Rational>> friction;
   if (asked.friction != nullptr) friction = *asked.friction;
   return [grasp = std::move(grasp), friction = std::move(friction),
           options = question_options(asked.wrench, asked.preload, bilateral, py::none(),
                                      py::none(), asked.which),
-          engine = engine_named(engine), node_limit] {
+          how = AnswerOptions{engine_for(*grasp, engine), node_limit, false}] {
     const auto about =
         friction ? std::make_shared<const GraspFile>(with_friction(*grasp, *friction)) : grasp;
-    const Question question = question_of(*about, options);
-    const auto judgement = std::make_shared<const Judgement>(
-        judge(Problem(question.loaded(), question.law), engine, node_limit));
+    const auto found =
+        std::make_shared<const Answer>(answer_to(question_about(*about, options), how));
     ManyAnswer answer;
-    for (const Rational& value : coordinates(question.loaded().wrench)) {
-      answer.wrench.push_back(to_double(value));
+    answer.verdict = name_of(found->verdict);
+    answer.engine = found->engine;
+    for (const Interval& w : wrench_of(found->question.grasp)) {
+      answer.wrench.push_back(to_double(w.low));
     }
-    if (const auto* decision = std::get_if<Decision>(judgement.get())) {
-      answer.verdict = name_of(decision->verdict);
-      answer.engine = decision->engine();
-      if (const auto* stable = std::get_if<Stable>(&decision->verdict)) {
-        add_doubles(answer, question.loaded().grasp, stable->witness);
-      } else if (const auto* undecided = std::get_if<Undecided>(&decision->verdict)) {
-        answer.limit = undecided->limit;
-      }
-    } else {
-      answer.verdict = "stable";
-      answer.engine = kIntervalsEngine;
+    if (const auto* stable = std::get_if<Stable>(&found->verdict)) {
+      std::visit(AddDoubles{*found, answer}, stable->proof);
+    } else if (const auto* undecided = std::get_if<Undecided>(&found->verdict)) {
+      answer.limit = undecided->limit;
     }
-    answer.whole = [about, options, judgement] {
-      const Question again = question_of(*about, options);
+    answer.whole = [about, found] {
       return py::make_tuple(
-          *about, judgement_fields(again, *judgement, certificate_of(again, *judgement)));
+          in_its_class(*about),
+          decision_fields(*found, certificate_of(*found).value_or("")));
     };
     return answer;
   };
@@ -339,6 +330,10 @@ Question question_of(const GraspFile& grasp, const QuestionOptions& options) {
     throw InputError("", error.place(), error.problem(), "ask about grasp.snap().grasp");
   }
   return question;
+}
+
+Question question_about(const GraspFile& grasp, const QuestionOptions& options) {
+  return in_space(grasp.content) ? question_in_box(grasp, options) : question_of(grasp, options);
 }
 
 Question question_in_box(const GraspFile& grasp, QuestionOptions options,

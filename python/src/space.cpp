@@ -117,98 +117,6 @@ auto scalars(Interval UncertainContact::*member) {
   return by_contact([member](const UncertainContact& c) { return fraction((c.*member).low); });
 }
 
-struct Answer {
-  Question question;
-  BoxDecision decision;
-  std::string certificate;  ///< empty if there is none
-};
-
-/// In an answer; nothing if no equilibrium is known in fractions.
-const SpatialWitness* witness_of(const Answer& answer) {
-  const auto* stable = std::get_if<StableThroughout>(&answer.decision.verdict);
-  return stable == nullptr ? nullptr : std::get_if<SpatialWitness>(&stable->proof);
-}
-
-std::vector<SpatialForce> forces_in(const Answer& answer, const SpatialWitness& witness) {
-  return forces_of(*answer.question.box(), witness.twist, witness.shares);
-}
-
-/// The fields that all answers have in common.
-py::dict fields_of(const Answer& answer) {
-  const Question& question = answer.question;
-  const BoxDecision& decision = answer.decision;
-  py::dict result("verdict"_a = name_of(decision.verdict), "engine"_a = kSpaceEngine,
-                  "normal_law"_a = to_string(question.law),
-                  "wrench"_a = tuple_of(question.box()->wrench, [](const Interval& w) {
-                    return fraction(w.middle());
-                  }));
-  if (question.preload) result["preload"] = fraction(*question.preload);
-  if (const auto* undecided = std::get_if<Undecided>(&decision.verdict)) {
-    add_undecided(result, *undecided);
-  }
-  result["stats"] = stats(decision.work);
-  return result;
-}
-
-Answer answer_to(Question question, std::size_t node_limit) {
-  SearchOptions options;
-  options.node_limit = node_limit;
-  BoxDecision decision = decide_box(*question.box(), question.law, options);
-  return {std::move(question), std::move(decision), {}};
-}
-
-void refuse_engine(const std::string& engine) {
-  if (engine == "auto") return;
-  throw InputError("", "engine", "the grasp is in space, for which there is one engine",
-                   "leave it out");
-}
-
-void add_certificate(Answer& answer) {
-  const BoxVerdict& verdict = answer.decision.verdict;
-  if (std::holds_alternative<StableThroughout>(verdict) ||
-      std::holds_alternative<UnstableThroughout>(verdict)) {
-    answer.certificate =
-        box_certificate_text(answer.question, answer.decision, producer_of(kSpaceEngine));
-  }
-}
-
-/// The fields of results.Decision.
-py::dict decision_fields(const Answer& answer) {
-  py::dict result = fields_of(answer);
-  if (!answer.certificate.empty()) result["certificate"] = answer.certificate;
-  const auto* stable = std::get_if<StableThroughout>(&answer.decision.verdict);
-  if (stable == nullptr) return result;
-  const SpatialWitness* witness = witness_of(answer);
-  if (witness == nullptr) {
-    result["near"] = fractions_of(stable->motion);
-    return result;
-  }
-  const auto forces = forces_in(answer, *witness);
-  result["twist"] = fractions_of(witness->twist);
-  result["forces"] =
-      tuple_of(forces, [](const SpatialForce& f) { return fractions_of(f.force); });
-  result["closed"] =
-      tuple_of(forces, [](const SpatialForce& f) { return py::bool_(f.normal.sign() > 0); });
-  return result;
-}
-
-py::dict decide_grasp(const SpatialGraspFile& grasp, const py::object& wrench,
-                      const py::object& preload, bool bilateral, const std::string& engine,
-                      std::size_t node_limit, bool warnings) {
-  refuse_engine(engine);
-  Question question = question_in_box(grasp, question_options(wrench, preload, bilateral));
-  std::vector<ModelWarning> traps;
-  const Answer answer = without_gil([&] {
-    Answer found = answer_to(std::move(question), node_limit);
-    add_certificate(found);
-    if (warnings) traps = model_warnings(found.question, found.decision);
-    return found;
-  });
-  py::dict result = decision_fields(answer);
-  result["warnings"] = warning_fields(traps);
-  return result;
-}
-
 py::dict find_grasp_margin(const SpatialGraspFile& grasp, const py::object& direction,
                            const py::object& wrench, const py::object& preload,
                            const py::object& preload_direction, bool bilateral,
@@ -251,27 +159,6 @@ py::dict find_grasp_margin(const SpatialGraspFile& grasp, const py::object& dire
   return result;
 }
 
-py::str spatial_picture(const SpatialGraspFile& grasp, const py::object& wrench,
-                        const py::object& preload, bool bilateral,
-                        const std::string& /*engine*/,
-                        const std::optional<std::string>& limit) {
-  const Question question =
-      question_in_box(grasp, question_options(wrench, preload, bilateral));
-  return text(without_gil([&] {
-    return plot_grasp(question, limit ? Undecided{*limit}
-                                      : decide_box(*question.box(), question.law).verdict);
-  }));
-}
-
-SpatialGraspFile with_friction(SpatialGraspFile grasp, const std::vector<Rational>& friction) {
-  auto& box = std::get<GraspBox>(grasp.content);
-  for (std::size_t i = 0; i < friction.size(); ++i) {
-    box.contacts[i].friction = point_interval(friction[i]);
-  }
-  box.check();
-  return grasp;
-}
-
 SpatialGraspFile unpickled(const py::tuple& state) {
   return {parse_any_grasp(state[0].cast<std::string>(), "<pickle>", Intervals::kRefused)};
 }
@@ -280,51 +167,10 @@ SpatialGraspFile unpickled(const py::tuple& state) {
 py::object parse(const std::string& content, const std::string& name) {
   GraspFile file =
       without_gil([&] { return parse_any_grasp(content, name, Intervals::kRefused); });
-  if (in_space(file.content)) return py::cast(SpatialGraspFile{std::move(file)});
-  return py::cast(std::move(file));
+  return in_its_class(std::move(file));
 }
 
 }  // namespace
-
-std::function<ManyAnswer()> spatial_question(const py::handle& given, const OneOfMany& asked,
-                                             bool bilateral, const std::string& engine,
-                                             std::size_t node_limit) {
-  refuse_engine(engine);
-  auto grasp = given.cast<std::shared_ptr<const SpatialGraspFile>>();
-  const py::object none = py::none();
-  std::optional<std::vector<Rational>> friction;
-  if (asked.friction != nullptr) friction = *asked.friction;
-  return [grasp = std::move(grasp), friction = std::move(friction),
-          options =
-              question_options(asked.wrench, asked.preload, bilateral, none, none, asked.which),
-          node_limit] {
-    const auto about =
-        friction ? std::make_shared<const SpatialGraspFile>(with_friction(*grasp, *friction))
-                 : grasp;
-    const auto found =
-        std::make_shared<Answer>(answer_to(question_in_box(*about, options), node_limit));
-    ManyAnswer answer;
-    answer.verdict = name_of(found->decision.verdict);
-    answer.engine = kSpaceEngine;
-    for (const Interval& value : found->question.box()->wrench) {
-      answer.wrench.push_back(to_double(value.low));
-    }
-    if (const auto* undecided = std::get_if<Undecided>(&found->decision.verdict)) {
-      answer.limit = undecided->limit;
-    }
-    if (const SpatialWitness* witness = witness_of(*found)) {
-      for (const Rational& value : witness->twist) answer.twist.push_back(to_double(value));
-      for (const SpatialForce& contact : forces_in(*found, *witness)) {
-        for (const Rational& value : contact.force) answer.forces.push_back(to_double(value));
-      }
-    }
-    answer.whole = [about, found] {
-      if (found->certificate.empty()) add_certificate(*found);
-      return py::make_tuple(*about, decision_fields(*found));
-    };
-    return answer;
-  };
-}
 
 void bind_space(py::module_& module) {
   py::class_<SpatialGraspFile, GraspFile, std::shared_ptr<SpatialGraspFile>>(module,
@@ -333,7 +179,8 @@ void bind_space(py::module_& module) {
       .def("text", &text_of)
       .def("with_friction",
            [](const SpatialGraspFile& g, const py::object& friction) {
-             return with_friction(g, numbers(friction, box_in(g).contacts.size(), "friction"));
+             return SpatialGraspFile{
+                 with_friction(g, numbers(friction, box_in(g).contacts.size(), "friction"))};
            })
       .def("size", [](const SpatialGraspFile& g) { return box_in(g).contacts.size(); })
       .def("name", [](const SpatialGraspFile& g) { return text(g.description().name); })
@@ -365,10 +212,8 @@ void bind_space(py::module_& module) {
           },
           &unpickled));
   module.def("parse_grasp", &parse);
-  // Before those of the plane, which take any grasp.
-  module.def("decide", &decide_grasp, py::prepend());
+  // Before that of the plane, which takes any grasp.
   module.def("margin", &find_grasp_margin, py::prepend());
-  module.def("plot_grasp", &spatial_picture, py::prepend());
 }
 
 }  // namespace stickslip::python

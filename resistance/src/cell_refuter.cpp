@@ -66,9 +66,7 @@ TreeNode CellRefuter::decide(const MotionRegion& region) {
   for (std::size_t i = 0; i < problem_.size(); ++i) slips.push_back(region.slip_sign(i));
   const auto outcome =
       solve_loaded_region(problem_, slips, loaded_generators(region, *law_.hull));
-  if (const auto* leaf = std::get_if<VirtualWorkLeaf>(&outcome)) {
-    return TwistLeaf{{leaf->twist.begin(), leaf->twist.end()}};
-  }
+  if (const auto* leaf = std::get_if<TwistLeaf>(&outcome)) return *leaf;
   const auto& point = std::get<RelaxedPoint>(outcome);
   require(point.broken.has_value(), "a load outside of all pieces is resisted");
   return std::visit([](const auto& split) { return TreeNode(split); }, *point.broken);

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "stickslip/search/tree.hpp"
 
 namespace stickslip {
 namespace {
@@ -117,12 +116,6 @@ std::array<Double3, 2> tangents_across(const IntegerVector3& axis) {
 }
 
 }  // namespace
-
-std::size_t leaf_count(const Trees& trees) {
-  return static_cast<std::size_t>(std::count_if(
-      trees.begin(), trees.end(),
-      [](const TreeNode& node) { return std::holds_alternative<TwistLeaf>(node); }));
-}
 
 std::vector<Rational> ends_of(const Interval& interval) {
   if (interval.is_point()) return {interval.low};

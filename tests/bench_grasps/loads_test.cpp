@@ -60,7 +60,7 @@ TEST(StableInstances, AreStatedInFewWords) {
       SCOPED_TRACE(instance.family + ' ' + std::to_string(contacts));
       const Problem problem(instance.question.loaded(), instance.question.law);
       const Verdict verdict = decide_by_cones(problem);
-      const Witness& witness = std::get<Stable>(verdict).witness;
+      const Witness& witness = std::get<Stable>(verdict).witness();
       const test::ShareCount shares = test::shares_of(problem, witness);
       const bool on_threshold = family == 8 || family == 9;
       const bool varied = family >= 10;

@@ -44,7 +44,7 @@ TEST(BoxCertificate, Unstable) {
   const Question question =
       question_of(file_of({0, 1}, 1),
                   "friction=10%,stiffness=1/3%,preload=1/10,position=2,normal=0.0175,wrench=0");
-  EXPECT_EQ(box_certificate_text(question, {UnstableThroughout{every_node()}, {}, 256}, "us"),
+  EXPECT_EQ(certificate_text(question, Unstable{every_node()}, "us", 256),
             std::string(R"({"format": "stickslip-certificate/2",
  "producer": "us",
  "question": {"contacts": 1, "wrench": [0,"-1/2",0], "normal_law": "unilateral", )"
@@ -65,8 +65,8 @@ TEST(BoxCertificate, Stable) {
   const StabilityProof parts{PartSplit{Parameter::kTurn, 0, 0}, proof,
                              PartSplit{Parameter::kTurn, 0, Rational(1, 18)}, rest,
                              DegreeProof{ConvexBody{{0, 0, 0}, false, walls}, walls, {}}};
-  const std::string text = box_certificate_text(question_of(file_of({0, 1}, 1), "normal=1/9"),
-                                                {StableThroughout{parts}, {}}, "us");
+  const std::string text = certificate_text(question_of(file_of({0, 1}, 1), "normal=1/9"),
+                                            Stable{parts}, "us");
   EXPECT_THAT(text, HasSubstr(std::string(R"("uncertain": {"normal": "1/9"}},
  "verdict": "stable",
  "parts": [
@@ -100,14 +100,14 @@ TEST(BoxCertificate, NamesOfParameters) {
              {Parameter::kWrench, "wrench"}};
   for (const auto& [parameter, name] : all) {
     const Trees tree{PartSplit{parameter, 0, 1}};
-    EXPECT_THAT(box_certificate_text(question, {UnstableThroughout{tree}, {}}, "us"),
+    EXPECT_THAT(certificate_text(question, Unstable{tree}, "us"),
                 HasSubstr(std::string("[\"part\",\"") + name + "\",0,1]"));
   }
 }
 
 TEST(BoxCertificate, BitsWhereALengthIsIrrational) {
   const auto text = [](const Question& question, unsigned bits) {
-    return box_certificate_text(question, {UnstableThroughout{every_node()}, {}, bits}, "us");
+    return certificate_text(question, Unstable{every_node()}, "us", bits);
   };
   const Question rational = question_of(file_of({3, 4}, 1), "friction=1%");
   const Question irrational = question_of(file_of({1, 1}, 1), "friction=1%");
@@ -128,15 +128,14 @@ TEST(BoxCertificate, UncertainComponentsOfTheWrenchAreTwoNumbers) {
   GraspBox box = box_of(file.content);
   box.wrench[1] = {-1, Rational(-1, 2)};
   file.content = std::move(box);
-  EXPECT_THAT(box_certificate_text(question_of(file, "wrench=100%"),
-                                   {UnstableThroughout{every_node()}, {}}, "us"),
+  EXPECT_THAT(certificate_text(question_of(file, "wrench=100%"), Unstable{every_node()}, "us"),
               HasSubstr(R"("wrench": [0,[-1,"-1/2"],0])"));
 }
 
 TEST(BoxCertificate, AnOrdinaryOneRepeatsTheTolerances) {
   const Question question = question_of(file_of({0, 1}, 1), "friction=0");
   ASSERT_EQ(question.box(), nullptr);
-  EXPECT_THAT(certificate_text(question, Unstable{{VirtualWorkLeaf{}}}, "us"),
+  EXPECT_THAT(certificate_text(question, Unstable{{TwistLeaf{Row(3)}}}, "us"),
               HasSubstr(R"("normal_law": "unilateral", "uncertain": {"friction": 0}})"));
 }
 
@@ -144,12 +143,11 @@ TEST(BoxCertificate, WhatHasNone) {
   const Question box = question_of(file_of({0, 1}, 1), "friction=1%");
   const Question grasp = ask(file_of({0, 1}, 1), {});
   const LoadedGrasp loaded = file_of({0, 1}, 1).loaded();
-  EXPECT_THROW(box_certificate_text(box, {Fragile{box_of(loaded), box_of(loaded)}}, "us"),
+  EXPECT_THROW(certificate_text(box, Fragile{box_of(loaded), box_of(loaded)}, "us"),
                ContractError);
-  EXPECT_THROW(box_certificate_text(box, {Undecided{"a limit"}, {}}, "us"), ContractError);
-  EXPECT_THROW(box_certificate_text(grasp, {UnstableThroughout{every_node()}, {}}, "us"),
-               ContractError);
-  EXPECT_THROW(certificate_text(box, Unstable{{VirtualWorkLeaf{}}}, "us"), ContractError);
+  EXPECT_THROW(certificate_text(box, Undecided{"a limit"}, "us"), ContractError);
+  EXPECT_THROW(certificate_text(grasp, Stable{StabilityProof{}}, "us"), ContractError);
+  EXPECT_THROW(certificate_text(box, Stable{Witness{}}, "us"), ContractError);
 }
 
 }  // namespace

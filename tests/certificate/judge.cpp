@@ -80,21 +80,21 @@ CheckerAnswer judge_witness(const Problem& problem, const Json& certificate) {
   return {"accepted", "", {}, "", ""};
 }
 
-RefutationNode node_of(const Json& node, std::size_t contacts) {
+TreeNode node_of(const Json& node, std::size_t contacts) {
   const std::string kind = node.at(0).get<std::string>();
   if (kind == "slip") return SlipSplit{contact(node.at(1), contacts)};
   if (kind == "separation") return SeparationSplit{contact(node.at(1), contacts)};
   if (kind == "plane") {
-    return PlaneSplit{primitive_multiple<5>(
-        {number_at(node, 1), number_at(node, 2), number_at(node, 3), number_at(node, 4), 0})};
+    return PlaneCut{primitive_multiple(RationalRow{
+        number_at(node, 1), number_at(node, 2), number_at(node, 3), number_at(node, 4), 0})};
   }
   // A positive multiple of y proves the same.
-  return VirtualWorkLeaf{
-      primitive_multiple<3>({number_at(node, 1), number_at(node, 2), number_at(node, 3)})};
+  return TwistLeaf{primitive_multiple(
+      RationalRow{number_at(node, 1), number_at(node, 2), number_at(node, 3)})};
 }
 
 CheckerAnswer judge_tree(const Problem& problem, const Json& certificate) {
-  Refutation refutation;
+  Trees refutation;
   for (const Json& node : certificate.at("tree")) {
     refutation.push_back(node_of(node, problem.size()));
   }

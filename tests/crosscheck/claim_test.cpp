@@ -319,7 +319,7 @@ TEST(FindWitnessLike, UndoesNoise) {
     const Decision decision = decide(problem);
     const auto* stable = std::get_if<Stable>(&decision.verdict);
     ASSERT_NE(stable, nullptr) << "planted loads are resisted, seed " << seed;
-    ApproximateEquilibrium noisy{stable->witness.twist, stable->witness.forces};
+    ApproximateEquilibrium noisy{stable->witness().twist, stable->witness().forces};
     noisy.twist->x += noise(random);
     noisy.twist->y += noise(random);
     noisy.twist->r += noise(random);

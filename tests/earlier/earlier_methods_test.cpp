@@ -154,8 +154,8 @@ TEST(PaperClaims, ConesAloneRejectFig4AsTabulated) {
         const Problem p = problem(grasp, {0, up, 0}, law);
         EXPECT_TRUE(is_weak(p));
         const ConesVerdict verdict = friction_cones_alone(p);
-        ASSERT_TRUE(std::holds_alternative<Refutation>(verdict));
-        EXPECT_EQ(find_flaw(p, std::get<Refutation>(verdict)), std::nullopt);
+        ASSERT_TRUE(std::holds_alternative<Trees>(verdict));
+        EXPECT_EQ(find_flaw(p, std::get<Trees>(verdict)), std::nullopt);
       }
     }
   }
@@ -170,8 +170,8 @@ TEST(PaperClaims, ConesAloneRejectWithoutForcesInTheCones) {
   for (const NormalLaw law : {NormalLaw::kUnilateral, NormalLaw::kBilateral}) {
     const Problem p = problem(grasp, {0, 1, 0}, law);
     const ConesVerdict verdict = friction_cones_alone(p);
-    ASSERT_TRUE(std::holds_alternative<Refutation>(verdict));
-    EXPECT_EQ(find_flaw(p, std::get<Refutation>(verdict)), std::nullopt);
+    ASSERT_TRUE(std::holds_alternative<Trees>(verdict));
+    EXPECT_EQ(find_flaw(p, std::get<Trees>(verdict)), std::nullopt);
   }
 }
 

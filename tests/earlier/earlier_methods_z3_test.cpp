@@ -33,7 +33,7 @@ bool accepts(const Problem& p, Model model, const Inertia& inertia = {}) {
     case Model::kConesAlone: {
       const ConesVerdict verdict = friction_cones_alone(p);
       EXPECT_FALSE(std::holds_alternative<Undecided>(verdict));
-      if (const auto* tree = std::get_if<Refutation>(&verdict)) {
+      if (const auto* tree = std::get_if<Trees>(&verdict)) {
         EXPECT_EQ(find_flaw(p, *tree), std::nullopt);
       }
       return std::holds_alternative<Witness>(verdict);

@@ -48,9 +48,9 @@ TEST(ConeEngine, SameAnswerEveryTime) {
       ConeWork work;
       const Verdict verdict = decide_by_cones(problem, {}, &work);
       if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
-        texts.push_back(to_text(unstable->refutation));
+        texts.push_back(to_text(unstable->tree));
       } else {
-        const Witness& witness = std::get<Stable>(verdict).witness;
+        const Witness& witness = std::get<Stable>(verdict).witness();
         EXPECT_EQ(find_violation(problem, witness), std::nullopt);
         texts.push_back(to_string(witness.twist.x) + to_string(witness.twist.y) +
                         to_string(witness.twist.r));
@@ -77,10 +77,10 @@ TEST(ConeEngine, ManyContactsWithBothVerdictsJudged) {
       expect_accepted_by_both(loaded, NormalLaw::kUnilateral, verdict);
       if (const auto* found = std::get_if<Unstable>(&verdict)) {
         ++unstable;
-        EXPECT_EQ(check_refutation(problem, found->refutation), std::nullopt);
+        EXPECT_EQ(check_refutation(problem, found->tree), std::nullopt);
       } else {
         ++stable;
-        EXPECT_EQ(find_violation(problem, std::get<Stable>(verdict).witness), std::nullopt);
+        EXPECT_EQ(find_violation(problem, std::get<Stable>(verdict).witness()), std::nullopt);
       }
     }
   }
@@ -113,7 +113,7 @@ TEST(ConeEngine, CountersAddUp) {
         decide_by_cones(Problem(arc(40, seed, true), NormalLaw::kUnilateral), {}, &work);
     const auto* unstable = std::get_if<Unstable>(&verdict);
     ASSERT_NE(unstable, nullptr);
-    EXPECT_EQ(work.nodes, unstable->refutation.size());
+    EXPECT_EQ(work.nodes, unstable->tree.size());
     EXPECT_EQ(work.nodes, work.leaves + work.voids + work.slip_splits + work.separation_splits);
     EXPECT_EQ(work.nodes, 1 + 3 * work.slip_splits + 2 * work.separation_splits);
     EXPECT_EQ(work.leaves, work.filter_hits + work.filter_misses);
@@ -224,9 +224,9 @@ TEST(Decide, TakesTheConeEngineUnlessAskedForTheOther) {
 }
 
 TEST(Decide, SummaryNamesTheLargestCase) {
-  const Refutation tree{SlipSplit{ContactId(2)},    SeparationSplit{ContactId(0)},
-                        VirtualWorkLeaf{{1, 0, 0}}, VirtualWorkLeaf{{2, 0, 0}},
-                        VirtualWorkLeaf{},          VirtualWorkLeaf{{3, 0, 0}}};
+  const Trees tree{SlipSplit{ContactId(2)},    SeparationSplit{ContactId(0)},
+                        TwistLeaf{{1, 0, 0}}, TwistLeaf{{2, 0, 0}},
+                        TwistLeaf{Row(3)},          TwistLeaf{{3, 0, 0}}};
   const RefutationSummary summary = summarize(tree);
   EXPECT_EQ(summary.nodes, 6u);
   EXPECT_EQ(summary.leaves, 3u);
@@ -242,23 +242,23 @@ TEST(Decide, SummaryShowsTheCaseThatLooksLikeTheFailure) {
   loaded.grasp =
       Grasp(std::vector<Contact>{{{0, 0}, {1, 0}, Rational(1, 2)}});  // tangent (0, 1)
   const Problem problem(loaded, NormalLaw::kUnilateral);
-  const VirtualWorkLeaf up{{0, -1, 0}};  // what the object does is against the twist
-  const Refutation slips{SlipSplit{ContactId(0)}, VirtualWorkLeaf{{0, 1, 0}}, up, up};
+  const TwistLeaf up{{0, -1, 0}};  // what the object does is against the twist
+  const Trees slips{SlipSplit{ContactId(0)}, TwistLeaf{{0, 1, 0}}, up, up};
   EXPECT_EQ(summarize(slips, &problem).largest_leaf[0], "contact 0 slips +");
-  const Refutation swapped{SlipSplit{ContactId(0)}, VirtualWorkLeaf{}, up,
-                           VirtualWorkLeaf{{0, 2, 0}}};
+  const Trees swapped{SlipSplit{ContactId(0)}, TwistLeaf{Row(3)}, up,
+                           TwistLeaf{{0, 2, 0}}};
   EXPECT_EQ(summarize(swapped, &problem).largest_leaf[0], "contact 0 slips -");
   EXPECT_EQ(summarize(swapped, &problem).largest_leaf_twist[1], 2);
   EXPECT_EQ(summarize(swapped).largest_leaf[0], "contact 0 sticks");
-  const Refutation opens{SeparationSplit{ContactId(0)}, up, VirtualWorkLeaf{{-1, 0, 0}}};
+  const Trees opens{SeparationSplit{ContactId(0)}, up, TwistLeaf{{-1, 0, 0}}};
   EXPECT_EQ(summarize(opens, &problem).largest_leaf[0], "contact 0 is open");
   EXPECT_EQ(summarize(opens, &problem).leaves, 2u);
 }
 
 TEST(Decide, SummaryKnowsWhichContactsAreOpen) {
-  const Refutation tree{SlipSplit{ContactId(2)},       VirtualWorkLeaf{},
-                        SeparationSplit{ContactId(0)}, VirtualWorkLeaf{},
-                        VirtualWorkLeaf{{1, 0, 0}},    VirtualWorkLeaf{}};
+  const Trees tree{SlipSplit{ContactId(2)},       TwistLeaf{Row(3)},
+                        SeparationSplit{ContactId(0)}, TwistLeaf{Row(3)},
+                        TwistLeaf{{1, 0, 0}},    TwistLeaf{Row(3)}};
   const RefutationSummary summary = summarize(tree);
   const std::map<ContactId, Sign> slips{{ContactId(2), Sign::kZero}};
   EXPECT_TRUE(summary.largest_leaf_slips == slips);

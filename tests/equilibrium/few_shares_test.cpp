@@ -139,7 +139,7 @@ std::vector<Contact> facing_pairs(int pairs) {
 ShareCount judged_shares(const LoadedGrasp& loaded) {
   EXPECT_EQ(test::judged_verdict({loaded, NormalLaw::kUnilateral}), "stable");
   const Problem problem(loaded, NormalLaw::kUnilateral);
-  return shares_of(problem, std::get<Stable>(decide_by_cones(problem)).witness);
+  return shares_of(problem, std::get<Stable>(decide_by_cones(problem)).witness());
 }
 
 TEST(FewShares, NoMoreContactsThanTheLoadNeeds) {
@@ -150,7 +150,7 @@ TEST(FewShares, NoMoreContactsThanTheLoadNeeds) {
     const Problem problem(loaded, NormalLaw::kUnilateral);
     const Verdict verdict = decide_by_cones(problem);
     test::expect_accepted_by_both(loaded, NormalLaw::kUnilateral, verdict);
-    const ShareCount shares = shares_of(problem, std::get<Stable>(verdict).witness);
+    const ShareCount shares = shares_of(problem, std::get<Stable>(verdict).witness());
     EXPECT_EQ(shares.sum, Rational(2 * halves + 1, 2)) << halves;
     EXPECT_LE(shares.nonzero, static_cast<std::size_t>(halves + 3)) << halves;
     EXPECT_LE(shares.fractional, 3u) << halves;

@@ -15,12 +15,12 @@ namespace {
 void judge(const LoadCase& load_case, const Problem& problem, const Verdict& verdict,
            RaysFrom rays_from) {
   if (const auto* stable = std::get_if<Stable>(&verdict)) {
-    EXPECT_EQ(find_violation(problem, stable->witness), std::nullopt) << describe(load_case);
-    EXPECT_LE(shares_of(problem, stable->witness).fractional, 3u) << describe(load_case);
+    EXPECT_EQ(find_violation(problem, stable->witness()), std::nullopt) << describe(load_case);
+    EXPECT_LE(shares_of(problem, stable->witness()).fractional, 3u) << describe(load_case);
   } else if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
-    EXPECT_EQ(check_refutation(problem, unstable->refutation, rays_from), std::nullopt)
-        << describe(load_case) << to_text(unstable->refutation);
-    EXPECT_EQ(find_flaw(problem, unstable->refutation), std::nullopt) << describe(load_case);
+    EXPECT_EQ(check_refutation(problem, unstable->tree, rays_from), std::nullopt)
+        << describe(load_case) << to_text(unstable->tree);
+    EXPECT_EQ(find_flaw(problem, unstable->tree), std::nullopt) << describe(load_case);
   } else {
     ADD_FAILURE() << "undecided: " << describe(load_case);
     return;

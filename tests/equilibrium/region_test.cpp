@@ -209,7 +209,7 @@ TEST(Leaf, BoundIsExactAtTheThreshold) {
                              .slip_child(problem, kThird, Sign::kZero)
                              .plane_child({1, 0, 0, 1}, Side::kPositive)
                              .plane_child({-1, 0, 0, 1}, Side::kPositive);
-    const VirtualWorkLeaf down{{0, -1, 0}};
+    const TwistLeaf down{{0, -1, 0}};
     for (const Rational& bound : work_bounds(problem, stuck, down)) {
       EXPECT_EQ(bound, -excess);
     }
@@ -242,7 +242,7 @@ TEST(Leaf, NegativeWorkOfMixedContactsDoesNotCount) {
   const Region root = Region::root(problem);
   const Rays rays = rays_of(problem, root);
   // alpha = y.N = -1, y.w = -1: no force pulls down.
-  const VirtualWorkLeaf down{{0, -1, 0}};
+  const TwistLeaf down{{0, -1, 0}};
   const std::vector<Rational> g = work_bounds(problem, root, down);
   for (std::size_t r = 0; r < rays.size(); ++r) EXPECT_EQ(g[r], -rays[r][3]);
   EXPECT_TRUE(refutes(problem, root, down));
@@ -303,8 +303,8 @@ Problem random_family(RandomSource& random, const Problem& problem) {
   return problem.along(growth).within(range);
 }
 
-VirtualWorkLeaf random_leaf(RandomSource& random) {
-  VirtualWorkLeaf leaf;
+TwistLeaf random_leaf(RandomSource& random) {
+  TwistLeaf leaf{Row(3)};
   for (Integer& entry : leaf.twist) entry = random.between(-2, 2);
   return leaf;
 }
@@ -344,7 +344,7 @@ TEST(Region, AgreesWithTheLetterOfTheFormat) {
       }
     }
     for (int leaves = 0; leaves < 4; ++leaves) {
-      const VirtualWorkLeaf leaf = random_leaf(random);
+      const TwistLeaf leaf = random_leaf(random);
       EXPECT_EQ(work_bounds(problem, region, leaf), naive_bounds(problem, naive, rays, leaf));
       const bool holds = naive_refutes(problem, naive, rays, leaf);
       EXPECT_EQ(refutes(problem, region, leaf), holds);

@@ -140,7 +140,7 @@ TEST(Work, CountsTheStatesOfThePaper) {
 /// The cases of an unstable load's proof.
 std::size_t cases_of(const Problem& problem, StatesWork& work) {
   const Verdict verdict = decide_by_states(problem, &work);
-  return summarize(std::get<Unstable>(verdict).refutation).leaves;
+  return summarize(std::get<Unstable>(verdict).tree).leaves;
 }
 
 // The README's first example: one twist for all states but those of two groups.
@@ -203,10 +203,10 @@ TEST(Determinism, SameProblemSameEvidenceSameWork) {
     EXPECT_EQ(first_work.double_pivots, second_work.double_pivots);
     EXPECT_EQ(first_work.exact_pivots, second_work.exact_pivots);
     if (const auto* unstable = std::get_if<Unstable>(&first)) {
-      EXPECT_EQ(test::to_text(unstable->refutation),
-                test::to_text(std::get<Unstable>(second).refutation));
+      EXPECT_EQ(test::to_text(unstable->tree),
+                test::to_text(std::get<Unstable>(second).tree));
     } else {
-      EXPECT_EQ(std::get<Stable>(first).witness.twist, std::get<Stable>(second).witness.twist);
+      EXPECT_EQ(std::get<Stable>(first).witness().twist, std::get<Stable>(second).witness().twist);
     }
   }
 }
@@ -215,27 +215,27 @@ TEST(Determinism, SameProblemSameEvidenceSameWork) {
 // load turned round.
 TEST(CheckRefutation, RejectsMutations) {
   const Problem problem({test::fig1_grasp(0), {0, 1, 0}}, NormalLaw::kUnilateral);
-  const Refutation refutation = std::get<Unstable>(decide_by_states(problem)).refutation;
-  const auto holds = [](const Problem& of, const Refutation& tree) {
+  const Trees refutation = std::get<Unstable>(decide_by_states(problem)).tree;
+  const auto holds = [](const Problem& of, const Trees& tree) {
     const bool by_twin = !test::check_refutation(of, tree);
     EXPECT_EQ(by_twin, !find_flaw(of, tree));
     return by_twin;
   };
   ASSERT_TRUE(holds(problem, refutation));
   for (std::size_t drop = 0; drop < refutation.size(); ++drop) {
-    Refutation shorter = refutation;
+    Trees shorter = refutation;
     shorter.erase(shorter.begin() + static_cast<std::ptrdiff_t>(drop));
     EXPECT_FALSE(holds(problem, shorter)) << drop;
   }
-  Refutation longer = refutation;
-  longer.emplace_back(VirtualWorkLeaf{});
+  Trees longer = refutation;
+  longer.emplace_back(TwistLeaf{Row(3)});
   EXPECT_FALSE(holds(problem, longer));
   EXPECT_EQ(test::check_refutation(problem, longer),
             "node " + std::to_string(refutation.size() - 1) + ": tree-long");
   const Problem held({test::fig1_grasp(0), {0, -1, 0}}, NormalLaw::kUnilateral);
   EXPECT_FALSE(holds(held, refutation));
   EXPECT_FALSE(holds(problem, {}));
-  EXPECT_FALSE(holds(problem, {VirtualWorkLeaf{}}));
+  EXPECT_FALSE(holds(problem, {TwistLeaf{Row(3)}}));
   EXPECT_FALSE(holds(problem, {SlipSplit{ContactId(3)}}));
   EXPECT_THROW(validate(problem, Unstable{longer}), ContractError);
   EXPECT_THROW(validate(problem, Stable{Witness{}}), ContractError);

@@ -43,7 +43,7 @@ TEST(PlotGrasp, Undecided) {
 }
 
 TEST(PlotGrasp, NoMotionIsAllowed) {
-  const std::string svg = plot_grasp(pushed_from_below(), Unstable{{VirtualWorkLeaf{}}});
+  const std::string svg = plot_grasp(pushed_from_below(), Unstable{{TwistLeaf{Row(3)}}});
   EXPECT_NE(svg.find("allows no motion"), std::string::npos);
 }
 
@@ -67,7 +67,7 @@ TEST(PlotGrasp, WhichContactsLose) {
                                       {{0, -1}, {0, 1}, Rational(1, 2)}},
                                      "pulled"),
                                {0, 9, 0}};
-  const VirtualWorkLeaf down{{0, -1, 0}};
+  const TwistLeaf down{{0, -1, 0}};
   const std::string loses = "loses";
   const std::string cannot = "cannot oppose";
   const std::string whole = plot_grasp(question, Unstable{{down}});
@@ -78,10 +78,10 @@ TEST(PlotGrasp, WhichContactsLose) {
   EXPECT_NE(whole.find("virtual-ghost"), std::string::npos);
   EXPECT_EQ(whole.find("virtual-pivot\""), std::string::npos);
   // Where contact 0 slips +, friction pulls it down; where it slips -, up; open, not at all.
-  const auto largest = [&](const RefutationNode& split, std::size_t which, std::size_t of) {
-    Refutation tree{split};
+  const auto largest = [&](const TreeNode& split, std::size_t which, std::size_t of) {
+    Trees tree{split};
     for (std::size_t k = 0; k < of; ++k) {
-      tree.push_back(k == which ? RefutationNode(down) : RefutationNode(VirtualWorkLeaf{}));
+      tree.push_back(k == which ? TreeNode(down) : TreeNode(TwistLeaf{Row(3)}));
     }
     return marks(plot_grasp(question, Unstable{tree}))[0];
   };
@@ -93,16 +93,16 @@ TEST(PlotGrasp, WhichContactsLose) {
 }
 
 TEST(PlotGrasp, AVirtualTwistTurnsAboutItsCentre) {
-  const Refutation turn{VirtualWorkLeaf{{0, 0, -1}}};
+  const Trees turn{TwistLeaf{{0, 0, -1}}};
   const std::string svg = plot_grasp(pushed_from_below(), Unstable{turn});
   EXPECT_NE(svg.find("class=\"virtual-pivot\""), std::string::npos);
-  const Refutation far{VirtualWorkLeaf{{-9, 0, -1}}};
+  const Trees far{TwistLeaf{{-9, 0, -1}}};
   EXPECT_EQ(plot_grasp(pushed_from_below(), Unstable{far}).find("class=\"virtual-pivot\""),
             std::string::npos);
 }
 
 TEST(PlotGrasp, ACaseWithoutATwistHasNoMotion) {
-  const Refutation none{VirtualWorkLeaf{{0, 0, 0}}};
+  const Trees none{TwistLeaf{{0, 0, 0}}};
   const std::string svg = plot_grasp(pushed_from_below(), Unstable{none});
   EXPECT_EQ(svg.find("class=\"virtual\""), std::string::npos);
 }
@@ -120,11 +120,11 @@ Question pushed_down() {
 }
 
 TEST(PlotSpatialGrasp, UndecidedOrUnstableHasNoForces) {
-  const std::string undecided = plot_grasp(pushed_down(), BoxVerdict(Undecided{"7 nodes"}));
+  const std::string undecided = plot_grasp(pushed_down(), Verdict(Undecided{"7 nodes"}));
   EXPECT_NE(undecided.find("one: undecided"), std::string::npos);
   EXPECT_NE(undecided.find("Undecided: 7 nodes."), std::string::npos);
   const std::string unstable =
-      plot_grasp(pushed_down(), BoxVerdict(UnstableThroughout{{TwistLeaf{Row(6)}}}));
+      plot_grasp(pushed_down(), Verdict(Unstable{{TwistLeaf{Row(6)}}}));
   EXPECT_NE(unstable.find("proved by one virtual twist."), std::string::npos);
   for (const std::string& svg : {undecided, unstable}) {
     EXPECT_EQ(svg.find("class=\"force\""), std::string::npos);
@@ -137,7 +137,7 @@ TEST(PlotSpatialGrasp, AMotionThatTurnsAboutTheOnlyContact) {
     const Vector6 d{0, 0, -1, 0, 0, parse_rational(turn)};
     const std::string svg =
         plot_grasp(pushed_down(),
-                   BoxVerdict(StableThroughout{SpatialWitness{d, {}}, {d.begin(), d.end()}}));
+                   Verdict(Stable{SpatialWitness{d, {}}, {d.begin(), d.end()}}));
     EXPECT_NE(svg.find("class=\"ghost\""), std::string::npos);
     EXPECT_NE(svg.find("data-value=\"0,0,1\""), std::string::npos);  // of the force
   }

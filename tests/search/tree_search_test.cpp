@@ -74,21 +74,21 @@ Outcome search(const Law& law, const MotionRegion& region) {
 }
 
 /// Of a tree in the plane, or of one whose other coordinates nothing sees.
-Refutation in_plane(const Trees& tree, const std::array<std::size_t, 3>& coordinates) {
-  const auto three = [&](const Row& row) -> IntegerVector3 {
+Trees in_plane(const Trees& tree, const std::array<std::size_t, 3>& coordinates) {
+  const auto three = [&](const Row& row) -> Row {
     return {row[coordinates[0]], row[coordinates[1]], row[coordinates[2]]};
   };
-  Refutation result;
+  Trees result;
   for (const TreeNode& node : tree) {
     if (const auto* slip = std::get_if<SlipSplit>(&node)) result.emplace_back(*slip);
     if (const auto* split = std::get_if<SeparationSplit>(&node)) result.emplace_back(*split);
     if (const auto* cut = std::get_if<PlaneCut>(&node)) {
-      const IntegerVector3 d = three(cut->plane);
+      const Row d = three(cut->plane);
       const std::size_t h = cut->plane.size() - 2;
-      result.emplace_back(PlaneSplit{{d[0], d[1], d[2], cut->plane[h], 0}});
+      result.emplace_back(PlaneCut{{d[0], d[1], d[2], cut->plane[h], 0}});
     }
     if (const auto* leaf = std::get_if<TwistLeaf>(&node)) {
-      result.emplace_back(VirtualWorkLeaf{three(leaf->twist)});
+      result.emplace_back(TwistLeaf{three(leaf->twist)});
     }
   }
   return result;

@@ -276,7 +276,7 @@ CheckerInput input_of(const Question& question, const Margin& margin) {
 CheckerInput input_of(const std::string& grasp, const QuestionOptions& options,
                       const BoxDecision& decision) {
   const Question question = ask(parse_grasp(grasp, "grasp", Intervals::kAllowed), options);
-  return {grasp, box_certificate_text(question, decision, "tests"), options};
+  return {grasp, certificate_text(question, decision.verdict, "tests", decision.bits), options};
 }
 
 void expect_accepted_by_both(const Question& question, const Margin& margin) {

@@ -29,7 +29,7 @@ struct Place {
 
 class Walker {
  public:
-  Walker(const Problem& problem, const Refutation& refutation, RaysFrom rays_from)
+  Walker(const Problem& problem, const Trees& refutation, RaysFrom rays_from)
       : problem_(problem), refutation_(refutation), rays_from_(rays_from) {}
 
   void walk_all() {
@@ -74,26 +74,31 @@ class Walker {
     }
   }
 
-  void visit(const Place& place, const PlaneSplit& node) {
+  void visit(const Place& place, const PlaneCut& node) {
     demand(place.planes < kMaxPlanes, "node-repeated");
     demand(!is_zero(node.plane), "node-plane");
+    const auto plane = vector_of<5>(node.plane);
     for (const bool first : {true, false}) {
       Place child = place;
       child.region =
-          place.region.plane_child(node.plane, first ? Side::kPositive : Side::kNegative);
-      child.naive = place.naive.plane_child(to_rational(node.plane), first);
+          place.region.plane_child(plane, first ? Side::kPositive : Side::kNegative);
+      child.naive = place.naive.plane_child(to_rational(plane), first);
       ++child.planes;
       walk(child);
     }
   }
 
-  void visit(const Place& place, const VirtualWorkLeaf& node) const {
+  void visit(const Place& place, const TwistLeaf& node) const {
     const Rays generators = rays(place);
     demand(place.region.is_void() == naive_is_barred(place.naive, generators),
            "is_void disagrees with its twin");
     const bool holds = naive_refutes(problem_, place.naive, generators, node);
     demand(refutes(problem_, place.region, node) == holds, "refutes disagrees with its twin");
     demand(holds, "leaf-bound");
+  }
+
+  void visit(const Place& /*place*/, const PartSplit& /*node*/) const {
+    demand(false, "node-kind");
   }
 
   std::size_t checked(ContactId contact) const {
@@ -116,7 +121,7 @@ class Walker {
   }
 
   const Problem& problem_;
-  const Refutation& refutation_;
+  const Trees& refutation_;
   const RaysFrom rays_from_;
   std::size_t next_ = 0;
   std::size_t node_ = 0;
@@ -129,11 +134,12 @@ struct Printer {
   void operator()(const SeparationSplit& node) const {
     out << "separation " << node.contact.index();
   }
-  void operator()(const PlaneSplit& node) const {
+  void operator()(const PlaneCut& node) const {
     out << "plane";
     for (const Integer& entry : node.plane) out << ' ' << entry;
   }
-  void operator()(const VirtualWorkLeaf& node) const {
+  void operator()(const PartSplit& node) const { out << "part " << node.index; }
+  void operator()(const TwistLeaf& node) const {
     out << "leaf";
     for (const Integer& entry : node.twist) out << ' ' << entry;
   }
@@ -142,7 +148,7 @@ struct Printer {
 }  // namespace
 
 std::optional<std::string> check_refutation(const Problem& problem,
-                                            const Refutation& refutation, RaysFrom rays_from) {
+                                            const Trees& refutation, RaysFrom rays_from) {
   try {
     Walker(problem, refutation, rays_from).walk_all();
   } catch (const RuleBroken& broken) {
@@ -151,9 +157,9 @@ std::optional<std::string> check_refutation(const Problem& problem,
   return std::nullopt;
 }
 
-std::string to_text(const Refutation& refutation) {
+std::string to_text(const Trees& refutation) {
   std::ostringstream out;
-  for (const RefutationNode& node : refutation) {
+  for (const TreeNode& node : refutation) {
     std::visit(Printer{out}, node);
     out << '\n';
   }

@@ -21,10 +21,10 @@ enum class RaysFrom {
 /// The rule that fails first, and at which node; nothing if the refutation proves that there is
 /// no equilibrium. Also reports where Region and its twin disagree.
 std::optional<std::string> check_refutation(const Problem& problem,
-                                            const Refutation& refutation,
+                                            const Trees& refutation,
                                             RaysFrom rays_from = RaysFrom::kRegion);
 
 /// One node a line, as in a certificate.
-std::string to_text(const Refutation& refutation);
+std::string to_text(const Trees& refutation);
 
 }  // namespace stickslip::test

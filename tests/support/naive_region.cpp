@@ -223,7 +223,7 @@ std::optional<int> naive_sign(const Problem& problem, const NaiveRegion& region,
 }
 
 std::vector<Rational> naive_bounds(const Problem& problem, const NaiveRegion& region,
-                                   const Rays& rays, const VirtualWorkLeaf& leaf) {
+                                   const Rays& rays, const TwistLeaf& leaf) {
   const Rational y[] = {Rational(leaf.twist[0]), Rational(leaf.twist[1]),
                         Rational(leaf.twist[2])};
   const auto work = [&](const Wrench& w) { return y[0] * w.x + y[1] * w.y + y[2] * w.torque; };
@@ -255,7 +255,7 @@ std::vector<Rational> naive_bounds(const Problem& problem, const NaiveRegion& re
 }
 
 bool naive_refutes(const Problem& problem, const NaiveRegion& region, const Rays& rays,
-                   const VirtualWorkLeaf& leaf) {
+                   const TwistLeaf& leaf) {
   if (naive_is_barred(region, rays)) return true;
   const std::vector<Rational> bounds = naive_bounds(problem, region, rays, leaf);
   Rays zero;

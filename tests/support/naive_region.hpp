@@ -62,9 +62,9 @@ std::optional<int> naive_sign(const Problem& problem, const NaiveRegion& region,
 
 /// g(r) for each ray.
 std::vector<Rational> naive_bounds(const Problem& problem, const NaiveRegion& region,
-                                   const Rays& rays, const VirtualWorkLeaf& leaf);
+                                   const Rays& rays, const TwistLeaf& leaf);
 
 bool naive_refutes(const Problem& problem, const NaiveRegion& region, const Rays& rays,
-                   const VirtualWorkLeaf& leaf);
+                   const TwistLeaf& leaf);
 
 }  // namespace stickslip::test

@@ -171,14 +171,14 @@ std::vector<ModelWarning> model_warnings(const Question& question, const Problem
   const auto* unstable = std::get_if<Unstable>(&verdict);
   ModelWarnings warnings;
   if (stable != nullptr) {
-    warnings.add(ModelTrap::kLargeMotion, large_motion_of(question, stable->witness.twist));
+    warnings.add(ModelTrap::kLargeMotion, large_motion_of(question, stable->witness().twist));
   }
   add_unbalanced_preload(problem, warnings);
   if (stable != nullptr) {
-    warnings.add(ModelTrap::kLostPreload, lost_preload_of(problem, stable->witness.twist));
+    warnings.add(ModelTrap::kLostPreload, lost_preload_of(problem, stable->witness().twist));
   }
   if (!std::holds_alternative<Undecided>(verdict)) {
-    const std::size_t nodes = unstable != nullptr ? unstable->refutation.size() : 0;
+    const std::size_t nodes = unstable != nullptr ? unstable->tree.size() : 0;
     warnings.add(ModelTrap::kAssumedStiffness,
                  assumed_stiffness_of(question, problem, stable != nullptr, nodes));
   }

@@ -142,7 +142,7 @@ std::optional<std::string> assumed_stiffness_of(const Question& question, bool s
     const BoxDecision varied =
         decide_box(with_stiffness(grasp, contact, stiffness), question.law, options);
     left -= std::min(left, 1 + varied.work.nodes);
-    return throughout(varied);
+    return is_stable(varied.verdict);
   };
   return assumed_stiffness(trial);
 }
@@ -154,7 +154,7 @@ std::vector<ModelWarning> model_warnings(const Question& question,
   if (!question.box()->is_point()) return {};
   const GraspBox& grasp = *question.box();
   const std::vector<Rational> preloads = preloads_of(grasp);
-  const auto* stable = std::get_if<StableThroughout>(&decision.verdict);
+  const auto* stable = std::get_if<Stable>(&decision.verdict);
   ModelWarnings warnings;
   if (stable != nullptr) {
     warnings.add(ModelTrap::kLargeMotion, large_motion_of(question, motion_of(*stable)));
@@ -163,7 +163,7 @@ std::vector<ModelWarning> model_warnings(const Question& question,
   if (stable != nullptr) {
     warnings.add(ModelTrap::kLostPreload, lost_preload_of(grasp, preloads, motion_of(*stable)));
   }
-  if (throughout(decision)) {
+  if (is_stable(decision.verdict)) {
     warnings.add(ModelTrap::kAssumedStiffness,
                  assumed_stiffness_of(question, stable != nullptr, decision));
   }

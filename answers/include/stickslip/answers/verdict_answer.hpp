@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Questions of any kind with their verdicts, as `decide --json` prints them: about one grasp
-/// in the plane; and about a box of them, or about a grasp in space.
+/// Questions of any kind with their verdicts, as `decide --json` prints them.
 #pragma once
 
 #include <cstddef>
@@ -31,27 +30,18 @@ inline const char* box_engine(const Question& question) {
 }
 /// \}
 
-/// About one grasp in the plane.
-struct CaseAnswer {
-  Question question;  ///< not a box
-  Problem problem;    ///< of the question
-  Decision decision;  ///< the verdict
-  Warnings warnings;  ///< about it
-
-  const Verdict& verdict() const { return decision.verdict; }  ///< of the decision
-};
-
-/// About every grasp in a box; or about one in space; or about one in the plane of which some
-/// lengths are irrational and known as intervals, or that is stable, and of which an exact
+/// To one question. What is about one grasp in the plane is a question about a box of one point
+/// if some lengths are irrational and known as intervals, or if it is stable and an exact
 /// equilibrium would be too long (has_long_equilibria).
-struct BoxAnswer {
-  Question question;     ///< with a box, perhaps of one point
-  BoxDecision decision;  ///< the verdict
-  Warnings warnings;     ///< about it, in space
+struct Answer {
+  Question question;
+  Verdict verdict;                   ///< with its evidence
+  std::string engine;                ///< "states", "branch-and-bound", "intervals" or "space"
+  Json stats;                        ///< what it took, by name
+  unsigned bits = kDefaultBits;      ///< as of BoxDecision
+  std::optional<Problem> problem{};  ///< of a question about no box
+  Warnings warnings{};               ///< about one grasp
 };
-
-/// To one question.
-using Answer = std::variant<CaseAnswer, BoxAnswer>;
 
 /// How to answer.
 struct AnswerOptions {
@@ -65,36 +55,20 @@ struct AnswerOptions {
 std::variant<Decision, BoxDecision> judge(const Problem& problem, Engine engine,
                                           std::size_t node_limit);
 
-/// What judge() said by degree about one grasp.
-BoxAnswer answer_by_degree(Question question, BoxDecision decision);
-
 /// Decides.
 Answer answer_to(Question question, const AnswerOptions& options);
 
 /// Why, as "limit" in words and as "reason" in one; "remedy" and "near" if there are any.
 void add_undecided(Json& json, const Undecided& undecided);
 
-/// What a verdict on a box says unless it is stable: "refutation", "examples" with
-/// "differences", or what add_undecided() adds.
-void add_verdict(Json& json, const GraspBox& box, const BoxDecision& decision);
-
 /// The contacts as "enclosed", and "bits"; nothing if there are none.
 void add_enclosed(Json& json, const std::vector<std::size_t>& contacts, unsigned bits);
 
-/// "stable", "unstable", "fragile", "undecided".
-const char* name_of(const Answer& answer);
-
-/// \{ What `decide --json` prints, before finished().
-Json to_json(const CaseAnswer& answer);
-Json to_json(const BoxAnswer& answer);
+/// What `decide --json` prints, before finished().
 Json to_json(const Answer& answer);
-/// \}
 
-/// \{ The certificate; nothing if the verdict has none: undecided or fragile.
-std::optional<std::string> certificate_of(const CaseAnswer& answer);
-std::optional<std::string> certificate_of(const BoxAnswer& answer);
+/// The certificate; nothing if the verdict has none: undecided or fragile.
 std::optional<std::string> certificate_of(const Answer& answer);
-/// \}
 
 /// Who wrote a certificate: "stickslip 0.1.0, engine space".
 std::string producer_of(const std::string& engine);
@@ -110,9 +84,6 @@ Json work_json(const Work& work) {
   return json;
 }
 
-/// How many nodes and parts it has, and whether nothing moves.
-Json proof_json(const StabilityProof& proof);
-
 /// One contact of a stable verdict.
 struct ContactReport {
   Rational length_squared;  ///< of the contact's normal
@@ -121,12 +92,12 @@ struct ContactReport {
   ContactMode mode;         ///< in the motion of the witness
 };
 
-/// By ContactId.
-std::vector<ContactReport> report_contacts(const CaseAnswer& answer, const Witness& witness);
+/// By ContactId, of an exact equilibrium in the plane.
+std::vector<ContactReport> report_contacts(const Answer& answer, const Witness& witness);
 
 /// Of one grasp that is stable, and of which no equilibrium is known: a motion near that of
 /// one.
-std::optional<RationalRow> motion_near(const BoxAnswer& answer);
+std::optional<RationalRow> motion_near(const Answer& answer);
 
 /// The contacts whose preload over the length of the normal is enclosed.
 std::vector<std::size_t> enclosed_contacts(const GraspBox& box);

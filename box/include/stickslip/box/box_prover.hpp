@@ -41,7 +41,7 @@ class BoxProver {
   void on_equilibrium(ExactWitness witness) { exact_witness_ = std::move(witness); }
 
   /// The verdict, if there is one.
-  std::optional<std::variant<StableThroughout, UnstableThroughout>> prove();
+  std::optional<std::variant<Stable, Unstable>> prove();
   /// If that failed.
   SearchReport report() const;
   /// Where the middles of parts lie that seem to be stable, and unstable: of each parameter of

@@ -6,7 +6,6 @@
 
 #include <string>
 
-#include "stickslip/box/box_verdict.hpp"
 #include "stickslip/earlier/load_classes.hpp"
 #include "stickslip/equilibrium/question.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
@@ -17,14 +16,10 @@
 namespace stickslip {
 
 /// The certificate of a verdict, ending in a newline; one node a line. `producer` is a remark
-/// without meaning. Throws ContractError for Undecided, which proves nothing, and for a box.
+/// without meaning, `bits` those of BoxDecision. Throws ContractError unless the verdict is
+/// Stable or Unstable.
 std::string certificate_text(const Question& question, const Verdict& verdict,
-                             const std::string& producer);
-
-/// The certificate of a box, or of a grasp in space (FORMAT.md, sections 6 and 7). Throws
-/// ContractError of one in the plane, and for Fragile and Undecided, which it cannot say.
-std::string box_certificate_text(const Question& question, const BoxDecision& decision,
-                                 const std::string& producer);
+                             const std::string& producer, unsigned bits = kDefaultBits);
 
 /// \{ The certificate of the margin of problem_of(question), and of one in space (FORMAT.md,
 /// sections 5 and 7).

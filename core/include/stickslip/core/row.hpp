@@ -4,9 +4,11 @@
 /// for those of fixed length.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
+#include "stickslip/core/error.hpp"
 #include "stickslip/core/integer_vector.hpp"
 
 namespace stickslip {
@@ -26,5 +28,20 @@ bool is_zero(const Row& a);                    ///< whether every entry is 0
 Row negated(Row a);                            ///< -a
 Row primitive(Row a);                          ///< over the greatest common divisor
 Row primitive_multiple(const RationalRow& a);  ///< by a positive factor; 0 stays 0
+
+/// \{ The same numbers, of a length that is known when compiled or is not. vector_of() requires
+/// that there are n.
+template <std::size_t n>
+Row row_of(const IntegerVector<n>& a) {
+  return {a.begin(), a.end()};
+}
+template <std::size_t n>
+IntegerVector<n> vector_of(const Row& a) {
+  require(a.size() == n, "a row of another length");
+  IntegerVector<n> result;
+  std::copy(a.begin(), a.end(), result.begin());
+  return result;
+}
+/// \}
 
 }  // namespace stickslip

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "stickslip/degree/newton.hpp"
-#include "stickslip/degree/stability_proof.hpp"
+#include "stickslip/equilibrium/proof.hpp"
 #include "stickslip/search/search_work.hpp"
 
 namespace stickslip {

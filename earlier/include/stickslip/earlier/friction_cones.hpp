@@ -28,7 +28,7 @@ namespace stickslip {
 /// all motions. The tree's twists bound the work of *all* forces in the friction cones (the
 /// multipliers that prove it were verified); so, read as a refutation of the passive model, it
 /// holds as well, and certificate/ can check it.
-using ConesVerdict = std::variant<Witness, Refutation, Undecided>;
+using ConesVerdict = std::variant<Witness, Trees, Undecided>;
 
 /// Undecided only at `most_programs` linear programs. A witness is checked by substitution.
 ConesVerdict friction_cones_alone(const Problem& problem, std::size_t most_programs = 20000);

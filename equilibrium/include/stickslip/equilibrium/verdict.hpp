@@ -2,9 +2,9 @@
 /// \file
 /// Verdicts that own their evidence.
 ///
-/// Both kinds of evidence are judged by substitution: a Witness by `find_violation`, a
-/// Refutation by the checkers in certificate/, whose format (certificate/FORMAT.md) says
-/// what each node means and why a tree of them proves that no equilibrium exists.
+/// A Witness is judged by substitution, by `find_violation`; all evidence by the checkers in
+/// certificate/, whose format (certificate/FORMAT.md) says what it means and why it proves the
+/// verdict.
 #pragma once
 
 #include <optional>
@@ -15,6 +15,7 @@
 
 #include "stickslip/core/box.hpp"
 #include "stickslip/equilibrium/problem.hpp"
+#include "stickslip/equilibrium/proof.hpp"
 
 namespace stickslip {
 
@@ -63,37 +64,25 @@ ShortWitness in_short(const Grasp& grasp, const Witness& witness);
 /// O(m) rational operations.
 std::optional<std::string> find_violation(const Problem& problem, const Witness& witness);
 
-/// Three children: slip +, 0, - at a contact.
-struct SlipSplit {
-  ContactId contact;  ///< split by tau_i
-};
-/// Two children: closed, open.
-struct SeparationSplit {
-  ContactId contact;  ///< split by v_i
-};
-/// Two children: plane.x >= 0, plane.x <= 0.
-struct PlaneSplit {
-  IntegerVector5 plane;  ///< nonzero
-};
-/// A virtual twist on which no force of the region makes up for the load. It is 0 where the
-/// region is void: no solution can lie there, or another child covers it.
-struct VirtualWorkLeaf {
-  IntegerVector3 twist;  ///< y, in coordinates (x, y, r)
-};
-
-/// Three kinds of split, and a leaf.
-using RefutationNode = std::variant<SlipSplit, SeparationSplit, PlaneSplit, VirtualWorkLeaf>;
-
-/// A tree in preorder, as in certificate/FORMAT.md, section 4.
-using Refutation = std::vector<RefutationNode>;
-
-/// An equilibrium exists.
+/// An equilibrium exists: of every grasp of the box, if that is what was asked about.
 struct Stable {
-  Witness witness;  ///< one of them
+  /// One of them, which proves one grasp; or that there is one.
+  std::variant<Witness, SpatialWitness, StabilityProof> proof;
+  /// Of a StabilityProof near an equilibrium of the grasp in the middle, of which the proof is
+  /// about the first part or the only one; for people. Of a SpatialWitness its own.
+  RationalRow motion{};
+
+  /// Of a grasp that was decided without degree, and in the plane.
+  const Witness& witness() const { return std::get<Witness>(proof); }
 };
-/// No equilibrium exists.
+/// No equilibrium exists, for any grasp.
 struct Unstable {
-  Refutation refutation;  ///< the proof
+  Trees tree;  ///< the proof
+};
+/// Two grasps of the box have opposite verdicts, and certificates of their own.
+struct Fragile {
+  GraspBox stable;    ///< one grasp of the box
+  GraspBox unstable;  ///< another one
 };
 /// Neither was proved.
 struct Undecided {
@@ -105,11 +94,15 @@ struct Undecided {
   std::vector<Rational> near{};
 };
 
-/// The answer, which owns its evidence.
-using Verdict = std::variant<Stable, Unstable, Undecided>;
+/// The answer, which owns its evidence. One grasp is never Fragile.
+using Verdict = std::variant<Stable, Unstable, Fragile, Undecided>;
 
-/// "stable", "unstable", "undecided".
+/// "stable", "unstable", "fragile", "undecided".
 const char* name_of(const Verdict& verdict);
+/// Stable::motion, in space.
+Vector6 motion_of(const Stable& stable);
+/// Whether what was asked about is stable, or unstable; nothing if neither is proved.
+std::optional<bool> is_stable(const Verdict& verdict);
 
 /// For people: "<limit>; <remedy>".
 std::string in_words(const Undecided& undecided);

@@ -26,7 +26,7 @@
 #include <variant>
 #include <vector>
 
-#include "stickslip/motion/degree_proof.hpp"
+#include "stickslip/equilibrium/proof.hpp"
 #include "stickslip/planar/branch_and_bound.hpp"
 
 namespace stickslip {
@@ -39,7 +39,7 @@ struct MarginInterval {
 
 /// A parallelepiped of motions that moves with the multiple and holds an equilibrium of each
 /// (FORMAT.md, section 5, "Segments by degree").
-struct SegmentByDegree : DegreeProofIn<RefutationNode> {
+struct SegmentByDegree : DegreeProof {
   RationalRow end_twist{};  ///< where its centre is at the high end; `twist`: at the low end
 };
 
@@ -60,7 +60,7 @@ struct Margin {
   std::vector<MarginInterval> resisted;  ///< increasing, disjoint
   /// Increasing; each begins where one ends or an interval begins.
   std::vector<MarginSegment> segments;
-  std::vector<Refutation> gaps;  ///< one tree for each gap between the intervals, increasing
+  std::vector<Trees> gaps;  ///< one tree for each gap between the intervals, increasing
 };
 
 /// What the search for a margin did; reproducible.

@@ -16,7 +16,7 @@
 #include <variant>
 #include <vector>
 
-#include "stickslip/degree/stability_proof.hpp"
+#include "stickslip/equilibrium/proof.hpp"
 #include "stickslip/equilibrium/question.hpp"
 #include "stickslip/margin/margin.hpp"
 #include "stickslip/search/search_work.hpp"

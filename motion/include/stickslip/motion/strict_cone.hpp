@@ -9,23 +9,13 @@
 #include <utility>
 #include <vector>
 
+#include "stickslip/equilibrium/proof.hpp"
 #include "stickslip/motion/cone.hpp"
 
 namespace stickslip {
 
 /// Whether a contact is closed (v_i >= 0), open (v_i <= 0) or either on a region.
 enum class Separation { kClosed, kOpen, kMixed };
-
-/// A parallelepiped of motions {d : |E_j.(d - d0)| <= 1} or a simplex {d : E_j.(d - d0) <= 1},
-/// along which motions that no E sees go without end.
-struct ConvexBody {
-  RationalRow twist{};               ///< d0, inside
-  bool is_simplex = false;           ///< and then there is one E more
-  std::vector<RationalRow> walls{};  ///< E, by rows
-
-  /// Those of a parallelepiped in the order E_1 +, E_1 -, E_2 +, ...
-  std::size_t wall_count() const { return is_simplex ? walls.size() : 2 * walls.size(); }
-};
 
 /// The signs of a linear function on a region.
 struct PlaneSigns {

@@ -33,7 +33,7 @@ class CrowdWalls {
   /// Appends to `trees` one that refutes the wall, with `leaf-direction` if there is a
   /// pull; false if none is found of at most `node_limit` nodes, and then what was
   /// appended is no tree.
-  bool refute(Region wall, const PullRule* pull, std::size_t node_limit, Refutation& trees);
+  bool refute(Region wall, const PullRule* pull, std::size_t node_limit, Trees& trees);
   /// Of all trees.
   const ConeWork& work() const { return work_; }
 

@@ -78,6 +78,6 @@ struct RefutationSummary {
 /// like the failure when the object moves against the leaf's twist: the contacts that then slip
 /// or open as the leaf says are most. The first of equals, as always without the problem.
 /// O(nodes) times the number of conditions.
-RefutationSummary summarize(const Refutation& refutation, const Problem* problem = nullptr);
+RefutationSummary summarize(const Trees& refutation, const Problem* problem = nullptr);
 
 }  // namespace stickslip

@@ -12,7 +12,7 @@ namespace stickslip {
 
 /// The first node at which a rule of certificate/FORMAT.md, section 4, fails; nothing for a
 /// refutation that holds. O(nodes * m * rays) rational operations.
-std::optional<std::string> find_flaw(const Problem& problem, const Refutation& refutation);
+std::optional<std::string> find_flaw(const Problem& problem, const Trees& refutation);
 
 /// For callers who hold a verdict in memory; the checkers in certificate/ are the judges for
 /// everybody else. Runs on every verdict of the engines in the `dev` preset

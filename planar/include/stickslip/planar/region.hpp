@@ -95,10 +95,10 @@ class Region {
 
 /// The rule leaf-bound: whether the virtual twist proves that the region has no equilibrium,
 /// for any of the problem's multiples. O(m * generators) rational operations.
-bool refutes(const Problem& problem, const Region& region, const VirtualWorkLeaf& leaf);
+bool refutes(const Problem& problem, const Region& region, const TwistLeaf& leaf);
 
 /// The bound g(r) of leaf-bound on each of region.generators().
 std::vector<Rational> work_bounds(const Problem& problem, const Region& region,
-                                  const VirtualWorkLeaf& leaf);
+                                  const TwistLeaf& leaf);
 
 }  // namespace stickslip

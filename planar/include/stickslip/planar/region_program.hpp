@@ -42,9 +42,9 @@ struct RelaxedPoint {
 /// Either a point of the relaxed system, for one of the problem's multiples, or a leaf that
 /// refutes the region (verified): `guess` if it does; otherwise its twist, if given, is the one
 /// that the first columns are made for.
-std::variant<RelaxedPoint, VirtualWorkLeaf> solve_region(
+std::variant<RelaxedPoint, TwistLeaf> solve_region(
     const Problem& problem, const Region& region, LpWork* work,
-    const VirtualWorkLeaf* guess = nullptr);
+    const TwistLeaf* guess = nullptr);
 
 /// A generator of a region's points with what loads it.
 struct LoadedGenerator {
@@ -59,7 +59,7 @@ struct LoadedGenerator {
 /// known by them and by the signs that slips have on it (Region::slip_sign). The leaf is
 /// primitive, not verified, and the bounds of FORMAT.md's g on the generators are <= 0, and 0
 /// only where one of the positive functions is.
-std::variant<RelaxedPoint, VirtualWorkLeaf> solve_loaded_region(
+std::variant<RelaxedPoint, TwistLeaf> solve_loaded_region(
     const Problem& problem, const std::vector<std::optional<Sign>>& slips,
     const std::vector<LoadedGenerator>& generators);
 

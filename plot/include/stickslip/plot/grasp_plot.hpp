@@ -5,7 +5,6 @@
 
 #include <string>
 
-#include "stickslip/box/box_verdict.hpp"
 #include "stickslip/equilibrium/question.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 
@@ -30,11 +29,7 @@ namespace stickslip {
 /// "motion" or "virtual" whose first point is its tail and whose third is its tip; data-contact
 /// says where, data-value what it stands for, exactly, data-factor of a load its enlargement.
 ///
-/// `verdict` is the answer to `question`. Throws InputError as Problem does; ContractError if
-/// the verdict does not fit the question.
-std::string plot_grasp(const Question& question, const Verdict& verdict);
-
-/// The same in space, in three orthogonal views of one scale: from above, from the front (from
+/// In space, in three orthogonal views of one scale: from above, from the front (from
 /// -y) and from the right (from +x). Torques are seen about the line of sight; cones are the
 /// outlines of round ones. data-value is the whole vector, of which a view shows a projection.
 ///
@@ -43,7 +38,9 @@ std::string plot_grasp(const Question& question, const Verdict& verdict);
 ///   people, as the caption says, with data-near in place of data-value.
 /// - Unstable: the grasp and its load.
 ///
-/// Requires that nothing of the question is uncertain but lengths that are irrational.
-std::string plot_grasp(const Question& question, const BoxVerdict& verdict);
+/// `verdict` is the answer to `question`, and not by degree in the plane. Requires that nothing
+/// of the question is uncertain but lengths that are irrational. Throws InputError as Problem
+/// does; ContractError if the verdict does not fit the question.
+std::string plot_grasp(const Question& question, const Verdict& verdict);
 
 }  // namespace stickslip

@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "stickslip/resistance/resistible_set.hpp"
-#include "stickslip/search/tree.hpp"
+#include "stickslip/equilibrium/proof.hpp"
 
 namespace stickslip {
 

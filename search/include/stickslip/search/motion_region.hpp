@@ -11,6 +11,7 @@
 
 #include "stickslip/core/sign.hpp"
 #include "stickslip/motion/pull_rule.hpp"
+#include "stickslip/motion/strict_cone.hpp"
 #include "stickslip/search/law.hpp"
 
 namespace stickslip {

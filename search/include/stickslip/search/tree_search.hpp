@@ -18,7 +18,7 @@
 #include "stickslip/motion/tree_walk.hpp"
 #include "stickslip/search/motion_region.hpp"
 #include "stickslip/search/search_work.hpp"
-#include "stickslip/search/tree.hpp"
+#include "stickslip/equilibrium/proof.hpp"
 
 namespace stickslip {
 

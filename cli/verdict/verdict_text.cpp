@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verdict_text.hpp"
+
+#include <iostream>
+#include <utility>
+#include <vector>
+
+#include "box_numbers.hpp"
+#include "stickslip/core/spatial_forces.hpp"
+#include "terminal.hpp"
+#include "warnings.hpp"
+
+namespace stickslip {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+const char kForces[] =
+    "These forces balance the load, lie in their friction cones and oppose slip; checked "
+    "exactly.\n";
+
+/// What is known of an equilibrium, contact by contact if it is exact; begins with the line
+/// after that of the load.
+struct EquilibriumText {
+  const Answer& answer;
+  const Stable& stable;
+  NumberText& text;
+
+  std::string operator()(const Witness& witness) const {
+    Rows rows{{"contact", "normal", "tangential", "force", "slip", ""}};
+    for (const ContactReport& c : report_contacts(answer, witness)) {
+      rows.push_back({std::to_string(rows.size() - 1),
+                      text.root(c.force.normal, c.length_squared),
+                      text.root(c.force.tangential, c.length_squared), text(c.vector),
+                      std::string(1, to_char(c.mode.slip)), c.mode.closed ? "closed" : "open"});
+    }
+    return "  motion d  " + text(witness.twist) + "\n\n" + format_table(rows) + "\n";
+  }
+  std::string operator()(const SpatialWitness& witness) const {
+    const GraspBox& grasp = *answer.question.box();
+    Rows rows{{"contact", "normal", "friction", "force", ""}};
+    for (const SpatialForce& c : forces_of(grasp, witness.twist, witness.shares)) {
+      const std::size_t i = rows.size() - 1;
+      const RationalRow& n = grasp.contacts[i].normal;
+      rows.push_back({std::to_string(i), text.root(c.normal, dot(n, n)), text(c.friction),
+                      text(c.force), c.normal.sign() > 0 ? "closed" : "open"});
+    }
+    return "  motion d  " + text(witness.twist) + "\n\n" + format_table(rows) + "\n";
+  }
+  std::string operator()(const StabilityProof& /*proof*/) const {
+    if (!answer.question.in_space()) return "\n";
+    return "  motion d  near " + text(stable.motion) + "\n\n";
+  }
+};
+
+std::string leaves_text(std::size_t leaves) {
+  return "Proved by a tree of " + std::to_string(leaves) +
+         (leaves == 1 ? " leaf" : " leaves");
+}
+
+/// Why one grasp in the plane is unstable.
+std::string refutation_text(const RefutationSummary& summary, NumberText& text) {
+  if (summary.leaves == 0) return "The normal law allows no motion at all.\n";
+  // On a leaf's own twist the load does negative work: the way that the contacts lose is back.
+  const std::string twist = text.direction(negated(summary.largest_leaf_twist));
+  if (summary.largest_leaf.empty()) {
+    return "Whatever the contacts do: along the virtual twist " + twist +
+           "\nthe load does more work than they can take up.\n";
+  }
+  std::string result = "No motion and forces satisfy all conditions. " +
+                       leaves_text(summary.leaves) +
+                       ", which\ntogether cover all motions: in each, along some virtual "
+                       "twist, the load does more\nwork than the contacts can take up. The "
+                       "largest leaf:\n";
+  for (const std::string& condition : summary.largest_leaf) result += "  " + condition + "\n";
+  return result + "  twist " + twist + "\n\n";
+}
+
+/// What the verdict means, and how it is proved.
+struct Meaning {
+  const Answer& answer;
+  bool is_wide;  ///< some number is an interval
+  NumberText& text;
+  const std::string& examples;
+
+  std::string operator()(const Stable& stable) const {
+    const auto* proof = std::get_if<StabilityProof>(&stable.proof);
+    if (proof == nullptr) return kForces;
+    const std::size_t parts = part_count(*proof);
+    return (is_wide ? "Every grasp in the box holds the load. Proved for all of them at once"
+                    : std::string("The grasp holds the load. Proved")) +
+           (parts == 1 ? "" : ", in " + std::to_string(parts) + " parts") +
+           (are_at_rest(*proof)
+                ? ": nothing moves,\nas friction answers whatever load is left.\n"
+                : ": the forces on the walls\naround motions near this one leave no way out "
+                  "but an equilibrium inside.\n") +
+           near_text();
+  }
+  std::string operator()(const Unstable& unstable) const {
+    if (answer.problem) {
+      return refutation_text(summarize(unstable.tree, &*answer.problem), text);
+    }
+    const std::size_t leaves = leaf_count(unstable.tree);
+    return std::string(is_wide ? "No grasp in the box holds the load: no"
+                               : "The grasp does not hold the load: no") +
+           " motion and forces satisfy all conditions.\n" +
+           (leaves == 1
+                ? "Whatever the contacts do, along some virtual twist the load does more work "
+                  "than they\ncan take up.\n"
+                : leaves_text(leaves) + ", which together cover all motions: in each, along "
+                                        "some\nvirtual twist, the load does more work than "
+                                        "the contacts can take up.\n");
+  }
+  std::string operator()(const Fragile& fragile) const {
+    Rows rows{{"differs", "stable", "unstable"}};
+    for (const Difference& d :
+         differences(*answer.question.box(), fragile.stable, fragile.unstable)) {
+      rows.push_back({d.number.label(), text(d.stable), text(d.unstable)});
+    }
+    return "Some grasps in the box hold the load and some do not. Two of them, what differs "
+           "most first:\n\n" +
+           short_table(rows) + "\n" +
+           (examples.empty()
+                ? "--examples DIR writes both, each with a certificate of its verdict.\n"
+                : "Both are in " + examples + ", each with a certificate of its verdict.\n");
+  }
+  std::string operator()(const Undecided& undecided) const {
+    return undecided_text(undecided, is_wide);
+  }
+
+ private:
+  /// Of one grasp in the plane, of which exact forces are not known.
+  std::string near_text() const {
+    const auto motion = motion_near(answer);
+    if (!motion || answer.question.in_space()) return "";
+    return "An equilibrium is near the motion d = " + text(*motion) + "." +
+           (enclosed_contacts(*answer.question.box()).empty()
+                ? " Exact forces would have numbers of\nmany digits: --engine "
+                  "branch-and-bound finds them, and the warnings that need them.\n"
+                : "\n");
+  }
+};
+
+/// What the numbers are.
+std::string legend(const Answer& answer) {
+  if (answer.question.in_space()) {
+    return "Load: force x, y, z, torque x, y, z. Motion: x, y, z, rotation x, y, z in "
+           "radians.\n";
+  }
+  if (!answer.problem || !std::holds_alternative<Stable>(answer.verdict)) return "";
+  return "Load: force x, y, torque. Motion: x, y, rotation in radians. Slip: + is along the "
+         "normal turned\nby +90 degrees, - against it, 0 sticks. An open contact is "
+         "detached.\n";
+}
+
+}  // namespace
+
+void print_text(const Answer& answer, const NumberOptions& output,
+                const std::string& examples) {
+  const Question& question = answer.question;
+  NumberText text(output);
+  std::vector<UncertainNumber> uncertain;
+  std::vector<std::size_t> enclosed;
+  if (const GraspBox* box = question.box()) {
+    uncertain = uncertain_numbers(*box);
+    enclosed = enclosed_contacts(*box);
+  }
+  const auto* stable = std::get_if<Stable>(&answer.verdict);
+  std::cout << heading(question) << name_of(answer.verdict) << "\n\n"
+            << "  load w    " << load_text(wrench_of(question.grasp), text) << '\n'
+            << (stable == nullptr
+                    ? "\n"
+                    : std::visit(EquilibriumText{answer, *stable, text}, stable->proof))
+            << uncertain_text(uncertain, text)
+            << std::visit(Meaning{answer, !uncertain.empty(), text, examples}, answer.verdict)
+            << enclosure_text(enclosed, answer.bits,
+                              !std::holds_alternative<Undecided>(answer.verdict))
+            << legend(answer) << text.note() << units_text(question)
+            << engine_text(answer.engine, question.law);
+  print(answer.warnings);
+}
+
+}  // namespace stickslip

@@ -73,6 +73,33 @@ class Batch(Case):
             self.assertEqual(code, DONE, out + err)
             self.assertIn(f"verdict     {result['class']}\n", out)
 
+    def test_space_and_boxes_among_others(self):
+        """Two fingers press with 1 each, friction 1/2: in space as in the plane they hold 1, and no more."""
+        def pinch(friction, load, in_space):
+            zero = [0] if in_space else []
+            return {"format": "stickslip-grasp/2",
+                    "contacts": [{"position": [side, 0, *zero], "normal": [-side, 0, *zero], "preload": 1,
+                                  "friction": friction} for side in (-1, 1)],
+                    "wrench": [0, load, *zero, *zero, *zero, 0]}
+
+        around = {"min": "49/100", "max": "51/100"}
+        asked = [(friction, load, in_space) for in_space in (False, True)
+                 for friction, load in (("1/2", "-99/100"), ("1/2", "-101/100"), (around, "-97/100"),
+                                        (around, -1), (around, "-103/100"))]
+        path = self.write("pinches.jsonl", "".join(json.dumps(pinch(*a)) + "\n" for a in asked))
+        results = self.results(path, "--certificates", os.path.join(self.folder, "proofs"))
+        self.assertEqual([r["verdict"] for r in results],
+                         2 * ["stable", "unstable", "stable", "fragile", "unstable"])
+        for a, result in zip(asked, results):
+            self.assertEqual("certificate" in result, result["verdict"] != "fragile")
+            if "certificate" in result:
+                grasp = self.write("pinch.json", json.dumps(pinch(*a)))
+                self.assertEqual(run(CHECK, grasp, result["certificate"])[0], DONE)
+        weak = self.results(path, "--preload", "1/2", "--wrench", "0,-3/4,0,0,0,0", code=BAD_INPUT,
+                            said=f"stickslip: {path}: 5 of 10 lines could not be read, the first is "
+                                 "line 1; their results say why\n")
+        self.assertEqual([r.get("verdict") for r in weak], 5 * [None] + 5 * ["unstable"])
+
     def test_bad_lines_are_reported_and_the_rest_goes_on(self):
         good = json.dumps(grasp(3))
         bad = ["{", "[]", json.dumps({**grasp(1), "wrench": [0, 0]}),

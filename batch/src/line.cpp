@@ -50,20 +50,16 @@ LineDecider::LineDecider(BatchOptions options) : options_(std::move(options)) {
     options_text_ += (value ? to_string(*value) : "") + ";";
   };
   const QuestionOptions& asked = options_.question;
-  const std::vector<std::optional<Rational>> none(3);
-  for (const auto& w :
-       asked.wrench ? std::vector<std::optional<Rational>>(asked.wrench->begin(),
-                                                           asked.wrench->end())
-                    : none) {
-    spell(w);
+  const std::size_t components = asked.wrench ? asked.wrench->size() : 3;
+  for (std::size_t j = 0; j < components; ++j) {
+    spell(asked.wrench ? std::optional(asked.wrench->at(j)) : std::nullopt);
   }
   spell(asked.preload);
   if (asked.case_name) options_text_ += *asked.case_name + ";";
   options_text_ +=
       std::string(to_string(asked.law)) + ";" + std::to_string(options_.node_limit) + "\n";
   if (const auto& inertia = options_.inertia) {
-    for (const Rational& number :
-         {inertia->centre.x, inertia->centre.y, inertia->gyration_squared}) {
+    for (const Rational& number : inertia->empty() ? RationalRow{0, 0, 1} : *inertia) {
       spell(number);
     }
   }
@@ -96,7 +92,10 @@ LineResult LineDecider::decide(const BatchLine& line) const {
   Json result = {{"line", line.number}, {"key", key(line.text)}};
   try {
     const Question question =
-        ask_with_options(parse_any_grasp(line.text, ""), options_.question, "", true);
+        ask_with_options(parse_any_grasp(line.text, "",
+                                         options_.inertia ? Intervals::kRefused
+                                                          : Intervals::kAllowed),
+                         options_.question, "", !options_.inertia);
     result["name"] = question.description().name;
     const auto answer = [&](const char* field, const auto& verdict) {
       result[field] = name_of(verdict);
@@ -108,18 +107,28 @@ LineResult LineDecider::decide(const BatchLine& line) const {
     const auto wants_certificate = [&] {
       return outcome == LineOutcome::kDecided && !options_.certificates.empty();
     };
-    if (options_.inertia) {
-      const RigidVerdict verdict = rigid_verdict(problem_of(question), *options_.inertia);
+    const auto answer_class = [&](const auto& asked, const auto& inertia) {
+      const auto verdict = rigid_verdict(asked, inertia);
       answer("class", verdict);
       if (wants_certificate()) {
-        certificate = class_certificate_text(question, *options_.inertia, verdict, kProducer);
+        certificate = class_certificate_text(question, inertia, verdict, kProducer);
       }
-    } else {
+    };
+    const char* const place = "--inertia";
+    if (!options_.inertia) {
       const Answer found = answer_to(question, {Engine::kAuto, options_.node_limit, false});
       answer("verdict", found.verdict);
       if (wants_certificate() && is_stable(found.verdict)) {
         certificate = certificate_text(found.question, found.verdict, kProducer, found.bits);
       }
+    } else if (question.in_space()) {
+      answer_class(point_in_space(question),
+                   options_.inertia->empty() ? SpatialInertia{}
+                                             : spatial_inertia_of(place, *options_.inertia));
+    } else {
+      answer_class(problem_of(question), options_.inertia->empty()
+                                             ? Inertia{}
+                                             : inertia_of(place, *options_.inertia));
     }
   } catch (const InputError& error) {
     return failed(line, error);

@@ -2262,7 +2262,7 @@ function check(grasp, certificate, options = {}) {
 scope.StickslipCheck = {check};
 if (typeof module !== 'undefined') {
   module.exports = {check, for_tests: {Fraction, Sum, gcd, integer_root, enclose_root, dot, Cone, SlipCone, Contact, pressures,
-    plane_bound, exact_decimal}};
+    plane_bound}};
 }
 
 })(typeof globalThis !== 'undefined' ? globalThis : this);

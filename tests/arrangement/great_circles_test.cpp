@@ -19,13 +19,6 @@ std::vector<std::size_t> circle_indices(const GreatCircles& circles) {
   return indices;
 }
 
-TEST(MergePlanes, NoPlanes) {
-  const GreatCircles circles = merge_planes({});
-  EXPECT_TRUE(circles.normals.empty());
-  EXPECT_TRUE(circles.circle.empty());
-  EXPECT_EQ(circles.rank, 0);
-}
-
 TEST(MergePlanes, NormalsArePrimitiveAndOriented) {
   const GreatCircles circles = merge_planes(
       {{Rational(-4), Rational(6), Rational(0)}, {Rational(0), Rational(0), Rational(-7)}});
@@ -43,14 +36,6 @@ TEST(MergePlanes, CircleOrderIsThatOfFirstAppearance) {
   EXPECT_THAT(circles.normals, ElementsAre(IntegerVector3{0, 0, 1}, IntegerVector3{1, 2, 3},
                                            IntegerVector3{0, 1, 0}));
   EXPECT_EQ(circles.rank, 3);
-}
-
-TEST(MergePlanes, Rank) {
-  EXPECT_EQ(merge_planes({{1, 2, 3}}).rank, 1);
-  EXPECT_EQ(merge_planes({{1, 2, 3}, {-1, -2, -3}}).rank, 1);
-  EXPECT_EQ(merge_planes({{1, 2, 3}, {1, 2, 4}}).rank, 2);
-  EXPECT_EQ(merge_planes({{1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {5, -3, 0}}).rank, 2);
-  EXPECT_EQ(merge_planes({{1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {5, -3, 1}}).rank, 3);
 }
 
 TEST(MergePlanes, ZeroNormalBreaksTheContract) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Minimum cycle bases against exhaustion, and the theorem of docs/paper_enumerator.md on every
-// cycle that could be in one.
+// Minimum cycle bases against exhaustion. That they are the faces of the arrangements
+// (docs/paper_enumerator.md) is for paper_steps_test.cpp.
 #include "paper_cycle_basis.hpp"
 
 #include <gtest/gtest.h>
@@ -12,8 +12,6 @@
 #include <set>
 
 #include "families.hpp"
-#include "stickslip/arrangement/arrangement_structure.hpp"
-#include "stickslip/arrangement/paper_enumerator.hpp"
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
@@ -43,7 +41,6 @@ class Span {
     }
     return v;
   }
-  bool contains(const EdgeSet& v) const { return residue(v).none(); }
   /// Whether v was not in the span before.
   bool add(const EdgeSet& v) {
     const EdgeSet rest = residue(v);
@@ -54,7 +51,6 @@ class Span {
     rows_.emplace_back(pivot, rest);
     return true;
   }
-  std::size_t rank() const { return rows_.size(); }
 
  private:
   std::vector<std::pair<std::size_t, EdgeSet>> rows_;
@@ -197,91 +193,6 @@ TEST(MinimumCycleBasis, AgreesWithExhaustionOnRandomGraphs) {
     }
     EXPECT_EQ(expect_basis(n, edges), least_total_length(n, edges)) << "seed " << seed;
   }
-}
-
-/// A cycle is in some minimum cycle basis iff it is no sum of shorter ones. Checks that every
-/// such cycle of the dual is a face. (No cycle longer than the longest face can be one, as the
-/// faces span all.)
-void expect_relevant_cycles_are_faces(const std::vector<Vector3>& planes) {
-  SCOPED_TRACE(test::describe(planes));
-  const std::vector<SlipState> regions = paper_regions(planes);
-  const std::vector<PaperFacet> facets = paper_facets(regions);
-  ASSERT_LE(facets.size(), EdgeSet().size());
-
-  const ArrangementStructure structure(planes);
-  ASSERT_EQ(structure.counts().rank, 3);
-  std::set<std::string> faces;
-  std::size_t longest = 0;
-  for (std::size_t v = 0; v < structure.vertices(); ++v) {
-    const SlipState vertex = structure.signs(VertexId(v));
-    EdgeSet face;
-    for (std::size_t f = 0; f < facets.size(); ++f) {
-      bool is_incident = true;
-      for (std::size_t p = 0; p < planes.size(); ++p) {
-        if (vertex[p] != Sign::kZero && vertex[p] != facets[f].state[p]) is_incident = false;
-      }
-      if (is_incident) face.set(f);
-    }
-    faces.insert(face.to_string());
-    longest = std::max(longest, face.count());
-  }
-  ASSERT_EQ(faces.size(), structure.vertices());
-
-  EdgeList edges;
-  for (const PaperFacet& facet : facets) edges.emplace_back(facet.first, facet.second);
-  Span shorter;
-  std::size_t relevant = 0;
-  for (const auto& [length, cycles] : cycles_by_length(regions.size(), edges, longest)) {
-    std::vector<EdgeSet> independent;
-    for (const std::string& text : cycles) {
-      if (shorter.contains(EdgeSet(text))) continue;
-      independent.emplace_back(text);
-      EXPECT_EQ(faces.count(text), 1u) << "a cycle of " << length << " edges is no face";
-    }
-    relevant += independent.size();
-    for (const EdgeSet& cycle : independent) shorter.add(cycle);
-  }
-  EXPECT_EQ(shorter.rank(), facets.size() + 1 - regions.size());
-  EXPECT_GE(relevant, shorter.rank());
-}
-
-TEST(RelevantCycles, AreFacesOfSimpleArrangements) {
-  for (std::uint32_t seed = 0; seed < 10; ++seed) {
-    for (std::size_t m = 3; m <= 7; ++m) {
-      expect_relevant_cycles_are_faces(test::simple_planes(m, seed));
-    }
-  }
-}
-
-TEST(RelevantCycles, AreFacesOfNearPencils) {
-  for (std::size_t t = 3; t <= 5; ++t) {
-    std::vector<Vector3> planes = test::pencil_planes(t, 4);
-    for (const Vector3& n : {Vector3{7, 11, 100}, Vector3{-90, 17, 31}}) {
-      planes.push_back(n);
-      expect_relevant_cycles_are_faces(planes);
-    }
-  }
-}
-
-TEST(RelevantCycles, AreFacesOfGrids) {
-  std::size_t arrangements = 0;
-  for (std::uint32_t seed = 0; arrangements < 60; ++seed) {
-    const std::vector<Vector3> planes = test::grid_planes(4 + seed % 4, 1, seed);
-    const GreatCircles circles = merge_planes(planes);
-    if (circles.rank < 3) continue;
-    std::vector<Vector3> distinct;
-    for (const IntegerVector3& n : circles.normals) distinct.push_back({n[0], n[1], n[2]});
-    expect_relevant_cycles_are_faces(distinct);
-    ++arrangements;
-  }
-}
-
-// Pencils that cross, and mirrors of A3: several large faces.
-TEST(RelevantCycles, AreFacesOfTwoPencilsAndOfReflections) {
-  expect_relevant_cycles_are_faces(
-      {{1, 1, 0}, {1, 2, 0}, {1, 3, 0}, {0, 6, 1}, {0, 7, 1}, {0, 8, 1}});
-  expect_relevant_cycles_are_faces(
-      {{1, 1, 0}, {1, -1, 0}, {1, 0, 1}, {1, 0, -1}, {0, 1, 1}, {0, 1, -1}});
 }
 
 }  // namespace

@@ -50,34 +50,22 @@ void expect_equals_cgal(const std::vector<Vector3>& planes) {
   EXPECT_TRUE(actual.states == reference.states);
 }
 
-TEST(SweepAgainstCgal, SimplePlanes) {
+TEST(SweepAgainstCgal, EveryFamily) {
   for (const std::size_t m : {31u, 32u, 33u, 64u, 100u, 200u}) {
     expect_equals_cgal(test::moment_planes(m));
   }
-  expect_equals_cgal(test::simple_planes(60, 5));
-}
-
-TEST(SweepAgainstCgal, GridPlanes) {
   for (const int bound : {1, 2, 3, 10}) {
     expect_equals_cgal(test::grid_planes(200, bound, static_cast<std::uint32_t>(bound)));
   }
-}
-
-TEST(SweepAgainstCgal, Pencils) {
-  expect_equals_cgal(test::pencil_planes(200, 1));
-  std::vector<Vector3> planes = test::pencil_planes(100, 2);
-  for (const Vector3& n : test::grid_planes(20, 3, 2)) planes.push_back(n);
-  expect_equals_cgal(planes);
-}
-
-TEST(SweepAgainstCgal, AxisAlignedContacts) {
-  expect_equals_cgal(test::axis_aligned_planes(200, 60, 1));
-  expect_equals_cgal(test::axis_aligned_planes(200, 5, 2));
-}
-
-TEST(SweepAgainstCgal, NearlyDegenerate) {
   for (const char* epsilon : {"1e-9", "1e-18", "1e-60"}) {
     expect_equals_cgal(test::near_grid_planes(80, 2, parse_rational(epsilon), 3));
+  }
+  std::vector<Vector3> pencil_and_others = test::pencil_planes(100, 2);
+  for (const Vector3& n : test::grid_planes(20, 3, 2)) pencil_and_others.push_back(n);
+  for (const std::vector<Vector3>& planes :
+       {test::simple_planes(60, 5), test::pencil_planes(200, 1), pencil_and_others,
+        test::axis_aligned_planes(200, 60, 1), test::axis_aligned_planes(200, 5, 2)}) {
+    expect_equals_cgal(planes);
   }
 }
 
@@ -90,18 +78,6 @@ TEST(SweepCounts, SimpleArrangements) {
     EXPECT_EQ(counts.cells(), 4 * m * (m - 1) + 2);
   }
   EXPECT_EQ(count_cells(test::moment_planes(1000)).cells(), 3996002u);
-}
-
-TEST(SweepCounts, KnownGrasps) {
-  const Rational c(33, 65);
-  const Rational s(56, 65);
-  EXPECT_EQ(count_cells(stick_planes(test::inward_grasp(
-                            {{1, 0}, {c, s}, {-c, s}, {-1, 0}, {-c, -s}, {c, -s}})))
-                .distinct_states,
-            123u);
-  EXPECT_EQ(count_cells({{1, 0, 0}, {0, 1, 0}, {1, 1, parse_rational("1e-9")}, {1, 2, 3}})
-                .distinct_states,
-            51u);
 }
 
 // a circles through one axis and b through another: a grid of a * b simple crossings on each
@@ -165,6 +141,7 @@ TEST(Sweep, ZeroNormalBreaksTheContract) {
   EXPECT_THROW(count_cells(planes), ContractError);
   EXPECT_THROW(visit_cells(planes, [](CellKind, const PackedSigns&) {}), ContractError);
   EXPECT_THROW(enumerate_slip_states_sweep(planes), ContractError);
+  EXPECT_THROW(enumerate_slip_states_cgal(planes), ContractError);
   EXPECT_THROW(ArrangementStructure{planes}, ContractError);
 }
 

@@ -29,19 +29,6 @@ std::string text_of(const Instance& instance) {
   return instance.family + '\n' + write_grasp(instance.question.loaded());
 }
 
-TEST(PlantedLoad, IsStableUnderBothLaws) {
-  for (const Layout layout : {Layout::kRound, Layout::kArc, Layout::kEdges, Layout::kGrid}) {
-    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-      const Grasp grasp = make_grasp(layout, 6, true, seed);
-      for (const NormalLaw law : {NormalLaw::kUnilateral, NormalLaw::kBilateral}) {
-        const Question question = plain_question(grasp, planted_load(grasp, law, seed), law);
-        EXPECT_EQ(verdict_of(question, Engine::kBranchAndBound), "stable")
-            << to_string(law) << write_grasp(question.loaded());
-      }
-    }
-  }
-}
-
 TEST(StableInstances, AreStableByBothEngines) {
   for (const Instance& instance : stable_instances(5, 2 * kStableFamilies)) {
     EXPECT_EQ(instance.expected, Expected::kStable);
@@ -93,25 +80,6 @@ TEST(Instances, AreDeterministic) {
   }
   for (std::size_t family = 0; family < kStableFamilies; ++family) {
     EXPECT_EQ(text_of(make_stable(family, 8, 3)), text_of(make_stable(family, 8, 3)));
-  }
-}
-
-TEST(ThresholdLoad, IsTheLastThatIsHeld) {
-  const Rational just_beyond = 1 + parse_rational("1e-12");
-  const Rational just_below = 1 - parse_rational("1e-12");
-  for (const Layout layout : {Layout::kJaws, Layout::kDisc}) {
-    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-      const Grasp grasp = make_grasp(layout, 4, true, seed);
-      const Wrench threshold = threshold_load(layout, grasp);
-      for (const Engine engine : {Engine::kStates, Engine::kBranchAndBound}) {
-        const auto verdict = [&](const Rational& factor) {
-          return verdict_of(plain_question(grasp, factor * threshold), engine);
-        };
-        EXPECT_EQ(verdict(just_below), "stable") << name_of(layout) << seed;
-        EXPECT_EQ(verdict(1), "stable") << name_of(layout) << seed;
-        EXPECT_EQ(verdict(just_beyond), "unstable") << name_of(layout) << seed;
-      }
-    }
   }
 }
 

@@ -5,8 +5,8 @@
 #include <iostream>
 #include <map>
 
+#include "both_checkers.hpp"
 #include "cases.hpp"
-#include "judge.hpp"
 
 namespace stickslip {
 namespace {
@@ -48,15 +48,6 @@ TEST(Accepted, CertificatesOfBothEngines) {
   for (const auto& [sort, count] : tally) {
     std::cout << "  " << sort << ": " << count << "\n";
     EXPECT_GE(count, 10u) << sort;
-  }
-}
-
-TEST(Accepted, TheThirdOpinionIsTheSame) {
-  for (const test::Certified& one : test::all_certificates()) {
-    if (one.size() > 200) continue;  // it is slow
-    const auto opinion = test::third_opinion(one.input());
-    ASSERT_TRUE(opinion) << one.name();
-    EXPECT_EQ(opinion->result, "accepted") << one.name() << ": " << describe(*opinion);
   }
 }
 

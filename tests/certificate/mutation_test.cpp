@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Thousands of certificates of the engines and of margins, changed at random: all checkers say
-// the same of each, to the rule, node and path; what is accepted is true; a third opinion has
-// the same rule and node. Which rule names which mistake is for tests/rules.
+// the same of each, to the rule, node and path; what is accepted is true. Which rule names
+// which mistake is for tests/rules.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -12,7 +12,6 @@
 
 #include "cases.hpp"
 #include "family.hpp"
-#include "judge.hpp"
 #include "random_grasps.hpp"
 #include "stickslip/core/error.hpp"
 
@@ -280,7 +279,6 @@ TEST(Mutations, EachIsAnsweredAlikeAndRightly) {
 
   std::vector<CheckerAnswer> answers;
   std::map<std::string, std::map<std::string, std::size_t>> tally;
-  std::size_t opinions = 0;
   for (std::size_t i = 0; i < mutants.size(); ++i) {
     const Mutant& mutant = mutants[i];
     const CheckerAnswer cpp = answers.emplace_back(ask_cpp_checker(mutant.input));
@@ -290,13 +288,6 @@ TEST(Mutations, EachIsAnsweredAlikeAndRightly) {
         << describe(mutant.input);
     if (cpp.result == "accepted") expect_true(mutant);
     if (mutant.kind == "bytes of the grasp file") expect_grasp_read_alike(mutant, cpp);
-    if (cpp.result != "malformed") {
-      if (const auto third = test::third_opinion(mutant.input)) {
-        ++opinions;
-        EXPECT_EQ(third->rule, cpp.rule) << describe(cpp) << "\n" << describe(mutant.input);
-        EXPECT_EQ(third->node, cpp.node) << describe(cpp) << "\n" << describe(mutant.input);
-      }
-    }
     ++tally[mutant.kind][cpp.result];
     ++tally["all"][cpp.result == "rejected" ? cpp.rule : cpp.result];
   }
@@ -304,11 +295,9 @@ TEST(Mutations, EachIsAnsweredAlikeAndRightly) {
   test::expect_proved_checker_agrees(inputs, answers);
 
   // Changes are small enough for most rules to be the one that fails.
-  EXPECT_GT(opinions, mutants.size() / 4);
   EXPECT_GT(tally["all"]["accepted"], mutants.size() / 100);
   EXPECT_GE(tally["all"].size(), 14u);
-  std::cout << mutants.size() << " mutants of " << tally.size() - 1 << " kinds, " << opinions
-            << " third opinions\n";
+  std::cout << mutants.size() << " mutants of " << tally.size() - 1 << " kinds\n";
   for (const auto& [kind, results] : tally) {
     std::cout << "  " << kind << ":";
     for (const auto& [result, count] : results) std::cout << " " << count << " " << result;

@@ -40,7 +40,6 @@ def grasp(points, normals, **members):
 
 
 FIG1 = grasp([[-1, 0], [0, -1], [1, 0]], [[1, 0], [0, 1], [-1, 0]])
-FIG4 = grasp([[-1, 1], [-1, -1], [1, -1], [1, 1]], [[1, 0], [1, 0], [-1, 0], [-1, 0]])
 
 
 def certificate(m, wrench, preload=None, law="unilateral", direction=None, preload_direction=None,

@@ -112,23 +112,6 @@ class QuestionTest(Case):
         self.rejects(rule, self.FIXED, fraction, "--uncertain", "friction=10%")
         self.accepts(self.FIXED, fraction, "--uncertain", "friction=0.1")
 
-    def test_what_cannot_be_asked(self):
-        for asked, needle in (("friction=101%", "contacts[0].friction"), ("friction=0.6", "friction"),
-                              ("stiffness=1", "stiffness"), ("stiffness=100%", "stiffness"),
-                              ("preload=2", "preload"), ("normal=1", "normal"),
-                              ("normal=1%", "the question: uncertain"),
-                              ("wrench=-1", "the question: uncertain"),
-                              ("friction=-1%", "the question: uncertain")):
-            self.malformed(needle, self.FIXED, pulled(), "--uncertain", asked)
-        self.malformed("the question: uncertain", self.FIXED, pulled(), "--uncertain", "wrench=0",
-                       "--direction", "0,1,0")
-        margin = ("--direction", "0,1,0", "--wrench", "0,0,0")
-        self.malformed("contacts[0].friction", PULLED, pulled(), *margin)
-        self.malformed("wrench", box_file(wrench=[0, 0, interval(0, 1)]), pulled(),
-                       "--preload-direction", "scale")
-        self.malformed("contacts[0].normal", box_file({**FLOOR, "friction": 1, "normal": {
-            "direction": [0, 1], "slope": "1/10"}}), pulled(), *margin)
-
     def test_option_syntax(self):
         for text in ("", "friction", "friction=", "friction=%", "friction=x", "mass=1",
                      "friction=1,friction=1", "friction=1,", ",friction=1", "friction=10 %",
@@ -356,115 +339,6 @@ class TwinTest(Case):
             self.assertEqual("accepted" if code == 0 else report["rule"], wanted, (file, proof))
             if code:
                 self.assertEqual(report["node"], len(tree) - (wanted != "tree-short"))
-
-    def test_redundant_rays_change_nothing(self):
-        """Rays twice, and sums of rays: the same leaves hold in the twin, and in check.py. (The twin
-        and both checkers agree on trees; for stickslip-check see also tests/checker.)"""
-        rng = random.Random(14)
-        tally = {True: 0, False: 0}
-        while min(tally.values()) < 5:
-            box = random_box(rng, rng.randint(1, 2), rng.choice(check.LAWS))
-            place, region = box.root(), begun(box)
-            for _ in range(rng.randint(1, 4)):
-                kind, i = rng.choice(["slip", "separation", "plane"]), rng.randrange(len(box.contacts))
-                row = (tuple(Fraction(rng.randint(-2, 2)) for _ in range(4)) + (Fraction(0),)
-                       if kind == "plane" else box.plane(kind, i))
-                if row is None:
-                    continue
-                place = naive_box.Place(place.conditions + [(row, False)],
-                                        place.strict + [row] * (kind == "slip"))
-                node = check.Node(kind, -1, row) if kind == "plane" else check.Node(kind, i)
-                region = check.children(region, node)[0]
-                region.open()
-            generators = region.cone.generators
-            for _ in range(rng.randint(1, 4) if generators else 0):
-                chosen = [rng.choice(generators) for _ in range(rng.randint(1, 3))]
-                weights = [rng.randint(1, 5) for _ in chosen]
-                total = tuple(sum(w * x[j] for w, (x, _) in zip(weights, chosen)) for j in range(5))
-                common = -1
-                for _, zero in chosen:
-                    common &= zero
-                region.cone.generators = region.cone.generators + [(total, common)]
-            added = [x for x, _ in region.cone.generators[len(generators):]]
-            for y in rng.sample(EASY, 4):
-                y = tuple(map(Fraction, y))
-                holds = box.leaf_holds(place, y)
-                tally[holds] += 1
-                self.assertEqual(box.leaf_holds(place, y, list(place.rays) + added), holds)
-                for shorten in (check.short_above, lambda x: x):
-                    refusal = check.leaf_refusal(region, y, shorten)
-                    if shorten is not check.short_above or refusal is None:
-                        self.assertEqual(refusal is None, holds)
-
-    def test_bounds_are_bounds(self):
-        """At random points of the box no product exceeds its bound."""
-        rng = random.Random(12)
-        for _ in range(60):
-            contact = random_box(rng, 1, "unilateral").contacts[0]
-            y = tuple(Fraction(rng.randint(-3, 3)) for _ in range(3))
-            r = tuple(Fraction(rng.randint(-3, 3)) for _ in range(3)) + (Fraction(rng.randint(0, 2)), 0)
-            for s in {-contact.ends["friction"][1], contact.ends["friction"][0]}:
-                most = contact.greatest(s, y, r)
-                for _ in range(20):
-                    q = {name: low + Fraction(rng.randint(0, 6), 6) * (high - low)
-                         for name, (low, high) in contact.ends.items()}
-                    self.assertLessEqual(contact.alpha(q, s, y) * contact.v(q, r), most)
-
-    def test_nothing_refutes_the_home_of_an_equilibrium(self):
-        """An equilibrium of one grasp of a box, by construction: no leaf holds where it is at home."""
-        rng = random.Random(13)
-        mixed = 0
-        for trial in range(200):
-            law = rng.choice(check.LAWS)
-            box, q, d = random_box(rng, rng.randint(1, 3), law), [], None
-            for contact in box.contacts:
-                q.append({name: low + Fraction(rng.randint(0, 4), 4) * (high - low)
-                          for name, (low, high) in contact.ends.items()})
-            d = [Fraction(rng.randint(-2, 2), 2) for _ in range(3)]
-            x, wrench = (*d, Fraction(1), Fraction(0)), [Fraction(0)] * 3
-            if law == "bilateral" and any(c.v(at, x) < 0 for c, at in zip(box.contacts, q)):
-                continue
-            for contact, at in zip(box.contacts, q):
-                slip, a = contact.tau(at, x), max(0, contact.v(at, x))
-                share = -check.sign(slip) if slip else Fraction(rng.randint(-2, 2), 2)
-                n, t = contact.rows(at["x"], at["y"], at["turn"])
-                wrench = [w - a * (n[j] + share * at["friction"] * t[j])
-                          for j, w in enumerate(wrench)]
-            loads = [check.Bounds(w - rng.choice([0, 0, Fraction(1, 4)]), w) for w in wrench]
-            box.wrench = [(load.low, load.high) for load in loads]
-            region = begun(box)
-            for _ in range(rng.randint(0, 6)):
-                kind = rng.choice(["slip", "separation", "plane", "part"])
-                i = rng.randrange(len(q))
-                if kind == "part":
-                    name = rng.choice(naive_box.NAMES)
-                    bounds = region.box.contacts[i].bounds[name]
-                    if bounds.certain:
-                        continue
-                    cut = bounds.middle.low
-                    child = int(q[i][name] > cut)
-                    node = check.Node(kind, i, (cut,), name)
-                elif kind == "plane":
-                    row = tuple(Fraction(rng.randint(-2, 2)) for _ in range(4)) + (Fraction(0),)
-                    child = int(check.dot(row, x) < 0)
-                    node = check.Node(kind, -1, row)
-                else:
-                    term = region.box.terms[i]
-                    corners = term.tau if kind == "slip" else term.v
-                    if len(corners) > 1:
-                        continue
-                    at = check.dot(corners[0], x)
-                    child = 1 - check.sign(at) if kind == "slip" else int(at < 0)
-                    node = check.Node(kind, i)
-                region = check.children(region, node)[child]
-                region.open()
-            points = [r for r, _ in region.cone.generators]
-            mixed += any(check.side(*check.extremes(term.v, points)) == 0 and not term.certain
-                         for term in region.box.terms)
-            for y in [(0, 0, 0), *EASY]:
-                with self.assertRaises(check.Rejected, msg=(trial, y)):
-                    check.check_leaf(region, tuple(map(Fraction, y)))
-        self.assertGreater(mixed, 10)
 
     def test_enclosures(self):
         for square, bits in itertools.product((Fraction(2), Fraction(1, 3), Fraction(5, 10**40),

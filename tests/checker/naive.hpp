@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 /// \file
 /// The rules of FORMAT.md §4 word by word, in rationals, without rounding or sets of
-/// conditions: the twin that TreeWalk is compared with. And a prover that finds small
-/// refutations.
+/// conditions: the twin that TreeWalk is compared with.
 #pragma once
 
 #include <algorithm>
@@ -60,11 +59,6 @@ struct NaiveQuestion {
   }
   Rational power(const Vector& y, const Vector& x) const {
     return x[3] * dot(y, wrench) + x[4] * dot(y, question.growth);
-  }
-  void set_wrench(const Vector& w) {
-    wrench = w;
-    question.widened = {w.begin(), w.end()};
-    enlarge(question);
   }
 };
 
@@ -161,64 +155,6 @@ struct NaiveRegion {
     }
     return barred(flat);
   }
-};
-
-/// Looks for a refutation with y among small integers. Returns false if it finds none.
-class Prover {
- public:
-  explicit Prover(const NaiveQuestion& question, std::size_t max_nodes = 300, int reach = 2)
-      : question_(question), max_nodes_(max_nodes), reach_(reach) {}
-
-  bool run() {
-    nodes.clear();
-    return prove(NaiveRegion::root(question_));
-  }
-
-  std::vector<Node> nodes;
-
- private:
-  bool prove(const NaiveRegion& region) {
-    if (nodes.size() >= max_nodes_) return false;
-    Node node;
-    for (int a = -reach_; a <= reach_; ++a) {
-      for (int b = -reach_; b <= reach_; ++b) {
-        for (int c = -reach_; c <= reach_; ++c) {
-          node.numbers = {a, b, c};
-          if (!region.leaf_holds(node.numbers)) continue;
-          nodes.push_back(node);
-          return true;
-        }
-      }
-    }
-    for (const NodeKind kind : {NodeKind::kSlip, NodeKind::kSeparation}) {
-      const bool slip = kind == NodeKind::kSlip;
-      for (std::size_t i = 0; i < question_.size(); ++i) {
-        const Vector f = slip ? question_.tau(i) : question_.v(i);
-        if (slip ? region.sign(i) != ' ' : !crosses(region, f)) continue;
-        node = {kind, static_cast<unsigned long>(i), {}};
-        nodes.push_back(node);
-        for (unsigned k = 0; k < (slip ? 3U : 2U); ++k) {
-          if (!prove(region.child(node, k))) return false;
-        }
-        return true;
-      }
-    }
-    return false;
-  }
-
-  static bool crosses(const NaiveRegion& region, const Vector& f) {
-    bool above = false;
-    bool below = false;
-    for (const Vector& r : region.rays()) {
-      above = above || dot(f, r) > 0;
-      below = below || dot(f, r) < 0;
-    }
-    return above && below;
-  }
-
-  const NaiveQuestion& question_;
-  std::size_t max_nodes_;
-  int reach_;
 };
 
 /// The walk over the tree of a question, which must outlive it.

@@ -12,47 +12,6 @@ Rational q(const char* text) {
   return value;
 }
 
-TEST(Number, DecimalsMeanWhatTheySpell) {
-  const std::pair<const char*, const char*> cases[] = {
-      {"0", "0"},        {"-0", "0"},          {"+3", "3"},      {"010", "10"},
-      {"-0.25", "-1/4"}, {"1e-3", "1/1000"},   {"1E+2", "100"},  {"12.50e1", "125"},
-      {"3/5", "3/5"},    {"-6/4", "-3/2"},     {"+6/04", "3/2"}, {"0e4096", "0"},
-      {"0.1", "1/10"},   {"-1.5e-1", "-3/20"}, {"2e0", "2"},     {"1e-0003", "1/1000"},
-  };
-  for (const auto& [text, value] : cases) {
-    const std::optional<Rational> read = parse_decimal(text);
-    ASSERT_TRUE(read) << text;
-    EXPECT_EQ(*read, q(value)) << text;
-  }
-  EXPECT_TRUE(parse_decimal("1e4096"));
-  EXPECT_TRUE(parse_decimal(std::string(16384, '7')));
-}
-
-TEST(Number, WhatIsNoDecimal) {
-  for (const char* text : {"",         "-",    "+",      ".5",      "5.",
-                           "1e",       "1e+",  "e3",     "1/0",     "1/-2",
-                           "1/",       "/2",   "1.5/2",  "1/2.5",   "1/2e3",
-                           " 1",       "1 ",   "0x10",   "nan",     "inf",
-                           "Infinity", "--1",  "1e4097", "1e-4097", "1e99999999999999999999",
-                           "1,5",      "1_000"}) {
-    EXPECT_FALSE(parse_decimal(text)) << text;
-  }
-  EXPECT_FALSE(parse_decimal(std::string(16385, '7')));
-  EXPECT_FALSE(parse_decimal(std::string("1\0", 2)));
-}
-
-TEST(Number, FractionsOfCertificates) {
-  EXPECT_EQ(parse_fraction("-6/4"), q("-3/2"));
-  EXPECT_EQ(parse_fraction("007"), q("7"));
-  EXPECT_EQ(parse_fraction("-0/3"), q("0"));
-  EXPECT_TRUE(parse_fraction(std::string(65536, '7')));
-  EXPECT_FALSE(parse_fraction(std::string(65537, '7')));
-  for (const char* text :
-       {"", "-", "+1", "1.0", "1e2", "1/0", "1/-2", "1/", "/2", " 1", "1/2/3"}) {
-    EXPECT_FALSE(parse_fraction(text)) << text;
-  }
-}
-
 TEST(Number, RootsAreExactOrAbsent) {
   EXPECT_EQ(exact_sqrt(q("0")), q("0"));
   EXPECT_EQ(exact_sqrt(q("9/25")), q("3/5"));

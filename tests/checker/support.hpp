@@ -3,8 +3,6 @@
 /// Texts of grasps and certificates, and the answers to them, for the checker's tests.
 #pragma once
 
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <random>
 #include <sstream>
@@ -13,7 +11,6 @@
 #include <vector>
 
 #include "check.hpp"
-#include "cone.hpp"
 #include "grasp.hpp"
 
 namespace stickslip_check {
@@ -55,11 +52,6 @@ inline std::string explain(const Answer& answer) {
   }
   if (const auto* n = std::get_if<NotJudged>(&answer)) return "not judged: " + n->why;
   return "accepted";
-}
-
-inline std::string read_file(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
 
 /// The first occurrence of `from` replaced; `from` must occur.
@@ -106,25 +98,5 @@ inline Grasp read(const std::string& text) {
   std::istringstream in(text);
   return read_grasp(in, "grasp");
 }
-
-/// With sums of rays among the rays.
-class Redundant : public Cone {
- public:
-  Redundant(Random& random, const Cone& cone) : Cone(cone) {
-    const auto extreme = cone.rays();
-    for (int k = between(random, 1, 4); k > 0 && !extreme.empty(); --k) {
-      Form x(extreme.front()->x.size());
-      std::optional<Set> zero;
-      for (int terms = between(random, 1, 3); terms > 0; --terms) {
-        const Ray& ray =
-            *extreme[static_cast<std::size_t>(between(random, 0, int(extreme.size()) - 1))];
-        const int weight = between(random, 1, 5);
-        for (std::size_t j = 0; j < x.size(); ++j) x[j] += weight * ray.x[j];
-        zero = zero ? intersection(*zero, ray.zero) : ray.zero;
-      }
-      add(x, *zero);
-    }
-  }
-};
 
 }  // namespace stickslip_check

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The walk against its naive twin, and the soundness of FORMAT.md §5 as a property.
+// The walk against its naive twin, and what doubles settle against exact signs.
 #include "tree.hpp"
 
 #include <gtest/gtest.h>
@@ -113,114 +113,6 @@ TEST(Tree, AgreesWithTheNaiveTwin) {
   }
   EXPECT_GT(accepted, rounds(500U));
   EXPECT_GT(rejected, rounds(500U));
-}
-
-/// An equilibrium by construction, as a point: d, lambda and the forces first, then the wrench
-/// that they balance.
-NaiveQuestion stable_question(Random& random, Vector& x) {
-  for (;;) {
-    NaiveQuestion q = random_question(random, 4);
-    const auto& [low, high, open_low, open_high] = q.range;
-    Rational lambda =
-        low + (high ? Rational((*high - low) / 3) : Rational(between(random, 1, 9)));
-    if (!open_low && between(random, 0, 1) == 0) lambda = low;
-    x.clear();
-    for (int j = 0; j < 3; ++j) x.push_back(Rational(between(random, -2, 2)) / 2);
-    x.insert(x.end(), {1, lambda});
-    Vector wrench(3);
-    for (std::size_t j = 0; j < 3; ++j) wrench[j] = -lambda * q.question.growth[j];
-    bool possible = true;
-    for (const NaiveRow& row : q.rows) {
-      Rational a = dot(row.v, x);
-      if (a < 0 && q.question.asked.bilateral) possible = false;
-      if (a < 0) a = 0;
-      const Rational slip = dot(row.tangent, x);
-      const int sigma = slip > 0 ? -2 : (slip < 0 ? 2 : between(random, -2, 2));
-      const Rational b = row.friction * a * sigma / 2;
-      for (std::size_t j = 0; j < 3; ++j) wrench[j] -= a * row.normal[j] + b * row.tangent[j];
-    }
-    q.set_wrench(wrench);
-    if (possible) return q;
-  }
-}
-
-// FORMAT.md §4: where the equilibrium is at home, no leaf is ever accepted.
-TEST(Tree, NothingRefutesTheHomeOfAnEquilibrium) {
-  Random random(1953);
-  for (int trial = 0; trial < 3000; ++trial) {
-    Vector x;
-    const NaiveQuestion q = stable_question(random, x);
-    TreeWalk walk = walk_of(q);
-    const int depth = between(random, 0, 8);
-    for (int k = 0; k < depth; ++k) {
-      const Node node = random_split(random, q);
-      ASSERT_EQ(rule_of(walk, node), "");
-      const std::size_t i = node.contact.get_ui();
-      const bool slip = node.kind == NodeKind::kSlip;
-      const Rational at =
-          dot(node.kind == NodeKind::kPlane ? node.numbers : (slip ? q.tau(i) : q.v(i)), x);
-      unsigned home = at < 0 ? 1 : 0;
-      if (slip) home = at > 0 ? 0 : (at == 0 ? 1 : 2);
-      // Stand-ins for the siblings in front; whether they hold does not matter here.
-      for (unsigned s = 0; s < home; ++s) rule_of(walk, leaf(random));
-    }
-    ASSERT_EQ(rule_of(walk, leaf(random)), "leaf-bound") << "trial " << trial;
-  }
-}
-
-TEST(Tree, RefutationsOfRandomGraspsAreAccepted) {
-  Random random(2018);
-  std::size_t proved = 0;
-  for (int trial = 0; trial < rounds(200); ++trial) {
-    const NaiveQuestion q = random_question(random, 3);
-    Prover prover(q, 120, 1);
-    if (!prover.run()) continue;
-    ++proved;
-    TreeWalk walk = walk_of(q);
-    for (const Node& node : prover.nodes) ASSERT_EQ(rule_of(walk, node), "");
-    EXPECT_NO_THROW(walk.finish());
-    EXPECT_EQ(walk.nodes(), prover.nodes.size());
-  }
-  EXPECT_GT(proved, rounds(60U));
-}
-
-TEST(Tree, RedundantRaysChangeNoLeaf) {
-  Random random(2718);
-  std::size_t tally[2]{};
-  for (int trial = 0; trial < rounds(3000); ++trial) {
-    const NaiveQuestion q = random_question(random, 3);
-    Box box = *q.question.box;
-    for (std::size_t i = 0; i < q.size(); ++i) {
-      for (const Parameter name : {Parameter::kX, Parameter::kTurn, Parameter::kFriction,
-                                   Parameter::kPreload, Parameter::kStiffness}) {
-        if (between(random, 0, 2) > 0) continue;
-        const Rational& low = box.contact(i)[name].low;
-        box = box.with(name, i, Bounds(low, low + Rational(between(random, 1, 3)) / 8));
-      }
-    }
-    Cone cone(kN);
-    Set strict;
-    insert(strict, 0);
-    cone = cone.cut(make_form({0, 0, 0, 1, 0})).cut(make_form({0, 0, 0, 0, 1}), true);
-    for (int cuts = between(random, 0, 5); cuts > 0; --cuts) {
-      Vector a;
-      for (std::size_t j = 0; j < kN; ++j) a.emplace_back(between(random, -1, 1));
-      const std::size_t i = static_cast<std::size_t>(between(random, 0, 3));
-      if (i < q.size() && box.row(i).tau.size() == 1) a = q.tau(i);
-      if (between(random, 0, 1) == 0) insert(strict, cone.cuts());
-      cone = cone.cut(make_form(a));
-    }
-    const Redundant more(random, cone);
-    for (int leaves = 0; leaves < 5; ++leaves) {
-      const Vector y = leaf(random).numbers;
-      const bool holds = !leaf_refusal(box, Generators(box, cone, {strict, {}}), y);
-      ++tally[holds ? 1 : 0];
-      EXPECT_EQ(!leaf_refusal(box, Generators(box, more, {strict, {}}), y), holds)
-          << "trial " << trial;
-    }
-  }
-  EXPECT_GT(tally[0], rounds(1000U));
-  EXPECT_GT(tally[1], rounds(1000U));
 }
 
 // What a region inherits is what a look at all contacts gives, and what doubles prove is so.

@@ -22,13 +22,6 @@ std::vector<Contact> fig1() {
           {{1, 0}, {-1, 0}, kHalf, 1, 1}};
 }
 
-std::vector<Contact> fig4() {
-  return {{{-1, 1}, {1, 0}, kHalf, 1, 1},
-          {{-1, -1}, {1, 0}, kHalf, 1, 1},
-          {{1, -1}, {-1, 0}, kHalf, 1, 1},
-          {{1, 1}, {-1, 0}, kHalf, 1, 1}};
-}
-
 /// p + (x - r p_y, y + r p_x) - p: the motion of a contact point, from the definition.
 Vector2 motion(const Vector2& p, const Twist& d) {
   return {d.x - d.r * p.y, d.y + d.r * p.x};
@@ -102,19 +95,6 @@ TEST(ContactRows, OfFig1) {
   }
 }
 
-TEST(ContactRows, OfFig4AreTwoCirclesOnly) {
-  const std::vector<ContactRow> rows = contact_rows(Grasp(fig4()));
-  ASSERT_EQ(rows.size(), 4U);
-  EXPECT_EQ(rows[0].normal, (Wrench{1, 0, -1}));
-  EXPECT_EQ(rows[1].normal, (Wrench{1, 0, 1}));
-  EXPECT_EQ(rows[2].normal, (Wrench{-1, 0, -1}));
-  EXPECT_EQ(rows[3].normal, (Wrench{-1, 0, 1}));
-  EXPECT_EQ(rows[0].tangent, (Wrench{0, 1, -1}));
-  EXPECT_EQ(rows[1].tangent, (Wrench{0, 1, -1}));
-  EXPECT_EQ(rows[2].tangent, (Wrench{0, -1, -1}));
-  EXPECT_EQ(rows[3].tangent, (Wrench{0, -1, -1}));
-}
-
 TEST(ContactRows, MeasureTheMotionOfTheContactPoint) {
   Random random(11);
   for (int i = 0; i < 500; ++i) {
@@ -139,33 +119,6 @@ TEST(ContactRows, AreTheSameInAndBeyondMachineWords) {
     EXPECT_EQ(row.normal, (Wrench{n.x, n.y, p.x * n.y - p.y * n.x}));
     EXPECT_EQ(row.tangent, (Wrench{-n.y, n.x, p.x * n.x + p.y * n.y}));
     EXPECT_EQ(row.stiffness, 3 / (n.x * n.x + n.y * n.y));
-  }
-}
-
-/// The object turned by a rational rotation and shifted: p' = R p + s, n' = R n. A motion d of
-/// the body is seen from the new frame as (R (x,y) - r J s, r), J the quarter turn; N'.d' =
-/// N.d.
-TEST(ContactRows, AreCovariantUnderRigidMotion) {
-  Random random(12);
-  for (int i = 0; i < 500; ++i) {
-    const Rational t = random.small();
-    const Rational c = (1 - t * t) / (1 + t * t);
-    const Rational s = 2 * t / (1 + t * t);
-    const auto turn = [&](const Vector2& v) {
-      return Vector2{c * v.x - s * v.y, s * v.x + c * v.y};
-    };
-    const Vector2 shift{random.small(), random.small()};
-    const Contact before = random.contact();
-    Contact after = before;
-    after.position = turn(before.position);
-    after.position.x += shift.x;
-    after.position.y += shift.y;
-    after.normal = turn(before.normal);
-    const Twist d = random.twist();
-    const Vector2 turned = turn({d.x, d.y});
-    const Twist seen{turned.x + d.r * shift.y, turned.y - d.r * shift.x, d.r};
-    EXPECT_EQ(power(normal_row(after), seen), power(normal_row(before), d));
-    EXPECT_EQ(power(tangent_row(after), seen), power(tangent_row(before), d));
   }
 }
 

@@ -199,19 +199,6 @@ TEST(ParseClaimLine, SyntaxErrorsHaveTheColumnOfTheLine) {
   }
 }
 
-// No prefix of a line passes for a line, and none crashes.
-TEST(ParseClaimLine, EveryPrefixIsRejected) {
-  const std::string line = line_with(
-      R"({"verdict": "stable", "twist": [0, -1, 0], "forces": [[1, 0]]})", R"({"preload": 0})");
-  EXPECT_NO_THROW(parse_claim_line(line, ""));
-  for (std::size_t length = 0; length < line.size(); ++length) {
-    EXPECT_THROW(parse_claim_line(line.substr(0, length), ""), InputError) << length;
-    std::string changed = line;
-    changed[length] = '\0';
-    EXPECT_THROW(parse_claim_line(changed, ""), InputError) << length;
-  }
-}
-
 TEST(TextLines, NumbersLinesAndSkipsBlankOnes) {
   std::istringstream in("\n  \r\none\n\n\ttwo\r\n\nthree");
   TextLines lines(in);

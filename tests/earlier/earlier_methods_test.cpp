@@ -238,20 +238,6 @@ TEST(FormClosure, FourContactsOnASquare) {
   EXPECT_NE(std::get<FreeMotion>(concurrent).twist.r, 0);
 }
 
-TEST(Degenerate, NoContact) {
-  for (const NormalLaw law : {NormalLaw::kUnilateral, NormalLaw::kBilateral}) {
-    const Problem rest = problem(Grasp(), {}, law);
-    const Problem loaded = problem(Grasp(), {0, 0, 1}, law);
-    EXPECT_TRUE(std::holds_alternative<FreeMotion>(form_closure(rest)));
-    EXPECT_TRUE(is_weak(rest) && is_frictionless(rest) && is_strong(rest));
-    EXPECT_TRUE(linear_holds(rest) && three_states_hold(rest) && cones_accept(rest));
-    EXPECT_FALSE(is_weak(loaded) || is_frictionless(loaded) || is_strong(loaded));
-    EXPECT_FALSE(linear_holds(loaded) || three_states_hold(loaded) || cones_accept(loaded));
-    const auto springs = linear_compliance(loaded);
-    EXPECT_TRUE(std::holds_alternative<UnresistedMotion>(springs));
-  }
-}
-
 // All contacts at one point: no spring resists a rotation about it.
 TEST(Degenerate, ContactsAtOnePoint) {
   const Grasp corner(

@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The earlier methods against Z3, whose formulas are written from the contacts alone; which
-// method implies which; and changes of a question that change no answer.
+// The earlier methods against Z3, whose formulas are written from the contacts alone.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <functional>
 #include <iostream>
-#include <map>
 
 #include "paper_grasps.hpp"
 #include "smt_oracle.hpp"
 #include "stickslip/earlier/compliance.hpp"
-#include "stickslip/earlier/form_closure.hpp"
 #include "stickslip/earlier/friction_cones.hpp"
 #include "stickslip/earlier/load_classes.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
@@ -152,108 +146,6 @@ TEST(EarlierMethodsAgainstZ3, ConesAloneOnFig4) {
     }
   }
   expect_agreement(Model::kConesAlone, "friction cones alone, Fig. 4", load_cases);
-}
-
-/// passive => cones alone => weak, form closure => frictionless => strong => weak, linear =>
-/// three states. Counts how often each is strict.
-class Implications {
- public:
-  void expect_for(const LoadCase& load_case) {
-    const Problem p(load_case.loaded, load_case.law);
-    const bool cones = accepts(p, Model::kConesAlone);
-    const bool weak = accepts(p, Model::kWeak);
-    const bool frictionless = accepts(p, Model::kFrictionless);
-    const bool strong = !accepts(p, Model::kAccelerates);
-    expect("passive => cones", load_case, accepts(p, Model::kPassive), cones);
-    expect("cones => weak", load_case, cones, weak);
-    expect("form closure => frictionless", load_case,
-           std::holds_alternative<FormClosure>(form_closure(p)), frictionless);
-    expect("frictionless => strong", load_case, frictionless, strong);
-    expect("strong => weak", load_case, strong, weak);
-    expect("linear => three states", load_case, accepts(p, Model::kLinearSprings),
-           accepts(p, Model::kThreeStates));
-  }
-  const std::map<std::string, int>& strict() const { return strict_; }
-
- private:
-  void expect(const char* name, const LoadCase& load_case, bool a, bool b) {
-    EXPECT_TRUE(!a || b) << name << '\n' << describe(load_case);
-    strict_[name] += !a && b ? 1 : 0;
-  }
-
-  std::map<std::string, int> strict_;
-};
-
-TEST(EarlierMethods, ImplyOneAnother) {
-  Implications implications;
-  for (const LoadCase& load_case : random_cases(77, 400)) implications.expect_for(load_case);
-  // Or the sample shows nothing.
-  for (const auto& [name, count] : implications.strict()) EXPECT_GT(count, 0) << name;
-}
-
-// All pairs of contacts on the grid {-1, 0, 1}^2 with axis normals, the first normal (1, 0).
-TEST(EarlierMethods, ImplyOneAnotherInTheSmallWorld) {
-  Implications implications;
-  const std::array<Vector2, 4> normals{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
-  for (int places = 0; places < 81; ++places) {
-    const Vector2 first{places % 3 - 1, places / 3 % 3 - 1};
-    const Vector2 second{places / 9 % 3 - 1, places / 27 - 1};
-    for (const Vector2& normal : normals) {
-      for (const int preload : {0, 1}) {
-        const Grasp grasp({{first, normals[0], Rational(1, 2), 1, preload},
-                           {second, normal, Rational(1, 2), 1, preload}});
-        for (int w = 0; w < 27; ++w) {
-          implications.expect_for(
-              {{grasp, {w % 3 - 1, w / 3 % 3 - 1, w / 9 - 1}}, NormalLaw::kUnilateral});
-        }
-      }
-    }
-  }
-}
-
-constexpr Model kModels[] = {Model::kWeak,          Model::kFrictionless, Model::kConesAlone,
-                             Model::kLinearSprings, Model::kThreeStates,  Model::kAccelerates};
-
-TEST(EarlierMethods, DoNotSeeTheOrderOfContacts) {
-  RandomSource random(78);
-  for (const LoadCase& before : random_cases(79, 60)) {
-    std::vector<Contact> contacts = before.loaded.grasp.contacts();
-    for (std::size_t i = contacts.size(); i > 1; --i) {
-      const int other = random.between(0, static_cast<int>(i) - 1);
-      std::swap(contacts[i - 1], contacts[static_cast<std::size_t>(other)]);
-    }
-    const Problem p(before.loaded, before.law);
-    const Problem q({Grasp(contacts), before.loaded.wrench}, before.law);
-    EXPECT_EQ(form_closure(p).index(), form_closure(q).index());
-    for (const Model model : kModels) EXPECT_EQ(accepts(p, model), accepts(q, model));
-  }
-}
-
-// The centre of mass moves with the frame.
-TEST(EarlierMethods, DoNotSeeRationalRigidMotions) {
-  const Vector2 turn{Rational(3, 5), Rational(-4, 5)};
-  const auto turned = [&](const Vector2& v) {
-    return Vector2{turn.x * v.x - turn.y * v.y, turn.x * v.y + turn.y * v.x};
-  };
-  const Vector2 shift{Rational(7, 2), Rational(-5, 3)};
-  const Inertia moved{shift, 1};
-  for (const LoadCase& before : random_cases(80, 60)) {
-    std::vector<Contact> contacts = before.loaded.grasp.contacts();
-    for (Contact& c : contacts) {
-      const Vector2 position = turned(c.position);
-      c.position = {position.x + shift.x, position.y + shift.y};
-      c.normal = turned(c.normal);
-    }
-    const Wrench& w = before.loaded.wrench;
-    const Vector2 force = turned({w.x, w.y});
-    const Wrench after{force.x, force.y, w.torque + shift.x * force.y - shift.y * force.x};
-    const Problem p(before.loaded, before.law);
-    const Problem q({Grasp(contacts), after}, before.law);
-    EXPECT_EQ(form_closure(p).index(), form_closure(q).index());
-    for (const Model model : kModels) {
-      EXPECT_EQ(accepts(p, model), accepts(q, model, moved)) << describe(before);
-    }
-  }
 }
 
 }  // namespace

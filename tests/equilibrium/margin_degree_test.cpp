@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Segments of margins proved by degree: against those proved by equilibria, against verdicts,
-// and made wrong, by all checkers.
+// Segments of margins proved by degree: against those proved by equilibria, and against
+// verdicts. Made wrong they are in tests/rules.
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "both_checkers.hpp"
 #include "family.hpp"
@@ -18,7 +16,6 @@
 namespace stickslip {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using bench::Layout;
 using test::RandomSource;
 using test::rounds;
@@ -134,99 +131,6 @@ TEST(MarginByDegree, OnlyWhereEquilibriaAreLong) {
   const test::CheckerInput input = test::input_of(varied, by_degree);
   EXPECT_LT(input.certificate.size(), 40000U);
   test::expect_accepted_by_both(varied, by_degree);
-}
-
-/// A certificate by degree in the text of which something is changed, and the rule that fails.
-class Mutants {
- public:
-  explicit Mutants(test::CheckerInput original)
-      : original_(std::move(original)), json_(Json::parse(original_.certificate)) {}
-
-  std::size_t segments() const { return json_["segments"].size(); }
-  bool is_endless() const { return json_["resisted"].back()[1].is_null(); }
-  const Json& segment(std::size_t k) const { return json_["segments"][k]; }
-
-  /// `rule`: that fails, "malformed" or "accepted"; none if it may be another proof.
-  void add(const std::string& rule, const std::function<void(Json&)>& change) {
-    Json edited = json_;
-    change(edited);
-    inputs_.push_back(original_);
-    inputs_.back().certificate = edited.dump();
-    rules_.push_back(rule);
-  }
-
-  void expect_all() const {
-    std::vector<test::CheckerAnswer> answers;
-    for (const test::CheckerInput& input : inputs_) {
-      answers.push_back(test::ask_cpp_checker(input));
-    }
-    const auto twins = test::ask_python_checker(inputs_);
-    for (std::size_t k = 0; k < inputs_.size(); ++k) {
-      SCOPED_TRACE(std::to_string(k) + ", " + rules_[k]);
-      EXPECT_TRUE(answers[k].agrees_with(twins[k])) << test::describe(answers[k]) << "\n"
-                                                    << test::describe(twins[k]);
-      if (rules_[k].empty()) continue;
-      const bool by_rule = answers[k].result == "rejected";
-      EXPECT_EQ(by_rule ? answers[k].rule : answers[k].result, rules_[k]);
-    }
-    test::expect_js_checker_agrees(inputs_, answers);
-    test::expect_proved_checker_agrees(inputs_, answers);
-  }
-
- private:
-  test::CheckerInput original_;
-  Json json_;
-  std::vector<test::CheckerInput> inputs_;
-  std::vector<std::string> rules_;
-};
-
-void add_mutants(Mutants& mutants, RandomSource& random) {
-  mutants.add("accepted", [](Json&) {});
-  for (std::size_t k = 0; k < mutants.segments(); ++k) {
-    if (!mutants.segment(k).is_object()) continue;
-    const auto edit = [&](const std::string& rule, const std::function<void(Json&)>& change) {
-      mutants.add(rule, [&](Json& json) { change(json["segments"][k]); });
-    };
-    const bool is_last = k + 1 == mutants.segments();
-    edit("", [](Json& s) { std::swap(s["twists"][0], s["twists"][1]); });
-    edit("", [](Json& s) { s["twists"][1] = s["twists"][0]; });
-    edit("", [](Json& s) { s["direction"][0][0] = -1000000000; });
-    edit("", [](Json& s) { s["walls"][0] = {1, 0, 0}; });
-    edit("", [](Json& s) { s["to"] = 1000000; });
-    for (int n = 0; n < 4; ++n) {
-      const auto node = static_cast<std::size_t>(
-          random.between(0, static_cast<int>(mutants.segment(k)["tree"].size()) - 1));
-      edit("", [&](Json& s) { s["tree"].erase(node); });
-      edit("", [&](Json& s) { s["tree"][node] = {"leaf", 1, 0, 0}; });
-      edit("", [&](Json& s) { s["tree"][node] = {"plane", 0, 0, 0, -2, 1}; });
-    }
-    // Without it the next one by degree begins farther down, and may have to prove too much.
-    const bool next_begins_here = !is_last && mutants.segment(k + 1).is_object();
-    mutants.add(next_begins_here ? "" : "segment-chain",
-                [&](Json& json) { json["segments"].erase(k); });
-    // All multiples from 0 on, beyond an end, or else too many to prove so.
-    const bool may_be_endless = k > 0 && mutants.is_endless();
-    if (!is_last) {
-      edit(may_be_endless ? "" : "segment-chain", [](Json& s) { s["to"] = nullptr; });
-    }
-    // A POINT is stated in full after a segment that has none.
-    mutants.add("malformed", [&](Json& json) {
-      json["segments"].insert(json["segments"].begin() + static_cast<std::ptrdiff_t>(k) + 1,
-                              Json::array({Json::array({1, {0, 0, 0}, Json::array()})}));
-    });
-  }
-}
-
-TEST(MarginByDegree, AllCheckersRejectTheSameMutants) {
-  RandomSource random(813);
-  for (const NormalLaw law : {NormalLaw::kUnilateral, NormalLaw::kBilateral}) {
-    const Question question = pulled(Layout::kVaried, 8, 4, law);
-    const Margin margin = margin_of(question, SegmentForm::kDegree);
-    ASSERT_GE(count_proofs(margin), 1U);
-    Mutants mutants(test::input_of(question, margin));
-    add_mutants(mutants, random);
-    mutants.expect_all();
-  }
 }
 
 }  // namespace

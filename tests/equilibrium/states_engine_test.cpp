@@ -33,38 +33,6 @@ Grasp with_friction(const Grasp& grasp, const Rational& friction) {
   return Grasp(std::move(contacts));
 }
 
-TEST(NoContact, HoldsNoLoadAndNeedsNone) {
-  EXPECT_EQ(judged_verdicts({Grasp(), {}}), "stable");
-  for (const Wrench& w : {Wrench{1, 0, 0}, Wrench{0, -1, 0}, Wrench{0, 0, q("1e-18")}}) {
-    EXPECT_EQ(judged_verdicts({Grasp(), w}), "unstable");
-  }
-}
-
-// A finger below the body at (0, -1), pushing up. Its force has its line of action through the
-// contact, so a horizontal load needs the torque that goes with it.
-TEST(OneContact, ResistsItsFrictionConeAndNothingElse) {
-  const Grasp finger = grasp_of({{{0, -1}, {0, 1}}}, 0);
-  const auto verdict = [&](const Wrench& w) { return judged_verdicts({finger, w}); };
-  EXPECT_EQ(verdict({0, 0, 0}), "stable");
-  EXPECT_EQ(verdict({0, -1, 0}), "stable");
-  EXPECT_EQ(verdict({0, 1, 0}), "unstable");
-  EXPECT_EQ(verdict({q("1/2"), -1, q("1/2")}), "stable");
-  EXPECT_EQ(verdict({q("-1/2"), -1, q("-1/2")}), "stable");
-  EXPECT_EQ(verdict({q("1/2"), -1, 0}), "unstable");
-  const Rational beyond = q("0.500000000000000001");
-  EXPECT_EQ(verdict({beyond, -1, beyond}), "unstable");
-  EXPECT_EQ(verdict({-beyond, -1, -beyond}), "unstable");
-}
-
-// A lone preloaded finger pushes the body away until it pushes no more: at v = 0 exactly
-// under the bilateral law, at any v <= 0 under the unilateral one.
-TEST(OneContact, PreloadFadesByMoving) {
-  const Grasp finger = grasp_of({{{0, -1}, {0, 1}}}, 1);
-  EXPECT_EQ(judged_verdicts({finger, {0, 0, 0}}), "stable");
-  EXPECT_EQ(judged_verdicts({finger, {0, -1, 0}}), "stable");
-  EXPECT_EQ(judged_verdicts({finger, {0, q("1e-18"), 0}}), "unstable");
-}
-
 TEST(Frictionless, FingersResistOnlyAlongTheirNormals) {
   const Grasp pinch = with_friction(grasp_of({{{-1, 0}, {1, 0}}, {{1, 0}, {-1, 0}}}, 1), 0);
   EXPECT_EQ(judged_verdicts({pinch, {0, 0, 0}}), "stable");
@@ -90,40 +58,6 @@ TEST(Frictionless, FormClosureHoldsEverything) {
        {Wrench{5, 0, 0}, Wrench{-1, 3, 2}, Wrench{0, 0, -7}, Wrench{1, 1, 1}}) {
     EXPECT_EQ(judged_verdict({{square, w}, NormalLaw::kUnilateral}), "stable");
   }
-}
-
-TEST(Coincident, TwoNormalsAtOnePoint) {
-  // Both forces act at the origin: no torque, and none that points down or left alone.
-  const Grasp corner = grasp_of({{{0, 0}, {1, 0}}, {{0, 0}, {0, 1}}}, 0);
-  EXPECT_EQ(judged_verdicts({corner, {0, 0, 0}}), "stable");
-  EXPECT_EQ(judged_verdict({{corner, {-1, -1, 0}}, NormalLaw::kUnilateral}), "stable");
-  EXPECT_EQ(judged_verdicts({corner, {-1, -1, q("1e-18")}}), "unstable");
-  EXPECT_EQ(judged_verdicts({corner, {1, 1, 0}}), "unstable");
-}
-
-TEST(Coincident, OneFingerTwiceIsOneOfTwiceTheStiffness) {
-  for (const int preload : {0, 1}) {
-    std::vector<Contact> twice = test::fig1_grasp(preload).contacts();
-    twice.push_back(twice[1]);
-    std::vector<Contact> stiff = test::fig1_grasp(preload).contacts();
-    stiff[1].stiffness *= 2;
-    stiff[1].preload *= 2;
-    RandomSource random(21);
-    for (int round = 0; round < 10; ++round) {
-      const Wrench w = test::small_wrench(random);
-      EXPECT_EQ(judged_verdicts({Grasp(twice), w}), judged_verdicts({Grasp(stiff), w}));
-    }
-  }
-}
-
-TEST(Parallel, FingersOnOneSideHoldNothingBack) {
-  const Grasp row = grasp_of({{{-1, 0}, {0, 1}}, {{0, 0}, {0, 1}}, {{1, 0}, {0, 1}}}, 0);
-  EXPECT_EQ(judged_verdicts({row, {0, -3, 0}}), "stable");
-  EXPECT_EQ(judged_verdicts({row, {q("3/2"), -3, 0}}), "stable");
-  EXPECT_EQ(judged_verdicts({row, {q("1.500000000000000001"), -3, 0}}), "unstable");
-  EXPECT_EQ(judged_verdicts({row, {0, q("1e-18"), 0}}), "unstable");
-  EXPECT_EQ(judged_verdict({{row, {0, -3, 3}}, NormalLaw::kUnilateral}), "stable");
-  EXPECT_EQ(judged_verdicts({row, {0, -3, q("3.000000000000000001")}}), "unstable");
 }
 
 TEST(Work, CountsTheStatesOfThePaper) {
@@ -189,28 +123,6 @@ TEST(Work, IsSharedByManyStates) {
   EXPECT_LT(5 * cases, refuted);
 }
 
-TEST(Determinism, SameProblemSameEvidenceSameWork) {
-  RandomSource random(5);
-  for (int round = 0; round < 10; ++round) {
-    const Grasp grasp = test::degenerate_grasp(random, 3);
-    const Problem problem({grasp, test::small_wrench(random)}, NormalLaw::kUnilateral);
-    StatesWork first_work;
-    StatesWork second_work;
-    const Verdict first = decide_by_states(problem, &first_work);
-    const Verdict second = decide_by_states(problem, &second_work);
-    ASSERT_EQ(first.index(), second.index());
-    EXPECT_EQ(first_work.programs, second_work.programs);
-    EXPECT_EQ(first_work.double_pivots, second_work.double_pivots);
-    EXPECT_EQ(first_work.exact_pivots, second_work.exact_pivots);
-    if (const auto* unstable = std::get_if<Unstable>(&first)) {
-      EXPECT_EQ(test::to_text(unstable->tree),
-                test::to_text(std::get<Unstable>(second).tree));
-    } else {
-      EXPECT_EQ(std::get<Stable>(first).witness().twist, std::get<Stable>(second).witness().twist);
-    }
-  }
-}
-
 // The walkers that judge all refutations must themselves reject: every node dropped, and the
 // load turned round.
 TEST(CheckRefutation, RejectsMutations) {
@@ -240,19 +152,6 @@ TEST(CheckRefutation, RejectsMutations) {
   EXPECT_THROW(validate(problem, Unstable{longer}), ContractError);
   EXPECT_THROW(validate(problem, Stable{Witness{}}), ContractError);
   EXPECT_NO_THROW(validate(problem, Unstable{refutation}));
-}
-
-TEST(Planted, LoadsAreStable) {
-  RandomSource random(31);
-  for (int round = 0; round < 150; ++round) {
-    const auto m = static_cast<std::size_t>(random.between(0, 4));
-    const Grasp grasp = round % 3 == 0   ? test::generic_grasp(random, m)
-                        : round % 3 == 1 ? test::degenerate_grasp(random, m)
-                                         : test::near_degenerate_grasp(random, m, q("1e-12"));
-    const NormalLaw law = random.one_in(2) ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
-    const test::LoadCase load_case{{grasp, test::planted_wrench(random, grasp, law)}, law};
-    EXPECT_EQ(judged_verdict(load_case), "stable") << test::describe(load_case);
-  }
 }
 
 // Refutations judged without Cone as well: rays by brute force over the constraints.

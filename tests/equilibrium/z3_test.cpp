@@ -17,28 +17,20 @@ namespace {
 using test::LoadCase;
 using test::RandomSource;
 
-struct Tally {
-  std::size_t stable = 0;
-  std::size_t all = 0;
-
-  std::size_t unstable() const { return all - stable; }
-};
-
-Tally expect_agreement(const char* family, const std::vector<LoadCase>& load_cases) {
+void expect_agreement(const char* family, const std::vector<LoadCase>& load_cases) {
   const std::vector<std::string> expected = test::ask_z3(load_cases);
-  Tally tally;
+  std::size_t stable = 0;
   for (std::size_t i = 0; i < load_cases.size(); ++i) {
     const std::string verdict = test::judged_verdict(load_cases[i]);
     EXPECT_EQ(verdict, expected[i]) << describe(load_cases[i]);
-    ++tally.all;
-    tally.stable += verdict == "stable" ? 1 : 0;
+    stable += verdict == "stable" ? 1 : 0;
   }
-  std::cout << family << ": " << tally.all << " grasps, " << tally.stable << " stable, "
-            << tally.unstable() << " unstable\n";
+  const std::size_t unstable = load_cases.size() - stable;
+  std::cout << family << ": " << load_cases.size() << " grasps, " << stable << " stable, "
+            << unstable << " unstable\n";
   // Each verdict must have its share, or the family tests little.
-  EXPECT_GE(5 * tally.stable, tally.all);
-  EXPECT_GE(5 * tally.unstable(), tally.all);
-  return tally;
+  EXPECT_GE(5 * stable, load_cases.size());
+  EXPECT_GE(5 * unstable, load_cases.size());
 }
 
 NormalLaw random_law(RandomSource& random) {
@@ -68,55 +60,52 @@ Wrench any_wrench(RandomSource& random, const Grasp& grasp, NormalLaw law) {
   }
 }
 
-TEST(AgainstZ3, DegenerateGrasps) {
-  RandomSource random(2018);
-  std::vector<LoadCase> load_cases;
-  for (int round = 0; round < 160; ++round) {
-    const Grasp grasp = test::degenerate_grasp(random, few_contacts(random));
-    const NormalLaw law = random_law(random);
-    const Wrench w =
-        round % 4 == 0 ? test::planted_wrench(random, grasp, law) : test::small_wrench(random);
-    load_cases.push_back({{grasp, w}, law});
-  }
-  expect_agreement("degenerate", load_cases);
+LoadCase degenerate(RandomSource& random, int round) {
+  const Grasp grasp = test::degenerate_grasp(random, few_contacts(random));
+  const NormalLaw law = random_law(random);
+  return {{grasp, round % 4 == 0 ? test::planted_wrench(random, grasp, law)
+                                 : test::small_wrench(random)},
+          law};
 }
 
-TEST(AgainstZ3, DegenerateGraspsAtTheirThresholds) {
-  RandomSource random(2019);
-  std::vector<LoadCase> load_cases;
-  while (load_cases.size() < 120) {
-    const Grasp grasp = test::degenerate_grasp(random, few_contacts(random));
-    const NormalLaw law = random_law(random);
-    const Wrench w = random.one_in(2) ? test::threshold_wrench(random, grasp, tie(random))
-                                      : test::planted_wrench(random, grasp, law) +
-                                            tie(random) * test::small_wrench(random);
-    load_cases.push_back({{grasp, w}, law});
-  }
-  expect_agreement("degenerate, loads at and near thresholds", load_cases);
+LoadCase at_threshold(RandomSource& random, int) {
+  const Grasp grasp = test::degenerate_grasp(random, few_contacts(random));
+  const NormalLaw law = random_law(random);
+  return {{grasp, random.one_in(2) ? test::threshold_wrench(random, grasp, tie(random))
+                                   : test::planted_wrench(random, grasp, law) +
+                                         tie(random) * test::small_wrench(random)},
+          law};
 }
 
-TEST(AgainstZ3, NearlyDegenerateGrasps) {
-  RandomSource random(2020);
-  std::vector<LoadCase> load_cases;
-  while (load_cases.size() < 100) {
-    const Rational epsilon =
-        parse_rational(random.pick<const char*>({"1e-9", "1e-12", "1e-18"}));
-    const Grasp grasp = test::near_degenerate_grasp(random, few_contacts(random), epsilon);
-    const NormalLaw law = random_law(random);
-    load_cases.push_back({{grasp, any_wrench(random, grasp, law)}, law});
-  }
-  expect_agreement("nearly degenerate", load_cases);
+LoadCase nearly_degenerate(RandomSource& random, int) {
+  const Rational epsilon = parse_rational(random.pick<const char*>({"1e-9", "1e-12", "1e-18"}));
+  const Grasp grasp = test::near_degenerate_grasp(random, few_contacts(random), epsilon);
+  const NormalLaw law = random_law(random);
+  return {{grasp, any_wrench(random, grasp, law)}, law};
 }
 
-TEST(AgainstZ3, GenericGrasps) {
-  RandomSource random(2021);
-  std::vector<LoadCase> load_cases;
-  while (load_cases.size() < 120) {
-    const Grasp grasp = test::generic_grasp(random, few_contacts(random));
-    const NormalLaw law = random_law(random);
-    load_cases.push_back({{grasp, any_wrench(random, grasp, law)}, law});
+LoadCase generic(RandomSource& random, int) {
+  const Grasp grasp = test::generic_grasp(random, few_contacts(random));
+  const NormalLaw law = random_law(random);
+  return {{grasp, any_wrench(random, grasp, law)}, law};
+}
+
+TEST(AgainstZ3, RandomGrasps) {
+  const struct {
+    const char* name;
+    std::uint64_t seed;
+    int count;
+    LoadCase (*make)(RandomSource&, int round);
+  } families[] = {{"degenerate", 2018, 160, degenerate},
+                  {"degenerate, loads at and near thresholds", 2019, 120, at_threshold},
+                  {"nearly degenerate", 2020, 100, nearly_degenerate},
+                  {"generic", 2021, 120, generic}};
+  for (const auto& [name, seed, count, make] : families) {
+    RandomSource random(seed);
+    std::vector<LoadCase> load_cases;
+    for (int round = 0; round < count; ++round) load_cases.push_back(make(random, round));
+    expect_agreement(name, load_cases);
   }
-  expect_agreement("generic", load_cases);
 }
 
 TEST(AgainstZ3, GraspsOfThePaper) {

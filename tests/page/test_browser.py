@@ -101,23 +101,6 @@ class Planar(PageTest):
         self.still()
         self.picture("stable-no-outline")
 
-    def test_boxes(self):
-        self.open(FIG1, "--uncertain", "friction=10%")
-        self.assertEqual(self.js("return document.getElementById('verdict').dataset.verdict"), "fragile")
-        self.assertIn("9/20", self.text("#why"))
-        self.picture("fragile")
-        self.open(FIG1, "--uncertain", "friction=10%", "--wrench", "0,1/2,0")
-        self.assertIn("every grasp in the box", self.text("#verdict"))
-        self.assertEqual(self.check_proof(), "accepted")
-        self.still()
-        self.picture("stable-throughout")
-
-    def test_one_case_of_many(self):
-        self.open(example("space-book"), "--case", "held off centre")
-        self.assertEqual(self.js("return document.getElementById('verdict').dataset.verdict"), "unstable")
-        self.assertIn("held off centre", self.text("#name"))
-        self.assertEqual(self.check_proof(), "accepted")
-
     def test_a_name_is_text(self):
         name = "</script><img src=x onerror=alert(1)>&lt;"
         path = os.path.join(self.folder, "name.json")
@@ -318,10 +301,6 @@ class Proofs(PageTest):
         self.assertEqual(self.js("return StickslipPage.checkProof().answer"), "rejected")
         self.assertIn("leaf-bound", self.text("#proof-result"))
 
-    def test_the_options_of_the_question_are_the_checker_s(self):
-        self.open(FIG1, "--wrench", "1/3,1/2,0", "--preload", "2", "--normal-law", "bilateral")
-        self.assertEqual(self.check_proof(), "accepted")
-
     def test_downloads(self):
         self.open(FIG1)
         self.find("#save-proof").click()
@@ -365,13 +344,6 @@ class Space(PageTest):
         self.press(Keys.ARROW_LEFT)
         self.assertNotEqual(self.shot(), before)
 
-    def test_stable_by_degree(self):
-        self.open(example("space-corner"))
-        self.still()
-        self.assertIn("walls around motions", self.text("#why"))
-        self.assertEqual(self.check_proof(), "accepted")
-        self.picture("space-slipping")
-
     def test_unstable(self):
         self.open(example("space-book"), "--case", "too heavy")
         self.still()
@@ -379,19 +351,6 @@ class Space(PageTest):
         self.assertIn("axis", self.text("#motion-words"))
         self.assertEqual(self.check_proof(), "accepted")
         self.picture("space-unstable")
-
-    def test_undecided(self):
-        """A drawing, no proof to check, and a bar of multiples about which nothing is known."""
-        answer = self.open(example("space-corner"), "--node-limit", "1")
-        self.assertEqual(self.js("return document.getElementById('verdict').dataset.verdict"), "undecided")
-        self.assertGreater(self.colours(), 30)
-        self.assertIn(answer["decide"]["limit"], self.text("#why"))
-        self.assertFalse(self.find("#check").is_displayed())
-        self.assertFalse(self.find("#save-proof").is_displayed())
-        self.assertEqual((answer["margin"]["resisted"], answer["margin"]["refuted"]), ([], []))
-        self.assertTrue(self.find("#margin [data-multiples=unknown]").is_displayed())
-        self.assertIn("Nothing is known of any multiple", self.text("#margin-note"))
-        self.picture("space-undecided")
 
     def test_fragile(self):
         answer = self.open(example("space-cup"), "--uncertain", "friction=90%")

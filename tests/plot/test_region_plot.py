@@ -3,7 +3,6 @@
 
 import json
 import os
-import re
 import tempfile
 import unittest
 from fractions import Fraction
@@ -77,25 +76,10 @@ class RegionPlots(unittest.TestCase):
                                   if e.get("data-point")},
                                  {tuple(map(Fraction, p)) for p in region["points"]})
 
-    def test_fig_7c(self):
-        picture = Picture(self.ask(("plot", "region"), FIG1, ["--preload", 1]))
-        vertices = {point(v) for v in picture.all("area")[0].get("data-vertices").split()}
-        half = max(x for x, _ in vertices)
-        self.assertGreater(half, 2)
-        self.assertEqual(vertices, {(0, 1), (2, 0), (-2, 0), (half, 0), (-half, 0),
-                                    (half, -half), (-half, -half)})
-
     def test_region_svg_is_the_same_picture(self):
         for _ in range(2):
             self.assertEqual(self.ask(("region", "--svg"), FIG1, []),
                              self.ask(("plot", "region"), FIG1, []))
-
-    def test_labels_do_not_cover_each_other(self):
-        picture = Picture(self.ask(("plot", "region"), FIG4, ["--preload", 1]))
-        labels = [e for e in picture.all("halo")]
-        self.assertEqual(len(labels), 8)
-        places = {(e.get("x"), e.get("y")) for e in labels}
-        self.assertEqual(len(places), 8)
 
     def labelled(self):
         """Pictures with labels that had no room, or several spellings of numbers."""
@@ -124,31 +108,6 @@ class RegionPlots(unittest.TestCase):
                             inside = (label.low[0] < p.real < label.high[0]
                                       and label.low[1] < p.imag < label.high[1])
                             self.assertFalse(inside, label)
-
-    def test_labels_of_a_picture_are_spelled_alike(self):
-        """Short fractions, or decimals of four digits with one mark for what is rounded."""
-        styles = set()
-        for name, source, words in self.labelled():
-            with self.subTest(name):
-                picture = Picture(self.ask(("plot", "region"), source, words))
-                texts = ["".join(e.itertext()).replace("\u2212", "-") for e in picture.all("halo")]
-                corners = {tuple(map(Fraction, e.get("data-corner").split(",")))
-                           for e in picture.root.iter() if e.get("data-corner")}
-                fractions = all(re.fullmatch(r"\(-?\d+(/\d+)?, -?\d+(/\d+)?\)", t) for t in texts)
-                styles.add(fractions)
-                for text in texts:
-                    self.assertEqual("~" in text, text.startswith("~"))
-                    self.assertEqual(text.count("~"), int(text.startswith("~")))
-                    if not fractions:
-                        self.assertNotIn("/", text)
-                    values = [Fraction(part) for part in text.strip("~()").split(", ")]
-                    if text.startswith("~"):
-                        near = [c for c in corners if all(abs(a - b) <= abs(a) / 2000 for a, b in zip(c, values))]
-                        self.assertTrue(near, text)
-                        self.assertNotIn(tuple(values), corners)
-                    else:
-                        self.assertIn(tuple(values), corners)
-        self.assertEqual(styles, {True, False})
 
     def test_written_whole_or_undecided(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -232,16 +232,6 @@ def test_crosscheck_errors(fig1):
 # --- margin
 
 
-def test_margins_of_the_paper(fig1):
-    assert margin(fig1, UP).resisted == ((0, 1),)
-    assert margin(fig1, DOWN).resisted == ((0, None),)
-    assert margin(fig1, UP, preload=0).resisted == ((0, 0),)
-    assert margin(fig1, UP, wrench=DOWN).resisted == ((0, 2),)
-    fig4 = Grasp.from_file(PAPER / "fig4.json")
-    assert margin(fig4, UP, preload=1).resisted == ((0, 2),)
-    assert all(type(end) is Fraction for end in margin(fig1, UP).resisted[0])
-
-
 @pytest.mark.parametrize("law", LAWS)
 @pytest.mark.parametrize("direction", [(1, 0, 0), (0, 0, "-1/3"), (2, 1, -1)])
 def test_same_margin_as_the_program(law, direction):
@@ -296,16 +286,6 @@ def test_margins_warn_as_verdicts_do(fig1):
     assert [w.trap for w in found] == ["unbalanced-preload"]
 
 
-def test_margins_end_where_verdicts_change(fig1):
-    tiny = Fraction(1, 10**40)
-    for direction in ((1, 1, 1), (-1, 2, 0), ("1/3", 1, "1/7")):
-        ((low, high),) = margin(fig1, direction).resisted
-        u = tuple(map(Fraction, direction))
-        assert low == 0 and high is not None
-        assert decide(fig1, tuple(high * c for c in u)).verdict == "stable"
-        assert decide(fig1, tuple((high + tiny) * c for c in u)).verdict == "unstable"
-
-
 # --- check
 
 
@@ -321,17 +301,6 @@ def test_certificates(fig1, tmp_path, wrench, law):
         options = ("--wrench", ",".join(map(str, wrench)), "--normal-law", law)
         assert check_py(tmp_path, fig1, decision.certificate, *options)
         assert not check_py(tmp_path, fig1, decision.certificate)
-
-
-def test_another_question_is_rejected(fig1):
-    proof = decide(fig1, (0, "11/10", 0)).certificate
-    assert check(fig1, proof, wrench=(0, "11/10", 0))
-    result = check(fig1, proof, wrench=(0, 0, 0))
-    assert not result and result.rule == "question-wrench" and result.verdict is None
-    assert not check(fig1, proof, wrench=(0, "11/10", 0), normal_law="bilateral")
-    assert not check(fig1, proof, wrench=(0, "11/10", 0), preload=1)
-    weaker = Grasp(fig1.positions, fig1.normals, 3, preload=1)
-    assert check(weaker, proof, wrench=(0, "11/10", 0)).rule is not None
 
 
 def test_files_are_read_by_the_checker(fig1, tmp_path):

@@ -180,30 +180,9 @@ TEST(ResistibleRegion, Figure4) {
   EXPECT_FALSE(region_of(fig4_grasp(0), NormalLaw::kBilateral, torques).contains({0, 3}));
 }
 
-TEST(ResistibleRegion, NoContactResistsNothing) {
-  const Grasp none;
-  EXPECT_EQ(region_of(none, NormalLaw::kUnilateral), (PlaneUnion{{}, {}, {{0, 0}}}));
-  EXPECT_TRUE(region_of(none, NormalLaw::kBilateral, WrenchPlane::forces(1)).is_empty());
-}
-
 Contact contact(const Vector2& position, const Vector2& normal, const Rational& friction,
                 const Rational& preload) {
   return {position, normal, friction, 1, preload};
-}
-
-TEST(ResistibleRegion, OneContact) {
-  const Rational half(1, 2);
-  // A floor below the origin: every force into it within the cone, and no other.
-  const Grasp floor({contact({0, 0}, {0, 1}, half, 0)});
-  EXPECT_EQ(region_of(floor, NormalLaw::kUnilateral),
-            (PlaneUnion{{{{open_outline({1, -2}, {{0, 0}}, {-1, -2})}}}, {}, {}}));
-  // Without friction: a ray.
-  const Grasp smooth({contact({0, 0}, {0, 1}, 0, 1)});
-  EXPECT_EQ(region_of(smooth, NormalLaw::kUnilateral),
-            (PlaneUnion{{}, {PlaneCell::hull({{0, 0, 1}, {0, -1, 0}})}, {}}));
-  // Off the origin, the plane of forces without torque meets the wrenches along its line only.
-  const Grasp aside({contact({1, 0}, {0, 1}, 0, 0)});
-  EXPECT_EQ(region_of(aside, NormalLaw::kUnilateral), (PlaneUnion{{}, {}, {{0, 0}}}));
 }
 
 TEST(ResistibleRegion, DegenerateGraspsAgreeWithTheEngines) {
@@ -245,30 +224,6 @@ TEST(ResistibleRegion, RandomGraspsAgreeWithTheEngines) {
     if (HasFailure()) return;
   }
   EXPECT_GT(stable, 1000u);
-}
-
-/// Loads that are stable by construction lie in the region of any plane through them, and at
-/// the piece of a mode lie the wrenches it resists.
-TEST(ResistibleRegion, PlantedLoads) {
-  RandomSource random(11);
-  for (int round = 0; round < 200; ++round) {
-    const Grasp grasp =
-        degenerate_grasp(random, static_cast<std::size_t>(random.between(0, 6)));
-    const NormalLaw law = random.one_in(3) ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
-    const Wrench w = test::planted_wrench(random, grasp, law);
-    const PlaneUnion region = region_of(grasp, law, {w, {1, 0, 0}, {0, 2, 1}});
-    EXPECT_TRUE(region.contains({0, 0})) << test::describe({{grasp, w}, law});
-  }
-}
-
-TEST(ResistibleRegion, OrderOfContactsDoesNotMatter) {
-  RandomSource random(3);
-  for (int round = 0; round < 30; ++round) {
-    const Grasp grasp = degenerate_grasp(random, 5);
-    std::vector<Contact> reversed(grasp.contacts().rbegin(), grasp.contacts().rend());
-    EXPECT_EQ(region_of(grasp, NormalLaw::kUnilateral),
-              region_of(Grasp(reversed), NormalLaw::kUnilateral));
-  }
 }
 
 /// Regions of all kinds of grasps, with and without preload, are the unions of all pieces.

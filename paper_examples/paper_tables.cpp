@@ -272,8 +272,7 @@ class Report {
     } else if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
       solution_line(
           "exact", "unstable",
-          {{},
-           "(refuted by a tree of " + std::to_string(unstable->tree.size()) + " nodes)"});
+          {{}, "(refuted by a tree of " + std::to_string(unstable->tree.size()) + " nodes)"});
     }
     solution_line("paper", row.stable, has_solution ? row.solution : PrintedSolution{{}, "-"});
     if (row.correction) correction(problem, row.solution, *row.correction);

@@ -23,8 +23,12 @@ Answer about_box(Question question, BoxDecision decision, const AnswerOptions& o
   Warnings warnings;
   if (options.warnings && question.in_space()) warnings = model_warnings(question, decision);
   const char* engine = box_engine(question);
-  return {std::move(question),      std::move(decision.verdict), engine,
-          work_json(decision.work), decision.bits,               {},
+  return {std::move(question),
+          std::move(decision.verdict),
+          engine,
+          work_json(decision.work),
+          decision.bits,
+          {},
           std::move(warnings)};
 }
 
@@ -80,8 +84,8 @@ struct VerdictJson {
   void operator()(const Fragile& fragile) const {
     json["examples"] = {{"stable", Json::parse(write_grasp(fragile.stable))},
                         {"unstable", Json::parse(write_grasp(fragile.unstable))}};
-    json["differences"] = differences_json(
-        differences(*answer.question.box(), fragile.stable, fragile.unstable));
+    json["differences"] =
+        differences_json(differences(*answer.question.box(), fragile.stable, fragile.unstable));
   }
   void operator()(const Undecided& undecided) const { add_undecided(json, undecided); }
 };

@@ -91,11 +91,10 @@ LineResult LineDecider::decide(const BatchLine& line) const {
   std::string certificate;
   Json result = {{"line", line.number}, {"key", key(line.text)}};
   try {
-    const Question question =
-        ask_with_options(parse_any_grasp(line.text, "",
-                                         options_.inertia ? Intervals::kRefused
-                                                          : Intervals::kAllowed),
-                         options_.question, "", !options_.inertia);
+    const Question question = ask_with_options(
+        parse_any_grasp(line.text, "",
+                        options_.inertia ? Intervals::kRefused : Intervals::kAllowed),
+        options_.question, "", !options_.inertia);
     result["name"] = question.description().name;
     const auto answer = [&](const char* field, const auto& verdict) {
       result[field] = name_of(verdict);

@@ -147,8 +147,9 @@ int run(const SpaceBenchOptions& options) {
       if (std::holds_alternative<Undecided>(decision.verdict)) {
         ++undecided;
       } else {
-        size = certificate_text(measurement.question(), decision.verdict, "bench", decision.bits)
-                   .size();
+        size =
+            certificate_text(measurement.question(), decision.verdict, "bench", decision.bits)
+                .size();
       }
       const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
       seconds.push_back(time.count());

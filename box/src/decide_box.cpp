@@ -129,8 +129,7 @@ std::optional<BoxDecision> prove_stable_by_degree(const Problem& problem) {
   if (!proof) return std::nullopt;
   work.parts = 1;
   RationalRow near = proof->twist;
-  return BoxDecision{Stable{StabilityProof{std::move(*proof)}, std::move(near)},
-                     work};
+  return BoxDecision{Stable{StabilityProof{std::move(*proof)}, std::move(near)}, work};
 }
 
 BoxDecision decide_box(const GraspBox& box, NormalLaw law, const SearchOptions& options) {

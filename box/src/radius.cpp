@@ -241,8 +241,8 @@ class RadiusSearch {
     } else {
       const Rational near = high * (1 - options_.accuracy / 2);
       if (result_.proved.is_zero() && try_to_prove(short_middle(near, high), parts)) return;
-      // A smaller box may have no proof where a larger one has. While much is open that is worth
-      // the tries.
+      // A smaller box may have no proof where a larger one has. While much is open that is
+      // worth the tries.
       const bool is_much_open = 3 * result_.proved < 2 * bound();
       for (const int percent : {95, 90, 80, 65}) {
         const Rational below = bound() * Rational(percent, 100);

@@ -237,8 +237,8 @@ struct ProofText {
   const Question& question;
 
   std::string operator()(const Witness& witness) const {
-    return " \"twist\": [" + list(coordinates(witness.twist)) + "],\n \"shares\": " +
-           shares_text(in_short(question.loaded().grasp, witness));
+    return " \"twist\": [" + list(coordinates(witness.twist)) +
+           "],\n \"shares\": " + shares_text(in_short(question.loaded().grasp, witness));
   }
   std::string operator()(const SpatialWitness& witness) const {
     return " " + witness_text(witness);

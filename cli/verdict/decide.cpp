@@ -37,10 +37,9 @@ void print_cases_text(const std::vector<Answer>& answers, const NumberOptions& o
   std::vector<std::pair<std::string, std::string>> warnings;  // and their cases
   for (const Answer& answer : answers) {
     const std::string& name = answer.question.case_name;
-    rows.push_back({name, name_of(answer.verdict),
-                    load_text(wrench_of(answer.question.grasp), text)});
-    for (const ModelWarning& warning :
-         answer.warnings.value_or(std::vector<ModelWarning>{})) {
+    rows.push_back(
+        {name, name_of(answer.verdict), load_text(wrench_of(answer.question.grasp), text)});
+    for (const ModelWarning& warning : answer.warnings.value_or(std::vector<ModelWarning>{})) {
       const auto known = std::find_if(warnings.begin(), warnings.end(), [&](const auto& other) {
         return other.first == warning.text;
       });

@@ -54,8 +54,7 @@ struct EquilibriumText {
 };
 
 std::string leaves_text(std::size_t leaves) {
-  return "Proved by a tree of " + std::to_string(leaves) +
-         (leaves == 1 ? " leaf" : " leaves");
+  return "Proved by a tree of " + std::to_string(leaves) + (leaves == 1 ? " leaf" : " leaves");
 }
 
 /// Why one grasp in the plane is unstable.
@@ -107,9 +106,10 @@ struct Meaning {
            (leaves == 1
                 ? "Whatever the contacts do, along some virtual twist the load does more work "
                   "than they\ncan take up.\n"
-                : leaves_text(leaves) + ", which together cover all motions: in each, along "
-                                        "some\nvirtual twist, the load does more work than "
-                                        "the contacts can take up.\n");
+                : leaves_text(leaves) +
+                      ", which together cover all motions: in each, along "
+                      "some\nvirtual twist, the load does more work than "
+                      "the contacts can take up.\n");
   }
   std::string operator()(const Fragile& fragile) const {
     Rows rows{{"differs", "stable", "unstable"}};

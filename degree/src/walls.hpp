@@ -8,8 +8,8 @@
 
 #include "independent_rows.hpp"
 #include "stickslip/degree/newton.hpp"
-#include "stickslip/search/force_span.hpp"
 #include "stickslip/equilibrium/proof.hpp"
+#include "stickslip/search/force_span.hpp"
 
 namespace stickslip::degree_detail {
 

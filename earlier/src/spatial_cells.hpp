@@ -41,7 +41,7 @@ struct SpatialLabel {
 using SpatialCell = std::vector<SpatialLabel>;
 
 /// Which side of the disc polygons are on.
-enum class Side { kOuter, kInner };
+enum class Around { kOuter, kInner };
 
 /// Accelerations and forces, by contact.
 struct SpatialPoint {
@@ -55,7 +55,7 @@ class SpatialProgram {
  public:
   /// Requires kLine of no contact whose friction is not rational.
   SpatialProgram(const std::vector<FrictionDisc>& discs, const Vector6& load,
-                 const SpatialInertia* inertia, const SpatialCell& cell, Side side);
+                 const SpatialInertia* inertia, const SpatialCell& cell, Around around);
 
   /// Forces at rest, or none; then the twist that proves it is in `twist`.
   std::optional<SpatialForces> at_rest(Vector6& twist) const;
@@ -99,7 +99,8 @@ SpatialSearchResult search_spatial_accelerations(std::vector<FrictionDisc>& disc
                                                  const SpatialInertia& inertia,
                                                  std::size_t most_programs);
 
-/// Whether these are a solution of the model, exactly; with an acceleration of 0, forces at rest.
+/// Whether these are a solution of the model, exactly; with an acceleration of 0, forces at
+/// rest.
 bool is_solution(const std::vector<FrictionDisc>& discs, const Vector6& load,
                  const SpatialInertia& inertia, const SpatialPoint& point);
 

@@ -268,9 +268,7 @@ class PageAnswer {
     json["examples"] = nullptr;
     if (!answer) return;
     if (const auto certificate = certificate_of(*answer)) json["certificate"] = *certificate;
-    part(json, "near", [&](Json& found) {
-      found = near_json(*answer);
-    });
+    part(json, "near", [&](Json& found) { found = near_json(*answer); });
     // While a verdict has to follow a drag, it is alone.
     if (limits_.limits_verdict || !json["decide"].contains("examples")) return;
     part(json, "examples", [&](Json& found) { found = examples(json["decide"]["examples"]); });

@@ -44,8 +44,7 @@ NodeSearch::Step NodeSearch::split_at(const Region& region, const ContactSplit& 
 }
 
 bool append_wall(const Problem& family, const DoubleModel& model, Region wall,
-                 const PullRule* pull, std::size_t node_limit, Trees& trees,
-                 ConeWork& work) {
+                 const PullRule* pull, std::size_t node_limit, Trees& trees, ConeWork& work) {
   NodeSearch search(family, model, pull, work);
   const std::size_t last = work.nodes + node_limit;
   const auto examine = [&](const Region& region,

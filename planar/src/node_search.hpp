@@ -57,7 +57,6 @@ class NodeSearch {
 /// Appends to `trees` one that refutes the region, such as a wall; false if none is found of at
 /// most `node_limit` nodes, and then what was appended is no tree. As NodeSearch.
 bool append_wall(const Problem& family, const DoubleModel& model, Region wall,
-                 const PullRule* pull, std::size_t node_limit, Trees& trees,
-                 ConeWork& work);
+                 const PullRule* pull, std::size_t node_limit, Trees& trees, ConeWork& work);
 
 }  // namespace stickslip::planar_detail

@@ -13,7 +13,7 @@ constexpr std::int8_t kUnsure = 2;
 }  // namespace
 
 BranchOf<TreeNode, Region> split_region(const Problem& problem, const Region& region,
-                                              const ContactSplit& at) {
+                                        const ContactSplit& at) {
   return {std::visit([](const auto& split) { return TreeNode(split); }, at),
           region.children(problem, at)};
 }

@@ -19,7 +19,7 @@ namespace stickslip::planar_detail {
 
 /// The node of a tree that splits a region, and the regions of its children.
 BranchOf<TreeNode, Region> split_region(const Problem& problem, const Region& region,
-                                              const ContactSplit& at);
+                                        const ContactSplit& at);
 
 /// What a contact may do on a region where it is not open.
 struct ContactFreedom {

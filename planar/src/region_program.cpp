@@ -376,9 +376,8 @@ TwistLeaf with_small_integers(ColumnGeneration& program, TwistLeaf leaf) {
 
 }  // namespace
 
-std::variant<RelaxedPoint, TwistLeaf> solve_region(const Problem& problem,
-                                                         const Region& region, LpWork* work,
-                                                         const TwistLeaf* guess) {
+std::variant<RelaxedPoint, TwistLeaf> solve_region(const Problem& problem, const Region& region,
+                                                   LpWork* work, const TwistLeaf* guess) {
   throw_if_cancelled();
   LpWork total{0, 0, true, LpTier::kInt64, 0};
   std::variant<RelaxedPoint, TwistLeaf> outcome;

@@ -52,8 +52,7 @@ class StatesEngine {
   enum class Coverage { kWhole, kPart };
 
   /// A tree that covers the region; nothing when an equilibrium was found.
-  std::optional<Trees> refute(const Region& region, const Group& group,
-                                   Coverage coverage) {
+  std::optional<Trees> refute(const Region& region, const Group& group, Coverage coverage) {
     if (region.is_void()) return leaf(group, coverage, TwistLeaf{Row(3)});
     require(!group.empty(), "a region's slip state is missing from the enumeration");
     auto outcome = solve(region);
@@ -78,7 +77,7 @@ class StatesEngine {
   }
 
   std::optional<Trees> split_by_slip(const Region& region, const Group& group,
-                                          Coverage coverage, const RelaxedPoint& point) {
+                                     Coverage coverage, const RelaxedPoint& point) {
     const ContactId contact = std::get<SlipSplit>(*point.broken).contact;
     const Sign at = sign_of(power(problem_.row(contact).tangent, point.witness.twist));
     std::vector<GroupRegion> parts;
@@ -93,7 +92,7 @@ class StatesEngine {
   }
 
   std::optional<Trees> split_by_separation(const Region& region, const Group& group,
-                                                Coverage coverage, const RelaxedPoint& point) {
+                                           Coverage coverage, const RelaxedPoint& point) {
     const ContactId contact = point.broken_separation->contact;
     const auto [x, y, r] = coordinates(point.witness.twist);
     const Rational v = dot(problem_.separation(contact), Vector5{x, y, r, 1, 0});
@@ -108,9 +107,8 @@ class StatesEngine {
 
   /// From the first on, which is where the point of the relaxation lies: an equilibrium may be
   /// near.
-  std::optional<Trees> refute_parts(const TreeNode& node,
-                                         const std::vector<GroupRegion>& parts,
-                                         std::size_t first, Coverage coverage) {
+  std::optional<Trees> refute_parts(const TreeNode& node, const std::vector<GroupRegion>& parts,
+                                    std::size_t first, Coverage coverage) {
     std::vector<Trees> trees(parts.size());
     for (std::size_t k = 0; k < parts.size(); ++k) {
       const std::size_t p = (first + k) % parts.size();

@@ -528,11 +528,9 @@ std::optional<bool> TwistSearch::certain_refutation(const RegionForces& forces,
   return true;
 }
 
-std::optional<TwistLeaf> TwistSearch::confirm(const Problem& problem,
-                                                    const Region& region,
-                                                    const RegionForces& forces,
-                                                    const Double3& twist, ConeWork& work,
-                                                    bool exactly) {
+std::optional<TwistLeaf> TwistSearch::confirm(const Problem& problem, const Region& region,
+                                              const RegionForces& forces, const Double3& twist,
+                                              ConeWork& work, bool exactly) {
   std::vector<IntegerVector5> points;
   if (pull_ != nullptr) {
     for (const Ray& ray : forces.exact_rays()) points.push_back(ray.x);

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "region_forces.hpp"
-#include "stickslip/motion/pull_rule.hpp"
 #include "stickslip/motion/nearest_wrench.hpp"
+#include "stickslip/motion/pull_rule.hpp"
 #include "stickslip/planar/branch_and_bound.hpp"
 #include "stickslip/planar/region_program.hpp"
 
@@ -61,8 +61,8 @@ class TwistSearch {
   /// The twist rounded to the smallest integers that still refute the region; where error
   /// bounds do not decide, exactly or, unless `exactly`, not.
   std::optional<TwistLeaf> confirm(const Problem& problem, const Region& region,
-                                         const RegionForces& forces, const Double3& twist,
-                                         ConeWork& work, bool exactly = true);
+                                   const RegionForces& forces, const Double3& twist,
+                                   ConeWork& work, bool exactly = true);
 
  private:
   /// A wrench that entered the hull: that of a ray, on the twist on which it was the worst.

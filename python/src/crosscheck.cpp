@@ -79,18 +79,23 @@ py::dict crosscheck(const GraspFile& grasp, bool stable, const py::object& twist
   options.node_limit = node_limit;
   options.all_distances = distances;
 
-  const auto [report, decided] = without_gil([&] {
-    ClaimReport report = judge_claim(question, claim, options);
-    Answer decided{question, report.decision.verdict, report.decision.engine(),
-                   std::visit([](const auto& work) { return work_json(work); },
-                              report.decision.work),
-                   kDefaultBits, problem_of(question), {}};
-    return std::pair(std::move(report), std::move(decided));
+  const auto [report, decided, certificate] = without_gil([&] {
+    ClaimReport judged = judge_claim(question, claim, options);
+    const Decision& decision = judged.decision;
+    Answer answer{question,
+                  decision.verdict,
+                  decision.engine(),
+                  std::visit([](const auto& work) { return work_json(work); }, decision.work),
+                  kDefaultBits,
+                  problem_of(question),
+                  {}};
+    std::string proof = certificate_of(answer).value_or("");
+    return std::tuple(std::move(judged), std::move(answer), std::move(proof));
   });
   const ClaimResiduals& r = report.residuals;
   py::dict result("outcome"_a = name_of(report.claim_class),
                   "inaccurate"_a = report.inaccurate);
-  result["decision"] = decision_fields(decided, certificate_of(decided).value_or(""));
+  result["decision"] = decision_fields(decided, certificate);
   result["balance"] = r.balance ? py::object(fractions(*r.balance)) : py::object(py::none());
   result["cone"] = residual(r.cone);
   result["normal_law"] = residual(r.normal_law);

@@ -81,8 +81,7 @@ Decisions decide_many(std::size_t count, const py::list& grasps, const py::list&
     const OneOfMany asked{of(wrenches, i), of(preloads, i),
                           friction.empty() ? nullptr : &entry(friction, i),
                           "[" + std::to_string(i) + "]"};
-    questions.push_back(
-        one_question(entry(grasps, i), asked, bilateral, engine, node_limit));
+    questions.push_back(one_question(entry(grasps, i), asked, bilateral, engine, node_limit));
   }
   return without_gil([&] {
     Decisions result{std::vector<ManyAnswer>(count), in_space ? std::size_t{6} : 3};

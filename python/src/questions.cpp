@@ -107,8 +107,7 @@ py::dict decide_grasp(const GraspFile& grasp, const py::object& wrench,
     return std::pair(std::move(found), std::move(proof));
   });
   py::dict result = decision_fields(answer, certificate);
-  result["warnings"] =
-      warning_fields(answer.warnings.value_or(std::vector<ModelWarning>{}));
+  result["warnings"] = warning_fields(answer.warnings.value_or(std::vector<ModelWarning>{}));
   return result;
 }
 
@@ -226,11 +225,10 @@ py::tuple warning_fields(const std::vector<ModelWarning>& warnings) {
 
 py::dict decision_fields(const Answer& answer, const std::string& certificate) {
   const Question& question = answer.question;
-  py::dict result(
-      "verdict"_a = name_of(answer.verdict), "engine"_a = answer.engine,
-      "normal_law"_a = to_string(question.law),
-      "wrench"_a = tuple_of(wrench_of(question.grasp),
-                            [](const Interval& w) { return fraction(w.low); }));
+  py::dict result("verdict"_a = name_of(answer.verdict), "engine"_a = answer.engine,
+                  "normal_law"_a = to_string(question.law),
+                  "wrench"_a = tuple_of(wrench_of(question.grasp),
+                                        [](const Interval& w) { return fraction(w.low); }));
   if (question.preload) result["preload"] = fraction(*question.preload);
   if (!certificate.empty()) result["certificate"] = certificate;
   py::dict work;
@@ -272,9 +270,8 @@ std::function<ManyAnswer()> one_question(const py::handle& given, const OneOfMan
       answer.limit = undecided->limit;
     }
     answer.whole = [about, found] {
-      return py::make_tuple(
-          in_its_class(*about),
-          decision_fields(*found, certificate_of(*found).value_or("")));
+      return py::make_tuple(in_its_class(*about),
+                            decision_fields(*found, certificate_of(*found).value_or("")));
     };
     return answer;
   };
@@ -333,7 +330,8 @@ Question question_of(const GraspFile& grasp, const QuestionOptions& options) {
 }
 
 Question question_about(const GraspFile& grasp, const QuestionOptions& options) {
-  return in_space(grasp.content) ? question_in_box(grasp, options) : question_of(grasp, options);
+  return in_space(grasp.content) ? question_in_box(grasp, options)
+                                 : question_of(grasp, options);
 }
 
 Question question_in_box(const GraspFile& grasp, QuestionOptions options,

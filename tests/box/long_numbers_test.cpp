@@ -62,7 +62,8 @@ struct BriefAnswer {
 BriefAnswer outcome_of(const GraspFile& file, const AnswerOptions& options = {}) {
   const Answer answer = answer_to(ask(file, {}), options);
   const auto certificate = certificate_of(answer);
-  BriefAnswer outcome{name_of(answer.verdict), certificate ? certificate->size() : 0, answer.stats};
+  BriefAnswer outcome{name_of(answer.verdict), certificate ? certificate->size() : 0,
+                      answer.stats};
   EXPECT_TRUE(certificate.has_value());
   if (certificate) {
     test::expect_accepted_by_both({write_grasp(file.content), *certificate, {}});
@@ -79,7 +80,9 @@ void expect_brief(const BriefAnswer& outcome, const std::string& verdict,
   EXPECT_LE(outcome.work.at("nodes").get<std::size_t>(), 1500u);
   // What doubles leave open is the exception on walls, whatever the number of contacts. Trees
   // of all motions begin with wide regions, which long planes cut.
-  EXPECT_LE(outcome.work.at("exact_checks").get<std::size_t>(), verdict == "stable" ? 20u : 100u) << contacts;
+  EXPECT_LE(outcome.work.at("exact_checks").get<std::size_t>(),
+            verdict == "stable" ? 20u : 100u)
+      << contacts;
 }
 
 TEST(LongNumbers, PreloadedIsProvedWithoutExactEquilibrium) {
@@ -197,7 +200,8 @@ TEST(LongNumbers, ByDegreeWhatTheConeEngineFindsStable) {
           Question boxed = question;
           boxed.grasp = box_of(question.grasp);
           test::CheckerInput input{write_grasp(question.loaded()),
-                                   certificate_text(boxed, by_degree->verdict, "tests"), {}};
+                                   certificate_text(boxed, by_degree->verdict, "tests"),
+                                   {}};
           input.options.law = law;
           test::expect_accepted_by_both(input);
         }

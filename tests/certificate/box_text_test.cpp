@@ -65,8 +65,8 @@ TEST(BoxCertificate, Stable) {
   const StabilityProof parts{PartSplit{Parameter::kTurn, 0, 0}, proof,
                              PartSplit{Parameter::kTurn, 0, Rational(1, 18)}, rest,
                              DegreeProof{ConvexBody{{0, 0, 0}, false, walls}, walls, {}}};
-  const std::string text = certificate_text(question_of(file_of({0, 1}, 1), "normal=1/9"),
-                                            Stable{parts}, "us");
+  const std::string text =
+      certificate_text(question_of(file_of({0, 1}, 1), "normal=1/9"), Stable{parts}, "us");
   EXPECT_THAT(text, HasSubstr(std::string(R"("uncertain": {"normal": "1/9"}},
  "verdict": "stable",
  "parts": [

@@ -169,7 +169,7 @@ class Asking(Case):
             self.fails(*command.split(), grasp, *options,
                        naming=[grasp, "contacts[2].friction", "only stickslip decide"])
         self.fails("margin", UNCERTAIN, "--direction", "0,1,0", naming=["only stickslip decide"])
-        code, out, _ = stickslip("batch", self.write("g.jsonl", json.dumps(json.loads(read(grasp)))))
+        code, out, _ = stickslip("batch", self.write("g.jsonl", json.dumps(json.loads(read(grasp)))), "--class")
         self.assertEqual((code, json.loads(out)["error"]["place"]), (BAD_INPUT, "contacts[2].friction"))
         claim = {"claim": {"verdict": "stable"}}
         for value in (json.loads(read(grasp)), grasp):

@@ -263,9 +263,9 @@ TEST(Decide, TakesTheConeEngineUnlessAskedForTheOther) {
 }
 
 TEST(Decide, SummaryNamesTheLargestCase) {
-  const Trees tree{SlipSplit{ContactId(2)},    SeparationSplit{ContactId(0)},
-                        TwistLeaf{{1, 0, 0}}, TwistLeaf{{2, 0, 0}},
-                        TwistLeaf{Row(3)},          TwistLeaf{{3, 0, 0}}};
+  const Trees tree{SlipSplit{ContactId(2)}, SeparationSplit{ContactId(0)},
+                   TwistLeaf{{1, 0, 0}},    TwistLeaf{{2, 0, 0}},
+                   TwistLeaf{Row(3)},       TwistLeaf{{3, 0, 0}}};
   const RefutationSummary summary = summarize(tree);
   EXPECT_EQ(summary.nodes, 6u);
   EXPECT_EQ(summary.leaves, 3u);
@@ -284,8 +284,7 @@ TEST(Decide, SummaryShowsTheCaseThatLooksLikeTheFailure) {
   const TwistLeaf up{{0, -1, 0}};  // what the object does is against the twist
   const Trees slips{SlipSplit{ContactId(0)}, TwistLeaf{{0, 1, 0}}, up, up};
   EXPECT_EQ(summarize(slips, &problem).largest_leaf[0], "contact 0 slips +");
-  const Trees swapped{SlipSplit{ContactId(0)}, TwistLeaf{Row(3)}, up,
-                           TwistLeaf{{0, 2, 0}}};
+  const Trees swapped{SlipSplit{ContactId(0)}, TwistLeaf{Row(3)}, up, TwistLeaf{{0, 2, 0}}};
   EXPECT_EQ(summarize(swapped, &problem).largest_leaf[0], "contact 0 slips -");
   EXPECT_EQ(summarize(swapped, &problem).largest_leaf_twist[1], 2);
   EXPECT_EQ(summarize(swapped).largest_leaf[0], "contact 0 sticks");
@@ -295,9 +294,8 @@ TEST(Decide, SummaryShowsTheCaseThatLooksLikeTheFailure) {
 }
 
 TEST(Decide, SummaryKnowsWhichContactsAreOpen) {
-  const Trees tree{SlipSplit{ContactId(2)},       TwistLeaf{Row(3)},
-                        SeparationSplit{ContactId(0)}, TwistLeaf{Row(3)},
-                        TwistLeaf{{1, 0, 0}},    TwistLeaf{Row(3)}};
+  const Trees tree{SlipSplit{ContactId(2)}, TwistLeaf{Row(3)},    SeparationSplit{ContactId(0)},
+                   TwistLeaf{Row(3)},       TwistLeaf{{1, 0, 0}}, TwistLeaf{Row(3)}};
   const RefutationSummary summary = summarize(tree);
   const std::map<ContactId, Sign> slips{{ContactId(2), Sign::kZero}};
   EXPECT_TRUE(summary.largest_leaf_slips == slips);

@@ -50,7 +50,7 @@ Grasp pinch(const Rational& preload = 0) {
 }
 
 Stable moved(const Twist& d, std::size_t contacts) {
-  return Stable{{d, std::vector<ContactForce>(contacts)}};
+  return Stable{Witness{d, std::vector<ContactForce>(contacts)}};
 }
 
 TEST(LargeMotion, BeginsBeyondOneRadian) {
@@ -186,7 +186,7 @@ TEST(LostPreload, BeginsBelowOneHundredthAtEveryContact) {
   const Question asked = question(pinwheel(5));
   // v = 5 - 1000 (r + y) and 5 - 1000 (r - y).
   const auto keeping = [](const Rational& a, const Rational& b) {
-    return Stable{{{0, (b - a) / 2000, (10 - a - b) / 2000}, {{a, 0}, {b, 0}}}};
+    return Stable{Witness{{0, (b - a) / 2000, (10 - a - b) / 2000}, {{a, 0}, {b, 0}}}};
   };
   const Rational least(5, 100);
   EXPECT_THAT(traps(asked, keeping(0, least)), IsEmpty());

@@ -80,8 +80,7 @@ class Walker {
     const auto plane = vector_of<5>(node.plane);
     for (const bool first : {true, false}) {
       Place child = place;
-      child.region =
-          place.region.plane_child(plane, first ? Side::kPositive : Side::kNegative);
+      child.region = place.region.plane_child(plane, first ? Side::kPositive : Side::kNegative);
       child.naive = place.naive.plane_child(to_rational(plane), first);
       ++child.planes;
       walk(child);
@@ -147,8 +146,8 @@ struct Printer {
 
 }  // namespace
 
-std::optional<std::string> check_refutation(const Problem& problem,
-                                            const Trees& refutation, RaysFrom rays_from) {
+std::optional<std::string> check_refutation(const Problem& problem, const Trees& refutation,
+                                            RaysFrom rays_from) {
   try {
     Walker(problem, refutation, rays_from).walk_all();
   } catch (const RuleBroken& broken) {

@@ -20,8 +20,7 @@ enum class RaysFrom {
 
 /// The rule that fails first, and at which node; nothing if the refutation proves that there is
 /// no equilibrium. Also reports where Region and its twin disagree.
-std::optional<std::string> check_refutation(const Problem& problem,
-                                            const Trees& refutation,
+std::optional<std::string> check_refutation(const Problem& problem, const Trees& refutation,
                                             RaysFrom rays_from = RaysFrom::kRegion);
 
 /// One node a line, as in a certificate.

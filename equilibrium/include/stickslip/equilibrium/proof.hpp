@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// What proves verdicts without stating an equilibrium: trees that refute regions, and bodies of
-/// motions that hold an equilibrium (certificate/FORMAT.md, sections 4 to 7). For motions of any
-/// number of coordinates.
+/// What proves verdicts without stating an equilibrium: trees that refute regions, and bodies
+/// of motions that hold an equilibrium (certificate/FORMAT.md, sections 4 to 7). For motions of
+/// any number of coordinates.
 #pragma once
 
 #include <cstddef>

@@ -42,9 +42,9 @@ struct RelaxedPoint {
 /// Either a point of the relaxed system, for one of the problem's multiples, or a leaf that
 /// refutes the region (verified): `guess` if it does; otherwise its twist, if given, is the one
 /// that the first columns are made for.
-std::variant<RelaxedPoint, TwistLeaf> solve_region(
-    const Problem& problem, const Region& region, LpWork* work,
-    const TwistLeaf* guess = nullptr);
+std::variant<RelaxedPoint, TwistLeaf> solve_region(const Problem& problem, const Region& region,
+                                                   LpWork* work,
+                                                   const TwistLeaf* guess = nullptr);
 
 /// A generator of a region's points with what loads it.
 struct LoadedGenerator {

@@ -16,8 +16,8 @@
 #include <variant>
 #include <vector>
 
-#include "stickslip/resistance/resistible_set.hpp"
 #include "stickslip/equilibrium/proof.hpp"
+#include "stickslip/resistance/resistible_set.hpp"
 
 namespace stickslip {
 

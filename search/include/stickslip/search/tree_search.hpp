@@ -14,11 +14,11 @@
 #include <utility>
 #include <vector>
 
+#include "stickslip/equilibrium/proof.hpp"
 #include "stickslip/equilibrium/search_end.hpp"
 #include "stickslip/motion/tree_walk.hpp"
 #include "stickslip/search/motion_region.hpp"
 #include "stickslip/search/search_work.hpp"
-#include "stickslip/equilibrium/proof.hpp"
 
 namespace stickslip {
 

@@ -18,7 +18,7 @@ Question pushed_from_below() {
 }
 
 TEST(PlotGrasp, AWitnessOfAnotherGraspIsRefused) {
-  EXPECT_THROW(plot_grasp(pushed_from_below(), Stable{{{0, -1, 0}, {}}}), ContractError);
+  EXPECT_THROW(plot_grasp(pushed_from_below(), Stable{Witness{{0, -1, 0}, {}}}), ContractError);
 }
 
 TEST(PlotGrasp, AMotionThatTurnsAboutTheOnlyContact) {

@@ -376,7 +376,9 @@ Claim CertificateReader::claim_of(const Value& value) const {
   if (const Value* inertia = value.find("inertia")) {
     const bool is_short = dimension_ == kSpatial && inertia->is_array(6);
     asked.inertia = numbers(*inertia, "question.inertia", 0,
-                            dimension_ == kPlanar ? 3 : is_short ? 6 : 9);
+                            dimension_ == kPlanar ? 3
+                            : is_short            ? 6
+                                                  : 9);
     if (is_short) asked.inertia->resize(9);
   }
   if (const Value* uncertain = value.find("uncertain")) {

@@ -83,14 +83,14 @@ void check_inertia(const Grasp& grasp, const Options& options) {
                                : "the grasp is in the plane; expected 3 numbers");
   }
   if (!in_space && m[2] <= 0) {
-    refuse("inertia", "found the squared radius of gyration " + show(m[2]) +
-                          ", expected one above 0");
+    refuse("inertia",
+           "found the squared radius of gyration " + show(m[2]) + ", expected one above 0");
   }
   if (!in_space) return;
   const Rational& xx = m[3];
   const Rational minor = xx * m[4] - m[6] * m[6];
-  const Rational determinant = m[5] * minor - xx * m[8] * m[8] - m[4] * m[7] * m[7] +
-                               2 * m[6] * m[7] * m[8];
+  const Rational determinant =
+      m[5] * minor - xx * m[8] * m[8] - m[4] * m[7] * m[7] + 2 * m[6] * m[7] * m[8];
   if (xx <= 0 || minor <= 0 || determinant <= 0) {
     refuse("inertia", "the tensor is not positive definite");
   }

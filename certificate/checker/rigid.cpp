@@ -70,8 +70,8 @@ Vector RigidRow::across(const Vector& friction) const {
 /// direction, too).
 bool RigidRow::slips_like(const RigidRow& other) const {
   if (point.size() == 3) return point == other.point && factor_sign(normal, other.normal) > 0;
-  return factor_sign(at_point(point, across({1})),
-                     at_point(other.point, other.across({1}))) != 0;
+  return factor_sign(at_point(point, across({1})), at_point(other.point, other.across({1}))) !=
+         0;
 }
 
 /// The force of normal part 1 against a slip along `side` does no negative work on the motion.
@@ -86,7 +86,8 @@ RigidProof::RigidProof(const Question& question) : inertia_(*question.asked.iner
     for (const Bounds& p : contact.position) row.point.push_back(p.low);
     row.direction = contact.normal;
     row.normal = at_point(row.point, row.direction);
-    row.square = contact.friction.low * contact.friction.low * dot(row.direction, row.direction);
+    row.square =
+        contact.friction.low * contact.friction.low * dot(row.direction, row.direction);
   }
   for (const Bounds& w : question.wrench) wrench_.push_back(w.low);
   waiting_.push_back({std::vector<Label>(rows_.size()), {}});
@@ -112,7 +113,8 @@ Vector RigidProof::times_mass(const Vector& a) const {
 bool RigidProof::opposes(const RigidRow& row, const Label& label, const Vector& y) const {
   if (label.touch == Touch::kApart) return false;
   const Vector slip = row.slip(y);
-  if (!label.slip || label.slip->empty()) return !row.resists(y, slip) || dot(y, row.normal) < 0;
+  if (!label.slip || label.slip->empty())
+    return !row.resists(y, slip) || dot(y, row.normal) < 0;
   const std::vector<Vector>& sides = *label.slip;
   const Vector& n = row.direction;
   if (sides.size() == 2 && dot(n, cross(sides[0], slip)) >= 0 &&
@@ -124,9 +126,8 @@ bool RigidProof::opposes(const RigidRow& row, const Label& label, const Vector& 
 }
 
 void RigidProof::check_twist(const Vector& twist) const {
-  const bool unopposed = std::none_of(rows_.begin(), rows_.end(), [&](const RigidRow& row) {
-    return opposes(row, {}, twist);
-  });
+  const bool unopposed = std::none_of(
+      rows_.begin(), rows_.end(), [&](const RigidRow& row) { return opposes(row, {}, twist); });
   if (dot(twist, wrench_) <= 0 || !unopposed) {
     reject("class-twist", "",
            "the load does no work along it, or a force in a cone opposes it");

@@ -39,8 +39,8 @@ struct RigidRow {
   Vector normal;
   Rational square;
 
-  Vector slip(const Vector& motion) const;           ///< S d, in the plane t (T.d) / |n|^2
-  Vector across(const Vector& friction) const;       ///< b t of b; in space itself
+  Vector slip(const Vector& motion) const;      ///< S d, in the plane t (T.d) / |n|^2
+  Vector across(const Vector& friction) const;  ///< b t of b; in space itself
   bool slips_like(const RigidRow& other) const;
   bool resists(const Vector& motion, const Vector& side) const;
 };

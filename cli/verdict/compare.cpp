@@ -48,14 +48,14 @@ bool writes_certificate(const std::string& file, const Question& question,
     std::cerr << "stickslip: the class is not known: " << in_words(*undecided) << '\n';
     return false;
   }
-  write_whole_file(file, class_certificate_text(question, inertia, verdict,
-                                                "stickslip " STICKSLIP_VERSION));
+  write_whole_file(
+      file, class_certificate_text(question, inertia, verdict, "stickslip " STICKSLIP_VERSION));
   return true;
 }
 
 /// False if a certificate is asked for and there is none.
-bool answer_in_plane(const CompareArguments& arguments, const Question& question, Answer& answer,
-                     NumberText& text) {
+bool answer_in_plane(const CompareArguments& arguments, const Question& question,
+                     Answer& answer, NumberText& text) {
   const Inertia inertia = arguments.inertia.empty()
                               ? Inertia{{}, answer.length * answer.length}
                               : inertia_option("--inertia", arguments.inertia);
@@ -73,8 +73,8 @@ bool answer_in_plane(const CompareArguments& arguments, const Question& question
   return true;
 }
 
-bool answer_in_space(const CompareArguments& arguments, const Question& question, Answer& answer,
-                     NumberText& text) {
+bool answer_in_space(const CompareArguments& arguments, const Question& question,
+                     Answer& answer, NumberText& text) {
   const SpatialInertia inertia =
       arguments.inertia.empty()
           ? SpatialInertia::of_length(answer.length)
@@ -86,14 +86,15 @@ bool answer_in_space(const CompareArguments& arguments, const Question& question
     if (!writes_certificate(arguments.certificate, question, inertia, *verdict)) return false;
   }
   try {
-    answer.comparison = compare_methods(grasp, arguments.methods, inertia, text,
-                                        verdict ? &*verdict : nullptr);
+    answer.comparison =
+        compare_methods(grasp, arguments.methods, inertia, text, verdict ? &*verdict : nullptr);
   } catch (const InputError& error) {
     throw InputError("", "--" + error.place(), error.problem(), error.remedy());
   }
   answer.inertia = inertia_json(inertia);
   const auto& [x, y, z] = inertia.gyration;
-  answer.inertia_text = text(inertia.centre) + ", tensor " + text(x) + " " + text(y) + " " + text(z);
+  answer.inertia_text =
+      text(inertia.centre) + ", tensor " + text(x) + " " + text(y) + " " + text(z);
   return true;
 }
 
@@ -194,11 +195,12 @@ void add_compare_command(CLI::App& app, int& exit_code) {
       ->type_name("L")
       ->capture_default_str();
   command
-      ->add_option("--inertia", arguments->inertia,
-                   "Centre of mass and squared radius of gyration about it, which strong "
-                   "stability needs; default: 0,0 and the square of --length. In space "
-                   "X,Y,Z,XX,YY,ZZ[,XY,XZ,YZ]: the centre and the tensor of inertia about it, over "
-                   "the mass; default: 0,0,0 and that square, thrice")
+      ->add_option(
+          "--inertia", arguments->inertia,
+          "Centre of mass and squared radius of gyration about it, which strong "
+          "stability needs; default: 0,0 and the square of --length. In space "
+          "X,Y,Z,XX,YY,ZZ[,XY,XZ,YZ]: the centre and the tensor of inertia about it, over "
+          "the mass; default: 0,0,0 and that square, thrice")
       ->type_name("X,Y,G2");
   command
       ->add_option(
@@ -219,7 +221,8 @@ void add_compare_command(CLI::App& app, int& exit_code) {
       "dissipation. A method that would take too long is not computed.\n"
       "The class is what rigid contacts do: must move (the load is not weakly stable), must\n"
       "hold (it is strongly stable) or open (between). Accelerations are those of mass 1.\n"
-      "In space the last two of these three loads, strongly and weakly stable, are all there is.\n",
+      "In space the last two of these three loads, strongly and weakly stable, are all there "
+      "is.\n",
       kExitCodesWithLimit,
       "stickslip compare fig1.json --wrench 0,1,0 --preload 1\n"
       "  $ stickslip compare fig1.json --methods weakly-stable-load,strongly-stable-load"));

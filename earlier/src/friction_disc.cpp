@@ -17,8 +17,8 @@ Vector3 times(const Rational& factor, const Vector3& v) {
   return plus(Vector3{}, factor, v);
 }
 
-/// A vector across n; a unit vector if |n| is rational: the reflection that takes z to n takes x
-/// there.
+/// A vector across n; a unit vector if |n| is rational: the reflection that takes z to n takes
+/// x there.
 Vector3 across(const Vector3& n, const std::optional<Rational>& length) {
   if (!length) return n[0].is_zero() ? Vector3{1, 0, 0} : Vector3{n[1], -n[0], 0};
   const Vector3 h = plus(n, -*length, {0, 0, 1});

@@ -20,7 +20,8 @@ std::array<Rational, n> plus(std::array<Rational, n> a, const Rational& factor,
   return a;
 }
 
-/// Directions of slip of a contact: e turned by `quarter` right angles, and on by 2 atan t for low
+/// Directions of slip of a contact: e turned by `quarter` right angles, and on by 2 atan t for
+/// low
 /// <= t <= high, of 0 to 1.
 struct Sector {
   std::size_t quarter = 0;
@@ -32,16 +33,16 @@ class FrictionDisc {
  public:
   explicit FrictionDisc(const UncertainContact& contact);
 
-  const Vector6& normal_row() const { return row_; }         ///< N
-  Vector6 wrench(const Vector3& force) const;                ///< (f, p x f)
-  Vector3 slip(const Vector6& motion) const;                 ///< S d
-  const Vector3& normal() const { return normal_; }          ///< n
+  const Vector6& normal_row() const { return row_; }  ///< N
+  Vector6 wrench(const Vector3& force) const;         ///< (f, p x f)
+  Vector3 slip(const Vector6& motion) const;          ///< S d
+  const Vector3& normal() const { return normal_; }   ///< n
   /// Whether the normals have one line of action, and one direction.
   bool presses_like(const FrictionDisc& other) const;
   /// Whether slips are the same, too.
   bool slips_like(const FrictionDisc& other) const;
-  bool has_friction() const { return !square_.is_zero(); }   ///< mu > 0
-  const Rational& square() const { return square_; }         ///< (mu |n|)^2
+  bool has_friction() const { return !square_.is_zero(); }  ///< mu > 0
+  const Rational& square() const { return square_; }        ///< (mu |n|)^2
 
   /// e turned that far, about n; of a rational length if |n| is rational.
   Vector3 direction(std::size_t quarter, const Rational& t) const;

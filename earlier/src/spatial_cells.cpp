@@ -35,7 +35,7 @@ Vector6 load_of(const GraspBox& grasp) {
 
 SpatialProgram::SpatialProgram(const std::vector<FrictionDisc>& discs, const Vector6& load,
                                const SpatialInertia* inertia, const SpatialCell& cell,
-                               Side side)
+                               Polygon polygon)
     : discs_(discs), load_(load), motions_(inertia == nullptr ? 0 : 6) {
   program_.add_variables(motions_, VariableKind::kFree);
   for (std::size_t k = 0; k < motions_; ++k) {
@@ -72,9 +72,9 @@ SpatialProgram::SpatialProgram(const std::vector<FrictionDisc>& discs, const Vec
     const std::vector<Vector3> corners =
         label.slip == Slip::kSector
             ? disc.outer_against(discs[label.owner].directions(label.sector))
-        : label.slip == Slip::kLine ? std::vector<Vector3>{*disc.against(label.line)}
-        : side == Side::kOuter      ? disc.outer()
-                                    : disc.inner();
+        : label.slip == Slip::kLine  ? std::vector<Vector3>{*disc.against(label.line)}
+        : polygon == Polygon::kOuter ? disc.outer()
+                                     : disc.inner();
     for (const Vector3& friction : corners) add_edge(i, friction);
   }
   for (std::size_t j = 0; j < 6; ++j) {
@@ -172,7 +172,8 @@ bool is_solution(const std::vector<FrictionDisc>& discs, const Vector6& load,
     const Rational parts = dot(disc.normal_row(), a);
     const Rational limit = disc.square() * normal * normal;
     if (normal.sign() < 0 || parts.sign() < 0 || !(normal * parts).is_zero()) return false;
-    if (!dot(friction, disc.normal()).is_zero() || dot(friction, friction) > limit) return false;
+    if (!dot(friction, disc.normal()).is_zero() || dot(friction, friction) > limit)
+      return false;
     const Vector3 slip = disc.slip(a);
     const Rational power = dot(friction, slip);
     if (power.sign() > 0 || power * power != limit * dot(slip, slip)) return false;
@@ -205,8 +206,7 @@ class SpatialSearch {
         return gives_up("it takes too many linear programs", "limit");
       }
       --programs_left_;
-      auto solved =
-          SpatialProgram(discs_, load_, &inertia_, cell, Side::kOuter).moving();
+      auto solved = SpatialProgram(discs_, load_, &inertia_, cell, Polygon::kOuter).moving();
       if (auto* leaf = std::get_if<SpatialLeaf>(&solved)) {
         result.tree.emplace_back(std::move(*leaf));
         return true;
@@ -220,8 +220,10 @@ class SpatialSearch {
       if (breach.power < kNearlyLawful && is_near_a_solution(cell, point)) return false;
       if (breach.power < kSame) {
         if (refines(cell, point)) continue;
-        return gives_up("accelerations obey the laws to all digits of doubles, but none was found "
-                        "that does exactly", "border");
+        return gives_up(
+            "accelerations obey the laws to all digits of doubles, but none was found "
+            "that does exactly",
+            "border");
       }
       return splits(cell, breach, depth);
     }
@@ -241,7 +243,8 @@ class SpatialSearch {
   static constexpr double kSame = 1e-9;
 
   bool gives_up(const std::string& limit, const std::string& reason) {
-    result.undecided = Undecided{limit, reason, "ask about a load or friction a little off", {}};
+    result.undecided =
+        Undecided{limit, reason, "ask about a load or friction a little off", {}};
     return false;
   }
 
@@ -258,7 +261,8 @@ class SpatialSearch {
       }
       const Vector3 slip = discs_[i].slip(point.acceleration);
       const double size = std::sqrt(to_double(dot(slip, slip) * discs_[i].square()));
-      const double driving = (to_double(dot(friction, slip)) + to_double(normal) * size) / total;
+      const double driving =
+          (to_double(dot(friction, slip)) + to_double(normal) * size) / total;
       if (driving > worst.power && cell[i].slip != Slip::kNone && discs_[i].has_friction()) {
         worst = {driving, i, true, slip};
       }
@@ -293,11 +297,13 @@ class SpatialSearch {
       }
     };
     const auto add_sector = [&](const Sector& sector, std::size_t owner) {
-      add([&](SpatialLabel& label) {
-        label.slip = Slip::kSector;
-        label.sector = sector;
-        label.owner = owner;
-      }, true);
+      add(
+          [&](SpatialLabel& label) {
+            label.slip = Slip::kSector;
+            label.sector = sector;
+            label.owner = owner;
+          },
+          true);
     };
     if (!breach.slips) {
       for (const Touch touch : {Touch::kTouching, Touch::kApart}) {
@@ -343,11 +349,12 @@ class SpatialSearch {
       there.high = known ? cell[i].sector.high : std::min(Rational(1), there.high + off);
       if (known) there.quarter = cell[i].sector.quarter;
       label.slip = Slip::kLine;
-      label.line = discs_[known ? cell[i].owner : i].direction(
-          there.quarter, simplest(there.low, there.high));
+      label.line = discs_[known ? cell[i].owner : i].direction(there.quarter,
+                                                               simplest(there.low, there.high));
       if (!discs_[i].against(label.line)) return false;
     }
-    const auto solved = SpatialProgram(discs_, load_, &inertia_, mode, Side::kInner).moving();
+    const auto solved =
+        SpatialProgram(discs_, load_, &inertia_, mode, Polygon::kInner).moving();
     const auto* found = std::get_if<SpatialPoint>(&solved);
     if (found == nullptr || !is_solution(discs_, load_, inertia_, *found)) return false;
     result.found = *found;

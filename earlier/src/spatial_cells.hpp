@@ -40,8 +40,8 @@ struct SpatialLabel {
 /// By contact.
 using SpatialCell = std::vector<SpatialLabel>;
 
-/// Which side of the disc polygons are on.
-enum class Side { kOuter, kInner };
+/// Which of the polygons around discs and in them.
+enum class Polygon { kOuter, kInner };
 
 /// Accelerations and forces, by contact.
 struct SpatialPoint {
@@ -55,7 +55,7 @@ class SpatialProgram {
  public:
   /// Requires kLine of no contact whose friction is not rational.
   SpatialProgram(const std::vector<FrictionDisc>& discs, const Vector6& load,
-                 const SpatialInertia* inertia, const SpatialCell& cell, Side side);
+                 const SpatialInertia* inertia, const SpatialCell& cell, Polygon polygon);
 
   /// Forces at rest, or none; then the twist that proves it is in `twist`.
   std::optional<SpatialForces> at_rest(Vector6& twist) const;
@@ -99,7 +99,8 @@ SpatialSearchResult search_spatial_accelerations(std::vector<FrictionDisc>& disc
                                                  const SpatialInertia& inertia,
                                                  std::size_t most_programs);
 
-/// Whether these are a solution of the model, exactly; with an acceleration of 0, forces at rest.
+/// Whether these are a solution of the model, exactly; with an acceleration of 0, forces at
+/// rest.
 bool is_solution(const std::vector<FrictionDisc>& discs, const Vector6& load,
                  const SpatialInertia& inertia, const SpatialPoint& point);
 

@@ -42,11 +42,12 @@ SpatialLoadClass forces_at_rest(std::vector<FrictionDisc>& discs, const Vector6&
   add_corners_against(discs, load);
   for (int round = 0; round < kMostRounds; ++round) {
     Vector6 twist;
-    if (auto forces = SpatialProgram(discs, load, nullptr, cell, Side::kInner).at_rest(twist)) {
+    if (auto forces =
+            SpatialProgram(discs, load, nullptr, cell, Polygon::kInner).at_rest(twist)) {
       require(is_solution(discs, load, {}, {{}, *forces}), "forces do not balance the load");
       return std::move(*forces);
     }
-    auto forces = SpatialProgram(discs, load, nullptr, cell, Side::kOuter).at_rest(twist);
+    auto forces = SpatialProgram(discs, load, nullptr, cell, Polygon::kOuter).at_rest(twist);
     if (!forces) {
       require(is_unopposed(discs, load, twist), "a contact force opposes the motion");
       return SpatialUnopposedMotion{twist};
@@ -61,9 +62,12 @@ SpatialLoadClass forces_at_rest(std::vector<FrictionDisc>& discs, const Vector6&
     }
     if (!finer) break;
   }
-  return Undecided{"forces that balance the load are at the border of the friction cones, to all "
-                   "digits of doubles",
-                   "border", "ask about a load or friction a little off", {}};
+  return Undecided{
+      "forces that balance the load are at the border of the friction cones, to all "
+      "digits of doubles",
+      "border",
+      "ask about a load or friction a little off",
+      {}};
 }
 
 }  // namespace
@@ -134,17 +138,20 @@ Json inertia_json(const SpatialInertia& inertia) {
 SpatialInertia spatial_inertia_of(const std::string& place,
                                   const std::vector<Rational>& numbers) {
   const auto refuse = [&](const std::string& problem) {
-    throw InputError("", place, problem,
-                     "give the centre of mass, x, y and z, and of the tensor of inertia about it, "
-                     "over the mass, xx, yy, zz, and xy, xz, yz if they are not 0, as in "
-                     "0,0,1/2,1/6,1/6,1/6");
+    throw InputError(
+        "", place, problem,
+        "give the centre of mass, x, y and z, and of the tensor of inertia about it, "
+        "over the mass, xx, yy, zz, and xy, xz, yz if they are not 0, as in "
+        "0,0,1/2,1/6,1/6,1/6");
   };
   if (numbers.size() != 6 && numbers.size() != 9) {
-    refuse("there are " + std::to_string(numbers.size()) + " numbers, and the grasp is in space");
+    refuse("there are " + std::to_string(numbers.size()) +
+           " numbers, and the grasp is in space");
   }
   const auto at = [&](std::size_t j) { return j < numbers.size() ? numbers[j] : Rational(0); };
-  SpatialInertia result{{at(0), at(1), at(2)},
-                        {{{at(3), at(6), at(7)}, {at(6), at(4), at(8)}, {at(7), at(8), at(5)}}}};
+  SpatialInertia result{
+      {at(0), at(1), at(2)},
+      {{{at(3), at(6), at(7)}, {at(6), at(4), at(8)}, {at(7), at(8), at(5)}}}};
   const auto& [x, y, z] = result.gyration;
   if (x[0].sign() <= 0 || (x[0] * y[1] - x[1] * y[0]).sign() <= 0 ||
       dot(x, cross(y, z)).sign() <= 0) {

@@ -34,10 +34,10 @@ MethodRow weak_row(const GraspBox& grasp, const SpatialLoadClass& weak, NumberTe
                        {{"forces", spatial_forces_json(grasp, *forces)}});
   }
   if (const auto* motion = std::get_if<SpatialUnopposedMotion>(&weak)) {
-    return spatial_row(name, "unstable",
-                       "no force in the cones opposes the load along " +
-                           text.direction(motion->twist),
-                       {{"motion", number_json(motion->twist)}});
+    return spatial_row(
+        name, "unstable",
+        "no force in the cones opposes the load along " + text.direction(motion->twist),
+        {{"motion", number_json(motion->twist)}});
   }
   const auto& undecided = std::get<Undecided>(weak);
   return spatial_row(name, kNotComputed, in_words(undecided), {{"limit", undecided.limit}});
@@ -50,16 +50,17 @@ MethodRow strong_row(const GraspBox& grasp, const SpatialRigidVerdict& verdict,
     const auto cases = std::count_if(
         stable->tree.begin(), stable->tree.end(),
         [](const SpatialNode& node) { return std::holds_alternative<SpatialLeaf>(node); });
-    return spatial_row(name, "stable",
-                       "rigid contacts leave no acceleration (" + std::to_string(cases) +
-                           (cases == 1 ? " leaf refuted)" : " leaves refuted)"),
-                       {{"forces", spatial_forces_json(grasp, stable->rest)}, {"cases", cases}});
+    return spatial_row(
+        name, "stable",
+        "rigid contacts leave no acceleration (" + std::to_string(cases) +
+            (cases == 1 ? " leaf refuted)" : " leaves refuted)"),
+        {{"forces", spatial_forces_json(grasp, stable->rest)}, {"cases", cases}});
   }
   if (const auto* open = std::get_if<SpatialOpenLoad>(&verdict)) {
-    return spatial_row(
-        name, "unstable", "rigid contacts allow the acceleration " + text(open->acceleration),
-        {{"acceleration", number_json(open->acceleration)},
-         {"forces", spatial_forces_json(grasp, open->forces)}});
+    return spatial_row(name, "unstable",
+                       "rigid contacts allow the acceleration " + text(open->acceleration),
+                       {{"acceleration", number_json(open->acceleration)},
+                        {"forces", spatial_forces_json(grasp, open->forces)}});
   }
   if (std::holds_alternative<SpatialUnopposedMotion>(verdict)) {
     return spatial_row(name, "unstable", "the load is not weakly stable", Json::object());
@@ -84,8 +85,10 @@ Comparison compare_methods(const GraspBox& grasp, const std::vector<std::string>
                            const SpatialRigidVerdict* verdict) {
   for (const std::string& word : methods) {
     if (word != kWeak && word != kStrong) {
-      throw InputError("", "methods", word + " is done in the plane only, and the grasp is in "
-                                             "space",
+      throw InputError("", "methods",
+                       word +
+                           " is done in the plane only, and the grasp is in "
+                           "space",
                        std::string("ask for ") + kWeak + " and " + kStrong);
     }
   }

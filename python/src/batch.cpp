@@ -19,7 +19,8 @@ constexpr const char* kGraspLines = "a file of grasps, one a line";
 LineDecider make_decider(const std::string& wrench, const std::string& case_name,
                          const std::string& preload, bool bilateral, std::size_t node_limit,
                          bool asks_class, const std::string& inertia,
-                         const std::string& certificates, const std::string& certificate_folder) {
+                         const std::string& certificates,
+                         const std::string& certificate_folder) {
   BatchOptions options;
   if (!wrench.empty()) options.question.wrench = row_of(wrench_option("--wrench", wrench));
   if (!case_name.empty()) options.question.case_name = case_name;

@@ -118,11 +118,13 @@ class ClosedForms(SpaceClass):
 
 class Plane(SpaceClass):
     def test_the_plane_put_into_space(self):
-        """Each contact twice, at y and -y, and the load between them: what is at rest in one is in the other, as the mean
-        of forces and their mirror image has none across the plane; and what moves in the plane moves in space."""
+        """Each contact twice, at y and -y, and the load between them: what is at rest in one is in the other, as
+        the mean of forces and their mirror image has none across the plane; and what moves in the plane moves in
+        space."""
         seen, rng = Counter(), random.Random(5)
         for _ in range(20):
-            contacts = [((rng.randint(-3, 3), rng.randint(-3, 3)), rng.choice(((1, 0), (-1, 0), (0, 1), (F(3, 5), F(4, 5)))))
+            contacts = [((rng.randint(-3, 3), rng.randint(-3, 3)),
+                         rng.choice(((1, 0), (-1, 0), (0, 1), (F(3, 5), F(4, 5)))))
                         for _ in range(rng.randint(1, 3))]
             load = [F(rng.randint(-4, 4), 2) for _ in range(2)] + [F(rng.randint(-4, 4))]
             flat = self.write("p.json", {

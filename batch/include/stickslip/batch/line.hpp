@@ -63,11 +63,11 @@ struct LineResult {
 
 /// What is asked about every line.
 struct BatchOptions {
-  QuestionOptions question{};        ///< as the command's options say
-  std::size_t node_limit = 0;        ///< of each line; 0 is none
+  QuestionOptions question{};  ///< as the command's options say
+  std::size_t node_limit = 0;  ///< of each line; 0 is none
   /// Asks for the class of rigid contacts, not the verdict: the numbers of inertia_of or, of
-  /// grasps in space, spatial_inertia_of; or none, for a centre of mass in the origin and a radius
-  /// of gyration of 1.
+  /// grasps in space, spatial_inertia_of; or none, for a centre of mass in the origin and a
+  /// radius of gyration of 1.
   std::optional<RationalRow> inertia{};
   std::string certificates{};  ///< the folder for certificates, as results name it; or empty
   std::string certificate_folder{};  ///< the same folder, as this process finds it

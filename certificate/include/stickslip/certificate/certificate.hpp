@@ -40,8 +40,9 @@ std::string margin_certificate_text(const Question& question, const SpatialMargi
 std::string region_certificate_text(const Question& question, const WrenchPlane& plane,
                                     const RegionProof& proof, const std::string& producer);
 
-/// \{ The certificate of the class of a load (FORMAT.md, section 13), in the plane and in space.
-/// Throws ContractError for Undecided, and unless the question is about one load of one grasp.
+/// \{ The certificate of the class of a load (FORMAT.md, section 13), in the plane and in
+/// space. Throws ContractError for Undecided, and unless the question is about one load of one
+/// grasp.
 std::string class_certificate_text(const Question& question, const Inertia& inertia,
                                    const RigidVerdict& verdict, const std::string& producer);
 std::string class_certificate_text(const Question& question, const SpatialInertia& inertia,

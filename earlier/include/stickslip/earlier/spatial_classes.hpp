@@ -3,18 +3,18 @@
 /// The classes of loads under rigid contacts (load_classes.hpp) in space, with Coulomb's own
 /// friction cone.
 ///
-/// The rows of a contact are those of certificate/FORMAT.md, section 7: N = (n, p x n), and S a,
-/// its slip under the acceleration a. A contact force is a_i N_i + (f_i, p_i x f_i), f_i.n_i = 0.
-/// The model is that of the plane with the laws of friction
+/// The rows of a contact are those of certificate/FORMAT.md, section 7: N = (n, p x n), and S
+/// a, its slip under the acceleration a. A contact force is a_i N_i + (f_i, p_i x f_i), f_i.n_i
+/// = 0. The model is that of the plane with the laws of friction
 ///
 ///     |f_i| <= mu_i |n_i| a_i,     f_i = -mu_i |n_i| a_i s / |s|  if s = S_i a != 0.
 ///
-/// **How it is decided.** Discs of friction are put between polygons, and what the plane asks of
-/// edges is asked of their corners, by exact programs: forces in an inner polygon are in the cone,
-/// and a twist that no force of an outer polygon opposes is opposed by none in the cone. Polygons
-/// are refined where the programs' answers are. Slip is split into sectors of directions: friction
-/// is against a slip in the sector. What lies on a border whose numbers are irrational, or is
-/// nearer to one than the polygons, is undecided.
+/// **How it is decided.** Discs of friction are put between polygons, and what the plane asks
+/// of edges is asked of their corners, by exact programs: forces in an inner polygon are in the
+/// cone, and a twist that no force of an outer polygon opposes is opposed by none in the cone.
+/// Polygons are refined where the programs' answers are. Slip is split into sectors of
+/// directions: friction is against a slip in the sector. What lies on a border whose numbers
+/// are irrational, or is nearer to one than the polygons, is undecided.
 #pragma once
 
 #include <array>
@@ -48,8 +48,9 @@ struct SpatialInertia {
 Vector6 times_mass(const SpatialInertia& inertia, const Vector6& a);
 /// With its numbers, to be finished.
 Json inertia_json(const SpatialInertia& inertia);
-/// The centre x, y, z and xx, yy, zz of the tensor, and then xy, xz, yz if they are not 0. Throws
-/// InputError with that place unless there are 6 or 9 and the tensor is positive definite.
+/// The centre x, y, z and xx, yy, zz of the tensor, and then xy, xz, yz if they are not 0.
+/// Throws InputError with that place unless there are 6 or 9 and the tensor is positive
+/// definite.
 SpatialInertia spatial_inertia_of(const std::string& place,
                                   const std::vector<Rational>& numbers);
 
@@ -57,7 +58,8 @@ SpatialInertia spatial_inertia_of(const std::string& place,
 /// ("--inertia") unless they are of either.
 RationalRow inertia_numbers(const std::string& value);
 
-/// The one grasp in space that the question is about. Throws InputError if numbers are uncertain.
+/// The one grasp in space that the question is about. Throws InputError if numbers are
+/// uncertain.
 const GraspBox& point_in_space(const Question& question);
 
 /// What one contact exerts on the object: a N + (f, p x f).
@@ -73,26 +75,26 @@ struct SpatialUnopposedMotion {
   Vector6 twist;  ///< translation and rotation
 };
 
-/// Whether forces in the cones balance the load; undecided within a billionth of the border, unless
-/// it is found to be on it.
+/// Whether forces in the cones balance the load; undecided within a billionth of the border,
+/// unless it is found to be on it.
 using SpatialLoadClass = std::variant<SpatialForces, SpatialUnopposedMotion, Undecided>;
 /// Evidence checked by substitution. Stiffness and preloads play no part. Requires a point in
 /// space.
 SpatialLoadClass weakly_stable_load(const GraspBox& grasp);
 
-/// A cell of solutions in parts: touching or apart, as RigidSplit; or with a direction d, the slip
-/// of this contact in the quarters between d, n x d, -d, -n x d, after the first of which it is
-/// 0; or, in a sector that is known, before d and after it.
+/// A cell of solutions in parts: touching or apart, as RigidSplit; or with a direction d, the
+/// slip of this contact in the quarters between d, n x d, -d, -n x d, after the first of which
+/// it is 0; or, in a sector that is known, before d and after it.
 struct SpatialSplit {
-  ContactId contact{0};                 ///< whose
+  ContactId contact{0};                ///< whose
   std::optional<Vector3> direction{};  ///< d, in the tangent plane, not 0
 };
 /// As RigidLeaf; h is a vector of the tangent plane with h.s >= 0 for all s of the sector.
 struct SpatialLeaf {
-  Rational weight;                                        ///< of w
-  Vector6 twist;                                          ///< y
-  std::vector<std::pair<ContactId, Rational>> normal{};   ///< g, where not 0
-  std::vector<std::pair<ContactId, Vector3>> tangent{};   ///< h, where not 0
+  Rational weight;                                       ///< of w
+  Vector6 twist;                                         ///< y
+  std::vector<std::pair<ContactId, Rational>> normal{};  ///< g, where not 0
+  std::vector<std::pair<ContactId, Vector3>> tangent{};  ///< h, where not 0
 };
 /// A node of a tree in preorder.
 using SpatialNode = std::variant<SpatialSplit, SpatialLeaf>;
@@ -110,8 +112,8 @@ struct SpatialOpenLoad {
 };
 
 /// *Must move*, *must hold*, *open*, each with its evidence.
-using SpatialRigidVerdict = std::variant<SpatialUnopposedMotion, SpatialStronglyStable,
-                                         SpatialOpenLoad, Undecided>;
+using SpatialRigidVerdict =
+    std::variant<SpatialUnopposedMotion, SpatialStronglyStable, SpatialOpenLoad, Undecided>;
 
 /// Linear programs after which a class in space is undecided.
 inline constexpr std::size_t kMostSpatialPrograms = 4000;

@@ -41,7 +41,7 @@ struct SpatialLabel {
 using SpatialCell = std::vector<SpatialLabel>;
 
 /// Which of the polygons around discs and in them.
-enum class Polygon { kOuter, kInner };
+enum class DiscPolygon { kOuter, kInner };
 
 /// Accelerations and forces, by contact.
 struct SpatialPoint {
@@ -55,7 +55,7 @@ class SpatialProgram {
  public:
   /// Requires kLine of no contact whose friction is not rational.
   SpatialProgram(const std::vector<FrictionDisc>& discs, const Vector6& load,
-                 const SpatialInertia* inertia, const SpatialCell& cell, Polygon polygon);
+                 const SpatialInertia* inertia, const SpatialCell& cell, DiscPolygon polygon);
 
   /// Forces at rest, or none; then the twist that proves it is in `twist`.
   std::optional<SpatialForces> at_rest(Vector6& twist) const;

@@ -60,7 +60,7 @@ const OPTIONS = {
       : numbers(text, null, 'P0,P1,... or scale');
   },
   '--plane': (o, text) => { o.plane = numbers(text, [6], 'UX,UY,UT,VX,VY,VT, two wrenches'); },
-  '--inertia': (o, text) => { o.inertia = numbers(text, [3], 'X,Y,G2'); },
+  '--inertia': (o, text) => { o.inertia = numbers(text, [3, 6, 9], 'X,Y,G2'); },
   '--uncertain': (o, text) => {
     o.uncertain = {};
     for (const one of text.split(',')) {

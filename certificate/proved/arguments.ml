@@ -90,7 +90,8 @@ let parse words =
               { a with plane = true })
         | "--inertia", _ ->
           with_value (fun v ->
-              if List.length (list name v) <> 3 then usage name v " is not X,Y,G2, such as 0,0,1";
+              if not (List.mem (List.length (list name v)) [ 3; 6; 9 ]) then
+                usage name v " is not X,Y,G2, such as 0,0,1";
               { a with inertia = true })
         | "--case", _ -> valued (fun v -> { o with asked_case = Some v })
         | "--preload", _ -> valued (fun v -> { o with asked_preload = Some (number name v) })

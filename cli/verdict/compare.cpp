@@ -149,9 +149,9 @@ void print_text(const Question& question, const Compared& answer, NumberText& te
                                           : "answers another question",
                      row.why});
   }
-  std::cout << format_table(table, Align::kLeft) << "\nAll methods are exact. ";
+  std::cout << format_table(table, Align::kLeft) << "\nAll methods are exact.";
   if (!question.in_space()) {
-    std::cout << "Normal law of the passive model: " << law_text(question.law) << ".";
+    std::cout << " Normal law of the passive model: " << law_text(question.law) << ".";
   }
   std::cout << '\n' << units_text(question) << text.note();
 }
@@ -200,7 +200,7 @@ void add_compare_command(CLI::App& app, int& exit_code) {
           "Centre of mass and squared radius of gyration about it, which strong "
           "stability needs; default: 0,0 and the square of --length. In space "
           "X,Y,Z,XX,YY,ZZ[,XY,XZ,YZ]: the centre and the tensor of inertia about it, over "
-          "the mass; default: 0,0,0 and three times that square")
+          "the mass; default: 0,0,0 and that square, thrice")
       ->type_name("X,Y,G2");
   command
       ->add_option(

@@ -35,7 +35,7 @@ Vector6 load_of(const GraspBox& grasp) {
 
 SpatialProgram::SpatialProgram(const std::vector<FrictionDisc>& discs, const Vector6& load,
                                const SpatialInertia* inertia, const SpatialCell& cell,
-                               Around around)
+                               DiscPolygon polygon)
     : discs_(discs), load_(load), motions_(inertia == nullptr ? 0 : 6) {
   program_.add_variables(motions_, VariableKind::kFree);
   for (std::size_t k = 0; k < motions_; ++k) {
@@ -72,9 +72,9 @@ SpatialProgram::SpatialProgram(const std::vector<FrictionDisc>& discs, const Vec
     const std::vector<Vector3> corners =
         label.slip == Slip::kSector
             ? disc.outer_against(discs[label.owner].directions(label.sector))
-        : label.slip == Slip::kLine ? std::vector<Vector3>{*disc.against(label.line)}
-        : around == Around::kOuter  ? disc.outer()
-                                    : disc.inner();
+        : label.slip == Slip::kLine      ? std::vector<Vector3>{*disc.against(label.line)}
+        : polygon == DiscPolygon::kOuter ? disc.outer()
+                                         : disc.inner();
     for (const Vector3& friction : corners) add_edge(i, friction);
   }
   for (std::size_t j = 0; j < 6; ++j) {
@@ -206,7 +206,8 @@ class SpatialSearch {
         return gives_up("it takes too many linear programs", "limit");
       }
       --programs_left_;
-      auto solved = SpatialProgram(discs_, load_, &inertia_, cell, Around::kOuter).moving();
+      auto solved =
+          SpatialProgram(discs_, load_, &inertia_, cell, DiscPolygon::kOuter).moving();
       if (auto* leaf = std::get_if<SpatialLeaf>(&solved)) {
         result.tree.emplace_back(std::move(*leaf));
         return true;
@@ -353,7 +354,8 @@ class SpatialSearch {
                                                                simplest(there.low, there.high));
       if (!discs_[i].against(label.line)) return false;
     }
-    const auto solved = SpatialProgram(discs_, load_, &inertia_, mode, Around::kInner).moving();
+    const auto solved =
+        SpatialProgram(discs_, load_, &inertia_, mode, DiscPolygon::kInner).moving();
     const auto* found = std::get_if<SpatialPoint>(&solved);
     if (found == nullptr || !is_solution(discs_, load_, inertia_, *found)) return false;
     result.found = *found;

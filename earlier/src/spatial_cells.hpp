@@ -40,8 +40,8 @@ struct SpatialLabel {
 /// By contact.
 using SpatialCell = std::vector<SpatialLabel>;
 
-/// Which side of the disc polygons are on.
-enum class Around { kOuter, kInner };
+/// Which of the polygons around discs and in them.
+enum class DiscPolygon { kOuter, kInner };
 
 /// Accelerations and forces, by contact.
 struct SpatialPoint {
@@ -55,7 +55,7 @@ class SpatialProgram {
  public:
   /// Requires kLine of no contact whose friction is not rational.
   SpatialProgram(const std::vector<FrictionDisc>& discs, const Vector6& load,
-                 const SpatialInertia* inertia, const SpatialCell& cell, Around around);
+                 const SpatialInertia* inertia, const SpatialCell& cell, DiscPolygon polygon);
 
   /// Forces at rest, or none; then the twist that proves it is in `twist`.
   std::optional<SpatialForces> at_rest(Vector6& twist) const;

@@ -42,11 +42,13 @@ SpatialLoadClass forces_at_rest(std::vector<FrictionDisc>& discs, const Vector6&
   add_corners_against(discs, load);
   for (int round = 0; round < kMostRounds; ++round) {
     Vector6 twist;
-    if (auto forces = SpatialProgram(discs, load, nullptr, cell, Around::kInner).at_rest(twist)) {
+    if (auto forces =
+            SpatialProgram(discs, load, nullptr, cell, DiscPolygon::kInner).at_rest(twist)) {
       require(is_solution(discs, load, {}, {{}, *forces}), "forces do not balance the load");
       return std::move(*forces);
     }
-    auto forces = SpatialProgram(discs, load, nullptr, cell, Around::kOuter).at_rest(twist);
+    auto forces =
+        SpatialProgram(discs, load, nullptr, cell, DiscPolygon::kOuter).at_rest(twist);
     if (!forces) {
       require(is_unopposed(discs, load, twist), "a contact force opposes the motion");
       return SpatialUnopposedMotion{twist};

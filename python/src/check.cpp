@@ -104,6 +104,7 @@ py::dict check(const std::string& grasp, const std::string& certificate,
   options.wrench = read(wrench, "wrench");
   options.direction = read(direction, "direction");
   options.inertia = read(inertia, "inertia");
+  if (options.inertia && options.inertia->size() == 6) options.inertia->resize(9);
   if (!plane.is_none()) {
     options.plane.emplace();
     for (const py::handle& along : plane) {

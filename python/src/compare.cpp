@@ -5,15 +5,33 @@
 #include "stickslip/core/error.hpp"
 #include "stickslip/earlier/class_margin.hpp"
 #include "stickslip/earlier/comparison.hpp"
+#include "stickslip/earlier/spatial_classes.hpp"
 
 namespace stickslip::python {
 namespace {
 
 namespace py = pybind11;
 
-Inertia inertia_from(const py::object& numbers) {
-  const Wrench three = exact_wrench(numbers, "inertia");
-  return inertia_of("inertia", {three.x, three.y, three.torque});
+Inertia inertia_from(const py::object& given) {
+  return inertia_of("inertia", numbers(given, 0, "inertia"));
+}
+
+struct Compared {
+  Comparison comparison;
+  std::string certificate{};
+  std::string limit{};
+};
+
+/// With the proof of the class, if it is known.
+template <class Inertia, class Verdict>
+void add_certificate(Compared& compared, const Question& question, const Inertia& inertia,
+                     const Verdict& verdict) {
+  if (const auto* undecided = std::get_if<Undecided>(&verdict)) {
+    compared.limit = undecided->limit;
+  } else {
+    compared.certificate =
+        class_certificate_text(question, inertia, verdict, "stickslip " STICKSLIP_VERSION);
+  }
 }
 
 /// The fields of results.Method for each, the evidence as JSON; the class of the load; and the
@@ -29,25 +47,32 @@ py::dict compare(const GraspFile& grasp, const py::object& wrench, const py::obj
     throw InputError("", "length", "the value is " + to_string(options.length),
                      "a characteristic length must be above 0");
   }
-  options.inertia =
-      inertia.is_none() ? Inertia{{}, options.length * options.length} : inertia_from(inertia);
-  struct Found {
-    Comparison comparison;
-    std::string certificate;
-    std::string limit;
-  };
-  const Found found = without_gil([&] {
+  const bool space = in_space(grasp.content);
+  SpatialInertia in_all_axes = SpatialInertia::of_length(options.length);
+  options.inertia = {{}, options.length * options.length};
+  if (!inertia.is_none() && space) {
+    in_all_axes = spatial_inertia_of("inertia", numbers(inertia, 0, "inertia"));
+  } else if (!inertia.is_none()) {
+    options.inertia = inertia_from(inertia);
+  }
+  const Compared found = without_gil([&] {
+    NumberText readable(false);
+    if (space) {
+      const Question question = question_in_box(grasp, asked);
+      const GraspBox& one = point_in_space(question);
+      std::optional<SpatialRigidVerdict> verdict;
+      if (certificate) verdict = rigid_verdict(one, in_all_axes);
+      Compared result{compare_methods(one, options.methods, in_all_axes, readable,
+                                      verdict ? &*verdict : nullptr)};
+      if (verdict) add_certificate(result, question, in_all_axes, *verdict);
+      return result;
+    }
     const Question question = question_of(grasp, asked);
     const Problem problem = problem_of(question);
-    NumberText readable(false);
-    Found result{compare_methods(problem, options, readable), {}, {}};
-    if (!certificate) return result;
-    const RigidVerdict verdict = rigid_verdict(problem, options.inertia);
-    if (const auto* undecided = std::get_if<Undecided>(&verdict)) {
-      result.limit = undecided->limit;
-    } else {
-      result.certificate = class_certificate_text(question, options.inertia, verdict,
-                                                  "stickslip " STICKSLIP_VERSION);
+    Compared result{compare_methods(problem, options, readable)};
+    if (certificate) {
+      add_certificate(result, question, options.inertia,
+                      rigid_verdict(problem, options.inertia));
     }
     return result;
   });

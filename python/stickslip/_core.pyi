@@ -156,7 +156,7 @@ def plot_grasp(
     limit: Optional[str],
 ) -> str: ...
 def compare(
-    grasp: GraspData,
+    grasp: Union[GraspData, SpatialGraspData],
     wrench: Optional[List[Any]],
     preload: Any,
     bilateral: bool,
@@ -244,6 +244,7 @@ class LineDecider:
         preload: str,
         bilateral: bool,
         node_limit: int,
+        asks_class: bool,
         inertia: str,
         certificates: str,
         certificate_folder: str,

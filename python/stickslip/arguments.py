@@ -102,8 +102,12 @@ def as_wrench_or_none(values: Any, n: int = 2) -> Optional[List[Any]]:
     return None if values is None else as_wrench(values, "wrench", n)
 
 
-def as_inertia(values: Any) -> List[Any]:
-    return as_list(values, "inertia", (3,), "centre x, y and squared radius of gyration")
+def as_inertia(values: Any, n: int = 2) -> List[Any]:
+    if n == 2:
+        return as_list(values, "inertia", (3,), "centre x, y and squared radius of gyration")
+    count = 9 if as_array(values, "inertia").shape == (9,) else 6
+    return as_list(values, "inertia", (count,),
+                   "centre x, y, z and tensor xx, yy, zz, perhaps xy, xz, yz")
 
 
 def as_direction_or_none(values: Any, n: int = 2) -> Optional[List[Any]]:

@@ -357,10 +357,12 @@ def compare(
 
     Args:
         grasp, wrench, preload, normal_law: as of ``decide``, for one question.
-        methods: ask these alone, as in ("weakly-stable-load", "strongly-stable-load").
+        methods: ask these alone, as in ("weakly-stable-load", "strongly-stable-load"), which
+            are those that may be asked in space.
         length: characteristic of the object, by which grasp wrench spaces divide torques.
         inertia: (3,): the centre of mass and the squared radius of gyration about it, which
-            strong stability needs; (0, 0, length**2) if None.
+            strong stability needs; (0, 0, length**2) if None. In space (6,) or (9,): the centre
+            and xx, yy, zz, and perhaps xy, xz, yz, of the tensor of inertia about it, over the mass.
         certificate: prove the class of the load, for ``check`` with this inertia.
 
     Raises:
@@ -368,9 +370,10 @@ def compare(
     """
     about, snapped = _asked(grasp, preload)
     answer = _core.compare(
-        about._planar(), about._load(wrench), as_number_or_none(preload, "preload"),
-        is_bilateral(normal_law), list(methods), as_number(length, "length"),
-        None if inertia is None else as_inertia(inertia), bool(certificate))
+        about._data if methods else about._planar(), about._load(wrench),
+        as_number_or_none(preload, "preload"), is_bilateral(normal_law), list(methods),
+        as_number(length, "length"),
+        None if inertia is None else as_inertia(inertia, about._coordinates), bool(certificate))
     if "limit" in answer:
         raise LimitReached(answer["limit"])
     rows: List[Tuple[str, str, bool, str, Optional[bool], str, str]] = answer["methods"]
@@ -540,7 +543,7 @@ def check(
         preload_direction: of a margin, as for ``margin``.
         plane: u and v of a region, whose certificate this then is; the wrench is its origin, and
             0 unless given.
-        inertia: (3,), as of ``compare``: of the class of a load, whose certificate this then is.
+        inertia: as of ``compare``: of the class of a load, whose certificate this then is.
 
     Raises:
         InputError: the grasp or the certificate cannot be read, or the question not be asked.
@@ -571,7 +574,7 @@ def check(
         as_direction_or_none(direction, n),
         as_preload_direction_or_none(preload_direction),
         as_plane_or_none(plane),
-        None if inertia is None else as_inertia(inertia),
+        None if inertia is None else as_inertia(inertia, n),
         grasp_name,
         name,
     ))

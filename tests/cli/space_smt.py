@@ -55,3 +55,47 @@ def smt(contacts, wrench):
     for parts in sums:
         claim(f"(= 0 (+ {' '.join(parts)}))")
     return "\n".join([*lines, "(check-sat)"])
+
+
+def rigid_smt(contacts, wrench, inertia, moves):
+    """Contacts (p, n, friction) that are rigid; `sat` means that the body may stay at rest, or, with `moves`, that it may
+    have an acceleration along which the load does work. `inertia` is the centre c and G of FORMAT.md, section 13."""
+    lines = ["(set-logic QF_NRA)"]
+    centre, (xx, yy, zz, xy, xz, yz) = inertia[:3], inertia[3:]
+    a = [f"d{j}" for j in range(6)] if moves else [number(0)] * 6
+    lines += [f"(declare-const {name} Real)" for name in a if moves]
+    axes = [(1, 2), (2, 0), (0, 1)]
+    push = [linear([1, centre[l], -centre[k]], [a[j], a[3 + k], a[3 + l]]) for j, (k, l) in enumerate(axes)]
+    tensor = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
+    sums = [[number(w), f"(- {push[j]})"] for j, w in enumerate(wrench[:3])]
+    sums += [[number(wrench[3 + j]), f"(- {linear(tensor[j], a[3:])})",
+              f"(- (* {number(centre[l])} {push[k]}) (* {number(centre[k])} {push[l]}))"]
+             for j, (k, l) in enumerate(axes)]
+    if moves:
+        lines.append(f"(assert (> {linear(wrench, a)} 0))")
+    for i, (p, n, mu) in enumerate(contacts):
+        square = sum(F(x) * x for x in n)
+        row, force = [*n, *cross(p, n)], f"a{i}"
+        f = [f"f{i}{j}" for j in range(3)]
+        lines += [f"(declare-const {name} Real)" for name in (force, *f)]
+        apart = linear(row, a)
+        lines += [f"(assert (and (>= {force} 0) (>= {apart} 0) (or (= {force} 0) (= {apart} 0))))",
+                  f"(assert (= 0 {linear(n, f)}))"]
+        limit = f"(* {number(F(mu) ** 2 * square)} {force} {force})"
+        lines.append(f"(assert (<= (+ {' '.join(f'(* {x} {x})' for x in f)}) {limit}))")
+        if moves:
+            s, rate = [f"s{i}{j}" for j in range(3)], f"r{i}"  # f = -r s, of the greatest length unless s = 0
+            lines += [f"(declare-const {name} Real)" for name in (rate, *s)]
+            for j, (k, l) in enumerate(axes):
+                moved = linear([1, p[l], -p[k]], [a[j], a[3 + k], a[3 + l]])
+                lines.append(f"(assert (= {s[j]} (- {moved} (* {number(n[j] / square)} {apart}))))")
+            still = " ".join(f"(= {x} 0)" for x in s)
+            against = " ".join(f"(= {f[j]} (- (* {rate} {s[j]})))" for j in range(3))
+            full = f"(= (+ {' '.join(f'(* {x} {x})' for x in f)}) {limit})"
+            lines.append(f"(assert (or (and {still}) (and (>= {rate} 0) {against} {full})))")
+        for j, (k, l) in enumerate(axes):
+            sums[j] += [f"(* {number(n[j])} {force})", f[j]]
+            sums[3 + j] += [f"(* {number(row[3 + j])} {force})",
+                            f"(- (* {number(p[k])} {f[l]}) (* {number(p[l])} {f[k]}))"]
+    lines += [f"(assert (= 0 (+ {' '.join(parts)})))" for parts in sums]
+    return "\n".join([*lines, "(check-sat)"])

@@ -42,6 +42,25 @@ def test_certificates_of_classes_are_accepted_for_their_inertia(block, push, kin
     assert stickslip.compare(block, load).certificate is None
 
 
+@pytest.mark.parametrize("push, kind", [(Fraction(3, 10), "must hold"), (Fraction(51, 100), "must move")])
+def test_classes_in_space(push, kind):
+    crate = Grasp([[x, y, 0] for x in (-1, 1) for y in (-1, 1)], [[0, 0, 1]] * 4, HALF, preload=1)
+    load, inertia = (push, 0, -1, 0, 0, 0), (0, 0, 1, 1, 1, 1)
+    methods = ["weakly-stable-load", "strongly-stable-load"]
+    comparison = stickslip.compare(crate, load, inertia=inertia, certificate=True, methods=methods)
+    assert (comparison.load_class, len(comparison.methods)) == (kind, 2)
+    result = stickslip.check(crate, comparison.certificate, wrench=load, inertia=inertia)
+    assert (result.accepted, result.verdict) == (True, kind)
+    other = stickslip.check(crate, comparison.certificate, wrench=load, inertia=(*inertia, 0, 0, "1/2"))
+    assert (other.accepted, other.rule) == (False, "question-inertia")
+    for words, place in (({}, "grasp"), ({"methods": ["form-closure"]}, "methods"),
+                         ({"methods": methods, "inertia": (0, 0, 1)}, "inertia"),
+                         ({"methods": methods, "inertia": (0, 0, 1, 1, 1, -1)}, "inertia")):
+        with pytest.raises(InputError) as caught:
+            stickslip.compare(crate, load, **words)
+        assert caught.value.place == place
+
+
 def test_errors(block):
     for call, place in ((lambda: stickslip.class_margin(block, (1, 0)), "direction"),
                         (lambda: stickslip.class_margin(block, (1, 0, 0), inertia=(0, 0, 0)), "inertia"),

@@ -32,7 +32,7 @@ import os
 import re
 
 FOLDER = os.path.dirname(os.path.abspath(__file__))
-KINDS = ("plane", "plane_box", "plane_margin", "plane_region", "plane_class", "space", "space_box", "space_margin")
+KINDS = ("plane", "plane_box", "plane_margin", "plane_region", "plane_class", "space", "space_box", "space_margin", "space_class")
 QUESTION = ("contacts", "wrench", "preload", "normal_law", "direction", "preload_direction", "plane", "inertia", "uncertain")
 
 # `rule` is None of a proof; `node` and `path` as checkers report them; `says` and `prints` are of proofs.

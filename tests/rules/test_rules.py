@@ -27,8 +27,9 @@ ALL = set(corpus.KINDS)
 PLANE = {"plane", "plane_box", "plane_margin", "plane_region", "plane_class"}
 BOXES = {"plane_box", "space_box", "space_margin"}  # normals of irrational length make a margin in space a box
 WITNESSES = {"plane", "plane_margin", "plane_region", "space", "space_margin"}
+CLASSES = {"plane_class", "space_class"}
 CUT = {"plane", "plane_box", "space", "space_box"}
-BY_DEGREE = ALL - {"plane_region", "plane_class"}
+BY_DEGREE = ALL - CLASSES - {"plane_region"}
 PARTS = BY_DEGREE - {"plane_margin"}
 WHERE = {
     **dict.fromkeys(["question-contacts", "question-wrench", "question-preload", "question-law", "question-direction",
@@ -38,7 +39,7 @@ WHERE = {
     "witness-root": {"space", "space_margin"},
     "witness-box": BOXES,
     **dict.fromkeys(["node-depth", "node-contact", "tree-short", "tree-long"], ALL),
-    "leaf-bound": ALL - {"plane_class"},
+    "leaf-bound": ALL - CLASSES,
     "node-certain": BOXES,
     **dict.fromkeys(["part-contact", "part-inside"], CUT),
     **dict.fromkeys(["rest-share", "rest-reach", "rest-cone"], PARTS),
@@ -48,7 +49,8 @@ WHERE = {
     "segment-mode": {"plane_margin", "space_margin"},
     **dict.fromkeys(["interval-order", "interval-whole"], {"space_margin"}),
     **dict.fromkeys(["question-inertia", "class-twist", "class-force", "class-balance", "class-motion", "class-leaf"],
-                    {"plane_class"}),
+                    CLASSES),
+    "class-slip": {"space_class"},
     **dict.fromkeys(["piece-mode", "held-piece", "held-inside"], {"plane_region"}),
 }
 

@@ -13,14 +13,13 @@ import tempfile
 from pathlib import Path
 
 from engines import HERE
-from scene import read
-from truth import PROGRAM
+from truth import PROGRAM, inertia_of
 
 
 def certificate(case) -> str:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "certificate.json"
-        subprocess.run([PROGRAM, "compare", "-", "--inertia", f"0,0,{read(case['gyration']) ** 2}",
+        subprocess.run([PROGRAM, "compare", "-", "--inertia", inertia_of(case),
                         "--methods", "weakly-stable-load", "--certificate", str(path)],
                        input=json.dumps(case["grasp"]), capture_output=True, text=True, check=True)
         return json.dumps(json.loads(path.read_text(encoding="utf-8")), separators=(",", ":"))

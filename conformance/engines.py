@@ -43,6 +43,17 @@ ENGINES = [
     Engine("MuJoCo pyramidal", "3.14.0", "mujoco.mjs", (500,)),
 ]
 
+# In space.
+SOLID_ENGINES = [
+    Engine("Jolt", "1.1.0", "jolt_solid.mjs", (60, 600)),
+    Engine("rapier", "0.21.0", "rapier_solid.mjs", (60, 600)),
+    Engine("ODE dWorldQuickStep", "0.16.2", "ode_solid", (60, 600), ("quick",)),
+    Engine("ODE dWorldStep", "0.16.2", "ode_solid", (60, 600)),
+    Engine("Bullet", "3.24", "bullet_solid", (60, 600)),
+    Engine("MuJoCo elliptic", "3.14.0", "mujoco_solid.mjs", (500,), ("elliptic",)),
+    Engine("MuJoCo pyramidal", "3.14.0", "mujoco_solid.mjs", (500,)),
+]
+
 # Those that test the set-up: where all of these agree with a border, it is not the driver that decides.
 SOUND = ("Box2D", "Chipmunk", "planck", "rapier", "Jolt")
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Puts engines through the cases: a file of results for each engine and rate.
+"""Puts engines through the cases: a file of results for each engine and rate, those of space in
+RESULTS/space.
 
     run.py RESULTS [ENGINE ...]
 """
@@ -15,7 +16,8 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Dict, Iterator, List
 
-from engines import ENGINES, HERE, Engine
+import solid
+from engines import ENGINES, HERE, SOLID_ENGINES, Engine
 from scene import read, scene_of, shape
 
 
@@ -25,8 +27,20 @@ def read_cases(folder: Path = HERE / "cases") -> Iterator[Dict[str, object]]:
             yield from map(json.loads, lines)
 
 
+def solid_in_doubles(case: Dict[str, object]) -> str:
+    body, obstacles = solid.scene_of(case)
+    floats = lambda numbers: [float(read(v)) for v in numbers]
+    return json.dumps({
+        "name": case["grasp"]["name"], "vertices": [floats(v) for v in body.vertices], "inertia": floats(body.gyration),
+        "obstacles": [{"shape": solid.shape(o), "point": floats(o.point), "normal": floats(o.normal),
+                       "friction": float(o.friction)} for o in obstacles],
+        "settle": floats(case["settle"]), "load": floats(case["grasp"]["wrench"])})
+
+
 def in_doubles(case: Dict[str, object]) -> str:
     """What a driver reads."""
+    if "vertices" in case:
+        return solid_in_doubles(case)
     body, obstacles = scene_of(case)
     pair = lambda v: [float(v[0]), float(v[1])]
     return json.dumps({
@@ -61,11 +75,13 @@ def run(results: Path, engines: List[Engine], cases: List[Dict[str, object]]) ->
 
 
 def main(results: str, *names: str) -> None:
-    chosen = [e for e in ENGINES if not names or e.name in names]
-    for engine in chosen:
-        if engine.missing():
-            print(f"{engine.name} is left out: {engine.missing()} is missing")
-    run(Path(results), [e for e in chosen if not e.missing()], list(read_cases()))
+    for engines, folder, out in ((ENGINES, HERE / "cases", Path(results)),
+                                 (SOLID_ENGINES, HERE / "cases/space", Path(results) / "space")):
+        chosen = [e for e in engines if not names or e.name in names]
+        for engine in chosen:
+            if engine.missing():
+                print(f"{engine.name} is left out: {engine.missing()} is missing")
+        run(out, [e for e in chosen if not e.missing()], list(read_cases(folder)))
 
 
 if __name__ == "__main__":

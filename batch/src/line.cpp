@@ -50,7 +50,8 @@ LineDecider::LineDecider(BatchOptions options) : options_(std::move(options)) {
     options_text_ += (value ? to_string(*value) : "") + ";";
   };
   const QuestionOptions& asked = options_.question;
-  for (std::size_t j = 0; j < 3; ++j) {
+  const std::size_t components = asked.wrench ? asked.wrench->size() : 3;
+  for (std::size_t j = 0; j < components; ++j) {
     spell(asked.wrench ? std::optional(asked.wrench->at(j)) : std::nullopt);
   }
   spell(asked.preload);
@@ -58,8 +59,7 @@ LineDecider::LineDecider(BatchOptions options) : options_(std::move(options)) {
   options_text_ +=
       std::string(to_string(asked.law)) + ";" + std::to_string(options_.node_limit) + "\n";
   if (const auto& inertia = options_.inertia) {
-    for (const Rational& number :
-         {inertia->centre.x, inertia->centre.y, inertia->gyration_squared}) {
+    for (const Rational& number : inertia->empty() ? RationalRow{0, 0, 1} : *inertia) {
       spell(number);
     }
   }
@@ -92,7 +92,9 @@ LineResult LineDecider::decide(const BatchLine& line) const {
   Json result = {{"line", line.number}, {"key", key(line.text)}};
   try {
     const Question question =
-        ask_with_options(parse_grasp(line.text, ""), options_.question, "");
+        ask_with_options(options_.inertia ? parse_any_grasp(line.text, "", Intervals::kRefused)
+                                          : parse_grasp(line.text, ""),
+                         options_.question, "");
     const auto answer = [&](const char* field, const auto& verdict) {
       result["name"] = question.description().name;
       result[field] = name_of(verdict);
@@ -104,19 +106,28 @@ LineResult LineDecider::decide(const BatchLine& line) const {
     const auto wants_certificate = [&] {
       return outcome == LineOutcome::kDecided && !options_.certificates.empty();
     };
-    const Problem problem = problem_of(question);
-    if (options_.inertia) {
-      const RigidVerdict verdict = rigid_verdict(problem, *options_.inertia);
+    const auto answer_class = [&](const auto& asked, const auto& inertia) {
+      const auto verdict = rigid_verdict(asked, inertia);
       answer("class", verdict);
       if (wants_certificate()) {
-        certificate = class_certificate_text(question, *options_.inertia, verdict, kProducer);
+        certificate = class_certificate_text(question, inertia, verdict, kProducer);
       }
-    } else {
+    };
+    const char* const place = "--inertia";
+    if (!options_.inertia) {
       ConeOptions limits;
       limits.node_limit = options_.node_limit;
-      const Verdict verdict = decide_by_cones(problem, limits);
+      const Verdict verdict = decide_by_cones(problem_of(question), limits);
       answer("verdict", verdict);
       if (wants_certificate()) certificate = certificate_text(question, verdict, kProducer);
+    } else if (question.in_space()) {
+      answer_class(point_in_space(question),
+                   options_.inertia->empty() ? SpatialInertia{}
+                                             : spatial_inertia_of(place, *options_.inertia));
+    } else {
+      answer_class(problem_of(question), options_.inertia->empty()
+                                             ? Inertia{}
+                                             : inertia_of(place, *options_.inertia));
     }
   } catch (const InputError& error) {
     return failed(line, error);

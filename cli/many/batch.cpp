@@ -43,7 +43,7 @@ struct BatchArguments {
   std::vector<std::string> shards_to_merge;
   bool resume = false;
   bool asks_class = false;
-  std::string inertia = "0,0,1";
+  std::string inertia;
   std::size_t node_limit = 0;
   int threads = 0;
 };
@@ -54,8 +54,8 @@ struct Item {
 };
 
 BatchOptions batch_options(const BatchArguments& arguments) {
-  std::optional<Inertia> inertia;
-  if (arguments.asks_class) inertia = inertia_option("--inertia", arguments.inertia);
+  std::optional<RationalRow> inertia;
+  if (arguments.asks_class) inertia = inertia_numbers(arguments.inertia);
   return {arguments.question.options(), arguments.node_limit, inertia, arguments.certificates,
           arguments.certificates};
 }
@@ -339,9 +339,9 @@ void add_batch_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--inertia", arguments->inertia,
                    "Of the objects, for --class: the centre of mass and the squared radius of "
-                   "gyration about it")
+                   "gyration about it; default: 0,0,1. Of grasps in space "
+                   "X,Y,Z,XX,YY,ZZ[,XY,XZ,YZ], as of compare; default: 0,0,0,1,1,1")
       ->type_name("X,Y,G2")
-      ->capture_default_str()
       ->needs(asks_class);
   CLI::Option* shard =
       command

@@ -31,25 +31,87 @@ Rational positive_length(const std::string& text) {
   return length;
 }
 
-/// Without --inertia the object has its mass about its origin, at the characteristic length.
-CompareOptions compare_options(const CompareArguments& arguments) {
-  CompareOptions options;
-  options.methods = arguments.methods;
-  options.length = positive_length(arguments.length);
-  options.inertia = arguments.inertia.empty() ? Inertia{{}, options.length * options.length}
-                                              : inertia_option("--inertia", arguments.inertia);
-  return options;
+/// What the methods say, and for which inertia. Without --inertia the object has its mass about
+/// its origin, at the characteristic length.
+struct Answer {
+  Rational length;
+  Comparison comparison{};
+  Json inertia{};
+  std::string inertia_text{};
+};
+
+/// Nothing is written of a class that is not known.
+template <class Inertia, class Verdict>
+bool writes_certificate(const std::string& file, const Question& question,
+                        const Inertia& inertia, const Verdict& verdict) {
+  if (const auto* undecided = std::get_if<Undecided>(&verdict)) {
+    std::cerr << "stickslip: the class is not known: " << in_words(*undecided) << '\n';
+    return false;
+  }
+  write_whole_file(file, class_certificate_text(question, inertia, verdict,
+                                                "stickslip " STICKSLIP_VERSION));
+  return true;
 }
 
-void print_json(const Question& question, const CompareOptions& options,
-                const Comparison& comparison, bool floats) {
-  Json json{{"name", question.loaded().grasp.name()},
+/// False if a certificate is asked for and there is none.
+bool answer_in_plane(const CompareArguments& arguments, const Question& question, Answer& answer,
+                     NumberText& text) {
+  const Inertia inertia = arguments.inertia.empty()
+                              ? Inertia{{}, answer.length * answer.length}
+                              : inertia_option("--inertia", arguments.inertia);
+  const Problem problem = problem_of(question);
+  if (!arguments.certificate.empty() &&
+      !writes_certificate(arguments.certificate, question, inertia,
+                          rigid_verdict(problem, inertia))) {
+    return false;
+  }
+  answer.comparison =
+      compare_methods(problem, {arguments.methods, answer.length, inertia}, text);
+  answer.inertia = inertia_json(inertia);
+  answer.inertia_text =
+      text(inertia.centre) + ", squared radius of gyration " + text(inertia.gyration_squared);
+  return true;
+}
+
+bool answer_in_space(const CompareArguments& arguments, const Question& question, Answer& answer,
+                     NumberText& text) {
+  const SpatialInertia inertia =
+      arguments.inertia.empty()
+          ? SpatialInertia::of_length(answer.length)
+          : spatial_inertia_of("--inertia", numbers_option("--inertia", arguments.inertia));
+  const GraspBox& grasp = point_in_space(question);
+  std::optional<SpatialRigidVerdict> verdict;
+  if (!arguments.certificate.empty()) {
+    verdict = rigid_verdict(grasp, inertia);
+    if (!writes_certificate(arguments.certificate, question, inertia, *verdict)) return false;
+  }
+  try {
+    answer.comparison = compare_methods(grasp, arguments.methods, inertia, text,
+                                        verdict ? &*verdict : nullptr);
+  } catch (const InputError& error) {
+    throw InputError("", "--" + error.place(), error.problem(), error.remedy());
+  }
+  answer.inertia = inertia_json(inertia);
+  const auto& [x, y, z] = inertia.gyration;
+  answer.inertia_text = text(inertia.centre) + ", tensor " + text(x) + " " + text(y) + " " + text(z);
+  return true;
+}
+
+void print_json(const Question& question, const Answer& answer, bool floats) {
+  const Comparison& comparison = answer.comparison;
+  Json wrench = Json::array();
+  for (const Interval& w : wrench_of(question.grasp)) wrench.push_back(number_json(w.low));
+  Json json{{"name", question.description().name},
             {"normal_law", to_string(question.law)},
-            {"wrench", number_json(coordinates(question.loaded().wrench))},
-            {"length", number_json(options.length)},
-            {"inertia", inertia_json(options.inertia)},
+            {"wrench", std::move(wrench)},
+            {"length", number_json(answer.length)},
+            {"inertia", answer.inertia},
             {"class", comparison.load_class ? Json(*comparison.load_class) : Json(nullptr)}};
-  add_units(json, question.loaded().grasp);
+  if (const auto& undecided = comparison.undecided) {
+    json["reason"] = undecided->reason;
+    json["limit"] = undecided->limit;
+  }
+  add_units(json, question.description().units);
   Json& methods = json["methods"] = Json::array();
   for (const MethodRow& row : comparison.methods) {
     methods.push_back({{"method", row.method},
@@ -63,17 +125,20 @@ void print_json(const Question& question, const CompareOptions& options,
   std::cout << finished(json, floats).dump(1) << '\n';
 }
 
-void print_text(const Question& question, const CompareOptions& options,
-                const Comparison& comparison, NumberText& text) {
-  const std::string& name = question.loaded().grasp.name();
+void print_text(const Question& question, const Answer& answer, NumberText& text) {
+  const Comparison& comparison = answer.comparison;
+  const std::string& name = question.description().name;
   if (!name.empty()) std::cout << name << '\n';
-  std::cout << "  load w    " << text(coordinates(question.loaded().wrench)) << '\n'
-            << "  length L  " << text(options.length)
+  RationalRow load;
+  for (const Interval& w : wrench_of(question.grasp)) load.push_back(w.low);
+  std::cout << "  load w    " << text(load) << '\n'
+            << "  length L  " << text(answer.length)
             << ", by which torques are divided (--length)\n"
-            << "  inertia   centre " << text(options.inertia.centre)
-            << ", squared radius of gyration " << text(options.inertia.gyration_squared)
-            << " (--inertia)\n";
+            << "  inertia   centre " << answer.inertia_text << " (--inertia)\n";
   if (comparison.load_class) std::cout << "  class     " << *comparison.load_class << '\n';
+  if (comparison.undecided) {
+    std::cout << "  class     undecided: " << in_words(*comparison.undecided) << '\n';
+  }
   std::cout << '\n';
   std::vector<std::vector<std::string>> table{{"method", "verdict", "agrees", "why"}};
   for (const MethodRow& row : comparison.methods) {
@@ -83,31 +148,27 @@ void print_text(const Question& question, const CompareOptions& options,
                                           : "answers another question",
                      row.why});
   }
-  std::cout << format_table(table, Align::kLeft)
-            << "\nAll methods are exact. Normal law of the passive model: "
-            << law_text(question.law) << ".\n"
-            << units_text(question) << text.note();
+  std::cout << format_table(table, Align::kLeft) << "\nAll methods are exact. ";
+  if (!question.in_space()) {
+    std::cout << "Normal law of the passive model: " << law_text(question.law) << ".";
+  }
+  std::cout << '\n' << units_text(question) << text.note();
 }
 
 int compare(const CompareArguments& arguments) {
-  const CompareOptions options = compare_options(arguments);
-  const Question question = arguments.question.question();
-  if (!arguments.certificate.empty()) {
-    const RigidVerdict verdict = rigid_verdict(problem_of(question), options.inertia);
-    if (const auto* undecided = std::get_if<Undecided>(&verdict)) {
-      std::cerr << "stickslip: the class is not known: " << in_words(*undecided) << '\n';
-      return kUndecidedWithinLimit;
-    }
-    write_whole_file(arguments.certificate,
-                     class_certificate_text(question, options.inertia, verdict,
-                                            "stickslip " STICKSLIP_VERSION));
-  }
   NumberText text(arguments.output);
-  const Comparison comparison = compare_methods(problem_of(question), options, text);
+  Answer answer{positive_length(arguments.length)};
+  // All methods together are about the plane alone.
+  const Question question = arguments.methods.empty() ? arguments.question.question()
+                                                      : arguments.question.any_question();
+  if (!(question.in_space() ? answer_in_space : answer_in_plane)(arguments, question, answer,
+                                                                 text)) {
+    return kUndecidedWithinLimit;
+  }
   if (arguments.output.json) {
-    print_json(question, options, comparison, arguments.output.floats);
+    print_json(question, answer, arguments.output.floats);
   } else {
-    print_text(question, options, comparison, text);
+    print_text(question, answer, text);
   }
   return kDone;
 }
@@ -135,7 +196,9 @@ void add_compare_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--inertia", arguments->inertia,
                    "Centre of mass and squared radius of gyration about it, which strong "
-                   "stability needs; default: 0,0 and the square of --length")
+                   "stability needs; default: 0,0 and the square of --length. In space "
+                   "X,Y,Z,XX,YY,ZZ[,XY,XZ,YZ]: the centre and the tensor of inertia about it, over "
+                   "the mass; default: 0,0,0 and three times that square")
       ->type_name("X,Y,G2");
   command
       ->add_option(
@@ -155,7 +218,8 @@ void add_compare_command(CLI::App& app, int& exit_code) {
       "friction or detached; and friction cones alone, the passive model without maximum\n"
       "dissipation. A method that would take too long is not computed.\n"
       "The class is what rigid contacts do: must move (the load is not weakly stable), must\n"
-      "hold (it is strongly stable) or open (between). Accelerations are those of mass 1.\n",
+      "hold (it is strongly stable) or open (between). Accelerations are those of mass 1.\n"
+      "In space the last two of these three loads, strongly and weakly stable, are all there is.\n",
       kExitCodesWithLimit,
       "stickslip compare fig1.json --wrench 0,1,0 --preload 1\n"
       "  $ stickslip compare fig1.json --methods weakly-stable-load,strongly-stable-load"));

@@ -18,15 +18,15 @@ constexpr const char* kGraspLines = "a file of grasps, one a line";
 /// Values as the command line spells them; empty where an option is not given.
 LineDecider make_decider(const std::string& wrench, const std::string& case_name,
                          const std::string& preload, bool bilateral, std::size_t node_limit,
-                         const std::string& inertia, const std::string& certificates,
-                         const std::string& certificate_folder) {
+                         bool asks_class, const std::string& inertia,
+                         const std::string& certificates, const std::string& certificate_folder) {
   BatchOptions options;
   if (!wrench.empty()) options.question.wrench = row_of(wrench_option("--wrench", wrench));
   if (!case_name.empty()) options.question.case_name = case_name;
   if (!preload.empty()) options.question.preload = number_option("--preload", preload);
   options.question.law = bilateral ? NormalLaw::kBilateral : NormalLaw::kUnilateral;
   options.node_limit = node_limit;
-  if (!inertia.empty()) options.inertia = inertia_option("--inertia", inertia);
+  if (asks_class) options.inertia = inertia_numbers(inertia);
   options.certificates = certificates;
   options.certificate_folder = certificate_folder;
   return LineDecider(options);

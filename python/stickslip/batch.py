@@ -105,7 +105,7 @@ def parser() -> Parser:
         "open")
     add("--inertia", metavar="X,Y,G2", default="",
         help="of the objects, for --class: the centre of mass and the squared radius of gyration "
-        "about it; default: 0,0,1")
+        "about it; default: 0,0,1. Of grasps in space X,Y,Z,XX,YY,ZZ[,XY,XZ,YZ]; default: 0,0,0,1,1,1")
     add("--node-limit", metavar="N", type=whole_number, default=0,
         help="of each grasp: undecided after N nodes of the search; 0 is no limit")
     add("--scheduler", metavar="ADDRESS", default="",
@@ -206,7 +206,7 @@ class Batch:
         self._interruption = interruption
         self.path = os.path.abspath(given.file)
         self.asked = Asked(given.wrench, given.case, given.preload, given.normal_law == "bilateral",
-                           given.node_limit, (given.inertia or "0,0,1") if given.asks_class else "",
+                           given.node_limit, given.asks_class, given.inertia,
                            given.certificates,
                            os.path.abspath(given.certificates) if given.certificates else "")
         self._decider = self.asked.decider()

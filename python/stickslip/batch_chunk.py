@@ -33,8 +33,9 @@ class Asked(NamedTuple):
     preload: str
     bilateral: bool
     node_limit: int
+    asks_class: bool
+    """Not the verdict."""
     inertia: str
-    """If the class is asked for, and not the verdict."""
     certificates: str
     """The folder, as results name it."""
     certificate_folder: str

@@ -10,6 +10,7 @@
 
 #include "stickslip/core/number_text.hpp"
 #include "stickslip/earlier/load_classes.hpp"
+#include "stickslip/earlier/spatial_classes.hpp"
 
 namespace stickslip {
 
@@ -42,6 +43,7 @@ struct Comparison {
   /// "must move", "must hold" or "open" (load_classes.hpp), if weak and strong stability, or
   /// one of them, tell.
   std::optional<std::string> load_class;
+  std::optional<Undecided> undecided{};  ///< in space: why there is no class
 };
 
 /// The names of all methods as a list without spaces spells them: "grasp-wrench-space-L1".
@@ -51,5 +53,11 @@ std::vector<std::string> method_words();
 /// method differs from the passive model need it asked. Throws InputError ("methods").
 Comparison compare_methods(const Problem& problem, const CompareOptions& options,
                            NumberText& text);
+
+/// The same in space, where weak and strong stability are asked alone. Throws InputError
+/// ("methods") naming another method. `verdict`, if it is known, is not sought again.
+Comparison compare_methods(const GraspBox& grasp, const std::vector<std::string>& methods,
+                           const SpatialInertia& inertia, NumberText& text,
+                           const SpatialRigidVerdict* verdict = nullptr);
 
 }  // namespace stickslip

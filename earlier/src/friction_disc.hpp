@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// A contact in space, and the disc of its friction between polygons.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <set>
+#include <vector>
+
+#include "stickslip/core/box.hpp"
+
+namespace stickslip::earlier_detail {
+
+/// a + factor b
+template <std::size_t n>
+std::array<Rational, n> plus(std::array<Rational, n> a, const Rational& factor,
+                             const std::array<Rational, n>& b) {
+  for (std::size_t j = 0; j < n; ++j) a[j] += factor * b[j];
+  return a;
+}
+
+/// Directions of slip of a contact: e turned by `quarter` right angles, and on by 2 atan t for low
+/// <= t <= high, of 0 to 1.
+struct Sector {
+  std::size_t quarter = 0;
+  Rational low = 0;
+  Rational high = 1;
+};
+
+class FrictionDisc {
+ public:
+  explicit FrictionDisc(const UncertainContact& contact);
+
+  const Vector6& normal_row() const { return row_; }         ///< N
+  Vector6 wrench(const Vector3& force) const;                ///< (f, p x f)
+  Vector3 slip(const Vector6& motion) const;                 ///< S d
+  const Vector3& normal() const { return normal_; }          ///< n
+  bool has_friction() const { return !square_.is_zero(); }   ///< mu > 0
+  const Rational& square() const { return square_; }         ///< (mu |n|)^2
+
+  /// e turned that far, about n; of a rational length if |n| is rational.
+  Vector3 direction(std::size_t quarter, const Rational& t) const;
+  /// Of a vector in the tangent plane, about: the quarter in which it is, t twice.
+  Sector near(const Vector3& tangent) const;
+
+  /// Corners of a polygon around the disc of friction (for a = 1), or in it.
+  std::vector<Vector3> outer() const;
+  std::vector<Vector3> inner() const;
+  /// Of one around all friction against slips in the sector.
+  std::vector<Vector3> outer_against(const Sector& sector) const;
+  /// Friction against a slip along d, if that is rational.
+  std::optional<Vector3> against(const Vector3& d) const;
+
+  /// Another corner near the direction of this force; false if there are enough.
+  bool refine(const Vector3& friction);
+  /// A corner of the inner polygon in the direction of this force.
+  void add_corner(const Vector3& friction);
+
+ private:
+  Vector3 on_circle(const Vector3& d) const;
+  Vector3 corner(const Vector3& before, const Vector3& after) const;
+
+  Vector3 point_;
+  Vector3 normal_;
+  Vector6 row_;
+  Rational square_;
+  Rational length_;  ///< |n|, or near it
+  Vector3 e_;
+  std::array<std::set<Rational>, 4> tangents_;  ///< by quarter, t of the points of contact
+  std::vector<Vector3> more_corners_;
+};
+
+}  // namespace stickslip::earlier_detail

@@ -122,5 +122,5 @@ def tripod(on_slopes: bool):
 
 
 FAMILIES = {
-    **{f"extruded-{name}": extruded(families.FAMILIES[name]) for name in ("ramp", "tipping", "corner", "ladder", "jam")},
+    **{f"extruded-{name}": extruded(families.FAMILIES[name]) for name in ("ramp", "tipping", "ladder", "jam")},
     "yawed": yawed, "spun": spun, "wedge": wedge, "tripod": tripod(False), "tripod-on-slopes": tripod(True)}

@@ -771,11 +771,22 @@ def check_inertia(asked: Options, dimension: int) -> None:
     """§13: which class cannot be asked about."""
     if asked.inertia is None:
         return
-    problem = ("the grasp is in space" if dimension == SPACE else
-               "a direction or a plane is given as well" if asked.margin() or asked.plane else
-               "the squared radius of gyration must be > 0" if asked.inertia[2] <= 0 else "")
+    m, space = asked.inertia, dimension == SPACE
+    problem = ("a direction or a plane is given as well" if asked.margin() or asked.plane else
+               f"expected {'6 or 9' if space else '3'} numbers" if len(m) != (9 if space else 3) else
+               "the squared radius of gyration must be > 0" if not space and m[2] <= 0 else "")
+    if space and not problem:
+        xx, yy, zz, xy, xz, yz = m[3:]
+        minor = xx * yy - xy * xy
+        if min(xx, minor, zz * minor - xx * yz ** 2 - yy * xz ** 2 + 2 * xy * xz * yz) <= 0:
+            problem = "the tensor is not positive definite"
     if problem:
         raise Malformed("the question", "inertia", problem)
+
+
+def in_full(inertia: Vector) -> Vector:
+    """§13: with xy, xz and yz, which may be left out."""
+    return inertia + zeros(3) if len(inertia) == 6 else inertia
 
 
 def check_tolerances(asked: Options) -> None:
@@ -874,7 +885,6 @@ class Claim(NamedTuple):
     asked: Options  # the rest
 
 
-Multipliers = List[Tuple[int, Fraction]]
 
 
 class Node(NamedTuple):
@@ -885,8 +895,8 @@ class Node(NamedTuple):
     contact: int = -1
     numbers: Vector = ()
     name: str = ""
-    normal: Multipliers = []
-    tangent: Multipliers = []
+    normal: List[Tuple[int, Fraction]] = []
+    tangent: List[Tuple[int, Vector]] = []
 
 
 class RestProof(NamedTuple):
@@ -939,12 +949,15 @@ class RangeProof(NamedTuple):
     tree: List[Node] = []       # of an unstable claim
 
 
+RigidForce = Tuple[int, Fraction, Vector]  # i, a_i and a force across n
+
+
 class RigidProof(NamedTuple):
     """§13, but its tree: of "must move" a twist, else forces at rest, and of "open" a motion with others."""
     twist: Vector = ()
-    rest: List[Tuple[int, Vector]] = []
+    rest: List[RigidForce] = []
     acceleration: Vector = ()
-    forces: List[Tuple[int, Vector]] = []
+    forces: List[RigidForce] = []
 
 
 class Certificate(NamedTuple):
@@ -1000,9 +1013,9 @@ def read_certificate(name: str, dimension: int) -> Certificate:
                             CLASSES if rigid else ("stable", "unstable"))
     if rigid:
         return Certificate(claim, verdict, rigid=RigidProof(
-            source.vector(top["twist"], "twist", PLANE) if "twist" in top else (),
+            source.vector(top["twist"], "twist", dimension) if "twist" in top else (),
             read_forces(source, top.get("rest", []), "rest"),
-            source.vector(top["acceleration"], "acceleration", PLANE) if "acceleration" in top else (),
+            source.vector(top["acceleration"], "acceleration", dimension) if "acceleration" in top else (),
             read_forces(source, top.get("forces", []), "forces")),
             tree=[read_rigid_node(source, node, f"tree[{k}]")
                   for k, node in enumerate(source.array(top.get("tree", []), "tree"))])
@@ -1047,29 +1060,38 @@ def read_certificate(name: str, dimension: int) -> Certificate:
     return Certificate(claim, verdict, None, tree, resisted, segments)
 
 
-def read_forces(source: Source, value: Any, place: str) -> List[Tuple[int, Vector]]:
+def read_across(source: Source, value: Any, place: str) -> Vector:
+    """§13: a force across n, in the plane one number."""
+    return source.vector(value, place, 3) if source.dimension == SPACE else (source.number(value, place),)
+
+
+def read_forces(source: Source, value: Any, place: str) -> List[RigidForce]:
     """FORCES of §13."""
     entries = [source.array(entry, place, 3) for entry in source.array(value, place)]
-    return [(source.index(i, place), source.vector(ab, place)) for i, *ab in entries]
+    return [(source.index(i, place), source.number(a, place), read_across(source, b, place))
+            for i, a, b in entries]
 
 
 def read_rigid_node(source: Source, value: Any, place: str) -> Node:
     """§13, the table of nodes."""
     kind, *rest = source.array(value, place) or [None]
-    if kind in ("touch", "slip") and len(rest) == 1:
-        return Node(kind, source.index(rest[0], place))
+    space = source.dimension == SPACE
+    if (kind, len(rest)) in (("touch", 1), ("slip", 2 if space else 1)):
+        return Node(kind, source.index(rest[0], place),
+                    source.vector(rest[1], place, 3) if len(rest) == 2 else ())
     if kind == "leaf" and len(rest) == 4:
         pairs = [[source.array(entry, place, 2) for entry in source.array(part, place)] for part in rest[2:]]
-        g, h = ([(source.index(i, place), source.number(x, place)) for i, x in part] for part in pairs)
         return Node(kind, numbers=(source.number(rest[0], place),
-                                   *source.vector(rest[1], place, PLANE)), normal=g, tangent=h)
-    source.fail(place, "must be [\"touch\", i], [\"slip\", i] or [\"leaf\", t, y, g, h]")
+                                   *source.vector(rest[1], place, source.dimension)),
+                    normal=[(source.index(i, place), source.number(g, place)) for i, g in pairs[0]],
+                    tangent=[(source.index(i, place), read_across(source, h, place)) for i, h in pairs[1]])
+    source.fail(place, f"must be [\"touch\", i], [\"slip\", i{', d' * space}] or [\"leaf\", t, y, g, h]")
 
 
 def read_claim(source: Source, value: Any) -> Claim:
     fields = source.members(
         value, "question", "contacts wrench preload? normal_law direction? preload_direction? "
-                           + "plane? inertia? " * (source.dimension == PLANE) + "uncertain?", True)
+                           + "plane? " * (source.dimension == PLANE) + "inertia? uncertain?", True)
     preload = direction = growth = None
     if "preload" in fields:
         preload = source.number(fields["preload"], "question.preload")
@@ -1087,7 +1109,12 @@ def read_claim(source: Source, value: Any) -> Claim:
         u, v = source.array(fields["plane"], "question.plane", 2)
         plane = (source.vector(u, "question.plane[0]", PLANE),
                  source.vector(v, "question.plane[1]", PLANE))
-    inertia = source.vector(fields["inertia"], "question.inertia", 3) if "inertia" in fields else None
+    inertia = None
+    if "inertia" in fields:
+        inertia = source.vector(fields["inertia"], "question.inertia")
+        if len(inertia) not in ((6, 9) if source.dimension == SPACE else (3,)):
+            source.fail("question.inertia", "must be as the option --inertia has it")
+        inertia = in_full(inertia)
     wrench = [read_load_entry(source, entry, "question.wrench")
               for entry in source.array(fields["wrench"], "question.wrench", source.dimension)]
     return Claim(source.index(fields["contacts"], "question.contacts"), tuple(wrench),
@@ -2435,12 +2462,81 @@ def root_of(question: Question, box: Box, pieces: Sequence[Sequence[Witness]]) -
 # ---- §13 Rigid contacts -----------------------------------------------------------------------
 
 
+class RigidRow(NamedTuple):
+    """A contact: p, n, N, and (μ|n|)²."""
+    point: Vector
+    normal: Vector
+    N: Vector
+    square: Fraction
+
+    def at(self, force: Sequence[Fraction]) -> Vector:
+        """The wrench of a force at p."""
+        if len(force) == 2:
+            return (*force, self.point[0] * force[1] - self.point[1] * force[0])
+        return (*force, *cross(self.point, force))
+
+    def slip(self, d: Vector) -> Vector:
+        """S d; in the plane the motion of p along t."""
+        n, p = self.normal, self.point
+        u = ((d[0] - d[2] * p[1], d[1] + d[2] * p[0]) if len(n) == 2 else
+             plus(d[:3], Fraction(1), cross(d[3:], p)))
+        return plus(u, -dot(n, u) / dot(n, n), n)
+
+    def across(self, friction: Vector) -> Vector:
+        """A force across n as certificates have it: in the plane b, of b t."""
+        n = self.normal
+        return (-friction[0] * n[1], friction[0] * n[0]) if len(n) == 2 else friction
+
+    def slips_like(self, other: RigidRow) -> bool:
+        """Under every motion; in space with a normal of the same direction."""
+        if len(self.normal) == 2:
+            t, t_other = (row.at(row.across((Fraction(1),))) for row in (self, other))
+            return factor_sign(t, t_other) != 0
+        return self.point == other.point and factor_sign(self.N, other.N) > 0
+
+    def resists(self, y: Vector, side: Vector) -> bool:
+        """The force against a slip along that, which is not 0, does no work below 0 on y."""
+        a, c = dot(y, self.N), dot(side, self.slip(y))
+        return bool(sign(a) * a * a * dot(side, side) >= sign(c) * c * c * self.square)
+
+    def resists_all(self, y: Vector) -> bool:
+        """So do all forces in the cone."""
+        a, s = dot(y, self.N), self.slip(y)
+        return bool(a >= 0 and a * a >= self.square * dot(s, s))
+
+    def resists_against(self, y: Vector, slips: Optional[Slips]) -> bool:
+        """So do all forces that slips which are known allow."""
+        if not slips:
+            return self.resists_all(y)
+        if len(slips) == 2:
+            s, n = self.slip(y), self.normal
+            if dot(n, cross(slips[0], s)) >= 0 and dot(n, cross(s, slips[1])) >= 0:
+                return self.resists_all(y)
+        return all(self.resists(y, side) for side in slips)
+
+
+Slips = Tuple[Vector, ...]  # sums of multiples of these; () is 0
+
+
+def cross(a: Sequence[Fraction], b: Sequence[Fraction]) -> Vector:
+    return tuple(a[j - 2] * b[j - 1] - a[j - 1] * b[j - 2] for j in range(3))
+
+
+def rigid_rows(question: Question) -> List[RigidRow]:
+    rows = []
+    for contact in question.contacts:
+        n, p = contact.normal, tuple(x.low for x in contact.position)
+        row = RigidRow(p, n, (), contact.friction.low ** 2 * dot(n, n))
+        rows.append(row._replace(N=row.at(n)))
+    return rows
+
+
 class RigidCell:
-    """A node's cell: of each contact whether it touches (None: it is not known), and the sign of its slip."""
+    """A node's cell: of each contact whether it touches, and its slip (None: it is not known)."""
 
     def __init__(self, m: int, steps: Tuple[str, ...] = ()) -> None:
         self.touch: List[Optional[bool]] = [None] * m
-        self.slip: List[Optional[int]] = [None] * m
+        self.slip: List[Optional[Slips]] = [None] * m
         self.steps = steps
 
     def child(self, step: str) -> RigidCell:
@@ -2451,28 +2547,35 @@ class RigidCell:
 
 def times_mass(inertia: Vector, a: Vector) -> Vector:
     """M a."""
-    (x, y, square), turn = inertia, a[2]
-    force = (a[0] - turn * y, a[1] + turn * x)
-    return (*force, x * force[1] - y * force[0] + square * turn)
+    if len(a) == PLANE:
+        (x, y, square), turn = inertia, a[2]
+        force = (a[0] - turn * y, a[1] + turn * x)
+        return (*force, x * force[1] - y * force[0] + square * turn)
+    centre, (xx, yy, zz, xy, xz, yz), spin = inertia[:3], inertia[3:], a[3:]
+    push = plus(a[:3], Fraction(1), cross(spin, centre))
+    moment = (dot((xx, xy, xz), spin), dot((xy, yy, yz), spin), dot((xz, yz, zz), spin))
+    return (*push, *plus(cross(centre, push), Fraction(1), moment))
 
 
 def factor_sign(u: Vector, v: Vector) -> int:
     """The sign of c if v = c u, else 0; neither is 0."""
-    if any(u[j] * v[k] != u[k] * v[j] for j in range(PLANE) for k in range(j)):
+    if any(u[j] * v[k] != u[k] * v[j] for j in range(len(u)) for k in range(j)):
         return 0
     return sign(dot(u, v))
 
 
-def check_rigid_forces(question: Question, forces: Sequence[Tuple[int, Vector]], a: Vector, place: str) -> None:
+def check_rigid_forces(question: Question, forces: Sequence[RigidForce], a: Vector, place: str) -> None:
     """`class-force`, `class-balance`."""
-    total, last = question.w(), -1
-    for i, (normal, friction) in forces:
-        if not last < i < len(question.rows):
+    rows, total, last = rigid_rows(question), question.w(), -1
+    for i, normal, stated in forces:
+        if not last < i < len(rows):
             raise Rejected("class-force", f"contact {i} is not there, or out of order", place)
-        row, last = question.rows[i], i
-        if normal < 0 or abs(friction) > row.friction * normal:
+        row, last = rows[i], i
+        friction = row.across(stated)
+        if (normal < 0 or dot(friction, row.normal)
+                or dot(friction, friction) > row.square * normal * normal):
             raise Rejected("class-force", f"the force of contact {i} is not in its cone", place)
-        total = plus(plus(total, normal, row.N), friction, row.slip[0])
+        total = plus(plus(total, normal, row.N), Fraction(1), row.at(friction))
     if total != times_mass(require_inertia(question), a):
         raise Rejected("class-balance", f"load and forces are {show(total)} together", place)
 
@@ -2484,21 +2587,22 @@ def require_inertia(question: Question) -> Vector:
 
 def check_motion(question: Question, proof: RigidProof) -> None:
     """`class-motion`."""
-    a, place = proof.acceleration, "forces"
+    a, rows, place = proof.acceleration, rigid_rows(question), "forces"
     if not any(a):
         raise Rejected("class-motion", "the acceleration is 0", place)
-    for i, row in enumerate(question.rows):
+    for i, row in enumerate(rows):
         if dot(row.N, a) < 0:
             raise Rejected("class-motion", f"contact {i} is penetrated", place)
-    for i, (normal, friction) in proof.forces:
-        row = question.rows[i]
-        slip = dot(row.slip[0], a)
-        if normal * dot(row.N, a) or row.friction * normal * abs(slip) + friction * slip:
+    for i, normal, stated in proof.forces:
+        slip = rows[i].slip(a)
+        power = dot(rows[i].across(stated), slip)
+        if (normal * dot(rows[i].N, a) or power > 0
+                or power ** 2 != rows[i].square * normal ** 2 * dot(slip, slip)):
             raise Rejected("class-motion", f"contact {i} parts, or its friction does not oppose its slip", place)
 
 
-def rigid_children(question: Question, cell: RigidCell, node: Node) -> List[RigidCell]:
-    i, rows = node.contact, question.rows
+def rigid_children(rows: List[RigidRow], cell: RigidCell, node: Node) -> List[RigidCell]:
+    i = node.contact
     if i >= len(rows):
         raise Rejected("node-contact", f"contact {i}, but the grasp has {len(rows)}")
     found = []
@@ -2511,61 +2615,80 @@ def rigid_children(question: Question, cell: RigidCell, node: Node) -> List[Rigi
                     child.touch[j] = touches
             found.append(child)
         return found
-    for side_, word in ((1, "+"), (0, "0"), (-1, "-")):
+    for word, slips in rigid_slips(rows[i].normal, cell.slip[i], node):
         child = cell.child(f"slip {i} {word}")
         for j, row in enumerate(rows):
-            along = factor_sign(rows[i].slip[0], row.slip[0])
-            if along:
-                child.slip[j] = along * side_
+            if rows[i].slips_like(row):
+                child.slip[j] = slips
         found.append(child)
     return found
 
 
-def rigid_leaf_refusal(question: Question, cell: RigidCell, node: Node) -> Optional[str]:
+def rigid_slips(n: Vector, known: Optional[Slips], node: Node) -> List[Tuple[str, Slips]]:
+    """What the children of a slip say; `class-slip`."""
+    if len(n) == 2:
+        t = (-n[1], n[0])
+        return [("+", (t,)), ("0", ()), ("-", (times(Fraction(-1), t),))]
+    d = node.numbers
+    if not any(d) or dot(n, d):
+        raise Rejected("class-slip", "d is 0, or not across n")
+    if known:
+        if dot(n, cross(known[0], d)) <= 0 or dot(n, cross(d, known[1])) <= 0:
+            raise Rejected("class-slip", "d is not inside of the slips that are known")
+        return [("before", (known[0], d)), ("after", (d, known[1]))]
+    sides = [d]
+    for _ in range(4):
+        sides.append(cross(n, sides[-1]))
+    return [("0", ())] + [(str(k + 1), (sides[k], sides[k + 1])) for k in range(4)]
+
+
+def rigid_leaf_refusal(question: Question, rows: List[RigidRow], cell: RigidCell, node: Node) -> Optional[str]:
     """Why the leaf proves nothing."""
-    (t, *twist), rows, w = node.numbers, question.rows, question.w()
+    (t, *twist), w = node.numbers, question.w()
     y = tuple(twist)
     Work.spend(20 * len(rows))
     if t < 0 or dot(y, w) < 0 or (t == 0 and dot(y, w) == 0):
         return "t or y·w is below 0, or both are 0"
     total = plus(times_mass(require_inertia(question), y), t, w)
-    for multipliers, normal in ((node.normal, True), (node.tangent, False)):
+    for multipliers in (node.normal, node.tangent):
         last = -1
-        for i, x in multipliers:
+        for i, _ in multipliers:
             if not last < i < len(rows):
                 return f"contact {i} is not there, or out of order"
             last = i
-            if normal and x < 0 and cell.touch[i] is not True:
-                return f"g of contact {i} is below 0, but it may part"
-            slip = cell.slip[i]
-            if not normal and (slip is None or (slip and x * slip < 0)):
-                return f"h of contact {i} has not the sign of its slip"
-            total = plus(total, x, rows[i].N if normal else rows[i].slip[0])
+    for i, x in node.normal:
+        if x < 0 and cell.touch[i] is not True:
+            return f"g of contact {i} is below 0, but it may part"
+        total = plus(total, x, rows[i].N)
+    for i, stated in node.tangent:
+        slips, h = cell.slip[i], rows[i].across(stated)
+        if slips is None or dot(h, rows[i].normal) or any(dot(h, side) < 0 for side in slips):
+            return f"h of contact {i} is not of one sign with its slip"
+        total = plus(total, Fraction(1), rows[i].at(h))
     if any(total):
         return f"the sum is {show(total)}"
     for i, row in enumerate(rows):
-        for side_ in (1, -1):
-            allowed = cell.touch[i] is not False and cell.slip[i] != side_
-            if allowed and dot(y, plus(row.N, side_ * row.friction, row.slip[0])) < 0:
-                return f"contact {i} opposes y"
+        if cell.touch[i] is not False and not row.resists_against(y, cell.slip[i]):
+            return f"contact {i} opposes y"
     return None
 
 
 def check_rigid_tree(question: Question, tree: Sequence[Node]) -> None:
-    waiting = [RigidCell(len(question.rows))]
+    rows = rigid_rows(question)
+    waiting = [RigidCell(len(rows))]
     for number, node in enumerate(tree):
         if not waiting:
             raise Rejected("tree-long", f"{len(tree) - number} nodes after the end", None, number)
         cell = waiting.pop()
         try:
-            if len(cell.steps) > 2 * len(question.rows) + 256:
+            if len(cell.steps) > 2 * len(rows) + 256:
                 raise Rejected("node-depth", f"{len(cell.steps)} nodes stand above this one")
             if node.kind == "leaf":
-                refusal = rigid_leaf_refusal(question, cell, node)
+                refusal = rigid_leaf_refusal(question, rows, cell, node)
                 if refusal:
                     raise Rejected("class-leaf", refusal)
             else:
-                waiting += reversed(rigid_children(question, cell, node))
+                waiting += reversed(rigid_children(rows, cell, node))
         except Rejected as failure:
             failure.node, failure.path = number, ", ".join(cell.steps) or "root"
             raise
@@ -2576,11 +2699,11 @@ def check_rigid_tree(question: Question, tree: Sequence[Node]) -> None:
 
 def check_class(question: Question, certificate: Certificate, proof: RigidProof) -> None:
     if certificate.verdict == "must move":
-        edges = [plus(row.N, side_ * row.friction, row.slip[0]) for row in question.rows for side_ in (1, -1)]
-        if dot(proof.twist, question.w()) <= 0 or any(dot(proof.twist, edge) < 0 for edge in edges):
+        y = proof.twist
+        if dot(y, question.w()) <= 0 or not all(row.resists_all(y) for row in rigid_rows(question)):
             raise Rejected("class-twist", "the load does no work along it, or a force in a cone opposes it")
         return
-    check_rigid_forces(question, proof.rest, zeros(PLANE), "rest")
+    check_rigid_forces(question, proof.rest, zeros(len(question.w())), "rest")
     if certificate.verdict == "must hold":
         check_rigid_tree(question, certificate.tree)
     else:
@@ -2608,7 +2731,8 @@ one of them may be - for standard input. Give the same options as to the program
   --preload-direction D    ask for the margin along preloads: P0,P1,..., of which f times is added to
                            the preloads; or scale: f times the preloads
   --inertia X,Y,G2         ask for the class of rigid contacts: must move, must hold or open; the
-                           centre of mass, and the squared radius of gyration about it
+                           centre of mass, and the squared radius of gyration about it; in space
+                           X,Y,Z,XX,YY,ZZ[,XY,XZ,YZ], the centre and the tensor of inertia about it
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be off,
                            such as friction=10%,stiffness=10%,preload=5%,position=0.001,
                            normal=0.0175,wrench=2%; any of them, absolute or in percent, for
@@ -2694,9 +2818,10 @@ def parse_arguments(words: Sequence[str]) -> Optional[Arguments]:
             options = options._replace(plane=(values[:PLANE], values[PLANE:]))
         elif name == "--inertia":
             values = list_option(name, value)
-            if len(values) != 3:
-                raise UsageError(f"{name}: '{show(value)}' is not X,Y,G2, such as 0,0,1")
-            options = options._replace(inertia=values)
+            if len(values) not in (3, 6, 9):
+                raise UsageError(f"{name}: '{show(value)}' is not X,Y,G2, such as 0,0,1, or in space "
+                                 "X,Y,Z,XX,YY,ZZ[,XY,XZ,YZ]")
+            options = options._replace(inertia=in_full(values))
         elif name == "--torque":
             options = options._replace(wrench=(Fraction(0), Fraction(0), number_option(name, value)))
         elif name == "--case":

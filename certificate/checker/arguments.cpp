@@ -48,10 +48,12 @@ std::vector<Vector> parse_plane(const std::string& option, const std::string& te
 }
 
 Vector parse_inertia(const std::string& option, const std::string& text) {
-  const Vector values = parse_list(option, text);
-  if (values.size() != 3) {
-    throw UsageError{option + ": " + quote(text) + " is not X,Y,G2, such as 0,0,1"};
+  Vector values = parse_list(option, text);
+  if (values.size() != 3 && values.size() != 6 && values.size() != 9) {
+    throw UsageError{option + ": " + quote(text) +
+                     " is not X,Y,G2, such as 0,0,1, or in space X,Y,Z,XX,YY,ZZ[,XY,XZ,YZ]"};
   }
+  if (values.size() == 6) values.resize(9);
   return values;
 }
 

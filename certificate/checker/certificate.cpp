@@ -84,18 +84,9 @@ std::vector<RigidForce> CertificateReader::forces(const char* name) {
   std::vector<RigidForce> result;
   const Value value = take(name);
   for (const Value& entry : list(value, name, "an array of forces")) {
-    const Vector ab = numbers(entry, name, 1, 2);
-    result.push_back({index(entry.items[0], name), ab[0], ab[1]});
-  }
-  return result;
-}
-
-RigidNode::Multipliers CertificateReader::multipliers(const Value& value,
-                                                      const std::string& place) const {
-  RigidNode::Multipliers result;
-  for (const Value& entry : list(value, place, "an array of multipliers")) {
-    const Vector x = numbers(entry, place, 1, 1);
-    result.emplace_back(index(entry.items[0], place), x[0]);
+    json_.expect(entry.is_array(3), entry, name, "a contact, a normal force and friction");
+    result.push_back({index(entry.items[0], name), number(entry.items[1], name),
+                      friction(entry.items[2], name)});
   }
   return result;
 }
@@ -106,17 +97,31 @@ std::optional<RigidNode> CertificateReader::next_rigid_node() {
   const std::string place = "tree[" + std::to_string(elements_ - 1) + "]";
   RigidNode node;
   if (value.is_array(5) && value.items[0].is_text("leaf")) {
+    const auto pairs = [&](const Value& entries, const auto& add) {
+      for (const Value& entry : list(entries, place, "an array of multipliers")) {
+        json_.expect(entry.is_array(2), entry, place, "a contact and its multiplier");
+        add(index(entry.items[0], place), entry.items[1]);
+      }
+    };
     node.weight = number(value.items[1], place);
     node.twist = numbers(value.items[2], place, 0, dimension_);
-    node.normal = multipliers(value.items[3], place);
-    node.tangent = multipliers(value.items[4], place);
+    pairs(value.items[3], [&](const Integer& i, const Value& g) {
+      node.normal.emplace_back(i, number(g, place));
+    });
+    pairs(value.items[4], [&](const Integer& i, const Value& h) {
+      node.tangent.emplace_back(i, friction(h, place));
+    });
     return node;
   }
   const bool touch = value.is_array(2) && value.items[0].is_text("touch");
-  json_.expect(touch || (value.is_array(2) && value.items[0].is_text("slip")), value, place,
-               R"(["touch", i], ["slip", i] or ["leaf", t, y, g, h])");
+  const std::size_t size = dimension_ == kPlanar ? 2 : 3;
+  json_.expect(touch || (value.is_array(size) && value.items[0].is_text("slip")), value, place,
+               dimension_ == kPlanar
+                   ? R"(["touch", i], ["slip", i] or ["leaf", t, y, g, h])"
+                   : R"(["touch", i], ["slip", i, d] or ["leaf", t, y, g, h])");
   node.kind = touch ? RigidNode::Kind::kTouch : RigidNode::Kind::kSlip;
   node.contact = index(value.items[1], place);
+  if (!touch && size == 3) node.direction = numbers(value.items[2], place, 0, 3);
   return node;
 }
 
@@ -369,9 +374,10 @@ Claim CertificateReader::claim_of(const Value& value) const {
     }
   }
   if (const Value* inertia = value.find("inertia")) {
-    json_.expect(dimension_ == kPlanar, *inertia, "question.inertia",
-                 "none, of a question about a grasp in space");
-    asked.inertia = numbers(*inertia, "question.inertia", 0, 3);
+    const bool is_short = dimension_ == kSpatial && inertia->is_array(6);
+    asked.inertia = numbers(*inertia, "question.inertia", 0,
+                            dimension_ == kPlanar ? 3 : is_short ? 6 : 9);
+    if (is_short) asked.inertia->resize(9);
   }
   if (const Value* uncertain = value.find("uncertain")) {
     asked.uncertain = tolerances(*uncertain);

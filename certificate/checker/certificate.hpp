@@ -87,7 +87,6 @@ class CertificateReader {
   Part part(const Value& value, const std::string& place) const;
   Part shape(const Value& value, const std::string& place, std::size_t least_walls) const;
   RestProof at_rest(const Value& value, const std::string& place) const;
-  Vector friction(const Value& value, const std::string& place) const;
   Segment segment_by_degree(const Value& value, const std::string& place) const;
   std::vector<std::pair<Integer, Vector>> shares(const Value& value,
                                                  const std::string& place) const;
@@ -95,7 +94,7 @@ class CertificateReader {
   Witness point_at(const Rational& multiple, const Value& value,
                    const std::string& place) const;
   Witness load_point(const Value& value, const std::string& place) const;
-  RigidNode::Multipliers multipliers(const Value& value, const std::string& place) const;
+  Vector friction(const Value& value, const std::string& place) const;
   Node node(const Value& value, const std::string& place) const;
   std::vector<Node> nodes(const Value& value, const std::string& place) const;
 

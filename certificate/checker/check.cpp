@@ -97,6 +97,7 @@ class FirstRejection {
 /// Of a claim about another question, which is rejected, only the syntax is read.
 void check_class(CertificateReader& certificate, const Question& question,
                  FirstRejection& rejection, Accepted& accepted) {
+  const std::size_t dimension = question.dimension();
   std::optional<RigidProof> proof;
   rejection.unless_rejected([&] { proof.emplace(question); });
   if (accepted.verdict == "must move") {
@@ -105,7 +106,7 @@ void check_class(CertificateReader& certificate, const Question& question,
     return;
   }
   const std::vector<RigidForce> rest = certificate.forces("rest");
-  rejection.unless_rejected([&] { proof->check_forces(rest, Vector(kPlanar), "rest"); });
+  rejection.unless_rejected([&] { proof->check_forces(rest, Vector(dimension), "rest"); });
   if (accepted.verdict == "open") {
     const Vector acceleration = certificate.acceleration();
     const std::vector<RigidForce> forces = certificate.forces("forces");

@@ -57,7 +57,8 @@ the program that produced the certificate:
                            --wrench or --case
   --inertia X,Y,G2         ask for the class of rigid contacts: whether the object must move, must
                            hold, or neither follows (open); its centre of mass, and the squared
-                           radius of gyration about that
+                           radius of gyration about that; in space X,Y,Z,XX,YY,ZZ[,XY,XZ,YZ],
+                           the centre and the tensor of inertia about that, of mass 1
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be
                            off, such as friction=10%,stiffness=10%,preload=5%,
                            position=0.001,normal=0.0175,wrench=2%; any of them, absolute or

@@ -73,15 +73,26 @@ void check_plane(const Options& options) {
 /// FORMAT.md §13.
 void check_inertia(const Grasp& grasp, const Options& options) {
   if (!options.inertia) return;
-  if (grasp.dimension() == kSpatial) {
-    refuse("inertia", "the grasp is in space; a class is about a planar grasp");
-  }
+  const Vector& m = *options.inertia;
   if (options.margin() || options.plane) {
     refuse("inertia", "a direction or a plane is given as well; expected one of them");
   }
-  if ((*options.inertia)[2] <= 0) {
-    refuse("inertia", "found the squared radius of gyration " + show((*options.inertia)[2]) +
+  const bool in_space = grasp.dimension() == kSpatial;
+  if (m.size() != (in_space ? 9 : 3)) {
+    refuse("inertia", in_space ? "the grasp is in space; expected 6 or 9 numbers"
+                               : "the grasp is in the plane; expected 3 numbers");
+  }
+  if (!in_space && m[2] <= 0) {
+    refuse("inertia", "found the squared radius of gyration " + show(m[2]) +
                           ", expected one above 0");
+  }
+  if (!in_space) return;
+  const Rational& xx = m[3];
+  const Rational minor = xx * m[4] - m[6] * m[6];
+  const Rational determinant = m[5] * minor - xx * m[8] * m[8] - m[4] * m[7] * m[7] +
+                               2 * m[6] * m[7] * m[8];
+  if (xx <= 0 || minor <= 0 || determinant <= 0) {
+    refuse("inertia", "the tensor is not positive definite");
   }
 }
 

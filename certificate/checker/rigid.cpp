@@ -30,18 +30,63 @@ int factor_sign(const Vector& u, const Vector& v) {
   return sgn(dot(u, v));
 }
 
+Vector cross(const Vector& a, const Vector& b) {
+  Vector result;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const std::size_t k = (j + 1) % 3;
+    const std::size_t l = (j + 2) % 3;
+    result.emplace_back(a[k] * b[l] - a[l] * b[k]);
+  }
+  return result;
+}
+
+/// Whether a sqrt(b) >= c sqrt(d), of b >= 0 and d >= 0.
+bool at_least(const Rational& a, const Rational& b, const Rational& c, const Rational& d) {
+  return sgn(a) * a * a * b >= sgn(c) * c * c * d;
+}
+
 [[noreturn]] void reject(const char* rule, const std::string& place, const std::string& found) {
   throw Rejected{rule, std::nullopt, place, found};
 }
 
 }  // namespace
 
+Vector RigidRow::slip(const Vector& d) const {
+  Vector u(d.begin(), d.begin() + static_cast<std::ptrdiff_t>(point.size()));
+  if (point.size() == 2) {
+    u = plus(u, d[2], {-point[1], point[0]});
+  } else {
+    u = plus(u, 1, cross({d[3], d[4], d[5]}, point));
+  }
+  return plus(u, -dot(direction, u) / dot(direction, direction), direction);
+}
+
+Vector RigidRow::across(const Vector& friction) const {
+  if (point.size() == 3) return friction;
+  return {-friction[0] * direction[1], friction[0] * direction[0]};
+}
+
+/// Whether this and the other slip alike under every motion (in space with normals of one
+/// direction, too).
+bool RigidRow::slips_like(const RigidRow& other) const {
+  if (point.size() == 3) return point == other.point && factor_sign(normal, other.normal) > 0;
+  return factor_sign(at_point(point, across({1})),
+                     at_point(other.point, other.across({1}))) != 0;
+}
+
+/// The force of normal part 1 against a slip along `side` does no negative work on the motion.
+bool RigidRow::resists(const Vector& motion, const Vector& side) const {
+  return at_least(dot(motion, normal), dot(side, side), dot(side, slip(motion)), square);
+}
+
 RigidProof::RigidProof(const Question& question) : inertia_(*question.asked.inertia) {
   for (std::size_t i = 0; i < question.contacts.size(); ++i) {
     const Contact contact = question.contacts[i];
-    const Vector point{contact.position[0].low, contact.position[1].low};
-    const Vector& n = contact.normal;
-    rows_.push_back({at_point(point, n), at_point(point, {-n[1], n[0]}), contact.friction.low});
+    RigidRow& row = rows_.emplace_back();
+    for (const Bounds& p : contact.position) row.point.push_back(p.low);
+    row.direction = contact.normal;
+    row.normal = at_point(row.point, row.direction);
+    row.square = contact.friction.low * contact.friction.low * dot(row.direction, row.direction);
   }
   for (const Bounds& w : question.wrench) wrench_.push_back(w.low);
   waiting_.push_back({std::vector<Label>(rows_.size()), {}});
@@ -49,21 +94,40 @@ RigidProof::RigidProof(const Question& question) : inertia_(*question.asked.iner
 
 /// M a.
 Vector RigidProof::times_mass(const Vector& a) const {
-  const Rational& x = inertia_[0];
-  const Rational& y = inertia_[1];
-  const Rational fx = a[0] - a[2] * y;
-  const Rational fy = a[1] + a[2] * x;
-  return {fx, fy, x * fy - y * fx + inertia_[2] * a[2]};
+  const Vector& m = inertia_;
+  if (a.size() == kPlanar) {
+    const Rational fx = a[0] - a[2] * m[1];
+    const Rational fy = a[1] + a[2] * m[0];
+    return {fx, fy, m[0] * fy - m[1] * fx + m[2] * a[2]};
+  }
+  const Vector centre{m[0], m[1], m[2]};
+  const Vector turn{a[3], a[4], a[5]};
+  const Vector gyration[]{{m[3], m[6], m[7]}, {m[6], m[4], m[8]}, {m[7], m[8], m[5]}};
+  Vector result = at_point(centre, plus({a[0], a[1], a[2]}, 1, cross(turn, centre)));
+  for (std::size_t j = 0; j < 3; ++j) result[3 + j] += dot(gyration[j], turn);
+  return result;
+}
+
+/// Whether some force that the label allows does negative work on y.
+bool RigidProof::opposes(const RigidRow& row, const Label& label, const Vector& y) const {
+  if (label.touch == Touch::kApart) return false;
+  const Vector slip = row.slip(y);
+  if (!label.slip || label.slip->empty()) return !row.resists(y, slip) || dot(y, row.normal) < 0;
+  const std::vector<Vector>& sides = *label.slip;
+  const Vector& n = row.direction;
+  if (sides.size() == 2 && dot(n, cross(sides[0], slip)) >= 0 &&
+      dot(n, cross(slip, sides[1])) >= 0) {
+    return !row.resists(y, slip) || dot(y, row.normal) < 0;
+  }
+  return std::any_of(sides.begin(), sides.end(),
+                     [&](const Vector& side) { return !row.resists(y, side); });
 }
 
 void RigidProof::check_twist(const Vector& twist) const {
-  bool good = dot(twist, wrench_) > 0;
-  for (const RigidRow& row : rows_) {
-    for (const int side : {1, -1}) {
-      good = good && dot(twist, plus(row.normal, side * row.friction, row.tangent)) >= 0;
-    }
-  }
-  if (!good) {
+  const bool unopposed = std::none_of(rows_.begin(), rows_.end(), [&](const RigidRow& row) {
+    return opposes(row, {}, twist);
+  });
+  if (dot(twist, wrench_) <= 0 || !unopposed) {
     reject("class-twist", "",
            "the load does no work along it, or a force in a cone opposes it");
   }
@@ -80,10 +144,12 @@ void RigidProof::check_forces(const std::vector<RigidForce>& forces, const Vecto
     }
     next = force.contact + 1;
     const RigidRow& row = rows_[force.contact.get_ui()];
-    if (force.normal < 0 || abs(force.friction) > row.friction * force.normal) {
+    const Vector friction = row.across(force.friction);
+    if (force.normal < 0 || dot(friction, row.direction) != 0 ||
+        dot(friction, friction) > row.square * force.normal * force.normal) {
       reject("class-force", place, "the force of " + name + " is not in its cone");
     }
-    total = plus(plus(total, force.normal, row.normal), force.friction, row.tangent);
+    total = plus(plus(total, force.normal, row.normal), 1, at_point(row.point, friction));
   }
   if (total != times_mass(acceleration)) {
     reject("class-balance", place, "load and forces are " + show(total) + " together");
@@ -101,9 +167,10 @@ void RigidProof::check_motion(const std::vector<RigidForce>& forces,
   }
   for (const RigidForce& force : forces) {
     const RigidRow& row = rows_[force.contact.get_ui()];
-    const Rational slip = dot(row.tangent, acceleration);
-    const Rational driven = row.friction * force.normal * abs(slip) + force.friction * slip;
-    if (force.normal * dot(row.normal, acceleration) != 0 || driven != 0) {
+    const Vector slip = row.slip(acceleration);
+    const Rational power = dot(row.across(force.friction), slip);
+    if (force.normal * dot(row.normal, acceleration) != 0 || power > 0 ||
+        power * power != row.square * force.normal * force.normal * dot(slip, slip)) {
       refuse("contact " + force.contact.get_str() +
              " parts, or its friction does not oppose its slip");
     }
@@ -129,6 +196,9 @@ void RigidProof::visit(const RigidNode& node) {
       refuse("node-contact", "contact " + node.contact.get_str() + ", but the grasp has " +
                                  std::to_string(rows_.size()));
     }
+    if (node.kind == RigidNode::Kind::kSlip && !is_direction(cell, node)) {
+      refuse("class-slip", "d is 0, not across n, or not inside of the slips that are known");
+    }
     std::vector<Cell> found = children(cell, node);
     std::move(found.rbegin(), found.rend(), std::back_inserter(waiting_));
   }
@@ -145,6 +215,18 @@ std::string RigidProof::Cell::path() const {
   std::string text;
   for (const std::string& step : steps) text += (text.empty() ? "" : ", ") + step;
   return text.empty() ? "root" : text;
+}
+
+/// `class-slip`
+bool RigidProof::is_direction(const Cell& cell, const RigidNode& node) const {
+  if (node.direction.empty()) return true;
+  const std::size_t i = node.contact.get_ui();
+  const Vector& n = rows_[i].direction;
+  const Vector& d = node.direction;
+  const auto& known = cell.labels[i].slip;
+  if (is_zero(d) || dot(n, d) != 0) return false;
+  if (!known || known->empty()) return true;
+  return dot(n, cross((*known)[0], d)) > 0 && dot(n, cross(d, (*known)[1])) > 0;
 }
 
 std::vector<RigidProof::Cell> RigidProof::children(const Cell& cell,
@@ -167,15 +249,31 @@ std::vector<RigidProof::Cell> RigidProof::children(const Cell& cell,
     }
     return result;
   }
-  for (const int side : {1, 0, -1}) {
-    add("slip " + contact +
-            (side > 0    ? " +"
-             : side == 0 ? " 0"
-                         : " -"),
-        [&](const RigidRow& other, Label& label) {
-          const int along = factor_sign(row.tangent, other.tangent);
-          if (along != 0) label.slip = along * side;
-        });
+  const auto add_slips = [&](const std::string& word, const std::vector<Vector>& sides) {
+    add("slip " + contact + " " + word, [&](const RigidRow& other, Label& label) {
+      if (row.slips_like(other)) label.slip = sides;
+    });
+  };
+  const Vector& n = row.direction;
+  if (n.size() == 2) {
+    add_slips("+", {{-n[1], n[0]}});
+    add_slips("0", {});
+    add_slips("-", {{n[1], -n[0]}});
+    return result;
+  }
+  const Vector& d = node.direction;
+  const auto& known = cell.labels[node.contact.get_ui()].slip;
+  if (known && !known->empty()) {
+    add_slips("before", {(*known)[0], d});
+    add_slips("after", {d, (*known)[1]});
+    return result;
+  }
+  add_slips("0", {});
+  Vector before = d;
+  for (const char* quarter : {"1", "2", "3", "4"}) {
+    Vector after = cross(n, before);
+    add_slips(quarter, {before, after});
+    before = std::move(after);
   }
   return result;
 }
@@ -188,34 +286,38 @@ std::optional<std::string> RigidProof::refusal(const Cell& cell, const RigidNode
     return "t or y.w is below 0, or both are 0";
   }
   Vector total = plus(times_mass(leaf.twist), t, wrench_);
-  for (const bool normal : {true, false}) {
-    Integer next = 0;
-    for (const auto& [contact, x] : normal ? leaf.normal : leaf.tangent) {
-      const std::string name = "contact " + contact.get_str();
-      if (contact < next || contact >= rows_.size()) {
-        return name + " is not there, or out of order";
-      }
-      next = contact + 1;
-      const RigidRow& row = rows_[contact.get_ui()];
-      const Label& label = cell.labels[contact.get_ui()];
-      if (normal && x < 0 && label.touch != Touch::kTouching) {
-        return "g of " + name + " is below 0, but it may part";
-      }
-      if (!normal && (!label.slip || *label.slip * x < 0)) {
-        return "h of " + name + " has not the sign of its slip";
-      }
-      total = plus(total, x, normal ? row.normal : row.tangent);
+  Integer next = 0;
+  const auto wrong_name = [&](const Integer& contact) {
+    const bool wrong = contact < next || contact >= rows_.size();
+    next = contact + 1;
+    return wrong;
+  };
+  for (const auto& [contact, g] : leaf.normal) {
+    const std::string name = "contact " + contact.get_str();
+    if (wrong_name(contact)) return name + " is not there, or out of order";
+    if (g < 0 && cell.labels[contact.get_ui()].touch != Touch::kTouching) {
+      return "g of " + name + " is below 0, but it may part";
     }
+    total = plus(total, g, rows_[contact.get_ui()].normal);
+  }
+  next = 0;
+  for (const auto& [contact, multiplier] : leaf.tangent) {
+    const std::string name = "contact " + contact.get_str();
+    if (wrong_name(contact)) return name + " is not there, or out of order";
+    const RigidRow& row = rows_[contact.get_ui()];
+    const auto& slip = cell.labels[contact.get_ui()].slip;
+    const Vector h = row.across(multiplier);
+    if (!slip || dot(h, row.direction) != 0 ||
+        std::any_of(slip->begin(), slip->end(),
+                    [&](const Vector& side) { return dot(h, side) < 0; })) {
+      return "h of " + name + " is not of one sign with its slip";
+    }
+    total = plus(total, 1, at_point(row.point, h));
   }
   if (!is_zero(total)) return "the sum is " + show(total);
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const Label& label = cell.labels[i];
-    for (const int side : {1, -1}) {
-      const bool allowed = label.touch != Touch::kApart && label.slip != side;
-      const RigidRow& row = rows_[i];
-      if (allowed && dot(leaf.twist, plus(row.normal, side * row.friction, row.tangent)) < 0) {
-        return "contact " + std::to_string(i) + " opposes y";
-      }
+    if (opposes(rows_[i], cell.labels[i], leaf.twist)) {
+      return "contact " + std::to_string(i) + " opposes y";
     }
   }
   return std::nullopt;

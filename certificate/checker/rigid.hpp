@@ -13,30 +13,36 @@
 
 namespace stickslip_check {
 
-/// Of a contact, a N + b T.
+/// Of a contact, a N and a force across n: in the plane b, of b t, in space a vector.
 struct RigidForce {
   Integer contact;
   Rational normal;
-  Rational friction;
+  Vector friction;
 };
 
 struct RigidNode {
   enum class Kind { kTouch, kSlip, kLeaf };
-  using Multipliers = std::vector<std::pair<Integer, Rational>>;
 
   Kind kind = Kind::kLeaf;
   Integer contact;
-  Rational weight;  ///< t
-  Vector twist;     ///< y
-  Multipliers normal;
-  Multipliers tangent;
+  Vector direction;  ///< d of a slip in space
+  Rational weight;   ///< t
+  Vector twist;      ///< y
+  std::vector<std::pair<Integer, Rational>> normal;
+  std::vector<std::pair<Integer, Vector>> tangent;  ///< as RigidForce::friction
 };
 
-/// N and T of a contact, and its friction.
+/// A contact: p, n, N and (mu |n|)^2.
 struct RigidRow {
+  Vector point;
+  Vector direction;
   Vector normal;
-  Vector tangent;
-  Rational friction;
+  Rational square;
+
+  Vector slip(const Vector& motion) const;           ///< S d, in the plane t (T.d) / |n|^2
+  Vector across(const Vector& friction) const;       ///< b t of b; in space itself
+  bool slips_like(const RigidRow& other) const;
+  bool resists(const Vector& motion, const Vector& side) const;
 };
 
 /// The rules of a class. The question must ask for one. All throw Rejected.
@@ -52,7 +58,7 @@ class RigidProof {
   /// `class-motion`, after check_forces.
   void check_motion(const std::vector<RigidForce>& forces, const Vector& acceleration) const;
   /// The nodes of the tree in their order: `tree-long`, `node-depth`, `node-contact`,
-  /// `class-leaf`.
+  /// `class-slip`, `class-leaf`.
   void visit(const RigidNode& node);
   /// `tree-short`
   void finish() const;
@@ -62,10 +68,11 @@ class RigidProof {
 
  private:
   enum class Touch : std::int8_t { kUnknown, kTouching, kApart };
-  /// Of a contact; its slip, if it is known, has that sign.
+  /// Of a contact. Its slip, if it is known, is a sum of multiples of these, or without any 0:
+  /// in the plane of one, in space of two.
   struct Label {
     Touch touch = Touch::kUnknown;
-    std::optional<int> slip;
+    std::optional<std::vector<Vector>> slip;
   };
   struct Cell {
     std::vector<Label> labels;
@@ -76,6 +83,8 @@ class RigidProof {
 
   Vector times_mass(const Vector& a) const;
   std::vector<Cell> children(const Cell& cell, const RigidNode& node) const;
+  bool is_direction(const Cell& cell, const RigidNode& node) const;
+  bool opposes(const RigidRow& row, const Label& label, const Vector& y) const;
   std::optional<std::string> refusal(const Cell& cell, const RigidNode& leaf) const;
 
   std::vector<RigidRow> rows_;

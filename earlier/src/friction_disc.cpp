@@ -52,6 +52,14 @@ Vector3 FrictionDisc::slip(const Vector6& motion) const {
   return plus(u, -dot(normal_, u) / dot(normal_, normal_), normal_);
 }
 
+bool FrictionDisc::presses_like(const FrictionDisc& other) const {
+  return primitive_multiple(row_) == primitive_multiple(other.row_);
+}
+
+bool FrictionDisc::slips_like(const FrictionDisc& other) const {
+  return point_ == other.point_ && presses_like(other);
+}
+
 Vector3 FrictionDisc::direction(std::size_t quarter, const Rational& t) const {
   Vector3 d = plus(times(1 - t * t, e_), 2 * t / length_, cross(normal_, e_));
   for (std::size_t k = 0; k < quarter % 4; ++k) d = times(1 / length_, cross(normal_, d));
@@ -108,13 +116,17 @@ std::vector<Vector3> FrictionDisc::inner() const {
   return result;
 }
 
-std::vector<Vector3> FrictionDisc::outer_against(const Sector& sector) const {
-  if (!has_friction()) return {{}};
-  std::vector<Vector3> directions{direction(sector.quarter, sector.low)};
+std::vector<Vector3> FrictionDisc::directions(const Sector& sector) const {
+  std::vector<Vector3> result{direction(sector.quarter, sector.low)};
   for (const Rational& t : tangents_[sector.quarter]) {
-    if (sector.low < t && t < sector.high) directions.push_back(direction(sector.quarter, t));
+    if (sector.low < t && t < sector.high) result.push_back(direction(sector.quarter, t));
   }
-  directions.push_back(direction(sector.quarter, sector.high));
+  result.push_back(direction(sector.quarter, sector.high));
+  return result;
+}
+
+std::vector<Vector3> FrictionDisc::outer_against(const std::vector<Vector3>& directions) const {
+  if (!has_friction()) return {{}};
   std::vector<Vector3> result;
   for (std::size_t k = 0; k + 1 < directions.size(); ++k) {
     result.push_back(corner(directions[k], directions[k + 1]));

@@ -36,6 +36,10 @@ class FrictionDisc {
   Vector6 wrench(const Vector3& force) const;                ///< (f, p x f)
   Vector3 slip(const Vector6& motion) const;                 ///< S d
   const Vector3& normal() const { return normal_; }          ///< n
+  /// Whether the normals have one line of action, and one direction.
+  bool presses_like(const FrictionDisc& other) const;
+  /// Whether slips are the same, too.
+  bool slips_like(const FrictionDisc& other) const;
   bool has_friction() const { return !square_.is_zero(); }   ///< mu > 0
   const Rational& square() const { return square_; }         ///< (mu |n|)^2
 
@@ -47,8 +51,10 @@ class FrictionDisc {
   /// Corners of a polygon around the disc of friction (for a = 1), or in it.
   std::vector<Vector3> outer() const;
   std::vector<Vector3> inner() const;
-  /// Of one around all friction against slips in the sector.
-  std::vector<Vector3> outer_against(const Sector& sector) const;
+  /// The sides of a sector, and where polygons touch between them, in their order.
+  std::vector<Vector3> directions(const Sector& sector) const;
+  /// Of a polygon around all friction against slips between the first and the last of these.
+  std::vector<Vector3> outer_against(const std::vector<Vector3>& directions) const;
   /// Friction against a slip along d, if that is rational.
   std::optional<Vector3> against(const Vector3& d) const;
 

@@ -63,14 +63,15 @@ SpatialProgram::SpatialProgram(const std::vector<FrictionDisc>& discs, const Vec
         along(label.line, Relation::kGreaterEqual);
         along(cross(n, label.line), Relation::kEqual);
       } else if (label.slip == Slip::kSector) {
-        const Sector& sector = label.sector;
-        along(cross(n, disc.direction(sector.quarter, sector.low)), Relation::kGreaterEqual);
-        along(cross(disc.direction(sector.quarter, sector.high), n), Relation::kGreaterEqual);
+        const std::vector<Vector3> sides = discs[label.owner].directions(label.sector);
+        along(cross(n, sides.front()), Relation::kGreaterEqual);
+        along(cross(sides.back(), n), Relation::kGreaterEqual);
       }
     }
     if (label.touch == Touch::kApart) continue;
     const std::vector<Vector3> corners =
-        label.slip == Slip::kSector ? disc.outer_against(label.sector)
+        label.slip == Slip::kSector
+            ? disc.outer_against(discs[label.owner].directions(label.sector))
         : label.slip == Slip::kLine ? std::vector<Vector3>{*disc.against(label.line)}
         : side == Side::kOuter      ? disc.outer()
                                     : disc.inner();
@@ -283,33 +284,36 @@ class SpatialSearch {
     const std::size_t i = breach.contact;
     std::vector<SpatialCell> children;
     SpatialSplit split{ContactId(i), std::nullopt};
-    const auto add = [&](const Sector& sector) {
+    const auto add = [&](const auto& set, bool of_slip) {
       children.push_back(cell);
-      children.back()[i].slip = Slip::kSector;
-      children.back()[i].sector = sector;
+      for (std::size_t j = 0; j < discs_.size(); ++j) {
+        if (of_slip ? discs_[i].slips_like(discs_[j]) : discs_[i].presses_like(discs_[j])) {
+          set(children.back()[j]);
+        }
+      }
+    };
+    const auto add_sector = [&](const Sector& sector, std::size_t owner) {
+      add([&](SpatialLabel& label) {
+        label.slip = Slip::kSector;
+        label.sector = sector;
+        label.owner = owner;
+      }, true);
     };
     if (!breach.slips) {
       for (const Touch touch : {Touch::kTouching, Touch::kApart}) {
-        SpatialCell child = cell;
-        for (std::size_t j = 0; j < discs_.size(); ++j) {
-          if (primitive_multiple(discs_[i].normal_row()) ==
-              primitive_multiple(discs_[j].normal_row())) {
-            child[j].touch = touch;
-          }
-        }
-        children.push_back(std::move(child));
+        add([&](SpatialLabel& label) { label.touch = touch; }, false);
       }
     } else if (cell[i].slip == Slip::kUnknown) {
       split.direction = discs_[i].direction(0, 0);
-      children.push_back(cell);
-      children.back()[i].slip = Slip::kNone;
-      for (std::size_t q = 0; q < 4; ++q) add({q, 0, 1});
+      add([](SpatialLabel& label) { label.slip = Slip::kNone; }, true);
+      for (std::size_t q = 0; q < 4; ++q) add_sector({q, 0, 1}, i);
     } else {
       const Sector& sector = cell[i].sector;
+      const std::size_t owner = cell[i].owner;
       const Rational middle = (sector.low + sector.high) / 2;
-      split.direction = discs_[i].direction(sector.quarter, middle);
-      add({sector.quarter, sector.low, middle});
-      add({sector.quarter, middle, sector.high});
+      split.direction = discs_[owner].direction(sector.quarter, middle);
+      add_sector({sector.quarter, sector.low, middle}, owner);
+      add_sector({sector.quarter, middle, sector.high}, owner);
     }
     result.tree.emplace_back(split);
     for (const SpatialCell& child : children) {
@@ -339,7 +343,8 @@ class SpatialSearch {
       there.high = known ? cell[i].sector.high : std::min(Rational(1), there.high + off);
       if (known) there.quarter = cell[i].sector.quarter;
       label.slip = Slip::kLine;
-      label.line = discs_[i].direction(there.quarter, simplest(there.low, there.high));
+      label.line = discs_[known ? cell[i].owner : i].direction(
+          there.quarter, simplest(there.low, there.high));
       if (!discs_[i].against(label.line)) return false;
     }
     const auto solved = SpatialProgram(discs_, load_, &inertia_, mode, Side::kInner).moving();

@@ -28,12 +28,13 @@ struct SpatialLabel {
   enum class Slip {
     kUnknown,
     kNone,    ///< S a = 0
-    kSector,  ///< S a in `sector`, friction against directions of it
+    kSector,  ///< S a in `sector` of contact `owner`, friction against directions of it
     kLine     ///< S a a multiple >= 0 of `line`, friction against that
   };
   Touch touch = Touch::kUnknown;
   Slip slip = Slip::kUnknown;
   Sector sector{};
+  std::size_t owner = 0;
   Vector3 line{};
 };
 /// By contact.

@@ -156,4 +156,4 @@ def make(kinds: Dict[str, object], folder: Path, scenes: int) -> None:
 
 if __name__ == "__main__":
     make(families.FAMILIES, Path(sys.argv[1]), int(sys.argv[2]) if len(sys.argv) > 2 else 32)
-    make(solid_families.FAMILIES, Path(sys.argv[1]) / "space", int(sys.argv[3]) if len(sys.argv) > 3 else 10)
+    make(solid_families.FAMILIES, Path(sys.argv[1]) / "space", int(sys.argv[3]) if len(sys.argv) > 3 else 5)

@@ -10,10 +10,11 @@ from __future__ import annotations
 import html
 import json
 import sys
+from statistics import median
 from pathlib import Path
 from typing import Dict, List, NamedTuple
 
-from engines import ENGINES, HERE, SOLID_ENGINES, UNRANKED, Engine
+from engines import DIRECT, ENGINES, HERE, ITERATIONS, ITERATIONS_OF, SOLID_ENGINES, UNRANKED, Engine
 from forces import Found, judge_forces, summary
 from judge import HELD, MOVED, Judged, count, read_results
 from pictures import played
@@ -101,6 +102,20 @@ class Part(NamedTuple):
     engines: str
 
 
+def iterations_row(results: Path, engine: Engine, cases: Dict[str, Dict[str, object]]) -> str:
+    """Of some cases, by iterations: false holds, false slips, and how far what must hold went, median and most."""
+    rate, cells = engine.rates[0], ""
+    for times in ITERATIONS:
+        folder = results if times == 1 else results / f"iterations-{times}"
+        if not result_file(folder, engine, rate).exists():
+            return ""
+        of = read_results(folder, engine, rate, cases)
+        went = [j.most for j in of if j.case["class"] == "must hold"]
+        wrong = [sum(j.verdict == v for j in of) for v in ("false hold", "false slip")]
+        cells += f"<td>{wrong[0]} / {wrong[1]}</td><td>{median(went):.0e}</td><td>{max(went):.0e}</td>"
+    return f"<tr><th>{html.escape(engine.name)}</th>{cells}</tr>"
+
+
 def part(results: Path, engines: List[Engine], folder: Path, judge) -> Part:
     cases = {c["grasp"]["name"]: c for c in read_cases(folder)}
     motion, forces, parts = [], [], []
@@ -124,6 +139,9 @@ def main(results: str, page: str) -> None:
     unranked = "".join(f"<li><b>{html.escape(name)}</b>: {html.escape(why)}</li>" for name, why in UNRANKED.items())
     text = (HERE / "page.html").read_text(encoding="utf-8")
     places = {"HELD": f"{HELD:.0e}", "MOVED": f"{MOVED:.0e}", "FORCES_OF": str(FORCES_OF), "UNRANKED": unranked}
+    some = {c["grasp"]["name"]: c for c in list(read_cases())[::ITERATIONS_OF]}
+    rows = [iterations_row(Path(results), e, some) for e in ENGINES if e.name != DIRECT]
+    places.update(ITERATIONS="\n".join(rows), ITERATED=str(len(some)))
     for name, of in (("", plane), ("SOLID_", space)):
         places.update({f"{name}CASES": str(of.cases), f"{name}MOTION": of.motion, f"{name}FORCES": of.forces,
                        f"{name}ENGINES": of.engines})

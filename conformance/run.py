@@ -9,6 +9,7 @@ RESULTS/space.
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import sys
 import time
@@ -17,7 +18,7 @@ from pathlib import Path
 from typing import Dict, Iterator, List
 
 import solid
-from engines import ENGINES, HERE, SOLID_ENGINES, Engine
+from engines import DIRECT, ENGINES, HERE, ITERATIONS, ITERATIONS_OF, SOLID_ENGINES, Engine
 from scene import read, scene_of, shape
 
 
@@ -56,20 +57,21 @@ def result_file(results: Path, engine: Engine, rate: int) -> Path:
     return results / f"{engine.name.replace(' ', '_')}-{rate}.jsonl"
 
 
-def put_through(engine: Engine, rate: int, lines: str, results: Path) -> str:
+def put_through(engine: Engine, rate: int, lines: str, results: Path, iterations: int = 1) -> str:
     start = time.monotonic()
     with open(result_file(results, engine, rate), "w", encoding="utf-8") as out:
-        done = subprocess.run(engine.command(rate), input=lines, stdout=out, stderr=subprocess.PIPE, text=True)
+        done = subprocess.run(engine.command(rate), input=lines, stdout=out, stderr=subprocess.PIPE, text=True,
+                              env={**os.environ, "STICKSLIP_ITERATIONS": str(iterations)})
     if done.returncode:
         raise SystemExit(f"{engine.name} at {rate}: {done.stderr[-2000:]}")
     return f"{engine.name} at {rate} steps a second: {time.monotonic() - start:.0f} s"
 
 
-def run(results: Path, engines: List[Engine], cases: List[Dict[str, object]]) -> None:
+def run(results: Path, engines: List[Engine], cases: List[Dict[str, object]], iterations: int = 1) -> None:
     results.mkdir(parents=True, exist_ok=True)
     lines = "".join(in_doubles(case) + "\n" for case in cases)
     with ThreadPoolExecutor(2) as pool:
-        for said in pool.map(lambda task: put_through(*task, lines, results),
+        for said in pool.map(lambda task: put_through(*task, lines, results, iterations),
                              [(e, rate) for e in engines for rate in e.rates]):
             print(said, flush=True)
 
@@ -82,6 +84,11 @@ def main(results: str, *names: str) -> None:
             if engine.missing():
                 print(f"{engine.name} is left out: {engine.missing()} is missing")
         run(out, [e for e in chosen if not e.missing()], list(read_cases(folder)))
+    some = [e._replace(rates=e.rates[:1]) for e in ENGINES
+            if (not names or e.name in names) and not e.missing() and e.name != DIRECT]
+    for times in ITERATIONS[1:]:
+        print(f"{times} times the iterations, on one in {ITERATIONS_OF} cases")
+        run(Path(results) / f"iterations-{times}", some, list(read_cases())[::ITERATIONS_OF], times)
 
 
 if __name__ == "__main__":

@@ -18,9 +18,8 @@ from solid import Body, Obstacle, Point, Wrench, plus, wrench_of
 F = Fraction
 
 
-def prism(vertices: Tuple[Flat, ...], depth: Fraction, up: int = 2) -> Body:
-    """Extruded to both sides along the axis `up`, with the moments of a body that is uniform, as
-    the mean over the two other axes."""
+def prism(vertices: Tuple[Flat, ...], depth: Fraction) -> Body:
+    """Extruded to both sides along z, with the moments of a uniform body, about x and y their mean."""
     edges = [(a, b, area_of(a, b)) for a, b in zip(vertices, vertices[1:] + vertices[:1])]
     polar = sum(c * (flat_dot(a, a) + flat_dot(a, b) + flat_dot(b, b)) for a, b, c in edges) / (
         6 * sum(c for _, _, c in edges))
@@ -100,27 +99,17 @@ def triangle(random: Random) -> List[Flat]:
     return [(c[0] - centre[0], c[1] - centre[1]) for c in corners]
 
 
-def tripod(on_slopes: bool):
-    def made(random: Random) -> Scene:
-        """Three feet on a table, or each on a slope of its own that leans to the middle; pushed and turned."""
-        feet, height = triangle(random), share(random, 4, 10)
-        body = prism(tuple(feet), height)
-        obstacles = []
-        if on_slopes:
-            for x, y in feet:
-                lean = share(random, 2, 7)
-                u, v = -lean * x, -lean * y
-                normal = scaled((2 * u, 2 * v, 1 - u * u - v * v), 1 / (1 + u * u + v * v))
-                obstacles.append(Obstacle((x, y, -height), normal, share(random, 3, 12)))
-        else:
-            obstacles = [Obstacle((F(0), F(0), -height), (F(0), F(0), F(1)), share(random, 3, 12))]
-        at = (share(random, -6, 6), share(random, -6, 6), height * share(random, -16, 12))
-        twist = (F(0),) * 5 + (PRESS * share(random, -6, 6),)
-        return Scene(body, obstacles, wrench_of(DOWN),
-                     plus(wrench_of(scaled(heading(random), PRESS), at), twist))
-    return made
+def tripod(random: Random) -> Scene:
+    """Three feet on a table, pushed and turned."""
+    feet, height = triangle(random), share(random, 4, 10)
+    table = Obstacle((F(0), F(0), -height), (F(0), F(0), F(1)), share(random, 3, 12))
+    at = (share(random, -6, 6), share(random, -6, 6), height * share(random, -16, 12))
+    twist = (F(0),) * 5 + (PRESS * share(random, -6, 6),)
+    return Scene(prism(tuple(feet), height), [table], wrench_of(DOWN),
+                 plus(wrench_of(scaled(heading(random), PRESS), at), twist))
 
 
+# What touches with eight corners is left out: its class takes minutes to find.
 FAMILIES = {
-    **{f"extruded-{name}": extruded(families.FAMILIES[name]) for name in ("ramp", "tipping", "ladder", "jam")},
-    "yawed": yawed, "spun": spun, "wedge": wedge, "tripod": tripod(False), "tripod-on-slopes": tripod(True)}
+    **{f"extruded-{name}": extruded(families.FAMILIES[name]) for name in ("ramp", "tipping", "ladder")},
+    "yawed": yawed, "spun": spun, "wedge": wedge, "tripod": tripod}

@@ -26,6 +26,7 @@ class World {
         dispatcher_(&configuration_),
         world_(&dispatcher_, &broadphase_, &solver_, &configuration_) {
     world_.setGravity({0, 0, 0});
+    world_.getSolverInfo().m_numIterations *= conformance::iterations();
     // By default there is one direction of friction, which holds no torque about the normal.
     world_.getSolverInfo().m_solverMode |= SOLVER_USE_2_FRICTION_DIRECTIONS;
     // Friction is the product.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What jolt.mjs and jolt_solid.mjs share: one world, in which each case puts its bodies.
 import load from "jolt-physics";
+import { iterations } from "./protocol.mjs";
 
 export const Jolt = await load();
 export const slop = 1e-3; // 0.02 m is the default; as the manual says, a part of what is visible
@@ -21,6 +22,8 @@ export const bodies = system.GetBodyInterface();
 system.SetGravity(new Jolt.Vec3(0, 0, 0));
 const physics = system.GetPhysicsSettings();
 physics.mPenetrationSlop = slop;
+physics.mNumVelocitySteps *= iterations;
+physics.mNumPositionSteps *= iterations;
 system.SetPhysicsSettings(physics);
 
 // No rounding of its edges.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import load_mujoco from "@mujoco/mujoco";
-import { runSolid } from "./protocol.mjs";
+import { iterations, runSolid } from "./protocol.mjs";
 
 // elliptic cones with impratio 10, which the manual advises against slip; or the default, pyramidal
 const option = process.argv[3] === "elliptic" ? 'cone="elliptic" impratio="10"' : "";
@@ -13,7 +13,7 @@ runSolid((c, dt) => {
   const fixed = c.obstacles.map((o, i) => `<geom type="mesh" mesh="o${i}" friction="${o.friction} 0 0"/>`);
   const model = mujoco.MjModel.from_xml_string(`<mujoco>
     <compiler angle="radian" inertiafromgeom="false" boundmass="0" boundinertia="0"/>
-    <option timestep="${dt}" gravity="0 0 0" ${option}><flag multiccd="enable"/></option>
+    <option timestep="${dt}" iterations="${100 * iterations}" gravity="0 0 0" ${option}><flag multiccd="enable"/></option>
     <asset>${mesh("body", c.vertices)}${c.obstacles.map((o, i) => mesh(`o${i}`, o.shape)).join("")}</asset>
     <worldbody>${fixed.join("")}
       <body><inertial pos="0 0 0" mass="1" diaginertia="${numbers(c.inertia)}"/>

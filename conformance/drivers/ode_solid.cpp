@@ -18,6 +18,8 @@ class World {
   World(const Case& c, double dt)
       : case_(c), dt_(dt), world_(dWorldCreate()), group_(dJointGroupCreate(0)) {
     dWorldSetContactSurfaceLayer(world_, layer);
+    dWorldSetQuickStepNumIterations(
+        world_, conformance::iterations() * dWorldGetQuickStepNumIterations(world_));
     body_ = dBodyCreate(world_);
     dMass mass;
     dMassSetParameters(&mass, 1, 0, 0, 0, c.inertia[0], c.inertia[1], c.inertia[2], 0, 0, 0);

@@ -94,6 +94,13 @@ inline Case read_case(const nlohmann::json& line, double scale, double gap) {
   return c;
 }
 
+/// How many times its own number of iterations an engine is to make: STICKSLIP_ITERATIONS,
+/// or 1.
+inline int iterations() {
+  const char* times = std::getenv("STICKSLIP_ITERATIONS");
+  return times == nullptr ? 1 : std::atoi(times);
+}
+
 /// The samples of one case: step(share) with how far the load has gone from `settle` to `load`,
 /// then sample(), eight times a second from the end of settling on.
 template <class Step, class Sample>

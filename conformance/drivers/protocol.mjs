@@ -2,6 +2,9 @@
 // What every engine from npm is put through: protocol.hpp says it, and the same is done here.
 import { createInterface } from "node:readline";
 
+// How many times its own number of iterations an engine is to make.
+export const iterations = Number(process.env.STICKSLIP_ITERATIONS ?? 1);
+
 const plus = (a, b, s = 1) => [a[0] + s * b[0], a[1] + s * b[1]];
 
 function readCase(line, scale, gap) {

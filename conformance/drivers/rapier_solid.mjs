@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import RAPIER from "@dimforge/rapier3d-compat";
-import { runSolid } from "./protocol.mjs";
+import { iterations, runSolid } from "./protocol.mjs";
 
 await RAPIER.init();
 const xyz = ([x, y, z]) => ({ x, y, z }), list = ({ x, y, z }) => [x, y, z];
@@ -16,6 +16,7 @@ const turned = (v, { x, y, z, w }) => {
 runSolid((c, dt) => {
   const world = new RAPIER.World({ x: 0, y: 0, z: 0 });
   world.timestep = dt;
+  world.numSolverIterations *= iterations;
   const body = world.createRigidBody(RAPIER.RigidBodyDesc.dynamic().setCanSleep(false)
     .setAdditionalMassProperties(1, xyz([0, 0, 0]), xyz(c.inertia), { x: 0, y: 0, z: 0, w: 1 }));
   const add = (desc, friction, parent) => world.createCollider(desc.setDensity(0).setFriction(friction)

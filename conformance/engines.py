@@ -17,6 +17,7 @@ class Engine(NamedTuple):
     program: str  # a driver in C++, or in JavaScript
     rates: Tuple[int, ...]  # steps a second: its default, and where it makes sense ten times that
     arguments: Tuple[str, ...] = ()
+    package: str = ""  # of npm, for JavaScript
 
     def command(self, rate: int) -> List[str]:
         if self.program.endswith(".mjs"):
@@ -26,21 +27,37 @@ class Engine(NamedTuple):
     def missing(self) -> str:
         """What is not installed, or nothing."""
         if self.program.endswith(".mjs"):
-            return "" if (HERE / "node_modules").is_dir() else "node_modules (install.sh)"
+            return "" if (HERE / "node_modules" / self.package).is_dir() else f"{self.package} (install.sh)"
         return "" if (BUILT / self.program).exists() else f"{self.program} (install.sh)"
 
 
 ENGINES = [
     Engine("Box2D", "2.4.1", "box2d", (60, 600)),
     Engine("Chipmunk", "7.0.3", "chipmunk", (60, 600)),
-    Engine("planck", "1.5.0", "planck.mjs", (60, 600)),
-    Engine("rapier", "0.21.0", "rapier.mjs", (60, 600)),
-    Engine("Jolt", "1.1.0", "jolt.mjs", (60, 600)),
+    Engine("planck", "1.5.0", "planck.mjs", (60, 600), package="planck"),
+    Engine("rapier", "0.21.0", "rapier.mjs", (60, 600), package="@dimforge/rapier2d-compat"),
+    Engine("Jolt", "1.1.0", "jolt.mjs", (60, 600), package="jolt-physics"),
     Engine("ODE dWorldQuickStep", "0.16.2", "ode", (60, 600), ("quick",)),
     Engine("ODE dWorldStep", "0.16.2", "ode", (60, 600)),
     Engine("Bullet", "3.24", "bullet", (60, 600)),
-    Engine("MuJoCo elliptic", "3.14.0", "mujoco.mjs", (500,), ("elliptic",)),
-    Engine("MuJoCo pyramidal", "3.14.0", "mujoco.mjs", (500,)),
+    Engine("MuJoCo elliptic", "3.14.0", "mujoco.mjs", (500,), ("elliptic",), "@mujoco/mujoco"),
+    Engine("MuJoCo pyramidal", "3.14.0", "mujoco.mjs", (500,), package="@mujoco/mujoco"),
+]
+
+# Times their own number of iterations, at their own steps, on one in ITERATIONS_OF cases; dWorldStep makes none.
+ITERATIONS = (1, 4, 16)
+ITERATIONS_OF = 28
+DIRECT = "ODE dWorldStep"
+
+# In space.
+SOLID_ENGINES = [
+    Engine("Jolt", "1.1.0", "jolt_solid.mjs", (60, 600), package="jolt-physics"),
+    Engine("rapier", "0.21.0", "rapier_solid.mjs", (60, 600), package="@dimforge/rapier3d-compat"),
+    Engine("ODE dWorldQuickStep", "0.16.2", "ode_solid", (60, 600), ("quick",)),
+    Engine("ODE dWorldStep", "0.16.2", "ode_solid", (60, 600)),
+    Engine("Bullet", "3.24", "bullet_solid", (60, 600)),
+    Engine("MuJoCo elliptic", "3.14.0", "mujoco_solid.mjs", (500,), ("elliptic",), "@mujoco/mujoco"),
+    Engine("MuJoCo pyramidal", "3.14.0", "mujoco_solid.mjs", (500,), package="@mujoco/mujoco"),
 ]
 
 # Those that test the set-up: where all of these agree with a border, it is not the driver that decides.

@@ -4,7 +4,7 @@
 hold or must move, and of these only the ones that neither a little friction nor a small move of
 the contacts changes.
 
-    generate.py FOLDER [SCENES_PER_FAMILY]
+    generate.py FOLDER [SCENES_PER_FAMILY_IN_THE_PLANE [IN_SPACE]]
 """
 
 from __future__ import annotations
@@ -14,18 +14,30 @@ import sys
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
+from math import floor
 from pathlib import Path
 from random import Random
 from typing import Dict, List, Optional, Tuple
 
-from families import FAMILIES, Scene
-from scene import Contact, contacts, grasp_file, plus, size, spelled, turned
+import families
+import scene as flat
+import solid
+import solid_families
+from families import Scene
+from scene import Contact, spelled
 from truth import load_class, work
 
 F = Fraction
+FAMILIES = {**families.FAMILIES, **solid_families.FAMILIES}
 GAPS = (10, 3, 1)  # percent
+FINE = F(1, 2**20)
 FRICTION_MARGIN = F(5, 1000)
 MOVED = F(2, 1000)  # of the size
+
+
+def place_of(scene: Scene):
+    """The module that knows its contacts."""
+    return solid if isinstance(scene.body, solid.Body) else flat
 
 
 def load(scene: Scene, multiple: Fraction):
@@ -33,15 +45,16 @@ def load(scene: Scene, multiple: Fraction):
 
 
 def asked(scene: Scene, touching: List[Contact], wrench):
-    return load_class(grasp_file("", scene.body, touching, wrench), scene.body.gyration)
+    where = place_of(scene)
+    return load_class(where.grasp_file("", scene.body, touching, wrench), where.inertia(scene.body))
 
 
 def borders(scene: Scene, touching: List[Contact]) -> Optional[Tuple[Fraction, Optional[Fraction]]]:
     """The largest multiple up to which it must hold, and the least from which it must move.
 
     The second is exact: a motion that nothing opposes is opposed below the multiple at which the
-    load does no work along it, and so on down. The first is the same where nothing is open
-    between, and found by bisection otherwise."""
+    load does no work along it, and so on down; in space, where there is no last such motion, to
+    FINE. The first is the same where nothing is open between, and found by bisection otherwise."""
     if asked(scene, touching, scene.settle)[0] != "must hold":
         return None
     multiple, move = F(1), None
@@ -54,6 +67,8 @@ def borders(scene: Scene, touching: List[Contact]) -> Optional[Tuple[Fraction, O
             if slope <= 0:
                 return None
             below = -work(motion, scene.settle) / slope
+            if len(motion) > 3:
+                below = F(floor(below / FINE)) * FINE
             if below >= multiple:
                 break
             multiple = move = below
@@ -61,7 +76,7 @@ def borders(scene: Scene, touching: List[Contact]) -> Optional[Tuple[Fraction, O
     if move is None or move <= 0:
         return None
     low, high = F(0), move
-    just_below = move * (1 - F(1, 2**20))
+    just_below = move * (1 - 2 * FINE)
     if asked(scene, touching, load(scene, just_below))[0] == "must hold":
         return move, move
     while high - low > move / 2**12:
@@ -75,13 +90,12 @@ def borders(scene: Scene, touching: List[Contact]) -> Optional[Tuple[Fraction, O
 
 def is_firm(scene: Scene, touching: List[Contact], wrench, kind: str) -> bool:
     """Whether nobody can blame a little friction, or where exactly the contacts are."""
-    far = F(size(scene.body)).limit_denominator(64) * MOVED
+    where = place_of(scene)
+    far = F(where.size(scene.body)).limit_denominator(64) * MOVED
     changed = [[c._replace(friction=c.friction * factor) for c in touching]
                for factor in (1 - FRICTION_MARGIN, 1 + FRICTION_MARGIN)]
     for signs in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
-        changed.append([c._replace(position=plus(plus(c.position, turned(c.normal), far * signs[i % 2]),
-                                                 c.normal, far * signs[(i + 1) % 2]))
-                        for i, c in enumerate(touching)])
+        changed.append([where.moved(c, far * signs[(i + 1) % 2], far * signs[i % 2]) for i, c in enumerate(touching)])
     return all(asked(scene, t, wrench)[0] == kind for t in changed)
 
 
@@ -91,7 +105,8 @@ def holds_on_the_way(scene: Scene, touching: List[Contact], multiple: Fraction) 
 
 def cases_of(family: str, number: int, dropped: Counter) -> List[Dict[str, object]]:
     scene = FAMILIES[family](Random(f"{family} {number}"))
-    touching = contacts(scene.body, scene.obstacles)
+    where = place_of(scene)
+    touching = where.contacts(scene.body, scene.obstacles)
     if len(touching) < len(scene.obstacles):
         dropped["an obstacle does not touch"] += 1
         return []
@@ -113,37 +128,32 @@ def cases_of(family: str, number: int, dropped: Counter) -> List[Dict[str, objec
                 dropped[f"friction or contacts decide at {gap} %"] += 1
             else:
                 name = f"{family}-{number}-{'hold' if sign < 0 else 'move'}-{gap}"
-                case: Dict[str, object] = {
-                    "class": kind, "gap": gap, "border": spelled(border), "gyration": spelled(scene.body.gyration),
-                    "settle": [spelled(c) for c in scene.settle],
-                    "obstacles": [{"point": [spelled(c) for c in o.point], "normal": [spelled(c) for c in o.normal],
-                                   "friction": spelled(o.friction), **({"tip": True} if o.tip else {})}
-                                  for o in scene.obstacles]}
-                if scene.body.radius:
-                    case["radius"] = spelled(scene.body.radius)
-                case["grasp"] = grasp_file(name, scene.body, touching, wrench)
-                cases.append(case)
+                cases.append({
+                    "class": kind, "gap": gap, "border": spelled(border), **where.written(scene),
+                    "grasp": where.grasp_file(name, scene.body, touching, wrench)})
     return cases
 
 
-def main(folder: str, scenes: int) -> None:
+def make(kinds: Dict[str, object], folder: Path, scenes: int) -> None:
     dropped: Counter = Counter()
     total = kept = 0
-    for family in FAMILIES:
+    folder.mkdir(parents=True, exist_ok=True)
+    for family in kinds if scenes else ():
         # The program that is asked runs beside; threads wait for it.
-        with ThreadPoolExecutor(2) as pool, open(Path(folder) / f"{family}.jsonl", "w", encoding="utf-8") as out:
+        with ThreadPoolExecutor(2) as pool, open(folder / f"{family}.jsonl", "w", encoding="utf-8") as out:
             written = 0
             for found in pool.map(lambda n: cases_of(family, n, dropped), range(scenes)):
                 written += len(found)
                 kept += bool(found)
                 for case in found:
                     out.write(json.dumps(case) + "\n")
-        print(f"{family:8} {written:4} cases")
+        print(f"{family:18} {written:4} cases", flush=True)
         total += written
-    print(f"{total} cases of {kept} scenes, of {scenes * len(FAMILIES)} that were made")
+    print(f"{total} cases of {kept} scenes, of {scenes * len(kinds)} that were made")
     for why, count in sorted(dropped.items()):
         print(f"{count:5} dropped: {why}")
 
 
 if __name__ == "__main__":
-    main(sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 32)
+    make(families.FAMILIES, Path(sys.argv[1]), int(sys.argv[2]) if len(sys.argv) > 2 else 32)
+    make(solid_families.FAMILIES, Path(sys.argv[1]) / "space", int(sys.argv[3]) if len(sys.argv) > 3 else 5)

@@ -15,9 +15,11 @@ from pathlib import Path
 from statistics import median
 from typing import Dict, List, NamedTuple, Tuple
 
-from engines import ENGINES, SOUND, Engine
+import scene
+import solid
+from engines import ENGINES, HERE, SOLID_ENGINES, SOUND, Engine
 from run import read_cases, result_file
-from scene import Body, scene_of, size
+from scene import size
 
 HELD = 1e-4  # of the size of the body
 MOVED = 1e-2
@@ -39,10 +41,20 @@ class Judged(NamedTuple):
         return "false hold" if self.most <= HELD else "stops" if self.most <= MOVED else "right"
 
 
-def displacement(body: Body, start: List[float], pose: List[float]) -> float:
+def turned(q: List[float], v: List[float]) -> List[float]:
+    """By the unit quaternion x, y, z, w."""
+    t = [2 * c for c in solid.cross(q[:3], v)]
+    return [c + q[3] * s + r for c, s, r in zip(v, t, solid.cross(q[:3], t))]
+
+
+def displacement(body, start: List[float], pose: List[float]) -> float:
     """The farthest that a point of the body went, over the size of the body."""
     if not all(map(math.isfinite, pose)):
         return math.inf
+    if len(pose) == 7:
+        corners = [[float(c) for c in v] for v in body.vertices]
+        place = lambda p, v: [a + b for a, b in zip(p[:3], turned(p[3:], v))]
+        return max(math.dist(place(start, v), place(pose, v)) for v in corners) / solid.size(body)
     turn = pose[2] - start[2]
     if not body.vertices:
         return (math.dist(start[:2], pose[:2]) + abs(turn) * float(body.radius)) / size(body)
@@ -54,7 +66,7 @@ def displacement(body: Body, start: List[float], pose: List[float]) -> float:
 
 
 def judged(case: Dict[str, object], samples: List[Dict[str, object]]) -> Judged:
-    body, _ = scene_of(case)
+    body, _ = (solid if "vertices" in case else scene).scene_of(case)
     start = samples[0]["pose"]
     return Judged(case, [displacement(body, start, s["pose"]) for s in samples], samples)
 
@@ -84,14 +96,15 @@ def agreement(runs: List[List[Judged]]) -> Tuple[int, int]:
     return sum(all(j.verdict in ("right", "creeps") for j in s) for s in both), len(both)
 
 
-def main(results: str) -> None:
-    cases = {c["grasp"]["name"]: c for c in read_cases()}
+def table(results: Path, engines: List[Engine], folder: Path) -> Dict[int, List[List[Judged]]]:
+    """Prints it, and returns what the engines of SOUND did, at their steps and ten times them."""
+    cases = {c["grasp"]["name"]: c for c in read_cases(folder)}
     sound: Dict[int, List[List[Judged]]] = defaultdict(list)
-    for engine in ENGINES:
+    for engine in engines:
         for index, rate in enumerate(engine.rates):
-            if not result_file(Path(results), engine, rate).exists():
+            if not result_file(results, engine, rate).exists():
                 continue
-            of = read_results(Path(results), engine, rate, cases)
+            of = read_results(results, engine, rate, cases)
             if engine.name in SOUND:
                 sound[index].append(of)
             found = count(of)
@@ -99,10 +112,17 @@ def main(results: str) -> None:
             cells = "  ".join(f"{v} " + "/".join(str(by[v][g]) for g in (10, 3, 1))
                               for v in ("false hold", "stops", "false slip", "creeps"))
             print(f"{engine.name:24} {rate:5}  {cells}  creep {found['creep']:.1e}")
+    return sound
+
+
+def main(results: str) -> None:
+    sound = table(Path(results), ENGINES, HERE / "cases")
     for index, runs in sound.items():
         agreed, of_all = agreement(runs)
         print(f"{len(runs)} of {', '.join(SOUND)} at {'ten times their' if index else 'their'} steps agree with the "
               f"border to 1 % in {agreed} of {of_all} scenes")
+    print("In space:")
+    table(Path(results) / "space", SOLID_ENGINES, HERE / "cases/space")
 
 
 if __name__ == "__main__":

@@ -10,18 +10,20 @@ from __future__ import annotations
 import html
 import json
 import sys
+from statistics import median
 from pathlib import Path
-from typing import Dict, List
+from typing import Dict, List, NamedTuple
 
-from engines import ENGINES, HERE, UNRANKED, Engine
+from engines import DIRECT, ENGINES, HERE, ITERATIONS, ITERATIONS_OF, SOLID_ENGINES, UNRANKED, Engine
 from forces import Found, judge_forces, summary
 from judge import HELD, MOVED, Judged, count, read_results
-from run import in_doubles, read_cases, result_file
-from scene import read
-from truth import evidence
+from pictures import played
+from run import read_cases, result_file
+from solid_forces import judge_solid_forces
+from truth import evidence_of, inertia_of
 
 GAPS = (10, 3, 1)
-SHOWN = 6  # pictures for an engine
+SHOWN = 6  # failures of an engine that stand open
 FORCES_OF = 4  # forces are judged of every fourth case: exact answers to doubles take their time
 
 
@@ -65,18 +67,13 @@ def forces_row(engine: Engine, found: List[Found]) -> str:
 def failure(engine: Engine, rate: int, judged: Judged) -> str:
     """A picture that plays, its proof, and how to ask again."""
     case = judged.case
-    doubles = json.loads(in_doubles(case))
     grasp = case["grasp"]
-    data = {"body": doubles["vertices"], "radius": doubles["radius"],
-            "obstacles": [o["shape"] for o in doubles["obstacles"]], "poses": [s["pose"] for s in judged.samples],
-            "forces": [[c[:2] + c[4:6] for c in s["contacts"]] for s in judged.samples], "moved": judged.moved}
-    gyration_squared = read(case["gyration"]) ** 2
     return f"""<section class="failure"><h4>{html.escape(grasp["name"])}: {judged.verdict}</h4>
-<div class="play" data-run='{json.dumps(data)}'></div>
+<div class="play" data-run='{played(judged)}'></div>
 <p>{html.escape(engine.name)} {engine.version} at {rate} steps a second moved it by {judged.most:.1e} of its size.
-It <b>{case["class"]}</b>, {case["gap"]} % from the border. {html.escape(evidence(case))}</p>
+It <b>{case["class"]}</b>, {case["gap"]} % from the border. {html.escape(evidence_of(json.dumps(case)))}</p>
 <details><summary>Ask again</summary><pre>{html.escape(json.dumps(grasp))}</pre>
-<pre>stickslip compare FILE --inertia 0,0,{gyration_squared} --methods weakly-stable-load,strongly-stable-load</pre>
+<pre>stickslip compare FILE --inertia {inertia_of(case)} --methods weakly-stable-load,strongly-stable-load</pre>
 </details></section>"""
 
 
@@ -86,35 +83,69 @@ def engine_part(engine: Engine, runs: Dict[int, List[Judged]]) -> str:
         out.append(f"<figure>{histogram(of)}<figcaption>{rate} steps a second</figcaption></figure>")
     rate, of = next(iter(runs.items()))
     wrong = [j for j in of if j.verdict.startswith("false")]
-    out.append(f"<p>{len(wrong)} failures at {rate} steps a second" +
-               (f"; {min(SHOWN, len(wrong))} of them:</p>" if wrong else ".</p>"))
     step = max(1, len(wrong) // SHOWN)
-    out += [failure(engine, rate, j) for j in wrong[::step][:SHOWN]]
-    if wrong:
-        names = ", ".join(j.case["grasp"]["name"] for j in wrong)
-        out.append(f"<details><summary>All of them</summary><p>{html.escape(names)}</p></details>")
+    shown = wrong[::step][:SHOWN]
+    out.append(f"<p>{len(wrong)} failures at {rate} steps a second" + (":</p>" if wrong else ".</p>"))
+    out += [failure(engine, rate, j) for j in shown]
+    others = [failure(engine, rate, j) for j in wrong if j not in shown]
+    if others:
+        out += [f"<details><summary>{len(others)} more</summary>", *others, "</details>"]
     return "\n".join(out)
 
 
-def main(results: str, page: str) -> None:
-    cases = {c["grasp"]["name"]: c for c in read_cases()}
+class Part(NamedTuple):
+    """Of the page: rows of two tables, and of each engine histograms and failures."""
+
+    cases: int
+    motion: str
+    forces: str
+    engines: str
+
+
+def iterations_row(results: Path, engine: Engine, cases: Dict[str, Dict[str, object]]) -> str:
+    """Of some cases, by iterations: false holds, false slips, and how far what must hold went, median and most."""
+    rate, cells = engine.rates[0], ""
+    for times in ITERATIONS:
+        folder = results if times == 1 else results / f"iterations-{times}"
+        if not result_file(folder, engine, rate).exists():
+            return ""
+        of = read_results(folder, engine, rate, cases)
+        went = [j.most for j in of if j.case["class"] == "must hold"]
+        wrong = [sum(j.verdict == v for j in of) for v in ("false hold", "false slip")]
+        cells += f"<td>{wrong[0]} / {wrong[1]}</td><td>{median(went):.0e}</td><td>{max(went):.0e}</td>"
+    return f"<tr><th>{html.escape(engine.name)}</th>{cells}</tr>"
+
+
+def part(results: Path, engines: List[Engine], folder: Path, judge) -> Part:
+    cases = {c["grasp"]["name"]: c for c in read_cases(folder)}
     motion, forces, parts = [], [], []
-    for engine in ENGINES:
-        runs = {rate: read_results(Path(results), engine, rate, cases) for rate in engine.rates
-                if result_file(Path(results), engine, rate).exists()}
+    for engine in engines:
+        runs = {rate: read_results(results, engine, rate, cases) for rate in engine.rates
+                if result_file(results, engine, rate).exists()}
         if not runs:
             motion.append(f'<tr><th>{html.escape(engine.name)}</th>'
                           f'<td colspan="7">not run: {engine.missing()}</td></tr>')
             continue
         motion += [motion_row(engine, rate, of) for rate, of in runs.items()]
-        forces.append(forces_row(engine, judge_forces(next(iter(runs.values()))[::FORCES_OF])))
+        forces.append(forces_row(engine, judge(next(iter(runs.values())))))
         parts.append(engine_part(engine, runs))
         print(f"{engine.name} is judged", flush=True)
+    return Part(len(cases), "\n".join(motion), "\n".join(forces), "\n".join(parts))
+
+
+def main(results: str, page: str) -> None:
+    plane = part(Path(results), ENGINES, HERE / "cases", lambda of: judge_forces(of[::FORCES_OF]))
+    space = part(Path(results) / "space", SOLID_ENGINES, HERE / "cases/space", judge_solid_forces)
     unranked = "".join(f"<li><b>{html.escape(name)}</b>: {html.escape(why)}</li>" for name, why in UNRANKED.items())
     text = (HERE / "page.html").read_text(encoding="utf-8")
-    for place, value in {"CASES": str(len(cases)), "HELD": f"{HELD:.0e}", "MOVED": f"{MOVED:.0e}",
-                         "FORCES_OF": str(FORCES_OF), "MOTION": "\n".join(motion), "FORCES": "\n".join(forces),
-                         "UNRANKED": unranked, "ENGINES": "\n".join(parts)}.items():
+    places = {"HELD": f"{HELD:.0e}", "MOVED": f"{MOVED:.0e}", "FORCES_OF": str(FORCES_OF), "UNRANKED": unranked}
+    some = {c["grasp"]["name"]: c for c in list(read_cases())[::ITERATIONS_OF]}
+    rows = [iterations_row(Path(results), e, some) for e in ENGINES if e.name != DIRECT]
+    places.update(ITERATIONS="\n".join(rows), ITERATED=str(len(some)))
+    for name, of in (("", plane), ("SOLID_", space)):
+        places.update({f"{name}CASES": str(of.cases), f"{name}MOTION": of.motion, f"{name}FORCES": of.forces,
+                       f"{name}ENGINES": of.engines})
+    for place, value in places.items():
         text = text.replace(f"<!--{place}-->", value)
     Path(page).write_text(text, encoding="utf-8")
 

@@ -134,6 +134,17 @@ def shape(obstacle: Obstacle) -> List[Point]:
     return [left, plus(left, normal, Fraction(-DEPTH)), plus(right, normal, Fraction(-DEPTH)), right]
 
 
+def moved(contact: Contact, along: Fraction, across: Fraction) -> Contact:
+    """Along the normal, and across it."""
+    return contact._replace(position=plus(plus(contact.position, turned(contact.normal), across),
+                                          contact.normal, along))
+
+
+def inertia(body: Body) -> str:
+    """As `stickslip compare --inertia` takes it."""
+    return f"0,0,{body.gyration ** 2}"
+
+
 def wrench_of(force: Point, at: Point = (Fraction(0), Fraction(0))) -> Wrench:
     return (force[0], force[1], cross(at, force))
 
@@ -156,6 +167,17 @@ def spelled(value: Fraction) -> object:
 
 def read(value: object) -> Fraction:
     return Fraction(str(value))
+
+
+def written(scene) -> Dict[str, object]:
+    """What a line of cases/ says of a Scene of families.py, besides the grasp."""
+    found: Dict[str, object] = {
+        "gyration": spelled(scene.body.gyration), "settle": [spelled(c) for c in scene.settle],
+        "obstacles": [{"point": [spelled(c) for c in o.point], "normal": [spelled(c) for c in o.normal],
+                       "friction": spelled(o.friction), **({"tip": True} if o.tip else {})} for o in scene.obstacles]}
+    if scene.body.radius:
+        found["radius"] = spelled(scene.body.radius)
+    return found
 
 
 def scene_of(case: Dict[str, object]) -> Tuple[Body, List[Obstacle]]:

@@ -7,36 +7,50 @@ import json
 import os
 import subprocess
 from fractions import Fraction
+from functools import lru_cache
 from pathlib import Path
-from typing import Dict, List, Tuple
+from typing import Dict, List, Sequence, Tuple
 
-from scene import Wrench, read
+import scene
+import solid
+from scene import read
 
 PROGRAM = os.environ.get("STICKSLIP", str(Path(__file__).resolve().parent.parent / "build/bin/stickslip"))
 
 
-def asked(grasp: Dict[str, object], gyration: Fraction) -> Tuple[str, Dict[str, Dict[str, object]]]:
+def asked(grasp: Dict[str, object], inertia: str) -> Tuple[str, Dict[str, Dict[str, object]]]:
     """The class, and by method its evidence."""
-    done = subprocess.run([PROGRAM, "compare", "-", "--json", "--inertia", f"0,0,{gyration ** 2}",
+    done = subprocess.run([PROGRAM, "compare", "-", "--json", "--inertia", inertia,
                            "--methods", "weakly-stable-load,strongly-stable-load"],
                           input=json.dumps(grasp), capture_output=True, text=True, check=True)
     answer = json.loads(done.stdout)
     return answer["class"], {m["method"]: m["evidence"] for m in answer["methods"]}
 
 
-def load_class(grasp: Dict[str, object], gyration: Fraction) -> Tuple[str, List[object]]:
+def inertia_of(case: Dict[str, object]) -> str:
+    where = solid if "vertices" in case else scene
+    return where.inertia(where.scene_of(case)[0])
+
+
+def load_class(grasp: Dict[str, object], inertia: str) -> Tuple[str, List[object]]:
     """"must hold", "must move" or "open", and of "must move" the motion that nothing opposes."""
-    kind, by_method = asked(grasp, gyration)
+    kind, by_method = asked(grasp, inertia)
     return kind, by_method["weakly stable load"].get("motion", [])
 
 
-def work(motion: List[object], wrench: Wrench) -> Fraction:
+def work(motion: List[object], wrench: Sequence[Fraction]) -> Fraction:
     return sum((read(c) * w for c, w in zip(motion, wrench)), Fraction(0))
+
+
+@lru_cache(maxsize=None)
+def evidence_of(text: str) -> str:
+    """As evidence(), of the case as JSON."""
+    return evidence(json.loads(text))
 
 
 def evidence(case: Dict[str, object]) -> str:
     """Why a case has its class, in words and exact numbers."""
-    kind, by_method = asked(case["grasp"], read(case["gyration"]))
+    kind, by_method = asked(case["grasp"], inertia_of(case))
     assert kind == case["class"], case["grasp"]["name"]
     if kind == "must move":
         motion = by_method["weakly stable load"]["motion"]

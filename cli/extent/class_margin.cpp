@@ -5,22 +5,32 @@
 
 #include "commands.hpp"
 #include "stickslip/core/error.hpp"
-#include "stickslip/earlier/class_margin.hpp"
+#include "stickslip/earlier/friction_margin.hpp"
 #include "terminal.hpp"
 
 namespace stickslip {
 namespace {
 
+std::optional<std::string> class_of(const ClassRange& range) {
+  return to_string(range.rigid_class);
+}
+std::optional<std::string> class_of(const FactorRange& range) {
+  if (!range.rigid_class) return std::nullopt;
+  return to_string(*range.rigid_class);
+}
+
+template <class Range>
 Json json_of(const Question& question, const Inertia& inertia,
-             const std::vector<ClassRange>& ranges) {
+             const std::vector<Range>& ranges) {
   Json json{{"name", question.description().name},
             {"wrench", number_json(coordinates(question.loaded().wrench))},
-            {"direction", number_json(*question.direction)},
             {"inertia", inertia_json(inertia)}};
+  if (question.direction) json["direction"] = number_json(*question.direction);
   add_units(json, question.description().units);
   Json& classes = json["classes"] = Json::array();
-  for (const ClassRange& range : ranges) {
-    classes.push_back({{"class", to_string(range.rigid_class)},
+  for (const Range& range : ranges) {
+    const auto name = class_of(range);
+    classes.push_back({{"class", name ? Json(*name) : Json(nullptr)},
                        {"low", number_json(range.low)},
                        {"high", range.high ? number_json(*range.high) : Json(nullptr)},
                        {"has_low", range.has_low},
@@ -29,42 +39,61 @@ Json json_of(const Question& question, const Inertia& inertia,
   return json;
 }
 
-std::string text_of(const ClassRange& range, NumberText& text) {
+template <class Range>
+std::string text_of(const Range& range, NumberText& text) {
   if (range.high == range.low) return text(range.low);
   return (range.has_low ? "[" : "(") + text(range.low) + ", " +
          (range.high ? text(*range.high) : "oo") + (range.has_high ? "]" : ")");
 }
 
+template <class Range>
+void print(const Question& question, const Inertia& inertia, const std::vector<Range>& ranges,
+           const NumberOptions& output) {
+  if (output.json) {
+    std::cout << finished(json_of(question, inertia, ranges), output.floats).dump(1) << '\n';
+    return;
+  }
+  NumberText text(output);
+  if (const std::string title = heading(question); !title.empty()) std::cout << title << '\n';
+  std::cout << "  load w       " << text(coordinates(question.loaded().wrench)) << '\n';
+  if (question.direction) std::cout << "  direction u  " << text(*question.direction) << '\n';
+  std::cout << "  inertia      centre " << text(inertia.centre)
+            << ", squared radius of gyration " << text(inertia.gyration_squared)
+            << (question.direction ? "\n\nUnder the load w + l u rigid contacts\n"
+                                   : "\n\nWith all friction times s rigid contacts\n");
+  std::vector<std::vector<std::string>> table;
+  for (const Range& range : ranges) {
+    table.push_back({"  " + class_of(range).value_or("not known"),
+                     (question.direction ? "l in " : "s in ") + text_of(range, text)});
+  }
+  std::cout << format_table(table, Align::kLeft) << units_text(question) << text.note();
+}
+
 }  // namespace
 
-int answer_class_margin(const Question& question, const std::string& inertia_text,
+int answer_class_margin(const Question& question, const ClassMarginOptions& options,
                         const NumberOptions& output) {
+  const Inertia inertia = inertia_option("--inertia", options.inertia);
+  if (options.friction) {
+    if (question.direction || question.preload_direction) {
+      throw InputError("", "--friction", "friction changes, and the load as well",
+                       "leave out --direction and --preload-direction");
+    }
+    print(question, inertia, friction_margin(problem_of(question), inertia, options.accuracy),
+          output);
+    return kDone;
+  }
   if (!question.direction || question.preload_direction) {
     throw InputError("", "--class", "rigid contacts know no preloads",
-                     "say which load grows, as in --direction 0,1,0");
+                     "say which load grows, as in --direction 0,1,0, or ask with --friction "
+                     "which factors of friction are of which class");
   }
-  const Inertia inertia = inertia_option("--inertia", inertia_text);
   const auto result = class_margin(problem_of(question), inertia);
   if (const auto* undecided = std::get_if<Undecided>(&result)) {
     std::cerr << "stickslip: the margin is not known: " << in_words(*undecided) << '\n';
     return kUndecidedWithinLimit;
   }
-  const auto& ranges = std::get<std::vector<ClassRange>>(result);
-  NumberText text(output);
-  if (output.json) {
-    std::cout << finished(json_of(question, inertia, ranges), output.floats).dump(1) << '\n';
-    return kDone;
-  }
-  if (const std::string title = heading(question); !title.empty()) std::cout << title << '\n';
-  std::cout << "  load w       " << text(coordinates(question.loaded().wrench))
-            << "\n  direction u  " << text(*question.direction) << "\n  inertia      centre "
-            << text(inertia.centre) << ", squared radius of gyration "
-            << text(inertia.gyration_squared) << "\n\nUnder the load w + l u rigid contacts\n";
-  std::vector<std::vector<std::string>> table;
-  for (const ClassRange& range : ranges) {
-    table.push_back({"  " + to_string(range.rigid_class), "l in " + text_of(range, text)});
-  }
-  std::cout << format_table(table, Align::kLeft) << units_text(question) << text.note();
+  print(question, inertia, std::get<std::vector<ClassRange>>(result), output);
   return kDone;
 }
 

@@ -9,9 +9,15 @@
 
 namespace stickslip {
 
-/// Prints which multiples of the direction are of which class, for that --inertia. Returns the
-/// exit code.
-int answer_class_margin(const Question& question, const std::string& inertia,
+struct ClassMarginOptions {
+  std::string inertia;    ///< as --inertia gives it
+  bool friction = false;  ///< of factors of friction, not of multiples of the direction
+  Rational accuracy;      ///< of factors
+};
+
+/// Prints which multiples of the direction, or factors of friction, are of which class. Returns
+/// the exit code.
+int answer_class_margin(const Question& question, const ClassMarginOptions& options,
                         const NumberOptions& output);
 
 }  // namespace stickslip

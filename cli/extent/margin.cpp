@@ -29,6 +29,7 @@ struct MarginArguments {
   NumberOptions output;
   bool least = false;
   bool asks_class = false;
+  bool friction = false;
   std::string inertia = "0,0,1";
   bool no_warnings = false;
 };
@@ -95,13 +96,18 @@ void print_least(const Margin& margin, NumberText& text) {
   std::cout << text.note();
 }
 
-int margin_in_space(const Question& question, const MarginArguments& arguments) {
-  SpatialMarginOptions search;
-  search.accuracy = number_option("--accuracy", arguments.accuracy);
-  if (search.accuracy.sign() <= 0) {
+Rational accuracy_of(const MarginArguments& arguments) {
+  const Rational accuracy = number_option("--accuracy", arguments.accuracy);
+  if (accuracy.sign() <= 0) {
     throw InputError("", "--accuracy", "the value is " + arguments.accuracy,
                      "give a number above 0, such as 1/1000");
   }
+  return accuracy;
+}
+
+int margin_in_space(const Question& question, const MarginArguments& arguments) {
+  SpatialMarginOptions search;
+  search.accuracy = accuracy_of(arguments);
   search.search.node_limit = arguments.node_limit;
   return answer_margin_in_space(question, {arguments.certificate, search, arguments.output,
                                            arguments.least, !arguments.no_warnings});
@@ -114,7 +120,9 @@ int margin(const MarginArguments& arguments) {
       throw InputError("", "--class", "the grasp is in space",
                        "classes are known of grasps in the plane");
     }
-    return answer_class_margin(question, arguments.inertia, arguments.output);
+    return answer_class_margin(question,
+                               {arguments.inertia, arguments.friction, accuracy_of(arguments)},
+                               arguments.output);
   }
   if (!question.is_margin()) {
     throw InputError(
@@ -184,6 +192,12 @@ void add_margin_command(CLI::App& app, int& exit_code) {
           ->excludes(least)
           ->excludes(certificate);
   command
+      ->add_flag(
+          "--friction", arguments->friction,
+          "With --class, and without directions: ask which factors of all friction are of "
+          "which class")
+      ->needs(asks_class);
+  command
       ->add_option("--inertia", arguments->inertia,
                    "Of the object, for --class: the centre of mass and the squared radius of "
                    "gyration about it")
@@ -193,7 +207,8 @@ void add_margin_command(CLI::App& app, int& exit_code) {
   command
       ->add_option("--accuracy", arguments->accuracy,
                    "In space: which part of a multiple may stay undecided at an end of what "
-                   "is resisted")
+                   "is resisted. With --friction: which part of a factor, where what must hold "
+                   "ends")
       ->type_name("PART")
       ->capture_default_str();
   add_node_limit_option(*command, arguments->node_limit);

@@ -57,7 +57,7 @@ class World {
   void step(const Load& load) {
     body_->ApplyForceToCenter(to_b2(load.force), true);
     body_->ApplyTorque(static_cast<float>(load.torque), true);
-    world_.Step(dt_, 8, 3);
+    world_.Step(dt_, 8 * iterations(), 3 * iterations());
   }
 
   State state() const {

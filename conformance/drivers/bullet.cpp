@@ -20,6 +20,7 @@ class World {
         dispatcher_(&configuration_),
         world_(&dispatcher_, &broadphase_, &solver_, &configuration_) {
     world_.setGravity({0, 0, 0});
+    world_.getSolverInfo().m_numIterations *= iterations();
     // Friction is the product.
     btCollisionShape* shape = nullptr;
     if (c.vertices.empty())

@@ -21,6 +21,7 @@ class World {
   World(const Case& c, double dt)
       : dt_(dt), space_(cpSpaceNew()), body_(cpBodyNew(1, c.inertia)) {
     cpSpaceSetCollisionSlop(space_, slop);
+    cpSpaceSetIterations(space_, iterations() * cpSpaceGetIterations(space_));
     cpSpaceAddBody(space_, body_);
     // Friction is the product.
     add(c.vertices.empty() ? cpCircleShapeNew(body_, c.radius, cpvzero)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import load_mujoco from "@mujoco/mujoco";
-import { run } from "./protocol.mjs";
+import { iterations, run } from "./protocol.mjs";
 
 // elliptic cones with impratio 10, which the manual advises against slip; or the default, pyramidal
 const option = process.argv[3] === "elliptic" ? 'cone="elliptic" impratio="10"' : "";
@@ -23,7 +23,7 @@ run((c, dt) => {
   const shape = c.vertices.length ? `type="mesh" mesh="body"` : `type="sphere" size="${c.radius}"`;
   const model = mujoco.MjModel.from_xml_string(`<mujoco>
     <compiler angle="radian" inertiafromgeom="false" boundmass="0" boundinertia="0"/>
-    <option timestep="${dt}" gravity="0 0 0" ${option}><flag multiccd="enable"/></option>
+    <option timestep="${dt}" iterations="${100 * iterations}" gravity="0 0 0" ${option}><flag multiccd="enable"/></option>
     <asset>${meshes}${c.obstacles.map((o, i) => (o.tip ? mesh(`o${i}`, o.shape) : "")).join("")}</asset>
     <worldbody>${obstacles.join("")}
       <body><inertial pos="0 0 0" mass="1" diaginertia="${c.inertia} ${c.inertia} ${c.inertia}"/>

@@ -49,6 +49,8 @@ class World {
   World(const Case& c, double dt)
       : case_(c), dt_(dt), world_(dWorldCreate()), group_(dJointGroupCreate(0)) {
     dWorldSetContactSurfaceLayer(world_, layer);
+    dWorldSetQuickStepNumIterations(world_,
+                                    iterations() * dWorldGetQuickStepNumIterations(world_));
     body_ = dBodyCreate(world_);
     dMass mass;
     dMassSetParameters(&mass, 1, 0, 0, 0, c.inertia, c.inertia, c.inertia, 0, 0, 0);

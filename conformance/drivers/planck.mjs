@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import { Circle, Polygon, Settings, Vec2, World } from "planck";
-import { run } from "./protocol.mjs";
+import { iterations, run } from "./protocol.mjs";
 
 // As Box2D, from which it comes: bodies of 0.1 to 10 m, a skin, an overlap by the slop, 8 and 3 iterations.
 const scale = 4;
@@ -22,7 +22,7 @@ run((c, dt) => {
     step([x, y, torque]) {
       body.applyForceToCenter(new Vec2(x, y), true);
       body.applyTorque(torque, true);
-      world.step(dt, 8, 3);
+      world.step(dt, 8 * iterations, 3 * iterations);
     },
     state() {
       const p = body.getPosition(), v = body.getLinearVelocity();

@@ -94,38 +94,58 @@ inline Case read_case(const nlohmann::json& line, double scale, double gap) {
   return c;
 }
 
+/// How many times its own number of iterations an engine is to make: STICKSLIP_ITERATIONS,
+/// or 1.
+inline int iterations() {
+  const char* times = std::getenv("STICKSLIP_ITERATIONS");
+  return times == nullptr ? 1 : std::atoi(times);
+}
+
+/// The samples of one case: step(share) with how far the load has gone from `settle` to `load`,
+/// then sample(), eight times a second from the end of settling on.
+template <class Step, class Sample>
+nlohmann::json put_through(int rate, const Step& step, const Sample& sample) {
+  const double settling = 1, ramp = 0.25, end = 4.25;
+  nlohmann::json samples = nlohmann::json::array();
+  const int steps = static_cast<int>(std::lround(end * rate));
+  for (int i = 1; i <= steps; ++i) {
+    step(std::clamp((i / double(rate) - settling) / ramp, 0.0, 1.0));
+    if (i < settling * rate || (8 * i) / rate == (8 * (i - 1)) / rate) continue;
+    samples.push_back(sample());
+    samples.back()["t"] = i / double(rate);
+  }
+  return samples;
+}
+
 /// A World is made of a case and a time step; it has `step(load)`, `state()` and `contacts()`,
 /// and says `scale` and, of a disc or a polygon, `gap(is_disc)`. Called as PROGRAM
 /// STEPS_PER_SECOND.
 template <class World>
 int run(int argc, char** argv) {
   const int rate = argc > 1 ? std::atoi(argv[1]) : 60;
-  const double settling = 1, ramp = 0.25, end = 4.25;
   for (std::string text; std::getline(std::cin, text);) {
     const nlohmann::json line = nlohmann::json::parse(text);
     const Case c = read_case(line, World::scale, World::gap(line["vertices"].empty()));
     World world(c, 1.0 / rate);
-    nlohmann::json samples = nlohmann::json::array();
-    const int steps = static_cast<int>(std::lround(end * rate));
-    for (int i = 1; i <= steps; ++i) {
-      const double share = std::clamp((i / double(rate) - settling) / ramp, 0.0, 1.0);
+    const auto step = [&](double share) {
       world.step({c.settle.force + share * (c.load.force - c.settle.force),
                   c.settle.torque + share * (c.load.torque - c.settle.torque)});
-      // Eight samples a second from the end of settling on.
-      if (i < settling * rate || (8 * i) / rate == (8 * (i - 1)) / rate) continue;
+    };
+    const auto sample = [&] {
       const State s = world.state();
       nlohmann::json contacts = nlohmann::json::array();
       for (const ContactForce& f : world.contacts())
         contacts.push_back({f.position.x / World::scale, f.position.y / World::scale,
                             f.normal.x, f.normal.y, f.force.x / World::scale,
                             f.force.y / World::scale, f.friction});
-      samples.push_back(
-          {{"t", i / double(rate)},
-           {"pose", {s.position.x / World::scale, s.position.y / World::scale, s.angle}},
-           {"velocity", {s.velocity.x / World::scale, s.velocity.y / World::scale, s.spin}},
-           {"contacts", contacts}});
-    }
-    std::cout << nlohmann::json{{"name", c.name}, {"samples", samples}}.dump() << '\n';
+      return nlohmann::json{
+          {"pose", {s.position.x / World::scale, s.position.y / World::scale, s.angle}},
+          {"velocity", {s.velocity.x / World::scale, s.velocity.y / World::scale, s.spin}},
+          {"contacts", contacts}};
+    };
+    std::cout
+        << nlohmann::json{{"name", c.name}, {"samples", put_through(rate, step, sample)}}.dump()
+        << '\n';
   }
   return 0;
 }

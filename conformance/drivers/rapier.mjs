@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 import RAPIER from "@dimforge/rapier2d-compat";
-import { run } from "./protocol.mjs";
+import { iterations, run } from "./protocol.mjs";
 
 await RAPIER.init();
 const flat = (vertices) => new Float32Array(vertices.flat());
@@ -9,6 +9,7 @@ const flat = (vertices) => new Float32Array(vertices.flat());
 run((c, dt) => {
   const world = new RAPIER.World({ x: 0, y: 0 });
   world.timestep = dt;
+  world.numSolverIterations *= iterations;
   const body = world.createRigidBody(RAPIER.RigidBodyDesc.dynamic().setCanSleep(false)
     .setAdditionalMassProperties(1, { x: 0, y: 0 }, c.inertia));
   const multiply = RAPIER.CoefficientCombineRule.Multiply;

@@ -3,8 +3,8 @@
 #include "exact.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
-#include "stickslip/earlier/class_margin.hpp"
 #include "stickslip/earlier/comparison.hpp"
+#include "stickslip/earlier/friction_margin.hpp"
 #include "stickslip/earlier/spatial_classes.hpp"
 
 namespace stickslip::python {
@@ -108,11 +108,34 @@ py::object classes(const GraspFile& grasp, const py::object& direction,
   });
 }
 
+/// Tuples of results.ClassRange: which factors of all friction are of which class.
+py::tuple factors(const GraspFile& grasp, const py::object& wrench, const py::object& inertia,
+                  const py::object& accuracy) {
+  QuestionOptions asked = question_options(wrench, py::none(), false);
+  asked.preload = 0;  // of rigid contacts
+  const Inertia mass = inertia_from(inertia);
+  const Rational part = exact(accuracy, "accuracy");
+  if (part.sign() <= 0) {
+    throw InputError("", "accuracy", "the value is " + to_string(part),
+                     "give a number above 0, such as 1/1000");
+  }
+  const auto found = without_gil(
+      [&] { return friction_margin(problem_of(question_of(grasp, asked)), mass, part); });
+  return tuple_of(found, [](const FactorRange& range) {
+    const auto& kind = range.rigid_class;
+    return py::make_tuple(kind ? py::object(text(to_string(*kind))) : py::object(py::none()),
+                          fraction(range.low),
+                          range.high ? fraction(*range.high) : py::object(py::none()),
+                          range.has_low, range.has_high);
+  });
+}
+
 }  // namespace
 
 void bind_compare(py::module_& module) {
   module.def("compare", &compare);
   module.def("class_margin", &classes);
+  module.def("friction_margin", &factors);
 }
 
 }  // namespace stickslip::python

@@ -171,6 +171,12 @@ def class_margin(
     wrench: Optional[List[Any]],
     inertia: List[Any],
 ) -> Union[str, Tuple[Tuple[str, Fraction, Optional[Fraction], bool, bool], ...]]: ...
+def friction_margin(
+    grasp: GraspData,
+    wrench: Optional[List[Any]],
+    inertia: List[Any],
+    accuracy: Any,
+) -> Tuple[Tuple[Optional[str], Fraction, Optional[Fraction], bool, bool], ...]: ...
 def plot_states(grasp: GraspData) -> str: ...
 def page(
     grasp: Union[GraspData, SpatialGraspData],

@@ -403,6 +403,26 @@ def class_margin(
     return tuple(ClassRange(*row) for row in answer)
 
 
+def friction_margin(
+    grasp: Grasp, wrench: Any = None, *, inertia: Any = (0, 0, 1), accuracy: Number = "1/1000",
+) -> Tuple[ClassRange, ...]:
+    """Of which class is a load on rigid contacts when all friction is multiplied by s >= 0?
+
+    Args:
+        grasp: what is asked about. Its preloads and stiffnesses play no part.
+        wrench: (3,): the load; the grasp's own if None.
+        inertia: (3,): the centre of mass and the squared radius of gyration about it.
+        accuracy: which part of a factor may be unknown where what must hold ends at a load that is open.
+
+    Returns:
+        Ranges of s in their order. Where the class is not known, ``load_class`` is None.
+    """
+    about, _ = _asked(grasp, 0)
+    rows = _core.friction_margin(about._planar(), about._load(wrench), as_inertia(inertia),
+                                 as_number(accuracy, "accuracy"))
+    return tuple(ClassRange(*row) for row in rows)
+
+
 def export(
     grasp: Grasp, wrench: Any = None, *, preload: Any = None, normal_law: str = "unilateral"
 ) -> str:

@@ -638,10 +638,10 @@ class Method(NamedTuple):
 
 @dataclass(frozen=True)
 class ClassRange:
-    """Multiples of a load, from low to high, that are all of one class."""
+    """Multiples of a load, or factors of friction, from low to high, that are all of one class."""
 
-    load_class: str
-    """"must move", "must hold" or "open"."""
+    load_class: Optional[str]
+    """"must move", "must hold" or "open"; of factors None where it is not known."""
     low: Fraction
     high: Optional[Fraction]
     """None: without end."""

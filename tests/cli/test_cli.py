@@ -572,6 +572,28 @@ class Compare(Case):
         self.fails("margin", floor, "--class", naming=["--class"])
         self.fails("margin", floor, "--direction", "1,0,0", "--inertia", "0,0,1", naming=["--class"])
 
+    def test_classes_of_all_factors_of_friction(self):
+        floor = self.write("floor.json", {
+            "format": "stickslip-grasp/1", "wrench": ["1/4", -1, 0], "defaults": {"friction": "1/2"},
+            "contacts": [{"position": [side, -1], "normal": [0, 1]} for side in (-1, 1)]})
+        asked = ("margin", floor, "--class", "--friction")
+        answer = self.json(*asked, "--inertia", "1/2,0,1/9")
+        self.assertNotIn("direction", answer)
+        self.assertEqual(answer["classes"], [
+            {"class": "must move", "low": "0", "high": "1/2", "has_low": True, "has_high": False},
+            {"class": "must hold", "low": "1/2", "high": None, "has_low": True, "has_high": False}])
+        code, out, err = stickslip(*asked)
+        self.assertEqual((code, err), (DONE, ""))
+        self.assertIn("\n  must move  s in [0, 1/2)\n  must hold  s in [1/2, oo)\n", out)
+        ladder = self.write("ladder.json", {
+            "format": "stickslip-grasp/1", "wrench": [0, -1, -1], "defaults": {"friction": "1/2"},
+            "contacts": [{"position": [0, 4], "normal": [1, 0]}, {"position": [2, 0], "normal": [0, 1]}]})
+        moves, between = self.json("margin", ladder, "--class", "--friction")["classes"][:2]
+        self.assertEqual((moves["class"], between["class"]), ("must move", None))
+        for words, naming in ((("--direction", "1,0,0"), "--friction"), (("--accuracy", "0"), "--accuracy")):
+            self.fails(*asked, *words, naming=[naming])
+        self.fails("margin", floor, "--friction", "--direction", "1,0,0", naming=["--class"])
+
     def test_length_is_printed(self):
         for words, length in (((), "1"), (("--length", "0.08"), "2/25")):
             self.assertIn(f"length L  {length}, by which torques are divided",

@@ -61,9 +61,25 @@ def test_classes_in_space(push, kind):
         assert caught.value.place == place
 
 
+def test_the_friction_that_a_load_needs(block):
+    assert stickslip.friction_margin(block, (Fraction(1, 3), -1, 0), inertia=INERTIA) == (
+        ClassRange("must move", Fraction(0), Fraction(2, 3), True, False),
+        ClassRange("must hold", Fraction(2, 3), None, True, False))
+
+
+def test_friction_whose_border_is_a_root_is_known_to_a_range():
+    ladder = stickslip.Grasp([[0, 4], [2, 0]], [[1, 0], [0, 1]], friction=HALF)
+    moves, between, *_ = stickslip.friction_margin(ladder, (0, -1, -1))
+    # 2 (1 - mu^2) = 8 mu.
+    mu = 5 ** 0.5 - 2
+    assert (moves.load_class, between.load_class) == ("must move", None)
+    assert between.low < Fraction(2 * mu) < between.high < between.low * Fraction(1000001, 1000000)
+
+
 def test_errors(block):
     for call, place in ((lambda: stickslip.class_margin(block, (1, 0)), "direction"),
                         (lambda: stickslip.class_margin(block, (1, 0, 0), inertia=(0, 0, 0)), "inertia"),
+                        (lambda: stickslip.friction_margin(block, (1, 0, 0), accuracy=0), "accuracy"),
                         (lambda: stickslip.check(block, "{}", wrench=(0, 0, 0), inertia=(0, 0)), "inertia")):
         with pytest.raises(InputError) as caught:
             call()

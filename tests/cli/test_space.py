@@ -143,9 +143,27 @@ def unit_normal(rng, fineness=6):
     return [x * rng.choice((-1, 1)) for x in n]
 
 
+def random_grasp(rng, m, scale):
+    contacts = []
+    for _ in range(m):
+        n = unit_normal(rng)
+        p = [-x + F(rng.randint(-2, 2), 8) for x in n]
+        contacts.append({"p": p, "n": n, "friction": F(rng.randint(4, 18), 20),
+                         "stiffness": F(rng.randint(2, 6), 4), "preload": F(rng.randint(0, 8), 4)})
+    return contacts, [scale * F(rng.randint(-8, 8), 8) for _ in range(6)]
+
+
 def written(contacts, wrench):
     return grasp([contact(c["p"], c["n"], friction=c["friction"], stiffness=c["stiffness"],
                           preload=c["preload"]) for c in contacts], wrench)
+
+
+def turned(vector, quaternion):
+    """By the rotation of a quaternion of any length."""
+    w, *v = quaternion
+    norm = w * w + sum(x * x for x in v)
+    t = cross(v, vector)
+    return [x + (2 * w * a + 2 * b) / norm for x, a, b in zip(vector, t, cross(v, t))]
 
 
 def equilibria(contacts, wrench, starts, rng):
@@ -191,6 +209,66 @@ def equilibria(contacts, wrench, starts, rng):
 
 
 class Random(Space):
+    def test_where_a_tree_says_unstable_newton_finds_nothing(self):
+        rng = random.Random(5)
+        verdicts = {"stable": 0, "unstable": 0, "undecided": 0}
+        found_in_stable = 0
+        for k in range(12):
+            contacts, wrench = random_grasp(rng, 3 + k % 3, F(1, 2))
+            verdict = self.verdict(written(contacts, wrench))
+            verdicts[verdict] += 1
+            count = equilibria(contacts, wrench, 100, np.random.default_rng(k))
+            if verdict == "unstable":
+                self.assertEqual(count, 0, (contacts, wrench))
+            elif verdict == "stable":
+                found_in_stable += count > 0
+        self.assertGreaterEqual(min(verdicts["stable"], verdicts["unstable"]), 3, verdicts)
+        self.assertLessEqual(verdicts["undecided"], 1, verdicts)
+        self.assertEqual(found_in_stable, verdicts["stable"])  # or it could find none anywhere
+
+    def test_rotations_permutations_units_and_lengths_of_normals_change_nothing(self):
+        rng = random.Random(8)
+        verdicts = set()
+        for k in range(4):
+            contacts, wrench = random_grasp(rng, 4, F(1, 2))
+            verdict = self.verdict(written(contacts, wrench))
+            if verdict == "undecided":
+                continue
+            verdicts.add(verdict)
+            quaternion = [rng.randint(1, 4) for _ in range(4)]
+            others = []
+            for c in rng.sample(contacts, len(contacts)):
+                # Longer normals, a force ten times as large, and millimetres.
+                n = [x * (k + 2) for x in turned(c["n"], quaternion)]
+                others.append({**c, "p": [1000 * x for x in turned(c["p"], quaternion)], "n": n,
+                               "preload": 10 * c["preload"], "stiffness": c["stiffness"] / 100})
+            load = [*(10 * x for x in turned(wrench[:3], quaternion)),
+                    *(10000 * x for x in turned(wrench[3:], quaternion))]
+            self.assertEqual(self.verdict(written(others, load)), verdict)
+        self.assertEqual(verdicts, {"stable", "unstable"})
+
+    def test_what_is_stable_in_the_plane_is_in_space(self):
+        rng = random.Random(2)
+        stable = 0
+        units = [(F(3, 5), F(4, 5)), (F(-3, 5), F(4, 5)), (F(0), F(-1)), (F(1), F(0)),
+                 (F(-4, 5), F(-3, 5)), (F(5, 13), F(-12, 13))]
+        for _ in range(8):
+            chosen = rng.sample(units, 4)
+            rows = [([-n[0] * 2, -n[1] * 2 + F(rng.randint(-4, 4), 4)], n, F(rng.randint(2, 8), 10),
+                     F(rng.randint(0, 4), 2)) for n in chosen]
+            x, y, t = (F(rng.randint(-4, 4), 4) for _ in range(3))
+            flat = {"format": "stickslip-grasp/2", "wrench": [str(x), str(y), str(t)],
+                    "contacts": [contact(p, n, friction=mu, preload=preload)
+                                 for p, n, mu, preload in rows]}
+            if self.json("decide", self.write("flat.json", flat))["verdict"] != "stable":
+                continue
+            stable += 1
+            spatial = grasp([contact((*p, 0), (*n, 0), friction=mu, preload=preload)
+                             for p, n, mu, preload in rows], (x, y, 0, 0, 0, t))
+            self.assertNotEqual(self.verdict(spatial), "unstable", flat)
+        self.assertGreaterEqual(stable, 3)
+
+
     def test_against_z3_in_nonlinear_real_arithmetic(self):
         rng = random.Random(3)
         agreed = {"sat": 0, "unsat": 0}
@@ -457,6 +535,49 @@ class Files(Space):
             content = json.loads(read(os.path.join(EXAMPLES, f"space-{name}.json")))
             cases = [("--case", case["name"]) for case in content.get("cases", [])] or [()]
             self.assertEqual([self.verdict(content, *words) for words in cases], verdicts, name)
+
+    def test_loads_and_cases(self):
+        content = grasp([contact((0, 0, 0), (0, 0, 1), friction=1)], [0] * 6)
+        del content["wrench"]
+        content["loads"] = [{"weight": 3, "at": [1, 2, 0]}, {"torque": [1, 0, "-1/2"]},
+                            {"force": [1, 0, 0], "at": [0, 0, 2]},
+                            {"weight": 3, "at": [0, 0, 0], "direction": [1, 2, 2]}]
+        self.assertEqual(self.decide(content)["wrench"], ["2", "2", "-1", "-5", "5", "-1/2"])
+        content["cases"] = [{"name": "more", "loads": [{"weight": 1, "at": [0, 0, 0]}]}]
+        self.assertEqual(self.decide(content, "--case", "more")["wrench"][2], "-2")
+        both = self.json("decide", self.write("g.json", content))
+        self.assertEqual([case["case"] for case in both["cases"]], ["more"])
+
+    def test_errors_name_the_contact(self):
+        feet = [contact((0, 0, 0), (0, 0, 1), friction=1) for _ in range(3)]
+        load = [0, 0, -1, 0, 0, 0]
+
+        def changed(change, wrench=None):
+            content = grasp(json.loads(json.dumps(feet)), wrench or load)
+            change(content)
+            return self.write("g.json", content)
+
+        def set_in(index, key, value):
+            return lambda content: content["contacts"][index].__setitem__(key, value)
+
+        for change, naming in (
+                (set_in(2, "position", [0, 0]), ["contacts[2].position", "three numbers"]),
+                (set_in(0, "position", [0, 0]), ["contacts[0].normal"]),
+                (set_in(1, "normal", [0, 1]), ["contacts[1].normal", "three numbers"]),
+                (set_in(1, "normal", [0, 0, 0]), ["contacts[1].normal", "(0, 0, 0)"]),
+                (set_in(1, "friction", -1), ["contacts[1].friction"]),
+                (set_in(1, "on", [0, 0]), ["contacts[1].on", "in space"]),
+                (lambda c: c.update(outline=[[0, 0], [1, 0], [0, 1]]), ["outline", "in space"]),
+                (lambda c: c.update(format="stickslip-grasp/1"), ["contacts[0].position"]),
+                (lambda c: c.update(wrench=[0, 0, 0]), ["wrench", "six numbers"])):
+            self.fails("decide", changed(change), naming=naming)
+        good = changed(lambda content: None)
+        self.fails("decide", good, "--wrench", "0,0,0", naming=["--wrench", "in space"])
+        self.fails("decide", good, "--engine", "branch-and-bound", naming=["--engine", "in space"])
+        self.fails("decide", good, "--uncertain", "normal=1/100", naming=["--uncertain", "in space"])
+        self.fails("decide", good, "--case", "x", naming=["--case", "no case"])
+        for command in ("states", "region", "compare"):
+            self.fails(*command.split(), good, naming=["contacts[0].position", "in space"])
 
     def test_answers_in_words_and_by_exit_code(self):
         file = self.write("g.json", grasp(

@@ -8,7 +8,7 @@ const mujoco = await load_mujoco();
 const numbers = (v) => v.flat().join(" ");
 
 runSolid((c, dt) => {
-  // The friction of two geoms is the larger of theirs. Obstacles are slabs, and not planes, on which a mesh has three contacts at most.
+  // The friction of two geoms is the larger of theirs. Obstacles are slabs, as of the other engines.
   const mesh = (name, vertices) => `<mesh name="${name}" inertia="convex" vertex="${numbers(vertices)}"/>`;
   const fixed = c.obstacles.map((o, i) => `<geom type="mesh" mesh="o${i}" friction="${o.friction} 0 0"/>`);
   const model = mujoco.MjModel.from_xml_string(`<mujoco>

@@ -250,10 +250,11 @@ std::function<ManyAnswer()> one_question(const py::handle& given, const OneOfMan
   auto grasp = given.cast<std::shared_ptr<const GraspFile>>();
   std::optional<std::vector<Rational>> friction;
   if (asked.friction != nullptr) friction = *asked.friction;
+  const AnswerOptions how{engine_for(*grasp, engine), node_limit, false};
   return [grasp = std::move(grasp), friction = std::move(friction),
           options = question_options(asked.wrench, asked.preload, bilateral, py::none(),
                                      py::none(), asked.which),
-          how = AnswerOptions{engine_for(*grasp, engine), node_limit, false}] {
+          how] {
     const auto about =
         friction ? std::make_shared<const GraspFile>(with_friction(*grasp, *friction)) : grasp;
     const auto found =

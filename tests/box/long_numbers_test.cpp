@@ -80,7 +80,7 @@ void expect_brief(const BriefAnswer& outcome, const std::string& verdict,
   EXPECT_LE(outcome.work.at("nodes").get<std::size_t>(), 1500u);
   // What doubles leave open is the exception on walls, whatever the number of contacts. Trees
   // of all motions begin with wide regions, which long planes cut.
-  EXPECT_LE(outcome.work.at("exact_checks").get<std::size_t>(),
+  EXPECT_LE(outcome.work.value("exact_checks", std::size_t{0}),
             verdict == "stable" ? 20u : 100u)
       << contacts;
 }

@@ -401,7 +401,7 @@ def test_a_line_that_needs_more_memory_than_there_is(tmp_path):
     path = tmp_path / "g.jsonl"
     path.write_text("".join(lines))
     whole = reference(path)[1].splitlines()
-    asked = batch_chunk.Asked("", "", "", False, 0, "", "", "")
+    asked = batch_chunk.Asked("", "", "", False, 0, False, "", "", "")
     chunk = batch_chunk.Chunk(0, path.stat().st_size, 0, 0)
     unlimited, _ = batch_chunk.alone(asked, str(path), chunk, 0)
     assert unlimited.decode().splitlines() == whole
@@ -505,7 +505,7 @@ def test_workers_that_read_something_else(cluster, grasps):
     """As where the file is on no file system that they share."""
     from distributed import Client
     from stickslip import _core, batch_chunk
-    asked = batch_chunk.Asked("", "", "", False, 0, "", "", "")
+    asked = batch_chunk.Asked("", "", "", False, 0, False, "", "", "")
     with Client(cluster.address, set_as_default=False) as client:
         for version, path, chunk, problem in (
                 (_core.version, "/nowhere/g.jsonl", (0, 10, 0, 0), "cannot read the file: No such"),

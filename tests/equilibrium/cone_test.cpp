@@ -144,6 +144,21 @@ TEST(Cone, StartsAsTheHalfSpaceOfAllMotions) {
   expect_right({});
 }
 
+TEST(Cone, OrthantsHaveFourRays) {
+  for (int signs = 0; signs < 8; ++signs) {
+    std::vector<Cut> cuts;
+    for (std::size_t j = 0; j < 3; ++j) {
+      IntegerVector5 plane{};
+      plane[j] = 1;
+      cuts.push_back({plane, (signs >> j & 1) != 0 ? Side::kPositive : Side::kNegative});
+    }
+    expect_right_throughout(cuts);
+    const Cone cone = cone_of(cuts);
+    EXPECT_TRUE(cone.lines().empty());
+    EXPECT_EQ(cone.rays().size(), 4u);
+  }
+}
+
 TEST(Cone, HalfSpacesAgainstEachOtherLeaveAPlane) {
   const IntegerVector5 plane = {1, 2, -3, 0};
   expect_right_throughout({{plane, Side::kPositive}, {plane, Side::kNegative}});
@@ -237,6 +252,27 @@ TEST(Cone, SmallRandomSystems) {
       }
     }
     expect_right(cuts);
+  }
+}
+
+TEST(Cone, OrderOfCutsDoesNotMatter) {
+  RandomSource random(2);
+  for (int round = 0; round < 100; ++round) {
+    std::vector<Cut> cuts;
+    for (int n = 0; n < 6; ++n) cuts.push_back({random_plane(random, 1), random_side(random)});
+    const auto rays_by_value = [](const Cone& cone,
+                                  const std::vector<Constraint>& constraints) {
+      std::set<std::vector<Rational>> result;
+      for (const Ray& ray : cone.rays())
+        result.insert(profile(constraints, to_rational(ray.x)));
+      return result;
+    };
+    const std::vector<Constraint> constraints = constraints_of(cuts);
+    const Cone forward = cone_of(cuts);
+    std::reverse(cuts.begin(), cuts.end());
+    const Cone backward = cone_of(cuts);
+    EXPECT_EQ(forward.lines().size(), backward.lines().size());
+    EXPECT_EQ(rays_by_value(forward, constraints), rays_by_value(backward, constraints));
   }
 }
 

@@ -341,7 +341,7 @@ void add_batch_command(CLI::App& app, int& exit_code) {
                    "Of the objects, for --class: the centre of mass and the squared radius of "
                    "gyration about it; default: 0,0,1. Of grasps in space "
                    "X,Y,Z,XX,YY,ZZ[,XY,XZ,YZ], as of compare; default: 0,0,0,1,1,1")
-      ->type_name("X,Y,G2")
+      ->type_name("INERTIA")
       ->needs(asks_class);
   CLI::Option* shard =
       command

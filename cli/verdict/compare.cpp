@@ -201,7 +201,7 @@ void add_compare_command(CLI::App& app, int& exit_code) {
           "stability needs; default: 0,0 and the square of --length. In space "
           "X,Y,Z,XX,YY,ZZ[,XY,XZ,YZ]: the centre and the tensor of inertia about it, over "
           "the mass; default: 0,0,0 and that square, thrice")
-      ->type_name("X,Y,G2");
+      ->type_name("INERTIA");
   command
       ->add_option(
           "--certificate", arguments->certificate,

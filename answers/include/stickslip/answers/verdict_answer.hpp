@@ -34,7 +34,7 @@ inline const char* box_engine(const Question& question) {
 /// if some lengths are irrational and known as intervals, or if it is stable and an exact
 /// equilibrium would be too long (has_long_equilibria).
 struct Answer {
-  Question question;
+  Question question;                 ///< as asked, or about a box of one point, see above
   Verdict verdict;                   ///< with its evidence
   std::string engine;                ///< "states", "branch-and-bound", "intervals" or "space"
   Json stats;                        ///< what it took, by name

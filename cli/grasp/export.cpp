@@ -24,13 +24,13 @@ void add_export_command(CLI::App& app, int& exit_code) {
   arguments->question.add_to(*command);
   command
       ->add_flag("--smt2", arguments->smt2,
-                 "SMT-LIB 2, logic QF_LRA: sat means stable, unsat unstable")
+                 "SMT-LIB 2, logic QF_LRA, in space QF_NRA: sat means stable, unsat unstable")
       ->required();
   add_output_option(*command, arguments->output, "SMT-LIB file");
   command->footer(
       footer_text("", kExitCodes, "stickslip export fig1.json --smt2 -o fig1.smt2"));
   command->callback([arguments, &exit_code] {
-    write_whole_file(arguments->output, smtlib_text(arguments->question.question()));
+    write_whole_file(arguments->output, smtlib_text(arguments->question.any_question()));
     exit_code = kDone;
   });
 }

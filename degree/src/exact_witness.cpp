@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/degree/exact_witness.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
-#include <boost/multiprecision/eigen.hpp>
 #include <cmath>
 #include <numeric>
 #include <utility>
 #include <vector>
+
+#include "stickslip/motion/exact_system.hpp"
 
 namespace stickslip {
 namespace {
@@ -19,9 +19,6 @@ Rational near(double x, double size) {
   const double unit = std::ldexp(1.0, std::ilogb(size) - kBits);
   return rational_from_double(std::round(x / unit) * unit);
 }
-
-using RationalMatrix = Eigen::Matrix<Rational, Eigen::Dynamic, Eigen::Dynamic>;
-using RationalVector = Eigen::Matrix<Rational, Eigen::Dynamic, 1>;
 
 /// A basis of the motions with no slip at these contacts, by columns.
 RationalMatrix motions_without_slip(const GraspLaw& model,
@@ -36,11 +33,7 @@ RationalMatrix motions_without_slip(const GraspLaw& model,
       ++next;
     }
   }
-  if (sticking.empty()) return RationalMatrix::Identity(6, 6);
-  Eigen::FullPivLU<RationalMatrix> lu(slips);
-  lu.setThreshold(0);  // of rationals, whose zeros are zeros
-  if (lu.dimensionOfKernel() == 0) return RationalMatrix(6, 0);
-  return lu.kernel();
+  return null_space(slips);
 }
 
 RationalVector as_rationals(const RationalRow& a) {
@@ -70,20 +63,16 @@ bool balance(std::vector<BalanceTerm>& terms, const RationalVector& rest) {
   for (const std::size_t k : order) {
     RationalMatrix longer(6, columns.cols() + 1);
     longer << columns, terms[k].wrench;
-    Eigen::FullPivLU<RationalMatrix> lu(longer);
-    lu.setThreshold(0);
-    if (lu.rank() < longer.cols()) continue;
+    if (rank_of(longer) == chosen.size()) continue;
     columns = std::move(longer);
     chosen.push_back(k);
     if (chosen.size() == 6) break;
   }
   if (chosen.empty()) return rest.isZero(0);
-  Eigen::FullPivLU<RationalMatrix> lu(columns);
-  lu.setThreshold(0);
-  const RationalVector change = lu.solve(rest);
-  if (columns * change != rest) return false;
+  const std::optional<RationalVector> change = solve_exactly(columns, rest);
+  if (!change) return false;
   for (std::size_t k = 0; k < chosen.size(); ++k) {
-    terms[chosen[k]].value += change[static_cast<Eigen::Index>(k)];
+    terms[chosen[k]].value += (*change)[static_cast<Eigen::Index>(k)];
   }
   return true;
 }

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/degree/newton.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>
 
 #include "independent_rows.hpp"
+#include "stickslip/motion/dense.hpp"
 
 namespace stickslip {
 namespace {
@@ -118,10 +117,8 @@ ModalEquations::ModalEquations(const RoundedGrasp& grasp, NearEquilibrium& near)
     answer_ = Eigen::MatrixXd::Zero(0, d);
     return;
   }
-  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposed(sticking);
-  answer_ = decomposed.pseudoInverse();
-  const Eigen::MatrixXd frame = decomposed.matrixQ() * Eigen::MatrixXd::Identity(d, d);
-  free_ = frame.rightCols(d - decomposed.rank());
+  answer_ = pseudo_inverse(sticking);
+  free_ = complement(sticking);
 }
 
 Reals ModalEquations::motion_change(const Reals& off, const Eigen::VectorXd& slips) const {
@@ -129,7 +126,7 @@ Reals ModalEquations::motion_change(const Reals& off, const Eigen::VectorXd& sli
   if (free_.cols() == 0) return change;
   const Eigen::MatrixXd reduced = free_.transpose() * derivative_ * free_;
   const Eigen::VectorXd left = free_.transpose() * (off + derivative_ * change);
-  change -= free_ * reduced.completeOrthogonalDecomposition().solve(left);
+  change -= free_ * least_squares(reduced, left);
   return change;
 }
 
@@ -213,8 +210,7 @@ void Newton::share_out(NearEquilibrium& near) const {
   constexpr int kRounds = 20;
   for (int round = 0; round < kRounds; ++round) {
     const Eigen::MatrixXd weighted = wrenches * weights.asDiagonal();
-    const Eigen::VectorXd next =
-        weights.asDiagonal() * weighted.completeOrthogonalDecomposition().solve(sum).eval();
+    const Eigen::VectorXd next = weights.asDiagonal() * least_squares(weighted, sum);
     // What is off by rounding is not to be kept.
     constexpr double kBalanced = 1e-12;
     if (!next.allFinite() || !((wrenches * next - sum).norm() <= kBalanced * grasp_.force))
@@ -249,7 +245,7 @@ std::optional<NearEquilibrium> Newton::solve(const Reals& start) const {
       // Where nothing holds the object, a weak spring does.
       Eigen::MatrixXd system = derivative;
       system.diagonal().array() -= 1e-9 * grasp_.force / grasp_.reach;
-      const Reals move = -system.partialPivLu().solve(f);
+      const Reals move = -solution(system, f);
       if (!move.allFinite()) return std::nullopt;
       double part = 1;
       Reals next = d + move;
@@ -336,7 +332,7 @@ std::optional<NearEquilibrium> Newton::change_modes(NearEquilibrium near) const 
     }
     // Never singular.
     derivative.diagonal().array() -= 1e-12 * derivative.diagonal().cwiseAbs().sum() + 1e-300;
-    const Reals change = -derivative.partialPivLu().solve(sum + stuck);
+    const Reals change = -solution(derivative, sum + stuck);
     if (!change.allFinite()) return std::nullopt;
     near.motion += change;
     for (std::size_t i = 0; i < grasp_.contacts.size(); ++i) {
@@ -398,7 +394,7 @@ NearEquilibrium Newton::settle(NearEquilibrium near) const {
       sum -= spring * row.dot(near.motion) * row;
       chosen.push_back(sticking[*which]);
     }
-    const Reals change = answer.partialPivLu().solve(sum);
+    const Reals change = solution(answer, sum);
     if (!change.allFinite()) break;
     near.motion += change;
     for (std::size_t i = 0; i < m; ++i) {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "stickslip/degree/prove_stable.hpp"
+#include "stickslip/motion/dense.hpp"
 
 namespace stickslip {
 namespace {
@@ -115,9 +114,7 @@ class RestSearch {
     std::stable_sort(bearing_.begin(), bearing_.end(),
                      [](const Bearing& a, const Bearing& b) { return a.spare > b.spare; });
     Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(motions_, motions_);
-    const auto rank = [&] {
-      return Eigen::FullPivLU<Eigen::MatrixXd>(sum).setThreshold(kFlat).rank();
-    };
+    const auto rank = [&] { return stickslip::rank(sum, kFlat); };
     std::size_t taken = 0;
     while (taken < bearing_.size() && (taken < kMany || rank() < motions_)) {
       const Eigen::MatrixXd slip = slip_of(bearing_[taken++].contact);
@@ -152,11 +149,8 @@ class RestSearch {
       weights.segment(size * k, size).setConstant(spare * spare);
     }
     const Eigen::MatrixXd gram = wrenches * weights.asDiagonal() * wrenches.transpose();
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-    decomposition.setThreshold(kFlat);
-    decomposition.compute(gram);
     Eigen::MatrixXd answers =
-        weights.asDiagonal() * wrenches.transpose() * decomposition.pseudoInverse();
+        weights.asDiagonal() * wrenches.transpose() * pseudo_inverse(gram, kFlat);
     if (!answers.allFinite()) return false;
     // What friction does not answer, as along the normal of all contacts, has to balance by
     // itself.
@@ -235,7 +229,7 @@ class RestSearch {
       else
         right[k] += least;
     }
-    const Reals reach = system.partialPivLu().solve(right) * 1.0001;
+    const Reals reach = solution(system, right) * 1.0001;
     for (const double z : reach) {
       if (!std::isfinite(z) || z < 0) return false;
       proof_.reach.push_back(rational_in_bits(z * 1.0001, kBits));

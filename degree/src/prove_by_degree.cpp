@@ -5,6 +5,7 @@
 
 #include "stickslip/degree/moving_equilibrium.hpp"
 #include "stickslip/degree/prove_stable.hpp"
+#include "stickslip/motion/exact_system.hpp"
 #include "wall_refuter.hpp"
 #include "walls.hpp"
 

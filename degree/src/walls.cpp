@@ -1,35 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "walls.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
-#include <Eigen/LU>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
+#include "stickslip/motion/dense.hpp"
+
 namespace stickslip::degree_detail {
 namespace {
-
-Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& matrix) {
-  return matrix.completeOrthogonalDecomposition().pseudoInverse();
-}
 
 /// Unit vectors to all vertices but the last of a regular simplex of this dimension around 0,
 /// by rows; that to the last is minus their sum.
 Eigen::MatrixXd regular_simplex(Eigen::Index n) {
   // v_j.v_k = -1/n: the factor of Cholesky's decomposition of their Gram matrix.
-  Eigen::MatrixXd gram = Eigen::MatrixXd::Constant(n, n, -1.0 / static_cast<double>(n));
-  gram.diagonal().setOnes();
-  return gram.llt().matrixL();
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(n, n);
+  const auto all = static_cast<double>(n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const auto left = static_cast<double>(n - k);
+    result(k, k) = std::sqrt((all + 1) * left / (all * (left + 1)));
+    result.col(k).tail(n - k - 1).setConstant(-result(k, k) / left);
+  }
+  return result;
 }
 
 /// Whether vectors of length 1, by rows, span as many dimensions, not nearly fewer.
 bool are_independent(const Eigen::MatrixXd& unit) {
   constexpr double kFlat = 1e-12;
-  return unit.allFinite() &&
-         Eigen::JacobiSVD<Eigen::MatrixXd>(unit).singularValues().minCoeff() > kFlat;
+  return unit.allFinite() && singular_values(unit).values.minCoeff() > kFlat;
 }
 
 }  // namespace
@@ -148,14 +146,14 @@ void Walls::choose_rows(const IndependentRows& across) {
     room_[j] = contact.room + contact.off;
   }
   if (free > 0) {
-    const Eigen::JacobiSVD<Eigen::MatrixXd> answers(frame_.transpose() * stiffness_ * frame_,
-                                                    Eigen::ComputeFullU | Eigen::ComputeFullV);
-    const Eigen::MatrixXd ways = frame_ * answers.matrixV();
+    const auto [left, strengths, right] =
+        singular_values(frame_.transpose() * stiffness_ * frame_);
+    const Eigen::MatrixXd ways = frame_ * right;
     for (Eigen::Index k = 0; k < free; ++k) {
-      const double strength = answers.singularValues()[k];
-      twists_.col(count + k) = frame_ * answers.matrixU().col(k);
+      twists_.col(count + k) = frame_ * left.col(k);
       rows_.row(count + k) = (stiffness_.transpose() * twists_.col(count + k)).transpose();
-      room_[count + k] = size_ * std::min(middle_.force, strength * room_along(ways.col(k)));
+      room_[count + k] =
+          size_ * std::min(middle_.force, strengths[k] * room_along(ways.col(k)));
     }
   }
   above_ = room_;
@@ -183,9 +181,9 @@ void Walls::check() {
   sound_ = false;
   if (rows_.rows() == 0) return;  // nothing holds the object
   if (!are_independent(rows_.rowwise().normalized())) return;
-  const Eigen::MatrixXd inverse = pseudo_inverse(rows_);
+  const Eigen::MatrixXd twists = pseudo_inverse(rows_);
   for (std::size_t j = 0; j < chosen_.size(); ++j) {
-    twists_.col(static_cast<Eigen::Index>(j)) = inverse.col(static_cast<Eigen::Index>(j));
+    twists_.col(static_cast<Eigen::Index>(j)) = twists.col(static_cast<Eigen::Index>(j));
   }
   twists_.colwise().normalize();
   sound_ = are_independent(twists_.transpose());
@@ -199,9 +197,10 @@ void Walls::turn_to(const std::vector<Reals>& moves) {
     room_[k] = size_ * middle_.reach * contact.row.norm() + contact.off;
   }
   const Eigen::Index free = frame_.cols();
+  if (free == 0) return;
   const Eigen::MatrixXd reduced = frame_.transpose() * stiffness_ * frame_;
-  if (free == 0 || !(std::fabs(reduced.determinant()) > 0)) return;
-  const Eigen::MatrixXd compliance = reduced.inverse();
+  const Eigen::MatrixXd compliance = inverse(reduced);
+  if (compliance.size() == 0) return;
   std::vector<Eigen::VectorXd> forces;
   std::vector<Eigen::VectorXd> motions;
   for (const Reals& move : moves) {
@@ -223,8 +222,9 @@ void Walls::turn_to(const std::vector<Reals>& moves) {
     const Eigen::VectorXd direction = motions[farthest].normalized();
     for (Eigen::VectorXd& motion : motions) motion -= direction.dot(motion) * direction;
   }
-  if (!(std::fabs(chosen.determinant()) > 0)) return;
-  twists_.rightCols(free) = (frame_ * chosen.inverse().transpose()).colwise().normalized();
+  const Eigen::MatrixXd dual = inverse(chosen);
+  if (dual.size() == 0) return;
+  twists_.rightCols(free) = (frame_ * dual.transpose()).colwise().normalized();
   for (Eigen::Index k = count; k < rows_.rows(); ++k) {
     rows_.row(k) = (stiffness_.transpose() * twists_.col(k)).transpose();
     room_[k] = size_ * middle_.force;
@@ -302,7 +302,7 @@ Eigen::MatrixXd Walls::pull_of_twists(const Eigen::MatrixXd& walls) const {
 /// By least squares of directions, again and again with more weight where it is least so.
 Eigen::MatrixXd Walls::pull_fitted(const Eigen::MatrixXd& walls, const Reals& centre) const {
   const Eigen::Index rank = walls.rows();
-  const Eigen::MatrixXd inverse = pseudo_inverse(walls);
+  const Eigen::MatrixXd corners = pseudo_inverse(walls);
   struct Sample {
     Eigen::VectorXd place;  ///< on the walls, in halves of K
     Reals direction;
@@ -318,7 +318,7 @@ Eigen::MatrixXd Walls::pull_fitted(const Eigen::MatrixXd& walls, const Reals& ce
       place[j] = 2.0 * (digits % kPlaces) / (kPlaces - 1) - 1;
     }
     if (place.lpNorm<Eigen::Infinity>() < 1) continue;
-    const Reals force = force_at(centre + inverse * place);
+    const Reals force = force_at(centre + corners * place);
     if (force.norm() > 0) samples.push_back({place, -force.normalized(), 1});
   }
   Eigen::MatrixXd best = Eigen::MatrixXd::Identity(middle_.motions(), rank);
@@ -331,7 +331,9 @@ Eigen::MatrixXd Walls::pull_fitted(const Eigen::MatrixXd& walls, const Reals& ce
       moments += s.weight * s.place * s.place.transpose();
       sums += s.weight * s.direction * s.place.transpose();
     }
-    const Eigen::MatrixXd pull = sums * moments.inverse();
+    const Eigen::MatrixXd shares = inverse(moments);
+    if (shares.size() == 0) break;
+    const Eigen::MatrixXd pull = sums * shares;
     double least = 2;
     for (Sample& s : samples) {
       const double along = s.direction.dot((pull * s.place).normalized());

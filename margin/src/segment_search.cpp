@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "stickslip/motion/dense.hpp"
+#include "stickslip/motion/exact_system.hpp"
 #include "stickslip/motion/pull_rule.hpp"
 
 namespace stickslip::margin_detail {
@@ -135,7 +137,7 @@ double SegmentSearch::force_of(double h, double l) const {
 /// Where the load moves springs that neither open nor slip.
 SegmentSearch::Motion SegmentSearch::sprung(double h, double l) const {
   const Motion load = h * Motion(model_.load.data()) + l * Motion(model_.growth.data());
-  const Motion d = spring_stiffness(model_).partialPivLu().solve(load);
+  const Motion d = solution(spring_stiffness(model_), load);
   return d.allFinite() ? d : Motion::Zero();
 }
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/planar/witness_search.hpp"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
-#include <boost/multiprecision/eigen.hpp>
 #include <cmath>
 #include <random>
 #include <utility>
 
 #include "stickslip/equilibrium/long_rationals.hpp"
+#include "stickslip/motion/dense.hpp"
+#include "stickslip/motion/exact_system.hpp"
 #include "stickslip/planar/few_shares.hpp"
 #include "stickslip/planar/rounded_equilibrium.hpp"
 #include "stickslip/planar/smooth_balance.hpp"
@@ -17,20 +17,6 @@
 namespace stickslip {
 
 namespace {
-
-using ExactMatrix = Eigen::Matrix<Rational, Eigen::Dynamic, Eigen::Dynamic>;
-using ExactVector = Eigen::Matrix<Rational, Eigen::Dynamic, 1>;
-
-/// A solution of a x = b; nothing if there is none or, unless `may_be_singular`, more than one.
-std::optional<ExactVector> solve_exactly(const ExactMatrix& a, const ExactVector& b,
-                                         bool may_be_singular) {
-  Eigen::FullPivLU<ExactMatrix> lu(a);
-  lu.setThreshold(0);  // of rationals, whose zeros are zeros
-  if (!may_be_singular && lu.rank() < a.cols()) return std::nullopt;
-  ExactVector x = lu.solve(b);
-  if (a * x != b) return std::nullopt;
-  return x;
-}
 
 /// Sticks with all the friction there can be: known, and so is its slip.
 bool rests_on_edge(const ModeGuess& guess) {
@@ -63,7 +49,7 @@ class ModeSystem {
   /// open stays as it is there.
   std::optional<Witness> solve(const Witness* near) const {
     auto [a, b] = equations();
-    ExactVector start = ExactVector::Zero(a.cols());
+    RationalVector start = RationalVector::Zero(a.cols());
     if (near != nullptr) {
       for (Eigen::Index j = 0; j < 3; ++j) {
         start[j] = coordinates(near->twist)[static_cast<std::size_t>(j)];
@@ -73,7 +59,7 @@ class ModeSystem {
       }
       b -= a * start;
     }
-    const std::optional<ExactVector> change = solve_exactly(a, b, near != nullptr);
+    const std::optional<RationalVector> change = solve_exactly(a, b, near == nullptr);
     if (!change) return std::nullopt;
     return witness_at(start + *change);
   }
@@ -113,15 +99,15 @@ class ModeSystem {
   }
 
   /// Balance, no slip at the basic contacts, and what keeps others on the border of their mode.
-  std::pair<ExactMatrix, ExactVector> equations() const {
+  std::pair<RationalMatrix, RationalVector> equations() const {
     std::vector<std::size_t> on_border;
     for (std::size_t i = 0; i < guesses_.size(); ++i) {
       if (rests_on_edge(guesses_[i]) || guesses_[i].touches) on_border.push_back(i);
     }
     const Eigen::Index n = column(basic_.size());
     const auto borders = static_cast<Eigen::Index>(on_border.size());
-    ExactMatrix a = ExactMatrix::Zero(n + borders, n);
-    ExactVector b = ExactVector::Zero(n + borders);
+    RationalMatrix a = RationalMatrix::Zero(n + borders, n);
+    RationalVector b = RationalVector::Zero(n + borders);
     add_balance(a, b);
     for (std::size_t k = 0; k < basic_.size(); ++k) {
       const Vector3 t = coordinates(problem_.rows()[basic_[k]].tangent);
@@ -143,7 +129,7 @@ class ModeSystem {
   }
 
   /// The first three rows: the load, and of each closed contact (N + share mu T) (x) v.
-  void add_balance(ExactMatrix& a, ExactVector& b) const {
+  void add_balance(RationalMatrix& a, RationalVector& b) const {
     std::array<std::array<std::vector<Rational>, 4>, 3> terms;
     for (std::size_t i = 0; i < guesses_.size(); ++i) {
       if (!guesses_[i].closed) continue;
@@ -165,7 +151,7 @@ class ModeSystem {
     }
   }
 
-  Witness witness_at(const ExactVector& x) const {
+  Witness witness_at(const RationalVector& x) const {
     Witness witness{{x[0], x[1], x[2]}, {}};
     const ScaledTwist scaled(witness.twist);
     for (std::size_t i = 0; i < guesses_.size(); ++i) {
@@ -326,7 +312,7 @@ std::optional<Eigen::Vector3d> relax_from_squeeze(const DoubleModel& model,
     }
     balance.set_squeeze(0);
   } else {
-    d = spring_stiffness(model).fullPivLu().solve(Eigen::Vector3d(model.load.data()));
+    d = least_squares(spring_stiffness(model), Eigen::Vector3d(model.load.data()));
     if (!d.allFinite()) return std::nullopt;
     for (double shrink = 1e4; shrink > 1e-2; shrink *= 0.3) {
       balance.set_epsilon(shrink * travel);

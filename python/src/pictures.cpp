@@ -149,7 +149,7 @@ py::str states_picture(const GraspFile& grasp) {
 py::str smtlib(const GraspFile& grasp, const py::object& wrench, const py::object& preload,
                bool bilateral) {
   const QuestionOptions asked = question_options(wrench, preload, bilateral);
-  return text(without_gil([&] { return smtlib_text(question_of(grasp, asked)); }));
+  return text(without_gil([&] { return smtlib_text(question_in_box(grasp, asked)); }));
 }
 
 }  // namespace

@@ -189,7 +189,10 @@ def page(
     time_limit: float,
 ) -> str: ...
 def smtlib(
-    grasp: GraspData, wrench: Optional[List[Any]], preload: Any, bilateral: bool
+    grasp: Union[GraspData, SpatialGraspData],
+    wrench: Optional[List[Any]],
+    preload: Any,
+    bilateral: bool,
 ) -> str: ...
 def slip_states(grasp: GraspData, engine: str, list_states: bool, threads: int) -> Dict[str, Any]: ...
 def margin(

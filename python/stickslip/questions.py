@@ -426,9 +426,10 @@ def friction_margin(
 def export(
     grasp: Grasp, wrench: Any = None, *, preload: Any = None, normal_law: str = "unilateral"
 ) -> str:
-    """The question for Z3, cvc5 and others: SMT-LIB 2, logic QF_LRA; sat means stable."""
+    """The question for Z3, cvc5 and others: SMT-LIB 2, logic QF_LRA, in space QF_NRA; sat means
+    stable."""
     about, _ = _asked(grasp, preload)
-    return _core.smtlib(about._planar(), about._load(wrench), as_number_or_none(preload, "preload"),
+    return _core.smtlib(about._data, about._load(wrench), as_number_or_none(preload, "preload"),
                         is_bilateral(normal_law))
 
 

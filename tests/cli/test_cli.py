@@ -992,7 +992,7 @@ class BadInput(Case):
         grasp, snapped = self.write("g.json", content), self.path("snapped.json")
         remedy = "run stickslip snap GRASP -o FILE, and ask about FILE"
         self.assertEqual(stickslip("snap", grasp, "-o", snapped)[0::2], (DONE, ""))
-        for command, *options in (("export", "--smt2"), ("plot grasp",), ("region",),
+        for command, *options in (("plot grasp",), ("region",),
                                   ("margin", "--direction", "0,1,0"), ("compare",)):
             self.fails(*command.split(), grasp, *options, naming=[grasp, "contacts[1].normal", remedy])
             self.assertEqual(stickslip(*command.split(), snapped, *options)[0::2], (DONE, ""))

@@ -49,6 +49,16 @@ def quick_checker(_):
     return [[CHECK]]
 
 
+class Export(Case):
+    def test_pinch(self):
+        pinch = os.path.join(EXAMPLES, "space-pinch.json")
+        for weight, expected in (("-4", "sat"), ("-5", "unsat")):
+            path = self.path("pinch.smt2")
+            words = ("--smt2", "--wrench", f"0,0,{weight},0,0,0")
+            self.assertEqual(stickslip("export", pinch, *words, "-o", path), (DONE, "", ""))
+            self.assertEqual(run(Z3, "-smt2", path), (0, expected + "\n", ""))
+
+
 class Space(Case):
     judges = staticmethod(checkers)  # of proofs
 

@@ -84,6 +84,12 @@ def test_same_answers_and_proofs_as_the_program(tmp_path):
     assert kinds == {("stable", False), ("stable", True), ("unstable", True)}
 
 
+def test_export(tmp_path, pinch):
+    words = [os.environ["STICKSLIP"], "export", written(tmp_path, pinch), "--smt2",
+             "--wrench", "0,0,-1,0,0,0"]
+    assert stickslip.export(pinch, DOWN) == subprocess.check_output(words, text=True)
+
+
 def test_what_is_replaced(tmp_path, pinch):
     path = written(tmp_path, pinch)
     load = "0,0,-3,0,0,0"
@@ -230,7 +236,7 @@ def test_what_is_about_the_plane_says_so_as_the_program_does(tmp_path, pinch):
     said = said_by_the_program(written(tmp_path, pinch), "states")
     for ask in (lambda: stickslip.slip_states(pinch), lambda: stickslip.region(pinch),
                 lambda: stickslip.plot_region(pinch), lambda: stickslip.plot_states(pinch),
-                lambda: stickslip.compare(pinch), lambda: stickslip.export(pinch),
+                lambda: stickslip.compare(pinch),
                 lambda: stickslip.crosscheck(pinch, "stable")):
         with pytest.raises(InputError, match="the grasp is in space; ") as caught:
             ask()

@@ -45,11 +45,13 @@ std::string class_certificate_text(const Question& question, const SpatialInerti
                                    const std::string& producer);
 /// \}
 
-/// The whole question as an SMT-LIB 2 problem in the logic QF_LRA, for solvers such as Z3 and
-/// cvc5. A complete script: declarations, the conditions of problem.hpp with their
-/// disjunctions, (check-sat). `sat` means stable, `unsat` unstable. Variables dx, dy, dr and,
-/// per contact i, a_i and b_i (force coefficients of the contact's own normal and tangent).
-/// Throws InputError when a preloaded contact has a normal of irrational length.
+/// The whole question as an SMT-LIB 2 problem for solvers such as Z3 and cvc5. A complete
+/// script: declarations, the conditions of problem.hpp with their disjunctions, (check-sat).
+/// `sat` means stable, `unsat` unstable. In the plane the logic is QF_LRA, with variables dx,
+/// dy, dr and, per contact i, a_i and b_i (force coefficients of the contact's own normal and
+/// tangent). In space, and where a preloaded normal has an irrational length, it is QF_NRA with
+/// Coulomb's cone as it is: a_i, friction fx_i, fy_i, fz_i across the normal, and t_i, friction
+/// over slip. Throws InputError for a box of more than one grasp.
 std::string smtlib_text(const Question& question);
 
 }  // namespace stickslip

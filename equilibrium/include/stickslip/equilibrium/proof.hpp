@@ -60,11 +60,6 @@ struct DegreeProof : ConvexBody {
   Trees trees{};  ///< list 1 unless it is not needed, and list 2; one for each wall
 };
 
-/// The exact rank of a matrix of these rows.
-std::size_t rank_of(const std::vector<RationalRow>& rows);
-/// `degree-walls` and `degree-direction`: both have this rank, that of all forces.
-bool has_rank(const DegreeProof& proof, std::size_t rank);
-
 /// Nothing moves: friction at rest f0 + sum of G_l z_l, with whatever |z_l| <= reach_l balances
 /// a grasp of the box. A force of friction has as many coordinates as a slip.
 struct RestProof {

@@ -3,10 +3,11 @@
 /// Balance with friction made smooth, by Newton's method in double precision: proposals only.
 #pragma once
 
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
+#include "stickslip/motion/dense.hpp"
 #include "stickslip/planar/double_model.hpp"
 
 namespace stickslip {
@@ -96,7 +97,7 @@ class SmoothBalance {
     for (int step = 0; step < steps && size > enough; ++step) {
       // The derivative is negative definite without friction; this keeps it regular.
       derivative.diagonal().array() -= 1e-12 * derivative.diagonal().cwiseAbs().sum() + 1e-300;
-      const Eigen::Vector3d change = derivative.partialPivLu().solve(-sum);
+      const Eigen::Vector3d change = solution(derivative, -sum);
       if (!change.allFinite()) return size;
       const double before = size;
       for (double factor = 1; factor > 1e-3 && !(size < before); factor *= 0.5) {

@@ -228,7 +228,12 @@ class Source:
             self.fail("opening", "it is a directory; name a file, or - for standard input")
         try:
             with open(sys.stdin.fileno() if name == "-" else name, "rb") as file:
-                data = file.read(self.kind.max_bytes + 1)
+                # In pieces, as read() makes room for all that it may read.
+                pieces, left = [], self.kind.max_bytes + 1
+                while left and (not pieces or pieces[-1]):
+                    pieces.append(file.read(min(left, 1 << 16)))
+                    left -= len(pieces[-1])
+                data = b"".join(pieces)
         except (OSError, ValueError, AttributeError) as error:
             reason = getattr(error, "strerror", None) or str(error)
             self.fail("opening", f"{reason}; name a file, or - for standard input")

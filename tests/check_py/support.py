@@ -14,6 +14,7 @@ import functools
 import io
 import json
 import os
+import py_compile
 import subprocess
 import sys
 import tempfile
@@ -117,7 +118,10 @@ def start(program, arguments, stdin=None, cwd=None):
     return done.returncode, done.stdout.decode(), done.stderr.decode()
 
 
-PROGRAMS = [[sys.executable, "-B", CHECK]]
+# Compiled once: that takes most of a start.
+COMPILED = tempfile.TemporaryDirectory()
+atexit.register(COMPILED.cleanup)
+PROGRAMS = [[sys.executable, py_compile.compile(CHECK, os.path.join(COMPILED.name, "check.pyc"), doraise=True)]]
 PROGRAMS += [[program] for program in (STICKSLIP_CHECK, STICKSLIP_PROVED) if program]
 PROGRAMS += [[STICKSLIP_NODE, CHECK_NODE]] if STICKSLIP_NODE else []
 

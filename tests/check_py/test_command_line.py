@@ -7,10 +7,11 @@ import os
 import random
 import resource
 import subprocess
+import sys
 import tempfile
 import unittest
 
-from support import (FIG1, HERE, NOT_JUDGED, PROGRAMS, STICKSLIP_PROVED, UP, UP_TREE, Case, certificate,
+from support import (CHECK, FIG1, HERE, NOT_JUDGED, PROGRAMS, STICKSLIP_PROVED, UP, UP_TREE, Case, certificate,
                      check, grasp, in_process, start, up)
 
 
@@ -41,7 +42,8 @@ class CommandLineTest(Case):
         return outputs
 
     def test_as_programs(self):
-        self.both([*UP, self.g, self.c], 0, "accepted\nverdict     unstable\n")
+        outputs = self.both([*UP, self.g, self.c], 0, "accepted\nverdict     unstable\n")
+        self.assertEqual(start([sys.executable, "-B", CHECK], [*UP, self.g, self.c]), (0, outputs[0], ""))
         for files, text in ((("-", self.c), FIG1), ((self.g, "-"), up())):
             self.both([files[0], *UP, files[1]], 0, "accepted", json.dumps(text).encode())
         self.both([self.g, self.c], 1, "rejected\nrule   question-wrench\n")

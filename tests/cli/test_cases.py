@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Grasp files of version 2: loads, and several cases answered together."""
 
+import sys
 import unittest
 
 from test_cli import BAD_INPUT, CHECK, CHECK_PY, DONE, STABLE, UNDECIDED, UNSTABLE, Case, checkers, read, run, stickslip
@@ -200,7 +201,7 @@ class Cases(Case):
                     for proof in proofs:
                         self.assertEqual(run(*checker, file, proof, "--wrench", wrench)[0], 0)
             answers = [run(CHECK, file, proofs[0], "--wrench", wrench)[0] for file in moved]
-            self.assertEqual(answers, [run("/usr/bin/env", "python3", CHECK_PY, file, proofs[0],
+            self.assertEqual(answers, [run(sys.executable, "-B", CHECK_PY, file, proofs[0],
                                            "--wrench", wrench)[0] for file in moved])
             if wrench.startswith("1/2"):
                 self.assertIn(1, answers)

@@ -4,6 +4,8 @@
 The programs are named by the environment variables STICKSLIP, STICKSLIP_CHECK and Z3.
 """
 
+import contextlib
+import io
 import json
 import os
 import re
@@ -25,12 +27,28 @@ CHECK_PY = os.path.join(HERE, "..", "..", "certificate", "check.py")
 PROVED = os.environ.get("STICKSLIP_PROVED")
 UP = ("--wrench", "0,11/10,0")  # unstable
 
+sys.path.append(os.path.dirname(CHECK_PY))
+import check  # noqa: E402
+
 DONE, BAD_INPUT, UNDECIDED, STABLE, UNSTABLE = 0, 2, 3, 10, 20
+
+
+def run_check_py(words):
+    """check.py in this process, which need not read and compile it each time; tests/check_py starts it as a program."""
+    out, err = (io.TextIOWrapper(io.BytesIO(), encoding="utf-8") for _ in range(2))
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        code = check.main(words)
+    for stream in (out, err):
+        stream.flush()
+    return code, out.buffer.getvalue().decode(), err.buffer.getvalue().decode()
 
 
 def run(*words, stdin=None):
     """Exit code, standard output, standard error."""
-    result = subprocess.run([str(word) for word in words], input=stdin, capture_output=True,
+    words = [str(word) for word in words]
+    if words[:3] == [sys.executable, "-B", CHECK_PY]:
+        return run_check_py(words[3:])
+    result = subprocess.run(words, input=stdin, capture_output=True,
                             text=True, check=False, timeout=300)
     return result.returncode, result.stdout, result.stderr
 
@@ -543,7 +561,7 @@ class Compare(Case):
             question = ("--wrench", load, "--inertia", "1/2,-1/3,2/7")
             answer = self.json("compare", grasp, *question, "--methods", "form-closure", "--certificate", proof)
             self.assertIsNone(answer["class"])
-            for checker in ((CHECK,), (sys.executable, CHECK_PY)):
+            for checker in ((CHECK,), (sys.executable, "-B", CHECK_PY)):
                 code, out, err = run(*checker, grasp, proof, *question)
                 self.assertEqual(code, DONE, out + err)
                 self.assertIn(f"verdict     {told}\n", out)

@@ -4,6 +4,7 @@ multiples inside what is claimed."""
 
 import json
 import random
+import sys
 import unittest
 from fractions import Fraction as F
 
@@ -41,7 +42,7 @@ class Margins(Space):
         answer = json.loads(out)
         words = [w for w in words if not w.startswith(("--accuracy", "--node-limit"))]
         said = []
-        for checker in ([CHECK], ["python3", "-B", CHECK_PY]):
+        for checker in ([CHECK], [sys.executable, "-B", CHECK_PY]):
             code, out, err = run(*checker, file, proof, *words)
             self.assertEqual(code, 0, out + err)
             said.append(out)

@@ -43,25 +43,32 @@ def decide(grasp, *options):
     return json.loads(run("decide", grasp, "--json", *options))
 
 
+@functools.lru_cache(maxsize=None)
+def browser():
+    """The browser of all tests of this process, and the folder of what it downloads."""
+    folder = tempfile.TemporaryDirectory()
+    unittest.addModuleCleanup(folder.cleanup)
+    options = Options()
+    options.binary_location = os.environ["CHROMIUM"]
+    for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars",
+                     "--disable-gpu", "--enable-unsafe-swiftshader",
+                     "--window-size=1280,900",
+                     "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1", "--disable-background-networking"):
+        options.add_argument(argument)
+    options.add_experimental_option("prefs", {"download.default_directory": folder.name})
+    options.add_experimental_option("perfLoggingPrefs", {"enableNetwork": True, "enablePage": False})
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+    driver = webdriver.Chrome(options=options, service=Service(os.environ["CHROMEDRIVER"]))
+    unittest.addModuleCleanup(driver.quit)
+    return driver, folder.name
+
+
 class PageTest(unittest.TestCase):
-    """A browser for each class, of which no request but for the page itself leaves, and which has nothing to complain of."""
+    """Pages in a browser of which no request but for the page itself leaves, and which has nothing to complain of."""
 
     @classmethod
     def setUpClass(cls):
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.downloads = folder.name
-        options = Options()
-        options.binary_location = os.environ["CHROMIUM"]
-        for argument in ("--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars",
-                         "--disable-gpu", "--enable-unsafe-swiftshader",
-                         "--window-size=1280,900",
-                         "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1", "--disable-background-networking"):
-            options.add_argument(argument)
-        options.add_experimental_option("prefs", {"download.default_directory": cls.downloads})
-        options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-        cls.driver = webdriver.Chrome(options=options, service=Service(os.environ["CHROMEDRIVER"]))
-        cls.addClassCleanup(cls.driver.quit)
+        cls.driver, cls.downloads = browser()
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -76,6 +83,8 @@ class PageTest(unittest.TestCase):
             "width": width, "height": height, "deviceScaleFactor": 1, "mobile": False})
 
     def set_media(self, **features):
+        """Who does not say what motion is liked sees none: animations in software take all of a core."""
+        features.setdefault("prefers_reduced_motion", "reduce")
         self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {
             "features": [{"name": name.replace("_", "-"), "value": value} for name, value in features.items()]})
 
@@ -99,10 +108,11 @@ class PageTest(unittest.TestCase):
         return self.driver.execute_script(script, *arguments)
 
     def wait(self, is_so, what):
-        end = time.monotonic() + PATIENCE
+        end, pause = time.monotonic() + PATIENCE, 0.01
         while not is_so():
             self.assertLess(time.monotonic(), end, "waited for: " + what)
-            time.sleep(0.02)
+            time.sleep(pause)  # longer and longer: asking takes time from who is asked
+            pause = min(1.5 * pause, 0.2)
 
     def find(self, selector):
         return self.driver.find_element(By.CSS_SELECTOR, selector)
@@ -117,9 +127,10 @@ class PageTest(unittest.TestCase):
     def press(self, *keys):
         ActionChains(self.driver).send_keys(*keys).perform()
 
-    def still(self):
-        """Without animation."""
-        self.js("StickslipPage.pause(true)")
+    def attributes(self, selector, name):
+        """Of all elements, in one call."""
+        return self.js("return [...document.querySelectorAll(arguments[0])].map((e) => e.getAttribute(arguments[1]))",
+                       selector, name)
 
     def point_at(self, element, x, y):
         """Places are from the middle of the element."""
@@ -136,8 +147,9 @@ class PageTest(unittest.TestCase):
         """The whole page, as a build output."""
         os.makedirs(PICTURES, exist_ok=True)
         size = self.driver.execute_cdp_cmd("Page.getLayoutMetrics", {})["cssContentSize"]
-        shot = self.driver.execute_cdp_cmd("Page.captureScreenshot", {"captureBeyondViewport": True, "clip": {
-            "x": 0, "y": 0, "width": size["width"], "height": size["height"], "scale": 1}})
+        shot = self.driver.execute_cdp_cmd("Page.captureScreenshot", {
+            "captureBeyondViewport": True, "optimizeForSpeed": True,
+            "clip": {"x": 0, "y": 0, "width": size["width"], "height": size["height"], "scale": 1}})
         with open(os.path.join(PICTURES, name + ".png"), "wb") as file:
             file.write(base64.b64decode(shot["data"]))
 

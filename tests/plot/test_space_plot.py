@@ -9,7 +9,7 @@ import unittest
 from fractions import Fraction
 
 import pictures
-from pictures import Picture, arrow, stickslip, subpaths
+from pictures import Picture, arrow, ask, stickslip, subpaths
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.join(HERE, "..", "..")
@@ -322,7 +322,7 @@ class SpacePlot(unittest.TestCase):
     def test_same_question_same_bytes(self):
         for text, options in questions():
             words = ("plot", "grasp", "-", *options)
-            self.assertEqual(stickslip(*words, stdin=text), stickslip(*words, stdin=text))
+            self.assertEqual(stickslip(*words, stdin=text), ask(*words, stdin=text))
 
     def test_the_page_shows_the_picture_that_is_drawn(self):
         self.assertEqual(read(os.path.join(ROOT, "docs", "space-cup.svg")),

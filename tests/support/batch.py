@@ -15,6 +15,7 @@ need not be UTF-8. An answer is what `check.py --json` prints.
 If the environment variable STICKSLIP_NODE names node, page/web/check.js goes through the spool, too.
 """
 
+import concurrent.futures
 import json
 import os
 import subprocess
@@ -117,26 +118,26 @@ def check_proved(lines):
 
 
 def check_spool(folder, asker):
+    """The programs go through it beside check.py: this is the last test, and other cores have nothing to do."""
     count = failures = 0
-    seen = set()
+    lines = {}  # in order, each once
     for path in spool_files(folder):
         with open(path, encoding="ascii") as file:
             for line in file:
                 count += 1
-                if line in seen:
-                    continue
-                seen.add(line)
-                question = json.loads(line)
-                answer = asker.answer(question)
-                if answer["result"] != question["expected"]:
-                    failures += 1
-                    print(f"expected {question['expected']}, answered {json.dumps(answer)}\n"
-                          f"{question['options']}\n{question['grasp']}\n{question['certificate']}")
-    print(f"{count} certificates ({len(seen)} different), {failures} not answered as expected")
-    if NODE:
-        failures += check_js(sorted(seen))
-    if PROVED:
-        failures += check_proved(sorted(seen))
+                lines[line] = None
+    with concurrent.futures.ThreadPoolExecutor() as pool:
+        others = [pool.submit(check_js, list(lines))] if NODE else []
+        others += [pool.submit(check_proved, list(lines))] if PROVED else []
+        for line in lines:
+            question = json.loads(line)
+            answer = asker.answer(question)
+            if answer["result"] != question["expected"]:
+                failures += 1
+                print(f"expected {question['expected']}, answered {json.dumps(answer)}\n"
+                      f"{question['options']}\n{question['grasp']}\n{question['certificate']}")
+        print(f"check.py: {count} certificates ({len(lines)} different), {failures} not answered as expected")
+        failures += sum(other.result() for other in others)
     if count == 0:
         print("Nothing to check: run the tests that fill the folder (all of ctest) first.")
     return 1 if failures or not count else 0

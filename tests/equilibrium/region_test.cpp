@@ -10,6 +10,7 @@
 #include "paper_grasps.hpp"
 #include "random_grasps.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/planar/find_flaw.hpp"
 
 namespace stickslip {
 namespace {
@@ -227,6 +228,22 @@ TwistLeaf random_leaf(RandomSource& random) {
   TwistLeaf leaf{Row(3)};
   for (Integer& entry : leaf.twist) entry = random.between(-2, 2);
   return leaf;
+}
+
+// The rules of section 4, each broken once by a tree that ends there.
+TEST(FindFlaw, EachRuleIsAsked) {
+  const Problem problem = fig4(1);
+  const auto flaw = [&](const Trees& tree) { return find_flaw(problem, tree).value_or(""); };
+  const TwistLeaf leaf{{0, 0, 0}};
+  EXPECT_EQ(flaw({}), "the tree ends before all children are there");
+  EXPECT_EQ(flaw({SlipSplit{ContactId(problem.size())}}), "node 0: no such contact");
+  EXPECT_EQ(flaw({SeparationSplit{ContactId(problem.size())}}), "node 0: no such contact");
+  EXPECT_EQ(flaw({SlipSplit{kFirst}, SlipSplit{kFirst}}),
+            "node 1: a second slip split of one contact");
+  EXPECT_EQ(flaw({PlaneCut{{0, 0, 0, 0, 0}}}), "node 0: a plane without a normal");
+  EXPECT_EQ(flaw({leaf}), "node 0: the twist does not refute the region");
+  EXPECT_EQ(find_flaw(fig4(1, NormalLaw::kBilateral), {SeparationSplit{kFirst}}),
+            "node 0: a separation under the bilateral law");
 }
 
 // Refuting leaves are rare among random ones; planted ones come from the engine, and every test

@@ -29,12 +29,13 @@ Eigen::MatrixXd inverse(const Eigen::MatrixXd& a);
 /// How many pivots of Gaussian elimination are above this part of the largest.
 Eigen::Index rank(const Eigen::MatrixXd& a, double flat);
 
-/// a = left diag(values) right^T with orthogonal left and right, values descending.
+/// a = left diag(values) right^T of a matrix a.
 struct SingularValues {
-  Eigen::MatrixXd left;
-  Eigen::VectorXd values;
-  Eigen::MatrixXd right;
+  Eigen::MatrixXd left;    ///< orthogonal
+  Eigen::VectorXd values;  ///< not negative, descending
+  Eigen::MatrixXd right;   ///< orthogonal
 };
+/// The decomposition by singular values.
 SingularValues singular_values(const Eigen::MatrixXd& a);
 
 }  // namespace stickslip

@@ -13,10 +13,12 @@
 
 namespace stickslip {
 
+/// \{ Of any size.
 using RationalMatrix = Eigen::Matrix<Rational, Eigen::Dynamic, Eigen::Dynamic>;
 using RationalVector = Eigen::Matrix<Rational, Eigen::Dynamic, 1>;
+/// \}
 
-/// The rank of a matrix, \{ which may be given by rows of one length.
+/// \{ The rank of a matrix, which may be given by rows of one length.
 std::size_t rank_of(const RationalMatrix& a);
 std::size_t rank_of(const std::vector<RationalRow>& rows);
 /// \}

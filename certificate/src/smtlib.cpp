@@ -74,6 +74,14 @@ std::vector<RationalRow> unit_wrenches(const RationalRow& p) {
           {0, 0, 1, p[1], Rational(-p[0]), 0}};
 }
 
+/// Normal force a where springs and preload press with v.
+std::string normal_law(NormalLaw law, const std::string& a, const std::string& v) {
+  const std::string closed = "(and (= " + a + " " + v + ") (>= " + a + " 0.0))";
+  return line(law == NormalLaw::kBilateral
+                  ? closed
+                  : "(or " + closed + " (and (= " + a + " 0.0) (<= " + v + " 0.0)))");
+}
+
 std::string squares(const std::vector<std::string>& terms) {
   std::string text = "(+";
   for (const std::string& x : terms) text += " (* " + x + " " + x + ")";
@@ -120,11 +128,7 @@ std::string nonlinear_text(const Question& question, const GraspBox& grasp) {
       pressing.emplace_back(-c.stiffness.low / square * normal[j], motions[j]);
       balance[j].emplace_back(normal[j], a);
     }
-    const std::string v = sum(pressing);
-    const std::string closed = "(and (= " + a + " " + v + ") (>= " + a + " 0.0))";
-    text += line(question.law == NormalLaw::kBilateral
-                     ? closed
-                     : "(or " + closed + " (and (= " + a + " 0.0) (<= " + v + " 0.0)))");
+    text += normal_law(question.law, a, sum(pressing));
     if (c.friction.low.is_zero()) continue;
     std::vector<std::string> friction;
     Terms across;
@@ -182,11 +186,7 @@ std::string smtlib_text(const Question& question) {
       balance[j].emplace_back(normal[j], a);
       balance[j].emplace_back(tangent[j], b);
     }
-    const std::string v = on_motion(row.normal, -row.stiffness, row.preload);
-    const std::string closed = "(and (= " + a + " " + v + ") (>= " + a + " 0.0))";
-    text += line(problem.law() == NormalLaw::kBilateral
-                     ? closed
-                     : "(or " + closed + " (and (= " + a + " 0.0) (<= " + v + " 0.0)))");
+    text += normal_law(problem.law(), a, on_motion(row.normal, -row.stiffness, row.preload));
     const std::string edge = sum({{row.friction, a}});
     text += line("(and (<= " + b + " " + edge + ") (<= (- " + b + ") " + edge + "))");
     const std::string slip = on_motion(row.tangent, 1, 0);

@@ -117,8 +117,7 @@ ModalEquations::ModalEquations(const RoundedGrasp& grasp, NearEquilibrium& near)
     answer_ = Eigen::MatrixXd::Zero(0, d);
     return;
   }
-  answer_ = pseudo_inverse(sticking);
-  free_ = complement(sticking);
+  answer_ = pseudo_inverse(sticking, {}, &free_);
 }
 
 Reals ModalEquations::motion_change(const Reals& off, const Eigen::VectorXd& slips) const {

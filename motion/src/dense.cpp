@@ -16,18 +16,17 @@ Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b
   return a.completeOrthogonalDecomposition().solve(b);
 }
 
-Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& a, std::optional<double> flat) {
+Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& a, std::optional<double> flat,
+                               Eigen::MatrixXd* across) {
   Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposed;
   if (flat) decomposed.setThreshold(*flat);
   decomposed.compute(a);
+  if (across != nullptr) {
+    const Eigen::MatrixXd frame =
+        decomposed.matrixQ() * Eigen::MatrixXd::Identity(a.rows(), a.rows());
+    *across = frame.rightCols(a.rows() - decomposed.rank());
+  }
   return decomposed.pseudoInverse();
-}
-
-Eigen::MatrixXd complement(const Eigen::MatrixXd& a) {
-  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposed(a);
-  const Eigen::MatrixXd frame =
-      decomposed.matrixQ() * Eigen::MatrixXd::Identity(a.rows(), a.rows());
-  return frame.rightCols(a.rows() - decomposed.rank());
 }
 
 Eigen::MatrixXd inverse(const Eigen::MatrixXd& a) {

@@ -9,9 +9,7 @@ nodes and paths may be others, and what its theorem does not cover it does not j
 """
 
 import atexit
-import contextlib
 import functools
-import io
 import json
 import os
 import py_compile
@@ -28,10 +26,11 @@ STICKSLIP_CHECK = os.environ.get("STICKSLIP_CHECK")
 STICKSLIP_NODE = os.environ.get("STICKSLIP_NODE")
 STICKSLIP_PROVED = os.environ.get("STICKSLIP_PROVED")
 NOT_JUDGED = 3  # by stickslip-proved: its theorem does not cover the question
-sys.path[:0] = [os.path.dirname(CHECK), os.path.join(HERE, "..", "rules"), HERE]
+sys.path[:0] = [os.path.dirname(CHECK), os.path.join(HERE, "..", "rules"), os.path.join(HERE, "..", "support"), HERE]
 
 import check  # noqa: E402
 import corpus  # noqa: E402, F401
+from in_process import in_process  # noqa: E402
 
 
 def grasp(points, normals, **members):
@@ -86,16 +85,6 @@ def is_covered(certificate_file):
         return "parts" not in content and "intervals" not in content and not by_degree
     except (ValueError, TypeError, AttributeError, RecursionError):
         return True
-
-
-def in_process(arguments):
-    """Exit code, standard output and standard error of check.py."""
-    out, err = (io.TextIOWrapper(io.BytesIO(), encoding="utf-8") for _ in range(2))
-    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-        code = check.main(arguments)
-    for stream in (out, err):
-        stream.flush()
-    return code, out.buffer.getvalue().decode(), err.buffer.getvalue().decode()
 
 
 def both_ways(arguments):

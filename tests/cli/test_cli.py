@@ -4,8 +4,6 @@
 The programs are named by the environment variables STICKSLIP, STICKSLIP_CHECK and Z3.
 """
 
-import contextlib
-import io
 import json
 import os
 import re
@@ -27,27 +25,17 @@ CHECK_PY = os.path.join(HERE, "..", "..", "certificate", "check.py")
 PROVED = os.environ.get("STICKSLIP_PROVED")
 UP = ("--wrench", "0,11/10,0")  # unstable
 
-sys.path.append(os.path.dirname(CHECK_PY))
-import check  # noqa: E402
+sys.path.append(os.path.join(HERE, "..", "support"))
+from in_process import in_process  # noqa: E402
 
 DONE, BAD_INPUT, UNDECIDED, STABLE, UNSTABLE = 0, 2, 3, 10, 20
-
-
-def run_check_py(words):
-    """check.py in this process, which need not read and compile it each time; tests/check_py starts it as a program."""
-    out, err = (io.TextIOWrapper(io.BytesIO(), encoding="utf-8") for _ in range(2))
-    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-        code = check.main(words)
-    for stream in (out, err):
-        stream.flush()
-    return code, out.buffer.getvalue().decode(), err.buffer.getvalue().decode()
 
 
 def run(*words, stdin=None):
     """Exit code, standard output, standard error."""
     words = [str(word) for word in words]
     if words[:3] == [sys.executable, "-B", CHECK_PY]:
-        return run_check_py(words[3:])
+        return in_process(words[3:])  # tests/check_py starts it as a program
     result = subprocess.run(words, input=stdin, capture_output=True,
                             text=True, check=False, timeout=300)
     return result.returncode, result.stdout, result.stderr

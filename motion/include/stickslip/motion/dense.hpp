@@ -17,11 +17,10 @@ Eigen::VectorXd solution(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 Eigen::VectorXd least_squares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
 /// The inverse of Moore and Penrose: least_squares(a, b) is pseudo_inverse(a) b. Pivots up to
-/// this part of the largest are taken for 0, by default what rounding leaves.
-Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& a, std::optional<double> flat = {});
-
-/// An orthonormal basis, by columns, of the vectors across all columns of a.
-Eigen::MatrixXd complement(const Eigen::MatrixXd& a);
+/// this part of the largest are taken for 0, by default what rounding leaves. `across` becomes
+/// an orthonormal basis, by columns, of the vectors across all columns of a.
+Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& a, std::optional<double> flat = {},
+                               Eigen::MatrixXd* across = nullptr);
 
 /// The inverse of a square matrix; of no rows if its determinant is 0 or no number.
 Eigen::MatrixXd inverse(const Eigen::MatrixXd& a);

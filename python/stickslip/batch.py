@@ -304,7 +304,7 @@ class Batch:
                     said = False
                 elif not said and now - no_worker_since > SECONDS_WITHOUT_WORKERS:
                     said = True
-                    self._progress.say("there is no worker; waiting for one to join (Ctrl-C ends this)")
+                    self._progress.say(f"{self._cluster.missing()} (Ctrl-C ends this)")
             self._submit_more(max(threads, 1))
             if not self._waiting:
                 return

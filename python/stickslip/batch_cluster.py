@@ -64,6 +64,13 @@ class Cluster:
         workers = self.client.scheduler_info()["workers"].values()
         return sum(worker["nthreads"] for worker in workers)
 
+    def missing(self) -> str:
+        """What is waited for while there are no threads. A client that has lost its scheduler knows
+        of no worker either."""
+        if self.client.status == "running":
+            return "there is no worker; waiting for one to join"
+        return "the scheduler does not answer; waiting for it to come back"
+
     def is_connected(self) -> bool:
         """Waits for a scheduler that is gone, as long as Dask does. False if it does not come."""
         while self.client.status == "connecting":

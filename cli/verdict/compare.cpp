@@ -87,7 +87,8 @@ bool answer_in_space(const CompareArguments& arguments, const Question& question
   }
   try {
     answer.comparison =
-        compare_methods(grasp, arguments.methods, inertia, text, verdict ? &*verdict : nullptr);
+        compare_methods(grasp, question.law, {arguments.methods, answer.length, {}}, inertia,
+                        text, verdict ? &*verdict : nullptr);
   } catch (const InputError& error) {
     throw InputError("", "--" + error.place(), error.problem(), error.remedy());
   }
@@ -149,19 +150,15 @@ void print_text(const Question& question, const Compared& answer, NumberText& te
                                           : "answers another question",
                      row.why});
   }
-  std::cout << format_table(table, Align::kLeft) << "\nAll methods are exact.";
-  if (!question.in_space()) {
-    std::cout << " Normal law of the passive model: " << law_text(question.law) << ".";
-  }
-  std::cout << '\n' << units_text(question) << text.note();
+  std::cout << format_table(table, Align::kLeft) << "\nAll methods are exact."
+            << " Normal law of the passive model: " << law_text(question.law) << ".\n"
+            << units_text(question) << text.note();
 }
 
 int compare(const CompareArguments& arguments) {
   NumberText text(arguments.output);
   Compared answer{positive_length(arguments.length)};
-  // All methods together are about the plane alone.
-  const Question question = arguments.methods.empty() ? arguments.question.question()
-                                                      : arguments.question.any_question();
+  const Question question = arguments.question.any_question();
   if (!(question.in_space() ? answer_in_space : answer_in_plane)(arguments, question, answer,
                                                                  text)) {
     return kUndecidedWithinLimit;
@@ -221,8 +218,9 @@ void add_compare_command(CLI::App& app, int& exit_code) {
       "dissipation. A method that would take too long is not computed.\n"
       "The class is what rigid contacts do: must move (the load is not weakly stable), must\n"
       "hold (it is strongly stable) or open (between). Accelerations are those of mass 1.\n"
-      "In space the last two of these three loads, strongly and weakly stable, are all there "
-      "is.\n",
+      "In space cones are round: of the grasp wrench space, L1, there are bounds of the "
+      "largest\n"
+      "ball, and Linf and three-state compliance are not done.\n",
       kExitCodesWithLimit,
       "stickslip compare fig1.json --wrench 0,1,0 --preload 1\n"
       "  $ stickslip compare fig1.json --methods weakly-stable-load,strongly-stable-load"));

@@ -114,6 +114,10 @@ Json number_json(const DecimalEnclosure& enclosure) {
   return Json::array({marked(enclosure.lower), marked(enclosure.upper)});
 }
 
+Json number_json(const std::vector<Integer>& v) {
+  return number_json(std::vector<Rational>(v.begin(), v.end()));
+}
+
 Json number_json(const std::vector<Rational>& v) {
   Json json = Json::array();
   for (const Rational& entry : v) json.push_back(number_json(entry));

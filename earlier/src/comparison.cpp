@@ -3,52 +3,23 @@
 
 #include <algorithm>
 
-#include "stickslip/core/error.hpp"
-#include "stickslip/earlier/compliance.hpp"
-#include "stickslip/earlier/form_closure.hpp"
+#include "method_answer.hpp"
 #include "stickslip/earlier/friction_cones.hpp"
 #include "stickslip/earlier/grasp_wrench_space.hpp"
 #include "stickslip/earlier/load_classes.hpp"
 #include "stickslip/planar/decide.hpp"
 
 namespace stickslip {
+
+using namespace earlier_detail;
+
 namespace {
 
 /// Beyond these contacts a grasp wrench space is not computed.
 constexpr std::size_t kMostContactsForWrenchSpace = 64;
 
-/// What a method says: verdict, reason, evidence.
-struct MethodAnswer {
-  std::string verdict;
-  std::string why;
-  Json evidence{};
-};
-
-MethodAnswer of_load(bool accepts, std::string why, Json evidence) {
-  return {accepts ? "stable" : "unstable", std::move(why), std::move(evidence)};
-}
-
-MethodAnswer given_up(const Undecided& undecided) {
-  return {kNotComputed, in_words(undecided), {{"limit", undecided.limit}}};
-}
-
-std::string contact_name(std::size_t index) {
-  return "contact " + std::to_string(index);
-}
-
-std::string leaves_refuted(std::size_t count) {
-  return "(" + std::to_string(count) + (count == 1 ? " leaf refuted)" : " leaves refuted)");
-}
-
 Json motion_json(const Twist& d) {
   return {{"motion", number_json(coordinates(d))}};
-}
-
-/// `why`, and in parentheses how many leaves were refuted.
-MethodAnswer refuted(const Trees& refutation, const std::string& why) {
-  const RefutationSummary summary = summarize(refutation);
-  return of_load(false, why + " " + leaves_refuted(summary.leaves),
-                 {{"refutation", {{"nodes", summary.nodes}, {"leaves", summary.leaves}}}});
 }
 
 /// The first contact with friction in a passive equilibrium.
@@ -63,78 +34,38 @@ class MethodsAsked {
   MethodsAsked(const Problem& problem, const CompareOptions& options, NumberText& text)
       : problem_(problem), options_(options), text_(text) {}
 
-  struct Method {
-    const char* name;
-    const char* source;
-    bool about_the_load;
-    MethodAnswer (MethodsAsked::*answer)();
-
-    std::string word() const {
-      std::string result;
-      for (const char letter : std::string(name)) {
-        if (letter != ',') result += letter == ' ' ? '-' : letter;
-      }
-      return result;
-    }
-  };
-
-  static const std::vector<Method>& all() {
-    constexpr const char* kPangTrinkle = "Pang and Trinkle 2000";
-    constexpr const char* kFerrariCanny = "Ferrari and Canny 1992";
-    static const std::vector<Method> methods{
-        {"passive equilibrium", "Haas-Heger et al. 2018", true, &MethodsAsked::passive},
-        {"form closure", "Liu 1999", false, &MethodsAsked::closure},
-        {"frictionless stable load", kPangTrinkle, true, &MethodsAsked::frictionless},
-        {"strongly stable load", kPangTrinkle, true, &MethodsAsked::strong},
-        {"weakly stable load", kPangTrinkle, true, &MethodsAsked::weak},
-        {"grasp wrench space, L1", kFerrariCanny, false, &MethodsAsked::wrench_space_l1},
-        {"grasp wrench space, Linf", kFerrariCanny, false, &MethodsAsked::wrench_space_linf},
-        {"linear compliance", "Cutkosky and Kao 1989, Bicchi 1993", true,
-         &MethodsAsked::linear},
-        {"three-state compliance", "Prattichizzo et al. 1997", true,
-         &MethodsAsked::three_states},
-        {"friction cones alone", "Haas-Heger et al. 2018, Eqs. 1-4", true,
-         &MethodsAsked::cones},
-    };
-    return methods;
-  }
-
   Comparison ask() {
-    const std::vector<std::string> known = method_words();
-    for (const std::string& word : options_.methods) {
-      if (std::find(known.begin(), known.end(), word) == known.end()) {
-        throw InputError("", "methods", "there is no method " + quote(word),
-                         choice_of(word, known, "there are "));
-      }
-    }
     Comparison result;
-    for (const Method& method : all()) {
-      if (!is_asked(method)) continue;
-      MethodAnswer a = (this->*method.answer)();
-      std::optional<bool> agrees;
-      if (passive_stable_ && method.about_the_load && a.verdict != kNotComputed &&
-          !result.methods.empty()) {
-        agrees = a.verdict == result.methods.front().verdict;
-      }
-      result.methods.push_back({method.name, method.source, method.about_the_load,
-                                std::move(a.verdict), std::move(a.why), std::move(a.evidence),
-                                agrees});
-    }
-    result.load_class = load_class();
+    result.methods = asked(all_methods(), options_.methods,
+                           [this](MethodId method) { return answer(method); });
+    result.load_class = class_of(weakly_stable_, strongly_stable_);
     return result;
   }
 
  private:
-  bool is_asked(const Method& method) const {
-    const std::vector<std::string>& asked = options_.methods;
-    return asked.empty() || std::find(asked.begin(), asked.end(), method.word()) != asked.end();
-  }
-
-  std::optional<std::string> load_class() const {
-    if (weakly_stable_ == false) return "must move";
-    if (strongly_stable_ == true) return "must hold";
-    if (weakly_stable_ && strongly_stable_) return "open";
-    return std::nullopt;
+  MethodAnswer answer(MethodId method) {
+    switch (method) {
+      case MethodId::kPassive:
+        return passive();
+      case MethodId::kFormClosure:
+        return closure_answer(form_closure(problem_), text_);
+      case MethodId::kFrictionless:
+        return frictionless();
+      case MethodId::kStronglyStable:
+        return strong();
+      case MethodId::kWeaklyStable:
+        return weak();
+      case MethodId::kWrenchSpaceL1:
+        return wrench_space(ForceBound::kL1);
+      case MethodId::kWrenchSpaceLinf:
+        return wrench_space(ForceBound::kLinf);
+      case MethodId::kLinearCompliance:
+        return linear();
+      case MethodId::kThreeStates:
+        return three_states();
+      default:
+        return cones();
+    }
   }
 
   MethodAnswer passive() {
@@ -161,24 +92,6 @@ class MethodsAsked {
       rubbing_ = Rubbing{i, abs(f.tangential) / f.normal,
                          !power(problem_.rows()[i].tangent, witness.twist).is_zero()};
     }
-  }
-
-  MethodAnswer closure() {
-    const auto result = form_closure(problem_);
-    if (const auto* found = std::get_if<FormClosure>(&result)) {
-      Json evidence{{"multipliers", Json::array()}, {"spanning", Json::array()}};
-      for (const Rational& m : found->multipliers) {
-        evidence["multipliers"].push_back(number_json(m));
-      }
-      for (const ContactId contact : found->spanning) {
-        evidence["spanning"].push_back(contact.index());
-      }
-      return {"closed", "the contacts leave no motion, even without friction",
-              std::move(evidence)};
-    }
-    const Twist& d = std::get<FreeMotion>(result).twist;
-    return {"not closed", "the contacts allow the motion " + text_.direction(d),
-            motion_json(d)};
   }
 
   MethodAnswer frictionless() {
@@ -236,9 +149,6 @@ class MethodsAsked {
          {"forces", forces_json(a.forces)}});
   }
 
-  MethodAnswer wrench_space_l1() { return wrench_space(ForceBound::kL1); }
-  MethodAnswer wrench_space_linf() { return wrench_space(ForceBound::kLinf); }
-
   /// Not computed also when a normal has an irrational length.
   MethodAnswer wrench_space(ForceBound bound) {
     if (problem_.size() > kMostContactsForWrenchSpace) {
@@ -249,9 +159,7 @@ class MethodsAsked {
     try {
       facets = wrench_space_facets(problem_, bound, options_.length);
     } catch (const InputError& error) {
-      return {kNotComputed,
-              error.place() + ": " + error.problem() + "; " + error.remedy(),
-              {{"error", error.what()}}};
+      return not_for(error);
     }
     const auto [radius_squared, nearest] = ferrari_canny_quality(facets);
     const std::optional<Rational> radius = exact_sqrt(radius_squared);
@@ -283,10 +191,7 @@ class MethodsAsked {
   MethodAnswer linear() {
     const auto result = linear_compliance(problem_);
     if (const auto* motion = std::get_if<UnresistedMotion>(&result)) {
-      return of_load(false,
-                     "no spring resists the motion " + text_.direction(motion->twist) +
-                         ", along which the load does work",
-                     motion_json(motion->twist));
+      return unresisted_answer(*motion, text_);
     }
     const auto& [springs, outside] = std::get<SpringBalance>(result);
     Json evidence = witness_json(springs);
@@ -438,14 +343,6 @@ class MethodsAsked {
 };
 
 }  // namespace
-
-std::vector<std::string> method_words() {
-  std::vector<std::string> words;
-  for (const MethodsAsked::Method& method : MethodsAsked::all()) {
-    words.push_back(method.word());
-  }
-  return words;
-}
 
 Comparison compare_methods(const Problem& problem, const CompareOptions& options,
                            NumberText& text) {

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "contact_forces.hpp"
+#include "spatial_cells.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/lp/linear_program.hpp"
 
@@ -21,30 +22,54 @@ std::vector<Rational> scaled(const Rational& factor, const Wrench& row) {
   return {entries.begin(), entries.end()};
 }
 
-/// K d = w + sum P N, in the free variables d.
-LinearProgram balance(const Problem& problem, const States& states) {
-  std::array<std::vector<Rational>, 3> stiffness;
-  stiffness.fill(std::vector<Rational>(3));
-  Wrench right = problem.wrench();
-  const auto add_spring = [&](const Rational& k, const Wrench& row) {
-    const Vector3 r = coordinates(row);
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) stiffness[i][j] += k * r[i] * r[j];
+/// A spring along a row of motions, whose force along it at rest is `rest`.
+struct Spring {
+  RationalRow row;
+  Rational stiffness;
+  Rational rest;
+};
+
+/// K d = w + sum rest r, in the free variables d.
+LinearProgram balance(const std::vector<Spring>& springs, const RationalRow& load) {
+  std::vector<RationalRow> stiffness(load.size(), RationalRow(load.size()));
+  RationalRow right = load;
+  for (const auto& [row, k, rest] : springs) {
+    for (std::size_t i = 0; i < load.size(); ++i) {
+      right[i] += rest * row[i];
+      if (row[i].is_zero()) continue;
+      for (std::size_t j = 0; j < load.size(); ++j) stiffness[i][j] += k * row[i] * row[j];
     }
-  };
+  }
+  LinearProgram program;
+  program.add_variables(load.size(), VariableKind::kFree);
+  for (std::size_t j = 0; j < load.size(); ++j) {
+    program.add_row(std::move(stiffness[j]), Relation::kEqual, std::move(right[j]));
+  }
+  return program;
+}
+
+/// A motion y that stretches no spring, along which the load does work: the multipliers of an
+/// infeasible balance. K y = 0 says so, since y.K y = sum k (r.y)^2.
+UnresistedMotion unresisted(const std::vector<Spring>& springs, const RationalRow& load,
+                            const RationalRow& multipliers) {
+  require(!dot(load, multipliers).is_zero(), "the load does no work");
+  for (const Spring& spring : springs) {
+    require(dot(spring.row, multipliers).is_zero(), "a spring resists the motion");
+  }
+  return {primitive_multiple(multipliers)};
+}
+
+std::vector<Spring> springs_of(const Problem& problem, const States& states) {
+  std::vector<Spring> springs;
   for (std::size_t i = 0; i < problem.size(); ++i) {
     if (states[i] == SpringState::kDetached) continue;
     const ContactRow& row = problem.rows()[i];
-    right += row.preload * row.normal;
-    add_spring(row.stiffness, row.normal);
-    if (states[i] == SpringState::kStick) add_spring(row.stiffness, row.tangent);
+    springs.push_back({row_of(row.normal), row.stiffness, row.preload});
+    if (states[i] == SpringState::kStick) {
+      springs.push_back({row_of(row.tangent), row.stiffness, 0});
+    }
   }
-  LinearProgram program;
-  program.add_variables(3, VariableKind::kFree);
-  for (std::size_t j = 0; j < 3; ++j) {
-    program.add_row(std::move(stiffness[j]), Relation::kEqual, coordinates(right)[j]);
-  }
-  return program;
+  return springs;
 }
 
 ContactForce spring_force(const ContactRow& row, SpringState state, const Twist& d) {
@@ -81,7 +106,7 @@ void add_conditions(const ContactRow& row, SpringState state, LinearProgram& pro
 }
 
 std::optional<Witness> solve_states(const Problem& problem, const States& states) {
-  LinearProgram program = balance(problem, states);
+  LinearProgram program = balance(springs_of(problem, states), row_of(problem.wrench()));
   for (std::size_t i = 0; i < problem.size(); ++i) {
     add_conditions(problem.rows()[i], states[i], program);
   }
@@ -114,21 +139,45 @@ bool advance(States& states) {
   return false;
 }
 
+/// The springs of contacts in space along x, y and z.
+std::vector<Spring> springs_of(const GraspBox& grasp, const std::vector<FrictionDisc>& discs) {
+  std::vector<Spring> springs;
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    const UncertainContact& c = grasp.contacts[i];
+    const Rational preload = preload_over_length(c, i);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      Vector3 unit{};
+      unit[axis] = 1;
+      const Vector6 row = discs[i].wrench(unit);
+      springs.push_back({{row.begin(), row.end()}, c.stiffness.low, preload * c.normal[axis]});
+    }
+  }
+  return springs;
+}
+
+/// How far a force is outside of its cone, if it is: pulling counts more than any friction.
+std::optional<std::pair<bool, Rational>> outside(const FrictionDisc& disc,
+                                                 const Vector3& force) {
+  const Vector3& n = disc.normal();
+  const Rational a = dot(force, n) / dot(n, n);
+  const Vector3 friction = plus(force, -a, n);
+  const Rational square = dot(friction, friction);
+  const Rational most = disc.square() * a * a;
+  if (a.sign() < 0) return std::pair(true, Rational(a * a * dot(n, n)));
+  if (square <= most) return std::nullopt;
+  if (most.is_zero()) return std::pair(true, square);
+  return std::pair(false, Rational(square / most));
+}
+
 }  // namespace
 
 std::variant<SpringBalance, UnresistedMotion> linear_compliance(const Problem& problem) {
   const States all_stick(problem.size(), SpringState::kStick);
-  const LpResult result = solve(balance(problem, all_stick));
+  const std::vector<Spring> springs = springs_of(problem, all_stick);
+  const RationalRow load = row_of(problem.wrench());
+  const LpResult result = solve(balance(springs, load));
   if (const auto* infeasible = std::get_if<Infeasible>(&result)) {
-    const std::vector<Rational>& y = infeasible->farkas;
-    const UnresistedMotion motion{{y[0], y[1], y[2]}};
-    require(!power(problem.wrench(), motion.twist).is_zero(), "the load does no work");
-    for (const ContactRow& row : problem.rows()) {
-      require(power(row.normal, motion.twist).is_zero() &&
-                  power(row.tangent, motion.twist).is_zero(),
-              "a spring resists the motion");
-    }
-    return motion;
+    return unresisted(springs, load, infeasible->farkas);
   }
   SpringBalance found{springs_at(problem, all_stick, std::get<Optimal>(result).point), {}};
   Rational furthest = 0;
@@ -142,6 +191,35 @@ std::variant<SpringBalance, UnresistedMotion> linear_compliance(const Problem& p
       found.outside = ContactId(i);
     }
   }
+  return found;
+}
+
+std::variant<SpatialSpringBalance, UnresistedMotion> linear_compliance(const GraspBox& grasp) {
+  const std::vector<FrictionDisc> discs = discs_of(grasp);
+  const Vector6 w = load_of(grasp);
+  const RationalRow load(w.begin(), w.end());
+  const std::vector<Spring> springs = springs_of(grasp, discs);
+  const LpResult result = solve(balance(springs, load));
+  if (const auto* infeasible = std::get_if<Infeasible>(&result)) {
+    return unresisted(springs, load, infeasible->farkas);
+  }
+  SpatialSpringBalance found{std::get<Optimal>(result).point, {}, {}};
+  Vector6 sum = w;
+  std::pair<bool, Rational> furthest{false, 0};
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    Vector3& force = found.forces.emplace_back();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto& [row, k, rest] = springs[3 * i + axis];
+      force[axis] = rest - k * dot(row, found.motion);
+    }
+    sum = plus(sum, 1, discs[i].wrench(force));
+    const auto off = outside(discs[i], force);
+    if (off && *off > furthest) {
+      furthest = *off;
+      found.outside = ContactId(i);
+    }
+  }
+  require(sum == Vector6{}, "springs do not balance the load");
   return found;
 }
 

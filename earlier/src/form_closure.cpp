@@ -1,99 +1,108 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/earlier/form_closure.hpp"
 
-#include <algorithm>
-
-#include "contact_forces.hpp"
+#include "spatial_cells.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/lp/linear_program.hpp"
+#include "stickslip/motion/exact_system.hpp"
 
 namespace stickslip {
-
-using namespace earlier_detail;
-
 namespace {
 
-/// Vectors picked greedily so that they are linearly independent.
-class Span {
- public:
-  explicit Span(const std::vector<IntegerVector3>& vectors) {
-    for (std::size_t i = 0; i < vectors.size() && picked_.size() < 3; ++i) {
-      const IntegerVector3& v = vectors[i];
-      if (picked_.empty() ? !is_zero(v)
-          : picked_.size() == 1
-              ? !is_zero(cross(vectors[picked_[0]], v))
-              : !dot(cross(vectors[picked_[0]], vectors[picked_[1]]), v).is_zero()) {
-        picked_.push_back(i);
-      }
-    }
-    if (picked_.size() == 1) {
-      // At most one axis is parallel to the vector.
-      orthogonal_ = cross(vectors[picked_[0]], {0, 0, 1});
-      if (is_zero(orthogonal_)) orthogonal_ = {1, 0, 0};
-    } else if (picked_.size() == 2) {
-      orthogonal_ = cross(vectors[picked_[0]], vectors[picked_[1]]);
-    }
-  }
-
-  const std::vector<std::size_t>& picked() const { return picked_; }
-  /// Nonzero, and orthogonal to all vectors when they do not span.
-  const IntegerVector3& orthogonal() const { return orthogonal_; }
-
- private:
-  std::vector<std::size_t> picked_;
-  IntegerVector3 orthogonal_{0, 0, 1};
-};
-
-FreeMotion checked(const Problem& problem, const IntegerVector3& d) {
-  const FreeMotion motion{twist_of(primitive(d))};
-  require(!is_zero(d), "a free motion is zero");
-  for (const ContactRow& row : problem.rows()) {
-    require(power(row.normal, motion.twist).sign() >= 0, "a free motion penetrates a contact");
+FreeMotion checked(const std::vector<RationalRow>& normals, const RationalRow& d) {
+  FreeMotion motion{primitive_multiple(d)};
+  require(!is_zero(motion.motion), "a free motion is zero");
+  for (const RationalRow& n : normals) {
+    require(dot(n, d).sign() >= 0, "a free motion penetrates a contact");
   }
   return motion;
 }
 
-FormClosure checked(const Problem& problem, FormClosure closure) {
-  Wrench sum;
-  for (std::size_t i = 0; i < problem.size(); ++i) {
-    require(closure.multipliers[i].sign() > 0, "a multiplier of form closure is not positive");
-    sum += closure.multipliers[i] * problem.rows()[i].normal;
+FormClosure checked(const std::vector<RationalRow>& normals, FormClosure closure) {
+  for (std::size_t j = 0; j < closure.spanning.size(); ++j) {
+    Rational sum = 0;
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+      require(closure.multipliers[i].sign() > 0,
+              "a multiplier of form closure is not positive");
+      sum += closure.multipliers[i] * normals[i][j];
+    }
+    require(sum.is_zero(), "the multipliers of form closure do not give zero");
   }
-  require(sum == Wrench{}, "the multipliers of form closure do not give zero");
   return closure;
+}
+
+/// The first that are linearly independent.
+std::vector<ContactId> spanning(const std::vector<RationalRow>& normals, std::size_t motions) {
+  std::vector<ContactId> picked;
+  std::vector<RationalRow> rows;
+  for (std::size_t i = 0; i < normals.size() && rows.size() < motions; ++i) {
+    rows.push_back(normals[i]);
+    if (rank_of(rows) < rows.size()) {
+      rows.pop_back();
+    } else {
+      picked.emplace_back(i);
+    }
+  }
+  return picked;
+}
+
+/// Nonzero, and orthogonal to all that do not span.
+RationalRow orthogonal(const std::vector<RationalRow>& normals, std::size_t motions) {
+  RationalMatrix rows(normals.size(), motions);
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    for (Eigen::Index j = 0; j < rows.cols(); ++j) {
+      rows(i, j) = normals[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+    }
+  }
+  const RationalMatrix basis = null_space(rows);
+  RationalRow d;
+  for (Eigen::Index j = 0; j < basis.rows(); ++j) d.push_back(basis(j, basis.cols() - 1));
+  return d;
 }
 
 }  // namespace
 
-std::variant<FormClosure, FreeMotion> form_closure(const Problem& problem) {
+std::variant<FormClosure, FreeMotion> form_closure(const std::vector<RationalRow>& normals,
+                                                   std::size_t motions) {
   // sum (1 + x_i) N_i = 0, x >= 0: any positive multipliers are such, up to a common factor.
   LinearProgram program;
-  program.add_variables(problem.size(), VariableKind::kNonNegative);
-  std::vector<IntegerVector3> normals;
-  for (const ContactRow& row : problem.rows()) {
-    normals.push_back(primitive_multiple(coordinates(row.normal)));
-  }
-  for (std::size_t j = 0; j < 3; ++j) {
-    std::vector<Rational> coefficients;
+  program.add_variables(normals.size(), VariableKind::kNonNegative);
+  for (std::size_t j = 0; j < motions; ++j) {
+    RationalRow coefficients;
     Rational sum = 0;
-    for (const ContactRow& row : problem.rows()) {
-      coefficients.push_back(coordinates(row.normal)[j]);
-      sum += coefficients.back();
+    for (const RationalRow& n : normals) {
+      coefficients.push_back(n[j]);
+      sum += n[j];
     }
     program.add_row(std::move(coefficients), Relation::kEqual, -sum);
   }
   const LpResult result = solve(program);
   if (const auto* infeasible = std::get_if<Infeasible>(&result)) {
-    const std::vector<Rational>& y = infeasible->farkas;
-    return checked(problem, primitive_multiple<3>({-y[0], -y[1], -y[2]}));
+    RationalRow d;
+    for (std::size_t j = 0; j < motions; ++j) d.push_back(-infeasible->farkas[j]);
+    return checked(normals, d);
   }
-  const Span span(normals);
-  if (span.picked().size() < 3) return checked(problem, span.orthogonal());
-  std::vector<Rational> multipliers = std::get<Optimal>(result).point;
-  for (Rational& multiplier : multipliers) multiplier += 1;
-  return checked(problem, FormClosure{std::move(multipliers),
-                                      {ContactId(span.picked()[0]), ContactId(span.picked()[1]),
-                                       ContactId(span.picked()[2])}});
+  FormClosure closure{std::get<Optimal>(result).point, spanning(normals, motions)};
+  if (closure.spanning.size() < motions) return checked(normals, orthogonal(normals, motions));
+  for (Rational& multiplier : closure.multipliers) multiplier += 1;
+  return checked(normals, std::move(closure));
+}
+
+std::variant<FormClosure, FreeMotion> form_closure(const Problem& problem) {
+  std::vector<RationalRow> normals;
+  for (const ContactRow& row : problem.rows()) {
+    const Vector3 n = coordinates(row.normal);
+    normals.emplace_back(n.begin(), n.end());
+  }
+  return form_closure(normals, 3);
+}
+
+std::variant<FormClosure, FreeMotion> form_closure(const GraspBox& grasp) {
+  std::vector<RationalRow> normals;
+  for (const earlier_detail::FrictionDisc& disc : earlier_detail::discs_of(grasp)) {
+    normals.emplace_back(disc.normal_row().begin(), disc.normal_row().end());
+  }
+  return form_closure(normals, 6);
 }
 
 }  // namespace stickslip

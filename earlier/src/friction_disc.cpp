@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "stickslip/core/error.hpp"
 #include "stickslip/core/integer_vector.hpp"
+#include "stickslip/core/snap.hpp"
 #include "stickslip/core/spatial_forces.hpp"
 
 namespace stickslip::earlier_detail {
@@ -28,6 +30,21 @@ Vector3 across(const Vector3& n, const std::optional<Rational>& length) {
 }
 
 }  // namespace
+
+Rational rational_length(const UncertainContact& contact, std::size_t index) {
+  const Rational square = dot(contact.normal, contact.normal);
+  const std::optional<Rational> length = exact_sqrt(square);
+  if (length) return *length;
+  throw InputError("", "contacts[" + std::to_string(index) + "].normal",
+                   "this method needs its length, which is the irrational sqrt(" +
+                       to_readable_string(square) + ")",
+                   kSnapRemedy);
+}
+
+Rational preload_over_length(const UncertainContact& contact, std::size_t index) {
+  const Rational& preload = contact.preload.low;
+  return preload.is_zero() ? preload : Rational(preload / rational_length(contact, index));
+}
 
 FrictionDisc::FrictionDisc(const UncertainContact& contact) : normal_(vector3(contact.normal)) {
   for (std::size_t j = 0; j < 3; ++j) point_[j] = contact.position[j].low;

@@ -29,6 +29,11 @@ struct Sector {
   Rational high = 1;
 };
 
+/// |n| of a point in space. Throws InputError ("contacts[i].normal") if that is irrational.
+Rational rational_length(const UncertainContact& contact, std::size_t index);
+/// P / |n|, which is 0 whatever the length if P is. Throws as that does.
+Rational preload_over_length(const UncertainContact& contact, std::size_t index);
+
 class FrictionDisc {
  public:
   explicit FrictionDisc(const UncertainContact& contact);

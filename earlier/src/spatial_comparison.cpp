@@ -1,118 +1,306 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "stickslip/core/error.hpp"
-#include "stickslip/earlier/comparison.hpp"
+#include "method_answer.hpp"
+#include "stickslip/box/box_verdict.hpp"
+#include "stickslip/core/spatial_forces.hpp"
+#include "stickslip/earlier/friction_cones.hpp"
+#include "stickslip/earlier/grasp_wrench_space.hpp"
 
 namespace stickslip {
+
+using namespace earlier_detail;
+
 namespace {
 
-constexpr const char* kWeak = "weakly-stable-load";
-constexpr const char* kStrong = "strongly-stable-load";
-
-Json spatial_forces_json(const GraspBox& grasp, const SpatialForces& forces) {
-  Json json = Json::array();
-  for (std::size_t i = 0; i < forces.size(); ++i) {
-    Vector3 force = forces[i].friction;
-    for (std::size_t j = 0; j < 3; ++j) {
-      force[j] += forces[i].normal * grasp.contacts[i].normal[j];
-    }
-    json.push_back(number_json(force));
+std::vector<Method> methods_in_space() {
+  std::vector<Method> result;
+  for (const Method& method : all_methods()) {
+    if (method.in_space) result.push_back(method);
   }
+  return result;
+}
+
+/// Throws InputError naming a method of the plane alone.
+void check_in_space(const std::vector<std::string>& words) {
+  for (const Method& method : all_methods()) {
+    if (method.in_space || std::find(words.begin(), words.end(), method.word()) == words.end())
+      continue;
+    std::string others;
+    for (const Method& other : methods_in_space()) {
+      others += (others.empty() ? "" : ", ") + other.word();
+    }
+    throw InputError("", "methods",
+                     method.word() + " is done in the plane only, and the grasp is in space",
+                     "in space there are " + others);
+  }
+}
+
+Json forces_json(const std::vector<Vector3>& forces) {
+  Json json = Json::array();
+  for (const Vector3& force : forces) json.push_back(number_json(force));
   return json;
 }
 
-MethodRow spatial_row(const std::string& method, const std::string& verdict,
-                      const std::string& why, Json evidence) {
-  return {method, "Pang and Trinkle 2000", true, verdict, why, std::move(evidence), {}};
-}
+class MethodsInSpace {
+ public:
+  MethodsInSpace(const GraspBox& grasp, NormalLaw law, const CompareOptions& options,
+                 const SpatialInertia& inertia, NumberText& text,
+                 const SpatialRigidVerdict* verdict)
+      : grasp_(grasp),
+        law_(law),
+        options_(options),
+        inertia_(inertia),
+        text_(text),
+        verdict_(verdict) {}
 
-MethodRow weak_row(const GraspBox& grasp, const SpatialLoadClass& weak, NumberText& text) {
-  const std::string name = "weakly stable load";
-  if (const auto* forces = std::get_if<SpatialForces>(&weak)) {
-    return spatial_row(name, "stable", "forces in the cones would balance the load",
-                       {{"forces", spatial_forces_json(grasp, *forces)}});
+  Comparison ask() {
+    check_in_space(options_.methods);
+    Comparison result;
+    result.methods = asked(methods_in_space(), options_.methods,
+                           [this](MethodId method) { return answer(method); });
+    result.load_class = class_of(weakly_stable_, strongly_stable_);
+    result.undecided = class_undecided_;
+    return result;
   }
-  if (const auto* motion = std::get_if<SpatialUnopposedMotion>(&weak)) {
-    return spatial_row(
-        name, "unstable",
-        "no force in the cones opposes the load along " + text.direction(motion->twist),
-        {{"motion", number_json(motion->twist)}});
-  }
-  const auto& undecided = std::get<Undecided>(weak);
-  return spatial_row(name, kNotComputed, in_words(undecided), {{"limit", undecided.limit}});
-}
 
-MethodRow strong_row(const GraspBox& grasp, const SpatialRigidVerdict& verdict,
-                     NumberText& text) {
-  const std::string name = "strongly stable load";
-  if (const auto* stable = std::get_if<SpatialStronglyStable>(&verdict)) {
-    const auto cases = std::count_if(
-        stable->tree.begin(), stable->tree.end(),
-        [](const SpatialNode& node) { return std::holds_alternative<SpatialLeaf>(node); });
-    return spatial_row(
-        name, "stable",
-        "rigid contacts leave no acceleration (" + std::to_string(cases) +
-            (cases == 1 ? " leaf refuted)" : " leaves refuted)"),
-        {{"forces", spatial_forces_json(grasp, stable->rest)}, {"cases", cases}});
+ private:
+  MethodAnswer answer(MethodId method) {
+    try {
+      switch (method) {
+        case MethodId::kPassive:
+          return passive();
+        case MethodId::kFormClosure:
+          return closure_answer(form_closure(grasp_), text_);
+        case MethodId::kFrictionless:
+          return frictionless();
+        case MethodId::kStronglyStable:
+          return strong();
+        case MethodId::kWeaklyStable:
+          return weak();
+        case MethodId::kWrenchSpaceL1:
+          return wrench_space();
+        case MethodId::kLinearCompliance:
+          return linear();
+        default:
+          return cones();
+      }
+    } catch (const InputError& error) {
+      return not_for(error);  // a length that is irrational
+    }
   }
-  if (const auto* open = std::get_if<SpatialOpenLoad>(&verdict)) {
-    return spatial_row(name, "unstable",
-                       "rigid contacts allow the acceleration " + text(open->acceleration),
-                       {{"acceleration", number_json(open->acceleration)},
-                        {"forces", spatial_forces_json(grasp, open->forces)}});
-  }
-  if (std::holds_alternative<SpatialUnopposedMotion>(verdict)) {
-    return spatial_row(name, "unstable", "the load is not weakly stable", Json::object());
-  }
-  const auto& undecided = std::get<Undecided>(verdict);
-  return spatial_row(name, kNotComputed, in_words(undecided), {{"limit", undecided.limit}});
-}
 
-SpatialLoadClass weak_of(const GraspBox& grasp, const SpatialRigidVerdict* verdict) {
-  if (verdict != nullptr) {
-    if (const auto* motion = std::get_if<SpatialUnopposedMotion>(verdict)) return *motion;
-    if (const auto* stable = std::get_if<SpatialStronglyStable>(verdict)) return stable->rest;
-    if (const auto* open = std::get_if<SpatialOpenLoad>(verdict)) return open->rest;
+  MethodAnswer passive() {
+    const Verdict verdict = decide_box(grasp_, law_).verdict;
+    if (const auto* unstable = std::get_if<Unstable>(&verdict)) {
+      passive_stable_ = false;
+      return of_load(
+          false,
+          "no motion satisfies all conditions " + leaves_refuted(leaf_count(unstable->tree)),
+          {{"refutation",
+            {{"nodes", unstable->tree.size()}, {"leaves", leaf_count(unstable->tree)}}}});
+    }
+    const auto* stable = std::get_if<Stable>(&verdict);
+    if (stable == nullptr) return {"undecided", in_words(std::get<Undecided>(verdict))};
+    passive_stable_ = true;
+    if (const auto* witness = std::get_if<SpatialWitness>(&stable->proof)) {
+      std::vector<Vector3> forces;
+      for (const SpatialForce& f : forces_of(grasp_, witness->twist, witness->shares)) {
+        forces.push_back(f.force);
+      }
+      return of_load(true,
+                     "the motion " + text_(witness->twist) + " gives rise to forces that hold",
+                     {{"twist", number_json(witness->twist)}, {"forces", forces_json(forces)}});
+    }
+    if (are_at_rest(std::get<StabilityProof>(stable->proof))) {
+      return of_load(true, "nothing moves: friction at rest holds the load", Json::object());
+    }
+    const Vector6 near = motion_of(*stable);
+    return of_load(true, "there is an equilibrium near the motion " + text_(near),
+                   {{"near", number_json(near)}});
   }
-  return weakly_stable_load(grasp);
-}
+
+  MethodAnswer frictionless() {
+    GraspBox smooth = grasp_;
+    for (UncertainContact& c : smooth.contacts) c.friction = {};
+    return load_answer(weakly_stable_load(smooth), "normal forces alone balance the load",
+                       "without friction no contact opposes the load along ");
+  }
+
+  MethodAnswer weak() {
+    const SpatialLoadClass weak = weak_class();
+    if (const auto* undecided = std::get_if<Undecided>(&weak)) {
+      class_undecided_ = *undecided;
+    } else {
+      weakly_stable_ = std::holds_alternative<SpatialForces>(weak);
+    }
+    return load_answer(weak, "forces in the cones would balance the load",
+                       "no force in the cones opposes the load along ");
+  }
+
+  /// Of a rigid verdict, where there is one.
+  SpatialLoadClass weak_class() const {
+    if (verdict_ != nullptr) {
+      if (const auto* motion = std::get_if<SpatialUnopposedMotion>(verdict_)) return *motion;
+      if (const auto* stable = std::get_if<SpatialStronglyStable>(verdict_))
+        return stable->rest;
+      if (const auto* open = std::get_if<SpatialOpenLoad>(verdict_)) return open->rest;
+    }
+    return weakly_stable_load(grasp_);
+  }
+
+  MethodAnswer load_answer(const SpatialLoadClass& found, const std::string& balanced,
+                           const std::string& unopposed) {
+    if (const auto* forces = std::get_if<SpatialForces>(&found)) {
+      return of_load(true, balanced + unless_passive(), {{"forces", rest_json(*forces)}});
+    }
+    if (const auto* motion = std::get_if<SpatialUnopposedMotion>(&found)) {
+      return of_load(false, unopposed + text_.direction(motion->twist),
+                     {{"motion", number_json(motion->twist)}});
+    }
+    return given_up(std::get<Undecided>(found));
+  }
+
+  MethodAnswer strong() {
+    if (verdict_ == nullptr) verdict_ = &found_.emplace(rigid_verdict(grasp_, inertia_));
+    if (const auto* undecided = std::get_if<Undecided>(verdict_)) {
+      class_undecided_ = *undecided;
+      return given_up(*undecided);
+    }
+    const auto* stable = std::get_if<SpatialStronglyStable>(verdict_);
+    strongly_stable_ = stable != nullptr;
+    if (stable != nullptr) {
+      const auto cases = static_cast<std::size_t>(std::count_if(
+          stable->tree.begin(), stable->tree.end(),
+          [](const SpatialNode& node) { return std::holds_alternative<SpatialLeaf>(node); }));
+      return of_load(
+          true,
+          "rigid contacts leave no acceleration " + leaves_refuted(cases) + unless_passive(),
+          {{"forces", rest_json(stable->rest)}, {"cases", cases}});
+    }
+    if (const auto* open = std::get_if<SpatialOpenLoad>(verdict_)) {
+      weakly_stable_ = true;
+      return of_load(false,
+                     "rigid contacts allow the acceleration " + text_(open->acceleration),
+                     {{"acceleration", number_json(open->acceleration)},
+                      {"forces", rest_json(open->forces)}});
+    }
+    weakly_stable_ = false;
+    return of_load(false, "the load is not weakly stable", Json::object());
+  }
+
+  MethodAnswer wrench_space() {
+    const WrenchBall ball = wrench_ball(grasp_, options_.length);
+    Json evidence{{"low_squared", number_json(ball.low_squared)},
+                  {"high_squared", number_json(ball.high_squared)},
+                  {"low", number_json(enclose_sqrt(1, ball.low_squared))},
+                  {"high", number_json(enclose_sqrt(1, ball.high_squared))},
+                  {"direction", number_json(ball.direction)},
+                  {"points", ball.points},
+                  {"facets", ball.facets}};
+    if (ball.high_squared.is_zero()) {
+      return {"not closed",
+              "no force closure, quality 0: no wrench x with " +
+                  text_.direction(ball.direction) + ".x > 0 can be applied",
+              std::move(evidence)};
+    }
+    const std::string bounds = "the largest ball has a radius from " +
+                               text_.root(1, ball.low_squared) + " to " +
+                               text_.root(1, ball.high_squared);
+    if (ball.low_squared.is_zero()) {
+      return {kNotComputed, bounds + ", which leaves force closure open", std::move(evidence)};
+    }
+    return {"closed",
+            "force closure: " + bounds + ", by the hull of " + std::to_string(ball.points) +
+                " forces on the cones",
+            std::move(evidence)};
+  }
+
+  MethodAnswer linear() {
+    const auto result = linear_compliance(grasp_);
+    if (const auto* motion = std::get_if<UnresistedMotion>(&result)) {
+      return unresisted_answer(*motion, text_);
+    }
+    const auto& found = std::get<SpatialSpringBalance>(result);
+    Json evidence{{"twist", number_json(found.motion)},
+                  {"forces", forces_json(found.forces)},
+                  {"outside", found.outside ? Json(found.outside->index()) : Json(nullptr)}};
+    return of_load(!found.outside,
+                   found.outside ? leaves_cone(found.outside->index(), found)
+                                 : "linear springs balance the load within the cones",
+                   std::move(evidence));
+  }
+
+  std::string leaves_cone(std::size_t contact, const SpatialSpringBalance& found) const {
+    const Vector3 n = vector3(grasp_.contacts[contact].normal);
+    const Vector3& f = found.forces[contact];
+    const Rational along = dot(f, n);
+    const Rational square = dot(n, n);
+    const std::string here = contact_name(contact);
+    if (along.sign() < 0) {
+      return "a linear spring would pull at " + here + ", with the force " + text_(f);
+    }
+    const std::string beyond = ", beyond mu = " + text_(grasp_.contacts[contact].friction.low);
+    if (along.is_zero()) {
+      return "linear springs put friction without a normal force on " + here + beyond;
+    }
+    // |f_t|^2 / f_n^2
+    const Rational ratio = (dot(f, f) * square - along * along) / (along * along);
+    return "linear springs put friction of " + text_.root(1, ratio) +
+           " of the normal force on " + here + beyond;
+  }
+
+  MethodAnswer cones() {
+    const auto result = friction_cones_alone(grasp_, law_);
+    if (const auto* undecided = std::get_if<Undecided>(&result)) return given_up(*undecided);
+    if (const auto* none = std::get_if<NoSpatialCones>(&result)) {
+      return of_load(false,
+                     "no motion loads the contacts enough " + leaves_refuted(none->regions),
+                     {{"refutation", {{"leaves", none->regions}}}});
+    }
+    const auto& found = std::get<SpatialConesWitness>(result);
+    return of_load(
+        true,
+        "the motion " + text_(found.motion) + " loads the contacts enough" +
+            (passive_stable_ == false ? ", but friction does not oppose every slip" : ""),
+        {{"twist", number_json(found.motion)}, {"forces", forces_json(found.forces)}});
+  }
+
+  /// For methods that find forces and ask nothing of motions.
+  std::string unless_passive() const {
+    return passive_stable_ == false ? ", but no motion gives rise to such forces" : "";
+  }
+
+  Json rest_json(const SpatialForces& forces) const {
+    std::vector<Vector3> vectors;
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+      Vector3& force = vectors.emplace_back(forces[i].friction);
+      for (std::size_t j = 0; j < 3; ++j) {
+        force[j] += forces[i].normal * grasp_.contacts[i].normal[j];
+      }
+    }
+    return forces_json(vectors);
+  }
+
+  const GraspBox& grasp_;
+  NormalLaw law_;
+  const CompareOptions& options_;
+  const SpatialInertia& inertia_;
+  NumberText& text_;
+  const SpatialRigidVerdict* verdict_;
+  std::optional<SpatialRigidVerdict> found_;
+  std::optional<bool> passive_stable_;   ///< if it was asked and said so
+  std::optional<bool> weakly_stable_;    ///< the same
+  std::optional<bool> strongly_stable_;  ///< the same
+  std::optional<Undecided> class_undecided_;
+};
 
 }  // namespace
 
-Comparison compare_methods(const GraspBox& grasp, const std::vector<std::string>& methods,
+Comparison compare_methods(const GraspBox& grasp, NormalLaw law, const CompareOptions& options,
                            const SpatialInertia& inertia, NumberText& text,
                            const SpatialRigidVerdict* verdict) {
-  for (const std::string& word : methods) {
-    if (word != kWeak && word != kStrong) {
-      throw InputError("", "methods",
-                       word +
-                           " is done in the plane only, and the grasp is in "
-                           "space",
-                       std::string("ask for ") + kWeak + " and " + kStrong);
-    }
-  }
-  const auto asked = [&](const char* word) {
-    return methods.empty() || std::find(methods.begin(), methods.end(), word) != methods.end();
-  };
-  Comparison result;
-  std::optional<SpatialRigidVerdict> found;
-  if (asked(kStrong)) {
-    if (verdict == nullptr) verdict = &found.emplace(rigid_verdict(grasp, inertia));
-    result.methods.push_back(strong_row(grasp, *verdict, text));
-    if (const auto* undecided = std::get_if<Undecided>(verdict)) {
-      result.undecided = *undecided;
-    } else {
-      result.load_class = name_of(*verdict);
-    }
-  }
-  if (asked(kWeak)) {
-    const SpatialLoadClass weak = weak_of(grasp, verdict);
-    result.methods.push_back(weak_row(grasp, weak, text));
-    if (std::holds_alternative<SpatialUnopposedMotion>(weak)) result.load_class = "must move";
-    if (const auto* undecided = std::get_if<Undecided>(&weak)) result.undecided = *undecided;
-  }
-  return result;
+  return MethodsInSpace(grasp, law, options, inertia, text, verdict).ask();
 }
 
 }  // namespace stickslip

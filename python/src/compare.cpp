@@ -62,7 +62,7 @@ py::dict compare(const GraspFile& grasp, const py::object& wrench, const py::obj
       const GraspBox& one = point_in_space(question);
       std::optional<SpatialRigidVerdict> verdict;
       if (certificate) verdict = rigid_verdict(one, in_all_axes);
-      Compared result{compare_methods(one, options.methods, in_all_axes, readable,
+      Compared result{compare_methods(one, question.law, options, in_all_axes, readable,
                                       verdict ? &*verdict : nullptr)};
       if (verdict) add_certificate(result, question, in_all_axes, *verdict);
       return result;

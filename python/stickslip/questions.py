@@ -357,8 +357,8 @@ def compare(
 
     Args:
         grasp, wrench, preload, normal_law: as of ``decide``, for one question.
-        methods: ask these alone, as in ("weakly-stable-load", "strongly-stable-load"), which
-            are those that may be asked in space.
+        methods: ask these alone, as in ("weakly-stable-load", "strongly-stable-load"). Two are
+            about the plane alone: "three-state-compliance" and "grasp-wrench-space-Linf".
         length: characteristic of the object, by which grasp wrench spaces divide torques.
         inertia: (3,): the centre of mass and the squared radius of gyration about it, which
             strong stability needs; (0, 0, length**2) if None. In space (6,) or (9,): the centre
@@ -370,7 +370,7 @@ def compare(
     """
     about, snapped = _asked(grasp, preload)
     answer = _core.compare(
-        about._data if methods else about._planar(), about._load(wrench),
+        about._data, about._load(wrench),
         as_number_or_none(preload, "preload"), is_bilateral(normal_law), list(methods),
         as_number(length, "length"),
         None if inertia is None else as_inertia(inertia, about._coordinates), bool(certificate))

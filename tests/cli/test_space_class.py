@@ -165,11 +165,58 @@ class Plane(SpaceClass):
         self.assertGreaterEqual(agreed["must hold", "unsat", "moves"], 1, agreed)
 
 
+class OtherMethods(SpaceClass):
+    def test_a_block_that_rests_and_slides(self):
+        """In text and in JSON: each method by its closed form, on a floor with friction 1/2."""
+        expected = {
+            "passive equilibrium": "stable unstable", "form closure": "not closed",
+            "frictionless stable load": "unstable", "strongly stable load": "stable unstable",
+            "weakly stable load": "stable unstable", "grasp wrench space, L1": "not closed",
+            "linear compliance": "stable unstable", "friction cones alone": "stable unstable"}
+        for k, slope in enumerate((F(2, 5), F(3, 5))):
+            grasp = self.write("g.json", {
+                "format": "stickslip-grasp/2", "defaults": {"friction": "1/2"},
+                "contacts": [{"position": texts(p), "normal": texts(n)} for p, n in FLOOR],
+                "wrench": texts(force_at((F(3, 5) * slope, F(4, 5) * slope, -1), (0, 0, -1)))})
+            rows = self.json("compare", grasp)["methods"]
+            self.assertEqual([row["method"] for row in rows], list(expected))
+            passive = rows[0]["verdict"]
+            for row in rows:
+                words = expected[row["method"]]
+                verdict = words if words == "not closed" else words.split()[min(k, len(words.split()) - 1)]
+                self.assertEqual(row["verdict"], verdict, row)
+                agrees = row["verdict"] == passive if row["about"] == "load" and row is not rows[0] else None
+                self.assertEqual(row["agrees"], agrees, row)
+            code, out, err = stickslip("compare", grasp)
+            self.assertEqual((code, err), (DONE, ""))
+            for row in rows:
+                self.assertRegex(out, rf"(?m)^{row['method']} +{row['verdict']} ")
+            one = self.json("compare", grasp, "--methods", "friction-cones-alone")["methods"]
+            self.assertEqual(one, [{**rows[-1], "agrees": None}])
+
+    def test_force_closure_has_bounds(self):
+        """Three pads that press on a ball at its equator: 0 is inside the hull once there is friction."""
+        pads = [((1, 0, 0), (-1, 0, 0)), ((-F(3, 5), F(4, 5), 0), (F(3, 5), -F(4, 5), 0)),
+                ((-F(3, 5), -F(4, 5), 0), (F(3, 5), F(4, 5), 0))]
+        for friction, verdict in ((0, "not closed"), ("1/2", "closed")):
+            grasp = self.write("g.json", {
+                "format": "stickslip-grasp/2", "defaults": {"friction": friction}, "wrench": [0] * 6,
+                "contacts": [{"position": texts(p), "normal": texts(n)} for p, n in pads]})
+            row, = self.json("compare", grasp, "--methods", "grasp-wrench-space-L1")["methods"]
+            self.assertEqual(row["verdict"], verdict)
+            low, high = (F(row["evidence"][key]) for key in ("low_squared", "high_squared"))
+            if verdict == "closed":
+                self.assertTrue(0 < F(98, 100) * high <= low <= high, row)
+            else:
+                self.assertEqual((low, high), (0, 0))
+
+
 class Asked(SpaceClass):
     def test_what_cannot_be_asked(self):
         grasp = self.write("g.json", {"format": "stickslip-grasp/2", "defaults": {"friction": 1}, "wrench": [0] * 6,
                                       "contacts": [{"position": [0, 0, 0], "normal": [0, 0, 1]}]})
-        self.fails("compare", grasp, "--methods", "form-closure", naming=["--methods", "form-closure", "in space"])
+        for method in ("three-state-compliance", "grasp-wrench-space-Linf"):
+            self.fails("compare", grasp, "--methods", method, naming=["--methods", method, "in space"])
         for inertia in ("0,0,1", "0,0,0,1,1,0", "0,0,0,1,1,1,1,0,0", "0,0,0,1,1,1,0"):
             self.fails("compare", grasp, "--methods", METHODS, f"--inertia={inertia}", naming=["--inertia"])
         uncertain = self.write("u.json", {

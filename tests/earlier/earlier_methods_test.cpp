@@ -235,7 +235,7 @@ TEST(FormClosure, FourContactsOnASquare) {
   // All lines of action through the centre: it may turn (to first order).
   const auto concurrent = form_closure(problem(square(0, 0), {}));
   ASSERT_TRUE(std::holds_alternative<FreeMotion>(concurrent));
-  EXPECT_NE(std::get<FreeMotion>(concurrent).twist.r, 0);
+  EXPECT_NE(std::get<FreeMotion>(concurrent).motion[2], 0);
 }
 
 // All contacts at one point: no spring resists a rotation about it.
@@ -247,7 +247,7 @@ TEST(Degenerate, ContactsAtOnePoint) {
   EXPECT_TRUE(std::holds_alternative<SpringBalance>(held));
   const auto turned = linear_compliance(problem(corner, {0, -1, 0}));
   ASSERT_TRUE(std::holds_alternative<UnresistedMotion>(turned));
-  EXPECT_NE(std::get<UnresistedMotion>(turned).twist.r, 0);
+  EXPECT_NE(std::get<UnresistedMotion>(turned).motion[2], 0);
 }
 
 // Contacts in one place multiply the patterns of separation but not the regions.

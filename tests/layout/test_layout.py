@@ -21,7 +21,7 @@ ALLOWED = {
     "box": {"core", "equilibrium", "planar", "search", "degree", "margin"},
     "warnings": {"core", "equilibrium", "motion", "planar", "degree", "margin", "box"},
     "resistance": {"core", "equilibrium", "planar", "search"},
-    "earlier": {"core", "lp", "equilibrium", "motion", "planar"},
+    "earlier": {"core", "lp", "equilibrium", "motion", "planar", "box"},
     "certificate": {"core", "equilibrium", "planar", "margin", "box", "resistance", "earlier"},
     "answers": {"core", "equilibrium", "planar", "margin", "box", "warnings", "resistance", "certificate"},
     "batch": {"core", "equilibrium", "earlier", "certificate", "answers"},

@@ -53,7 +53,7 @@ def test_classes_in_space(push, kind):
     assert (result.accepted, result.verdict) == (True, kind)
     other = stickslip.check(crate, comparison.certificate, wrench=load, inertia=(*inertia, 0, 0, "1/2"))
     assert (other.accepted, other.rule) == (False, "question-inertia")
-    for words, place in (({}, "grasp"), ({"methods": ["form-closure"]}, "methods"),
+    for words, place in (({"methods": ["three-state-compliance"]}, "methods"),
                          ({"methods": methods, "inertia": (0, 0, 1)}, "inertia"),
                          ({"methods": methods, "inertia": (0, 0, 1, 1, 1, -1)}, "inertia")):
         with pytest.raises(InputError) as caught:
@@ -84,3 +84,14 @@ def test_errors(block):
         with pytest.raises(InputError) as caught:
             call()
         assert caught.value.place == place
+
+
+def test_all_methods_in_space():
+    crate = Grasp([[x, y, 0] for x in (-1, 1) for y in (-1, 1)], [[0, 0, 1]] * 4, HALF)
+    for push, verdict in ((Fraction(3, 10), "stable"), (Fraction(51, 100), "unstable")):
+        comparison = stickslip.compare(crate, (push, 0, -1, 0, 0, 0))
+        verdicts = {row.method: row.verdict for row in comparison.methods}
+        assert len(verdicts) == 8
+        for name in ("passive equilibrium", "weakly stable load", "friction cones alone"):
+            assert verdicts[name] == verdict
+        assert verdicts["form closure"] == verdicts["grasp wrench space, L1"] == "not closed"

@@ -41,6 +41,9 @@ class NumberText {
   std::string direction(const std::array<Number, n>& v) {
     return scaled_tuple({v.begin(), v.end()});
   }
+  std::string direction(const std::vector<Integer>& v) {
+    return scaled_tuple({v.begin(), v.end()});
+  }
   /// \}
 
   /// What ~ and a..b mean, a line each, if they were printed.
@@ -72,6 +75,7 @@ Json number_json(const std::array<Number, n>& v) {
   return json;
 }
 Json number_json(const std::vector<Rational>& v);
+Json number_json(const std::vector<Integer>& v);
 /// \}
 
 /// \{ A member "units" of an answer about this grasp, if they are known.

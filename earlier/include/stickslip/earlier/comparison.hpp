@@ -54,9 +54,10 @@ std::vector<std::string> method_words();
 Comparison compare_methods(const Problem& problem, const CompareOptions& options,
                            NumberText& text);
 
-/// The same in space, where weak and strong stability are asked alone. Throws InputError
-/// ("methods") naming another method. `verdict`, if it is known, is not sought again.
-Comparison compare_methods(const GraspBox& grasp, const std::vector<std::string>& methods,
+/// The same of a point in space, but for the methods of the plane alone: throws InputError
+/// ("methods") naming one that is asked for. Of the options the inertia is that given beside
+/// them. `verdict`, if it is known, is not sought again.
+Comparison compare_methods(const GraspBox& grasp, NormalLaw law, const CompareOptions& options,
                            const SpatialInertia& inertia, NumberText& text,
                            const SpatialRigidVerdict* verdict = nullptr);
 

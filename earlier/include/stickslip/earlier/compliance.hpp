@@ -40,6 +40,7 @@
 #include <variant>
 #include <vector>
 
+#include "stickslip/core/box.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 
 namespace stickslip {
@@ -54,11 +55,25 @@ struct SpringBalance {
 
 /// No springs resist this motion, N_i.d = T_i.d = 0 for all i, and the load does work along it.
 struct UnresistedMotion {
-  Twist twist;  ///< coprime integers
+  Row motion;  ///< coprime integers
 };
 
 /// One linear system of size 3; its solution is checked by substitution.
 std::variant<SpringBalance, UnresistedMotion> linear_compliance(const Problem& problem);
+
+/// Springs in balance with the load in space. As all three springs of a contact are as stiff as
+/// each other, its force is P n / |n| - k u, with u the displacement of its point.
+struct SpatialSpringBalance {
+  RationalRow motion;           ///< d
+  std::vector<Vector3> forces;  ///< by ContactId
+  /// A contact whose force is outside its friction cone: one that pulls, or whose friction is
+  /// the largest multiple of what there may be.
+  std::optional<ContactId> outside;
+};
+
+/// The same in space, of a point. One linear system of size 6. Throws InputError
+/// ("contacts[i].normal") at a preloaded contact with a normal of irrational length.
+std::variant<SpatialSpringBalance, UnresistedMotion> linear_compliance(const GraspBox& grasp);
 
 /// What a contact does in the three-state model.
 enum class SpringState { kStick, kSlip, kDetached };

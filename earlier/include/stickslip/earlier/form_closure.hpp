@@ -3,7 +3,8 @@
 /// First-order form closure: do the contacts, without friction, leave the object no motion?
 ///
 /// A motion d is free when no contact is penetrated to first order: N_i.d >= 0 for all i. The
-/// grasp has form closure iff only d = 0 is free. That holds iff the N_i span Q^3 and some
+/// grasp has form closure iff only d = 0 is free. That holds iff the N_i span Q^D (D = 3 in the
+/// plane, 6 in space) and some
 /// multipliers lambda_i > 0 give sum lambda_i N_i = 0:
 ///
 /// - if so, a free d has 0 = sum lambda_i N_i.d with no negative term, so N_i.d = 0 for all i,
@@ -18,10 +19,10 @@
 /// Modern Robotics, 2017, Section 12.1.7. Haas-Heger et al., RSS 2018, Section II.
 #pragma once
 
-#include <array>
 #include <variant>
 #include <vector>
 
+#include "stickslip/core/box.hpp"
 #include "stickslip/equilibrium/problem.hpp"
 
 namespace stickslip {
@@ -29,16 +30,22 @@ namespace stickslip {
 /// Evidence for form closure.
 struct FormClosure {
   std::vector<Rational> multipliers;  ///< lambda_i >= 1, by ContactId, for N_i as in the rows
-  std::array<ContactId, 3> spanning;  ///< contacts whose N are linearly independent
+  std::vector<ContactId> spanning;    ///< D contacts whose N are linearly independent
 };
 
 /// Evidence against it: d != 0 with N_i.d >= 0 for all i.
 struct FreeMotion {
-  Twist twist;  ///< coprime integers
+  Row motion;  ///< coprime integers
 };
 
-/// The evidence is checked by substitution before it is returned. One linear program with 3
-/// rows and a variable per contact.
+/// Either, of the N_i with as many coordinates as motions have. The evidence is checked by
+/// substitution before it is returned. One linear program with D rows and a variable per
+/// contact.
+std::variant<FormClosure, FreeMotion> form_closure(const std::vector<RationalRow>& normals,
+                                                   std::size_t motions);
+/// \{ The same of a grasp in the plane, and of one in space, which must be a point.
 std::variant<FormClosure, FreeMotion> form_closure(const Problem& problem);
+std::variant<FormClosure, FreeMotion> form_closure(const GraspBox& grasp);
+/// \}
 
 }  // namespace stickslip

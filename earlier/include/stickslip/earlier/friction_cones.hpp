@@ -20,6 +20,7 @@
 
 #include <variant>
 
+#include "stickslip/core/box.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 
 namespace stickslip {
@@ -32,5 +33,25 @@ using ConesVerdict = std::variant<Witness, Trees, Undecided>;
 
 /// Undecided only at `most_programs` linear programs. A witness is checked by substitution.
 ConesVerdict friction_cones_alone(const Problem& problem, std::size_t most_programs = 20000);
+
+/// A motion and forces of a grasp in space, with normal forces by their law and friction in
+/// Coulomb's cones.
+struct SpatialConesWitness {
+  RationalRow motion;           ///< d
+  std::vector<Vector3> forces;  ///< by ContactId
+};
+
+/// All motions are refuted: an exact linear program for each region of a search over which
+/// contacts are closed has no solution, with polygons around the discs of friction.
+struct NoSpatialCones {
+  std::size_t regions = 0;  ///< that were refuted
+};
+
+/// The same in space, of a point: discs are put between polygons, which are refined where the
+/// answers are. Undecided at `most_programs`, and where forces are so near the border of a cone
+/// that polygons as fine as doubles do not tell. Throws InputError ("contacts[i].normal") at a
+/// preloaded contact with a normal of irrational length.
+std::variant<SpatialConesWitness, NoSpatialCones, Undecided> friction_cones_alone(
+    const GraspBox& grasp, NormalLaw law, std::size_t most_programs = 2000);
 
 }  // namespace stickslip

@@ -19,12 +19,17 @@
 /// Unit normals are needed, so a normal of irrational length throws InputError
 /// ("contacts[i].normal"); the remedy is snapping. Preload, stiffness and load play no part.
 ///
-/// Source: Ferrari and Canny, "Planning optimal grasps", ICRA 1992, pp. 2290-2295; Haas-Heger
-/// et al., RSS 2018, Sections II, VI and Fig. 7(a).
+/// In space, where the cones are round, the L1 space is the convex hull of 0 and of the discs
+/// N_i + (f, p_i x f), |f| <= mu_i, in six coordinates; its radius is enclosed (wrench_ball).
+///
+/// Source: Ferrari and Canny, "Planning optimal grasps", ICRA 1992, pp. 2290-2295; Zheng,
+/// "An efficient algorithm for a grasp quality measure", IEEE Trans. Robotics 29(2), 2013;
+/// Haas-Heger et al., RSS 2018, Sections II, VI and Fig. 7(a).
 #pragma once
 
 #include <vector>
 
+#include "stickslip/core/box.hpp"
 #include "stickslip/equilibrium/problem.hpp"
 
 namespace stickslip {
@@ -55,6 +60,28 @@ struct GraspQuality {
 
 /// Throws ContractError if `facets` is empty.
 GraspQuality ferrari_canny_quality(const std::vector<HalfSpace>& facets);
+
+/// Bounds of the radius of the largest ball about 0 in the L1 space of a grasp in space.
+struct WrenchBall {
+  Rational low_squared;   ///< of the ball in the hull of finitely many points of the space
+  Rational high_squared;  ///< 0 iff 0 is on the border
+  Row direction;          ///< u: no u.x in the space is above sqrt(high_squared) |u|
+  std::size_t points;     ///< of the discs, in that hull
+  std::size_t facets;     ///< of the hull
+};
+
+/// What to spend on it.
+struct WrenchBallLimits {
+  Rational ratio = Rational(99, 100);  ///< of the bounds, at which it is enough
+  std::size_t most_facets = 20000;     ///< of the hull
+};
+
+/// Of a point in space. A point of the space farthest along the normal of the facet nearest to
+/// 0 joins the hull, until that facet and the space are as near to 0 as each other: so points
+/// come where they matter. Each is one cut of a double description in integers. Throws
+/// InputError at a normal of irrational length.
+WrenchBall wrench_ball(const GraspBox& grasp, const Rational& length = 1,
+                       const WrenchBallLimits& limits = {});
 
 /// The forces of the L1 space with torque 0, a convex polygon: its vertices counterclockwise
 /// from the lexicographically least; one or two points when it is degenerate. O(m^2 log m).

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "method_answer.hpp"
+
+#include <algorithm>
+
+#include "stickslip/core/error.hpp"
+
+namespace stickslip {
+namespace earlier_detail {
+
+std::string Method::word() const {
+  std::string result;
+  for (const char letter : std::string(name)) {
+    if (letter != ',') result += letter == ' ' ? '-' : letter;
+  }
+  return result;
+}
+
+const std::vector<Method>& all_methods() {
+  constexpr const char* kPangTrinkle = "Pang and Trinkle 2000";
+  constexpr const char* kFerrariCanny = "Ferrari and Canny 1992";
+  static const std::vector<Method> methods{
+      {MethodId::kPassive, "passive equilibrium", "Haas-Heger et al. 2018", true, true},
+      {MethodId::kFormClosure, "form closure", "Liu 1999", false, true},
+      {MethodId::kFrictionless, "frictionless stable load", kPangTrinkle, true, true},
+      {MethodId::kStronglyStable, "strongly stable load", kPangTrinkle, true, true},
+      {MethodId::kWeaklyStable, "weakly stable load", kPangTrinkle, true, true},
+      {MethodId::kWrenchSpaceL1, "grasp wrench space, L1", kFerrariCanny, false, true},
+      {MethodId::kWrenchSpaceLinf, "grasp wrench space, Linf", kFerrariCanny, false, false},
+      {MethodId::kLinearCompliance, "linear compliance", "Cutkosky and Kao 1989, Bicchi 1993",
+       true, true},
+      {MethodId::kThreeStates, "three-state compliance", "Prattichizzo et al. 1997", true,
+       false},
+      {MethodId::kFrictionCones, "friction cones alone", "Haas-Heger et al. 2018, Eqs. 1-4",
+       true, true},
+  };
+  return methods;
+}
+
+MethodAnswer of_load(bool accepts, std::string why, Json evidence) {
+  return {accepts ? "stable" : "unstable", std::move(why), std::move(evidence)};
+}
+
+MethodAnswer given_up(const Undecided& undecided) {
+  return {kNotComputed, in_words(undecided), {{"limit", undecided.limit}}};
+}
+
+MethodAnswer not_for(const InputError& error) {
+  return {kNotComputed,
+          error.place() + ": " + error.problem() + "; " + error.remedy(),
+          {{"error", error.what()}}};
+}
+
+std::string contact_name(std::size_t index) {
+  return "contact " + std::to_string(index);
+}
+
+std::string leaves_refuted(std::size_t count) {
+  return "(" + std::to_string(count) + (count == 1 ? " leaf refuted)" : " leaves refuted)");
+}
+
+MethodAnswer refuted(const Trees& refutation, const std::string& why) {
+  const RefutationSummary summary = summarize(refutation);
+  return of_load(false, why + " " + leaves_refuted(summary.leaves),
+                 {{"refutation", {{"nodes", summary.nodes}, {"leaves", summary.leaves}}}});
+}
+
+MethodAnswer closure_answer(const std::variant<FormClosure, FreeMotion>& found,
+                            NumberText& text) {
+  if (const auto* motion = std::get_if<FreeMotion>(&found)) {
+    return {"not closed",
+            "the contacts allow the motion " + text.direction(motion->motion),
+            {{"motion", number_json(motion->motion)}}};
+  }
+  const auto& closure = std::get<FormClosure>(found);
+  Json spanning = Json::array();
+  for (const ContactId contact : closure.spanning) spanning.push_back(contact.index());
+  return {
+      "closed",
+      "the contacts leave no motion, even without friction",
+      {{"multipliers", number_json(closure.multipliers)}, {"spanning", std::move(spanning)}}};
+}
+
+MethodAnswer unresisted_answer(const UnresistedMotion& found, NumberText& text) {
+  return of_load(false,
+                 "no spring resists the motion " + text.direction(found.motion) +
+                     ", along which the load does work",
+                 {{"motion", number_json(found.motion)}});
+}
+
+std::vector<MethodRow> asked(const std::vector<Method>& among,
+                             const std::vector<std::string>& words,
+                             const std::function<MethodAnswer(MethodId)>& answer) {
+  const std::vector<std::string> known = method_words();
+  for (const std::string& word : words) {
+    if (std::find(known.begin(), known.end(), word) == known.end()) {
+      throw InputError("", "methods", "there is no method " + quote(word),
+                       choice_of(word, known, "there are "));
+    }
+  }
+  std::vector<MethodRow> rows;
+  for (const Method& method : among) {
+    const bool is_asked =
+        words.empty() || std::find(words.begin(), words.end(), method.word()) != words.end();
+    if (!is_asked) continue;
+    MethodAnswer a = answer(method.id);
+    std::optional<bool> agrees;
+    const std::string passive = all_methods().front().name;
+    if (!rows.empty() && rows.front().method == passive && method.about_the_load &&
+        a.verdict != kNotComputed && rows.front().verdict != "undecided") {
+      agrees = a.verdict == rows.front().verdict;
+    }
+    rows.push_back({method.name, method.source, method.about_the_load, std::move(a.verdict),
+                    std::move(a.why), std::move(a.evidence), agrees});
+  }
+  return rows;
+}
+
+std::optional<std::string> class_of(std::optional<bool> weakly, std::optional<bool> strongly) {
+  if (weakly == false) return "must move";
+  if (strongly == true) return "must hold";
+  if (weakly && strongly) return "open";
+  return std::nullopt;
+}
+
+}  // namespace earlier_detail
+
+std::vector<std::string> method_words() {
+  std::vector<std::string> words;
+  for (const earlier_detail::Method& method : earlier_detail::all_methods()) {
+    words.push_back(method.word());
+  }
+  return words;
+}
+
+}  // namespace stickslip

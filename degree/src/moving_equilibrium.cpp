@@ -8,25 +8,26 @@
 namespace stickslip {
 namespace {
 
-/// Of the law of one contact at an equilibrium of another grasp, in its mode: its wrench, and
-/// its slip if it sticks. Friction that sticks yields a very little, less where there may be
-/// more of it: that moves nothing, but tells which way it will slip.
+/// How little friction that sticks yields, of the reach for all that there may be.
+constexpr double kYields = 1e-9;
+
+/// Of the law of one contact at an equilibrium of another grasp, in its mode: its wrench, its
+/// slip if it sticks, and then the friction that there may be.
 struct Part {
   Reals wrench;
   Eigen::VectorXd slip;
+  double most;
 };
 
-Part part_of(const RoundedContact& c, const NearEquilibrium& near, std::size_t contact,
-             double yielding) {
-  const bool sticks = near.sticks[contact] != 0;
+Part part_of(const RoundedContact& c, const NearEquilibrium& near, std::size_t contact) {
   const double a = std::max(0.0, c.separation(near.motion));
-  Part part{a * c.normal, {}};
+  Part part{a * c.normal, {}, a * c.slope};
   const Eigen::VectorXd s = c.slip * near.motion;
-  if (sticks) {
-    const Eigen::VectorXd friction =
+  if (near.sticks[contact] != 0) {
+    part.slip = s;
+    part.wrench +=
+        c.slip.transpose() *
         Eigen::Map<const Eigen::Vector3d>(near.friction[contact].data()).head(s.size());
-    part.slip = s - yielding * c.slope * friction;
-    part.wrench += c.slip.transpose() * friction;
   } else if (s.norm() > 0) {
     part.wrench -= a * c.slope / s.norm() * (c.slip.transpose() * s);
   }
@@ -92,42 +93,56 @@ std::vector<LostWay> MovingEquilibrium::ways_out() const {
   return lost;
 }
 
+/// Friction that sticks yields a very little to a larger share of what there may be: that moves
+/// nothing, but tells which way it will slip.
 Eigen::MatrixXd MovingEquilibrium::moves(const Place& place,
                                          const NearEquilibrium& here) const {
   NearEquilibrium near = here;
-  const ModalEquations equations(box_.at(place), near);
+  const RoundedGrasp grasp = box_.at(place);
+  const ModalEquations equations(grasp, near);
+  const std::size_t m = near.sticks.size();
   std::vector<Eigen::Index> first;  // of a contact's slips
   Eigen::Index slips = 0;
-  for (std::size_t i = 0; i < near.sticks.size(); ++i) {
+  for (std::size_t i = 0; i < m; ++i) {
     first.push_back(slips);
-    if (near.sticks[i] != 0) {
-      slips += static_cast<Eigen::Index>(box_.law().contacts[i].slip_dimension());
-    }
+    if (near.sticks[i] != 0) slips += grasp.contacts[i].slip.rows();
   }
   Eigen::MatrixXd result(near.motion.size(), place.size());
   for (Eigen::Index n = 0; n < place.size(); ++n) {
     Reals off = Reals::Zero(near.motion.size());
     Eigen::VectorXd slip = Eigen::VectorXd::Zero(slips);
+    std::vector<double> most(m);  // by how much friction there may be more
     const auto number = static_cast<std::size_t>(n);
     const bool is_multiple = number == box_.numbers().size();
     for (const double sign : {0.5, -0.5}) {
       Place end = place;
       end[n] = sign > 0 ? 1 : -1;
       const auto add_contact = [&](std::size_t i) {
-        constexpr double kYields = 1e-9;
-        const Part part = part_of(box_.contact_at(i, end), near, i,
-                                  kYields * box_.law().reach / box_.law().force);
+        const Part part = part_of(box_.contact_at(i, end), near, i);
         off += sign * part.wrench;
         slip.segment(first[i], part.slip.size()) += sign * part.slip;
+        most[i] += sign * part.most;
       };
       if (is_multiple || box_.numbers()[number].parameter == Parameter::kWrench) {
         off += sign * box_.load_at(end);
       } else {
         add_contact(box_.numbers()[number].index);
       }
-      for (std::size_t i = 0; is_multiple && i < near.sticks.size(); ++i) add_contact(i);
+      for (std::size_t i = 0; is_multiple && i < m; ++i) add_contact(i);
     }
-    result.col(n) = equations.motion_change(off, slip);
+    const Reals change = equations.motion_change(off, slip);
+    Eigen::VectorXd yields = equations.friction_change(off, change);
+    for (std::size_t i = 0; i < m; ++i) {
+      if (near.sticks[i] == 0) continue;
+      const RoundedContact& c = grasp.contacts[i];
+      const double all = c.slope * near.normal[i];
+      const double more = most[i] - c.slope * c.stiffness * c.normal.dot(change);
+      auto share = yields.segment(first[i], c.slip.rows());
+      share -= more / all *
+               Eigen::Map<const Eigen::Vector3d>(near.friction[i].data()).head(share.size());
+      share *= kYields * grasp.reach / all;
+    }
+    result.col(n) = change + equations.motion_change(Reals::Zero(off.size()), yields);
   }
   return result;
 }

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where an equilibrium is lost, on a grasp that says so in closed form.
+#include "stickslip/degree/moving_equilibrium.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "stickslip/search/grasp_law.hpp"
+
+namespace stickslip {
+namespace {
+
+// Two pads press from the left and the right, with 1, and carry a weight of 1/2: nothing moves,
+// and each of them has half of the load. They let go where 1/4 (1 + s) is all that there may
+// be, 1/2 (1 - s/5) (1 - s/10): at this part s of the way to less friction, less preload and
+// more load.
+TEST(MovingEquilibrium, ALoadThatMovesNothingIsLostWhereFrictionEnds) {
+  GraspBox box;
+  for (const int side : {-1, 1}) {
+    UncertainContact c;
+    c.position = {point_interval(side), point_interval(0)};
+    c.normal = {-side, 0};
+    c.friction = {Rational(2, 5), Rational(3, 5)};
+    c.preload = {Rational(9, 10), Rational(11, 10)};
+    box.contacts.push_back(c);
+  }
+  box.wrench = {{}, {-1, 0}, {}};
+  box.check();
+  const double expected = (0.8 - std::sqrt(0.6)) / 0.04;
+  for (const bool in_space : {false, true}) {
+    if (in_space) {
+      for (UncertainContact& c : box.contacts) {
+        c.position.push_back(point_interval(0));
+        c.normal.emplace_back(0);
+      }
+      box.wrench = {{}, {-1, 0}, {}, {}, {}, {}};
+    }
+    const GraspLaw law(box, NormalLaw::kUnilateral);
+    const RoundedBox rounded(law);
+    const std::vector<NearEquilibrium> found =
+        Newton(rounded.at(rounded.middle())).solve_from(3);
+    ASSERT_FALSE(found.empty());
+    const std::vector<LostWay> ways = MovingEquilibrium(rounded, found.front()).ways_out();
+    ASSERT_FALSE(ways.empty());
+    EXPECT_LE(ways.front().part, expected);
+    EXPECT_GE(ways.front().part, expected - 1.0 / 64);
+    // Of friction, that of the pad which lets go.
+    std::size_t undecided = 0;
+    for (std::size_t n = 0; n < rounded.numbers().size(); ++n) {
+      const double to = ways.front().to[static_cast<Eigen::Index>(n)];
+      const bool is_friction = rounded.numbers()[n].parameter == Parameter::kFriction;
+      undecided += is_friction && to == 0 ? 1 : 0;
+      EXPECT_TRUE(to == -1 || (is_friction && to == 0)) << n << ": " << to;
+    }
+    EXPECT_EQ(undecided, 1U);
+  }
+}
+
+}  // namespace
+}  // namespace stickslip

@@ -197,7 +197,10 @@ std::vector<Question> QuestionArguments::any_questions() const {
 }
 
 Question QuestionArguments::any_question() const {
-  return ask_about(read_any_grasp_file(file_, intervals()), options());
+  GraspFile file = read_any_grasp_file(file_, intervals());
+  QuestionOptions asked = options();
+  if (has_no_wrench_ && asked.wrench) asked.wrench->resize(wrench_of(file.content).size());
+  return ask_about(std::move(file), asked);
 }
 
 std::vector<Question> QuestionArguments::questions_about(GraspFile file) const {

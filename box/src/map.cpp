@@ -2,12 +2,16 @@
 #include "stickslip/box/map.hpp"
 
 #include <mpfr.h>
+#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "one_grasp.hpp"
 #include "stickslip/core/error.hpp"
+#include "stickslip/equilibrium/option_text.hpp"
+#include "stickslip/motion/exact_system.hpp"
 
 namespace stickslip {
 
@@ -103,6 +107,12 @@ void apply(const MapAxis& axis, const Interval& range, GraspBox& box) {
     case AxisKind::kLoad:
       for (Interval& component : w) component = product(component, range);
       return;
+    case AxisKind::kAlong:
+      for (std::size_t j = 0; j < w.size(); ++j) {
+        const Interval off = product(point_interval(axis.along[j]), range);
+        w[j] = {w[j].low + off.low, w[j].high + off.high};
+      }
+      return;
     case AxisKind::kDirection: {
       const Rational square = w[0].low * w[0].low + w[1].low * w[1].low;
       const Interval size = root(square);
@@ -112,10 +122,17 @@ void apply(const MapAxis& axis, const Interval& range, GraspBox& box) {
   }
 }
 
-/// A direction turns the wrench of the grasp as it is: before anything else.
-bool goes_first(const MapAxis& axis) {
-  return axis.kind == AxisKind::kDirection;
+/// A direction turns the wrench of the grasp as it is, before anything else; and what is added
+/// to it is not multiplied.
+int place_of(const MapAxis& axis) {
+  return axis.kind == AxisKind::kDirection ? 0 : axis.kind == AxisKind::kAlong ? 2 : 1;
 }
+
+/// A cell that is not decided yet.
+struct OpenCell {
+  Interval x;
+  Interval y;
+};
 
 class Quadtree {
  public:
@@ -130,46 +147,100 @@ class Quadtree {
         take_(take),
         progress_(progress) {}
 
-  void visit(const Interval& x, const Interval& y, unsigned depth) {
-    std::optional<BoxDecision> decision;
-    // Verdicts that differ inside of the cell need no search for a proof.
-    if (agree(x, y)) {
-      decision = prove_box(box_of_cell(grasp_, x_axis_, y_axis_, x, y), law_, options_.box, 0);
-      if (std::holds_alternative<Undecided>(decision->verdict)) decision.reset();
-    }
-    if (!decision && depth < options_.depth) {
-      const Rational mx = x.middle();
-      const Rational my = y.middle();
-      for (const Interval& upper : {Interval{y.low, my}, Interval{my, y.high}}) {
-        for (const Interval& right : {Interval{x.low, mx}, Interval{mx, x.high}}) {
-          visit(right, upper, depth + 1);
-        }
+  /// Level by level, some cells at a time, by as many threads as there are.
+  void run() {
+    std::vector<OpenCell> open{{x_axis_.range, y_axis_.range}};
+    for (unsigned depth = 0; !open.empty(); ++depth) {
+      std::vector<OpenCell> next;
+      constexpr std::size_t kAtATime = 64;
+      for (std::size_t from = 0; from < open.size(); from += kAtATime) {
+        const auto first = open.begin() + static_cast<std::ptrdiff_t>(from);
+        const std::size_t count = std::min(kAtATime, open.size() - from);
+        visit({first, first + static_cast<std::ptrdiff_t>(count)}, depth, next);
       }
-      return;
+      open = std::move(next);
     }
-    if (!decision) decision = BoxDecision{Undecided{"no proof in the finest cell"}};
-    done_ += 1.0 / static_cast<double>(std::size_t{1} << (2 * depth));
-    take_({x, y, std::move(*decision)});
-    if (progress_) progress_(done_);
   }
 
  private:
+  using Point = std::pair<Rational, Rational>;
+
+  void visit(const std::vector<OpenCell>& cells, unsigned depth, std::vector<OpenCell>& next) {
+    std::vector<std::optional<BoxDecision>> decisions = prove(cells, depth);
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      const auto& [x, y] = cells[c];
+      std::optional<BoxDecision>& decision = decisions[c];
+      if (!decision && depth < options_.depth) {
+        for (const Interval& upper :
+             {Interval{y.low, y.middle()}, Interval{y.middle(), y.high}}) {
+          next.push_back({{x.low, x.middle()}, upper});
+          next.push_back({{x.middle(), x.high}, upper});
+        }
+        continue;
+      }
+      if (!decision) decision = BoxDecision{Undecided{"no proof in the finest cell"}};
+      done_ += 1.0 / static_cast<double>(std::size_t{1} << (2 * depth));
+      take_({x, y, std::move(*decision)});
+    }
+    if (progress_) progress_(done_);
+  }
+
+  /// Of cells inside of which verdicts do not differ: others need no search for a proof.
+  std::vector<std::optional<BoxDecision>> prove(const std::vector<OpenCell>& cells,
+                                                unsigned depth) {
+    std::vector<Point> corners;
+    for (const auto& [x, y] : cells) {
+      for (const Rational& px : {x.low, x.high}) {
+        for (const Rational& py : {y.low, y.high}) corners.emplace_back(px, py);
+      }
+    }
+    decide(corners);
+    std::vector<std::size_t> agree;
+    std::vector<Point> middles;
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+      const Point* corner = &corners[4 * c];
+      const std::optional<bool> first = points_.at(corner[0]);
+      if (points_.at(corner[1]) != first || points_.at(corner[2]) != first ||
+          points_.at(corner[3]) != first)
+        continue;
+      agree.push_back(c);
+      middles.emplace_back(cells[c].x.middle(), cells[c].y.middle());
+    }
+    if (depth < options_.depth) decide(middles);
+    std::vector<std::optional<BoxDecision>> decisions(cells.size());
+    oneapi::tbb::parallel_for(std::size_t{0}, agree.size(), [&](std::size_t k) {
+      const OpenCell& cell = cells[agree[k]];
+      const auto middle = points_.find(middles[k]);
+      if (middle != points_.end() && middle->second != points_.at(corners[4 * agree[k]]))
+        return;
+      BoxDecision decision = prove_box(box_of_cell(grasp_, x_axis_, y_axis_, cell.x, cell.y),
+                                       law_, options_.box, 0);
+      if (!std::holds_alternative<Undecided>(decision.verdict)) {
+        decisions[agree[k]] = std::move(decision);
+      }
+    });
+    return decisions;
+  }
+
+  /// The verdicts of those that are not known: each corner is one of several cells.
+  void decide(const std::vector<Point>& points) {
+    std::vector<std::pair<const Point, std::optional<bool>>*> added;
+    for (const Point& point : points) {
+      const auto [entry, is_new] = points_.try_emplace(point);
+      if (is_new) added.push_back(&*entry);
+    }
+    oneapi::tbb::parallel_for(std::size_t{0}, added.size(), [&](std::size_t k) {
+      const auto& [x, y] = added[k]->first;
+      added[k]->second = is_stable_at(x, y);
+    });
+  }
+
   std::optional<bool> is_stable_at(const Rational& x, const Rational& y) const {
     const GraspBox box =
         box_of_cell(grasp_, x_axis_, y_axis_, point_interval(x), point_interval(y));
     if (box.in_space()) return is_stable(box.middle(), law_, options_.box);
     return std::holds_alternative<Stable>(
         decide_by_cones(box_detail::problem_of(GraspLaw(box, law_).middle())));
-  }
-
-  bool agree(const Interval& x, const Interval& y) const {
-    const std::optional<bool> first = is_stable_at(x.middle(), y.middle());
-    for (const Rational& px : {x.low, x.high}) {
-      for (const Rational& py : {y.low, y.high}) {
-        if (is_stable_at(px, py) != first) return false;
-      }
-    }
-    return true;
   }
 
   const GraspBox& grasp_;
@@ -180,7 +251,40 @@ class Quadtree {
   const std::function<void(MapCell)>& take_;
   const std::function<void(double)>& progress_;
   double done_ = 0;
+  std::map<Point, std::optional<bool>> points_;
 };
+
+/// The ends behind the equals sign.
+Interval range_of(std::string_view text, std::size_t equals, std::size_t colon,
+                  const std::string& axis) {
+  const auto fail = [&](const std::string& problem, const std::string& remedy) {
+    throw InputError("", axis, problem, remedy);
+  };
+  Interval range;
+  try {
+    range = {parse_rational(text.substr(equals + 1, colon - equals - 1)),
+             parse_rational(text.substr(colon + 1))};
+  } catch (const NumberError& error) {
+    fail(std::string("its range: ") + error.what(), "write two numbers, as in 0:1 or 1/2:3/2");
+  }
+  if (!(range.low < range.high)) fail("its range is empty", "give the lower end first");
+  return range;
+}
+
+/// The wrench "WX,WY,T", or six numbers in space.
+RationalRow wrench_along(const GraspBox& grasp, const std::string& text,
+                         const std::string& axis) {
+  RationalRow w = numbers_option(axis, text);
+  if (w.size() != grasp.wrench.size()) {
+    throw InputError("", axis, "found a wrench of " + std::to_string(w.size()) + " numbers",
+                     grasp.in_space() ? "give force x, y, z and torque x, y, z"
+                                      : "give force x, force y and torque");
+  }
+  if (is_zero(primitive_multiple(w))) {
+    throw InputError("", axis, "its wrench is 0", "give one along which the load changes");
+  }
+  return w;
+}
 
 }  // namespace
 
@@ -195,6 +299,12 @@ MapAxis parse_axis(const GraspBox& grasp, std::string_view text, const std::stri
   }
   MapAxis result;
   result.name = std::string(text.substr(0, equals));
+  if (result.name.find(',') != std::string::npos) {
+    result.kind = AxisKind::kAlong;
+    result.along = wrench_along(grasp, result.name, axis);
+    result.range = range_of(text, equals, colon, axis);
+    return result;
+  }
   const std::size_t bracket = std::min(result.name.find('['), result.name.size());
   const std::string word = result.name.substr(0, bracket);
   std::vector<std::string> names;
@@ -228,15 +338,7 @@ MapAxis parse_axis(const GraspBox& grasp, std::string_view text, const std::stri
                                     std::to_string(count - 1) + "]"
                               : word + " has no parts");
   }
-  try {
-    result.range = {parse_rational(text.substr(equals + 1, colon - equals - 1)),
-                    parse_rational(text.substr(colon + 1))};
-  } catch (const NumberError& error) {
-    fail(std::string("its range: ") + error.what(), "write two numbers, as in 0:1 or 1/2:3/2");
-  }
-  if (!(result.range.low < result.range.high)) {
-    fail("its range is empty", "give the lower end first");
-  }
+  result.range = range_of(text, equals, colon, axis);
   const bool is_positive = result.kind == AxisKind::kStiffness;
   const bool is_nonnegative =
       is_positive || result.kind == AxisKind::kFriction || result.kind == AxisKind::kPreload;
@@ -255,7 +357,7 @@ MapAxis parse_axis(const GraspBox& grasp, std::string_view text, const std::stri
 GraspBox box_of_cell(const GraspBox& grasp, const MapAxis& x_axis, const MapAxis& y_axis,
                      const Interval& x, const Interval& y) {
   GraspBox box = grasp;
-  const bool y_first = goes_first(y_axis);
+  const bool y_first = place_of(y_axis) < place_of(x_axis);
   apply(y_first ? y_axis : x_axis, y_first ? y : x, box);
   apply(y_first ? x_axis : y_axis, y_first ? x : y, box);
   return box;
@@ -269,15 +371,16 @@ void map_verdicts(const GraspBox& grasp, NormalLaw law, const MapAxis& x_axis,
   const auto turns_wrench = [](const MapAxis& axis) {
     return axis.kind == AxisKind::kDirection || axis.kind == AxisKind::kWrench;
   };
-  const bool clash =
-      (same_kind && (x_axis.index == y_axis.index || !x_axis.index || !y_axis.index)) ||
-      (!same_kind && turns_wrench(x_axis) && turns_wrench(y_axis));
+  const bool of_one_number =
+      x_axis.kind == AxisKind::kAlong
+          ? rank_of(std::vector<RationalRow>{x_axis.along, y_axis.along}) < 2
+          : x_axis.index == y_axis.index || !x_axis.index || !y_axis.index;
+  const bool clash = same_kind ? of_one_number : turns_wrench(x_axis) && turns_wrench(y_axis);
   if (clash) {
     throw InputError("", "y", "both axes vary " + x_axis.name,
                      "choose two numbers that do not depend on each other");
   }
-  Quadtree(grasp, law, x_axis, y_axis, options, take, progress)
-      .visit(x_axis.range, y_axis.range, 0);
+  Quadtree(grasp, law, x_axis, y_axis, options, take, progress).run();
 }
 
 }  // namespace stickslip

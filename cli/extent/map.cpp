@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stickslip/box/map.hpp"
-
 #include <array>
 #include <iostream>
 #include <memory>
 
+#include "cells.hpp"
 #include "commands.hpp"
 #include "question_options.hpp"
 #include "stickslip/answers/plane_answers.hpp"
@@ -21,37 +20,17 @@ struct MapArguments {
   QuestionArguments question;
   std::string x;
   std::string y;
-  unsigned depth = MapOptions().depth;
+  CellsAsked cells;
   std::string svg;
-  std::string certificates;
-  std::size_t node_limit = 0;
   NumberOptions output;
 };
-
-/// The part of the rectangle that has this verdict.
-Rational share_of(const std::vector<MapCell>& cells, std::size_t verdict, const MapAxis& x,
-                  const MapAxis& y) {
-  const auto area = [](const Interval& a, const Interval& b) -> Rational {
-    return (a.high - a.low) * (b.high - b.low);
-  };
-  Rational sum = 0;
-  for (const MapCell& cell : cells) {
-    if (cell.decision.verdict.index() == verdict) sum += area(cell.x, cell.y);
-  }
-  return sum / area(x.range, y.range);
-}
 
 void print_text(const Question& question, const MapAxis& x, const MapAxis& y,
                 const std::vector<MapCell>& cells) {
   std::cout << heading(question) << "a map of " << cells.size() << " cells over " << x.name
-            << " and " << y.name << "\n\n";
-  std::vector<std::vector<std::string>> rows{{"proved", "part of the area"}};
-  std::size_t verdict = 0;
-  for (const char* words : {"stable", "unstable", "", "nothing"}) {
-    const Rational share = share_of(cells, verdict++, x, y);
-    if (*words != '\0') rows.push_back({words, to_readable_string(100 * share) + " %"});
-  }
-  std::cout << format_table(rows) << '\n' << engine_text(box_engine(question), question.law);
+            << " and " << y.name << "\n\n"
+            << shares_text(cells, x, y) << '\n'
+            << engine_text(box_engine(question), question.law);
 }
 
 int map(const MapArguments& arguments) {
@@ -65,36 +44,7 @@ int map(const MapArguments& arguments) {
   const GraspBox grasp = box_of(question.grasp);
   const MapAxis x = parse_axis(grasp, arguments.x, "--x");
   const MapAxis y = parse_axis(grasp, arguments.y, "--y");
-  MapOptions options;
-  options.depth = arguments.depth;
-  options.box.node_limit = arguments.node_limit;
-  if (!arguments.certificates.empty()) make_folder("--certificates", arguments.certificates);
-  std::vector<MapCell> cells;
-  Progress progress;
-  map_verdicts(
-      grasp, question.law, x, y, options,
-      [&](MapCell cell) {
-        const bool proved = !std::holds_alternative<Undecided>(cell.decision.verdict);
-        if (proved && !arguments.certificates.empty()) {
-          const std::string producer = "stickslip " STICKSLIP_VERSION ", map";
-          const ProvedFiles files = proved_box(box_of_cell(grasp, x, y, cell.x, cell.y),
-                                               question.law, cell.decision, producer);
-          write_proved_files("--certificates", arguments.certificates,
-                             {{"cell" + std::to_string(cells.size()), files}});
-        }
-        // A proof that is written, or that nobody wants, is not kept.
-        if (proved && std::holds_alternative<Stable>(cell.decision.verdict)) {
-          cell.decision.verdict = Stable{};
-        } else if (proved) {
-          cell.decision.verdict = Unstable{};
-        }
-        cells.push_back(std::move(cell));
-      },
-      [&](double done) {
-        progress.show("map: " + std::to_string(static_cast<int>(100 * done)) + " %, " +
-                      std::to_string(cells.size()) + " cells");
-      });
-  progress.clear();
+  const std::vector<MapCell> cells = proved_cells(grasp, question.law, x, y, arguments.cells);
   if (!arguments.svg.empty()) {
     write_whole_file(arguments.svg, plot_map(question.description().name, x, y, cells));
   }
@@ -121,21 +71,22 @@ void add_map_command(CLI::App& app, int& exit_code) {
     command->add_option(option, *value, words)->type_name("NAME=FROM:TO")->required();
   }
   constexpr std::uint64_t kMostDepth = 12;
-  add_count_option(*command, "--depth", arguments->depth,
+  add_count_option(*command, "--depth", arguments->cells.depth,
                    "The finest cells are a 2^N-th of an axis", kMostDepth);
   command->add_option("--svg", arguments->svg, "Draw the map")->type_name("FILE");
   command
-      ->add_option("--certificates", arguments->certificates,
+      ->add_option("--certificates", arguments->cells.certificates,
                    "Write each proved cell there, cell0.json and so on, with its certificate "
                    "for stickslip-check")
       ->type_name("DIR");
-  add_node_limit_option(*command, arguments->node_limit);
+  add_node_limit_option(*command, arguments->cells.node_limit);
   arguments->output.add_to(*command);
   command->footer(footer_text(
       "NAME is friction, stiffness or preload (a factor on those of all contacts), one of "
       "them\n"
       "with [I] (the value of contact I), wrench[J] (a component), load (a factor on the\n"
-      "wrench), or direction (of its force, in degrees from the x axis).\n",
+      "wrench), direction (of its force, in degrees from the x axis), or a wrench WX,WY,T\n"
+      "(a multiple of it, which is added).\n",
       kExitCodes,
       "stickslip map fig1.json --preload 1 --x friction=0:2 --y load=0:2 --svg map.svg"));
   command->callback([arguments, &exit_code] { exit_code = map(*arguments); });

@@ -8,6 +8,7 @@
 
 #include "commands.hpp"
 #include "question_options.hpp"
+#include "space_region.hpp"
 #include "stickslip/answers/plane_answers.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
@@ -21,8 +22,8 @@ struct RegionArguments {
   QuestionArguments question;
   std::string origin;
   std::string torque;
-  std::string u = "1,0,0";
-  std::string v = "0,1,0";
+  std::string u;
+  std::string v;
   std::size_t mode_limit = 0;
   bool list = false;
   std::string certificate;
@@ -30,6 +31,38 @@ struct RegionArguments {
   NumberOptions numbers;
   bool svg = false;
   std::string output = "-";
+  std::string within;
+  CellsAsked cells;
+
+  /// Options that have no meaning for a grasp of this kind are refused.
+  void check(const Question& asked) const {
+    const auto refuse = [](bool is_given, const char* option, const char* problem,
+                           const char* remedy) {
+      if (is_given) throw InputError("", option, problem, remedy);
+    };
+    if (!asked.in_space()) {
+      const char* problem = "it is about a grasp in space, cell by cell";
+      const char* remedy = "leave it out: in the plane the region is exact, and has no window";
+      refuse(!within.empty(), "--within", problem, remedy);
+      refuse(cells.depth != CellsAsked().depth, "--depth", problem, remedy);
+      refuse(!cells.certificates.empty(), "--certificates", problem,
+             "write one proof of the whole region with --certificate");
+      return;
+    }
+    const char* problem = "it is done in the plane only, and the grasp is in space";
+    refuse(!torque.empty(), "--torque", problem, "give --origin, a wrench of six numbers");
+    refuse(list, "--list", problem, "print the cells with --json");
+    refuse(mode_limit != 0, "--mode-limit", problem,
+           "give --depth, or --node-limit for each proof");
+    refuse(!certificate.empty(), "--certificate", problem,
+           "write a proof of each cell with --certificates");
+  }
+
+  SpaceRegionArguments in_space() const {
+    SpaceRegionArguments result{origin, u, v, within, cells, numbers};
+    result.cells.node_limit = node_limit;
+    return result;
+  }
 
   /// Through the load of a case, if one is chosen.
   WrenchPlane plane(const Question& asked) const {
@@ -37,7 +70,8 @@ struct RegionArguments {
     if (!origin.empty()) from = wrench_option("--origin", origin);
     if (!torque.empty()) from.torque = number_option("--torque", torque);
     try {
-      return {from, wrench_option("--u", u), wrench_option("--v", v)};
+      return {from, wrench_option("--u", u.empty() ? "1,0,0" : u),
+              wrench_option("--v", v.empty() ? "0,1,0" : v)};
     } catch (const InputError& error) {
       if (!error.place().empty() && error.place().front() == '-') throw;
       throw InputError("", "--u, --v", error.problem(), error.remedy());
@@ -159,7 +193,9 @@ RegionOptions options_of(const RegionArguments& arguments, Progress& progress) {
 }
 
 int region(const RegionArguments& arguments) {
-  const Question question = arguments.question.question();
+  const Question question = arguments.question.any_question();
+  arguments.check(question);
+  if (question.in_space()) return answer_region_in_space(question, arguments.in_space());
   const WrenchPlane plane = arguments.plane(question);
   Progress progress;
   const RegionOptions options = options_of(arguments, progress);
@@ -186,7 +222,11 @@ int region(const RegionArguments& arguments) {
 }
 
 int draw_region(const RegionArguments& arguments) {
-  const Question question = arguments.question.question();
+  const Question question = arguments.question.any_question();
+  arguments.check(question);
+  if (question.in_space()) {
+    return draw_region_in_space(question, arguments.in_space(), arguments.output);
+  }
   const WrenchPlane plane = arguments.plane(question);
   Progress progress;
   const RegionAnswer answer = answer_to(question, plane, options_of(arguments, progress));
@@ -215,12 +255,22 @@ void add_region_options(CLI::App& command, RegionArguments& arguments) {
   arguments.question.add_case_to(command, "The origin is the load of this case of the file")
       ->excludes(origin)
       ->excludes(torque);
-  command.add_option("--u", arguments.u, "First direction of the plane")
-      ->type_name("WX,WY,T")
-      ->capture_default_str();
-  command.add_option("--v", arguments.v, "Second direction of the plane")
-      ->type_name("WX,WY,T")
-      ->capture_default_str();
+  command
+      .add_option(
+          "--u", arguments.u,
+          "First direction of the plane; default: a force along x. In space six numbers, "
+          "as the origin")
+      ->type_name("WX,WY,T");
+  command.add_option("--v", arguments.v, "Second direction; default: a force along y")
+      ->type_name("WX,WY,T");
+  command
+      .add_option("--within", arguments.within,
+                  "In space: the window of s and t that is looked at, cell by cell; default: "
+                  "as far either way as all preloads together, or 1")
+      ->type_name("S0:S1,T0:T1");
+  constexpr std::uint64_t kMostDepth = 12;
+  add_count_option(command, "--depth", arguments.cells.depth,
+                   "In space: the finest cells are a 2^N-th of the window", kMostDepth);
   add_count_option(
       command, "--mode-limit", arguments.mode_limit,
       "Give up, undecided, at more than N contact modes (which contacts slip, which way, "
@@ -232,7 +282,8 @@ void add_region_options(CLI::App& command, RegionArguments& arguments) {
 void add_region_command(CLI::App& app, int& exit_code) {
   auto arguments = std::make_shared<RegionArguments>();
   CLI::App* command = app.add_subcommand(
-      "region", "Which wrenches of a plane does the grasp resist? The exact set");
+      "region",
+      "Which wrenches of a plane does the grasp resist? The exact set, in space cell by cell");
   add_region_options(*command, *arguments);
   CLI::Option* list = command->add_flag(
       "--list", arguments->list,
@@ -243,6 +294,11 @@ void add_region_command(CLI::App& app, int& exit_code) {
                        "Write a proof that exactly this region is resisted, which "
                        "stickslip-check checks (certificate/FORMAT.md)")
           ->type_name("FILE");
+  command
+      ->add_option("--certificates", arguments->cells.certificates,
+                   "In space: write each proved cell there, with its certificate")
+      ->type_name("DIR")
+      ->excludes(certificate);
   add_node_limit_option(*command, arguments->node_limit);
   arguments->numbers.add_to(*command);
   command->add_flag("--svg", arguments->svg, "Print a picture, as stickslip plot region does")
@@ -251,7 +307,11 @@ void add_region_command(CLI::App& app, int& exit_code) {
       ->excludes(certificate);
   command->footer(footer_text(
       "By default the plane is that of forces at zero torque. The wrench in the file plays no "
-      "part,\nunless --case chooses one.\n",
+      "part,\nunless --case chooses one. In space a window of it is decided cell by cell, as "
+      "by "
+      "stickslip\nmap: cells whose verdict is not the same throughout are cut, along the "
+      "border "
+      "down to the finest.\n",
       kExitCodesWithLimit, "stickslip region fig1.json --preload 1"));
   command->callback([arguments, &exit_code] {
     exit_code = arguments->svg ? draw_region(*arguments) : region(*arguments);

@@ -238,6 +238,7 @@ def stability_map(
     Args:
         grasp, wrench, friction, preload, normal_law: as of ``decide``.
         x, y: "NAME=FROM:TO", as in "friction=0:1"; the names are those of ``stickslip map``.
+            Of two wrenches, "1,0,0,0,0,0=-2:2", it is the region of a plane of loads in space.
         depth: the finest cells are a 2**depth-th of an axis.
         node_limit: let each proof give up after so many nodes; 0: one that suits most questions.
         proofs: keep the proof of each cell.
@@ -605,6 +606,10 @@ def _region(
     grasp: Grasp, torque: Any, origin: Any, u: Any, v: Any, preload: Any, normal_law: str,
     mode_limit: int, pieces: bool, picture: bool, certificate: bool = False, node_limit: int = 0,
 ) -> Any:
+    if grasp.in_space:
+        raise InputError("", "grasp", "the grasp is in space",
+                         'ask stability_map(grasp, "1,0,0,0,0,0=-2:2", "0,1,0,0,0,0=-2:2", origin), '
+                         "which proves cells of the plane")
     start = as_wrench(origin, "origin")
     if torque is not None:
         if any(entry != 0 for entry in start):

@@ -124,6 +124,22 @@ class Map(Case):
         self.fails("map", grasp, "--x", "wrench[6]=0:1", "--y", "load=0:1",
                    naming=["--x", "wrench[5]"])
 
+    def test_a_wrench_that_is_added(self):
+        # Fig. 1 resists (s, t) exactly if t <= max(0, 1 - |s|/2).
+        cells = self.cells(FIG1, "--preload", "1", "--wrench", "0,0,0", "--x", "1,0,0=-3:3", "--y", "0,1,0=-1/2:3/2",
+                           "--depth", "4")
+        for x, y, verdict in cells:
+            inside = [t <= max(0, 1 - abs(s) / 2) for s in x for t in y]
+            if verdict != "undecided":
+                self.assertEqual({verdict == "stable"}, set(inside), (x, y))
+        area = sum((x[1] - x[0]) * (y[1] - y[0]) for x, y, verdict in cells if verdict != "undecided")
+        self.assertGreater(area, 12 * Fraction(3, 4))
+        for words, part in (
+                (("--x", "1,0=0:1", "--y", "load=0:1"), "a wrench of 2 numbers"),
+                (("--x", "0,0,0=0:1", "--y", "load=0:1"), "its wrench is 0"),
+                (("--x", "1,0,0=0:1", "--y", "2,0,0=0:1"), "both axes vary")):
+            self.fails("map", FIG1, "--wrench", "0,0,0", *words, naming=[part])
+
     def test_pictures_of_the_documentation(self):
         for name, grasp, x, depth in (("A", A, "friction[2]=0:1", "7"),
                                       ("C", C, "friction[1]=0:1/2", "6")):
@@ -149,6 +165,88 @@ class Map(Case):
             code, out, err = stickslip("map", A, *words)
             self.assertEqual((code, out), (BAD_INPUT, ""), words)
             self.assertIn(part, err)
+
+
+class RegionInSpace(Case):
+    """Two pads at x = -1 and 1 press with 1 and have friction 1/2: forces across the x axis at the point x are
+    resisted up to 1 / (1 + |x|), whatever their direction."""
+
+    def setUp(self):
+        super().setUp()
+        self.grasp = self.write("pinch.json", {
+            "format": "stickslip-grasp/2", "defaults": {"friction": "1/2", "preload": 1}, "wrench": [3] * 6,
+            "contacts": [{"position": [side, 0, 0], "normal": [-side, 0, 0]} for side in (-1, 1)]})
+
+    def region(self, *words):
+        answer = self.json("region", self.grasp, *words)
+        return answer, [(ends(c["x"]), ends(c["y"]), c["verdict"]) for c in answer["cells"]]
+
+    def agrees(self, cells, radius):
+        """Returns the part of the area that is proved."""
+        proved = 0
+        for x, y, verdict in cells:
+            nearest = [0 if low <= 0 <= high else min(low ** 2, high ** 2) for low, high in (x, y)]
+            farthest = [max(low ** 2, high ** 2) for low, high in (x, y)]
+            if verdict == "stable":
+                self.assertLessEqual(sum(farthest), radius ** 2)
+            elif verdict == "unstable":
+                self.assertGreater(sum(nearest), radius ** 2)
+            if verdict != "undecided":
+                proved += (x[1] - x[0]) * (y[1] - y[0])
+        window = [max(c[k][1] for c in cells) - min(c[k][0] for c in cells) for k in (0, 1)]
+        return proved / (window[0] * window[1])
+
+    def test_forces_at_the_middle_and_aside_of_it(self):
+        for at, radius in ((0, 1), (Fraction(1, 2), Fraction(2, 3))):
+            folder = self.path(f"cells{at.numerator}")
+            answer, cells = self.region(
+                f"--u=0,1,0,0,0,{at}", f"--v=0,0,1,0,-{at},0", "--within=-5/4:5/4,-1:3/2", "--depth", "4",
+                "--certificates", folder)
+            self.assertEqual(answer["plane"]["u"], ["0", "1", "0", "0", "0", str(at)])
+            self.assertGreater(self.agrees(cells, radius), Fraction(3, 5))
+            self.assertEqual({"stable", "unstable", "undecided"}, {c[2] for c in cells})
+            for k, (_, _, verdict) in enumerate(cells):
+                if verdict == "undecided":
+                    continue
+                files = [os.path.join(folder, f"cell{k}{end}") for end in (".json", ".certificate.json")]
+                for checker in checkers(files[1]):
+                    code, out, err = run(*checker, *files)
+                    self.assertEqual((code, out.split("\n")[0]), (DONE, "accepted"), out + err)
+                    self.assertRegex(out, rf"verdict +{verdict}\b")
+
+    def test_by_default_all_forces_within_the_preloads(self):
+        answer, cells = self.region("--depth", "2")
+        self.assertEqual(answer["plane"], {"origin": ["0"] * 6, "u": ["1"] + ["0"] * 5, "v": ["0", "1"] + ["0"] * 4})
+        self.assertEqual([answer[axis]["range"] for axis in "xy"], [["-2", "2"]] * 2)
+        code, out, err = stickslip("region", self.grasp, "--depth", "2")
+        self.assertEqual((code, err), (DONE, ""))
+        self.assertRegex(out, r"plane  \(0, 0, 0, 0, 0, 0\) \+ s \(1, 0, 0, 0, 0, 0\) \+ t \(0, 1, 0, 0, 0, 0\),\n"
+                              r" +s from -2 to 2, t from -2 to 2 \(--within\)")
+        self.assertRegex(out, rf"\n{len(cells)} cells ")
+
+    def test_a_picture_has_all_cells(self):
+        words = ("--u=0,1,0,0,0,0", "--v=0,0,1,0,0,0", "--depth", "3")
+        _, cells = self.region(*words)
+        svg = self.path("r.svg")
+        self.assertEqual(stickslip("plot", "region", self.grasp, *words, "-o", svg), (DONE, "", ""))
+        code, out, _ = stickslip("region", self.grasp, *words, "--svg")
+        self.assertEqual((code, out), (DONE, read(svg)))
+        drawn = [(r.get("data-x"), r.get("data-y"), r.get("data-verdict"))
+                 for r in ET.fromstring(read(svg)).iter("{http://www.w3.org/2000/svg}rect") if r.get("data-verdict")]
+        self.assertEqual([(ends(x.split(",")), ends(y.split(",")), v) for x, y, v in drawn], cells)
+        self.assertIn("s along (0, 1, 0, 0, 0, 0)", out)
+
+    def test_what_cannot_be_asked(self):
+        for words, naming in (
+                (("--torque", "1"), ["--torque", "--origin"]), (("--list",), ["--list", "--json"]),
+                (("--mode-limit", "3"), ["--mode-limit", "--depth"]),
+                (("--certificate", self.path("c.json")), ["--certificate", "--certificates"]),
+                (("--within", "0:1"), ["--within", "0:1"]), (("--within", "1:0,0:1"), ["--within"]),
+                (("--u", "1,0,0"), ["--u", "in space"]), (("--u", "0,2,0,0,0,0"), ["--u, --v", "no plane"])):
+            self.fails("region", self.grasp, *words, naming=naming)
+        for words in (("--within=0:1,0:1",), ("--depth", "3"), ("--certificates", self.path("x"))):
+            self.fails("region", FIG1, *words, naming=[words[0].split("=")[0], "exact"] if "cert" not in words[0]
+                       else ["--certificates", "whole region"])
 
 
 if __name__ == "__main__":

@@ -586,8 +586,7 @@ class Files(Space):
         self.fails("decide", good, "--engine", "branch-and-bound", naming=["--engine", "in space"])
         self.fails("decide", good, "--uncertain", "normal=1/100", naming=["--uncertain", "in space"])
         self.fails("decide", good, "--case", "x", naming=["--case", "no case"])
-        for command in ("states", "region"):
-            self.fails(*command.split(), good, naming=["contacts[0].position", "in space"])
+        self.fails("states", good, naming=["contacts[0].position", "in space"])
 
     def test_answers_in_words_and_by_exit_code(self):
         file = self.write("g.json", grasp(

@@ -20,7 +20,8 @@ enum class AxisKind {
   kPreload,    ///< likewise
   kWrench,     ///< a component, by its value
   kLoad,       ///< the whole wrench, by a factor
-  kDirection   ///< the force of the wrench, which keeps its size and turns: degrees from +x
+  kDirection,  ///< the force of the wrench, which keeps its size and turns: degrees from +x
+  kAlong       ///< a multiple of a wrench, added
 };
 
 /// An axis of a map.
@@ -29,10 +30,12 @@ struct MapAxis {
   AxisKind kind = AxisKind::kLoad;     ///< of what
   std::optional<std::size_t> index{};  ///< of a contact or a component; nothing: of all
   Interval range;                      ///< of the factor or value
+  RationalRow along{};                 ///< of kAlong: the wrench
 };
 
-/// "NAME=A:B", such as "friction[2]=0:1", "load=0:2", "direction=0:360", for this one grasp;
-/// directions are of a force in the plane. Throws InputError with the place `axis` for what is
+/// "NAME=A:B", such as "friction[2]=0:1", "load=0:2", "direction=0:360" or, for a multiple of a
+/// wrench that is added, "0,1,0=-1:1", for this one grasp; directions are of a force in the
+/// plane. Throws InputError with the place `axis` for what is
 /// no axis, or leaves the grasps that there are.
 MapAxis parse_axis(const GraspBox& grasp, std::string_view text, const std::string& axis);
 
@@ -44,7 +47,8 @@ struct MapCell {
 };
 
 /// The box of grasps in a rectangle. Where all frictions (stiffnesses, preloads, components)
-/// change by one factor, or the load turns, it has more grasps than the rectangle.
+/// change by one factor, or the load turns, it has more grasps than the rectangle; so it has
+/// along wrenches of several components.
 GraspBox box_of_cell(const GraspBox& grasp, const MapAxis& x_axis, const MapAxis& y_axis,
                      const Interval& x, const Interval& y);
 
@@ -55,9 +59,9 @@ struct MapOptions {
 };
 
 /// A quadtree: a cell without a proof is cut into four, down to the finest. `take` is called
-/// with each cell in turn, which tile the rectangle of the axes; `progress` with the part of
-/// the rectangle that is done, from 0 to 1. Throws InputError if both axes vary the same
-/// number.
+/// with each cell in turn, the largest first, which tile the rectangle of the axes; `progress`
+/// with the part of the rectangle that is done, from 0 to 1. Both are called by this thread,
+/// while others prove. Throws InputError if both axes vary the same number.
 void map_verdicts(const GraspBox& grasp, NormalLaw law, const MapAxis& x_axis,
                   const MapAxis& y_axis, const MapOptions& options,
                   const std::function<void(MapCell)>& take,

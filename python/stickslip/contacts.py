@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from fractions import Fraction
-from typing import Any, Callable, Dict, List, NamedTuple, Optional, Sequence, Set, Tuple, TypeVar
+from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Set, Tuple, TypeVar
 
 import numpy as np
 
@@ -72,11 +72,6 @@ def on_grid(found: Contacts, grid: Any) -> Contacts:
 def springs(places: Sequence[str], forces: Optional[Numbers], distances: Optional[Numbers],
             stiffness: Any, preload: Any) -> Tuple[Any, Any]:
     """Stiffness and preload of contacts with these normal forces at these distances."""
-    for place, force in zip(places, forces or ()):
-        if force < 0:
-            raise InputError("", place, f"the normal force is {_core.readable(force)}: it pulls",
-                             "contacts push or let go; leave out what sticks by adhesion, and add "
-                             "its pull to the wrench")
     if distances is not None:
         if forces is not None and stiffness is not None:
             raise InputError("", "distance", "forces and stiffness are given, too",
@@ -95,6 +90,14 @@ def springs(places: Sequence[str], forces: Optional[Numbers], distances: Optiona
     if preload is None:
         preload = 0 if forces is None else forces
     return stiffness, preload
+
+
+def pushing(place: str, force: Fraction) -> Fraction:
+    if force < 0:
+        raise InputError("", place, f"the normal force is {_core.readable(force)}: it pulls",
+                         "contacts push or let go; leave out what sticks by adhesion, and add its "
+                         "pull to the wrench")
+    return force
 
 
 def _penetration(place: str, distance: Fraction) -> Fraction:
@@ -138,9 +141,10 @@ def from_arrays(given: Dict[str, Any], wrench: Any) -> Contacts:
     if given["friction"] is None:
         raise InputError("", "friction", "there is none", "give one number, or one for each contact")
     stiffness, preload = springs(
-        [f"forces[{i}]" if given["distance"] is None else f"distance[{i}]" for i in range(m)],
-        _scalars(given["forces"], "forces", m, given["frames"] is not None),
-        _scalars(given["distance"], "distance", m), given["stiffness"], given["preload"])
+        [f"distance[{i}]" for i in range(m)],
+        _forces(given["forces"], m, given["frames"] is not None),
+        _scalars(given["distance"], "distance", m, "a number for each contact"),
+        given["stiffness"], given["preload"])
     return Contacts(positions, normals, given["friction"], stiffness, preload)
 
 
@@ -189,18 +193,25 @@ def _normals(normals: Any, frames: Any, m: int, n: int) -> List[Any]:
     return [frame[0] for frame in rows]
 
 
-def _scalars(values: Any, name: str, m: int, first: bool = False) -> Optional[Numbers]:
-    """One a contact; with ``first`` also rows, of which it is the first number."""
+def _scalars(values: Any, name: str, m: int, meaning: str) -> Optional[Numbers]:
+    """One a contact."""
     if values is None:
         return None
     array = as_array(values, name)
-    if array.ndim == 2 and first and array.shape[1] > 0:
-        array = array[:, 0]
     if array.ndim == 0:
         return [_core.exact(array.item(), name)] * m
-    return exact_list(as_list(array, name, (m,), "the normal force of each contact, a number; rows, of "
-                              "which it is the first, go with frames" if name == "forces"
-                              else "a number for each contact"), name)
+    return exact_list(as_list(array, name, (m,), meaning), name)
+
+
+def _forces(values: Any, m: int, first: bool) -> Optional[Numbers]:
+    """Normal forces; with ``first`` also rows, of which they are the first numbers."""
+    if first and values is not None:
+        array = as_array(values, "forces")
+        if array.ndim == 2 and array.shape[1] > 0:
+            values = array[:, 0]
+    forces = _scalars(values, "forces", m, "the normal force of each contact, a number; rows, of which "
+                      "it is the first, go with frames")
+    return None if forces is None else [pushing(f"forces[{i}]", f) for i, f in enumerate(forces)]
 
 
 # MuJoCo: the names of its C structures, which are those of its Python and JavaScript modules.
@@ -275,7 +286,7 @@ def from_mujoco(model: Any, data: Any, body: Any, friction: Any, stiffness: Any,
                 preload: Any, fixed: Any) -> Contacts:
     scene = _Scene(model, body)
     count = int(_of(data, "ncon", "data"))
-    given = _scalars(forces, "forces", count, True)
+    given = _forces(forces, count, True)
     rows: List[Tuple[str, List[Any], List[Any], Any, Fraction, Fraction]] = []
     touched: Dict[int, None] = {}  # in their order
     for i in range(count):
@@ -300,7 +311,7 @@ def from_mujoco(model: Any, data: Any, body: Any, friction: Any, stiffness: Any,
         rows.append((place, as_array(contact.pos, f"{place}.pos").tolist(),
                      normal if mine[1] else negated(normal, f"{place}.frame"),
                      _friction_of(contact, place) if friction is None else 0,
-                     _force_of(model, data, contact, place) if given is None else given[i],
+                     pushing(place, _force_of(model, data, contact, place)) if given is None else given[i],
                      _core.exact(contact.dist, f"{place}.dist")))
     others = [] if fixed is True else [b for b in touched if b not in {0, *scene.all_of(fixed)}]
     if others:
@@ -397,11 +408,8 @@ def from_drake(contacts: Any, body: Any, friction: Any, stiffness: Any, forces: 
     all_pairs = _point_pairs(contacts)
     m = len(all_pairs)
     bodies = list(body) if isinstance(body, Iterable) and not isinstance(body, str) else [body]
-    given = _scalars(forces, "forces", m)
-    frictions: Callable[[int, Any], Any] = (
-        (lambda i, pair: friction(pair)) if callable(friction) else
-        (lambda i, pair: each[i]) if isinstance(each := as_numbers(friction, "friction", m), list)
-        else (lambda i, pair: each))
+    given = _forces(forces, m, False)
+    each = None if callable(friction) else as_numbers(friction, "friction", m)
     rows: List[Tuple[str, Numbers, Numbers, Any, Optional[Fraction], Fraction]] = []
     for i, one in enumerate(all_pairs):
         place = f"contacts[{i}]"
@@ -422,11 +430,12 @@ def from_drake(contacts: Any, body: Any, friction: Any, stiffness: Any, forces: 
                              "is to lead from B to A", "give point pairs that penetrate")
         force = given[i] if given is not None else None
         if force is None and told:  # that on B, along the unit normal into B
-            force = -dot(exact_vector(_said(one, "contact_force", place), f"{place}.contact_force"),
-                         to_a)
+            force = pushing(place, -dot(exact_vector(_said(one, "contact_force", place),
+                                                     f"{place}.contact_force"), to_a))
         position = (exact_vector(_said(one, "contact_point", place), f"{place}.contact_point")
                     if told else [(x + y) / 2 for x, y in zip(a, b)])
-        rows.append((place, position, to_a if mine[0] else [-x for x in to_a], frictions(i, pair),
+        rows.append((place, position, to_a if mine[0] else [-x for x in to_a],
+                     friction(pair) if callable(friction) else each[i] if isinstance(each, list) else each,
                      force, -_core.exact(as_number(_said(pair, "depth", place), place),
                                          f"{place}.depth")))
     known = [row[4] for row in rows if row[4] is not None]

@@ -26,7 +26,7 @@ class OnMesh(NamedTuple):
     """A point of the mesh."""
 
     position: Point
-    normal: Point  # into the body; a unit vector if that is rational
+    normal: Point  # into the body; a unit vector if that is rational, else whole
     face: int
     squared_distance: Fraction  # from the point that was asked for
 
@@ -113,7 +113,7 @@ class Mesh:
                 if best[1] < 0 or (squared, f) < best[:2]:
                     best = (squared, f, q)
         squared, f, q = best
-        return OnMesh(q, unit_if_rational(tuple(-x for x in _normal(self.triangles[f]))), f, squared)
+        return OnMesh(q, _short([-x for x in _normal(self.triangles[f])]), f, squared)
 
     def place(self, points: Any, tolerance: Any) -> List[OnMesh]:
         """The nearest place for each of the points."""
@@ -181,6 +181,13 @@ def _normal(triangle: Triangle) -> Point:
     """Out of the body, twice as long as the area is large."""
     a, b, c = triangle
     return tuple(cross(_minus(b, a), _minus(c, a)))
+
+
+def _short(normal: Sequence[Fraction]) -> Point:
+    """Of the same direction: the unit vector if that is rational, else of whole numbers."""
+    scale = Fraction(math.lcm(*(x.denominator for x in normal)))
+    scale /= math.gcd(*(int(x * scale) for x in normal))
+    return unit_if_rational(tuple(x * scale for x in normal))
 
 
 def nearest_of_triangle(p: Point, triangle: Triangle) -> Point:

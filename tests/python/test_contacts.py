@@ -55,6 +55,10 @@ def test_the_first_rows_of_frames_are_normals_and_their_forces():
     expected = Grasp(SIDES, AXES, 1, preload=[4, 5])
     for frames in (rows, np.array(rows), np.array(rows).reshape(2, 9)):
         assert Grasp.from_contacts(SIDES, None, 1, into="body", frames=frames, forces=forces) == expected
+    plane = Grasp.from_contacts([[-1, 0], [1, 0]], None, 1, into="other", forces=[[4, 1], [5, 2]],
+                                frames=[[[-1, 0], [0, 1]], [[1, 0], [0, 1]]])
+    assert plane == Grasp([[-1, 0], [1, 0]], [[1, 0], [-1, 0]], 1, preload=[4, 5])
+    assert len(Grasp.from_contacts([], [], 1, into="body", forces=[], distance=[])) == 0
     assert refusal(lambda: Grasp.from_contacts(SIDES, AXES, 1, into="body", forces=forces))[0] == "forces"
     assert refusal(lambda: Grasp.from_contacts(SIDES, AXES, 1, into="body", frames=rows))[0] == "normals"
     assert refusal(lambda: Grasp.from_contacts(SIDES, None, 1, into="body"))[0] == "normals"
@@ -94,7 +98,7 @@ def test_force_is_stiffness_times_penetration(given, stiffness, preload):
 
 @pytest.mark.parametrize("given, place, says", [
     ({"forces": [1, -3]}, "forces[1]", "it pulls"),
-    ({"forces": [1, -3], "distance": -1}, "distance[1]", "it pulls"),
+    ({"forces": [1, -3], "distance": -1}, "forces[1]", "it pulls"),
     ({"forces": 3, "distance": [-1, "1/4"]}, "distance[1]", "a gap of 1/4"),
     ({"stiffness": 3, "distance": [-1, "1/4"]}, "distance[1]", "a gap of 1/4"),
     ({"forces": [3, 0], "distance": -1}, "distance[1]", "says nothing of stiffness"),
@@ -207,7 +211,7 @@ def change(scene, **changes):
     ({"friction": [0.5, 0.4, 0, 0, 0]}, {}, "data.contact[0].friction", "make both equal"),
     ({"dim": 4}, {}, "data.contact[0].dim", "against spinning;"),
     ({"dim": 6}, {}, "data.contact[0].dim", "spinning and rolling"),
-    ({}, {"forces": [-1] + [1] * 7}, "data.contact[0]", "it pulls"),
+    ({}, {"forces": [-1] + [1] * 7}, "forces[0]", "it pulls"),
     ({"efc_force": [-1.0] * 32}, {}, "data.contact[0]", "it pulls"),
     ({"dist": 0.001}, {}, "data.contact[0]", "a gap"),
     ({"geom": [0, 0]}, {}, "data.contact[0]", "touches itself"),
@@ -288,11 +292,14 @@ def test_options_of_drake():
     assert len(Grasp.from_drake([], 3, 1)) == 0 and Grasp.from_drake([], 3, 1).in_space
     pairs = [info.point_pair() for info in drake_pair()]
     wrong = PointPair(**{**vars(pairs[0]), "nhat_BA_W": [1.0, 0.0, 0.0]})
+    pulled = drake_pair()[0]
+    pulled.contact_force = lambda: [-4.0, 0.0, 0.0]
     for call, place, says in (
             (lambda: Grasp.from_drake(pairs, 30, 1), "stiffness", "no forces"),
             (lambda: Grasp.from_drake([*drake_pair(), pairs[0]], [3, 30], 1), "contacts", "bare point pairs"),
             (lambda: Grasp.from_drake(pairs, [10, 30], 1, stiffness=1), "contacts[0]", "touches itself"),
             (lambda: Grasp.from_drake([wrong], 30, 1, stiffness=1), "contacts[0].nhat_BA_W", "from B to A"),
+            (lambda: Grasp.from_drake([drake_pair()[0], pulled], 3, 1), "contacts[1]", "it pulls"),
             (lambda: Grasp.from_drake(ContactResults([], 2), 3, 1), "contacts", "2 contacts are hydroelastic"),
             (lambda: Grasp.from_drake(pairs, 30, [1, 2], stiffness=1), "friction", "(2,)"),
             (lambda: Grasp.from_drake(3, 30, 1), "contacts", "point pairs"),

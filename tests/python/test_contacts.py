@@ -198,6 +198,17 @@ def test_a_box_on_the_floor_slides_at_its_friction_and_sinks_by_its_penetration(
             assert_proved(tmp_path, loaded, verdict, load)
 
 
+def test_forces_under_a_load_that_is_not_asked_about_are_warned_of():
+    def traps(grasp, load):
+        return [w.trap for w in decide(grasp, load, warnings=True).warnings]
+
+    push = (1, 0, 0, 0, 0, "-1/10")
+    assert "unbalanced-preload" in traps(resting(grid="1/1000"), push)
+    weight = resting(gravity=True).wrench
+    assert "unbalanced-preload" not in traps(resting(preload=0, grid="1/1000"), weight)
+    assert traps(gripped(), (0, 0, -1, 0, 0, 0)) == []
+
+
 def change(scene, **changes):
     """In the model, the data or its contact 0, whichever has the attribute."""
     model, data = scene

@@ -44,6 +44,8 @@ def scenes():
     """What docs/contacts.md has run before, under its names."""
     model, data = mujoco_scene("gripper")
     floor_model, floor_data = mujoco_scene("resting")
+    points = [(0, 1, 2, -1, -1, (side * 0.03, 0.0, 0.0), (side * 0.031, 0.0, 0.0), (-side, 0.0, 0.0), -0.001, 4.0)
+              for side in (-1.0, 1.0)]
     results, ball, ball_geometry = ContactResults(drake_pair()), 3, 30
     return locals()
 

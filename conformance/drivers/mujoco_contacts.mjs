@@ -34,7 +34,7 @@ function settled([xml, steps, control = 0]) {
   mujoco.mj_forward(model, data);  // contacts and forces of one moment
   const force = new mujoco.DoubleBuffer(6), contacts = [], forces = [], all = data.contact;
   for (let i = 0; i < data.ncon; ++i) {
-    contacts.push(fields(all.get(i), ["pos", "frame", "dist", "friction", "dim", "geom", "exclude", "efc_address"]));
+    contacts.push(fields(all.get(i), ["pos", "frame", "dist", "includemargin", "friction", "dim", "geom", "exclude", "efc_address"]));
     mujoco.mj_contactForce(model, data, i, force);
     forces.push(Array.from(force.GetView()));
   }

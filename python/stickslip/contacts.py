@@ -164,6 +164,12 @@ def _columns(given: Dict[str, Any]) -> Dict[str, Any]:
     records = list(records)
     if not records or _field(records[0], "position") is None:
         return given
+    for i, record in enumerate(records):  # what is misspelt is not to pass for a default
+        for key in (record if isinstance(record, Mapping)
+                    else record.dtype.names or () if isinstance(record, np.void) else ()):
+            if key not in _FIELDS.values():
+                raise InputError("", f"positions[{i}]", f"the record has the unknown key {found(key)}",
+                                 "the keys of records are " + ", ".join(_FIELDS.values()))
     result = dict(given)
     for argument, name in _FIELDS.items():
         values = [_field(record, name) for record in records]
@@ -312,7 +318,9 @@ def from_mujoco(model: Any, data: Any, body: Any, friction: Any, stiffness: Any,
                      normal if mine[1] else negated(normal, f"{place}.frame"),
                      _friction_of(contact, place) if friction is None else 0,
                      pushing(place, _force_of(model, data, contact, place)) if given is None else given[i],
-                     _core.exact(contact.dist, f"{place}.dist")))
+                     # a constraint begins to push at the margin
+                     _core.exact(contact.dist, f"{place}.dist")
+                     - _core.exact(contact.includemargin, f"{place}.includemargin")))
     others = [] if fixed is True else [b for b in touched if b not in {0, *scene.all_of(fixed)}]
     if others:
         names = ", ".join(map(scene.name, others))

@@ -81,6 +81,9 @@ def test_records_are_the_same():
     assert Grasp.from_contacts(some, friction=1) == Grasp(SIDES, AXES, 1)
     assert refusal(lambda: Grasp.from_contacts(some, friction=1, into="body"))[0] == "into"
     assert refusal(lambda: Grasp.from_contacts(some))[0] == "friction"
+    assert refusal(lambda: Grasp.from_contacts([some[0], {**some[1], "forces": 1}], friction=1)) == (
+        "positions[1]", "positions[1]: the record has the unknown key 'forces'; the keys of records are position, "
+        "normal, frame, friction, into, force, distance, stiffness, preload")
     del some[1]["normal"]
     assert refusal(lambda: Grasp.from_contacts(some, friction=1))[0] == "positions[1]"
 
@@ -250,6 +253,8 @@ def test_what_the_remedies_say():
     # Pyramids have two edges more then.
     taken = Grasp.from_mujoco(*anisotropic, "object", fixed=True, friction="0.4", forces=[2] * 8)
     assert set(taken.friction) == {Fraction(2, 5)} and set(taken.preload) == {2}
+    early = Grasp.from_mujoco(*change(mujoco_scene("resting"), dist=0.25, includemargin=0.5), "box")
+    assert early.stiffness[0] == early.preload[0] * 4  # pushed back from the margin on
     smooth = Grasp.from_mujoco(*change(mujoco_scene("resting"), dim=1), "box")
     assert smooth.friction[0] == 0 and smooth.friction[1] == Fraction(1, 2)
     apart = Grasp.from_mujoco(*change(mujoco_scene("resting"), efc_address=-1, exclude=1), "box")

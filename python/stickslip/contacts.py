@@ -273,6 +273,8 @@ class _Scene:
 
     def all_of(self, bodies: Any) -> List[int]:
         """Of an argument ``fixed``."""
+        if bodies is False:
+            return []
         listed = list(bodies) if isinstance(bodies, Iterable) and not isinstance(bodies, str) else [bodies]
         return [self.welded[self.index(b, "fixed")] for b in listed]
 

@@ -232,7 +232,7 @@ def change(scene, **changes):
     ({"geom": [0, -1]}, {}, "data.contact[0]", "flexible"),
     ({"efc_address": -1, "exclude": 4}, {}, "data.contact[0]", "passive"),
     ({}, {"fixed": ()}, "fixed", "body 'left', body 'right'"),
-    ({}, {"fixed": "left"}, "fixed", "moves: body 'right'"),
+    ({}, {"fixed": False}, "fixed", "fixed=[2, 3]"), ({}, {"fixed": "left"}, "fixed", "moves: body 'right'"),
     ({}, {"fixed": ["leg"]}, "fixed", "no body 'leg'"),
     ({"body_dofnum": [0, 3, 1, 1]}, {}, "body", "3 degrees of freedom"),
     ({"body_weldid": [0, 0, 2, 3]}, {}, "body", "fixed to the world"),

@@ -31,10 +31,11 @@ from .arguments import (
     coordinates_of,
     is_bilateral,
 )
-from .contacts import Contacts, from_arrays, from_drake, from_mujoco, on_grid, weight_of
+from .contacts import Contacts, from_arrays, on_grid
 from .errors import InputError
 from .mesh import Mesh
 from .outline import has_doubles, place, polygons_of, unit_if_rational
+from .simulators import from_drake, from_mujoco, weight_of
 from .views import FloatArray, FloatView, Page, call_of, nearest_root, shown
 
 SNAPPED_WITHIN = "1e-12"

@@ -15,7 +15,7 @@ wrench is the one applied to the body. See docs/python.md.
 
 from . import _core
 from .errors import ContractError, InputError, LimitReached
-from .grasp import Grasp, PlacedGrasp, SnappedNormal, SnapResult
+from .grasp import Grasp, MeshGrasp, PlacedGrasp, SnappedNormal, SnapResult
 from .loads import wrench_of
 from .questions import (
     check,
@@ -76,6 +76,7 @@ __all__ = [
     "LimitReached",
     "MapCell",
     "Margin",
+    "MeshGrasp",
     "Method",
     "ModelWarning",
     "NearbyEquilibrium",

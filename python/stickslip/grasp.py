@@ -31,8 +31,11 @@ from .arguments import (
     coordinates_of,
     is_bilateral,
 )
+from .contacts import Contacts, from_arrays, on_grid
 from .errors import InputError
+from .mesh import Mesh
 from .outline import has_doubles, place, polygons_of, unit_if_rational
+from .simulators import from_drake, from_mujoco, weight_of
 from .views import FloatArray, FloatView, Page, call_of, nearest_root, shown
 
 SNAPPED_WITHIN = "1e-12"
@@ -163,6 +166,189 @@ class Grasp:
                     friction, stiffness, preload, wrench=wrench, name=name, outline=polygons)
         object.__setattr__(grasp, "_doubles", has_doubles(outline))
         return PlacedGrasp(grasp, tuple(nearest_root(one.squared_distance) for one in placed))
+
+    @classmethod
+    def from_mesh(
+        cls,
+        mesh: Any,
+        points: Rows,
+        friction: Any,
+        stiffness: Any = None,
+        preload: Any = 0,
+        *,
+        tolerance: Any = None,
+        wrench: Any = None,
+        name: str = "",
+    ) -> MeshGrasp:
+        """The body with this surface, held at these points of it; normals are those of the triangles.
+
+        Which triangle is nearest to a point, and where, is found exactly. Where several are equally
+        near, as on an edge, the first of them in ``faces`` counts.
+
+        Args:
+            mesh: a pair, vertices (n, 3) and faces (m, 3), or an object with ``vertices`` and
+                ``faces``, as of trimesh. It must be closed, and seen from outside the vertices of
+                each face run counterclockwise.
+            points: (k, 3), on the surface.
+            tolerance: move points that are not on the surface to the nearest place on it, but
+                none further than this.
+            friction, stiffness, preload, wrench, name: as of a Grasp.
+
+        Raises:
+            InputError: as Grasp; a point that is off the surface; a mesh that is open, or inside out,
+                with the face and the edge where it is.
+
+        >>> corner = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
+        >>> on = Grasp.from_mesh(corner, [["1/4", "1/4", 0], [1, 1, 1]], "1/2", tolerance=2)
+        >>> on.grasp.normals, on.faces, on.moved
+        (((Fraction(0, 1), Fraction(0, 1), Fraction(1, 1)), (Fraction(-1, 1), Fraction(-1, 1), Fraction(-1, 1))), (0, 3), (0.0, 1.1547005383792515))
+        """
+        placed = Mesh(mesh).place(points, tolerance)
+        found = Contacts([one.position for one in placed], [one.normal for one in placed], friction,
+                         stiffness, preload)
+        return MeshGrasp(cls._of_contacts(found, wrench, name), tuple(nearest_root(one.squared_distance) for one in placed),
+                         tuple(one.face for one in placed))
+
+    @classmethod
+    def from_contacts(
+        cls,
+        positions: Any,
+        normals: Any = None,
+        friction: Any = None,
+        *,
+        into: Any = None,
+        frames: Any = None,
+        forces: Any = None,
+        distance: Any = None,
+        stiffness: Any = None,
+        preload: Any = None,
+        grid: Any = None,
+        wrench: Any = None,
+        name: str = "",
+        units: Mapping[str, str] = MappingProxyType({}),
+    ) -> Grasp:
+        """Contacts as another program has them, in arrays or records (docs/contacts.md).
+
+        Args:
+            positions: (m, 2) or (m, 3); or records (mappings, objects or rows of a structured
+                array) with ``position`` and, in place of the argument, any of ``normal``, ``frame``,
+                ``friction``, ``into``, ``force``, ``distance``, ``stiffness``, ``preload``.
+            normals: of the same shape.
+            friction: one number or (m,), as are the next but ``into`` and ``frames``.
+            into: which body normals point into, "body", the one that is held, or "other"; one, or
+                one for each contact. It has no default: programs differ.
+            frames: in place of normals, matrices (m, n, n) or (m, n n) whose first rows they are.
+            forces: normal forces, not negative; with frames also rows, of which it is the first.
+            distance: of the two surfaces, negative where they penetrate.
+            stiffness: if None, forces over penetrations where both are given, else as of a Grasp.
+            preload: if None, the forces, which are stiffness times penetration where those two are
+                given, or 0.
+            grid: round positions to multiples of this length; simulators know them no better than
+                their penetrations. If None they are taken as they are.
+            wrench, name, units: as of a Grasp.
+
+        >>> Grasp.from_contacts([[-1, 0], [1, 0]], [[-1, 0], [1, 0]], "1/2", into="other",
+        ...                     forces=[3, 3], distance=["-0.001", "-0.002"]).stiffness
+        (Fraction(3000, 1), Fraction(1500, 1))
+        """
+        found = from_arrays({
+            "positions": positions, "normals": normals, "friction": friction, "into": into,
+            "frames": frames, "forces": forces, "distance": distance, "stiffness": stiffness,
+            "preload": preload}, wrench)
+        return cls(*on_grid(found, grid), wrench=wrench, name=name, units=units)
+
+    @classmethod
+    def from_mujoco(
+        cls,
+        model: Any,
+        data: Any,
+        body: Union[str, int],
+        *,
+        friction: Any = None,
+        stiffness: Any = None,
+        forces: Any = None,
+        preload: Any = None,
+        fixed: Any = (),
+        gravity: Any = None,
+        grid: Any = None,
+        wrench: Any = None,
+        name: str = "",
+    ) -> Grasp:
+        """The contacts of a body in a scene of MuJoCo, in the world's frame (docs/contacts.md).
+
+        They are in the order of ``data.contact``, without those of other bodies and those within a
+        margin that do not touch. Of the objects the attributes are read, and nothing is imported.
+
+        Args:
+            model, data: an MjModel, and an MjData after a step or mj_forward.
+            body: its name or number; what is welded to it is part of it.
+            friction: if None, that of the contacts, where it is the same in all directions.
+            stiffness: if None, normal force over penetration.
+            forces: normal forces if not those of ``data.efc_force``: (ncon,), or rows of which it is
+                the first, as mj_contactForce gives them.
+            preload: if None, the normal forces; one number or one for each contact of the grasp.
+            fixed: bodies that can move and are taken as fixed, by name or number; True for all.
+            gravity: adds the weight of the body to ``wrench``; an acceleration (3,), or True for
+                that of the model.
+            grid: as of ``from_contacts``.
+            wrench: about the world's origin, as of a Grasp.
+
+        Raises:
+            InputError: what the model here does not say, each with a remedy: adhesion, friction
+                that is anisotropic or against spinning, gaps, joints of the body, and others that
+                move and are not ``fixed``.
+        """
+        found = from_mujoco(model, data, body, friction, stiffness, forces, preload, fixed)
+        load: Any = wrench
+        if gravity is not None and gravity is not False:
+            load = weight_of(model, data, body, gravity)
+            if wrench is not None:
+                load = [a + _core.exact(b, f"wrench[{i}]")
+                        for i, (a, b) in enumerate(zip(load, as_wrench(wrench, "wrench", 3)))]
+        return cls._of_contacts(on_grid(found, grid), load, name)
+
+    @classmethod
+    def from_drake(
+        cls,
+        contacts: Any,
+        body: Any,
+        friction: Any,
+        *,
+        stiffness: Any = None,
+        forces: Any = None,
+        preload: Any = None,
+        grid: Any = None,
+        wrench: Any = None,
+        name: str = "",
+    ) -> Grasp:
+        """The contacts of a body in a scene of Drake, in the world's frame (docs/contacts.md).
+
+        Of the objects the attributes and methods are read, and nothing is imported. All other bodies
+        are taken as fixed.
+
+        Args:
+            contacts: ContactResults, or a list of PointPairContactInfo or PenetrationAsPointPair.
+            body: the BodyIndex of the body, or several that are welded; of PenetrationAsPointPair
+                the GeometryIds of it.
+            friction: one number, one for each of ``contacts``, or a function of a
+                PenetrationAsPointPair.
+            stiffness: if None, normal force over depth.
+            forces: normal forces, one for each of ``contacts``, if not those of PointPairContactInfo.
+                Without any, they are stiffness times depth.
+            preload: if None, the normal forces; one number or one for each contact of the grasp.
+            grid: as of ``from_contacts``.
+            wrench: about the world's origin, as of a Grasp.
+        """
+        found = from_drake(contacts, body, friction, stiffness, forces, preload)
+        return cls._of_contacts(on_grid(found, grid), wrench, name)
+
+    @classmethod
+    def _of_contacts(cls, found: Contacts, wrench: Any, name: str) -> Grasp:
+        """In space, also without contacts."""
+        load = [0] * 6 if wrench is None else as_wrench(wrench, "wrench", 3)
+        grasp = cls(*found, wrench=load, name=name)
+        object.__setattr__(grasp, "_loaded", wrench is not None)
+        return grasp
 
     @classmethod
     def gripper(
@@ -402,6 +588,14 @@ class PlacedGrasp(NamedTuple):
 
     grasp: Grasp
     moved: Tuple[float, ...]
+
+
+class MeshGrasp(NamedTuple):
+    """A grasp on a mesh, how far each of its points moved onto it, and on which face it is."""
+
+    grasp: Grasp
+    moved: Tuple[float, ...]
+    faces: Tuple[int, ...]
 
 
 class SnappedNormal(NamedTuple):

@@ -47,10 +47,10 @@ def has_doubles(outline: Any) -> bool:
     return isinstance(outline, (float, np.floating))
 
 
-def unit_if_rational(normal: Point) -> Point:
-    squared = normal[0] ** 2 + normal[1] ** 2
+def unit_if_rational(normal: Tuple[Fraction, ...]) -> Tuple[Fraction, ...]:
+    squared = sum((x * x for x in normal), Fraction(0))
     length = Fraction(math.isqrt(squared.numerator), math.isqrt(squared.denominator))
-    return (normal[0] / length, normal[1] / length) if length * length == squared else normal
+    return tuple(x / length for x in normal) if length * length == squared else normal
 
 
 def exact_points(values: Any, name: str) -> List[Point]:

@@ -9,6 +9,7 @@ import sys
 import pytest
 import stickslip
 from conftest import ROOT
+from scenes import ContactResults, drake_pair, mujoco_scene
 
 
 def test_crosscheck_numpy():
@@ -39,8 +40,19 @@ def test_docstrings(module):
     assert result.attempted > 0 and result.failed == 0
 
 
-@pytest.mark.parametrize("name, examples", [("docs/python.md", 20), ("README.md", 2)])
+def scenes():
+    """What docs/contacts.md has run before, under its names."""
+    model, data = mujoco_scene("gripper")
+    floor_model, floor_data = mujoco_scene("resting")
+    points = [(0, 1, 2, -1, -1, (side * 0.03, 0.0, 0.0), (side * 0.031, 0.0, 0.0), (-side, 0.0, 0.0), -0.001, 4.0)
+              for side in (-1.0, 1.0)]
+    results, ball, ball_geometry = ContactResults(drake_pair()), 3, 30
+    return locals()
+
+
+@pytest.mark.parametrize("name, examples", [("docs/python.md", 20), ("docs/contacts.md", 15), ("README.md", 2)])
 def test_documentation(name, examples):
+    ran_before = scenes() if name == "docs/contacts.md" else {}
     result = doctest.testfile(str(ROOT / name), module_relative=False,
-                              globs={"stickslip": stickslip})
+                              globs={"stickslip": stickslip, **ran_before})
     assert result.attempted >= examples and result.failed == 0

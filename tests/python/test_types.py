@@ -39,6 +39,11 @@ pushes: np.ndarray[Any, np.dtype[np.float64]] = many.forces_float + many.twist_f
 corner: float = float(grasp.positions_float[0, 0])
 box.plot().save("box.svg")
 normal: Tuple[Fraction, ...] = pinch.snap().grasp.normals[0]
+held_box: Grasp = Grasp.from_contacts([[0, 0, 0]], None, 1, into="other", frames=np.eye(3)[None], forces=[1])
+settled: Grasp = Grasp.from_mujoco(object(), object(), "box", fixed=("left",), gravity=True, grid=0.001)
+pushed: Grasp = Grasp.from_drake([], 3, lambda pair: 0.5, stiffness=1)
+on: stickslip.MeshGrasp = Grasp.from_mesh((np.zeros((4, 3)), [[0, 1, 2]]), [[0, 0, 0]], 1, tolerance="1e-3")
+face: int = on.faces[0]
 factor: Fraction = stickslip.radius(grasp, (0, 1, 0), uncertain="friction=10%").proved
 '''
 

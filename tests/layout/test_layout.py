@@ -18,7 +18,7 @@ ALLOWED = {
     "search": {"core", "equilibrium", "motion"},
     "degree": {"core", "equilibrium", "motion", "planar", "search"},
     "margin": {"core", "equilibrium", "motion", "planar", "search", "degree"},
-    "box": {"core", "equilibrium", "planar", "search", "degree", "margin"},
+    "box": {"core", "equilibrium", "motion", "planar", "search", "degree", "margin"},
     "warnings": {"core", "equilibrium", "motion", "planar", "degree", "margin", "box"},
     "resistance": {"core", "equilibrium", "planar", "search"},
     "earlier": {"core", "lp", "equilibrium", "motion", "planar", "box"},

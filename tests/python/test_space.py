@@ -234,13 +234,23 @@ def test_warnings_are_the_programs(tmp_path):
 
 def test_what_is_about_the_plane_says_so_as_the_program_does(tmp_path, pinch):
     said = said_by_the_program(written(tmp_path, pinch), "states")
-    for ask in (lambda: stickslip.slip_states(pinch), lambda: stickslip.region(pinch),
-                lambda: stickslip.plot_region(pinch), lambda: stickslip.plot_states(pinch),
-                lambda: stickslip.compare(pinch),
+    for ask in (lambda: stickslip.slip_states(pinch), lambda: stickslip.plot_states(pinch),
                 lambda: stickslip.crosscheck(pinch, "stable")):
         with pytest.raises(InputError, match="the grasp is in space; ") as caught:
             ask()
         assert f"{caught.value.problem}; {caught.value.remedy}" in said
+
+
+def test_the_region_of_a_plane_is_a_map_over_two_wrenches(tmp_path, pinch):
+    for ask in (stickslip.region, stickslip.plot_region):
+        with pytest.raises(InputError, match="stability_map"):
+            ask(pinch)
+    found = stickslip.stability_map(pinch, "0,1,0,0,0,0=-5:5", "0,0,1,0,0,0=-5:5", (0,) * 6, depth=4)
+    same = program("region", written(tmp_path, pinch), "--u", "0,1,0,0,0,0", "--v", "0,0,1,0,0,0",
+                   "--within=-5:5,-5:5", "--depth", "4")
+    assert [(cell.x, cell.y, cell.verdict) for cell in found.cells] == [
+        (tuple(map(Fraction, cell["x"])), tuple(map(Fraction, cell["y"])), cell["verdict"])
+        for cell in same["cells"]]
 
 
 def test_radius_and_map_are_the_programs(tmp_path, pinch):

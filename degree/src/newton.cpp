@@ -225,40 +225,76 @@ void Newton::share_out(NearEquilibrium& near) const {
   }
 }
 
+/// From d, to where all forces balance with friction smooth over slips of this size; false if
+/// that does not converge.
+bool Newton::balance(Reals& d, double smooth) const {
+  constexpr int kMostSteps = 30;
+  constexpr double kBalanced = 1e-11;
+  Eigen::MatrixXd derivative;
+  Reals f = force(d, smooth, &derivative);
+  for (int step = 0; step < kMostSteps; ++step) {
+    if (f.norm() <= kBalanced * grasp_.force) return true;
+    // Where nothing holds the object, a weak spring does.
+    Eigen::MatrixXd system = derivative;
+    system.diagonal().array() -= 1e-9 * grasp_.force / grasp_.reach;
+    const Reals move = -solution(system, f);
+    if (!move.allFinite()) return false;
+    double part = 1;
+    Reals next = d + move;
+    Reals there = force(next, smooth, nullptr);
+    while (there.norm() > (1 - 1e-4 * part) * f.norm() && part > 1e-4) {
+      part /= 2;
+      next = d + part * move;
+      there = force(next, smooth, nullptr);
+    }
+    d = next;
+    f = force(d, smooth, &derivative);
+  }
+  return false;
+}
+
+/// How d changes with the size over which friction is smooth: what slips less than that goes on
+/// to have as much friction.
+Reals Newton::change_with_smooth(const Reals& d, double smooth) const {
+  Reals change = Reals::Zero(d.size());
+  for (const RoundedContact& c : grasp_.contacts) {
+    const Across s = c.slip * d;
+    const double a = std::max(0.0, c.separation(d));
+    if (s.norm() < smooth) change += a * c.slope / (smooth * smooth) * (c.slip.transpose() * s);
+  }
+  Eigen::MatrixXd derivative;
+  force(d, smooth, &derivative);
+  derivative.diagonal().array() -= 1e-9 * grasp_.force / grasp_.reach;
+  return -solution(derivative, change);
+}
+
+/// Where slips become as small as friction is smooth, many contacts change at once, and steps
+/// must be smaller.
 std::optional<NearEquilibrium> Newton::solve(const Reals& start) const {
+  constexpr double kLargest = 8;
+  constexpr double kSmallest = 1.05;
   constexpr double kLeastSmooth = 1e-10;  // of the reach
   Reals d = start;
-  Eigen::MatrixXd derivative;
-  double smooth = 8 * grasp_.reach;
-  bool converged = false;
-  while (true) {
-    constexpr int kMostSteps = 30;
-    converged = false;
-    Reals f = force(d, smooth, &derivative);
-    for (int step = 0; step < kMostSteps; ++step) {
-      constexpr double kBalanced = 1e-11;
-      if (f.norm() <= kBalanced * grasp_.force) {
-        converged = true;
-        break;
-      }
-      // Where nothing holds the object, a weak spring does.
-      Eigen::MatrixXd system = derivative;
-      system.diagonal().array() -= 1e-9 * grasp_.force / grasp_.reach;
-      const Reals move = -solution(system, f);
-      if (!move.allFinite()) return std::nullopt;
-      double part = 1;
-      Reals next = d + move;
-      Reals there = force(next, smooth, nullptr);
-      while (there.norm() > (1 - 1e-4 * part) * f.norm() && part > 1e-4) {
-        part /= 2;
-        next = d + part * move;
-        there = force(next, smooth, nullptr);
-      }
-      d = next;
-      f = force(d, smooth, &derivative);
+  double smooth = kLargest * grasp_.reach;
+  bool converged = balance(d, smooth);
+  double factor = kLargest;
+  while (smooth > kLeastSmooth * grasp_.reach) {
+    Reals next = d;
+    if (converged) {
+      const Reals along = (smooth / factor - smooth) * change_with_smooth(d, smooth);
+      if (along.allFinite()) next += along;
     }
-    if (smooth <= kLeastSmooth * grasp_.reach) break;
-    smooth /= 8;
+    const bool is_next = balance(next, smooth / factor);
+    if (!next.allFinite()) return std::nullopt;
+    if (is_next || !converged) {
+      converged = is_next;
+      d = std::move(next);
+      smooth /= factor;
+      factor = std::min(kLargest, factor * factor);
+      continue;
+    }
+    factor = std::sqrt(factor);
+    if (factor < kSmallest) return std::nullopt;
   }
   if (!converged) {
     // What is left is rounding where slips are very small.
@@ -447,8 +483,13 @@ std::vector<NearEquilibrium> Newton::solve_from(std::size_t starts) const {
       start[j] = size * grasp_.reach * random();
     }
     std::optional<NearEquilibrium> found = k == 0 ? at_rest() : solve(start);
-    if (found) found = polish(std::move(*found));
     if (!found) continue;
+    auto polished = polish(*found);
+    if (polished) {
+      found = std::move(polished);
+    } else if (k == 0) {
+      continue;
+    }
     const bool is_known = std::any_of(result.begin(), result.end(), [&](const auto& other) {
       constexpr double kSame = 1e-6;
       return (other.motion - found->motion).norm() <=

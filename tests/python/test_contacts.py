@@ -194,7 +194,9 @@ def test_a_box_on_the_floor_slides_at_its_friction_and_sinks_by_its_penetration(
     d = answer.near_float if answer.twist is None else answer.twist_float
     for position, contact in zip(feet.positions_float, data.contact):
         assert (d[:3] + np.cross(d[3:], position))[2] == pytest.approx(contact.dist, rel=1e-6)
-    for loaded in (feet, resting(gravity=True, grid="1/1000")):
+    # In doubles as they are, feet are not in a plane: all that rub slip a little.
+    for loaded in (feet, resting(gravity=True, grid="1/1000"), resting(preload=0, gravity=True),
+                   resting(gravity=True)):
         for push, verdict in (("9.9", "stable"), ("10.1", "unstable")):
             push = Fraction(push)
             load = [a + b for a, b in zip(loaded.wrench, (push, 0, 0, 0, 0, -push / 10))]

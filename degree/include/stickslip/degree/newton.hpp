@@ -56,7 +56,7 @@ class Newton {
   /// where it was lost.
   std::optional<NearEquilibrium> follow(const NearEquilibrium& near) const;
   /// With what is closed at rest sticking, from rest, and from motions at random, always the
-  /// same: those that differ.
+  /// same: those that differ. Of some the mode is not certain.
   std::vector<NearEquilibrium> solve_from(std::size_t starts) const;
   /// How forces answer a motion, against it, with friction smooth over slips of this size.
   Eigen::MatrixXd answer(const Reals& motion, double smooth) const;
@@ -66,6 +66,8 @@ class Newton {
   std::optional<NearEquilibrium> change_modes(NearEquilibrium near) const;
   void share_out(NearEquilibrium& near) const;
   Reals force(const Reals& motion, double smooth, Eigen::MatrixXd* derivative) const;
+  bool balance(Reals& d, double smooth) const;
+  Reals change_with_smooth(const Reals& d, double smooth) const;
 
   const RoundedGrasp& grasp_;
 };

@@ -101,7 +101,7 @@ DecimalEnclosure enclose(const RootSum& value, int digits) {
   for (unsigned bits = kFirstBits;; bits *= 2) {
     const auto [low, high] = value.between(bits);
     if (low.sign() != high.sign()) continue;
-    const DecimalEnclosure below = enclose_sqrt(low, 1, digits);
+    DecimalEnclosure below = enclose_sqrt(low, 1, digits);
     const DecimalEnclosure above = enclose_sqrt(high, 1, digits);
     if (below.lower == above.lower && below.upper == above.upper) return below;
   }

@@ -118,7 +118,7 @@ std::optional<NearbyEquilibrium> find_like(const Answer& answer, const Claim& cl
 }
 
 std::optional<NearbyEquilibrium> equilibrium_of(const Answer& answer) {
-  const Stable& stable = std::get<Stable>(answer.verdict);
+  const auto& stable = std::get<Stable>(answer.verdict);
   if (const auto* witness = std::get_if<Witness>(&stable.proof)) {
     return equilibrium_of(answer.question.loaded().grasp, *witness);
   }

@@ -242,6 +242,28 @@ TEST(SpaceClaims, AnEquilibriumThatSlips) {
   EXPECT_EQ(changed.residuals.balance, (RationalRow{-1, 1, 0, 0, 0, 0}));
 }
 
+// One contact slips and the other, along whose normal it moves, sticks with friction. With so
+// few nodes the engine knows nothing of it, and the claim is the proof.
+TEST(SpaceClaims, AnEquilibriumProvesItself) {
+  const Question question =
+      ask_about({contact({0, 0, 0}, {0, 0, 2}, kHalf), contact({0, 0, 0}, {-6, -8, 10}, kHalf)},
+                {5, 15, -20, 0, 0, 0});
+  const Claim claim = solution({6, 8, -10, 0, 0, 0}, {{-3, -4, 10}, {-2, -11, 10}});
+  ClaimOptions options;
+  options.node_limit = 1;
+  EXPECT_EQ(judge(question, verdict(true), options).claim_class, ClaimClass::kUndecided);
+  const ClaimReport report = judge(question, claim, options);
+  EXPECT_EQ(report.claim_class, ClaimClass::kRight);
+  expect_none(report.residuals);
+  const auto* stable = std::get_if<Stable>(&report.answer.verdict);
+  ASSERT_NE(stable, nullptr);
+  EXPECT_EQ(std::get<SpatialWitness>(stable->proof).shares.size(), 1U);
+  // Next to it, it proves nothing.
+  Claim off = claim;
+  (*off.forces)[1][2] += number("1e-30");
+  EXPECT_EQ(judge(question, off, options).claim_class, ClaimClass::kUndecided);
+}
+
 // Lengths that are irrational, by hand.
 TEST(SpaceResiduals, AreRoots) {
   // Upright: f = (1, 1, 1), |f_t| = sqrt 2.

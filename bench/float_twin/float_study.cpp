@@ -51,14 +51,15 @@ struct Row {
   double worst_wrong = 0;      ///< largest relative distance to the threshold of a wrong answer
 
   void add(const Claim& claim, const ClaimReport& report) {
-    const bool is_stable = std::holds_alternative<Stable>(report.decision.verdict);
+    const bool is_stable = std::holds_alternative<Stable>(report.answer.verdict);
     if (is_stable) ++stable;
     if (report.inaccurate) ++inaccurate;
     if (report.claim_class == ClaimClass::kRight) return;
     ++(claim.stable ? false_stable : false_unstable);
     if (report.claim_class == ClaimClass::kTie) ++ties;
-    if (const auto distance = report.distance->smallest()) {
-      worst_wrong = std::max(worst_wrong, to_double(*distance));
+    const auto distance = report.distance->smallest();
+    if (distance && distance->high) {
+      worst_wrong = std::max(worst_wrong, to_double(*distance->high));
     }
   }
 };

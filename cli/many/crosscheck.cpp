@@ -7,7 +7,6 @@
 #include "commands.hpp"
 #include "crosscheck_report.hpp"
 #include "question_options.hpp"
-#include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
 #include "stickslip/core/json.hpp"
@@ -36,17 +35,13 @@ Rational nonnegative_option(const std::string& option, const std::string& value)
 
 /// A disagreeing line as a question of its own: the grasp with all options applied, and the
 /// certificate of its verdict. Both files or none.
-std::vector<std::string> save(const std::string& folder, std::size_t number,
-                              const ClaimLine& line, const Decision& decision) {
-  const Question& asked = line.question;
-  const Question question{asked.grasp, asked.law};
+std::vector<std::string> save(const std::string& folder, std::size_t number, Answer answer) {
+  answer.question = {answer.question.grasp, answer.question.law};
   const std::string stem = folder + "/line-" + std::to_string(number);
   const std::string grasp = stem + ".grasp.json";
   const std::string certificate = stem + ".certificate.json";
-  const std::string grasp_text = write_grasp(question.loaded());
-  const std::string proof = certificate_text(
-      question, decision.verdict,
-      std::string("stickslip " STICKSLIP_VERSION ", engine ") + decision.engine());
+  const std::string grasp_text = write_grasp(answer.question.grasp);
+  const std::string proof = certificate_of(answer).value();
   const FileWrite both;
   write_whole_file(certificate, proof);
   try {
@@ -101,8 +96,7 @@ ClaimCounts judge_all(std::istream& in, const std::string& folder,
       counts.add(judged->report);
       const ClaimClass c = judged->report.claim_class;
       if (!arguments.save.empty() && (c == ClaimClass::kTie || c == ClaimClass::kWrong)) {
-        judged->saved =
-            save(arguments.save, judged->number, judged->line, judged->report.decision);
+        judged->saved = save(arguments.save, judged->number, judged->report.answer);
       }
       output = printed.json ? to_json_line(*judged, printed.floats) + "\n"
                             : to_text(*judged, options, number);
@@ -174,7 +168,8 @@ void add_crosscheck_command(CLI::App& app, int& exit_code) {
   command->footer(footer_text(
       "Right claims are counted, all others shown. A node limit holds for each verdict and "
       "each\n"
-      "distance to a threshold.\n",
+      "distance to a threshold. In space a twist has six numbers, and forces are given as\n"
+      "\"force_vectors\": [fx, fy, fz] for each contact.\n",
       "0 all right or ties, 1 some wrong, 2 unreadable lines or bad usage,\n"
       "3 undecided within a limit; the first of 1, 2, 3 that applies",
       "stickslip crosscheck claims.jsonl\n"

@@ -19,21 +19,27 @@ Json to_json(const std::optional<Rational>& value) {
 
 Json to_json(const LargestResidual& residual) {
   Json json;
-  const Magnitude& m = residual.value;
-  if (m.radicand == 1) {
-    json["value"] = number_json(m.coefficient);
-  } else {
-    json["value"] = number_json(enclose_sqrt(m.coefficient, m.radicand));
-  }
+  json["value"] = number_json(residual.value);
   json["contact"] = residual.contact ? Json(residual.contact->index()) : Json();
   return json;
+}
+
+/// What of a wrench is force.
+RationalRow force_of(const RationalRow& wrench) {
+  return {wrench.begin(), wrench.begin() + (wrench.size() == 3 ? 2 : 3)};
+}
+
+/// Its torque about the axis of the plane, or about three axes.
+RationalRow torque_of(const RationalRow& wrench) {
+  return {wrench.begin() + (wrench.size() == 3 ? 2 : 3), wrench.end()};
 }
 
 Json to_json(const ClaimResiduals& residuals) {
   Json json = Json::object();
   if (residuals.balance) {
-    json["force"] = number_json(Vector2{residuals.balance->x, residuals.balance->y});
-    json["torque"] = number_json(residuals.balance->torque);
+    const RationalRow torque = torque_of(*residuals.balance);
+    json["force"] = number_json(force_of(*residuals.balance));
+    json["torque"] = torque.size() == 1 ? number_json(torque[0]) : number_json(torque);
   }
   if (residuals.cone) json["cone"] = to_json(*residuals.cone);
   if (residuals.normal_law) json["normal_law"] = to_json(*residuals.normal_law);
@@ -41,28 +47,39 @@ Json to_json(const ClaimResiduals& residuals) {
   return json;
 }
 
-Json to_json(const NearbyEquilibrium& nearby, const Grasp& grasp) {
+Json to_json(const NearbyEquilibrium& nearby) {
   Json json;
   json["from"] = nearby.from_claim ? "claim" : "engine";
   json["force_distance"] = to_json(nearby.force_distance);
   json["twist_distance"] = to_json(nearby.twist_distance);
   json["same_slip"] = nearby.same_slip ? Json(*nearby.same_slip) : Json();
   json["same_contacts"] = nearby.same_contacts;
-  json["twist"] = number_json(coordinates(nearby.witness.twist));
+  json["twist"] = number_json(nearby.twist);
   json["force_vectors"] = Json::array();
-  for (std::size_t i = 0; i < grasp.size(); ++i) {
-    const Vector2 force = force_vector(grasp.contacts()[i].normal, nearby.witness.forces[i]);
+  for (const RationalRow& force : nearby.forces) {
     json["force_vectors"].push_back(number_json(force));
   }
   return json;
+}
+
+/// One number where it is known exactly, else two that it lies between, or null where no upper
+/// one is known.
+Json to_json(const std::optional<DistanceBounds>& distance) {
+  if (!distance) return {};
+  if (distance->low == distance->high) return number_json(distance->low);
+  return Json::array({number_json(distance->low), to_json(distance->high)});
 }
 
 Json to_json(const ThresholdDistance& distance) {
   Json json;
   json["smallest"] = to_json(distance.smallest());
   json["along_load"] = to_json(distance.along_load);
-  json["along_axes"] = to_json(distance.along_axes);
-  json["axis"] = distance.along_axes ? number_json(coordinates(distance.axis)) : Json();
+  if (distance.all_at_once) {
+    json["all_at_once"] = to_json(distance.all_at_once);
+  } else {
+    json["along_axes"] = to_json(distance.along_axes);
+    json["axis"] = distance.along_axes ? number_json(distance.axis) : Json();
+  }
   if (distance.limit) json["limit"] = *distance.limit;
   return json;
 }
@@ -77,7 +94,7 @@ const char* claimed_verdict(const Claim& claim) {
 }
 
 std::string residual_text(const LargestResidual& residual, NumberText& number) {
-  std::string text = number.root(residual.value.coefficient, residual.value.radicand);
+  std::string text = number(residual.value);
   if (residual.contact) text += " at contact " + std::to_string(residual.contact->index());
   return text;
 }
@@ -87,8 +104,10 @@ std::vector<std::pair<ResidualCondition, std::string>> residual_texts(
     const ClaimResiduals& residuals, NumberText& number) {
   std::vector<std::pair<ResidualCondition, std::string>> texts;
   if (const auto& b = residuals.balance) {
-    texts.emplace_back(ResidualCondition::kBalance, "force " + number(Vector2{b->x, b->y}) +
-                                                        ", torque " + number(b->torque));
+    const RationalRow torque = torque_of(*b);
+    texts.emplace_back(ResidualCondition::kBalance,
+                       "force " + number(force_of(*b)) + ", torque " +
+                           (torque.size() == 1 ? number(torque[0]) : number(torque)));
   }
   const auto add = [&](ResidualCondition condition, const auto& residual) {
     if (residual) texts.emplace_back(condition, residual_text(*residual, number));
@@ -121,14 +140,36 @@ std::string inaccuracy_text(const ClaimReport& report, const ClaimOptions& optio
   return ", but its solution misses: " + text;
 }
 
-std::string distance_text(const ThresholdDistance& distance, NumberText& number) {
+std::string distance_text(const DistanceBounds& distance, const std::string& of,
+                          NumberText& number) {
+  std::string text = number(distance.low);
+  if (!distance.high) {
+    return distance.low.is_zero()
+               ? ""
+               : "  The verdict stays until the load changes by " + text + of + ".\n";
+  }
+  if (distance.low != *distance.high) text += " to " + number(*distance.high);
+  return "  The verdict changes when the load changes by " + text + of + ".\n";
+}
+
+std::string distance_text(const ThresholdDistance& distance, const ClaimOptions& options,
+                          NumberText& number) {
+  const auto& along_load = distance.along_load;
+  const auto& along_axes = distance.along_axes;
   std::string text;
-  if (const auto smallest = distance.smallest()) {
-    const bool own = distance.along_load && *distance.along_load == *smallest;
-    text = "  The verdict changes when the load changes by " + number(*smallest) +
-           (own ? " of itself" : " times " + number(coordinates(distance.axis))) + ".\n";
+  if (along_axes && !(along_load && *along_load->high <= *along_axes->high)) {
+    text = distance_text(*along_axes, " times " + number(distance.axis), number);
+  } else if (along_load) {
+    text = distance_text(*along_load, " of itself", number);
   } else if (!distance.limit) {
-    text = "  No change of the load along itself or an axis changes the verdict.\n";
+    text = std::string("  No change of the load along itself") +
+           (distance.all_at_once ? "" : " or an axis") + " changes the verdict.\n";
+  }
+  const std::string within = " within " + number(options.tie_distance) + " of its size ";
+  if (distance.all_at_once && distance.all_at_once->high) {
+    text += "  A load" + within + "has another verdict.\n";
+  } else if (distance.all_at_once && !distance.limit) {
+    text += "  All loads" + within + "have this verdict.\n";
   }
   if (distance.limit) text += "  The threshold was not found: " + *distance.limit + ".\n";
   return text;
@@ -167,13 +208,13 @@ std::string to_json_line(const JudgedLine& judged, bool floats) {
   Json json;
   json["line"] = judged.number;
   json["class"] = name_of(report.claim_class);
-  json["name"] = question.loaded().grasp.name();
+  json["name"] = question.description().name;
   json["normal_law"] = to_string(question.law);
   json["claimed"] = claimed_verdict(judged.line.claim);
-  json["verdict"] = name_of(report.decision.verdict);
-  json["engine"] = report.decision.engine();
-  if (const auto* undecided = std::get_if<Undecided>(&report.decision.verdict)) {
-    json["limit"] = undecided->limit;
+  json["verdict"] = name_of(report.answer.verdict);
+  json["engine"] = report.answer.engine;
+  if (const auto* undecided = std::get_if<Undecided>(&report.answer.verdict)) {
+    add_undecided(json, *undecided);
   }
   json["inaccurate"] = report.inaccurate;
   json["residuals"] = to_json(report.residuals);
@@ -181,7 +222,8 @@ std::string to_json_line(const JudgedLine& judged, bool floats) {
                             {"length", number_json(report.scale.length)},
                             {"motion", number_json(report.scale.motion)}};
   json["claimed_slip"] = report.claimed_slip ? Json(to_string(*report.claimed_slip)) : Json();
-  json["nearby"] = report.nearby ? to_json(*report.nearby, question.loaded().grasp) : Json();
+  json["nearby"] = report.nearby ? to_json(*report.nearby) : Json();
+  if (report.no_nearby) json["no_nearby"] = *report.no_nearby;
   json["distance"] = report.distance ? to_json(*report.distance) : Json();
   if (!judged.saved.empty()) json["saved"] = judged.saved;
   return line_of(finished(json, floats));
@@ -213,20 +255,21 @@ std::string to_text(const JudgedLine& judged, const ClaimOptions& options, Numbe
   if (report.claim_class == ClaimClass::kRight && !report.inaccurate && !report.distance) {
     return {};
   }
-  const std::string& name = judged.line.question.loaded().grasp.name();
+  const std::string& name = judged.line.question.description().name;
   std::string text = "line " + std::to_string(judged.number) + ": " +
                      name_of(report.claim_class) + ": claimed " +
                      claimed_verdict(judged.line.claim);
-  if (const auto* undecided = std::get_if<Undecided>(&report.decision.verdict)) {
-    text += ", not decided: " + undecided->limit;
+  if (const auto* undecided = std::get_if<Undecided>(&report.answer.verdict)) {
+    text += ", not decided: " + in_words(*undecided);
   } else {
-    text += std::string(", exactly ") + name_of(report.decision.verdict);
+    text += std::string(", exactly ") + name_of(report.answer.verdict);
   }
   if (!name.empty()) text += " (" + quote(name) + ")";
   if (report.inaccurate) text += inaccuracy_text(report, options, number);
   if (report.inaccurate && report.nearby) text += nearby_text(*report.nearby, number);
+  if (report.inaccurate && report.no_nearby) text += "; " + *report.no_nearby;
   text += '\n';
-  if (report.distance) text += distance_text(*report.distance, number);
+  if (report.distance) text += distance_text(*report.distance, options, number);
   if (report.claim_class == ClaimClass::kRight) return text;
   text += residuals_text(report.residuals, number);
   if (report.claimed_slip && !report.claimed_slip->empty()) {

@@ -58,16 +58,15 @@ std::string NumberText::operator()(const Rational& value) {
   return text;
 }
 
-std::string NumberText::root(const Rational& factor, const Rational& radicand) {
-  if (const auto root = exact_sqrt(radicand)) return (*this)(factor * *root);
-  if (factor.is_zero()) return "0";
+std::string NumberText::operator()(const RootSum& value) {
+  if (const auto rational = value.rational()) return (*this)(*rational);
   if (exact_) {
     has_enclosed_ = true;
-    const DecimalEnclosure enclosure = enclose_sqrt(factor, radicand);
+    const DecimalEnclosure enclosure = enclose(value);
     return enclosure.lower + ".." + enclosure.upper;
   }
   has_rounded_ = true;
-  return to_readable_string(factor, radicand);
+  return to_readable_string(value);
 }
 
 std::string NumberText::tuple(const std::vector<Rational>& v) {
@@ -116,6 +115,11 @@ Json number_json(const DecimalEnclosure& enclosure) {
 
 Json number_json(const std::vector<Integer>& v) {
   return number_json(std::vector<Rational>(v.begin(), v.end()));
+}
+
+Json number_json(const RootSum& value) {
+  const auto rational = value.rational();
+  return rational ? number_json(*rational) : number_json(enclose(value));
 }
 
 Json number_json(const std::vector<Rational>& v) {

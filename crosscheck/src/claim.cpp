@@ -1,50 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/crosscheck/claim.hpp"
 
-#include <algorithm>
 #include <utility>
 
+#include "nearby.hpp"
 #include "stickslip/core/error.hpp"
-#include "stickslip/equilibrium/contact_mode.hpp"
 
 namespace stickslip {
+
+using namespace crosscheck_detail;
+
 namespace {
 
-std::vector<Sign> slip_of(const Problem& problem, const Twist& twist) {
-  std::vector<Sign> slip;
-  for (const ContactMode mode : modes_of(problem, twist)) slip.push_back(mode.slip);
-  return slip;
+void check_sizes(const Question& question, const Claim& claim) {
+  const std::size_t coordinates = question.in_space() ? 6 : 3;
+  require(!claim.twist || claim.twist->size() == coordinates, "a motion of this grasp");
+  if (!claim.forces) return;
+  const std::size_t contacts = question.box() != nullptr ? question.box()->contacts.size()
+                                                         : question.loaded().grasp.size();
+  if (claim.forces->size() != contacts) {
+    throw InputError("", "", std::to_string(claim.forces->size()) + " forces are claimed",
+                     "the grasp has " + std::to_string(contacts) +
+                         " contacts; give one force for each, in their order");
+  }
+  for (const RationalRow& force : *claim.forces) {
+    require(force.size() == coordinates / 3 + 1, "forces on this grasp");
+  }
 }
 
-Rational largest_difference(const Twist& a, const Twist& b) {
-  return std::max<Rational>({abs(a.x - b.x), abs(a.y - b.y), abs(a.r - b.r)});
-}
-
-NearbyEquilibrium compare(const Problem& problem, const ApproximateEquilibrium& claimed,
-                          Witness witness, bool from_claim) {
-  NearbyEquilibrium result;
-  result.from_claim = from_claim;
-  if (claimed.twist) {
-    result.twist_distance = largest_difference(*claimed.twist, witness.twist);
-    result.same_slip = slip_of(problem, *claimed.twist) == slip_of(problem, witness.twist);
-  }
-  if (claimed.forces) result.force_distance = Rational(0);
-  result.same_contacts = true;
-  for (std::size_t i = 0; i < problem.size(); ++i) {
-    const ContactRow& row = problem.rows()[i];
-    const ContactForce& found = witness.forces[i];
-    const bool bears = claimed.forces ? (*claimed.forces)[i].normal.sign() > 0
-                                      : row.normal_coefficient(*claimed.twist).sign() > 0;
-    if (bears != (found.normal.sign() > 0)) result.same_contacts = false;
-    if (!claimed.forces) continue;
-    const ContactForce& claim = (*claimed.forces)[i];
-    const Wrench difference = (found.normal - claim.normal) * row.normal +
-                              (found.tangential - claim.tangential) * row.tangent;
-    result.force_distance =
-        std::max<Rational>({*result.force_distance, abs(difference.x), abs(difference.y)});
-  }
-  result.witness = std::move(witness);
-  return result;
+/// Of one with another verdict.
+ClaimClass class_of(const ThresholdDistance& distance, const Rational& tie_distance) {
+  const auto smallest = distance.smallest();
+  if (!smallest) return ClaimClass::kWrong;
+  if (smallest->high && *smallest->high <= tie_distance) return ClaimClass::kTie;
+  const bool is_beyond = smallest->low > tie_distance ||
+                         (distance.all_at_once && distance.all_at_once->low >= tie_distance);
+  return is_beyond ? ClaimClass::kWrong : ClaimClass::kUndecided;
 }
 
 }  // namespace
@@ -56,43 +47,41 @@ const char* name_of(ClaimClass claim_class) {
 
 ClaimReport judge_claim(const Question& question, const Claim& claim,
                         const ClaimOptions& options) {
-  const Problem problem = problem_of(question);
-  const ApproximateEquilibrium& solution = claim.solution;
-  if (solution.forces && solution.forces->size() != problem.size()) {
-    throw InputError("", "", std::to_string(solution.forces->size()) + " forces are claimed",
-                     "the grasp has " + std::to_string(problem.size()) +
-                         " contacts; give one force for each, in their order");
-  }
-  ConeOptions cone;
-  cone.node_limit = options.node_limit;
+  require_one_grasp(question);
+  check_sizes(question, claim);
   ClaimReport report;
-  report.decision = decide(problem, Engine::kAuto, cone);
-  report.residuals = residuals_of(problem, solution);
-  report.scale = residual_scale(question.loaded(), solution);
-  if (solution.twist) report.claimed_slip = slip_of(problem, *solution.twist);
+  report.answer =
+      answer_to(question, {Engine::kBranchAndBound, options.node_limit, /*warnings=*/false});
+  const GraspBox grasp = box_of(question.grasp);
+  report.residuals = residuals_of(grasp, question.law, claim);
+  report.scale = residual_scale(grasp, claim);
+  if (claim.twist) report.claimed_slip = slip_of(grasp, *claim.twist);
 
-  const auto* stable = std::get_if<Stable>(&report.decision.verdict);
-  if (stable != nullptr && claim.stable && (solution.twist || solution.forces)) {
-    auto witness = find_witness_like(problem, solution);
-    const bool from_claim = witness.has_value();
-    report.nearby = compare(problem, solution,
-                            from_claim ? std::move(*witness) : stable->witness(), from_claim);
+  const bool is_exact = is_equilibrium(report.residuals);
+  if (is_exact) {
+    Verdict& exact = report.answer.verdict;
+    require(!std::holds_alternative<Unstable>(exact), "a refutation of an equilibrium");
+    if (std::holds_alternative<Undecided>(exact) && question.in_space()) {
+      if (auto stable = verdict_by(question, claim)) exact = std::move(*stable);
+    }
   }
-  const bool decided = !std::holds_alternative<Undecided>(report.decision.verdict);
-  const bool agrees = decided && claim.stable == (stable != nullptr);
-  if (decided && (!agrees || options.all_distances)) {
-    report.distance = threshold_distance(problem, question.loaded().grasp, cone);
+  const std::optional<bool> stable = is_stable(report.answer.verdict);
+  if (!stable) return report;
+  if (*stable && claim.stable && (claim.twist || claim.forces)) {
+    report.nearby = nearby_equilibrium(grasp, report.answer, claim, is_exact);
+    if (!report.nearby) report.no_nearby = "the exact verdict is proved without stating one";
+  }
+  const bool agrees = claim.stable == *stable;
+  if (!agrees || options.all_distances) {
+    report.distance = threshold_distance(question, *stable, options);
   }
   if (agrees) {
     report.claim_class = ClaimClass::kRight;
     report.inaccurate =
         claim.stable &&
         !report.residuals.missed(options.residual_tolerance, report.scale).empty();
-  } else if (decided) {
-    const auto smallest = report.distance->smallest();
-    report.claim_class = smallest && *smallest <= options.tie_distance ? ClaimClass::kTie
-                         : report.distance->limit                      ? ClaimClass::kUndecided
-                                                                       : ClaimClass::kWrong;
+  } else {
+    report.claim_class = class_of(*report.distance, options.tie_distance);
   }
   return report;
 }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <array>
 #include <utility>
 #include <vector>
 
@@ -12,9 +11,14 @@ namespace stickslip {
 namespace {
 
 using Kind = JsonNode::Kind;
-using Pair = std::array<Rational, 2>;
 
 constexpr const char* kThreeNumbers = "an array of three numbers";
+constexpr const char* kSixNumbers = "an array of six numbers, the grasp being in space";
+
+/// A motion or a wrench.
+RationalRow read_row(const JsonNode& node, const std::string& path, bool in_space) {
+  return read_vector(node, path, in_space ? 6 : 3, in_space ? kSixNumbers : kThreeNumbers);
+}
 
 /// A value of two spellings: whether it is the first.
 bool is_first(const JsonNode& node, const std::string& path, const std::string& first,
@@ -27,23 +31,26 @@ bool is_first(const JsonNode& node, const std::string& path, const std::string& 
 
 GraspFile read_grasp(const JsonNode& node, StreamedGrasp& reader, const std::string& folder) {
   if (node.kind == Kind::kObject) {
-    return within("grasp", [&] { return reader.finish(node); });
+    return within("grasp", [&] {
+      return reader.in_space(node) ? reader.finish_in_space(node, Intervals::kRefused)
+                                   : reader.finish(node);
+    });
   }
   expect(node, Kind::kString, "grasp", "a grasp {...} or the name of a grasp file");
   // Never "-": standard input may be where the claims come from.
   const bool absolute = !node.text.empty() && node.text.front() == '/';
-  return read_grasp_file(absolute ? node.text
-                                  : (folder.empty() ? "." : folder) + "/" + node.text);
+  return read_any_grasp_file(
+      absolute ? node.text : (folder.empty() ? "." : folder) + "/" + node.text,
+      Intervals::kRefused);
 }
 
-QuestionOptions read_options(const JsonNode& line) {
+QuestionOptions read_options(const JsonNode& line, bool in_space) {
   QuestionOptions options;
   const JsonNode* node = line.find("options");
   if (node == nullptr) return options;
   expect_object(*node, "options", {"wrench", "case", "preload", "normal_law"});
   if (const JsonNode* wrench = node->find("wrench")) {
-    const auto w = read_vector(*wrench, "options.wrench", 3, kThreeNumbers);
-    options.wrench = {w.begin(), w.end()};
+    options.wrench = read_row(*wrench, "options.wrench", in_space);
   }
   if (const JsonNode* name = node->find("case")) {
     expect(*name, Kind::kString, "options.case", "the name of a case of the grasp");
@@ -72,57 +79,95 @@ Rational length_of(const Vector2& normal, std::size_t contact) {
               kSnapRemedy);
 }
 
-/// Coefficients of the contacts' normals and tangents.
-std::vector<ContactForce> coefficients(const std::vector<Pair>& given, bool are_vectors,
-                                       const Grasp& grasp) {
-  if (given.size() != grasp.size()) {
-    fail_at(are_vectors ? "claim.force_vectors" : "claim.forces",
-            "found " + std::to_string(given.size()) + " forces",
-            "the grasp has " + std::to_string(grasp.size()) +
-                " contacts; give one force for each, in their order");
+/// The elements of claim.forces or of claim.force_vectors, of which it may not be known yet
+/// whether the grasp is in space.
+class ForceList {
+ public:
+  ForceList(std::string path, const char* form) : path_(std::move(path)), form_(form) {}
+
+  JsonStream stream(std::vector<std::string> keys) {
+    return {std::move(keys), [this](std::size_t index, const JsonNode& force) {
+              const bool has_three = force.kind == Kind::kArray && force.children.size() == 3;
+              forces_.push_back(
+                  read_vector(force, element_path(path_, index), has_three ? 3 : 2, form_));
+            }};
   }
-  std::vector<ContactForce> forces;
-  for (std::size_t i = 0; i < given.size(); ++i) {
-    const auto& [first, second] = given[i];
-    const Vector2& n = grasp.contacts()[i].normal;
-    if (are_vectors) {
-      const Rational square = n.x * n.x + n.y * n.y;
-      forces.push_back(
-          {(first * n.x + second * n.y) / square, (second * n.x - first * n.y) / square});
-    } else if (first.is_zero() && second.is_zero()) {
-      forces.push_back({0, 0});
-    } else {
-      const Rational length = length_of(n, i);
-      forces.push_back({first / length, second / length});
+
+  const std::string& path() const { return path_; }
+
+  /// One for each contact, of so many numbers.
+  const std::vector<RationalRow>& checked(std::size_t contacts, std::size_t numbers,
+                                          const char* form) const {
+    if (forces_.size() != contacts) {
+      fail_at(path_, "found " + std::to_string(forces_.size()) + " forces",
+              "the grasp has " + std::to_string(contacts) +
+                  " contacts; give one force for each, in their order");
     }
+    for (std::size_t i = 0; i < contacts; ++i) {
+      if (forces_[i].size() == numbers) continue;
+      fail_at(element_path(path_, i),
+              "found an array of " + std::to_string(forces_[i].size()) + " values",
+              std::string("expected ") + form);
+    }
+    return forces_;
+  }
+
+ private:
+  std::string path_;
+  const char* form_;
+  std::vector<RationalRow> forces_;
+};
+
+constexpr const char* kMagnitudes = "an array of two numbers [normal, tangential]";
+constexpr const char* kVectors = "an array of two numbers [fx, fy]";
+constexpr const char* kVectorsInSpace =
+    "an array of three numbers [fx, fy, fz], the grasp being in space";
+
+/// Normal and tangential forces as vectors, in the plane.
+std::vector<RationalRow> vectors_of(const std::vector<RationalRow>& magnitudes,
+                                    const Grasp& grasp) {
+  std::vector<RationalRow> forces;
+  for (std::size_t i = 0; i < magnitudes.size(); ++i) {
+    const Rational& normal = magnitudes[i][0];
+    const Rational& tangential = magnitudes[i][1];
+    if (normal.is_zero() && tangential.is_zero()) {
+      forces.push_back({0, 0});
+      continue;
+    }
+    const Vector2& n = grasp.contacts()[i].normal;
+    const Rational length = length_of(n, i);
+    const Vector2 force = force_vector(n, {normal / length, tangential / length});
+    forces.push_back({force.x, force.y});
   }
   return forces;
 }
 
-/// The elements of claim.forces or of claim.force_vectors.
-struct ForceList {
-  std::string path;
-  const char* form;
-  std::vector<Pair> forces;
-
-  JsonStream stream(std::vector<std::string> keys) {
-    return {std::move(keys), [this](std::size_t index, const JsonNode& force) {
-              auto values = read_vector(force, element_path(path, index), 2, form);
-              forces.push_back({std::move(values[0]), std::move(values[1])});
-            }};
+std::vector<RationalRow> read_forces(const ForceList& magnitudes, const ForceList& vectors,
+                                     bool are_vectors, const Question& question) {
+  if (const GraspBox* box = question.box()) {
+    if (!are_vectors) {
+      fail_at(magnitudes.path(),
+              "the grasp is in space, where friction has no single direction for a magnitude "
+              "to be along",
+              "give \"force_vectors\", [fx, fy, fz] in the object frame, in place of "
+              "\"forces\"");
+    }
+    return vectors.checked(box->contacts.size(), 3, kVectorsInSpace);
   }
-};
+  const Grasp& grasp = question.loaded().grasp;
+  if (are_vectors) return vectors.checked(grasp.size(), 2, kVectors);
+  return vectors_of(magnitudes.checked(grasp.size(), 2, kMagnitudes), grasp);
+}
 
 Claim read_claim(const JsonNode& node, const ForceList& magnitudes, const ForceList& vectors,
-                 const Grasp& grasp) {
+                 const Question& question) {
   expect_object(node, "claim", {"verdict", "twist", "forces", "force_vectors"});
   Claim claim;
   claim.stable =
       is_first(member(node, "claim", "verdict", R"(add "verdict": "stable" or "unstable")"),
                "claim.verdict", "stable", "unstable");
   if (const JsonNode* twist = node.find("twist")) {
-    const auto d = read_vector(*twist, "claim.twist", 3, kThreeNumbers);
-    claim.solution.twist = Twist{d[0], d[1], d[2]};
+    claim.twist = read_row(*twist, "claim.twist", question.in_space());
   }
   const JsonNode* forces = node.find("forces");
   const JsonNode* force_vectors = node.find("force_vectors");
@@ -131,9 +176,9 @@ Claim read_claim(const JsonNode& node, const ForceList& magnitudes, const ForceL
   }
   const bool are_vectors = force_vectors != nullptr;
   if (const JsonNode* list = are_vectors ? force_vectors : forces) {
-    const ForceList& given = are_vectors ? vectors : magnitudes;
-    expect(*list, Kind::kArray, given.path, "one force for each contact, [[...], ...]");
-    claim.solution.forces = coefficients(given.forces, are_vectors, grasp);
+    expect(*list, Kind::kArray, (are_vectors ? vectors : magnitudes).path(),
+           "one force for each contact, [[...], ...]");
+    claim.forces = read_forces(magnitudes, vectors, are_vectors, question);
   }
   return claim;
 }
@@ -142,8 +187,9 @@ Claim read_claim(const JsonNode& node, const ForceList& magnitudes, const ForceL
 
 ClaimLine parse_claim_line(std::string_view line, const std::string& folder) {
   StreamedGrasp contacts;
-  ForceList magnitudes{"claim.forces", "an array of two numbers [normal, tangential]", {}};
-  ForceList vectors{"claim.force_vectors", "an array of two numbers [fx, fy]", {}};
+  ForceList magnitudes("claim.forces", kMagnitudes);
+  ForceList vectors("claim.force_vectors",
+                    "an array of two numbers [fx, fy], in space of three [fx, fy, fz]");
   const JsonNode root =
       parse_json(line, {{{"grasp", "contacts"},
                          [&](std::size_t index, const JsonNode& contact) {
@@ -155,13 +201,14 @@ ClaimLine parse_claim_line(std::string_view line, const std::string& folder) {
   const GraspFile file =
       read_grasp(member(root, "", "grasp", "add \"grasp\": {...} or \"grasp\": \"file.json\""),
                  contacts, folder);
-  const QuestionOptions options = read_options(root);
+  const QuestionOptions options = read_options(root, in_space(file.content));
   ClaimLine result{within("options", [&] { return ask(file, options); }), {}};
-  // Preloaded contacts with normals of irrational length are an error of this line.
-  within("grasp", [&] { return problem_of(result.question).size(); });
+  // Uncertain numbers, and in the plane preloaded contacts with normals of irrational length,
+  // are an error of this line.
+  within("grasp", [&] { require_one_grasp(result.question); });
   result.claim = read_claim(
       member(root, "", "claim", R"(add "claim": {"verdict": "stable"} or "unstable")"),
-      magnitudes, vectors, result.question.loaded().grasp);
+      magnitudes, vectors, result.question);
   return result;
 }
 

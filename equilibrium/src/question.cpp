@@ -137,6 +137,13 @@ void require_growth(bool load_grows, const std::vector<Rational>& growth,
                        : "give a number above 0 to a contact whose preload grows");
 }
 
+void require_certain(const Question& question) {
+  if (question.box() == nullptr || question.box()->is_point()) return;
+  throw InputError("", "", "some numbers are uncertain, and this needs one grasp",
+                   "give one number for each; only whether the load is held can be asked of "
+                   "all grasps in a box");
+}
+
 }  // namespace
 
 const LoadedGrasp& Question::loaded() const {
@@ -180,15 +187,19 @@ Question ask(GraspFile file, const QuestionOptions& options) {
   return question;
 }
 
+void require_one_grasp(const Question& question) {
+  if (question.in_space()) {
+    require_certain(question);
+  } else {
+    problem_of(question);
+  }
+}
+
 Problem problem_of(const Question& question) {
   if (question.in_space()) {
     throw InputError("", "", "the grasp is in space", "this is done in the plane only");
   }
-  if (question.box() != nullptr && !question.box()->is_point()) {
-    throw InputError("", "", "some numbers are uncertain, and this needs one grasp",
-                     "give one number for each; only whether the load is held can be asked of "
-                     "all grasps in a box");
-  }
+  require_certain(question);
   const LoadedGrasp* one = std::get_if<LoadedGrasp>(&question.grasp);
   // Of irrational lengths, at which Problem throws.
   Problem base(one != nullptr ? *one : question.box()->planar_middle(), question.law);

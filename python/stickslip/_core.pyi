@@ -207,7 +207,7 @@ def margin(
     accuracy: Any,
 ) -> Dict[str, Any]: ...
 def crosscheck(
-    grasp: GraspData,
+    grasp: Union[GraspData, SpatialGraspData],
     stable: bool,
     twist: Optional[List[Any]],
     forces: Optional[List[List[Any]]],

@@ -510,20 +510,25 @@ def crosscheck(
     Args:
         grasp: what was asked about, as are ``wrench``, ``preload`` and ``normal_law``.
         verdict: the claim, "stable" or "unstable".
-        twist: (3,), the claimed motion (x, y, r), if there is one.
-        forces: (m, 2), the claimed forces of the contacts on the body, in its frame.
+        twist: (3,) or (6,), the claimed motion (x, y, r), in space translation and rotation, if
+            there is one.
+        forces: (m, 2) or (m, 3), the claimed forces of the contacts on the body, in its frame.
         tie: a wrong verdict is a tie if a relative change of the load by this much mends it.
         tolerance: residuals up to this fraction of the forces and motions at hand count as none.
-        node_limit: for the verdict and for each margin; 0 is no limit.
+        node_limit: for the verdict and for each margin; 0 is no limit, and in space one that suits
+            most questions.
         distances: find the distance to the threshold for right claims as well.
     """
     about, snapped = _asked(grasp, preload)
     fields = _core.crosscheck(
-        about._planar(),
+        about._data,
         one_of("verdict", verdict, ("stable", "unstable")) == "stable",
-        None if twist is None else as_list(twist, "twist", (3,), "motion x, y and rotation r"),
+        None if twist is None
+        else as_list(twist, "twist", (6,), "translation x, y, z and rotation x, y, z")
+        if about.in_space
+        else as_list(twist, "twist", (3,), "motion x, y and rotation r"),
         None if forces is None
-        else as_list(forces, "forces", (len(about), 2), "one vector for each contact"),
+        else as_list(forces, "forces", (len(about), about._coordinates), "one vector for each contact"),
         about._load(wrench),
         as_number_or_none(preload, "preload"),
         is_bilateral(normal_law),

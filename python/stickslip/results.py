@@ -556,26 +556,34 @@ class Margin(Answer):
 class Residual(NamedTuple):
     """The largest by which a claimed solution misses a condition; 0 if it misses none."""
 
-    squared: Fraction
-    """Its square: forces along a normal of irrational length are irrational themselves."""
+    squared: Union[Fraction, Tuple[Fraction, Fraction]]
+    """Its square: forces along a normal of irrational length are irrational themselves. Two numbers
+    that this lies between where even the square is irrational, as in space it may be."""
     contact: Optional[int]
     """Where it occurs first; None if it is 0 everywhere."""
 
     @property
     def value(self) -> float:
-        """The double nearest to the root."""
-        return nearest_root(self.squared)
+        """The double nearest to the root; of two numbers, to that of the lower one."""
+        return nearest_root(self.squared[0] if isinstance(self.squared, tuple) else self.squared)
 
     def __repr__(self) -> str:
-        return f"Residual(value={_core.readable_root(self.squared)}, contact={self.contact})"
+        square = self.squared[0] if isinstance(self.squared, tuple) else self.squared
+        value = _core.readable_root(square)
+        rounded = isinstance(self.squared, tuple) and not value.startswith("~")
+        return f"Residual(value={'~' if rounded else ''}{value}, contact={self.contact})"
+
+
+# A number that is known exactly, or two that it lies between; None: no upper one is known.
+Distance = Union[Fraction, Tuple[Fraction, Optional[Fraction]]]
 
 
 @dataclass(frozen=True, repr=False)
 class NearbyEquilibrium(Answer):
     """An exact equilibrium, for a claim "stable" with a solution."""
 
-    twist: Triple
-    forces: Tuple[Pair, ...] = field(repr=False)
+    twist: Vector
+    forces: Tuple[Vector, ...] = field(repr=False)
     """On the body, in its frame."""
     from_claim: bool
     """Of the kind that the claim suggests; else it is the engine's own."""
@@ -586,7 +594,7 @@ class NearbyEquilibrium(Answer):
     same_contacts: bool
     """Whether the same contacts bear force."""
 
-    twist_float = FloatView[FloatArray]("twist", 3)
+    twist_float = FloatView[FloatArray]("twist")
     forces_float = FloatView[FloatArray]("forces", -1, 2)
 
 
@@ -600,7 +608,7 @@ class CrossCheck(Answer):
     """The exact verdict, with its evidence."""
     inaccurate: bool = False
     """Of a right "stable": the claimed solution misses a condition by more than ``tolerance``."""
-    balance: Optional[Triple] = None
+    balance: Optional[Vector] = None
     """The wrench plus all claimed forces."""
     cone: Optional[Residual] = None
     """Friction beyond its cone, or a pull."""
@@ -609,14 +617,17 @@ class CrossCheck(Answer):
     dissipation: Optional[Residual] = None
     """What friction falls short of the most it could take out, as a power."""
     claimed_slip: Optional[str] = None
-    """The signs of slip of the claimed motion."""
+    """The signs of slip of the claimed motion; in space "+" wherever there is slip."""
     nearby: Optional[NearbyEquilibrium] = None
-    distance: Optional[Fraction] = None
+    """None also where a stable verdict is proved without an exact equilibrium."""
+    distance: Optional[Distance] = None
     """The smallest relative change of the load, along itself or one of six axes, that changes the
-    verdict; found for disagreements, and for all with ``distances``. None also if none does."""
-    distance_along_load: Optional[Fraction] = None
+    verdict; found for disagreements, and for all with ``distances``. None also if none does. In
+    space the smallest change of any kind lies between these two; None is not known."""
+    distance_along_load: Optional[Distance] = None
+    """The same along the load alone, in space between these two."""
 
-    balance_float = FloatView[Optional[FloatArray]]("balance", 3)
+    balance_float = FloatView[Optional[FloatArray]]("balance")
 
 
 class Method(NamedTuple):

@@ -10,7 +10,7 @@ import signal
 import subprocess
 from fractions import Fraction
 
-from test_cli import BAD_INPUT, CHECK, DONE, STICKSLIP, UNDECIDED, Case, run, stickslip
+from test_cli import BAD_INPUT, CHECK, DONE, STICKSLIP, UNDECIDED, Case, checkers, run, stickslip
 
 WRONG = 1
 MU = {"friction": "1/2"}
@@ -34,7 +34,7 @@ WRONG_STABLE = claim([0, "1.1", 0], 1, "stable", twist=[0, 1, 0])
 WRONG_UNSTABLE = claim([0, -1, 0], 0, "unstable", grasp=FIG1)
 
 
-class Crosscheck(Case):
+class Claims(Case):
     def setUp(self):
         super().setUp()
         self.write("fig1.json", FIG1)
@@ -49,6 +49,8 @@ class Crosscheck(Case):
         *reports, summary = [json.loads(line) for line in out.splitlines()]
         return reports, summary["summary"]
 
+
+class Crosscheck(Claims):
     def test_exit_codes(self):
         for lines, options, code in (
                 ((RIGHT, TIE, OFF), (), DONE),
@@ -224,5 +226,136 @@ class Crosscheck(Case):
     def test_help_teaches(self):
         code, out, _ = stickslip("crosscheck", "--help")
         self.assertEqual(code, DONE)
-        for word in ("--tie", "--save", "force", "Exit codes"):
+        for word in ("--tie", "--save", "force", "force_vectors", "In space", "Exit codes"):
             self.assertIn(word, out)
+
+
+# Two fingers that press with 4 and hold a weight of 4; four hold torques as well.
+PINCH = {"format": "stickslip-grasp/2", "name": "pinch", "defaults": {"friction": "1/2", "preload": 4},
+         "contacts": [{"position": [-2, 0, 0], "normal": [1, 0, 0]},
+                      {"position": [2, 0, 0], "normal": [-1, 0, 0]}], "wrench": [0] * 6}
+BOOK = {**PINCH, "name": "book", "contacts": [{"position": [x, y, 0], "normal": [-x // 2, 0, 0]}
+                                              for x in (-2, 2) for y in (-3, 3)]}
+
+
+def weighed(grasp, weight, verdict, **solution):
+    return {"grasp": grasp, "options": {"wrench": [0, 0, f"-{weight}", 0, 0, 0]},
+            "claim": {"verdict": verdict, **solution}}
+
+
+HELD = weighed(PINCH, 3, "stable", twist=[0] * 6, force_vectors=[[4, 0, 1.5], [-4, 0, 1.5]])
+SPACE_OFF = weighed(PINCH, 3, "stable", twist=[0] * 6, force_vectors=[[4, 0, 1.5], [-4, 1, 1.75]])
+SPACE_TIE = weighed(PINCH, "4.000000000001", "stable")
+SPACE_WRONG = weighed(BOOK, 9, "stable", twist=[0, 0, -1, 0, 0, 0], force_vectors=[[4, 0, "9/4"], [4, 0, "9/4"],
+                                                                                [-4, 0, "9/4"], [-4, 0, "9/4"]])
+SPACE_WRONG_UNSTABLE = weighed(BOOK, 7, "unstable")
+
+
+class InSpace(Claims):
+    """Claims about grasps in space, among others."""
+
+    def test_exit_codes(self):
+        for lines, code in (((HELD, SPACE_TIE, SPACE_OFF, RIGHT), DONE), ((SPACE_WRONG,), WRONG),
+                            ((HELD, "nonsense"), BAD_INPUT)):
+            self.judge(*lines, code=code)
+        self.judge(weighed(BOOK, 9, "stable"), options=("--node-limit", 1), code=UNDECIDED)
+
+    def test_exact_values(self):
+        reports, summary = self.judge(HELD, RIGHT, SPACE_OFF, SPACE_TIE, TIE, SPACE_WRONG, SPACE_WRONG_UNSTABLE,
+                                      code=WRONG)
+        held, plane, off, tie, _, wrong, other = reports
+        self.assertEqual([r["class"] for r in reports],
+                         ["right", "right", "right", "tie", "tie", "wrong", "wrong"])
+        self.assertEqual((summary["right"], summary["inaccurate"], summary["tie"], summary["wrong"]), (3, 1, 2, 2))
+        self.assertEqual((held["engine"], plane["engine"]), ("space", "branch-and-bound"))
+        none = {"value": "0", "contact": None}
+        self.assertEqual(held["residuals"], {"force": ["0"] * 3, "torque": ["0"] * 3, "cone": none,
+                                             "normal_law": none, "dissipation": none})
+        self.assertEqual((held["nearby"]["from"], held["nearby"]["force_distance"]), ("claim", "0"))
+        self.assertEqual((held["claimed_slip"], wrong["claimed_slip"]), ("00", "++++"))
+        # (0, 1, 1/4) too much at (2, 0, 0); its friction is (1, 7/4), of 2.
+        self.assertTrue(off["inaccurate"])
+        self.assertEqual(off["residuals"]["force"], ["0", "1", "1/4"])
+        self.assertEqual(off["residuals"]["torque"], ["0", "-1/2", "2"])
+        low, high = (Fraction(x) for x in off["residuals"]["cone"]["value"])
+        self.assertLess((low + 2) ** 2, Fraction(65, 16))  # 1 + 49/16
+        self.assertGreater((high + 2) ** 2, Fraction(65, 16))
+        self.assertLess(high - low, Fraction(1, 10**15))
+        self.assertEqual(off["residuals"]["cone"]["contact"], 1)
+        self.assertEqual(tie["distance"]["all_at_once"], ["0", "1/1000000000"])
+        # Four fingers hold 8: of 9 a ninth is too much, and 7 may grow by a seventh.
+        for report, exact in ((wrong, Fraction(1, 9)), (other, Fraction(1, 7))):
+            low, high = (Fraction(x) for x in report["distance"]["along_load"])
+            self.assertTrue(low <= exact <= high < low + Fraction(1, 500), report)
+            self.assertEqual(report["distance"]["all_at_once"], ["1/1000000000", None])
+            self.assertEqual(Fraction(report["distance"]["smallest"][0]), Fraction(1, 10**9))
+        # Each bears 9/4 of at most 2.
+        self.assertEqual(wrong["residuals"]["cone"], {"value": "1/4", "contact": 0})
+
+    def test_both_forms_agree(self):
+        lines = (HELD, RIGHT, SPACE_OFF, "nonsense", SPACE_TIE, SPACE_WRONG, SPACE_WRONG_UNSTABLE, WRONG_STABLE)
+        reports, _ = self.judge(*lines, code=WRONG)
+        code, text, err = stickslip("crosscheck", self.path("claims.jsonl"))
+        self.assertEqual((code, err), (WRONG, ""))
+        shown = {int(n): word for n, word in re.findall(r"^line (\d+): (\w+)", text, re.M)}
+        self.assertEqual(shown, {r["line"]: r["class"] for r in reports
+                                 if r["class"] != "right" or r["inaccurate"]})
+        self.assertIn("misses: balance force (0, 1, 1/4), torque (0, -1/2, 2); cone ~0.0155644 at contact 1", text)
+        self.assertIn("  A load within 1e-9 of its size has another verdict.\n", text)
+        self.assertIn("  All loads within 1e-9 of its size have this verdict.\n", text)
+        self.assertRegex(text, "  The verdict changes when the load changes by ~0.110[0-9]* to ~0.11[0-9]* of itself.\n")
+        self.assertIn("  The claimed twist slips ++++.\n", text)
+        self.assertEqual(stickslip("crosscheck", self.path("claims.jsonl"))[1], text)
+        _, exact, _ = stickslip("crosscheck", self.path("claims.jsonl"), "--exact")
+        self.assertRegex(exact, r"cone 0\.01556443707463[0-9]*\.\.0\.01556443707463[0-9]* at contact 1")
+        self.assertIn("a..b encloses an irrational number.", exact)
+
+    def test_bad_lines_between_good_ones(self):
+        uncertain = {**PINCH, "contacts": [{**PINCH["contacts"][0], "friction": {"min": "0.4", "max": "0.5"}},
+                                           PINCH["contacts"][1]]}
+        for line, place, words in (
+                (weighed(PINCH, 3, "stable", forces=[[4, 1.5], [4, 1.5]]), "claim.forces", "force_vectors"),
+                (weighed(PINCH, 3, "stable", force_vectors=[[4, 0], [4, 0]]), "claim.force_vectors[0]", "three"),
+                (weighed(PINCH, 3, "stable", force_vectors=[[4, 0, 0]]), "claim.force_vectors", "2 contacts"),
+                (weighed(PINCH, 3, "stable", twist=[0, 0, 0]), "claim.twist", "six"),
+                (claim([0, 1, 0], 1, "stable", twist=[0] * 6), "claim.twist", "three"),
+                (claim([0, 1, 0], 1, "stable", force_vectors=[[0, 0, 0]] * 3), "claim.force_vectors[0]", "two"),
+                (claim([0, 1, 0], 1, "stable", grasp=PINCH), "options.wrench", "six"),
+                (weighed("fig1.json", 1, "stable"), "options.wrench", "three"),
+                (weighed(uncertain, 3, "stable"), "grasp.contacts[0].friction", "only stickslip decide")):
+            reports, _ = self.judge(HELD, line, RIGHT, code=BAD_INPUT)
+            self.assertEqual([r["class"] for r in reports], ["right", "unreadable", "right"], line)
+            self.assertEqual(reports[1]["place"], place, line)
+            self.assertIn(words, reports[1]["problem"] + reports[1]["remedy"], line)
+
+    def test_saved_files_are_accepted(self):
+        bilateral = {"grasp": BOOK, "claim": {"verdict": "unstable"},
+                     "options": {"wrench": [0, 0, -7, 0, 0, 0], "normal_law": "bilateral"}}
+        lines = {2: ("stable", SPACE_TIE), 3: ("stable", SPACE_WRONG), 4: ("unstable", SPACE_WRONG_UNSTABLE),
+                 6: ("unstable", bilateral)}
+        reports, _ = self.judge(HELD, SPACE_TIE, SPACE_WRONG, SPACE_WRONG_UNSTABLE, "nonsense", bilateral,
+                                options=("--save", self.path("saved")), code=WRONG)
+        saved = {r["line"]: r["saved"] for r in reports if "saved" in r}
+        self.assertEqual(set(saved), set(lines))
+        for number, (grasp, certificate) in saved.items():
+            law = ("--normal-law", "bilateral") if number == 6 else ()
+            for checker in checkers(certificate):
+                code, out, err = run(*checker, grasp, certificate, *law)
+                self.assertEqual(code, DONE, out + err)
+                self.assertNotEqual(re.search(r"^verdict +(\w+)", out, re.M).group(1), lines[number][0])
+
+    def test_residuals_are_relative_to_the_forces(self):
+        """In other units: always right, and accurate or not."""
+        for force in ("1", "1e9", "1e-9"):
+            for length in ("1", "1e6", "1e-6"):
+                f, l = Fraction(force), Fraction(length)
+                grasp = {**PINCH, "defaults": {"friction": "1/2", "preload": str(4 * f), "stiffness": str(f / l)},
+                         "contacts": [{**c, "position": [str(l * x) for x in c["position"]]}
+                                      for c in PINCH["contacts"]]}
+                for off, inaccurate in (("1e-7", False), ("1e-5", True)):
+                    vectors = [[4 * f, 0, Fraction(3, 2) * f], [-4 * f, 0, (Fraction(3, 2) + Fraction(off)) * f]]
+                    line = weighed(grasp, str(3 * f), "stable", twist=[0] * 6,
+                                   force_vectors=[[str(x) for x in v] for v in vectors])
+                    (report,), _ = self.judge(line)
+                    self.assertEqual((report["class"], report["inaccurate"]), ("right", inaccurate),
+                                     (force, length, off))

@@ -40,21 +40,20 @@ TEST(ParseClaimLine, ReadsEveryNumberAsSpelled) {
   EXPECT_EQ(line.question.loaded().grasp.contacts()[0].preload, Rational(3, 10));
   EXPECT_EQ(line.question.law, NormalLaw::kBilateral);
   EXPECT_TRUE(line.claim.stable);
-  EXPECT_EQ(line.claim.solution.twist,
-            (Twist{Rational(1, 10), Rational(-1, 3), parse_rational("1e-20")}));
-  const auto& forces = *line.claim.solution.forces;
-  EXPECT_EQ(forces[0].normal, Rational(2, 3));
-  EXPECT_EQ(forces[0].tangential, parse_rational("0.10000000000000000001"));
+  EXPECT_EQ(line.claim.twist,
+            (RationalRow{Rational(1, 10), Rational(-1, 3), parse_rational("1e-20")}));
+  // Along the normal (0, 1) and the tangent (-1, 0).
+  EXPECT_EQ(line.claim.forces->at(0),
+            (RationalRow{-parse_rational("0.10000000000000000001"), Rational(2, 3)}));
 }
 
-TEST(ParseClaimLine, MagnitudesAndVectorsGiveTheSameCoefficients) {
+TEST(ParseClaimLine, MagnitudesAndVectorsAreTheSameForces) {
   const std::string contact = R"({"position": [0, 0], "normal": [3, 4], "friction": 1})";
   // Normal force 10, tangential 5: 10 (3, 4)/5 + 5 (-4, 3)/5 = (2, 11).
   for (const char* forces : {R"("forces": [[10, 5]])", R"("force_vectors": [[2, 11]])"}) {
     const ClaimLine line = parse_claim_line(
         line_with(std::string(R"({"verdict": "stable", )") + forces + "}", "{}", contact), "");
-    EXPECT_EQ((*line.claim.solution.forces)[0].normal, 2) << forces;
-    EXPECT_EQ((*line.claim.solution.forces)[0].tangential, 1) << forces;
+    EXPECT_EQ(line.claim.forces->at(0), (RationalRow{2, 11})) << forces;
   }
 }
 
@@ -65,8 +64,7 @@ TEST(ParseClaimLine, IrrationalNormals) {
         line_with(R"({"verdict": "stable", )" + forces + "}", "{}", contact), "");
   };
   const ClaimLine line = parse(R"("force_vectors": [[3, 1]])");
-  EXPECT_EQ((*line.claim.solution.forces)[0].normal, 2);
-  EXPECT_EQ((*line.claim.solution.forces)[0].tangential, -1);
+  EXPECT_EQ(line.claim.forces->at(0), (RationalRow{3, 1}));
   EXPECT_NO_THROW(parse(R"("forces": [[0, 0]])"));
   try {
     parse(R"("forces": [[1, 0]])");
@@ -76,6 +74,45 @@ TEST(ParseClaimLine, IrrationalNormals) {
     EXPECT_THAT(error.problem(), HasSubstr("sqrt(2)"));
     EXPECT_THAT(error.remedy(), HasSubstr("force_vectors"));
     EXPECT_THAT(error.remedy(), HasSubstr("stickslip snap"));
+  }
+}
+
+TEST(ParseClaimLine, InSpaceAllVectorsHaveTheirCoordinates) {
+  // The claim may stand before the grasp, whose coordinates are not known then.
+  const std::string grasp =
+      R"("grasp": {"format": "stickslip-grasp/2", "contacts": [{"position": [0, 0, 1],
+          "normal": [1, 1, 1], "friction": 1, "preload": 2}], "wrench": [0, 0, 0, 0, 0, 0]})";
+  const auto parse = [&](const std::string& solution) {
+    return parse_claim_line(R"({"claim": {"verdict": "stable", )" + solution +
+                                R"(}, "options": {"wrench": [0, 0, -3, 0, 0, "1/7"]}, )" +
+                                grasp + "}",
+                            "");
+  };
+  const ClaimLine line =
+      parse(R"("twist": [0.1, 0, 0, 0, 0, "2/3"], "force_vectors": [[1, "-1/3", 0.5]])");
+  EXPECT_TRUE(line.question.in_space());
+  EXPECT_EQ(line.question.box()->wrench[5], point_interval(Rational(1, 7)));
+  EXPECT_EQ(line.claim.twist, (RationalRow{Rational(1, 10), 0, 0, 0, 0, Rational(2, 3)}));
+  EXPECT_EQ(line.claim.forces,
+            (std::vector<RationalRow>{{1, Rational(-1, 3), Rational(1, 2)}}));
+  const std::pair<const char*, const char*> cases[] = {
+      {R"("forces": [[1, 0]])", "claim.forces"},
+      {R"("forces": [[1, 0, 0]])", "claim.forces"},
+      {R"("forces": [])", "claim.forces"},
+      {R"("force_vectors": [[1, 0]])", "claim.force_vectors[0]"},
+      {R"("force_vectors": [[1, 0, 0, 0]])", "claim.force_vectors[0]"},
+      {R"("force_vectors": [])", "claim.force_vectors"},
+      {R"("twist": [0, 0, 0])", "claim.twist"},
+      {R"("twist": [0, 0, 0, 0, 0, null])", "claim.twist[5]"},
+  };
+  for (const auto& [solution, place] : cases) {
+    try {
+      parse(solution);
+      ADD_FAILURE() << "accepted: " << solution;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.place(), place) << solution << "\n" << error.what();
+      EXPECT_NE(error.remedy(), "") << solution;
+    }
   }
 }
 
@@ -91,7 +128,7 @@ TEST(ParseClaimLine, LongListsOfForcesAreRead) {
         line_with(R"({"verdict": "stable", ")" + std::string(key) + "\": [" + forces + "]}",
                   "{}", contacts),
         "");
-    EXPECT_EQ(line.claim.solution.forces->size(), 2000U);
+    EXPECT_EQ(line.claim.forces->size(), 2000U);
   }
 }
 

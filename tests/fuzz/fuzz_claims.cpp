@@ -23,24 +23,20 @@ std::string list(const std::vector<Rational>& numbers) {
 
 /// Everything that the line says, as a line.
 std::string written(const ClaimLine& line) {
-  std::string grasp = stickslip::write_grasp(line.question.loaded());
+  std::string grasp = stickslip::write_grasp(line.question.grasp);
   for (char& c : grasp) c = c == '\n' ? ' ' : c;  // in a string it is spelled \n
-  const stickslip::ApproximateEquilibrium& solution = line.claim.solution;
+  const stickslip::Claim& claim = line.claim;
   std::string text = "{\"grasp\": " + grasp + ", \"options\": {\"normal_law\": \"" +
                      stickslip::to_string(line.question.law) +
                      "\"}, \"claim\": {\"verdict\": \"" +
-                     (line.claim.stable ? "stable" : "unstable") + "\"";
-  if (const auto& d = solution.twist) text += ", \"twist\": " + list({d->x, d->y, d->r});
-  if (solution.forces) {
-    const char* separator = ", \"force_vectors\": [";
-    const auto& contacts = line.question.loaded().grasp.contacts();
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-      const auto& [a, b] = solution.forces->at(i);
-      const stickslip::Vector2& n = contacts[i].normal;
-      text += separator + list({a * n.x - b * n.y, a * n.y + b * n.x});
-      separator = ", ";
+                     (claim.stable ? "stable" : "unstable") + "\"";
+  if (claim.twist) text += ", \"twist\": " + list(*claim.twist);
+  if (claim.forces) {
+    text += ", \"force_vectors\": [";
+    for (std::size_t i = 0; i < claim.forces->size(); ++i) {
+      text += (i == 0 ? "" : ", ") + list((*claim.forces)[i]);
     }
-    text += contacts.empty() ? ", \"force_vectors\": []" : "]";
+    text += "]";
   }
   return text + "}}";
 }
@@ -53,8 +49,7 @@ void read_line(const std::string& text) {
     stickslip::fuzz::expect_useful(error, text);
     return;
   }
-  const stickslip::Problem problem(line.question.loaded(), line.question.law);
-  residuals_of(problem, line.claim.solution);
+  residuals_of(box_of(line.question.grasp), line.question.law, line.claim);
   std::string again;
   try {
     again = written(line);

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 import stickslip
 from conftest import ROOT, check_py, program
-from stickslip import Decision, Grasp, InputError, decide
+from stickslip import Decision, Grasp, InputError, crosscheck, decide
 from test_boxes import judged
 
 EXAMPLES = ROOT / "examples" / "grasps"
@@ -234,8 +234,7 @@ def test_warnings_are_the_programs(tmp_path):
 
 def test_what_is_about_the_plane_says_so_as_the_program_does(tmp_path, pinch):
     said = said_by_the_program(written(tmp_path, pinch), "states")
-    for ask in (lambda: stickslip.slip_states(pinch), lambda: stickslip.plot_states(pinch),
-                lambda: stickslip.crosscheck(pinch, "stable")):
+    for ask in (lambda: stickslip.slip_states(pinch), lambda: stickslip.plot_states(pinch)):
         with pytest.raises(InputError, match="the grasp is in space; ") as caught:
             ask()
         assert f"{caught.value.problem}; {caught.value.remedy}" in said
@@ -251,6 +250,57 @@ def test_the_region_of_a_plane_is_a_map_over_two_wrenches(tmp_path, pinch):
     assert [(cell.x, cell.y, cell.verdict) for cell in found.cells] == [
         (tuple(map(Fraction, cell["x"])), tuple(map(Fraction, cell["y"])), cell["verdict"])
         for cell in same["cells"]]
+
+
+def test_crosscheck(tmp_path, pinch):
+    load = (0, 0, -3, 0, 0, 0)
+    forces = [[4, 0, 1.5], [-4, 0, 1.5]]
+    right = crosscheck(pinch, "stable", twist=np.zeros(6), forces=forces, wrench=load)
+    assert (right.outcome, right.inaccurate, right.claimed_slip) == ("right", False, "00")
+    assert right.decision == decide(pinch, load)
+    assert right.balance == (0,) * 6 and right.balance_float.shape == (6,)
+    assert right.cone == right.normal_law == right.dissipation == (0, None)
+    assert right.nearby.from_claim and right.nearby.twist == (0,) * 6
+    assert right.nearby.forces == decide(pinch, load).forces
+    assert right.nearby.forces_float.shape == (2, 3)
+
+    # Friction (1, 7/4) where there is 2: sqrt(65)/4 - 2.
+    forces[1][1:] = 1, 1.75
+    off = crosscheck(pinch, "stable", forces=forces, wrench=load)
+    assert (off.outcome, off.inaccurate, off.normal_law) == ("right", True, None)
+    assert off.balance == (0, 1, Fraction(1, 4), 0, Fraction(-1, 2), 2)
+    low, high = off.cone.squared
+    # Its square x is 129/16 - sqrt(65).
+    assert (Fraction(129, 16) - low) ** 2 > 65 > (Fraction(129, 16) - high) ** 2
+    assert off.cone.contact == 1 and high - low < low / 10**17
+    assert off.cone.value == pytest.approx(65**0.5 / 4 - 2, rel=1e-12)
+    assert "cone=Residual(value=~0.0155644, contact=1)" in repr(off)
+
+    tie = crosscheck(pinch, "stable", wrench=(0, 0, "-4.000000000001", 0, 0, 0))
+    assert (tie.outcome, tie.distance) == ("tie", (0, Fraction(1, 10**9)))
+    wrong = crosscheck(pinch, "stable", wrench=(0, 0, -5, 0, 0, 0))
+    assert (wrong.outcome, wrong.distance[0]) == ("wrong", Fraction(1, 10**9))
+    low, high = wrong.distance_along_load
+    assert low <= Fraction(1, 5) <= high < low + Fraction(1, 500)
+    assert check_py(tmp_path, pinch, wrong.decision.certificate, "--wrench", "0,0,-5,0,0,0")
+    # The same as the program.
+    path = tmp_path / "claims.jsonl"
+    path.write_text(json.dumps({"grasp": json.loads(pinch.to_text()), "claim": {"verdict": "stable"},
+                                "options": {"wrench": [0, 0, -5, 0, 0, 0]}}))
+    printed = subprocess.run([os.environ["STICKSLIP"], "crosscheck", path, "--json"],
+                             capture_output=True, text=True, check=False, timeout=300).stdout
+    distance = json.loads(printed.splitlines()[0])["distance"]
+    assert wrong.distance_along_load == numbers(distance["along_load"])
+
+
+@pytest.mark.parametrize("place, solution", [
+    ("twist", {"twist": [0] * 3}), ("twist[4]", {"twist": [0, 0, 0, 0, np.nan, 0]}),
+    ("forces", {"forces": [[0, 0, 0]]}), ("forces[1]", {"forces": [[0, 0, 0], [0, 0]]}),
+    ("forces[1, 2]", {"forces": [[0, 0, 0], [0, 0, np.inf]]})])
+def test_crosscheck_errors(pinch, place, solution):
+    with pytest.raises(InputError) as error:
+        crosscheck(pinch, "stable", wrench=DOWN, **solution)
+    assert error.value.place == place
 
 
 def test_radius_and_map_are_the_programs(tmp_path, pinch):

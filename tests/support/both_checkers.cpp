@@ -275,7 +275,7 @@ CheckerInput input_of(const Question& question, const Margin& margin) {
 
 CheckerInput input_of(const std::string& grasp, const QuestionOptions& options,
                       const BoxDecision& decision) {
-  const Question question = ask(parse_grasp(grasp, "grasp", Intervals::kAllowed), options);
+  const Question question = ask(parse_any_grasp(grasp, "grasp"), options);
   return {grasp, certificate_text(question, decision.verdict, "tests", decision.bits), options};
 }
 

@@ -10,6 +10,7 @@
 
 #include "stickslip/core/grasp.hpp"
 #include "stickslip/core/integer_vector.hpp"
+#include "stickslip/core/root_sum.hpp"
 
 namespace stickslip {
 
@@ -23,8 +24,12 @@ class NumberText {
 
   /// As to_readable_string, or to_string.
   std::string operator()(const Rational& value);
-  /// factor * sqrt(radicand); with all digits, an enclosure "a..b" unless it is rational.
-  std::string root(const Rational& factor, const Rational& radicand);
+  /// \{ Roots; with all digits, an enclosure "a..b" unless it is rational.
+  std::string root(const Rational& factor, const Rational& radicand) {
+    return (*this)(RootSum::root(factor, radicand));
+  }
+  std::string operator()(const RootSum& value);
+  /// \}
   /// \{ "(1, -1/2)".
   std::string operator()(const Vector2& v) { return tuple({v.x, v.y}); }
   std::string operator()(const Twist& d) { return (*this)(coordinates(d)); }
@@ -63,10 +68,11 @@ class NumberText {
 using Json = nlohmann::ordered_json;
 
 /// \{ \brief An exact number, or several, in a JSON tree that finished() is to finish; a
-/// decimal as it is spelled.
+/// decimal as it is spelled; an irrational number as what encloses it.
 Json number_json(const Rational& value);
 Json decimal_json(const std::string& decimal);
 Json number_json(const DecimalEnclosure& enclosure);
+Json number_json(const RootSum& value);
 Json number_json(const Vector2& v);
 template <class Number, std::size_t n>
 Json number_json(const std::array<Number, n>& v) {

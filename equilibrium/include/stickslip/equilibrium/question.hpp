@@ -70,6 +70,10 @@ struct Question {
 /// about.
 Question ask(GraspFile file, const QuestionOptions& options);
 
+/// Throws InputError unless the question is about one grasp: in the plane as problem_of(), in
+/// space where numbers are uncertain.
+void require_one_grasp(const Question& question);
+
 /// What an engine in the plane answers; of a margin, the family. Throws InputError
 /// ("contacts[i].normal") when a contact whose preload is not 0 or grows has a normal of
 /// irrational length; if the question is a box otherwise, about which decide_box() can be

@@ -8,8 +8,8 @@
 set -euo pipefail
 STICKSLIP_BUILD_DIR=${STICKSLIP_BUILD_DIR:-$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)/build-asan}
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
-# These run nothing that was compiled with sanitizers.
-left_out=(--exclude-regex '^(check_js|check_py_spool|doxygen|layout)$' --fixture-exclude-cleanup check_py_spool)
+# These run nothing that was compiled with sanitizers, or wait for a browser.
+left_out=(--exclude-regex '^(check_js|check_py_spool|doxygen|layout|page_browser|page_live)$' --fixture-exclude-cleanup check_py_spool)
 long_tests=ON
 case ${1-} in
   "") left_out+=(--label-exclude long) long_tests=OFF ;;  # and their programs are not built
@@ -17,9 +17,10 @@ case ${1-} in
   *) fail "unknown argument '$1'; none, or --all" ;;
 esac
 
-install_packages "${build_packages[@]}" "${test_packages[@]}" gcovr
+install_packages "${build_packages[@]}" "${test_packages[@]}" python3-numpy gcovr
 step "Configuring with sanitizers" configure cmake --preset asan -S "$root" -B "$build" $together \
-  -DSTICKSLIP_BUILD_BENCH=OFF -DSTICKSLIP_COVERAGE=ON -DSTICKSLIP_LONG_TESTS=$long_tests
+  -DSTICKSLIP_BUILD_BENCH=OFF -DSTICKSLIP_COVERAGE=ON -DSTICKSLIP_LONG_TESTS=$long_tests \
+  -DPython3_EXECUTABLE=/usr/bin/python3
 step "Building with sanitizers (several minutes the first time)" build \
   cmake --build "$build" -j "$(jobs_for_build)"
 find "$build" -name '*.gcda' -delete

@@ -307,11 +307,11 @@ void add_region_command(CLI::App& app, int& exit_code) {
       ->excludes(certificate);
   command->footer(footer_text(
       "By default the plane is that of forces at zero torque. The wrench in the file plays no "
-      "part,\nunless --case chooses one. In space a window of it is decided cell by cell, as "
-      "by "
-      "stickslip\nmap: cells whose verdict is not the same throughout are cut, along the "
-      "border "
-      "down to the finest.\n",
+      "part,\n"
+      "unless --case chooses one. In space a window of it is decided cell by cell, as by "
+      "stickslip\n"
+      "map: cells whose verdict is not the same throughout are cut, along the border down to "
+      "the finest.\n",
       kExitCodesWithLimit, "stickslip region fig1.json --preload 1"));
   command->callback([arguments, &exit_code] {
     exit_code = arguments->svg ? draw_region(*arguments) : region(*arguments);

@@ -48,13 +48,7 @@ std::vector<ContactId> spanning(const std::vector<RationalRow>& normals, std::si
 
 /// Nonzero, and orthogonal to all that do not span.
 RationalRow orthogonal(const std::vector<RationalRow>& normals, std::size_t motions) {
-  RationalMatrix rows(normals.size(), motions);
-  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-    for (Eigen::Index j = 0; j < rows.cols(); ++j) {
-      rows(i, j) = normals[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
-    }
-  }
-  const RationalMatrix basis = null_space(rows);
+  const RationalMatrix basis = null_space(matrix_of(normals, motions));
   RationalRow d;
   for (Eigen::Index j = 0; j < basis.rows(); ++j) d.push_back(basis(j, basis.cols() - 1));
   return d;

@@ -182,14 +182,14 @@ WrenchBall wrench_ball(const GraspBox& grasp, const Rational& length,
       reach = here;
       farthest = i;
     }
-    const auto is_above_all = [&](const RationalRow& u) {
+    const auto bounds_all = [&](const RationalRow& u) {
       return !is_zero(primitive_multiple(u)) &&
              std::all_of(discs.begin(), discs.end(),
                          [&](const UnitDisc& disc) { return disc.is_below(u); });
     };
     if (facet.offset.is_zero()) {
       for (const RationalRow& u : {facet.normal, *hull.inside_polar()}) {
-        if (is_above_all(u)) return found(0, 0, u);
+        if (bounds_all(u)) return found(0, 0, u);
       }
     }
     const Rational above = reach * reach / square;

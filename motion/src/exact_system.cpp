@@ -20,16 +20,18 @@ std::size_t rank_of(const RationalMatrix& a) {
   return static_cast<std::size_t>(eliminated(a).rank());
 }
 
-std::size_t rank_of(const std::vector<RationalRow>& rows) {
-  if (rows.empty()) return 0;
-  RationalMatrix a(static_cast<Eigen::Index>(rows.size()),
-                   static_cast<Eigen::Index>(rows.front().size()));
+RationalMatrix matrix_of(const std::vector<RationalRow>& rows, std::size_t columns) {
+  RationalMatrix a(static_cast<Eigen::Index>(rows.size()), static_cast<Eigen::Index>(columns));
   for (std::size_t j = 0; j < rows.size(); ++j) {
-    for (std::size_t k = 0; k < rows.front().size(); ++k) {
+    for (std::size_t k = 0; k < columns; ++k) {
       a(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(k)) = rows[j][k];
     }
   }
-  return rank_of(a);
+  return a;
+}
+
+std::size_t rank_of(const std::vector<RationalRow>& rows) {
+  return rows.empty() ? 0 : rank_of(matrix_of(rows, rows.front().size()));
 }
 
 bool has_rank(const DegreeProof& proof, std::size_t rank) {

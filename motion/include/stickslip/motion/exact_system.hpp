@@ -18,6 +18,9 @@ using RationalMatrix = Eigen::Matrix<Rational, Eigen::Dynamic, Eigen::Dynamic>;
 using RationalVector = Eigen::Matrix<Rational, Eigen::Dynamic, 1>;
 /// \}
 
+/// The matrix with these rows, each of so many entries.
+RationalMatrix matrix_of(const std::vector<RationalRow>& rows, std::size_t columns);
+
 /// \{ The rank of a matrix, which may be given by rows of one length.
 std::size_t rank_of(const RationalMatrix& a);
 std::size_t rank_of(const std::vector<RationalRow>& rows);

@@ -8,6 +8,7 @@
 #include "one_grasp.hpp"
 #include "stickslip/degree/prove_stable.hpp"
 #include "stickslip/search/force_span.hpp"
+#include "stickslip/search/law_forces.hpp"
 
 namespace stickslip {
 namespace {
@@ -104,7 +105,7 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
   // There is an equilibrium in the middle of a wide box: no tree is about all of it.
   if (stable_ == true || (limits_.is_wide && !tried.empty())) return false;
   const std::size_t before = tree_.size();
-  TreeSearch search(box, nullptr, limits_.node_limit, work_);
+  LawSearch search(box, nullptr, limits_.node_limit, work_);
   search.on_candidate([&](const NearEquilibrium& relaxed) {
     const auto found = newton.polish(relaxed);
     return found && (try_near(*found) || limits_.is_wide);

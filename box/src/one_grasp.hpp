@@ -10,7 +10,7 @@
 #include "stickslip/box/box_verdict.hpp"
 #include "stickslip/equilibrium/problem.hpp"
 #include "stickslip/search/grasp_law.hpp"
-#include "stickslip/search/tree_search.hpp"
+#include "stickslip/search/near_equilibrium.hpp"
 
 namespace stickslip::box_detail {
 

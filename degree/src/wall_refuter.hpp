@@ -6,7 +6,7 @@
 
 #include "stickslip/planar/crowd_walls.hpp"
 #include "stickslip/search/search_work.hpp"
-#include "stickslip/search/tree_search.hpp"
+#include "stickslip/search/law_forces.hpp"
 
 namespace stickslip::degree_detail {
 
@@ -53,8 +53,6 @@ class CrowdRefuter final : public WallRefuter {
   bool all_are_closed(const DegreeProof& proof) const override;
 
  private:
-  Region region(const DegreeProof& proof, std::size_t wall) const;
-
   CrowdWalls& walls_;
   SearchWork& work_;
 };

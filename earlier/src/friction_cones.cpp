@@ -109,7 +109,7 @@ class SeparationSearch {
 
   /// Extends the tree by one for `region`, unless it finds forces first.
   Outcome run(const Region& region) {
-    if (region.is_void()) {
+    if (region.is_barred()) {
       tree.emplace_back(TwistLeaf{Row(3)});
       return Outcome::kRefuted;
     }

@@ -8,7 +8,7 @@
 #include "stickslip/core/error.hpp"
 #include "stickslip/degree/exact_witness.hpp"
 #include "stickslip/degree/prove_stable.hpp"
-#include "stickslip/search/tree_search.hpp"
+#include "stickslip/search/law_forces.hpp"
 
 namespace stickslip {
 
@@ -132,7 +132,7 @@ class SpatialMarginSearch {
       if (holds(near)) return;
     }
     Trees tree;
-    TreeSearch search(there, nullptr, node_limit_, margin_.work);
+    LawSearch search(there, nullptr, node_limit_, margin_.work);
     search.on_candidate([&](const NearEquilibrium& relaxed) {
       const auto found = polished(there, relaxed);
       return found && holds(*found);
@@ -243,7 +243,7 @@ class SpatialMarginSearch {
     if (is_spent()) return std::nullopt;
     std::optional<std::pair<Rational, Rational>> resisted;
     const GraspLaw whole = model_.within({low, high, has_low});
-    TreeSearch search(whole, nullptr, node_limit_, margin_.work);
+    LawSearch search(whole, nullptr, node_limit_, margin_.work);
     search.on_candidate([&](const NearEquilibrium& relaxed) {
       if (!std::isfinite(relaxed.multiple)) return false;
       const Rational grain = least_step(0);

@@ -2,6 +2,39 @@
 #include "stickslip/motion/strict_cone.hpp"
 
 namespace stickslip {
+namespace {
+
+void assign(Row& to, Row plane) {
+  to = std::move(plane);
+}
+
+void assign(IntegerVector5& to, const Row& plane) {
+  to = vector_of<5>(plane);
+}
+
+}  // namespace
+
+template <class Vector>
+void StrictConeOf<Vector>::cut_to_wall(const ConvexBody& body, std::size_t wall) {
+  const auto plane = [&](std::size_t j, int height) {  // E_j.(d - h d0) - height h
+    RationalRow a = body.walls[j];
+    a.emplace_back(-dot(body.walls[j], body.twist) - height);
+    a.emplace_back(0);
+    Vector result;
+    assign(result, primitive_multiple(a));
+    return result;
+  };
+  const std::size_t row = body.is_simplex ? wall : wall / 2;
+  cut(plane(row, body.is_simplex || wall % 2 == 0 ? 1 : -1), Side::kZero);
+  for (std::size_t j = 0; j < body.walls.size(); ++j) {
+    if (j == row) continue;
+    cut(plane(j, 1), Side::kNegative);
+    if (!body.is_simplex) cut(plane(j, -1), Side::kPositive);
+  }
+}
+
+template class StrictConeOf<IntegerVector5>;
+template class StrictConeOf<Row>;
 
 std::pair<StrictCone, StrictCone> StrictCone::halves(const Row& plane) const {
   auto [above, below] = cone_.halves(plane);
@@ -15,29 +48,12 @@ std::pair<StrictCone, StrictCone> StrictCone::halves(const Row& plane) const {
 /// All constraints are 0 on lines, which take nothing away.
 bool StrictCone::bars(const std::vector<std::size_t>& zeros) const {
   const std::size_t lines = 2 * cone_.lines().size();
-  return std::any_of(strict_.begin(), strict_.end(), [&](ConstraintIndex strict) {
-    return std::all_of(zeros.begin(), zeros.end(), [&](std::size_t point) {
-      if (point < lines) return true;
-      const std::vector<ConstraintIndex>& tight = cone_.rays()[point - lines].tight;
-      return std::binary_search(tight.begin(), tight.end(), strict);
-    });
-  });
-}
-
-void StrictCone::cut_to_wall(const ConvexBody& body, std::size_t wall) {
-  const auto plane = [&](std::size_t j, int height) {  // E_j.(d - h d0) - height h
-    RationalRow a = body.walls[j];
-    a.emplace_back(-dot(body.walls[j], body.twist) - height);
-    a.emplace_back(0);
-    return primitive_multiple(a);
-  };
-  const std::size_t row = body.is_simplex ? wall : wall / 2;
-  cut(plane(row, body.is_simplex || wall % 2 == 0 ? 1 : -1), Side::kZero);
-  for (std::size_t j = 0; j < body.walls.size(); ++j) {
-    if (j == row) continue;
-    cut(plane(j, 1), Side::kNegative);
-    if (!body.is_simplex) cut(plane(j, -1), Side::kPositive);
+  std::vector<std::size_t> rays;
+  for (const std::size_t point : zeros) {
+    if (point >= lines) rays.push_back(point - lines);
   }
+  return StrictConeOf::bars(
+      rays, [&](std::size_t ray) -> const auto& { return cone_.rays()[ray].tight; });
 }
 
 PlaneSigns StrictCone::signs(const Row& plane) const {

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
-#include "node_search.hpp"
+#include "crowd_forces.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/equilibrium/search_end.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
@@ -20,17 +21,19 @@ using namespace planar_detail;
 
 namespace {
 
-using Step = NodeSearch::Step;
+using CrowdSearch = TreeSearch<CrowdForces>;
 
-/// Explores the tree.
+/// Looks for a tree or an equilibrium.
 class Explorer {
  public:
   Explorer(const Problem& problem, const DoubleModel& model, const ConeOptions& options)
       : problem_(problem),
         model_(model),
-        options_(options),
+        most_nodes_(options.node_limit != 0 ? options.node_limit : SIZE_MAX),
         root_(Region::root(problem)),
-        nodes_(problem, model, nullptr, work_) {}
+        search_(CrowdForces(problem, model, nullptr, true, work_), most_nodes_) {
+    follow(search_);
+  }
 
   const ConeWork& work() const { return work_; }
   std::optional<Witness>& witness() { return witness_; }
@@ -40,14 +43,14 @@ class Explorer {
   /// Depth first, in preorder. Nothing if it ended early: at a witness, or at the limit.
   std::optional<Trees> explore() {
     Trees tree;
-    const auto step = [&](const Region& region, std::size_t depth) -> std::optional<Step> {
+    const auto step = [&](const Region& region, std::size_t depth) {
       // Small trees find equilibria in less time, and with simpler numbers.
       constexpr std::size_t kFirst = 64;
-      if (work_.nodes >= kFirst && near_) {
+      if (search_.nodes() >= kFirst && near_) {
         search_within(*std::exchange(near_, std::nullopt));
-        if (witness_) return std::nullopt;
+        if (witness_) return std::optional<CrowdSearch::Branch>();
       }
-      return examine(region, depth);
+      return search_.examine(region, depth);
     };
     if (!append_tree(root_, tree, step)) return std::nullopt;
     return tree;
@@ -59,10 +62,9 @@ class Explorer {
   bool try_witness_from_rest() {
     const Region rest =
         root_.with_slip_state(problem_, std::vector<Sign>(problem_.size(), Sign::kZero));
-    if (!rest.is_void()) {
-      nodes_.forces().read(rest);
-      const SearchResult found = nodes_.search().search(nodes_.forces(), true, work_);
-      if (!found.separated && try_witness_of(found)) return true;
+    if (!rest.is_barred()) {
+      const auto found = search_.forces().relaxation(rest);
+      if (found && try_witness_of(*found, search_.forces())) return true;
     }
     ++work_.witness_attempts;
     witness_ = find_witness_from_rest(problem_, model_, near_);
@@ -70,6 +72,17 @@ class Explorer {
   }
 
  private:
+  /// Tries the equilibria that a search comes near, and decides exactly what it does not.
+  void follow(CrowdSearch& search) {
+    if (!problem_.is_family()) {
+      search.on_candidate([&](const CrowdRelaxation& relaxed) {
+        return relaxed.gap == 0 ? try_witness_of(relaxed.found, search.forces())
+                                : try_witness_near(relaxed.found.motion);
+      });
+    }
+    search.on_doubt([&](const Region& region) { return solve_exactly(region); });
+  }
+
   /// Explores a tree of a few motions, of which a witness is all that is wanted. Its nodes are
   /// not counted: they are in no refutation.
   void search_within(const MotionBox& box) {
@@ -84,32 +97,15 @@ class Explorer {
       }
     }
     constexpr std::size_t kMostNodes = 200;  // where an equilibrium is near, mostly one will do
-    const ConeWork tree_work = std::exchange(work_, {});
+    ConeWork here;
+    CrowdSearch search(CrowdForces(problem_, model_, nullptr, true, here),
+                       std::min(kMostNodes, most_nodes_));
+    follow(search);
     Trees tree;
-    append_tree(std::move(region), tree, [&](const Region& part, std::size_t depth) {
-      return work_.nodes < kMostNodes ? examine(part, depth) : std::nullopt;
-    });
-    const ConeWork here = std::exchange(work_, tree_work);
+    search.refute(std::move(region), tree);
     work_.searches += here.searches;
     work_.support_points += here.support_points;
     work_.visits += here.visits;
-    work_.exact_programs += here.exact_programs;
-    work_.witness_attempts += here.witness_attempts;
-  }
-
-  /// Closes or splits one node; nothing if it found a witness, or at the limit.
-  std::optional<Step> examine(const Region& region, std::size_t depth) {
-    if (options_.node_limit != 0 && work_.nodes >= options_.node_limit) return std::nullopt;
-    auto step = nodes_.examine(region, depth, true, [&](const NodeSearch::Relaxed& relaxed) {
-      if (problem_.is_family()) return false;
-      // It may be near a real equilibrium. Trying costs as much as many nodes, so it is done
-      // where nodes are few: at counts 1, 2, 4, 8, ...
-      const bool is_due = !relaxed.precisely && (work_.nodes & (work_.nodes - 1)) == 0;
-      if (is_due && try_witness_near(relaxed.found.motion)) return true;
-      return !relaxed.is_broken && relaxed.is_last && try_witness_of(relaxed.found);
-    });
-    if (step || witness_) return step;
-    return solve_exactly(region);
   }
 
   /// From the motion of a relaxed equilibrium, by Newton's method.
@@ -124,7 +120,7 @@ class Explorer {
 
   /// The relaxed equilibrium itself, taken at its word: its motion says which contacts are
   /// closed and which slip, its forces how much friction there is where they stick.
-  bool try_witness_of(const SearchResult& found) {
+  bool try_witness_of(const SearchResult& found, const CrowdForces& forces) {
     if (!(found.motion[3] > 0)) return false;
     ++work_.witness_attempts;
     std::vector<double> slips;
@@ -140,30 +136,25 @@ class Explorer {
       const bool sticks = std::fabs(slips[i]) <= kStill * fastest;
       guesses.push_back({closed, sticks, slips[i] > 0 ? -1 : 1});
     }
-    const RegionForces& forces = nodes_.forces();
-    for (const UndecidedGroup& u : forces.undecided()) {
-      forces.for_each_contact(u, [&](std::uint32_t contact) {
-        if (!guesses[contact].sticks) return;
-        const RelaxedForce force = nodes_.search().force(contact, u.freedom, found);
-        if (force.normal > 0)
-          guesses[contact].share = rounded_share(force.tangential / force.normal);
-      });
-    }
+    forces.for_each_share(
+        found, [&](std::uint32_t contact) { return guesses[contact].sticks; },
+        [&](std::uint32_t contact, double share) {
+          guesses[contact].share = rounded_share(share);
+        });
     witness_ = complete_exactly(problem_, guesses);
     return witness_.has_value();
   }
 
-  /// The exact program of the region: a leaf, a witness, or the split that its point asks for.
-  std::optional<Step> solve_exactly(const Region& region) {
+  /// The exact program of the region: a leaf, or the split that its point asks for; nothing if that
+  /// is an equilibrium.
+  std::optional<TreeNode> solve_exactly(const Region& region) {
     ++work_.exact_programs;
     auto outcome = solve_region(problem_, region, nullptr);
-    if (auto* leaf = std::get_if<TwistLeaf>(&outcome)) {
-      ++work_.leaves;
-      ++work_.filter_misses;
-      return Step{std::move(*leaf), {}};
-    }
+    if (auto* leaf = std::get_if<TwistLeaf>(&outcome)) return std::move(*leaf);
     auto& point = std::get<RelaxedPoint>(outcome);
-    if (point.broken) return nodes_.split_at(region, *point.broken);
+    if (point.broken) {
+      return std::visit([](const auto& split) { return TreeNode(split); }, *point.broken);
+    }
     witness_ = std::move(point.witness);
     multiple_ = std::move(point.multiple);
     const Problem there = problem_.at(multiple_);
@@ -174,10 +165,10 @@ class Explorer {
 
   const Problem& problem_;
   const DoubleModel& model_;
-  const ConeOptions& options_;
+  std::size_t most_nodes_;
   Region root_;
   ConeWork work_;
-  NodeSearch nodes_;
+  CrowdSearch search_;
   std::optional<MotionBox> near_;        ///< where an equilibrium may be; not yet searched
   std::vector<ModeGuess> failed_modes_;  ///< of the last relaxed equilibrium tried
   std::optional<Witness> witness_;

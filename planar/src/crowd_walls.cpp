@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "node_search.hpp"
+#include "crowd_forces.hpp"
 #include "stickslip/planar/witness_search.hpp"
 
 namespace stickslip {
@@ -27,8 +27,9 @@ bool CrowdWalls::all_are_closed(const Region& wall) const {
 
 bool CrowdWalls::refute(Region wall, const PullRule* pull, std::size_t node_limit,
                         Trees& trees) {
-  return planar_detail::append_wall(problem_, *model_, std::move(wall), pull, node_limit, trees,
-                                    work_);
+  TreeSearch search(planar_detail::CrowdForces(problem_, *model_, pull, false, work_),
+                    node_limit);
+  return search.refute(std::move(wall), trees);
 }
 
 }  // namespace stickslip

@@ -65,17 +65,12 @@ void cut_by_normal_law(Cone& cone, const Problem& problem) {
 }  // namespace
 
 Region Region::root(const Problem& problem) {
-  Region region;
-  region.labels_.resize(problem.size());
+  Region region(problem,
+                problem.preloads_grow() ? Multiples::kAny : Multiples::kZero);
   const MultipleRange& range = problem.multiples();
   if (problem.preloads_grow()) {
-    region.cone_ = Cone(Cone::Multiples::kAny);
-    const auto add_end = [&](const IntegerVector5& plane, bool is_strict) {
-      if (is_strict) region.strict_.push_back(region.cone_.constraint_count());
-      region.cone_.cut(plane, Side::kPositive);
-    };
-    add_end(end_plane(range.low, 1), !range.has_low);
-    if (range.high) add_end(end_plane(*range.high, -1), true);
+    region.cut(end_plane(range.low, 1), Side::kPositive, !range.has_low);
+    if (range.high) region.cut(end_plane(*range.high, -1), Side::kPositive, true);
   } else if (problem.is_family()) {
     region.any_multiple_ = true;
     if (!range.has_low) region.strict_.push_back(kAboveLow);
@@ -86,14 +81,15 @@ Region Region::root(const Problem& problem) {
 }
 
 Region Region::between(const Problem& problem, const std::vector<Cut>& cuts) {
-  Region region;
-  region.labels_.resize(problem.size());
-  region.cone_ = Cone(Cone::Multiples::kAny);
+  Region region(problem, Multiples::kAny);
   region.strict_.clear();
-  for (const Cut& cut : cuts) {
-    if (cut.strict) region.strict_.push_back(region.cone_.constraint_count());
-    region.cone_.cut(cut.plane, cut.side);
-  }
+  for (const Cut& cut : cuts) region.cut(cut.plane, cut.side, cut.strict);
+  return region;
+}
+
+Region Region::wall(const Problem& problem, const ConvexBody& body, std::size_t wall) {
+  Region region(problem);
+  region.cut_to_wall(body, wall);
   return region;
 }
 
@@ -118,8 +114,7 @@ Region Region::slip_child(const Problem& problem, ContactId contact, Sign slip) 
 
 Region Region::slip_child(const Problem& problem, ContactId contact, Sign slip) && {
   labels_[contact.index()] = slip;
-  if (slip != Sign::kZero) strict_.push_back(cone_.constraint_count());
-  cone_.cut(problem.slip_plane(contact), side_of(slip));
+  cut(problem.slip_plane(contact), side_of(slip), slip != Sign::kZero);
   return std::move(*this);
 }
 
@@ -144,8 +139,7 @@ Region Region::plane_child(const IntegerVector5& plane, Side side) && {
   require(side != Side::kZero, "a child of a plane is one of its half-spaces");
   require(!any_multiple_ || plane[4].is_zero(), "the motions go with any multiple");
   // Points on the plane belong to the first child, so the second has none of them.
-  if (side == Side::kNegative) strict_.push_back(cone_.constraint_count());
-  cone_.cut(plane, side);
+  cut(plane, side, side == Side::kNegative);
   return std::move(*this);
 }
 
@@ -205,7 +199,7 @@ std::optional<Sign> Region::slip_sign(const Problem& problem, ContactId contact,
   }
   const IntegerVector5& plane = problem.slip_plane(contact);
   const SignRange range = signs.on(plane);
-  if (range.is_mixed() || !is_barred(signs.rays_in(plane))) return std::nullopt;
+  if (range.is_mixed() || !bars(signs.rays_in(plane))) return std::nullopt;
   return range.negative ? Sign::kNegative : Sign::kPositive;
 }
 
@@ -240,23 +234,6 @@ std::vector<Ray> Region::generators(const Problem& problem) const {
     }
   }
   return result;
-}
-
-/// Lines need no look: every strict function is a constraint, and so is 0 on them. Nor do ends
-/// of multiples of which the cone knows nothing: rays of motions on which they are 0 have h =
-/// 0.
-bool Region::is_barred(const std::vector<const Ray*>& rays) const {
-  return std::any_of(strict_.begin(), strict_.end(), [&](ConstraintIndex strict) {
-    return std::all_of(rays.begin(), rays.end(), [&](const Ray* ray) {
-      return std::binary_search(ray->tight.begin(), ray->tight.end(), strict);
-    });
-  });
-}
-
-bool Region::is_void() const {
-  std::vector<const Ray*> all;
-  for (const Ray& ray : cone_.rays()) all.push_back(&ray);
-  return is_barred(all);
 }
 
 namespace {
@@ -307,7 +284,7 @@ std::vector<Rational> work_bounds(const Problem& problem, const Region& region,
 }
 
 bool refutes(const Problem& problem, const Region& region, const TwistLeaf& leaf) {
-  if (region.is_void()) return true;
+  if (region.is_barred()) return true;
   const std::vector<Ray> generators = region.generators(problem);
   const std::vector<Rational> bounds = work_bounds_on(generators, problem, region, leaf);
   std::vector<const Ray*> zero;
@@ -315,7 +292,7 @@ bool refutes(const Problem& problem, const Region& region, const TwistLeaf& leaf
     if (bounds[r].sign() > 0) return false;
     if (bounds[r].is_zero()) zero.push_back(&generators[r]);
   }
-  return region.is_barred(zero);
+  return region.bars(zero);
 }
 
 }  // namespace stickslip

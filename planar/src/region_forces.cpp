@@ -12,12 +12,6 @@ constexpr std::int8_t kUnsure = 2;
 
 }  // namespace
 
-BranchOf<TreeNode, Region> split_region(const Problem& problem, const Region& region,
-                                        const ContactSplit& at) {
-  return {std::visit([](const auto& split) { return TreeNode(split); }, at),
-          region.children(problem, at)};
-}
-
 void RegionForces::list_rays(const Region& region) {
   generators_ = region.generators(problem_);
   rays_.clear();
@@ -167,7 +161,7 @@ ContactFreedom RegionForces::slip_freedom(const Region& region, const Signs& sig
   for (std::size_t r = 0; r < rays_.size(); ++r) {
     if (signs_[r] == 0) zero_rays_.push_back(&generators_[r]);
   }
-  if (region.is_barred(zero_rays_)) {
+  if (region.bars(zero_rays_)) {
     freedom.slip = signs.positive ? 1 : -1;
     freedom.slip_cuts = false;
   }

@@ -10,16 +10,11 @@
 #include <optional>
 #include <vector>
 
-#include "stickslip/motion/tree_walk.hpp"
 #include "stickslip/planar/double_model.hpp"
 #include "stickslip/planar/region.hpp"
 #include "stickslip/planar/region_program.hpp"
 
 namespace stickslip::planar_detail {
-
-/// The node of a tree that splits a region, and the regions of its children.
-BranchOf<TreeNode, Region> split_region(const Problem& problem, const Region& region,
-                                        const ContactSplit& at);
 
 /// What a contact may do on a region where it is not open.
 struct ContactFreedom {

@@ -89,7 +89,7 @@ class ColumnGeneration {
       if (bound > 0) return false;
       if (bound == 0) zeros.push_back(&rays_[k]);
     }
-    return region_->is_barred(zeros);
+    return region_->bars(zeros);
   }
 
   /// Begins with the corners that do the most work on a twist, where it is positive.

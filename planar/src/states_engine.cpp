@@ -53,7 +53,7 @@ class StatesEngine {
 
   /// A tree that covers the region; nothing when an equilibrium was found.
   std::optional<Trees> refute(const Region& region, const Group& group, Coverage coverage) {
-    if (region.is_void()) return leaf(group, coverage, TwistLeaf{Row(3)});
+    if (region.is_barred()) return leaf(group, coverage, TwistLeaf{Row(3)});
     require(!group.empty(), "a region's slip state is missing from the enumeration");
     auto outcome = solve(region);
     if (group.size() == 1 && solved_.insert(group.front()).second) ++work_.states_solved;

@@ -528,9 +528,9 @@ std::optional<bool> TwistSearch::certain_refutation(const RegionForces& forces,
   return true;
 }
 
-std::optional<TwistLeaf> TwistSearch::confirm(const Problem& problem, const Region& region,
-                                              const RegionForces& forces, const Double3& twist,
-                                              ConeWork& work, bool exactly) {
+std::optional<Row> TwistSearch::confirm(const Problem& problem, const Region& region,
+                                        const RegionForces& forces, const Double3& twist,
+                                        ConeWork& work, bool exactly) {
   std::vector<IntegerVector5> points;
   if (pull_ != nullptr) {
     for (const Ray& ray : forces.exact_rays()) points.push_back(ray.x);
@@ -554,7 +554,7 @@ std::optional<TwistLeaf> TwistSearch::confirm(const Problem& problem, const Regi
     work.largest_twist_bits =
         std::max<std::size_t>(work.largest_twist_bits, msb(abs(entry)) + 1);
   }
-  return TwistLeaf{row_of(*y)};
+  return row_of(*y);
 }
 
 }  // namespace stickslip::planar_detail

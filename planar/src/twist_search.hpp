@@ -60,9 +60,9 @@ class TwistSearch {
 
   /// The twist rounded to the smallest integers that still refute the region; where error
   /// bounds do not decide, exactly or, unless `exactly`, not.
-  std::optional<TwistLeaf> confirm(const Problem& problem, const Region& region,
-                                   const RegionForces& forces, const Double3& twist,
-                                   ConeWork& work, bool exactly = true);
+  std::optional<Row> confirm(const Problem& problem, const Region& region,
+                             const RegionForces& forces, const Double3& twist, ConeWork& work,
+                             bool exactly = true);
 
  private:
   /// A wrench that entered the hull: that of a ray, on the twist on which it was the worst.

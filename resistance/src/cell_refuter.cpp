@@ -6,7 +6,7 @@
 
 #include "stickslip/core/error.hpp"
 #include "stickslip/planar/region_program.hpp"
-#include "stickslip/search/tree_search.hpp"
+#include "stickslip/search/law_forces.hpp"
 
 namespace stickslip::resistance_detail {
 namespace {
@@ -78,7 +78,7 @@ bool CellRefuter::refute(const LoadCell& cell, std::vector<RegionNode>& tree) {
   SearchWork work;
   const std::size_t limit = options_.node_limit != 0 ? options_.node_limit - work_.nodes
                                                      : std::numeric_limits<std::size_t>::max();
-  TreeSearch search(law_, nullptr, limit, work);
+  LawSearch search(law_, nullptr, limit, work);
   search.on_doubt([&](const MotionRegion& region) { return decide(region); });
   Trees found;
   const bool refuted = search.refute(root_, found);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "stickslip/motion/nearest_wrench.hpp"
-#include "stickslip/search/tree_search.hpp"
+#include "stickslip/search/law_forces.hpp"
 
 namespace stickslip::search_detail {
 
@@ -51,18 +51,6 @@ class Actions {
   const MotionRegion& region_;
   std::vector<Action> all_;
   std::vector<std::optional<PairsAction>> pairs_;
-};
-
-/// A wrench that a region allows at one of its generators, and its forces by contact; or one
-/// that a twist has to be against and no motion goes with: a direction of loads, or what list 2
-/// excludes at a generator.
-struct AllowedWrench {
-  double work = 0;
-  Reals wrench{};
-  std::size_t generator = 0;
-  bool against = false;
-  std::vector<double> normal{};
-  std::vector<Double3> friction{};
 };
 
 /// Of a region.

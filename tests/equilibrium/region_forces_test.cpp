@@ -142,7 +142,7 @@ void confirm_twists(const Problem& problem, const DoubleModel& model, const Regi
     const auto leaf = search.confirm(problem, region, forces, twist, work, false);
     if (!leaf) continue;
     ++seen.confirmed;
-    EXPECT_TRUE(refutes(problem, region, *leaf));
+    EXPECT_TRUE(refutes(problem, region, TwistLeaf{*leaf}));
   }
 }
 
@@ -164,7 +164,7 @@ void compare_on_regions(std::size_t most_contacts, int trials, std::size_t small
     if (random.between(0, 5) == 0) model.is_moderate = false;  // then doubles decide nothing
     RegionForces forces(problem, model);
     Region region = Region::root(problem);
-    for (int depth = 0; depth < 6 && !region.is_void(); ++depth) {
+    for (int depth = 0; depth < 6 && !region.is_barred(); ++depth) {
       forces.read(region);
       compare(problem, region, forces, seen);
       confirm_twists(problem, model, region, forces, random, seen);

@@ -65,7 +65,7 @@ TEST(Region, UnilateralRootIsAHalfSpace) {
   const Problem problem = fig4(1);
   const Region root = Region::root(problem);
   EXPECT_EQ(root.cone().lines().size(), 3u);
-  EXPECT_FALSE(root.is_void());
+  EXPECT_FALSE(root.is_barred());
   for (std::size_t i = 0; i < problem.size(); ++i) {
     EXPECT_EQ(root.label(ContactId(i)), std::nullopt);
     EXPECT_EQ(root.slip_sign(problem, ContactId(i)), std::nullopt);
@@ -77,7 +77,7 @@ TEST(Region, BilateralRootOpensNoContact) {
   for (const int preload : {0, 1}) {
     const Problem problem = fig4(preload, NormalLaw::kBilateral);
     const Region root = Region::root(problem);
-    EXPECT_FALSE(root.is_void());
+    EXPECT_FALSE(root.is_barred());
     for (std::size_t i = 0; i < problem.size(); ++i) {
       EXPECT_EQ(root.separation(problem, ContactId(i)), Separation::kClosed);
     }
@@ -117,7 +117,7 @@ TEST(Region, SlipChildrenCarryLabels) {
     const Region child = root.slip_child(problem, kFirst, slip);
     EXPECT_EQ(child.label(kFirst), slip);
     EXPECT_EQ(child.label(kThird), std::nullopt);
-    EXPECT_FALSE(child.is_void());
+    EXPECT_FALSE(child.is_barred());
     // The label 0 leaves friction anywhere in its cone.
     EXPECT_EQ(child.slip_sign(problem, kFirst),
               slip == Sign::kZero ? std::nullopt : std::optional<Sign>(slip));
@@ -133,9 +133,9 @@ TEST(Region, SeparationChildren) {
   const Region open = root.separation_child(problem, kFirst, Separation::kOpen);
   EXPECT_EQ(open.separation(problem, kFirst), Separation::kOpen);
   // Points with v = 0 are closed; among the open ones they are nobody's.
-  EXPECT_FALSE(closed.separation_child(problem, kFirst, Separation::kClosed).is_void());
-  EXPECT_TRUE(closed.separation_child(problem, kFirst, Separation::kOpen).is_void());
-  EXPECT_TRUE(open.separation_child(problem, kFirst, Separation::kClosed).is_void());
+  EXPECT_FALSE(closed.separation_child(problem, kFirst, Separation::kClosed).is_barred());
+  EXPECT_TRUE(closed.separation_child(problem, kFirst, Separation::kOpen).is_barred());
+  EXPECT_TRUE(open.separation_child(problem, kFirst, Separation::kClosed).is_barred());
   EXPECT_THROW(root.separation_child(problem, kFirst, Separation::kMixed), ContractError);
   EXPECT_THROW(root.plane_child({1, 0, 0, 0}, Side::kZero), ContractError);
 }
@@ -145,7 +145,7 @@ TEST(Region, WithSlipStateIsTheClosedCell) {
   const Region root = Region::root(problem);
   const std::vector<Sign> state = {Sign::kPositive, Sign::kPositive, Sign::kZero, Sign::kZero};
   const Region cell = root.with_slip_state(problem, state);
-  EXPECT_FALSE(cell.is_void());
+  EXPECT_FALSE(cell.is_barred());
   for (std::size_t i = 0; i < state.size(); ++i) {
     EXPECT_EQ(cell.label(ContactId(i)), state[i]);
     const SignRange range = ConeSigns(cell.cone()).on(problem.slip_plane(ContactId(i)));
@@ -270,7 +270,7 @@ TEST(Region, AgreesWithTheLetterOfTheFormat) {
     const Rays brute = test::brute_force_generators(naive.constraints).directions();
     const bool is_void = naive_is_barred(naive, rays);
     EXPECT_EQ(naive_is_barred(naive, brute), is_void) << "the rays should not matter";
-    EXPECT_EQ(region.is_void(), is_void);
+    EXPECT_EQ(region.is_barred(), is_void);
     voids += is_void ? 1 : 0;
     for (std::size_t i = 0; i < m; ++i) {
       const std::optional<Sign> sign = region.slip_sign(problem, ContactId(i));

@@ -2,7 +2,7 @@
 // The search for trees, on laws of any number of coordinates that no grasp file can say. Planar
 // grasps are judged by another engine, and trees about them by find_flaw(), which knows nothing
 // of this search.
-#include "stickslip/search/tree_search.hpp"
+#include "stickslip/search/law_forces.hpp"
 
 #include <gtest/gtest.h>
 
@@ -67,7 +67,7 @@ Outcome search(const Law& law, const MotionRegion& region) {
   Outcome outcome;
   SearchWork work;
   constexpr std::size_t kNodes = 2000;
-  TreeSearch tree_search(law, nullptr, kNodes, work);
+  LawSearch tree_search(law, nullptr, kNodes, work);
   outcome.refuted = tree_search.refute(region, outcome.tree);
   outcome.end = tree_search.end();
   return outcome;
@@ -185,11 +185,11 @@ TEST(TreeSearch, SaysWhatEndedIt) {
   const Law law = line_of({{1, 1, 0}, {-1, 1, 0}}, 0);
   SearchWork work;
   Trees tree;
-  TreeSearch none(law, nullptr, 0, work);
+  LawSearch none(law, nullptr, 0, work);
   EXPECT_FALSE(none.refute(MotionRegion::root(law), tree));
   EXPECT_EQ(none.end(), SearchEnd::kNodes);
   EXPECT_EQ(work.nodes, 0U);
-  TreeSearch some(law, nullptr, 100, work);
+  LawSearch some(law, nullptr, 100, work);
   some.on_candidate([](const NearEquilibrium& near) {
     constexpr double kNear = 1e-6;
     return std::fabs(near.motion[0]) < kNear;
@@ -248,11 +248,11 @@ TEST(TreeSearch, AsksWhatIsExactBesideAnEquilibrium) {
     for (const int twist : {-1, 1}) {
       SearchWork work;
       Trees tree;
-      TreeSearch tree_search(law, nullptr, 100, work);
+      LawSearch tree_search(law, nullptr, 100, work);
       int asked = 0;
       tree_search.on_doubt([&](const MotionRegion&) {
         ++asked;
-        return TreeNode(TwistLeaf{{twist}});
+        return std::optional<TreeNode>(TwistLeaf{{twist}});
       });
       const bool is_true = twist < 0 && !has_zero;
       if (is_true) {

@@ -89,8 +89,8 @@ class Walker {
 
   void visit(const Place& place, const TwistLeaf& node) const {
     const Rays generators = rays(place);
-    demand(place.region.is_void() == naive_is_barred(place.naive, generators),
-           "is_void disagrees with its twin");
+    demand(place.region.is_barred() == naive_is_barred(place.naive, generators),
+           "is_barred disagrees with its twin");
     const bool holds = naive_refutes(problem_, place.naive, generators, node);
     demand(refutes(problem_, place.region, node) == holds, "refutes disagrees with its twin");
     demand(holds, "leaf-bound");

@@ -7,7 +7,7 @@
 
 #include "stickslip/equilibrium/verdict.hpp"
 #include "stickslip/search/grasp_law.hpp"
-#include "stickslip/search/tree_search.hpp"
+#include "stickslip/search/near_equilibrium.hpp"
 
 namespace stickslip {
 

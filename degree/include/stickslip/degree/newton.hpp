@@ -9,7 +9,7 @@
 
 #include "stickslip/degree/rounded_box.hpp"
 #include "stickslip/planar/rounded_equilibrium.hpp"
-#include "stickslip/search/tree_search.hpp"
+#include "stickslip/search/near_equilibrium.hpp"
 
 namespace stickslip {
 

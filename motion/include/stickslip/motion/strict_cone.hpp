@@ -27,28 +27,63 @@ struct PlaneSigns {
   bool cuts() const { return positive && negative; }
 };
 
-/// Points x = (d, h, l) with motions d of D coordinates.
-class StrictCone {
+/// A cone of points x = (d, h, l) and its strict functions. A Vector as of ConeOf.
+template <class Vector>
+class StrictConeOf {
  public:
-  /// Of points().
-  static constexpr std::size_t kMostPoints = 1000;
   /// Whether l = 0, or any.
-  using Multiples = ConeOf<Row>::Multiples;
+  using Multiples = typename ConeOf<Vector>::Multiples;
 
-  /// {h >= 0}, with h strict; D is `motions`.
-  explicit StrictCone(std::size_t motions, Multiples multiples = Multiples::kZero)
-      : motions_(motions), cone_(multiples, motions + 2) {}
+  /// {h >= 0}, with h strict; of so many coordinates of points.
+  explicit StrictConeOf(Multiples multiples = Multiples::kZero,
+                        std::size_t coordinates = kCoordinates<Vector>)
+      : cone_(multiples, coordinates) {}
+
+  /// Its closure.
+  const ConeOf<Vector>& cone() const { return cone_; }
   /// Keeps plane.x >= 0, = 0 or <= 0; strict: it is not 0 at solutions.
-  void cut(const Row& plane, Side side, bool strict = false) {
+  void cut(const Vector& plane, Side side, bool strict = false) {
     if (strict) strict_.push_back(cone_.constraint_count());
     cone_.cut(plane, side);
   }
+  /// Keeps the cone over a wall of the body.
+  void cut_to_wall(const ConvexBody& body, std::size_t wall);
+  /// Whether some strict function is 0 on all of these rays: no solution is a combination of
+  /// them and lines alone. `tight(ray)` has the constraints that are 0 on it.
+  template <class Rays, class Tight>
+  bool bars(const Rays& rays, const Tight& tight) const {
+    return std::any_of(strict_.begin(), strict_.end(), [&](ConstraintIndex strict) {
+      return std::all_of(rays.begin(), rays.end(), [&](const auto& ray) {
+        const std::vector<ConstraintIndex>& zero = tight(ray);
+        return std::binary_search(zero.begin(), zero.end(), strict);
+      });
+    });
+  }
+  /// No solution lies here.
+  bool is_barred() const {
+    return bars(cone_.rays(), [](const auto& ray) -> const auto& { return ray.tight; });
+  }
+
+ protected:
+  ConeOf<Vector> cone_;                     ///< cut as it may be
+  std::vector<ConstraintIndex> strict_{0};  ///< increasing; h is constraint 0
+};
+
+extern template class StrictConeOf<IntegerVector5>;
+extern template class StrictConeOf<Row>;
+
+/// With motions d of D coordinates, and its generators.
+class StrictCone : public StrictConeOf<Row> {
+ public:
+  /// Of points().
+  static constexpr std::size_t kMostPoints = 1000;
+
+  /// {h >= 0}, with h strict; D is `motions`.
+  explicit StrictCone(std::size_t motions, Multiples multiples = Multiples::kZero)
+      : StrictConeOf(multiples, motions + 2), motions_(motions) {}
 
   /// The parts with plane.x >= 0 and <= 0; in the latter it is strict.
   std::pair<StrictCone, StrictCone> halves(const Row& plane) const;
-
-  /// Keeps the cone over a wall of the body.
-  void cut_to_wall(const ConvexBody& body, std::size_t wall);
 
   std::size_t motions() const { return motions_; }  ///< D
   /// Of which all points are sums of nonnegative multiples: lines both ways, and rays.
@@ -58,7 +93,7 @@ class StrictCone {
   bool has_too_many_points() const { return motions_ > 3 && points_.size() > kMostPoints; }
   /// As ConeOf::pairs().
   std::size_t pairs() const { return cone_.pairs(); }
-  /// Of these, by index: some strict function is 0 on all of them.
+  /// Of points, by index: some strict function is 0 on all of them.
   bool bars(const std::vector<std::size_t>& zeros) const;
   /// Of a plane on the region.
   PlaneSigns signs(const Row& plane) const;
@@ -75,8 +110,6 @@ class StrictCone {
 
  private:
   std::size_t motions_;
-  ConeOf<Row> cone_;
-  std::vector<ConstraintIndex> strict_{0};  // h is constraint 0
   std::vector<Row> points_;
 };
 

@@ -18,8 +18,10 @@ namespace stickslip {
 /// A split by what one contact does.
 using ContactSplit = std::variant<SlipSplit, SeparationSplit>;
 
-/// A set of motions between the planes of its splits. A split makes new ones.
-class Region {
+/// A set of motions between the planes of its splits. A split makes new ones. Of a family in
+/// which only the load grows its cone() has the motions alone, at l = 0: any of them goes with
+/// any multiple.
+class Region : public StrictConeOf<IntegerVector5> {
  public:
   /// All motions that the normal law allows: {h >= 0}, and v_i >= 0 for all i when bilateral;
   /// of a family, with all multiples in its range.
@@ -36,10 +38,9 @@ class Region {
   };
   /// All of {h >= 0} between these planes, for any multiples; h itself may be 0.
   static Region between(const Problem& problem, const std::vector<Cut>& cuts);
+  /// As StrictConeOf::cut_to_wall, of one grasp.
+  static Region wall(const Problem& problem, const ConvexBody& body, std::size_t wall);
 
-  /// Its closure. Of a family in which only the load grows the motions alone, at l = 0: any of
-  /// them goes with any multiple.
-  const Cone& cone() const { return cone_; }
   /// Points of which the closure is the set of nonnegative combinations, lines both ways. Where
   /// only the load grows: those of the motions with l at either end of the range; and (0, 0, 1)
   /// if it has one end.
@@ -77,20 +78,19 @@ class Region {
                                 const ConeSigns& signs) const;
   /// \}
 
-  /// True if some strict function is 0 on all of these generators or rays of cone(): no
-  /// solution is a combination of them and lines alone.
-  bool is_barred(const std::vector<const Ray*>& rays) const;
-
-  /// True if all rays are barred: no solution lies here.
-  bool is_void() const;
+  /// As StrictConeOf::bars, of generators or rays of cone().
+  bool bars(const std::vector<const Ray*>& rays) const {
+    return StrictConeOf::bars(rays, [](const Ray* ray) -> const auto& { return ray->tight; });
+  }
   /// Whether no solution has h = 0, as in root() and its parts.
   bool has_height() const { return !strict_.empty() && strict_.front() == 0; }
 
  private:
-  Cone cone_;
+  explicit Region(const Problem& problem, Multiples multiples = Multiples::kZero)
+      : StrictConeOf(multiples), labels_(problem.size()) {}
+
   bool any_multiple_ = false;  ///< of a family in which only the load grows
   std::vector<std::optional<Sign>> labels_;
-  std::vector<ConstraintIndex> strict_{0};  ///< increasing; h is constraint 0
 };
 
 /// The rule leaf-bound: whether the virtual twist proves that the region has no equilibrium,

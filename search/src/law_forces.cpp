@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stickslip/search/tree_search.hpp"
+#include "stickslip/search/law_forces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -86,52 +86,88 @@ std::vector<Row> slip_planes(const Law& law, const LawContact& contact) {
 
 }  // namespace
 
-double TreeSearch::height(const Relaxation& found) const {
+double LawForces::height(const Relaxation& found) const {
   return found.motion[static_cast<Eigen::Index>(law_.motions)];
 }
 
-/// The twist in the fewest bits that still refute the region. Most candidates fail clearly.
-std::optional<Row> TreeSearch::confirm(const MotionRegion& region,
-                                       const AllowedWrenches& wrenches, const Reals& twist) {
+LawForces::LawForces(const Law& law, const PullRule* pull, SearchWork& work)
+    : law_(law), pull_(pull), work_(work) {}
+LawForces::~LawForces() = default;
+LawForces::LawForces(LawForces&& other) noexcept = default;
+
+/// Below the depth that the format allows, by more than the parts of a box above this tree (32).
+std::size_t LawForces::deepest() const {
+  return 2 * law_.contacts.size() + 220;
+}
+
+bool LawForces::enter(const MotionRegion& region, std::size_t /*depth*/) {
+  region_ = &region;
+  ++work_.nodes;
+  work_.rays += region.points().size();
+  work_.pairs += region.pairs();
+  work_.most_rays = std::max(work_.most_rays, region.points().size());
+  for (const Row& x : region.points()) note_bits(work_.ray_bits, x);
+  if (region.is_barred()) return false;
+  wrenches_ = std::make_unique<AllowedWrenches>(law_, region, pull_);
+  return true;
+}
+
+/// Again: with wrenches that are against the twist with some to spare, so that it may be rounded.
+LawForces::Found LawForces::nearest(bool again) {
+  Reals start = -law_.growing;
+  for (std::size_t j = 0; j < law_.motions; ++j) {
+    start[static_cast<Eigen::Index>(j)] -= law_.load[j][0] + law_.load[j][1];
+  }
+  const auto worst = [&](const Reals& y) { return wrenches_->worst(y); };
+  Found found = nearest_wrench(start, worst, again);
+  separated_ = found.separated;
+  return found;
+}
+
+std::optional<Row> LawForces::confirm(const Reals& twist) {
+  auto y = in_few_bits(twist);
+  if (y) ++work_.leaves;
+  return y;
+}
+
+/// The fewest that still refute the region. Most candidates fail clearly.
+std::optional<Row> LawForces::in_few_bits(const Reals& twist) {
   Reals y = twist;
   law_.rotations(y) /= law_.length;
   const auto found =
       in_fewest_bits(y, {2, 3, 4, 6, 8, 10, 12, 16, 24, 36, 50}, [&](const Row& candidate) {
-        if (const std::optional<bool> known = wrenches.are_refuted_by(candidate)) {
+        if (const std::optional<bool> known = wrenches_->are_refuted_by(candidate)) {
           ++work_.filter_hits;
           return *known;
         }
         ++work_.exact_checks;
-        return region.is_refuted(candidate, pull_);
+        return region_->is_refuted(candidate, pull_);
       });
   if (found) note_bits(work_.twist_bits, *found);
   return found;
 }
 
-/// What was said exactly; a twist in fewer bits, if these serve.
-TreeSearch::Branch TreeSearch::exactly(const MotionRegion& region,
-                                       const AllowedWrenches& wrenches) {
-  TreeNode node = exact_(region);
+/// Of a leaf a twist in fewer bits, if these serve.
+LawForces::Branch LawForces::branch(const TreeNode& node) {
   if (const auto* slip = std::get_if<SlipSplit>(&node)) {
-    return {node, region.slip_children(slip->contact.index())};
+    return {node, region_->slip_children(slip->contact.index())};
   }
   if (const auto* split = std::get_if<SeparationSplit>(&node)) {
-    return {node, region.halves(law_.contacts[split->contact.index()].separations.front())};
+    return {node, region_->halves(law_.contacts[split->contact.index()].separations.front())};
   }
-  TwistLeaf leaf = std::get<TwistLeaf>(std::move(node));
-  require(region.is_refuted(leaf.twist, pull_), "an exact twist does not refute its region");
+  const TwistLeaf& leaf = std::get<TwistLeaf>(node);
+  require(region_->is_refuted(leaf.twist, pull_), "an exact twist does not refute its region");
   Reals near = in_doubles(leaf.twist);
   law_.rotations(near) *= law_.length;
-  if (auto y = confirm(region, wrenches, near)) leaf.twist = std::move(*y);
   ++work_.leaves;
-  return {std::move(leaf), {}};
+  return {TwistLeaf{in_few_bits(near).value_or(leaf.twist)}, {}};
 }
 
 /// A plane beside the wedge, towards the motion: all that lies beyond it, strictly, has one
 /// sign. Rotations have one sign first, so that such a plane is one. Nothing in the wedge.
-std::optional<TreeSearch::Branch> TreeSearch::split_wedge(const MotionRegion& region,
-                                                          const Relaxation& found,
-                                                          const Wedge& wedge) const {
+std::optional<LawForces::Branch> LawForces::split_wedge(const Relaxation& found,
+                                                         const Wedge& wedge) const {
+  const MotionRegion& region = *region_;
   const std::size_t d = law_.motions;
   double value = 0;
   double width = 0;
@@ -164,9 +200,10 @@ std::optional<TreeSearch::Branch> TreeSearch::split_wedge(const MotionRegion& re
 }
 
 /// Planes of many bits make all that is exact slow: one of few bits beyond them serves as well.
-std::optional<TreeSearch::Branch> TreeSearch::split_short(
-    const MotionRegion& region, const Relaxation& found, const std::vector<Row>& planes) const {
-  if (exact_ || !are_long(planes)) return std::nullopt;
+std::optional<LawForces::Branch> LawForces::split_short(
+    const Relaxation& found, const std::vector<Row>& planes) const {
+  const MotionRegion& region = *region_;
+  if (only_contacts_ || !are_long(planes)) return std::nullopt;
   const int side = side_of_all(law_, planes, found.motion);
   if (side == 0) return std::nullopt;
   Row plane = short_plane(law_, region, planes, found.motion, side);
@@ -178,11 +215,11 @@ std::optional<TreeSearch::Branch> TreeSearch::split_short(
 /// Between functions of which an uncertain one is a combination, where the motion is on one
 /// side of all: at the nearest of them. Rotations have one sign first where the geometry is
 /// uncertain, as few corners matter then: the others are never the extreme.
-std::optional<TreeSearch::Branch> TreeSearch::split_corners(const MotionRegion& region,
-                                                            const Relaxation& found,
-                                                            std::size_t contact,
-                                                            const std::vector<Row>& planes,
-                                                            bool is_slip) const {
+std::optional<LawForces::Branch> LawForces::split_corners(const Relaxation& found,
+                                                           std::size_t contact,
+                                                           const std::vector<Row>& planes,
+                                                           bool is_slip) const {
+  const MotionRegion& region = *region_;
   const bool stands_still =
       !(found.motion.head(static_cast<Eigen::Index>(law_.motions)).squaredNorm() > 0);
   const int side = stands_still ? 1 : side_of_all(law_, planes, found.motion);
@@ -214,44 +251,44 @@ std::optional<TreeSearch::Branch> TreeSearch::split_corners(const MotionRegion& 
   return Branch{PlaneCut{plane}, region.halves(plane)};
 }
 
-std::optional<TreeSearch::Branch> TreeSearch::split_separation(const MotionRegion& region,
-                                                               const Relaxation& found,
-                                                               std::size_t contact) const {
+std::optional<LawForces::Branch> LawForces::split_separation(const Relaxation& found,
+                                                              std::size_t contact) const {
+  const MotionRegion& region = *region_;
   const LawContact& c = law_.contacts[contact];
-  if (auto branch = split_short(region, found, c.separations)) return branch;
+  if (auto branch = split_short(found, c.separations)) return branch;
   if (c.has_certain_separation) {
     return Branch{SeparationSplit{ContactId(contact)}, region.halves(c.separations.front())};
   }
   if (!c.place || c.slip_dimension() == 1 || law_.is_family)
-    return split_corners(region, found, contact, c.separations, false);
+    return split_corners(found, contact, c.separations, false);
   // v / k'
   Wedge wedge{c.place->centre.normal, c.preload.low / c.stiffness.high,
               c.preload.high / c.stiffness.low, farthest_arm(*c.place, c.place->normal)};
   for (Rational& entry : wedge.middle) entry = -entry;
-  return split_wedge(region, found, wedge);
+  return split_wedge(found, wedge);
 }
 
-std::optional<TreeSearch::Branch> TreeSearch::split_slip(const MotionRegion& region,
-                                                         const Relaxation& found,
-                                                         std::size_t contact) const {
+std::optional<LawForces::Branch> LawForces::split_slip(const Relaxation& found,
+                                                        std::size_t contact) const {
+  const MotionRegion& region = *region_;
   const LawContact& c = law_.contacts[contact];
   const bool is_known =
       region.slips(contact).moves || region.is_strict(contact) || region.is_still(contact);
   if (c.slip_dimension() == 1) {
     if (is_known) return std::nullopt;
     const std::vector<Row> planes = slip_planes(law_, c);
-    if (auto branch = split_short(region, found, planes)) return branch;
-    if (!c.geometry_is_certain()) return split_corners(region, found, contact, planes, true);
+    if (auto branch = split_short(found, planes)) return branch;
+    if (!c.geometry_is_certain()) return split_corners(found, contact, planes, true);
   } else if (is_known || !c.geometry_is_certain()) {
-    return split_spatial_slip(region, found, contact);
+    return split_spatial_slip(found, contact);
   }
   return Branch{SlipSplit{ContactId(contact)}, region.slip_children(contact)};
 }
 
 /// Across the mean of the slip and of the one that friction implies: on which side it is.
-std::optional<TreeSearch::Branch> TreeSearch::split_spatial_slip(const MotionRegion& region,
-                                                                 const Relaxation& found,
-                                                                 std::size_t contact) const {
+std::optional<LawForces::Branch> LawForces::split_spatial_slip(const Relaxation& found,
+                                                                std::size_t contact) const {
+  const MotionRegion& region = *region_;
   const LawContact& c = law_.contacts[contact];
   const Double3 s = mean_slip(c, found.motion.head(static_cast<Eigen::Index>(law_.motions)));
   const Double3& f = found.friction[contact];
@@ -295,7 +332,7 @@ std::optional<TreeSearch::Branch> TreeSearch::split_spatial_slip(const MotionReg
     }
     for (std::size_t k = 0; k < 3; ++k) across[k] = wedge.middle[k];
     wedge.far = farthest_arm(*c.place, across);
-    return split_wedge(region, found, wedge);
+    return split_wedge(found, wedge);
   }
   auto plane = plane_along(narrow ? turned : mean);
   if (!plane) plane = plane_along(narrow ? mean : turned);
@@ -303,87 +340,77 @@ std::optional<TreeSearch::Branch> TreeSearch::split_spatial_slip(const MotionReg
   return Branch{PlaneCut{*plane}, region.halves(*plane)};
 }
 
-std::optional<TreeSearch::Branch> TreeSearch::split(const MotionRegion& region,
-                                                    const AllowedWrenches& wrenches,
-                                                    const Relaxation& found) {
+Relaxation LawForces::relaxed(const Found& found) const {
+  Relaxation result = wrenches_->combine(found);
   const auto d = static_cast<Eigen::Index>(law_.motions);
-  const Reals motion = found.motion.head(d);
-  double energy = 0;
-  std::vector<std::pair<double, std::size_t>> separations;
-  std::vector<std::pair<double, std::size_t>> slips;
+  const Reals motion = result.motion.head(d);
   for (std::size_t i = 0; i < law_.contacts.size(); ++i) {
     const LawContact& c = law_.contacts[i];
-    const double a = found.normal[i];
+    const double a = result.normal[i];
     const double stiffness = (c.stiffnesses[0] + c.stiffnesses[1]) / 2;
-    energy += a * a / stiffness;
-    if (region.separation(i) == Separation::kMixed) {
-      double lawful = found.motion[d] * (c.preloads[0] + c.preloads[1]) / 2 +
-                      found.motion[d + 1] * (c.rates[0] + c.rates[1]) / 2;
+    result.energy += a * a / stiffness;
+    if (region_->separation(i) == Separation::kMixed) {
+      double lawful = result.motion[d] * (c.preloads[0] + c.preloads[1]) / 2 +
+                      result.motion[d + 1] * (c.rates[0] + c.rates[1]) / 2;
       for (const CornerRow& row : c.corners) {
         lawful -=
             stiffness * row.normal_rounded.dot(motion) / static_cast<double>(c.corners.size());
       }
       lawful = std::max(0.0, lawful);
       const double gap = std::fabs(a - lawful) * std::max(a, lawful) / stiffness;
-      separations.emplace_back(gap, i);
+      result.separations.emplace_back(gap, i);
     }
-    if (c.slopes[1] > 0 && a > 0 && !region.is_still(i)) {
+    if (c.slopes[1] > 0 && a > 0 && !region_->is_still(i)) {
       const Double3 s = mean_slip(c, motion);
-      slips.emplace_back(a * c.slopes[0] * norm_of(s) + dot(found.friction[i], s), i);
+      result.slips.emplace_back(a * c.slopes[0] * norm_of(s) + dot(result.friction[i], s), i);
     }
   }
-  std::sort(separations.rbegin(), separations.rend());
-  std::sort(slips.rbegin(), slips.rend());
-  if (escapes(found, energy)) {
-    end_ = SearchEnd::kUnbounded;
-    return std::nullopt;
+  for (auto* gaps : {&result.separations, &result.slips}) {
+    std::sort(gaps->rbegin(), gaps->rend());
+    if (!gaps->empty()) result.gap = std::max(result.gap, gaps->front().first);
   }
-  // Trying an equilibrium costs as much as many nodes: it is done at counts 1, 2, 4, 8, ... and
-  // where the relaxed one is nearer than before.
-  const double gap = std::max(separations.empty() ? 0.0 : separations.front().first,
-                              slips.empty() ? 0.0 : slips.front().first) /
-                     energy;
-  const bool is_near = gap < least_gap_ / 10;
-  if (is_near) least_gap_ = gap;
-  const bool is_due = (nodes_ & (nodes_ - 1)) == 0;
-  if ((is_near || is_due) && is_candidate(region, found)) {
-    end_ = SearchEnd::kCandidate;
-    return std::nullopt;
-  }
+  result.gap /= result.energy;
+  return result;
+}
+
+std::optional<LawForces::Branch> LawForces::split(const Relaxation& found) const {
   constexpr double kNoticeable = 1e-12;  // of the energy; only chooses between splits
-  for (const auto& [separation_gap, contact] : separations) {
-    if (!(separation_gap > kNoticeable * energy)) break;
-    if (auto branch = split_separation(region, found, contact)) return branch;
+  for (const auto& [gap, contact] : found.separations) {
+    if (!(gap > kNoticeable * found.energy)) break;
+    if (auto branch = split_separation(found, contact)) return branch;
   }
-  for (const auto& [slip_gap, contact] : slips) {
-    if (!(slip_gap > kNoticeable * energy)) break;
-    if (auto branch = split_slip(region, found, contact)) return branch;
+  for (const auto& [gap, contact] : found.slips) {
+    if (!(gap > kNoticeable * found.energy)) break;
+    if (auto branch = split_slip(found, contact)) return branch;
   }
-  if (exact_) return exactly(region, wrenches);
+  return std::nullopt;
+}
+
+/// Between two motions that take part.
+std::optional<LawForces::Branch> LawForces::split_anywhere(const Relaxation& found) const {
   for (const auto& [a, b] : found.pairs) {
-    const Row plane =
-        law_.plane_between(region.generators()[a], region.generators()[b], found.motion);
-    if (region.signs(plane).cuts()) return Branch{PlaneCut{plane}, region.halves(plane)};
+    const Row plane = law_.plane_between(region_->generators()[a], region_->generators()[b],
+                                         found.motion);
+    if (region_->signs(plane).cuts()) return Branch{PlaneCut{plane}, region_->halves(plane)};
   }
-  end_ = SearchEnd::kPlane;
   return std::nullopt;
 }
 
 /// Of a margin: motions grow without end towards one multiple, and so would the tree.
-bool TreeSearch::escapes(const Relaxation& found, double energy) const {
+bool LawForces::escapes(const Relaxation& found) const {
   constexpr double kFar = 1e6;
   const double h = height(found);
   const double stiffest = law_.force / law_.reach;
   const double size = found.motion.head(static_cast<Eigen::Index>(law_.motions)).norm();
   // Forces are typical nevertheless.
   return law_.is_family && size > kFar * law_.reach * h &&
-         energy < kFar * law_.force * law_.force * h * h / stiffest;
+         found.energy < kFar * law_.force * law_.force * h * h / stiffest;
 }
 
 /// Taken at its word: its motion says which contacts slip.
-bool TreeSearch::is_candidate(const MotionRegion& region, const Relaxation& found) const {
+std::optional<NearEquilibrium> LawForces::candidate(const Relaxation& found) const {
   const double h = height(found);
-  if (!candidate_ || !(h > 0)) return false;
+  if (!(h > 0)) return std::nullopt;
   const auto d = static_cast<Eigen::Index>(law_.motions);
   const Reals motion = found.motion.head(d);
   NearEquilibrium near{motion / h, found.normal, found.friction,
@@ -395,55 +422,9 @@ bool TreeSearch::is_candidate(const MotionRegion& region, const Relaxation& foun
     const double slip = norm_of(mean_slip(c, motion));
     constexpr double kStill = 1e-7;  // of all motion
     const bool rubs = near.normal[i] > 0 && c.slopes[1] > 0;
-    near.sticks[i] = rubs && (region.is_still(i) || slip <= kStill * motion.norm()) ? 1 : 0;
+    near.sticks[i] = rubs && (region_->is_still(i) || slip <= kStill * motion.norm()) ? 1 : 0;
   }
-  return candidate_(near);
-}
-
-std::optional<TreeSearch::Branch> TreeSearch::examine(const MotionRegion& region,
-                                                      std::size_t depth) {
-  // Below the depth that the format allows, by more than the parts of a box above this tree
-  // (32).
-  const std::size_t deepest = 2 * law_.contacts.size() + 220;
-  if (nodes_left_ == 0 || depth > deepest) {
-    end_ = nodes_left_ == 0 ? SearchEnd::kNodes : SearchEnd::kDepth;
-    return std::nullopt;
-  }
-  --nodes_left_;
-  ++nodes_;
-  ++work_.nodes;
-  work_.rays += region.points().size();
-  work_.pairs += region.pairs();
-  work_.most_rays = std::max(work_.most_rays, region.points().size());
-  for (const Row& x : region.points()) note_bits(work_.ray_bits, x);
-  if (region.is_barred()) return Branch{TwistLeaf{Row(law_.motions)}, {}};
-  const AllowedWrenches wrenches(law_, region, pull_);
-  Reals start = -law_.growing;
-  for (std::size_t j = 0; j < law_.motions; ++j) {
-    start[static_cast<Eigen::Index>(j)] -= law_.load[j][0] + law_.load[j][1];
-  }
-  const auto worst = [&](const Reals& y) { return wrenches.worst(y); };
-  const auto found = nearest_wrench(start, worst);
-  if (!found.separated) return split(region, wrenches, wrenches.combine(found));
-  auto y = confirm(region, wrenches, found.twist);
-  if (!y) {
-    const auto deep = nearest_wrench(start, worst, true);
-    if (deep.separated) y = confirm(region, wrenches, deep.twist);
-  }
-  if (!y && exact_) return exactly(region, wrenches);
-  if (!y) {
-    end_ = SearchEnd::kTwist;
-    return std::nullopt;
-  }
-  ++work_.leaves;
-  return Branch{TwistLeaf{*y}, {}};
-}
-
-bool TreeSearch::refute(const MotionRegion& region, Trees& trees) {
-  end_ = SearchEnd::kNone;
-  return append_tree(region, trees, [&](const MotionRegion& at, std::size_t depth) {
-    return examine(at, depth);
-  });
+  return near;
 }
 
 }  // namespace stickslip

@@ -6,7 +6,7 @@
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/sign.hpp"
 #include "stickslip/core/spatial_forces.hpp"
-#include "stickslip/planar/rounded_equilibrium.hpp"
+#include "stickslip/planar/near_equilibria.hpp"
 
 namespace stickslip {
 namespace {

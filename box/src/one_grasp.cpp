@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "one_grasp.hpp"
 
+#include <utility>
+
 #include "stickslip/degree/newton.hpp"
 #include "stickslip/planar/decide.hpp"
-#include "stickslip/planar/rounded_equilibrium.hpp"
+#include "stickslip/planar/near_equilibria.hpp"
 
 namespace stickslip::box_detail {
 
@@ -32,18 +34,18 @@ std::vector<NearEquilibrium> near_equilibria(const GraspLaw& point, bool has_enc
     const Verdict verdict = decide_by_cones(problem);
     const auto* stable = std::get_if<Stable>(&verdict);
     if (stable == nullptr) return result;
-    result.push_back(near(grasp, rounded_equilibrium(problem, stable->witness())));
+    result.push_back(near_equilibrium(problem, stable->witness(), grasp.length));
     constexpr std::size_t kStarts = 40;
     for (const Witness& witness : find_equilibria(problem, kStarts)) {
       if (result.size() == kMost) break;
-      result.push_back(near(grasp, rounded_equilibrium(problem, witness)));
+      result.push_back(near_equilibrium(problem, witness, grasp.length));
     }
   }
   const std::size_t most = result.size() + kMost;
   constexpr std::size_t kStarts = 12;
   for (const std::size_t starts : {std::size_t{0}, kStarts}) {
-    for (const RoundedEquilibrium& found : find_rounded_equilibria(problem, starts)) {
-      if (result.size() <= most) result.push_back(near(grasp, found));
+    for (NearEquilibrium& found : stickslip::near_equilibria(problem, starts, grasp.length)) {
+      if (result.size() <= most) result.push_back(std::move(found));
     }
   }
   return result;

@@ -61,21 +61,6 @@ Reals Newton::force(const Reals& motion, double smooth, Eigen::MatrixXd* derivat
   return sum;
 }
 
-NearEquilibrium near(const RoundedGrasp& grasp, const RoundedEquilibrium& rounded) {
-  NearEquilibrium result{Reals(3), {}, {}, {}};
-  for (std::size_t j = 0; j < 3; ++j) {
-    result.motion[static_cast<Eigen::Index>(j)] = rounded.twist[j] * grasp.unit(j);
-  }
-  for (std::size_t i = 0; i < rounded.forces.size(); ++i) {
-    const RoundedEquilibrium::Force& force = rounded.forces[i];
-    const bool rubs = force.normal > 0 && grasp.contacts[i].slope > 0;
-    result.normal.push_back(force.normal);
-    result.friction.push_back({force.tangential, 0, 0});
-    result.sticks.push_back(rubs && force.still ? 1 : 0);
-  }
-  return result;
-}
-
 ModalEquations::ModalEquations(const RoundedGrasp& grasp, NearEquilibrium& near)
     : off_(grasp.load) {
   const Eigen::Index d = grasp.motions();

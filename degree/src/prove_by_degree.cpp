@@ -266,8 +266,7 @@ std::optional<DegreeProof> prove_by_degree(const Problem& problem, SearchWork& w
   const Newton newton(about.grasp);
   std::vector<Reals> tried;
   for (const std::size_t starts : {0, 1}) {
-    for (const RoundedEquilibrium& rounded : walls.find_equilibria(starts)) {
-      const NearEquilibrium proposed = near(about.grasp, rounded);
+    for (const NearEquilibrium& proposed : walls.near_equilibria(starts, about.grasp.length)) {
       if (starts == 0) {
         if (auto proof = search.prove_quickly(proposed)) return proof;
       }

@@ -10,7 +10,7 @@
 #include "short_segments.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/equilibrium/search_end.hpp"
-#include "stickslip/planar/rounded_equilibrium.hpp"
+#include "stickslip/planar/near_equilibria.hpp"
 
 namespace stickslip {
 

@@ -32,9 +32,8 @@ std::optional<Row> CrowdForces::confirm(const Double3& twist) {
 }
 
 CrowdRelaxation CrowdForces::relaxed(const SearchResult& found) const {
-  CrowdRelaxation result{found, search_.widest_gap(forces_, found)};
-  if (!result.broken && is_last_) result.gap = 0;
-  return result;
+  const WidestGap widest = search_.widest_gap(forces_, found);
+  return {found, widest.at, widest.at || is_last_ ? widest.size : 1};
 }
 
 std::optional<CrowdForces::Branch> CrowdForces::split(const CrowdRelaxation& relaxed) {

@@ -20,7 +20,7 @@ namespace stickslip::planar_detail {
 struct CrowdRelaxation {
   SearchResult found;
   std::optional<ContactSplit> broken;  ///< by the widest gap
-  double gap = 1;  ///< 0 if nothing is broken, and no other look would be more precise
+  double gap;  ///< its size; 0 if nothing is broken, and no other look would be more precise
 };
 
 /// Of one grasp, or of the members of a family.

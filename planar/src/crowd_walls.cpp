@@ -13,8 +13,9 @@ CrowdWalls::CrowdWalls(const Problem& problem)
 
 CrowdWalls::~CrowdWalls() = default;
 
-std::vector<RoundedEquilibrium> CrowdWalls::find_equilibria(std::size_t starts) const {
-  return stickslip::find_rounded_equilibria(*model_, starts);
+std::vector<NearEquilibrium> CrowdWalls::near_equilibria(std::size_t starts,
+                                                         double length) const {
+  return stickslip::near_equilibria(*model_, starts, length);
 }
 
 bool CrowdWalls::all_are_closed(const Region& wall) const {

@@ -349,8 +349,8 @@ double TwistSearch::energy(const RegionForces& forces, const SearchResult& found
   return sum;
 }
 
-std::optional<ContactSplit> TwistSearch::widest_gap(const RegionForces& forces,
-                                                    const SearchResult& found) const {
+WidestGap TwistSearch::widest_gap(const RegionForces& forces,
+                                  const SearchResult& found) const {
   struct Widest {
     double gap = 0;
     std::uint32_t contact = 0;
@@ -415,14 +415,18 @@ std::optional<ContactSplit> TwistSearch::widest_gap(const RegionForces& forces,
     }
   };
   constexpr double kNoticeable = 1e-12;  // only chooses between a split and an exact program
-  const double least = kNoticeable * energy(forces, found);
+  const double all = energy(forces, found);
   // Separation first: a contact that may open weakens the bound on every ray, and a tree that
   // splits these first is several times smaller (bench/README.md compares the rules).
   find_widest(separation, &GapBounds::separation, consider_separation);
-  if (separation.gap > least) return SeparationSplit{ContactId(separation.contact)};
+  if (separation.gap > kNoticeable * all) {
+    return {SeparationSplit{ContactId(separation.contact)}, separation.gap / all};
+  }
   find_widest(slip, &GapBounds::slip, consider_slip);
-  if (slip.gap > least) return SlipSplit{ContactId(slip.contact)};
-  return std::nullopt;
+  if (slip.gap > kNoticeable * all) {
+    return {SlipSplit{ContactId(slip.contact)}, slip.gap / all};
+  }
+  return {};
 }
 
 std::optional<bool> TwistSearch::certain_refutation(const RegionForces& forces,

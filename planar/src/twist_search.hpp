@@ -39,6 +39,12 @@ struct RelaxedForce {
   double tangential = 0;
 };
 
+/// Where a relaxed equilibrium breaks a law.
+struct WidestGap {
+  std::optional<ContactSplit> at;  ///< nothing if it breaks none noticeably
+  double size = 0;                 ///< over the energy of the springs
+};
+
 class TwistSearch {
  public:
   /// With a pull its rule is asked for as well (pull_rule.hpp).
@@ -54,9 +60,8 @@ class TwistSearch {
                      const SearchResult& found) const;
 
   /// The separation, else the slip, whose law the relaxed equilibrium breaks with the most
-  /// energy; nothing if it breaks none noticeably.
-  std::optional<ContactSplit> widest_gap(const RegionForces& forces,
-                                         const SearchResult& found) const;
+  /// energy.
+  WidestGap widest_gap(const RegionForces& forces, const SearchResult& found) const;
 
   /// The twist rounded to the smallest integers that still refute the region; where error
   /// bounds do not decide, exactly or, unless `exactly`, not.

@@ -11,7 +11,7 @@
 #include "stickslip/motion/dense.hpp"
 #include "stickslip/motion/exact_system.hpp"
 #include "stickslip/planar/few_shares.hpp"
-#include "stickslip/planar/rounded_equilibrium.hpp"
+#include "stickslip/planar/near_equilibria.hpp"
 #include "stickslip/planar/smooth_balance.hpp"
 
 namespace stickslip {
@@ -240,19 +240,20 @@ std::optional<Witness> complete(const Problem& problem, const SmoothBalance& bal
   return complete_exactly(problem, guesses(balance, model, d));
 }
 
-RoundedEquilibrium near(const SmoothBalance& balance, const DoubleModel& model,
-                        const Eigen::Vector3d& d) {
-  RoundedEquilibrium result{{d[0], d[1], d[2]}, {}};
-  result.forces.reserve(model.contacts.size());
+NearEquilibrium near(const SmoothBalance& balance, const DoubleModel& model,
+                     const Eigen::Vector3d& d, double length) {
+  NearEquilibrium result{Eigen::Vector3d(d[0], d[1], d[2] * length), {}, {}, {}};
   const Double5 x = balance.point(d);
   for (const ContactDoubles& c : model.contacts) {
     const double normal = std::max(0.0, dot(c.separation, x));
     const double slip = dot(c.slip, x);
     // The length of N is the translation's alone, and so is that of T.
-    const double length = std::hypot(c.normal[0], c.normal[1]);
-    const double most = normal * std::hypot(c.friction[0], c.friction[1]) / length;
-    result.forces.push_back(
-        {normal, balance.friction_ratio(slip) * most, std::fabs(slip) < balance.epsilon()});
+    const double size = std::hypot(c.normal[0], c.normal[1]);
+    const double most = normal * std::hypot(c.friction[0], c.friction[1]) / size;
+    const bool rubs = normal > 0 && !c.frictionless;
+    result.normal.push_back(normal);
+    result.friction.push_back({balance.friction_ratio(slip) * most, 0, 0});
+    result.sticks.push_back(rubs && std::fabs(slip) < balance.epsilon() ? 1 : 0);
   }
   return result;
 }
@@ -425,22 +426,22 @@ std::vector<Witness> find_witnesses_around(const Problem& problem, const DoubleM
   return found;
 }
 
-std::vector<RoundedEquilibrium> find_rounded_equilibria(const DoubleModel& model,
-                                                        std::size_t starts) {
+std::vector<NearEquilibrium> near_equilibria(const DoubleModel& model, std::size_t starts,
+                                             double length) {
   SmoothBalance balance(model);
-  std::vector<RoundedEquilibrium> found;
-  Eigen::Vector3d move;
-  if (const auto d = relax_from_rest(model, balance, move)) {
-    found.push_back(near(balance, model, *d));
-  }
+  std::vector<NearEquilibrium> found;
+  std::vector<Eigen::Vector3d> motions;
   const auto add = [&](const Eigen::Vector3d& d) {
-    const bool is_new = std::none_of(found.begin(), found.end(), [&](const auto& other) {
+    const bool is_known = std::any_of(motions.begin(), motions.end(), [&](const auto& other) {
       constexpr double kSame = 1e-6;
-      const Eigen::Vector3d there(other.twist[0], other.twist[1], other.twist[2]);
-      return (there - d).norm() <= kSame * (there.norm() + d.norm());
+      return (other - d).norm() <= kSame * (other.norm() + d.norm());
     });
-    if (is_new) found.push_back(near(balance, model, d));
+    if (is_known) return;
+    motions.push_back(d);
+    found.push_back(near(balance, model, d, length));
   };
+  Eigen::Vector3d move;
+  if (const auto d = relax_from_rest(model, balance, move)) add(*d);
   if (starts == 0) return found;
   for (const bool squeezed : {false, true}) {
     if (const auto d = relax_from_squeeze(model, balance, squeezed)) add(*d);
@@ -449,21 +450,26 @@ std::vector<RoundedEquilibrium> find_rounded_equilibria(const DoubleModel& model
   return found;
 }
 
-RoundedEquilibrium rounded_equilibrium(const Problem& problem, const Witness& witness) {
-  RoundedEquilibrium result{
-      {to_double(witness.twist.x), to_double(witness.twist.y), to_double(witness.twist.r)}, {}};
-  const ScaledTwist scaled(witness.twist);
+NearEquilibrium near_equilibrium(const Problem& problem, const Witness& witness,
+                                 double length) {
+  const Twist& d = witness.twist;
+  NearEquilibrium result{
+      Eigen::Vector3d(to_double(d.x), to_double(d.y), to_double(d.r) * length), {}, {}, {}};
+  const ScaledTwist scaled(d);
   for (std::size_t i = 0; i < problem.size(); ++i) {
     const ContactForce& force = witness.forces[i];
-    result.forces.push_back({to_double(force.normal), to_double(force.tangential),
-                             power(problem.rows()[i].tangent, scaled.twist).is_zero()});
+    const ContactRow& row = problem.rows()[i];
+    const bool rubs = force.normal.sign() > 0 && !row.friction.is_zero();
+    result.normal.push_back(to_double(force.normal));
+    result.friction.push_back({to_double(force.tangential), 0, 0});
+    result.sticks.push_back(rubs && power(row.tangent, scaled.twist).is_zero() ? 1 : 0);
   }
   return result;
 }
 
-std::vector<RoundedEquilibrium> find_rounded_equilibria(const Problem& problem,
-                                                        std::size_t starts) {
-  return find_rounded_equilibria(DoubleModel(problem), starts);
+std::vector<NearEquilibrium> near_equilibria(const Problem& problem, std::size_t starts,
+                                             double length) {
+  return near_equilibria(DoubleModel(problem), starts, length);
 }
 
 bool has_long_equilibria(const Problem& problem, std::size_t bits) {

@@ -12,7 +12,7 @@
 #include "stickslip/answers/verdict_answer.hpp"
 #include "stickslip/certificate/certificate.hpp"
 #include "stickslip/core/snap.hpp"
-#include "stickslip/planar/rounded_equilibrium.hpp"
+#include "stickslip/planar/near_equilibria.hpp"
 
 namespace stickslip {
 namespace {

@@ -9,7 +9,7 @@
 #include "paper_grasps.hpp"
 #include "rounds.hpp"
 #include "stickslip/planar/decide.hpp"
-#include "stickslip/planar/rounded_equilibrium.hpp"
+#include "stickslip/planar/near_equilibria.hpp"
 
 namespace stickslip::test {
 namespace {

@@ -121,7 +121,7 @@ class StiffnessInDoubles {
     for (std::size_t j = 0; j < 3; ++j) c.separation[j] *= factor;
     c.stiffness *= factor;
     model_.stiffness += c.stiffness - before.stiffness;
-    const bool is_stable = !find_rounded_equilibria(model_, 0).empty();
+    const bool is_stable = !near_equilibria(model_, 0, 1).empty();
     c = before;
     model_.stiffness = all;
     return is_stable != stable_;

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "stickslip/degree/rounded_box.hpp"
-#include "stickslip/planar/rounded_equilibrium.hpp"
 #include "stickslip/search/near_equilibrium.hpp"
 
 namespace stickslip {
@@ -34,9 +33,6 @@ class ModalEquations {
   Eigen::MatrixXd answer_;      ///< of friction to forces, of least squares
   Eigen::MatrixXd free_;        ///< motions without slip where it sticks, by columns
 };
-
-/// What the planar engine proposes, in the units of the grasp.
-NearEquilibrium near(const RoundedGrasp& grasp, const RoundedEquilibrium& rounded);
 
 /// Newton's method on a grasp, which must outlive it.
 class Newton {

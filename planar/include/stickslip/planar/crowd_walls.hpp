@@ -8,7 +8,7 @@
 
 #include "stickslip/planar/branch_and_bound.hpp"
 #include "stickslip/planar/region.hpp"
-#include "stickslip/planar/rounded_equilibrium.hpp"
+#include "stickslip/planar/near_equilibria.hpp"
 
 namespace stickslip {
 
@@ -26,8 +26,8 @@ class CrowdWalls {
 
   const Problem& problem() const { return problem_; }   ///< what it is about
   const DoubleModel& model() const { return *model_; }  ///< of it
-  /// As find_rounded_equilibria(): around which there may be walls. Of one grasp.
-  std::vector<RoundedEquilibrium> find_equilibria(std::size_t starts) const;
+  /// Around which there may be walls: as near_equilibria(). Of one grasp.
+  std::vector<NearEquilibrium> near_equilibria(std::size_t starts, double length) const;
   /// Whether every contact is closed on all of a wall.
   bool all_are_closed(const Region& wall) const;
   /// Appends to `trees` one that refutes the wall, with `leaf-direction` if there is a

@@ -9,7 +9,7 @@
 
 #include "stickslip/equilibrium/verdict.hpp"
 #include "stickslip/planar/double_model.hpp"
-#include "stickslip/planar/rounded_equilibrium.hpp"
+#include "stickslip/planar/near_equilibria.hpp"
 
 namespace stickslip {
 
@@ -59,8 +59,8 @@ std::optional<Witness> find_witness_near(const Problem& problem, const DoubleMod
 std::vector<Witness> find_witnesses_around(const Problem& problem, const DoubleModel& model,
                                            std::size_t starts);
 
-/// Those of one grasp whose model is there (rounded_equilibrium.hpp).
-std::vector<RoundedEquilibrium> find_rounded_equilibria(const DoubleModel& model,
-                                                        std::size_t starts);
+/// Those of one grasp whose model is there (near_equilibria.hpp).
+std::vector<NearEquilibrium> near_equilibria(const DoubleModel& model, std::size_t starts,
+                                             double length);
 
 }  // namespace stickslip

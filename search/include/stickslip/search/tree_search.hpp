@@ -115,9 +115,9 @@ class TreeSearch {
   }
 
   /// Trying an equilibrium costs as much as many nodes: it is done at counts 1, 2, 4, 8, ... and
-  /// where the relaxed one is nearer than before.
+  /// where the relaxed one is nearer than before, or breaks no law.
   bool is_taken(const Relaxed& relaxed) {
-    const bool is_near = relaxed.gap < least_gap_ / 10;
+    const bool is_near = relaxed.gap < least_gap_ / 10 || relaxed.gap == 0;
     if (is_near) least_gap_ = relaxed.gap;
     const bool is_due = (nodes_ & (nodes_ - 1)) == 0;
     if (!candidate_ || !(is_near || is_due)) return false;

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "stickslip/planar/crowd_walls.hpp"
-#include "stickslip/search/search_work.hpp"
 #include "stickslip/search/law_forces.hpp"
+#include "stickslip/search/search_work.hpp"
 
 namespace stickslip::degree_detail {
 

@@ -145,8 +145,8 @@ class Explorer {
     return witness_.has_value();
   }
 
-  /// The exact program of the region: a leaf, or the split that its point asks for; nothing if that
-  /// is an equilibrium.
+  /// The exact program of the region: a leaf, or the split that its point asks for; nothing if
+  /// that is an equilibrium.
   std::optional<TreeNode> solve_exactly(const Region& region) {
     ++work_.exact_programs;
     auto outcome = solve_region(problem_, region, nullptr);

@@ -31,8 +31,8 @@ class CrowdForces {
   using Candidate = CrowdRelaxation;
   using Branch = BranchOf<TreeNode, Region>;
 
-  /// Leaves have `leaf-direction` if there is a pull. `exactly`: twists that doubles do not confirm
-  /// are tried exactly. All must outlive this; `model` is that of the problem.
+  /// Leaves have `leaf-direction` if there is a pull. `exactly`: twists that doubles do not
+  /// confirm are tried exactly. All must outlive this; `model` is that of the problem.
   CrowdForces(const Problem& problem, const DoubleModel& model, const PullRule* pull,
               bool exactly, ConeWork& work)
       : problem_(problem),

@@ -65,8 +65,7 @@ void cut_by_normal_law(Cone& cone, const Problem& problem) {
 }  // namespace
 
 Region Region::root(const Problem& problem) {
-  Region region(problem,
-                problem.preloads_grow() ? Multiples::kAny : Multiples::kZero);
+  Region region(problem, problem.preloads_grow() ? Multiples::kAny : Multiples::kZero);
   const MultipleRange& range = problem.multiples();
   if (problem.preloads_grow()) {
     region.cut(end_plane(range.low, 1), Side::kPositive, !range.has_low);

@@ -349,8 +349,7 @@ double TwistSearch::energy(const RegionForces& forces, const SearchResult& found
   return sum;
 }
 
-WidestGap TwistSearch::widest_gap(const RegionForces& forces,
-                                  const SearchResult& found) const {
+WidestGap TwistSearch::widest_gap(const RegionForces& forces, const SearchResult& found) const {
   struct Widest {
     double gap = 0;
     std::uint32_t contact = 0;

@@ -95,7 +95,8 @@ LawForces::LawForces(const Law& law, const PullRule* pull, SearchWork& work)
 LawForces::~LawForces() = default;
 LawForces::LawForces(LawForces&& other) noexcept = default;
 
-/// Below the depth that the format allows, by more than the parts of a box above this tree (32).
+/// Below the depth that the format allows, by more than the parts of a box above this tree
+/// (32).
 std::size_t LawForces::deepest() const {
   return 2 * law_.contacts.size() + 220;
 }
@@ -112,7 +113,8 @@ bool LawForces::enter(const MotionRegion& region, std::size_t /*depth*/) {
   return true;
 }
 
-/// Again: with wrenches that are against the twist with some to spare, so that it may be rounded.
+/// Again: with wrenches that are against the twist with some to spare, so that it may be
+/// rounded.
 LawForces::Found LawForces::nearest(bool again) {
   Reals start = -law_.growing;
   for (std::size_t j = 0; j < law_.motions; ++j) {
@@ -166,7 +168,7 @@ LawForces::Branch LawForces::branch(const TreeNode& node) {
 /// A plane beside the wedge, towards the motion: all that lies beyond it, strictly, has one
 /// sign. Rotations have one sign first, so that such a plane is one. Nothing in the wedge.
 std::optional<LawForces::Branch> LawForces::split_wedge(const Relaxation& found,
-                                                         const Wedge& wedge) const {
+                                                        const Wedge& wedge) const {
   const MotionRegion& region = *region_;
   const std::size_t d = law_.motions;
   double value = 0;
@@ -200,8 +202,8 @@ std::optional<LawForces::Branch> LawForces::split_wedge(const Relaxation& found,
 }
 
 /// Planes of many bits make all that is exact slow: one of few bits beyond them serves as well.
-std::optional<LawForces::Branch> LawForces::split_short(
-    const Relaxation& found, const std::vector<Row>& planes) const {
+std::optional<LawForces::Branch> LawForces::split_short(const Relaxation& found,
+                                                        const std::vector<Row>& planes) const {
   const MotionRegion& region = *region_;
   if (only_contacts_ || !are_long(planes)) return std::nullopt;
   const int side = side_of_all(law_, planes, found.motion);
@@ -216,9 +218,9 @@ std::optional<LawForces::Branch> LawForces::split_short(
 /// side of all: at the nearest of them. Rotations have one sign first where the geometry is
 /// uncertain, as few corners matter then: the others are never the extreme.
 std::optional<LawForces::Branch> LawForces::split_corners(const Relaxation& found,
-                                                           std::size_t contact,
-                                                           const std::vector<Row>& planes,
-                                                           bool is_slip) const {
+                                                          std::size_t contact,
+                                                          const std::vector<Row>& planes,
+                                                          bool is_slip) const {
   const MotionRegion& region = *region_;
   const bool stands_still =
       !(found.motion.head(static_cast<Eigen::Index>(law_.motions)).squaredNorm() > 0);
@@ -252,7 +254,7 @@ std::optional<LawForces::Branch> LawForces::split_corners(const Relaxation& foun
 }
 
 std::optional<LawForces::Branch> LawForces::split_separation(const Relaxation& found,
-                                                              std::size_t contact) const {
+                                                             std::size_t contact) const {
   const MotionRegion& region = *region_;
   const LawContact& c = law_.contacts[contact];
   if (auto branch = split_short(found, c.separations)) return branch;
@@ -269,7 +271,7 @@ std::optional<LawForces::Branch> LawForces::split_separation(const Relaxation& f
 }
 
 std::optional<LawForces::Branch> LawForces::split_slip(const Relaxation& found,
-                                                        std::size_t contact) const {
+                                                       std::size_t contact) const {
   const MotionRegion& region = *region_;
   const LawContact& c = law_.contacts[contact];
   const bool is_known =
@@ -287,7 +289,7 @@ std::optional<LawForces::Branch> LawForces::split_slip(const Relaxation& found,
 
 /// Across the mean of the slip and of the one that friction implies: on which side it is.
 std::optional<LawForces::Branch> LawForces::split_spatial_slip(const Relaxation& found,
-                                                                std::size_t contact) const {
+                                                               std::size_t contact) const {
   const MotionRegion& region = *region_;
   const LawContact& c = law_.contacts[contact];
   const Double3 s = mean_slip(c, found.motion.head(static_cast<Eigen::Index>(law_.motions)));
@@ -389,8 +391,8 @@ std::optional<LawForces::Branch> LawForces::split(const Relaxation& found) const
 /// Between two motions that take part.
 std::optional<LawForces::Branch> LawForces::split_anywhere(const Relaxation& found) const {
   for (const auto& [a, b] : found.pairs) {
-    const Row plane = law_.plane_between(region_->generators()[a], region_->generators()[b],
-                                         found.motion);
+    const Row plane =
+        law_.plane_between(region_->generators()[a], region_->generators()[b], found.motion);
     if (region_->signs(plane).cuts()) return Branch{PlaneCut{plane}, region_->halves(plane)};
   }
   return std::nullopt;

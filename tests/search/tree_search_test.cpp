@@ -2,8 +2,6 @@
 // The search for trees, on laws of any number of coordinates that no grasp file can say. Planar
 // grasps are judged by another engine, and trees about them by find_flaw(), which knows nothing
 // of this search.
-#include "stickslip/search/law_forces.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,6 +11,7 @@
 #include "stickslip/core/error.hpp"
 #include "stickslip/planar/decide.hpp"
 #include "stickslip/planar/find_flaw.hpp"
+#include "stickslip/search/law_forces.hpp"
 
 namespace stickslip {
 namespace {

@@ -61,7 +61,8 @@ class StrictConeOf {
   }
   /// No solution lies here.
   bool is_barred() const {
-    return bars(cone_.rays(), [](const auto& ray) -> const auto& { return ray.tight; });
+    return bars(
+        cone_.rays(), [](const auto& ray) -> const auto& { return ray.tight; });
   }
 
  protected:

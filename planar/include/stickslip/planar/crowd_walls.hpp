@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "stickslip/planar/branch_and_bound.hpp"
-#include "stickslip/planar/region.hpp"
 #include "stickslip/planar/near_equilibria.hpp"
+#include "stickslip/planar/region.hpp"
 
 namespace stickslip {
 

@@ -80,7 +80,8 @@ class Region : public StrictConeOf<IntegerVector5> {
 
   /// As StrictConeOf::bars, of generators or rays of cone().
   bool bars(const std::vector<const Ray*>& rays) const {
-    return StrictConeOf::bars(rays, [](const Ray* ray) -> const auto& { return ray->tight; });
+    return StrictConeOf::bars(
+        rays, [](const Ray* ray) -> const auto& { return ray->tight; });
   }
   /// Whether no solution has h = 0, as in root() and its parts.
   bool has_height() const { return !strict_.empty() && strict_.front() == 0; }

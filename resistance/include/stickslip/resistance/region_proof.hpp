@@ -7,7 +7,7 @@
 /// **Method.** The pieces are those of resistible_set. A binary space partition of the plane,
 /// first by lines of the region's border and then by those of pieces, leads to cells that lie
 /// in one piece or meet none. The latter are refuted by branch and bound over the motions with
-/// all of the cell as loads (search/tree_search.hpp); where doubles fail, as at cells that
+/// all of the cell as loads (search/law_forces.hpp); where doubles fail, as at cells that
 /// touch the region, the exact program of region_program.hpp decides. Borders of cells that
 /// belong to another cell are strict functions.
 #pragma once

@@ -54,9 +54,9 @@ struct Relaxation {
 /// Of one law.
 class LawForces {
  public:
-  using Region = MotionRegion;          ///< of a tree
-  using Relaxed = Relaxation;           ///< that a region allows
-  using Candidate = NearEquilibrium;    ///< of a relaxation
+  using Region = MotionRegion;                ///< of a tree
+  using Relaxed = Relaxation;                 ///< that a region allows
+  using Candidate = NearEquilibrium;          ///< of a relaxation
   using Branch = BranchOf<TreeNode, Region>;  ///< as of TreeSearch
   /// What is found of a region.
   using Found = NearestWrench<Reals, search_detail::AllowedWrench>;
@@ -100,8 +100,8 @@ class LawForces {
   const PullRule* pull_;
   SearchWork& work_;
   bool only_contacts_ = false;
-  bool separated_ = false;                 ///< what was found last
-  const MotionRegion* region_ = nullptr;   ///< the one entered last
+  bool separated_ = false;                                    ///< what was found last
+  const MotionRegion* region_ = nullptr;                      ///< the one entered last
   std::unique_ptr<search_detail::AllowedWrenches> wrenches_;  ///< of the region
 };
 

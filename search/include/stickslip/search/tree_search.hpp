@@ -19,22 +19,26 @@
 
 namespace stickslip {
 
-/// The search, whatever supplies the forces: contacts one by one, of any law (law_forces.hpp), or
-/// crowds of them in the plane (planar/crowd_forces.hpp). `Forces` has
+/// The search, whatever supplies the forces: contacts one by one, of any law (law_forces.hpp),
+/// or crowds of them in the plane (planar/crowd_forces.hpp). `Forces` has
 ///
 /// - `Region`, `Relaxed` with a `gap` (the widest breach of a law, over the energy), and
 ///   `Candidate`: what a relaxed equilibrium says to those who look for a real one;
 /// - `motions()`, and `deepest()`: the depth of a tree that is not to be exceeded;
-/// - `enter(region, depth)`: reads a region, which all that follows is about; false if no solution
+/// - `enter(region, depth)`: reads a region, which all that follows is about; false if no
+/// solution
 ///   lies there;
-/// - `nearest(again)`: what nearest_wrench() finds, `again` with more effort; `may_try_again()`:
+/// - `nearest(again)`: what nearest_wrench() finds, `again` with more effort;
+/// `may_try_again()`:
 ///   whether that may find something else;
 /// - `confirm(twist)`: a twist near this one that refutes the region, exactly;
 /// - `relaxed(found)`, and `escapes(relaxed)`: it leads nowhere;
 /// - `candidate(relaxed)`, an optional;
-/// - `split(relaxed)` where it breaks a law noticeably, and `split_anywhere(relaxed)`: what else may
+/// - `split(relaxed)` where it breaks a law noticeably, and `split_anywhere(relaxed)`: what
+/// else may
 ///   lead on;
-/// - `branch(node)`: a node that was decided exactly, with its children; `keep_to_contacts()`: only
+/// - `branch(node)`: a node that was decided exactly, with its children; `keep_to_contacts()`:
+/// only
 ///   such are to be split.
 template <class Forces>
 class TreeSearch {
@@ -68,9 +72,8 @@ class TreeSearch {
   /// nodes more.
   bool refute(Region region, Trees& trees) {
     end_ = SearchEnd::kNone;
-    return append_tree(std::move(region), trees, [&](const Region& at, std::size_t depth) {
-      return examine(at, depth);
-    });
+    return append_tree(std::move(region), trees,
+                       [&](const Region& at, std::size_t depth) { return examine(at, depth); });
   }
 
   /// One node of a tree: a leaf or a split; nothing where the search ends.
@@ -106,16 +109,16 @@ class TreeSearch {
 
   /// Of the last search.
   SearchEnd end() const { return end_; }
-  std::size_t nodes() const { return nodes_; }    ///< looked at
-  Forces& forces() { return forces_; }            ///< what supplies them
+  std::size_t nodes() const { return nodes_; }  ///< looked at
+  Forces& forces() { return forces_; }          ///< what supplies them
  private:
   std::optional<Branch> stop(SearchEnd end) {
     end_ = end;
     return std::nullopt;
   }
 
-  /// Trying an equilibrium costs as much as many nodes: it is done at counts 1, 2, 4, 8, ... and
-  /// where the relaxed one is nearer than before, or breaks no law.
+  /// Trying an equilibrium costs as much as many nodes: it is done at counts 1, 2, 4, 8, ...
+  /// and where the relaxed one is nearer than before, or breaks no law.
   bool is_taken(const Relaxed& relaxed) {
     const bool is_near = relaxed.gap < least_gap_ / 10 || relaxed.gap == 0;
     if (is_near) least_gap_ = relaxed.gap;

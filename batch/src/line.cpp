@@ -106,28 +106,22 @@ LineResult LineDecider::decide(const BatchLine& line) const {
     const auto wants_certificate = [&] {
       return outcome == LineOutcome::kDecided && !options_.certificates.empty();
     };
-    const auto answer_class = [&](const auto& asked, const auto& inertia) {
-      const auto verdict = rigid_verdict(asked, inertia);
-      answer("class", verdict);
-      if (wants_certificate()) {
-        certificate = class_certificate_text(question, inertia, verdict, kProducer);
-      }
-    };
-    const char* const place = "--inertia";
     if (!options_.inertia) {
       const Answer found = answer_to(question, {Engine::kAuto, options_.node_limit, false});
       answer("verdict", found.verdict);
       if (wants_certificate() && is_stable(found.verdict)) {
         certificate = certificate_text(found.question, found.verdict, kProducer, found.bits);
       }
-    } else if (question.in_space()) {
-      answer_class(point_in_space(question),
-                   options_.inertia->empty() ? SpatialInertia{}
-                                             : spatial_inertia_of(place, *options_.inertia));
     } else {
-      answer_class(problem_of(question), options_.inertia->empty()
-                                             ? Inertia{}
-                                             : inertia_of(place, *options_.inertia));
+      const bool in_space = question.in_space();
+      const Inertia inertia = options_.inertia->empty()
+                                  ? Inertia::of_length(1, in_space)
+                                  : inertia_of("--inertia", *options_.inertia, in_space);
+      const RigidVerdict verdict = rigid_verdict(question, inertia);
+      answer("class", verdict);
+      if (wants_certificate()) {
+        certificate = class_certificate_text(question, inertia, verdict, kProducer);
+      }
     }
   } catch (const InputError& error) {
     return failed(line, error);

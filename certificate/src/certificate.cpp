@@ -270,25 +270,15 @@ std::string certificate_text(const Question& question, const Verdict& verdict,
 
 namespace {
 
-std::string forces_text(const std::vector<ContactForce>& forces) {
-  std::string text = "[";
-  for (std::size_t i = 0; i < forces.size(); ++i) {
-    const ContactForce& f = forces[i];
-    if (f.normal.is_zero() && f.tangential.is_zero()) continue;
-    text += (text.size() == 1 ? "[" : ",[") + std::to_string(i) + "," + number(f.normal) + "," +
-            number(f.tangential) + "]";
-  }
-  return text + "]";
-}
-
 std::string multiplier(const Rational& x) {
   return number(x);
 }
-std::string multiplier(const Vector3& x) {
-  return "[" + list(x) + "]";
+/// One number in the plane, three in space.
+std::string multiplier(const RationalRow& x) {
+  return x.size() == 1 ? number(x.front()) : "[" + list(x) + "]";
 }
 
-std::string forces_text(const SpatialForces& forces) {
+std::string forces_text(const RigidForces& forces) {
   std::string text = "[";
   for (std::size_t i = 0; i < forces.size(); ++i) {
     const auto& [normal, friction] = forces[i];
@@ -299,67 +289,41 @@ std::string forces_text(const SpatialForces& forces) {
   return text + "]";
 }
 
-/// Of a class, in the plane and in space.
+/// Of a class.
 struct RigidText {
-  std::string operator()(const UnopposedMotion& motion) const { return twist(motion.twist); }
-  std::string operator()(const SpatialUnopposedMotion& motion) const {
-    return twist(motion.twist);
+  std::string operator()(const UnopposedMotion& motion) const {
+    return " \"twist\": [" + list(motion.twist) + "]";
   }
   std::string operator()(const StronglyStable& stable) const {
-    return rest(stable.equilibrium.forces) + tree(stable.tree);
-  }
-  std::string operator()(const SpatialStronglyStable& stable) const {
-    return rest(stable.rest) + tree(stable.tree);
+    std::string text = rest(stable.rest) + " \"tree\": [";
+    std::string separator = "\n  ";
+    for (const RigidNode& node : stable.tree) {
+      text += separator + std::visit(*this, node);
+      separator = ",\n  ";
+    }
+    return text + "]";
   }
   std::string operator()(const OpenLoad& open) const {
-    return rest(open.rest.forces) + moving(open.motion.acceleration, open.motion.forces);
-  }
-  std::string operator()(const SpatialOpenLoad& open) const {
-    return rest(open.rest) + moving(open.acceleration, open.forces);
+    return rest(open.rest) + " \"acceleration\": [" + list(open.motion.acceleration) +
+           "],\n \"forces\": " + forces_text(open.motion.forces);
   }
   std::string operator()(const Undecided&) const {
     throw ContractError("an undecided question has no certificate");
   }
 
   std::string operator()(const RigidSplit& node) const {
-    return indexed(node.slip ? "slip" : "touch", node.contact);
-  }
-  std::string operator()(const SpatialSplit& node) const {
-    if (!node.direction) return indexed("touch", node.contact);
+    if (node.direction.empty()) return indexed(node.slip ? "slip" : "touch", node.contact);
     return "[\"slip\"," + std::to_string(node.contact.index()) + "," +
-           multiplier(*node.direction) + "]";
+           multiplier(node.direction) + "]";
   }
-  std::string operator()(const RigidLeaf& node) const { return leaf(node); }
-  std::string operator()(const SpatialLeaf& node) const { return leaf(node); }
+  std::string operator()(const RigidLeaf& leaf) const {
+    return "[\"leaf\"," + number(leaf.weight) + ",[" + list(leaf.twist) + "]," +
+           multipliers(leaf.normal) + "," + multipliers(leaf.tangent) + "]";
+  }
 
  private:
-  template <class Motion>
-  static std::string twist(const Motion& motion) {
-    return " \"twist\": [" + list(numbers_of(motion)) + "]";
-  }
-  template <class Forces>
-  static std::string rest(const Forces& forces) {
+  static std::string rest(const RigidForces& forces) {
     return " \"rest\": " + forces_text(forces) + ",\n";
-  }
-  template <class Motion, class Forces>
-  static std::string moving(const Motion& acceleration, const Forces& forces) {
-    return " \"acceleration\": [" + list(numbers_of(acceleration)) +
-           "],\n \"forces\": " + forces_text(forces);
-  }
-  template <class Node>
-  std::string tree(const std::vector<Node>& nodes) const {
-    std::string text = " \"tree\": [";
-    std::string separator = "\n  ";
-    for (const Node& node : nodes) {
-      text += separator + std::visit(*this, node);
-      separator = ",\n  ";
-    }
-    return text + "]";
-  }
-  template <class Leaf>
-  static std::string leaf(const Leaf& leaf) {
-    return "[\"leaf\"," + number(leaf.weight) + ",[" + list(numbers_of(leaf.twist)) + "]," +
-           multipliers(leaf.normal) + "," + multipliers(leaf.tangent) + "]";
   }
   template <class Pairs>
   static std::string multipliers(const Pairs& pairs) {
@@ -370,41 +334,19 @@ struct RigidText {
     }
     return text + "]";
   }
-  static Vector3 numbers_of(const Twist& motion) { return coordinates(motion); }
-  static const Vector6& numbers_of(const Vector6& motion) { return motion; }
 };
-
-template <class Numbers, class Verdict>
-std::string class_text(const Question& question, const Numbers& inertia, const Verdict& verdict,
-                       const std::string& producer) {
-  require(!question.is_margin(), "a class is of one load");
-  return head(question, wrench_text(wrench_of(question.grasp)),
-              ", \"inertia\": [" + list(inertia) + "]", producer) +
-         kVerdict + "\"" + name_of(verdict) + "\",\n" + std::visit(RigidText{}, verdict) +
-         "}\n";
-}
 
 }  // namespace
 
 std::string class_certificate_text(const Question& question, const Inertia& inertia,
                                    const RigidVerdict& verdict, const std::string& producer) {
-  require(question.box() == nullptr, "a class is of one grasp");
-  return class_text(question,
-                    Vector3{inertia.centre.x, inertia.centre.y, inertia.gyration_squared},
-                    verdict, producer);
-}
-
-std::string class_certificate_text(const Question& question, const SpatialInertia& inertia,
-                                   const SpatialRigidVerdict& verdict,
-                                   const std::string& producer) {
-  require(question.in_space() && question.box()->is_point(), "a class is of one grasp");
-  const auto& [x, y, z] = inertia.gyration;
-  RationalRow numbers(inertia.centre.begin(), inertia.centre.end());
-  numbers.insert(numbers.end(), {x[0], y[1], z[2]});
-  if (!(x[1].is_zero() && x[2].is_zero() && y[2].is_zero())) {
-    numbers.insert(numbers.end(), {x[1], x[2], y[2]});
-  }
-  return class_text(question, numbers, verdict, producer);
+  require(question.box() == nullptr || (question.in_space() && question.box()->is_point()),
+          "a class is of one grasp");
+  require(!question.is_margin(), "a class is of one load");
+  return head(question, wrench_text(wrench_of(question.grasp)),
+              ", \"inertia\": [" + list(numbers_of(inertia)) + "]", producer) +
+         kVerdict + "\"" + name_of(verdict) + "\",\n" + std::visit(RigidText{}, verdict) +
+         "}\n";
 }
 
 namespace {

@@ -58,7 +58,7 @@ void print(const Question& question, const Inertia& inertia, const std::vector<R
   std::cout << "  load w       " << text(coordinates(question.loaded().wrench)) << '\n';
   if (question.direction) std::cout << "  direction u  " << text(*question.direction) << '\n';
   std::cout << "  inertia      centre " << text(inertia.centre)
-            << ", squared radius of gyration " << text(inertia.gyration_squared)
+            << ", squared radius of gyration " << text(inertia.gyration[0][0])
             << (question.direction ? "\n\nUnder the load w + l u rigid contacts\n"
                                    : "\n\nWith all friction times s rigid contacts\n");
   std::vector<std::vector<std::string>> table;
@@ -73,7 +73,8 @@ void print(const Question& question, const Inertia& inertia, const std::vector<R
 
 int answer_class_margin(const Question& question, const ClassMarginOptions& options,
                         const NumberOptions& output) {
-  const Inertia inertia = inertia_option("--inertia", options.inertia);
+  const Inertia inertia =
+      inertia_of("--inertia", numbers_option("--inertia", options.inertia), false);
   if (options.friction) {
     if (question.direction || question.preload_direction) {
       throw InputError("", "--friction", "friction changes, and the load as well",

@@ -35,15 +35,13 @@ Rational positive_length(const std::string& text) {
 /// its origin, at the characteristic length.
 struct Compared {
   Rational length;
+  Inertia inertia;
   Comparison comparison{};
-  Json inertia{};
-  std::string inertia_text{};
 };
 
 /// Nothing is written of a class that is not known.
-template <class Inertia, class Verdict>
 bool writes_certificate(const std::string& file, const Question& question,
-                        const Inertia& inertia, const Verdict& verdict) {
+                        const Inertia& inertia, const RigidVerdict& verdict) {
   if (const auto* undecided = std::get_if<Undecided>(&verdict)) {
     std::cerr << "stickslip: the class is not known: " << in_words(*undecided) << '\n';
     return false;
@@ -53,50 +51,14 @@ bool writes_certificate(const std::string& file, const Question& question,
   return true;
 }
 
-/// False if a certificate is asked for and there is none.
-bool answer_in_plane(const CompareArguments& arguments, const Question& question,
-                     Compared& answer, NumberText& text) {
-  const Inertia inertia = arguments.inertia.empty()
-                              ? Inertia{{}, answer.length * answer.length}
-                              : inertia_option("--inertia", arguments.inertia);
-  const Problem problem = problem_of(question);
-  if (!arguments.certificate.empty() &&
-      !writes_certificate(arguments.certificate, question, inertia,
-                          rigid_verdict(problem, inertia))) {
-    return false;
+std::string inertia_text(const Inertia& inertia, NumberText& text) {
+  if (!inertia.in_space()) {
+    return text(inertia.centre) + ", squared radius of gyration " +
+           text(inertia.gyration[0][0]);
   }
-  answer.comparison =
-      compare_methods(problem, {arguments.methods, answer.length, inertia}, text);
-  answer.inertia = inertia_json(inertia);
-  answer.inertia_text =
-      text(inertia.centre) + ", squared radius of gyration " + text(inertia.gyration_squared);
-  return true;
-}
-
-bool answer_in_space(const CompareArguments& arguments, const Question& question,
-                     Compared& answer, NumberText& text) {
-  const SpatialInertia inertia =
-      arguments.inertia.empty()
-          ? SpatialInertia::of_length(answer.length)
-          : spatial_inertia_of("--inertia", numbers_option("--inertia", arguments.inertia));
-  const GraspBox& grasp = point_in_space(question);
-  std::optional<SpatialRigidVerdict> verdict;
-  if (!arguments.certificate.empty()) {
-    verdict = rigid_verdict(grasp, inertia);
-    if (!writes_certificate(arguments.certificate, question, inertia, *verdict)) return false;
-  }
-  try {
-    answer.comparison =
-        compare_methods(grasp, question.law, {arguments.methods, answer.length, {}}, inertia,
-                        text, verdict ? &*verdict : nullptr);
-  } catch (const InputError& error) {
-    throw InputError("", "--" + error.place(), error.problem(), error.remedy());
-  }
-  answer.inertia = inertia_json(inertia);
-  const auto& [x, y, z] = inertia.gyration;
-  answer.inertia_text =
-      text(inertia.centre) + ", tensor " + text(x) + " " + text(y) + " " + text(z);
-  return true;
+  std::string result = text(inertia.centre) + ", tensor";
+  for (const RationalRow& row : inertia.gyration) result += " " + text(row);
+  return result;
 }
 
 void print_json(const Question& question, const Compared& answer, bool floats) {
@@ -107,7 +69,7 @@ void print_json(const Question& question, const Compared& answer, bool floats) {
             {"normal_law", to_string(question.law)},
             {"wrench", std::move(wrench)},
             {"length", number_json(answer.length)},
-            {"inertia", answer.inertia},
+            {"inertia", inertia_json(answer.inertia)},
             {"class", comparison.load_class ? Json(*comparison.load_class) : Json(nullptr)}};
   if (const auto& undecided = comparison.undecided) {
     json["reason"] = undecided->reason;
@@ -136,7 +98,7 @@ void print_text(const Question& question, const Compared& answer, NumberText& te
   std::cout << "  load w    " << text(load) << '\n'
             << "  length L  " << text(answer.length)
             << ", by which torques are divided (--length)\n"
-            << "  inertia   centre " << answer.inertia_text << " (--inertia)\n";
+            << "  inertia   centre " << inertia_text(answer.inertia, text) << " (--inertia)\n";
   if (comparison.load_class) std::cout << "  class     " << *comparison.load_class << '\n';
   if (comparison.undecided) {
     std::cout << "  class     undecided: " << in_words(*comparison.undecided) << '\n';
@@ -157,11 +119,28 @@ void print_text(const Question& question, const Compared& answer, NumberText& te
 
 int compare(const CompareArguments& arguments) {
   NumberText text(arguments.output);
-  Compared answer{positive_length(arguments.length)};
+  const Rational length = positive_length(arguments.length);
   const Question question = arguments.question.any_question();
-  if (!(question.in_space() ? answer_in_space : answer_in_plane)(arguments, question, answer,
-                                                                 text)) {
-    return kUndecidedWithinLimit;
+  const bool in_space = question.in_space();
+  Compared answer{
+      length,
+      arguments.inertia.empty()
+          ? Inertia::of_length(length, in_space)
+          : inertia_of("--inertia", numbers_option("--inertia", arguments.inertia), in_space)};
+  std::optional<RigidVerdict> verdict;
+  if (!arguments.certificate.empty()) {
+    verdict = rigid_verdict(question, answer.inertia);
+    if (!writes_certificate(arguments.certificate, question, answer.inertia, *verdict)) {
+      return kUndecidedWithinLimit;
+    }
+  }
+  try {
+    answer.comparison = compare_methods(
+        question, {arguments.methods, length, answer.inertia, verdict ? &*verdict : nullptr},
+        text);
+  } catch (const InputError& error) {
+    if (error.place() != "methods") throw;
+    throw InputError("", "--" + error.place(), error.problem(), error.remedy());
   }
   if (arguments.output.json) {
     print_json(question, answer, arguments.output.floats);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "contact_forces.hpp"
 #include "rigid_cells.hpp"
 #include "stickslip/core/error.hpp"
 
@@ -202,7 +203,7 @@ std::string to_string(RigidClass rigid_class) {
 std::variant<std::vector<ClassRange>, Undecided> class_margin(const Problem& family,
                                                               const Inertia& inertia,
                                                               std::size_t most_programs) {
-  require(inertia.gyration_squared.sign() > 0, "the radius of gyration must not be zero");
+  require_planar(inertia);
   try {
     return earlier_detail::ClassSweep(family, inertia, most_programs).run();
   } catch (const earlier_detail::LimitReached&) {

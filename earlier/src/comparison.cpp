@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "contact_forces.hpp"
 #include "method_answer.hpp"
 #include "stickslip/earlier/friction_cones.hpp"
 #include "stickslip/earlier/grasp_wrench_space.hpp"
@@ -17,10 +18,6 @@ namespace {
 
 /// Beyond these contacts a grasp wrench space is not computed.
 constexpr std::size_t kMostContactsForWrenchSpace = 64;
-
-Json motion_json(const Twist& d) {
-  return {{"motion", number_json(coordinates(d))}};
-}
 
 /// The first contact with friction in a passive equilibrium.
 struct Rubbing {
@@ -102,30 +99,31 @@ class MethodsAsked {
 
   MethodAnswer weak() {
     const LoadClass result = weakly_stable_load(problem_);
-    const auto* found = std::get_if<BalancingForces>(&result);
+    const auto* found = std::get_if<RigidForces>(&result);
     weakly_stable_ = found != nullptr;
     return balance_answer(
-        result, found == nullptr ? "" : some_forces(found->forces) + " would balance the load",
+        result,
+        found == nullptr ? "" : some_forces(planar_forces(*found)) + " would balance the load",
         "no force in the cones opposes the load along ", false);
   }
 
   MethodAnswer balance_answer(const LoadClass& result, const std::string& balanced,
                               const std::string& unopposed, bool without_friction) {
-    if (const auto* found = std::get_if<BalancingForces>(&result)) {
+    if (const auto* found = std::get_if<RigidForces>(&result)) {
       return of_load(true, balanced + unless_passive(),
-                     {{"forces", forces_json(found->forces)}});
+                     {{"forces", forces_json(planar_forces(*found))}});
     }
-    const Twist& d = std::get<UnopposedMotion>(result).twist;
+    const RationalRow& d = std::get<UnopposedMotion>(result).twist;
     std::string why = unopposed + text_.direction(d);
     if (without_friction && rubbing_) {
       why += "; passively " + contact_name(rubbing_->contact) + " holds by friction, " +
              text_(rubbing_->ratio) + " of its normal force";
     }
-    return of_load(false, std::move(why), motion_json(d));
+    return of_load(false, std::move(why), {{"motion", number_json(d)}});
   }
 
   MethodAnswer strong() {
-    const auto result = strongly_stable_load(problem_, options_.inertia);
+    const auto result = strong_class();
     if (const auto* limit = std::get_if<Undecided>(&result)) return given_up(*limit);
     strongly_stable_ = std::holds_alternative<StronglyStable>(result);
     if (const auto* found = std::get_if<StronglyStable>(&result)) {
@@ -133,7 +131,7 @@ class MethodsAsked {
           true,
           "rigid contacts leave no acceleration " + leaves_refuted(found->cases()) +
               unless_passive(),
-          {{"forces", forces_json(found->equilibrium.forces)}, {"cases", found->cases()}});
+          {{"forces", forces_json(planar_forces(found->rest))}, {"cases", found->cases()}});
     }
     const auto& a = std::get<Acceleration>(result);
     const bool is_preloaded =
@@ -144,9 +142,18 @@ class MethodsAsked {
         std::string("rigid contacts ") +
             (passive_stable_ == true && is_preloaded ? "know no preload: they " : "") +
             "allow the acceleration " + text_(a.acceleration) + " with " +
-            some_forces(a.forces),
-        {{"acceleration", number_json(coordinates(a.acceleration))},
-         {"forces", forces_json(a.forces)}});
+            some_forces(planar_forces(a.forces)),
+        {{"acceleration", number_json(a.acceleration)},
+         {"forces", forces_json(planar_forces(a.forces))}});
+  }
+
+  /// Of a rigid verdict, where there is one that tells.
+  std::variant<StronglyStable, Acceleration, Undecided> strong_class() const {
+    if (options_.verdict != nullptr) {
+      if (const auto* stable = std::get_if<StronglyStable>(options_.verdict)) return *stable;
+      if (const auto* open = std::get_if<OpenLoad>(options_.verdict)) return open->motion;
+    }
+    return strongly_stable_load(problem_, options_.inertia);
   }
 
   /// Not computed also when a normal has an irrational length.
@@ -344,8 +351,8 @@ class MethodsAsked {
 
 }  // namespace
 
-Comparison compare_methods(const Problem& problem, const CompareOptions& options,
-                           NumberText& text) {
+Comparison earlier_detail::compare_in_plane(const Problem& problem,
+                                            const CompareOptions& options, NumberText& text) {
   return MethodsAsked(problem, options, text).ask();
 }
 

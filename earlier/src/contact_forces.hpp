@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "stickslip/equilibrium/verdict.hpp"
+#include "stickslip/earlier/load_classes.hpp"
 
 namespace stickslip::earlier_detail {
 
@@ -20,5 +20,18 @@ bool balances_in_cones(const Problem& problem, const std::vector<ContactForce>& 
 
 /// The force with the coefficients plus and minus (>= 0) on the edges N + mu T and N - mu T.
 ContactForce force_of_edges(const ContactRow& row, const Rational& plus, const Rational& minus);
+
+/// \{ The same, as classes of loads have them.
+RigidForces rigid_forces(const std::vector<ContactForce>& forces);
+std::vector<ContactForce> planar_forces(const RigidForces& forces);
+/// \}
+
+/// \{ A motion in the plane as a row, and back.
+RationalRow row_of(const Twist& motion);
+Twist planar_motion(const RationalRow& row);
+/// \}
+
+/// Requires one of the plane, of a radius of gyration above 0.
+void require_planar(const Inertia& inertia);
 
 }  // namespace stickslip::earlier_detail

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "contact_forces.hpp"
 #include "stickslip/core/box.hpp"
 #include "stickslip/earlier/load_classes.hpp"
 #include "stickslip/lp/linear_program.hpp"
@@ -173,11 +174,12 @@ FrictionBorder friction_border(const Problem& problem) {
   // Moves `low` up or `high` down to the factor, or beyond.
   const auto ask = [&](const Rational& s) {
     const LoadClass found = weakly_stable_load(with_friction_times(problem, s));
-    if (const auto* forces = std::get_if<BalancingForces>(&found)) {
-      high = std::min(s, used_by(problem, forces->forces));
+    if (const auto* forces = std::get_if<RigidForces>(&found)) {
+      high = std::min(s, used_by(problem, planar_forces(*forces)));
       return true;
     }
-    const Factor until = opposed_from(problem, std::get<UnopposedMotion>(found).twist);
+    const Factor until =
+        opposed_from(problem, planar_motion(std::get<UnopposedMotion>(found).twist));
     if (!until) border.always_moves = true;
     low = std::max(s, until.value_or(s));
     return !until.has_value();

@@ -20,6 +20,14 @@ std::array<Rational, n> plus(std::array<Rational, n> a, const Rational& factor,
   return a;
 }
 
+/// What one contact in space exerts: a N + (f, p x f).
+struct SpatialContactForce {
+  Rational normal{0};  ///< a >= 0, the force over |n|
+  Vector3 friction{};  ///< f, orthogonal to n
+};
+/// By ContactId.
+using SpatialForces = std::vector<SpatialContactForce>;
+
 /// Directions of slip of a contact: e turned by `quarter` right angles, and on by 2 atan t for
 /// low
 /// <= t <= high, of 0 to 1.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "contact_forces.hpp"
 #include "friction_border.hpp"
 #include "rigid_cells.hpp"
 #include "stickslip/core/error.hpp"
@@ -106,7 +107,7 @@ using namespace earlier_detail;
 
 std::vector<FactorRange> friction_margin(const Problem& problem, const Inertia& inertia,
                                          const Rational& accuracy, std::size_t most_programs) {
-  require(inertia.gyration_squared.sign() > 0, "the radius of gyration must not be zero");
+  require_planar(inertia);
   require(accuracy.sign() > 0, "the accuracy must be above 0");
   const FrictionBorder border = friction_border(problem);
   if (border.always_moves) return {{RigidClass::kMustMove, 0, std::nullopt, true, false}};

@@ -6,7 +6,6 @@
 #include "contact_forces.hpp"
 #include "rigid_cells.hpp"
 #include "stickslip/core/error.hpp"
-#include "stickslip/equilibrium/option_text.hpp"
 #include "stickslip/lp/linear_program.hpp"
 
 namespace stickslip {
@@ -22,15 +21,15 @@ Wrench edge(const Problem& problem, std::size_t contact, int side, Friction fric
   return problem.edge_wrench(ContactId(contact), friction == Friction::kCone ? side : 0);
 }
 
-UnopposedMotion checked(const Problem& problem, Friction friction, UnopposedMotion motion) {
-  require(power(problem.wrench(), motion.twist).sign() > 0, "the load does no work");
+UnopposedMotion checked(const Problem& problem, Friction friction, const Twist& motion) {
+  require(power(problem.wrench(), motion).sign() > 0, "the load does no work");
   for (std::size_t i = 0; i < problem.size(); ++i) {
     for (const int side : {1, -1}) {
-      require(power(edge(problem, i, side, friction), motion.twist).sign() >= 0,
+      require(power(edge(problem, i, side, friction), motion).sign() >= 0,
               "a contact force opposes the motion");
     }
   }
-  return motion;
+  return {row_of(motion)};
 }
 
 LoadClass balance(const Problem& problem, Friction friction) {
@@ -49,16 +48,16 @@ LoadClass balance(const Problem& problem, Friction friction) {
   const LpResult result = solve(program);
   if (const auto* infeasible = std::get_if<Infeasible>(&result)) {
     const std::vector<Rational>& y = infeasible->farkas;
-    return checked(problem, friction, {{-y[0], -y[1], -y[2]}});
+    return checked(problem, friction, Twist{-y[0], -y[1], -y[2]});
   }
   const std::vector<Rational>& point = std::get<Optimal>(result).point;
-  BalancingForces found;
+  std::vector<ContactForce> found;
   for (std::size_t i = 0; i < problem.size(); ++i) {
-    found.forces.push_back(force_of_edges(problem.rows()[i], point[2 * i], point[2 * i + 1]));
-    if (friction == Friction::kNone) found.forces.back().tangential = 0;
+    found.push_back(force_of_edges(problem.rows()[i], point[2 * i], point[2 * i + 1]));
+    if (friction == Friction::kNone) found.back().tangential = 0;
   }
-  require(balances_in_cones(problem, found.forces), "the forces do not balance the load");
-  return found;
+  require(balances_in_cones(problem, found), "the forces do not balance the load");
+  return rigid_forces(found);
 }
 
 }  // namespace
@@ -73,10 +72,11 @@ LoadClass frictionless_stable_load(const Problem& problem) {
 
 namespace {
 
-Acceleration checked(const Problem& problem, const Inertia& inertia, Acceleration solution) {
+Acceleration checked(const Problem& problem, const Inertia& inertia,
+                     const CellPoint& solution) {
   const Twist& a = solution.acceleration;
   require(!(a == Twist{}), "an acceleration is zero");
-  require(resultant(problem, solution.forces) == times_mass(inertia, a),
+  require(row_of(resultant(problem, solution.forces)) == times_mass(inertia, row_of(a)),
           "an acceleration breaks Newton's law");
   for (std::size_t i = 0; i < problem.size(); ++i) {
     const ContactRow& row = problem.rows()[i];
@@ -89,24 +89,22 @@ Acceleration checked(const Problem& problem, const Inertia& inertia, Acceleratio
     require((row.friction * f.normal * abs(slip) + f.tangential * slip).is_zero(),
             "friction does not oppose the acceleration");
   }
-  return solution;
+  return {row_of(a), rigid_forces(solution.forces)};
 }
 
 }  // namespace
 
 std::variant<StronglyStable, Acceleration, Undecided> strongly_stable_load(
     const Problem& problem, const Inertia& inertia, std::size_t most_programs) {
-  require(inertia.gyration_squared.sign() > 0, "the radius of gyration must not be zero");
+  require_planar(inertia);
   AccelerationSearch search = search_accelerations(problem, inertia, {}, most_programs);
   if (search.limited) {
     return Undecided{"it takes more than " + std::to_string(most_programs) +
                      " linear programs"};
   }
-  if (auto& found = search.found) {
-    return checked(problem, inertia, {found->acceleration, std::move(found->forces)});
-  }
+  if (search.found) return checked(problem, inertia, *search.found);
   LoadClass weak = weakly_stable_load(problem);
-  auto* forces = std::get_if<BalancingForces>(&weak);
+  auto* forces = std::get_if<RigidForces>(&weak);
   require(forces != nullptr, "the rigid-body model has no solution at all");
   return StronglyStable{std::move(*forces), std::move(search.tree)};
 }
@@ -123,36 +121,20 @@ RigidVerdict rigid_verdict(const Problem& problem, const Inertia& inertia,
   if (auto* motion = std::get_if<UnopposedMotion>(&weak)) return std::move(*motion);
   auto strong = strongly_stable_load(problem, inertia, most_programs);
   if (auto* motion = std::get_if<Acceleration>(&strong)) {
-    return OpenLoad{std::move(std::get<BalancingForces>(weak)), std::move(*motion)};
+    return OpenLoad{std::move(std::get<RigidForces>(weak)), std::move(*motion)};
   }
   if (auto* undecided = std::get_if<Undecided>(&strong)) return std::move(*undecided);
   return std::get<StronglyStable>(std::move(strong));
 }
 
+RigidVerdict rigid_verdict(const Question& question, const Inertia& inertia) {
+  if (question.in_space()) return rigid_verdict(point_in_space(question), inertia);
+  return rigid_verdict(problem_of(question), inertia);
+}
+
 std::string name_of(const RigidVerdict& verdict) {
   constexpr const char* kNames[] = {"must move", "must hold", "open", "undecided"};
   return kNames[verdict.index()];
-}
-
-Json inertia_json(const Inertia& inertia) {
-  return {{"centre", number_json(inertia.centre)},
-          {"gyration_squared", number_json(inertia.gyration_squared)}};
-}
-
-Inertia inertia_of(const std::string& place, const std::vector<Rational>& numbers) {
-  if (numbers.size() != 3 || numbers[2].sign() <= 0) {
-    throw InputError("", place,
-                     numbers.size() != 3
-                         ? "there are " + std::to_string(numbers.size()) + " numbers"
-                         : "the squared radius of gyration is " + to_string(numbers[2]),
-                     "give the centre of mass, x and y, and the squared radius of gyration "
-                     "about it, above 0, as in 0,1/2,1/6");
-  }
-  return {{numbers[0], numbers[1]}, numbers[2]};
-}
-
-Inertia inertia_option(const std::string& option, const std::string& value) {
-  return inertia_of(option, numbers_option(option, value));
 }
 
 }  // namespace stickslip

@@ -125,6 +125,13 @@ std::optional<std::string> class_of(std::optional<bool> weakly, std::optional<bo
 
 }  // namespace earlier_detail
 
+Comparison compare_methods(const Question& question, const CompareOptions& options,
+                           NumberText& text) {
+  using namespace earlier_detail;
+  if (!question.in_space()) return compare_in_plane(problem_of(question), options, text);
+  return compare_in_space(point_in_space(question), question.law, options, text);
+}
+
 std::vector<std::string> method_words() {
   std::vector<std::string> words;
   for (const earlier_detail::Method& method : earlier_detail::all_methods()) {

@@ -74,6 +74,13 @@ std::vector<MethodRow> asked(const std::vector<Method>& among,
                              const std::vector<std::string>& words,
                              const std::function<MethodAnswer(MethodId)>& answer);
 
+/// \{ As compare_methods(), in the plane and in space.
+Comparison compare_in_plane(const Problem& problem, const CompareOptions& options,
+                            NumberText& text);
+Comparison compare_in_space(const GraspBox& grasp, NormalLaw law, const CompareOptions& options,
+                            NumberText& text);
+/// \}
+
 /// By what weak and strong stability say, as far as they were asked.
 std::optional<std::string> class_of(std::optional<bool> weakly, std::optional<bool> strongly);
 

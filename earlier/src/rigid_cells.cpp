@@ -23,13 +23,6 @@ Slip opposite(Slip slip) {
 }
 }  // namespace
 
-Wrench times_mass(const Inertia& inertia, const Twist& a) {
-  const Vector2& c = inertia.centre;
-  const Rational fx = a.x - a.r * c.y;
-  const Rational fy = a.y + a.r * c.x;
-  return {fx, fy, c.x * fy - c.y * fx + inertia.gyration_squared * a.r};
-}
-
 std::vector<RigidCell> RigidCell::children(const Problem& problem,
                                            const RigidSplit& split) const {
   std::vector<RigidCell> result;
@@ -62,7 +55,7 @@ std::optional<RigidSplit> RigidCell::split_for(const Problem& problem, const Cel
     const ContactRow& row = problem.rows()[i];
     const ContactForce& f = point.forces[i];
     const bool parts = !(f.normal * power(row.normal, point.acceleration)).is_zero();
-    if (parts && touch_[i] == Touch::kUnknown) return RigidSplit{ContactId(i), false};
+    if (parts && touch_[i] == Touch::kUnknown) return RigidSplit{ContactId(i)};
     const Rational slip = power(row.tangent, point.acceleration);
     const bool drives =
         (least_friction * row.friction * f.normal * abs(slip) + f.tangential * slip).sign() > 0;
@@ -75,8 +68,8 @@ CellProgram::CellProgram(const Problem& problem, const Inertia& inertia, const R
                          const FrictionRange& friction)
     : problem_(problem), slip_rows_(problem.size()) {
   program_.add_variables(3, VariableKind::kFree);
-  for (const Twist& axis : {Twist{1, 0, 0}, Twist{0, 1, 0}, Twist{0, 0, 1}}) {
-    const Vector3 column = coordinates(times_mass(inertia, axis));
+  for (const RationalRow& axis : {RationalRow{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) {
+    const RationalRow column = times_mass(inertia, axis);
     for (std::size_t j = 0; j < 3; ++j) balance_[j].push_back(column[j]);
   }
   const auto add_edge = [&](std::size_t contact, const ContactForce& force) {
@@ -154,7 +147,7 @@ RigidLeaf CellProgram::leaf(const std::vector<Rational>& multipliers, bool weigh
     }
     if (!slip_rows_[i]) continue;
     if (const Rational tangent = at(row++); !tangent.is_zero()) {
-      result.tangent.emplace_back(ContactId(i), tangent);
+      result.tangent.emplace_back(ContactId(i), RationalRow{tangent});
     }
   }
   return result;

@@ -13,9 +13,6 @@
 
 namespace stickslip::earlier_detail {
 
-/// M a, the wrench that gives the acceleration a.
-Wrench times_mass(const Inertia& inertia, const Twist& a);
-
 /// By what all friction is multiplied: from low to high, or without an end.
 struct FrictionRange {
   Rational low = 1;

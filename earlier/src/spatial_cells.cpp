@@ -11,7 +11,8 @@ namespace {
 using Touch = SpatialLabel::Touch;
 using Slip = SpatialLabel::Slip;
 
-std::vector<Rational> row_of(const Vector6& v) {
+template <std::size_t n>
+RationalRow row_of(const std::array<Rational, n>& v) {
   return {v.begin(), v.end()};
 }
 
@@ -34,12 +35,12 @@ Vector6 load_of(const GraspBox& grasp) {
 }
 
 SpatialProgram::SpatialProgram(const std::vector<FrictionDisc>& discs, const Vector6& load,
-                               const SpatialInertia* inertia, const SpatialCell& cell,
+                               const Inertia* inertia, const SpatialCell& cell,
                                DiscPolygon polygon)
     : discs_(discs), load_(load), motions_(inertia == nullptr ? 0 : 6) {
   program_.add_variables(motions_, VariableKind::kFree);
   for (std::size_t k = 0; k < motions_; ++k) {
-    const Vector6 column = times_mass(*inertia, unit(k));
+    const RationalRow column = times_mass(*inertia, row_of(unit(k)));
     for (std::size_t j = 0; j < 6; ++j) balance_[j].push_back(column[j]);
   }
   for (std::size_t i = 0; i < discs.size(); ++i) {
@@ -116,7 +117,7 @@ std::optional<SpatialForces> SpatialProgram::at_rest(Vector6& twist) const {
   return point(std::get<Optimal>(solved).point).forces;
 }
 
-std::variant<SpatialPoint, SpatialLeaf> SpatialProgram::moving() const {
+std::variant<SpatialPoint, RigidLeaf> SpatialProgram::moving() const {
   LinearProgram program = program_;
   std::vector<Rational> objective;
   for (const Rational& w : load_) objective.push_back(-w);
@@ -140,32 +141,37 @@ std::variant<SpatialPoint, SpatialLeaf> SpatialProgram::moving() const {
   return point(x);
 }
 
-SpatialLeaf SpatialProgram::leaf(const Rational& weight,
-                                 const std::vector<Rational>& multipliers) const {
+RigidLeaf SpatialProgram::leaf(const Rational& weight,
+                               const std::vector<Rational>& multipliers) const {
   std::vector<Rational> numbers{weight};
   numbers.insert(numbers.end(), multipliers.begin(), multipliers.end());
   const Row scaled = primitive_multiple(RationalRow(numbers.begin(), numbers.end()));
   const auto at = [&](std::size_t row) { return Rational(scaled[row + 1]); };
-  SpatialLeaf result{Rational(scaled[0]), {}, {}, {}};
-  for (std::size_t j = 0; j < 6; ++j) result.twist[j] = at(rows_.size() + j);
+  RigidLeaf result{Rational(scaled[0]), {}, {}, {}};
+  for (std::size_t j = 0; j < 6; ++j) result.twist.push_back(at(rows_.size() + j));
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     if (at(r).is_zero()) continue;
     const ContactId contact(rows_[r].contact);
     if (!rows_[r].along) {
       result.normal.emplace_back(contact, at(r));
-    } else if (!result.tangent.empty() && result.tangent.back().first == contact) {
-      result.tangent.back().second = plus(result.tangent.back().second, at(r), *rows_[r].along);
-    } else {
-      result.tangent.emplace_back(contact, plus(Vector3{}, at(r), *rows_[r].along));
+      continue;
+    }
+    if (result.tangent.empty() || result.tangent.back().first != contact) {
+      result.tangent.emplace_back(contact, RationalRow(3));
+    }
+    for (std::size_t j = 0; j < 3; ++j) {
+      result.tangent.back().second[j] += at(r) * (*rows_[r].along)[j];
     }
   }
   return result;
 }
 
 bool is_solution(const std::vector<FrictionDisc>& discs, const Vector6& load,
-                 const SpatialInertia& inertia, const SpatialPoint& point) {
+                 const Inertia& inertia, const SpatialPoint& point) {
   const Vector6& a = point.acceleration;
-  Vector6 left = plus(load, -1, times_mass(inertia, a));
+  const RationalRow inert = times_mass(inertia, row_of(a));
+  Vector6 left = load;
+  for (std::size_t j = 0; j < 6; ++j) left[j] -= inert[j];
   for (std::size_t i = 0; i < discs.size(); ++i) {
     const FrictionDisc& disc = discs[i];
     const auto& [normal, friction] = point.forces[i];
@@ -195,8 +201,8 @@ Rational simplest(const Rational& low, const Rational& high) {
 /// Branch and bound over cells, children in their order.
 class SpatialSearch {
  public:
-  SpatialSearch(std::vector<FrictionDisc>& discs, const Vector6& load,
-                const SpatialInertia& inertia, std::size_t most_programs)
+  SpatialSearch(std::vector<FrictionDisc>& discs, const Vector6& load, const Inertia& inertia,
+                std::size_t most_programs)
       : discs_(discs), load_(load), inertia_(inertia), programs_left_(most_programs) {}
 
   /// False ends the search.
@@ -208,7 +214,7 @@ class SpatialSearch {
       --programs_left_;
       auto solved =
           SpatialProgram(discs_, load_, &inertia_, cell, DiscPolygon::kOuter).moving();
-      if (auto* leaf = std::get_if<SpatialLeaf>(&solved)) {
+      if (auto* leaf = std::get_if<RigidLeaf>(&solved)) {
         result.tree.emplace_back(std::move(*leaf));
         return true;
       }
@@ -288,7 +294,7 @@ class SpatialSearch {
   bool splits(const SpatialCell& cell, const Breach& breach, std::size_t depth) {
     const std::size_t i = breach.contact;
     std::vector<SpatialCell> children;
-    SpatialSplit split{ContactId(i), std::nullopt};
+    RigidSplit split{ContactId(i), breach.slips};
     const auto add = [&](const auto& set, bool of_slip) {
       children.push_back(cell);
       for (std::size_t j = 0; j < discs_.size(); ++j) {
@@ -311,14 +317,14 @@ class SpatialSearch {
         add([&](SpatialLabel& label) { label.touch = touch; }, false);
       }
     } else if (cell[i].slip == Slip::kUnknown) {
-      split.direction = discs_[i].direction(0, 0);
+      split.direction = row_of(discs_[i].direction(0, 0));
       add([](SpatialLabel& label) { label.slip = Slip::kNone; }, true);
       for (std::size_t q = 0; q < 4; ++q) add_sector({q, 0, 1}, i);
     } else {
       const Sector& sector = cell[i].sector;
       const std::size_t owner = cell[i].owner;
       const Rational middle = (sector.low + sector.high) / 2;
-      split.direction = discs_[owner].direction(sector.quarter, middle);
+      split.direction = row_of(discs_[owner].direction(sector.quarter, middle));
       add_sector({sector.quarter, sector.low, middle}, owner);
       add_sector({sector.quarter, middle, sector.high}, owner);
     }
@@ -364,7 +370,7 @@ class SpatialSearch {
 
   std::vector<FrictionDisc>& discs_;
   const Vector6& load_;
-  const SpatialInertia& inertia_;
+  const Inertia& inertia_;
   std::size_t programs_left_;
   std::size_t attempts_left_ = 200;
 };
@@ -372,8 +378,7 @@ class SpatialSearch {
 }  // namespace
 
 SpatialSearchResult search_spatial_accelerations(std::vector<FrictionDisc>& discs,
-                                                 const Vector6& load,
-                                                 const SpatialInertia& inertia,
+                                                 const Vector6& load, const Inertia& inertia,
                                                  std::size_t most_programs) {
   SpatialSearch search(discs, load, inertia, most_programs);
   search.refutes(SpatialCell(discs.size()), 0);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "friction_disc.hpp"
-#include "stickslip/earlier/spatial_classes.hpp"
+#include "stickslip/earlier/load_classes.hpp"
 #include "stickslip/lp/linear_program.hpp"
 
 namespace stickslip::earlier_detail {
@@ -55,18 +55,18 @@ class SpatialProgram {
  public:
   /// Requires kLine of no contact whose friction is not rational.
   SpatialProgram(const std::vector<FrictionDisc>& discs, const Vector6& load,
-                 const SpatialInertia* inertia, const SpatialCell& cell, DiscPolygon polygon);
+                 const Inertia* inertia, const SpatialCell& cell, DiscPolygon polygon);
 
   /// Forces at rest, or none; then the twist that proves it is in `twist`.
   std::optional<SpatialForces> at_rest(Vector6& twist) const;
   /// A point with w.a > 0, of the greatest w.a if there is one; or the leaf that refutes all.
-  std::variant<SpatialPoint, SpatialLeaf> moving() const;
+  std::variant<SpatialPoint, RigidLeaf> moving() const;
 
  private:
   void add_edge(std::size_t contact, const Vector3& friction);
   void add_row(const Vector6& row, Relation relation);
   SpatialPoint point(const std::vector<Rational>& x) const;
-  SpatialLeaf leaf(const Rational& weight, const std::vector<Rational>& multipliers) const;
+  RigidLeaf leaf(const Rational& weight, const std::vector<Rational>& multipliers) const;
 
   struct Edge {
     std::size_t contact;
@@ -89,19 +89,18 @@ class SpatialProgram {
 
 /// What became of a search for accelerations along which the load does work.
 struct SpatialSearchResult {
-  std::vector<SpatialNode> tree;       ///< if there are none: why
+  std::vector<RigidNode> tree;         ///< if there are none: why
   std::optional<SpatialPoint> found;   ///< a solution of the model
   std::optional<Undecided> undecided;  ///< neither
 };
 
 SpatialSearchResult search_spatial_accelerations(std::vector<FrictionDisc>& discs,
-                                                 const Vector6& load,
-                                                 const SpatialInertia& inertia,
+                                                 const Vector6& load, const Inertia& inertia,
                                                  std::size_t most_programs);
 
 /// Whether these are a solution of the model, exactly; with an acceleration of 0, forces at
 /// rest.
 bool is_solution(const std::vector<FrictionDisc>& discs, const Vector6& load,
-                 const SpatialInertia& inertia, const SpatialPoint& point);
+                 const Inertia& inertia, const SpatialPoint& point);
 
 }  // namespace stickslip::earlier_detail

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "stickslip/earlier/spatial_classes.hpp"
-
 #include "spatial_cells.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/earlier/load_classes.hpp"
-#include "stickslip/equilibrium/option_text.hpp"
 
 namespace stickslip {
 
@@ -37,23 +34,32 @@ void add_corners_against(std::vector<FrictionDisc>& discs, const Vector6& load) 
   }
 }
 
-SpatialLoadClass forces_at_rest(std::vector<FrictionDisc>& discs, const Vector6& load) {
+RigidForces as_rows(const SpatialForces& forces) {
+  RigidForces result;
+  for (const auto& [normal, friction] : forces) {
+    result.push_back({normal, {friction.begin(), friction.end()}});
+  }
+  return result;
+}
+
+LoadClass forces_at_rest(std::vector<FrictionDisc>& discs, const Vector6& load) {
   const SpatialCell cell(discs.size());
+  const Inertia any = Inertia::of_length(1, true);  // nothing moves
   add_corners_against(discs, load);
   for (int round = 0; round < kMostRounds; ++round) {
     Vector6 twist;
     if (auto forces =
             SpatialProgram(discs, load, nullptr, cell, DiscPolygon::kInner).at_rest(twist)) {
-      require(is_solution(discs, load, {}, {{}, *forces}), "forces do not balance the load");
-      return std::move(*forces);
+      require(is_solution(discs, load, any, {{}, *forces}), "forces do not balance the load");
+      return as_rows(*forces);
     }
     auto forces =
         SpatialProgram(discs, load, nullptr, cell, DiscPolygon::kOuter).at_rest(twist);
     if (!forces) {
       require(is_unopposed(discs, load, twist), "a contact force opposes the motion");
-      return SpatialUnopposedMotion{twist};
+      return UnopposedMotion{{twist.begin(), twist.end()}};
     }
-    if (is_solution(discs, load, {}, {{}, *forces})) return std::move(*forces);
+    if (is_solution(discs, load, any, {{}, *forces})) return as_rows(*forces);
     bool finer = false;
     for (std::size_t i = 0; i < discs.size(); ++i) {
       const auto& [normal, friction] = (*forces)[i];
@@ -73,43 +79,27 @@ SpatialLoadClass forces_at_rest(std::vector<FrictionDisc>& discs, const Vector6&
 
 }  // namespace
 
-SpatialLoadClass weakly_stable_load(const GraspBox& grasp) {
+LoadClass weakly_stable_load(const GraspBox& grasp) {
   std::vector<FrictionDisc> discs = discs_of(grasp);
   return forces_at_rest(discs, load_of(grasp));
 }
 
-SpatialRigidVerdict rigid_verdict(const GraspBox& grasp, const SpatialInertia& inertia,
-                                  std::size_t most_programs) {
+RigidVerdict rigid_verdict(const GraspBox& grasp, const Inertia& inertia,
+                           std::size_t most_programs) {
   std::vector<FrictionDisc> discs = discs_of(grasp);
   const Vector6 load = load_of(grasp);
-  SpatialLoadClass weak = forces_at_rest(discs, load);
-  if (auto* motion = std::get_if<SpatialUnopposedMotion>(&weak)) return std::move(*motion);
+  LoadClass weak = forces_at_rest(discs, load);
+  if (auto* motion = std::get_if<UnopposedMotion>(&weak)) return std::move(*motion);
   if (auto* undecided = std::get_if<Undecided>(&weak)) return std::move(*undecided);
-  auto& rest = std::get<SpatialForces>(weak);
+  auto& rest = std::get<RigidForces>(weak);
   SpatialSearchResult search =
       search_spatial_accelerations(discs, load, inertia, most_programs);
   if (search.undecided) return std::move(*search.undecided);
   if (search.found) {
-    return SpatialOpenLoad{std::move(rest), search.found->acceleration,
-                           std::move(search.found->forces)};
+    const Vector6& a = search.found->acceleration;
+    return OpenLoad{std::move(rest), {{a.begin(), a.end()}, as_rows(search.found->forces)}};
   }
-  return SpatialStronglyStable{std::move(rest), std::move(search.tree)};
-}
-
-std::string name_of(const SpatialRigidVerdict& verdict) {
-  constexpr const char* kNames[] = {"must move", "must hold", "open", "undecided"};
-  return kNames[verdict.index()];
-}
-
-RationalRow inertia_numbers(const std::string& value) {
-  if (value.empty()) return {};
-  RationalRow numbers = numbers_option("--inertia", value);
-  if (numbers.size() <= 3) {
-    inertia_of("--inertia", numbers);
-  } else {
-    spatial_inertia_of("--inertia", numbers);
-  }
-  return numbers;
+  return StronglyStable{std::move(rest), std::move(search.tree)};
 }
 
 const GraspBox& point_in_space(const Question& question) {
@@ -117,48 +107,6 @@ const GraspBox& point_in_space(const Question& question) {
   if (question.box()->is_point()) return *question.box();
   throw InputError("", "", "some numbers are uncertain, and this needs one grasp",
                    "give one number for each");
-}
-
-Vector6 times_mass(const SpatialInertia& inertia, const Vector6& a) {
-  const Vector3 turn{a[3], a[4], a[5]};
-  const Vector3 force = plus(Vector3{a[0], a[1], a[2]}, 1, cross(turn, inertia.centre));
-  const Vector3 moment = cross(inertia.centre, force);
-  Vector6 result{force[0], force[1], force[2]};
-  for (std::size_t j = 0; j < 3; ++j) {
-    result[3 + j] = moment[j] + dot(inertia.gyration[j], turn);
-  }
-  return result;
-}
-
-Json inertia_json(const SpatialInertia& inertia) {
-  Json tensor = Json::array();
-  for (const Vector3& row : inertia.gyration) tensor.push_back(number_json(row));
-  return {{"centre", number_json(inertia.centre)}, {"gyration", std::move(tensor)}};
-}
-
-SpatialInertia spatial_inertia_of(const std::string& place,
-                                  const std::vector<Rational>& numbers) {
-  const auto refuse = [&](const std::string& problem) {
-    throw InputError(
-        "", place, problem,
-        "give the centre of mass, x, y and z, and of the tensor of inertia about it, "
-        "over the mass, xx, yy, zz, and xy, xz, yz if they are not 0, as in "
-        "0,0,1/2,1/6,1/6,1/6");
-  };
-  if (numbers.size() != 6 && numbers.size() != 9) {
-    refuse("there are " + std::to_string(numbers.size()) +
-           " numbers, and the grasp is in space");
-  }
-  const auto at = [&](std::size_t j) { return j < numbers.size() ? numbers[j] : Rational(0); };
-  SpatialInertia result{
-      {at(0), at(1), at(2)},
-      {{{at(3), at(6), at(7)}, {at(6), at(4), at(8)}, {at(7), at(8), at(5)}}}};
-  const auto& [x, y, z] = result.gyration;
-  if (x[0].sign() <= 0 || (x[0] * y[1] - x[1] * y[0]).sign() <= 0 ||
-      dot(x, cross(y, z)).sign() <= 0) {
-    refuse("the tensor is not positive definite");
-  }
-  return result;
 }
 
 }  // namespace stickslip

@@ -45,14 +45,8 @@ Json forces_json(const std::vector<Vector3>& forces) {
 class MethodsInSpace {
  public:
   MethodsInSpace(const GraspBox& grasp, NormalLaw law, const CompareOptions& options,
-                 const SpatialInertia& inertia, NumberText& text,
-                 const SpatialRigidVerdict* verdict)
-      : grasp_(grasp),
-        law_(law),
-        options_(options),
-        inertia_(inertia),
-        text_(text),
-        verdict_(verdict) {}
+                 NumberText& text)
+      : grasp_(grasp), law_(law), options_(options), text_(text), verdict_(options.verdict) {}
 
   Comparison ask() {
     check_in_space(options_.methods);
@@ -128,33 +122,32 @@ class MethodsInSpace {
   }
 
   MethodAnswer weak() {
-    const SpatialLoadClass weak = weak_class();
+    const LoadClass weak = weak_class();
     if (const auto* undecided = std::get_if<Undecided>(&weak)) {
       class_undecided_ = *undecided;
     } else {
-      weakly_stable_ = std::holds_alternative<SpatialForces>(weak);
+      weakly_stable_ = std::holds_alternative<RigidForces>(weak);
     }
     return load_answer(weak, "forces in the cones would balance the load",
                        "no force in the cones opposes the load along ");
   }
 
   /// Of a rigid verdict, where there is one.
-  SpatialLoadClass weak_class() const {
+  LoadClass weak_class() const {
     if (verdict_ != nullptr) {
-      if (const auto* motion = std::get_if<SpatialUnopposedMotion>(verdict_)) return *motion;
-      if (const auto* stable = std::get_if<SpatialStronglyStable>(verdict_))
-        return stable->rest;
-      if (const auto* open = std::get_if<SpatialOpenLoad>(verdict_)) return open->rest;
+      if (const auto* motion = std::get_if<UnopposedMotion>(verdict_)) return *motion;
+      if (const auto* stable = std::get_if<StronglyStable>(verdict_)) return stable->rest;
+      if (const auto* open = std::get_if<OpenLoad>(verdict_)) return open->rest;
     }
     return weakly_stable_load(grasp_);
   }
 
-  MethodAnswer load_answer(const SpatialLoadClass& found, const std::string& balanced,
+  MethodAnswer load_answer(const LoadClass& found, const std::string& balanced,
                            const std::string& unopposed) {
-    if (const auto* forces = std::get_if<SpatialForces>(&found)) {
+    if (const auto* forces = std::get_if<RigidForces>(&found)) {
       return of_load(true, balanced + unless_passive(), {{"forces", rest_json(*forces)}});
     }
-    if (const auto* motion = std::get_if<SpatialUnopposedMotion>(&found)) {
+    if (const auto* motion = std::get_if<UnopposedMotion>(&found)) {
       return of_load(false, unopposed + text_.direction(motion->twist),
                      {{"motion", number_json(motion->twist)}});
     }
@@ -162,28 +155,26 @@ class MethodsInSpace {
   }
 
   MethodAnswer strong() {
-    if (verdict_ == nullptr) verdict_ = &found_.emplace(rigid_verdict(grasp_, inertia_));
+    if (verdict_ == nullptr)
+      verdict_ = &found_.emplace(rigid_verdict(grasp_, options_.inertia));
     if (const auto* undecided = std::get_if<Undecided>(verdict_)) {
       class_undecided_ = *undecided;
       return given_up(*undecided);
     }
-    const auto* stable = std::get_if<SpatialStronglyStable>(verdict_);
+    const auto* stable = std::get_if<StronglyStable>(verdict_);
     strongly_stable_ = stable != nullptr;
     if (stable != nullptr) {
-      const auto cases = static_cast<std::size_t>(std::count_if(
-          stable->tree.begin(), stable->tree.end(),
-          [](const SpatialNode& node) { return std::holds_alternative<SpatialLeaf>(node); }));
-      return of_load(
-          true,
-          "rigid contacts leave no acceleration " + leaves_refuted(cases) + unless_passive(),
-          {{"forces", rest_json(stable->rest)}, {"cases", cases}});
+      return of_load(true,
+                     "rigid contacts leave no acceleration " + leaves_refuted(stable->cases()) +
+                         unless_passive(),
+                     {{"forces", rest_json(stable->rest)}, {"cases", stable->cases()}});
     }
-    if (const auto* open = std::get_if<SpatialOpenLoad>(verdict_)) {
+    if (const auto* open = std::get_if<OpenLoad>(verdict_)) {
       weakly_stable_ = true;
-      return of_load(false,
-                     "rigid contacts allow the acceleration " + text_(open->acceleration),
-                     {{"acceleration", number_json(open->acceleration)},
-                      {"forces", rest_json(open->forces)}});
+      const auto& [acceleration, forces] = open->motion;
+      return of_load(
+          false, "rigid contacts allow the acceleration " + text_(acceleration),
+          {{"acceleration", number_json(acceleration)}, {"forces", rest_json(forces)}});
     }
     weakly_stable_ = false;
     return of_load(false, "the load is not weakly stable", Json::object());
@@ -271,10 +262,10 @@ class MethodsInSpace {
     return passive_stable_ == false ? ", but no motion gives rise to such forces" : "";
   }
 
-  Json rest_json(const SpatialForces& forces) const {
+  Json rest_json(const RigidForces& forces) const {
     std::vector<Vector3> vectors;
     for (std::size_t i = 0; i < forces.size(); ++i) {
-      Vector3& force = vectors.emplace_back(forces[i].friction);
+      Vector3& force = vectors.emplace_back(vector3(forces[i].friction));
       for (std::size_t j = 0; j < 3; ++j) {
         force[j] += forces[i].normal * grasp_.contacts[i].normal[j];
       }
@@ -285,10 +276,9 @@ class MethodsInSpace {
   const GraspBox& grasp_;
   NormalLaw law_;
   const CompareOptions& options_;
-  const SpatialInertia& inertia_;
   NumberText& text_;
-  const SpatialRigidVerdict* verdict_;
-  std::optional<SpatialRigidVerdict> found_;
+  const RigidVerdict* verdict_;
+  std::optional<RigidVerdict> found_;
   std::optional<bool> passive_stable_;   ///< if it was asked and said so
   std::optional<bool> weakly_stable_;    ///< the same
   std::optional<bool> strongly_stable_;  ///< the same
@@ -297,10 +287,9 @@ class MethodsInSpace {
 
 }  // namespace
 
-Comparison compare_methods(const GraspBox& grasp, NormalLaw law, const CompareOptions& options,
-                           const SpatialInertia& inertia, NumberText& text,
-                           const SpatialRigidVerdict* verdict) {
-  return MethodsInSpace(grasp, law, options, inertia, text, verdict).ask();
+Comparison earlier_detail::compare_in_space(const GraspBox& grasp, NormalLaw law,
+                                            const CompareOptions& options, NumberText& text) {
+  return MethodsInSpace(grasp, law, options, text).ask();
 }
 
 }  // namespace stickslip

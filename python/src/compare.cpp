@@ -5,15 +5,14 @@
 #include "stickslip/core/error.hpp"
 #include "stickslip/earlier/comparison.hpp"
 #include "stickslip/earlier/friction_margin.hpp"
-#include "stickslip/earlier/spatial_classes.hpp"
 
 namespace stickslip::python {
 namespace {
 
 namespace py = pybind11;
 
-Inertia inertia_from(const py::object& given) {
-  return inertia_of("inertia", numbers(given, 0, "inertia"));
+Inertia inertia_from(const py::object& given, bool in_space = false) {
+  return inertia_of("inertia", numbers(given, 0, "inertia"), in_space);
 }
 
 struct Compared {
@@ -21,18 +20,6 @@ struct Compared {
   std::string certificate{};
   std::string limit{};
 };
-
-/// With the proof of the class, if it is known.
-template <class Inertia, class Verdict>
-void add_certificate(Compared& compared, const Question& question, const Inertia& inertia,
-                     const Verdict& verdict) {
-  if (const auto* undecided = std::get_if<Undecided>(&verdict)) {
-    compared.limit = undecided->limit;
-  } else {
-    compared.certificate =
-        class_certificate_text(question, inertia, verdict, "stickslip " STICKSLIP_VERSION);
-  }
-}
 
 /// The fields of results.Method for each, the evidence as JSON; the class of the load; and the
 /// certificate of the class, if it is wanted, or why there is none.
@@ -48,31 +35,21 @@ py::dict compare(const GraspFile& grasp, const py::object& wrench, const py::obj
                      "a characteristic length must be above 0");
   }
   const bool space = in_space(grasp.content);
-  SpatialInertia in_all_axes = SpatialInertia::of_length(options.length);
-  options.inertia = {{}, options.length * options.length};
-  if (!inertia.is_none() && space) {
-    in_all_axes = spatial_inertia_of("inertia", numbers(inertia, 0, "inertia"));
-  } else if (!inertia.is_none()) {
-    options.inertia = inertia_from(inertia);
-  }
+  options.inertia = inertia.is_none() ? Inertia::of_length(options.length, space)
+                                      : inertia_from(inertia, space);
   const Compared found = without_gil([&] {
     NumberText readable(false);
-    if (space) {
-      const Question question = question_in_box(grasp, asked);
-      const GraspBox& one = point_in_space(question);
-      std::optional<SpatialRigidVerdict> verdict;
-      if (certificate) verdict = rigid_verdict(one, in_all_axes);
-      Compared result{compare_methods(one, question.law, options, in_all_axes, readable,
-                                      verdict ? &*verdict : nullptr)};
-      if (verdict) add_certificate(result, question, in_all_axes, *verdict);
-      return result;
-    }
-    const Question question = question_of(grasp, asked);
-    const Problem problem = problem_of(question);
-    Compared result{compare_methods(problem, options, readable)};
-    if (certificate) {
-      add_certificate(result, question, options.inertia,
-                      rigid_verdict(problem, options.inertia));
+    const Question question = space ? question_in_box(grasp, asked) : question_of(grasp, asked);
+    std::optional<RigidVerdict> verdict;
+    if (certificate) verdict = rigid_verdict(question, options.inertia);
+    options.verdict = verdict ? &*verdict : nullptr;
+    Compared result{compare_methods(question, options, readable)};
+    if (!verdict) return result;
+    if (const auto* undecided = std::get_if<Undecided>(&*verdict)) {
+      result.limit = undecided->limit;
+    } else {
+      result.certificate = class_certificate_text(question, options.inertia, *verdict,
+                                                  "stickslip " STICKSLIP_VERSION);
     }
     return result;
   });

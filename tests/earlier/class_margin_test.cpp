@@ -44,7 +44,7 @@ TEST(ClassMargin, IsTheClassOfEachMultiple) {
     Wrench u = test::small_wrench(random);
     if (u == Wrench{}) u = {1, -1, 0};
     const Inertia inertia{{random.between(-2, 2), Rational(random.between(-3, 3), 2)},
-                          Rational(random.between(1, 40), 20)};
+                          {{Rational(random.between(1, 40), 20)}}};
     const std::vector<ClassRange> ranges = classes(grasp, w, u, inertia);
     std::set<Rational> asked{0, 1, Rational(7, 3), 1000};
     for (const ClassRange& range : ranges) {
@@ -74,7 +74,7 @@ TEST(ClassMargin, OfABlockOnARamp) {
       const Grasp block({{{-1, -height}, {0, 1}, Rational(1, 2), 1, 0},
                          {{1, -height}, {0, 1}, Rational(1, 2), 1, 0}});
       const std::vector<ClassRange> ranges =
-          classes(block, {0, -1, 0}, {1, 0, 0}, {{0, 0}, square});
+          classes(block, {0, -1, 0}, {1, 0, 0}, {{0, 0}, {{square}}});
       const Rational tip = 1 / height;
       ASSERT_EQ(ranges.size(), 2u);
       EXPECT_EQ(ranges[0].rigid_class, RigidClass::kMustHold);
@@ -96,7 +96,7 @@ TEST(ClassMargin, OfALadder) {
   const Rational limit = (4 * mu * n + 3 * mu * mu * n) / 3;
   ASSERT_LT(limit, 1);
   // The load at x = 3 - 3 s has the torque -3 + 3 s.
-  const std::vector<ClassRange> ranges = classes(ladder, {0, -1, -3}, {0, 0, 3}, {{}, 1});
+  const std::vector<ClassRange> ranges = classes(ladder, {0, -1, -3}, {0, 0, 3}, {});
   ASSERT_GE(ranges.size(), 2u);
   EXPECT_EQ(ranges.back().rigid_class, RigidClass::kMustMove);
   EXPECT_EQ(ranges.back().low, limit);
@@ -108,7 +108,7 @@ TEST(ClassMargin, KeepsTheLimit) {
       Problem({Grasp({{{0, 0}, {0, 1}, 1, 1, 0}}), {0, -1, 0}}, NormalLaw::kUnilateral)
           .along({{1, 0, 0}});
   EXPECT_TRUE(std::holds_alternative<Undecided>(class_margin(family, {}, 3)));
-  EXPECT_THROW(class_margin(family, {{}, 0}), ContractError);
+  EXPECT_THROW(class_margin(family, {{0, 0}, {{0}}}), ContractError);
 }
 
 }  // namespace

@@ -33,9 +33,9 @@ bool accepts(const Problem& p, Model model, const Inertia& inertia = {}) {
       return std::holds_alternative<Witness>(verdict);
     }
     case Model::kWeak:
-      return std::holds_alternative<BalancingForces>(weakly_stable_load(p));
+      return std::holds_alternative<RigidForces>(weakly_stable_load(p));
     case Model::kFrictionless:
-      return std::holds_alternative<BalancingForces>(frictionless_stable_load(p));
+      return std::holds_alternative<RigidForces>(frictionless_stable_load(p));
     case Model::kAccelerates: {
       const auto result = strongly_stable_load(p, inertia);
       EXPECT_FALSE(std::holds_alternative<Undecided>(result));
@@ -114,7 +114,8 @@ TEST(EarlierMethodsAgainstZ3, StronglyStableWithOtherMasses) {
       const Wrench& w = in_units[i].loaded.wrench;
       const Wrench load{w.x, w.y, gyration * w.torque + centre.x * w.y - centre.y * w.x};
       const Problem p({Grasp(contacts), load}, NormalLaw::kUnilateral);
-      const bool moves = accepts(p, Model::kAccelerates, {centre, gyration * gyration});
+      const bool moves =
+          accepts(p, Model::kAccelerates, {{centre.x, centre.y}, {{gyration * gyration}}});
       EXPECT_EQ(moves ? "stable" : "unstable", expected[i]) << describe(in_units[i]);
       differ += moves != accepts(p, Model::kAccelerates) ? 1 : 0;
     }

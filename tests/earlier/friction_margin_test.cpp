@@ -40,7 +40,7 @@ TEST(FrictionMargin, IsTheClassOfEachFactor) {
     const Grasp grasp =
         round % 3 == 0 ? test::generic_grasp(random, m) : test::degenerate_grasp(random, m);
     Wrench w = test::small_wrench(random);
-    const Inertia inertia{{random.between(-2, 2), 0}, Rational(random.between(1, 40), 20)};
+    const Inertia inertia{{random.between(-2, 2), 0}, {{Rational(random.between(1, 40), 20)}}};
     const std::vector<FactorRange> ranges = factors(grasp, w, inertia);
     ASSERT_TRUE(ranges.front().low.is_zero() && ranges.front().has_low);
     ASSERT_FALSE(ranges.back().high);
@@ -140,7 +140,7 @@ TEST(FrictionMargin, OfALadder) {
 TEST(FrictionMargin, RefusesWhatMeansNothing) {
   const Problem problem({Grasp({{{0, 0}, {0, 1}, 1, 1, 0}}), {0, -1, 0}},
                         NormalLaw::kUnilateral);
-  EXPECT_THROW(friction_margin(problem, {{}, 0}), ContractError);
+  EXPECT_THROW(friction_margin(problem, {{0, 0}, {{0}}}), ContractError);
   EXPECT_THROW(friction_margin(problem, {}, 0), ContractError);
 }
 

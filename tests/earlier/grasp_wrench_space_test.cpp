@@ -170,7 +170,7 @@ TEST(GraspWrenchSpace, QualityIsForceClosure) {
       const Wrench against{Rational(-u[0]), Rational(-u[1]), Rational(-u[2])};
       const LoadClass weak =
           weakly_stable_load(Problem({grasp, against}, NormalLaw::kUnilateral));
-      EXPECT_EQ(std::holds_alternative<BalancingForces>(weak), quality.radius_squared > 0);
+      EXPECT_EQ(std::holds_alternative<RigidForces>(weak), quality.radius_squared > 0);
       positive += quality.radius_squared > 0 ? 1 : 0;
     }
   }

@@ -368,9 +368,9 @@ TEST(CompareInSpace, EachMethodAcceptsWhatAStricterOneDoes) {
     }
     if (std::holds_alternative<SpatialConesWitness>(cones)) {
       ++seen[1];
-      EXPECT_FALSE(std::holds_alternative<SpatialUnopposedMotion>(weak));
+      EXPECT_FALSE(std::holds_alternative<UnopposedMotion>(weak));
     }
-    if (std::holds_alternative<SpatialForces>(weak)) ++seen[2];
+    if (std::holds_alternative<RigidForces>(weak)) ++seen[2];
     if (std::holds_alternative<NoSpatialCones>(cones)) ++seen[3];
   }
   std::cout << seen[0] << " stable, " << seen[1] << " in cones, " << seen[2]
@@ -384,8 +384,9 @@ TEST(CompareInSpace, EachMethodAcceptsWhatAStricterOneDoes) {
 TEST(CompareInSpace, MethodsAreAskedByName) {
   NumberText text(false);
   const GraspBox grasp = pinch(turned({0, 1, 0}));
-  const SpatialInertia inertia = SpatialInertia::of_length(1);
-  const Comparison all = compare_methods(grasp, NormalLaw::kUnilateral, {}, inertia, text);
+  const Inertia inertia = Inertia::of_length(1, true);
+  const Question question{grasp};
+  const Comparison all = compare_methods(question, {{}, 1, inertia}, text);
   std::vector<std::string> names;
   for (const MethodRow& row : all.methods) names.push_back(row.method);
   EXPECT_EQ(names, (std::vector<std::string>{"passive equilibrium", "form closure",
@@ -399,12 +400,10 @@ TEST(CompareInSpace, MethodsAreAskedByName) {
   EXPECT_EQ(all.methods[5].verdict, "not closed");
   EXPECT_EQ(all.methods[6].verdict, "stable");
   EXPECT_EQ(all.methods[6].agrees, true);
-  const Comparison one =
-      compare_methods(grasp, NormalLaw::kUnilateral, {{"weakly-stable-load"}}, inertia, text);
+  const Comparison one = compare_methods(question, {{"weakly-stable-load"}, 1, inertia}, text);
   ASSERT_EQ(one.methods.size(), 1U);
   for (const char* word : {"three-state-compliance", "grasp-wrench-space-Linf", "closure"}) {
-    EXPECT_THROW(compare_methods(grasp, NormalLaw::kUnilateral, {{word}}, inertia, text),
-                 InputError);
+    EXPECT_THROW(compare_methods(question, {{word}, 1, inertia}, text), InputError);
   }
 }
 
@@ -416,7 +415,7 @@ TEST(CompareInSpace, ALengthThatIsIrrationalIsSaid) {
   EXPECT_THROW(linear_compliance(grasp), InputError);
   EXPECT_THROW(wrench_ball(grasp), InputError);
   const Comparison all =
-      compare_methods(grasp, NormalLaw::kUnilateral, {}, SpatialInertia::of_length(1), text);
+      compare_methods(Question{grasp}, {{}, 1, Inertia::of_length(1, true)}, text);
   for (const MethodRow& row : all.methods) {
     const bool needs = row.method == "grasp wrench space, L1" ||
                        row.method == "linear compliance" ||

@@ -15,7 +15,6 @@
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/json.hpp"
 #include "stickslip/earlier/load_classes.hpp"
-#include "stickslip/earlier/spatial_classes.hpp"
 #include "stickslip/equilibrium/question.hpp"
 
 namespace stickslip {
@@ -65,9 +64,8 @@ struct LineResult {
 struct BatchOptions {
   QuestionOptions question{};  ///< as the command's options say
   std::size_t node_limit = 0;  ///< of each line; 0 is none
-  /// Asks for the class of rigid contacts, not the verdict: the numbers of inertia_of or, of
-  /// grasps in space, spatial_inertia_of; or none, for a centre of mass in the origin and a
-  /// radius of gyration of 1.
+  /// Asks for the class of rigid contacts, not the verdict: the numbers of inertia_of; or none,
+  /// for a centre of mass in the origin and a radius of gyration of 1.
   std::optional<RationalRow> inertia{};
   std::string certificates{};  ///< the folder for certificates, as results name it; or empty
   std::string certificate_folder{};  ///< the same folder, as this process finds it

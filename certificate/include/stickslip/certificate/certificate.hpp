@@ -7,7 +7,6 @@
 #include <string>
 
 #include "stickslip/earlier/load_classes.hpp"
-#include "stickslip/earlier/spatial_classes.hpp"
 #include "stickslip/equilibrium/question.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 #include "stickslip/margin/margin.hpp"
@@ -35,15 +34,10 @@ std::string margin_certificate_text(const Question& question, const SpatialMargi
 std::string region_certificate_text(const Question& question, const WrenchPlane& plane,
                                     const RegionProof& proof, const std::string& producer);
 
-/// \{ The certificate of the class of a load (FORMAT.md, section 13), in the plane and in
-/// space. Throws ContractError for Undecided, and unless the question is about one load of one
-/// grasp.
+/// The certificate of the class of a load (FORMAT.md, section 13). Throws ContractError for
+/// Undecided, and unless the question is about one load of one grasp.
 std::string class_certificate_text(const Question& question, const Inertia& inertia,
                                    const RigidVerdict& verdict, const std::string& producer);
-std::string class_certificate_text(const Question& question, const SpatialInertia& inertia,
-                                   const SpatialRigidVerdict& verdict,
-                                   const std::string& producer);
-/// \}
 
 /// The whole question as an SMT-LIB 2 problem for solvers such as Z3 and cvc5. A complete
 /// script: declarations, the conditions of problem.hpp with their disjunctions, (check-sat).

@@ -46,7 +46,8 @@ class NumberText {
   std::string direction(const std::array<Number, n>& v) {
     return scaled_tuple({v.begin(), v.end()});
   }
-  std::string direction(const std::vector<Integer>& v) {
+  template <class Number>
+  std::string direction(const std::vector<Number>& v) {
     return scaled_tuple({v.begin(), v.end()});
   }
   /// \}

@@ -10,7 +10,6 @@
 
 #include "stickslip/core/number_text.hpp"
 #include "stickslip/earlier/load_classes.hpp"
-#include "stickslip/earlier/spatial_classes.hpp"
 
 namespace stickslip {
 
@@ -32,9 +31,10 @@ inline constexpr const char* kNotComputed = "not computed";
 
 /// Which methods are asked, and what some of them need.
 struct CompareOptions {
-  std::vector<std::string> methods{};  ///< some of method_words(); all if empty
-  Rational length = 1;                 ///< characteristic, of wrench spaces
-  Inertia inertia{};                   ///< for strong stability
+  std::vector<std::string> methods{};     ///< some of method_words(); all if empty
+  Rational length = 1;                    ///< characteristic, of wrench spaces
+  Inertia inertia{};                      ///< for strong stability, in as many coordinates
+  const RigidVerdict* verdict = nullptr;  ///< if it is known it is not sought again
 };
 
 /// What the methods say.
@@ -49,16 +49,11 @@ struct Comparison {
 /// The names of all methods as a list without spaces spells them: "grasp-wrench-space-L1".
 std::vector<std::string> method_words();
 
-/// Asks the methods and no other. Sentences have their numbers from `text`; those on why a
-/// method differs from the passive model need it asked. Throws InputError ("methods").
-Comparison compare_methods(const Problem& problem, const CompareOptions& options,
+/// Asks the methods and no other of one grasp. Sentences have their numbers from `text`; those
+/// on why a method differs from the passive model need it asked. Throws InputError ("methods"),
+/// in space also for a method of the plane alone that is asked for; and as problem_of() and
+/// point_in_space().
+Comparison compare_methods(const Question& question, const CompareOptions& options,
                            NumberText& text);
-
-/// The same of a point in space, but for the methods of the plane alone: throws InputError
-/// ("methods") naming one that is asked for. Of the options the inertia is that given beside
-/// them. `verdict`, if it is known, is not sought again.
-Comparison compare_methods(const GraspBox& grasp, NormalLaw law, const CompareOptions& options,
-                           const SpatialInertia& inertia, NumberText& text,
-                           const SpatialRigidVerdict* verdict = nullptr);
 
 }  // namespace stickslip

@@ -39,100 +39,145 @@
 /// that the contacts allow, which by Farkas' lemma is frictionless stability again. The class
 /// between the two, which friction enlarges, depends on M.
 ///
+/// **In space** friction is Coulomb's own cone. The rows of a contact are those of
+/// certificate/FORMAT.md, section 7: N = (n, p x n), and S a, its slip under the acceleration
+/// a. A contact force is a_i N_i + (f_i, p_i x f_i), f_i.n_i = 0, with the laws of friction
+///
+///     |f_i| <= mu_i |n_i| a_i,     f_i = -mu_i |n_i| a_i s / |s|  if s = S_i a != 0.
+///
+/// Discs of friction are put between polygons, and what the plane asks of edges is asked of
+/// their corners, by exact programs: forces in an inner polygon are in the cone, and a twist
+/// that no force of an outer polygon opposes is opposed by none in the cone. Polygons are
+/// refined where the programs' answers are. Slip is split into sectors of directions: friction
+/// is against a slip in the sector. What lies on a border whose numbers are irrational, or is
+/// nearer to one than the polygons, is undecided.
+///
 /// Source: Pang and Trinkle, "Stability characterizations of rigid body contact problems with
 /// Coulomb friction", ZAMM 80(10), 2000; Haas-Heger et al., RSS 2018, Section II.
 #pragma once
 
+#include <array>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "stickslip/core/box.hpp"
 #include "stickslip/core/number_text.hpp"
+#include "stickslip/equilibrium/question.hpp"
 #include "stickslip/equilibrium/verdict.hpp"
 
 namespace stickslip {
 
-/// Forces in the friction cones that balance the load.
-struct BalancingForces {
-  std::vector<ContactForce> forces;  ///< by ContactId
+/// What one contact exerts on the object: the normal coefficient a >= 0, and friction: in the
+/// plane one number, the coefficient of T, and in space f, orthogonal to n.
+struct RigidForce {
+  Rational normal{0};      ///< a, the force over |n|
+  RationalRow friction{};  ///< b, or f
 };
+/// By ContactId.
+using RigidForces = std::vector<RigidForce>;
 
-/// A motion along which the load does positive work, power(w, d) > 0, and no admissible contact
-/// force does negative work; so none balances the load.
+/// A motion along which the load does positive work, and no admissible contact force does
+/// negative work; so none balances the load.
 struct UnopposedMotion {
-  Twist twist;  ///< coprime integers
+  RationalRow twist;  ///< coprime integers
 };
 
-/// Whether forces of some class balance the load; either way with evidence.
-using LoadClass = std::variant<BalancingForces, UnopposedMotion>;
+/// Whether forces of some class balance the load; either way with evidence. In space undecided
+/// within a billionth of the border, unless it is found to be on it.
+using LoadClass = std::variant<RigidForces, UnopposedMotion, Undecided>;
 
-/// One linear program with 3 rows and two variables per contact. Evidence checked by
-/// substitution.
+/// In the plane one linear program with 3 rows and two variables per contact. Evidence checked
+/// by substitution. Stiffness and preloads play no part.
 LoadClass weakly_stable_load(const Problem& problem);
+/// The same of a point in space.
+LoadClass weakly_stable_load(const GraspBox& grasp);
 /// The same with mu = 0.
 LoadClass frictionless_stable_load(const Problem& problem);
 
 /// Mass distribution, with mass 1: a body of mass m has 1/m of these accelerations under the
 /// same load, and the same forces, so no class depends on m.
 struct Inertia {
-  Vector2 centre{0, 0};           ///< of mass, in the object frame
-  Rational gyration_squared = 1;  ///< radius of gyration about `centre`, squared; > 0
+  RationalRow centre{0, 0};  ///< of mass, in the object frame
+  /// The tensor of inertia about `centre`, over the mass; symmetric, positive definite. In the
+  /// plane one number, the squared radius of gyration.
+  std::vector<RationalRow> gyration{{1}};
+
+  /// About the origin, with this radius of gyration about every axis; > 0.
+  static Inertia of_length(const Rational& radius, bool in_space = false);
+  /// Of three coordinates.
+  bool in_space() const { return centre.size() == 3; }
 };
 
+/// M a, the wrench about the origin that gives the acceleration a (of the origin, and angular).
+RationalRow times_mass(const Inertia& inertia, const RationalRow& a);
 /// With its numbers, to be finished.
 Json inertia_json(const Inertia& inertia);
-/// The inertia "X,Y,G2" in an option's value. Throws InputError naming the option.
-Inertia inertia_option(const std::string& option, const std::string& value);
-/// The same of numbers: the centre and the squared radius of gyration. Throws InputError with
-/// that place unless there are three and the last is above 0.
-Inertia inertia_of(const std::string& place, const std::vector<Rational>& numbers);
+/// Of numbers: the centre and the squared radius of gyration; in space the centre x, y, z and
+/// xx, yy, zz of the tensor, and then xy, xz, yz if they are not 0. Throws InputError with that
+/// place unless there are so many, and the tensor is positive definite.
+Inertia inertia_of(const std::string& place, const RationalRow& numbers, bool in_space);
+/// As inertia_of() has them.
+RationalRow numbers_of(const Inertia& inertia);
+/// The numbers of an option, of an inertia in the plane or in space; none if it is empty.
+/// Throws InputError ("--inertia") unless they are of either.
+RationalRow inertia_numbers(const std::string& value);
+
+/// The one grasp in space that the question is about. Throws InputError if numbers are
+/// uncertain.
+const GraspBox& point_in_space(const Question& question);
 
 /// A cell of solutions in parts. Of `contact` and all contacts whose N is a positive multiple
 /// of its N: touching; apart. Or, with `slip`, of those whose T is a multiple of its T: T.a >=
-/// 0; T.a = 0; T.a <= 0 (for a negative multiple the outer two change places).
+/// 0; T.a = 0; T.a <= 0 (for a negative multiple the outer two change places). In space, of
+/// those with the same place and direction, with a direction d: slip in the quarters between d,
+/// n x d, -d, -n x d, after the first of which it is 0; or, in a sector that is known, before d
+/// and after it.
 struct RigidSplit {
-  ContactId contact{0};  ///< whose line of action, or of slip, it is
-  bool slip = false;     ///< of slips; else of touching
+  ContactId contact{0};     ///< whose line of action, or of slip, it is
+  bool slip = false;        ///< of slips; else of touching
+  RationalRow direction{};  ///< d, in space: in the tangent plane, not 0
 };
 /// No solution of a cell has w.a > 0: with weight >= 0, g of `normal` (>= 0 unless the contact
-/// touches) and h of `tangent` (with the sign of the slip),
+/// touches) and h of `tangent` (with the sign of the slip; in space a vector of the tangent
+/// plane with h.s >= 0 for all s of the sector),
 ///
 ///     weight w + M twist + sum g_i N_i + sum h_i T_i = 0,
 ///
 /// and twist.w >= 0 (> 0 if the weight is 0), twist.e >= 0 for all edges e that the cell allows
 /// forces on. For the product with a is 0 >= weight w.a + twist.(w + forces) >= weight w.a.
 struct RigidLeaf {
-  Rational weight;  ///< of w
-  Twist twist;      ///< on which no force of the cell does negative work
-  std::vector<std::pair<ContactId, Rational>> normal{};   ///< g, where not 0
-  std::vector<std::pair<ContactId, Rational>> tangent{};  ///< h, where not 0
+  Rational weight;    ///< of w
+  RationalRow twist;  ///< on which no force of the cell does negative work
+  std::vector<std::pair<ContactId, Rational>> normal{};      ///< g, where not 0
+  std::vector<std::pair<ContactId, RationalRow>> tangent{};  ///< h, where not 0
 };
 /// A node of a tree in preorder.
 using RigidNode = std::variant<RigidSplit, RigidLeaf>;
 
 /// The load accelerates nothing.
 struct StronglyStable {
-  BalancingForces equilibrium;    ///< forces at rest
+  RigidForces rest;               ///< a solution with a = 0
   std::vector<RigidNode> tree{};  ///< in preorder: no solution has w.a > 0
 
   std::size_t cases() const;  ///< leaves of the tree
 };
 /// A solution of (1)-(3) with a != 0.
 struct Acceleration {
-  Twist acceleration;                ///< of the object frame's origin, and angular
-  std::vector<ContactForce> forces;  ///< by ContactId
+  RationalRow acceleration;  ///< of the object frame's origin, and angular
+  RigidForces forces;        ///< with it
 };
 
-/// Undecided only at `most_programs` linear programs. Evidence checked by substitution. Throws
-/// ContractError unless gyration_squared > 0.
+/// In the plane. Undecided only at `most_programs` linear programs. Evidence checked by
+/// substitution. Throws ContractError unless the radius of gyration is above 0.
 std::variant<StronglyStable, Acceleration, Undecided> strongly_stable_load(
     const Problem& problem, const Inertia& inertia = {}, std::size_t most_programs = 20000);
 
 /// The model allows both rest and motion.
 struct OpenLoad {
-  BalancingForces rest;  ///< a solution with a = 0
-  Acceleration motion;   ///< and another
+  RigidForces rest;     ///< a solution with a = 0
+  Acceleration motion;  ///< and another
 };
 
 /// *Must move*, *must hold*, *open*, each with its evidence.
@@ -142,6 +187,12 @@ using RigidVerdict = std::variant<UnopposedMotion, StronglyStable, OpenLoad, Und
 /// strongly_stable_load().
 RigidVerdict rigid_verdict(const Problem& problem, const Inertia& inertia = {},
                            std::size_t most_programs = 20000);
+/// The same of a point in space.
+RigidVerdict rigid_verdict(const GraspBox& grasp, const Inertia& inertia,
+                           std::size_t most_programs = 4000);
+/// Of the one grasp that a question is about. Throws InputError as problem_of() and
+/// point_in_space().
+RigidVerdict rigid_verdict(const Question& question, const Inertia& inertia);
 
 /// "must move", "must hold", "open" or "undecided".
 std::string name_of(const RigidVerdict& verdict);

@@ -203,7 +203,7 @@ std::string to_string(RigidClass rigid_class) {
 std::variant<std::vector<ClassRange>, Undecided> class_margin(const Problem& family,
                                                               const Inertia& inertia,
                                                               std::size_t most_programs) {
-  require_planar(inertia);
+  earlier_detail::require_planar(inertia);
   try {
     return earlier_detail::ClassSweep(family, inertia, most_programs).run();
   } catch (const earlier_detail::LimitReached&) {

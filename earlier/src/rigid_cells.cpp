@@ -132,14 +132,16 @@ CellPoint CellProgram::point(const std::vector<Rational>& x) const {
   return result;
 }
 
-RigidLeaf CellProgram::leaf(const std::vector<Rational>& multipliers, bool weighs_load) const {
-  // Coprime integers, the weight before them.
-  std::vector<Rational> numbers{weighs_load ? 1 : 0};
-  numbers.insert(numbers.end(), multipliers.begin(), multipliers.end());
-  const Row scaled = primitive_multiple(RationalRow(numbers.begin(), numbers.end()));
-  const auto at = [&](std::size_t row) { return Rational(scaled[row + 1]); };
+std::variant<CellPoint, RigidLeaf> CellProgram::moving() const {
+  const auto found = most_power(program(), row_of(problem_.wrench()));
+  if (const auto* none = std::get_if<NoPower>(&found)) return leaf(*none);
+  return point(std::get<std::vector<Rational>>(found));
+}
+
+RigidLeaf CellProgram::leaf(const NoPower& none) const {
+  const auto at = [&](std::size_t row) { return none.multipliers[row]; };
   const std::size_t rows = program_.row_count();
-  RigidLeaf result{Rational(scaled[0]), {at(rows), at(rows + 1), at(rows + 2)}, {}, {}};
+  RigidLeaf result{none.weight, {at(rows), at(rows + 1), at(rows + 2)}, {}, {}};
   std::size_t row = 0;
   for (std::size_t i = 0; i < problem_.size(); ++i) {
     if (const Rational normal = at(row++); !normal.is_zero()) {
@@ -172,27 +174,12 @@ class Search {
       return false;
     }
     --programs_left_;
-    const CellProgram cell_program(problem_, inertia_, cell, friction_);
-    LinearProgram program = cell_program.program();
-    const Wrench& w = problem_.wrench();
-    program.minimize({-w.x, -w.y, -w.torque});
-    const LpResult solved = solve(program);
-    std::vector<Rational> x;
-    if (const auto* infeasible = std::get_if<Infeasible>(&solved)) {
-      result.tree.emplace_back(cell_program.leaf(infeasible->farkas, false));
+    auto solved = CellProgram(problem_, inertia_, cell, friction_).moving();
+    if (auto* leaf = std::get_if<RigidLeaf>(&solved)) {
+      result.tree.emplace_back(std::move(*leaf));
       return true;
     }
-    if (const auto* optimal = std::get_if<Optimal>(&solved)) {
-      if (optimal->value.sign() >= 0) {
-        // w = 0 leaves no objective: the empty sum proves it.
-        result.tree.emplace_back(cell_program.leaf(optimal->dual, true));
-        return true;
-      }
-      x = optimal->point;
-    } else {
-      x = far_along(std::get<Unbounded>(solved), w);
-    }
-    const CellPoint point = cell_program.point(x);
+    const auto& point = std::get<CellPoint>(solved);
     const std::optional<RigidSplit> split = cell.split_for(problem_, point, friction_.low);
     if (!split) {
       result.found = point;
@@ -208,17 +195,6 @@ class Search {
   AccelerationSearch result;
 
  private:
-  /// A point of the ray with w.a > 0.
-  static std::vector<Rational> far_along(const Unbounded& unbounded, const Wrench& w) {
-    const auto work = [&](const std::vector<Rational>& x) {
-      return power(w, {x[0], x[1], x[2]});
-    };
-    const Rational step = 1 + abs(work(unbounded.point)) / work(unbounded.ray);
-    std::vector<Rational> x = unbounded.point;
-    for (std::size_t v = 0; v < x.size(); ++v) x[v] += step * unbounded.ray[v];
-    return x;
-  }
-
   const Problem& problem_;
   const Inertia& inertia_;
   const FrictionRange& friction_;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "most_power.hpp"
 #include "stickslip/earlier/load_classes.hpp"
 #include "stickslip/lp/linear_program.hpp"
 
@@ -73,11 +74,13 @@ class CellProgram {
   /// The program, to be extended and solved. Balance is in its last rows but those added.
   LinearProgram program() const;
 
-  CellPoint point(const std::vector<Rational>& x) const;
-  /// Multipliers of all rows as a leaf, with so much of w.a.
-  RigidLeaf leaf(const std::vector<Rational>& multipliers, bool weighs_load) const;
+  /// A point with w.a > 0, of the greatest w.a if there is one; or the leaf that refutes all.
+  std::variant<CellPoint, RigidLeaf> moving() const;
 
  private:
+  CellPoint point(const std::vector<Rational>& x) const;
+  RigidLeaf leaf(const NoPower& none) const;
+
   struct Edge {
     std::size_t contact;
     ContactForce force;

@@ -118,36 +118,14 @@ std::optional<SpatialForces> SpatialProgram::at_rest(Vector6& twist) const {
 }
 
 std::variant<SpatialPoint, RigidLeaf> SpatialProgram::moving() const {
-  LinearProgram program = program_;
-  std::vector<Rational> objective;
-  for (const Rational& w : load_) objective.push_back(-w);
-  program.minimize(objective);
-  const LpResult solved = solve(program);
-  if (const auto* none = std::get_if<Infeasible>(&solved)) return leaf(0, none->farkas);
-  if (const auto* optimal = std::get_if<Optimal>(&solved)) {
-    if (optimal->value.sign() >= 0) return leaf(1, optimal->dual);
-    return point(optimal->point);
-  }
-  // A point of the ray with w.a > 0.
-  const auto& [start, ray] = std::get<Unbounded>(solved);
-  const auto work = [&](const std::vector<Rational>& x) {
-    Rational sum = 0;
-    for (std::size_t j = 0; j < 6; ++j) sum += load_[j] * x[j];
-    return sum;
-  };
-  const Rational step = 1 + abs(work(start)) / work(ray);
-  std::vector<Rational> x = start;
-  for (std::size_t v = 0; v < x.size(); ++v) x[v] += step * ray[v];
-  return point(x);
+  const auto found = most_power(program_, row_of(load_));
+  if (const auto* none = std::get_if<NoPower>(&found)) return leaf(*none);
+  return point(std::get<std::vector<Rational>>(found));
 }
 
-RigidLeaf SpatialProgram::leaf(const Rational& weight,
-                               const std::vector<Rational>& multipliers) const {
-  std::vector<Rational> numbers{weight};
-  numbers.insert(numbers.end(), multipliers.begin(), multipliers.end());
-  const Row scaled = primitive_multiple(RationalRow(numbers.begin(), numbers.end()));
-  const auto at = [&](std::size_t row) { return Rational(scaled[row + 1]); };
-  RigidLeaf result{Rational(scaled[0]), {}, {}, {}};
+RigidLeaf SpatialProgram::leaf(const NoPower& none) const {
+  const auto at = [&](std::size_t row) { return none.multipliers[row]; };
+  RigidLeaf result{none.weight, {}, {}, {}};
   for (std::size_t j = 0; j < 6; ++j) result.twist.push_back(at(rows_.size() + j));
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     if (at(r).is_zero()) continue;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "friction_disc.hpp"
+#include "most_power.hpp"
 #include "stickslip/earlier/load_classes.hpp"
 #include "stickslip/lp/linear_program.hpp"
 
@@ -66,7 +67,7 @@ class SpatialProgram {
   void add_edge(std::size_t contact, const Vector3& friction);
   void add_row(const Vector6& row, Relation relation);
   SpatialPoint point(const std::vector<Rational>& x) const;
-  RigidLeaf leaf(const Rational& weight, const std::vector<Rational>& multipliers) const;
+  RigidLeaf leaf(const NoPower& none) const;
 
   struct Edge {
     std::size_t contact;

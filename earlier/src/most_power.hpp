@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// \file
+/// The linear program of a cell of accelerations, in the plane and in space.
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "stickslip/core/row.hpp"
+#include "stickslip/lp/linear_program.hpp"
+
+namespace stickslip::earlier_detail {
+
+/// Why no point has w.a > 0: multipliers of the rows with w.a's own, coprime integers.
+struct NoPower {
+  Rational weight;                  ///< of w.a; 0 if there is no point at all
+  std::vector<Rational> multipliers;  ///< by row
+};
+
+/// A point of the program with w.a > 0, of the greatest w.a if there is one; `load` is w, and a
+/// are the first variables.
+std::variant<std::vector<Rational>, NoPower> most_power(LinearProgram program,
+                                                        const RationalRow& load);
+
+}  // namespace stickslip::earlier_detail

@@ -136,6 +136,8 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
       options.uncertain = parse_tolerances(word, value());
     } else if (!attached && word == "--json") {
       arguments.json = true;
+    } else if (!attached && word == "--batch") {
+      arguments.batch = true;
     } else if (!attached && word == "--") {
       options_ended = true;
     } else if (!attached && help) {
@@ -145,11 +147,13 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
       throw UsageError{"unknown option " + quote(words[i])};
     }
   }
-  if (arguments.files.size() != 2) {
+  if (arguments.batch) {
+    if (words.size() > 1) throw UsageError{"--batch takes no other words"};
+  } else if (arguments.files.size() != 2) {
     throw UsageError{"expected two files, GRASP and CERTIFICATE, found " +
                      std::to_string(arguments.files.size())};
   }
-  if (arguments.files[0] == "-" && arguments.files[1] == "-") {
+  if (!arguments.batch && arguments.files[0] == "-" && arguments.files[1] == "-") {
     throw UsageError{"only one of GRASP and CERTIFICATE can be standard input"};
   }
   return arguments;

@@ -16,9 +16,11 @@ struct UsageError {
 };
 
 struct Arguments {
-  std::vector<std::string> files;  ///< GRASP and CERTIFICATE, unless help is asked for
+  std::vector<std::string>
+      files;  ///< GRASP and CERTIFICATE, unless help or a batch is asked for
   Options options;
   bool json = false;
+  bool batch = false;
   bool help = false;
 };
 

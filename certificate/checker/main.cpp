@@ -5,11 +5,17 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <limits>
+#include <map>
+#include <optional>
+#include <sstream>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "arguments.hpp"
 #include "check.hpp"
+#include "json.hpp"
 #include "print.hpp"
 
 namespace {
@@ -66,6 +72,11 @@ the program that produced the certificate:
                            may be turned
 
   --json                   answer as one JSON object
+  --batch                  instead of GRASP and CERTIFICATE, and without other options: questions from
+                           standard input, each a line, a JSON object
+                           {"grasp": TEXT, "certificate": TEXT, "options": [WORD, ...]}, of which
+                           each character stands for the byte of its number; each is answered by
+                           a line, as with --json
   -h, --help               this text, if it comes before GRASP
   --                       no options follow
 
@@ -77,13 +88,15 @@ Answers and exit codes:
                  that those are, that those printed as "refuted" are not, and nothing of others;
                  of a region, that exactly the (s, t) in the certificate's pieces are
   rejected   1   it does not; the rule (named as in certificate/FORMAT.md) and the place
-  (error)    2   a file or the command line cannot be understood, on standard error
+  (error)    2   a file or the command line cannot be understood, on standard error; of a
+                 batch, a line, where it ends; else its exit code is 0
   not judged 3   it may, but to see it takes more work than the files' length allows
 
 Example:
   stickslip decide grasp.json --certificate proof.json
   stickslip-check grasp.json proof.json
   stickslip-check grasp.json margin.json --direction 0,1,0
+  stickslip-check --batch < questions.jsonl
 )";
 
 /// The stream of a file name; `file` is what it lives in unless it is standard input.
@@ -137,12 +150,68 @@ int run(const Arguments& arguments) {
   return malformed ? exit_code : write(as_text(answer), exit_code);
 }
 
+/// The bytes that characters, in UTF-8, stand for.
+std::string bytes_of(const Value& value, const JsonReader& reader, const std::string& place) {
+  reader.expect(value.kind == Value::Kind::kString, value, place, "a string");
+  std::string bytes;
+  for (std::size_t k = 0; k < value.text.size(); ++k) {
+    const auto lead = static_cast<unsigned char>(value.text[k]);
+    reader.expect(lead < 0xC4, value, place, "characters that each stand for a byte");
+    bytes += lead < 0x80 ? value.text[k]
+                         : static_cast<char>((lead & 3U) << 6U | (value.text[++k] & 0x3FU));
+  }
+  return bytes;
+}
+
+/// Throws Malformed or UsageError if it is no question.
+Answer answer_to_line(const std::string& line, const std::string& name) {
+  std::istringstream text(line);
+  constexpr std::size_t kAny = std::numeric_limits<std::size_t>::max();
+  JsonReader reader(text, name, {kAny, 2, kAny, kAny, false});
+  std::vector<std::string> words = {"grasp", "certificate"};
+  std::map<std::string, std::string> files;
+  while (const std::optional<std::string> member = reader.next_member()) {
+    const Value value = reader.value();
+    if (*member == "options") {
+      reader.expect(value.kind == Value::Kind::kArray, value, *member, "a list of words");
+      for (const Value& word : value.items) words.push_back(bytes_of(word, reader, *member));
+    } else {
+      files[*member] = bytes_of(value, reader, *member);
+    }
+  }
+  if (files.size() != 2 || files.count("grasp") + files.count("certificate") != 2) {
+    reader.fail(1, "", "expected the members grasp, certificate and options");
+  }
+  std::istringstream grasp(files["grasp"]);
+  std::istringstream certificate(files["certificate"]);
+  return check(grasp, certificate, parse_arguments(words).options);
+}
+
+/// Whoever asks may wait for each answer.
+int run_batch() {
+  std::size_t number = 0;
+  for (std::string line; std::getline(std::cin, line);) {
+    const std::string name = "question " + std::to_string(++number);
+    try {
+      const int code = write(as_json(answer_to_line(line, name)), kExitAccepted);
+      if (code != kExitAccepted) return code;
+    } catch (const Malformed& malformed) {
+      std::cerr << "stickslip-check: " << as_text(malformed);
+      return kExitMalformed;
+    } catch (const UsageError& error) {
+      throw UsageError{name + ": " + error.problem};
+    }
+  }
+  return kExitAccepted;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
     const Arguments arguments = parse_arguments({argv + 1, argv + argc});
-    return arguments.help ? write(kHelp, kExitAccepted) : run(arguments);
+    if (arguments.help) return write(kHelp, kExitAccepted);
+    return arguments.batch ? run_batch() : run(arguments);
   } catch (const UsageError& error) {
     std::cerr << "stickslip-check: " << error.problem << "; try stickslip-check --help\n";
   } catch (const std::exception& error) {

@@ -11,8 +11,8 @@ import sys
 import tempfile
 import unittest
 
-from support import (CHECK, FIG1, HERE, NOT_JUDGED, PROGRAMS, STICKSLIP_PROVED, UP, UP_TREE, Case, certificate,
-                     check, grasp, in_process, start, up)
+from support import (CHECK, FIG1, HERE, NOT_JUDGED, PROGRAMS, STICKSLIP_CHECK, STICKSLIP_PROVED, UP, UP_TREE, Case,
+                     certificate, check, grasp, in_process, start, up)
 
 
 class CommandLineTest(Case):
@@ -188,6 +188,37 @@ class CommandLineTest(Case):
             self.assertIn("tree[0]", report.pop("path"))
             self.assertTrue(report.pop("found"))
             self.assertEqual(list(report.values()), ["malformed", *[None] * 9])
+
+    @unittest.skipUnless(STICKSLIP_CHECK, "STICKSLIP_CHECK names no program")
+    def test_batch(self):
+        program = [STICKSLIP_CHECK, "--batch"]
+        question = {"options": list(UP), "certificate": json.dumps(up()), "grasp": json.dumps(FIG1)}
+        self.assertEqual(start(program, [], b""), (0, "", ""))
+        one = start([STICKSLIP_CHECK], [self.g, self.c, *UP, "--json"])[1]
+        line = json.dumps(question) + "\n"
+        code, out, err = start(program, [], (line + json.dumps({**question, "options": []}) + "\n" + line).encode())
+        self.assertEqual((code, out[:len(one)], out[-len(one):], err), (0, one, one, ""))
+        self.assertEqual([json.loads(answer)["rule"] for answer in out.splitlines()], [None, "question-wrench", None])
+        # A character is a byte: of a name in UTF-8 two, and half of one is no text.
+        for name, result in (("\xc3\xa9", "accepted"), ("\xe9", "malformed")):
+            named = json.dumps(FIG1).replace("{", '{"name": "%s", ' % name, 1)
+            out = start(program, [], json.dumps({**question, "grasp": named}).encode())[1]
+            self.assertEqual(json.loads(out)["result"], result)
+        # Where a line is no question, the batch ends.
+        for bad, says in (("[]", "question 2: line 1, column 1: expected an object"),
+                          (json.dumps({"grasp": ""}), "expected the members grasp, certificate and options"),
+                          (json.dumps({**question, "grasp": 1}), 'grasp: found the number "1", expected a string'),
+                          (json.dumps({**question, "grasp": "\u0100"}), "expected characters that each stand for a byte"),
+                          (json.dumps({**question, "law": "x"}), "expected the members grasp, certificate and options"),
+                          (json.dumps({**question, "options": ["--wrench"]}), "question 2: --wrench needs a value; try "),
+                          (json.dumps({**question, "options": ["third"]}), "found 3"),
+                          (json.dumps({**question, "options": ["--batch"]}), "--batch takes no other words")):
+            code, out, err = start(program, [], (line + bad + "\n" + line).encode())
+            self.assertEqual((code, out), (2, one), bad)
+            self.assertIn(says, err)
+        for words in (["g", "c"], ["--json"], ["--", "g"]):
+            self.assertEqual(start(program, words, b"")[::2], (
+                2, "stickslip-check: --batch takes no other words; try stickslip-check --help\n"))
 
     def test_answers_that_cannot_be_written(self):
         for program in PROGRAMS:

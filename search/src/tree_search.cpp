@@ -12,14 +12,13 @@
 namespace stickslip {
 namespace search_detail {
 
-/// A function of points that a contact's uncertain position makes uncertain: it lies between
-/// low h + middle - far.|omega| and high h + middle + far.|omega| (of the rotation omega of a
-/// point).
+/// A function of points that a contact's uncertain geometry makes uncertain: it lies between
+/// low h + middle - far.|d| and high h + middle + far.|d|.
 struct Wedge {
-  RationalRow middle;  ///< a function of motions
+  RationalRow middle;  ///< a function of motions d
   Rational low;        ///< of the height
   Rational high;       ///< of the height
-  Vector3 far;         ///< >= 0
+  RationalRow far;     ///< >= 0
 };
 
 }  // namespace search_detail
@@ -45,20 +44,18 @@ void note_bits(std::size_t& most, const Row& x) {
   }
 }
 
-/// How far a force in this direction at the contact may turn the object, beside one at the
-/// middle of its position: p.(f x omega) changes by at most the sum of far_k |omega_k|.
-Vector3 farthest_arm(const ContactPlace& place, const Vector3& f) {
-  Vector3 radius;
-  for (std::size_t j = 0; j < 3; ++j) {
-    radius[j] = (place.geometry[j].high - place.geometry[j].low) / 2;
+/// Of a function of motions that has this row at each corner.
+template <class RowAt>
+Wedge wedge_of(const LawContact& c, const RowAt& row_at) {
+  Wedge wedge{row_at(c.place->centre), 0, 0, {}};
+  wedge.far.resize(wedge.middle.size());
+  for (const CornerRow& corner : c.corners) {
+    const RationalRow row = row_at(corner);
+    for (std::size_t j = 0; j < row.size(); ++j) {
+      wedge.far[j] = std::max<Rational>(wedge.far[j], abs(row[j] - wedge.middle[j]));
+    }
   }
-  Vector3 far{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t a = (k + 1) % 3;
-    const std::size_t b = (k + 2) % 3;
-    far[k] = radius[a] * abs(f[b]) + radius[b] * abs(f[a]);
-  }
-  return far;
+  return wedge;
 }
 
 /// The side of planes on which a motion is for all of them, clearly; 0 if there is none.
@@ -128,7 +125,8 @@ TreeSearch::Branch TreeSearch::exactly(const MotionRegion& region,
 }
 
 /// A plane beside the wedge, towards the motion: all that lies beyond it, strictly, has one
-/// sign. Rotations have one sign first, so that such a plane is one. Nothing in the wedge.
+/// sign. Coordinates that make it wide have one sign first, so that such a plane is one. Nothing
+/// in the wedge.
 std::optional<TreeSearch::Branch> TreeSearch::split_wedge(const MotionRegion& region,
                                                           const Relaxation& found,
                                                           const Wedge& wedge) const {
@@ -138,9 +136,7 @@ std::optional<TreeSearch::Branch> TreeSearch::split_wedge(const MotionRegion& re
   for (std::size_t j = 0; j < d; ++j) {
     const double motion = found.motion[static_cast<Eigen::Index>(j)] / law_.unit(j);
     value += to_double(wedge.middle[j]) * motion;
-    if (j >= law_.first_rotation) {
-      width += to_double(wedge.far[j - law_.first_rotation]) * std::fabs(motion);
-    }
+    width += to_double(wedge.far[j]) * std::fabs(motion);
   }
   const double h = height(found);
   const int side = value + to_double(wedge.low) * h - width > 0    ? 1
@@ -150,13 +146,13 @@ std::optional<TreeSearch::Branch> TreeSearch::split_wedge(const MotionRegion& re
   RationalRow towards(law_.coordinates());
   for (std::size_t j = 0; j < d; ++j) towards[j] = side * wedge.middle[j];
   towards[d] = side > 0 ? wedge.low : Rational(-wedge.high);
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (wedge.far[k].is_zero()) continue;
-    Row rotation(law_.coordinates());
-    rotation[k + law_.first_rotation] = 1;
-    const PlaneSigns signs = region.signs(rotation);
-    if (signs.cuts()) return Branch{PlaneCut{rotation}, region.halves(rotation)};
-    towards[k + law_.first_rotation] -= (signs.negative ? -1 : 1) * wedge.far[k];
+  for (std::size_t j = 0; j < d; ++j) {
+    if (wedge.far[j].is_zero()) continue;
+    Row coordinate(law_.coordinates());
+    coordinate[j] = 1;
+    const PlaneSigns signs = region.signs(coordinate);
+    if (signs.cuts()) return Branch{PlaneCut{coordinate}, region.halves(coordinate)};
+    towards[j] -= (signs.negative ? -1 : 1) * wedge.far[j];
   }
   const Row plane = negated(primitive_multiple(towards));
   if (!region.signs(plane).negative) return std::nullopt;
@@ -225,9 +221,10 @@ std::optional<TreeSearch::Branch> TreeSearch::split_separation(const MotionRegio
   if (!c.place || c.slip_dimension() == 1 || law_.is_family)
     return split_corners(region, found, contact, c.separations, false);
   // v / k'
-  Wedge wedge{c.place->centre.normal, c.preload.low / c.stiffness.high,
-              c.preload.high / c.stiffness.low, farthest_arm(*c.place, c.place->normal)};
+  Wedge wedge = wedge_of(c, [](const CornerRow& row) { return row.normal; });
   for (Rational& entry : wedge.middle) entry = -entry;
+  wedge.low = c.preload.low / c.stiffness.high;
+  wedge.high = c.preload.high / c.stiffness.low;
   return split_wedge(region, found, wedge);
 }
 
@@ -285,17 +282,9 @@ std::optional<TreeSearch::Branch> TreeSearch::split_spatial_slip(const MotionReg
   const bool narrow = cone.moves && !cone.whole;
   if (!c.geometry_is_certain() && !narrow) {
     const IntegerVector3 direction = in_bits<3>(mean, 6);
-    Wedge wedge{RationalRow(law_.motions), 0, 0, {}};
-    Vector3 across{};  // the direction without its part along the normal
-    const CornerRow& centre = c.place->centre;
-    for (std::size_t j = 0; j < law_.motions; ++j) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        wedge.middle[j] += Rational(direction[k] * centre.slip[k][j]) / centre.slip_factor;
-      }
-    }
-    for (std::size_t k = 0; k < 3; ++k) across[k] = wedge.middle[k];
-    wedge.far = farthest_arm(*c.place, across);
-    return split_wedge(region, found, wedge);
+    const RationalRow along(direction.begin(), direction.end());
+    return split_wedge(region, found,
+                       wedge_of(c, [&](const CornerRow& row) { return row.wrench_of(along); }));
   }
   auto plane = plane_along(narrow ? turned : mean);
   if (!plane) plane = plane_along(narrow ? mean : turned);

@@ -2758,7 +2758,7 @@ one of them may be - for standard input. Give the same options as to the program
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be off,
                            such as friction=10%,stiffness=10%,preload=5%,position=0.001,
                            normal=0.0175,wrench=2%; any of them, absolute or in percent, for
-                           normals (in the plane) the slope by which they may be turned
+                           normals the slope by which they may be turned
   --json                   answer as one JSON object
   -h, --help               this text, if it comes before GRASP
   --                       no options follow

@@ -59,8 +59,7 @@ std::vector<Rational> values_in(const GraspBox& box, const GraspBox& grasp) {
   const std::vector<UncertainNumber> numbers = numbers_of(grasp);
   std::vector<Rational> values;
   const std::size_t contact_numbers =
-      box.contacts.empty() ? 1
-                           : (intervals.size() - box.wrench.size()) / box.contacts.size();
+      box.contacts.empty() ? 1 : (intervals.size() - box.wrench.size()) / box.contacts.size();
   for (std::size_t n = 0; n < intervals.size(); ++n) {
     if (intervals[n].interval.is_point()) continue;
     if (const std::size_t way = intervals[n].turn; way > 0) {

@@ -15,7 +15,8 @@ Rational pick(const Interval& interval, int place) {
   return place < 0 ? interval.low : place > 0 ? interval.high : interval.middle();
 }
 
-/// What bounds of turns, which are rounded up, are multiplied by so that no slope is above its own.
+/// What bounds of turns, which are rounded up, are multiplied by so that no slope is above its
+/// own.
 const Rational kWithin(1048575, 1048576);
 
 /// The slope at most e, near it, of which 1 + slope^2 is the square of a rational number:
@@ -34,9 +35,9 @@ Rational with_rational_length(const Rational& e) {
   return e.sign() < 0 ? Rational(-slope) : slope;
 }
 
-/// n turned, each way by a part of the most, from -1 to 1. In the plane it has a rational length
-/// where that of n is and matters. In space it need not; but turned both ways by all that each
-/// may be it would be turned by more than the slope.
+/// n turned, each way by a part of the most, from -1 to 1. In the plane it has a rational
+/// length where that of n is and matters. In space it need not; but turned both ways by all
+/// that each may be it would be turned by more than the slope.
 RationalRow turned_normal(const UncertainContact& c, const RationalRow& parts) {
   const std::vector<Turn> turns = turns_of(c);
   RationalRow e;

@@ -69,8 +69,8 @@ struct Functions {
 /// n at a corner.
 Vector normal_at(const ContactBox& c, const Vector& corner) {
   const bool in_space = c.normal.size() == 3;
-  auto e = corner.begin() + static_cast<std::ptrdiff_t>(in_space ? Parameter::kTurnU
-                                                                 : Parameter::kTurn);
+  auto e = corner.begin() +
+           static_cast<std::ptrdiff_t>(in_space ? Parameter::kTurnU : Parameter::kTurn);
   Vector n = c.normal;
   for (const Turn& turn : turns_of(c.normal, 0)) {
     for (std::size_t j = 0; j < n.size(); ++j) n[j] += *e * turn.way[j];

@@ -448,13 +448,13 @@ Rational MotionRegion::most_work(std::size_t contact, const Row& y) const {
         consider(normal + sign * mu * abs(Rational(slid[0]) / row.slip_factor));
         continue;
       }
-      const Rational cone = mu * mu * c.squared_length;
+      const Rational steepness = mu * mu * c.squared_length;
       Rational alpha = normal;
-      if (const Rational q = cone * square; !q.is_zero()) {
+      if (const Rational q = steepness * square; !q.is_zero()) {
         const ShortRoot root = short_sqrt(q, kBits);
         alpha += sign > 0 ? root.upper : Rational(-root.lower);
       }
-      if (const Rational q = cone * whole; !c.tilt.is_zero() && !q.is_zero()) {
+      if (const Rational q = steepness * whole; !c.tilt.is_zero() && !q.is_zero()) {
         alpha += Rational(3, 2) * c.tilt * short_sqrt(q, kBits).upper;
       }
       consider(std::move(alpha));

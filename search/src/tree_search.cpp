@@ -58,6 +58,35 @@ Wedge wedge_of(const LawContact& c, const RowAt& row_at) {
   return wedge;
 }
 
+/// Whether the position is certain and the normal is not.
+bool turns_alone(const LawContact& c) {
+  return !c.tilt.is_zero() && c.corners.size() <= 4;
+}
+
+/// Of a function of motions that has this row at each corner of what turns alone: the planes
+/// between which one corner has the least and one the most.
+template <class RowAt>
+std::vector<Row> corner_orders(const LawContact& c, const RowAt& row_at) {
+  const RationalRow first = row_at(c.corners.front());
+  std::vector<Row> planes;
+  for (std::size_t k = 1; k < c.corners.size(); k *= 2) {  // along each turn
+    RationalRow difference = row_at(c.corners[k]);
+    for (std::size_t j = 0; j < difference.size(); ++j) difference[j] -= first[j];
+    planes.push_back(primitive_multiple(difference));
+    planes.back().resize(difference.size() + 2);
+  }
+  return planes;
+}
+
+/// The same in the plane: rotations, whatever turns or moves.
+std::vector<Row> corner_orders(const Law& law, const LawContact& c) {
+  std::vector<Row> planes;
+  for (std::size_t j = law.first_rotation; !c.geometry_is_certain() && j < law.motions; ++j) {
+    planes.emplace_back(law.coordinates())[j] = 1;
+  }
+  return planes;
+}
+
 /// The side of planes on which a motion is for all of them, clearly; 0 if there is none.
 int side_of_all(const Law& law, const std::vector<Row>& planes, const Reals& x) {
   constexpr double kClear = 1e-12;
@@ -125,8 +154,8 @@ TreeSearch::Branch TreeSearch::exactly(const MotionRegion& region,
 }
 
 /// A plane beside the wedge, towards the motion: all that lies beyond it, strictly, has one
-/// sign. Coordinates that make it wide have one sign first, so that such a plane is one. Nothing
-/// in the wedge.
+/// sign. Coordinates that make it wide have one sign first, so that such a plane is one.
+/// Nothing in the wedge.
 std::optional<TreeSearch::Branch> TreeSearch::split_wedge(const MotionRegion& region,
                                                           const Relaxation& found,
                                                           const Wedge& wedge) const {
@@ -160,9 +189,12 @@ std::optional<TreeSearch::Branch> TreeSearch::split_wedge(const MotionRegion& re
 }
 
 /// Planes of many bits make all that is exact slow: one of few bits beyond them serves as well.
-std::optional<TreeSearch::Branch> TreeSearch::split_short(
-    const MotionRegion& region, const Relaxation& found, const std::vector<Row>& planes) const {
-  if (exact_ || !are_long(planes)) return std::nullopt;
+/// Where normals turn, one beyond those of all corners spares the cuts between them.
+std::optional<TreeSearch::Branch> TreeSearch::split_short(const MotionRegion& region,
+                                                          const Relaxation& found,
+                                                          const std::vector<Row>& planes,
+                                                          bool always) const {
+  if (exact_ || !(always || are_long(planes))) return std::nullopt;
   const int side = side_of_all(law_, planes, found.motion);
   if (side == 0) return std::nullopt;
   Row plane = short_plane(law_, region, planes, found.motion, side);
@@ -172,24 +204,19 @@ std::optional<TreeSearch::Branch> TreeSearch::split_short(
 }
 
 /// Between functions of which an uncertain one is a combination, where the motion is on one
-/// side of all: at the nearest of them. Rotations have one sign first where the geometry is
-/// uncertain, as few corners matter then: the others are never the extreme.
+/// side of all: at the nearest of them. The region is on one side of `orders` first, as few
+/// corners matter then: the others are never the extreme.
 std::optional<TreeSearch::Branch> TreeSearch::split_corners(const MotionRegion& region,
                                                             const Relaxation& found,
-                                                            std::size_t contact,
                                                             const std::vector<Row>& planes,
+                                                            const std::vector<Row>& orders,
                                                             bool is_slip) const {
   const bool stands_still =
       !(found.motion.head(static_cast<Eigen::Index>(law_.motions)).squaredNorm() > 0);
   const int side = stands_still ? 1 : side_of_all(law_, planes, found.motion);
   if (side == 0 && !law_.is_family) return std::nullopt;
-  for (std::size_t j = law_.first_rotation;
-       !law_.contacts[contact].geometry_is_certain() && j < law_.motions; ++j) {
-    Row rotation(law_.coordinates());
-    rotation[j] = 1;
-    if (region.signs(rotation).cuts()) {
-      return Branch{PlaneCut{rotation}, region.halves(rotation)};
-    }
+  for (const Row& plane : orders) {
+    if (region.signs(plane).cuts()) return Branch{PlaneCut{plane}, region.halves(plane)};
   }
   const Row* nearest = nullptr;
   double least = HUGE_VAL;
@@ -214,14 +241,18 @@ std::optional<TreeSearch::Branch> TreeSearch::split_separation(const MotionRegio
                                                                const Relaxation& found,
                                                                std::size_t contact) const {
   const LawContact& c = law_.contacts[contact];
-  if (auto branch = split_short(region, found, c.separations)) return branch;
+  if (auto branch = split_short(region, found, c.separations, turns_alone(c))) return branch;
   if (c.has_certain_separation) {
     return Branch{SeparationSplit{ContactId(contact)}, region.halves(c.separations.front())};
   }
+  const auto row_at = [](const CornerRow& row) { return row.normal; };
+  if (turns_alone(c)) {
+    return split_corners(region, found, c.separations, corner_orders(c, row_at), false);
+  }
   if (!c.place || c.slip_dimension() == 1 || law_.is_family)
-    return split_corners(region, found, contact, c.separations, false);
+    return split_corners(region, found, c.separations, corner_orders(law_, c), false);
   // v / k'
-  Wedge wedge = wedge_of(c, [](const CornerRow& row) { return row.normal; });
+  Wedge wedge = wedge_of(c, row_at);
   for (Rational& entry : wedge.middle) entry = -entry;
   wedge.low = c.preload.low / c.stiffness.high;
   wedge.high = c.preload.high / c.stiffness.low;
@@ -238,7 +269,9 @@ std::optional<TreeSearch::Branch> TreeSearch::split_slip(const MotionRegion& reg
     if (is_known) return std::nullopt;
     const std::vector<Row> planes = slip_planes(law_, c);
     if (auto branch = split_short(region, found, planes)) return branch;
-    if (!c.geometry_is_certain()) return split_corners(region, found, contact, planes, true);
+    if (!c.geometry_is_certain()) {
+      return split_corners(region, found, planes, corner_orders(law_, c), true);
+    }
   } else if (is_known || !c.geometry_is_certain()) {
     return split_spatial_slip(region, found, contact);
   }
@@ -283,8 +316,15 @@ std::optional<TreeSearch::Branch> TreeSearch::split_spatial_slip(const MotionReg
   if (!c.geometry_is_certain() && !narrow) {
     const IntegerVector3 direction = in_bits<3>(mean, 6);
     const RationalRow along(direction.begin(), direction.end());
-    return split_wedge(region, found,
-                       wedge_of(c, [&](const CornerRow& row) { return row.wrench_of(along); }));
+    const auto row_at = [&](const CornerRow& row) { return row.wrench_of(along); };
+    if (!turns_alone(c)) return split_wedge(region, found, wedge_of(c, row_at));
+    std::vector<Row> planes;
+    for (const CornerRow& row : c.corners) {
+      planes.push_back(primitive_multiple(row_at(row)));
+      planes.back().resize(law_.coordinates());
+    }
+    if (auto branch = split_short(region, found, planes, true)) return branch;
+    return split_corners(region, found, planes, corner_orders(c, row_at), false);
   }
   auto plane = plane_along(narrow ? turned : mean);
   if (!plane) plane = plane_along(narrow ? mean : turned);

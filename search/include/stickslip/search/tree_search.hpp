@@ -89,10 +89,10 @@ class TreeSearch {
   std::optional<Branch> split_spatial_slip(const MotionRegion& region, const Relaxation& found,
                                            std::size_t contact) const;
   std::optional<Branch> split_corners(const MotionRegion& region, const Relaxation& found,
-                                      std::size_t contact, const std::vector<Row>& planes,
-                                      bool is_slip) const;
+                                      const std::vector<Row>& planes,
+                                      const std::vector<Row>& orders, bool is_slip) const;
   std::optional<Branch> split_short(const MotionRegion& region, const Relaxation& found,
-                                    const std::vector<Row>& planes) const;
+                                    const std::vector<Row>& planes, bool always = false) const;
   std::optional<Branch> split_wedge(const MotionRegion& region, const Relaxation& found,
                                     const search_detail::Wedge& wedge) const;
   bool is_candidate(const MotionRegion& region, const Relaxation& found) const;

@@ -481,14 +481,14 @@ def read_vector_of_bounds(source: Source, value: Any, place: str, length: int) -
 
 def read_normal(source: Source, value: Any, place: str) -> Tuple[Vector, Fraction]:
     """n⁰ and the slope."""
-    if type(value) is not Members or source.dimension == SPACE:
+    if type(value) is not Members:
         return read_point_of(source, value, place), Fraction(0)
     source.uncertain = source.uncertain or place
     fields = source.members(value, place, "direction slope")
     slope = source.number(fields["slope"], f"{place}.slope")
     if not 0 <= slope < 1:
         source.fail(f"{place}.slope", f"{show(slope)} is out of range, must be >= 0 and < 1")
-    return source.vector(fields["direction"], f"{place}.direction", 2), slope
+    return read_point_of(source, fields["direction"], f"{place}.direction"), slope
 
 
 def read_point_of(source: Source, value: Any, place: str) -> Vector:
@@ -723,12 +723,23 @@ def make_row(contact: Contact, growth: Fraction) -> Row:
                n)
 
 
-def across(n: Vector) -> List[Vector]:
-    """What the slip of §1 and §7 is measured along: t, or the rows of the projection across n."""
+def across(n: Vector, straight: Optional[Vector] = None) -> List[Vector]:
+    """What the slip of §1 and §7 is measured along: t, or the rows of the projection along n on the
+    plane across n⁰, which is n unless it is given."""
     if len(n) == 2:
         return [(-n[1], n[0])]
-    square = dot(n, n)
-    return [tuple((j == k) - n[j] * n[k] / square for k in range(3)) for j in range(3)]
+    straight = straight or n
+    square = dot(straight, straight)
+    return [tuple((j == k) - n[j] * straight[k] / square for k in range(3)) for j in range(3)]
+
+
+def turns(n: Vector) -> List[Vector]:
+    """The ways in which the normal n⁰ may turn: t⁰ of §6, or U and V of §7."""
+    if len(n) == 2:
+        return [(-n[1], n[0])]
+    least = min(range(3), key=lambda j: abs(n[j]))
+    u = cross(n, tuple(Fraction(j == least) for j in range(3)))
+    return [u, cross(n, u)]
 
 
 def wrench_asked(grasp: Grasp, asked: Options) -> Wrench:
@@ -755,8 +766,6 @@ def check_dimension(asked: Options, dimension: int) -> None:
         if vector is not None and len(vector) != dimension:
             raise Malformed("the question", part, f"found {len(vector)} numbers, must be "
                                                   f"{dimension} as the grasp has")
-    if dimension == SPACE and "normal" in (asked.uncertain or {}):
-        raise Malformed("the question", "uncertain", "normals in space are certain")
 
 
 def check_plane(asked: Options, dimension: int) -> None:
@@ -1185,7 +1194,8 @@ def read_load_point(source: Source, value: Any, place: str) -> Witness:
                    read_shares(source, shares, place))
 
 
-GEOMETRY = {PLANE: ("x", "y", "turn"), SPACE: ("x", "y", "z")}
+TURNS = {PLANE: ("turn",), SPACE: ("turn_u", "turn_v")}
+GEOMETRY = {PLANE: ("x", "y") + TURNS[PLANE], SPACE: ("x", "y", "z") + TURNS[SPACE]}
 PARAMETERS = {dimension: names + ("friction", "preload", "stiffness")  # of a contact
               for dimension, names in GEOMETRY.items()}
 
@@ -1476,15 +1486,17 @@ class Terms:
         self.corners = list(itertools.product((0, 1), repeat=len(uncertain)))
         self.N: List[Vector] = []
         self.rows: List[List[Vector]] = []  # of the slip
+        self.tilt = Fraction(0)             # δ of §7
         for corner in self.corners:
             here = [x[name][corner[uncertain.index(name)] if name in uncertain else 0]
                     for name in c.geometry()]
             n = c.normal
-            if len(n) == 2:
-                e = here.pop()
-                n = (n[0] - e * n[1], n[1] + e * n[0])
+            for e, way in zip(here[len(n):], turns(n)):
+                n = plus(n, e, way)
+            here = here[:len(n)]
+            self.tilt = max(self.tilt, dot(n, n) / dot(c.normal, c.normal) - 1)
             self.N.append(at(here, n))
-            self.rows.append([at(here, t) for t in across(n)])
+            self.rows.append([at(here, t) for t in across(n, c.normal)])
         values = [times(-k, n) + load for n in self.N for k in set(x["stiffness"])
                   for load in set(zip(x["preload"], c.growth))]
         forms, self.v_factor = integers([entry for value in values for entry in value])
@@ -1721,12 +1733,16 @@ class SpatialTerms(Terms):
         for n, rows in zip(self.N, self.rows):
             z, factor = integers([dot(row, y) for row in rows])  # S_i y, times the factor
             signed_square = Fraction(dot(z, z))
+            most_square = signed_square / (factor * factor)
             if moves and not cone.contains(negated(z)):
                 along = [(-dot(s, z), dot(s, s)) for s in cone.sides()]
                 signed_square = max(Fraction(c * abs(c), square) for c, square in along)
             signed_square /= factor * factor
-            found += [dot(y, n) + root_above(mu * mu * dot(self.normal, self.normal) * signed_square)
-                      for mu in set(self.friction)]
+            for mu in set(self.friction):
+                cone_square = mu * mu * dot(self.normal, self.normal)
+                found.append(dot(y, n) + root_above(cone_square * signed_square))
+                if self.tilt:
+                    found[-1] += Fraction(3, 2) * self.tilt * root_above(cone_square * most_square)
         return max(found)
 
 
@@ -1789,8 +1805,9 @@ def enlarged(question: Question, bits: int) -> Box:
             inverse = root_bounds(1 / square, bits)
         growth = Bounds(grown * inverse.low, grown * inverse.high)
         turned = contact.slope ** 2
-        turn = (Bounds(-contact.slope, contact.slope),) * (len(contact.position) == 2)
-        bounds = (*contact.position, *turn, contact.friction,
+        most = [root_bounds(turned * square / dot(way, way), ROOT_BITS).high
+                for way in turns(contact.normal)]
+        bounds = (*contact.position, *(Bounds(-e, e) for e in most), contact.friction,
                   Bounds(preload.low * (1 - turned / 2) * inverse.low,
                          preload.high * inverse.high),
                   Bounds(contact.stiffness.low * (1 - turned) / square,
@@ -2741,7 +2758,7 @@ one of them may be - for standard input. Give the same options as to the program
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be off,
                            such as friction=10%,stiffness=10%,preload=5%,position=0.001,
                            normal=0.0175,wrench=2%; any of them, absolute or in percent, for
-                           normals (in the plane) the slope by which they may be turned
+                           normals the slope by which they may be turned
   --json                   answer as one JSON object
   -h, --help               this text, if it comes before GRASP
   --                       no options follow

@@ -17,7 +17,16 @@ std::vector<UncertainNumber> numbers_of(const GraspBox& box) {
     for (std::size_t j = 0; j < c.position.size(); ++j) {
       all.push_back({contact + "position[" + std::to_string(j) + "]", c.position[j]});
     }
-    all.push_back({contact + "normal", {-c.slope, c.slope}, true});
+    if (box.in_space()) {
+      const std::vector<Turn> turns = turns_of(c);
+      for (const std::size_t k : {0U, 1U}) {
+        all.push_back({contact + (k == 0 ? "normal.turn_u" : "normal.turn_v"),
+                       {-turns[k].most, turns[k].most},
+                       k + 1});
+      }
+    } else {
+      all.push_back({contact + "normal", {-c.slope, c.slope}, 1});
+    }
     all.push_back({contact + "friction", c.friction});
     all.push_back({contact + "stiffness", c.stiffness});
     all.push_back({contact + "preload", c.preload});
@@ -28,10 +37,11 @@ std::vector<UncertainNumber> numbers_of(const GraspBox& box) {
   return all;
 }
 
-/// By how much a grasp has turned the normal of a contact of the box.
-Rational turn_of(const UncertainContact& c, const RationalRow& turned) {
-  const Rational across = c.normal[0] * turned[1] - c.normal[1] * turned[0];
-  return across / dot(c.normal, turned);
+/// By how much a grasp has turned the normal of a contact of the box, this way.
+Rational turn_of(const UncertainContact& c, const RationalRow& turned, std::size_t way) {
+  const RationalRow across = turns_of(c)[way].direction;
+  return dot(across, turned) * dot(c.normal, c.normal) /
+         (dot(c.normal, turned) * dot(across, across));
 }
 
 }  // namespace
@@ -48,13 +58,16 @@ std::vector<Rational> values_in(const GraspBox& box, const GraspBox& grasp) {
   const std::vector<UncertainNumber> intervals = numbers_of(box);
   const std::vector<UncertainNumber> numbers = numbers_of(grasp);
   std::vector<Rational> values;
-  std::size_t contact = 0;
+  const std::size_t contact_numbers =
+      box.contacts.empty() ? 1 : (intervals.size() - box.wrench.size()) / box.contacts.size();
   for (std::size_t n = 0; n < intervals.size(); ++n) {
-    const std::size_t i = contact;
-    if (intervals[n].is_slope) ++contact;
     if (intervals[n].interval.is_point()) continue;
-    values.push_back(intervals[n].is_slope ? turn_of(box.contacts[i], grasp.contacts[i].normal)
-                                           : numbers[n].interval.low);
+    if (const std::size_t way = intervals[n].turn; way > 0) {
+      const std::size_t i = n / contact_numbers;
+      values.push_back(turn_of(box.contacts[i], grasp.contacts[i].normal, way - 1));
+    } else {
+      values.push_back(numbers[n].interval.low);
+    }
   }
   return values;
 }
@@ -102,9 +115,9 @@ Json uncertain_json(const std::vector<UncertainNumber>& numbers) {
   Json json = Json::array();
   for (const UncertainNumber& number : numbers) {
     json.push_back({{"place", number.place},
-                    {number.is_slope ? "slope" : "interval",
-                     number.is_slope ? number_json(number.interval.high)
-                                     : interval_json(number.interval)}});
+                    {number.is_turn() ? "slope" : "interval",
+                     number.is_turn() ? number_json(number.interval.high)
+                                      : interval_json(number.interval)}});
   }
   return json;
 }

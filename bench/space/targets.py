@@ -2,7 +2,7 @@
 """What `stickslip decide --certificate` and `stickslip-check` take for the files of grasps.py, in seconds
 of the processor, starting the programs included.
 
-    python3 bench/space/targets.py --programs build/bin FILE...
+    python3 bench/space/targets.py --programs build/bin [--uncertain LIST] FILE...
 
 Exit code 1 if a certificate is rejected.
 """
@@ -21,16 +21,18 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n", maxsplit=1)[0])
     parser.add_argument("files", nargs="+")
     parser.add_argument("--programs", required=True)
+    parser.add_argument("--uncertain", help="ask about boxes: as that option of both programs")
     options = parser.parse_args()
+    words = ["--uncertain", options.uncertain] if options.uncertain else []
     groups = defaultdict(list)
     with tempfile.TemporaryDirectory() as folder:
         proof = os.path.join(folder, "certificate.json")
         for file in options.files:
             verdict, seconds, answer = decided(os.path.join(options.programs, "stickslip"), file,
-                                               "--certificate", proof)
+                                               "--certificate", proof, *words)
             check, size = 0, 0
-            if verdict != "undecided":
-                check, _ = timed(os.path.join(options.programs, "stickslip-check"), file, proof)
+            if verdict not in ("undecided", "fragile"):
+                check, _ = timed(os.path.join(options.programs, "stickslip-check"), file, proof, *words)
                 size = os.path.getsize(proof)
             as_expected = file.endswith({"stable": "s.json", "unstable": "u.json"}.get(verdict, " "))
             print(f"{file}: {verdict} in {seconds:.3f} s, checked in {check:.3f} s, {size} bytes, {answer['stats']}",

@@ -170,6 +170,11 @@ std::optional<PartSplit> BoxProver::widest(const GraspLaw& box,
       const double a = std::max(near ? near->normal[i] : preload, kLittle * box.force / size);
       const bool is_length = parameter == Parameter::kX || parameter == Parameter::kY ||
                              parameter == Parameter::kZ;
+      if (const bool is_u = parameter == Parameter::kTurnU;
+          is_u || parameter == Parameter::kTurnV) {
+        const RationalRow& across = c.place->turns[is_u ? 0 : 1].direction;
+        effect *= std::sqrt(to_double(dot(across, across) / c.squared_length));
+      }
       if (parameter == Parameter::kPreload) {
         effect *= size;
       } else if (parameter == Parameter::kStiffness) {

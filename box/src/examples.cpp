@@ -15,6 +15,10 @@ Rational pick(const Interval& interval, int place) {
   return place < 0 ? interval.low : place > 0 ? interval.high : interval.middle();
 }
 
+/// What bounds of turns, which are rounded up, are multiplied by so that no slope is above its
+/// own.
+const Rational kWithin(1048575, 1048576);
+
 /// The slope at most e, near it, of which 1 + slope^2 is the square of a rational number:
 /// 2u / (1 - u^2).
 Rational with_rational_length(const Rational& e) {
@@ -31,15 +35,30 @@ Rational with_rational_length(const Rational& e) {
   return e.sign() < 0 ? Rational(-slope) : slope;
 }
 
-/// n + e t, with a length that is rational where that of n is and matters.
-RationalRow turned_normal(const UncertainContact& c, const Rational& e) {
-  if (e.is_zero()) return c.normal;
+/// n turned, each way by a part of the most, from -1 to 1. In the plane it has a rational
+/// length where that of n is and matters. In space it need not; but turned both ways by all
+/// that each may be it would be turned by more than the slope.
+RationalRow turned_normal(const UncertainContact& c, const RationalRow& parts) {
+  const std::vector<Turn> turns = turns_of(c);
+  RationalRow e;
+  for (std::size_t k = 0; k < turns.size(); ++k) e.push_back(parts[k] * turns[k].most);
   const bool keeps_length = !c.preload.high.is_zero() && exact_sqrt(dot(c.normal, c.normal));
-  const Vector2 n = turned(c.normal, keeps_length ? with_rational_length(e) : e);
-  return {n.x, n.y};
+  if (e.size() == 1 && keeps_length) e[0] = with_rational_length(e[0]);
+  const bool is_far = dot(parts, parts) > 1;
+  for (Rational& entry : e) {
+    if (e.size() > 1) entry *= is_far ? Rational(7, 10) : kWithin;
+  }
+  return turned(c.normal, turns, e);
 }
 
-/// The interval of a number; nothing of a slope.
+/// Which turn of a normal a parameter is.
+std::optional<std::size_t> turn_index(Parameter parameter) {
+  if (parameter == Parameter::kTurn || parameter == Parameter::kTurnU) return 0;
+  if (parameter == Parameter::kTurnV) return 1;
+  return std::nullopt;
+}
+
+/// The interval of a number; nothing of a turn.
 template <class Box>
 auto* interval_of(Box& box, const ParameterId& id) {
   if (id.parameter == Parameter::kWrench) return &box.wrench[id.index];
@@ -80,32 +99,37 @@ GraspBox Examples::at(const Place& place) const {
       *interval = point_interval(pick(*interval_of(box_, numbers_[n]), place[n]));
     }
   }
+  std::vector<RationalRow> turns(chosen.contacts.size(), RationalRow(2));
   for (std::size_t n = 0; n < numbers_.size(); ++n) {
-    if (numbers_[n].parameter != Parameter::kTurn) continue;
-    const std::size_t i = numbers_[n].index;
-    UncertainContact& c = chosen.contacts[i];
-    c.normal = turned_normal(c, Rational(place[n]) * box_.contacts[i].slope);
+    const auto [parameter, i] = numbers_[n];
+    if (const auto k = turn_index(parameter)) turns[i][*k] = place[n];
   }
+  turn(chosen, turns);
   return chosen;
+}
+
+void Examples::turn(GraspBox& chosen, const std::vector<RationalRow>& parts) const {
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    UncertainContact& c = chosen.contacts[i];
+    c.slope = box_.contacts[i].slope;
+    if (!c.slope.is_zero()) c.normal = turned_normal(c, parts[i]);
+    c.slope = 0;
+  }
 }
 
 GraspBox Examples::between(const RationalRow& parts) const {
   GraspBox chosen = box_;
   std::size_t next = 0;
-  std::vector<std::pair<std::size_t, Rational>> turns;
+  std::vector<RationalRow> turns(chosen.contacts.size(), RationalRow(2));
   for (const ParameterId& id : parameters_of(box_.contacts.size(), box_.in_space())) {
     const Rational& part = parts[next++];
     if (Interval* interval = interval_of(chosen, id)) {
       *interval = point_interval(interval->low + part * (interval->high - interval->low));
     } else {
-      turns.emplace_back(id.index, part);
+      turns[id.index][*turn_index(id.parameter)] = 2 * part - 1;
     }
   }
-  for (const auto& [i, part] : turns) {
-    UncertainContact& c = chosen.contacts[i];
-    c.normal = turned_normal(c, (2 * part - 1) * c.slope);
-    c.slope = 0;
-  }
+  turn(chosen, turns);
   return chosen;
 }
 

@@ -23,8 +23,8 @@ class Examples {
   /// `box` must outlive this.
   Examples(const GraspBox& box, NormalLaw law);
 
-  /// The one grasp at this place. Normals that may turn have a rational length where the file's
-  /// normal has one and the contact is preloaded: they are turned by at most the slope.
+  /// The one grasp at this place. Normals are turned by at most the slope; in the plane they
+  /// have a rational length where the file's normal has one and the contact is preloaded.
   GraspBox at(const Place& place) const;
   /// The one grasp at these parts of the way from low to high, from 0 to 1, of each parameter
   /// of GraspLaw.
@@ -43,6 +43,8 @@ class Examples {
 
  private:
   std::optional<double> distance(const Place& place) const;
+  /// Turns the normals of a grasp, by contact each way by a part of the most, from -1 to 1.
+  void turn(GraspBox& chosen, const std::vector<RationalRow>& parts) const;
 
   const GraspBox& box_;
   NormalLaw law_;

@@ -40,10 +40,13 @@ Vector multiple(const Rational& factor, const Vector& v) {
   return result;
 }
 
-/// Position and e, the box of which has these corners.
+constexpr std::size_t kGeometry = 6;  ///< parameters of the position and the turns
+
+/// These parameters, the box of which has these corners.
 std::vector<Vector> corners_of(const ContactBox& c) {
   std::vector<Vector> corners{{}};
-  for (const Parameter name : {Parameter::kX, Parameter::kY, Parameter::kZ, Parameter::kTurn}) {
+  for (std::size_t k = 0; k < kGeometry; ++k) {
+    const auto name = static_cast<Parameter>(k);
     std::vector<Vector> longer;
     for (const Vector& corner : corners) {
       for (const Rational& end : ends(c[name])) {
@@ -60,23 +63,36 @@ std::vector<Vector> corners_of(const ContactBox& c) {
 struct Functions {
   std::vector<Vector> normals;
   std::vector<Vector> slips;  ///< of all corners, one after another
+  Rational tilt;
 };
+
+/// n at a corner.
+Vector normal_at(const ContactBox& c, const Vector& corner) {
+  const bool in_space = c.normal.size() == 3;
+  auto e = corner.begin() +
+           static_cast<std::ptrdiff_t>(in_space ? Parameter::kTurnU : Parameter::kTurn);
+  Vector n = c.normal;
+  for (const Turn& turn : turns_of(c.normal, 0)) {
+    for (std::size_t j = 0; j < n.size(); ++j) n[j] += *e * turn.way[j];
+    ++e;
+  }
+  return n;
+}
 
 Functions functions_of(const ContactBox& c) {
   Functions rows;
   for (Vector p : corners_of(c)) {
-    Vector n = c.normal;
+    const Vector n = normal_at(c, p);
     std::vector<Vector> across;
     if (n.size() == 2) {
-      const Rational& e = p[3];
-      n = {Rational(c.normal[0] - e * c.normal[1]), Rational(c.normal[1] + e * c.normal[0])};
       across = {{Rational(-n[1]), n[0]}};
     } else {
-      const Rational square = dot(n, n);
+      const Rational square = dot(c.normal, c.normal);
       for (std::size_t j = 0; j < 3; ++j) {
-        across.push_back(multiple(-n[j] / square, n));
+        across.push_back(multiple(-n[j] / square, c.normal));
         across.back()[j] += 1;
       }
+      rows.tilt = std::max(rows.tilt, Rational(dot(n, n) / square - 1));
     }
     p.resize(n.size());
     rows.normals.push_back(at_point(p, n));
@@ -198,6 +214,7 @@ Row make_row(const ContactBox& c) {
   const Functions at = functions_of(c);
   Row row;
   row.certain = certain;
+  row.tilt = at.tilt;
   const std::size_t corners = at.normals.size();
   std::vector<Vector> all = at.normals;
   all.insert(all.end(), at.slips.begin(), at.slips.end());
@@ -237,6 +254,27 @@ Vector at_point(const Vector& p, const Vector& f) {
     wrench.emplace_back(p[k] * f[l] - p[l] * f[k]);
   }
   return wrench;
+}
+
+std::vector<Turn> turns_of(const Vector& normal, const Rational& slope) {
+  if (normal.size() == 2) return {{{Rational(-normal[1]), normal[0]}, slope}};
+  std::size_t least = 0;
+  for (std::size_t j = 1; j < 3; ++j) {
+    if (abs(normal[j]) < abs(normal[least])) least = j;
+  }
+  Vector axis(3);
+  axis[least] = 1;
+  constexpr unsigned kRootBits = 64;
+  Vector way = std::move(axis);
+  std::vector<Turn> turns;
+  for (std::size_t k = 0; k < 2; ++k) {
+    way = cross(normal, way);
+    turns.push_back({way, 0});
+    if (slope == 0) continue;
+    const Rational square = slope * slope * dot(normal, normal) / dot(way, way);
+    turns.back().most = root_bounds(square, kRootBits).high;
+  }
+  return turns;
 }
 
 BoxContact::BoxContact(ContactBox contact) : box(std::move(contact)), row(make_row(box)) {}

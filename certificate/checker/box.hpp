@@ -38,18 +38,30 @@ enum class Parameter : std::int8_t {
   kY,
   kZ,
   kTurn,
+  kTurnU,
+  kTurnV,
   kFriction,
   kPreload,
   kStiffness,
   kWrench
 };
-inline constexpr std::array<const char*, 8> kParameterNames{
-    "x", "y", "z", "turn", "friction", "preload", "stiffness", "wrench"};
-inline constexpr std::size_t kContactParameters = 7;
+inline constexpr std::array<const char*, 10> kParameterNames{
+    "x", "y", "z", "turn", "turn_u", "turn_v", "friction", "preload", "stiffness", "wrench"};
+inline constexpr std::size_t kContactParameters = 9;
 /// Whether there is such a parameter in this dimension.
 constexpr bool is_parameter(Parameter name, std::size_t dimension) {
-  return name != (dimension == kSpatial ? Parameter::kTurn : Parameter::kZ);
+  const bool of_space =
+      name == Parameter::kZ || name == Parameter::kTurnU || name == Parameter::kTurnV;
+  return dimension == kSpatial ? name != Parameter::kTurn : !of_space;
 }
+
+/// A way in which a normal may turn, and the most: t0 and `slope` in the plane (FORMAT.md §6),
+/// U and V with the bounds of their parameters in space (§7).
+struct Turn {
+  Vector way;
+  Rational most;
+};
+std::vector<Turn> turns_of(const Vector& normal, const Rational& slope);
 
 /// The parameters of a contact; one that there is not is 0.
 struct ContactBox {
@@ -62,10 +74,11 @@ struct ContactBox {
   }
 };
 
-/// What follows for one contact. A *corner* is one of the box of the position and e, of which
-/// those that are certain do not count. All forms are of points.
+/// What follows for one contact. A *corner* is one of the box of the position and turns, of
+/// which those that are certain do not count. All forms are of points.
 struct Row {
   bool certain = true;  ///< all parameters are
+  Rational tilt;        ///< in space, delta of §7
 
   /// At each corner N, and the rows of the slip: T in the plane, the three of S in space.
   std::vector<Form> normals;

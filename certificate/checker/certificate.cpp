@@ -573,7 +573,8 @@ Node CertificateReader::node(const Value& value, const std::string& place) const
     node.parameter = static_cast<Parameter>(name - kParameterNames.begin());
     json_.expect(name != kParameterNames.end() && is_parameter(node.parameter, dimension_),
                  value.items[1], place,
-                 std::string("x, y, ") + (dimension_ == kSpatial ? "z" : "turn") +
+                 std::string("x, y, ") +
+                     (dimension_ == kSpatial ? "z, turn_u, turn_v" : "turn") +
                      ", friction, preload, stiffness or wrench");
     node.contact = index(value.items[2], place);
     node.numbers = {number(value.items[3], place)};

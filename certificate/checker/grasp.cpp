@@ -372,15 +372,16 @@ class GraspReader {
     grasp_.contacts.push_back(contact);
   }
 
-  /// [x, y], or with a slope.
+  /// [x, y] or [x, y, z], or with a slope.
   void read_normal(const Value& value, const Where& place, Contact& contact) {
-    if (value.kind != Value::Kind::kObject || dimension_ == kSpatial) {
+    if (value.kind != Value::Kind::kObject) {
       contact.normal = vector(value, place, coordinates());
       return;
     }
     found_newer(value, place);
     expect_object(value, place, {"direction", "slope"});
-    contact.normal = vector(member(value, place, "direction"), place + ".direction", 2);
+    contact.normal =
+        vector(member(value, place, "direction"), place + ".direction", coordinates());
     const Value& slope = member(value, place, "slope");
     contact.slope = number(slope, place + ".slope");
     expect(contact.slope >= 0 && contact.slope < 1, slope, place + ".slope",

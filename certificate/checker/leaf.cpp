@@ -198,11 +198,17 @@ Rational spatial_alpha(const Box& box, std::size_t i, const Generators& region, 
   std::optional<Rational> alpha;
   for (std::size_t c = 0; c < row.normals.size(); ++c) {
     const Form z = slip_at(row.slips[c], y);
-    const Rational square = moves ? most_along(cone, z) : Rational(dot(z, z));
-    const Rational factor = scale * row.scale * (square < 0 ? friction.low : friction.high);
-    const Rational at_corner = scale * row.scale * dot(row.normals[c], y) +
-                               root_above(factor * factor * dot(normal, normal) * square);
-    if (!alpha || at_corner > *alpha) alpha = at_corner;
+    const Rational whole(dot(z, z));
+    const Rational square = moves ? most_along(cone, z) : whole;
+    for (const Rational& mu : {friction.low, friction.high}) {
+      const Rational factor = scale * row.scale * mu;
+      const Rational cone_square = factor * factor * dot(normal, normal);
+      Rational at_corner =
+          scale * row.scale * dot(row.normals[c], y) + root_above(cone_square * square);
+      if (row.tilt > 0) at_corner += row.tilt * 3 / 2 * root_above(cone_square * whole);
+      if (!alpha || at_corner > *alpha) alpha = at_corner;
+      if (friction.certain()) break;
+    }
   }
   return *alpha;
 }

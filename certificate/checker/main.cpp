@@ -68,8 +68,7 @@ the program that produced the certificate:
   --uncertain LIST         ask about every grasp in a box: how far numbers of each kind may be
                            off, such as friction=10%,stiffness=10%,preload=5%,
                            position=0.001,normal=0.0175,wrench=2%; any of them, absolute or
-                           in percent, for normals (in the plane) the slope by which they
-                           may be turned
+                           in percent, for normals the slope by which they may be turned
 
   --json                   answer as one JSON object
   --batch                  instead of GRASP and CERTIFICATE, and without other options: questions from

@@ -184,6 +184,16 @@ Rational dot(const Vector& a, const Vector& b) {
   return sum;
 }
 
+Vector cross(const Vector& a, const Vector& b) {
+  Vector result;
+  for (std::size_t j = 0; j < 3; ++j) {
+    const std::size_t k = (j + 1) % 3;
+    const std::size_t l = (j + 2) % 3;
+    result.emplace_back(a[k] * b[l] - a[l] * b[k]);
+  }
+  return result;
+}
+
 void PairwiseSum::add(Vector v) {
   for (std::size_t bits = count_++; bits % 2 == 1; bits /= 2) {
     for (std::size_t j = 0; j < v.size(); ++j) v[j] += partial_.back()[j];

@@ -65,6 +65,8 @@ Bounds root_bounds(const Rational& x, unsigned bits);
 
 /// The sum of products of as many coordinates as the shorter of the two has.
 Rational dot(const Vector& a, const Vector& b);
+/// Of three coordinates each.
+Vector cross(const Vector& a, const Vector& b);
 
 /// A sum of many vectors, added in pairs, then pairs of pairs and so on: denominators that have
 /// nothing in common, as those of unit normals, then stay short for most of the additions.

@@ -26,9 +26,6 @@ void check_dimension(const Grasp& grasp, const Options& options) {
   if (options.plane && grasp.dimension() == kSpatial) {
     refuse("plane", "the grasp is in space; a region is about a planar grasp");
   }
-  if (grasp.dimension() == kSpatial && options.uncertain.count("normal") != 0) {
-    refuse("uncertain", "found a tolerance of normals, but in space they are certain");
-  }
 }
 
 /// w: that of the options, or of the case that they name, or the file's unless a direction asks
@@ -197,16 +194,23 @@ ContactBox enlarged(const Contact& contact, const Rational& growth, unsigned bit
   const Bounds inverse = loaded ? root_bounds(Rational(1 / square), bits) : Bounds(1);
   ContactBox box;
   box.normal = contact.normal;
-  const std::vector<Bounds>& p = contact.position;
-  box.bounds = {
-      p[0],
-      p[1],
-      p.size() == 3 ? p[2] : Bounds(0),
-      Bounds(-contact.slope, contact.slope),
-      contact.friction,
+  const auto set = [&box](Parameter name, std::size_t after, Bounds bounds) {
+    box.bounds[static_cast<std::size_t>(name) + after] = std::move(bounds);
+  };
+  const bool in_space = contact.normal.size() == 3;
+  for (std::size_t j = 0; j < contact.position.size(); ++j) {
+    set(Parameter::kX, j, contact.position[j]);
+  }
+  std::size_t k = 0;
+  for (const Turn& turn : turns_of(contact.normal, contact.slope)) {
+    set(in_space ? Parameter::kTurnU : Parameter::kTurn, k++, Bounds(-turn.most, turn.most));
+  }
+  set(Parameter::kFriction, 0, contact.friction);
+  set(Parameter::kPreload, 0,
       Bounds(contact.preload.low * (1 - turned / 2) * inverse.low,
-             contact.preload.high * inverse.high),
-      Bounds(contact.stiffness.low * (1 - turned) / square, contact.stiffness.high / square)};
+             contact.preload.high * inverse.high));
+  set(Parameter::kStiffness, 0,
+      Bounds(contact.stiffness.low * (1 - turned) / square, contact.stiffness.high / square));
   box.growth = Bounds(growth * inverse.low, growth * inverse.high);
   return box;
 }

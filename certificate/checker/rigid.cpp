@@ -30,16 +30,6 @@ int factor_sign(const Vector& u, const Vector& v) {
   return sgn(dot(u, v));
 }
 
-Vector cross(const Vector& a, const Vector& b) {
-  Vector result;
-  for (std::size_t j = 0; j < 3; ++j) {
-    const std::size_t k = (j + 1) % 3;
-    const std::size_t l = (j + 2) % 3;
-    result.emplace_back(a[k] * b[l] - a[l] * b[k]);
-  }
-  return result;
-}
-
 /// Whether a sqrt(b) >= c sqrt(d), of b >= 0 and d >= 0.
 bool at_least(const Rational& a, const Rational& b, const Rational& c, const Rational& d) {
   return sgn(a) * a * a * b >= sgn(c) * c * c * d;

@@ -118,7 +118,7 @@ Definition check_in_space (q : question) (c : certificate) : answer :=
   match body c, is_margin q with
   | UnstableByTree nodes, false =>
       match setting_in_space (bits c) q with
-      | None => NotProvedHere "numbers of the question"
+      | None => NotProvedHere "normals that are uncertain, or numbers of the question"
       | Some s =>
           match SpaceTree.walk_ranges memory advisor (most_depth (SpaceTree.rows s)) (bilateral q) s
                   [at_zero] nodes with
@@ -128,7 +128,7 @@ Definition check_in_space (q : question) (c : certificate) : answer :=
       end
   | StableByWitness w, false =>
       match setting_in_space (bits c) q with
-      | None => NotProvedHere "numbers of the question"
+      | None => NotProvedHere "normals that are uncertain, or numbers of the question"
       | Some s =>
           if SpaceWitness.is_one_grasp (SpaceTree.rows s) (SpaceTree.the_load s) then
             match SpaceWitness.witness_fails (bilateral q) (SpaceTree.rows s)

@@ -32,16 +32,20 @@ Definition chosen (q : question) (g : Model.grasp) :=
      Model.about_z (Model.direction g)] /\
   Model.normal g = if bilateral q then Model.bilateral else Model.unilateral.
 
-(* The same in space. *)
+(* The same in space, where n0 may turn every way: n = n0 + t with t across n0, and the tangent of
+   the angle, |t| / |n0|, at most the slope. *)
 Definition vector_of_three (q1 q2 q3 : Q) := SpaceModel.Vector (Q2R q1) (Q2R q2) (Q2R q3).
 
 Definition chosen_contact_in_space (q : contact) (c : SpaceModel.contact) :=
-  (exists x y z nx ny nz,
+  (exists x y z nx ny nz t,
      position q = [x; y; z] /\ normal q = [nx; ny; nz] /\
      within x (SpaceModel.x (SpaceModel.position c)) /\
      within y (SpaceModel.y (SpaceModel.position c)) /\
      within z (SpaceModel.z (SpaceModel.position c)) /\
-     SpaceModel.normal c = vector_of_three nx ny nz) /\
+     let n0 := vector_of_three nx ny nz in
+     SpaceModel.dot n0 t = 0 /\
+     SpaceModel.dot t t <= Q2R (slope q) * Q2R (slope q) * SpaceModel.dot n0 n0 /\
+     SpaceModel.normal c = SpaceModel.add n0 t) /\
   within (friction q) (SpaceModel.friction c) /\
   within (stiffness q) (SpaceModel.stiffness c) /\
   within (preload q) (SpaceModel.preload c) /\

@@ -155,9 +155,6 @@ Definition scaled (it : contact) : contact :=
 Definition pose (file : grasp) (asked : options) : result posed :=
   let* _ := check_dimension (in_space file) "wrench" (asked_wrench asked) in
   let* _ := check_dimension (in_space file) "direction" (asked_direction asked) in
-  let* _ := check_that (negb (in_space file) ||
-                        match find_tolerance "normal" asked with Some _ => false | None => true end)
-              (of_question "uncertain") "in space normals are certain; expected no tolerance of them" in
   let* _ := check_that (match asked_preload asked with Some p => Qle_bool 0 p | None => true end)
               (of_question "preload") "expected 0 or more" in
   let* stated := wrench_asked file asked in

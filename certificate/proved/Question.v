@@ -19,7 +19,7 @@ Definition exactly (q : Q) : interval := Interval q q.
 Record contact := Contact {
   position : list interval;  (* two coordinates in the plane, three in space *)
   normal : list Q;           (* n0, not 0; so many *)
-  slope : Q;                 (* the normal has the direction of n0 + e t0 for some |e| <= slope *)
+  slope : Q;                 (* the largest tangent of the angle of the normal to n0 *)
   friction : interval;
   stiffness : interval;
   preload : interval;        (* P; of a margin with the preload direction `scale`, 0 *)

@@ -305,8 +305,8 @@ Definition read_on (outline : list (list edge)) (at_path : path) (value : json)
 (** A vector, or one with a slope. *)
 Definition read_normal (v : version) (at_path : path) (value : json) : result (list Q * Q) :=
   let* '(n, slope) :=
-    match value, is_in_space v with
-    | Object _, false =>
+    match value with
+    | Object _ =>
         let* _ := check_that (is_second v) at_path needs_second in
         let* members := members_of ["direction"; "slope"] at_path value in
         let* n := member "direction" (read_point v) at_path members in
@@ -314,7 +314,7 @@ Definition read_normal (v : version) (at_path : path) (value : json) : result (l
         let* _ := check_that (Qle_bool 0 slope && is_below slope 1) (Member "slope" :: at_path)
                     "expected a number of 0 or more and below 1" in
         Fine (n, slope)
-    | _, _ => let* n := read_point v at_path value in Fine (n, 0%Q)
+    | _ => let* n := read_point v at_path value in Fine (n, 0%Q)
     end in
   let* _ := check_that (negb (forallb is_0 n)) at_path
               "the normal is 0; give a vector into the object" in

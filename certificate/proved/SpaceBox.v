@@ -20,7 +20,7 @@ Record cbox := CBox {
 Definition square (b : cbox) : Q :=
   (box_nx b * box_nx b + box_ny b * box_ny b + box_nz b * box_nz b)%Q.
 
-(* Only of questions whose preloads do not grow. *)
+(* Only of questions whose normals are certain and whose preloads do not grow. *)
 Definition enlarge (bits : Z) (q : contact) : option cbox :=
   match position q, normal q with
   | [x; y; z], [nx; ny; nz] =>
@@ -29,7 +29,8 @@ Definition enlarge (bits : Z) (q : contact) : option cbox :=
       | Some l =>
           if negb (Qle_bool sq 0) &&
              Qle_bool 0%Q (low (friction q)) && Qle_bool 0 (low (preload q)) &&
-             Qle_bool 0 (low (stiffness q)) && Qeq_bool (preload_growth q) 0
+             Qle_bool 0 (low (stiffness q)) && Qeq_bool (preload_growth q) 0 &&
+             Qeq_bool (slope q) 0
           then Some (CBox x y z (friction q)
                        (Interval (low (preload q) * low l)%Q (high (preload q) * high l)%Q)
                        (Interval (low (stiffness q) / sq)%Q (high (stiffness q) / sq)%Q)
@@ -70,13 +71,21 @@ Record inside (b : cbox) (c : S.contact) : Prop := Inside {
 Theorem enlarge_inside bits q b c :
   enlarge bits q = Some b -> chosen_contact_in_space q c -> inside b c.
 Proof.
-  unfold enlarge. intros H ((x & y & z & nx & ny & nz & EP & EN & Wx & Wy & Wz & NE)
+  unfold enlarge. intros H ((x & y & z & nx & ny & nz & t & EP & EN & Wx & Wy & Wz & _ & TT & NT)
                             & Wf & Wk & Wp & G).
   rewrite EP, EN in H. set (sq := (nx * nx + ny * ny + nz * nz)%Q) in *.
   destruct (inverse_length bits (is_loaded q) sq) as [l|] eqn:IL; [|discriminate].
   destruct (_ && _) eqn:C in H; [|discriminate]. injection H as <-.
-  rewrite !andb_true_iff, negb_true_iff in C. destruct C as [[[[Sq F0] P0] K0] GC].
-  apply Qle_bool_R in F0, P0, K0. apply Qeq_bool_eq, Qeq_eqR in GC. rewrite Q2R_0 in *.
+  rewrite !andb_true_iff, negb_true_iff in C. destruct C as [[[[[Sq F0] P0] K0] GC] SC].
+  apply Qle_bool_R in F0, P0, K0. apply Qeq_bool_eq, Qeq_eqR in GC, SC. rewrite Q2R_0 in *.
+  assert (NE : S.normal c = vector_of_three nx ny nz).
+  { rewrite NT. rewrite SC, !Rmult_0_l in TT. destruct t as [tx ty tz]. unfold S.dot in TT; cbn in TT.
+    pose proof (Rle_0_sqr tx) as X. pose proof (Rle_0_sqr ty) as Y. pose proof (Rle_0_sqr tz) as Z0.
+    unfold Rsqr in X, Y, Z0.
+    assert (EX : tx = 0) by (apply Rsqr_0_uniq; unfold Rsqr; lra).
+    assert (EY : ty = 0) by (apply Rsqr_0_uniq; unfold Rsqr; lra).
+    assert (EZ : tz = 0) by (apply Rsqr_0_uniq; unfold Rsqr; lra).
+    subst. unfold S.add, vector_of_three; cbn. now rewrite !Rplus_0_r. }
   assert (SqP : 0 < Q2R sq).
   { apply Rnot_le_lt. intros L. rewrite <- Q2R_0 in L. apply Rle_Qle in L.
     apply Qle_bool_iff in L. congruence. }

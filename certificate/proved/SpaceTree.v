@@ -50,7 +50,11 @@ Definition set_load (s : setting) (w : list interval) : setting :=
 Definition halves (s : setting) (name : parameter) (index : Z) (c : Q)
     : (setting * setting) + string :=
   match name with
-  | PTurn => inr "part-contact"%string
+  | PTurn =>  (* normals are certain here *)
+      match Tree.numbered (rows s) index with
+      | None => inr "part-contact"%string
+      | Some _ => inr "part-inside"%string
+      end
   | PWrench =>
       match Tree.numbered (load_box (the_load s)) index with
       | None => inr "part-contact"%string
@@ -150,6 +154,7 @@ Lemma halves_cover s name i c l h g lambda d forces : halves s name i c = inl (l
 Proof.
   intros H [F LE LW LU L E].
   destruct name; cbn [halves] in H; try discriminate.
+  4: destruct (Tree.numbered (rows s) i); discriminate.
   7: {
     destruct (Tree.numbered (load_box (the_load s)) i) as [iv|] eqn:N; [|discriminate].
     destruct (Tree.is_inside iv c); [|discriminate]. injection H as <- <-. cbn. split; [auto|].

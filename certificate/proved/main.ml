@@ -49,8 +49,8 @@ Answers and exit codes:
   rejected    1   it does not; the rule (named as in certificate/FORMAT.md) and the place
   (error)     2   a file or the command line cannot be understood, on standard error
   not judged  3   the theorem does not cover such proofs, which stickslip-check judges: of
-                  stability by degree or at rest, of margins in space, and of regions; or it
-                  takes more work than the files' length allows
+                  stability by degree or at rest, of uncertain normals and margins in space,
+                  and of regions; or it takes more work than the files' length allows
 
 Example:
   stickslip decide grasp.json --certificate proof.json

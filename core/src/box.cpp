@@ -151,8 +151,31 @@ std::vector<NamedTolerance> given(const Tolerances& tolerances) {
   return result;
 }
 
-Vector2 turned(const RationalRow& normal, const Rational& slope) {
-  return {normal[0] - slope * normal[1], normal[1] + slope * normal[0]};
+std::vector<Turn> turns_of(const UncertainContact& contact) {
+  const RationalRow& n = contact.normal;
+  if (n.size() == 2) return {{{-n[1], n[0]}, contact.slope}};
+  std::size_t least = 0;
+  for (std::size_t j = 1; j < 3; ++j) {
+    if (abs(n[j]) < abs(n[least])) least = j;
+  }
+  Vector3 axis{};
+  axis[least] = 1;
+  const Vector3 u = cross(vector3(n), axis);
+  const Vector3 v = cross(vector3(n), u);
+  constexpr unsigned kBits = 64;
+  const auto most = [&](const Rational& square) {
+    return square.is_zero() ? Rational(0) : short_sqrt(square, kBits).upper;
+  };
+  const Rational square = contact.slope * contact.slope / dot(u, u);
+  return {{{u.begin(), u.end()}, most(square * dot(n, n))},
+          {{v.begin(), v.end()}, most(square)}};
+}
+
+RationalRow turned(RationalRow normal, const std::vector<Turn>& turns, const RationalRow& e) {
+  for (std::size_t k = 0; k < turns.size(); ++k) {
+    for (std::size_t j = 0; j < normal.size(); ++j) normal[j] += e[k] * turns[k].direction[j];
+  }
+  return normal;
 }
 
 Tolerances parse_tolerances(std::string_view text) {
@@ -193,10 +216,6 @@ void GraspBox::check() const {
 }
 
 GraspBox GraspBox::widened(const Tolerances& tolerances) const {
-  if (in_space() && tolerances.normal) {
-    fail("a tolerance of normals, but the grasp is in space",
-         "normals in space are certain; leave it out");
-  }
   check();
   GraspBox box = *this;
   const auto widen = [](const std::optional<Tolerance>& tolerance, Interval& interval) {

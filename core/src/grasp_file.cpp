@@ -64,11 +64,6 @@ WrittenNumber read_written(const JsonNode& node, const std::string& path,
 constexpr const char* kTwoNumbers = "an array of two numbers [x, y]";
 constexpr const char* kThreeNumbers = "an array of three numbers [x, y, z]";
 
-Vector2 read_direction(const JsonNode& node, const std::string& path) {
-  std::vector<Rational> v = read_vector(node, path, 2, kTwoNumbers);
-  return {std::move(v[0]), std::move(v[1])};
-}
-
 void read_position(const JsonNode& node, const std::string& path, IntervalReader& read,
                    WrittenContact& contact) {
   const JsonNode& position = member(node, path, "position", "add \"position\": [x, y]");
@@ -78,23 +73,31 @@ void read_position(const JsonNode& node, const std::string& path, IntervalReader
   contact.y = read_written(position.children[1], element_path(place, 1), read);
 }
 
-/// [x, y], or {"direction": [x, y], "slope": E}.
+/// [x, y], or {"direction": [x, y], "slope": E}; in space with [x, y, z].
 void read_normal(const JsonNode& node, const std::string& path, IntervalReader& read,
-                 WrittenContact& contact) {
+                 bool in_space, WrittenContact& contact) {
   const JsonNode& normal =
-      member(node, path, "normal", "add \"normal\": [x, y], pointing into the object");
+      member(node, path, "normal",
+             in_space ? "add \"normal\": [x, y, z], pointing into the object"
+                      : "add \"normal\": [x, y], pointing into the object");
   const std::string place = member_path(path, "normal");
+  const auto read_direction = [&](const JsonNode& at, const std::string& where) {
+    std::vector<Rational> n =
+        read_vector(at, where, in_space ? 3 : 2, in_space ? kThreeNumbers : kTwoNumbers);
+    contact.normal = {std::move(n[0]), std::move(n[1])};
+    if (in_space) contact.normal_z = std::move(n[2]);
+  };
   if (normal.kind != Kind::kObject) {
-    contact.normal = read_direction(normal, place);
+    read_direction(normal, place);
     return;
   }
   read.note(place);
   expect_object(normal, place, {"direction", "slope"});
-  constexpr const char* kForm = R"(write {"direction": [x, y], "slope": E})";
-  contact.normal = read_direction(member(normal, place, "direction", kForm),
-                                  member_path(place, "direction"));
+  const char* const form = in_space ? R"(write {"direction": [x, y, z], "slope": E})"
+                                    : R"(write {"direction": [x, y], "slope": E})";
+  read_direction(member(normal, place, "direction", form), member_path(place, "direction"));
   contact.slope =
-      read_number(member(normal, place, "slope", kForm), member_path(place, "slope"));
+      read_number(member(normal, place, "slope", form), member_path(place, "slope"));
   if (contact.slope->is_zero()) contact.slope.reset();
 }
 
@@ -107,12 +110,7 @@ void read_place_in_space(const JsonNode& node, const std::string& path, Interval
   contact.x = read_written(position.children[0], element_path(place, 0), read);
   contact.y = read_written(position.children[1], element_path(place, 1), read);
   contact.z = read_written(position.children[2], element_path(place, 2), read);
-  const JsonNode& normal =
-      member(node, path, "normal", "add \"normal\": [x, y, z], pointing into the object");
-  const std::vector<Rational> n =
-      read_vector(normal, member_path(path, "normal"), 3, kThreeNumbers);
-  contact.normal = {n[0], n[1]};
-  contact.normal_z = n[2];
+  read_normal(node, path, read, true, contact);
 }
 
 Properties read_properties(const JsonNode& object, const std::string& path,
@@ -146,7 +144,7 @@ WrittenContact read_contact(const JsonNode& node, const std::string& path, Inter
     contact.place = read_place(*on, member_path(path, "on"));
   } else {
     read_position(node, path, read, contact);
-    read_normal(node, path, read, contact);
+    read_normal(node, path, read, false, contact);
   }
   contact.own = read_properties(node, path, read);
   return contact;

@@ -63,8 +63,8 @@ RoundedContact RoundedBox::contact_at(std::size_t contact, const Place& place) c
   const LawContact& c = law_.contacts[contact];
   Reader reader(numbers_, first_[contact], place);
   std::vector<double> weights{1};  // of the corners
-  for (const Parameter parameter :
-       {Parameter::kX, Parameter::kY, Parameter::kTurn, Parameter::kZ}) {
+  for (const Parameter parameter : {Parameter::kX, Parameter::kY, Parameter::kTurn,
+                                    Parameter::kZ, Parameter::kTurnU, Parameter::kTurnV}) {
     const auto at = reader.read(parameter, contact);
     if (!at) continue;
     const double upper = (1 + *at) / 2;

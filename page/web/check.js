@@ -658,7 +658,7 @@ function read_range(object, name, place, version) {
 /** A normal: [n⁰, slope]. */
 function read_normal(value, place, dimension, version) {
   let slope = ZERO;
-  if (value instanceof Map && version >= 2 && dimension === 2) {
+  if (value instanceof Map && version >= 2) {
     known_members(value, place, ['direction', 'slope'], ['direction', 'slope']);
     slope = grasp_number(value.get('slope'), `${place}.slope`);
     if (slope.sign() < 0 || slope.compare(ONE) >= 0) throw new Malformed(`${place}.slope`, 'a slope is from 0 to below 1');
@@ -841,7 +841,6 @@ function ask(grasp, options) {
   }
   const slopes = uncertain.get('normal');
   if (slopes !== undefined && slopes.percent) throw new Malformed(`${asked}: uncertain normal`, 'it must not be a percentage');
-  if (slopes !== undefined && space) throw new Malformed(`${asked}: uncertain normal`, 'a normal in space is certain');
 
   const contacts = grasp.contacts.map((contact, i) => {
     const own = preload === null ? contact.preload : [preload, preload];
@@ -924,7 +923,7 @@ class CertificateReader {
   constructor(space) {
     this.space = space;
     this.size = space ? 6 : 3;
-    this.names = [...(space ? ['x', 'y', 'z'] : ['x', 'y', 'turn']), 'friction', 'preload', 'stiffness', 'wrench'];
+    this.names = [...geometry_names(space), 'friction', 'preload', 'stiffness', 'wrench'];
   }
 
   read(text) {
@@ -1167,6 +1166,24 @@ const corners_of = (intervals) => intervals.reduce(
     (lists, interval) => lists.flatMap((list) => (is_point(interval) ? [interval[0]] : interval).map((x) => [...list, x])), [[]]);
 const has_sign = (row, sign) => row.every((x) => (sign > 0 ? x >= 0n : x <= 0n));
 
+const geometry_names = (space) => (space ? ['x', 'y', 'z', 'turn_u', 'turn_v'] : ['x', 'y', 'turn']);
+
+/** The ways in which a normal n⁰ may turn: t⁰ = (−n_y, n_x) of §6, or U and V of §7. */
+function turns_of(n) {
+  if (n.length === 2) return [[n[1].negated(), n[0]]];
+  const cross = (a, b) => [[1, 2], [2, 0], [0, 1]].map(([j, k]) => a[j].times(b[k]).minus(a[k].times(b[j])));
+  const sizes = n.map((x) => x.magnitude());
+  const least = sizes.findIndex((x) => sizes.every((other) => x.compare(other) <= 0));
+  const first = cross(n, n.map((_, j) => (j === least ? ONE : ZERO)));
+  return [first, cross(n, first)];
+}
+
+/** By how much, each way: E in the plane, E_u and E_v in space. */
+function most_turns({n, slope, square}) {
+  if (n.length === 2) return [slope];
+  return turns_of(n).map((way) => root_above(slope.times(slope).times(square).over(dot_fractions(way, way)), 1));
+}
+
 /** 1/L as an interval: of one number if L is rational or nothing presses, else by the enclosure of §6. */
 function inverse_length(contact, bits) {
   if (contact.length !== null) return Array(2).fill(ONE.over(contact.length));
@@ -1174,7 +1191,7 @@ function inverse_length(contact, bits) {
 }
 
 /**
- * The parameters of one contact: geometry is (p_x, p_y, e) or, in space, p; push is [P', Pᵘ'] at the low and
+ * The parameters of one contact: geometry is (p_x, p_y, e) or, in space, (p, e_u, e_v); push is [P', Pᵘ'] at the low and
  * at the high end of one parameter: P', or in a margin c = 1/L. All that is computed from them is in integers.
  */
 class Contact {
@@ -1185,12 +1202,13 @@ class Contact {
       [contact.preload[1].times(high), contact.growth.times(high)]];
     const k = [contact.k[0].times(ONE.minus(square)).over(contact.square), contact.k[1].over(contact.square)];
     return new Contact({space: question.space, n: contact.n, square: contact.square,
-      geometry: question.space ? contact.p : [...contact.p, [e.negated(), e]], mu: contact.mu, push, k});
+      geometry: [...contact.p, ...most_turns(contact).map((most) => [most.negated(), most])], mu: contact.mu, push, k});
   }
 
   constructor(values) {
     Object.assign(this, values);
     this.forms = null;
+    this.largest_tilt = undefined;
   }
 
   get certain_push() { return same_list(this.push[0], this.push[1]); }
@@ -1204,33 +1222,47 @@ class Contact {
   }
 
   parameter(name) {
-    const j = (this.space ? ['x', 'y', 'z'] : ['x', 'y', 'turn']).indexOf(name);
+    const j = geometry_names(this.space).indexOf(name);
     return j >= 0 ? this.geometry[j] : name === 'preload' ? this.push.map((x) => x[0]) : name === 'stiffness' ? this.k : this.mu;
   }
 
   /** The same contact with another interval of one parameter. */
   cut(name, interval) {
-    const j = (this.space ? ['x', 'y', 'z'] : ['x', 'y', 'turn']).indexOf(name);
+    const j = geometry_names(this.space).indexOf(name);
     if (j >= 0) return new Contact({...this, geometry: this.geometry.map((x, l) => (l === j ? interval : x))});
     if (name === 'preload') return new Contact({...this, push: interval.map((x) => [x, ZERO])});
     return new Contact({...this, [name === 'stiffness' ? 'k' : 'mu']: interval});
   }
 
+  /** n at one corner of the geometry. */
+  normalAt(corner) {
+    return turns_of(this.n).reduce((n, way, l) => n.map((x, j) => x.plus(corner[this.n.length + l].times(way[j]))), this.n);
+  }
+
+  /** δ (§7). */
+  get tilt() {
+    if (this.largest_tilt === undefined) {
+      this.largest_tilt = largest(corners_of(this.geometry).map((corner) => {
+        const n = this.normalAt(corner);
+        return dot_fractions(n, n).over(this.square).minus(ONE);
+      }));
+    }
+    return this.largest_tilt;
+  }
+
   /** N and the rows of T or S at one corner of the geometry, as fractions. */
   rowsAt(corner) {
-    const n = this.n;
+    const n = this.normalAt(corner);
     if (!this.space) {
-      const [x, y, e] = corner;
-      const normal = [n[0].minus(e.times(n[1])), n[1].plus(e.times(n[0]))];  // n⁰ + e t⁰, with t⁰ = (−n_y, n_x)
-      const tangent = [normal[1].negated(), normal[0]];
-      return [wrench_at(normal, [x, y]), [wrench_at(tangent, [x, y])]];
+      const p = corner.slice(0, 2);
+      return [wrench_at(n, p), [wrench_at(turns_of(n)[0], p)]];
     }
-    // u = (d₁, d₂, d₃) + (d₄, d₅, d₆) × p, and S d = u − (n·u / L²) n.
+    // u = (d₁, d₂, d₃) + (d₄, d₅, d₆) × p, and S d = u − (n⁰·u / L²) n.
     const [x, y, z] = corner, minus = (a) => a.negated();
     const u = [[ONE, ZERO, ZERO, ZERO, z, minus(y)], [ZERO, ONE, ZERO, minus(z), ZERO, x], [ZERO, ZERO, ONE, y, minus(x), ZERO]];
-    const along = u[0].map((_, j) => dot_fractions(n, u.map((row) => row[j])));  // n·u
+    const along = u[0].map((_, j) => dot_fractions(this.n, u.map((row) => row[j])));  // n⁰·u
     const slip = u.map((row, k) => row.map((a, j) => a.minus(along[j].times(n[k]).over(this.square))));
-    return [wrench_at(n, corner), slip];
+    return [wrench_at(n, [x, y, z]), slip];
   }
 
   /**
@@ -1747,11 +1779,15 @@ function space_bound(region, contact, i, y, moves, closed) {
   const alpha = largest(rows.normals.flatMap((normal, c) => {
     const power = new Fraction(dot(normal, y), rows.d);
     if (contact.mu[1].isZero()) return [power];
-    const [square, sign] = signed_square(rows.slips[c].map((row) => dot(row, y)));
-    const q = product(product(square, contact.square), new Fraction(1n, rows.d * rows.d));
+    const slip = rows.slips[c].map((row) => dot(row, y));
+    const [square, sign] = signed_square(slip);
+    const length = product(contact.square, new Fraction(1n, rows.d * rows.d));
     return (is_point(contact.mu) ? [contact.mu[0]] : contact.mu).map((mu) => {
-      const bound = root_above(product(q, product(mu, mu)), sign);
-      return new Fraction(power.n * bound.d + bound.n * power.d, power.d * bound.d);
+      const cone = product(length, product(mu, mu));
+      const bound = root_above(product(square, cone), sign);
+      const work = new Fraction(power.n * bound.d + bound.n * power.d, power.d * bound.d);
+      if (contact.tilt.isZero()) return work;
+      return work.plus(contact.tilt.times(new Fraction(3n, 2n)).times(root_above(product(new Fraction(dot(slip, slip), 1n), cone), 1)));
     });
   }));
   const d = alpha.d * rows.scale;

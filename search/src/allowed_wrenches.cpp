@@ -41,6 +41,8 @@ Action Actions::action(std::size_t i, const Reals& y) const {
     double most = norm_of(slid);
     Double3 along = slid;
     for (double& entry : along) entry = most > 0 ? entry / most : 0;
+    const Double3 straight = along;
+    const double beside = c.tilted * most;
     // (Where y sees no slip any friction does the same work, but not all is allowed.)
     const bool is_bound = cone.moves && !cone.whole && !cone.sides.empty();
     if (is_bound && (most == 0 || !is_against(i, slid))) {
@@ -54,6 +56,8 @@ Action Actions::action(std::size_t i, const Reals& y) const {
         for (std::size_t j = 0; j < 3; ++j) along[j] = -s[j] / length;
       }
     }
+    most += beside;
+    for (std::size_t j = 0; j < 3; ++j) along[j] += c.tilted * straight[j];
     const double slope = most > 0 ? c.slopes[1] : c.slopes[0];
     const double alpha = normal + slope * most;
     if (!(alpha > best.alpha)) continue;

@@ -10,33 +10,32 @@
 namespace stickslip {
 namespace {
 
-using Geometry = std::array<Rational, 3>;
-
-CornerRow planar_row(const Geometry& at, const Vector3& n) {
-  const auto as_row = [](const Wrench& w) { return RationalRow{w.x, w.y, w.torque}; };
-  const auto& [x, y, turn] = at;
-  const Contact contact{{x, y}, turned(RationalRow{n[0], n[1]}, turn)};
+CornerRow planar_row(const RationalRow& p, const RationalRow& n) {
+  const Contact contact{{p[0], p[1]}, {n[0], n[1]}};
   CornerRow row{};
-  row.normal = as_row(normal_row(contact));
-  row.set_slip({as_row(tangent_row(contact))}, 1);
+  row.normal = row_of(normal_row(contact));
+  row.set_slip({row_of(tangent_row(contact))}, 1);
   return row;
 }
 
-/// The slip is |n|^2 S, by rows: |n|^2 u - (n.u) n with u = (d1, d2, d3) + omega x p.
-CornerRow spatial_row(const Geometry& p, const Vector3& n) {
+/// The wrench of a force at a point.
+RationalRow wrench_at(const Vector3& p, const Vector3& f) {
+  const Vector3 moment = cross(p, f);
+  return {f[0], f[1], f[2], moment[0], moment[1], moment[2]};
+}
+
+/// The slip is L^2 S, by rows: L^2 u - (n0.u) n with u = (d1, d2, d3) + omega x p.
+CornerRow spatial_row(const Vector3& p, const Vector3& n, const Vector3& n0) {
   CornerRow row{};
-  const Vector3 moment = cross(p, n);
-  row.normal = {n[0], n[1], n[2], moment[0], moment[1], moment[2]};
-  const Rational square = dot(n, n);
-  std::vector<RationalRow> slip(3, RationalRow(6));
+  row.normal = wrench_at(p, n);
+  const RationalRow along = wrench_at(p, n0);
+  const Rational square = dot(n0, n0);
+  std::vector<RationalRow> slip;
   for (std::size_t k = 0; k < 3; ++k) {
     Vector3 axis{};
     axis[k] = 1;
-    const Vector3 arm = cross(p, axis);
-    for (std::size_t j = 0; j < 3; ++j) {
-      slip[k][j] = square * axis[j] - n[k] * row.normal[j];
-      slip[k][j + 3] = square * arm[j] - n[k] * row.normal[j + 3];
-    }
+    slip.push_back(wrench_at(p, axis));
+    for (std::size_t j = 0; j < 6; ++j) slip[k][j] = square * slip[k][j] - n[k] * along[j];
   }
   row.set_slip(slip, square);
   return row;
@@ -56,6 +55,10 @@ std::optional<std::size_t> geometry_index(Parameter parameter) {
     case Parameter::kTurn:
     case Parameter::kZ:
       return 2;
+    case Parameter::kTurnU:
+      return 3;
+    case Parameter::kTurnV:
+      return 4;
     default:
       return std::nullopt;
   }
@@ -74,16 +77,13 @@ auto& interval_of(AnyContact& c, Parameter parameter) {
 
 void GraspLaw::add_contact(const UncertainContact& c, const Rational& rate, unsigned bits) {
   LawContact& contact = contacts.emplace_back();
-  const bool in_space = motions == 6;
-  const Interval third = in_space ? c.position[2] : Interval{-c.slope, c.slope};
-  const Vector3 normal = in_space ? vector3(c.normal) : Vector3{c.normal[0], c.normal[1], 0};
-  const ContactPlace place{{c.position[0], c.position[1], third}, normal, {}};
-  contact.place = place;
+  ContactPlace place{c.position, c.normal, turns_of(c), {}};
+  for (const Turn& turn : place.turns) place.geometry.push_back({-turn.most, turn.most});
+  contact.place = std::move(place);
   contact.friction = c.friction;
-  const Rational square = dot(place.normal, place.normal);
-  // Of n + e t, in the plane: 1/sqrt(1 + e^2) >= 1 - e^2/2 and 1/(1 + e^2) >= 1 - e^2.
-  Rational shortened = 0;
-  if (motions == 3) shortened = place.geometry[2].high * place.geometry[2].high;
+  const Rational square = dot(c.normal, c.normal);
+  // With the tangent e of the angle: 1/sqrt(1 + e^2) >= 1 - e^2/2 and 1/(1 + e^2) >= 1 - e^2.
+  const Rational shortened = c.slope * c.slope;
   if (!c.preload.high.is_zero() || !rate.is_zero()) {
     const auto [lower, upper] = short_sqrt(1 / square, bits);
     contact.preload = {c.preload.low * (1 - shortened / 2) * lower, c.preload.high * upper};
@@ -91,7 +91,7 @@ void GraspLaw::add_contact(const UncertainContact& c, const Rational& rate, unsi
   }
   contact.stiffness = {c.stiffness.low * (1 - shortened) / square, c.stiffness.high / square};
   if (motions == 6) {
-    contact.axis = primitive_multiple<3>(place.normal);
+    contact.axis = primitive_multiple<3>(vector3(c.normal));
     contact.squared_length = square;
   }
   add_corners(contact);
@@ -117,17 +117,33 @@ GraspLaw::GraspLaw(const GraspBox& box, NormalLaw normal_law, unsigned bits,
 
 void GraspLaw::add_corners(LawContact& contact) const {
   ContactPlace& place = *contact.place;
-  const auto& [first, second, third] = place.geometry;
-  const auto row_at = [&](const Geometry& at) {
-    return motions == 3 ? planar_row(at, place.normal) : spatial_row(at, place.normal);
+  const auto position = static_cast<std::ptrdiff_t>(place.normal.size());
+  const auto normal_at = [&](const RationalRow& at) {
+    return turned(place.normal, place.turns, {at.begin() + position, at.end()});
   };
-  contact.corners.clear();
-  for (const Rational& z : ends_of(third)) {
-    for (const Rational& y : ends_of(second)) {
-      for (const Rational& x : ends_of(first)) contact.corners.push_back(row_at({x, y, z}));
+  const auto row_at = [&](const RationalRow& at, const RationalRow& n) {
+    return motions == 3 ? planar_row(at, n)
+                        : spatial_row(vector3(at), vector3(n), vector3(place.normal));
+  };
+  std::vector<RationalRow> corners{{}};
+  RationalRow middle;
+  for (const Interval& number : place.geometry) {
+    middle.push_back(number.middle());
+    std::vector<RationalRow> longer;
+    for (const Rational& end : ends_of(number)) {
+      for (const RationalRow& corner : corners) longer.emplace_back(corner).push_back(end);
     }
+    corners = std::move(longer);
   }
-  place.centre = row_at({first.middle(), second.middle(), third.middle()});
+  contact.corners.clear();
+  contact.tilt = 0;
+  for (const RationalRow& corner : corners) {
+    const RationalRow n = normal_at(corner);
+    contact.corners.push_back(row_at(corner, n));
+    if (motions == 3) continue;  // nothing is projected
+    contact.tilt = std::max<Rational>(contact.tilt, dot(n, n) / contact.squared_length - 1);
+  }
+  place.centre = row_at(middle, normal_at(middle));
 }
 
 /// In space a corner's moment arm, |p x n| / |n|, is as large as distances that matter; in the
@@ -143,7 +159,7 @@ void GraspLaw::complete() {
       }
       continue;
     }
-    for (const CornerRow& row : c.corners) {
+    for (const CornerRow& row : c.corners) {  // (of a turned n hardly another)
       double arm = 0;
       for (std::size_t j = 3; j < 6; ++j) arm = std::hypot(arm, to_double(row.normal[j]));
       farthest = std::max(farthest, arm / std::sqrt(to_double(c.squared_length)));
@@ -188,12 +204,15 @@ const Interval& GraspLaw::interval(const ParameterId& id) const {
 
 std::vector<ParameterId> parameters_of(std::size_t contacts, bool in_space) {
   std::vector<ParameterId> result;
+  std::vector<Parameter> each{Parameter::kX, Parameter::kY};
+  if (in_space) {
+    each.insert(each.end(), {Parameter::kZ, Parameter::kTurnU, Parameter::kTurnV});
+  } else {
+    each.push_back(Parameter::kTurn);
+  }
+  each.insert(each.end(), {Parameter::kFriction, Parameter::kStiffness, Parameter::kPreload});
   for (std::size_t i = 0; i < contacts; ++i) {
-    for (const Parameter parameter :
-         {Parameter::kX, Parameter::kY, in_space ? Parameter::kZ : Parameter::kTurn,
-          Parameter::kFriction, Parameter::kStiffness, Parameter::kPreload}) {
-      result.push_back({parameter, i});
-    }
+    for (const Parameter parameter : each) result.push_back({parameter, i});
   }
   const std::size_t components = in_space ? 6 : 3;
   for (std::size_t j = 0; j < components; ++j) result.push_back({Parameter::kWrench, j});
@@ -226,16 +245,9 @@ GraspLaw law_of(const Question& question, unsigned bits) {
 
 std::vector<RationalRow> friction_directions(const LawContact& contact) {
   if (contact.slip_dimension() == 1) return {{1}};
-  const Vector3& n = contact.place->normal;
-  std::size_t least = 0;
-  for (std::size_t j = 1; j < 3; ++j) {
-    if (abs(n[j]) < abs(n[least])) least = j;
-  }
-  Vector3 unit{};
-  unit[least] = 1;
-  const Vector3 first = cross(n, unit);
-  const Vector3 second = cross(n, first);
-  return {{first.begin(), first.end()}, {second.begin(), second.end()}};
+  std::vector<RationalRow> directions;
+  for (const Turn& turn : contact.place->turns) directions.push_back(turn.direction);
+  return directions;
 }
 
 }  // namespace stickslip

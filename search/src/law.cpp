@@ -161,6 +161,7 @@ void Law::complete(double farthest) {
     add_separations(c);
     const double slope = std::sqrt(to_double(c.squared_length));
     c.slopes = {to_double(c.friction.low) * slope, to_double(c.friction.high) * slope};
+    c.tilted = 1.5 * to_double(c.tilt);
     c.preloads = rounded(c.preload);
     c.rates = rounded(c.rate);
     c.stiffnesses = rounded(c.stiffness);

@@ -12,14 +12,13 @@
 namespace stickslip {
 namespace search_detail {
 
-/// A function of points that a contact's uncertain position makes uncertain: it lies between
-/// low h + middle - far.|omega| and high h + middle + far.|omega| (of the rotation omega of a
-/// point).
+/// A function of points that a contact's uncertain geometry makes uncertain: it lies between
+/// low h + middle - far.|d| and high h + middle + far.|d|.
 struct Wedge {
-  RationalRow middle;  ///< a function of motions
+  RationalRow middle;  ///< a function of motions d
   Rational low;        ///< of the height
   Rational high;       ///< of the height
-  Vector3 far;         ///< >= 0
+  RationalRow far;     ///< >= 0
 };
 
 }  // namespace search_detail
@@ -45,20 +44,47 @@ void note_bits(std::size_t& most, const Row& x) {
   }
 }
 
-/// How far a force in this direction at the contact may turn the object, beside one at the
-/// middle of its position: p.(f x omega) changes by at most the sum of far_k |omega_k|.
-Vector3 farthest_arm(const ContactPlace& place, const Vector3& f) {
-  Vector3 radius;
-  for (std::size_t j = 0; j < 3; ++j) {
-    radius[j] = (place.geometry[j].high - place.geometry[j].low) / 2;
+/// Of a function of motions that has this row at each corner.
+template <class RowAt>
+Wedge wedge_of(const LawContact& c, const RowAt& row_at) {
+  Wedge wedge{row_at(c.place->centre), 0, 0, {}};
+  wedge.far.resize(wedge.middle.size());
+  for (const CornerRow& corner : c.corners) {
+    const RationalRow row = row_at(corner);
+    for (std::size_t j = 0; j < row.size(); ++j) {
+      wedge.far[j] = std::max<Rational>(wedge.far[j], abs(row[j] - wedge.middle[j]));
+    }
   }
-  Vector3 far{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t a = (k + 1) % 3;
-    const std::size_t b = (k + 2) % 3;
-    far[k] = radius[a] * abs(f[b]) + radius[b] * abs(f[a]);
+  return wedge;
+}
+
+/// Whether the position is certain and the normal is not.
+bool turns_alone(const LawContact& c) {
+  return !c.tilt.is_zero() && c.corners.size() <= 4;
+}
+
+/// Of a function of motions that has this row at each corner of what turns alone: the planes
+/// between which one corner has the least and one the most.
+template <class RowAt>
+std::vector<Row> corner_orders(const LawContact& c, const RowAt& row_at) {
+  const RationalRow first = row_at(c.corners.front());
+  std::vector<Row> planes;
+  for (std::size_t k = 1; k < c.corners.size(); k *= 2) {  // along each turn
+    RationalRow difference = row_at(c.corners[k]);
+    for (std::size_t j = 0; j < difference.size(); ++j) difference[j] -= first[j];
+    planes.push_back(primitive_multiple(difference));
+    planes.back().resize(difference.size() + 2);
   }
-  return far;
+  return planes;
+}
+
+/// The same in the plane: rotations, whatever turns or moves.
+std::vector<Row> corner_orders(const Law& law, const LawContact& c) {
+  std::vector<Row> planes;
+  for (std::size_t j = law.first_rotation; !c.geometry_is_certain() && j < law.motions; ++j) {
+    planes.emplace_back(law.coordinates())[j] = 1;
+  }
+  return planes;
 }
 
 /// The side of planes on which a motion is for all of them, clearly; 0 if there is none.
@@ -166,7 +192,8 @@ LawForces::Branch LawForces::branch(const TreeNode& node) {
 }
 
 /// A plane beside the wedge, towards the motion: all that lies beyond it, strictly, has one
-/// sign. Rotations have one sign first, so that such a plane is one. Nothing in the wedge.
+/// sign. Coordinates that make it wide have one sign first, so that such a plane is one.
+/// Nothing in the wedge.
 std::optional<LawForces::Branch> LawForces::split_wedge(const Relaxation& found,
                                                         const Wedge& wedge) const {
   const MotionRegion& region = *region_;
@@ -176,9 +203,7 @@ std::optional<LawForces::Branch> LawForces::split_wedge(const Relaxation& found,
   for (std::size_t j = 0; j < d; ++j) {
     const double motion = found.motion[static_cast<Eigen::Index>(j)] / law_.unit(j);
     value += to_double(wedge.middle[j]) * motion;
-    if (j >= law_.first_rotation) {
-      width += to_double(wedge.far[j - law_.first_rotation]) * std::fabs(motion);
-    }
+    width += to_double(wedge.far[j]) * std::fabs(motion);
   }
   const double h = height(found);
   const int side = value + to_double(wedge.low) * h - width > 0    ? 1
@@ -188,13 +213,13 @@ std::optional<LawForces::Branch> LawForces::split_wedge(const Relaxation& found,
   RationalRow towards(law_.coordinates());
   for (std::size_t j = 0; j < d; ++j) towards[j] = side * wedge.middle[j];
   towards[d] = side > 0 ? wedge.low : Rational(-wedge.high);
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (wedge.far[k].is_zero()) continue;
-    Row rotation(law_.coordinates());
-    rotation[k + law_.first_rotation] = 1;
-    const PlaneSigns signs = region.signs(rotation);
-    if (signs.cuts()) return Branch{PlaneCut{rotation}, region.halves(rotation)};
-    towards[k + law_.first_rotation] -= (signs.negative ? -1 : 1) * wedge.far[k];
+  for (std::size_t j = 0; j < d; ++j) {
+    if (wedge.far[j].is_zero()) continue;
+    Row coordinate(law_.coordinates());
+    coordinate[j] = 1;
+    const PlaneSigns signs = region.signs(coordinate);
+    if (signs.cuts()) return Branch{PlaneCut{coordinate}, region.halves(coordinate)};
+    towards[j] -= (signs.negative ? -1 : 1) * wedge.far[j];
   }
   const Row plane = negated(primitive_multiple(towards));
   if (!region.signs(plane).negative) return std::nullopt;
@@ -202,10 +227,12 @@ std::optional<LawForces::Branch> LawForces::split_wedge(const Relaxation& found,
 }
 
 /// Planes of many bits make all that is exact slow: one of few bits beyond them serves as well.
+/// Where normals turn, one beyond those of all corners spares the cuts between them.
 std::optional<LawForces::Branch> LawForces::split_short(const Relaxation& found,
-                                                        const std::vector<Row>& planes) const {
+                                                        const std::vector<Row>& planes,
+                                                        bool always) const {
   const MotionRegion& region = *region_;
-  if (only_contacts_ || !are_long(planes)) return std::nullopt;
+  if (only_contacts_ || !(always || are_long(planes))) return std::nullopt;
   const int side = side_of_all(law_, planes, found.motion);
   if (side == 0) return std::nullopt;
   Row plane = short_plane(law_, region, planes, found.motion, side);
@@ -215,24 +242,19 @@ std::optional<LawForces::Branch> LawForces::split_short(const Relaxation& found,
 }
 
 /// Between functions of which an uncertain one is a combination, where the motion is on one
-/// side of all: at the nearest of them. Rotations have one sign first where the geometry is
-/// uncertain, as few corners matter then: the others are never the extreme.
+/// side of all: at the nearest of them. The region is on one side of `orders` first, as few
+/// corners matter then: the others are never the extreme.
 std::optional<LawForces::Branch> LawForces::split_corners(const Relaxation& found,
-                                                          std::size_t contact,
                                                           const std::vector<Row>& planes,
+                                                          const std::vector<Row>& orders,
                                                           bool is_slip) const {
   const MotionRegion& region = *region_;
   const bool stands_still =
       !(found.motion.head(static_cast<Eigen::Index>(law_.motions)).squaredNorm() > 0);
   const int side = stands_still ? 1 : side_of_all(law_, planes, found.motion);
   if (side == 0 && !law_.is_family) return std::nullopt;
-  for (std::size_t j = law_.first_rotation;
-       !law_.contacts[contact].geometry_is_certain() && j < law_.motions; ++j) {
-    Row rotation(law_.coordinates());
-    rotation[j] = 1;
-    if (region.signs(rotation).cuts()) {
-      return Branch{PlaneCut{rotation}, region.halves(rotation)};
-    }
+  for (const Row& plane : orders) {
+    if (region.signs(plane).cuts()) return Branch{PlaneCut{plane}, region.halves(plane)};
   }
   const Row* nearest = nullptr;
   double least = HUGE_VAL;
@@ -257,16 +279,21 @@ std::optional<LawForces::Branch> LawForces::split_separation(const Relaxation& f
                                                              std::size_t contact) const {
   const MotionRegion& region = *region_;
   const LawContact& c = law_.contacts[contact];
-  if (auto branch = split_short(found, c.separations)) return branch;
+  if (auto branch = split_short(found, c.separations, turns_alone(c))) return branch;
   if (c.has_certain_separation) {
     return Branch{SeparationSplit{ContactId(contact)}, region.halves(c.separations.front())};
   }
+  const auto row_at = [](const CornerRow& row) { return row.normal; };
+  if (turns_alone(c)) {
+    return split_corners(found, c.separations, corner_orders(c, row_at), false);
+  }
   if (!c.place || c.slip_dimension() == 1 || law_.is_family)
-    return split_corners(found, contact, c.separations, false);
+    return split_corners(found, c.separations, corner_orders(law_, c), false);
   // v / k'
-  Wedge wedge{c.place->centre.normal, c.preload.low / c.stiffness.high,
-              c.preload.high / c.stiffness.low, farthest_arm(*c.place, c.place->normal)};
+  Wedge wedge = wedge_of(c, row_at);
   for (Rational& entry : wedge.middle) entry = -entry;
+  wedge.low = c.preload.low / c.stiffness.high;
+  wedge.high = c.preload.high / c.stiffness.low;
   return split_wedge(found, wedge);
 }
 
@@ -280,7 +307,9 @@ std::optional<LawForces::Branch> LawForces::split_slip(const Relaxation& found,
     if (is_known) return std::nullopt;
     const std::vector<Row> planes = slip_planes(law_, c);
     if (auto branch = split_short(found, planes)) return branch;
-    if (!c.geometry_is_certain()) return split_corners(found, contact, planes, true);
+    if (!c.geometry_is_certain()) {
+      return split_corners(found, planes, corner_orders(law_, c), true);
+    }
   } else if (is_known || !c.geometry_is_certain()) {
     return split_spatial_slip(found, contact);
   }
@@ -324,17 +353,16 @@ std::optional<LawForces::Branch> LawForces::split_spatial_slip(const Relaxation&
   const bool narrow = cone.moves && !cone.whole;
   if (!c.geometry_is_certain() && !narrow) {
     const IntegerVector3 direction = in_bits<3>(mean, 6);
-    Wedge wedge{RationalRow(law_.motions), 0, 0, {}};
-    Vector3 across{};  // the direction without its part along the normal
-    const CornerRow& centre = c.place->centre;
-    for (std::size_t j = 0; j < law_.motions; ++j) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        wedge.middle[j] += Rational(direction[k] * centre.slip[k][j]) / centre.slip_factor;
-      }
+    const RationalRow along(direction.begin(), direction.end());
+    const auto row_at = [&](const CornerRow& row) { return row.wrench_of(along); };
+    if (!turns_alone(c)) return split_wedge(found, wedge_of(c, row_at));
+    std::vector<Row> planes;
+    for (const CornerRow& row : c.corners) {
+      planes.push_back(primitive_multiple(row_at(row)));
+      planes.back().resize(law_.coordinates());
     }
-    for (std::size_t k = 0; k < 3; ++k) across[k] = wedge.middle[k];
-    wedge.far = farthest_arm(*c.place, across);
-    return split_wedge(found, wedge);
+    if (auto branch = split_short(found, planes, true)) return branch;
+    return split_corners(found, planes, corner_orders(c, row_at), false);
   }
   auto plane = plane_along(narrow ? turned : mean);
   if (!plane) plane = plane_along(narrow ? mean : turned);

@@ -428,7 +428,8 @@ Rational MotionRegion::most_work(std::size_t contact, const Row& y) const {
     IntegerVector3 slid{};
     for (std::size_t k = 0; k < row.slip.size(); ++k) slid[k] = dot(row.slip[k], y);
     int sign = 1;
-    Rational square = Rational(dot(slid, slid)) / (row.slip_factor * row.slip_factor);
+    const Rational whole = Rational(dot(slid, slid)) / (row.slip_factor * row.slip_factor);
+    Rational square = whole;
     if (cone.moves && !cone.whole && !square.is_zero() && !sides.empty() &&
         !is_in_cone(negated(slid), sides, c.axis)) {
       bool first = true;
@@ -447,13 +448,16 @@ Rational MotionRegion::most_work(std::size_t contact, const Row& y) const {
         consider(normal + sign * mu * abs(Rational(slid[0]) / row.slip_factor));
         continue;
       }
-      const Rational q = mu * mu * c.squared_length * square;
-      if (q.is_zero()) {
-        consider(normal);
-        continue;
+      const Rational steepness = mu * mu * c.squared_length;
+      Rational alpha = normal;
+      if (const Rational q = steepness * square; !q.is_zero()) {
+        const ShortRoot root = short_sqrt(q, kBits);
+        alpha += sign > 0 ? root.upper : Rational(-root.lower);
       }
-      const ShortRoot root = short_sqrt(q, kBits);
-      consider(sign > 0 ? Rational(normal + root.upper) : Rational(normal - root.lower));
+      if (const Rational q = steepness * whole; !c.tilt.is_zero() && !q.is_zero()) {
+        alpha += Rational(3, 2) * c.tilt * short_sqrt(q, kBits).upper;
+      }
+      consider(std::move(alpha));
     }
   }
   return *most;

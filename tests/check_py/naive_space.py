@@ -10,7 +10,8 @@ from math import isqrt
 from naive import dot
 from naive_box import inverse_length
 
-NAMES = ("x", "y", "z", "friction", "preload", "stiffness")
+GEOMETRY = ("x", "y", "z", "turn_u", "turn_v")
+NAMES = (*GEOMETRY, "friction", "preload", "stiffness")
 H = (0, 0, 0, 0, 0, 0, 1, 0)
 LOAD = (0, 0, 0, 0, 0, 0, 0, 1)
 
@@ -32,11 +33,28 @@ def velocity(d, p):
     return plus(d[:3], cross(d[3:6], p))
 
 
-def slip(n, p, d):
-    """The part of the velocity across n."""
+def slip(n, p, d, straight=None):
+    """The velocity without a part along n, so that it is across n, or across a straight normal."""
     u = velocity(d, p)
-    along = Fraction(dot(n, u)) / dot(n, n)
+    straight = straight or n
+    along = Fraction(dot(straight, u)) / dot(straight, n)
     return tuple(c - along * e for c, e in zip(u, n))
+
+
+def turned(n, e_u, e_v):
+    """n + e_u U + e_v V."""
+    sizes = [abs(c) for c in n]
+    axis = [0, 0, 0]
+    axis[sizes.index(min(sizes))] = 1
+    first = cross(n, axis)
+    second = cross(n, first)
+    return tuple(a + e_u * b + e_v * c for a, b, c in zip(n, first, second))
+
+
+def turn_bounds(n, slope):
+    """E_u and E_v."""
+    first, second = (tuple(a - b for a, b in zip(turned(n, *e), n)) for e in ((1, 0), (0, 1)))
+    return [root_above(Fraction(slope) ** 2 * dot(n, n) / dot(way, way)) for way in (first, second)]
 
 
 def in_cone(w, generators):
@@ -78,18 +96,20 @@ class Contact:
 
     def __init__(self, normal, ends, loads=None, inverse=None):
         self.normal = tuple(map(Fraction, normal))
-        self.ends = {name: tuple(map(Fraction, ends[name])) for name in NAMES}
+        self.ends = {name: tuple(map(Fraction, ends.get(name, (0, 0)))) for name in NAMES}
         self.loads, self.inverse = loads, inverse
         self.square = dot(self.normal, self.normal)
 
     @classmethod
-    def of_file(cls, normal, p, friction, preload, stiffness, bits=128):
+    def of_file(cls, normal, p, friction, preload, stiffness, bits=128, slope=0):
         """Intervals as in the grasp file; the normal has the length L."""
         square = sum(Fraction(c) ** 2 for c in normal)
         low, high = inverse_length(square, bits) if preload[1] else (1, 1)
-        return cls(normal, {**dict(zip(NAMES, p)), "friction": friction,
-                            "preload": (preload[0] * low, preload[1] * high),
-                            "stiffness": tuple(Fraction(k) / square for k in stiffness)})
+        turns = [(-e, e) for e in turn_bounds(normal, slope)]
+        cosine, its_square = 1 - Fraction(slope) ** 2 / 2, 1 - Fraction(slope) ** 2  # at least
+        return cls(normal, {**dict(zip(NAMES, [*p, *turns])), "friction": friction,
+                            "preload": (preload[0] * low * cosine, preload[1] * high),
+                            "stiffness": (stiffness[0] * its_square / square, stiffness[1] / square)})
 
     @classmethod
     def of_margin(cls, normal, p, friction, loads, stiffness, bits=128):
@@ -107,8 +127,13 @@ class Contact:
         for ends in product(*(sorted(set(self.ends[name])) for name in names)):
             yield dict(zip(names, ends))
 
+    def places(self):
+        """Positions, with normals."""
+        return [(tuple(q[name] for name in "xyz"), turned(self.normal, q["turn_u"], q["turn_v"]))
+                for q in self.corners(GEOMETRY)]
+
     def positions(self):
-        return [tuple(q[name] for name in "xyz") for q in self.corners(("x", "y", "z"))]
+        return [p for p, _ in self.places()]
 
     def v(self, r):
         """At all corners."""
@@ -117,23 +142,25 @@ class Contact:
             pull = self.ends["stiffness"][0] * dot(self.normal, velocity(r, p))
             return [dot(self.loads, r[6:]) * c - pull for c in self.inverse]
         return [q["preload"] * r[6]
-                - q["stiffness"] * dot(self.normal, velocity(r, (q["x"], q["y"], q["z"])))
-                for q in self.corners(("x", "y", "z", "preload", "stiffness"))]
+                - q["stiffness"] * dot(turned(self.normal, q["turn_u"], q["turn_v"]),
+                                       velocity(r, (q["x"], q["y"], q["z"])))
+                for q in self.corners((*GEOMETRY, "preload", "stiffness"))]
 
     def slips(self, r):
-        """At all positions."""
-        return [slip(self.normal, p, r) for p in self.positions()]
+        """At all places."""
+        return [slip(n, p, r, self.normal) for p, n in self.places()]
 
     def alpha(self, y, rays, moves):
         cone = directions(s for r in rays for s in self.slips(r))
+        tilt = max(dot(n, n) for _, n in self.places()) / self.square - 1
         found = []
-        for p, mu in product(self.positions(), self.ends["friction"]):
-            z = slip(self.normal, p, y)
+        for (p, n), mu in product(self.places(), self.ends["friction"]):
+            z = slip(n, p, y, self.normal)
             signed = dot(z, z)
             if moves and not in_cone(minus(z), cone):
                 signed = max(-dot(s, z) * abs(dot(s, z)) / dot(s, s) for s in cone)
-            found.append(dot(self.normal, velocity(y, p))
-                         + root_above(mu * mu * self.square * signed))
+            found.append(dot(n, velocity(y, p)) + root_above(mu * mu * self.square * signed)
+                         + 3 * tilt / 2 * root_above(mu * mu * self.square * dot(z, z)))
         return max(found)
 
 
@@ -155,8 +182,8 @@ class Region:
         contact = self.contacts[i]
         cone = directions(s for r in self.rays for s in contact.slips(r))
         return all(self.barred([r for r in self.rays
-                                if in_cone(minus(slip(contact.normal, p, r)), cone)])
-                   for p in contact.positions())
+                                if in_cone(minus(slip(n, p, r, contact.normal)), cone)])
+                   for p, n in contact.places())
 
     def leaf_holds(self, y):
         """`leaf-bound`, word for word."""

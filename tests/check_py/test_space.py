@@ -390,10 +390,12 @@ def random_contact(rng, share):
     preload = spread(rng, rng.choice([0, 0, 1, Fraction(1, 2)]), share)
     if naive_space.root_of(Fraction(naive.dot(normal, normal))) is None:
         preload = (0, 0)
+    turns = rng.random() < share  # and then fewer positions are uncertain: corners are many
     return naive_space.Contact.of_file(
-        normal, [spread(rng, rng.randint(-1, 1), share) for _ in range(3)],
+        normal, [spread(rng, rng.randint(-1, 1), 0 if turns else share) for _ in range(3)],
         spread(rng, rng.choice([0, Fraction(1, 2), 1, Fraction(2, 3)]), share), preload,
-        spread(rng, rng.choice([1, 2]), share))
+        spread(rng, rng.choice([1, 2]), share),
+        slope=rng.choice([Fraction(1, 40), Fraction(1, 8), Fraction(1, 3)]) * turns)
 
 
 def margin_contact(rng, normals, bits):
@@ -474,7 +476,7 @@ class TwinTest(Case):
             contacts = [random_contact(rng, share) for _ in range(rng.randint(1, 2))]
             return contacts, [spread(rng, rng.randint(-3, 3), share / 2) for _ in range(6)]
 
-        self.compare(rng, of_verdict, 50)
+        self.compare(rng, of_verdict, 60)
 
     def test_leaves_of_margins(self):
         """With irrational lengths, growing wrenches and growing preloads."""
@@ -578,6 +580,62 @@ class TwinTest(Case):
             bound = float(region.box.terms[0].alpha(region, [x for x, _ in region.generators()], y))
             self.assertLessEqual(work, bound + 1e-9)
             self.assertLess(bound - work, 1e-2 * (1 + mu * length * math.hypot(*z)))
+
+    def test_no_friction_of_a_turned_normal_does_more_than_the_bound(self):
+        """By mechanics: friction of the length mu |n| against the motion across n, wherever the normal and
+        the motion are. The term with delta is needed: without it some friction does more."""
+        class Of:
+            """A region with these rays, in which the contact is known to move, or not."""
+
+            def __init__(self, rays, moving):
+                self.rays, self.known = rays, moving
+
+            def generators(self):
+                return [(ray, 0) for ray in self.rays]
+
+            def moving(self):
+                return self.known
+
+            def bars(self, _):
+                return False
+
+        rng = random.Random(19)
+        beyond = {True: 0, False: 0}
+        for trial in range(48):
+            moves = trial % 4 > 0
+            contact = naive_space.Contact.of_file(
+                rng.choice(NORMALS), [(rng.randint(-1, 1),) * 2 for _ in range(3)],
+                (Fraction(1), Fraction(1) + rng.randint(0, 1)), (0, 0), (1, 1),
+                slope=rng.choice([Fraction(1, 20), Fraction(1, 4), Fraction(3, 4)]))
+            (term,) = box_of([contact], [(0, 0)] * 6, None).terms
+            main = [rng.randint(-9, 9) for _ in range(6)]
+            rays = [tuple(c + rng.randint(-3, 3) for c in main) + (1, 0) for _ in range(rng.randint(1, 4))]
+            region = Of(rays, [term] if moves else [])
+            for turn in range(4):
+                y = random_twist(rng)
+                bound = term.alpha(region, rays, y)
+                if trial < 8 and turn == 0:  # its roots take long
+                    self.assertEqual(bound, contact.alpha(y, rays, moves))
+                tilt, term.tilt = term.tilt, Fraction(0)
+                careless = float(term.alpha(region, rays, y))
+                term.tilt = tilt
+                for _ in range(12):
+                    q = {name: low + (high - low) * Fraction(rng.choice([0, 8, rng.randint(0, 8)]), 8)
+                         for name, (low, high) in contact.ends.items()}
+                    p = (q["x"], q["y"], q["z"])
+                    n = naive_space.turned(contact.normal, q["turn_u"], q["turn_v"])
+                    x = [0] * 6
+                    for r in rng.choices(rays, k=rng.randint(1, 3)):
+                        x = naive_space.plus(x, r[:6])
+                    s, z = naive_space.slip(n, p, x), naive_space.slip(n, p, y)
+                    if not any(s):
+                        continue
+                    along = (-float(naive.dot(s, z)) / math.hypot(*s)) if moves else math.hypot(*z)
+                    work = (float(naive.dot(n, naive_space.velocity(y, p)))
+                            + float(q["friction"]) * math.hypot(*n) * along)
+                    self.assertLessEqual(work, float(bound) + 1e-9)
+                    beyond[moves] += work > careless + 1e-9
+        self.assertGreater(min(beyond.values()), 3, beyond)
 
     def test_nothing_refutes_the_home_of_a_multiple(self):
         """Equilibria for a multiple, with rational directions of slip."""

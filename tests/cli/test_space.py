@@ -382,6 +382,74 @@ class Boxes(Space):
             foot["position"][0] = {"min": str(x - F(1, 10)), "max": str(x + F(1, 10))}
         self.assertEqual(self.verdict(grasp(feet, force_at((1, 0, -1), (0, 0, 0)))), "unstable")
 
+    def test_a_point_on_a_floor_whose_normal_is_known_to_a_slope(self):
+        """The floor's reaction is within atan mu of the normal, and that within atan E of the file's. One turned as
+        a whole is the same."""
+        e, mu = F(7, 200), F(1, 2)
+        held, lost = (mu - e) / (1 + mu * e), (mu + e) / (1 - mu * e)
+        turned = [(F(1, 3), F(2, 3), F(-2, 3)), (F(2, 3), F(1, 3), F(2, 3)), (F(2, 3), F(-2, 3), F(-1, 3))]
+        for push, verdict in ((held * F(99, 100), "stable"), (lost * F(101, 100), "unstable"), (mu, "fragile")):
+            for x, y, z in ([(1, 0, 0), (0, 1, 0), (0, 0, 1)], turned):
+                along = [(3 * a + 4 * b) / F(5) for a, b in zip(x, y)]
+                load = [push * a - c for a, c in zip(along, z)]
+                file = grasp([contact((0, 0, 0), z, friction=mu)], force_at(load, (0, 0, 0)))
+                self.assertEqual(self.verdict(file, "--uncertain", f"normal={e}"), verdict, (push, z))
+                file["contacts"][0]["normal"] = {"direction": file["contacts"][0]["normal"], "slope": str(e)}
+                self.assertEqual(self.verdict(file), verdict, (push, z))
+
+    def test_a_pinch_whose_normals_are_known_to_a_slope(self):
+        """At rest it presses with P/|n| n, and n need not be opposite: what friction has to spare is less."""
+        for weight, verdict in ((F(17, 10), "stable"), (F(23, 10), "unstable")):  # with certain normals 2
+            pinch = grasp([contact((-1, 0, 0), (1, 0, 0), friction=F(1, 2), preload=2),
+                           contact((1, 0, 0), (-1, 0, 0), friction=F(1, 2), preload=2)], (0, 0, -weight, 0, 0, 0))
+            self.assertEqual(self.verdict(pinch), "stable" if weight <= 2 else "unstable")
+            self.assertEqual(self.verdict(pinch, "--uncertain", "normal=0.0175"), verdict)
+
+    def test_grasps_of_a_box_of_normals_have_its_verdict(self):
+        rng, decided = random.Random(31), {"stable": 0, "unstable": 0}
+        slope = F(7, 200)
+        for _ in range(8):
+            contacts = []
+            for _ in range(rng.randint(3, 4)):
+                a, b = F(rng.randint(-4, 4), 4), F(rng.randint(-4, 4), 4)
+                n = [2 * a, 2 * b, 1 - a * a - b * b]
+                rng.shuffle(n)
+                contacts.append(contact([-c / (1 + a * a + b * b) for c in n], n, friction=F(rng.randint(6, 16), 20),
+                                        preload=F(rng.randint(0, 4), 2)))
+            file = grasp(contacts, [F(rng.randint(-4, 4), 8) for _ in range(6)])
+            words = ("--uncertain", f"normal={slope},friction=2%", "--node-limit", "4000")
+            verdict = self.verdict(file, *words)
+            if verdict not in decided:
+                continue
+            decided[verdict] += 1
+            for _ in range(2):
+                one = json.loads(json.dumps(file))
+                for c in one["contacts"]:
+                    n = [F(x) for x in c["normal"]]
+                    t = cross(n, [rng.randint(-9, 9) for _ in range(3)])
+                    most = float(slope) * np.linalg.norm([float(x) for x in n]) / (np.linalg.norm([float(x) for x in t]) or 1)
+                    part = F(most * rng.choice((0.5, 0.999))).limit_denominator(1000)
+                    self.assertLessEqual(part**2 * sum(x * x for x in t), slope**2 * sum(x * x for x in n))
+                    c["normal"] = [str(x + part * y) for x, y in zip(n, t)]
+                    c["friction"] = str(F(c["friction"]) * rng.choice((F(98, 100), 1, F(102, 100))))
+                self.assertEqual(self.verdict(one), verdict)
+        self.assertGreater(min(decided.values()), 1, decided)
+
+    def test_two_grasps_that_differ_in_their_normals(self):
+        slope, folder = F(1, 10), self.path("two")
+        file = self.write("g.json", grasp([contact((0, 0, 0), (1, 2, 2), friction=F(1, 2))],
+                                          force_at((0, F(-3, 2), -3), (0, 0, 0))))  # at the edge of the cone
+        code, out, err = stickslip("decide", file, "--uncertain", f"normal={slope}", "--examples", folder, "--json")
+        self.assertEqual((code, err, json.loads(out)["verdict"]), (DONE, "", "fragile"))
+        for verdict in ("stable", "unstable"):
+            self.assert_accepted(verdict, os.path.join(folder, f"{verdict}.json"),
+                                 os.path.join(folder, f"{verdict}.certificate.json"))
+            n = [F(x) for x in json.loads(read(os.path.join(folder, f"{verdict}.json")))["contacts"][0]["normal"]]
+            along = n[0] + 2 * n[1] + 2 * n[2]  # n.n0, and |n|^2 |n0|^2 = along^2 (1 + tangent^2)
+            self.assertLessEqual(9 * sum(x * x for x in n), along**2 * (1 + slope**2))
+        self.assertEqual({d["place"] for d in json.loads(out)["differences"]} - {
+            "contacts[0].normal.turn_u", "contacts[0].normal.turn_v"}, set())
+
     def test_normals_of_irrational_length_with_preload(self):
         # Four contacts of 4 N on two faces whose normals have the length sqrt 3.
         hands = [contact((side * 2 + t, side * 2 - t, side * 2), (-side, -side, -side),
@@ -584,7 +652,7 @@ class Files(Space):
         good = changed(lambda content: None)
         self.fails("decide", good, "--wrench", "0,0,0", naming=["--wrench", "in space"])
         self.fails("decide", good, "--engine", "branch-and-bound", naming=["--engine", "in space"])
-        self.fails("decide", good, "--uncertain", "normal=1/100", naming=["--uncertain", "in space"])
+        self.fails("decide", good, "--uncertain", "normal=1", naming=["contacts[0].normal", "slope"])
         self.fails("decide", good, "--case", "x", naming=["--case", "no case"])
         self.fails("states", good, naming=["contacts[0].position", "in space"])
 

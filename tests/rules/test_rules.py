@@ -62,9 +62,12 @@ def judged_by_all(entry):
 
 
 def is_proved(entry):
-    """The theorem of stickslip-proved is not about proofs by degree and at rest, and margins in space."""
+    """The theorem of stickslip-proved is not about proofs by degree and at rest, margins in space, and uncertain normals in space."""
     certificate = entry.certificate
-    return not ("parts" in certificate or "intervals" in certificate or any(
+    in_space = entry.kind.startswith("space")
+    turns = "normal" in certificate["question"].get("uncertain", {}) or any(
+        isinstance(contact["normal"], dict) for contact in entry.grasp["contacts"] if "normal" in contact)
+    return not ("parts" in certificate or "intervals" in certificate or (in_space and turns) or any(
         isinstance(segment, dict) for segment in certificate.get("segments") or []))
 
 

@@ -2757,22 +2757,27 @@ let enlarge0 bits0 q0 =
                                  ((&&)
                                    ((&&)
                                      ((&&)
-                                       (negb
-                                         (qle_bool sq { qnum =
+                                       ((&&)
+                                         (negb
+                                           (qle_bool sq { qnum =
+                                             Big_int_Z.zero_big_int; qden =
+                                             Big_int_Z.unit_big_int }))
+                                         (qle_bool { qnum =
                                            Big_int_Z.zero_big_int; qden =
-                                           Big_int_Z.unit_big_int }))
+                                           Big_int_Z.unit_big_int }
+                                           q0.friction.low))
                                        (qle_bool { qnum =
                                          Big_int_Z.zero_big_int; qden =
                                          Big_int_Z.unit_big_int }
-                                         q0.friction.low))
+                                         q0.preload.low))
                                      (qle_bool { qnum =
                                        Big_int_Z.zero_big_int; qden =
                                        Big_int_Z.unit_big_int }
-                                       q0.preload.low))
-                                   (qle_bool { qnum = Big_int_Z.zero_big_int;
-                                     qden = Big_int_Z.unit_big_int }
-                                     q0.stiffness.low))
-                                 (qeq_bool q0.preload_growth { qnum =
+                                       q0.stiffness.low))
+                                   (qeq_bool q0.preload_growth { qnum =
+                                     Big_int_Z.zero_big_int; qden =
+                                     Big_int_Z.unit_big_int }))
+                                 (qeq_bool q0.slope { qnum =
                                    Big_int_Z.zero_big_int; qden =
                                    Big_int_Z.unit_big_int })
                             then Some { box_x0 = x; box_y0 = y; box_z = z0;
@@ -3276,7 +3281,10 @@ let set_load0 s w =
 
 let halves0 s name index c =
   match name with
-  | PTurn -> Inr "part-contact"
+  | PTurn ->
+    (match numbered s.rows0 index with
+     | Some _ -> Inr "part-inside"
+     | None -> Inr "part-contact")
   | PWrench ->
     (match numbered s.the_load0.load_box index with
      | Some i ->
@@ -3790,7 +3798,9 @@ let check_in_space advisor q0 c =
                   | Some rule -> Rejected (rule, Nowhere)
                   | None -> Stable)
             else Rejected ("witness-box", Nowhere)
-          | None -> NotProvedHere "numbers of the question")
+          | None ->
+            NotProvedHere
+              "normals that are uncertain, or numbers of the question")
   | StableByParts _ ->
     if q0.is_margin
     then NotProvedHere "a proof of something else than was asked"
@@ -3805,7 +3815,9 @@ let check_in_space advisor q0 c =
              | Some p ->
                let (rule, number) = p in Rejected (rule, (AtNode number))
              | None -> Unstable)
-          | None -> NotProvedHere "numbers of the question")
+          | None ->
+            NotProvedHere
+              "normals that are uncertain, or numbers of the question")
   | MarginInSpace _ ->
     if q0.is_margin
     then NotProvedHere "a margin in space"
@@ -4803,27 +4815,22 @@ let read_normal v at_path value0 =
   bind
     (match value0 with
      | Object _ ->
-       if v.is_in_space
-       then bind (read_point v at_path value0) (fun n -> Fine (n, { qnum =
-              Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int }))
-       else bind (check_that v.is_second at_path needs_second) (fun _ ->
-              bind
-                (members_of ("direction" :: ("slope" :: [])) at_path value0)
-                (fun members ->
-                bind (member "direction" (read_point v) at_path members)
-                  (fun n ->
-                  bind (member "slope" read_decimal at_path members)
-                    (fun slope0 ->
-                    bind
-                      (check_that
-                        ((&&)
-                          (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-                            Big_int_Z.unit_big_int } slope0)
-                          (is_below slope0 { qnum = Big_int_Z.unit_big_int;
-                            qden = Big_int_Z.unit_big_int })) ((Member
-                        "slope") :: at_path)
-                        "expected a number of 0 or more and below 1")
-                      (fun _ -> Fine (n, slope0))))))
+       bind (check_that v.is_second at_path needs_second) (fun _ ->
+         bind (members_of ("direction" :: ("slope" :: [])) at_path value0)
+           (fun members ->
+           bind (member "direction" (read_point v) at_path members) (fun n ->
+             bind (member "slope" read_decimal at_path members)
+               (fun slope0 ->
+               bind
+                 (check_that
+                   ((&&)
+                     (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+                       Big_int_Z.unit_big_int } slope0)
+                     (is_below slope0 { qnum = Big_int_Z.unit_big_int; qden =
+                       Big_int_Z.unit_big_int })) ((Member
+                   "slope") :: at_path)
+                   "expected a number of 0 or more and below 1") (fun _ ->
+                 Fine (n, slope0))))))
      | _ ->
        bind (read_point v at_path value0) (fun n -> Fine (n, { qnum =
          Big_int_Z.zero_big_int; qden = Big_int_Z.unit_big_int })))
@@ -5312,89 +5319,79 @@ let pose file asked =
       (fun _ ->
       bind
         (check_that
-          ((||) (negb file.in_space)
-            (match find_tolerance "normal" asked with
-             | Some _ -> false
-             | None -> true)) (of_question "uncertain")
-          "in space normals are certain; expected no tolerance of them")
+          (match asked.asked_preload with
+           | Some p ->
+             qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+               Big_int_Z.unit_big_int } p
+           | None -> true) (of_question "preload") "expected 0 or more")
         (fun _ ->
-        bind
-          (check_that
-            (match asked.asked_preload with
-             | Some p ->
-               qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-                 Big_int_Z.unit_big_int } p
-             | None -> true) (of_question "preload") "expected 0 or more")
-          (fun _ ->
-          bind (wrench_asked file asked) (fun stated ->
-            bind (check_tolerances asked asked.asked_uncertain) (fun _ ->
-              let them = map_all (asked_contact asked) file.all_contacts in
-              bind
-                (match asked.asked_growth with
-                 | Some g ->
-                   (match g with
-                    | Scale -> Fine them
-                    | By numbers ->
-                      let problem =
-                        "expected numbers of 0 or more, one for each contact"
-                      in
-                      bind
-                        (check_that
-                          (forallb
-                            (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
-                              Big_int_Z.unit_big_int }) numbers)
-                          (of_question "preload direction") problem)
-                        (fun _ ->
-                        match with_growths them numbers [] with
-                        | Some them0 -> Fine them0
-                        | None ->
-                          refuse (of_question "preload direction") problem))
-                 | None -> Fine them) (fun them0 ->
-                let margin = asks_margin asked in
-                bind
-                  (each (check_contact margin file.in_space) ((Member
-                    "contacts") :: []) them0) (fun boxes ->
-                  let widened =
-                    map (widen (find_tolerance "wrench" asked)) stated
-                  in
-                  let certain0 = forallb is_exact widened in
-                  bind
-                    (check_that ((||) (negb margin) certain0) ((Member
-                      "wrench") :: [])
-                      "found an interval, but a margin is about one grasp; expected numbers")
-                    (fun _ ->
-                    let them1 =
-                      match asked.asked_growth with
-                      | Some g ->
-                        (match g with
-                         | Scale -> map_all scaled them0
-                         | By _ -> them0)
-                      | None -> them0
-                    in
-                    let u =
-                      match asked.asked_direction with
-                      | Some u -> u
-                      | None ->
-                        map (fun _ -> { qnum = Big_int_Z.zero_big_int; qden =
-                          Big_int_Z.unit_big_int }) stated
+        bind (wrench_asked file asked) (fun stated ->
+          bind (check_tolerances asked asked.asked_uncertain) (fun _ ->
+            let them = map_all (asked_contact asked) file.all_contacts in
+            bind
+              (match asked.asked_growth with
+               | Some g ->
+                 (match g with
+                  | Scale -> Fine them
+                  | By numbers ->
+                    let problem =
+                      "expected numbers of 0 or more, one for each contact"
                     in
                     bind
                       (check_that
-                        ((||) ((||) (negb margin) (negb (forallb is_0 u)))
-                          (existsb (fun it -> negb (is_0 it.preload_growth))
-                            them1)) (of_question "direction")
-                        ((^)
-                          "neither the wrench nor a preload changes; expected a direction other than 0, or to "
-                          "scale preloads some of which are not 0"))
-                      (fun _ -> Fine { the_question = { dimension =
-                      (if file.in_space
-                       then S (S (S (S (S (S O)))))
-                       else S (S (S O))); bilateral = asked.asked_bilateral;
-                      is_margin = margin; contacts = them1; wrench = widened;
-                      direction = u }; stated_wrench = stated; the_options =
-                      asked; is_box =
-                      ((||) (negb certain0)
-                        (existsb (fun box1 -> box1) boxes)) }))))))))))
+                        (forallb
+                          (qle_bool { qnum = Big_int_Z.zero_big_int; qden =
+                            Big_int_Z.unit_big_int }) numbers)
+                        (of_question "preload direction") problem) (fun _ ->
+                      match with_growths them numbers [] with
+                      | Some them0 -> Fine them0
+                      | None ->
+                        refuse (of_question "preload direction") problem))
+               | None -> Fine them) (fun them0 ->
+              let margin = asks_margin asked in
+              bind
+                (each (check_contact margin file.in_space) ((Member
+                  "contacts") :: []) them0) (fun boxes ->
+                let widened =
+                  map (widen (find_tolerance "wrench" asked)) stated
+                in
+                let certain0 = forallb is_exact widened in
+                bind
+                  (check_that ((||) (negb margin) certain0) ((Member
+                    "wrench") :: [])
+                    "found an interval, but a margin is about one grasp; expected numbers")
+                  (fun _ ->
+                  let them1 =
+                    match asked.asked_growth with
+                    | Some g ->
+                      (match g with
+                       | Scale -> map_all scaled them0
+                       | By _ -> them0)
+                    | None -> them0
+                  in
+                  let u =
+                    match asked.asked_direction with
+                    | Some u -> u
+                    | None ->
+                      map (fun _ -> { qnum = Big_int_Z.zero_big_int; qden =
+                        Big_int_Z.unit_big_int }) stated
+                  in
+                  bind
+                    (check_that
+                      ((||) ((||) (negb margin) (negb (forallb is_0 u)))
+                        (existsb (fun it -> negb (is_0 it.preload_growth))
+                          them1)) (of_question "direction")
+                      ((^)
+                        "neither the wrench nor a preload changes; expected a direction other than 0, or to "
+                        "scale preloads some of which are not 0")) (fun _ ->
+                    Fine { the_question = { dimension =
+                    (if file.in_space
+                     then S (S (S (S (S (S O)))))
+                     else S (S (S O))); bilateral = asked.asked_bilateral;
+                    is_margin = margin; contacts = them1; wrench = widened;
+                    direction = u }; stated_wrench = stated; the_options =
+                    asked; is_box =
+                    ((||) (negb certain0) (existsb (fun box1 -> box1) boxes)) })))))))))
 
 type statement = { stated_contacts : Big_int_Z.big_int;
                    wrench_stated : interval list; options_stated : options }
@@ -5580,19 +5577,21 @@ let read_parameter s at_path value0 =
             then Fine PZ
             else if (&&) (negb s.spatial) (is "turn")
                  then Fine PTurn
-                 else if is "friction"
-                      then Fine PFriction
-                      else if is "preload"
-                           then Fine PPreload
-                           else if is "stiffness"
-                                then Fine PStiffness
-                                else if is "wrench"
-                                     then Fine PWrench
-                                     else expected
-                                            (if s.spatial
-                                             then "x, y, z, friction, preload, stiffness or wrench"
-                                             else "x, y, turn, friction, preload, stiffness or wrench")
-                                            at_path value0
+                 else if (&&) s.spatial ((||) (is "turn_u") (is "turn_v"))
+                      then Fine PTurn
+                      else if is "friction"
+                           then Fine PFriction
+                           else if is "preload"
+                                then Fine PPreload
+                                else if is "stiffness"
+                                     then Fine PStiffness
+                                     else if is "wrench"
+                                          then Fine PWrench
+                                          else expected
+                                                 (if s.spatial
+                                                  then "x, y, z, turn_u, turn_v, friction, preload, stiffness or wrench"
+                                                  else "x, y, turn, friction, preload, stiffness or wrench")
+                                                 at_path value0
 
 (** val read_cut :
     shape -> path -> json list -> json ->

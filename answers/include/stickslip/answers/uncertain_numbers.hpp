@@ -15,12 +15,14 @@ namespace stickslip {
 
 /// A number of the box that is an interval, under its name in a grasp file.
 struct UncertainNumber {
-  std::string place;      ///< "contacts[0].friction"
-  Interval interval;      ///< its values
-  bool is_slope = false;  ///< of a normal: the interval is [-E, E]
+  std::string place;     ///< "contacts[0].friction"; of a normal in space "….normal.turn_u"
+  Interval interval;     ///< its values
+  std::size_t turn = 0;  ///< which turn of a normal it is, from 1; the interval is [-E, E]
 
+  /// Whether it is one.
+  bool is_turn() const { return turn > 0; }
   /// For people.
-  std::string label() const { return place + (is_slope ? ", slope" : ""); }
+  std::string label() const { return place + (is_turn() ? ", slope" : ""); }
 };
 
 /// All of them, contact by contact, and then those of the wrench.

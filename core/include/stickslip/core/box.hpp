@@ -44,16 +44,29 @@ inline Interval point_interval(const Rational& x) {
 }
 
 /// A contact of which every number may be an interval; vectors have two coordinates in the
-/// plane and three in space. In the plane the normal has the direction of n + e t for some
-/// |e| <= slope, with t = (-n_y, n_x); in space it is certain.
+/// plane and three in space. The normal has any direction whose angle to n has a tangent of at
+/// most the slope.
 struct UncertainContact {
   std::vector<Interval> position;  ///< of the point of contact, in the object frame
   RationalRow normal;              ///< n, nonzero, points into the object; of any length
   Interval friction;               ///< coefficient mu >= 0
   Interval stiffness{1, 1};        ///< of the normal spring, k > 0, force per length
   Interval preload{};              ///< P >= 0, force
-  Rational slope{0};               ///< of the normal, 0 <= slope < 1; 0 in space
+  Rational slope{0};               ///< of the normal, 0 <= slope < 1
 };
+
+/// A way in which a normal may turn: n + e direction for some |e| <= most.
+struct Turn {
+  RationalRow direction;  ///< across n
+  Rational most;          ///< >= 0
+};
+
+/// Those of a contact, all at once. In the plane there is one, by (-n_y, n_x) and the slope. In
+/// space two, u and v of certificate/FORMAT.md, section 7; every normal of the contact is among
+/// n + e_u u + e_v v, and some others are: of those the tangent is up to 1.42 times the slope.
+std::vector<Turn> turns_of(const UncertainContact& contact);
+/// n + the sum of e_j direction_j.
+RationalRow turned(RationalRow normal, const std::vector<Turn>& turns, const RationalRow& e);
 
 /// The components of a wrench: (x, y, torque), in space force x, y, z and torque x, y, z.
 using WrenchBox = std::vector<Interval>;
@@ -119,8 +132,7 @@ struct GraspBox {
   /// friction coefficient or preload that may be below 0, a stiffness that may be 0 or below, a
   /// slope of 1 or more, or an interval whose ends are exchanged.
   void check() const;
-  /// Widened by the tolerances, and checked. Throws InputError with the place "uncertain" for
-  /// one of normals in space, and as check() does.
+  /// Widened by the tolerances, and checked. Throws InputError as check() does.
   GraspBox widened(const Tolerances& tolerances) const;
   /// Each interval shrunk or grown about the value in `centre`, one grasp inside it: its ends
   /// are centre + factor (end - centre); slopes times factor. factor >= 0. Throws as check().
@@ -151,9 +163,6 @@ Wrench planar_middle(const WrenchBox& wrench);
 RationalRow row_of(const Wrench& wrench);
 Wrench wrench_of(const RationalRow& row);
 /// \}
-
-/// n + slope t, with t = (-n_y, n_x), in the plane.
-Vector2 turned(const RationalRow& normal, const Rational& slope);
 
 /// A twist or a wrench in space: translation x, y, z and rotation x, y, z, in radians; force
 /// and torque.

@@ -20,15 +20,17 @@ inline constexpr unsigned kDefaultBits = 128;
 enum class Parameter {
   kX,          ///< p_x
   kY,          ///< p_y
-  kTurn,       ///< e, of the normal n + e t; in the plane
+  kTurn,       ///< e, of the normal n + e t; in the plane (turns_of)
   kFriction,   ///< mu
-  kPreload,    ///< P' = P / |n + e t|
-  kStiffness,  ///< k' = k / |n + e t|^2
+  kPreload,    ///< P' = P / |n|, of the turned normal
+  kStiffness,  ///< k' = k / |n|^2
   kWrench,     ///< of no contact: a component of w
-  kZ           ///< p_z, in space
+  kZ,          ///< p_z, in space
+  kTurnU,      ///< e_u, of the normal n + e_u u + e_v v; in space
+  kTurnV       ///< e_v
 };
 
-/// "x", "y", "turn", "friction", "preload", "stiffness", "wrench", "z".
+/// "x", "y", "turn", "friction", "preload", "stiffness", "wrench", "z", "turn_u", "turn_v".
 const char* to_string(Parameter parameter);
 
 /// A parameter of one contact, or a component of the wrench.

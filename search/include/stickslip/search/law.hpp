@@ -48,9 +48,10 @@ struct CornerRow {
 
 /// Where a contact is.
 struct ContactPlace {
-  std::array<Interval, 3> geometry;  ///< in the plane p_x, p_y, e; in space p
-  Vector3 normal;                    ///< n, in the plane with n_z = 0
-  CornerRow centre;                  ///< the rows of the middle
+  std::vector<Interval> geometry;  ///< coordinates of p, then e of each turn
+  RationalRow normal;              ///< n0
+  std::vector<Turn> turns;         ///< of the normal
+  CornerRow centre;                ///< the rows of the middle
 };
 
 /// Numbers of a contact in the plane, of uncertain geometry, in integers: N and T times
@@ -67,14 +68,16 @@ struct WholeCorners {
 /// A contact.
 struct LawContact {
   /// Of n uncertain numbers of its geometry 2^n, the first number changing fastest.
+  /// (S is as in the format, along n and in space across n0.)
   std::vector<CornerRow> corners;
-  Rational squared_length{1};           ///< L^2: friction is at most mu L a
+  Rational squared_length{1};           ///< L^2, of n0: friction is at most mu L a
   Interval friction;                    ///< mu
   Interval preload;                     ///< P'
   Interval rate{};                      ///< P^u' of a margin, whose ends go with those of P'
   Interval stiffness;                   ///< k'
-  IntegerVector3 axis{};                ///< in space: across which slips are
+  IntegerVector3 axis{};                ///< in space: n0, across which slips are
   std::optional<ContactPlace> place{};  ///< of what the corners are, if it is a grasp's
+  Rational tilt{0};  ///< in space: delta, the largest |n|^2 / L^2 - 1 of a corner
 
   /// \{ What follows, once complete() was called.
   /// v at all corners of all parameters: positive multiples, and factors that make them v.
@@ -86,6 +89,7 @@ struct LawContact {
 
   /// \{ In doubles. Slopes are mu L.
   std::array<double, 2> slopes{};
+  double tilted = 0;  ///< 3/2 delta
   std::array<double, 2> preloads{};
   std::array<double, 2> rates{};
   std::array<double, 2> stiffnesses{};

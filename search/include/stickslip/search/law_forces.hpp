@@ -87,10 +87,10 @@ class LawForces {
   std::optional<Branch> split_separation(const Relaxation& found, std::size_t contact) const;
   std::optional<Branch> split_slip(const Relaxation& found, std::size_t contact) const;
   std::optional<Branch> split_spatial_slip(const Relaxation& found, std::size_t contact) const;
-  std::optional<Branch> split_corners(const Relaxation& found, std::size_t contact,
-                                      const std::vector<Row>& planes, bool is_slip) const;
-  std::optional<Branch> split_short(const Relaxation& found,
-                                    const std::vector<Row>& planes) const;
+  std::optional<Branch> split_corners(const Relaxation& found, const std::vector<Row>& planes,
+                                      const std::vector<Row>& orders, bool is_slip) const;
+  std::optional<Branch> split_short(const Relaxation& found, const std::vector<Row>& planes,
+                                    bool always = false) const;
   std::optional<Branch> split_wedge(const Relaxation& found,
                                     const search_detail::Wedge& wedge) const;
   std::optional<Row> in_few_bits(const Reals& twist);

@@ -102,6 +102,25 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
       }
     }
   }
+  // Near what Newton's method missed a search comes, but not of uncertain geometry: no slip is
+  // 0 there for all of the box.
+  const bool may_miss = std::any_of(
+      box.contacts.begin(), box.contacts.end(),
+      [](const auto& c) { return c.slip_dimension() == 3 && !c.geometry_is_certain(); });
+  if (stable_ != false && tried.empty() && may_miss) {
+    Trees unused;
+    TreeSearch search(middle, nullptr, limits_.node_limit, work_);
+    search.on_candidate([&](const NearEquilibrium& relaxed) {
+      const auto found = newton.polish(relaxed);
+      if (found) try_near(*found);
+      return found.has_value();
+    });
+    search.refute(MotionRegion::root(middle), unused);
+    if (holds) {
+      stable_ = true;
+      return true;
+    }
+  }
   // There is an equilibrium in the middle of a wide box: no tree is about all of it.
   if (stable_ == true || (limits_.is_wide && !tried.empty())) return false;
   const std::size_t before = tree_.size();

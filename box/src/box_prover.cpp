@@ -109,7 +109,7 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
       [](const auto& c) { return c.slip_dimension() == 3 && !c.geometry_is_certain(); });
   if (stable_ != false && tried.empty() && may_miss) {
     Trees unused;
-    TreeSearch search(middle, nullptr, limits_.node_limit, work_);
+    LawSearch search(middle, nullptr, limits_.node_limit, work_);
     search.on_candidate([&](const NearEquilibrium& relaxed) {
       const auto found = newton.polish(relaxed);
       if (found) try_near(*found);

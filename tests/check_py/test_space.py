@@ -76,7 +76,9 @@ class GraspFileTest(Case):
     def test_what_is_planar(self):
         self.bad("outline", FLOOR, outline=[[0, 0], [1, 0], [0, 1]])
         self.bad("contacts[1].on", FLOOR, {"on": [0, "1/2"], "friction": 0})
-        self.bad("contacts[0].normal", {**FLOOR, "normal": {"direction": [0, 0, 1], "slope": 0}})
+        self.bad("contacts[0].normal.direction", {**FLOOR, "normal": {"direction": [0, 1], "slope": 0}})
+        self.bad("contacts[0].normal.slope", {**FLOOR, "normal": {"direction": [0, 0, 1], "slope": 1}})
+        self.bad("contacts[0].normal.slope", {**FLOOR, "normal": {"direction": [0, 0, 1], "slope": interval(0, "1/2")}})
         self.bad("contacts[0].normal", {**FLOOR, "normal": [0, interval(0, 1), 1]})
         self.bad("contacts[0].normal: must not be zero", {**FLOOR, "normal": [0, "0/3", 0]})
 

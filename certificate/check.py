@@ -618,6 +618,25 @@ def read_outline(source: Source, value: Any) -> List[List[Edge]]:
     return outline
 
 
+def check_body(source: Source, value: Any) -> None:
+    """§7: it has no meaning here."""
+    fields = source.members(value, "body", "vertices faces")
+    vertices = source.array(fields["vertices"], "body.vertices")
+    for i, vertex in enumerate(vertices):
+        source.vector(vertex, f"body.vertices[{i}]", 3)
+    faces = source.array(fields["faces"], "body.faces")
+    if not faces:
+        source.fail("body.faces", "must have one face or more")
+    for j, face in enumerate(faces):
+        place = f"body.faces[{j}]"
+        if len(source.array(face, place)) < 3:
+            source.fail(place, "must have three vertices or more")
+        for k, entry in enumerate(face):
+            index = source.number(entry, f"{place}[{k}]")
+            if index.denominator != 1 or not 0 <= index < len(vertices):
+                source.fail(f"{place}[{k}]", f"there is no vertex {show(index)}")
+
+
 def read_place(source: Source, value: Any, place: str,
                outline: List[List[Edge]]) -> Tuple[Vector, Vector]:
     """§1: position and normal of a contact on the outline."""
@@ -657,9 +676,10 @@ def read_grasp(name: str) -> Grasp:
     """§1: what the grasp file says."""
     source = Source(name, GRASP)
     top = source.members(source.root, "",
-                         "format name? units? outline? defaults? contacts wrench? loads? cases?")
+                         "format name? units? outline? body? defaults? contacts wrench? loads? "
+                         "cases?")
     source.check_format(top["format"])
-    for key in ("units", "outline", "loads", "cases"):
+    for key in ("units", "outline", "body", "loads", "cases"):
         if key in top and top["format"] == GRASP.formats[0]:
             source.fail("", f"'{key}' needs \"format\": \"{GRASP.formats[1]}\"")
     if type(top.get("name", "")) is not str:
@@ -675,6 +695,10 @@ def read_grasp(name: str) -> Grasp:
     show_dimension(source, top)
     if "outline" in top and source.dimension == SPACE:
         source.fail("outline", "the grasp is in space, and has none")
+    if "body" in top:
+        if source.dimension == PLANE:
+            source.fail("body", "the grasp is in the plane, and has none")
+        check_body(source, top["body"])
     outline = read_outline(source, top["outline"]) if "outline" in top else []
     contacts = []
     if len(source.array(top["contacts"], "contacts")) > MAX_CONTACTS:

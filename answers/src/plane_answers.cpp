@@ -116,4 +116,32 @@ Json map_json(const Question& question, const MapAxis& x, const MapAxis& y,
   return json;
 }
 
+PlaneInSpace plane_in_space(const Question& question, RationalRow origin, RationalRow u,
+                            RationalRow v) {
+  PlaneInSpace plane{*question.box(), std::move(origin), {}, {}};
+  Rational sum = 0;
+  for (const UncertainContact& c : plane.grasp.contacts) sum += c.preload.low;
+  const Rational reach = sum.is_zero() ? Rational(1) : sum;
+  for (std::size_t j = 0; j < 6; ++j) plane.grasp.wrench[j] = point_interval(plane.origin[j]);
+  plane.s.name = "s";
+  plane.s.along = std::move(u);
+  plane.t.name = "t";
+  plane.t.along = std::move(v);
+  for (MapAxis* axis : {&plane.s, &plane.t}) {
+    axis->kind = AxisKind::kAlong;
+    axis->range = {-reach, reach};
+  }
+  return plane;
+}
+
+Json region_json(const Question& question, const PlaneInSpace& plane,
+                 const std::vector<MapCell>& cells) {
+  Json json = map_json(question, plane.s, plane.t, cells);
+  json["plane"] = {{"origin", number_json(plane.origin)},
+                   {"u", number_json(plane.s.along)},
+                   {"v", number_json(plane.t.along)}};
+  add_units(json, question.description().units);
+  return json;
+}
+
 }  // namespace stickslip

@@ -88,8 +88,8 @@ class GraspReader {
     std::map<std::string, Value> members;  // what the contacts decide how to read
     while (const std::optional<std::string> key = json_.next_member()) {
       allow(*key,
-            {"format", "name", "units", "outline", "defaults", "contacts", "wrench", "loads",
-             "cases"},
+            {"format", "name", "units", "outline", "body", "defaults", "contacts", "wrench",
+             "loads", "cases"},
             "", json_.line());
       seen.push_back(*key);
       if (*key == "contacts") {
@@ -115,7 +115,7 @@ class GraspReader {
     for (const char* key : {"format", "contacts"}) {
       check(has(key), std::string("the member \"") + key + "\" is missing");
     }
-    for (const char* key : {"units", "outline", "loads", "cases"}) {
+    for (const char* key : {"units", "outline", "body", "loads", "cases"}) {
       check(version2_ || !has(key), std::string("the member \"") + key + "\": " + kNeeds2);
     }
     check(has("wrench") || has("loads") || has("cases"), "the member \"wrench\" is missing");
@@ -144,6 +144,9 @@ class GraspReader {
     } else if (key == "outline") {
       expect(dimension_ == kPlanar, value, key.c_str(), "none, as the grasp is in space");
       read_outline(std::move(value));
+    } else if (key == "body") {
+      expect(dimension_ == kSpatial, value, key.c_str(), "none, as the grasp is in the plane");
+      read_body(value);
     } else if (key == "units") {
       read_units(value);
     } else {
@@ -167,6 +170,31 @@ class GraspReader {
       const bool is_unit = unit.kind == Value::Kind::kString && !unit.text.empty() &&
                            unit.text.size() <= kMostBytes;
       expect(is_unit, unit, Where("units.") + key, "a string of 1 to 16 bytes");
+    }
+  }
+
+  /// FORMAT.md §7: it has no meaning here.
+  void read_body(const Value& value) const {
+    expect_object(value, "body", {"vertices", "faces"});
+    const Value& vertices = member(value, "body", "vertices");
+    const Value& faces = member(value, "body", "faces");
+    const Where of_vertices("body.vertices");
+    const Where of_faces("body.faces");
+    expect(vertices.kind == Value::Kind::kArray, vertices, of_vertices, "a list of vertices");
+    const std::size_t count = vertices.items.size();
+    for (std::size_t i = 0; i < count; ++i) vector(vertices.items[i], of_vertices[i], 3);
+    expect(faces.kind == Value::Kind::kArray && !faces.items.empty(), faces, of_faces,
+           "a list of faces, of one or more");
+    for (std::size_t j = 0; j < faces.items.size(); ++j) {
+      const Value& face = faces.items[j];
+      const Where place = of_faces[j];
+      expect(face.kind == Value::Kind::kArray && face.items.size() >= 3, face, place,
+             "the numbers of three vertices or more");
+      for (std::size_t k = 0; k < face.items.size(); ++k) {
+        const Rational index = number(face.items[k], place[k]);
+        expect(index.get_den() == 1 && index >= 0 && index < count, face.items[k], place[k],
+               "the number of a vertex, counted from 0");
+      }
     }
   }
 

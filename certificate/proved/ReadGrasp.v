@@ -170,6 +170,35 @@ Definition read_outline (v : version) (at_path : path) (value : json)
     read_array what (read_polygon v) at_path
       (if depth =? 2 then Array [Array [value]] else if depth =? 3 then Array [value] else value).
 
+(** The body in space, which has no meaning here: [count] vertices, of which faces name three or
+    more each. *)
+Definition read_vertex_number (count : Z) (at_path : path) (value : json) : result unit :=
+  let* index := read_decimal at_path value in
+  let whole := Qnum index / Zpos (Qden index) in
+  check_that (Qeq_bool index (inject_Z whole) && (0 <=? whole) && (whole <? count)) at_path
+    "there is no such vertex".
+
+Definition read_face (count : Z) (at_path : path) (value : json) : result unit :=
+  let what := "a face of three vertices or more"%string in
+  let* face := read_array what (read_vertex_number count) at_path value in
+  match face with
+  | _ :: _ :: _ :: _ => Fine tt
+  | _ => expected what at_path value
+  end.
+
+Definition read_body (v : version) (at_path : path) (value : json) : result unit :=
+  let* _ := check_that (is_in_space v) at_path "expected none, as the grasp is in the plane" in
+  let* members := members_of ["vertices"; "faces"]%string at_path value in
+  let* vertices := member "vertices" (read_array "a list of vertices" (read_point v)) at_path
+                     members in
+  let count := fold_left (fun sum _ => sum + 1) vertices 0 in
+  let what := "a list of faces, of one or more"%string in
+  let* faces := member "faces" (read_array what (read_face count)) at_path members in
+  match faces with
+  | [] => expected what (Member "faces"%string :: at_path) value
+  | _ => Fine tt
+  end.
+
 (** Loads. *)
 Definition at_point (p f : list Q) : list Q :=
   match p, f with
@@ -402,18 +431,20 @@ Definition version_of (members : list (string * json)) : result version :=
     check_that (second || negb (has_member name members)) [Member name] needs_second in
   let* _ := only_second "units"%string in
   let* _ := only_second "outline"%string in
+  let* _ := only_second "body"%string in
   let* _ := only_second "loads"%string in
   let* _ := only_second "cases"%string in
   Fine {| is_second := second; is_in_space := second && begins_in_space members |}.
 
 Definition read_grasp (value : json) : result grasp :=
   let* members :=
-    members_of ["format"; "name"; "units"; "outline"; "defaults"; "contacts"; "wrench"; "loads";
-                "cases"] [] value in
+    members_of ["format"; "name"; "units"; "outline"; "body"; "defaults"; "contacts"; "wrench";
+                "loads"; "cases"] [] value in
   let* v := version_of members in
   let* _ := optional_member "name" read_any_text [] members in
   let* _ := optional_member "units" read_units [] members in
   let* outline := optional_member "outline" (read_outline v) [] members in
+  let* _ := optional_member "body" (read_body v) [] members in
   let* defaults := optional_member "defaults" (read_defaults v) [] members in
   let outline := match outline with Some it => it | None => [] end in
   let defaults :=

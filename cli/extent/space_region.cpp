@@ -16,14 +16,6 @@
 namespace stickslip {
 namespace {
 
-/// The grasp with the origin as its load, and the axes s and t.
-struct PlaneInSpace {
-  GraspBox grasp;
-  RationalRow origin;
-  MapAxis s;
-  MapAxis t;
-};
-
 RationalRow wrench_in_space(const std::string& option, const std::string& value,
                             const RationalRow& otherwise) {
   if (value.empty()) return otherwise;
@@ -32,14 +24,6 @@ RationalRow wrench_in_space(const std::string& option, const std::string& value,
   throw InputError("", option,
                    "found " + std::to_string(w.size()) + " numbers, and the grasp is in space",
                    "give force x, y, z and torque x, y, z, as in 0,0,1,0,0,0");
-}
-
-/// As far either way as all preloads together, a size at which friction ends; or 1.
-Interval default_range(const GraspBox& grasp) {
-  Rational sum = 0;
-  for (const UncertainContact& c : grasp.contacts) sum += c.preload.low;
-  const Rational reach = sum.is_zero() ? Rational(1) : sum;
-  return {-reach, reach};
 }
 
 Interval range_of(const std::string& text, const std::string& whole) {
@@ -65,12 +49,10 @@ PlaneInSpace plane_of(const Question& question, const SpaceRegionArguments& argu
   }
   RationalRow load;
   for (const Interval& w : grasp.wrench) load.push_back(w.low);
-  PlaneInSpace plane{grasp, wrench_in_space("--origin", arguments.origin, load), {}, {}};
-  for (std::size_t j = 0; j < 6; ++j) plane.grasp.wrench[j] = point_interval(plane.origin[j]);
-  plane.s.name = "s";
-  plane.t.name = "t";
-  plane.s.along = wrench_in_space("--u", arguments.u, {1, 0, 0, 0, 0, 0});
-  plane.t.along = wrench_in_space("--v", arguments.v, {0, 1, 0, 0, 0, 0});
+  PlaneInSpace plane =
+      plane_in_space(question, wrench_in_space("--origin", arguments.origin, load),
+                     wrench_in_space("--u", arguments.u, {1, 0, 0, 0, 0, 0}),
+                     wrench_in_space("--v", arguments.v, {0, 1, 0, 0, 0, 0}));
   if (rank_of(std::vector<RationalRow>{plane.s.along, plane.t.along}) < 2) {
     throw InputError("", "--u, --v", "they span no plane",
                      "give two wrenches that are not multiples of each other");
@@ -78,8 +60,6 @@ PlaneInSpace plane_of(const Question& question, const SpaceRegionArguments& argu
   const std::string& within = arguments.within;
   const std::size_t comma = std::min(within.find(','), within.size());
   for (MapAxis* axis : {&plane.s, &plane.t}) {
-    axis->kind = AxisKind::kAlong;
-    axis->range = default_range(grasp);
     if (within.empty()) continue;
     axis->range = range_of(axis == &plane.s        ? within.substr(0, comma)
                            : comma < within.size() ? within.substr(comma + 1)
@@ -92,16 +72,6 @@ PlaneInSpace plane_of(const Question& question, const SpaceRegionArguments& argu
 std::vector<MapCell> cells_of(const Question& question, const PlaneInSpace& plane,
                               const SpaceRegionArguments& arguments) {
   return proved_cells(plane.grasp, question.law, plane.s, plane.t, arguments.cells);
-}
-
-Json region_json(const Question& question, const PlaneInSpace& plane,
-                 const std::vector<MapCell>& cells) {
-  Json json = map_json(question, plane.s, plane.t, cells);
-  json["plane"] = {{"origin", number_json(plane.origin)},
-                   {"u", number_json(plane.s.along)},
-                   {"v", number_json(plane.t.along)}};
-  add_units(json, question.description().units);
-  return json;
 }
 
 void print_text(const Question& question, const PlaneInSpace& plane,

@@ -246,7 +246,7 @@ std::string newer_format() {
 
 void check_keys(const JsonNode& root, bool version2) {
   Names allowed{"format", "name", "defaults", "contacts", "wrench"};
-  for (const char* key : {"units", "outline", "loads", "cases"}) {
+  for (const char* key : {"units", "outline", "body", "loads", "cases"}) {
     if (version2) allowed.emplace_back(key);
     if (!version2 && root.find(key) != nullptr) fail_as_newer("", key);
   }
@@ -395,6 +395,10 @@ GraspFile StreamedGrasp::finish(const JsonNode& grasp, Intervals intervals) {
   for (ReadCase& one : read_cases(grasp, wrench, read)) {
     file.cases.push_back({std::move(one.name), std::move(one.load)});
   }
+  if (grasp.find("body") != nullptr) {
+    fail_at("body", "a body in space, but the grasp is in the plane",
+            "give \"outline\": [[x, y], ...], or remove it");
+  }
   std::vector<Polygon> outline = read_outline(grasp);
   put_on_outline(contacts_, outline, version2);
   fill_in(contacts_, defaults);
@@ -432,7 +436,8 @@ GraspFile StreamedGrasp::finish_in_space(const JsonNode& grasp, Intervals interv
   check_members(grasp, version2);
   if (!version2) fail_at("contacts[0].position", "three coordinates", newer_format());
   if (grasp.find("outline") != nullptr) {
-    fail_at("outline", "an outline, but the grasp is in space", "remove it");
+    fail_at("outline", "an outline, but the grasp is in space",
+            R"(remove it; in space there is "body": {"vertices": [...], "faces": [...]})");
   }
   IntervalReader read(first_interval_);
   const Properties defaults = read_defaults(grasp, read);
@@ -455,7 +460,8 @@ GraspFile StreamedGrasp::finish_in_space(const JsonNode& grasp, Intervals interv
   contacts_.clear();
   // The requirements on units are Grasp's own.
   box.description =
-      Grasp({}, GraspDescription{read_name(grasp), {}, read_units(grasp)}).description();
+      Grasp({}, GraspDescription{read_name(grasp), {}, read_units(grasp), read_body(grasp)})
+          .description();
   box.check();
   return result;
 }

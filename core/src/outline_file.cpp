@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "outline_file.hpp"
 
+#include <utility>
+
 #include "stickslip/core/error.hpp"
 
 namespace stickslip::core_detail {
@@ -19,8 +21,8 @@ int depth_of(const JsonNode& node) {
 
 /// The elements of the array, each read with its path.
 template <class Read>
-auto read_list(const JsonNode& node, const std::string& path, Read read) {
-  expect(node, Kind::kArray, path, kForm);
+auto read_list(const JsonNode& node, const std::string& path, const char* form, Read read) {
+  expect(node, Kind::kArray, path, form);
   std::vector<decltype(read(node, path))> list;
   for (std::size_t i = 0; i < node.children.size(); ++i) {
     list.push_back(read(node.children[i], element_path(path, i)));
@@ -34,11 +36,11 @@ Vector2 read_vertex(const JsonNode& node, const std::string& path) {
 }
 
 Ring read_ring(const JsonNode& node, const std::string& path) {
-  return read_list(node, path, read_vertex);
+  return read_list(node, path, kForm, read_vertex);
 }
 
 Polygon read_polygon(const JsonNode& node, const std::string& path) {
-  return read_list(node, path, read_ring);
+  return read_list(node, path, kForm, read_ring);
 }
 
 /// A whole number from 0 to below `count`; `range` says so.
@@ -96,9 +98,45 @@ std::vector<Polygon> read_outline(const JsonNode& root) {
   std::vector<Polygon> outline =
       depth <= kRing      ? std::vector<Polygon>(1, Polygon(1, read_ring(*node, path)))
       : depth == kPolygon ? std::vector<Polygon>(1, read_polygon(*node, path))
-                          : read_list(*node, path, read_polygon);
+                          : read_list(*node, path, kForm, read_polygon);
   check_outline(outline);
   return outline;
+}
+
+std::shared_ptr<const Mesh> read_body(const JsonNode& root) {
+  const JsonNode* node = root.find("body");
+  if (node == nullptr) return nullptr;
+  constexpr const char* kBody = R"({"vertices": [[x, y, z], ...], "faces": [[0, 1, 2], ...]})";
+  constexpr const char* kVertices = "a list of vertices [[x, y, z], ...]";
+  constexpr const char* kFaces =
+      "a list of faces [[0, 1, 2], ...], each of the numbers of three vertices or more";
+  expect_object(*node, "body", {"vertices", "faces"});
+  Mesh body;
+  body.vertices =
+      read_list(member(*node, "body", "vertices", kBody), "body.vertices", kVertices,
+                [](const JsonNode& vertex, const std::string& path) -> Vector3 {
+                  std::vector<Rational> v =
+                      read_vector(vertex, path, 3, "an array of three numbers [x, y, z]");
+                  return {std::move(v[0]), std::move(v[1]), std::move(v[2])};
+                });
+  const std::size_t count = body.vertices.size();
+  const std::string range = count == 0
+                                ? "the body has no vertices"
+                                : "the body has " + numbered(count, "vertex", "vertices");
+  const auto read_vertex_of = [&](const JsonNode& index, const std::string& path) {
+    return read_index(read_number(index, path), count, path, range);
+  };
+  body.faces = read_list(member(*node, "body", "faces", kBody), "body.faces", kFaces,
+                         [&](const JsonNode& face, const std::string& path) {
+                           auto vertices = read_list(face, path, kFaces, read_vertex_of);
+                           if (vertices.size() < 3) {
+                             fail_at(path, "the face has " + std::to_string(vertices.size()),
+                                     "a face has three vertices or more");
+                           }
+                           return vertices;
+                         });
+  if (body.faces.empty()) fail_at("body.faces", "the list is empty", "give a face, or no body");
+  return std::make_shared<const Mesh>(std::move(body));
 }
 
 const OutlineEdge& edge_at(const std::vector<std::vector<OutlineEdge>>& edges,

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The outline of a grasp file, and contacts by their place on it.
+/// The outline of a grasp file and contacts by their place on it; in space the body.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ PlaceOnOutline read_place(const JsonNode& node, const std::string& path);
 
 /// The value of "outline", checked; empty if there is none.
 std::vector<Polygon> read_outline(const JsonNode& root);
+
+/// The value of "body"; null if there is none.
+std::shared_ptr<const Mesh> read_body(const JsonNode& root);
 
 /// The edge of this place, whose path is that of "on". Throws InputError if there is none.
 const OutlineEdge& edge_at(const std::vector<std::vector<OutlineEdge>>& edges,

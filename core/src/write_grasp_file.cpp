@@ -45,6 +45,17 @@ std::string write_polygon(const Polygon& polygon) {
                     [&](const Ring& ring) { return write_list(ring, ", ", write_vertex); });
 }
 
+std::string write_body(const Mesh& body) {
+  const auto write_vertex = [](const Vector3& v) {
+    return write_list(std::vector<Rational>(v.begin(), v.end()), ", ", write_number);
+  };
+  const auto write_face = [](const std::vector<std::size_t>& face) {
+    return write_list(face, ", ", [](std::size_t v) { return std::to_string(v); });
+  };
+  return "{\"vertices\": " + write_list(body.vertices, ", ", write_vertex) +
+         ",\n  \"faces\": " + write_list(body.faces, ", ", write_face) + "}";
+}
+
 std::string write_interval(const Interval& interval) {
   if (interval.is_point()) return write_number(interval.low);
   return "{\"min\": " + write_number(interval.low) +
@@ -129,7 +140,7 @@ std::string write_grasp(const AnyGrasp& content) {
 }
 
 std::string write_grasp_file(const GraspFile& file) {
-  const auto& [name, outline, units] = file.description();
+  const auto& [name, outline, units, body] = file.description();
   const bool version1 = !in_space(file.content) && file.cases.empty() && outline.empty() &&
                         !units && !has_intervals(file);
   std::string text =
@@ -142,6 +153,7 @@ std::string write_grasp_file(const GraspFile& file) {
   if (!outline.empty()) {
     text += " \"outline\": " + write_list(outline, ",\n  ", write_polygon) + ",\n";
   }
+  if (body) text += " \"body\": " + write_body(*body) + ",\n";
   return text + " \"contacts\": [" + write_contacts(file) +
          write_loads(wrench_of(file.content), file.cases);
 }

@@ -2,6 +2,7 @@
 #include "stickslip/page/answer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <map>
 #include <optional>
@@ -47,6 +48,12 @@ std::string in_version2(std::string text) {
 
 std::string text_of(const GraspFile& file) {
   return in_version2(write_grasp_file(file));
+}
+
+/// What is asked about: a page has its body once, and not with each example of a box.
+GraspFile without_body(GraspFile file) {
+  if (auto* box = std::get_if<GraspBox>(&file.content)) box->description.body.reset();
+  return file;
 }
 
 std::vector<std::string> case_names(const GraspFile& file) {
@@ -185,16 +192,20 @@ class PageAnswer {
  public:
   PageAnswer(const GraspFile& file, QuestionText asked, const PageLimits& limits,
              const std::string& name)
-      : file_(file),
+      : text_(text_of(file)),
+        file_(without_body(file)),
         asked_(std::move(asked)),
         limits_(limits),
         name_(name),
         question_(ask_about(asked_)) {}
 
   Json answer(const PageParts& parts) {
-    Json json{{"format", "stickslip-page/1"},     {"live", false},
-              {"name", file_.description().name}, {"dimension", question_.in_space() ? 6 : 3},
-              {"grasp", text_of(file_)},          {"question", question_json(asked_)},
+    Json json{{"format", "stickslip-page/1"},
+              {"live", false},
+              {"name", file_.description().name},
+              {"dimension", question_.in_space() ? 6 : 3},
+              {"grasp", text_},
+              {"question", question_json(asked_)},
               {"cases", case_names(file_)}};
     const GraspBox grasp = box_of(question_.grasp);
     json["contacts"] = contacts_json(grasp);
@@ -202,7 +213,7 @@ class PageAnswer {
     json["outline"] = outline_json(grasp);
     if (parts.decide) decide(json, parts.warnings);
     if (parts.states) part(json, "states", [&](Json& found) { found = states(); });
-    if (parts.region) part(json, "region", [&](Json& found) { found = region(); });
+    if (parts.region) part(json, "region", [&](Json& found) { region(found); });
     if (parts.margin) part(json, "margin", [&](Json& found) { margin(found); });
     if (parts.map) part(json, "map", [&](Json& found) { map(found); });
     json["messages"] = std::move(messages_);
@@ -299,24 +310,57 @@ class PageAnswer {
     return cells_json(grasp);
   }
 
-  Json region() const {
+  void region(Json& found) const {
+    if (question_.in_space()) return region_in_space(found);
     const LoadedGrasp& one = one_grasp(question_);
     if (one.grasp.size() > kMostContactsWithRegion) {
       throw NotToBeHad{"there are more than " + std::to_string(kMostContactsWithRegion) +
                        " contacts; `stickslip region` has no limit"};
     }
     const WrenchPlane plane = WrenchPlane::forces(one.wrench.torque);
-    return to_json(answer_to(question_, plane));
+    found = to_json(answer_to(question_, plane));
   }
 
-  /// The load is the direction, and nothing else of it is left.
-  QuestionText along_the_load() const {
-    if (!question_.in_space()) one_grasp(question_);
+  /// Of forces in the plane of axes that the load is in, or nearest to. Coarse, and then finer.
+  void region_in_space(Json& found) const {
+    if (!question_.box()->is_point()) refuse_box();
+    RationalRow origin = one_load();
+    std::array<std::size_t, 3> axes{0, 1, 2};
+    std::stable_sort(axes.begin(), axes.end(), [&](std::size_t i, std::size_t j) {
+      return Rational(abs(origin[i])) > Rational(abs(origin[j]));
+    });
+    std::sort(axes.begin(), axes.begin() + 2);
+    const Rational most =
+        std::max(Rational(abs(origin[axes[0]])), Rational(abs(origin[axes[1]])));
+    RationalRow u(6);
+    RationalRow v(6);
+    u[axes[0]] = v[axes[1]] = 1;
+    origin[axes[0]] = origin[axes[1]] = 0;
+    PlaneInSpace plane = plane_in_space(question_, origin, u, v);
+    // The load itself is to be seen.
+    for (MapAxis* axis : {&plane.s, &plane.t}) {
+      axis->range.high = std::max(axis->range.high, Rational(most * Rational(5, 4)));
+      axis->range.low = -axis->range.high;
+    }
+    cells_finer_and_finer(plane.grasp, plane.s, plane.t,
+                          [&](const std::vector<MapCell>& cells) {
+                            found = region_json(question_, plane, cells);
+                          });
+  }
+
+  RationalRow one_load() const {
     RationalRow load;
     for (const Interval& w : wrench_of(question_.grasp)) {
       if (!w.is_point()) refuse_box();
       load.push_back(w.low);
     }
+    return load;
+  }
+
+  /// The load is the direction, and nothing else of it is left.
+  QuestionText along_the_load() const {
+    if (!question_.in_space()) one_grasp(question_);
+    const RationalRow load = one_load();
     std::string direction;
     bool is_zero = true;
     for (const Rational& w : load) {
@@ -353,24 +397,32 @@ class PageAnswer {
     found = margin_json(question, std::get<Margin>(margin), work, std::nullopt);
   }
 
-  /// Coarse, and then finer.
   void map(Json& found) const {
     const LoadedGrasp& one = one_grasp(question_);
     if (one.wrench == Wrench{}) throw NotToBeHad{"there is no load to vary"};
     const GraspBox grasp = box_of(one);
     const MapAxis x = parse_axis(grasp, "friction=0:2", "x");
     const MapAxis y = parse_axis(grasp, "load=0:2", "y");
+    cells_finer_and_finer(grasp, x, y, [&](const std::vector<MapCell>& cells) {
+      found = map_json(question_, x, y, cells);
+    });
+  }
+
+  template <class Keep>
+  void cells_finer_and_finer(const GraspBox& grasp, const MapAxis& x, const MapAxis& y,
+                             const Keep& keep) const {
     MapOptions options;
     options.box.node_limit = limits_.node_limit;
     for (options.depth = kCoarsestMap; options.depth <= kFinestMap; ++options.depth) {
       std::vector<MapCell> cells;
       map_verdicts(grasp, question_.law, x, y, options,
                    [&](MapCell cell) { cells.push_back(std::move(cell)); });
-      found = map_json(question_, x, y, cells);
+      keep(cells);
     }
   }
 
-  const GraspFile& file_;
+  std::string text_;  ///< of the file, with its body
+  GraspFile file_;
   QuestionText asked_;
   const PageLimits& limits_;
   const std::string& name_;

@@ -37,10 +37,14 @@
   const isAxis = (v, j) => v.every((x, k) => Number(x) === (k === j ? 1 : 0));
   function axisName(v, letter) {
     const units = page.unitsOf();
-    const names = ["force along x", "force along y", "torque"];
-    const unit = units ? [units.force, units.force, units.force + " " + units.length] : null;
-    const j = [0, 1, 2].find((k) => isAxis(v, k));
-    return j === undefined ? letter + " " + page.tuple(v) : names[j] + (unit ? " /" + unit[j] : "");
+    const names =
+      v.length === 3
+        ? ["force along x", "force along y", "torque"]
+        : ["x", "y", "z"].map((axis) => "force along " + axis).concat(["x", "y", "z"].map((axis) => "torque about " + axis));
+    const j = names.findIndex((_, k) => isAxis(v, k));
+    if (j < 0) return letter + " " + page.tuple(v);
+    const unit = units && (names[j].startsWith("force") ? units.force : units.force + " " + units.length);
+    return names[j] + (unit ? " /" + unit : "");
   }
 
   let regionView = null;
@@ -85,6 +89,7 @@
     regionView = null;
     page.find("region-panel").hidden = !region;
     if (!region) return;
+    if (region.cells) return drawRegionInCells(region);
     if (region.limit) return void page.put("region", html("p", {}, "No region is known: " + region.limit + (region.remedy ? "; " + region.remedy : "") + "."));
     const load = loadInPlane(region);
     const corners = [
@@ -469,102 +474,117 @@
     const { map } = page.answer;
     page.find("map-panel").hidden = !map;
     if (!map) return;
+    const factors = ["friction", "load", "stiffness", "preload"];
+    const name = ({ name }) => (factors.includes(name) ? name + ", times that of the file" : name);
+    drawCells("map", map, {
+      label: "Map: where the grasp holds, over " + map.x.name + " and " + map.y.name,
+      names: [name(map.x), name(map.y)],
+      words: ["stable", "unstable"],
+      here: factors.includes(map.x.name) && factors.includes(map.y.name) ? [1, 1] : null,
+      hereIs: "this grasp",
+    });
+  }
+
+  /** Of a plane of loads in space. */
+  function drawRegionInCells(region) {
+    const load = loadInPlane(region);
+    const { plane } = region;
+    drawCells("region", region, {
+      label: "Region of resistible loads, cell by cell.",
+      names: [axisName(plane.u, "s"), axisName(plane.v, "t")],
+      words: ["resisted", "not resisted"],
+      here: load && [load.s, load.t],
+      handle: (view) => {
+        regionView = { ...view, plane };
+        return load && page.regionHandle ? page.regionHandle(view.place([load.s, load.t]), region) : null;
+      },
+      hereIs: load && load.inside ? "the present load" : "of the present load, what is in this plane",
+      note: plane.origin.some((x) => page.Fraction.of(x).sign() !== 0)
+        ? html("p", { class: "muted" }, "Wrench at (0, 0): ", page.numbers(plane.origin), ".")
+        : null,
+    });
+  }
+
+  /** A window of a plane in cells, each with a verdict that holds throughout; `id` is its place. */
+  function drawCells(id, { x, y, cells }, { label, names, words, here, hereIs, handle = () => null, note = null }) {
     const number = (text) => page.Fraction.of(text).toNumber();
-    const width = page.canvasWidth("map", 460);
+    const width = page.canvasWidth(id, 460);
     const [left, right, top, bottom] = [58, 12, 12, 46];
     const side = width - left - right;
     const height = side + top + bottom;
-    const axis = [map.x, map.y].map(({ range }) => range.map(number));
-    const place = (x, y) => [
-      left + (side * (x - axis[0][0])) / (axis[0][1] - axis[0][0]),
-      top + side - (side * (y - axis[1][0])) / (axis[1][1] - axis[1][0]),
+    const axis = [x, y].map(({ range }) => range.map(number));
+    const place = (at) => [
+      left + (side * (at[0] - axis[0][0])) / (axis[0][1] - axis[0][0]),
+      top + side - (side * (at[1] - axis[1][0])) / (axis[1][1] - axis[1][0]),
+    ];
+    const unplace = (at) => [
+      axis[0][0] + ((at[0] - left) * (axis[0][1] - axis[0][0])) / side,
+      axis[1][0] + ((top + side - at[1]) * (axis[1][1] - axis[1][0])) / side,
     ];
     const paths = { stable: "", unstable: "", undecided: "", fragile: "" };
-    for (const cell of map.cells) {
-      const [x0, y0] = place(number(cell.x[0]), number(cell.y[0]));
-      const [x1, y1] = place(number(cell.x[1]), number(cell.y[1]));
+    for (const cell of cells) {
+      const [x0, y0] = place([number(cell.x[0]), number(cell.y[0])]);
+      const [x1, y1] = place([number(cell.x[1]), number(cell.y[1])]);
       paths[cell.verdict] +=
         "M" + path.at([x0, y0]) + "H" + x1.toFixed(2) + "V" + y1.toFixed(2) + "H" + x0.toFixed(2) + "Z";
     }
-    const words = {
-      friction: "friction, times that of the file",
-      load: "load, times that of the file",
-      stiffness: "stiffness, times that of the file",
-      preload: "preload, times that of the file",
-    };
     const ticks = [0, 1].map((j) => page.ticks(axis[j][0], axis[j][1], Math.max(4, Math.floor(side / 62))));
-    const here =
-      ["x", "y"].every((j) => ["friction", "load", "stiffness", "preload"].includes(map[j].name)) &&
-      axis.every(([low, high]) => low <= 1 && 1 <= high)
-        ? place(1, 1)
-        : null;
+    const isSeen = here && axis.every(([low, high], j) => low <= here[j] && here[j] <= high);
     const frame = { x: left, y: top, width: side, height: side };
+    const diamond = ([x, y], size) => path.ring([[x + size, y], [x, y + size], [x - size, y], [x, y - size]]);
+    const hatch = id + "-hatch";
     page.put(
-      "map",
+      id,
       page.picture(
         width,
         height,
-        { role: "img", "aria-label": "Map: where the grasp holds, over " + map.x.name + " and " + map.y.name },
-        hatching("map-hatch", "hue5"),
+        { role: "img", "aria-label": label },
+        hatching(hatch, "hue5"),
         svg("rect", { class: "paper", ...frame }),
         svg("path", { class: "hue0", d: paths.stable, "shape-rendering": "crispEdges" }),
-        svg("path", { style: "fill: url(#map-hatch)", d: paths.unstable, "shape-rendering": "crispEdges" }),
+        svg("path", { style: "fill: url(#" + hatch + ")", d: paths.unstable, "shape-rendering": "crispEdges" }),
         svg("rect", { class: "frame", ...frame }),
         ticks[0].map((value) => [
-          svg("path", { class: "axis-line", d: "M" + path.at(place(value, axis[1][0])) + "v5" }),
-          svg("text", { class: "small middle", x: place(value, 0)[0], y: top + side + 17 }, page.near(value, 3)),
+          svg("path", { class: "axis-line", d: "M" + path.at(place([value, axis[1][0]])) + "v5" }),
+          svg("text", { class: "small middle", x: place([value, 0])[0], y: top + side + 17 }, page.near(value, 3)),
         ]),
         ticks[1].map((value) => [
-          svg("path", { class: "axis-line", d: "M" + path.at(place(axis[0][0], value)) + "h-5" }),
-          svg("text", { class: "small end", x: left - 8, y: place(0, value)[1] + 4 }, page.near(value, 3)),
+          svg("path", { class: "axis-line", d: "M" + path.at(place([axis[0][0], value])) + "h-5" }),
+          svg("text", { class: "small end", x: left - 8, y: place([0, value])[1] + 4 }, page.near(value, 3)),
         ]),
-        here
+        isSeen
           ? svg(
               "g",
               { class: "present" },
-              svg(
-                "path",
-                {
-                  class: "here",
-                  d: path.ring([
-                    [here[0] + 7, here[1]],
-                    [here[0], here[1] + 7],
-                    [here[0] - 7, here[1]],
-                    [here[0], here[1] - 7],
-                  ]),
-                },
-                svg("title", {}, "this grasp"),
-              ),
+              svg("path", { class: "here", d: diamond(place(here), 7) }, svg("title", {}, hereIs)),
             )
           : null,
-        svg("text", { class: "middle", x: left + side / 2, y: height - 10 }, words[map.x.name] || map.x.name),
-        svg(
-          "text",
-          { class: "middle", transform: "translate(14 " + (top + side / 2) + ") rotate(-90)" },
-          words[map.y.name] || map.y.name,
-        ),
+        handle({ place, unplace }),
+        svg("text", { class: "middle", x: left + side / 2, y: height - 10 }, names[0]),
+        svg("text", { class: "middle", transform: "translate(14 " + (top + side / 2) + ") rotate(-90)" }, names[1]),
       ),
     );
     page.put(
-      "map-note",
+      id + "-note",
       page.legend([
         {
           drawing: page.sign(svg("rect", { class: "hue0", x: 2, y: 2, width: 22, height: 14 })),
-          text: "stable, proved throughout each cell",
+          text: words[0] + ", proved throughout each cell",
         },
         {
           drawing: page.sign([
             svg("rect", { class: "hue5", x: 2, y: 2, width: 22, height: 14 }),
             svg("path", { class: "hatching", d: "M6 16L20 2M2 11L11 2M15 16L24 7" }),
           ]),
-          text: "unstable, proved throughout each cell",
+          text: words[1] + ", proved throughout each cell",
         },
         {
           drawing: page.sign(svg("rect", { class: "paper frame", x: 2, y: 2, width: 22, height: 14 })),
           text: "not decided in the finest cells",
         },
-        here && { drawing: page.sign(svg("path", { class: "here", d: "M13 2L20 9L13 16L6 9Z" })), text: "this grasp" },
+        isSeen && { drawing: page.sign(svg("path", { class: "here", d: diamond([13, 9], 7) })), text: hereIs },
       ]),
+      note,
     );
   }
 

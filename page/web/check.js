@@ -578,6 +578,29 @@ function read_outline(value, place) {
   });
 }
 
+/** The element of a list that a whole number names. */
+function named_by(number, list, place, what) {
+  const k = grasp_number(number, `${place}, ${what}`);
+  if (k.d !== 1n || k.n < 0n || k.n >= BigInt(list.length)) {
+    throw new Malformed(`${place}, ${what}`, `there is no ${what} ${printable(k)}; they are 0 to ${list.length - 1}`);
+  }
+  return list[Number(k.n)];
+}
+
+/** FORMAT.md §7: it has no meaning here. */
+function check_body(value) {
+  known_members(value, 'body', ['vertices', 'faces'], ['vertices', 'faces']);
+  const vertices = array_of(value.get('vertices'), 'body.vertices')
+      .map((vertex, i) => grasp_numbers(vertex, `body.vertices[${i}]`, 3));
+  const faces = array_of(value.get('faces'), 'body.faces');
+  if (faces.length === 0) throw new Malformed('body.faces', 'no face');
+  faces.forEach((face, j) => {
+    const place = `body.faces[${j}]`;
+    if (array_of(face, place).length < 3) throw new Malformed(place, 'fewer than three vertices');
+    for (const number of face) named_by(number, vertices, place, 'vertex');
+  });
+}
+
 function read_place(value, place, outline) {
   if (outline === null) throw new Malformed(place, 'the file has no outline');
   let [polygon, edge, share] = [new Numeral('0'), undefined, undefined];
@@ -588,14 +611,7 @@ function read_place(value, place, outline) {
     [edge, share] = [value.get('edge'), value.get('share')];
     if (value.has('polygon')) polygon = value.get('polygon');
   }
-  const index = (number, list, what) => {
-    const k = grasp_number(number, `${place}, ${what}`);
-    if (k.d !== 1n || k.n < 0n || k.n >= BigInt(list.length)) {
-      throw new Malformed(`${place}, ${what}`, `there is no ${what} ${printable(k)}; they are 0 to ${list.length - 1}`);
-    }
-    return list[Number(k.n)];
-  };
-  const {a, b, normal} = index(edge, index(polygon, outline, 'polygon'), 'edge');
+  const {a, b, normal} = named_by(edge, named_by(polygon, outline, place, 'polygon'), place, 'edge');
   const t = grasp_number(share, `${place}, share`);
   if (t.sign() < 0 || t.compare(ONE) > 0) throw new Malformed(`${place}, share`, `${printable(t)} is not from 0 to 1`);
   return [a.map((x, j) => x.plus(t.times(b[j].minus(x)))), normal];
@@ -681,7 +697,7 @@ function read_grasp(text) {
   if (file.has('normals')) {
     throw new Malformed('normals', 'unknown; stickslip snap GRASP -o FILE writes normals of rational length');
   }
-  const more = ['units', 'outline', 'loads', 'cases'];
+  const more = ['units', 'outline', 'body', 'loads', 'cases'];
   for (const key of more) {
     if (version === 1 && file.has(key)) throw new Malformed(key, 'needs "format": "stickslip-grasp/2"');
   }
@@ -708,6 +724,10 @@ function read_grasp(text) {
   }
   if (space && file.has('outline')) throw new Malformed('outline', 'a grasp in space has none');
   const outline = file.has('outline') ? read_outline(file.get('outline'), 'outline') : null;
+  if (file.has('body')) {
+    if (!space) throw new Malformed('body', 'a grasp in the plane has none');
+    check_body(file.get('body'));
+  }
 
   const defaults = new Map([['stiffness', [ONE, ONE]], ['preload', [ZERO, ZERO]]]);
   if (file.has('defaults')) {

@@ -82,7 +82,32 @@
   };
   const spell = (number) => new Spelled(String(number));
 
+  /** A number near what is spelled. */
+  const double = function (spelled) {
+    const [over, under = 1] = String(spelled).split("/");
+    return Number(over) / Number(under);
+  };
+
+  /** For drawing: a body's triangles, each three points, and the corners of the box around it. */
+  function solidOf(body) {
+    const vertices = body.vertices.map((vertex) => vertex.map(double));
+    const faces = body.faces.map((face) => face.map((v) => vertices[double(v)]));
+    const ends = (choose) =>
+      [0, 1, 2].map((j) => vertices.reduce((end, vertex) => choose(end, vertex[j]), vertices[0][j]));
+    const written = new Spelled(write(body));
+    return {
+      triangles: faces.flatMap((face) => face.slice(2).map((point, k) => [face[0], face[k + 1], point])),
+      ends: [ends(Math.min), ends(Math.max)],
+      size: page.count(vertices.length, "vertex", "vertices") + " and " + page.count(faces.length, "face"),
+      written,
+      // That a link is to a grasp with this body.
+      mark: [...written.text].reduce((sum, c) => (31 * sum + c.charCodeAt(0)) % 4294967291, 7),
+    };
+  }
+
+  page.solid = null; // the body in space that a file gave; null: it is sketched
   page.grasp = {
+    /** A body in the file becomes that of the page. A file without one leaves it: what is asked and answered has none. */
     load(text) {
       source = text;
       try {
@@ -90,8 +115,25 @@
       } catch (error) {
         file = null;
       }
+      if (!file || !file.body) return;
+      const { body, ...rest } = file;
+      file = rest;
+      page.solid = solidOf(body);
+      changed();
     },
+    /** The file without the body. */
     text: () => source,
+    /** The file with it. */
+    whole() {
+      if (!page.solid || !page.isSpatial()) return source;
+      const entries = Object.entries(file);
+      entries.splice(
+        entries.findIndex(([key]) => key === "contacts"),
+        0,
+        ["body", page.solid.written],
+      );
+      return writeFile(Object.fromEntries(entries));
+    },
     units: () => (file && file.units) || null,
     contacts: () => (file ? file.contacts : []),
     /** Of ring r, counted through the whole outline: its polygon, and whether it is a hole. */

@@ -6,6 +6,7 @@
   const { html, svg, vector } = page;
   const kParts = ["decide", "states", "region", "margin", "map"];
   const kSlow = 150; // milliseconds: if answers take longer, only the verdict follows a drag
+  const kLate = 1000; // milliseconds after which a verdict is given up for that of a newer grasp
   const kRest = 250; // milliseconds without a change until what takes longer is asked for
   const kUncertain = ["0", "5%", "10%", "20%", "50%"];
 
@@ -16,6 +17,7 @@
   let wanted = null; // the parts that are asked for next
   let underWay = null; // {parts, abort}
   let restTimer = null;
+  let lateTimer = null;
   let slow = false;
   let dragging = null;
 
@@ -26,7 +28,7 @@
   const isLong = (parts) => !parts.includes("decide");
   /** The parts that are about another grasp than the present one. */
   const missing = () =>
-    kParts.filter((part) => versions[part] !== version && !(page.isSpatial() && !["decide", "margin"].includes(part)));
+    kParts.filter((part) => versions[part] !== version && !(page.isSpatial() && ["states", "map"].includes(part)));
 
   function change() {
     ++version;
@@ -40,14 +42,23 @@
     document.body.classList.add("busy");
     if (!underWay) send();
     else if (isLong(underWay.parts)) underWay.abort.abort(); // the verdict does not wait for a map
+    else giveUpLate();
+  }
+
+  /** What is under way is not waited for beyond kLate if something newer is asked. */
+  function giveUpLate() {
+    const old = underWay;
+    clearTimeout(lateTimer);
+    lateTimer = setTimeout(() => wanted && underWay === old && old.abort.abort(), old.start + kLate - performance.now());
   }
 
   async function send() {
     while (wanted) {
-      underWay = { parts: wanted, version, abort: new AbortController() };
+      const start = performance.now();
+      underWay = { parts: wanted, version, abort: new AbortController(), start };
       wanted = null;
       const { parts } = underWay;
-      const start = performance.now();
+      const decidingTimer = isLong(parts) ? null : setTimeout(() => (page.find("deciding").hidden = false), kSlow);
       try {
         const reply = await fetch("/answer", {
           method: "POST",
@@ -63,6 +74,9 @@
       } catch (error) {
         if (error.name !== "AbortError") say("The server does not answer. Is `stickslip serve` still running?");
       }
+      clearTimeout(decidingTimer);
+      // As long as verdicts come late, the word stays.
+      if (!wanted) page.find("deciding").hidden = true;
     }
     underWay = null;
     document.body.classList.remove("busy");
@@ -107,7 +121,9 @@
 
   /** The grasp in the link of the page. */
   function remember() {
-    const bytes = new TextEncoder().encode(JSON.stringify({ grasp: page.grasp.text(), options }));
+    // The body may be long, and is here anyway.
+    const body = page.isSpatial() && page.solid ? page.solid.mark : undefined;
+    const bytes = new TextEncoder().encode(JSON.stringify({ grasp: page.grasp.text(), options, body }));
     const text = btoa(String.fromCharCode(...bytes))
       .replace(/\+/g, "-")
       .replace(/\//g, "_")
@@ -193,6 +209,85 @@
     contact.normal = vector.unit(normal);
   }
 
+  // In space: contacts run over the body, and the load acts at a point that is dragged, too.
+
+  let loadAt = null; // that point; null: the middle of the drawing
+  page.loadPoint = () => loadAt || (page.keepView || { frame: page.frame() }).frame.centre;
+  const kFine = 1e-4; // of a size: of places on the body
+  const kFineNormal = 1e-6;
+
+  function placeInSpace(i, place) {
+    if (!place) return;
+    const by = page.roundDown(kFine * page.bodyView().frame.radius);
+    const position = place.position.map((x) => page.decimal(x, by));
+    const normal = place.normal.map((x) => page.decimal(x, kFineNormal));
+    page.grasp.place(i, position, normal);
+    Object.assign(page.answer.contacts[i], { position: position.map(Number), normal: normal.map(Number) });
+  }
+
+  const crossed = ([a, b, c], [x, y, z]) => [
+    b.times(z).minus(c.times(y)),
+    c.times(x).minus(a.times(z)),
+    a.times(y).minus(b.times(x)),
+  ];
+  const fractions = (numbers) => numbers.map((x) => page.Fraction.of(x));
+  const spelledExactly = (x) =>
+    page.Fraction.of(x.toNumber()).minus(x).sign() === 0 ? String(x.toNumber()) : JSON.stringify(x.toString());
+
+  /** The load as it is, of a force at a point and a torque about it: a drag begins there, whatever is answered meanwhile. */
+  function presentLoad() {
+    const [load, point] = [fractions(page.load()), fractions(page.loadPoint())];
+    const [force, arm] = [load.slice(0, 3), crossed(point, load.slice(0, 3))];
+    return { force, point, torque: load.slice(3).map((t, j) => t.minus(arm[j])) };
+  }
+  function setLoadInSpace({ force, point, torque }) {
+    const arm = crossed(point, force);
+    setLoad([...force, ...torque.map((t, j) => t.plus(arm[j]))].map(spelledExactly));
+  }
+  function setForceInSpace(start, force) {
+    const most = Math.max(...[...force, ...start.force.map((x) => x.toNumber())].map(Math.abs), 1e-12);
+    const near = (f, j) => (f === start.force[j].toNumber() ? start.force[j] : page.decimal(f, step(most)));
+    setLoadInSpace({ ...start, force: fractions(force.map(near)) });
+  }
+  function moveLoad(start, place) {
+    const point = fractions(place.map((x) => page.decimal(x, step(page.bodyView().frame.radius))));
+    setLoadInSpace({ ...start, point });
+    loadAt = point.map((x) => x.toNumber());
+  }
+
+  /** On the canvas; places are pixels there. */
+  function handlesInSpace(view) {
+    const make = (name, at, radius, label, drag) => {
+      const [x, y] = at;
+      const keys = (arrow) => drag([x + kPixels * arrow[0], y - kPixels * arrow[1]], true);
+      return handle(name, at, radius, label, "space", (pixel) => pixel, drag, keys);
+    };
+    const circles = view.contacts.map((contact, i) =>
+      make("contact-" + i, view.place(contact.position), 14, "Contact " + i + ": arrow keys move it", (pixel, byKey) =>
+        placeInSpace(i, view.onBody(pixel, byKey ? contact.position : null)),
+      ),
+    );
+    if (!view.load) return circles;
+    const { tail, tip, isForce } = view.load;
+    const start = presentLoad();
+    if (isForce)
+      circles.push(
+        make("load-point", view.place(tail), 9, "Point where the load acts: arrow keys move it", (pixel) =>
+          moveLoad(start, view.besides(pixel, tail)),
+        ),
+      );
+    const setTip = (pixel) =>
+      setForceInSpace(
+        start,
+        vector.add(view.besides(pixel, tip), -1, tail).map((x) => x * view.perLength),
+      );
+    circles.push(make("load", view.place(tip), 12, "Load: arrow keys change its force", setTip));
+    return circles;
+  }
+  const kPixels = 8; // of an arrow key
+
+  // In the plane.
+
   /** Sets the force, and keeps the torque about the middle of the drawing. */
   function setForce(force) {
     const load = page.load();
@@ -252,6 +347,7 @@
   /** In the drawing of the body: contacts, tips of normals, the tip of the load. */
   page.handles = function (view) {
     if (!page.answer.live) return null;
+    if (page.isSpatial()) return handlesInSpace(view);
     const { unplace } = view;
     const fine = step(page.frame().radius) * 2;
     const circles = [];
@@ -316,19 +412,24 @@
 
   /** The present load in the region, where that is one of forces. */
   page.regionHandle = function (at, { plane }) {
-    const isForces = String(plane.u) === "1,0,0" && String(plane.v) === "0,1,0";
-    if (!page.answer.live || !isForces) return null;
-    const { unplace } = page.regionView();
-    return handle(
-      "region-load",
-      at,
-      12,
-      "Load in the region: arrow keys change its force",
-      "region",
-      unplace,
-      setForce,
-      nudgeForce,
+    const axes = [plane.u, plane.v].map((v) => v.findIndex((x) => String(x) === "1"));
+    const isForces = [plane.u, plane.v].every(
+      (v, k) => axes[k] < v.length / 2 && v.every((x, j) => String(x) === (j === axes[k] ? "1" : "0")),
     );
+    if (!page.answer.live || !isForces || (!page.isSpatial() && axes[0] > axes[1])) return null;
+    const inSpace = () => {
+      const start = presentLoad();
+      const set = ([s, t]) => {
+        const force = start.force.map((x) => x.toNumber());
+        [force[axes[0]], force[axes[1]]] = [s, t];
+        setForceInSpace(start, force);
+      };
+      const now = axes.map((j) => page.load()[j]);
+      return [set, (arrow) => set(vector.add(now, 5 * step(Math.max(...page.load().slice(0, 3).map(Math.abs)) || 1), arrow))];
+    };
+    const [drag, keys] = page.isSpatial() ? inSpace() : [setForce, nudgeForce];
+    const { unplace } = page.regionView();
+    return handle("region-load", at, 12, "Load in the region: arrow keys change its force", "region", unplace, drag, keys);
   };
 
   function begin(event, name, drawing, unplace, drag) {
@@ -462,7 +563,8 @@
         answer.dimension === 3
           ? "Drag a contact, the ring on its normal, or the tip of the load, also that in the region below; " +
               "or go to them with Tab, and use the arrow keys."
-          : "Change the numbers; the drawing and the proof follow.",
+          : "Drag a contact over the body, the tip of the load, also that in the region below, or the point where it acts; " +
+              "or go to them with Tab, and use the arrow keys. Beside them the mouse turns the body.",
       ),
       html(
         "div",
@@ -634,6 +736,7 @@
     if (found) {
       page.grasp.load(found.grasp);
       options = found.options;
+      if (page.solid && page.solid.mark !== found.body) page.solid = null;
       change();
     } else {
       // The server begins with the verdict.

@@ -60,7 +60,7 @@
       setTheme(kThemes[(kThemes.indexOf(theme) + 1) % kThemes.length]);
     });
     page.find("exact-numbers").addEventListener("change", (event) => page.show({ exact: event.target.checked }));
-    page.find("save-grasp").addEventListener("click", () => page.save(page.fileName(".json"), page.grasp.text()));
+    page.find("save-grasp").addEventListener("click", () => page.save(page.fileName(".json"), page.grasp.whole()));
     page
       .find("save-proof")
       .addEventListener("click", () => page.save(page.fileName(".certificate.json"), page.answer.certificate));

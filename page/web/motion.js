@@ -22,6 +22,7 @@
   page.frame = function () {
     const axes = page.isSpatial() ? 3 : 2;
     const points = [...page.answer.contacts.map((c) => c.position), ...(page.answer.outline || []).flat()];
+    if (page.isSpatial() && page.solid) points.push(...page.solid.ends);
     const centre = Array(axes).fill(0);
     if (points.length === 0) return { centre, radius: 1 };
     const low = centre.map((_, j) => Math.min(...points.map((p) => p[j])));

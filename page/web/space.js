@@ -7,6 +7,7 @@
   const kLongestForce = 0.6;
   const kLongestCone = 0.6;
   const kTurn = Math.PI / 24;
+  const kCrease = 18; // degrees between faces from which on their edge is drawn
 
   let renderer = null;
   let scene = null;
@@ -14,6 +15,8 @@
   let moving = null; // what the animation moves
   let look = { azimuth: -0.9, height: 0.45, distance: 5.2 };
   const kHome = { ...look };
+  /** Where the load's arrow begins; about it is the torque that is drawn. */
+  page.loadPoint = () => page.frame().centre;
   let target = [0, 0, 0]; // what is looked at: the middle of the body
   let reach = 1; // its size
 
@@ -157,15 +160,36 @@
     return points;
   }
 
-  function body(triangles, name, opacity, edges) {
-    const geometry = new THREE.BufferGeometry();
-    geometry.setAttribute("position", new THREE.Float32BufferAttribute(triangles.flat(2), 3));
-    geometry.computeVertexNormals();
+  /** The triangles of the body, scaled: those of the page's body, or of a hull around the contacts. */
+  function trianglesOf({ frame, contacts }) {
+    if (!page.solid) return hull(bodyPoints(contacts));
+    const key = [page.solid.mark, frame.radius, ...frame.centre].join(" ");
+    const scaled = (triangle) => triangle.map((p) => inScene(p, frame));
+    if (kept.key !== key) kept = { key, triangles: page.solid.triangles.map(scaled) };
+    return kept.triangles;
+  }
+  let kept = {}; // of the page's body, from drawing to drawing, as a large one takes a while
+
+  /** What is drawn of triangles: {faces, edges}. */
+  function surface(triangles) {
+    if (kept.triangles === triangles && kept.surface) return kept.surface;
+    const faces = new THREE.BufferGeometry();
+    faces.setAttribute("position", new THREE.Float32BufferAttribute(triangles.flat(2), 3));
+    faces.computeVertexNormals();
+    const found = { faces, edges: new THREE.EdgesGeometry(faces, kCrease) };
+    if (kept.triangles === triangles) {
+      kept.surface = found;
+      for (const geometry of Object.values(found)) geometry.userData.kept = true;
+    }
+    return found;
+  }
+
+  function body({ faces, edges }, name, opacity, material) {
     const group = new THREE.Group();
-    const outline = new THREE.LineSegments(new THREE.EdgesGeometry(geometry, 18), edges);
-    if (edges.isLineDashedMaterial) outline.computeLineDistances();
+    const outline = new THREE.LineSegments(edges, material);
+    if (material.isLineDashedMaterial) outline.computeLineDistances();
     group.add(outline);
-    if (opacity > 0) group.add(new THREE.Mesh(geometry, solid(name, opacity)));
+    if (opacity > 0) group.add(new THREE.Mesh(faces, solid(name, opacity)));
     return group;
   }
 
@@ -241,11 +265,12 @@
     const motion = page.motion();
     const name = motion.kind === "twist" ? "virtual" : "motion";
     const factor = motion.twist ? page.enlargement(motion.twist, frame) : 0;
-    const triangles = hull(bodyPoints(contacts));
-    if (triangles.length > 0)
+    const { triangles } = view;
+    const shape = triangles.length > 0 ? surface(triangles) : null;
+    if (shape)
       parts.push(
         body(
-          triangles,
+          shape,
           "body-line",
           0.16,
           new THREE.LineBasicMaterial({ color: colour("body-line"), transparent: true, opacity: 0.55 }),
@@ -255,13 +280,16 @@
     const forces = motion.kind === "equilibrium" ? page.forces() : null;
     const load = page.load();
     const force = load ? load.slice(0, 3) : [0, 0, 0];
-    const unit =
+    view.unit =
+      view.unit ||
       Math.max(
         ...contacts.map((c) => c.preload),
         ...(forces || []).flatMap((f) => f.force.map(Math.abs)),
         ...force.map(Math.abs),
         0,
-      ) || 1;
+      ) ||
+      1;
+    const { unit } = view;
     const length = (v) => v.map((x) => (kLongestForce * x) / unit);
     contacts.forEach((c, i) => {
       parts.push(
@@ -277,19 +305,27 @@
       }
     });
     const size = Math.max(...force.map(Math.abs));
-    view.loadFactor = size > 0 && size < unit / 8 ? page.roundDown((0.6 * unit) / size) : 1;
-    parts.push(arrow([0, 0, 0], length(force.map((x) => x * view.loadFactor)), "load", 0.022));
+    view.loadFactor =
+      view.loadFactor || (size > 0 && size < unit / 8 ? page.roundDown((0.6 * unit) / size) : 1);
+    view.perLength = unit / (kLongestForce * view.loadFactor * frame.radius);
+    view.load = null;
     if (load) {
-      const there = vector.add(load.slice(3), -1, vector.cross(frame.centre, force));
-      if (Math.hypot(...there) > 1e-9 * (1 + Math.hypot(...load))) parts.push(torque([0, 0, 0], there, "load"));
-      view.torque = there;
+      const point = page.loadPoint();
+      const tail = inScene(point);
+      const along = length(force.map((x) => x * view.loadFactor));
+      parts.push(arrow(tail, along, "load", 0.022));
+      const there = vector.add(load.slice(3), -1, vector.cross(point, force));
+      const isThere = Math.hypot(...there) > 1e-9 * (1 + Math.hypot(...load));
+      if (isThere) parts.push(torque(tail, there, "load"));
+      view.torque = isThere ? there : null;
+      view.load = { tail: inFile(tail), tip: inFile(vector.add(tail, 1, along)), isForce: size > 0 };
     }
     moving = null;
     if (factor > 0) {
       parts.push(...drawScrew(motion.twist, frame, name));
-      if (triangles.length > 0) {
+      if (shape) {
         moving = body(
-          triangles,
+          shape,
           name,
           0.08,
           new THREE.LineDashedMaterial({ color: colour(name), dashSize: 0.06, gapSize: 0.045 }),
@@ -299,8 +335,7 @@
       }
     }
     // The axes of the file's frame, in a corner of the body's surroundings.
-    const low = [0, 1, 2].map((j) => Math.min(0, ...contacts.map((c) => c.at[j])));
-    const corner = low.map((x) => x - 0.4);
+    const corner = view.ends[0].map((x) => x - 0.4);
     [
       [1, 0, 0],
       [0, 1, 0],
@@ -348,36 +383,46 @@
     renderer.render(scene, camera);
   }
 
+  /** The corners of the box around the origin and these points. */
+  const boxAround = (points) =>
+    [Math.min, Math.max].map((end) => [0, 1, 2].map((j) => points.reduce((x, p) => end(x, p[j]), 0)));
+
   let view = null;
+  function makeView() {
+    const frame = page.keepView ? page.keepView.frame : page.frame();
+    const contacts = page.answer.contacts.map((c) => ({
+      ...c,
+      normal: vector.unit(c.normal),
+      at: inScene(c.position, frame),
+    }));
+    // While something is dragged, the body stays, and so do the scales.
+    if (page.keepView) return { ...page.keepView, contacts };
+    const triangles = trianglesOf({ frame, contacts });
+    const ends = boxAround([...contacts.map((c) => c.at), ...(page.solid ? page.solid.ends : []).map((p) => inScene(p, frame))]);
+    return { frame, contacts, triangles, ends, place, onBody, besides };
+  }
+
   function draw() {
-    if (!renderer || !page.isSpatial()) return;
-    const frame = page.frame();
-    view = {
-      frame,
-      contacts: page.answer.contacts.map((c) => ({
-        ...c,
-        normal: vector.unit(c.normal),
-        at: vector.add(c.position, -1, frame.centre).map((x) => x / frame.radius),
-      })),
-    };
-    const points = view.contacts.map((c) => c.at);
-    if (points.length > 0) {
-      const ends = [0, 1, 2].map((j) => [
-        Math.min(0, ...points.map((p) => p[j])),
-        Math.max(0, ...points.map((p) => p[j])),
-      ]);
-      target = ends.map(([low, high]) => (low + high) / 2);
-      reach = Math.max(0.6, Math.hypot(...ends.map(([low, high]) => high - low)) / 2.6);
+    if (!page.isSpatial()) return drawPlane();
+    if (!renderer) return;
+    view = makeView();
+    const { frame } = view;
+    if (view.contacts.length > 0 || page.solid) {
+      const [low, high] = view.ends;
+      target = low.map((x, j) => (x + high[j]) / 2);
+      reach = Math.max(0.6, Math.hypot(...high.map((x, j) => x - low[j])) / 2.6);
     }
     const width = page.canvasWidth("space", 640);
     const height = Math.round(Math.min(520, width * 0.8));
+    view.size = [width, height];
+    page.find("space-frame").style.width = width + "px";
     renderer.setPixelRatio(window.devicePixelRatio || 1);
     renderer.setSize(width, height);
     camera.aspect = width / height;
     camera.updateProjectionMatrix();
     for (const part of scene ? scene.children : [])
       part.traverse((o) => {
-        if (o.geometry) o.geometry.dispose();
+        if (o.geometry && !o.geometry.userData.kept) o.geometry.dispose();
         if (o.material && o.material.map) o.material.map.dispose();
         if (o.material) o.material.dispose();
       });
@@ -394,6 +439,7 @@
       render();
     });
     render();
+    placeHandles();
     renderer.domElement.setAttribute(
       "aria-label",
       "The grasp in space: " +
@@ -428,8 +474,7 @@
             text: "load" + (view.loadFactor === 1 ? "" : ", " + page.factorText(view.loadFactor)),
           },
         load &&
-          view.torque &&
-          Math.hypot(...view.torque) > 1e-9 && {
+          view.torque && {
             drawing: page.sign(page.torqueArrow([13, 11], 7, true)),
             text: "torque " + page.nearTuple(view.torque) + (units ? " " + units.force + " " + units.length : ""),
           },
@@ -445,7 +490,8 @@
       html(
         "p",
         { class: "muted" },
-        "The body is sketched around the contacts. Turn it with the mouse or the arrow keys.",
+        (page.solid ? "" : "No body is given: it is sketched around the contacts. ") +
+          "Turn it with the mouse or the arrow keys.",
       ),
     ];
   }
@@ -454,11 +500,66 @@
     look.azimuth += azimuth;
     look.height = Math.max(-1.5, Math.min(1.5, look.height + height));
     render();
+    placeHandles();
+  }
+
+  // From the frame of the file to the canvas, and back.
+
+  const inFile = (at) => vector.add(view.frame.centre, view.frame.radius, at);
+  const inScene = (position, { centre, radius } = view.frame) => vector.add(position, -1, centre).map((x) => x / radius);
+
+  /** Where a position is on the canvas, in pixels. */
+  function place(position) {
+    const [width, height] = view.size;
+    const { x, y } = V(inScene(position)).project(camera);
+    return [((1 + x) * width) / 2, ((1 - y) * height) / 2];
+  }
+
+  function rayThrough([x, y]) {
+    const [width, height] = view.size;
+    const caster = new THREE.Raycaster();
+    caster.setFromCamera({ x: (2 * x) / width - 1, y: 1 - (2 * y) / height }, camera);
+    return caster;
+  }
+
+  /**
+   * The place of the body under a pixel, {position, normal}, or null: the one that is seen, or the nearest to a position.
+   * Of what a ray goes through, it enters the body first, then leaves it, and so on.
+   */
+  function onBody(pixel, near = null) {
+    if (view.triangles.length === 0) return null;
+    const caster = rayThrough(pixel);
+    const mesh = new THREE.Mesh(surface(view.triangles).faces, new THREE.MeshBasicMaterial({ side: THREE.DoubleSide }));
+    const hits = caster.intersectObject(mesh);
+    const passed = hits.filter((hit, k) => k === 0 || hit.distance - hits[k - 1].distance > 1e-6);
+    if (passed.length === 0) return null;
+    const away = ({ point }) => (near ? Math.hypot(...vector.add(inFile(point.toArray()), -1, near)) : 0);
+    const best = passed.reduce((a, b) => (away(b) < away(a) ? b : a));
+    const along = caster.ray.direction.dot(best.face.normal) * (passed.indexOf(best) % 2 === 0 ? 1 : -1);
+    return {
+      position: inFile(best.point.toArray()),
+      normal: best.face.normal.toArray().map((x) => (along < 0 ? -x : x)),
+    };
+  }
+
+  /** The position under a pixel that is as far away as another. */
+  function besides(pixel, position) {
+    const ahead = camera.getWorldDirection(new THREE.Vector3());
+    const facing = new THREE.Plane().setFromNormalAndCoplanarPoint(ahead, V(inScene(position)));
+    const found = rayThrough(pixel).ray.intersectPlane(facing, new THREE.Vector3());
+    return found ? inFile(found.toArray()) : position;
+  }
+
+  /** On the canvas, what the live page has to be dragged. */
+  function placeHandles() {
+    if (!view || !page.handles) return;
+    page.find("space-handles").replaceChildren(...(page.handles(view) || []));
+    page.restoreFocus();
   }
 
   page.startSpace = function () {
     if (renderer) return;
-    const place = page.find("space");
+    const where = page.find("space");
     try {
       renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
     } catch (error) {
@@ -475,7 +576,8 @@
     canvas.setAttribute("role", "application");
     canvas.style.touchAction = "none";
     canvas.style.cursor = "grab";
-    place.append(canvas);
+    const handles = page.svg("svg", { id: "space-handles", class: "stickslip" });
+    where.append(html("div", { id: "space-frame" }, canvas, handles));
     let from = null;
     canvas.addEventListener("pointerdown", (event) => {
       from = [event.clientX, event.clientY];
@@ -490,7 +592,7 @@
     canvas.addEventListener("keydown", (event) => {
       const zoom = (by) => () => {
         look.distance = Math.max(2.5, Math.min(14, look.distance * by));
-        render();
+        turn(0, 0);
       };
       const kKeys = {
         ArrowLeft: () => turn(-kTurn, 0),
@@ -501,7 +603,7 @@
         "-": zoom(1 / 0.9),
         Home: () => {
           look = { ...kHome };
-          render();
+          turn(0, 0);
         },
       };
       if (!kKeys[event.key]) return;
@@ -513,5 +615,9 @@
   /** From where it is looked at, for tests. */
   page.spaceState = () => ({ ...look, drawn: scene ? scene.children.length : 0 });
 
-  page.views.push(draw);
+  const drawPlane = page.drawBody;
+  const planeView = page.bodyView;
+  page.drawBody = draw;
+  page.bodyView = () => (page.isSpatial() ? view : planeView());
+  page.views.push(() => page.isSpatial() && draw());
 })(StickslipPage);

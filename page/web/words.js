@@ -523,6 +523,9 @@
       html("table", {}, html("tbody", {}, rows)),
       html("h3", {}, "The grasp file"),
       html("pre", { tabindex: "0", "aria-label": "The grasp file" }, page.grasp.text()),
+      page.isSpatial() && page.solid
+        ? html("p", { class: "muted" }, "The file to download has the body, too: " + page.solid.size + ".")
+        : null,
     );
   }
 

@@ -38,14 +38,15 @@ struct SceneInk {
 };
 
 struct GraspInk {
-  std::string title;               ///< of the grasp and its case
-  std::optional<Units> units;      ///< nothing if nobody gave them
-  bool outline_is_given = false;   ///< or else that of a hull of the contacts
-  std::vector<Rational> preloads;  ///< by contact
-  std::vector<ContactMark> marks;  ///< by contact
-  std::vector<SceneInk> scenes;    ///< one in the plane, three in space
-  double cone_length = 0;          ///< and that of normals
-  Rational force_unit{0};          ///< the largest force, 0 if there is none; drawn this long:
+  std::string title;                                 ///< of the grasp and its case
+  std::optional<Units> units;                        ///< nothing if nobody gave them
+  bool outline_is_given = false;                     ///< or else that of a hull of the contacts
+  RingsAround body_within = RingsAround::kOddTimes;  ///< of outlines and ghosts
+  std::vector<Rational> preloads;                    ///< by contact
+  std::vector<ContactMark> marks;                    ///< by contact
+  std::vector<SceneInk> scenes;                      ///< one in the plane, three in space
+  double cone_length = 0;                            ///< and that of normals
+  Rational force_unit{0};  ///< the largest force, 0 if there is none; drawn this long:
   static constexpr double kLongestForce = 0.6;
   Rational load_factor{1};           ///< of enlargement of the load beyond the other forces
   std::string torque;                ///< of the load, about the centre; empty if there is none

@@ -138,9 +138,11 @@ class GraspPlot {
 
   void draw_scene(Svg& svg, const SceneInk& scene, const View& view, const Box& panel) {
     LabelPlacer labels(panel);
-    draw_body(svg, view, scene.outline, "body");
+    draw_body(svg, view, scene.outline, ink_.body_within, "body");
     draw_cones(svg, scene, view);
-    if (!scene.ghost.empty()) draw_body(svg, view, scene.ghost, ghost_class());
+    if (!scene.ghost.empty()) {
+      draw_body(svg, view, scene.ghost, ink_.body_within, ghost_class());
+    }
     draw_fingers(svg, view, scene.contacts);
     draw_frame(svg, view);
     for (const Arrow& arrow : scene.arrows) {

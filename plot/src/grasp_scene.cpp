@@ -104,11 +104,13 @@ std::vector<InkPoint> on_page(const View& view, std::vector<InkPoint> scene) {
 }
 
 void draw_body(Svg& svg, const View& view, const std::vector<std::vector<InkPoint>>& rings,
-               const std::string& css_class) {
+               RingsAround around, const std::string& css_class) {
   SvgPath path;
   for (const std::vector<InkPoint>& ring : rings) path.polygon(on_page(view, ring));
   Svg::Attributes attributes;
-  if (rings.size() > 1) attributes.emplace_back("fill-rule", "evenodd");
+  if (rings.size() > 1 && around == RingsAround::kOddTimes) {
+    attributes.emplace_back("fill-rule", "evenodd");
+  }
   svg.path(path, css_class, attributes);
 }
 

@@ -31,9 +31,14 @@ std::vector<std::vector<InkPoint>> body_outline(const Grasp& grasp, const Pictur
 
 std::vector<InkPoint> on_page(const View& view, std::vector<InkPoint> scene);
 
-/// What is within an odd number of rings, which may be holes.
+/// What rings are around.
+enum class RingsAround {
+  kOddTimes,   ///< what is within an odd number of them, as some may be holes
+  kAnyWinding  ///< what they wind around in one sense more often than in the other
+};
+
 void draw_body(Svg& svg, const View& view, const std::vector<std::vector<InkPoint>>& rings,
-               const std::string& css_class);
+               RingsAround around, const std::string& css_class);
 
 /// A direction of the scene on the page.
 InkPoint on_page_direction(InkPoint scene);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "grasp_ink.hpp"
 #include "stickslip/core/error.hpp"
@@ -49,6 +51,48 @@ InkVector direction(const Vector3& v) {
 
 std::string text_of(const Vector3& v) {
   return to_string(v[0]) + "," + to_string(v[1]) + "," + to_string(v[2]);
+}
+
+/// Rings that wind around all faces counterclockwise, and around nothing else: of the edges of
+/// the faces, each run counterclockwise as it is seen, those that no other face runs back
+/// along.
+std::vector<std::vector<InkPoint>> boundary(
+    const std::vector<InkPoint>& vertices, const std::vector<std::vector<std::size_t>>& faces) {
+  std::map<std::pair<std::size_t, std::size_t>, int>
+      runs;  // of each edge, one way less the other
+  for (const std::vector<std::size_t>& face : faces) {
+    double area = 0;
+    for (std::size_t k = 0; k < face.size(); ++k) {
+      const InkPoint& a = vertices[face[k]];
+      const InkPoint& b = vertices[face[(k + 1) % face.size()]];
+      area += a.x * b.y - a.y * b.x;
+    }
+    for (std::size_t k = 0; k < face.size() && area != 0; ++k) {
+      const std::size_t a = face[k];
+      const std::size_t b = face[(k + 1) % face.size()];
+      if (a != b) runs[std::minmax(a, b)] += (a < b) == (area > 0) ? 1 : -1;
+    }
+  }
+  std::map<std::size_t, std::vector<std::size_t>> next;
+  for (const auto& [edge, times] : runs) {
+    const auto [from, to] = times > 0 ? edge : std::pair(edge.second, edge.first);
+    next[from].insert(next[from].end(), static_cast<std::size_t>(std::abs(times)), to);
+  }
+  // As many edges end at a vertex as begin there, so that each way ends where it began.
+  std::vector<std::vector<InkPoint>> rings;
+  for (auto& [start, ends] : next) {
+    while (!ends.empty()) {
+      std::vector<InkPoint>& ring = rings.emplace_back();
+      std::size_t at = start;
+      do {
+        ring.push_back(vertices[at]);
+        std::vector<std::size_t>& ways = next.at(at);
+        at = ways.back();
+        ways.pop_back();
+      } while (at != start);
+    }
+  }
+  return rings;
 }
 
 struct SpatialContactInk {
@@ -116,7 +160,15 @@ class SpatialReader {
           {c.position[0].middle(), c.position[1].middle(), c.position[2].middle()});
       ink_.preloads.push_back(c.preload.middle());
     }
-    const Surroundings around = surroundings(points, 3);
+    ink_.outline_is_given = grasp_.description.body != nullptr;
+    std::vector<std::vector<Rational>> all = points;
+    if (ink_.outline_is_given) {
+      ink_.body_within = RingsAround::kAnyWinding;
+      for (const Vector3& v : grasp_.description.body->vertices) {
+        all.emplace_back(v.begin(), v.end());
+      }
+    }
+    const Surroundings around = surroundings(all, 3);
     radius_ = around.radius;
     std::copy(around.centre.begin(), around.centre.end(), centre_.begin());
     ink_.choose_sizes();
@@ -190,8 +242,18 @@ class SpatialReader {
         scene.contacts.push_back({kSides[k](c.at), kSides[k](c.normal), {}});
         scene.cones.push_back(hull(k, cone(i)));
       }
-      if (!body.empty()) scene.outline = {hull(k, body)};
+      scene.outline = seen(k, body);
     }
+  }
+
+  /// The body, whose points these are: rings as of ink_.body_within.
+  std::vector<std::vector<InkPoint>> seen(std::size_t side,
+                                          const std::vector<InkVector>& points) const {
+    if (points.empty()) return {};
+    if (!grasp_.description.body) return {hull(side, points)};
+    std::vector<InkPoint> vertices;
+    for (const InkVector& p : points) vertices.push_back(kSides[side](p));
+    return boundary(vertices, grasp_.description.body->faces);
   }
 
   static std::vector<InkPoint> hull(std::size_t side, const std::vector<InkVector>& points) {
@@ -221,10 +283,18 @@ class SpatialReader {
     return points;
   }
 
-  /// Points of which the hull stands for the body: the contacts, and points a little inside of
-  /// them that are behind no contact; as in the plane.
+  /// The vertices of the body. Where nobody gave it, points of which the hull stands for it:
+  /// the contacts, and points a little inside of them that are behind no contact; as in the
+  /// plane.
   std::vector<InkVector> body_points() const {
     std::vector<InkVector> points;
+    if (grasp_.description.body) {
+      for (const Vector3& v : grasp_.description.body->vertices) {
+        points.push_back(
+            over_size({v[0] - centre_[0], v[1] - centre_[1], v[2] - centre_[2]}, radius_));
+      }
+      return points;
+    }
     for (const SpatialContactInk& c : contacts_) points.push_back(c.at);
     const auto is_in_front = [](const InkVector& p, const SpatialContactInk& c) {
       return stickslip::dot(sum(p, -1, c.at), c.normal) >= 0;
@@ -293,9 +363,7 @@ class SpatialReader {
                          turned[0] * p[1] - turned[1] * p[0]};
       moved.push_back(sum(sum(p, 1, shifted), 1, by));
     }
-    for (std::size_t k = 0; k < kSides.size() && !moved.empty(); ++k) {
-      ink_.scenes[k].ghost = {hull(k, moved)};
-    }
+    for (std::size_t k = 0; k < kSides.size(); ++k) ink_.scenes[k].ghost = seen(k, moved);
   }
 
   const Question& question_;

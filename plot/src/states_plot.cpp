@@ -49,7 +49,7 @@ std::size_t draw_grasp_panel(Svg& svg, const Grasp& grasp) {
   svg.close();
   svg.text(kGraspView.origin - InkPoint{0, kDiscRadius + 28}, "middle", "grasp");
   svg.open("g", {{"class", "grasp"}});
-  draw_body(svg, kGraspView, body_outline(grasp, {}, contacts), "body");
+  draw_body(svg, kGraspView, body_outline(grasp, {}, contacts), RingsAround::kOddTimes, "body");
   svg.open("g", {{"clip-path", "url(#stickslip-grasp)"}});
   for (const ContactInk& c : contacts) {
     svg.line(kGraspView(c.at - 6.0 * c.tangent), kGraspView(c.at + 6.0 * c.tangent), "axis");

@@ -48,12 +48,26 @@ Vector3 row_of(const py::list& rows, std::size_t i, const char* name) {
   return result;
 }
 
-/// The package has checked the lengths.
+/// From a pair of lists, vertices and faces, or None.
+std::shared_ptr<const Mesh> body_from(const py::object& body) {
+  if (body.is_none()) return nullptr;
+  const auto parts = body.cast<py::tuple>();
+  const auto rows = parts[0].cast<py::list>();
+  auto mesh = std::make_shared<Mesh>();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    mesh->vertices.push_back(row_of(rows, i, "body.vertices"));
+  }
+  mesh->faces = parts[1].cast<std::vector<std::vector<std::size_t>>>();
+  return mesh;
+}
+
+/// The package has checked the lengths, and the body.
 SpatialGraspFile make_grasp(const py::list& positions, const py::list& normals,
                             const py::object& friction, const py::object& stiffness,
                             const py::object& preload, const py::list& wrench,
                             const std::string& name, bool assumed_stiffness,
-                            const py::list& cases, const py::list& units) {
+                            const py::list& cases, const py::list& units,
+                            const py::object& body) {
   const std::size_t m = positions.size();
   const std::vector<Rational> frictions = numbers(friction, m, "friction");
   const std::vector<Rational> stiffnesses = numbers(stiffness, m, "stiffness");
@@ -79,7 +93,8 @@ SpatialGraspFile make_grasp(const py::list& positions, const py::list& normals,
                                            "cases[" + quote(case_name) + "]"))});
   }
   // The requirements on units are Grasp's own.
-  box.description = Grasp({}, GraspDescription{name, {}, units_from(units)}).description();
+  box.description =
+      Grasp({}, GraspDescription{name, {}, units_from(units), body_from(body)}).description();
   box.check();
   return grasp;
 }
@@ -103,6 +118,16 @@ py::tuple lows(const Intervals& intervals) {
 template <class Values>
 py::tuple fractions_of(const Values& values) {
   return tuple_of(values, fraction);
+}
+
+/// Vertices and faces, or None.
+py::object body_of(const SpatialGraspFile& grasp) {
+  const std::shared_ptr<const Mesh>& body = grasp.description().body;
+  if (!body) return py::none();
+  return py::make_tuple(tuple_of(body->vertices, fractions_of<Vector3>),
+                        tuple_of(body->faces, [](const std::vector<std::size_t>& face) {
+                          return tuple_of(face, [](std::size_t v) { return py::int_(v); });
+                        }));
 }
 
 /// One value a contact.
@@ -197,6 +222,7 @@ void bind_space(py::module_& module) {
              for (const NamedLoad& one : g.cases) result[text(one.name)] = lows(one.wrench);
              return result;
            })
+      .def("body", &body_of)
       .def("units", [](const SpatialGraspFile& g) { return units_of(g.description().units); })
       .def("snap",
            [](const SpatialGraspFile& g, const py::object& within) {

@@ -33,7 +33,7 @@ from .arguments import (
 )
 from .contacts import Contacts, from_arrays, on_grid
 from .errors import InputError
-from .mesh import Mesh
+from .mesh import Mesh, as_body
 from .outline import has_doubles, place, polygons_of, unit_if_rational
 from .simulators import from_drake, from_mujoco, weight_of
 from .views import FloatArray, FloatView, Page, call_of, nearest_root, shown
@@ -69,6 +69,8 @@ class Grasp:
         outline: of a planar body, for pictures: a list of polygons, each a list of rings (the outer
             one, then holes), each (n, 2); or one polygon, or one ring.
         units: names for people, {"length": "mm", "force": "N"}. Nothing is converted.
+        body: of a body in space, for pictures: a mesh, vertices (n, 3) and faces, each of three or more
+            vertices; a pair, or an object with ``vertices`` and ``faces``.
 
     Numbers are taken exactly: a float as the dyadic rational that it is (0.1 is not 1/10), an
     int, a Fraction, a Decimal, and a string as it spells ("1/10", "0.1", "1e-3"). Arrays may mix
@@ -100,6 +102,7 @@ class Grasp:
         cases: Mapping[str, Any] = MappingProxyType({}),
         outline: Any = (),
         units: Mapping[str, str] = MappingProxyType({}),
+        body: Any = None,
     ) -> None:
         n = coordinates_of(positions, wrench)
         rows = as_rows(positions, n)
@@ -109,6 +112,9 @@ class Grasp:
         polygons = as_outline(outline)
         if n == 3 and polygons:
             raise InputError("", "outline", "an outline, but the grasp is in space", "leave it out")
+        if n == 2 and body is not None:
+            raise InputError("", "body", "a body in space, but the grasp is in the plane",
+                             "give its outline")
         arguments = (
             rows,
             directions,
@@ -122,7 +128,7 @@ class Grasp:
              for case, load in cases.items()],
             as_units(units),
         )
-        data = (_core.SpatialGraspData(*arguments) if n == 3
+        data = (_core.SpatialGraspData(*arguments, as_body(body)) if n == 3
                 else _core.GraspData(*arguments, polygons))
         object.__setattr__(self, "_data", data)
         object.__setattr__(self, "_doubles", any(
@@ -183,7 +189,8 @@ class Grasp:
         """The body with this surface, held at these points of it; normals are those of the triangles.
 
         Which triangle is nearest to a point, and where, is found exactly. Where several are equally
-        near, as on an edge, the first of them in ``faces`` counts.
+        near, as on an edge, the first of them in ``faces`` counts. The mesh is the grasp's ``body``
+        in pictures, unless it is larger than a grasp file holds (about 10,000 faces).
 
         Args:
             mesh: a pair, vertices (n, 3) and faces (m, 3), or an object with ``vertices`` and
@@ -203,10 +210,12 @@ class Grasp:
         >>> on.grasp.normals, on.faces, on.moved
         (((Fraction(0, 1), Fraction(0, 1), Fraction(1, 1)), (Fraction(-1, 1), Fraction(-1, 1), Fraction(-1, 1))), (0, 3), (0.0, 1.1547005383792515))
         """
-        placed = Mesh(mesh).place(points, tolerance)
+        surface = Mesh(mesh)
+        placed = surface.place(points, tolerance)
         found = Contacts([one.position for one in placed], [one.normal for one in placed], friction,
                          stiffness, preload)
-        return MeshGrasp(cls._of_contacts(found, wrench, name), tuple(nearest_root(one.squared_distance) for one in placed),
+        return MeshGrasp(cls._of_contacts(found, wrench, name, surface.body()),
+                         tuple(nearest_root(one.squared_distance) for one in placed),
                          tuple(one.face for one in placed))
 
     @classmethod
@@ -343,10 +352,10 @@ class Grasp:
         return cls._of_contacts(on_grid(found, grid), wrench, name)
 
     @classmethod
-    def _of_contacts(cls, found: Contacts, wrench: Any, name: str) -> Grasp:
+    def _of_contacts(cls, found: Contacts, wrench: Any, name: str, body: Any = None) -> Grasp:
         """In space, also without contacts."""
         load = [0] * 6 if wrench is None else as_wrench(wrench, "wrench", 3)
-        grasp = cls(*found, wrench=load, name=name)
+        grasp = cls(*found, wrench=load, name=name, body=body)
         object.__setattr__(grasp, "_loaded", wrench is not None)
         return grasp
 
@@ -530,6 +539,14 @@ class Grasp:
         return () if isinstance(self._data, _core.SpatialGraspData) else self._data.outline()
 
     @property
+    def body(self) -> Optional[Body]:
+        """In space: vertices, and of each face the vertices that it has. None if not given."""
+        if not isinstance(self._data, _core.SpatialGraspData):
+            return None
+        found = self._data.body()
+        return None if found is None else Body(*found)
+
+    @property
     def units(self) -> Mapping[str, str]:
         """Of "length" and "force"; empty if not given."""
         return MappingProxyType(self._data.units())
@@ -588,6 +605,13 @@ class PlacedGrasp(NamedTuple):
 
     grasp: Grasp
     moved: Tuple[float, ...]
+
+
+class Body(NamedTuple):
+    """The surface of a body in space, which is drawn and part of no question."""
+
+    vertices: Tuple[Vector, ...]
+    faces: Tuple[Tuple[int, ...], ...]
 
 
 class MeshGrasp(NamedTuple):

@@ -7,7 +7,7 @@ from __future__ import annotations
 import math
 import operator
 from fractions import Fraction
-from typing import Any, Dict, Iterator, List, NamedTuple, Sequence, Tuple
+from typing import Any, Dict, Iterator, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -19,6 +19,8 @@ from .outline import unit_if_rational
 from .views import FloatArray, nearest_double, nearest_root
 
 Point = Tuple[Fraction, ...]
+# A member of a grasp file holds 65,536 values (docs/grasp_file.md), of which "body" itself has 3.
+MOST_OF_BODY = 65533
 Triangle = Tuple[Point, Point, Point]
 
 
@@ -57,6 +59,18 @@ class Mesh:
         self._check_edges(whole)
         self._check_parts(whole, points)
         self._boxes = _Boxes(self.triangles)
+
+    def body(self) -> Optional[Tuple[List[Point], List[List[int]]]]:
+        """Vertices, in the order in which faces have them, and faces; none if it is too large for a file."""
+        numbers: Dict[int, int] = {}
+        points: Dict[int, Point] = {}
+        faces = []
+        for face, triangle in zip(self.faces, self.triangles):
+            if len(set(face)) == 3:
+                faces.append([numbers.setdefault(v, len(numbers)) for v in face])
+                points.update(zip(face, triangle))
+        vertices = [points[v] for v in numbers]
+        return None if 4 * (len(vertices) + len(faces)) > MOST_OF_BODY else (vertices, faces)
 
     def _check_edges(self, faces: Sequence[int]) -> None:
         """That each edge is run along as often one way as the other."""
@@ -133,22 +147,40 @@ class Mesh:
         return result
 
 
-def _parts(mesh: Any) -> Tuple[Any, Any]:
+def as_body(body: Any) -> Optional[Tuple[List[List[Any]], List[List[int]]]]:
+    """Of a Grasp: no more is known of it than that its faces name vertices."""
+    if body is None:
+        return None
+    vertices, faces = _parts(body, "body")
+    rows = as_list(vertices, "body.vertices", (len(as_array(vertices, "body.vertices")), 3),
+                   "one row x, y, z for each vertex")
+    numbers = []
+    for f, face in enumerate(faces):
+        if not hasattr(face, "__len__") or len(face) < 3:
+            raise InputError("", f"body.faces[{f}]", f"this is {found(face)}",
+                             "a face has three vertices or more")
+        numbers.append([_index(v, f, len(rows), "body.faces") for v in face])
+    if not numbers:
+        raise InputError("", "body.faces", "there is no face", "give a face, or no body")
+    return rows, numbers
+
+
+def _parts(mesh: Any, name: str = "mesh") -> Tuple[Any, Any]:
     if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
         return mesh.vertices, mesh.faces
     if not isinstance(mesh, (tuple, list)) or len(mesh) != 2:
-        raise InputError("", "mesh", f"this is {found(mesh)}", "give a pair, vertices and faces, or an "
+        raise InputError("", name, f"this is {found(mesh)}", "give a pair, vertices and faces, or an "
                          "object that has both, as of trimesh")
     return mesh[0], mesh[1]
 
 
-def _index(vertex: Any, face: int, count: int) -> int:
+def _index(vertex: Any, face: int, count: int, name: str = "faces") -> int:
     try:
         index = -1 if isinstance(vertex, bool) else operator.index(vertex)
     except TypeError:
         index = -1
     if not 0 <= index < count:
-        raise InputError("", f"faces[{face}]", f"{found(vertex)} is no vertex",
+        raise InputError("", f"{name}[{face}]", f"{found(vertex)} is no vertex",
                          f"give numbers from 0 to {count - 1}")
     return index
 

@@ -62,6 +62,66 @@ TEST(GraspCorpus, ReadAlike) {
   test::expect_proved_checker_agrees(inputs, answers);
 }
 
+// A body in space has no meaning to checkers, but all refuse the same.
+TEST(GraspCorpus, BodiesInSpaceAreReadAlike) {
+  const auto in_space = [](const std::string& body) {
+    return R"({"format": "stickslip-grasp/2", "body": )" + body +
+           R"(, "contacts": [], "wrench": [0, 0, 0, 0, 0, 0]})";
+  };
+  const auto of_faces = [&](const std::string& faces) {
+    return in_space(R"({"vertices": [[0, 0, 0], ["1/3", 1e-3, -2]], "faces": )" + faces + "}");
+  };
+  const std::vector<std::string> good{of_faces("[[0, 1, 0]]"),
+                                      of_faces(R"([[0, 1, "2/2", 1.0], [1e0, -0, 0]])")};
+  const std::string body = R"({"vertices": [[0, 0, 0]], "faces": [[0, 0, 0]]})";
+  std::vector<std::string> texts = good;
+  for (const char* faces :
+       {"[]", "[[]]", "[[0, 1]]", "[[0, 1, 2]]", "[[0, 1, -1]]", R"([[0, 1, "1/2"]])",
+        "[[0, 1, null]]", "[0, 1, 0]", "{}", "[[0, 1, 0], [0, 1, 1e300]]"}) {
+    texts.push_back(of_faces(faces));
+  }
+  for (const char* vertices : {"[[0, 0]]", "[[0, 0, 0, 0]]", R"([[0, 0, "x"]])", "[0, 0, 0]",
+                               "[]", R"([[0, 0, {"min": 0, "max": 1}]])"}) {
+    texts.push_back(
+        in_space(R"({"faces": [[0, 0, 0]], "vertices": )" + std::string(vertices) + "}"));
+  }
+  for (const char* other :
+       {"[]", "null", "{}", R"({"vertices": [[0, 0, 0]]})", R"({"faces": [[0, 0, 0]]})",
+        R"({"vertices": [[0, 0, 0]], "faces": [[0, 0, 0]], "units": 1})"}) {
+    texts.push_back(in_space(other));
+  }
+  // In the plane, and in version 1, there is none.
+  for (const char* version : {"1", "2"}) {
+    texts.push_back(R"({"format": "stickslip-grasp/)" + std::string(version) +
+                    R"(", "contacts": [], "wrench": [0, 0, 0], "body": )" + body + "}");
+  }
+  std::vector<CheckerInput> inputs;
+  for (const std::string& text : texts) {
+    std::string certificate = kCertificate;
+    if (text.find("[0, 0, 0, 0, 0, 0]") != std::string::npos) {
+      certificate.replace(certificate.find("[0, 0, 0]"), 9, "[0, 0, 0, 0, 0, 0]");
+    }
+    inputs.push_back({text, certificate, {}});
+  }
+  const std::vector<CheckerAnswer> python = test::ask_python_checker(inputs);
+  std::vector<CheckerAnswer> answers;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const std::string expected = i < good.size() ? "read" : "malformed";
+    std::string read = "read";
+    try {
+      parse_any_grasp(texts[i], "grasp");
+    } catch (const InputError&) {
+      read = "malformed";
+    }
+    EXPECT_EQ(read, expected) << texts[i];
+    const CheckerAnswer cpp = answers.emplace_back(ask_cpp_checker(inputs[i]));
+    EXPECT_EQ(in_checker(cpp), expected) << texts[i] << ": " << describe(cpp);
+    EXPECT_EQ(in_checker(python[i]), expected) << texts[i] << ": " << describe(python[i]);
+  }
+  test::expect_js_checker_agrees(inputs, answers);
+  test::expect_proved_checker_agrees(inputs, answers);
+}
+
 // The numbers of the files mean the same to each: the wrench is what the checkers compare.
 TEST(GraspCorpus, NumbersMeanTheSame) {
   std::vector<CheckerInput> inputs;

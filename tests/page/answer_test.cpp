@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <set>
 
 #include "stickslip/core/cancellation.hpp"
@@ -149,6 +151,69 @@ TEST(PageAnswer, AMarginInSpaceThatIsGivenUpKeepsWhatIsKnown) {
     EXPECT_GT(interval[1], interval[0]);
     end = interval[1];
   }
+}
+
+constexpr const char* kCube = R"({"format": "stickslip-grasp/2",
+  "body": {"vertices": [[-1, -1, -1], [1, -1, -1], [-1, 1, -1], [1, 1, -1],
+                        [-1, -1, 1], [1, -1, 1], [-1, 1, 1], [1, 1, 1]],
+           "faces": [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]},
+  "defaults": {"friction": "1/2", "preload": 4},
+  "contacts": [{"position": [-1, 0, 0], "normal": [1, 0, 0]}, {"position": [1, 0, 0], "normal": [-1, 0, 0]}],
+  "wrench": [0, 0, -1, 0, 0, 0]})";
+
+TEST(PageAnswer, TheBodyIsThereOnce) {
+  PageParts parts{true, false, false, false, false, false};
+  QuestionText asked;
+  asked.uncertain = "friction=90%";
+  const Json answer = answer_about(kCube, parts, {}, asked);
+  EXPECT_EQ(answer["decide"]["verdict"], "fragile");
+  ASSERT_TRUE(answer["examples"].contains("stable"));
+  const std::string text = answer.dump();
+  EXPECT_NE(std::string(answer["grasp"]).find("\"body\""), std::string::npos);
+  EXPECT_EQ(text.find("vertices"), text.rfind("vertices"));
+}
+
+// Between two fingers a force s along them takes from one normal force, 4, what it gives to the
+// other. Each has half of t, so that nothing turns, and friction of at most half of its normal
+// force: |t| <= 4 - |s| / 2.
+TEST(PageAnswer, ARegionInSpace) {
+  const Json region = answer_about(kCube, {false, false, true, false, false, false})["region"];
+  EXPECT_EQ(region["plane"]["u"], (Json{"1", "0", "0", "0", "0", "0"}));
+  EXPECT_EQ(region["plane"]["v"], (Json{"0", "0", "1", "0", "0", "0"}));
+  EXPECT_EQ(region["plane"]["origin"], (Json{"0", "0", "0", "0", "0", "0"}));
+  EXPECT_EQ(region["x"]["range"], (Json{"-8", "8"}));
+  double stable = 0;
+  double unstable = 0;
+  for (const Json& cell : region["cells"]) {
+    const auto ends = [&](const char* axis) {
+      const double low = cell[axis + std::string("_float")][0];
+      const double high = cell[axis + std::string("_float")][1];
+      const double nearest =
+          low <= 0 && high >= 0 ? 0 : std::min(std::abs(low), std::abs(high));
+      return std::array<double, 3>{nearest, std::max(std::abs(low), std::abs(high)),
+                                   high - low};
+    };
+    const auto [least_s, most_s, width] = ends("x");
+    const auto [least_t, most_t, height] = ends("y");
+    if (cell["verdict"] == "stable") {
+      stable += width * height;
+      EXPECT_LE(most_t, 4 - most_s / 2) << cell;
+    }
+    if (cell["verdict"] == "unstable") {
+      unstable += width * height;
+      EXPECT_GE(least_t, 4 - least_s / 2) << cell;
+    }
+  }
+  EXPECT_GT(stable, 32) << "half of all that is resisted";
+  EXPECT_GT(unstable, 96) << "half of what is not";
+}
+
+TEST(PageAnswer, ARegionInSpaceIsAboutOneGrasp) {
+  QuestionText asked;
+  asked.uncertain = "friction=1%";
+  const Json answer = answer_about(kCube, {false, false, true, false, false, false}, {}, asked);
+  EXPECT_TRUE(answer["region"].is_null());
+  EXPECT_NE(answer["messages"].dump().find("more than one grasp"), std::string::npos);
 }
 
 TEST(PageAnswer, WhoeverAskedMayBreakItOff) {

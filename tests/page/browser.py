@@ -29,6 +29,24 @@ def example(name):
     return os.path.join(ROOT, "examples", "grasps", name + ".json")
 
 
+def in_file(folder, grasp):
+    """The path of a grasp file with this content."""
+    path = os.path.join(folder, "grasp.json")
+    with open(path, "w", encoding="utf-8") as file:
+        json.dump(grasp, file)
+    return path
+
+
+def cube():
+    """A cube with its body, held at two sides."""
+    vertices = [[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
+    faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
+    return {"format": "stickslip-grasp/2", "body": {"vertices": vertices, "faces": faces},
+            "defaults": {"friction": "1/2", "preload": 4},
+            "contacts": [{"position": [-1, 0, 0], "normal": [1, 0, 0]}, {"position": [1, 0, 0], "normal": [-1, 0, 0]}],
+            "wrench": [0, 0, -1, 0, 0, 0]}
+
+
 def run(*arguments, **more):
     return subprocess.run([STICKSLIP, *arguments], check=True, capture_output=True, text=True, **more).stdout
 

@@ -2,13 +2,14 @@
 """Pages in a browser: what they show is what `stickslip decide` and the others say."""
 
 import json
+import math
 import os
 import re
 import subprocess
 import unittest
 from fractions import Fraction
 
-from browser import FIG1, STICKSLIP_CHECK, Keys, PageTest, decide, example, run
+from browser import FIG1, STICKSLIP_CHECK, Keys, PageTest, cube, decide, example, in_file, run
 
 QUICK = ("--time-limit", "1")  # for who does not look at the map, which takes seconds
 MARKS = {"+": "plus", "-": "minus", "0": "stick"}
@@ -319,7 +320,7 @@ class Space(PageTest):
         return self.js("return document.getElementById('space-canvas').toDataURL()")
 
     def test_stable_with_a_witness(self):
-        self.open(example("space-cup"))
+        self.open(example("space-cup"), *QUICK)
         self.assertLess(self.size, 1000000)
         self.assertEqual(self.js("return document.getElementById('verdict').dataset.verdict"), "stable")
         self.assertGreater(self.colours(), 30)
@@ -339,14 +340,53 @@ class Space(PageTest):
         self.assertNotEqual(self.shot(), before)
 
     def test_unstable(self):
-        self.open(example("space-book"), "--case", "too heavy")
+        self.open(example("space-book"), "--case", "too heavy", *QUICK)
         self.assertIn("work 9", self.text("#motion-words"))
         self.assertIn("axis", self.text("#motion-words"))
         self.assertEqual(self.check_proof(), "accepted")
         self.picture("space-unstable")
 
+    def test_the_body_and_the_region(self):
+        answer = self.open(in_file(self.folder, cube()), "--time-limit", "5")
+        self.assertNotIn("sketched", self.text("#body-legend"))
+        self.assertGreater(self.colours(), 30)
+        self.assertEqual(self.check_proof(), "accepted")
+        self.assertNotIn("vertices", self.text("#exact pre"), "it is named there, and not printed")
+        self.assertIn("8 vertices and 6 faces", self.text("#exact"))
+        self.find("#save-grasp").click()
+        saved = os.path.join(self.downloads, "grasp.json")
+        self.wait(lambda: os.path.exists(saved), "the file")
+        with open(saved, encoding="utf-8") as file:
+            self.assertEqual(json.load(file)["body"], cube()["body"])
+        self.assertEqual(decide(saved)["verdict"], "stable")
+        # The region's cells, and the load in them.
+        stable = [cell for cell in answer["region"]["cells"] if cell["verdict"] == "stable"]
+        self.assertEqual(self.find("#region path.hue0").get_attribute("d").count("M"), len(stable))
+        self.assertEqual(len(self.all("#region .present")), 1)
+        self.assertIn("force along z", self.text("#region"))
+        self.assertIn("resisted, proved throughout each cell", self.text("#region-note"))
+        self.picture("space-body")
+
+    def test_a_large_body(self):
+        rows = 50
+        grasp = {**cube(), "body": {
+            "vertices": [[math.sin(math.pi * i / rows) * math.cos(2 * math.pi * j / 100) * 1.5,
+                          math.sin(math.pi * i / rows) * math.sin(2 * math.pi * j / 100) * 1.5,
+                          1.5 * math.cos(math.pi * i / rows)] for i in range(rows + 1) for j in range(100)],
+            "faces": [face for i in range(rows) for j in range(100) for a, b in [(100 * i + j, 100 * i + (j + 1) % 100)]
+                      for face in ([a, a + 100, b], [b, a + 100, b + 100])]}}
+        self.open(in_file(self.folder, grasp), *QUICK)
+        self.assertEqual(self.js("return StickslipPage.solid.triangles.length"), 10000)
+        self.assertLess(self.size, 3000000)
+        self.assertGreater(self.colours(), 30)
+        before = self.shot()
+        self.js("arguments[0].focus()", self.find("#space-canvas"))
+        self.press(Keys.ARROW_LEFT)
+        self.assertNotEqual(self.shot(), before)
+        self.picture("space-large-body")
+
     def test_fragile(self):
-        answer = self.open(example("space-cup"), "--uncertain", "friction=90%")
+        answer = self.open(example("space-cup"), "--uncertain", "friction=90%", *QUICK)
         self.assertEqual(self.js("return document.getElementById('verdict').dataset.verdict"), "fragile")
         self.assertGreater(self.colours(), 30)
         self.assertFalse(self.find("#check").is_displayed())
@@ -380,7 +420,7 @@ class Reading(PageTest):
 
     def test_narrow(self):
         for grasp, options, name in ((FIG1, ("--wrench", "0,11/10,0"), "narrow-unstable"), (example("bracket"), (), "narrow"),
-                                     (example("space-corner"), (), "narrow-space")):
+                                     (example("space-corner"), QUICK, "narrow-space")):
             self.set_size(360, 740)
             self.open(grasp, *options)
             self.fits()

@@ -8,7 +8,7 @@ import subprocess
 import unittest
 from fractions import Fraction
 
-from browser import FIG1, STICKSLIP, STICKSLIP_CHECK, Keys, PageTest, decide, example
+from browser import FIG1, STICKSLIP, STICKSLIP_CHECK, Keys, PageTest, cube, decide, example, in_file
 
 
 class Live(PageTest):
@@ -176,6 +176,116 @@ class Live(PageTest):
         load.send_keys("-5", Keys.TAB)
         self.assertEqual(self.agrees(), "unstable")
         self.picture("live-space")
+
+
+    def contact(self, i):
+        return self.js("return StickslipPage.answer.contacts[arguments[0]]", i)
+
+    def pixel(self, x, y, z):
+        """From the middle of the canvas."""
+        return self.js("""const view = StickslipPage.bodyView(), at = view.place([...arguments]);
+                          return [at[0] - view.size[0] / 2, at[1] - view.size[1] / 2]""", x, y, z)
+
+    def test_a_contact_is_dragged_over_a_body_in_space(self):
+        self.serve(in_file(self.folder, cube()))
+        self.assertEqual(self.agrees(), "stable")
+        # From one side of the cube to the top.
+        start, end = self.pixel(1, 0, 0), self.pixel(0.25, 0.5, 1)
+        by = [5 * round((b - a) / 5) for a, b in zip(start, end)]
+        self.drag(self.handle("contact-1"), *by)
+        self.assertEqual(self.agrees(), "unstable")
+        contact = self.contact(1)
+        self.assertEqual((contact["position"][2], contact["normal"]), (1, [0, 0, -1]))
+        for found, a, b in zip(self.pixel(*contact["position"]), start, by):
+            self.assertAlmostEqual(found, a + b, delta=2)
+        file = json.loads(self.js("return StickslipPage.grasp.whole()"))
+        self.assertEqual([float(Fraction(x)) for x in file["contacts"][1]["position"]], contact["position"])
+        self.assertEqual(file["body"], cube()["body"])
+        self.assertNotIn("body", json.loads(self.js("return StickslipPage.grasp.text()")))
+        self.picture("live-space-body")
+        # With the keyboard it stays on its face, also where that is not seen.
+        self.js("arguments[0].focus()", self.handle("contact-0"))
+        self.press(Keys.ARROW_UP)
+        self.rest()
+        self.assertEqual(self.js("return document.activeElement.dataset.handle"), "contact-0", "the focus stays")
+        hidden = self.contact(0)
+        self.assertEqual((hidden["position"][0], hidden["normal"]), (-1, [1, 0, 0]))
+        self.assertGreater(hidden["position"][2], 0)
+        self.agrees()
+        # A link has the contacts; the body is that of the page.
+        self.go(self.js("return location.href"))
+        self.rest()
+        self.assertEqual(self.contact(1)["position"], contact["position"])
+        self.assertEqual(json.loads(self.js("return StickslipPage.grasp.whole()"))["body"], cube()["body"])
+
+    def test_the_load_in_space_is_dragged_at_both_ends(self):
+        self.serve(in_file(self.folder, cube()))
+        self.rest()
+        # Upwards on the page is upwards, but for the height of the eye.
+        self.drag(self.handle("load"), 0, -25)
+        self.rest()
+        before = self.js("return StickslipPage.answer.wrench")
+        self.assertGreater(before[2], -1)
+        self.assertEqual(before[3:], [0, 0, 0], "it acts where it acted")
+        self.drag(self.handle("load-point"), 50, 0)
+        self.agrees()
+        force, torque = (lambda w: (w[:3], w[3:]))(self.js("return StickslipPage.answer.wrench"))
+        self.assertEqual(force, before[:3])
+        x, y, z = self.js("return StickslipPage.loadPoint()")
+        self.assertGreater(max(abs(x), abs(y)), 0.1)
+        fx, fy, fz = force
+        for found, wanted in zip(torque, (y * fz - z * fy, z * fx - x * fz, x * fy - y * fx)):
+            self.assertAlmostEqual(found, wanted, places=12)
+
+    def test_the_load_is_dragged_in_the_region_in_space(self):
+        self.serve(in_file(self.folder, {**cube(), "wrench": ["1/3", 0, -1, 0, 0, "1/7"]}))
+        self.rest()
+        self.wait(lambda: self.all('[data-handle="region-load"]'), "the region")
+        self.drag(self.handle("region-load"), 0, -25)
+        self.agrees()
+        before, wrench = ([float(Fraction(w)) for w in ("1/3", 0, -1, 0, 0, "1/7")],
+                          self.js("return StickslipPage.answer.wrench"))
+        self.assertGreater(wrench[2], -1)
+        self.assertAlmostEqual(wrench[0], before[0], delta=0.2)
+        self.assertEqual(wrench[1], 0)
+        self.assertEqual(wrench[3:5], [0, 0])
+        self.assertAlmostEqual(wrench[5], before[5], places=12)
+
+    def test_a_contact_is_dragged_over_the_hull(self):
+        grasp = cube()
+        del grasp["body"]
+        self.serve(in_file(self.folder, grasp))
+        self.rest()
+        self.assertIn("sketched", self.text("#body-legend"))
+        before = self.contact(1)
+        self.drag(self.handle("contact-1"), -20, 0)
+        self.rest()
+        after = self.contact(1)
+        self.assertNotEqual(after["position"], before["position"])
+        self.assertAlmostEqual(sum(x * x for x in after["normal"]), 1, places=5)
+
+    def test_a_late_verdict_is_announced_and_replaced(self):
+        self.serve(in_file(self.folder, cube()))
+        self.rest()
+        # Requests go nowhere until the test lets them.
+        self.js("""window.real = window.fetch;
+            window.held = [];
+            window.fetch = (url, request) => new Promise((done, fail) => {
+              window.held.push(() => real(url, request).then(done, fail));
+              request.signal.addEventListener('abort', () => fail(new DOMException('', 'AbortError')));
+            });""")
+        set_friction = """const field = document.getElementById('live-friction');
+                          field.value = arguments[0]; field.dispatchEvent(new Event('input'))"""
+        self.js(set_friction, "0.01")
+        self.wait(lambda: self.find("#deciding").is_displayed(), "the word")
+        self.assertEqual(self.text("#deciding"), "deciding \u2026")
+        self.js(set_friction, "0.4")
+        self.wait(lambda: self.js("return window.held.length") == 2, "the first is given up")
+        # The older answer comes last, and to nobody.
+        self.js("window.fetch = window.real; window.held[1](); window.held[0]();")
+        self.wait(lambda: not self.find("#deciding").is_displayed(), "the verdict")
+        self.assertEqual(self.js("return StickslipPage.answer.contacts.map((c) => c.friction)"), [0.4, 0.4])
+        self.driver.get_log("browser")
 
 
 if __name__ == "__main__":

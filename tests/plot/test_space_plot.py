@@ -2,6 +2,7 @@
 """plot grasp in space: three views of one scale, in each of which everything is the projection of
 what decide reports; where decide proves an equilibrium without naming it, forces that obey the laws."""
 
+import cmath
 import json
 import math
 import os
@@ -9,7 +10,7 @@ import unittest
 from fractions import Fraction
 
 import pictures
-from pictures import Picture, arrow, ask, stickslip, subpaths
+from pictures import Picture, area, arrow, ask, contains, stickslip, subpaths
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.join(HERE, "..", "..")
@@ -302,6 +303,43 @@ class SpacePlot(unittest.TestCase):
         self.read_views(picture)
         self.assertEqual(list(map(len, self.by_view(picture.all("preload")))), [4, 4, 0])
         self.assertEqual({e.get("data-value") for e in picture.all("preload")}, {"5"})
+
+    def test_a_body_is_where_its_faces_are_seen(self):
+        # A frame of four bars, of which one can see through the hole, some of their faces turned around, one bar of
+        # triangles. Whether a face is seen at a point says a ray.
+        grasp = json.loads(made([([-3, 0, 0], [1, 0, 0], "1/2", 4), ([3, 0, 1], [-1, 0, 0], "1/2", 4)],
+                                [1, 0, -1, 0, 0, 0]))
+        vertices, faces = [], []
+        for low, high in (([-3, -1, -3], [-2, 1, 3]), ([2, -1, -3], [3, 1, 3]), ([-2, -1, 2], [2, 1, 3]),
+                          ([-2, 0, -3], [2, 1, -2])):
+            first = len(vertices)
+            vertices += [[ends[k >> j & 1] for j, ends in enumerate(zip(low, high))] for k in range(8)]
+            for face in ((0, 1, 3, 2), (4, 5, 7, 6), (0, 1, 5, 4), (2, 3, 7, 6), (0, 2, 6, 4), (1, 3, 7, 5)):
+                faces.append([first + v for v in (face if len(faces) % 3 else face[::-1])])
+        faces = [f for face in faces[:6] for f in (face[:3], [face[0], *face[2:]])] + faces[6:]
+        grasp["body"] = {"vertices": vertices, "faces": faces}
+        picture, _, contacts = self.ask(json.dumps(grasp), ())
+        self.read_views(picture)
+        self.find_centres(picture, contacts)
+        self.assertIn("body", picture.texts())
+        self.assertEqual(len(picture.all("ghost")), 3)
+        seen = []
+        for (_, right, up, _, _), centre, (path,) in zip(VIEWS, self.centres, self.by_view(picture.all("body"))):
+            self.assertIsNone(path.get("fill-rule"), "what rings wind around is inside")
+            origin = contacts[0].position
+            flat = lambda p: centre[0] + self.scale / 3 * complex(p[right] - origin[right], -(p[up] - origin[up]))
+            projected = [[flat(vertices[v]) for v in face] for face in faces]
+            for x in range(-8, 9):
+                for y in range(-8, 9):
+                    at = [0.41 * x + 0.013, 0.41 * y + 0.017]
+                    p = [0, 0, 0]
+                    p[right], p[up] = at
+                    p = flat(p)
+                    turns = sum(cmath.phase((b - p) / (a - p)) for ring in subpaths(path)
+                                for a, b in zip(ring, ring[1:] + ring[:1]))
+                    seen.append(any(contains(face, p) for face in projected if abs(area(face)) > 1))
+                    self.assertEqual(abs(turns) > 3, seen[-1], (right, up, at))
+        self.assertEqual((True in seen, seen.count(False) > 3 * 9), (True, True))
 
     def test_errors(self):
         book = os.path.join(EXAMPLES, "space-book.json")

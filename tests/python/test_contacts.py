@@ -2,6 +2,7 @@
 """Contacts of simulators and of meshes, against closed forms and an exact search of all triangles."""
 
 import itertools
+import pickle
 import random
 import shutil
 import subprocess
@@ -447,7 +448,7 @@ def test_a_cube_is_held_as_its_contacts_say(tmp_path):
                          wrench=(0, 0, -4, 0, 0, 0))
     assert on.moved == (0, 0.25)
     assert on.grasp == Grasp([[-1, 0, 0], [1, 0, 0]], AXES, "1/2", preload=4, name="cube",
-                             wrench=(0, 0, -4, 0, 0, 0))
+                             wrench=(0, 0, -4, 0, 0, 0), body=on.grasp.body)
     assert_proved(tmp_path, on.grasp, "stable")
     assert_proved(tmp_path, on.grasp, "unstable", (0, 0, -5, 0, 0, 0))
     # On slanted triangles, whose normals have irrational lengths, and at places with long numbers.
@@ -466,6 +467,44 @@ def test_vertices_at_one_place_are_one():
     assert Grasp.from_mesh(soup, points, 1) == Grasp.from_mesh(CUBE, points, 1)
     collapsed = (CUBE[0], [*CUBE[1].tolist(), [0, 0, 1], [5, 5, 5]])
     assert Grasp.from_mesh(collapsed, points, 1) == Grasp.from_mesh(CUBE, points, 1)
+
+
+def test_the_mesh_is_the_body(tmp_path):
+    unused = (np.concatenate([[[9, 9, 9]], CUBE[0]]), CUBE[1] + 1)
+    body = Grasp.from_mesh(unused, [[1, 0, 0]], 1).grasp.body
+    # The same triangles, without the vertex that none has.
+    triangles = [[tuple(unused[0][v]) for v in face] for face in unused[1]]
+    assert len(body.vertices) == 8 and [[body.vertices[v] for v in face] for face in body.faces] == triangles
+    grasp = Grasp([[1, 0, 0]], [[-1, 0, 0]], 1, body=([[0, 0, 0], ["1/3", 0, 0], [0, 0.1, 0]], [[0, 1, 2]]))
+    path = tmp_path / "grasp.json"
+    path.write_text(grasp.to_text(), encoding="utf-8")
+    assert Grasp.from_file(path) == grasp and pickle.loads(pickle.dumps(grasp)) == grasp
+    assert Grasp.from_file(path).body == (((0, 0, 0), (Fraction(1, 3), 0, 0), (0, Fraction(0.1), 0)), ((0, 1, 2),))
+    assert grasp.snap().grasp.body == grasp.body
+    assert Grasp([[1, 0, 0]], [[-1, 0, 0]], 1).body is None
+
+
+def test_a_body_that_no_file_holds_is_left_out():
+    def cone(n):  # over n corners of a polygon, with its base
+        corners = [[k, k * k, 0] for k in range(n)]
+        sides = [[k, (k + 1) % n, n] for k in range(n)]
+        return [*corners, [0, 0, 1]], sides + [[0, k + 1, k] for k in range(1, n - 1)]
+
+    # n + 1 vertices and 2 n - 2 faces of four values each, the two lists and the object: 65,536 at most.
+    for n, kept in ((5461, True), (5462, False)):
+        grasp = Grasp.from_mesh(cone(n), [[0, 0, 1]], 1).grasp
+        assert (grasp.body is not None) == kept
+        assert Grasp.from_text(grasp.to_text()) == grasp
+
+
+def test_bodies_are_checked():
+    vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
+    for body, place in (((vertices, [[0, 1]]), "body.faces[0]"), ((vertices, [[0, 1, 3]]), "body.faces[0]"),
+                        ((vertices, [[0, 1, 2], [0, 1, -1]]), "body.faces[1]"), ((vertices, []), "body.faces"),
+                        ((vertices, [[0, 1, 0.5]]), "body.faces[0]"), (([[0, 0]], [[0, 0, 0]]), "body.vertices"),
+                        (vertices, "body"), (([[0, 0, "x"]], [[0, 0, 0]]), "body.vertices[0, 2]")):
+        assert refusal(lambda: Grasp([[0, 0, 0]], [[0, 0, 1]], 1, body=body))[0] == place
+    assert refusal(lambda: Grasp([[0, 0]], [[0, 1]], 1, body=(vertices, [[0, 1, 2]])))[0] == "body"
 
 
 def test_holes_within_a_mesh():

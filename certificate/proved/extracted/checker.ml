@@ -4473,6 +4473,57 @@ let read_outline v at_path value0 =
                  then Array (value0 :: [])
                  else value0))
 
+(** val read_vertex_number :
+    Big_int_Z.big_int -> path -> json -> unit result **)
+
+let read_vertex_number count0 at_path value0 =
+  bind (read_decimal at_path value0) (fun index ->
+    let whole = Z.div index.qnum index.qden in
+    check_that
+      ((&&)
+        ((&&) (qeq_bool index (inject_Z whole))
+          (Z.leb Big_int_Z.zero_big_int whole)) (Z.ltb whole count0)) at_path
+      "there is no such vertex")
+
+(** val read_face : Big_int_Z.big_int -> path -> json -> unit result **)
+
+let read_face count0 at_path value0 =
+  let what = "a face of three vertices or more" in
+  bind (read_array what (read_vertex_number count0) at_path value0)
+    (fun face ->
+    match face with
+    | [] -> expected what at_path value0
+    | _ :: l ->
+      (match l with
+       | [] -> expected what at_path value0
+       | _ :: l0 ->
+         (match l0 with
+          | [] -> expected what at_path value0
+          | _ :: _ -> Fine ())))
+
+(** val read_body : version -> path -> json -> unit result **)
+
+let read_body v at_path value0 =
+  bind
+    (check_that v.is_in_space at_path
+      "expected none, as the grasp is in the plane") (fun _ ->
+    bind (members_of ("vertices" :: ("faces" :: [])) at_path value0)
+      (fun members ->
+      bind
+        (member "vertices" (read_array "a list of vertices" (read_point v))
+          at_path members) (fun vertices ->
+        let count0 =
+          fold_left (fun sum0 _ -> Z.add sum0 Big_int_Z.unit_big_int)
+            vertices Big_int_Z.zero_big_int
+        in
+        let what = "a list of faces, of one or more" in
+        bind
+          (member "faces" (read_array what (read_face count0)) at_path
+            members) (fun faces ->
+          match faces with
+          | [] -> expected what ((Member "faces") :: at_path) value0
+          | _ :: _ -> Fine ()))))
+
 (** val at_point1 : q list -> q list -> q list **)
 
 let at_point1 p f =
@@ -4999,82 +5050,87 @@ let version_of members =
     in
     bind (only_second "units") (fun _ ->
       bind (only_second "outline") (fun _ ->
-        bind (only_second "loads") (fun _ ->
-          bind (only_second "cases") (fun _ -> Fine { is_second = second;
-            is_in_space = ((&&) second (begins_in_space members)) })))))
+        bind (only_second "body") (fun _ ->
+          bind (only_second "loads") (fun _ ->
+            bind (only_second "cases") (fun _ -> Fine { is_second = second;
+              is_in_space = ((&&) second (begins_in_space members)) }))))))
 
 (** val read_grasp : json -> grasp result **)
 
 let read_grasp value0 =
   bind
     (members_of
-      ("format" :: ("name" :: ("units" :: ("outline" :: ("defaults" :: ("contacts" :: ("wrench" :: ("loads" :: ("cases" :: [])))))))))
+      ("format" :: ("name" :: ("units" :: ("outline" :: ("body" :: ("defaults" :: ("contacts" :: ("wrench" :: ("loads" :: ("cases" :: []))))))))))
       [] value0) (fun members ->
     bind (version_of members) (fun v ->
       bind (optional_member "name" read_any_text [] members) (fun _ ->
         bind (optional_member "units" read_units [] members) (fun _ ->
           bind (optional_member "outline" (read_outline v) [] members)
             (fun outline ->
-            bind (optional_member "defaults" (read_defaults v) [] members)
-              (fun defaults ->
-              let outline0 = match outline with
-                             | Some it -> it
-                             | None -> [] in
-              let defaults0 =
-                match defaults with
-                | Some it -> it
-                | None ->
-                  { own_friction = None; own_stiffness = None; own_preload =
-                    None }
-              in
-              let read_contacts = fun at_path value1 ->
-                match value1 with
-                | Array items ->
-                  bind
-                    (check_that (negb (is_longer_than most_contacts items))
-                      at_path "too many contacts") (fun _ ->
-                    each (read_contact v outline0 defaults0) at_path items)
-                | _ -> expected "an array of contacts" at_path value1
-              in
-              bind (member "contacts" read_contacts [] members) (fun them ->
-                bind (optional_member "wrench" (read_wrench v) [] members)
-                  (fun own ->
-                  bind (optional_member "loads" (read_loads v) [] members)
-                    (fun loads ->
-                    bind (optional_member "cases" (read_cases v) [] members)
-                      (fun named ->
+            bind (optional_member "body" (read_body v) [] members) (fun _ ->
+              bind (optional_member "defaults" (read_defaults v) [] members)
+                (fun defaults ->
+                let outline0 = match outline with
+                               | Some it -> it
+                               | None -> []
+                in
+                let defaults0 =
+                  match defaults with
+                  | Some it -> it
+                  | None ->
+                    { own_friction = None; own_stiffness = None;
+                      own_preload = None }
+                in
+                let read_contacts = fun at_path value1 ->
+                  match value1 with
+                  | Array items ->
+                    bind
+                      (check_that (negb (is_longer_than most_contacts items))
+                        at_path "too many contacts") (fun _ ->
+                      each (read_contact v outline0 defaults0) at_path items)
+                  | _ -> expected "an array of contacts" at_path value1
+                in
+                bind (member "contacts" read_contacts [] members)
+                  (fun them ->
+                  bind (optional_member "wrench" (read_wrench v) [] members)
+                    (fun own ->
+                    bind (optional_member "loads" (read_loads v) [] members)
+                      (fun loads ->
                       bind
-                        (check_that
-                          (negb
-                            ((&&) (has_member "wrench" members)
-                              (has_member "loads" members))) []
-                          "both \"wrench\" and \"loads\"; give one of them")
-                        (fun _ ->
+                        (optional_member "cases" (read_cases v) [] members)
+                        (fun named ->
                         bind
                           (check_that
-                            ((||)
-                              ((||) (has_member "wrench" members)
-                                (has_member "loads" members))
-                              (has_member "cases" members)) []
-                            "the member \"wrench\" is missing") (fun _ ->
-                          let common =
-                            match own with
-                            | Some w -> w
-                            | None ->
-                              (match loads with
-                               | Some w -> w
-                               | None -> no_wrench v)
-                          in
-                          let named0 =
-                            match named with
-                            | Some it -> it
-                            | None -> []
-                          in
-                          Fine { in_space = v.is_in_space; all_contacts =
-                          them; common_wrench = common; cases =
-                          (map (fun pat ->
-                            let (name, w) = pat in
-                            (name, (add_wrench w common))) named0) }))))))))))))
+                            (negb
+                              ((&&) (has_member "wrench" members)
+                                (has_member "loads" members))) []
+                            "both \"wrench\" and \"loads\"; give one of them")
+                          (fun _ ->
+                          bind
+                            (check_that
+                              ((||)
+                                ((||) (has_member "wrench" members)
+                                  (has_member "loads" members))
+                                (has_member "cases" members)) []
+                              "the member \"wrench\" is missing") (fun _ ->
+                            let common =
+                              match own with
+                              | Some w -> w
+                              | None ->
+                                (match loads with
+                                 | Some w -> w
+                                 | None -> no_wrench v)
+                            in
+                            let named0 =
+                              match named with
+                              | Some it -> it
+                              | None -> []
+                            in
+                            Fine { in_space = v.is_in_space; all_contacts =
+                            them; common_wrench = common; cases =
+                            (map (fun pat ->
+                              let (name, w) = pat in
+                              (name, (add_wrench w common))) named0) })))))))))))))
 
 type tolerance = { amount : q; percent : bool }
 
@@ -6117,9 +6173,9 @@ let read_verdict s at_path value0 =
                    "\"stable\" or \"unstable\", as the question has no direction"
                    at_path value0
 
-(** val read_body : shape -> bool -> (string * json) list -> proof result **)
+(** val read_body0 : shape -> bool -> (string * json) list -> proof result **)
 
-let read_body s good members =
+let read_body0 s good members =
   if s.of_margin
   then if s.spatial
        then bind
@@ -6189,7 +6245,7 @@ let read_certificate in_space0 value0 = match value0 with
           let (b, rest2) = pat1 in
           bind (next_read "verdict" (read_verdict s) rest2) (fun pat2 ->
             let (good, rest3) = pat2 in
-            bind (read_body s good rest3) (fun it -> Fine (stated, { bits =
+            bind (read_body0 s good rest3) (fun it -> Fine (stated, { bits =
               b; body = it })))))))
 | _ -> expected "an object {...}" [] value0
 

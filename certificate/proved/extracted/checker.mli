@@ -991,6 +991,12 @@ val read_polygon : version -> path -> json -> edge list result
 
 val read_outline : version -> path -> json -> edge list list result
 
+val read_vertex_number : Big_int_Z.big_int -> path -> json -> unit result
+
+val read_face : Big_int_Z.big_int -> path -> json -> unit result
+
+val read_body : version -> path -> json -> unit result
+
 val at_point1 : q list -> q list -> q list
 
 val read_pull : version -> path -> (string * json) list -> q list result
@@ -1191,7 +1197,7 @@ val read_bits : path -> json -> Big_int_Z.big_int result
 
 val read_verdict : shape -> path -> json -> bool result
 
-val read_body : shape -> bool -> (string * json) list -> proof result
+val read_body0 : shape -> bool -> (string * json) list -> proof result
 
 val read_known_format : path -> json -> unit result
 

@@ -122,7 +122,7 @@ Tolerances parse_tolerances(std::string_view text);
 struct GraspBox {
   std::vector<UncertainContact> contacts;  ///< by ContactId
   WrenchBox wrench;                        ///< w, applied to the object
-  GraspDescription description{};          ///< no outline in space
+  GraspDescription description{};          ///< an outline in the plane, a body in space
 
   /// Whether it has three coordinates.
   bool in_space() const { return wrench.size() == 6; }

@@ -7,6 +7,7 @@
 /// 2018, Section III and Fig. 2.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,6 +35,19 @@ using Ring = std::vector<Vector2>;
 /// An outer ring, and then those of its holes, each in either sense.
 using Polygon = std::vector<Ring>;
 
+/// The surface of a body in space. It is drawn, and part of no question: nobody checks that it
+/// is closed.
+struct Mesh {
+  std::vector<Vector3> vertices;  ///< in the object frame
+  /// Of each the numbers of its vertices in order, at least three.
+  std::vector<std::vector<std::size_t>> faces;
+
+  /// Exact.
+  friend bool operator==(const Mesh& a, const Mesh& b) {
+    return a.vertices == b.vertices && a.faces == b.faces;
+  }
+};
+
 /// The units that the numbers of a grasp are in. They are shown and never converted.
 struct Units {
   std::string length;  ///< of positions: "mm"
@@ -49,9 +63,10 @@ struct Units {
 
 /// What is known of a grasp for people and pictures; no answer depends on it.
 struct GraspDescription {
-  std::string name;                ///< may be empty
-  std::vector<Polygon> outline{};  ///< of the body; empty if nobody gave it
-  std::optional<Units> units{};    ///< nothing if nobody gave them
+  std::string name;                    ///< may be empty
+  std::vector<Polygon> outline{};      ///< of a planar body; empty if nobody gave it
+  std::optional<Units> units{};        ///< nothing if nobody gave them
+  std::shared_ptr<const Mesh> body{};  ///< in space; null if nobody gave it. Copies share it
 };
 
 /// One frictional point contact. The normal need not have length 1: only its direction

@@ -9,7 +9,8 @@
 ///  - `format` is "stickslip-page/1"; `live`: whether a server answers further questions.
 ///  - `name` of the grasp; `dimension` of its motions, 3 in the plane and 6 in space.
 ///  - `grasp`: the grasp file as text, of version 2. Places on the outline are written as
-///    positions and normals, and loads as a wrench.
+///    positions and normals, and loads as a wrench. In space it has the body, if one is given;
+///    the texts of `examples` and the files in `decide` leave it out.
 ///  - `question`: `wrench`, `case`, `preload`, `normal_law` and `uncertain`, as text; null
 ///  where
 ///    the file is taken as it is.
@@ -29,7 +30,8 @@
 ///    (face, edge or vertex), a `motion` inside, `states` (a character a contact; exact), and
 ///    `boundary`, indices of vertices: of a face in order, counterclockwise from outside.
 ///    Vectors have length 1.
-///  - `region`: as `region --json --floats`, of forces with the torque that the load has.
+///  - `region`: as `region --json --floats`, of forces with the torque that the load has; in
+///    space of forces along the two axes along which the load has most.
 ///  - `margin`: as `margin --json --floats` along the load.
 ///  - `map`: as `map --json --floats` over factors of friction and load, from 0 to 2.
 ///  - `messages`: sentences for people.

@@ -13,7 +13,7 @@ namespace stickslip::earlier_detail {
 
 /// Why no point has w.a > 0: multipliers of the rows with w.a's own, coprime integers.
 struct NoPower {
-  Rational weight;                  ///< of w.a; 0 if there is no point at all
+  Rational weight;                    ///< of w.a; 0 if there is no point at all
   std::vector<Rational> multipliers;  ///< by row
 };
 

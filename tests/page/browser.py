@@ -22,7 +22,7 @@ STICKSLIP = os.environ["STICKSLIP"]
 STICKSLIP_CHECK = os.environ["STICKSLIP_CHECK"]
 PICTURES = os.environ["PAGE_PICTURES"]  # for people to look at
 FIG1 = os.path.join(ROOT, "paper_examples", "grasps", "fig1.json")
-PATIENCE = 30  # seconds until what has to come is missed; nothing here measures time
+PATIENCE = 120  # seconds until what has to come is missed; nothing here measures time
 
 
 def example(name):

@@ -209,14 +209,14 @@ def test_errors_of_questions(tmp_path, pinch):
             (lambda: stickslip.margin(pinch, (0, 0, -1)), "direction"),
             (lambda: stickslip.margin(pinch), "direction"),
             (lambda: stickslip.margin(pinch, DOWN, preload_direction=[1]), "preload_direction"),
-            (lambda: decide(pinch, DOWN, uncertain="normal=1/100"), "uncertain"),
+            (lambda: decide(pinch, DOWN, uncertain="normal=1%"), "uncertain"),
             (lambda: decide(pinch, DOWN, uncertain={}), "uncertain")):
         with pytest.raises(InputError) as caught:
             call()
         assert caught.value.place == place
     path = written(tmp_path, pinch)
     for words, options in ((["--engine", "branch-and-bound"], {"engine": "branch-and-bound"}),
-                           (["--uncertain", "normal=1/100"], {"uncertain": "normal=1/100"})):
+                           (["--uncertain", "normal=1%"], {"uncertain": "normal=1%"})):
         with pytest.raises(InputError) as caught:
             decide(pinch, DOWN, **options)
         assert caught.value.problem in said_by_the_program(path, "decide", *words)

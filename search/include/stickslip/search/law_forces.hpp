@@ -25,12 +25,12 @@ struct Wedge;
 /// that a twist has to be against and no motion goes with: a direction of loads, or what list 2
 /// excludes at a generator.
 struct AllowedWrench {
-  double work = 0;
-  Reals wrench{};
-  std::size_t generator = 0;
-  bool against = false;
-  std::vector<double> normal{};
-  std::vector<Double3> friction{};
+  double work = 0;                  ///< on the twist that was asked about
+  Reals wrench{};                   ///< of the load and all forces
+  std::size_t generator = 0;        ///< of the region
+  bool against = false;             ///< no motion goes with it
+  std::vector<double> normal{};     ///< a by contact
+  std::vector<Double3> friction{};  ///< f by contact
 };
 
 }  // namespace search_detail

@@ -43,30 +43,27 @@ namespace stickslip {
 template <class Forces>
 class TreeSearch {
  public:
-  /// \{ Those of the forces.
-  using Region = typename Forces::Region;
-  using Relaxed = typename Forces::Relaxed;
-  /// \}
+  using Region = typename Forces::Region;     ///< that of the forces
+  using Relaxed = typename Forces::Relaxed;   ///< likewise
   using Branch = BranchOf<TreeNode, Region>;  ///< a node with the regions of its children
 
   /// One search, or several that share a limit.
   TreeSearch(Forces forces, std::size_t node_limit)
       : forces_(std::move(forces)), node_limit_(node_limit) {}
 
-  /// \{ To be called with relaxed equilibria that may be near real ones; true ends the search.
+  /// Tries a relaxed equilibrium; true ends the search.
   using Candidate = std::function<bool(const typename Forces::Candidate&)>;
+  /// To be called with those that may be near real ones.
   void on_candidate(Candidate candidate) { candidate_ = std::move(candidate); }
-  /// \}
 
-  /// \{ To be asked where doubles do not decide, as beside an equilibrium: for a leaf that
-  /// refutes the region, or the contact to split; nothing ends the search. Then contacts alone
-  /// are split, so that the search ends.
+  /// A leaf that refutes the region, or the contact to split; nothing ends the search.
   using Exact = std::function<std::optional<TreeNode>(const Region&)>;
+  /// To be asked where doubles do not decide, as beside an equilibrium. Then contacts alone are
+  /// split, so that the search ends.
   void on_doubt(Exact exact) {
     exact_ = std::move(exact);
     forces_.keep_to_contacts();
   }
-  /// \}
 
   /// Appends a tree that refutes the region; false if none was found, and then `trees` has some
   /// nodes more.
@@ -111,6 +108,7 @@ class TreeSearch {
   SearchEnd end() const { return end_; }
   std::size_t nodes() const { return nodes_; }  ///< looked at
   Forces& forces() { return forces_; }          ///< what supplies them
+
  private:
   std::optional<Branch> stop(SearchEnd end) {
     end_ = end;

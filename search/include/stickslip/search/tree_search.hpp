@@ -20,26 +20,22 @@
 namespace stickslip {
 
 /// The search, whatever supplies the forces: contacts one by one, of any law (law_forces.hpp),
-/// or crowds of them in the plane (planar/crowd_forces.hpp). `Forces` has
+/// or crowds of them in the plane (planar/src/crowd_forces.hpp). `Forces` has
 ///
 /// - `Region`, `Relaxed` with a `gap` (the widest breach of a law, over the energy), and
 ///   `Candidate`: what a relaxed equilibrium says to those who look for a real one;
 /// - `motions()`, and `deepest()`: the depth of a tree that is not to be exceeded;
 /// - `enter(region, depth)`: reads a region, which all that follows is about; false if no
-/// solution
-///   lies there;
+///   solution lies there;
 /// - `nearest(again)`: what nearest_wrench() finds, `again` with more effort;
-/// `may_try_again()`:
-///   whether that may find something else;
+///   `may_try_again()`: whether that may find something else;
 /// - `confirm(twist)`: a twist near this one that refutes the region, exactly;
 /// - `relaxed(found)`, and `escapes(relaxed)`: it leads nowhere;
 /// - `candidate(relaxed)`, an optional;
 /// - `split(relaxed)` where it breaks a law noticeably, and `split_anywhere(relaxed)`: what
-/// else may
-///   lead on;
-/// - `branch(node)`: a node that was decided exactly, with its children; `keep_to_contacts()`:
-/// only
-///   such are to be split.
+///   else may lead on;
+/// - `branch(node)`: a node that was decided exactly, with its children;
+///   `keep_to_contacts()`: only such are to be split.
 template <class Forces>
 class TreeSearch {
  public:

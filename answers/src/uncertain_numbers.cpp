@@ -31,6 +31,10 @@ std::vector<UncertainNumber> numbers_of(const GraspBox& box) {
     all.push_back({contact + "stiffness", c.stiffness});
     all.push_back({contact + "preload", c.preload});
   }
+  for (const Spring& spring : box.springs) {
+    all.push_back({spring.place + ".stiffness", spring.stiffness});
+    all.push_back({spring.place + "." + force_name(spring), spring.force});
+  }
   for (std::size_t j = 0; j < box.wrench.size(); ++j) {
     all.push_back({"wrench[" + std::to_string(j) + "]", box.wrench[j]});
   }
@@ -58,8 +62,9 @@ std::vector<Rational> values_in(const GraspBox& box, const GraspBox& grasp) {
   const std::vector<UncertainNumber> intervals = numbers_of(box);
   const std::vector<UncertainNumber> numbers = numbers_of(grasp);
   std::vector<Rational> values;
+  const std::size_t others = box.wrench.size() + 2 * box.springs.size();
   const std::size_t contact_numbers =
-      box.contacts.empty() ? 1 : (intervals.size() - box.wrench.size()) / box.contacts.size();
+      box.contacts.empty() ? 1 : (intervals.size() - others) / box.contacts.size();
   for (std::size_t n = 0; n < intervals.size(); ++n) {
     if (intervals[n].interval.is_point()) continue;
     if (const std::size_t way = intervals[n].turn; way > 0) {

@@ -21,7 +21,8 @@ Json magnitude_json(const ContactReport& contact, const Rational& coefficient) {
 
 Answer about_box(Question question, BoxDecision decision, const AnswerOptions& options) {
   Warnings warnings;
-  if (options.warnings && question.in_space()) warnings = model_warnings(question, decision);
+  if (options.warnings && question.in_space() && question.mechanism() == nullptr)
+    warnings = model_warnings(question, decision);
   const char* engine = box_engine(question);
   return {std::move(question),
           std::move(decision.verdict),
@@ -48,14 +49,20 @@ struct EvidenceJson {
                           {"closed", c.mode.closed}});
     }
   }
-  void operator()(const SpatialWitness& witness) const {
+  void operator()(const ShareWitness& witness) const {
     json["twist"] = number_json(witness.twist);
     Json& contacts = json["contacts"] = Json::array();
-    for (const SpatialForce& c :
-         forces_of(*answer.question.box(), witness.twist, witness.shares)) {
-      contacts.push_back({{"force", number_json(c.force)},
-                          {"friction", number_json(c.friction)},
+    const GraspBox& grasp = *answer.question.box();
+    const auto as_row = [&](const Vector3& f) {
+      return RationalRow(f.begin(), f.begin() + (grasp.in_space() ? 3 : 2));
+    };
+    for (const SpatialForce& c : forces_of(grasp, witness.twist, witness.shares)) {
+      contacts.push_back({{"force", number_json(as_row(c.force))},
+                          {"friction", number_json(as_row(c.friction))},
                           {"closed", c.normal.sign() > 0}});
+    }
+    if (grasp.mechanism) {
+      json["springs"] = number_json(spring_forces_of(grasp, witness.twist));
     }
   }
   void operator()(const StabilityProof& proof) const {
@@ -150,7 +157,7 @@ std::vector<std::size_t> enclosed_contacts(const GraspBox& box) {
 std::optional<RationalRow> motion_near(const Answer& answer) {
   const auto* stable = std::get_if<Stable>(&answer.verdict);
   if (stable == nullptr || !std::holds_alternative<StabilityProof>(stable->proof)) return {};
-  if (!answer.question.in_space() && !answer.question.box()->is_point()) return {};
+  if (answer.question.is_one_planar_body() && !answer.question.box()->is_point()) return {};
   return stable->motion;
 }
 
@@ -177,6 +184,9 @@ Json to_json(const Answer& answer) {
   json["name"] = question.description().name;
   if (!question.case_name.empty()) json["case"] = question.case_name;
   add_units(json, question.description().units);
+  if (const Mechanism* mechanism = question.mechanism()) {
+    json["coordinates"] = coordinate_names(*mechanism);
+  }
   json["engine"] = answer.engine;
   json["normal_law"] = to_string(question.law);
   json["wrench"] = wrench_json(wrench_of(question.grasp));

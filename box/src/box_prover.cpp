@@ -5,7 +5,9 @@
 #include <cmath>
 #include <utility>
 
+#include "exact_region.hpp"
 #include "one_grasp.hpp"
+#include "stickslip/degree/exact_witness.hpp"
 #include "stickslip/degree/prove_stable.hpp"
 #include "stickslip/search/force_span.hpp"
 #include "stickslip/search/law_forces.hpp"
@@ -45,9 +47,9 @@ SearchReport BoxProver::report() const {
 
 bool BoxProver::prove_near(const GraspLaw& box, const GraspLaw& middle,
                            const NearEquilibrium& near) {
-  if (exact_witness_) {
-    if ((witness_ = exact_witness_(box, near))) {
-      motion_.assign(witness_->twist.begin(), witness_->twist.end());
+  if (is_exact_) {
+    if ((witness_ = exact_witness(box, near))) {
+      motion_ = witness_->twist;
       return true;
     }
   }
@@ -129,6 +131,16 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
     const auto found = newton.polish(relaxed);
     return found && (try_near(*found) || limits_.is_wide);
   });
+  if (is_exact_ && box_detail::is_linear(box)) {
+    search.on_doubt([&](const MotionRegion& region) -> std::optional<TreeNode> {
+      auto found = box_detail::decide_exactly(box, region);
+      if (auto* node = std::get_if<TreeNode>(&found)) return std::move(*node);
+      witness_ = std::move(std::get<ShareWitness>(found));
+      motion_ = witness_->twist;
+      holds = true;
+      return std::nullopt;
+    });
+  }
   const bool refuted = search.refute(MotionRegion::root(box), tree_);
   end_ = search.end();
   if (!refuted) tree_.erase(tree_.begin() + static_cast<std::ptrdiff_t>(before), tree_.end());
@@ -179,10 +191,7 @@ std::optional<PartSplit> BoxProver::widest(const GraspLaw& box,
       effect /= box.unit(i);
     } else {
       const LawContact& c = box.contacts[i];
-      const double size =
-          c.corners.front()
-              .normal_rounded.head(static_cast<Eigen::Index>(box.first_rotation))
-              .norm();
+      const double size = c.size;
       const double preload = (c.preloads[0] + c.preloads[1]) / 2;
       // Where nothing presses, something may elsewhere.
       constexpr double kLittle = 1e-2;

@@ -6,7 +6,6 @@
 #include "examples.hpp"
 #include "one_grasp.hpp"
 #include "stickslip/box/box_prover.hpp"
-#include "stickslip/degree/exact_witness.hpp"
 #include "stickslip/degree/prove_stable.hpp"
 
 namespace stickslip {
@@ -79,12 +78,12 @@ ProverLimits limits_of(const GraspBox& box, const SearchOptions& options,
   if (nodes == 0) {
     constexpr std::size_t kInSpace = 20000;
     constexpr std::size_t kWideInSpace = 1000;  // that it is neither is to be said soon
-    nodes = !box.in_space() ? 500 + 50 * box.contacts.size()
-            : is_wide       ? kWideInSpace
-                            : kInSpace;
+    nodes = box.is_one_planar_body() ? 500 + 50 * box.contacts.size()
+            : is_wide                ? kWideInSpace
+                                     : kInSpace;
   }
-  const std::size_t walls = box.in_space() && !is_wide ? 24 : 8;
-  const std::size_t searches = box.in_space() ? 4 : 8;
+  const std::size_t walls = !box.is_one_planar_body() && !is_wide ? 24 : 8;
+  const std::size_t searches = box.is_one_planar_body() ? 8 : 4;
   return {nodes, std::max<std::size_t>(nodes / walls, 1), searches * nodes, most_parts,
           is_wide};
 }
@@ -93,13 +92,13 @@ ProverLimits limits_of(const GraspBox& box, const SearchOptions& options,
 BoxDecision prove(const GraspBox& box, NormalLaw law, const SearchOptions& options,
                   std::size_t most_parts, std::array<std::optional<RationalRow>, 2>& suspects) {
   BoxDecision decision{Undecided{}};
-  const bool may_refine = box.is_point() && !box.in_space();
+  const bool may_refine = box.is_point() && box.is_one_planar_body();
   for (unsigned bits = options.bits;; bits *= 2) {
     decision.bits = bits;
     BoxProver prover(GraspLaw(box, law, bits), limits_of(box, options, most_parts),
                      decision.work);
-    if (box.in_space() && box.is_point() && !needs_enclosure(box)) {
-      prover.on_equilibrium(exact_witness);
+    if (!box.is_one_planar_body() && box.is_point() && !needs_enclosure(box)) {
+      prover.try_exact_equilibria();
     }
     if (auto verdict = prover.prove()) {
       std::visit([&](auto& known) { decision.verdict = std::move(known); }, *verdict);

@@ -62,6 +62,10 @@ std::optional<std::size_t> turn_index(Parameter parameter) {
 template <class Box>
 auto* interval_of(Box& box, const ParameterId& id) {
   if (id.parameter == Parameter::kWrench) return &box.wrench[id.index];
+  if (id.index >= box.contacts.size()) {
+    auto& spring = box.springs[id.index - box.contacts.size()];
+    return id.parameter == Parameter::kStiffness ? &spring.stiffness : &spring.force;
+  }
   auto& c = box.contacts[id.index];
   switch (id.parameter) {
     case Parameter::kX:
@@ -84,7 +88,7 @@ auto* interval_of(Box& box, const ParameterId& id) {
 }  // namespace
 
 Examples::Examples(const GraspBox& box, NormalLaw law) : box_(box), law_(law) {
-  for (const ParameterId& id : parameters_of(box.contacts.size(), box.in_space())) {
+  for (const ParameterId& id : parameters_of(box)) {
     const Interval* interval = interval_of(box, id);
     const bool is_certain =
         interval != nullptr ? interval->is_point() : box.contacts[id.index].slope.is_zero();
@@ -121,7 +125,7 @@ GraspBox Examples::between(const RationalRow& parts) const {
   GraspBox chosen = box_;
   std::size_t next = 0;
   std::vector<RationalRow> turns(chosen.contacts.size(), RationalRow(2));
-  for (const ParameterId& id : parameters_of(box_.contacts.size(), box_.in_space())) {
+  for (const ParameterId& id : parameters_of(box_)) {
     const Rational& part = parts[next++];
     if (Interval* interval = interval_of(chosen, id)) {
       *interval = point_interval(interval->low + part * (interval->high - interval->low));
@@ -195,7 +199,7 @@ std::optional<double> Examples::distance(const Place& place) const {
 
 std::vector<Place> Examples::suspects(bool middle_is_stable) const {
   std::vector<Place> places;
-  if (box_.in_space()) return places;
+  if (!box_.is_one_planar_body()) return places;
   const double sign = middle_is_stable ? 1 : -1;
   Place best = middle();
   for (std::size_t n = 0; n < numbers_.size(); ++n) {

@@ -23,7 +23,7 @@ Problem problem_of(const GraspLaw& point) {
 
 std::vector<NearEquilibrium> near_equilibria(const GraspLaw& point, bool has_enclosures) {
   const RoundedGrasp grasp = rounded_middle(point);
-  if (point.motions != 3) {
+  if (!point.is_one_planar_body()) {
     constexpr std::size_t kStarts = 3;
     return Newton(grasp).solve_from(kStarts);
   }
@@ -53,7 +53,7 @@ std::vector<NearEquilibrium> near_equilibria(const GraspLaw& point, bool has_enc
 
 std::optional<bool> is_stable(const GraspBox& point, NormalLaw law,
                               const SearchOptions& options) {
-  if (!point.in_space() && !needs_enclosure(point)) {
+  if (point.is_one_planar_body() && !needs_enclosure(point)) {
     return std::holds_alternative<Stable>(decide_by_cones(Problem(point.planar_middle(), law)));
   }
   return stickslip::is_stable(decide_box(point, law, options).verdict);

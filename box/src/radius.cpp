@@ -32,6 +32,12 @@ Rational valid_limit(const GraspBox& centre, const GraspBox& box, const Rational
     keep(at.stiffness.low, c.stiffness.low, false);
     if (!c.slope.is_zero()) limit = std::min(limit, Rational(inside / c.slope));
   }
+  for (std::size_t i = 0; i < box.springs.size(); ++i) {
+    const Spring& spring = box.springs[i];
+    const Spring& at = centre.springs[i];
+    keep(at.stiffness.low, spring.stiffness.low, !spring.is_ratchet());
+    if (spring.is_ratchet()) keep(at.force.low, spring.force.low, true);
+  }
   return limit;
 }
 

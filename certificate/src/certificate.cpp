@@ -96,7 +96,7 @@ std::string head(const Question& question, const std::string& wrench, const std:
                  const std::string& producer) {
   const GraspBox* box = question.box();
   const std::size_t contacts =
-      box != nullptr ? box->contacts.size() : question.loaded().grasp.size();
+      box != nullptr ? box->elements() : question.loaded().grasp.size();
   std::string text = "{\"format\": \"stickslip-certificate/2\",\n \"producer\": " +
                      nlohmann::json(producer).dump() +
                      ",\n \"question\": {\"contacts\": " + std::to_string(contacts) +
@@ -169,19 +169,19 @@ std::string segment_text(const SegmentByDegree& proof, const std::optional<Ratio
          list(proof.twist) + "],[" + list(proof.end_twist) + "]],\n " + shape_text(proof, true);
 }
 
-std::string witness_text(const SpatialWitness& witness) {
+/// A share or F of FORMAT.md: in the plane a number.
+std::string force_text(const RationalRow& force) {
+  return force.size() == 1 ? number(force.front()) : "[" + list(force) + "]";
+}
+
+std::string witness_text(const ShareWitness& witness) {
   std::string text = "\"twist\": [" + list(witness.twist) + "],\n \"shares\": [";
   std::string separator;
   for (const auto& [contact, share] : witness.shares) {
-    text += separator + "[" + std::to_string(contact.index()) + ",[" + list(share) + "]]";
+    text += separator + "[" + std::to_string(contact.index()) + "," + force_text(share) + "]";
     separator = ",";
   }
   return text + "]";
-}
-
-/// F of FORMAT.md: in the plane a number.
-std::string force_text(const RationalRow& force) {
-  return force.size() == 1 ? number(force.front()) : "[" + list(force) + "]";
 }
 
 std::string rest_text(const RestProof& proof) {
@@ -240,7 +240,7 @@ struct ProofText {
     return " \"twist\": [" + list(coordinates(witness.twist)) +
            "],\n \"shares\": " + shares_text(in_short(question.loaded().grasp, witness));
   }
-  std::string operator()(const SpatialWitness& witness) const {
+  std::string operator()(const ShareWitness& witness) const {
     return " " + witness_text(witness);
   }
   std::string operator()(const StabilityProof& proof) const {

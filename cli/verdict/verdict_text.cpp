@@ -36,8 +36,11 @@ struct EquilibriumText {
     }
     return "  motion d  " + text(witness.twist) + "\n\n" + format_table(rows) + "\n";
   }
-  std::string operator()(const SpatialWitness& witness) const {
+  std::string operator()(const ShareWitness& witness) const {
     const GraspBox& grasp = *answer.question.box();
+    if (grasp.mechanism) {
+      return "\n" + forces_text(grasp, witness) + "\n";
+    }
     Rows rows{{"contact", "normal", "friction", "force", ""}};
     for (const SpatialForce& c : forces_of(grasp, witness.twist, witness.shares)) {
       const std::size_t i = rows.size() - 1;
@@ -48,10 +51,56 @@ struct EquilibriumText {
     return "  motion d  " + text(witness.twist) + "\n\n" + format_table(rows) + "\n";
   }
   std::string operator()(const StabilityProof& /*proof*/) const {
-    if (!answer.question.in_space()) return "\n";
+    if (!answer.question.in_space() || answer.question.mechanism() != nullptr) return "\n";
     return "  motion d  near " + text(stable.motion) + "\n\n";
   }
+
+ private:
+  /// Of several bodies: by contact, with the bodies, and then by spring.
+  std::string forces_text(const GraspBox& grasp, const ShareWitness& witness) const {
+    Rows rows{{"contact", "of", "by", "normal", "force", ""}};
+    for (const SpatialForce& c : forces_of(grasp, witness.twist, witness.shares)) {
+      const std::size_t i = rows.size() - 1;
+      const UncertainContact& contact = grasp.contacts[i];
+      const RationalRow force(c.force.begin(), c.force.begin() + (grasp.in_space() ? 3 : 2));
+      rows.push_back({std::to_string(i), grasp.mechanism->name_of(contact.of),
+                      grasp.mechanism->name_of(contact.by),
+                      text.root(c.normal, dot(contact.normal, contact.normal)), text(force),
+                      c.normal.sign() > 0 ? "closed" : "open"});
+    }
+    std::string result = rows.size() > 1 ? format_table(rows) : "";
+    Rows springs{{"spring", "force"}};
+    const std::vector<Rational> forces = spring_forces_of(grasp, witness.twist);
+    for (std::size_t j = 0; j < forces.size(); ++j) {
+      const Spring& spring = grasp.springs[j];
+      springs.push_back({spring.name.empty() ? spring.place : spring.name, text(forces[j])});
+    }
+    if (springs.size() > 1) result += (result.empty() ? "" : "\n") + format_table(springs);
+    return result;
+  }
 };
+
+/// Of several bodies the load and the state, coordinate by coordinate; what is 0 throughout is
+/// left out.
+std::string states_text(const Answer& answer, const Mechanism& mechanism, NumberText& text) {
+  const WrenchBox load = wrench_of(answer.question.grasp);
+  const auto* stable = std::get_if<Stable>(&answer.verdict);
+  const bool has_motion = stable != nullptr && !stable->motion.empty();
+  const bool is_exact = has_motion && std::holds_alternative<ShareWitness>(stable->proof);
+  Rows rows{{"coordinate", "load w"}};
+  if (has_motion) rows.front().emplace_back(is_exact ? "motion z" : "motion z, near");
+  for (std::size_t j = 0; j < load.size(); ++j) {
+    const bool moves = has_motion && !stable->motion[j].is_zero();
+    if (load[j] == Interval{} && !moves) continue;
+    rows.push_back({mechanism.coordinate_name(j),
+                    load[j].is_point()
+                        ? text(load[j].low)
+                        : "[" + text(load[j].low) + ", " + text(load[j].high) + "]"});
+    if (has_motion) rows.back().push_back(text(stable->motion[j]));
+  }
+  if (rows.size() == 1) return "  no load" + std::string(has_motion ? ", no motion\n" : "\n");
+  return format_table(rows);
+}
 
 std::string leaves_text(std::size_t leaves) {
   return "Proved by a tree of " + std::to_string(leaves) + (leaves == 1 ? " leaf" : " leaves");
@@ -132,7 +181,7 @@ struct Meaning {
   /// Of one grasp in the plane, of which exact forces are not known.
   std::string near_text() const {
     const auto motion = motion_near(answer);
-    if (!motion || answer.question.in_space()) return "";
+    if (!motion || !answer.question.is_one_planar_body()) return "";
     return "An equilibrium is near the motion d = " + text(*motion) + "." +
            (enclosed_contacts(*answer.question.box()).empty()
                 ? " Exact forces would have numbers of\nmany digits: --engine "
@@ -143,6 +192,11 @@ struct Meaning {
 
 /// What the numbers are.
 std::string legend(const Answer& answer) {
+  if (answer.question.mechanism() != nullptr) {
+    return "Load: a force or torque for each coordinate. Motion: of bodies that are no links "
+           "x, "
+           "y and rotation\nin radians; of joints their coordinate. What is left out is 0.\n";
+  }
   if (answer.question.in_space()) {
     return "Load: force x, y, z, torque x, y, z. Motion: x, y, z, rotation x, y, z in "
            "radians.\n";
@@ -167,7 +221,9 @@ void print_text(const Answer& answer, const NumberOptions& output,
   }
   const auto* stable = std::get_if<Stable>(&answer.verdict);
   std::cout << heading(question) << name_of(answer.verdict) << "\n\n"
-            << "  load w    " << load_text(wrench_of(question.grasp), text) << '\n'
+            << (question.mechanism() != nullptr
+                    ? states_text(answer, *question.mechanism(), text)
+                    : "  load w    " + load_text(wrench_of(question.grasp), text) + "\n")
             << (stable == nullptr
                     ? "\n"
                     : std::visit(EquilibriumText{answer, *stable, text}, stable->proof))

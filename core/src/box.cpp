@@ -64,6 +64,21 @@ void check_contact(const UncertainContact& contact, const std::string& path) {
                    "degrees");
 }
 
+void check_spring(const Spring& spring) {
+  const std::string& path = spring.place;
+  const std::string force = path + "." + force_name(spring);
+  check_ends(spring.stiffness, path + ".stiffness");
+  check_ends(spring.force, force);
+  if (spring.is_ratchet()) {
+    check_low(spring.stiffness.low.sign() > 0, spring.stiffness, path + ".stiffness",
+              "a ratchet yields: its stiffness must be above 0 everywhere in the box");
+    check_low(spring.force.low.sign() >= 0, spring.force, force,
+              "a ratchet only pushes: its preload must be 0 or more everywhere in the box");
+  }
+  check_low(spring.stiffness.low.sign() >= 0, spring.stiffness, path + ".stiffness",
+            "stiffness must be 0 or more everywhere in the box");
+}
+
 void check_widened(const Tolerances& tolerances, const std::function<void()>& check) {
   try {
     check();
@@ -210,6 +225,7 @@ void GraspBox::check() const {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     check_contact(contacts[i], "contacts[" + std::to_string(i) + "]");
   }
+  for (std::size_t i = 0; i < springs.size(); ++i) check_spring(springs[i]);
   for (std::size_t j = 0; j < wrench.size(); ++j) {
     check_ends(wrench[j], "wrench[" + std::to_string(j) + "]");
   }
@@ -230,6 +246,10 @@ GraspBox GraspBox::widened(const Tolerances& tolerances) const {
       require(!tolerances.normal->relative, "the tolerance of normals is not relative");
       c.slope += tolerances.normal->amount;
     }
+  }
+  for (Spring& spring : box.springs) {
+    widen(tolerances.stiffness, spring.stiffness);
+    widen(tolerances.preload, spring.force);
   }
   for (Interval& component : box.wrench) widen(tolerances.wrench, component);
   check_widened(tolerances, [&] { box.check(); });
@@ -264,7 +284,7 @@ GraspBox GraspBox::middle() const {
 }
 
 LoadedGrasp GraspBox::planar_middle() const {
-  require(!in_space(), "a box in the plane");
+  require(is_one_planar_body(), "a box of one body in the plane");
   std::vector<Contact> middles;
   middles.reserve(contacts.size());
   for (const UncertainContact& c : contacts) {
@@ -321,6 +341,11 @@ GraspBox box_of(const AnyGrasp& grasp) {
 bool in_space(const AnyGrasp& grasp) {
   const auto* box = std::get_if<GraspBox>(&grasp);
   return box != nullptr && box->in_space();
+}
+
+const Mechanism* mechanism_of(const AnyGrasp& grasp) {
+  const auto* box = std::get_if<GraspBox>(&grasp);
+  return box != nullptr ? box->mechanism.get() : nullptr;
 }
 
 WrenchBox wrench_of(const AnyGrasp& grasp) {

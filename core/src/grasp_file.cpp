@@ -9,6 +9,7 @@
 #include "grasp_format.hpp"
 #include "intervals.hpp"
 #include "loads.hpp"
+#include "mechanism_file.hpp"
 #include "outline_file.hpp"
 #include "stickslip/core/error.hpp"
 #include "stickslip/core/file.hpp"
@@ -44,6 +45,8 @@ struct WrittenContact {
   Rational normal_z{};            ///< in space only
   std::optional<Rational> slope;  ///< of the normal, unless it is 0
   Properties own;
+  /// "of" and "by", which may be empty; null without either.
+  std::shared_ptr<const std::pair<std::string, std::string>> bodies;
 };
 
 namespace {
@@ -125,9 +128,22 @@ Properties read_properties(const JsonNode& object, const std::string& path,
 
 WrittenContact read_contact(const JsonNode& node, const std::string& path, IntervalReader& read,
                             bool in_space) {
-  static const Names kMembers{"position", "normal", "on", "friction", "stiffness", "preload"};
+  static const Names kMembers{"position",  "normal",  "on", "friction",
+                              "stiffness", "preload", "of", "by"};
   expect_object(node, path, kMembers);
   WrittenContact contact;
+  const auto body = [&](const char* key) -> std::string {
+    const JsonNode* name = node.find(key);
+    if (name == nullptr) return {};
+    expect(*name, Kind::kString, member_path(path, key), "the name of a body");
+    if (name->text.empty()) fail_at(member_path(path, key), "the name is empty", "name a body");
+    return name->text;
+  };
+  std::pair<std::string, std::string> bodies{body("of"), body("by")};
+  if (!bodies.first.empty() || !bodies.second.empty()) {
+    contact.bodies =
+        std::make_shared<const std::pair<std::string, std::string>>(std::move(bodies));
+  }
   const JsonNode* on = node.find("on");
   if (in_space) {
     if (on != nullptr) {
@@ -224,15 +240,22 @@ std::string read_name(const JsonNode& root) {
   return node->text;
 }
 
-/// Whether the file is of version 2.
-bool read_format(const JsonNode& root) {
-  const std::string remedy =
-      std::string("write \"format\": \"") + kVersion1 + "\" or \"" + kVersion2 + "\"";
+/// The version of the file, 1 to 3.
+int read_format(const JsonNode& root) {
+  const std::string remedy = std::string("write \"format\": \"") + kVersion1 + "\" or \"" +
+                             kVersion2 + "\", or of several bodies \"" + kVersion3 + "\"";
   const JsonNode& node = member(root, "", "format", remedy.c_str());
-  const bool known =
-      node.kind == Kind::kString && (node.text == kVersion1 || node.text == kVersion2);
-  if (!known) fail_at("format", "found " + describe(node), remedy);
-  return node.text == kVersion2;
+  int version = 1;
+  for (const char* known : {kVersion1, kVersion2, kVersion3}) {
+    if (node.kind == Kind::kString && node.text == known) return version;
+    ++version;
+  }
+  fail_at("format", "found " + describe(node), remedy);
+}
+
+bool has_several_bodies(const JsonNode& root) {
+  const JsonNode* format = root.find("format");
+  return format != nullptr && format->kind == Kind::kString && format->text == kVersion3;
 }
 
 std::string newer_format() {
@@ -244,7 +267,14 @@ std::string newer_format() {
   fail_at(path, "unknown key " + quote(key), newer_format());
 }
 
+constexpr const char* kOfBodies[] = {"bodies", "joints", "tendons", "ratchets"};
+
 void check_keys(const JsonNode& root, bool version2) {
+  for (const char* key : kOfBodies) {
+    if (root.find(key) == nullptr) continue;
+    fail_at("", "unknown key " + quote(key),
+            std::string("write \"format\": \"") + kVersion3 + "\", which has it");
+  }
   Names allowed{"format", "name", "defaults", "contacts", "wrench"};
   for (const char* key : {"units", "outline", "body", "loads", "cases"}) {
     if (version2) allowed.emplace_back(key);
@@ -266,7 +296,7 @@ void check_members(const JsonNode& root, bool version2) {
 /// The load; of cases, what is common to them.
 WrenchBox read_whole_load(const JsonNode& root, bool in_space, IntervalReader& read,
                           const std::string& remedy) {
-  const std::optional<WrenchBox> load = read_load(root, "", in_space, read);
+  const std::optional<WrenchBox> load = read_load(root, "", {in_space}, read);
   if (!load && root.find("cases") == nullptr) {
     fail_at("", "the key \"wrench\" is missing", remedy);
   }
@@ -287,6 +317,36 @@ void put_on_outline(std::vector<WrittenContact>& contacts, const std::vector<Pol
     contact.x.middle = position.x;
     contact.y.middle = position.y;
     contact.normal = edge.inwards;
+  }
+}
+
+/// Of one body.
+void refuse_bodies(const std::vector<WrittenContact>& contacts) {
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (!contacts[i].bodies) continue;
+    fail_at(
+        element_path("contacts", i),
+        std::string("unknown key \"") + (contacts[i].bodies->first.empty() ? "by" : "of") +
+            "\"",
+        std::string("write \"format\": \"") + kVersion3 + "\", which has several \"bodies\"");
+  }
+}
+
+/// Which bodies a contact is between.
+void put_between(UncertainContact& contact, const WrittenContact& written,
+                 const Mechanism& mechanism, const std::string& path) {
+  if (!written.bodies || written.bodies->first.empty()) {
+    fail_at(path, "the key \"of\" is missing",
+            "name the body that is pressed, into which the normal points");
+  }
+  const auto& [of, by] = *written.bodies;
+  contact.of = mechanism.body_named(of, member_path(path, "of"));
+  if (!by.empty() && by != "ground") {
+    contact.by = mechanism.body_named(by, member_path(path, "by"));
+  }
+  if (contact.of == contact.by) {
+    fail_at(path, "a contact of " + quote(of) + " with itself",
+            "name another body in \"by\", or leave it out for the ground");
   }
 }
 
@@ -346,6 +406,14 @@ std::size_t case_named(const std::vector<std::string>& cases,
                    cases.empty() ? "it has no cases at all" : choice);
 }
 
+GraspFile StreamedGrasp::finish_any(const JsonNode& grasp, Intervals intervals) {
+  if (grasp.kind == Kind::kObject && has_several_bodies(grasp)) {
+    return finish_bodies(grasp, intervals);
+  }
+  if (grasp.kind == Kind::kObject && in_space(grasp)) return finish_in_space(grasp, intervals);
+  return finish(grasp, intervals);
+}
+
 const LoadedGrasp& GraspFile::loaded() const {
   const auto* one = std::get_if<LoadedGrasp>(&content);
   require(one != nullptr, "one grasp in the plane");
@@ -378,8 +446,14 @@ bool StreamedGrasp::in_space(const JsonNode& grasp) const {
 
 GraspFile StreamedGrasp::finish(const JsonNode& grasp, Intervals intervals) {
   expect(grasp, Kind::kObject, "", "an object {\"format\": ..., \"contacts\": [...], ...}");
-  const bool version2 = read_format(grasp);
+  const int version = read_format(grasp);
+  if (version == 3) {
+    fail_at("bodies", "the grasp has several bodies",
+            "this is done for one body only; stickslip decide answers for several");
+  }
+  const bool version2 = version == 2;
   check_members(grasp, version2);
+  refuse_bodies(contacts_);
   if (in_space(grasp)) {
     fail_at(contacts_.empty() ? "wrench" : "contacts[0].position", "the grasp is in space",
             version2 ? "this is done in the plane only; stickslip decide answers in space"
@@ -392,7 +466,7 @@ GraspFile StreamedGrasp::finish(const JsonNode& grasp, Intervals intervals) {
                       std::string("add \"wrench\": [x, y, torque]") +
                           (version2 ? " or \"loads\": [...]" : "") + "; no load is [0, 0, 0]");
   GraspFile file;
-  for (ReadCase& one : read_cases(grasp, wrench, read)) {
+  for (ReadCase& one : read_cases(grasp, wrench, {false}, read)) {
     file.cases.push_back({std::move(one.name), std::move(one.load)});
   }
   if (grasp.find("body") != nullptr) {
@@ -432,8 +506,9 @@ GraspFile StreamedGrasp::finish(const JsonNode& grasp, Intervals intervals) {
 }
 
 GraspFile StreamedGrasp::finish_in_space(const JsonNode& grasp, Intervals intervals) {
-  const bool version2 = read_format(grasp);
+  const bool version2 = read_format(grasp) == 2;
   check_members(grasp, version2);
+  refuse_bodies(contacts_);
   if (!version2) fail_at("contacts[0].position", "three coordinates", newer_format());
   if (grasp.find("outline") != nullptr) {
     fail_at("outline", "an outline, but the grasp is in space",
@@ -447,7 +522,7 @@ GraspFile StreamedGrasp::finish_in_space(const JsonNode& grasp, Intervals interv
       grasp, true, read,
       "add \"wrench\": [force x, y, z, torque x, y, z] or \"loads\": [...]; no load is [0, 0, "
       "0, 0, 0, 0]");
-  for (ReadCase& one : read_cases(grasp, box.wrench, read)) {
+  for (ReadCase& one : read_cases(grasp, box.wrench, {true}, read)) {
     result.cases.push_back({std::move(one.name), std::move(one.load)});
   }
   fill_in(contacts_, defaults);
@@ -460,8 +535,48 @@ GraspFile StreamedGrasp::finish_in_space(const JsonNode& grasp, Intervals interv
   contacts_.clear();
   // The requirements on units are Grasp's own.
   box.description =
-      Grasp({}, GraspDescription{read_name(grasp), {}, read_units(grasp), read_body(grasp)})
+      Grasp({}, GraspDescription{read_name(grasp), {}, read_units(grasp), read_surface(grasp)})
           .description();
+  box.check();
+  return result;
+}
+
+GraspFile StreamedGrasp::finish_bodies(const JsonNode& grasp, Intervals intervals) {
+  Names allowed{"format", "name", "units", "defaults", "contacts", "wrench", "loads", "cases"};
+  allowed.insert(allowed.end(), std::begin(kOfBodies), std::end(kOfBodies));
+  expect_object(grasp, "", allowed);
+  expect(member(grasp, "", "contacts", "add \"contacts\": [...], which may be empty"),
+         Kind::kArray, "contacts", "an array of contacts [{...}, ...]");
+  const bool spatial = !contacts_.empty() && in_space_;
+  IntervalReader read(first_interval_);
+  const Properties defaults = read_defaults(grasp, read);
+  GraspFile result;
+  auto& box = result.content.emplace<GraspBox>();
+  const auto mechanism = std::make_shared<const Mechanism>(read_mechanism(grasp, spatial));
+  box.mechanism = mechanism;
+  box.springs = read_springs(grasp, *mechanism, read);
+  const LoadSpace space{spatial, mechanism.get()};
+  box.wrench = read_load(grasp, "", space, read).value_or(WrenchBox(mechanism->coordinates()));
+  for (ReadCase& one : read_cases(grasp, box.wrench, space, read)) {
+    result.cases.push_back({std::move(one.name), std::move(one.load)});
+  }
+  fill_in(contacts_, defaults);
+  refuse_intervals(first_interval_, true, intervals);
+  for (const WrittenContact& c : contacts_) {
+    const std::size_t i = box.contacts.size();
+    const std::string path = element_path("contacts", i);
+    if (c.place) {
+      fail_at(member_path(path, "on"), "a place on an outline",
+              "of several bodies give \"position\" and \"normal\"");
+    }
+    if (!c.own.stiffness) result.assumed_stiffness.emplace_back(i);
+    box.contacts.push_back(uncertain_of(c, spatial, path));
+    put_between(box.contacts.back(), c, *mechanism, path);
+  }
+  contacts_.clear();
+  // The requirements on units are Grasp's own.
+  box.description =
+      Grasp({}, GraspDescription{read_name(grasp), {}, read_units(grasp)}).description();
   box.check();
   return result;
 }
@@ -497,10 +612,7 @@ GraspFile parse_grasp(std::string_view text, const std::string& file, Intervals 
 
 GraspFile parse_any_grasp(std::string_view text, const std::string& file, Intervals intervals) {
   return parse_with(text, file, [&](StreamedGrasp& reader, const JsonNode& grasp) {
-    if (grasp.kind == Kind::kObject && reader.in_space(grasp)) {
-      return reader.finish_in_space(grasp, intervals);
-    }
-    return reader.finish(grasp, intervals);
+    return reader.finish_any(grasp, intervals);
   });
 }
 

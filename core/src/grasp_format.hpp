@@ -8,6 +8,7 @@ namespace stickslip::core_detail {
 /// \{ The member "format".
 inline constexpr const char* kVersion1 = "stickslip-grasp/1";
 inline constexpr const char* kVersion2 = "stickslip-grasp/2";
+inline constexpr const char* kVersion3 = "stickslip-grasp/3";  ///< several bodies
 /// \}
 
 }  // namespace stickslip::core_detail

@@ -79,13 +79,17 @@ RationalRow read_weight(const JsonNode& load, const std::string& path, const Loa
   return d;
 }
 
-RationalRow read_one_load(const JsonNode& load, const std::string& path,
-                          const LoadForms& forms) {
+RationalRow read_one_load(const JsonNode& load, const std::string& path, const LoadForms& forms,
+                          bool on_a_body) {
+  const auto allow = [&](std::vector<std::string> members) {
+    if (on_a_body) members.insert(members.begin(), "body");
+    expect_object(load, path, members);
+  };
   const std::string point = forms.point;
   const std::string example = "{\"force\": " + point + ", \"at\": " + point + "}";
   expect(load, Kind::kObject, path, ("an object such as " + example).c_str());
   if (const JsonNode* torque = load.find("torque")) {
-    expect_object(load, path, {"torque"});
+    allow({"torque"});
     RationalRow turn = forms.coordinates == 2
                            ? RationalRow{read_number(*torque, member_path(path, "torque"))}
                            : read_coordinates(load, path, "torque", forms);
@@ -93,18 +97,57 @@ RationalRow read_one_load(const JsonNode& load, const std::string& path,
     return turn;
   }
   if (load.find("weight") != nullptr) {
-    expect_object(load, path, {"weight", "at", "direction"});
+    allow({"weight", "at", "direction"});
     return force_at(read_weight(load, path, forms), read_coordinates(load, path, "at", forms));
   }
   if (load.find("force") != nullptr) {
-    expect_object(load, path, {"force", "at"});
+    allow({"force", "at"});
     return force_at(read_coordinates(load, path, "force", forms),
                     read_coordinates(load, path, "at", forms));
   }
-  expect_object(load, path, {"force", "at", "torque", "weight", "direction"});
+  allow({"force", "at", "torque", "weight", "direction"});
   fail_at(path, "found " + describe(load) + " that is no load",
           "give " + example + ", {\"torque\": " + forms.torque +
               "} or {\"weight\": w, \"at\": " + point + "}");
+}
+
+void add(WrenchBox& sum, std::size_t component, const Interval& interval) {
+  sum[component].low += interval.low;
+  sum[component].high += interval.high;
+}
+
+/// A load on one of several bodies, added to a generalised force.
+void add_load(WrenchBox& sum, const JsonNode& load, const std::string& path,
+              const Mechanism& mechanism, IntervalReader& read) {
+  const LoadForms& written = forms(mechanism.in_space);
+  expect(load, Kind::kObject, path,
+         "an object such as {\"body\": \"box\", \"weight\": 1, \"at\": ...}");
+  const JsonNode& name = member(load, path, "body", "add \"body\": \"...\", which it pulls at");
+  const std::string place = member_path(path, "body");
+  expect(name, Kind::kString, place, "the name of a body");
+  const std::size_t body = mechanism.body_named(name.text, place);
+  if (const JsonNode* wrench = load.find("wrench")) {
+    expect_object(load, path, {"body", "wrench"});
+    if (mechanism.bodies[body].link) {
+      fail_at(member_path(path, "wrench"), quote(name.text) + " is a link",
+              "give {\"force\": ..., \"at\": ...} or {\"torque\": ...}; a wrench is for a body "
+              "that is "
+              "on no hinge or slide");
+    }
+    const WrenchBox numbers =
+        read.numbers(*wrench, member_path(path, "wrench"), written.components, written.wrench);
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      add(sum, mechanism.first_coordinate(body) + k, numbers[k]);
+    }
+    return;
+  }
+  const RationalRow force = read_one_load(load, path, written, true);
+  const std::vector<RationalRow> motion = mechanism.motion_of(body);
+  for (std::size_t j = 0; j < sum.size(); ++j) {
+    Rational component = 0;
+    for (std::size_t k = 0; k < force.size(); ++k) component += force[k] * motion[k][j];
+    add(sum, j, point_interval(component));
+  }
 }
 
 std::string read_case_name(const JsonNode& entry, const std::string& path,
@@ -128,32 +171,42 @@ bool is_uncertain(const WrenchBox& wrench) {
 }
 
 std::optional<WrenchBox> read_load(const JsonNode& object, const std::string& path,
-                                   bool in_space, IntervalReader& read) {
-  const LoadForms& written = forms(in_space);
+                                   const LoadSpace& space, IntervalReader& read) {
+  const LoadForms& written = forms(space.in_space);
   const JsonNode* wrench = object.find("wrench");
   const JsonNode* loads = object.find("loads");
   if (wrench != nullptr && loads != nullptr) {
     fail_at(path, "found both \"wrench\" and \"loads\"", "give one of them");
   }
   if (wrench != nullptr) {
-    return read.numbers(*wrench, member_path(path, "wrench"), written.components,
-                        written.wrench);
+    if (space.mechanism == nullptr) {
+      return read.numbers(*wrench, member_path(path, "wrench"), written.components,
+                          written.wrench);
+    }
+    const std::size_t count = space.mechanism->coordinates();
+    return read.numbers(*wrench, member_path(path, "wrench"), count,
+                        ("an array of " + std::to_string(count) +
+                         " numbers, a force for each coordinate of bodies and joints")
+                            .c_str());
   }
   if (loads == nullptr) return std::nullopt;
   const std::string place = member_path(path, "loads");
   expect(*loads, Kind::kArray, place, "an array of loads [{...}, ...]");
-  RationalRow sum(written.components);
+  WrenchBox sum(space.components());
   for (std::size_t i = 0; i < loads->children.size(); ++i) {
-    const RationalRow load = read_one_load(loads->children[i], element_path(place, i), written);
-    for (std::size_t j = 0; j < sum.size(); ++j) sum[j] += load[j];
+    const std::string one = element_path(place, i);
+    if (space.mechanism != nullptr) {
+      add_load(sum, loads->children[i], one, *space.mechanism, read);
+      continue;
+    }
+    const RationalRow load = read_one_load(loads->children[i], one, written, false);
+    for (std::size_t j = 0; j < sum.size(); ++j) add(sum, j, point_interval(load[j]));
   }
-  WrenchBox result;
-  for (const Rational& component : sum) result.push_back(point_interval(component));
-  return result;
+  return sum;
 }
 
 std::vector<ReadCase> read_cases(const JsonNode& root, const WrenchBox& common,
-                                 IntervalReader& read) {
+                                 const LoadSpace& space, IntervalReader& read) {
   const JsonNode* node = root.find("cases");
   if (node == nullptr) return {};
   expect(*node, Kind::kArray, "cases", "an array of cases [{\"name\": ...}, ...]");
@@ -164,15 +217,12 @@ std::vector<ReadCase> read_cases(const JsonNode& root, const WrenchBox& common,
     const std::string path = element_path("cases", cases.size());
     expect_object(entry, path, {"name", "wrench", "loads"});
     std::string name = read_case_name(entry, path, names);
-    std::optional<WrenchBox> load = read_load(entry, path, common.size() == 6, read);
+    std::optional<WrenchBox> load = read_load(entry, path, space, read);
     if (!load) {
       fail_at(path, "neither \"wrench\" nor \"loads\" is there",
               "add one of them; \"loads\": [] adds nothing to what is common to all cases");
     }
-    for (std::size_t j = 0; j < common.size(); ++j) {
-      (*load)[j].low += common[j].low;
-      (*load)[j].high += common[j].high;
-    }
+    for (std::size_t j = 0; j < common.size(); ++j) add(*load, j, common[j]);
     cases.push_back({std::move(name), std::move(*load)});
   }
   return cases;

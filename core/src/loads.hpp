@@ -14,9 +14,20 @@
 
 namespace stickslip::core_detail {
 
+/// What loads are on.
+struct LoadSpace {
+  bool in_space;
+  const Mechanism* mechanism = nullptr;  ///< unless it is one body
+
+  /// How many numbers a load comes to.
+  std::size_t components() const {
+    return mechanism != nullptr ? mechanism->coordinates() : in_space ? 6 : 3;
+  }
+};
+
 /// What an object gives as "wrench" or as "loads"; nothing if it has neither.
 std::optional<WrenchBox> read_load(const JsonNode& object, const std::string& path,
-                                   bool in_space, IntervalReader& read);
+                                   const LoadSpace& space, IntervalReader& read);
 
 /// A case: its name, and its load with the common one.
 struct ReadCase {
@@ -25,7 +36,7 @@ struct ReadCase {
 };
 /// The elements of "cases"; none if there is no such key.
 std::vector<ReadCase> read_cases(const JsonNode& root, const WrenchBox& common,
-                                 IntervalReader& read);
+                                 const LoadSpace& space, IntervalReader& read);
 
 /// Whether some component is no number.
 bool is_uncertain(const WrenchBox& wrench);

@@ -103,22 +103,21 @@ std::vector<Polygon> read_outline(const JsonNode& root) {
   return outline;
 }
 
-std::shared_ptr<const Mesh> read_body(const JsonNode& root) {
-  const JsonNode* node = root.find("body");
+std::shared_ptr<const Mesh> read_surface(const JsonNode& root, const std::string& key) {
+  const JsonNode* node = root.find(key);
   if (node == nullptr) return nullptr;
   constexpr const char* kBody = R"({"vertices": [[x, y, z], ...], "faces": [[0, 1, 2], ...]})";
   constexpr const char* kVertices = "a list of vertices [[x, y, z], ...]";
   constexpr const char* kFaces =
       "a list of faces [[0, 1, 2], ...], each of the numbers of three vertices or more";
-  expect_object(*node, "body", {"vertices", "faces"});
+  expect_object(*node, key, {"vertices", "faces"});
   Mesh body;
-  body.vertices =
-      read_list(member(*node, "body", "vertices", kBody), "body.vertices", kVertices,
-                [](const JsonNode& vertex, const std::string& path) -> Vector3 {
-                  std::vector<Rational> v =
-                      read_vector(vertex, path, 3, "an array of three numbers [x, y, z]");
-                  return {std::move(v[0]), std::move(v[1]), std::move(v[2])};
-                });
+  body.vertices = read_list(member(*node, key, "vertices", kBody), key + ".vertices", kVertices,
+                            [](const JsonNode& vertex, const std::string& path) -> Vector3 {
+                              std::vector<Rational> v = read_vector(
+                                  vertex, path, 3, "an array of three numbers [x, y, z]");
+                              return {std::move(v[0]), std::move(v[1]), std::move(v[2])};
+                            });
   const std::size_t count = body.vertices.size();
   const std::string range = count == 0
                                 ? "the body has no vertices"
@@ -126,7 +125,7 @@ std::shared_ptr<const Mesh> read_body(const JsonNode& root) {
   const auto read_vertex_of = [&](const JsonNode& index, const std::string& path) {
     return read_index(read_number(index, path), count, path, range);
   };
-  body.faces = read_list(member(*node, "body", "faces", kBody), "body.faces", kFaces,
+  body.faces = read_list(member(*node, key, "faces", kBody), key + ".faces", kFaces,
                          [&](const JsonNode& face, const std::string& path) {
                            auto vertices = read_list(face, path, kFaces, read_vertex_of);
                            if (vertices.size() < 3) {
@@ -135,7 +134,8 @@ std::shared_ptr<const Mesh> read_body(const JsonNode& root) {
                            }
                            return vertices;
                          });
-  if (body.faces.empty()) fail_at("body.faces", "the list is empty", "give a face, or no body");
+  if (body.faces.empty())
+    fail_at(key + ".faces", "the list is empty", "give a face, or no " + key);
   return std::make_shared<const Mesh>(std::move(body));
 }
 

@@ -25,8 +25,8 @@ PlaceOnOutline read_place(const JsonNode& node, const std::string& path);
 /// The value of "outline", checked; empty if there is none.
 std::vector<Polygon> read_outline(const JsonNode& root);
 
-/// The value of "body"; null if there is none.
-std::shared_ptr<const Mesh> read_body(const JsonNode& root);
+/// The value of "body", or of the key of another surface; null if there is none.
+std::shared_ptr<const Mesh> read_surface(const JsonNode& root, const std::string& key = "body");
 
 /// The edge of this place, whose path is that of "on". Throws InputError if there is none.
 const OutlineEdge& edge_at(const std::vector<std::vector<OutlineEdge>>& edges,

@@ -1,18 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stickslip/core/spatial_forces.hpp"
 
+#include <utility>
+
 #include "stickslip/core/error.hpp"
 
 namespace stickslip {
+namespace {
 
-Vector3 displacement(const Vector3& point, const Vector6& d) {
+/// A vector of the plane as one in space.
+Vector3 in_three(const RationalRow& a) {
+  return {a[0], a[1], a.size() == 3 ? a[2] : Rational(0)};
+}
+
+/// Of the body that is pressed beside the other, in space, from the motion of one or a state.
+RationalRow relative_twist(const GraspBox& grasp, const UncertainContact& c,
+                           const RationalRow& d) {
+  if (!grasp.mechanism) return d;
+  RationalRow twist;
+  for (const RationalRow& row : grasp.mechanism->motion_between(c.of, c.by)) {
+    twist.push_back(dot(row, d));
+  }
+  if (twist.size() == 3) return {twist[0], twist[1], 0, 0, 0, twist[2]};
+  return twist;
+}
+
+}  // namespace
+
+Vector3 displacement(const Vector3& point, const RationalRow& d) {
   Vector3 moved = cross({d[3], d[4], d[5]}, point);
   for (std::size_t j = 0; j < 3; ++j) moved[j] += d[j];
   return moved;
 }
 
-std::vector<SpatialForce> forces_of(const GraspBox& grasp, const Vector6& d,
-                                    const std::vector<std::pair<ContactId, Vector3>>& shares) {
+std::vector<SpatialForce> forces_of(
+    const GraspBox& grasp, const RationalRow& d,
+    const std::vector<std::pair<ContactId, RationalRow>>& shares) {
   std::vector<SpatialForce> forces(grasp.contacts.size());
   const auto root = [](const Rational& square) {
     const std::optional<Rational> length = exact_sqrt(square);
@@ -21,10 +44,11 @@ std::vector<SpatialForce> forces_of(const GraspBox& grasp, const Vector6& d,
   };
   for (std::size_t i = 0; i < forces.size(); ++i) {
     const UncertainContact& c = grasp.contacts[i];
-    const Vector3 n = vector3(c.normal);
+    const Vector3 n = in_three(c.normal);
     const Rational square = dot(n, n);
-    const Vector3 moved =
-        displacement({c.position[0].low, c.position[1].low, c.position[2].low}, d);
+    RationalRow position;
+    for (const Interval& coordinate : c.position) position.push_back(coordinate.low);
+    const Vector3 moved = displacement(in_three(position), relative_twist(grasp, c, d));
     const Rational rise = dot(n, moved) / square;
     SpatialForce& force = forces[i];
     force.normal = -c.stiffness.low * rise;
@@ -40,13 +64,28 @@ std::vector<SpatialForce> forces_of(const GraspBox& grasp, const Vector6& d,
   for (const auto& [contact, share] : shares) {
     const std::size_t i = contact.index();
     const Rational most = grasp.contacts[i].friction.low * forces[i].normal;
-    for (std::size_t j = 0; j < 3; ++j) forces[i].friction[j] = most * share[j];
+    const RationalRow& n = grasp.contacts[i].normal;
+    // In the plane a share is of the normal turned by +90 degrees.
+    const Vector3 along =
+        share.size() == 3 ? vector3(share) : Vector3{-share[0] * n[1], share[0] * n[0], 0};
+    for (std::size_t j = 0; j < 3; ++j) forces[i].friction[j] = most * along[j];
   }
   for (std::size_t i = 0; i < forces.size(); ++i) {
     SpatialForce& force = forces[i];
+    const Vector3 n = in_three(grasp.contacts[i].normal);
     for (std::size_t j = 0; j < 3; ++j) {
-      force.force[j] = force.normal * grasp.contacts[i].normal[j] + force.friction[j];
+      force.force[j] = force.normal * n[j] + force.friction[j];
     }
+  }
+  return forces;
+}
+
+std::vector<Rational> spring_forces_of(const GraspBox& grasp, const RationalRow& z) {
+  std::vector<Rational> forces;
+  for (const Spring& spring : grasp.springs) {
+    Rational force = spring.force.low - spring.stiffness.low * dot(spring.row, z);
+    if (spring.is_ratchet() && force.sign() < 0) force = 0;
+    forces.push_back(std::move(force));
   }
   return forces;
 }

@@ -81,14 +81,98 @@ std::string write_normal(const UncertainContact& c) {
   return "{\"direction\": " + direction + ", \"slope\": " + write_number(c.slope) + "}";
 }
 
-/// Without a stiffness if that is assumed.
+std::string member(const char* key, const std::string& value) {
+  return std::string(", \"") + key + "\": " + value;
+}
+
+/// \{ Of several bodies.
+std::string write_name(const std::string& name) {
+  return json_string(name, "name");
+}
+
+std::string write_vector(const RationalRow& row) {
+  return write_list(row, ", ", write_number);
+}
+
+std::string write_rates(const Mechanism& mechanism, const LinkRates& rates) {
+  std::string text;
+  for (const auto& [body, rate] : rates) {
+    text += (text.empty() ? "{" : ", ") + write_name(mechanism.bodies[body].name) + ": " +
+            write_number(rate);
+  }
+  return text + "}";
+}
+
+std::string write_one_body(const Mechanism& mechanism, const Body& body) {
+  std::string text = "{\"name\": " + write_name(body.name);
+  if (body.link) {
+    const Link& link = *body.link;
+    if (link.slides) {
+      text += member("slide", write_vector(link.axis));
+    } else if (mechanism.in_space) {
+      text += member("hinge", "{\"at\": " + write_vector(link.at) +
+                                  ", \"axis\": " + write_vector(link.axis) + "}");
+    } else {
+      text += member("hinge", write_vector(link.at));
+    }
+    if (link.on) text += member("on", write_name(mechanism.bodies[*link.on].name));
+  }
+  if (!body.outline.empty()) {
+    text += member("outline", write_list(body.outline, ",\n  ", write_polygon));
+  }
+  if (body.mesh) text += member("mesh", write_body(*body.mesh));
+  return text + "}";
+}
+
+/// Those of this kind; a joint's stand beside its `turns`.
+std::string write_springs(const GraspBox& box, Spring::Kind kind, const char* list) {
+  std::string text;
+  for (const Spring& spring : box.springs) {
+    if (spring.kind != kind) continue;
+    text += text.empty() ? std::string(" \"") + list + "\": [\n  " : std::string(",\n  ");
+    text += "{\"over\": " + write_rates(*box.mechanism, spring.over) +
+            (spring.name.empty() ? "" : member("name", write_name(spring.name))) +
+            member("stiffness", write_interval(spring.stiffness)) +
+            member(force_name(spring), write_interval(spring.force)) + "}";
+  }
+  return text.empty() ? "" : text + "],\n";
+}
+
+std::string write_joints(const GraspBox& box) {
+  std::string text;
+  for (std::size_t q = 0; q < box.mechanism->joints.size(); ++q) {
+    const Joint& joint = box.mechanism->joints[q];
+    text += std::string(q == 0 ? " \"joints\": [\n  " : ",\n  ") +
+            "{\"turns\": " + write_rates(*box.mechanism, joint.turns) +
+            (joint.name.empty() ? "" : member("name", write_name(joint.name)));
+    for (const Spring& spring : box.springs) {
+      if (spring.kind != Spring::Kind::kJoint || spring.joint != q) continue;
+      text += member("stiffness", write_interval(spring.stiffness)) +
+              member(force_name(spring), write_interval(spring.force));
+    }
+    text += "}";
+  }
+  return text.empty() ? "" : text + "],\n";
+}
+
+std::string write_mechanism(const GraspBox& box) {
+  return " \"bodies\": " +
+         write_list(box.mechanism->bodies, ",\n  ",
+                    [&](const Body& body) { return write_one_body(*box.mechanism, body); }) +
+         ",\n" + write_joints(box) + write_springs(box, Spring::Kind::kTendon, "tendons") +
+         write_springs(box, Spring::Kind::kRatchet, "ratchets");
+}
+/// \}
+
+/// Without a stiffness if that is assumed. `bodies`: between which it is.
 std::string write_contact(const UncertainContact& c, std::size_t i,
-                          const std::vector<ContactId>& assumed_stiffness) {
+                          const std::vector<ContactId>& assumed_stiffness,
+                          const std::string& bodies = "") {
   const bool assumed =
       std::binary_search(assumed_stiffness.begin(), assumed_stiffness.end(), ContactId(i));
-  return std::string(i == 0 ? "\n" : ",\n") +
-         "  {\"position\": " + write_intervals(c.position) +
-         ", \"normal\": " + write_normal(c) + ", \"friction\": " + write_interval(c.friction) +
+  return std::string(i == 0 ? "\n" : ",\n") + "  {" + bodies +
+         "\"position\": " + write_intervals(c.position) + ", \"normal\": " + write_normal(c) +
+         ", \"friction\": " + write_interval(c.friction) +
          (assumed ? "" : ", \"stiffness\": " + write_interval(c.stiffness)) +
          ", \"preload\": " + write_interval(c.preload) + "}";
 }
@@ -102,16 +186,21 @@ bool has_intervals(const GraspFile& file) {
 
 std::string write_contacts(const GraspFile& file) {
   std::string text;
-  const auto write = [&](const auto& contacts, const auto& box_of_contact) {
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-      text += write_contact(box_of_contact(contacts[i]), i, file.assumed_stiffness);
-    }
-  };
   if (const auto* one = std::get_if<LoadedGrasp>(&file.content)) {
-    write(one->grasp.contacts(), [](const Contact& c) { return box_of(c); });
+    for (std::size_t i = 0; i < one->grasp.size(); ++i) {
+      text += write_contact(box_of(one->grasp.contacts()[i]), i, file.assumed_stiffness);
+    }
   } else {
-    write(std::get<GraspBox>(file.content).contacts,
-          [](const UncertainContact& c) -> const UncertainContact& { return c; });
+    const auto& box = std::get<GraspBox>(file.content);
+    for (std::size_t i = 0; i < box.contacts.size(); ++i) {
+      const UncertainContact& c = box.contacts[i];
+      std::string bodies;
+      if (box.mechanism) {
+        bodies = "\"of\": " + write_name(box.mechanism->name_of(c.of)) +
+                 (c.by ? member("by", write_name(box.mechanism->name_of(c.by))) : "") + ", ";
+      }
+      text += write_contact(c, i, file.assumed_stiffness, bodies);
+    }
   }
   return text;
 }
@@ -141,10 +230,15 @@ std::string write_grasp(const AnyGrasp& content) {
 
 std::string write_grasp_file(const GraspFile& file) {
   const auto& [name, outline, units, body] = file.description();
-  const bool version1 = !in_space(file.content) && file.cases.empty() && outline.empty() &&
-                        !units && !has_intervals(file);
-  std::string text =
-      std::string("{\"format\": \"") + (version1 ? kVersion1 : kVersion2) + "\",\n";
+  const auto* box = std::get_if<GraspBox>(&file.content);
+  const bool has_bodies = box != nullptr && box->mechanism;
+  const bool version1 = !has_bodies && !in_space(file.content) && file.cases.empty() &&
+                        outline.empty() && !units && !has_intervals(file);
+  std::string text = std::string("{\"format\": \"") +
+                     (has_bodies ? kVersion3
+                      : version1 ? kVersion1
+                                 : kVersion2) +
+                     "\",\n";
   if (!name.empty()) text += " \"name\": " + json_string(name, "name") + ",\n";
   if (units) {
     text += " \"units\": {\"length\": " + json_string(units->length, "units") +
@@ -154,6 +248,7 @@ std::string write_grasp_file(const GraspFile& file) {
     text += " \"outline\": " + write_list(outline, ",\n  ", write_polygon) + ",\n";
   }
   if (body) text += " \"body\": " + write_body(*body) + ",\n";
+  if (has_bodies) text += write_mechanism(*box);
   return text + " \"contacts\": [" + write_contacts(file) +
          write_loads(wrench_of(file.content), file.cases);
 }

@@ -31,10 +31,7 @@ bool is_first(const JsonNode& node, const std::string& path, const std::string& 
 
 GraspFile read_grasp(const JsonNode& node, StreamedGrasp& reader, const std::string& folder) {
   if (node.kind == Kind::kObject) {
-    return within("grasp", [&] {
-      return reader.in_space(node) ? reader.finish_in_space(node, Intervals::kRefused)
-                                   : reader.finish(node);
-    });
+    return within("grasp", [&] { return reader.finish_any(node, Intervals::kRefused); });
   }
   expect(node, Kind::kString, "grasp", "a grasp {...} or the name of a grasp file");
   // Never "-": standard input may be where the claims come from.

@@ -26,7 +26,7 @@ NearbyEquilibrium equilibrium_of(const Grasp& grasp, const Witness& witness) {
 }
 
 /// The same in space.
-NearbyEquilibrium equilibrium_of(const GraspBox& grasp, const SpatialWitness& witness) {
+NearbyEquilibrium equilibrium_of(const GraspBox& grasp, const ShareWitness& witness) {
   NearbyEquilibrium found;
   found.twist = {witness.twist.begin(), witness.twist.end()};
   for (const SpatialForce& f : forces_of(grasp, witness.twist, witness.shares)) {
@@ -82,8 +82,8 @@ NearEquilibrium modes_of_claim(const GraspBox& grasp, const Claim& claim, double
 }
 
 /// Nothing that has friction may slip in it.
-std::optional<SpatialWitness> find_spatial_witness_like(const Question& question,
-                                                        const Claim& claim) {
+std::optional<ShareWitness> find_spatial_witness_like(const Question& question,
+                                                      const Claim& claim) {
   const GraspBox& grasp = *question.box();
   if (needs_enclosure(grasp)) return std::nullopt;
   const GraspLaw law(grasp, question.law);
@@ -122,7 +122,7 @@ std::optional<NearbyEquilibrium> equilibrium_of(const Answer& answer) {
   if (const auto* witness = std::get_if<Witness>(&stable.proof)) {
     return equilibrium_of(answer.question.loaded().grasp, *witness);
   }
-  if (const auto* witness = std::get_if<SpatialWitness>(&stable.proof)) {
+  if (const auto* witness = std::get_if<ShareWitness>(&stable.proof)) {
     return equilibrium_of(*answer.question.box(), *witness);
   }
   return std::nullopt;
@@ -150,8 +150,7 @@ bool is_equilibrium(const ClaimResiduals& residuals) {
 std::optional<Stable> verdict_by(const Question& question, const Claim& claim) {
   const GraspBox& grasp = *question.box();
   if (needs_enclosure(grasp)) return std::nullopt;
-  SpatialWitness witness{};
-  std::copy(claim.twist->begin(), claim.twist->end(), witness.twist.begin());
+  ShareWitness witness{*claim.twist, {}};
   for (std::size_t i = 0; i < grasp.contacts.size(); ++i) {
     const ContactGeometry contact(grasp.contacts[i]);
     const RationalRow& force = (*claim.forces)[i];
@@ -159,7 +158,7 @@ std::optional<Stable> verdict_by(const Question& question, const Claim& claim) {
     const bool slips = contact.slip_sign(contact.displacement(*claim.twist)) != 0;
     if (slips || largest(friction).is_zero()) continue;
     const Rational most = grasp.contacts[i].friction.low * contact.along(force);
-    witness.shares.emplace_back(ContactId(i), vector3(sum(RationalRow(3), 1 / most, friction)));
+    witness.shares.emplace_back(ContactId(i), sum(RationalRow(3), 1 / most, friction));
   }
   return Stable{std::move(witness), *claim.twist};
 }

@@ -56,9 +56,7 @@ RationalRow ContactGeometry::wrench_of(const RationalRow& force) const {
 
 RationalRow ContactGeometry::displacement(const RationalRow& d) const {
   if (d.size() == 3) return {d[0] - d[2] * point_[1], d[1] + d[2] * point_[0]};
-  Vector6 motion;
-  std::copy(d.begin(), d.end(), motion.begin());
-  const Vector3 moved = stickslip::displacement(vector3(point_), motion);
+  const Vector3 moved = stickslip::displacement(vector3(point_), d);
   return {moved.begin(), moved.end()};
 }
 

@@ -23,11 +23,14 @@ Rational near(double x, double size) {
 /// A basis of the motions with no slip at these contacts, by columns.
 RationalMatrix motions_without_slip(const GraspLaw& model,
                                     const std::vector<std::size_t>& sticking) {
-  RationalMatrix slips(3 * static_cast<Eigen::Index>(sticking.size()), 6);
+  const auto each = static_cast<Eigen::Index>(
+      sticking.empty() ? 0 : model.contacts[sticking.front()].slip_dimension());
+  RationalMatrix slips(each * static_cast<Eigen::Index>(sticking.size()),
+                       static_cast<Eigen::Index>(model.motions));
   Eigen::Index next = 0;
   for (const std::size_t i : sticking) {
     for (const Row& row : model.contacts[i].corners.front().slip) {
-      for (std::size_t j = 0; j < 6; ++j) {
+      for (std::size_t j = 0; j < model.motions; ++j) {
         slips(next, static_cast<Eigen::Index>(j)) = Rational(row[j]);
       }
       ++next;
@@ -37,8 +40,8 @@ RationalMatrix motions_without_slip(const GraspLaw& model,
 }
 
 RationalVector as_rationals(const RationalRow& a) {
-  RationalVector result(6);
-  for (std::size_t j = 0; j < 6; ++j) result[static_cast<Eigen::Index>(j)] = a[j];
+  RationalVector result(static_cast<Eigen::Index>(a.size()));
+  for (std::size_t j = 0; j < a.size(); ++j) result[static_cast<Eigen::Index>(j)] = a[j];
   return result;
 }
 
@@ -59,14 +62,14 @@ bool balance(std::vector<BalanceTerm>& terms, const RationalVector& rest) {
     return terms[a].spare > terms[b].spare;
   });
   std::vector<std::size_t> chosen;
-  RationalMatrix columns(6, 0);
+  RationalMatrix columns(rest.size(), 0);
   for (const std::size_t k : order) {
-    RationalMatrix longer(6, columns.cols() + 1);
+    RationalMatrix longer(rest.size(), columns.cols() + 1);
     longer << columns, terms[k].wrench;
     if (rank_of(longer) == chosen.size()) continue;
     columns = std::move(longer);
     chosen.push_back(k);
-    if (chosen.size() == 6) break;
+    if (columns.cols() == rest.size()) break;
   }
   if (chosen.empty()) return rest.isZero(0);
   const std::optional<RationalVector> change = solve_exactly(columns, rest);
@@ -79,12 +82,16 @@ bool balance(std::vector<BalanceTerm>& terms, const RationalVector& rest) {
 
 }  // namespace
 
-std::optional<SpatialWitness> exact_witness(const GraspLaw& model,
-                                            const NearEquilibrium& near_one) {
+std::optional<ShareWitness> exact_witness(const GraspLaw& model,
+                                          const NearEquilibrium& near_one) {
   const std::size_t m = model.contacts.size();
+  std::vector<bool> closed;
+  for (std::size_t i = 0; i < m; ++i) {
+    closed.push_back(model.contacts[i].is_spring || near_one.normal[i] > 0);
+  }
   std::vector<std::size_t> sticking;
   for (std::size_t i = 0; i < m; ++i) {
-    const bool rubs = near_one.normal[i] > 0 && !model.contacts[i].friction.high.is_zero();
+    const bool rubs = closed[i] && !model.contacts[i].friction.high.is_zero();
     if (rubs && near_one.sticks[i] == 0) return std::nullopt;
     if (rubs) sticking.push_back(i);
   }
@@ -92,15 +99,16 @@ std::optional<SpatialWitness> exact_witness(const GraspLaw& model,
   // friction at each. Of the latter all but a few stay near what they are.
   const RationalMatrix motions = motions_without_slip(model, sticking);
   std::vector<BalanceTerm> terms;
-  RationalVector rest(6);  // what the values leave to balance
-  for (std::size_t j = 0; j < 6; ++j) {
+  const auto d = static_cast<Eigen::Index>(model.motions);
+  RationalVector rest(d);  // what the values leave to balance
+  for (std::size_t j = 0; j < model.motions; ++j) {
     rest[static_cast<Eigen::Index>(j)] = -model.wrench[j].low;
   }
   for (Eigen::Index k = 0; k < motions.cols(); ++k) {
-    terms.push_back({RationalVector::Zero(6), 0, HUGE_VAL, m, motions.col(k)});
+    terms.push_back({RationalVector::Zero(d), 0, HUGE_VAL, m, motions.col(k)});
   }
   for (std::size_t i = 0; i < m; ++i) {
-    if (!(near_one.normal[i] > 0)) continue;
+    if (!closed[i]) continue;
     const LawContact& c = model.contacts[i];
     const RationalVector normal = as_rationals(c.corners.front().normal);
     rest -= c.preload.low * normal;
@@ -113,22 +121,25 @@ std::optional<SpatialWitness> exact_witness(const GraspLaw& model,
     const LawContact& c = model.contacts[i];
     const CornerRow& row = c.corners.front();
     const double most = c.slopes[0] * near_one.normal[i];
-    const Double3& f = near_one.friction[i];
+    const Double3& f = near_one.friction[i];  // (of a plane the first number)
     for (const RationalRow& t : friction_directions(c)) {
-      const Double3 rounded{to_double(t[0]), to_double(t[1]), to_double(t[2])};
+      Double3 rounded{};
+      for (std::size_t k = 0; k < t.size(); ++k) rounded[k] = to_double(t[k]);
       const double square = dot(rounded, rounded);
-      BalanceTerm term{RationalVector::Zero(6),
-                       near(dot(f, rounded) / square, most / std::sqrt(square)),
-                       most - std::sqrt(dot(f, f)), i, RationalVector(3)};
-      for (std::size_t k = 0; k < 3; ++k) term.direction[static_cast<Eigen::Index>(k)] = t[k];
+      BalanceTerm term{
+          RationalVector::Zero(d), near(dot(f, rounded) / square, most / std::sqrt(square)),
+          most - std::sqrt(dot(f, f)), i, RationalVector(static_cast<Eigen::Index>(t.size()))};
+      for (std::size_t k = 0; k < t.size(); ++k)
+        term.direction[static_cast<Eigen::Index>(k)] = t[k];
       term.wrench = as_rationals(row.wrench_of(t));
       rest -= term.value * term.wrench;
       terms.push_back(std::move(term));
     }
   }
   if (!balance(terms, rest)) return std::nullopt;
-  SpatialWitness witness{};
-  std::vector<Vector3> friction(m);
+  ShareWitness witness{RationalRow(model.motions), {}};
+  std::vector<RationalRow> friction;
+  for (const LawContact& c : model.contacts) friction.emplace_back(c.slip_dimension());
   for (const BalanceTerm& term : terms) {
     for (Eigen::Index k = 0; k < term.direction.size(); ++k) {
       Rational& sum = term.contact == m ? witness.twist[static_cast<std::size_t>(k)]
@@ -137,12 +148,12 @@ std::optional<SpatialWitness> exact_witness(const GraspLaw& model,
     }
   }
   // Judged: the modes, and the cones.
-  const RationalRow twist(witness.twist.begin(), witness.twist.end());
   for (std::size_t i = 0; i < m; ++i) {
     const LawContact& c = model.contacts[i];
-    const Rational v = c.preload.low - c.stiffness.low * dot(c.corners.front().normal, twist);
-    const bool closed = near_one.normal[i] > 0;
-    if (closed ? v.sign() < 0 : v.sign() > 0) return std::nullopt;
+    const Rational v =
+        c.preload.low - c.stiffness.low * dot(c.corners.front().normal, witness.twist);
+    if (c.is_spring) continue;
+    if (closed[i] ? v.sign() < 0 : v.sign() > 0) return std::nullopt;
     if (model.law == NormalLaw::kBilateral && v.sign() < 0) return std::nullopt;
     if (dot(friction[i], friction[i]).is_zero()) continue;
     const Rational scale = c.friction.low * v;

@@ -20,7 +20,7 @@ struct Part {
 };
 
 Part part_of(const RoundedContact& c, const NearEquilibrium& near, std::size_t contact) {
-  const double a = std::max(0.0, c.separation(near.motion));
+  const double a = c.force(near.motion);
   Part part{a * c.normal, {}, a * c.slope};
   const Eigen::VectorXd s = c.slip * near.motion;
   if (near.sticks[contact] != 0) {

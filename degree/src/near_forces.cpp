@@ -17,7 +17,7 @@ Vector3 rationals(const Eigen::Vector3d& a) {
 
 }  // namespace
 
-std::vector<SpatialForce> near_forces(const Question& question, const Vector6& d) {
+std::vector<SpatialForce> near_forces(const Question& question, const RationalRow& d) {
   const GraspLaw law = law_of(question, kDefaultBits);
   const RoundedGrasp grasp = rounded_middle(law);
   NearEquilibrium near{Reals(6), {}, {}, {}};
@@ -33,7 +33,7 @@ std::vector<SpatialForce> near_forces(const Question& question, const Vector6& d
   for (std::size_t i = 0; i < slips.size(); ++i) {
     const RoundedContact& c = grasp.contacts[i];
     constexpr double kNoSlip = 1e-6;
-    const double a = std::max(0.0, c.separation(near.motion));
+    const double a = c.force(near.motion);
     const bool still = slips[i].norm() <= kNoSlip * furthest;
     if (still) slips[i].setZero();
     const Eigen::Vector3d friction =

@@ -40,7 +40,7 @@ Reals Newton::force(const Reals& motion, double smooth, Eigen::MatrixXd* derivat
   if (derivative != nullptr) derivative->setZero(motion.size(), motion.size());
   for (const RoundedContact& c : grasp_.contacts) {
     const double a = c.separation(motion);
-    if (!(a > 0)) continue;
+    if (!c.acts(a)) continue;
     Reals wrench = c.normal;
     if (c.slope > 0) {
       const Across s = c.slip * motion;
@@ -76,10 +76,9 @@ ModalEquations::ModalEquations(const RoundedGrasp& grasp, NearEquilibrium& near)
     const RoundedContact& c = grasp.contacts[i];
     double a = c.separation(near.motion);
     constexpr double kTouches = 1e-13;  // rounding lets nothing rub
-    const auto forces = static_cast<Eigen::Index>(grasp.first_rotation);
-    if (a < kTouches * grasp.force / c.normal.head(forces).norm()) a = 0;
+    if (!c.is_spring && a < kTouches * grasp.force / c.size) a = 0;
     near.normal[i] = a;
-    if (near.sticks[i] == 0 && !(a > 0)) continue;
+    if (near.sticks[i] == 0 && !c.is_spring && !(a > 0)) continue;
     const Across s = c.slip * near.motion;
     Reals wrench = c.normal;
     if (near.sticks[i] != 0) {
@@ -244,7 +243,7 @@ Reals Newton::change_with_smooth(const Reals& d, double smooth) const {
   Reals change = Reals::Zero(d.size());
   for (const RoundedContact& c : grasp_.contacts) {
     const Across s = c.slip * d;
-    const double a = std::max(0.0, c.separation(d));
+    const double a = c.force(d);
     if (s.norm() < smooth) change += a * c.slope / (smooth * smooth) * (c.slip.transpose() * s);
   }
   Eigen::MatrixXd derivative;
@@ -288,7 +287,7 @@ std::optional<NearEquilibrium> Newton::solve(const Reals& start) const {
   }
   NearEquilibrium result{d, {}, {}, {}};
   for (const RoundedContact& c : grasp_.contacts) {
-    const double a = std::max(0.0, c.separation(d));
+    const double a = c.force(d);
     const Across s = c.slip * d;
     result.normal.push_back(a);
     result.friction.push_back(stored(-a * c.slope / std::max(s.norm(), smooth) * s));
@@ -325,9 +324,9 @@ std::optional<NearEquilibrium> Newton::change_modes(NearEquilibrium near) const 
       const Across slip = c.slip * near.motion;
       // What sticks is what a small slip back would not make slip.
       const Across trial = shares[i] - slip / (kNear * travel);
-      near.normal[i] = std::max(0.0, a);
+      near.normal[i] = c.force(near.motion);
       near.sticks[i] = a > 0 && c.slope > 0 && trial.norm() < 1 ? 1 : 0;
-      if (!(a > 0)) continue;
+      if (!c.acts(a)) continue;
       const Reals back = c.slip.transpose() * slip;
       if (near.sticks[i] != 0) {
         lawful = lawful && slip.norm() < kLawful * travel;
@@ -393,7 +392,7 @@ NearEquilibrium Newton::settle(NearEquilibrium near) const {
     for (std::size_t i = 0; i < m; ++i) {
       const RoundedContact& c = grasp_.contacts[i];
       const double v = c.separation(near.motion);
-      if (!(v > 0)) continue;
+      if (!c.acts(v)) continue;
       const Reals friction = c.slope * c.slip.row(0).transpose();
       const Reals edge = c.normal + shares[i] * friction;
       sum += v * edge;
@@ -428,7 +427,7 @@ NearEquilibrium Newton::settle(NearEquilibrium near) const {
     }
   }
   for (std::size_t i = 0; i < m; ++i) {
-    near.normal[i] = std::max(0.0, grasp_.contacts[i].separation(near.motion));
+    near.normal[i] = grasp_.contacts[i].force(near.motion);
     near.friction[i] = {shares[i] * grasp_.contacts[i].slope * near.normal[i], 0, 0};
     if (!(near.normal[i] > 0)) near.sticks[i] = 0;
   }

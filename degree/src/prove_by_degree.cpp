@@ -151,10 +151,8 @@ std::optional<DegreeProof> DegreeSearch::prove_smoothly(const NearEquilibrium& n
   double stiffness = 0;
   for (std::size_t i = 0; i < about_.grasp.contacts.size(); ++i) {
     const RoundedContact& c = about_.grasp.contacts[i];
-    const double size =
-        c.normal.head(static_cast<Eigen::Index>(about_.grasp.first_rotation)).norm();
-    force += near.normal[i] * size;
-    stiffness += c.stiffness * size * size;
+    force += std::fabs(near.normal[i]) * c.size;
+    stiffness += c.stiffness * c.size * c.size;
   }
   const double left = part * force;
   const Eigen::MatrixXd answer =

@@ -40,11 +40,12 @@ RoundedBox::RoundedBox(const GraspLaw& law)
     : law_(law),
       has_multiples_(law.is_family && law.multiples.high != law.multiples.low),
       first_(law.contacts.size() + 1) {
+  std::size_t last = SIZE_MAX;
   for (const ParameterId& id : law.parameters()) {
     const bool is_load = id.parameter == Parameter::kWrench;
     const std::size_t owner = is_load ? law.contacts.size() : id.index;
-    if (is_load ? id.index == 0 : id.parameter == Parameter::kX)
-      first_[owner] = numbers_.size();
+    if (owner != last) first_[owner] = numbers_.size();
+    last = owner;
     if (!law.interval(id).is_point()) numbers_.push_back(id);
   }
 }
@@ -76,8 +77,12 @@ RoundedContact RoundedBox::contact_at(std::size_t contact, const Place& place) c
   }
   const auto d = static_cast<Eigen::Index>(law_.motions);
   RoundedContact result{Reals::Zero(d),
-                        SlipRows::Zero(static_cast<Eigen::Index>(c.slip_dimension()), d), 0, 0,
-                        0};
+                        SlipRows::Zero(static_cast<Eigen::Index>(c.slip_dimension()), d),
+                        0,
+                        0,
+                        0,
+                        c.size,
+                        c.is_spring};
   for (std::size_t k = 0; k < weights.size(); ++k) {
     result.normal += weights[k] * c.corners[k].normal_rounded;
     for (std::size_t r = 0; r < c.slip_dimension(); ++r) {
@@ -106,8 +111,7 @@ Reals RoundedBox::load_at(const Place& place) const {
 }
 
 RoundedGrasp RoundedBox::at(const Place& place) const {
-  RoundedGrasp grasp{{},         load_at(place),      law_.force,
-                     law_.reach, law_.first_rotation, law_.length};
+  RoundedGrasp grasp{{}, load_at(place), law_.force, law_.reach, law_.rotates, law_.length};
   for (std::size_t i = 0; i < law_.contacts.size(); ++i) {
     grasp.contacts.push_back(contact_at(i, place));
   }
@@ -120,8 +124,7 @@ RoundedGrasp rounded_middle(const Law& law) {
   const double multiple =
       law.is_family ? middle({to_double(law.multiples.low), to_double(*law.multiples.high)})
                     : 0;
-  RoundedGrasp grasp{{},        multiple * law.growing, law.force,
-                     law.reach, law.first_rotation,     law.length};
+  RoundedGrasp grasp{{}, multiple * law.growing, law.force, law.reach, law.rotates, law.length};
   for (Eigen::Index j = 0; j < d; ++j) {
     grasp.load[j] += middle(law.load[static_cast<std::size_t>(j)]);
   }
@@ -129,8 +132,11 @@ RoundedGrasp rounded_middle(const Law& law) {
   for (const LawContact& c : law.contacts) {
     RoundedContact contact{Reals::Zero(d),
                            SlipRows::Zero(static_cast<Eigen::Index>(c.slip_dimension()), d),
-                           middle(c.slopes), middle(c.preloads) + multiple * middle(c.rates),
-                           middle(c.stiffnesses)};
+                           middle(c.slopes),
+                           middle(c.preloads) + multiple * middle(c.rates),
+                           middle(c.stiffnesses),
+                           c.size,
+                           c.is_spring};
     const double weight = 1 / static_cast<double>(c.corners.size());
     for (const CornerRow& corner : c.corners) {
       contact.normal += weight * corner.normal_rounded;
@@ -147,13 +153,14 @@ RoundedGrasp rounded_grasp(const Problem& problem) {
   const auto rounded = [](const Wrench& w) {
     return Eigen::Vector3d(to_double(w.x), to_double(w.y), to_double(w.torque));
   };
-  RoundedGrasp grasp{{}, rounded(problem.wrench()), 0, 0, 2, 0};
+  RoundedGrasp grasp{{}, rounded(problem.wrench()), 0, 0, {0, 0, 1}, 0};
   grasp.contacts.reserve(problem.size());
   for (const ContactRow& row : problem.rows()) {
     const Eigen::Vector3d normal = rounded(row.normal);
     const Eigen::Vector3d tangent = rounded(row.tangent);
     grasp.contacts.push_back({normal, tangent.transpose(), to_double(row.friction),
-                              to_double(row.preload), to_double(row.stiffness)});
+                              to_double(row.preload), to_double(row.stiffness),
+                              normal.head<2>().norm()});
     const double arm = std::max(std::fabs(normal[2]), std::fabs(tangent[2]));
     grasp.length = std::max(grasp.length, arm / normal.head<2>().norm());
   }
@@ -164,9 +171,8 @@ RoundedGrasp rounded_grasp(const Problem& problem) {
   for (RoundedContact& c : grasp.contacts) {
     c.normal[2] /= grasp.length;
     c.slip(0, 2) /= grasp.length;
-    const double size = c.normal.head(2).norm();
-    grasp.force = std::max(grasp.force, c.preload * size);
-    stiffest = std::max(stiffest, c.stiffness * size * size);
+    grasp.force = std::max(grasp.force, c.preload * c.size);
+    stiffest = std::max(stiffest, c.stiffness * c.size * c.size);
   }
   if (!(grasp.force > 0) || !std::isfinite(grasp.force)) grasp.force = 1;
   grasp.reach = stiffest > 0 ? grasp.force / stiffest : 1;

@@ -36,13 +36,13 @@ Walls::Walls(const RoundedGrasp& middle, const ForceSpan& span, const NearEquili
              double size, const Law* box)
     : middle_(middle), span_(span), near_(near), size_(size) {
   const Eigen::Index d = middle.motions();
-  const auto forces = static_cast<Eigen::Index>(middle.first_rotation);
   // Small beside what would change a mode.
   double width = middle.reach;
   for (std::size_t i = 0; i < middle.contacts.size(); ++i) {
     const RoundedContact& c = middle.contacts[i];
+    if (c.is_spring) continue;
     const double v = c.separation(near.motion);
-    const double stretch = std::fabs(v) / (c.stiffness * c.normal.head(forces).norm());
+    const double stretch = std::fabs(v) / (c.stiffness * c.size);
     if (stretch > 0) width = std::min(width, stretch);
     if (!(v > 0) || near.sticks[i] != 0 || !(c.slope > 0)) continue;
     width = std::min(width, (c.slip * near.motion).norm());
@@ -51,7 +51,8 @@ Walls::Walls(const RoundedGrasp& middle, const ForceSpan& span, const NearEquili
   for (std::size_t i = 0; i < middle.contacts.size(); ++i) {
     const RoundedContact& c = middle.contacts[i];
     const double a = near.normal[i];
-    if (!(a > 0)) continue;
+    if (c.is_spring) stiffness_ += c.stiffness * c.normal * c.normal.transpose();
+    if (c.is_spring || !(a > 0)) continue;
     const Eigen::VectorXd friction =
         Eigen::Map<const Eigen::Vector3d>(near.friction[i].data()).head(c.slip.rows());
     stiffness_ +=
@@ -114,9 +115,7 @@ void Walls::add_sticking(const LawContact* contact, const RoundedContact& at, st
     sticking_.push_back({at.slip.transpose() * along, spare, room, 1.5 * off});
   };
   if (at.slip.rows() == 1) {
-    const auto forces = static_cast<Eigen::Index>(middle_.first_rotation);
-    add(Eigen::VectorXd::Ones(1), most * 1.0000001 - used,
-        width * at.slip.row(0).head(forces).norm());
+    add(Eigen::VectorXd::Ones(1), most * 1.0000001 - used, width * at.size);
     return;
   }
   const Eigen::Vector3d first(contact->tangents[0].data());
@@ -168,6 +167,7 @@ double Walls::room_along(const Reals& way) const {
   };
   for (std::size_t i = 0; i < middle_.contacts.size(); ++i) {
     const RoundedContact& c = middle_.contacts[i];
+    if (c.is_spring) continue;
     const double v = c.separation(near_.motion);
     consider(std::fabs(v), c.stiffness * std::fabs(c.normal.dot(way)));
     if (!(v > 0) || near_.sticks[i] != 0 || !(c.slope > 0)) continue;
@@ -282,7 +282,7 @@ Reals Walls::force_at(const Reals& motion) const {
   for (std::size_t i = 0; i < middle_.contacts.size(); ++i) {
     const RoundedContact& c = middle_.contacts[i];
     const double a = c.separation(motion);
-    if (!(a > 0)) continue;
+    if (!c.acts(a)) continue;
     const double most = c.slope * near_.normal[i];
     Eigen::VectorXd share = -(c.slip * motion) / (kStill * travel);
     if (most > 0) {

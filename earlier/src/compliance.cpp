@@ -23,14 +23,14 @@ std::vector<Rational> scaled(const Rational& factor, const Wrench& row) {
 }
 
 /// A spring along a row of motions, whose force along it at rest is `rest`.
-struct Spring {
+struct RowSpring {
   RationalRow row;
   Rational stiffness;
   Rational rest;
 };
 
 /// K d = w + sum rest r, in the free variables d.
-LinearProgram balance(const std::vector<Spring>& springs, const RationalRow& load) {
+LinearProgram balance(const std::vector<RowSpring>& springs, const RationalRow& load) {
   std::vector<RationalRow> stiffness(load.size(), RationalRow(load.size()));
   RationalRow right = load;
   for (const auto& [row, k, rest] : springs) {
@@ -50,17 +50,17 @@ LinearProgram balance(const std::vector<Spring>& springs, const RationalRow& loa
 
 /// A motion y that stretches no spring, along which the load does work: the multipliers of an
 /// infeasible balance. K y = 0 says so, since y.K y = sum k (r.y)^2.
-UnresistedMotion unresisted(const std::vector<Spring>& springs, const RationalRow& load,
+UnresistedMotion unresisted(const std::vector<RowSpring>& springs, const RationalRow& load,
                             const RationalRow& multipliers) {
   require(!dot(load, multipliers).is_zero(), "the load does no work");
-  for (const Spring& spring : springs) {
+  for (const RowSpring& spring : springs) {
     require(dot(spring.row, multipliers).is_zero(), "a spring resists the motion");
   }
   return {primitive_multiple(multipliers)};
 }
 
-std::vector<Spring> springs_of(const Problem& problem, const States& states) {
-  std::vector<Spring> springs;
+std::vector<RowSpring> springs_of(const Problem& problem, const States& states) {
+  std::vector<RowSpring> springs;
   for (std::size_t i = 0; i < problem.size(); ++i) {
     if (states[i] == SpringState::kDetached) continue;
     const ContactRow& row = problem.rows()[i];
@@ -140,8 +140,9 @@ bool advance(States& states) {
 }
 
 /// The springs of contacts in space along x, y and z.
-std::vector<Spring> springs_of(const GraspBox& grasp, const std::vector<FrictionDisc>& discs) {
-  std::vector<Spring> springs;
+std::vector<RowSpring> springs_of(const GraspBox& grasp,
+                                  const std::vector<FrictionDisc>& discs) {
+  std::vector<RowSpring> springs;
   for (std::size_t i = 0; i < discs.size(); ++i) {
     const UncertainContact& c = grasp.contacts[i];
     const Rational preload = preload_over_length(c, i);
@@ -173,7 +174,7 @@ std::optional<std::pair<bool, Rational>> outside(const FrictionDisc& disc,
 
 std::variant<SpringBalance, UnresistedMotion> linear_compliance(const Problem& problem) {
   const States all_stick(problem.size(), SpringState::kStick);
-  const std::vector<Spring> springs = springs_of(problem, all_stick);
+  const std::vector<RowSpring> springs = springs_of(problem, all_stick);
   const RationalRow load = row_of(problem.wrench());
   const LpResult result = solve(balance(springs, load));
   if (const auto* infeasible = std::get_if<Infeasible>(&result)) {
@@ -198,7 +199,7 @@ std::variant<SpatialSpringBalance, UnresistedMotion> linear_compliance(const Gra
   const std::vector<FrictionDisc> discs = discs_of(grasp);
   const Vector6 w = load_of(grasp);
   const RationalRow load(w.begin(), w.end());
-  const std::vector<Spring> springs = springs_of(grasp, discs);
+  const std::vector<RowSpring> springs = springs_of(grasp, discs);
   const LpResult result = solve(balance(springs, load));
   if (const auto* infeasible = std::get_if<Infeasible>(&result)) {
     return unresisted(springs, load, infeasible->farkas);

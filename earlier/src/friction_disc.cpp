@@ -65,7 +65,7 @@ Vector6 FrictionDisc::wrench(const Vector3& force) const {
 }
 
 Vector3 FrictionDisc::slip(const Vector6& motion) const {
-  const Vector3 u = displacement(point_, motion);
+  const Vector3 u = displacement(point_, {motion.begin(), motion.end()});
   return plus(u, -dot(normal_, u) / dot(normal_, normal_), normal_);
 }
 

@@ -97,7 +97,7 @@ class MethodsInSpace {
     const auto* stable = std::get_if<Stable>(&verdict);
     if (stable == nullptr) return {"undecided", in_words(std::get<Undecided>(verdict))};
     passive_stable_ = true;
-    if (const auto* witness = std::get_if<SpatialWitness>(&stable->proof)) {
+    if (const auto* witness = std::get_if<ShareWitness>(&stable->proof)) {
       std::vector<Vector3> forces;
       for (const SpatialForce& f : forces_of(grasp_, witness->twist, witness->shares)) {
         forces.push_back(f.force);
@@ -109,7 +109,7 @@ class MethodsInSpace {
     if (are_at_rest(std::get<StabilityProof>(stable->proof))) {
       return of_load(true, "nothing moves: friction at rest holds the load", Json::object());
     }
-    const Vector6 near = motion_of(*stable);
+    const RationalRow& near = stable->motion;
     return of_load(true, "there is an equilibrium near the motion " + text_(near),
                    {{"near", number_json(near)}});
   }

@@ -59,7 +59,8 @@ Question ask_with_options(GraspFile file, const QuestionOptions& options,
     // in the plane that is neither a box nor a margin it refuses nothing: ask() made a box of
     // irrational preloads.
     const bool is_one = question.box() == nullptr;
-    if (question.in_space() || (is_one ? !question.is_margin() : takes_boxes)) return question;
+    if (!question.is_one_planar_body() || (is_one ? !question.is_margin() : takes_boxes))
+      return question;
     problem_of(question);
     return question;
   } catch (const InputError& error) {

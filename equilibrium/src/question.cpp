@@ -10,19 +10,35 @@
 namespace stickslip {
 namespace {
 
+/// "box.x, box.y, box.turn, joint 0".
+std::string names_of(const Mechanism& mechanism) {
+  std::string names;
+  for (const std::string& name : coordinate_names(mechanism)) {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  return names;
+}
+
 /// Throws InputError unless it has as many components as a wrench on the grasp.
-void check_size(const std::optional<RationalRow>& row, const char* place, bool in_space) {
-  if (!row || row->size() == (in_space ? 6U : 3U)) return;
-  throw InputError("", place, "it has " + std::to_string(row->size()) + " numbers",
-                   in_space ? "the grasp is in space: give force x, y, z and torque x, y, z"
-                            : "give force x, force y and torque, as 0,-11/10,0");
+void check_size(const std::optional<RationalRow>& row, const char* place,
+                const AnyGrasp& grasp) {
+  const Mechanism* mechanism = mechanism_of(grasp);
+  const std::size_t size = mechanism != nullptr ? mechanism->coordinates()
+                           : in_space(grasp)    ? 6
+                                                : 3;
+  if (!row || row->size() == size) return;
+  throw InputError(
+      "", place, "it has " + std::to_string(row->size()) + " numbers",
+      mechanism != nullptr ? "there are several bodies: give " + std::to_string(size) +
+                                 ", a force or torque for each of " + names_of(*mechanism)
+      : in_space(grasp) ? "the grasp is in space: give force x, y, z and torque x, y, z"
+                        : "give force x, force y and torque, as 0,-11/10,0");
 }
 
 WrenchBox wrench_asked(const GraspFile& file, const QuestionOptions& options) {
   const std::optional<std::string>& name = options.case_name;
-  const bool is_in_space = in_space(file.content);
-  check_size(options.wrench, "wrench", is_in_space);
-  check_size(options.direction, "direction", is_in_space);
+  check_size(options.wrench, "wrench", file.content);
+  check_size(options.direction, "direction", file.content);
   if (options.wrench && name) {
     throw InputError("", "case", "a wrench is given as well", "give one of them");
   }
@@ -54,7 +70,7 @@ bool is_certain(const WrenchBox& wrench) {
 
 bool has_certain_contacts(const AnyGrasp& grasp) {
   const auto* box = std::get_if<GraspBox>(&grasp);
-  return box == nullptr || GraspBox{box->contacts, {}}.is_point();
+  return box == nullptr || GraspBox{box->contacts, {}, {}, {}, box->springs}.is_point();
 }
 
 bool has_irrational_preload(const Grasp& grasp) {
@@ -64,14 +80,15 @@ bool has_irrational_preload(const Grasp& grasp) {
   });
 }
 
+/// By element.
 std::vector<Rational> preloads_of(const AnyGrasp& grasp) {
   std::vector<Rational> preloads;
   if (const auto* one = std::get_if<LoadedGrasp>(&grasp)) {
     for (const Contact& c : one->grasp.contacts()) preloads.push_back(c.preload);
   } else {
-    for (const UncertainContact& c : std::get<GraspBox>(grasp).contacts) {
-      preloads.push_back(c.preload.low);
-    }
+    const auto& box = std::get<GraspBox>(grasp);
+    for (const UncertainContact& c : box.contacts) preloads.push_back(c.preload.low);
+    for (const Spring& spring : box.springs) preloads.push_back(spring.force.low);
   }
   return preloads;
 }
@@ -87,6 +104,24 @@ AnyGrasp with_preload(AnyGrasp grasp, const Rational& preload) {
   return grasp;
 }
 
+/// Neither preloads of contacts nor forces of springs.
+AnyGrasp without_preload(AnyGrasp grasp) {
+  grasp = with_preload(std::move(grasp), 0);
+  if (auto* box = std::get_if<GraspBox>(&grasp)) {
+    for (Spring& spring : box->springs) spring.force = {};
+  }
+  return grasp;
+}
+
+/// How many of the elements push only: contacts and ratchets, which stand first.
+std::size_t pushing_elements(const AnyGrasp& grasp) {
+  const auto* box = std::get_if<GraspBox>(&grasp);
+  if (box == nullptr) return std::get<LoadedGrasp>(grasp).grasp.size();
+  return box->contacts.size() + static_cast<std::size_t>(std::count_if(
+                                    box->springs.begin(), box->springs.end(),
+                                    [](const Spring& s) { return s.is_ratchet(); }));
+}
+
 /// Under this wrench, widened; in the plane one grasp if it is.
 AnyGrasp under(AnyGrasp grasp, const WrenchBox& wrench, const Tolerances& uncertain,
                bool is_margin) {
@@ -99,21 +134,24 @@ AnyGrasp under(AnyGrasp grasp, const WrenchBox& wrench, const Tolerances& uncert
   GraspBox box = one != nullptr ? box_of(*one) : std::get<GraspBox>(std::move(grasp));
   box.wrench = wrench;
   box = box.widened(uncertain);
-  if (!box.in_space() && box.is_point() && !needs_enclosure(box)) return box.planar_middle();
+  if (box.is_one_planar_body() && box.is_point() && !needs_enclosure(box)) {
+    return box.planar_middle();
+  }
   return box;
 }
 
 /// How much preloads grow, by those that there are without it.
 std::vector<Rational> preload_growth(const std::vector<Rational>& preloads,
-                                     const PreloadDirection& direction) {
+                                     const PreloadDirection& direction, std::size_t pushing) {
   if (direction.scale) return preloads;
   if (direction.rates.size() != preloads.size()) {
     throw InputError("", "preload_direction",
                      "there are " + std::to_string(direction.rates.size()) + " numbers for " +
-                         std::to_string(preloads.size()) + " contacts",
-                     "give one for each contact, or the word scale for all in proportion");
+                         std::to_string(preloads.size()) +
+                         (pushing < preloads.size() ? " contacts and springs" : " contacts"),
+                     "give one for each, or the word scale for all in proportion");
   }
-  for (std::size_t i = 0; i < direction.rates.size(); ++i) {
+  for (std::size_t i = 0; i < pushing; ++i) {
     if (direction.rates[i].sign() >= 0) continue;
     throw InputError(
         "", "preload_direction",
@@ -171,8 +209,9 @@ Question ask(GraspFile file, const QuestionOptions& options) {
     grasp = with_preload(std::move(grasp), *options.preload);
   }
   if (options.preload_direction) {
-    question.preload_growth = preload_growth(preloads_of(grasp), *options.preload_direction);
-    if (options.preload_direction->scale) grasp = with_preload(std::move(grasp), 0);
+    question.preload_growth =
+        preload_growth(preloads_of(grasp), *options.preload_direction, pushing_elements(grasp));
+    if (options.preload_direction->scale) grasp = without_preload(std::move(grasp));
   }
   if (question.is_margin()) {
     require_growth(options.direction && !all_zero(*options.direction), question.preload_growth,
@@ -188,14 +227,20 @@ Question ask(GraspFile file, const QuestionOptions& options) {
 }
 
 void require_one_grasp(const Question& question) {
-  if (question.in_space()) {
-    require_certain(question);
-  } else {
+  if (question.is_one_planar_body()) {
     problem_of(question);
+  } else {
+    require_certain(question);
   }
 }
 
+void require_one_body(const Question& question, const std::string& what) {
+  if (question.mechanism() == nullptr) return;
+  throw InputError("", "", "the grasp has several bodies", what + " is for one body only");
+}
+
 Problem problem_of(const Question& question) {
+  require_one_body(question, "this");
   if (question.in_space()) {
     throw InputError("", "", "the grasp is in space", "this is done in the plane only");
   }

@@ -85,12 +85,6 @@ const char* name_of(const Verdict& verdict) {
   return kNames[verdict.index()];
 }
 
-Vector6 motion_of(const Stable& stable) {
-  Vector6 motion{};
-  std::copy(stable.motion.begin(), stable.motion.end(), motion.begin());
-  return motion;
-}
-
 std::optional<bool> is_stable(const Verdict& verdict) {
   if (std::holds_alternative<Stable>(verdict)) return true;
   if (std::holds_alternative<Unstable>(verdict)) return false;

@@ -18,26 +18,23 @@ namespace {
 struct Member {
   Rational multiple;
   NearEquilibrium near;
-  std::optional<SpatialWitness> witness;  ///< where nothing that has friction slips
+  std::optional<ShareWitness> witness;  ///< where nothing that has friction slips
 };
-
-RationalRow as_row(const Vector6& a) {
-  return {a.begin(), a.end()};
-}
 
 /// Whether all combinations of the two are equilibria.
 bool are_of_one_mode(const GraspLaw& family, const Member& a, const Member& b) {
   for (const LawContact& c : family.contacts) {
+    if (c.is_spring) continue;  // its force is linear
     const CornerRow& row = c.corners.front();
     const auto separation = [&](const Member& at) -> Rational {
       return c.preload.low + at.multiple * c.rate.low -
-             c.stiffness.low * dot(row.normal, as_row(at.witness->twist));
+             c.stiffness.low * dot(row.normal, at.witness->twist);
     };
     const int signs[] = {separation(a).sign(), separation(b).sign()};
     if (signs[0] * signs[1] < 0) return false;
     if (c.friction.high.is_zero() || (signs[0] <= 0 && signs[1] <= 0)) continue;
     for (const Member* at : {&a, &b}) {
-      const Row twist = primitive_multiple(as_row(at->witness->twist));
+      const Row twist = primitive_multiple(at->witness->twist);
       for (const Row& s : row.slip) {
         if (!dot(s, twist).is_zero()) return false;
       }
@@ -420,8 +417,8 @@ class SpatialMarginSearch {
     return {multiple, near, witness_at(multiple, near)};
   }
 
-  std::optional<SpatialWitness> witness_at(const Rational& multiple,
-                                           const NearEquilibrium& near) const {
+  std::optional<ShareWitness> witness_at(const Rational& multiple,
+                                         const NearEquilibrium& near) const {
     return is_rational_ ? exact_witness(model_.middle(multiple), near) : std::nullopt;
   }
 

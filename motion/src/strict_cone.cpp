@@ -56,6 +56,19 @@ bool StrictCone::bars(const std::vector<std::size_t>& zeros) const {
       rays, [&](std::size_t ray) -> const auto& { return cone_.rays()[ray].tight; });
 }
 
+std::vector<std::vector<std::size_t>> StrictCone::strict_points() const {
+  const std::size_t lines = 2 * cone_.lines().size();
+  std::vector<std::vector<std::size_t>> result;
+  for (const ConstraintIndex strict : strict_) {
+    std::vector<std::size_t>& points = result.emplace_back();
+    for (std::size_t ray = 0; ray < cone_.rays().size(); ++ray) {
+      const std::vector<ConstraintIndex>& zero = cone_.rays()[ray].tight;
+      if (!std::binary_search(zero.begin(), zero.end(), strict)) points.push_back(lines + ray);
+    }
+  }
+  return result;
+}
+
 PlaneSigns StrictCone::signs(const Row& plane) const {
   PlaneSigns signs;
   std::vector<std::size_t> zeros;

@@ -113,12 +113,11 @@ Json outline_json(const GraspBox& grasp) {
 
 Json near_json_in_space(const Answer& answer, const Stable& stable) {
   Json contacts = Json::array();
-  for (const SpatialForce& f : near_forces(answer.question, motion_of(stable))) {
+  for (const SpatialForce& f : near_forces(answer.question, stable.motion)) {
     contacts.push_back(
         {{"force_float", in_doubles_json(f.force)}, {"closed", f.normal.sign() > 0}});
   }
-  return {{"twist_float", in_doubles_json(motion_of(stable))},
-          {"contacts", std::move(contacts)}};
+  return {{"twist_float", in_doubles_json(stable.motion)}, {"contacts", std::move(contacts)}};
 }
 
 /// In the plane of the grasp in the middle, with rational normals.

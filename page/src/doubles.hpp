@@ -20,6 +20,12 @@ Json in_doubles_json(const std::array<Rational, n>& v) {
   return json;
 }
 
+inline Json in_doubles_json(const RationalRow& v) {
+  Json json = Json::array();
+  for (const Rational& x : v) json.push_back(to_double(x));
+  return json;
+}
+
 /// Of length 1. The entries, of which one is not 0, may be beyond the doubles.
 template <std::size_t n>
 std::array<double, n> unit(const std::array<Rational, n>& v) {

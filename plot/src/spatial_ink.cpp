@@ -187,10 +187,10 @@ class SpatialReader {
 
   /// Those of the witness, or near the equilibrium.
   void read_forces(const Stable& stable) {
-    if (const auto* witness = std::get_if<SpatialWitness>(&stable.proof)) {
+    if (const auto* witness = std::get_if<ShareWitness>(&stable.proof)) {
       forces_ = forces_of(grasp_, witness->twist, witness->shares);
     } else {
-      forces_ = near_forces(question_, motion_of(stable));
+      forces_ = near_forces(question_, stable.motion);
       value_ = "data-near";
     }
     for (const SpatialForce& f : forces_) {
@@ -316,7 +316,7 @@ class SpatialReader {
   }
 
   void add_equilibrium(const Stable& stable) {
-    const Vector6 d = motion_of(stable);
+    const RationalRow& d = stable.motion;
     add_motion(d);
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
       const SpatialForce& f = forces_[i];
@@ -326,15 +326,15 @@ class SpatialReader {
       add_arrow(contacts_[i].at, force(f.force), "force",
                 {{"data-contact", std::to_string(i)}, {value_, text_of(f.force)}});
     }
-    const bool exact = std::holds_alternative<SpatialWitness>(stable.proof);
+    const bool exact = std::holds_alternative<ShareWitness>(stable.proof);
     ink_.describe_motion(
-        exact ? "Motion d" : "Near the motion d", {d.begin(), d.end()},
+        exact ? "Motion d" : "Near the motion d", d,
         exact ? "The forces balance w; checked exactly."
               : "There is an equilibrium near it, proved by degree; what is drawn of it is in "
                 "floating point, for people, and proves nothing.");
   }
 
-  void add_motion(const Vector6& d) {
+  void add_motion(const RationalRow& d) {
     // The contacts may move less than the body, and not at all.
     const Vector3 shift = stickslip::displacement(centre_, d);
     const Vector3 turn{d[3], d[4], d[5]};

@@ -44,7 +44,7 @@ struct EquilibriumFields {
   void operator()(const Witness& witness) const {
     add_witness(result, answer.question, *answer.problem, witness);
   }
-  void operator()(const SpatialWitness& witness) const {
+  void operator()(const ShareWitness& witness) const {
     const auto forces = forces_of(*answer.question.box(), witness.twist, witness.shares);
     result["twist"] = tuple_of(witness.twist, fraction);
     result["forces"] =
@@ -70,7 +70,7 @@ struct AddDoubles {
       add(answer.forces, std::array{force.x, force.y});
     }
   }
-  void operator()(const SpatialWitness& witness) const {
+  void operator()(const ShareWitness& witness) const {
     add(answer.twist, witness.twist);
     for (const SpatialForce& f :
          forces_of(*about.question.box(), witness.twist, witness.shares)) {

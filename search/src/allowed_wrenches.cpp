@@ -187,12 +187,13 @@ AllowedWrenches::AllowedWrenches(const Law& law, const MotionRegion& region,
     for (std::size_t i = 0; i < law.contacts.size(); ++i) {
       if (region.separation(i) == Separation::kOpen) continue;
       const double size = law.contacts[i].corners[0].normal_rounded.norm();
-      scale += std::max(0.0, region.most_separation(i, g)) * size;
+      const double most = region.most_separation(i, g);
+      scale += (law.contacts[i].is_spring ? std::fabs(most) : std::max(0.0, most)) * size;
     }
     scales_.push_back(scale);
     if (pull != nullptr) {
       Reals& against = against_.emplace_back(pull->against(region.points()[g]));
-      law.rotations(against) /= law.length;
+      law.scale_function(against);
       normalize(against);
     }
   }
@@ -261,7 +262,7 @@ const std::vector<double>& AllowedWrenches::sizes() const {
 
 std::optional<bool> AllowedWrenches::are_refuted_by(const Row& exact) const {
   Reals y = in_doubles(exact);
-  law_.rotations(y) *= law_.length;
+  law_.scale(y);
   // Every number is within four roundings of the exact one, up to the factors of the rays; a
   // term has fewer than ten factors and sums, of which a mean over the corners has 64 at most.
   // What underflows is far below kUnderflow.

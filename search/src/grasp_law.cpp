@@ -10,11 +10,23 @@
 namespace stickslip {
 namespace {
 
-CornerRow planar_row(const RationalRow& p, const RationalRow& n) {
+/// A row of one body, of a body that moves by G.
+RationalRow moved_by(const RationalRow& row, const std::vector<RationalRow>& motion) {
+  if (motion.empty()) return row;
+  RationalRow result(motion.front().size());
+  for (std::size_t k = 0; k < row.size(); ++k) {
+    if (row[k].is_zero()) continue;
+    for (std::size_t j = 0; j < result.size(); ++j) result[j] += row[k] * motion[k][j];
+  }
+  return result;
+}
+
+CornerRow planar_row(const RationalRow& p, const RationalRow& n,
+                     const std::vector<RationalRow>& motion) {
   const Contact contact{{p[0], p[1]}, {n[0], n[1]}};
   CornerRow row{};
-  row.normal = row_of(normal_row(contact));
-  row.set_slip({row_of(tangent_row(contact))}, 1);
+  row.normal = moved_by(row_of(normal_row(contact)), motion);
+  row.set_slip({moved_by(row_of(tangent_row(contact)), motion)}, 1);
   return row;
 }
 
@@ -25,9 +37,10 @@ RationalRow wrench_at(const Vector3& p, const Vector3& f) {
 }
 
 /// The slip is L^2 S, by rows: L^2 u - (n0.u) n with u = (d1, d2, d3) + omega x p.
-CornerRow spatial_row(const Vector3& p, const Vector3& n, const Vector3& n0) {
+CornerRow spatial_row(const Vector3& p, const Vector3& n, const Vector3& n0,
+                      const std::vector<RationalRow>& motion) {
   CornerRow row{};
-  row.normal = wrench_at(p, n);
+  row.normal = moved_by(wrench_at(p, n), motion);
   const RationalRow along = wrench_at(p, n0);
   const Rational square = dot(n0, n0);
   std::vector<RationalRow> slip;
@@ -36,6 +49,7 @@ CornerRow spatial_row(const Vector3& p, const Vector3& n, const Vector3& n0) {
     axis[k] = 1;
     slip.push_back(wrench_at(p, axis));
     for (std::size_t j = 0; j < 6; ++j) slip[k][j] = square * slip[k][j] - n[k] * along[j];
+    slip[k] = moved_by(slip[k], motion);
   }
   row.set_slip(slip, square);
   return row;
@@ -90,18 +104,39 @@ void GraspLaw::add_contact(const UncertainContact& c, const Rational& rate, unsi
     contact.rate = {rate * lower, rate * upper};
   }
   contact.stiffness = {c.stiffness.low * (1 - shortened) / square, c.stiffness.high / square};
-  if (motions == 6) {
+  if (in_space_) {
     contact.axis = primitive_multiple<3>(vector3(c.normal));
     contact.squared_length = square;
   }
-  add_corners(contact);
+  if (one_body_) add_corners(contact);
+}
+
+void GraspLaw::add_spring(const Spring& spring, const Rational& rate) {
+  LawContact& contact = contacts.emplace_back();
+  contact.is_spring = !spring.is_ratchet();
+  contact.preload = spring.force;
+  contact.rate = point_interval(rate);
+  contact.stiffness = spring.stiffness;
+  CornerRow& row = contact.corners.emplace_back();
+  row.normal = spring.row;
+  row.set_slip({RationalRow(motions)}, 1);
 }
 
 GraspLaw::GraspLaw(const GraspBox& box, NormalLaw normal_law, unsigned bits,
                    const std::optional<GrowthRates>& margin) {
-  if (box.in_space()) {
-    motions = 6;
-    first_rotation = 3;
+  in_space_ = box.in_space();
+  one_body_ = !box.mechanism;
+  contact_count_ = box.contacts.size();
+  parameters_ = parameters_of(box);
+  motions = box.wrench.size();
+  require(motions + 2 <= kMostCoordinates, "states have too many coordinates");
+  if (box.mechanism) {
+    rotates.clear();
+    for (std::size_t j = 0; j < motions; ++j) {
+      rotates.push_back(box.mechanism->is_rotation(j) ? 1 : 0);
+    }
+  } else if (in_space_) {
+    rotates = {0, 0, 0, 1, 1, 1};
   }
   wrench = box.wrench;
   law = normal_law;
@@ -109,9 +144,16 @@ GraspLaw::GraspLaw(const GraspBox& box, NormalLaw normal_law, unsigned bits,
   growth.assign(motions, 0);
   if (margin && !margin->load.empty()) growth = margin->load;
   const bool preloads_grow = margin && !margin->preloads.empty();
-  for (std::size_t i = 0; i < box.contacts.size(); ++i) {
-    add_contact(box.contacts[i], preloads_grow ? margin->preloads[i] : Rational(0), bits);
+  const auto rate_of = [&](std::size_t i) {
+    return preloads_grow ? margin->preloads[i] : Rational(0);
+  };
+  for (const UncertainContact& c : box.contacts) {
+    add_contact(c, rate_of(contacts.size()), bits);
+    if (!box.mechanism) continue;
+    contacts.back().place->motion = box.mechanism->motion_between(c.of, c.by);
+    add_corners(contacts.back());
   }
+  for (const Spring& spring : box.springs) add_spring(spring, rate_of(contacts.size()));
   complete();
 }
 
@@ -122,8 +164,8 @@ void GraspLaw::add_corners(LawContact& contact) const {
     return turned(place.normal, place.turns, {at.begin() + position, at.end()});
   };
   const auto row_at = [&](const RationalRow& at, const RationalRow& n) {
-    return motions == 3 ? planar_row(at, n)
-                        : spatial_row(vector3(at), vector3(n), vector3(place.normal));
+    return in_space_ ? spatial_row(vector3(at), vector3(n), vector3(place.normal), place.motion)
+                     : planar_row(at, n, place.motion);
   };
   std::vector<RationalRow> corners{{}};
   RationalRow middle;
@@ -140,7 +182,7 @@ void GraspLaw::add_corners(LawContact& contact) const {
   for (const RationalRow& corner : corners) {
     const RationalRow n = normal_at(corner);
     contact.corners.push_back(row_at(corner, n));
-    if (motions == 3) continue;  // nothing is projected
+    if (!in_space_) continue;  // nothing is projected
     contact.tilt = std::max<Rational>(contact.tilt, dot(n, n) / contact.squared_length - 1);
   }
   place.centre = row_at(middle, normal_at(middle));
@@ -149,10 +191,12 @@ void GraspLaw::add_corners(LawContact& contact) const {
 /// In space a corner's moment arm, |p x n| / |n|, is as large as distances that matter; in the
 /// plane a coordinate is.
 void GraspLaw::complete() {
+  const auto place_dimension = [](const LawContact& c) { return c.place->normal.size(); };
   double farthest = 0;
   for (const LawContact& c : contacts) {
-    if (motions == 3) {
-      for (std::size_t j = 0; j < 2; ++j) {
+    if (!c.place) continue;
+    if (!in_space_ || !one_body_) {
+      for (std::size_t j = 0; j < place_dimension(c); ++j) {
         for (const Rational& end : ends_of(c.place->geometry[j])) {
           farthest = std::max(farthest, std::fabs(to_double(end)));
         }
@@ -202,20 +246,25 @@ const Interval& GraspLaw::interval(const ParameterId& id) const {
   return interval_of(contacts.at(id.index), id.parameter);
 }
 
-std::vector<ParameterId> parameters_of(std::size_t contacts, bool in_space) {
+std::vector<ParameterId> parameters_of(const GraspBox& box) {
   std::vector<ParameterId> result;
   std::vector<Parameter> each{Parameter::kX, Parameter::kY};
-  if (in_space) {
+  if (box.in_space()) {
     each.insert(each.end(), {Parameter::kZ, Parameter::kTurnU, Parameter::kTurnV});
   } else {
     each.push_back(Parameter::kTurn);
   }
   each.insert(each.end(), {Parameter::kFriction, Parameter::kStiffness, Parameter::kPreload});
-  for (std::size_t i = 0; i < contacts; ++i) {
+  for (std::size_t i = 0; i < box.contacts.size(); ++i) {
     for (const Parameter parameter : each) result.push_back({parameter, i});
   }
-  const std::size_t components = in_space ? 6 : 3;
-  for (std::size_t j = 0; j < components; ++j) result.push_back({Parameter::kWrench, j});
+  for (std::size_t i = box.contacts.size(); i < box.elements(); ++i) {
+    result.push_back({Parameter::kStiffness, i});
+    result.push_back({Parameter::kPreload, i});
+  }
+  for (std::size_t j = 0; j < box.wrench.size(); ++j) {
+    result.push_back({Parameter::kWrench, j});
+  }
   return result;
 }
 
@@ -228,7 +277,9 @@ std::pair<GraspLaw, GraspLaw> GraspLaw::halves(const PartSplit& split) const {
     require(cut.low < split.value && split.value < cut.high,
             "a part is cut inside its interval");
     (upper ? cut.low : cut.high) = split.value;
-    if (!is_load) result.add_corners(result.contacts[split.index]);
+    if (!is_load && result.contacts[split.index].place) {
+      result.add_corners(result.contacts[split.index]);
+    }
     result.complete();
     return result;
   };

@@ -43,8 +43,10 @@ void add_separations(LawContact& contact) {
         v.push_back(rate);
         Row plane = primitive_multiple(v);
         std::size_t j = 0;
-        while (plane[j].is_zero()) ++j;  // N is not 0
-        contact.separation_factors.emplace_back(v[j] / Rational(plane[j]));
+        while (j + 1 < plane.size() && plane[j].is_zero()) ++j;
+        // (v may be 0 of a spring, or where no body moves along a normal.)
+        contact.separation_factors.push_back(plane[j].is_zero() ? Rational(1)
+                                                                : v[j] / Rational(plane[j]));
         contact.separations.push_back(std::move(plane));
       }
     }
@@ -191,19 +193,27 @@ void Law::complete(double farthest) {
       }
     }
   }
+  for (LawContact& c : contacts) c.size = force_size(c);
   complete_loads();
 }
 
+/// Of one body's contact the length of its normal.
+double Law::force_size(const LawContact& c) const {
+  const Reals& normal = c.corners.front().normal_rounded;
+  double square = 0;
+  for (std::size_t j = 0; j < motions; ++j) {
+    const double entry = normal[static_cast<Eigen::Index>(j)];
+    if (rotates[j] == 0) square += entry * entry;
+  }
+  const double size = square > 0 ? std::sqrt(square) : normal.norm();
+  return size > 0 ? size : 1;
+}
+
 void Law::complete_loads() {
-  const auto size_of_force = [&](const LawContact& c) {
-    return c.corners.front()
-        .normal_rounded.head(static_cast<Eigen::Index>(first_rotation))
-        .norm();
-  };
   is_moderate = is_moderate_number(1, length);
   double largest = 0;
   for (const LawContact& c : contacts) {
-    largest = std::max(largest, c.preloads[1] * size_of_force(c));
+    largest = std::max(largest, std::fabs(c.preloads[1]) * c.size);
     is_moderate = is_moderate && c.is_moderate && is_moderate_interval(c.friction);
   }
   load.assign(motions, {});
@@ -235,8 +245,7 @@ void Law::complete_loads() {
   force = largest > 0 && std::isfinite(largest) ? largest : 1;
   double stiffest = 0;
   for (const LawContact& c : contacts) {
-    const double size = size_of_force(c);
-    stiffest = std::max(stiffest, c.stiffnesses[1] * size * size);
+    stiffest = std::max(stiffest, c.stiffnesses[1] * c.size * c.size);
   }
   reach = stiffest > 0 ? force / stiffest : 1;
 }
@@ -266,14 +275,14 @@ Law planar_law(const Problem& problem) {
 
 Reals Law::scaled(const Row& point) const {
   Reals x = in_doubles(point);
-  rotations(x) *= length;
+  scale(x);
   normalize(x);
   return x;
 }
 
 double Law::value_at(const Row& plane, const Reals& x) const {
   Reals p = in_doubles(plane);
-  rotations(p) /= length;
+  scale_function(p);
   normalize(p);
   return p.dot(x);
 }
@@ -284,7 +293,7 @@ Row Law::plane_between(const Reals& a, const Reals& b, const Reals& x) const {
   const double size = x.squaredNorm();
   if (!(size > 0) || across.squaredNorm() < kClose) return Row(coordinates());
   across -= across.dot(x) / size * x;
-  rotations(across) *= length;
+  scale(across);
   constexpr int kBits = 12;
   return in_bits(across, kBits);
 }

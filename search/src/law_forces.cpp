@@ -81,8 +81,8 @@ std::vector<Row> corner_orders(const LawContact& c, const RowAt& row_at) {
 /// The same in the plane: rotations, whatever turns or moves.
 std::vector<Row> corner_orders(const Law& law, const LawContact& c) {
   std::vector<Row> planes;
-  for (std::size_t j = law.first_rotation; !c.geometry_is_certain() && j < law.motions; ++j) {
-    planes.emplace_back(law.coordinates())[j] = 1;
+  for (std::size_t j = 0; !c.geometry_is_certain() && j < law.motions; ++j) {
+    if (law.rotates[j] != 0) planes.emplace_back(law.coordinates())[j] = 1;
   }
   return planes;
 }
@@ -161,7 +161,7 @@ std::optional<Row> LawForces::confirm(const Reals& twist) {
 /// The fewest that still refute the region. Most candidates fail clearly.
 std::optional<Row> LawForces::in_few_bits(const Reals& twist) {
   Reals y = twist;
-  law_.rotations(y) /= law_.length;
+  law_.scale_function(y);
   const auto found =
       in_fewest_bits(y, {2, 3, 4, 6, 8, 10, 12, 16, 24, 36, 50}, [&](const Row& candidate) {
         if (const std::optional<bool> known = wrenches_->are_refuted_by(candidate)) {
@@ -186,7 +186,7 @@ LawForces::Branch LawForces::branch(const TreeNode& node) {
   const TwistLeaf& leaf = std::get<TwistLeaf>(node);
   require(region_->is_refuted(leaf.twist, pull_), "an exact twist does not refute its region");
   Reals near = in_doubles(leaf.twist);
-  law_.rotations(near) *= law_.length;
+  law_.scale(near);
   ++work_.leaves;
   return {TwistLeaf{in_few_bits(near).value_or(leaf.twist)}, {}};
 }
@@ -378,7 +378,7 @@ Relaxation LawForces::relaxed(const Found& found) const {
     const LawContact& c = law_.contacts[i];
     const double a = result.normal[i];
     const double stiffness = (c.stiffnesses[0] + c.stiffnesses[1]) / 2;
-    result.energy += a * a / stiffness;
+    if (stiffness > 0) result.energy += a * a / stiffness;
     if (region_->separation(i) == Separation::kMixed) {
       double lawful = result.motion[d] * (c.preloads[0] + c.preloads[1]) / 2 +
                       result.motion[d + 1] * (c.rates[0] + c.rates[1]) / 2;

@@ -94,7 +94,7 @@ MotionRegion MotionRegion::root(const Law& law) {
   }
   if (law.law == NormalLaw::kBilateral) {
     for (const LawContact& contact : law.contacts) {
-      if (contact.has_certain_separation) {
+      if (contact.has_certain_separation && !contact.is_spring) {
         cone.cut(contact.separations.front(), Side::kPositive);
       }
     }
@@ -287,9 +287,9 @@ void MotionRegion::find_separation(std::size_t contact) {
     closed = closed && low >= 0;
     open = open && high <= 0;
   }
-  separations_[contact] = closed ? Separation::kClosed
-                          : open ? Separation::kOpen
-                                 : Separation::kMixed;
+  separations_[contact] = closed || c.is_spring ? Separation::kClosed
+                          : open                ? Separation::kOpen
+                                                : Separation::kMixed;
 }
 
 void MotionRegion::find_slips(std::size_t contact) {

@@ -25,8 +25,8 @@ Row short_plane(const Law& law, const MotionRegion& region, const std::vector<Ro
   // Units of length and of motion, powers of two.
   const int arm = std::ilogb(law.length);
   const auto rotate = [&](Reals& x, int by) {
-    for (Eigen::Index j = static_cast<Eigen::Index>(law.first_rotation); j < d; ++j) {
-      x[j] = std::ldexp(x[j], by);
+    for (Eigen::Index j = 0; j < d; ++j) {
+      if (law.rotates[static_cast<std::size_t>(j)] != 0) x[j] = std::ldexp(x[j], by);
     }
   };
   double reach = 0;
@@ -59,7 +59,8 @@ Row short_plane(const Law& law, const MotionRegion& region, const std::vector<Ro
     p.normalize();
   }
   Reals at = motion.head(d + 1);
-  for (Eigen::Index j = static_cast<Eigen::Index>(law.first_rotation); j < d; ++j) {
+  for (Eigen::Index j = 0; j < d; ++j) {
+    if (law.rotates[static_cast<std::size_t>(j)] == 0) continue;
     at[j] = at[j] / law.length * std::ldexp(1.0, arm);
   }
   at[d] = std::ldexp(at[d], travel);
@@ -81,7 +82,7 @@ Row short_plane(const Law& law, const MotionRegion& region, const std::vector<Ro
     const auto k = static_cast<std::size_t>(j);
     const double entry = std::ldexp(nearest[j], kBits);
     if (!std::isfinite(entry)) return none;
-    const int unit = j == d ? travel : k >= law.first_rotation ? arm : 0;
+    const int unit = j == d ? travel : law.rotates[k] != 0 ? arm : 0;
     result[k] = Integer(std::llround(entry)) << static_cast<unsigned>(unit - lowest);
   }
   result = primitive(std::move(result));

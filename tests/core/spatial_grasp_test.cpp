@@ -124,7 +124,7 @@ TEST(SpatialForces, OfOneMotion) {
   const Vector3 p{0, 0, 0};
   grasp.contacts = {contact(p, {0, 0, 2}, Rational(1, 2), 4), contact(p, {0, 0, -2}, 1, 1),
                     contact({1, 0, 0}, {0, 0, 1}, 0, 0), contact(p, {0, 0, 2}, 0, 4)};
-  const Vector6 d{3, 4, -1, 0, 1, 0};
+  const RationalRow d{3, 4, -1, 0, 1, 0};
   EXPECT_EQ(displacement({1, 0, 0}, d), (Vector3{3, 4, -2}));
   const std::vector<SpatialForce> forces = forces_of(grasp, d, {});
   EXPECT_EQ(forces[0].normal, 3);  // of (0, 0, 2): 4 of preload and 2 of the spring
@@ -140,7 +140,8 @@ TEST(SpatialForces, OfOneMotion) {
 TEST(SpatialForces, SharesOfWhatSticks) {
   GraspBox grasp;
   grasp.contacts = {contact({0, 0, 0}, {1, 0, 0}, Rational(1, 2), 4)};
-  const auto forces = forces_of(grasp, {}, {{ContactId(0), {0, Rational(1, 4), -1}}});
+  const auto forces =
+      forces_of(grasp, RationalRow(6), {{ContactId(0), {0, Rational(1, 4), -1}}});
   EXPECT_EQ(forces[0].friction, (Vector3{0, Rational(1, 2), -2}));
   EXPECT_EQ(forces[0].force, (Vector3{4, Rational(1, 2), -2}));
 }
@@ -148,7 +149,7 @@ TEST(SpatialForces, SharesOfWhatSticks) {
 TEST(SpatialForces, LengthsThatMatterAreRational) {
   GraspBox grasp;
   grasp.contacts = {contact({0, 0, 0}, {1, 1, 1}, 1, 1)};
-  EXPECT_THROW(forces_of(grasp, {}, {}), ContractError);  // of the normal
+  EXPECT_THROW(forces_of(grasp, RationalRow(6), {}), ContractError);  // of the normal
   grasp.contacts = {contact({0, 0, 0}, {0, 0, 1}, 1, 1)};
   EXPECT_THROW(forces_of(grasp, {1, 1, 0, 0, 0, 0}, {}), ContractError);  // of the slip
   EXPECT_EQ(forces_of(grasp, {1, 0, 0, 0, 0, 0}, {})[0].friction, (Vector3{-1, 0, 0}));

@@ -257,7 +257,7 @@ TEST(SpaceClaims, AnEquilibriumProvesItself) {
   expect_none(report.residuals);
   const auto* stable = std::get_if<Stable>(&report.answer.verdict);
   ASSERT_NE(stable, nullptr);
-  EXPECT_EQ(std::get<SpatialWitness>(stable->proof).shares.size(), 1U);
+  EXPECT_EQ(std::get<ShareWitness>(stable->proof).shares.size(), 1U);
   // Next to it, it proves nothing.
   Claim off = claim;
   (*off.forces)[1][2] += number("1e-30");
@@ -489,7 +489,7 @@ TEST(SpaceClaims, ChangedSolutionsAreInaccurateAndNotWrong) {
   const ClaimReport exact = judge(question, verdict(true));
   const auto* stable = std::get_if<Stable>(&exact.answer.verdict);
   ASSERT_NE(stable, nullptr);
-  const auto& witness = std::get<SpatialWitness>(stable->proof);
+  const auto& witness = std::get<ShareWitness>(stable->proof);
   Claim right = verdict(true);
   right.twist = RationalRow(witness.twist.begin(), witness.twist.end());
   right.forces.emplace();

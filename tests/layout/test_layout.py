@@ -18,7 +18,7 @@ ALLOWED = {
     "planar": {"core", "lp", "arrangement", "equilibrium", "motion", "search"},
     "degree": {"core", "equilibrium", "motion", "planar", "search"},
     "margin": {"core", "equilibrium", "motion", "planar", "search", "degree"},
-    "box": {"core", "equilibrium", "motion", "planar", "search", "degree", "margin"},
+    "box": {"core", "lp", "equilibrium", "motion", "planar", "search", "degree", "margin"},
     "warnings": {"core", "equilibrium", "motion", "planar", "degree", "margin", "box"},
     "resistance": {"core", "equilibrium", "planar", "search"},
     "earlier": {"core", "lp", "equilibrium", "motion", "planar", "box"},

@@ -134,9 +134,8 @@ TEST(PlotSpatialGrasp, UndecidedOrUnstableHasNoForces) {
 
 TEST(PlotSpatialGrasp, AMotionThatTurnsAboutTheOnlyContact) {
   for (const char* turn : {"1", "-1e-400", "1e400"}) {
-    const Vector6 d{0, 0, -1, 0, 0, parse_rational(turn)};
-    const std::string svg =
-        plot_grasp(pushed_down(), Verdict(Stable{SpatialWitness{d, {}}, {d.begin(), d.end()}}));
+    const RationalRow d{0, 0, -1, 0, 0, parse_rational(turn)};
+    const std::string svg = plot_grasp(pushed_down(), Verdict(Stable{ShareWitness{d, {}}, d}));
     EXPECT_NE(svg.find("class=\"ghost\""), std::string::npos);
     EXPECT_NE(svg.find("data-value=\"0,0,1\""), std::string::npos);  // of the force
   }

@@ -37,7 +37,7 @@ RationalRow embedded(const Embedding& m, const Wrench& row) {
 Law law_of(const Problem& problem, const Embedding& m) {
   Law law;
   law.motions = m.size();
-  law.first_rotation = m.size();  // of toys all coordinates are alike
+  law.rotates.assign(m.size(), 0);  // of toys all coordinates are alike
   law.law = problem.law();
   for (const Rational& w : embedded(m, problem.wrench())) {
     law.wrench.push_back(point_interval(w));
@@ -125,7 +125,7 @@ TEST(TreeSearch, EmbeddedGraspsHaveTheVerdictOfTheOtherEngine) {
 Law line_of(const std::vector<std::array<int, 3>>& springs, const Rational& load) {
   Law law;
   law.motions = 1;
-  law.first_rotation = 1;
+  law.rotates = {0};
   law.wrench = {point_interval(load)};
   for (const auto& [normal, preload, friction] : springs) {
     LawContact& contact = law.contacts.emplace_back();

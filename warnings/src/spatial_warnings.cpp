@@ -17,13 +17,13 @@ Vector3 point_of(const UncertainContact& c) {
   return {c.position[0].low, c.position[1].low, c.position[2].low};
 }
 
-std::optional<std::string> large_motion_of(const Question& question, const Vector6& d) {
+std::optional<std::string> large_motion_of(const Question& question, const RationalRow& d) {
   std::vector<Vector3> points;
   for (const UncertainContact& c : question.box()->contacts) points.push_back(point_of(c));
   Integer common = 1;
   for (const Rational& entry : d) common = lcm(common, denominator(entry));
   const Rational scale(common);
-  Vector6 scaled = d;
+  RationalRow scaled = d;
   for (Rational& entry : scaled) entry *= scale;
   const Vector3 turn{scaled[3], scaled[4], scaled[5]};
   const auto moved = [&](std::size_t i) {
@@ -37,7 +37,7 @@ std::optional<std::string> large_motion_of(const Question& question, const Vecto
 /// With these preloads. What is kept is rounded up where a normal has an irrational length.
 std::optional<std::string> lost_preload_of(const GraspBox& grasp,
                                            const std::vector<Rational>& preloads,
-                                           const Vector6& d) {
+                                           const RationalRow& d) {
   return lost_preload(preloads.size(), [&](std::size_t i) -> std::pair<Rational, Rational> {
     const UncertainContact& c = grasp.contacts[i];
     if (preloads[i].is_zero()) return {0, 0};
@@ -157,11 +157,11 @@ std::vector<ModelWarning> model_warnings(const Question& question,
   const auto* stable = std::get_if<Stable>(&decision.verdict);
   ModelWarnings warnings;
   if (stable != nullptr) {
-    warnings.add(ModelTrap::kLargeMotion, large_motion_of(question, motion_of(*stable)));
+    warnings.add(ModelTrap::kLargeMotion, large_motion_of(question, stable->motion));
   }
   add_unbalanced_preload(grasp, preloads, warnings);
   if (stable != nullptr) {
-    warnings.add(ModelTrap::kLostPreload, lost_preload_of(grasp, preloads, motion_of(*stable)));
+    warnings.add(ModelTrap::kLostPreload, lost_preload_of(grasp, preloads, stable->motion));
   }
   if (is_stable(decision.verdict)) {
     warnings.add(ModelTrap::kAssumedStiffness,
@@ -181,7 +181,7 @@ std::vector<ModelWarning> model_warnings(const Question& question,
     }
     return preloads;
   };
-  const auto look_at = [&](const Rational& multiple, const Vector6& d) {
+  const auto look_at = [&](const Rational& multiple, const RationalRow& d) {
     const auto at_multiple = [&](std::optional<std::string> text) {
       if (text) *text = "at the multiple " + to_readable_string(multiple) + " " + *text;
       return text;

@@ -31,14 +31,11 @@ struct ProverLimits {
 /// Proofs about a box and its parts, until one fails or two parts seem to differ.
 class BoxProver {
  public:
-  /// An exact equilibrium of the only grasp near one in doubles, if there is one.
-  using ExactWitness =
-      std::function<std::optional<SpatialWitness>(const GraspLaw&, const NearEquilibrium&)>;
-
   /// `work` must outlive this.
   BoxProver(GraspLaw box, const ProverLimits& limits, SearchWork& work);
-  /// To be asked before other proofs are tried.
-  void on_equilibrium(ExactWitness witness) { exact_witness_ = std::move(witness); }
+  /// Of one grasp, all of whose lengths are rational: an exact equilibrium is tried before
+  /// other proofs, and where doubles do not decide, exact programs are asked.
+  void try_exact_equilibria() { is_exact_ = true; }
 
   /// The verdict, if there is one.
   std::optional<std::variant<Stable, Unstable>> prove();
@@ -60,10 +57,10 @@ class BoxProver {
   ProverLimits limits_;
   SearchWork& work_;
   std::size_t last_node_;  ///< where the work of all is to end
-  ExactWitness exact_witness_;
+  bool is_exact_ = false;
   std::array<std::optional<RationalRow>, 2> suspects_;
   std::optional<bool> stable_;  ///< what was proved of the first part
-  std::optional<SpatialWitness> witness_;
+  std::optional<ShareWitness> witness_;
   RationalRow motion_;
   StabilityProof parts_;
   Trees tree_;

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,31 +18,10 @@
 #include <vector>
 
 #include "stickslip/core/grasp.hpp"
+#include "stickslip/core/mechanism.hpp"
 #include "stickslip/core/row.hpp"
 
 namespace stickslip {
-
-/// The numbers from low to high, both included; low <= high.
-struct Interval {
-  Rational low{0};   ///< the least
-  Rational high{0};  ///< the greatest
-
-  /// One number.
-  bool is_point() const { return low == high; }
-  /// (low + high) / 2.
-  Rational middle() const { return (low + high) / 2; }
-  /// low <= x <= high.
-  bool contains(const Rational& x) const { return low <= x && x <= high; }
-  /// The same two ends.
-  friend bool operator==(const Interval& a, const Interval& b) {
-    return a.low == b.low && a.high == b.high;
-  }
-};
-
-/// The interval of one number.
-inline Interval point_interval(const Rational& x) {
-  return {x, x};
-}
 
 /// A contact of which every number may be an interval; vectors have two coordinates in the
 /// plane and three in space. The normal has any direction whose angle to n has a tangent of at
@@ -53,6 +33,12 @@ struct UncertainContact {
   Interval stiffness{1, 1};        ///< of the normal spring, k > 0, force per length
   Interval preload{};              ///< P >= 0, force
   Rational slope{0};               ///< of the normal, 0 <= slope < 1
+
+  /// \{ Of several bodies: the one that is pressed, into which the normal points, and the
+  /// other.
+  BodyIndex of{};
+  BodyIndex by{};
+  /// \}
 };
 
 /// A way in which a normal may turn: n + e direction for some |e| <= most.
@@ -68,7 +54,8 @@ std::vector<Turn> turns_of(const UncertainContact& contact);
 /// n + the sum of e_j direction_j.
 RationalRow turned(RationalRow normal, const std::vector<Turn>& turns, const RationalRow& e);
 
-/// The components of a wrench: (x, y, torque), in space force x, y, z and torque x, y, z.
+/// The components of a wrench: (x, y, torque), in space force x, y, z and torque x, y, z; of
+/// several bodies one for each coordinate of a state.
 using WrenchBox = std::vector<Interval>;
 
 /// How far numbers of a kind may be off: by t, or by t times their size.
@@ -119,13 +106,20 @@ std::vector<NamedTolerance> given(const Tolerances& tolerances);
 Tolerances parse_tolerances(std::string_view text);
 
 /// Contacts and a wrench with numbers in intervals, all in the plane or all in space.
+/// *Elements* are its contacts and then its springs, and a ContactId may be of either.
 struct GraspBox {
-  std::vector<UncertainContact> contacts;  ///< by ContactId
-  WrenchBox wrench;                        ///< w, applied to the object
-  GraspDescription description{};          ///< an outline in the plane, a body in space
+  std::vector<UncertainContact> contacts;        ///< by ContactId
+  WrenchBox wrench;                              ///< w, applied to the object
+  GraspDescription description{};                ///< an outline in the plane, a body in space
+  std::shared_ptr<const Mechanism> mechanism{};  ///< of several bodies; null: there is one
+  std::vector<Spring> springs{};                 ///< of several bodies: ratchets first
 
   /// Whether it has three coordinates.
-  bool in_space() const { return wrench.size() == 6; }
+  bool in_space() const { return mechanism ? mechanism->in_space : wrench.size() == 6; }
+  /// Whether it is one body in the plane.
+  bool is_one_planar_body() const { return !mechanism && !in_space(); }
+  /// How many contacts and springs.
+  std::size_t elements() const { return contacts.size() + springs.size(); }
   /// Whether every interval is one number and every slope 0.
   bool is_point() const;
   /// Throws InputError naming "contacts[i].<member>" or "wrench[j]" for a normal of 0, a
@@ -153,6 +147,10 @@ void for_each_number(Box& box, Function f) {
     f(c.stiffness);
     f(c.preload);
   }
+  for (auto& spring : box.springs) {
+    f(spring.stiffness);
+    f(spring.force);
+  }
   for (auto& component : box.wrench) f(component);
 }
 
@@ -179,6 +177,8 @@ using AnyGrasp = std::variant<LoadedGrasp, GraspBox>;
 
 /// Whether it has three coordinates.
 bool in_space(const AnyGrasp& grasp);
+/// What it says of several bodies; null: there is one.
+const Mechanism* mechanism_of(const AnyGrasp& grasp);
 /// What is known of it for people.
 const GraspDescription& description_of(const AnyGrasp& grasp);
 /// Its load.

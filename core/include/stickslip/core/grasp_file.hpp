@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// Reading and writing grasp files (formats "stickslip-grasp/1" and "stickslip-grasp/2",
+/// Reading and writing grasp files (formats "stickslip-grasp/1" to "stickslip-grasp/3",
 /// docs/grasp_file.md).
 ///
 /// Numbers are exact: a JSON number is the decimal it spells, taken from its own
@@ -69,6 +69,10 @@ class StreamedGrasp {
   GraspFile finish(const JsonNode& grasp, Intervals intervals = Intervals::kRefused);
   /// The same of one in space.
   GraspFile finish_in_space(const JsonNode& grasp, Intervals intervals = Intervals::kAllowed);
+  /// The same of several bodies.
+  GraspFile finish_bodies(const JsonNode& grasp, Intervals intervals = Intervals::kAllowed);
+  /// Of any.
+  GraspFile finish_any(const JsonNode& grasp, Intervals intervals = Intervals::kAllowed);
 
  private:
   std::vector<WrittenContact> contacts_;
@@ -86,7 +90,7 @@ GraspFile parse_grasp(std::string_view text, const std::string& file,
 /// cannot be read.
 GraspFile read_grasp_file(const std::string& path, Intervals intervals = Intervals::kRefused);
 
-/// \{ The same, in the plane or in space.
+/// \{ The same, in the plane or in space, of one body or several.
 GraspFile parse_any_grasp(std::string_view text, const std::string& file,
                           Intervals intervals = Intervals::kAllowed);
 GraspFile read_any_grasp_file(const std::string& path,

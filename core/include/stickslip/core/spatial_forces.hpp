@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// \file
-/// The contact forces of an equilibrium in space, by the laws of certificate/FORMAT.md,
-/// section 7.
+/// The contact forces of an equilibrium in space, or of several bodies, by the laws of
+/// certificate/FORMAT.md, sections 7 and 14. Of bodies in the plane the third coordinates of
+/// vectors are 0.
 #pragma once
 
 #include <utility>
@@ -12,7 +13,7 @@
 namespace stickslip {
 
 /// How the motion d = (u, omega) moves the point p of the object: u + omega x p.
-Vector3 displacement(const Vector3& point, const Vector6& d);
+Vector3 displacement(const Vector3& point, const RationalRow& d);
 
 /// What one contact does in an equilibrium.
 struct SpatialForce {
@@ -22,11 +23,16 @@ struct SpatialForce {
   Vector3 force{};     ///< a n + friction, on the object
 };
 
-/// The forces, by contact, that follow from the motion d of an equilibrium. Contacts that stick
-/// have these shares sigma of friction, mu a sigma, or none; the others oppose their slip.
-/// Requires that no number of the grasp is uncertain, and that all lengths which matter are
-/// rational: of normals where there is a preload, of slips where there is friction.
-std::vector<SpatialForce> forces_of(const GraspBox& grasp, const Vector6& d,
-                                    const std::vector<std::pair<ContactId, Vector3>>& shares);
+/// The forces, by contact, that follow from the motion d, or the state, of an equilibrium.
+/// Contacts that stick have these shares sigma of friction, mu a sigma, or none; the others
+/// oppose their slip. Requires that no number of the grasp is uncertain, and that all lengths
+/// which matter are rational: of normals where there is a preload, of slips where there is
+/// friction.
+std::vector<SpatialForce> forces_of(
+    const GraspBox& grasp, const RationalRow& d,
+    const std::vector<std::pair<ContactId, RationalRow>>& shares);
+
+/// Of several bodies, by spring: the torques, tensions and forces of ratchets at a state.
+std::vector<Rational> spring_forces_of(const GraspBox& grasp, const RationalRow& z);
 
 }  // namespace stickslip

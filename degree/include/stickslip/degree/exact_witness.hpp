@@ -13,6 +13,6 @@ namespace stickslip {
 
 /// An exact equilibrium with these modes, if there is one: none may slip where friction acts.
 /// The law is that of one grasp.
-std::optional<SpatialWitness> exact_witness(const GraspLaw& law, const NearEquilibrium& near);
+std::optional<ShareWitness> exact_witness(const GraspLaw& law, const NearEquilibrium& near);
 
 }  // namespace stickslip

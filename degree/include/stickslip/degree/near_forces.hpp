@@ -12,6 +12,6 @@ namespace stickslip {
 
 /// Forces near those of an equilibrium near the motion d, by contact, in doubles. What nearly
 /// sticks has slip 0, and friction within its cone by which the sum comes nearest to 0.
-std::vector<SpatialForce> near_forces(const Question& question, const Vector6& d);
+std::vector<SpatialForce> near_forces(const Question& question, const RationalRow& d);
 
 }  // namespace stickslip

@@ -14,15 +14,24 @@ using SlipRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 3, kMo
 
 /// A contact, in the units of its law.
 struct RoundedContact {
-  Reals normal;      ///< N
-  SlipRows slip;     ///< S
-  double slope;      ///< mu L: friction is at most this times a
-  double preload;    ///< P'
-  double stiffness;  ///< k'
+  Reals normal;            ///< N
+  SlipRows slip;           ///< S
+  double slope;            ///< mu L: friction is at most this times a
+  double preload;          ///< P'
+  double stiffness;        ///< k'
+  double size;             ///< of the force of a = 1
+  bool is_spring = false;  ///< a is v, of either sign
 
   /// v at a motion.
   double separation(const Reals& motion) const {
     return preload - stiffness * normal.dot(motion);
+  }
+  /// Whether there is a force at this v.
+  bool acts(double v) const { return v > 0 || is_spring; }
+  /// a at a motion.
+  double force(const Reals& motion) const {
+    const double v = separation(motion);
+    return acts(v) ? v : 0;
   }
 };
 
@@ -32,15 +41,13 @@ struct RoundedGrasp {
   Reals load;                            ///< w
   double force;                          ///< a typical force
   double reach;                          ///< how far it moves the object
-  std::size_t first_rotation;            ///< of the coordinates of motions
+  std::vector<char> rotates;             ///< by coordinate of motions
   double length;                         ///< by which rotations are times
 
   /// D.
   Eigen::Index motions() const { return load.size(); }
   /// As of its law.
-  double unit(std::size_t coordinate) const {
-    return coordinate >= first_rotation ? length : 1;
-  }
+  double unit(std::size_t coordinate) const { return rotates[coordinate] != 0 ? length : 1; }
 };
 
 /// All grasps of a box, or of a margin's for all of its multiples.

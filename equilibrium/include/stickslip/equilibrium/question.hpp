@@ -53,6 +53,10 @@ struct Question {
   /// A family is asked about.
   bool is_margin() const { return direction || preload_direction; }
   bool in_space() const { return stickslip::in_space(grasp); }  ///< of three coordinates
+  /// Of several bodies; null: of one.
+  const Mechanism* mechanism() const { return mechanism_of(grasp); }
+  /// Of one body in the plane, for which there is more than for all others.
+  bool is_one_planar_body() const { return !in_space() && mechanism() == nullptr; }
   /// Name, outline and units of the grasp.
   const GraspDescription& description() const { return description_of(grasp); }
   /// Requires one grasp in the plane.
@@ -74,10 +78,13 @@ Question ask(GraspFile file, const QuestionOptions& options);
 /// space where numbers are uncertain.
 void require_one_grasp(const Question& question);
 
+/// Throws InputError if there are several bodies: `what` is not done for them.
+void require_one_body(const Question& question, const std::string& what);
+
 /// What an engine in the plane answers; of a margin, the family. Throws InputError
 /// ("contacts[i].normal") when a contact whose preload is not 0 or grows has a normal of
 /// irrational length; if the question is a box otherwise, about which decide_box() can be
-/// asked; and in space.
+/// asked; in space; and of several bodies.
 Problem problem_of(const Question& question);
 
 }  // namespace stickslip

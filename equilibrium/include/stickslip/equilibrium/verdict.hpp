@@ -47,11 +47,12 @@ struct ShortWitness {
   }
 };
 
-/// An equilibrium of one grasp in space: all other forces follow from it.
-struct SpatialWitness {
-  Vector6 twist;  ///< the motion d
-  /// sigma, with the friction mu a sigma, of contacts that stick; increasing. 0 is left out.
-  std::vector<std::pair<ContactId, Vector3>> shares;
+/// An equilibrium of one grasp in space, or of several bodies: all other forces follow from it.
+struct ShareWitness {
+  RationalRow twist;  ///< the motion d; of several bodies the state z
+  /// sigma, with the friction mu a sigma, of contacts that stick; increasing. As many numbers
+  /// as a slip has. 0 is left out.
+  std::vector<std::pair<ContactId, RationalRow>> shares;
 };
 
 /// \{ What has to be said of this one, by contacts or their rows; preloads do not matter.
@@ -67,9 +68,9 @@ std::optional<std::string> find_violation(const Problem& problem, const Witness&
 /// An equilibrium exists: of every grasp of the box, if that is what was asked about.
 struct Stable {
   /// One of them, which proves one grasp; or that there is one.
-  std::variant<Witness, SpatialWitness, StabilityProof> proof;
+  std::variant<Witness, ShareWitness, StabilityProof> proof;
   /// Of a StabilityProof near an equilibrium of the grasp in the middle, of which the proof is
-  /// about the first part or the only one; for people. Of a SpatialWitness its own.
+  /// about the first part or the only one; for people. Of a ShareWitness its own.
   RationalRow motion{};
 
   /// Of a grasp that was decided without degree, and in the plane.
@@ -99,8 +100,6 @@ using Verdict = std::variant<Stable, Unstable, Fragile, Undecided>;
 
 /// "stable", "unstable", "fragile", "undecided".
 const char* name_of(const Verdict& verdict);
-/// Stable::motion, in space.
-Vector6 motion_of(const Stable& stable);
 /// Whether what was asked about is stable, or unstable; nothing if neither is proved.
 std::optional<bool> is_stable(const Verdict& verdict);
 

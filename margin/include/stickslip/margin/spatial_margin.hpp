@@ -26,8 +26,8 @@ namespace stickslip {
 /// Equilibria of one mode, in which nothing that has friction slips: between them every
 /// multiple is resisted, by a combination of the two.
 struct SpatialSegment {
-  SpatialWitness start;               ///< at the low end
-  std::optional<SpatialWitness> end;  ///< at the high end, if that is another multiple
+  ShareWitness start;               ///< at the low end
+  std::optional<ShareWitness> end;  ///< at the high end, if that is another multiple
 };
 /// Every multiple from low to high is resisted, both included; all, if there is no high.
 struct ResistedMultiples {

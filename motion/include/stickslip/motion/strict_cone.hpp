@@ -96,6 +96,8 @@ class StrictCone : public StrictConeOf<Row> {
   std::size_t pairs() const { return cone_.pairs(); }
   /// Of points, by index: some strict function is 0 on all of them.
   bool bars(const std::vector<std::size_t>& zeros) const;
+  /// Of each strict function the points where it is not 0, by index.
+  std::vector<std::vector<std::size_t>> strict_points() const;
   /// Of a plane on the region.
   PlaneSigns signs(const Row& plane) const;
 

@@ -24,9 +24,9 @@ struct GrowthRates {
   std::vector<Rational> preloads{};  ///< P^u by contact; empty: none grows
 };
 
-/// All parameters of grasps of so many contacts: contact by contact, and then those of the
-/// wrench.
-std::vector<ParameterId> parameters_of(std::size_t contacts, bool in_space);
+/// All parameters of grasps like this: contact by contact, spring by spring, and then those of
+/// the wrench.
+std::vector<ParameterId> parameters_of(const GraspBox& box);
 
 /// The law of every grasp in a box, or in a part of it.
 class GraspLaw : public Law {
@@ -39,9 +39,13 @@ class GraspLaw : public Law {
   /// The interval of a parameter. Requires that there is one.
   const Interval& interval(const ParameterId& id) const;
   /// All of them.
-  std::vector<ParameterId> parameters() const {
-    return parameters_of(contacts.size(), motions != 3);
-  }
+  const std::vector<ParameterId>& parameters() const { return parameters_; }
+  /// Of how many contacts; the others are springs.
+  std::size_t contact_count() const { return contact_count_; }
+  /// Whether it has three coordinates.
+  bool in_space() const { return in_space_; }
+  /// Whether it is one body in the plane, of which a Problem can be made.
+  bool is_one_planar_body() const { return one_body_ && !in_space_; }
   /// The halves below and above a cut; not of a margin. Requires low < value < high.
   std::pair<GraspLaw, GraspLaw> halves(const PartSplit& split) const;
   /// The one grasp with every parameter in the middle of its interval; of a margin with this
@@ -52,8 +56,14 @@ class GraspLaw : public Law {
 
  private:
   void add_contact(const UncertainContact& contact, const Rational& rate, unsigned bits);
+  void add_spring(const Spring& spring, const Rational& rate);
   void add_corners(LawContact& contact) const;
   void complete();
+
+  bool in_space_ = false;
+  bool one_body_ = true;
+  std::size_t contact_count_ = 0;
+  std::vector<ParameterId> parameters_;
 };
 
 /// That of a question about a box, of a margin as it grows, with lengths enclosed to these

@@ -52,6 +52,8 @@ struct ContactPlace {
   RationalRow normal;              ///< n0
   std::vector<Turn> turns;         ///< of the normal
   CornerRow centre;                ///< the rows of the middle
+  /// Of several bodies how the one moves beside the other, G; empty: there is one.
+  std::vector<RationalRow> motion{};
 };
 
 /// Numbers of a contact in the plane, of uncertain geometry, in integers: N and T times
@@ -77,7 +79,8 @@ struct LawContact {
   Interval stiffness;                   ///< k'
   IntegerVector3 axis{};                ///< in space: n0, across which slips are
   std::optional<ContactPlace> place{};  ///< of what the corners are, if it is a grasp's
-  Rational tilt{0};  ///< in space: delta, the largest |n|^2 / L^2 - 1 of a corner
+  Rational tilt{0};        ///< in space: delta, the largest |n|^2 / L^2 - 1 of a corner
+  bool is_spring = false;  ///< its force is v, of either sign: no law separates or rubs it
 
   /// \{ What follows, once complete() was called.
   /// v at all corners of all parameters: positive multiples, and factors that make them v.
@@ -87,8 +90,9 @@ struct LawContact {
   std::optional<WholeCorners> whole{};  ///< in the plane, of uncertain geometry
   /// \}
 
-  /// \{ In doubles. Slopes are mu L.
+  /// \{ In doubles. Slopes are mu L; the size is that of a force, of a = 1.
   std::array<double, 2> slopes{};
+  double size = 1;
   double tilted = 0;  ///< 3/2 delta
   std::array<double, 2> preloads{};
   std::array<double, 2> rates{};
@@ -105,11 +109,11 @@ struct LawContact {
   std::size_t slip_dimension() const { return corners.front().slip.size(); }
 };
 
-/// All contacts and the load. Coordinates of motions from first_rotation on are rotations; in
-/// doubles these are times `length`, and torques over it.
+/// All contacts, springs among them, and the load. Coordinates of motions that are rotations
+/// are in doubles times `length`, and torques over it.
 struct Law {
   std::size_t motions = 3;                 ///< D
-  std::size_t first_rotation = 2;          ///< of the coordinates of motions
+  std::vector<char> rotates{0, 0, 1};      ///< by coordinate of motions
   std::vector<LawContact> contacts{};      ///< by ContactId
   std::vector<Interval> wrench{};          ///< w
   std::optional<LoadHull> hull{};          ///< of loads that are added to w
@@ -132,6 +136,8 @@ struct Law {
   void complete(double farthest);
   /// The same where the loads alone are others.
   void complete_loads();
+  /// How large the force of a = 1 is, in doubles.
+  double force_size(const LawContact& contact) const;
   /// The largest work of a load on a virtual twist.
   Rational most_load_work(const Row& y) const;
   /// A sum of its entries' largest magnitudes, times those of y, at h = 1.
@@ -140,13 +146,16 @@ struct Law {
   std::size_t coordinates() const { return motions + 2; }
   /// One in doubles over one as it stands, of a coordinate of points.
   double unit(std::size_t coordinate) const {
-    return coordinate >= first_rotation && coordinate < motions ? length : 1;
+    return coordinate < motions && rotates[coordinate] != 0 ? length : 1;
   }
-  /// Of a motion or of more coordinates of a point: those that are times `length`, or over it.
-  auto rotations(Reals& x) const {
-    return x.segment(static_cast<Eigen::Index>(first_rotation),
-                     static_cast<Eigen::Index>(motions - first_rotation));
+  /// \{ A motion, or more coordinates of a point, in doubles; and a function of these.
+  void scale(Reals& motion) const {
+    for (std::size_t j = 0; j < motions; ++j) motion[static_cast<Eigen::Index>(j)] *= unit(j);
   }
+  void scale_function(Reals& function) const {
+    for (std::size_t j = 0; j < motions; ++j) function[static_cast<Eigen::Index>(j)] /= unit(j);
+  }
+  /// \}
   /// A point in doubles, of norm 1.
   Reals scaled(const Row& point) const;
   /// plane.x over the norm of the plane.

@@ -48,7 +48,8 @@ SearchReport BoxProver::report() const {
 bool BoxProver::prove_near(const GraspLaw& box, const GraspLaw& middle,
                            const NearEquilibrium& near) {
   if (is_exact_) {
-    if ((witness_ = exact_witness(box, near))) {
+    witness_ = exact_witness(box, near);
+    if (witness_) {
       motion_ = witness_->twist;
       return true;
     }
@@ -126,24 +127,32 @@ bool BoxProver::prove_whole(const GraspLaw& box, std::optional<NearEquilibrium>&
   // There is an equilibrium in the middle of a wide box: no tree is about all of it.
   if (stable_ == true || (limits_.is_wide && !tried.empty())) return false;
   const std::size_t before = tree_.size();
-  LawSearch search(box, nullptr, limits_.node_limit, work_);
-  search.on_candidate([&](const NearEquilibrium& relaxed) {
-    const auto found = newton.polish(relaxed);
-    return found && (try_near(*found) || limits_.is_wide);
-  });
-  if (is_exact_ && box_detail::is_linear(box)) {
-    search.on_doubt([&](const MotionRegion& region) -> std::optional<TreeNode> {
-      auto found = box_detail::decide_exactly(box, region);
-      if (auto* node = std::get_if<TreeNode>(&found)) return std::move(*node);
-      witness_ = std::move(std::get<ShareWitness>(found));
-      motion_ = witness_->twist;
-      holds = true;
-      return std::nullopt;
+  bool refuted = false;
+  const auto search_all = [&](bool exactly) {
+    LawSearch search(box, nullptr, limits_.node_limit, work_);
+    search.on_candidate([&](const NearEquilibrium& relaxed) {
+      const auto found = newton.polish(relaxed);
+      return found && (try_near(*found) || limits_.is_wide);
     });
+    if (exactly) {
+      search.on_doubt([&](const MotionRegion& region) -> std::optional<TreeNode> {
+        auto found = box_detail::decide_exactly(box, region);
+        if (auto* node = std::get_if<TreeNode>(&found)) return std::move(*node);
+        witness_ = std::move(std::get<ShareWitness>(found));
+        motion_ = witness_->twist;
+        holds = true;
+        return std::nullopt;
+      });
+    }
+    refuted = search.refute(MotionRegion::root(box), tree_);
+    end_ = search.end();
+    if (!refuted) tree_.erase(tree_.begin() + static_cast<std::ptrdiff_t>(before), tree_.end());
+  };
+  search_all(false);
+  const bool in_doubt = end_ == SearchEnd::kPlane || end_ == SearchEnd::kTwist;
+  if (!refuted && !holds && in_doubt && is_exact_ && box_detail::is_linear(box)) {
+    search_all(true);
   }
-  const bool refuted = search.refute(MotionRegion::root(box), tree_);
-  end_ = search.end();
-  if (!refuted) tree_.erase(tree_.begin() + static_cast<std::ptrdiff_t>(before), tree_.end());
   if (!refuted && !holds) return false;
   // (Of another part it may have been proved that it is unstable.)
   if (stable_.value_or(holds) != holds) return false;

@@ -90,10 +90,17 @@ std::optional<ShareWitness> exact_witness(const GraspLaw& model,
     closed.push_back(model.contacts[i].is_spring || near_one.normal[i] > 0);
   }
   std::vector<std::size_t> sticking;
+  std::vector<int> slips(m, 0);  // signs of those that slip, which has one dimension
   for (std::size_t i = 0; i < m; ++i) {
     const bool rubs = closed[i] && !model.contacts[i].friction.high.is_zero();
-    if (rubs && near_one.sticks[i] == 0) return std::nullopt;
-    if (rubs) sticking.push_back(i);
+    if (!rubs) continue;
+    if (near_one.sticks[i] != 0) {
+      sticking.push_back(i);
+    } else if (model.contacts[i].slip_dimension() > 1) {
+      return std::nullopt;  // slips of irrational lengths
+    } else {
+      slips[i] = near_one.friction[i][0] < 0 ? 1 : -1;
+    }
   }
   // Unknown: multiples of the motions that leave all of these without slip, and two numbers of
   // friction at each. Of the latter all but a few stay near what they are.
@@ -110,11 +117,14 @@ std::optional<ShareWitness> exact_witness(const GraspLaw& model,
   for (std::size_t i = 0; i < m; ++i) {
     if (!closed[i]) continue;
     const LawContact& c = model.contacts[i];
-    const RationalVector normal = as_rationals(c.corners.front().normal);
-    rest -= c.preload.low * normal;
+    const CornerRow& row = c.corners.front();
+    const RationalVector normal = as_rationals(row.normal);
+    RationalVector edge = normal;
+    if (slips[i] != 0) edge -= as_rationals(row.wrench_of({slips[i] * c.friction.low}));
+    rest -= c.preload.low * edge;
     for (Eigen::Index k = 0; k < motions.cols(); ++k) {
       const Rational rise = normal.dot(motions.col(k));
-      terms[static_cast<std::size_t>(k)].wrench -= Rational(c.stiffness.low * rise) * normal;
+      terms[static_cast<std::size_t>(k)].wrench -= Rational(c.stiffness.low * rise) * edge;
     }
   }
   for (const std::size_t i : sticking) {
@@ -155,6 +165,14 @@ std::optional<ShareWitness> exact_witness(const GraspLaw& model,
     if (c.is_spring) continue;
     if (closed[i] ? v.sign() < 0 : v.sign() > 0) return std::nullopt;
     if (model.law == NormalLaw::kBilateral && v.sign() < 0) return std::nullopt;
+    if (slips[i] != 0 && v.sign() > 0) {
+      const RationalRow slip(c.corners.front().slip.front().begin(),
+                             c.corners.front().slip.front().end());
+      const int sign = dot(slip, witness.twist).sign();
+      if (sign == -slips[i]) return std::nullopt;
+      if (sign == 0) witness.shares.emplace_back(ContactId(i), RationalRow{-slips[i]});
+      continue;
+    }
     if (dot(friction[i], friction[i]).is_zero()) continue;
     const Rational scale = c.friction.low * v;
     if (scale.is_zero()) return std::nullopt;

@@ -78,14 +78,18 @@ std::optional<DegreeProof> DegreeSearch::prove_by_size(const NearEquilibrium& ne
   const std::size_t growths = limits_.is_wide ? 12 : 0;
   const std::size_t most = limits_.most_nodes;
   std::optional<std::vector<Reals>> moves;
-  for (const Attempt& attempt : {Attempt{3e-2, kFewNodes, 0, most},
-                                 {3e-3, kFewNodes, 0, most},
-                                 {3e-4, kFewNodes, 0, most},
-                                 {3e-5, kFewNodes, 0, most},
-                                 {3e-2, limit, growths, most},
-                                 {1e-3, limit, growths, most},
-                                 {3e-1, limit, growths, most},
-                                 {3e-2, limit, growths, most, true}}) {
+  std::vector<Attempt> attempts{
+      {3e-2, kFewNodes, 0, most},   {3e-3, kFewNodes, 0, most},
+      {3e-4, kFewNodes, 0, most},   {3e-5, kFewNodes, 0, most},
+      {3e-2, limit, growths, most}, {1e-3, limit, growths, most},
+      {3e-1, limit, growths, most}, {3e-2, limit, growths, most, true}};
+  // A wall of a parallelepiped has 2^(rank - 1) vertices, and one of a simplex rank.
+  constexpr std::size_t kMostOfParallelepipeds = 6;
+  if (about_.span.rank() > kMostOfParallelepipeds) {
+    attempts.pop_back();
+    for (Attempt& attempt : attempts) attempt.is_simplex = true;
+  }
+  for (const Attempt& attempt : attempts) {
     if (attempt.node_limit == 0 || (limit == 0 && attempt.size < kLeastQuick)) break;
     Walls walls(about_.grasp, about_.span, near, attempt.size, about_.box);
     if (!walls.is_sound()) return std::nullopt;

@@ -76,8 +76,10 @@ extern template class StrictConeOf<Row>;
 /// With motions d of D coordinates, and its generators.
 class StrictCone : public StrictConeOf<Row> {
  public:
-  /// Of points().
+  /// \{ Of points(): of one body in space, and of more coordinates.
   static constexpr std::size_t kMostPoints = 1000;
+  static constexpr std::size_t kMostPointsOfMany = 4000;
+  /// \}
 
   /// {h >= 0}, with h strict; D is `motions`.
   explicit StrictCone(std::size_t motions, Multiples multiples = Multiples::kZero)
@@ -91,7 +93,9 @@ class StrictCone : public StrictConeOf<Row> {
   const std::vector<Row>& points() const { return points_; }
   /// More of them than a tree may have where D > 3 (FORMAT.md, section 4): checkers may give
   /// up.
-  bool has_too_many_points() const { return motions_ > 3 && points_.size() > kMostPoints; }
+  bool has_too_many_points() const {
+    return motions_ > 3 && points_.size() > (motions_ > 6 ? kMostPointsOfMany : kMostPoints);
+  }
   /// As ConeOf::pairs().
   std::size_t pairs() const { return cone_.pairs(); }
   /// Of points, by index: some strict function is 0 on all of them.

@@ -113,6 +113,7 @@ LineResult LineDecider::decide(const BatchLine& line) const {
         certificate = certificate_text(found.question, found.verdict, kProducer, found.bits);
       }
     } else {
+      require_one_body(question, "a class of loads");
       const bool in_space = question.in_space();
       const Inertia inertia = options_.inertia->empty()
                                   ? Inertia::of_length(1, in_space)

@@ -238,7 +238,7 @@ class Quadtree {
   std::optional<bool> is_stable_at(const Rational& x, const Rational& y) const {
     const GraspBox box =
         box_of_cell(grasp_, x_axis_, y_axis_, point_interval(x), point_interval(y));
-    if (box.in_space()) return is_stable(box.middle(), law_, options_.box);
+    if (!box.is_one_planar_body()) return is_stable(box.middle(), law_, options_.box);
     return std::holds_alternative<Stable>(
         decide_by_cones(box_detail::problem_of(GraspLaw(box, law_).middle())));
   }
@@ -277,8 +277,9 @@ RationalRow wrench_along(const GraspBox& grasp, const std::string& text,
   RationalRow w = numbers_option(axis, text);
   if (w.size() != grasp.wrench.size()) {
     throw InputError("", axis, "found a wrench of " + std::to_string(w.size()) + " numbers",
-                     grasp.in_space() ? "give force x, y, z and torque x, y, z"
-                                      : "give force x, force y and torque");
+                     grasp.mechanism    ? "give one for each coordinate of bodies and joints"
+                     : grasp.in_space() ? "give force x, y, z and torque x, y, z"
+                                        : "give force x, force y and torque");
   }
   if (is_zero(primitive_multiple(w))) {
     throw InputError("", axis, "its wrench is 0", "give one along which the load changes");
@@ -317,8 +318,10 @@ MapAxis parse_axis(const GraspBox& grasp, std::string_view text, const std::stri
     fail("there is nothing called " + quote(word), choice_of(word, names, "the names are "));
   }
   result.kind = found->kind;
-  if (result.kind == AxisKind::kDirection && grasp.in_space()) {
-    fail("a direction, but the grasp is in space", "vary components of the load: wrench[0]");
+  if (result.kind == AxisKind::kDirection && !grasp.is_one_planar_body()) {
+    fail(grasp.in_space() ? "a direction, but the grasp is in space"
+                          : "a direction, but there are several bodies",
+         "vary components of the load: wrench[0]");
   }
   const bool of_wrench = found->kind == AxisKind::kWrench;
   const std::size_t count = of_wrench ? grasp.wrench.size() : grasp.contacts.size();
@@ -331,7 +334,10 @@ MapAxis parse_axis(const GraspBox& grasp, std::string_view text, const std::stri
   }
   if (!result.index && (of_wrench || !index.empty())) {
     fail("found " + quote(result.name),
-         of_wrench && grasp.in_space()
+         of_wrench && grasp.mechanism
+             ? "write wrench[0] to wrench[" + std::to_string(count - 1) +
+                   "]; --json of decide names the coordinates"
+         : of_wrench && grasp.in_space()
              ? "write wrench[0] to wrench[5]; the last three are the torque"
          : of_wrench          ? "write wrench[0], wrench[1] or wrench[2], which is the torque"
          : found->of_contacts ? "contacts are counted from 0: the last is " + word + "[" +

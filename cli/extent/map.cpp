@@ -36,7 +36,7 @@ void print_text(const Question& question, const MapAxis& x, const MapAxis& y,
 int map(const MapArguments& arguments) {
   const Question question = arguments.question.any_question();
   const GraspBox* box = question.box();
-  if (box != nullptr && !(question.in_space() && box->is_point())) {
+  if (box != nullptr && !(!question.is_one_planar_body() && box->is_point())) {
     throw InputError("", "GRASP", "some of its numbers are uncertain already",
                      "a map is about one grasp, whose numbers its axes vary: give numbers, "
                      "and preloaded contacts normals of rational length");

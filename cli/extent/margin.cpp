@@ -105,7 +105,8 @@ Rational accuracy_of(const MarginArguments& arguments) {
   return accuracy;
 }
 
-int margin_in_space(const Question& question, const MarginArguments& arguments) {
+/// In space, and of several bodies.
+int margin_by_claims(const Question& question, const MarginArguments& arguments) {
   SpatialMarginOptions search;
   search.accuracy = accuracy_of(arguments);
   search.search.node_limit = arguments.node_limit;
@@ -116,6 +117,7 @@ int margin_in_space(const Question& question, const MarginArguments& arguments) 
 int margin(const MarginArguments& arguments) {
   const Question question = arguments.question.any_question();
   if (arguments.asks_class) {
+    require_one_body(question, "a class of loads");
     if (question.in_space()) {
       throw InputError("", "--class", "the grasp is in space",
                        "classes are known of grasps in the plane");
@@ -130,7 +132,7 @@ int margin(const MarginArguments& arguments) {
         "say what grows: the load, as in --direction 0,1,0, or the preloads, as in "
         "--preload-direction scale");
   }
-  if (question.in_space()) return margin_in_space(question, arguments);
+  if (!question.is_one_planar_body()) return margin_by_claims(question, arguments);
   ConeOptions options;
   options.node_limit = arguments.node_limit;
   MarginWork work;

@@ -194,6 +194,7 @@ RegionOptions options_of(const RegionArguments& arguments, Progress& progress) {
 
 int region(const RegionArguments& arguments) {
   const Question question = arguments.question.any_question();
+  require_one_body(question, "region");
   arguments.check(question);
   if (question.in_space()) return answer_region_in_space(question, arguments.in_space());
   const WrenchPlane plane = arguments.plane(question);
@@ -223,6 +224,7 @@ int region(const RegionArguments& arguments) {
 
 int draw_region(const RegionArguments& arguments) {
   const Question question = arguments.question.any_question();
+  require_one_body(question, "region");
   arguments.check(question);
   if (question.in_space()) {
     return draw_region_in_space(question, arguments.in_space(), arguments.output);

@@ -57,11 +57,13 @@ int answer_margin_in_space(const Question& question, const SpaceMarginArguments&
       });
   progress.clear();
   if (!arguments.certificate.empty()) {
-    write_whole_file(arguments.certificate,
-                     margin_certificate_text(question, margin, producer_of(kSpaceEngine)));
+    write_whole_file(
+        arguments.certificate,
+        margin_certificate_text(question, margin, producer_of(box_engine(question))));
   }
   Warnings warnings;
-  if (arguments.warnings) warnings = model_warnings(question, margin);
+  if (arguments.warnings && question.mechanism() == nullptr)
+    warnings = model_warnings(question, margin);
   NumberText text(arguments.output);
   if (arguments.output.json) {
     std::cout

@@ -30,7 +30,9 @@ void add_export_command(CLI::App& app, int& exit_code) {
   command->footer(
       footer_text("", kExitCodes, "stickslip export fig1.json --smt2 -o fig1.smt2"));
   command->callback([arguments, &exit_code] {
-    write_whole_file(arguments->output, smtlib_text(arguments->question.any_question()));
+    const Question question = arguments->question.any_question();
+    require_one_body(question, "the problem in SMT-LIB");
+    write_whole_file(arguments->output, smtlib_text(question));
     exit_code = kDone;
   });
 }

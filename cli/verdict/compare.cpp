@@ -121,6 +121,7 @@ int compare(const CompareArguments& arguments) {
   NumberText text(arguments.output);
   const Rational length = positive_length(arguments.length);
   const Question question = arguments.question.any_question();
+  require_one_body(question, "compare");
   const bool in_space = question.in_space();
   Compared answer{
       length,

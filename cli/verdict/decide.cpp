@@ -54,7 +54,7 @@ void print_cases_text(const std::vector<Answer>& answers, const NumberOptions& o
   const auto exact = std::find_if(answers.begin(), answers.end(),
                                   [](const Answer& a) { return a.problem.has_value(); });
   const Answer& answer = exact == answers.end() ? answers.front() : *exact;
-  const bool all_boxes = exact == answers.end() && !answer.question.in_space();
+  const bool all_boxes = exact == answers.end() && answer.question.is_one_planar_body();
   const std::string& grasp = answer.question.description().name;
   const std::size_t n = answers.size();
   std::cout << (grasp.empty() ? "" : grasp + ": ") << n << (n == 1 ? " case" : " cases")
@@ -92,8 +92,10 @@ Answer answered(Question question, const DecideArguments& arguments) {
     throw InputError("", "--engine", problem, remedy);
   };
   if (question.box() != nullptr && arguments.engine != "auto") {
-    if (question.in_space()) {
-      refuse("the grasp is in space, for which there is one engine", "leave the option out");
+    if (!question.is_one_planar_body()) {
+      refuse(question.in_space() ? "the grasp is in space, for which there is one engine"
+                                 : "there are several bodies, for which there is one engine",
+             "leave the option out");
     }
     if (question.box()->is_point()) {
       refuse("a preloaded contact has a normal of irrational length",

@@ -202,7 +202,10 @@ ClaimLine parse_claim_line(std::string_view line, const std::string& folder) {
   ClaimLine result{within("options", [&] { return ask(file, options); }), {}};
   // Uncertain numbers, and in the plane preloaded contacts with normals of irrational length,
   // are an error of this line.
-  within("grasp", [&] { require_one_grasp(result.question); });
+  within("grasp", [&] {
+    require_one_body(result.question, "crosscheck");
+    require_one_grasp(result.question);
+  });
   result.claim = read_claim(
       member(root, "", "claim", R"(add "claim": {"verdict": "stable"} or "unstable")"),
       magnitudes, vectors, result.question);

@@ -234,8 +234,8 @@ void require_one_grasp(const Question& question) {
   }
 }
 
-void require_one_body(const Question& question, const std::string& what) {
-  if (question.mechanism() == nullptr) return;
+void require_one_body(const AnyGrasp& grasp, const std::string& what) {
+  if (mechanism_of(grasp) == nullptr) return;
   throw InputError("", "", "the grasp has several bodies", what + " is for one body only");
 }
 

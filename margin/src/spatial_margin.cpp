@@ -21,9 +21,34 @@ struct Member {
   std::optional<ShareWitness> witness;  ///< where nothing that has friction slips
 };
 
+/// What friction does at a witness of this contact in the plane, over what there may be.
+Rational share_of(const LawContact& c, const ShareWitness& witness, std::size_t contact) {
+  const Row& slip = c.corners.front().slip.front();
+  const int sign = dot(slip, primitive_multiple(witness.twist)).sign();
+  if (sign != 0) return -sign;
+  for (const auto& [at, share] : witness.shares) {
+    if (at.index() == contact) return share.front();
+  }
+  return 0;
+}
+
+/// In the plane: both slip one way, or not at all, and press against it if one of them does.
+bool slip_alike(const LawContact& c, const ShareWitness& a, const ShareWitness& b,
+                std::size_t contact, const int (&presses)[2]) {
+  const Row& slip = c.corners.front().slip.front();
+  const int signs[] = {dot(slip, primitive_multiple(a.twist)).sign(),
+                       dot(slip, primitive_multiple(b.twist)).sign()};
+  if (signs[0] * signs[1] < 0) return false;
+  const int sign = signs[0] + signs[1] > 0 ? 1 : signs[0] + signs[1] < 0 ? -1 : 0;
+  if (sign == 0) return true;
+  return (presses[0] <= 0 || share_of(c, a, contact) == -sign) &&
+         (presses[1] <= 0 || share_of(c, b, contact) == -sign);
+}
+
 /// Whether all combinations of the two are equilibria.
 bool are_of_one_mode(const GraspLaw& family, const Member& a, const Member& b) {
-  for (const LawContact& c : family.contacts) {
+  for (std::size_t i = 0; i < family.contacts.size(); ++i) {
+    const LawContact& c = family.contacts[i];
     if (c.is_spring) continue;  // its force is linear
     const CornerRow& row = c.corners.front();
     const auto separation = [&](const Member& at) -> Rational {
@@ -33,6 +58,10 @@ bool are_of_one_mode(const GraspLaw& family, const Member& a, const Member& b) {
     const int signs[] = {separation(a).sign(), separation(b).sign()};
     if (signs[0] * signs[1] < 0) return false;
     if (c.friction.high.is_zero() || (signs[0] <= 0 && signs[1] <= 0)) continue;
+    if (c.slip_dimension() == 1) {
+      if (!slip_alike(c, *a.witness, *b.witness, i, signs)) return false;
+      continue;
+    }
     for (const Member* at : {&a, &b}) {
       const Row twist = primitive_multiple(at->witness->twist);
       for (const Row& s : row.slip) {
@@ -59,7 +88,7 @@ class SpatialMarginSearch {
     double growth = 0;
     if (model_.growing.size() > 0) growth = model_.growing.lpNorm<Eigen::Infinity>();
     for (const LawContact& c : model_.contacts) {
-      growth = std::max(growth, c.rates[1] * std::sqrt(to_double(c.squared_length)));
+      growth = std::max(growth, std::fabs(c.rates[1]) * c.size);
     }
     is_rational_ =
         std::all_of(model_.contacts.begin(), model_.contacts.end(), [](const LawContact& c) {

@@ -433,6 +433,7 @@ class PageAnswer {
 
 Json page_answer(const GraspFile& file, const QuestionText& asked, const PageParts& parts,
                  const PageLimits& limits, const std::string& name) {
+  require_one_body(file.content, "a page");
   const std::vector<std::string> cases = case_names(file);
   if (cases.empty() || !asked.wrench.empty() || !asked.case_name.empty()) {
     return PageAnswer(file, asked, limits, name).answer(parts);

@@ -22,11 +22,14 @@ namespace stickslip {
 /// Nothing when they were not asked for.
 using Warnings = std::optional<std::vector<ModelWarning>>;
 
-/// \{ The engine whose numbers may be intervals, in the plane and in space.
+/// \{ The engine whose numbers may be intervals, in the plane, in space and of several bodies.
 inline constexpr const char* kIntervalsEngine = "intervals";
 inline constexpr const char* kSpaceEngine = "space";
+inline constexpr const char* kBodiesEngine = "bodies";
 inline const char* box_engine(const Question& question) {
-  return question.in_space() ? kSpaceEngine : kIntervalsEngine;
+  return question.mechanism() != nullptr ? kBodiesEngine
+         : question.in_space()           ? kSpaceEngine
+                                         : kIntervalsEngine;
 }
 /// \}
 

@@ -1,0 +1,237 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Several bodies, links and springs: thresholds in closed form from both sides, every verdict through all checkers that
+judge it, and Z3 on small random ones, whose text is written from mechanics and knows no rows."""
+
+import json
+import os
+import random
+import unittest
+from fractions import Fraction as F
+
+from bodies_smt import smt
+from test_cli import DONE, PROVED, UNDECIDED, Case, checkers, run, stickslip
+
+Z3 = os.environ.get("Z3", "z3")
+
+
+def text(x):
+    return [text(e) for e in x] if isinstance(x, (list, tuple)) else str(F(x))
+
+
+def contact(of, position, normal, by=None, **laws):
+    result = {"of": of, "position": text(position), "normal": text(normal), **{k: text(v) for k, v in laws.items()}}
+    return {**result, "by": by} if by else result
+
+
+def weight(body, w, at):
+    return {"body": body, "weight": str(F(w)), "at": text(at)}
+
+
+def force(body, f, at):
+    return {"body": body, "force": text(f), "at": text(at)}
+
+
+def grasp(bodies, contacts, loads, **others):
+    return {"format": "stickslip-grasp/3",
+            "bodies": [b if isinstance(b, dict) else {"name": b} for b in bodies],
+            "contacts": contacts, "loads": loads, **others}
+
+
+def stack(widths, heights, frictions, weights, push, height):
+    """Blocks one on the other, pushed at the uppermost; and the least push that moves them, by statics."""
+    names = [f"b{k}" for k in range(len(widths))]
+    contacts, loads, bottom, least = [], [], F(0), None
+    for k, name in enumerate(names):
+        contacts += [contact(name, (s * widths[k], bottom), (0, 1), by=names[k - 1] if k else None,
+                             friction=frictions[k]) for s in (-1, 1)]
+        loads.append(weight(name, weights[k], (0, bottom + heights[k] / 2)))
+        above = sum(weights[k:])
+        limit = min(frictions[k] * above, above * widths[k] / (height - bottom))
+        least = limit if least is None else min(least, limit)
+        bottom += heights[k]
+    return least, grasp(names, contacts, [*loads, force(names[-1], (push, 0), (0, height))])
+
+
+class Bodies(Case):
+    def decide(self, content, *words):
+        file, proof = self.write("g.json", content), self.path("c.json")
+        if os.path.exists(proof):
+            os.remove(proof)
+        code, out, err = stickslip("decide", file, "--json", "--certificate", proof, *words)
+        self.assertIn(code, (DONE, UNDECIDED), err)
+        answer = json.loads(out)
+        if answer["verdict"] in ("stable", "unstable"):
+            for checker in checkers(proof):
+                if checker[0] == PROVED:
+                    continue  # it does not judge several bodies, and says so
+                code, out, err = run(*checker, file, proof, *words)
+                self.assertEqual(code, 0, out + err)
+                self.assertRegex(out, rf"verdict +{answer['verdict']}\b")
+        return answer
+
+    def verdict(self, *words):
+        return self.decide(*words)["verdict"]
+
+    def assert_threshold(self, at, value, part=F(1, 1000)):
+        self.assertEqual([self.verdict(at(value * (1 - part))), self.verdict(at(value * (1 + part)))],
+                         ["stable", "unstable"], value)
+
+
+class ClosedForms(Bodies):
+    def test_blocks_slide_or_tip(self):
+        half = F(1, 2)
+        for frictions, height in (((half, F(1, 5)), F(3, 2)), ((F(1, 5), half), F(3, 2)), ((2, 2), F(3, 2)),
+                                  ((2, 2), F(2))):
+            shape = ((1, F(3, 5)), (1, 1), frictions, (1, 2))
+            least = stack(*shape, 0, height)[0]
+            self.assert_threshold(lambda f, shape=shape, height=height: stack(*shape, f, height)[1], least)
+        for blocks in (3, 4):
+            shape = ([1] * blocks, [half] * blocks, [F(1, 3 + k) for k in range(blocks)], [1 + k for k in range(blocks)])
+            least = stack(*shape, 0, half * blocks)[0]
+            self.assert_threshold(lambda f, shape=shape, n=blocks: stack(*shape, f, half * n)[1], least)
+
+    def test_a_book_is_pulled_from_a_row_that_is_squeezed(self):
+        # Three books between two walls, pressed by 4 at every face; the middle one is pulled out where both its faces slip.
+        def row(pull):
+            contacts = []
+            for k, (of, by) in enumerate((("a", None), ("b", "a"), ("c", "b"), ("c", None))):
+                side = -1 if k == 3 else 1
+                contacts += [contact(of, (k, y), (side, 0), by=by, friction=F(1, 4), preload=2) for y in (-1, 1)]
+            return grasp("abc", contacts, [force("b", (0, pull), (F(3, 2), 0))])
+        self.assert_threshold(row, 2 * F(1, 4) * 4)
+
+    def test_a_ladder_on_a_cart(self):
+        # On a smooth wall and a cart that a spring holds back; the cart is let go where the ladder's foot slips: with the
+        # weight 1 in the middle of a ladder of width w and height 2 the foot needs the friction w/4.
+        def ladder(w, stiffness=1):
+            return grasp(["ladder", {"name": "cart", "slide": [1, 0]}],
+                         [contact("ladder", (0, 0), (0, 1), by="cart", friction=F(1, 2)),
+                          contact("ladder", (w, 2), (-1, 0), friction=0, stiffness=5)],
+                         [weight("ladder", 1, (w / 2, 1))],
+                         joints=[{"turns": {"cart": 1}, "stiffness": str(F(stiffness))}])
+        self.assert_threshold(ladder, F(2))
+        self.assertEqual(self.verdict(ladder(F(1), F(1, 1000))), "stable")  # however weak the spring
+        loose = ladder(F(1))
+        del loose["joints"][0]["stiffness"]
+        self.assertEqual(self.verdict(loose), "unstable")
+
+    def test_a_link_on_a_hinge_is_held_by_its_spring_or_a_stop(self):
+        # A load of f at the arm 2 turns it by 2f/k and no spring fails; a stop at the arm 1 holds it from one side only.
+        def arm(f, **joint):
+            return grasp([{"name": "arm", "hinge": [0, 0]}], [contact("arm", (1, 0), (0, 1), friction=0)],
+                         [force("arm", (0, f), (2, 0))], joints=[{"turns": {"arm": 1}, **joint}])
+        for f in (-3, 3, F(1, 10**9)):
+            self.assertEqual(self.verdict(arm(f, stiffness="1/7")), "stable")
+        self.assertEqual(self.verdict(arm(-3)), "stable")
+        self.assertEqual(self.verdict(arm(F(1, 10**9))), "unstable")
+        self.assert_threshold(lambda f: arm(f, torque="-4"), F(2))
+
+    def test_a_tendon_shares_its_pull_over_two_joints(self):
+        # Arms 1 and r of the tendon hold torques in this ratio alone, as nothing else acts on the joints.
+        def finger(outer, r=F(1, 2), extra=0):
+            f = F(1)  # at the arm 2 of the first hinge and 1 of the second: torques 2f and f
+            return grasp([{"name": "in", "hinge": [0, 0]}, {"name": "out", "on": "in", "hinge": [1, 0]}], [],
+                         [force("out", (0, -f), (2, 0)), force("in", (0, extra), (1, 0))],
+                         joints=[{"turns": {"in": 1}}, {"turns": {"out": 1}}],
+                         tendons=[{"over": {"in": 1, "out": str(outer)}, "tension": "3/10", "stiffness": 2}])
+        self.assertEqual(self.verdict(finger(F(1, 2))), "stable")
+        self.assertEqual(self.verdict(finger(F(501, 1000))), "unstable")
+        self.assertEqual(self.verdict(finger(F(1, 3), extra=-1)), "stable")  # 3 and 1
+
+    def test_a_ratchet_pushes_and_does_not_pull(self):
+        def link(f):
+            return grasp([{"name": "l", "slide": [0, 1]}], [], [force("l", (0, f), (0, 0))],
+                         joints=[{"turns": {"l": 1}}], ratchets=[{"over": {"l": 1}, "stiffness": 3}])
+        self.assertEqual([self.verdict(link(f)) for f in (-10**6, 0, F(1, 10**6))], ["stable", "stable", "unstable"])
+
+    def test_a_two_finger_gripper_lifts_as_its_tendon_pulls(self):
+        # Both links press the disc with N at the height of their hinges + 2: the tendon of arm 1 pulls with T = 2N; the
+        # disc hangs by friction alone, mu N on either side.
+        def gripper(tension, mu=F(1, 3), w=1):
+            links = [{"name": n, "hinge": [s * 2, -2]} for n, s in (("l", -1), ("r", 1))]
+            return grasp(["disc", *links],
+                         [contact("disc", (-1, 0), (1, 0), by="l", friction=mu, stiffness=1000),
+                          contact("disc", (1, 0), (-1, 0), by="r", friction=mu, stiffness=1000)],
+                         [weight("disc", w, (0, 0))],
+                         joints=[{"turns": {"l": -1, "r": 1}}],
+                         tendons=[{"over": {"l": -1, "r": 1}, "tension": str(F(tension))}])
+        # Friction turns the links too, by the arm 1: 2T = 2N 2 -+ (1/2) 1 2 of the disc's weight.
+        least = (F(3, 2) * 2 + F(1, 2))
+        for t in (least * F(99, 100), least * F(101, 100)):
+            expected = "stable" if t > least else "unstable"
+            self.assertEqual(self.verdict(gripper(t)), expected, t)
+
+    def test_a_hand_of_three_fingers_holds_a_ball_in_space(self):
+        # Each finger has two hinges across its own plane; the upper link presses at the equator with N. By symmetry the
+        # ball is held while its weight is at most 3 mu N; torques N h on the hinges give N.
+        directions = ((1, 0), (F(-3, 5), F(4, 5)), (F(-5, 13), F(-12, 13)))
+        def hand(w):
+            bodies, joints, contacts = ["ball"], [], []
+            for k, (x, y) in enumerate(directions):
+                axis = [str(F(-y)), str(F(x)), "0"]
+                base = {"name": f"low{k}", "hinge": {"at": text((3 * x, 3 * y, -4)), "axis": axis}}
+                tip = {"name": f"up{k}", "on": f"low{k}", "hinge": {"at": text((2 * x, 2 * y, -2)), "axis": axis}}
+                bodies += [base, tip]
+                joints += [{"turns": {f"low{k}": -1}, "stiffness": 10}, {"turns": {f"up{k}": -1}, "stiffness": 10}]
+                contacts.append(contact("ball", (x, y, 0), (-x, -y, 0), by=f"up{k}", friction=F(1, 2), preload=2))
+            return grasp(bodies, contacts, [weight("ball", w, (0, 0, 0))], joints=joints)
+        self.assertIn(self.verdict(hand(F(1, 10))), ("stable", "unstable"))
+        self.assertEqual(self.verdict(hand(10)), "unstable")
+
+
+class AgainstZ3(Bodies):
+    def test_small_random_ones(self):
+        rng = random.Random(7)
+        number = lambda a, b: F(rng.randint(a, b), rng.choice((1, 2, 3)))
+        agreed = {"sat": 0, "unsat": 0}
+        for k in range(40):
+            bodies, joints = ["body"], []
+            for j in range(rng.randint(1, 2)):
+                kind = rng.choice(("free", "hinge", "slide"))
+                name = f"n{j}"
+                if kind == "free":
+                    bodies.append(name)
+                    continue
+                place = [number(-3, 3), number(-3, 3)] if kind == "hinge" else [1, number(-2, 2)]
+                link = {"name": name, kind: text(place)}
+                if rng.random() < 0.4 and j:
+                    link["on"] = "n0"
+                bodies.append(link)
+                joints.append({"turns": {name: str(F(rng.choice((1, -1, 2))))},
+                               **({"stiffness": str(number(1, 4))} if rng.random() < 0.7 else {}),
+                               **({"torque": str(number(-2, 2))} if rng.random() < 0.5 else {})})
+            names = [b if isinstance(b, str) else b["name"] for b in bodies]
+            links = [b["name"] for b in bodies if not isinstance(b, str)]
+            contacts = []
+            for _ in range(rng.randint(3, 5)):
+                of, by = rng.sample([*names, None], 2)
+                if of is None:
+                    of, by = by, None
+                contacts.append(contact(of, (number(-2, 2), number(-2, 2)),
+                                        rng.choice(((0, 1), (1, 0), (-1, 0), (3, 4), (0, -1), (-4, 3))), by=by,
+                                        friction=rng.choice((0, F(1, 3), F(1, 2), 1)),
+                                        preload=rng.choice((0, 1, 2)), stiffness=number(1, 4)))
+            others = {}
+            if links and rng.random() < 0.6:
+                others["tendons"] = [{"over": {l: str(rng.choice((1, F(1, 2), -1))) for l in links},
+                                      "stiffness": str(number(0, 2)), "tension": str(number(-2, 2))}]
+            if links and rng.random() < 0.4:
+                others["ratchets"] = [{"over": {links[0]: rng.choice((1, -1))}, "stiffness": 2,
+                                       "preload": str(rng.choice((0, 1)))}]
+            content = grasp(bodies, contacts,
+                            [force(rng.choice(names), (number(-2, 2), number(-2, 2)), (number(-1, 1), 0))],
+                            joints=joints, **others)
+            if "tendons" in others:
+                arms = others["tendons"][0]["over"]
+                turns = [sum(F(a) * F(j["turns"].get(l, 0)) for l, a in arms.items()) for j in joints]
+                if not any(turns):
+                    continue
+            z3 = run(Z3, "-T:5", "-in", stdin=smt(content))[1].strip()
+            self.assertIn(z3, ("sat", "unsat"))
+            self.assertEqual(self.verdict(content), "stable" if z3 == "sat" else "unstable", json.dumps(content))
+            agreed[z3] += 1
+        self.assertGreaterEqual(min(agreed.values()), 8)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -18,10 +18,15 @@ Vector way_of_hinge(const Vector& c, const Vector& g) {
   return way;
 }
 
+std::size_t dimension_of(const std::vector<Body>& bodies, std::size_t joints, bool in_space) {
+  std::size_t dimension = joints;
+  for (const Body& body : bodies) dimension += body.way ? 0 : in_space ? kSpatial : kPlanar;
+  return dimension;
+}
+
 Mechanism::Mechanism(const std::vector<Body>& bodies, std::vector<Turns> joints, bool in_space)
-    : joints_(std::move(joints)), dimension_(joints_.size()) {
+    : joints_(std::move(joints)), dimension_(dimension_of(bodies, joints_.size(), in_space)) {
   const std::size_t rows = in_space ? kSpatial : kPlanar;
-  for (const Body& body : bodies) dimension_ += body.way ? 0 : rows;
   ground_ = Matrix(rows, Vector(dimension_));
   std::size_t next = 0;  // column
   for (std::size_t b = 0; b < bodies.size(); ++b) {

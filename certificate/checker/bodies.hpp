@@ -21,6 +21,7 @@ namespace stickslip_check {
 
 inline constexpr std::size_t kPlanar = 3;   ///< of one body: translation x, y and rotation
 inline constexpr std::size_t kSpatial = 6;  ///< translation x, y, z and rotation x, y, z
+inline constexpr std::size_t kMostCoordinates = 30;  ///< the largest D
 
 using Matrix = std::vector<Vector>;  ///< by rows
 
@@ -39,11 +40,13 @@ Vector way_of_hinge(const Vector& point, const Vector& axis);
 /// The numbers of `turns` or `over`, by the number of a link.
 using Turns = std::map<std::size_t, Rational>;
 
+/// D.
+std::size_t dimension_of(const std::vector<Body>& bodies, std::size_t joints, bool in_space);
+
 class Mechanism {
  public:
   Mechanism(const std::vector<Body>& bodies, std::vector<Turns> joints, bool in_space);
 
-  /// D.
   std::size_t dimension() const { return dimension_; }
   /// J_b; nothing is the ground.
   const Matrix& motion(std::optional<std::size_t> body) const {

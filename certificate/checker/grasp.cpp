@@ -19,7 +19,6 @@ namespace {
 constexpr JsonLimits kGraspLimits{std::uint64_t{1} << 28U, 32, std::uint64_t{1} << 28U,
                                   1U << 16U, true};
 constexpr std::size_t kMaxContacts = 1'000'000;
-constexpr std::size_t kMaxCoordinates = 30;
 constexpr const char* kNeeds2 = R"(it needs "format": "stickslip-grasp/2")";
 constexpr const char* kNeeds3 = R"(it needs "format": "stickslip-grasp/3")";
 constexpr const char* kGround = "ground";
@@ -423,6 +422,7 @@ class GraspReader {
       const Value& joint = joints.items[q];
       const Where place = in_joints[q];
       expect_object(joint, place, {"turns", "name", "stiffness", "torque"});
+      read_name(joint, place);
       all_turns.push_back(read_turns(member(joint, place, "turns"), place + ".turns"));
     }
     for (const auto& [name, b] : names_) {
@@ -430,19 +430,19 @@ class GraspReader {
       if (!bodies_[b].way || std::any_of(all_turns.begin(), all_turns.end(), turns)) continue;
       throw Malformed{json_.file(), "bodies[" + std::to_string(b) + "]",
                       "no joint turns the link " + quote(name) +
-                          "; expected its name in the "
-                          "member \"turns\" of one of \"joints\""};
+                          R"(; expected its name in "turns" of one of "joints")"};
     }
-    mechanism_.emplace(bodies_, all_turns, dimension_ == kSpatial);
-    const std::size_t dimension = mechanism_->dimension();
-    if (dimension > kMaxCoordinates) {
+    const bool in_space = dimension_ == kSpatial;
+    const std::size_t dimension = dimension_of(bodies_, all_turns.size(), in_space);
+    if (dimension > kMostCoordinates) {
       throw Malformed{json_.file(), "bodies",
                       "found " + std::to_string(dimension) + " coordinates, " +
                           std::to_string(dimension_) +
-                          " for each body that is no link and one "
-                          "for each joint; expected at most " +
-                          std::to_string(kMaxCoordinates)};
+                          " for each body that is no link and one for each joint; expected "
+                          "at most " +
+                          std::to_string(kMostCoordinates)};
     }
+    mechanism_.emplace(bodies_, std::move(all_turns), in_space);
     grasp_.wrench = Wrench(dimension);
     name_coordinates(joints);
     read_over(take("ratchets"), "ratchets", Element::Kind::kRatchet, "preload");
@@ -524,8 +524,7 @@ class GraspReader {
       if (found == names_.end() || !bodies_[found->second].way) {
         json_.fail(value.line, place,
                    "found " + quote(name) +
-                       ", expected the name of a link, "
-                       "which is a body with a \"hinge\" or a \"slide\"");
+                       R"(, expected a link, which is a body with a "hinge" or a "slide")");
       }
       const Where member = place + ".";
       const Rational c = number(value.items[k], member + name.c_str());
@@ -533,6 +532,13 @@ class GraspReader {
       turns.emplace(found->second, c);
     }
     return turns;
+  }
+
+  /// It has no meaning here.
+  void read_name(const Value& object, const Where& place) const {
+    const Value* name = object.find("name");
+    if (name == nullptr) return;
+    expect(name->kind == Value::Kind::kString, *name, place + ".name", "a string");
   }
 
   void name_coordinates(const Value& joints) {
@@ -547,9 +553,7 @@ class GraspReader {
     }
     for (std::size_t q = 0; q < joints.items.size(); ++q) {
       const Value* name = joints.items[q].find("name");
-      names.push_back(name != nullptr && name->kind == Value::Kind::kString
-                          ? name->text
-                          : "joint " + std::to_string(q));
+      names.push_back(name != nullptr ? name->text : "joint " + std::to_string(q));
     }
   }
 
@@ -560,6 +564,7 @@ class GraspReader {
       const Value& entry = list.items[k];
       const Where place = in_list[k];
       expect_object(entry, place, {"over", "name", "stiffness", preload});
+      read_name(entry, place);
       if (kind == Element::Kind::kRatchet) member(entry, place, "stiffness");
       const Value& over = member(entry, place, "over");
       Vector row = mechanism_->row(read_turns(over, place + ".over"));
@@ -571,9 +576,6 @@ class GraspReader {
 
   void read_element(const Value& value, const Where& place, Element element) {
     const bool spring = element.kind == Element::Kind::kSpring;
-    if (const Value* name = value.find("name")) {
-      expect(name->kind == Value::Kind::kString, *name, place + ".name", "a string");
-    }
     const auto read = [&](const char* key, Least least) {
       const Value* found = value.find(key);
       const Where member = place + ".";

@@ -8,6 +8,7 @@
 #include <array>
 #include <map>
 
+#include "leaf.hpp"
 #include "naive.hpp"
 #include "support.hpp"
 
@@ -429,6 +430,7 @@ Vector small(Random& random, std::size_t size, bool nonzero = false) {
 struct Mechanical {
   std::string text;
   std::vector<NaiveRow> rows;
+  std::vector<Vector> normals;             ///< n0 of each contact
   std::vector<std::vector<Vector>> slips;  ///< in space, S by its three rows
   Vector wrench;
 };
@@ -527,8 +529,9 @@ Mechanical random_grasp(Random& random, bool in_space, int most_bodies, int most
     constexpr int kNormals[][3] = {{1, 0, 0}, {0, -1, 0}, {3, 4, 0}, {0, 2, 0}, {-3, 4, 0}};
     const int* of_n = kNormals[between(random, 0, 4)];
     const Vector normal(of_n, of_n + n);
+    grasp.normals.push_back(normal);
     NaiveRow row;
-    row.friction = Rational(between(random, 0, 2), 2);
+    row.friction = Rational(between(random, 0, 2)) / 2;
     row.normal = moves.work(of, by, p, normal);
     const Rational square = dot(normal, normal);
     if (in_space) {
@@ -664,6 +667,148 @@ TEST(Bodies, TreesAgreeWithTheNaiveTwin) {
   }
   EXPECT_GT(accepted, rounds(500U));
   EXPECT_GT(rejected, rounds(500U));
+}
+
+/// Vectors of friction at a contact with such a normal force, times its length, that the laws
+/// allow: one number in the plane. Nothing where it has an irrational length.
+std::optional<Vector> friction_at(Random& random, const Mechanical& grasp, std::size_t i,
+                                  const Vector& d) {
+  const NaiveRow& row = grasp.rows[i];
+  if (grasp.slips.empty()) {
+    const int slip = sgn(dot(row.tangent, d));
+    return Vector{slip != 0 ? Rational(-slip) : Rational(Rational(between(random, -2, 2)) / 2)};
+  }
+  Vector s;
+  for (const Vector& along : grasp.slips[i]) s.push_back(dot(along, d));
+  if (s != Vector(3)) {
+    const auto over = exact_sqrt(dot(grasp.normals[i], grasp.normals[i]) / dot(s, s));
+    if (!over) return std::nullopt;
+    for (Rational& c : s) c *= -*over;
+    return s;
+  }
+  Vector axis(3);
+  axis[static_cast<std::size_t>(between(random, 0, 2))] = between(random, -1, 1);
+  const Vector& m = grasp.normals[i];
+  return Vector{m[1] * axis[2] - m[2] * axis[1], m[2] * axis[0] - m[0] * axis[2],
+                m[0] * axis[1] - m[1] * axis[0]};
+}
+
+// Where an equilibrium is at home, no leaf holds, whatever its twist: of one grasp, and of
+// boxes around it.
+TEST(Bodies, NoLeafRefutesAnEquilibrium) {
+  Random random(577);
+  std::size_t leaves = 0;
+  std::size_t tight = 0;
+  for (int trial = 0; trial < rounds(900); ++trial) {
+    const bool in_space = trial % 2 == 0;
+    const Mechanical grasp = random_grasp(random, in_space, 3, 2);
+    const std::size_t n = grasp.wrench.size();
+    Vector x(n);
+    for (int k = between(random, 0, 3); k > 0; --k) {
+      x[static_cast<std::size_t>(between(random, 0, static_cast<int>(n) - 1))] =
+          between(random, -2, 2);
+    }
+    x.insert(x.end(), {1, 0});
+    Options options;
+    options.wrench = Vector(n);
+    std::string shares;
+    bool rational = true;
+    for (std::size_t i = 0; i < grasp.rows.size(); ++i) {
+      const NaiveRow& row = grasp.rows[i];
+      Rational a = dot(row.v, x);
+      if (!row.spring && a < 0) a = 0;
+      for (std::size_t j = 0; j < n; ++j) (*options.wrench)[j] -= a * row.normal[j];
+      if (!row.slips || row.friction == 0 || a == 0) continue;
+      const auto share = friction_at(random, grasp, i, x);
+      rational = rational && share;
+      if (!rational) break;
+      for (std::size_t k = 0; k < share->size(); ++k) {
+        const Vector& along = in_space ? grasp.slips[i][k] : row.tangent;
+        for (std::size_t j = 0; j < n; ++j) {
+          (*options.wrench)[j] -= row.friction * a * (*share)[k] * along[j];
+        }
+      }
+      const bool sticks = in_space ? std::all_of(grasp.slips[i].begin(), grasp.slips[i].end(),
+                                                 [&](auto& s) { return dot(s, x) == 0; })
+                                   : dot(row.tangent, x) == 0;
+      if (!sticks) continue;
+      shares += (shares.empty() ? "[" : ", [") + std::to_string(i) + ", " +
+                (in_space ? text_of(*share) : "\"" + (*share)[0].get_str() + "\"") + "]";
+    }
+    if (!rational) continue;
+    const auto bare = [](const std::string& list) { return list.substr(1, list.size() - 2); };
+    const Vector d(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(n));
+    const Answer answer = ask(grasp.text,
+                              stable(header(grasp.rows.size(), bare(text_of(*options.wrench))),
+                                     bare(text_of(d)), shares),
+                              options);
+    ASSERT_EQ(outcome(answer), "accepted") << explain(answer) << "\n" << grasp.text;
+    if (trial % 3 == 0) {
+      options.uncertain = {{"friction", {Rational(1, 2), true}},
+                           {"stiffness", {Rational(1, 2), true}},
+                           {"preload", {Rational(1, 2), true}},
+                           {"wrench", {Rational(between(random, 0, 1), 100), false}}};
+      if (grasp.slips.size() < 2) {
+        options.uncertain["position"] = {Rational(between(random, 0, 1), 50), false};
+        options.uncertain["normal"] = {Rational(between(random, 0, 1), 50), false};
+      }
+    }
+    Question question = pose(read(grasp.text), options, "grasp");
+    if (question.is_box) enlarge(question);
+    const Box& box = *question.box;
+    Cone cone(n + 2);
+    Strict strict;
+    const auto cut = [&](const Vector& a, bool equality) {
+      if (dot(a, x) > 0) insert(strict.conditions, cone.cuts());
+      cone = cone.cut(make_form(a), equality);
+    };
+    Vector h(n + 2);
+    h[n] = 1;
+    cut(h, false);
+    Vector l(n + 2);
+    l[n + 1] = 1;
+    cut(l, true);
+    for (int cuts = between(random, 0, 5); cuts > 0; --cuts) {
+      Vector a = small(random, n + 1);
+      a.resize(n + 2);
+      if (!grasp.rows.empty() && between(random, 0, 2) > 0) {
+        const auto i = static_cast<std::size_t>(
+            between(random, 0, static_cast<int>(grasp.rows.size()) - 1));
+        a = grasp.rows[i].v;
+        if (between(random, 0, 1) == 0 && grasp.rows[i].slips) {
+          a = in_space ? grasp.slips[i][static_cast<std::size_t>(between(random, 0, 2))]
+                       : grasp.rows[i].tangent;
+          a.resize(n + 2);
+        }
+      }
+      const int side = sgn(dot(a, x));
+      for (Rational& c : a) c *= side < 0 ? -1 : 1;
+      cut(a, side == 0 && between(random, 0, 1) == 0);
+    }
+    for (std::size_t i = 0; in_space && i < grasp.slips.size(); ++i) {
+      const std::vector<Form>& rows = box.row(i).slips[0];
+      const bool slips = std::any_of(rows.begin(), rows.end(), [&](const Form& s) {
+        return sign_of_dot(s, make_form(x)) != 0;
+      });
+      if (slips && box.row(i).slip_certain) strict.slips.push_back(i);
+    }
+    const Generators region(box, cone, strict);
+    ASSERT_FALSE(region.barred());
+    for (int k = 0; k < 20; ++k) {
+      const Vector y = small(random, n);
+      ASSERT_TRUE(leaf_refusal(box, region, y)) << show(y) << " of " << grasp.text;
+      ++leaves;
+      // Under another load it may well hold.
+      Box other = box;
+      for (std::size_t j = 0; j < n; ++j) {
+        other.wrench[j].low -= y[j] / 2;
+        other.wrench[j].high -= y[j] / 2;
+      }
+      tight += leaf_refusal(other, region, y) ? 0 : 1;
+    }
+  }
+  EXPECT_GT(leaves, rounds(4000U));
+  EXPECT_GT(tight, rounds(400U));
 }
 
 // ---- answers in closed form
@@ -900,6 +1045,62 @@ TEST(Bodies, AMarginInThePlane) {
  "intervals": [["unstable", 0, null, [["leaf", 1]]]]})";
   expect_outcome("accepted", dragged(), scale, scaled);
   expect_outcome("leaf-bound", dragged("-1"), scale, scaled);
+}
+
+TEST(Bodies, ASpringThatPushesAndPullsIsOneMode) {
+  // l - 2 - z = 0: from 2 to -2.
+  const std::string grasp =
+      slide({{"joints", R"([{"turns": {"l": 1}, "stiffness": 1}])"}, {"ratchets", "[]"}});
+  Options along;
+  along.direction = Vector{1};
+  along.wrench = Vector{-2};
+  const std::string claim = R"(["stable", 0, 4, {"twist": [-2], "shares": []},
+ {"twist": [2], "shares": []}])";
+  const std::string whole =
+      replaced(margin(1, "1", claim), "\"wrench\": [0]", "\"wrench\": [-2]");
+  expect_outcome("accepted", grasp, whole, along);
+  // A ratchet that opens between has another mode.
+  const std::string ratchet =
+      replaced(grasp, "\"ratchets\": []",
+               R"("ratchets": [{"over": {"l": 1}, "stiffness": 1, "preload": 1}])");
+  expect_outcome("segment-mode", ratchet,
+                 replaced(replaced(replaced(whole, "\"contacts\": 1", "\"contacts\": 2"),
+                                   "[-2], \"shares\"", "[\"-1/2\"], \"shares\""),
+                          "[2], \"shares\"", "[2], \"shares\""),
+                 along);
+}
+
+TEST(Bodies, AtRestWithAnUncertainSpringThatPulls) {
+  const std::string grasp = dragged(R"({"min": -1, "max": 0})");
+  const std::string rest =
+      R"({"rest": [[0, "-1/2"]], "answers": [[0, [-1]]], "reach": ["1/2"]})";
+  const std::string head = header(2, "0");
+  expect_outcome("accepted", grasp, in_parts(head, rest));
+  expect_outcome("rest-reach", grasp, in_parts(head, replaced(rest, "[\"1/2\"]", "[\"2/5\"]")));
+  expect_outcome("rest-reach", grasp, in_parts(head, replaced(rest, "[[0, \"-1/2\"]]", "[]")));
+  expect_outcome(
+      "rest-cone", dragged(R"({"min": "-3/2", "max": 0})"),
+      in_parts(head, replaced(replaced(rest, "-1/2", "-3/4"), "[\"1/2\"]", "[\"3/4\"]")));
+}
+
+TEST(Bodies, ABoxWithAnUncertainRatchet) {
+  // Pulled, it is open at all of them; pushed by 1, z is (P - 1) / k, from -1 to 0.
+  const auto grasp = [](const std::string& force) {
+    return slide({{"ratchets", R"([{"over": {"l": 1}, "stiffness": {"min": 1, "max": 2},
+ "preload": {"min": 0, "max": 1}}])"},
+                  {"loads", load("0, " + force)}});
+  };
+  expect_outcome("accepted", grasp("1"), refutation(header(1, "1"), {R"(["leaf", -1])"}));
+  expect_outcome(
+      "accepted", grasp("1"),
+      refutation(header(1, "1"), {R"(["part", "stiffness", 0, "3/2"])", R"(["leaf", -1])",
+                                  R"(["plane", 1, 0])", R"(["leaf", -1])", R"(["leaf", -1])"}));
+  expect_outcome("leaf-bound", grasp("-1"), refutation(header(1, "-1"), {R"(["leaf", 1])"}));
+  const std::string part = R"({"twist": ["-1/2"], "walls": [["4/5"]], "direction": [[1]],
+ "tree": [["leaf", 1], ["leaf", -1], ["leaf", 1], ["leaf", -1]]})";
+  expect_outcome("accepted", grasp("-1"), in_parts(header(1, "-1"), part));
+  expect_outcome("leaf-bound", grasp("-1"),
+                 in_parts(header(1, "-1"), replaced(part, "\"4/5\"", "2")));
 }
 
 TEST(Bodies, AMarginInThePlaneWithANormalOfIrrationalLength) {

@@ -100,7 +100,8 @@ def is_covered(question):
 
 
 def check_proved(lines):
-    """The number of questions that stickslip-proved answers in another way than expected."""
+    """The number of questions that stickslip-proved answers in another way than expected. It does not know several bodies."""
+    lines = [line for line in lines if "stickslip-grasp/3" not in line]
     done = subprocess.run([PROVED, "--batch"], input="".join(lines), capture_output=True, text=True,
                           check=True)
     answers = [json.loads(line)["result"] for line in done.stdout.splitlines()]

@@ -58,7 +58,8 @@ void add_bounds(const Row& row, const std::vector<Integer>& alpha, std::vector<F
   }
 }
 
-/// The same for the product of the largest alpha_s and the largest v_i.
+/// The same for the product of the largest alpha_s and the largest v_i. (Of a margin there is
+/// one alpha_s, so this is about verdicts, where nothing grows.)
 void add_products(const Row& row, const std::vector<Integer>& alpha,
                   std::vector<Form>& bounds) {
   const Integer most =
@@ -68,7 +69,6 @@ void add_products(const Row& row, const std::vector<Integer>& alpha,
       Form product;
       for (const Integer& c : pull) product.emplace_back(most * c);
       product.emplace_back(most * row.preloads[1]);
-      product.emplace_back(most * row.growths[1]);
       bounds.push_back(std::move(product));
     }
   }

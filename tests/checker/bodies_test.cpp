@@ -440,7 +440,7 @@ Mechanical random_grasp(Random& random, bool in_space, int most_bodies, int most
   moves.in_space = in_space;
   const std::size_t n = moves.coordinates();
   const int bodies = between(random, 1, most_bodies);
-  const int joints = between(random, 1, 2);
+  const int joints = between(random, 1, 3);  // so that links alone may have D = 3
   const auto name = [](int b) {
     return b < 0 ? std::string("ground") : "b" + std::to_string(b);
   };
@@ -1119,6 +1119,21 @@ TEST(Bodies, AMarginInThePlaneWithANormalOfIrrationalLength) {
                  along);
   expect_outcome("witness-box", grasp,
                  margin(1, "-1", R"(["stable", 1, 1, {"twist": [10], "shares": []}])"), along);
+  // Of a preload that grows, against the load 1: z = 16/sqrt(2) l - 1.
+  const std::string none = replaced(grasp, "\"preload\": 16", "\"preload\": 0");
+  Options growing;
+  growing.wrench = Vector{-1};
+  growing.preload_direction = PreloadDirection{false, {16}};
+  const auto grown = [](const std::string& of) {
+    return R"({"format": "stickslip-certificate/2", "question": {"contacts": 1, "wrench": [-1],
+ "normal_law": "unilateral", "preload_direction": [16]}, "verdict": "margin", "intervals": [)" +
+           of + "]}\n";
+  };
+  const std::string one = R"(["stable", 1, 1, {"twist": ["21/2"], "walls": [["2/3"]],
+ "direction": [[1]], "tree": [["leaf", 1], ["leaf", -1], ["leaf", 1], ["leaf", -1]]}])";
+  expect_outcome("accepted", none, grown(one), growing);
+  expect_outcome("leaf-bound", none, grown(replaced(one, "1, 1", "1, 2")), growing);
+  expect_outcome("leaf-bound", none, grown(replaced(one, "2/3", "6")), growing);
   // Where it pulls, nothing holds it, whatever its length.
   along.direction = Vector{1};
   expect_outcome("accepted", grasp, margin(1, "1", R"(["unstable", 1, null, [["leaf", -1]]])"),

@@ -149,14 +149,16 @@ class GraspReader {
     for (auto& [name, wrench] : grasp_.cases) add(wrench, grasp_.wrench);
     for (const auto& [i, on] : places_) put_on_outline(i, on);
     for (std::size_t i = 0; i < own_.size(); ++i) complete(i);
-    if (version_ < 3 && !pairs_.empty()) {
-      const std::size_t i = pairs_.begin()->first;
-      json_.fail(pairs_.at(i).line, "contacts[" + std::to_string(i) + "].of", kNeeds3);
+    if (version_ == 3) {
+      for (std::size_t i = 0; i < own_.size(); ++i) put_between_bodies(i);
+      for (const Contact& element : others_) grasp_.contacts.push_back(element);
+      grasp_.several->has_loads = has("loads");
+    } else if (!pairs_.empty()) {
+      const auto& [i, pair] = *pairs_.begin();
+      json_.fail(
+          pair.line, "contacts[" + std::to_string(i) + "]",
+          std::string(pair.of ? "the member \"of\": " : "the member \"by\": ") + kNeeds3);
     }
-    if (version_ < 3) return std::move(grasp_);
-    for (std::size_t i = 0; i < own_.size(); ++i) put_between_bodies(i);
-    for (const Contact& element : others_) grasp_.contacts.push_back(element);
-    grasp_.several->has_loads = has("loads");
     return std::move(grasp_);
   }
 

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "work.hpp"
+
 namespace stickslip_check {
 
 Vector way_of_slide(const Vector& g) {
@@ -64,6 +66,7 @@ Vector Mechanism::row(const Turns& over) const {
 Vector seen(const Sight& sight, const Vector& row) {
   if (!sight) return row;
   Vector result(sight->rows[0].size());
+  spend(kStepsOfRational * row.size() * result.size());
   for (std::size_t k = 0; k < row.size(); ++k) {
     for (std::size_t j = 0; j < result.size(); ++j) result[j] += row[k] * sight->rows[k][j];
   }

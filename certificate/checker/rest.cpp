@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <map>
 
+#include "work.hpp"
+
 namespace stickslip_check {
 namespace {
 
@@ -56,6 +58,7 @@ std::vector<Bounds> wrenches_of(const Row& row, const Bounds& preload,
                                 const std::vector<Vector>* friction) {
   const std::size_t dimension = row.normals[0].size();
   std::vector<Bounds> result;
+  spend(2 * kStepsOfRational * dimension * (dimension + 1) * row.normals.size());
   for (std::size_t l = 0; l <= dimension; ++l) {
     for (std::size_t k = 0; k < dimension; ++k) {
       Vector values;

@@ -983,6 +983,39 @@ TEST(Bodies, AContactInSpaceBetweenTwoBodies) {
                  refutation(more, {R"(["slip", 1])", leaf[0], leaf[0]}));
 }
 
+TEST(Bodies, ALinkInSpaceThatMustSlip) {
+  // The normal force is 2, friction takes up from 1/2 to 1 of the load 3, and the spring the
+  // rest: z is from 1 to 5/2, and at all of these friction is against the slip.
+  const std::string grasp =
+      slide({{"bodies", R"([{"name": "l", "slide": [1, 0, 0]}])"},
+             {"joints", R"([{"turns": {"l": 1}, "stiffness": {"min": 1, "max": 2}}])"},
+             {"contacts", R"([{"position": [{"min": 0, "max": 1}, 0, 0], "normal": [0, 0, 2],
+ "friction": {"min": 0.25, "max": 0.5}, "preload": 2, "of": "l"}])"},
+             {"loads", R"([{"body": "l", "force": [3, 1, 1], "at": [4, 5, 6]}])"}});
+  const std::string head = header(2, "3");
+  const std::string part = R"({"twist": ["7/4"], "walls": [["4/5"]], "direction": [[1]],
+ "tree": [["leaf", 1], ["leaf", -1], ["leaf", 1], ["leaf", -1]]})";
+  expect_outcome("accepted", grasp, in_parts(head, part));
+  expect_outcome("leaf-bound", grasp, in_parts(head, replaced(part, "4/5", "4/3")));  // to 5/2
+  expect_outcome("leaf-bound", grasp, in_parts(head, replaced(part, "7/4", "9/4")));  // from 1
+  // Where it need not slip, it may stick.
+  const std::vector<std::string> sides{R"(["plane", 1, 0])", R"(["leaf", 1])",
+                                       R"(["leaf", -1])"};
+  expect_outcome("leaf-bound", grasp, refutation(head, sides));
+  expect_outcome("node-certain", grasp,
+                 refutation(head, {R"(["slip", 0])", R"(["leaf", 1])", R"(["leaf", -1])"}));
+  // A contact of two bodies that move as one presses and rubs for nobody.
+  const std::string inside =
+      replaced(replaced(replaced(grasp, R"("slide": [1, 0, 0]})",
+                                 R"("slide": [1, 0, 0]}, {"name": "k", "slide": [1, 0, 0]})"),
+                        R"("of": "l")", R"("of": "l", "by": "k")"),
+               R"("turns": {"l": 1})", R"("turns": {"l": 1, "k": 1})");
+  const std::string free = R"({"twist": ["9/4"], "walls": [["4/5"]], "direction": [[1]],
+ "tree": [["leaf", 1], ["leaf", -1], ["leaf", 1], ["leaf", -1]]})";
+  expect_outcome("accepted", inside, in_parts(head, free));  // z from 3/2 to 3
+  expect_outcome("leaf-bound", grasp, in_parts(head, free));
+}
+
 /// A link that slides on a contact with the normal force 2 and is pulled back by a torque of 3.
 std::string dragged(const std::string& torque = "-3") {
   return slide(

@@ -218,8 +218,9 @@ Rational spatial_alpha(const Box& box, std::size_t i, const Generators& region, 
   return *alpha;
 }
 
-/// g. It grows with every alpha_i; with `rounded` each is replaced by something shorter that is
-/// not smaller, so that nothing is as good as it stands.
+/// g. It grows with every alpha_i but those of springs, whose v may be below 0; with `rounded`
+/// each that it grows with is replaced by something shorter that is not smaller, so that
+/// nothing is as good as it stands.
 Bound bound_of(const Box& box, const Generators& region, const Vector& twist, bool rounded) {
   const std::size_t dimension = box.dimension();
   Rational scale;
@@ -236,7 +237,8 @@ Bound bound_of(const Box& box, const Generators& region, const Vector& twist, bo
   work.assign(work.size(), 0);
   for (std::size_t i = 0; i < box.size(); ++i) {
     const Row& row = box.row(i);
-    const int v_side = is_spring(box.contact(i).sight) ? 1 : side(region, row.v);
+    const bool spring = is_spring(box.contact(i).sight);
+    const int v_side = spring ? 1 : side(region, row.v);
     if (v_side < 0) continue;  // max(0, v_i) = 0
     if (row.has_edges() && !row.certain) {
       bool barred = false;
@@ -251,7 +253,7 @@ Bound bound_of(const Box& box, const Generators& region, const Vector& twist, bo
       continue;
     }
     const Rational exact = alpha * row.weight;
-    const Rational factor = rounded ? short_above(exact) : exact;
+    const Rational factor = rounded && !spring ? short_above(exact) : exact;
     if (v_side > 0) {
       for (std::size_t j = 0; j < row.v[0].size(); ++j) work[j] = factor * row.v[0][j];
       terms.add(work);

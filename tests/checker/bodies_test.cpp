@@ -825,6 +825,25 @@ TEST(Bodies, FalseProofOfASpringThatPulls) {
       refutation(header(1, "1"), {R"(["plane", 1, 0])", R"(["leaf", -1])", R"(["leaf", -1])"}));
 }
 
+// A spring pulls with a number of many digits; a load is the same, or more by next to nothing.
+// What is rounded up is not to make the pull larger.
+TEST(Bodies, RoundingUpMakesNoSpringPullMore) {
+  Rational k;
+  mpz_ui_pow_ui(k.get_num_mpz_t(), 3, 200);
+  mpz_ui_pow_ui(k.get_den_mpz_t(), 7, 150);
+  Rational more = k + Rational(1, Integer(1) << 400U);
+  const std::string grasp =
+      slide({{"joints", R"([{"turns": {"l": 1}, "torque": "-)" + k.get_str() + "\"}]"}});
+  for (const Rational& pull : {k, more}) {
+    Options options;
+    options.wrench = Vector{pull};
+    const std::string head = header(1, "\"" + pull.get_str() + "\"");
+    expect_outcome("leaf-bound", grasp, refutation(head, {R"(["leaf", 1])"}), options);
+    expect_outcome(pull == k ? "leaf-bound" : "accepted", grasp,
+                   refutation(head, {R"(["leaf", -1])"}), options);
+  }
+}
+
 /// A body without a joint, with a weight on a link, as FORMAT.md has it.
 std::string body_on_a_link() {
   return slide(

@@ -475,6 +475,16 @@ Mechanical random_grasp(Random& random, bool in_space, int most_bodies, int most
     }
     return std::pair{c, text + "}"};
   };
+  // Now and then all stiffnesses and preloads have many digits.
+  Rational factor = 1;
+  if (between(random, 0, 3) == 0) {
+    mpz_ui_pow_ui(factor.get_num_mpz_t(), 3, 60);
+    mpz_ui_pow_ui(factor.get_den_mpz_t(), 7, 50);
+  }
+  const auto times_factor = [&](int low, int high) {
+    return Rational(factor * between(random, low, high));
+  };
+  const auto quoted = [](const Rational& x) { return "\"" + x.get_str() + "\""; };
   std::vector<NaiveRow> springs;
   std::string joints_text;
   for (int q = 0; q < joints; ++q) {
@@ -484,11 +494,11 @@ Mechanical random_grasp(Random& random, bool in_space, int most_bodies, int most
     const int kind = between(random, 0, 3);
     NaiveRow row;
     row.spring = true;
-    const Rational stiffness = kind == 1 ? 0 : between(random, 0, 2);
-    const Rational torque = kind == 2 ? 0 : between(random, -2, 2);
+    const Rational stiffness = kind == 1 ? Rational(0) : times_factor(0, 2);
+    const Rational torque = kind == 2 ? Rational(0) : times_factor(-2, 2);
     row.v = {stiffness, torque};
-    if (kind == 0 || kind == 2) joints_text += R"(, "stiffness": )" + stiffness.get_str();
-    if (kind == 0 || kind == 1) joints_text += R"(, "torque": )" + torque.get_str();
+    if (kind == 0 || kind == 2) joints_text += R"(, "stiffness": )" + quoted(stiffness);
+    if (kind == 0 || kind == 1) joints_text += R"(, "torque": )" + quoted(torque);
     joints_text += "}";
     if (kind == 3) continue;
     row.normal = {q};
@@ -513,12 +523,12 @@ Mechanical random_grasp(Random& random, bool in_space, int most_bodies, int most
         row.normal[d - moves.turns.size() + q] = dot(r, moves.turns[q]);
       }
       if (row.normal == Vector(d)) continue;
-      const Rational stiffness = between(random, 1, 2);
-      const Rational preload = kind == 0 ? between(random, 0, 2) : between(random, -2, 2);
+      const Rational stiffness = times_factor(1, 2);
+      const Rational preload = times_factor(kind == 0 ? 0 : -2, 2);
       row.v = {stiffness, preload};
-      over_text[kind] = R"({"over": )" + over + R"(, "stiffness": )" + stiffness.get_str() +
+      over_text[kind] = R"({"over": )" + over + R"(, "stiffness": )" + quoted(stiffness) +
                         (kind == 0 ? R"(, "preload": )" : R"(, "tension": )") +
-                        preload.get_str() + "}";
+                        quoted(preload) + "}";
       (kind == 0 ? grasp.rows : springs).push_back(row);
     }
   }
@@ -548,16 +558,15 @@ Mechanical random_grasp(Random& random, bool in_space, int most_bodies, int most
     } else {
       row.tangent = moves.work(of, by, p, {Rational(-normal[1]), normal[0]});
     }
-    const Rational stiffness = between(random, 1, 2);
-    const Rational preload = between(random, 0, 2);
+    const Rational stiffness = times_factor(1, 2);
+    const Rational preload = times_factor(0, 2);
     row.v = {Rational(stiffness / square), Rational(preload / *exact_sqrt(square))};
     contacts.push_back(row);
     contacts_text += (contacts_text.empty() ? "" : ",\n  ") +
                      (R"({"position": )" + text_of(p)) + R"(, "normal": )" + text_of(normal) +
                      R"(, "friction": ")" + row.friction.get_str() + R"(", "stiffness": )" +
-                     stiffness.get_str() + R"(, "preload": )" + preload.get_str() +
-                     R"(, "of": ")" + name(of) + "\"" +
-                     (by < 0 ? "" : R"(, "by": ")" + name(by) + "\"") + "}";
+                     quoted(stiffness) + R"(, "preload": )" + quoted(preload) + R"(, "of": ")" +
+                     name(of) + "\"" + (by < 0 ? "" : R"(, "by": ")" + name(by) + "\"") + "}";
   }
   grasp.rows.insert(grasp.rows.begin(), contacts.begin(), contacts.end());
   grasp.rows.insert(grasp.rows.end(), springs.begin(), springs.end());

@@ -28,6 +28,18 @@ Vector parse_list(const std::string& option, const std::string& text) {
   return values;
 }
 
+/// Of the coordinates of a motion.
+Vector parse_wrench(const std::string& option, const std::string& text) {
+  Vector values = parse_list(option, text);
+  if (values.size() > kMostCoordinates) {
+    throw UsageError{
+        option + ": " + quote(text) +
+        " is not WX,WY,T, such as 0,-11/10,0, or in space WX,WY,WZ,TX,TY,TZ, or of "
+        "several bodies at most 30 numbers"};
+  }
+  return values;
+}
+
 std::vector<Vector> parse_plane(const std::string& option, const std::string& text) {
   const Vector values = parse_list(option, text);
   if (values.size() != 2 * kPlanar) {
@@ -99,7 +111,7 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
     };
     Options& options = arguments.options;
     if (word == "--wrench") {
-      options.wrench = parse_list(word, value());
+      options.wrench = parse_wrench(word, value());
     } else if (word == "--torque") {
       options.wrench = Vector{0, 0, parse_number(word, value())};
     } else if (word == "--case") {
@@ -113,7 +125,7 @@ Arguments parse_arguments(const std::vector<std::string>& words) {
       }
       options.bilateral = law == "bilateral";
     } else if (word == "--direction") {
-      options.direction = parse_list(word, value());
+      options.direction = parse_wrench(word, value());
     } else if (word == "--plane") {
       options.plane = parse_plane(word, value());
     } else if (word == "--inertia") {
